@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+namespace burnish {
+
+/// Prints the failed condition with its place and ends the process.
+[[noreturn]] void check_failed(const char* condition, const char* file, int line,
+                               const std::string& message);
+
+}  // namespace burnish
+
+/// A contract between pieces of this program: when it breaks, the program is wrong and must stop.
+/// What users or files can get wrong is a Status instead.
+#define BURNISH_CHECK(condition, message)                                        \
+  do {                                                                           \
+    if (!(condition)) [[unlikely]]                                               \
+      ::burnish::check_failed(#condition, __FILE__, __LINE__, (message));        \
+  } while (false)

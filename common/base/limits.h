@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace burnish {
+
+/// Every limit of the product, with its unit in its name. Checked at the edge where the value
+/// enters: file readers, the command line, the wire.
+inline constexpr int kDepthMin = 4;
+inline constexpr int kDepthMax = 12;
+inline constexpr int kDefaultDepthMax = 9;
+
+inline constexpr uint64_t kTrianglesMax = uint64_t{1} << 31;
+inline constexpr uint64_t kVerticesMax = uint64_t{1} << 31;
+inline constexpr double kCoordinateMagnitudeMax = 1e18;  // file units; squares stay finite in float
+
+inline constexpr double kAlphaMin = 0.01;  // user units (alpha * L)
+inline constexpr double kAlphaMax = 1e5;
+inline constexpr double kAlphaDefault = 50;
+
+inline constexpr double kBetaMin = 0;
+inline constexpr double kBetaMax = 10;
+inline constexpr double kBetaDefault = 1;
+
+inline constexpr size_t kCurvePointsMax = 64;
+inline constexpr double kCurveContrastMax = 1000;
+inline constexpr double kCurveContrastWarn = 100;
+inline constexpr double kCurveKappaMagnitudeMax = 1e9;  // user units (kappa * L)
+
+inline constexpr size_t kStrokeDabsMax = 4096;
+inline constexpr size_t kEditsPerFrameMax = 64;
+
+}  // namespace burnish

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <Eigen/Core>
+
+namespace burnish {
+
+using Vec3f = Eigen::Vector3f;
+using Vec3d = Eigen::Vector3d;
+using Vec3i = Eigen::Vector3i;
+
+/// Vertex indices of one triangle, counter-clockwise seen from outside.
+using Triangle = std::array<uint32_t, 3>;
+
+}  // namespace burnish

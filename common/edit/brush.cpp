@@ -1,0 +1,67 @@
+#include "common/edit/brush.h"
+
+#include <cmath>
+
+#include "common/base/limits.h"
+#include "common/edit/transfer_curve.h"
+
+namespace burnish {
+
+double fall_off_weight(FallOff fall_off, double distance_over_radius) {
+  const double x = distance_over_radius;
+  if (!(x < 1)) return 0;
+  switch (fall_off) {
+    case FallOff::kSmooth: return (1 - x) * (1 - x) * (1 + 2 * x);
+    case FallOff::kLinear: return 1 - x;
+    case FallOff::kSharp: return (1 - x) * (1 - x);
+    case FallOff::kConstant: return 1;
+  }
+  return 0;
+}
+
+std::vector<Vec3d> dab_centres(const Stroke& stroke) {
+  const double spacing = kDabSpacing * stroke.brush.radius;
+  std::vector<Vec3d> centres = {stroke.path.front()};
+  double until_next = spacing;
+  for (size_t i = 1; i < stroke.path.size(); ++i) {
+    const Vec3d a = stroke.path[i - 1];
+    const Vec3d along = stroke.path[i] - a;
+    const double length = along.norm();
+    double at = until_next;
+    for (; at <= length && centres.size() <= kStrokeDabsMax; at += spacing)
+      centres.push_back(a + along * (at / length));
+    until_next = at - length;
+  }
+  return centres;
+}
+
+static Status check_path(const std::vector<Vec3d>& path) {
+  if (path.empty()) return invalid_argument("the stroke's path has no points");
+  if (path.size() > kStrokeDabsMax)
+    return invalid_argument("the stroke's path has " + std::to_string(path.size()) +
+                            " points, the limit is " + std::to_string(kStrokeDabsMax));
+  for (size_t i = 0; i < path.size(); ++i) {
+    if ((path[i].array().abs() <= kCoordinateMagnitudeMax).all()) continue;
+    return invalid_argument("point " + std::to_string(i + 1) +
+                            " of the stroke's path is not finite and within ±1e18");
+  }
+  return Status::ok();
+}
+
+Status validate(const Stroke& stroke) {
+  const Brush& brush = stroke.brush;
+  if (!(brush.radius > 0) || !(brush.radius <= kCoordinateMagnitudeMax))
+    return invalid_argument("brush radius " + std::to_string(brush.radius) +
+                            " is not above 0 and within 1e18");
+  if (!(brush.strength > 0 && brush.strength <= 1))
+    return invalid_argument("brush strength " + std::to_string(brush.strength) +
+                            " is outside (0, 1]");
+  RETURN_IF_ERROR(check_beta(brush.beta).with_context("brush"));
+  RETURN_IF_ERROR(check_path(stroke.path));
+  if (dab_centres(stroke).size() > kStrokeDabsMax)
+    return invalid_argument("the stroke has more than " + std::to_string(kStrokeDabsMax) +
+                            " dabs; take a larger radius or a shorter path");
+  return Status::ok();
+}
+
+}  // namespace burnish

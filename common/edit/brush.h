@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "common/base/status.h"
+#include "common/base/types.h"
+
+namespace burnish {
+
+enum class FallOff { kSmooth, kLinear, kSharp, kConstant };
+
+/// The airbrush of section 6.1: a ball in the original geometry that blends its β into the cells.
+struct Brush {
+  double radius = 0;    ///< file units, > 0
+  double strength = 1;  ///< (0, 1]: the blend weight at the centre of one dab
+  double beta = 0;      ///< the painted gradient scale
+  FallOff fall_off = FallOff::kSmooth;
+};
+
+/// A brush drag: the polyline of surface points, in file units, that the cursor passed.
+/// Its dabs are spaced along it by a fraction of the radius, so that the result does not depend on
+/// how often the cursor was sampled.
+struct Stroke {
+  Brush brush;
+  std::vector<Vec3d> path;  ///< at least one point
+};
+
+inline constexpr double kDabSpacing = 0.25;  // of the radius
+
+/// Weight in [0, 1] at `distance_over_radius` >= 0: 1 at the centre, 0 from 1 on.
+double fall_off_weight(FallOff fall_off, double distance_over_radius);
+
+/// The dab centres of a stroke: its first point, then every kDabSpacing·radius along it.
+std::vector<Vec3d> dab_centres(const Stroke& stroke);
+
+/// Fails: invalid_argument for a non-finite or empty path, values outside their limits, or more
+/// than kStrokeDabsMax dabs; names what, its value and the limit.
+Status validate(const Stroke& stroke);
+
+}  // namespace burnish

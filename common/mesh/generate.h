@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/base/status.h"
+#include "common/mesh/triangle_mesh.h"
+
+namespace burnish {
+
+/// A scan that the project makes itself, for demos, tests and benchmarks.
+struct GeneratedScan {
+  std::string kind;             ///< one of generated_scan_kinds()
+  uint64_t vertices = 100'000;  ///< wanted count; the result is the nearest that the kind offers
+  uint64_t seed = 1;            ///< same seed, same mesh, on every machine
+};
+
+struct GeneratedScanKind {
+  std::string_view name;
+  std::string_view description;  ///< one line for the help text
+};
+
+/// tablet, icosphere, cylinder, sheet, blob, sheets, fan, soup (section 3 of ARCHITECTURE.md).
+const std::vector<GeneratedScanKind>& generated_scan_kinds();
+
+/// Fails: invalid_argument for an unknown kind or a count outside the kind's limits.
+Result<TriangleMesh> generate_scan(const GeneratedScan& scan);
+
+/// A sphere of radius r around the origin: an icosahedron split `level` times (10·4^level + 2
+/// vertices), every vertex on the sphere.
+TriangleMesh make_icosphere(int level, double radius);
+
+/// An open cylinder around z of radius r and height h, `around` × `along` quads split in two.
+TriangleMesh make_cylinder(int around, int along, double radius, double height);
+
+/// The graph z = bump(x, y) over [0, width]², `side` × `side` quads; one Gaussian bump of this
+/// height and a tenth of the width as deviation, or flat for 0.
+TriangleMesh make_sheet(int side, double width, double bump_height);
+
+}  // namespace burnish

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/base/status.h"
+#include "common/base/types.h"
+
+namespace burnish {
+
+/// A colour per vertex (red, green, blue, alpha), kept from import to export.
+using Rgba8 = std::array<uint8_t, 4>;
+
+/// An indexed triangle mesh as scanners leave it: it may have boundary, non-manifold edges,
+/// zero-area triangles, several components, and vertices that no triangle references.
+struct TriangleMesh {
+  std::vector<Vec3d> vertices;      ///< positions in the file's own units
+  std::vector<Triangle> triangles;  ///< indices into `vertices`
+  std::vector<Rgba8> colours;       ///< empty, or one per vertex
+
+  /// True when the source held more than float precision (PLY double, long decimals), as survey
+  /// coordinates do; writers then write doubles, else floats.
+  bool has_double_positions = false;
+
+  bool has_colours() const { return !colours.empty(); }
+};
+
+/// What every consumer may assume of a mesh: at least one triangle, counts within the limits,
+/// indices in range, coordinates finite and within kCoordinateMagnitudeMax, colours none or all,
+/// and a positive, finite total area.
+/// Fails: invalid_argument naming the first offending vertex or triangle, its value and the limit.
+Status validate(const TriangleMesh& mesh);
+
+}  // namespace burnish

@@ -1,0 +1,42 @@
+# The packages that the whole tree uses, and the two functions by which folders become targets.
+
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+if(BURNISH_OPENMP)
+  find_package(OpenMP REQUIRED)
+endif()
+
+add_library(burnish_options INTERFACE)
+target_include_directories(burnish_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(burnish_options INTERFACE
+  -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers)
+# Debian's x86-64 baseline must run everywhere; only contraction and errno are relaxed, never the
+# order of sums: same input, same bits.
+target_compile_options(burnish_options INTERFACE -fno-math-errno -ffp-contract=off)
+target_link_libraries(burnish_options INTERFACE Eigen3::Eigen Threads::Threads)
+target_compile_definitions(burnish_options INTERFACE EIGEN_DONT_PARALLELIZE)
+if(BURNISH_OPENMP)
+  target_link_libraries(burnish_options INTERFACE OpenMP::OpenMP_CXX)
+else()
+  target_compile_options(burnish_options INTERFACE -Wno-unknown-pragmas)
+endif()
+if(BURNISH_SANITIZE)
+  target_compile_options(burnish_options INTERFACE
+    -fsanitize=${BURNISH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(burnish_options INTERFACE -fsanitize=${BURNISH_SANITIZE})
+endif()
+
+# burnish_library(NAME SOURCES a.cpp ... DEPENDS burnish_base ...): one folder, one static library.
+function(burnish_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES})
+  target_link_libraries(${name} PUBLIC burnish_options ${arg_DEPENDS})
+endfunction()
+
+# burnish_test(NAME SOURCES a_test.cpp ... DEPENDS burnish_mesh ...): one test program.
+function(burnish_test name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gtest GTest::gmock GTest::gtest_main)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endfunction()

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "common/base/status.h"
+#include "common/evaluation/evaluation.h"
+#include "common/grid/grid.h"
+#include "common/mesh/statistics.h"
+#include "common/mesh/triangle_mesh.h"
+
+namespace burnish {
+
+/// Metric-independent integrals of one cell over the surface inside it (section 4.3), grid units.
+/// Pairs (a, b), a < b, of local corners are ordered (0,1), (0,2), ..., (0,7), (1,2), ...: see
+/// pair_index(). Diagonals are not stored: they follow from the row sums, which keeps constants
+/// exact in float32 (ℓ has row sum zero).
+struct CellIntegrals {
+  std::array<float, 28> mass;                        ///< ρ_ab
+  std::array<float, 8> mass_row_sum;                 ///< Σ_b ρ_ab = ∫ B_a
+  std::array<std::array<float, 28>, 2> stiffness;    ///< ℓ¹_ab, ℓ²_ab
+  std::array<std::array<float, 21>, 2> gradient;     ///< ∫ ⟨v_i, ∇B_a⟩ v_i for a = 0..6; a = 7 is
+                                                     ///< minus their sum
+};
+static_assert(sizeof(CellIntegrals) == 536);
+
+/// Area-weighted means over a cell, user units (κ·L), and the clipped area in grid units.
+struct CellCurvature {
+  float kappa1;  ///< the algebraically larger principal curvature
+  float kappa2;
+  float area;
+};
+
+/// How much of the surface has which curvature: what the transfer-curve editor draws behind the
+/// curve. Bins are even in asinh(κ) between -range and range; both κ1 and κ2 count.
+struct CurvatureHistogram {
+  static constexpr int kBins = 128;
+  float range = 1;                         ///< user units; the last bins hold what lies beyond
+  std::array<float, kBins> area = {};      ///< fraction of the total
+};
+
+/// Seconds by phase and peak bytes of one preparation.
+struct PrepareReport {
+  struct Phase {
+    std::string name;
+    double seconds = 0;
+    uint64_t peak_bytes = 0;  ///< resident memory of the process at its end
+  };
+  std::vector<Phase> phases;
+};
+
+/// Everything about a scan at one depth that no edit changes; immutable and shared by sessions.
+/// The spans point into storage that the object owns: vectors, or a memory-mapped file.
+class PreparedMesh {
+ public:
+  GridFrame frame;
+  double length_unit = 1;         ///< L = sqrt(total area), file units
+  double curvature_radius = 0;    ///< averaging radius as a fraction of L
+  MeshStatistics statistics;
+  bool has_double_positions = false;
+  CurvatureHistogram histogram;
+
+  std::span<const Vec3d> vertices;
+  std::span<const Triangle> triangles;
+  std::span<const Rgba8> colours;               ///< empty or one per vertex
+  std::span<const EvaluationPoint> evaluation;  ///< one per vertex
+  std::span<const MortonKey> cells;             ///< the finest depth, strictly rising
+  std::span<const CellIntegrals> integrals;     ///< one per cell
+  std::span<const CellCurvature> curvature;     ///< one per cell
+
+  /// α in grid units = α in user units × this.
+  double alpha_scale() const { return frame.cell_size / length_unit; }
+  uint64_t byte_count() const;  ///< of all the spans
+
+  std::shared_ptr<const void> storage;  ///< keeps what the spans point into
+};
+
+/// Writes the prepared mesh to `path` by way of a synced temporary file.
+Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::path& path);
+
+/// Maps a prepared file; pages are shared by every process that maps it.
+/// Fails: not_found; data_loss naming the section when the version, a size or a checksum is wrong.
+Result<std::shared_ptr<const PreparedMesh>> map_prepared_mesh(const std::filesystem::path& path);
+
+/// Bumped whenever the file or the numbers in it change.
+inline constexpr uint32_t kPreparedFormatVersion = 1;
+
+}  // namespace burnish
