@@ -54,7 +54,7 @@ static void integrate_mass(const Vec3d (&corner)[3], double area, Square& mass, 
 }
 
 BURNISH_WIDE_CLONES
-static void integrate_stiffness(const Vec3d (&corner)[3], double area, const Vec3d (&v)[2],
+static void integrate_stiffness(const Vec3d (&corner)[3], double area, const Vec3d (&v)[3],
                                 std::array<Square, 2>& stiffness, std::array<Eight, 2>& slope) {
   double p[3];
   for (const QuadraturePoint& q : kDegree4Rule) {
@@ -67,6 +67,10 @@ static void integrate_stiffness(const Vec3d (&corner)[3], double area, const Vec
       add_outer_product(stiffness[i], along, weight);
       for (int a = 0; a < 8; ++a) slope[i][a] += weight * along[a];
     }
+    Eight across;
+    for (int a = 0; a < 8; ++a) across[a] = v[2][0] * dx[a] + v[2][1] * dy[a] + v[2][2] * dz[a];
+    for (int i = 0; i < 2; ++i)
+      add_outer_product(stiffness[i], across, 0.5 * kNormalStiffness * weight);
   }
 }
 
@@ -86,7 +90,7 @@ void CellIntegrator::add_triangle(const Vec3d& p, const Vec3d& q, const Vec3d& r
   const double area = (q - p).cross(r - p).norm() / 2;
   if (!(area > kPieceAreaMin)) return;
   const Vec3d corner[3] = {p, q, r};
-  const Vec3d v[2] = {v1, v2};
+  const Vec3d v[3] = {v1, v2, v1.cross(v2)};
   std::array<Eight, 2> slope = {};
   integrate_mass(corner, area, mass_, mass_row_sum_);
   integrate_stiffness(corner, area, v, stiffness_, slope);

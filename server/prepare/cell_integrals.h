@@ -35,6 +35,12 @@ class CellIntegrator {
   static std::array<std::array<Vec3d, 8>, 2> zero_gradient();
 };
 
+/// The share of the squared normal derivative ∫⟨n, ∇B_a⟩⟨n, ∇B_b⟩ that is added to ℓ¹ + ℓ².
+/// Functions that vanish on a flat piece of surface have no energy at all; rounding the tables to
+/// float32 would make that slightly negative, and the solver would run away along them. This lifts
+/// them above the rounding and moves the surface by some 1e-6 of a cell.
+inline constexpr double kNormalStiffness = 1e-6;
+
 /// Below this area (cells²) a piece is a rounding artefact of clipping.
 inline constexpr double kPieceAreaMin = 1e-22;
 

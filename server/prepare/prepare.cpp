@@ -200,7 +200,7 @@ Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
                                   *arrays));
   clock.end("integrals");
 
-  const SparseGrid grid = make_sparse_grid(depth, arrays->cells);
+  const SparseGrid grid = make_finest_grid(depth, arrays->cells);
   arrays->evaluation = make_evaluation(mesh, prepared->frame, grid);
   prepared->histogram = make_histogram(arrays->curvature);
   point_at(*prepared, std::move(arrays));
