@@ -41,10 +41,11 @@ static Vec3d sphere_of_cube(const Vec3d& p) {
 }
 
 double blob_radius(const Vec3d& direction, uint64_t seed) {
-  const double lumps = 0.5 * fractal_noise(1.3 * direction, 2, sub_seed(seed, 0));
-  const double ridges = 0.1 * std::abs(gradient_noise(5 * direction, sub_seed(seed, 1)));
-  const double detail = 0.04 * fractal_noise(12 * direction, 3, sub_seed(seed, 2));
-  return 1 + lumps - ridges + detail;
+  const double lumps = 0.45 * gradient_noise(1.4 * direction, sub_seed(seed, 0)) +
+                       0.12 * gradient_noise(3.5 * direction, sub_seed(seed, 1));
+  const double creases = 0.07 * std::abs(gradient_noise(5 * direction, sub_seed(seed, 2)));
+  const double detail = 0.015 * fractal_noise(14 * direction, 3, sub_seed(seed, 3));
+  return 1 + lumps - creases + detail;
 }
 
 TriangleMesh generate_blob(uint64_t vertices, uint64_t seed) {
@@ -74,7 +75,7 @@ TriangleMesh generate_blob(uint64_t vertices, uint64_t seed) {
       quad([&](int a, int b) { return surface.index(n, a, b); });
     }
   add_scanner_noise(mesh, {.white = 4e-4, .correlated = 4e-4, .correlation_length = 0.02},
-                    sub_seed(seed, 3));
+                    sub_seed(seed, 4));
   round_to_float(mesh);
   return mesh;
 }

@@ -38,15 +38,16 @@ double gradient_noise(const Vec3d& p, uint64_t seed) {
   const auto x = static_cast<int64_t>(floor.x());
   const auto y = static_cast<int64_t>(floor.y());
   const auto z = static_cast<int64_t>(floor.z());
-  std::array<double, 8> corners;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3i at(i & 1, (i >> 1) & 1, i >> 2);
-    corners[i] = ramp(x + at.x(), y + at.y(), z + at.z(), t - at.cast<double>(), seed);
-  }
   const double u = fade(t.x()), v = fade(t.y()), w = fade(t.z());
-  const double below = blend(blend(corners[0], corners[1], u), blend(corners[2], corners[3], u), v);
-  const double above = blend(blend(corners[4], corners[5], u), blend(corners[6], corners[7], u), v);
-  return blend(below, above, w);
+  const auto layer = [&](int dz) {
+    std::array<double, 4> corners;
+    for (int i = 0; i < 4; ++i) {
+      const int dx = i & 1, dy = i >> 1;
+      corners[i] = ramp(x + dx, y + dy, z + dz, t - Vec3d(dx, dy, dz), seed);
+    }
+    return blend(blend(corners[0], corners[1], u), blend(corners[2], corners[3], u), v);
+  };
+  return w == 0 ? layer(0) : blend(layer(0), layer(1), w);  // w is 0 all over a flat face
 }
 
 double fractal_noise(const Vec3d& p, int octaves, uint64_t seed) {
