@@ -1,5 +1,5 @@
-#include <array>
 #include <cmath>
+#include <utility>
 
 #include "common/mesh/generate_kinds.h"
 #include "common/mesh/lattice.h"

@@ -64,7 +64,9 @@ static void tear(TornLattice& lattice, const TabletLattice& size, uint64_t seed)
                                        : lattice.vertex(side - 1 - across, along(1));
     const double radius = (on_face ? 2.0 : 5.0) * (1 + uniform(own_seed, 3));
     lattice.keep_where([&](int, int, const Vec3d& p) {
-      return (p - centre).norm() > radius * (1 + 0.5 * gradient_noise(p / radius, own_seed));
+      const double distance = (p - centre).norm();
+      return distance > 2 * radius ||
+             distance > radius * (1 + 0.5 * gradient_noise(p / radius, own_seed));
     });
   }
 }

@@ -98,7 +98,8 @@ double TabletStone::face_height(const Vec2d& p, double to_rim) const {
   const double flaked = smooth_step(0.25, 0.32, noise(150, 5, kFlakes));
   const double flake = flaked * (2.6 + 1.6 * noise(22, 4, kFlakeFloor));
   const double chip_reach = 9 + 30 * std::max(0.0, noise(45, 3, kChips));
-  const double chip = 0.3 * chip_reach * std::pow(std::max(0.0, 1 - to_rim / chip_reach), 2);
+  const double near_rim = std::max(0.0, 1 - to_rim / chip_reach);
+  const double chip = 0.3 * chip_reach * near_rim * near_rim;
   return undulation - pits - std::max(cut, flake) - chip;
 }
 

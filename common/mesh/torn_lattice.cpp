@@ -28,25 +28,36 @@ void TornLattice::tear_pinches() {
   }
 }
 
-std::vector<uint8_t> TornLattice::quads_around_the_middle() {
-  std::vector<uint8_t> reached(kept_.size(), 0);
-  std::vector<std::pair<int, int>> open = {{side_ / 2, side_ / 2}};
-  while (!open.empty()) {
-    const auto [column, row] = open.back();
-    open.pop_back();
-    if (column < 0 || row < 0 || column + 1 >= side_ || row + 1 >= side_) continue;
-    uint8_t& here = reached[size_t(row) * side_ + column];
-    if (here || !kept(column, row)) continue;
-    here = 1;
-    open.insert(open.end(),
-                {{column - 1, row}, {column + 1, row}, {column, row - 1}, {column, row + 1}});
+std::vector<size_t> TornLattice::take_piece_of(size_t first) {
+  std::vector<size_t> piece;
+  const auto take = [&](size_t quad) {
+    if (kept_[quad]) piece.push_back(quad);
+    kept_[quad] = 0;
+  };
+  take(first);
+  for (size_t i = 0; i < piece.size(); ++i) {
+    const size_t quad = piece[i], column = quad % side_, row = quad / side_;
+    if (column > 0) take(quad - 1);
+    if (column + 2 < size_t(side_)) take(quad + 1);
+    if (row > 0) take(quad - side_);
+    if (row + 2 < size_t(side_)) take(quad + side_);
   }
-  return reached;
+  return piece;
+}
+
+void TornLattice::keep_largest_piece() {
+  std::vector<size_t> largest;
+  for (int row = 0; row < side_ - 1; ++row)
+    for (int column = 0; column < side_ - 1; ++column) {
+      std::vector<size_t> piece = take_piece_of(size_t(row) * side_ + column);
+      if (piece.size() > largest.size()) largest = std::move(piece);
+    }
+  for (size_t quad : largest) kept_[quad] = 1;
 }
 
 TriangleMesh TornLattice::largest_piece() {
   tear_pinches();
-  kept_ = quads_around_the_middle();
+  keep_largest_piece();
   TriangleMesh mesh;
   constexpr uint32_t kUnused = std::numeric_limits<uint32_t>::max();
   std::vector<uint32_t> new_index(vertices_.size(), kUnused);

@@ -20,14 +20,15 @@ class TornLattice {
   /// Tears out the quads whose lower left vertex does not satisfy keep(column, row, position).
   void keep_where(const std::function<bool(int, int, const Vec3d&)>& keep);
 
-  /// What hangs together with the middle, as a manifold with boundary: quads that touch another
-  /// piece of boundary with one corner go too. Each quad is split along its shorter diagonal.
+  /// The largest piece that hangs together, as a manifold with boundary: quads that touch others
+  /// with one corner only go too. Each quad is split along its shorter diagonal.
   TriangleMesh largest_piece();
 
  private:
   uint8_t& kept(int column, int row) { return kept_[size_t(row) * side_ + column]; }
   void tear_pinches();
-  std::vector<uint8_t> quads_around_the_middle();
+  std::vector<size_t> take_piece_of(size_t first);
+  void keep_largest_piece();
 
   int side_;  ///< vertices
   std::vector<Vec3d> vertices_;
