@@ -12,16 +12,16 @@ namespace burnish {
 struct MeshStatistics {
   uint64_t vertices = 0;
   uint64_t triangles = 0;
-  uint64_t boundary_edges = 0;          ///< edges of exactly one triangle
-  uint64_t non_manifold_edges = 0;      ///< edges of three or more triangles
-  uint64_t components = 0;              ///< of the referenced vertices, connected through edges
-  uint64_t zero_area_triangles = 0;     ///< exactly zero, in double precision
+  uint64_t boundary_edges = 0;       ///< edges of exactly one triangle
+  uint64_t non_manifold_edges = 0;   ///< edges of three or more triangles
+  uint64_t components = 0;           ///< of the referenced vertices, connected through edges
+  uint64_t zero_area_triangles = 0;  ///< exactly zero, in double precision
   uint64_t unreferenced_vertices = 0;
-  double area = 0;                      ///< file units squared
-  double signed_volume = 0;             ///< file units cubed; means something only when closed: an
-                                        ///< open surface is closed through the box's centre
-  double mean_edge_length = 0;          ///< over unordered edges, file units
-  Vec3d box_min = Vec3d::Zero();        ///< of the referenced vertices
+  double area = 0;                ///< file units squared
+  double signed_volume = 0;       ///< file units cubed; means something only when closed: an
+                                  ///< open surface is closed through the box's centre
+  double mean_edge_length = 0;    ///< over unordered edges, file units
+  Vec3d box_min = Vec3d::Zero();  ///< of the referenced vertices
   Vec3d box_max = Vec3d::Zero();
 
   bool is_closed() const { return boundary_edges == 0; }
