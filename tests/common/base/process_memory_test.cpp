@@ -1,18 +1,21 @@
 #include "common/base/process_memory.h"
 
-#include <vector>
-
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 
 namespace burnish {
 namespace {
 
 constexpr uint64_t kBlockBytes = 64 << 20;
 
-// Makes a block resident and lets it go again.
+// Makes a block resident and lets it go again; mapped by hand, as an allocator may keep it.
 uint64_t resident_with_block() {
-  const std::vector<char> block(kBlockBytes, 1);
-  return block.back() == 1 ? resident_bytes() : 0;
+  void* block = mmap(nullptr, kBlockBytes, PROT_READ | PROT_WRITE,
+                     MAP_PRIVATE | MAP_ANONYMOUS | MAP_POPULATE, -1, 0);
+  EXPECT_NE(block, MAP_FAILED);
+  const uint64_t resident = resident_bytes();
+  munmap(block, kBlockBytes);
+  return resident;
 }
 
 TEST(ProcessMemory, ABlockInUseIsResident) {
