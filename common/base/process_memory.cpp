@@ -3,34 +3,33 @@
 #include <fstream>
 #include <limits>
 #include <string>
-#include <string_view>
 
 namespace burnish {
 
-// Linux gives these in lines like "VmRSS:     1234 kB".
-static uint64_t bytes_in_status(std::string_view field) {
-  std::ifstream status("/proc/self/status");
-  std::string name;
-  while (status >> name) {
+// The value of a "Name:   123 kB" line, or `otherwise` where there is none.
+static uint64_t bytes_of_line(const char* file, const std::string& name, uint64_t otherwise) {
+  std::ifstream in(file);
+  std::string word;
+  while (in >> word) {
+    if (word != name) continue;
     uint64_t kibibytes = 0;
-    if (name == field && status >> kibibytes) return kibibytes * 1024;
-    status.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    return in >> kibibytes ? kibibytes * 1024 : otherwise;
   }
-  return 0;
+  return otherwise;
 }
 
-uint64_t resident_bytes() {
-  return bytes_in_status("VmRSS:");
-}
+uint64_t resident_bytes() { return bytes_of_line("/proc/self/status", "VmRSS:", 0); }
 
-uint64_t peak_resident_bytes() {
-  return bytes_in_status("VmHWM:");
-}
+uint64_t peak_resident_bytes() { return bytes_of_line("/proc/self/status", "VmHWM:", 0); }
 
 bool reset_peak_resident_bytes() {
   std::ofstream clear_refs("/proc/self/clear_refs");
   clear_refs << "5" << std::flush;  // 5: the high-water mark only; proc(5)
   return clear_refs.good();
+}
+
+uint64_t available_memory_bytes() {
+  return bytes_of_line("/proc/meminfo", "MemAvailable:", std::numeric_limits<uint64_t>::max());
 }
 
 }  // namespace burnish

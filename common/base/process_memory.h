@@ -4,13 +4,11 @@
 
 namespace burnish {
 
-/// Bytes of this process in physical memory now, and the most there were since its start or the
-/// last reset; 0 where the system does not tell.
-uint64_t resident_bytes();
-uint64_t peak_resident_bytes();
-
-/// Lets the peak start again from what is resident now, to measure a phase of work.
-/// Returns false where the system does not permit it; then the peak goes on from the start.
+uint64_t resident_bytes();       ///< this process's resident memory now
+uint64_t peak_resident_bytes();  ///< its largest since the start or the last reset
+/// Starts the peak anew; false and without effect where the kernel does not allow it.
 bool reset_peak_resident_bytes();
+/// What the machine can still give without swapping.
+uint64_t available_memory_bytes();
 
 }  // namespace burnish
