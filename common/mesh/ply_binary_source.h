@@ -45,8 +45,9 @@ class PlyBinarySource {
     return false;
   }
 
-  /// Needs: count <= values_left_max(type).
+  /// The same for several values that nobody wants.
   bool skip(PlyType type, uint64_t count) {
+    if (count > values_left_max(type)) return false;
     position_ += count * bytes_of(type);
     return true;
   }
