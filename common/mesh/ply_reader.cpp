@@ -1,0 +1,194 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "common/mesh/mesh_formats.h"
+#include "common/mesh/ply_ascii_source.h"
+#include "common/mesh/ply_binary_source.h"
+#include "common/mesh/ply_header.h"
+#include "common/mesh/ply_layout.h"
+#include "common/mesh/polygon.h"
+#include "common/mesh/text_values.h"
+
+namespace burnish {
+
+namespace {
+
+/// Indices that end a strip and let the next one begin: -1, also as unsigned types show it.
+constexpr double kRestart = -1;
+constexpr double kRestartUnsigned = 0xFFFFFFFF;
+
+uint8_t colour_byte(double value, PlyType type) {
+  double scaled = value;
+  if (!is_integer(type)) scaled = 255 * value;
+  if (type == PlyType::kUint16) scaled = value / 257;
+  return static_cast<uint8_t>(std::lround(scaled >= 0 ? std::min(scaled, 255.0) : 0));
+}
+
+template <typename Source>
+class PlyBodyReader {
+ public:
+  PlyBodyReader(Source source, const PlyHeader& header, const PlyLayout& layout)
+      : source_(std::move(source)), header_(header), layout_(layout) {
+    mesh_.has_double_positions = layout.has_double_positions;
+  }
+
+  Result<TriangleMesh> read() {
+    for (const PlyElement& element : header_.elements) {
+      if (element.properties.empty()) continue;
+      RETURN_IF_ERROR(element.name == "vertex" ? read_vertices(element) : read_lists(element));
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  Status read_vertices(const PlyElement& element) {
+    mesh_.vertices.resize(layout_.vertices);
+    if (layout_.has_colours) mesh_.colours.resize(layout_.vertices, {0, 0, 0, 255});
+    for (uint64_t v = 0; v < layout_.vertices; ++v) {
+      for (size_t p = 0; p < element.properties.size(); ++p)
+        RETURN_IF_ERROR(read_vertex_property(element, v, p));
+      if (!source_.at_line_end()) return leftover_error(element, v);
+    }
+    return Status::ok();
+  }
+
+  Status read_vertex_property(const PlyElement& element, uint64_t v, size_t p) {
+    const PlyProperty& property = element.properties[p];
+    const size_t slot = layout_.vertex_slots[p];
+    if (slot == kPlyIgnored) return skip(element, v, property);
+    double value;
+    if (!source_.read(property.type, value)) return read_error(element, v);
+    if (slot >= kPlyRed) {
+      if (layout_.has_colours) mesh_.colours[v][slot - kPlyRed] = colour_byte(value, property.type);
+      return Status::ok();
+    }
+    const auto axis = static_cast<int>(slot);
+    if (!is_coordinate(value))
+      return source_.error(coordinate_complaint({"vertex", v}, axis, number_text(value)));
+    if (!mesh_.has_double_positions) mesh_.has_double_positions = source_.last_exceeds_float(value);
+    mesh_.vertices[v][axis] = value;
+    return Status::ok();
+  }
+
+  /// Faces and strips; other elements are only skipped.
+  Status read_lists(const PlyElement& element) {
+    const bool is_face = element.name == "face";
+    const bool is_strip = element.name == "tristrips";
+    const size_t list = is_face ? layout_.face_list : is_strip ? layout_.strip_list : kPlyNoList;
+    if (is_face) mesh_.triangles.reserve(mesh_.triangles.size() + element.count);
+    for (uint64_t e = 0; e < element.count; ++e) {
+      for (size_t p = 0; p < element.properties.size(); ++p) {
+        const PlyProperty& property = element.properties[p];
+        if (p != list) {
+          RETURN_IF_ERROR(skip(element, e, property));
+        } else {
+          RETURN_IF_ERROR(is_face ? read_face(element, e, property)
+                                  : read_strip(element, e, property));
+        }
+      }
+      if (!source_.at_line_end()) return leftover_error(element, e);
+    }
+    return Status::ok();
+  }
+
+  Status read_face(const PlyElement& element, uint64_t f, const PlyProperty& list) {
+    uint64_t count;
+    RETURN_IF_ERROR(read_count(element, f, list, count));
+    if (count < 3) return source_.error(corner_count_complaint(f, static_cast<int64_t>(count)));
+    corners_.resize(count);
+    for (uint32_t& corner : corners_) {
+      double index;
+      if (!source_.read(list.type, index)) return read_error(element, f);
+      if (!is_vertex(index)) return index_error(element, f, index);
+      corner = static_cast<uint32_t>(index);
+    }
+    append_fan(corners_, mesh_.triangles);
+    return Status::ok();
+  }
+
+  Status read_strip(const PlyElement& element, uint64_t s, const PlyProperty& list) {
+    uint64_t count;
+    RETURN_IF_ERROR(read_count(element, s, list, count));
+    TriangleStrip strip;
+    for (uint64_t i = 0; i < count; ++i) {
+      double index;
+      if (!source_.read(list.type, index)) return read_error(element, s);
+      if (index == kRestart || index == kRestartUnsigned) {
+        strip = TriangleStrip();
+        continue;
+      }
+      if (!is_vertex(index)) return index_error(element, s, index);
+      strip.append(static_cast<uint32_t>(index), mesh_.triangles);
+    }
+    return Status::ok();
+  }
+
+  Status skip(const PlyElement& element, uint64_t number, const PlyProperty& property) {
+    uint64_t count = 1;
+    if (property.is_list()) RETURN_IF_ERROR(read_count(element, number, property, count));
+    if (!source_.skip(property.type, count)) return read_error(element, number);
+    return Status::ok();
+  }
+
+  Status read_count(const PlyElement& element, uint64_t number, const PlyProperty& list,
+                    uint64_t& count) {
+    double value;
+    if (!source_.read(*list.count_type, value)) return read_error(element, number);
+    const uint64_t limit = source_.values_left_max(list.type);
+    if (value < 0 || value > static_cast<double>(limit))
+      return error(element, number,
+                   "list " + in_quotes(list.name) + " has the count " + integer_text(value) +
+                       ", but at most " + std::to_string(limit) + " values are left in the file");
+    count = static_cast<uint64_t>(value);
+    return Status::ok();
+  }
+
+  bool is_vertex(double index) const {
+    return index >= 0 && index < static_cast<double>(layout_.vertices);
+  }
+
+  Status error(const PlyElement& element, uint64_t number, const std::string& what) const {
+    return source_.error(element.name + " " + std::to_string(number) + ": " + what);
+  }
+  Status read_error(const PlyElement& element, uint64_t number) const {
+    return error(element, number, source_.failure());
+  }
+  Status leftover_error(const PlyElement& element, uint64_t number) const {
+    return error(element, number, "the line goes on after its last value");
+  }
+  Status index_error(const PlyElement& element, uint64_t number, double index) const {
+    return source_.error(
+        index_complaint(element.name, number, integer_text(index), layout_.vertices));
+  }
+
+  Source source_;
+  const PlyHeader& header_;
+  const PlyLayout& layout_;
+  TriangleMesh mesh_;
+  std::vector<uint32_t> corners_;
+};
+
+template <typename Source>
+Result<TriangleMesh> read_body(std::span<const uint8_t> bytes, const PlyHeader& header,
+                               const PlyLayout& layout, const std::string& name) {
+  return PlyBodyReader<Source>(Source(bytes, header, name), header, layout).read();
+}
+
+}  // namespace
+
+Result<TriangleMesh> read_ply(std::span<const uint8_t> bytes, const std::string& name) {
+  ASSIGN_OR_RETURN(const PlyHeader header, parse_ply_header(bytes, name));
+  ASSIGN_OR_RETURN(const PlyLayout layout, find_ply_layout(header, name));
+  switch (header.encoding) {
+    case PlyEncoding::kAscii:
+      return read_body<PlyAsciiSource>(bytes, header, layout, name);
+    case PlyEncoding::kLittleEndian:
+      return read_body<PlyBinarySource<false>>(bytes, header, layout, name);
+    case PlyEncoding::kBigEndian:
+      return read_body<PlyBinarySource<true>>(bytes, header, layout, name);
+  }
+  return invalid_argument(name + ": unknown PLY encoding");
+}
+
+}  // namespace burnish
