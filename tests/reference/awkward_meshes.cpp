@@ -130,8 +130,9 @@ TriangleMesh two_near_sheets(int side, double gap) {
 
 TriangleMesh sphere_with_debris(int level) {
   TriangleMesh mesh = bumpy_sphere(level);
-  mesh.vertices.push_back((mesh.vertices[0] + mesh.vertices[1]) / 2);
-  mesh.triangles.push_back({0, 1, static_cast<uint32_t>(mesh.vertices.size() - 1)});
+  const Triangle whole = mesh.triangles[20];
+  mesh.vertices.push_back((mesh.vertices[whole[0]] + mesh.vertices[whole[1]]) / 2);
+  mesh.triangles.push_back({whole[0], whole[1], static_cast<uint32_t>(mesh.vertices.size() - 1)});
   mesh.triangles.push_back({5, 5, 9});
   mesh.triangles.push_back({4, 4, 4});
   mesh.triangles.push_back(mesh.triangles[10]);

@@ -60,20 +60,36 @@ Vec3d to_grid(const System& system, const Vec3d& point) {
   return snapped((point - system.origin) / system.cell_size);
 }
 
+/// An umbilic triangle (all of a flat part) has no principal directions of its own: below this
+/// difference, over the larger of |kappa| and 1 (user units), only rounding would choose them.
+constexpr double kUmbilicDifference = 1e-9;
+
+bool is_umbilic(const TriangleCurvature& c, double length_unit) {
+  const double scale = std::max({std::abs(c.kappa1), std::abs(c.kappa2), 1 / length_unit});
+  return c.kappa1 - c.kappa2 <= kUmbilicDifference * scale;
+}
+
 /// Adds one piece's integrals; kappas are sums weighted by area until all pieces are in.
 void add_piece(Cell& cell, const Polygon& piece, const TriangleCurvature& curvature,
                double length_unit) {
+  Matrix8d ell1 = Matrix8d::Zero();
+  Matrix8d ell2 = Matrix8d::Zero();
   for (const QuadraturePoint& q : quadrature(piece)) {
     const BSplines b = b_splines(cell.key, q.position);
     const Vector8d along1 = b.gradient * curvature.v1;
     const Vector8d along2 = b.gradient * curvature.v2;
     cell.rho += q.weight * b.value * b.value.transpose();
-    cell.ell1 += q.weight * along1 * along1.transpose();
-    cell.ell2 += q.weight * along2 * along2.transpose();
+    ell1 += q.weight * along1 * along1.transpose();
+    ell2 += q.weight * along2 * along2.transpose();
     cell.area += q.weight;
     cell.kappa1 += q.weight * curvature.kappa1 * length_unit;
     cell.kappa2 += q.weight * curvature.kappa2 * length_unit;
   }
+  // The cell's two alphas may still differ, by its other triangles. Half of the whole gradient for
+  // each is what every choice of directions gives on average.
+  const bool umbilic = is_umbilic(curvature, length_unit);
+  cell.ell1 += umbilic ? Matrix8d((ell1 + ell2) / 2) : ell1;
+  cell.ell2 += umbilic ? Matrix8d((ell1 + ell2) / 2) : ell2;
 }
 
 double area_of(const Polygon& polygon) {

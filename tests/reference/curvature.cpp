@@ -60,6 +60,8 @@ Vec3d nearest_areas(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 
 namespace {
 
+constexpr double kCancelledRatio = 1e-12;  // of a vertex normal over the sum of its weights
+
 struct Face {
   Vec3d p[3];
   std::array<uint32_t, 3> vertex;
@@ -83,18 +85,23 @@ std::vector<Face> faces_of(const TriangleMesh& mesh, std::vector<size_t>& triang
 }
 
 /// Max 1999: each corner adds its triangle's normal times sin(angle) / (product of its sides),
-/// which is exact for vertices on a sphere.
+/// which is exact for vertices on a sphere. Zero where the parts cancel but for rounding.
 std::vector<Vec3d> vertex_normals(const std::vector<Face>& faces, size_t vertex_count) {
   std::vector<Vec3d> normals(vertex_count, Vec3d::Zero());
+  std::vector<double> weights(vertex_count, 0);
   for (const Face& face : faces) {
     for (int i = 0; i < 3; ++i) {
       const Vec3d a = face.p[(i + 1) % 3] - face.p[i];
       const Vec3d b = face.p[(i + 2) % 3] - face.p[i];
       const double weight = a.cross(b).norm() / (a.squaredNorm() * b.squaredNorm());
       normals[face.vertex[i]] += weight * face.normal;
+      weights[face.vertex[i]] += weight;
     }
   }
-  for (Vec3d& n : normals) n = n.norm() > 0 ? Vec3d(n.normalized()) : n;
+  for (size_t v = 0; v < vertex_count; ++v) {
+    const bool cancelled = normals[v].norm() <= kCancelledRatio * weights[v];
+    normals[v] = cancelled ? Vec3d::Zero() : Vec3d(normals[v].normalized());
+  }
   return normals;
 }
 

@@ -78,6 +78,17 @@ TEST(ReferenceIntegrals, BothDirectionsTogetherAreTheGradientInTheTangentPlane) 
   }
 }
 
+TEST(ReferenceIntegrals, FlatPartsFavourNoDirection) {
+  const System system = build(bumped_sheet(30), 5);
+  int flat_cells = 0;
+  for (const Cell& cell : system.cells) {
+    if (cell.kappa1 != 0 || cell.kappa2 != 0) continue;
+    ++flat_cells;
+    EXPECT_EQ((cell.ell1 - cell.ell2).norm(), 0);
+  }
+  EXPECT_GT(flat_cells, 100);
+}
+
 TEST(ReferenceEvaluation, OfTheCornersGivesTheVertices) {
   for (const auto& [name, mesh] : awkward_meshes()) {
     SCOPED_TRACE(name);
