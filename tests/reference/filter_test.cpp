@@ -27,8 +27,8 @@ TEST(ReferenceFilter, SphereShrinksAndGrowsByTheTransferFunctionAtEveryDepth) {
   const TriangleMesh mesh =
       mapped(icosphere(5, radius), [](const Vec3d& p) { return Vec3d(p + Vec3d(0.1, 0.2, 0.3)); });
   for (int depth : {3, 4, 6}) {
+    const System system = build(mesh, depth);
     for (double beta : {0., 2.}) {
-      const System system = build(mesh, depth);
       const double h = transfer(system, 5, beta, 2 / (radius * radius));
       const std::vector<Vec3d> edited =
           edited_vertices(system, fields(system, TransferCurve(5), beta));
@@ -79,9 +79,9 @@ TEST(ReferenceFilter, OpenCylinderFollowsItsTwoClosedFormsAlignedAndTurned) {
   const double radius = 1, height = 2.5, around = 20, along = 4;  // the alphas, user units
   const TriangleMesh upright = open_cylinder(200, 160, radius, height);
   for (const Eigen::Matrix3d& turn : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), skew_turn()}) {
+    const System system =
+        build(mapped(upright, [&](const Vec3d& p) { return Vec3d(turn * p); }), 5);
     for (double beta : {0., 2.}) {
-      const System system =
-          build(mapped(upright, [&](const Vec3d& p) { return Vec3d(turn * p); }), 5);
       const double kappa = system.length_unit / radius;
       const TransferCurve curve =
           TransferCurve::create({{0.25 * kappa, along}, {0.75 * kappa, around}}).value();

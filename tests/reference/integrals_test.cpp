@@ -92,7 +92,7 @@ TEST(ReferenceIntegrals, FlatPartsFavourNoDirection) {
 TEST(ReferenceEvaluation, OfTheCornersGivesTheVertices) {
   for (const auto& [name, mesh] : awkward_meshes()) {
     SCOPED_TRACE(name);
-    const System system = build(mesh, 5);
+    const System system = build(mesh, 4);
     const Eigen::MatrixXd positions = evaluate(system, corner_positions(system));
     std::vector<bool> has_surface(mesh.vertices.size(), false);
     for (const Triangle& t : mesh.triangles)
