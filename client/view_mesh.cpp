@@ -4,6 +4,9 @@
 
 namespace burnish {
 
+static constexpr int kRidgeAveragingPasses = 2;
+static constexpr float kRidgeCurvature = 60;  // per half diagonal; gives a ridge of one half
+
 static Eigen::AlignedBox3d referenced_box(const TriangleMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Triangle& triangle : mesh.triangles)
@@ -37,6 +40,50 @@ std::vector<Vec3f> vertex_normals(std::span<const Vec3d> vertices,
   return normals;
 }
 
+struct Weighted {
+  float value;
+  float weight;
+};
+
+// At each vertex: Σ value over Σ weight of the edges that leave it, 0 where nothing has weight.
+template <typename EdgeValue>
+static std::vector<float> mean_over_edges(size_t vertex_count, std::span<const Triangle> triangles,
+                                          const EdgeValue& edge_value) {
+  std::vector<Weighted> sums(vertex_count, Weighted{0, 0});
+  const auto add = [&](uint32_t from, uint32_t to) {
+    const Weighted term = edge_value(from, to);
+    sums[from].value += term.value;
+    sums[from].weight += term.weight;
+  };
+  for (const Triangle& triangle : triangles) {
+    for (int corner = 0; corner < 3; ++corner) {
+      add(triangle[corner], triangle[(corner + 1) % 3]);
+      add(triangle[(corner + 1) % 3], triangle[corner]);
+    }
+  }
+  std::vector<float> means(vertex_count);
+  for (size_t v = 0; v < vertex_count; ++v)
+    if (sums[v].weight > 0) means[v] = sums[v].value / sums[v].weight;
+  return means;
+}
+
+std::vector<float> vertex_ridges(std::span<const Vec3f> positions, std::span<const Vec3f> normals,
+                                 std::span<const Triangle> triangles) {
+  // Weighted by squared length, or the shortest edges of slivers would decide.
+  std::vector<float> ridges =
+      mean_over_edges(positions.size(), triangles, [&](uint32_t from, uint32_t to) {
+        const Vec3f edge = positions[to] - positions[from];
+        return Weighted{(normals[to] - normals[from]).dot(edge), edge.squaredNorm()};
+      });
+  for (int pass = 0; pass < kRidgeAveragingPasses; ++pass) {
+    ridges = mean_over_edges(positions.size(), triangles, [&](uint32_t from, uint32_t to) {
+      return Weighted{ridges[from] + ridges[to], 2};
+    });
+  }
+  for (float& ridge : ridges) ridge /= kRidgeCurvature + std::abs(ridge);
+  return ridges;
+}
+
 ViewMesh make_view_mesh(const TriangleMesh& mesh) {
   ViewMesh view;
   view.box = referenced_box(mesh);
@@ -46,6 +93,7 @@ ViewMesh make_view_mesh(const TriangleMesh& mesh) {
   for (const Vec3d& vertex : mesh.vertices)
     view.positions.push_back(((vertex - centre) / unit).cast<float>());
   view.normals = vertex_normals(mesh.vertices, mesh.triangles);
+  view.ridges = vertex_ridges(view.positions, view.normals, mesh.triangles);
   view.triangles = mesh.triangles;
   return view;
 }

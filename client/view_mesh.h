@@ -15,6 +15,7 @@ struct ViewMesh {
   Eigen::AlignedBox3d box;       ///< of the referenced vertices, file units
   std::vector<Vec3f> positions;  ///< one per vertex
   std::vector<Vec3f> normals;    ///< one per vertex, unit length
+  std::vector<float> ridges;     ///< one per vertex, within -1 (groove) to 1 (ridge)
   std::vector<Triangle> triangles;
 
   double unit() const { return 0.5 * box.diagonal().norm(); }  ///< file units
@@ -28,5 +29,11 @@ ViewMesh make_view_mesh(const TriangleMesh& mesh);
 /// Shapes: one per vertex.
 std::vector<Vec3f> vertex_normals(std::span<const Vec3d> vertices,
                                   std::span<const Triangle> triangles);
+
+/// How far the surface bends at each vertex: the normals' divergence along the edges around it,
+/// averaged twice over its neighbours against noise, and pressed into -1 (groove) to 1 (ridge).
+/// Shapes: one per vertex. Units: positions in half diagonals, as in ViewMesh.
+std::vector<float> vertex_ridges(std::span<const Vec3f> positions, std::span<const Vec3f> normals,
+                                 std::span<const Triangle> triangles);
 
 }  // namespace burnish

@@ -16,9 +16,10 @@ static void fill(GLenum target, GLuint buffer, const std::vector<Element>& eleme
   glBufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
 }
 
-static void fill_attribute(GLuint index, GLuint buffer, const std::vector<Vec3f>& values) {
+template <typename Element>
+static void fill_attribute(GLuint index, GLuint buffer, const std::vector<Element>& values) {
   fill(GL_ARRAY_BUFFER, buffer, values);
-  glVertexAttribPointer(index, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), nullptr);
+  glVertexAttribPointer(index, sizeof(Element) / sizeof(float), GL_FLOAT, GL_FALSE, 0, nullptr);
   glEnableVertexAttribArray(index);
 }
 
@@ -26,11 +27,13 @@ MeshBuffers::MeshBuffers() {
   glGenVertexArrays(1, &vertex_array_);
   glGenBuffers(1, &positions_);
   glGenBuffers(1, &normals_);
+  glGenBuffers(1, &ridges_);
   glGenBuffers(1, &indices_);
 }
 
 MeshBuffers::~MeshBuffers() {
   glDeleteBuffers(1, &indices_);
+  glDeleteBuffers(1, &ridges_);
   glDeleteBuffers(1, &normals_);
   glDeleteBuffers(1, &positions_);
   glDeleteVertexArrays(1, &vertex_array_);
@@ -45,6 +48,7 @@ Status MeshBuffers::upload(const ViewMesh& mesh) {
   bind();
   fill_attribute(0, positions_, mesh.positions);
   fill_attribute(1, normals_, mesh.normals);
+  fill_attribute(2, ridges_, mesh.ridges);
   fill(GL_ELEMENT_ARRAY_BUFFER, indices_, mesh.triangles);
   RETURN_IF_ERROR(check_gl("mesh of " + std::to_string(mesh.positions.size()) + " vertices"));
   index_count_ = static_cast<GLsizei>(3 * mesh.triangles.size());

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// Positions (attribute 0), normals (1) and indices of one mesh on the card.
+/// Positions (attribute 0), normals (1), ridges (2) and indices of one mesh on the card.
 /// Needs a current context for its whole life.
 class MeshBuffers {
  public:
@@ -27,6 +27,7 @@ class MeshBuffers {
   GLuint vertex_array_ = 0;
   GLuint positions_ = 0;
   GLuint normals_ = 0;
+  GLuint ridges_ = 0;
   GLuint indices_ = 0;
   GLsizei index_count_ = 0;
 };
