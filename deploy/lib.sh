@@ -10,13 +10,12 @@ fail() {
   exit 1
 }
 
-# configure_and_build PRESET [TARGET...]: the tree under build/PRESET; everything without targets.
+# configure_and_build PRESET [TARGET...]: the tree in build/PRESET; everything without targets.
 configure_and_build() {
   local preset=$1
   shift
   say "configuring build/$preset"
-  cmake -S "$repo_root" --preset "$preset" "${configure_options[@]}"
+  (cd "$repo_root" && cmake --preset "$preset")
   say "building build/$preset"
   cmake --build "$repo_root/build/$preset" ${1:+--target "$@"}
 }
-configure_options=()
