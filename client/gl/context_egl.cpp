@@ -84,7 +84,7 @@ Result<std::unique_ptr<EglContext>> EglContext::create() {
 EglContext::~EglContext() {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
-  eglTerminate(display_);
+  // The display stays: EGL has one for the whole process, and other contexts may live on it.
 }
 
 }  // namespace burnish
