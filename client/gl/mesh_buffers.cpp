@@ -17,9 +17,10 @@ static void fill(GLenum target, GLuint buffer, const std::vector<Element>& eleme
 }
 
 template <typename Element>
-static void fill_attribute(GLuint index, GLuint buffer, const std::vector<Element>& values) {
+static void fill_attribute(GLuint index, GLint components, GLuint buffer,
+                           const std::vector<Element>& values) {
   fill(GL_ARRAY_BUFFER, buffer, values);
-  glVertexAttribPointer(index, sizeof(Element) / sizeof(float), GL_FLOAT, GL_FALSE, 0, nullptr);
+  glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, 0, nullptr);
   glEnableVertexAttribArray(index);
 }
 
@@ -46,9 +47,9 @@ Status MeshBuffers::upload(const ViewMesh& mesh) {
                               " triangles, a picture can show " +
                               std::to_string(kDrawnTrianglesMax));
   bind();
-  fill_attribute(0, positions_, mesh.positions);
-  fill_attribute(1, normals_, mesh.normals);
-  fill_attribute(2, ridges_, mesh.ridges);
+  fill_attribute(0, 3, positions_, mesh.positions);
+  fill_attribute(1, 3, normals_, mesh.normals);
+  fill_attribute(2, 1, ridges_, mesh.ridges);
   fill(GL_ELEMENT_ARRAY_BUFFER, indices_, mesh.triangles);
   RETURN_IF_ERROR(check_gl("mesh of " + std::to_string(mesh.positions.size()) + " vertices"));
   index_count_ = static_cast<GLsizei>(3 * mesh.triangles.size());

@@ -38,8 +38,8 @@ std::string objection(const Target& target, const std::string& name, const Layer
 
 }  // namespace
 
-std::vector<std::string> check_targets(const std::filesystem::path& path, const Layers& layers) {
-  const auto targets = read_targets(path, layers);
+std::vector<std::string> check_targets(const std::filesystem::path& list, const Layers& layers) {
+  const auto targets = read_targets(list, layers);
   std::vector<std::string> wrong;
   for (const auto& [name, target] : targets) {
     for (const std::string& link : target.links) {

@@ -33,8 +33,8 @@ std::vector<std::string> check_includes(const std::filesystem::path& root,
                                         const std::vector<std::string>& folders,
                                         const Layers& layers);
 
-/// Every link of the CMake targets listed in `targets`, as write_targets.cmake writes them.
+/// Every link of the CMake targets in `list`, as write_targets.cmake writes them.
 /// One message for each wrong one: "target burnish_grid links burnish_session: ...".
-std::vector<std::string> check_targets(const std::filesystem::path& targets, const Layers& layers);
+std::vector<std::string> check_targets(const std::filesystem::path& list, const Layers& layers);
 
 }  // namespace burnish
