@@ -52,12 +52,8 @@ void add_render_command(CommandTable& commands) {
   PictureOptions& picture = options->picture;
   CLI::App* command = commands.add("render", "Draw a picture of a scan, without a window",
                                    [options] { return render(*options); });
-  command->add_option("scan", options->scan, "The scan: PLY, OBJ, STL or OFF")
-      ->type_name("SCAN")
-      ->required();
-  command->add_option("out", options->out, "The picture to write")
-      ->type_name("OUT.png")
-      ->required();
+  command->add_option("SCAN", options->scan, "Mesh file: .ply, .obj, .stl or .off")->required();
+  command->add_option("OUT", options->out, "Picture to write: .png")->required();
   command
       ->add_option_function<std::string>(
           "--size", [](const std::string&) {}, "Size in pixels (default 1280x960)")
