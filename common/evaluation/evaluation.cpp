@@ -61,14 +61,4 @@ std::array<float, kCornersPerCell> trilinear_weights(const std::array<float, 3>&
   return weights;
 }
 
-Eigen::Vector4f evaluate(const SparseGrid& grid, const EvaluationPoint& point,
-                         std::span<const Eigen::Vector4f> corner_displacements) {
-  Eigen::Vector4f sum = Eigen::Vector4f::Zero();
-  if (point.cell == kNone) return sum;
-  const auto weights = trilinear_weights(point.local);
-  for (int a = 0; a < kCornersPerCell; ++a)
-    sum += weights[a] * corner_displacements[grid.cell_corners[point.cell][a]];
-  return sum;
-}
-
 }  // namespace burnish

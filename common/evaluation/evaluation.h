@@ -26,8 +26,17 @@ std::vector<EvaluationPoint> make_evaluation(const TriangleMesh& mesh, const Gri
 /// The eight trilinear weights of a local position, in corner order.
 std::array<float, kCornersPerCell> trilinear_weights(const std::array<float, 3>& local);
 
-/// Σ_I u_I B_I at a point. Shapes: one displacement per corner of the grid (w unused).
-Eigen::Vector4f evaluate(const SparseGrid& grid, const EvaluationPoint& point,
-                         std::span<const Eigen::Vector4f> corner_displacements);
+/// Σ_I u_I B_I at a point. Shapes: one displacement per corner of the grid.
+template <typename Displacement>
+Displacement evaluate(const SparseGrid& grid, const EvaluationPoint& point,
+                      std::span<const Displacement> corner_displacements) {
+  Displacement sum = Displacement::Zero();
+  if (point.cell == kNone) return sum;
+  const auto weights = trilinear_weights(point.local);
+  for (int a = 0; a < kCornersPerCell; ++a)
+    sum += static_cast<typename Displacement::Scalar>(weights[a]) *
+           corner_displacements[grid.cell_corners[point.cell][a]];
+  return sum;
+}
 
 }  // namespace burnish

@@ -1,8 +1,10 @@
 #include "common/grid/sparse_grid.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "common/base/check.h"
+#include "common/base/parallel.h"
 
 namespace burnish {
 
@@ -20,7 +22,7 @@ static std::vector<MortonKey> all_corners(std::span<const MortonKey> cells) {
     const Vec3i least = morton_point(cell);
     for (int a = 0; a < kCornersPerCell; ++a) corners.push_back(morton_key(least + corner_offset(a)));
   }
-  std::sort(corners.begin(), corners.end());
+  parallel_sort(corners.begin(), corners.end(), std::less<>());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   corners.shrink_to_fit();
   return corners;

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
@@ -15,46 +12,38 @@
 
 namespace burnish {
 
-/// How an export ends: by a fixed number of cycles, or when the estimated distance to the
+/// When a solve ends: after a fixed number of cycles, or when the estimated distance to the
 /// converged surface is below a bar.
-struct ExportOptions {
-  bool exact = false;  ///< to the export bar; else to the settled bar
-  int cycles = 0;      ///< > 0: exactly this many cycles from where the session is
-};
-
-struct SessionOptions {
-  BackendKind backend = BackendKind::kAuto;
-  Smoother smoother = Smoother::kSchwarz;
-  int threads = 0;
+struct SolveOptions {
+  bool exact = false;  ///< to the bar of exports, else of settled sessions (DESIGN section 3)
+  int cycles = 0;      ///< > 0: exactly this many
 };
 
 /// One user's editing state of a prepared mesh: edits in, fields, solver, surface out.
 /// Not thread-safe: its owner serialises calls.
 class Session {
  public:
-  /// Fails: resource_exhausted, failed_precondition (no such backend here).
+  /// Fails: failed_precondition (no such backend here).
   static Result<std::unique_ptr<Session>> open(std::shared_ptr<const PreparedMesh> prepared,
-                                               const SessionOptions& options);
+                                               std::shared_ptr<const Hierarchy> hierarchy,
+                                               const SolverOptions& options);
   ~Session();
 
-  /// Validates and applies; the solver sees it at the next step.
+  /// Validates and applies; the solver sees it at the next step. A failed edit changes nothing.
   Status apply(const Edit& edit);
 
   /// Brings the system up to date with the edits and relaxes by one cycle.
   StepReport step();
 
-  /// Solves as asked and returns the edited mesh: same triangles, same colours, moved vertices.
-  /// Fails: cancelled.
-  Result<TriangleMesh> export_mesh(const ExportOptions& options, const Progress& progress,
-                                   SolveReport* report = nullptr);
+  /// The same, cycle by cycle, until the end that `options` asks for. Fails: cancelled.
+  Result<SolveReport> solve(const SolveOptions& options, const Progress& progress = {});
 
-  /// The surface as it is now, without solving.
-  std::vector<Vec3d> vertices() const;
+  /// The surface as it is now: same triangles, same colours, moved vertices.
+  TriangleMesh surface() const;
 
   const PreparedMesh& prepared() const;
   const Fields& fields() const;
   const Solver& solver() const;
-  uint64_t byte_count() const;
 
  private:
   struct State;

@@ -6,6 +6,7 @@
 
 #include "common/edit/edit.h"
 #include "server/prepare/prepared_mesh.h"
+#include "server/solver/solver.h"
 
 namespace burnish {
 
@@ -13,6 +14,7 @@ namespace burnish {
 /// Shapes: one entry per cell of the finest depth. Units: α in user units.
 class Fields {
  public:
+  /// The defaults everywhere: α = 50, β = 1.
   explicit Fields(const PreparedMesh& prepared);
 
   void set_transfer_curve(const TransferCurve& curve);
@@ -21,21 +23,19 @@ class Fields {
   /// Fails: invalid_argument naming the first cell that is not active; then nothing is changed.
   Status override_cells(const SetCellFields& change);
 
-  std::span<const float> alpha1() const { return alpha1_; }
-  std::span<const float> alpha2() const { return alpha2_; }
-  std::span<const float> beta() const { return beta_; }
+  FieldsView view() const { return {alpha1_, alpha2_, beta_}; }
   const TransferCurve& transfer_curve() const { return curve_; }
   double gradient_scale() const { return beta_slider_; }
 
  private:
   void blend_beta();
-  void apply_overrides();
+  void override_metric();
 
-  const PreparedMesh& prepared_;
+  const PreparedMesh& prepared_;  // outlives the fields
   TransferCurve curve_{kAlphaDefault};
   double beta_slider_ = kBetaDefault;
   std::vector<float> painted_beta_, painted_weight_;
-  std::vector<std::pair<int32_t, SetCellFields::Cell>> overrides_;
+  std::vector<std::pair<int32_t, SetCellFields::Cell>> overrides_;  // by cell index, in order
   std::vector<float> alpha1_, alpha2_, beta_;
 };
 

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
+#include <string_view>
+#include <vector>
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
@@ -40,33 +41,55 @@ struct SolverOptions {
   int threads = 0;  ///< 0: all cores
 };
 
+/// α1, α2 and β of every cell of the finest depth. Units: α in user units.
+struct FieldsView {
+  std::span<const float> alpha1;
+  std::span<const float> alpha2;
+  std::span<const float> beta;
+};
+
+class Backend;
+struct Hierarchy;
+
 /// The screened Poisson system of one session: S u = b for the displacement u of every corner,
 /// warm-started from step to step. Source: sections 4 and 5.2.
 class Solver {
  public:
-  /// Fails: failed_precondition when the backend is not in this build or has no device.
+  /// Fails: failed_precondition when the backend is not in this build or finds no device.
   static Result<std::unique_ptr<Solver>> create(std::shared_ptr<const PreparedMesh> prepared,
+                                                std::shared_ptr<const Hierarchy> hierarchy,
                                                 const SolverOptions& options);
-  virtual ~Solver();
+  ~Solver();
 
-  /// New matrices at all depths and a new constraint. Shapes: one per cell. Units: user α.
-  void set_metric(std::span<const float> alpha1, std::span<const float> alpha2);
-  /// A new constraint only. Shapes: one per cell.
-  void set_gradient_scale(std::span<const float> beta);
+  /// New matrices at all depths and a new constraint: α1, α2 changed, and perhaps β.
+  void set_metric(const FieldsView& fields);
+  /// A new constraint only: β changed.
+  void set_gradient_scale(const FieldsView& fields);
 
-  /// One iteration of conjugate gradients preconditioned by one V-cycle.
+  /// One iteration of conjugate gradients preconditioned by one V-cycle. Needs: set_metric().
   StepReport step();
 
-  /// Steps until the estimated distance is below `distance_max` or `cycles_max` is met.
-  /// Fails: cancelled.
+  /// Steps until the estimated distance is at most `distance_max` (of the bounding-box diagonal) or
+  /// `cycles_max` steps are done. Fails: cancelled; the displacement is then that of the last step.
   Result<SolveReport> solve(double distance_max, int cycles_max, const Progress& progress = {});
 
-  /// Displaced vertex positions E(c° + u) in file units, one per vertex.
-  void evaluate_vertices(std::span<Vec3d> vertices) const;
+  /// Displaced positions E(c° + u) in file units, one per vertex.
+  std::vector<Vec3d> evaluate_vertices() const;
 
-  /// Session memory, and the shared part per mesh, in bytes.
-  uint64_t byte_count() const;
-  std::string_view backend_name() const;  ///< "cpu", "cuda"
+  uint64_t byte_count() const;             ///< of this session; prepared mesh and hierarchy apart
+  std::string_view backend_name() const;   ///< "cpu", "cuda"
+
+ private:
+  Solver(std::shared_ptr<const PreparedMesh> prepared, std::shared_ptr<const Hierarchy> hierarchy,
+         std::unique_ptr<Backend> backend, int threads);
+
+  std::shared_ptr<const PreparedMesh> prepared_;
+  std::shared_ptr<const Hierarchy> hierarchy_;
+  std::unique_ptr<Backend> backend_;
+  int threads_;
+  int cycle_ = 0;
+  bool restart_ = true;
+  double assemble_seconds_ = 0;
 };
 
 }  // namespace burnish

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// A file that appears whole or not at all, also across a power cut: bytes go to a temporary file
+/// beside the target; commit() syncs it, renames it into place and syncs the folder. Until then,
+/// and after any failure, what was at the path stays as it was. A replaced file keeps its
+/// permissions; a link is followed.
+/// Not buffered: hand over large pieces.
+class AtomicFile {
+ public:
+  /// Fails: not_found (no such folder), permission_denied, invalid_argument (the path is a
+  /// directory or a device), resource_exhausted.
+  static Result<AtomicFile> create(const std::filesystem::path& path);
+
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&& other) noexcept;
+  /// Removes the temporary file unless commit() succeeded.
+  ~AtomicFile();
+
+  /// Appends. Fails: resource_exhausted when the disk or a quota is full.
+  Status write(std::span<const uint8_t> bytes);
+  Status write(std::string_view text);
+
+  /// Puts the file in its place. Call once, last; after a failure the target is untouched.
+  Status commit();
+
+ private:
+  AtomicFile() = default;
+  Status sync_and_close();
+
+  std::filesystem::path path_;
+  std::filesystem::path temporary_path_;  // empty once there is nothing to remove
+  int fd_ = -1;
+};
+
+}  // namespace burnish

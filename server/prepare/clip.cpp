@@ -1,0 +1,52 @@
+#include "server/prepare/clip.h"
+
+namespace burnish {
+
+Polygon clip(const Polygon& polygon, int axis, double plane, double sign) {
+  Polygon kept;
+  for (int i = 0; i < polygon.count; ++i) {
+    const Vec3d& p = polygon.vertices[i];
+    const Vec3d& q = polygon.vertices[i + 1 == polygon.count ? 0 : i + 1];
+    const double dp = sign * (p[axis] - plane);
+    const double dq = sign * (q[axis] - plane);
+    if (dp >= 0) kept.push(p);
+    if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0)) {
+      Vec3d cut = p + (q - p) * (dp / (dp - dq));
+      cut[axis] = plane;
+      kept.push(cut);
+    }
+  }
+  return kept;
+}
+
+Polygon clip_to_slab(const Polygon& polygon, int axis, int slab) {
+  return clip(clip(polygon, axis, slab, 1), axis, slab + 1, -1);
+}
+
+Polygon clip_to_cell(const std::array<Vec3d, 3>& triangle, const Vec3i& cell) {
+  Polygon polygon;
+  for (const Vec3d& p : triangle) polygon.push(p);
+  for (int axis = 0; axis < 3 && polygon.count > 0; ++axis) {
+    const auto inside = [&](const Vec3d& p) {
+      return p[axis] >= cell[axis] && p[axis] <= cell[axis] + 1;
+    };
+    const auto end = polygon.vertices.begin() + polygon.count;
+    if (!std::all_of(polygon.vertices.begin(), end, inside))
+      polygon = clip_to_slab(polygon, axis, cell[axis]);
+  }
+  return polygon;
+}
+
+SlabRange slabs_of(const Polygon& polygon, int axis) {
+  double low = polygon.vertices[0][axis];
+  double high = low;
+  for (int i = 1; i < polygon.count; ++i) {
+    low = std::min(low, polygon.vertices[i][axis]);
+    high = std::max(high, polygon.vertices[i][axis]);
+  }
+  const int first = static_cast<int>(std::floor(low));
+  const int last = static_cast<int>(std::ceil(high)) - 1;
+  return {first, std::max(first, last)};
+}
+
+}  // namespace burnish

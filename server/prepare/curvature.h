@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "common/mesh/statistics.h"
+#include "common/mesh/triangle_mesh.h"
+
+namespace burnish {
+
+/// Principal curvatures and directions of one triangle, constant over it (section 4.2).
+/// Zero with arbitrary directions for a triangle without area.
+struct TriangleCurvature {
+  double kappa1 = 0;  ///< 1/file unit, the algebraically larger; > 0 is convex
+  double kappa2 = 0;
+  Vec3d v1 = Vec3d::UnitX();  ///< orthonormal, in the triangle's plane; v1 goes with kappa1
+  Vec3d v2 = Vec3d::UnitY();
+};
+
+/// Curvature of every triangle from the tensors of its three vertices. The triangles' winding tells
+/// outside from inside, but for a closed mesh of negative volume, which counts as inside out.
+/// `averaging_radius` in file units steadies noisy scans; 0 for none.
+/// Source: section 4.2; Rusinkiewicz 2004, "Estimating curvatures and their derivatives on triangle
+/// meshes".
+/// Needs: a valid mesh and its statistics.
+/// Cost: linear; 60 bytes per triangle of scratch. With a radius, linear in the pairs of vertices
+/// within it.
+/// Accuracy: always finite; the same bits for any number of threads.
+std::vector<TriangleCurvature> compute_curvature(const TriangleMesh& mesh,
+                                                 const MeshStatistics& statistics,
+                                                 double averaging_radius);
+
+}  // namespace burnish

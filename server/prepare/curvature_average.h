@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "common/mesh/statistics.h"
+#include "common/mesh/triangle_mesh.h"
+#include "server/prepare/vertex_curvature.h"
+
+namespace burnish {
+
+/// For every vertex the mean, weighted by area, of the tensors of the vertices within `radius`
+/// (file units, straight-line distance), each carried into its frame. Vertices that face the other
+/// way, as across a thin sheet, do not count.
+/// Needs: radius > 0. Cost: linear in the pairs of vertices within the radius.
+std::vector<TangentTensor> average_tensors(const TriangleMesh& mesh,
+                                           const MeshStatistics& statistics,
+                                           const VertexCurvature& vertices, double radius);
+
+}  // namespace burnish

@@ -1,0 +1,212 @@
+#include "server/prepare/prepare.h"
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "common/base/limits.h"
+#include "common/base/parallel.h"
+#include "common/base/process_memory.h"
+#include "common/grid/sparse_grid.h"
+#include "server/prepare/cell_integrals.h"
+#include "server/prepare/cell_pieces.h"
+#include "server/prepare/curvature.h"
+#include "server/prepare/histogram.h"
+
+namespace burnish {
+
+namespace {
+
+constexpr size_t kCellsPerBatch = 1 << 15;  // between two looks at the cancel flag
+constexpr double kCurvatureRadiusMax = 0.2;  // of L
+
+/// What the spans of a freshly prepared mesh point into.
+struct PreparedArrays {
+  std::vector<Vec3d> vertices;
+  std::vector<Triangle> triangles;
+  std::vector<Rgba8> colours;
+  std::vector<EvaluationPoint> evaluation;
+  std::vector<MortonKey> cells;
+  std::vector<CellIntegrals> integrals;
+  std::vector<CellCurvature> curvature;
+};
+
+/// Times the phases of a preparation.
+class PhaseClock {
+ public:
+  explicit PhaseClock(PrepareReport* report) : report_(report) { reset_peak_resident_bytes(); }
+
+  void end(const std::string& name) {
+    const auto now = std::chrono::steady_clock::now();
+    if (report_ != nullptr)
+      report_->phases.push_back(
+          {name, std::chrono::duration<double>(now - start_).count(), peak_resident_bytes()});
+    start_ = now;
+    reset_peak_resident_bytes();
+  }
+
+ private:
+  PrepareReport* report_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+Status check_options(const PrepareOptions& options) {
+  if (options.depth != 0 && (options.depth < kDepthMin || options.depth > kDepthMax))
+    return invalid_argument("depth " + std::to_string(options.depth) + " is outside " +
+                            std::to_string(kDepthMin) + ".." + std::to_string(kDepthMax));
+  if (!(options.curvature_radius >= 0 && options.curvature_radius <= kCurvatureRadiusMax))
+    return invalid_argument("curvature radius " + std::to_string(options.curvature_radius) +
+                            " is outside 0.." + std::to_string(kCurvatureRadiusMax) +
+                            " (a fraction of L, the square root of the area)");
+  return Status::ok();
+}
+
+std::vector<Vec3d> snapped_positions(const TriangleMesh& mesh, const GridFrame& frame) {
+  std::vector<Vec3d> positions(mesh.vertices.size());
+#pragma omp parallel for schedule(static)
+  for (int64_t v = 0; v < static_cast<int64_t>(positions.size()); ++v)
+    positions[v] = snap_to_planes(frame.to_grid(mesh.vertices[v]));
+  return positions;
+}
+
+Status check_cell_memory(size_t cells) {
+  const uint64_t bytes = cells * (sizeof(CellIntegrals) + sizeof(CellCurvature) + sizeof(MortonKey));
+  const uint64_t available = available_memory_bytes();
+  if (bytes <= available) return Status::ok();
+  return resource_exhausted(std::to_string(cells) + " cells need " + std::to_string(bytes >> 20) +
+                            " MiB of integrals; available are " +
+                            std::to_string(available >> 20) + " MiB; choose a smaller depth");
+}
+
+/// Integrates over the pieces of one cell; false if no area is left in it.
+bool integrate_cell(std::span<const CellPiece> pieces, std::span<const Triangle> triangles,
+                    std::span<const Vec3d> positions,
+                    std::span<const TriangleCurvature> triangle_curvature, double length_unit,
+                    CellIntegrals& integrals, CellCurvature& curvature) {
+  const Vec3i cell = morton_point(pieces.front().cell);
+  const Vec3d least = cell.cast<double>();
+  CellIntegrator integrator;
+  double kappa1 = 0, kappa2 = 0;
+  for (const CellPiece& piece : pieces) {
+    const Triangle& t = triangles[piece.triangle];
+    Polygon polygon = clip_to_cell({positions[t[0]], positions[t[1]], positions[t[2]]}, cell);
+    for (int i = 0; i < polygon.count; ++i) polygon.vertices[i] -= least;
+    const TriangleCurvature& of_triangle = triangle_curvature[piece.triangle];
+    const double area_before = integrator.area();
+    integrator.add(polygon, of_triangle.v1, of_triangle.v2);
+    const double area = integrator.area() - area_before;
+    kappa1 += area * of_triangle.kappa1;
+    kappa2 += area * of_triangle.kappa2;
+  }
+  if (integrator.area() <= 0) return false;
+  const double scale = length_unit / integrator.area();
+  integrals = integrator.integrals();
+  curvature = {static_cast<float>(kappa1 * scale), static_cast<float>(kappa2 * scale),
+               static_cast<float>(integrator.area())};
+  return true;
+}
+
+/// Keeps the cells that hold surface, in order.
+void keep(PreparedArrays& arrays, const std::vector<char>& holds_surface) {
+  size_t kept = 0;
+  for (size_t c = 0; c < holds_surface.size(); ++c) {
+    if (!holds_surface[c]) continue;
+    arrays.cells[kept] = arrays.cells[c];
+    arrays.integrals[kept] = arrays.integrals[c];
+    arrays.curvature[kept] = arrays.curvature[c];
+    ++kept;
+  }
+  arrays.cells.resize(kept);
+  arrays.integrals.resize(kept);
+  arrays.curvature.resize(kept);
+}
+
+Status integrate_cells(std::span<const CellPiece> pieces, std::span<const Vec3d> positions,
+                       std::span<const TriangleCurvature> triangle_curvature, double length_unit,
+                       const Progress& progress, PreparedArrays& arrays) {
+  const std::vector<size_t> starts = cell_starts(pieces);
+  const size_t cell_count = starts.size() - 1;
+  RETURN_IF_ERROR(check_cell_memory(cell_count));
+  arrays.cells.resize(cell_count);
+  arrays.integrals.resize(cell_count);
+  arrays.curvature.resize(cell_count);
+  std::vector<char> holds_surface(cell_count);
+
+  for (size_t batch = 0; batch < cell_count; batch += kCellsPerBatch) {
+    const size_t end = std::min(cell_count, batch + kCellsPerBatch);
+#pragma omp parallel for schedule(dynamic, 64)
+    for (size_t c = batch; c < end; ++c) {
+      arrays.cells[c] = pieces[starts[c]].cell;
+      holds_surface[c] = integrate_cell(pieces.subspan(starts[c], starts[c + 1] - starts[c]),
+                                        arrays.triangles, positions, triangle_curvature,
+                                        length_unit, arrays.integrals[c], arrays.curvature[c]);
+    }
+    if (!report(progress, "integrals", static_cast<double>(end) / cell_count))
+      return cancelled("cancelled while integrating");
+  }
+  keep(arrays, holds_surface);
+  return Status::ok();
+}
+
+void point_at(PreparedMesh& prepared, std::shared_ptr<PreparedArrays> arrays) {
+  prepared.vertices = arrays->vertices;
+  prepared.triangles = arrays->triangles;
+  prepared.colours = arrays->colours;
+  prepared.evaluation = arrays->evaluation;
+  prepared.cells = arrays->cells;
+  prepared.integrals = arrays->integrals;
+  prepared.curvature = arrays->curvature;
+  prepared.storage = std::move(arrays);
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
+                                                    const PrepareOptions& options,
+                                                    const Progress& progress,
+                                                    PrepareReport* phases) {
+  RETURN_IF_ERROR(check_options(options));
+  use_threads(options.threads);
+  PhaseClock clock(phases);
+
+  auto prepared = std::make_shared<PreparedMesh>();
+  prepared->statistics = compute_statistics(mesh);
+  const MeshStatistics& statistics = prepared->statistics;
+  const int depth = options.depth != 0 ? options.depth
+                                       : default_depth(statistics.box_min, statistics.box_max,
+                                                       statistics.mean_edge_length);
+  prepared->frame = make_grid_frame(statistics.box_min, statistics.box_max, depth);
+  prepared->length_unit = std::sqrt(statistics.area);
+  prepared->curvature_radius = options.curvature_radius;
+  prepared->has_double_positions = mesh.has_double_positions;
+  auto arrays = std::make_shared<PreparedArrays>();
+  arrays->vertices = mesh.vertices;
+  arrays->triangles = mesh.triangles;
+  arrays->colours = mesh.colours;
+  clock.end("statistics");
+  if (!report(progress, "grid", 0)) return cancelled("cancelled before cutting at the grid");
+
+  const std::vector<Vec3d> positions = snapped_positions(mesh, prepared->frame);
+  ASSIGN_OR_RETURN(const std::vector<CellPiece> pieces,
+                   find_cell_pieces(mesh.triangles, positions, progress));
+  clock.end("grid");
+  if (!report(progress, "curvature", 0)) return cancelled("cancelled before the curvature");
+
+  const std::vector<TriangleCurvature> curvature =
+      compute_curvature(mesh, statistics, options.curvature_radius * prepared->length_unit);
+  clock.end("curvature");
+
+  RETURN_IF_ERROR(integrate_cells(pieces, positions, curvature, prepared->length_unit, progress,
+                                  *arrays));
+  clock.end("integrals");
+
+  const SparseGrid grid = make_sparse_grid(depth, arrays->cells);
+  arrays->evaluation = make_evaluation(mesh, prepared->frame, grid);
+  prepared->histogram = make_histogram(arrays->curvature);
+  point_at(*prepared, std::move(arrays));
+  clock.end("evaluation");
+  if (!report(progress, "evaluation", 1)) return cancelled("cancelled at the end");
+  return std::shared_ptr<const PreparedMesh>(std::move(prepared));
+}
+
+}  // namespace burnish

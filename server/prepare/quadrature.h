@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+
+namespace burnish {
+
+/// A point of a symmetric rule on a triangle: barycentric coordinates and a weight; the weights of
+/// a rule sum to 1, so that an integral is area × Σ weight·f.
+struct QuadraturePoint {
+  double a, b, c;
+  double weight;
+};
+
+/// Exact for polynomials of degree 6: what ρ needs (trilinear × trilinear on a plane).
+/// Source: Cowper 1973, Dunavant 1985.
+extern const std::array<QuadraturePoint, 12> kDegree6Rule;
+
+/// Exact for degree 4: what ℓ needs.
+extern const std::array<QuadraturePoint, 6> kDegree4Rule;
+
+}  // namespace burnish

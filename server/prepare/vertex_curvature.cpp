@@ -1,0 +1,113 @@
+#include "server/prepare/vertex_curvature.h"
+
+#include "server/prepare/triangle_shape.h"
+#include "server/prepare/vertex_triangles.h"
+
+namespace burnish {
+
+static constexpr double kCancelledNormal = 1e-12;  // of the sum of the parts' lengths
+
+static int corner_of(const Triangle& triangle, uint32_t vertex) {
+  return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
+}
+
+// Calls visit(triangle index, shape, corner) for the triangles with a plane around a vertex.
+template <typename Visit>
+static void for_each_corner(const TriangleMesh& mesh, const VertexTriangles& vertex_triangles,
+                            int64_t vertex, double unit, Visit visit) {
+  for (uint32_t t : vertex_triangles.around(vertex)) {
+    const Triangle& triangle = mesh.triangles[t];
+    const TriangleShape shape = make_triangle_shape(mesh, triangle, unit);
+    if (shape.has_plane) visit(t, shape, corner_of(triangle, static_cast<uint32_t>(vertex)));
+  }
+}
+
+static std::vector<Vec3d> vertex_normals(const TriangleMesh& mesh,
+                                         const VertexTriangles& vertex_triangles, double unit) {
+  std::vector<Vec3d> normals(mesh.vertices.size());
+#pragma omp parallel for schedule(static)
+  for (int64_t v = 0; v < static_cast<int64_t>(normals.size()); ++v) {
+    Vec3d sum = Vec3d::Zero();
+    double length = 0;
+    for_each_corner(mesh, vertex_triangles, v, unit,
+                    [&](uint32_t, const TriangleShape& shape, int corner) {
+                      const double weight = shape.normal_weight(corner);
+                      sum += weight * shape.cross;
+                      length += weight * shape.twice_area;
+                    });
+    const double norm = sum.norm();
+    normals[v] = norm > kCancelledNormal * length ? Vec3d(sum / norm) : Vec3d::Zero();
+  }
+  return normals;
+}
+
+// The tensor II with II·edge = difference of the normals along it, in the least squares over the
+// three edges: a tridiagonal system for uu, uv, vv.
+static TangentTensor second_fundamental_form(const TriangleShape& shape, const TangentFrame& frame,
+                                             const std::array<Vec3d, 3>& normals) {
+  double xx = 0, xy = 0, yy = 0;
+  double right0 = 0, right1 = 0, right2 = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double x = shape.edges[k].dot(frame.u), y = shape.edges[k].dot(frame.v);
+    const Vec3d turn = normals[(k + 2) % 3] - normals[(k + 1) % 3];
+    const double turn_u = turn.dot(frame.u), turn_v = turn.dot(frame.v);
+    xx += x * x;
+    xy += x * y;
+    yy += y * y;
+    right0 += turn_u * x;
+    right1 += turn_u * y + turn_v * x;
+    right2 += turn_v * y;
+  }
+  const double pivot0 = xx;
+  const double pivot1 = xx + yy - xy * xy / pivot0;
+  const double pivot2 = yy - xy * xy / pivot1;
+  right1 -= xy / pivot0 * right0;
+  right2 -= xy / pivot1 * right1;
+  TangentTensor form;
+  form.vv = right2 / pivot2;
+  form.uv = (right1 - xy * form.vv) / pivot1;
+  form.uu = (right0 - xy * form.uv) / pivot0;
+  return form;
+}
+
+// In the triangles' own frames; zero where there is no plane.
+static std::vector<TangentTensor> triangle_tensors(const TriangleMesh& mesh,
+                                                   const std::vector<Vec3d>& normals, double unit) {
+  std::vector<TangentTensor> tensors(mesh.triangles.size());
+#pragma omp parallel for schedule(static)
+  for (int64_t t = 0; t < static_cast<int64_t>(tensors.size()); ++t) {
+    const Triangle& triangle = mesh.triangles[t];
+    const TriangleShape shape = make_triangle_shape(mesh, triangle, unit);
+    if (!shape.has_plane) continue;
+    tensors[t] = second_fundamental_form(
+        shape, shape.frame(), {normals[triangle[0]], normals[triangle[1]], normals[triangle[2]]});
+  }
+  return tensors;
+}
+
+VertexCurvature compute_vertex_curvature(const TriangleMesh& mesh, double unit) {
+  const VertexTriangles vertex_triangles(mesh);
+  VertexCurvature result;
+  result.normals = vertex_normals(mesh, vertex_triangles, unit);
+  result.tensors.resize(mesh.vertices.size());
+  result.areas.resize(mesh.vertices.size());
+  const std::vector<TangentTensor> of_triangles = triangle_tensors(mesh, result.normals, unit);
+#pragma omp parallel for schedule(static)
+  for (int64_t v = 0; v < static_cast<int64_t>(mesh.vertices.size()); ++v) {
+    if (!result.has_normal(v)) continue;
+    const TangentFrame frame = make_frame(result.normals[v]);
+    TangentTensor sum;
+    double area = 0;
+    for_each_corner(mesh, vertex_triangles, v, unit,
+                    [&](uint32_t t, const TriangleShape& shape, int corner) {
+                      const double weight = shape.voronoi_area(corner);
+                      sum.add(weight, carry_tensor(of_triangles[t], shape.frame(), frame));
+                      area += weight;
+                    });
+    result.tensors[v] = sum.scaled(1 / area);
+    result.areas[v] = area;
+  }
+  return result;
+}
+
+}  // namespace burnish

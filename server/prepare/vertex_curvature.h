@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "common/mesh/triangle_mesh.h"
+#include "server/prepare/tangent_tensor.h"
+
+namespace burnish {
+
+/// Normal, second fundamental form and Voronoi area of every vertex; lengths in units of `unit`.
+/// A vertex without any triangle that has a plane, or whose triangles cancel out, has normal,
+/// tensor and area zero.
+struct VertexCurvature {
+  std::vector<Vec3d> normals;
+  std::vector<TangentTensor> tensors;  ///< in make_frame(normal)
+  std::vector<double> areas;
+
+  bool has_normal(size_t v) const { return !normals[v].isZero(0); }
+};
+
+/// Source: Rusinkiewicz 2004, section 3.
+VertexCurvature compute_vertex_curvature(const TriangleMesh& mesh, double unit);
+
+}  // namespace burnish

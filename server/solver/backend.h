@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "common/base/types.h"
+
+namespace burnish {
+
+/// Sums over the surface that one step of conjugate gradients leaves behind.
+struct Measures {
+  double energy = 0;             ///< ½uᵀSu − bᵀu, grid units
+  double residual = 0;           ///< ‖D^-½ r‖ / ‖D^-½ b‖, D the diagonal of S
+  double correction_max = 0;     ///< largest visible |z_I| of the last V-cycle, in cells: an
+                                 ///< estimate of how far u was from the solution before the step
+};
+
+/// The one seam between the algorithms, written once, and the machines that run them.
+/// Every call works on whole depths. Depths run from hierarchy.coarsest to hierarchy.finest.
+///
+/// Each depth holds a correction x and a right-hand side f of the V-cycle; the finest also holds
+/// the displacement u, the constraint b, the residual r and the search direction p of conjugate
+/// gradients. Vectors have one entry of three columns (x, y, z) per corner. Corners whose diagonal
+/// is below 1e-12 of the median are pinned: everything there is zero.
+class Backend {
+ public:
+  virtual ~Backend() = default;
+  virtual std::string_view name() const = 0;
+  virtual uint64_t byte_count() const = 0;
+
+  // The system. Shapes: one entry per cell of the finest depth. Units: α in user units.
+  /// The matrices of all depths (section 5.2), smoothers and the coarsest factorisation.
+  virtual void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) = 0;
+  /// b = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²), the constraint of the displacement.
+  virtual void set_constraint(std::span<const float> alpha1, std::span<const float> alpha2,
+                              std::span<const float> beta) = 0;
+
+  // The V-cycle.
+  virtual void relax_from_zero(int depth) = 0;      ///< x = M f, M symmetric positive definite
+  virtual void relax(int depth) = 0;                ///< x += Mᵀ (f − S x)
+  virtual void restrict_residual(int depth) = 0;    ///< f[depth−1] = Pᵀ (f − S x)
+  virtual void prolong_correction(int depth) = 0;   ///< x[depth] += P x[depth−1]
+  virtual void solve_coarsest() = 0;                ///< x = S⁻¹ f
+
+  // Conjugate gradients at the finest depth; each column has its own scalars.
+  virtual void recompute_residual() = 0;            ///< r = b − S u
+  virtual void load_residual() = 0;                 ///< f = r
+  virtual void update_direction(bool restart) = 0;  ///< p = x + γ p; γ = 0 on a restart
+  virtual void advance() = 0;                       ///< u += a p, r −= a S p
+
+  virtual Measures measure() const = 0;
+  /// Copies u out, one entry per corner. Units: cells.
+  virtual void read_displacement(std::span<Vec3d> displacement) const = 0;
+};
+
+}  // namespace burnish

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "server/solver/backend.h"
+#include "server/solver/cpu/cpu_depth.h"
+
+namespace burnish::cpu {
+
+/// The outer iteration's vectors and steps, in double over the float32 matrix of the finest depth:
+/// what float32 loses at small α it loses here, so here it is not used.
+///
+/// Flexible (Polak-Ribière) directions, because the V-cycle runs in float32 and is symmetric only
+/// to its rounding; z_{k+1}·(r_{k+1} − r_k) is −a z_{k+1}·q_k, so that no old residual is kept.
+class ConjugateGradients {
+ public:
+  ConjugateGradients(CpuDepth& finest, const std::vector<float>& visibility);
+
+  std::vector<Double4>& constraint() { return b_; }
+  const std::vector<Double4>& displacement() const { return u_; }
+
+  void recompute_residual();
+  void load_residual();
+  void update_direction(bool restart);
+  void advance();
+  Measures measure() const;
+  uint64_t byte_count() const;
+
+ private:
+  CpuDepth& finest_;
+  const std::vector<float>& visibility_;
+  std::vector<Double4> u_, b_, r_, p_, q_;
+  Double4 z_dot_r_ = Double4::Zero();
+  Double4 step_ = Double4::Zero();  // a of the last advance()
+  double correction_max_ = 0;
+};
+
+}  // namespace burnish::cpu

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "server/solver/cpu/cpu_depth.h"
+
+namespace burnish::cpu {
+
+/// b_I = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²)_I, the right-hand side for the displacement: Eq. 4's
+/// constraint less S c°. Shapes: fields per cell, b per corner. Zero where pinned.
+void assemble_constraint(const PreparedMesh& prepared, const CpuDepth& finest,
+                         std::span<const float> alpha1, std::span<const float> alpha2,
+                         std::span<const float> beta, std::vector<Double4>& b);
+
+}  // namespace burnish::cpu

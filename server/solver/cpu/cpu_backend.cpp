@@ -1,0 +1,97 @@
+#include "server/solver/cpu/cpu_backend.h"
+
+#include "server/solver/cpu/assembly.h"
+#include "server/solver/cpu/coarsest.h"
+#include "server/solver/cpu/conjugate_gradients.h"
+#include "server/solver/cpu/constraint.h"
+#include "server/solver/cpu/cpu_depth.h"
+#include "server/solver/cpu/smoother.h"
+#include "server/solver/cpu/transfer.h"
+
+namespace burnish {
+
+namespace cpu {
+
+namespace {
+
+class CpuBackend final : public Backend {
+ public:
+  CpuBackend(std::shared_ptr<const PreparedMesh> prepared,
+             std::shared_ptr<const Hierarchy> hierarchy, Smoother smoother)
+      : prepared_(std::move(prepared)), hierarchy_(std::move(hierarchy)) {
+    depths_.reserve(hierarchy_->depths.size());
+    for (const HierarchyDepth& topology : hierarchy_->depths) {
+      depths_.emplace_back(topology);
+      const bool coarsest = depths_.size() == 1;
+      smoothers_.push_back(coarsest ? nullptr : make_smoother(smoother, topology));
+    }
+    outer_ = std::make_unique<ConjugateGradients>(depths_.back(), hierarchy_->visibility);
+  }
+
+  std::string_view name() const override { return "cpu"; }
+
+  uint64_t byte_count() const override {
+    uint64_t bytes = outer_->byte_count() + coarsest_.byte_count();
+    for (const CpuDepth& depth : depths_) bytes += depth.byte_count();
+    for (const auto& smoother : smoothers_) bytes += smoother ? smoother->byte_count() : 0;
+    return bytes;
+  }
+
+  void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
+    combine_integrals(*prepared_, alpha1, alpha2, depths_.back());
+    for (size_t i = depths_.size() - 1; i > 0; --i) down_sample(depths_[i], depths_[i - 1]);
+    for (size_t i = 0; i < depths_.size(); ++i) {
+      assemble(depths_[i]);
+      if (smoothers_[i]) smoothers_[i]->set_up(depths_[i]);
+    }
+    coarsest_.factor(depths_.front());
+  }
+
+  void set_constraint(std::span<const float> alpha1, std::span<const float> alpha2,
+                      std::span<const float> beta) override {
+    assemble_constraint(*prepared_, depths_.back(), alpha1, alpha2, beta, outer_->constraint());
+  }
+
+  void relax_from_zero(int depth) override { smoother(depth).relax_from_zero(at(depth)); }
+  void relax(int depth) override { smoother(depth).relax(at(depth)); }
+  void restrict_residual(int depth) override {
+    compute_residual(at(depth));
+    restrict_to_coarse(at(depth), at(depth - 1));
+  }
+  void prolong_correction(int depth) override { add_prolonged(at(depth - 1), at(depth)); }
+  void solve_coarsest() override { coarsest_.solve(depths_.front()); }
+
+  void recompute_residual() override { outer_->recompute_residual(); }
+  void load_residual() override { outer_->load_residual(); }
+  void update_direction(bool restart) override { outer_->update_direction(restart); }
+  void advance() override { outer_->advance(); }
+  Measures measure() const override { return outer_->measure(); }
+
+  void read_displacement(std::span<Vec3d> displacement) const override {
+    const auto& u = outer_->displacement();
+    for (size_t i = 0; i < u.size(); ++i) displacement[i] = u[i].head<3>().matrix();
+  }
+
+ private:
+  CpuDepth& at(int depth) { return depths_[depth - hierarchy_->coarsest]; }
+  DepthSmoother& smoother(int depth) { return *smoothers_[depth - hierarchy_->coarsest]; }
+
+  std::shared_ptr<const PreparedMesh> prepared_;
+  std::shared_ptr<const Hierarchy> hierarchy_;
+  std::vector<CpuDepth> depths_;                           // from the coarsest
+  std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
+  CoarsestSolver coarsest_;
+  std::unique_ptr<ConjugateGradients> outer_;
+};
+
+}  // namespace
+
+}  // namespace cpu
+
+std::unique_ptr<Backend> make_cpu_backend(std::shared_ptr<const PreparedMesh> prepared,
+                                          std::shared_ptr<const Hierarchy> hierarchy,
+                                          Smoother smoother) {
+  return std::make_unique<cpu::CpuBackend>(std::move(prepared), std::move(hierarchy), smoother);
+}
+
+}  // namespace burnish

@@ -1,0 +1,32 @@
+#include "server/solver/cpu/cpu_depth.h"
+
+namespace burnish::cpu {
+
+CpuDepth::CpuDepth(const HierarchyDepth& topology_of_depth)
+    : topology(topology_of_depth),
+      cells(topology.grid.cells.size()),
+      inverse_diagonal(topology.grid.corners.size()),
+      x(topology.grid.corners.size(), Float4::Zero()),
+      f(topology.grid.corners.size(), Float4::Zero()),
+      r(topology.grid.corners.size(), Float4::Zero()) {
+  system.entry.resize(topology.stencil.column.size());
+  system.own.resize(topology.grid.corners.size());
+}
+
+uint64_t CpuDepth::byte_count() const {
+  return bytes_of(cells) + system.byte_count() + bytes_of(inverse_diagonal) + bytes_of(x) +
+         bytes_of(f) + bytes_of(r);
+}
+
+void compute_residual(CpuDepth& depth) {
+  const int32_t n = depth.corner_count();
+#pragma omp parallel for schedule(static)
+  for (int32_t corner = 0; corner < n; ++corner) {
+    if (depth.inverse_diagonal[corner] == 0)
+      depth.r[corner].setZero();
+    else
+      depth.r[corner] = depth.f[corner] - system_row(depth, depth.x, corner);
+  }
+}
+
+}  // namespace burnish::cpu

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "server/solver/cpu/cpu_depth.h"
+#include "server/solver/solver.h"
+
+namespace burnish::cpu {
+
+/// Relaxes one depth. relax() is the transpose of relax_from_zero(), so that the V-cycle stays
+/// symmetric. One object per depth.
+class DepthSmoother {
+ public:
+  virtual ~DepthSmoother() = default;
+  virtual void set_up(const CpuDepth& depth) = 0;       ///< after a new matrix
+  virtual void relax_from_zero(CpuDepth& depth) = 0;    ///< x from zero
+  virtual void relax(CpuDepth& depth) = 0;              ///< x further
+  virtual uint64_t byte_count() const = 0;
+};
+
+/// Chebyshev of degree 2 on additive Schwarz over cells: M⁻¹ = Σ_c R_cᵀ (B_c + reg)⁻¹ R_c with B_c
+/// the 8×8 block of the diagonally scaled S at the corners of cell c.
+std::unique_ptr<DepthSmoother> make_schwarz(const HierarchyDepth& topology);
+
+/// True Gauss-Seidel in eight colours (the parity of the corner), two sweeps, as the paper's
+/// V(2,2) relaxes; the colours run backwards after the coarse correction.
+std::unique_ptr<DepthSmoother> make_gauss_seidel(const HierarchyDepth& topology);
+
+std::unique_ptr<DepthSmoother> make_smoother(Smoother kind, const HierarchyDepth& topology);
+
+}  // namespace burnish::cpu

@@ -1,0 +1,29 @@
+#include "server/solver/cpu/transfer.h"
+
+namespace burnish::cpu {
+
+void restrict_to_coarse(const CpuDepth& fine, CpuDepth& coarse) {
+  const DepthTransfer& transfer = fine.topology.to_parent;
+#pragma omp parallel for schedule(static)
+  for (int32_t i = 0; i < coarse.corner_count(); ++i) {
+    Float4 sum = Float4::Zero();
+    for (int64_t k = transfer.restriction_start[i]; k < transfer.restriction_start[i + 1]; ++k)
+      sum += transfer.restriction_weight[k] * fine.r[transfer.restriction_corner[k]];
+    coarse.f[i] = coarse.inverse_diagonal[i] > 0 ? sum : Float4(Float4::Zero());
+  }
+}
+
+void add_prolonged(const CpuDepth& coarse, CpuDepth& fine) {
+  const auto& weights_of_place = half_way_weights();
+#pragma omp parallel for schedule(static)
+  for (int32_t i = 0; i < fine.corner_count(); ++i) {
+    if (fine.inverse_diagonal[i] == 0) continue;
+    const DepthTransfer::FromCell from = fine.topology.to_parent.prolongation[i];
+    const auto& weights = weights_of_place[from.place];
+    const auto& corners = coarse.topology.grid.cell_corners[from.cell];
+    for (int a = 0; a < kCornersPerCell; ++a)
+      if (weights[a] > 0) fine.x[i] += weights[a] * coarse.x[corners[a]];
+  }
+}
+
+}  // namespace burnish::cpu

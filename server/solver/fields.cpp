@@ -1,0 +1,118 @@
+#include "server/solver/fields.h"
+
+#include <algorithm>
+
+#include "common/grid/morton.h"
+
+namespace burnish {
+
+Fields::Fields(const PreparedMesh& prepared)
+    : prepared_(prepared),
+      painted_beta_(prepared.cells.size(), 0),
+      painted_weight_(prepared.cells.size(), 0),
+      alpha1_(prepared.cells.size(), static_cast<float>(kAlphaDefault)),
+      alpha2_(prepared.cells.size(), static_cast<float>(kAlphaDefault)),
+      beta_(prepared.cells.size(), static_cast<float>(kBetaDefault)) {}
+
+void Fields::set_transfer_curve(const TransferCurve& curve) {
+  curve_ = curve;
+#pragma omp parallel for schedule(static)
+  for (int64_t c = 0; c < static_cast<int64_t>(alpha1_.size()); ++c) {
+    alpha1_[c] = static_cast<float>(curve.alpha(prepared_.curvature[c].kappa1));
+    alpha2_[c] = static_cast<float>(curve.alpha(prepared_.curvature[c].kappa2));
+  }
+  override_metric();
+}
+
+void Fields::set_gradient_scale(double beta) {
+  beta_slider_ = beta;
+  blend_beta();
+}
+
+namespace {
+
+struct Box {
+  Vec3d least, most;
+  bool contains(const Vec3d& p) const {
+    return (p.array() >= least.array()).all() && (p.array() <= most.array()).all();
+  }
+};
+
+Box box_of(const std::vector<Vec3d>& centres, double radius) {
+  Box box{centres.front(), centres.front()};
+  for (const Vec3d& centre : centres) {
+    box.least = box.least.cwiseMin(centre);
+    box.most = box.most.cwiseMax(centre);
+  }
+  return {box.least - Vec3d::Constant(radius), box.most + Vec3d::Constant(radius)};
+}
+
+}  // namespace
+
+void Fields::paint(const Stroke& stroke) {
+  const Brush& brush = stroke.brush;
+  const std::vector<Vec3d> centres = dab_centres(stroke);
+  const Box box = box_of(centres, brush.radius);
+#pragma omp parallel for schedule(dynamic, 4096)
+  for (int64_t c = 0; c < static_cast<int64_t>(beta_.size()); ++c) {
+    const Vec3i cell = morton_point(prepared_.cells[c]);
+    const Vec3d middle =
+        prepared_.frame.to_file(cell.cast<double>() + Vec3d::Constant(0.5));
+    if (!box.contains(middle)) continue;
+    double beta = painted_beta_[c], covered = painted_weight_[c];
+    for (const Vec3d& centre : centres) {
+      const double weight =
+          brush.strength * fall_off_weight(brush.fall_off, (middle - centre).norm() / brush.radius);
+      if (weight <= 0) continue;
+      const double under = covered * (1 - weight);
+      covered = under + weight;
+      beta = (beta * under + brush.beta * weight) / covered;
+    }
+    painted_beta_[c] = static_cast<float>(beta);
+    painted_weight_[c] = static_cast<float>(covered);
+  }
+  blend_beta();
+}
+
+Status Fields::override_cells(const SetCellFields& change) {
+  std::vector<std::pair<int32_t, SetCellFields::Cell>> found;
+  found.reserve(change.cells.size());
+  for (const SetCellFields::Cell& cell : change.cells) {
+    const auto text = [](const Vec3i& p) {
+      return std::to_string(p.x()) + " " + std::to_string(p.y()) + " " + std::to_string(p.z());
+    };
+    const int side = prepared_.frame.cells_per_side();
+    if ((cell.cell.array() < 0).any() || (cell.cell.array() >= side).any())
+      return invalid_argument("cell " + text(cell.cell) + " is outside the grid of 0.." +
+                              std::to_string(side - 1));
+    const MortonKey key = morton_key(cell.cell);
+    const auto it = std::lower_bound(prepared_.cells.begin(), prepared_.cells.end(), key);
+    if (it == prepared_.cells.end() || *it != key)
+      return invalid_argument("cell " + text(cell.cell) + " holds no surface at depth " +
+                              std::to_string(prepared_.frame.depth));
+    found.emplace_back(static_cast<int32_t>(it - prepared_.cells.begin()), cell);
+  }
+  overrides_.insert(overrides_.end(), found.begin(), found.end());
+  override_metric();
+  blend_beta();
+  return Status::ok();
+}
+
+void Fields::blend_beta() {
+  const double slider = beta_slider_;
+#pragma omp parallel for schedule(static)
+  for (int64_t c = 0; c < static_cast<int64_t>(beta_.size()); ++c) {
+    const double weight = painted_weight_[c];
+    beta_[c] = static_cast<float>((1 - weight) * slider + weight * painted_beta_[c]);
+  }
+  for (const auto& [c, cell] : overrides_) beta_[c] = static_cast<float>(cell.beta);
+}
+
+void Fields::override_metric() {
+  for (const auto& [c, cell] : overrides_) {
+    alpha1_[c] = static_cast<float>(cell.alpha1);
+    alpha2_[c] = static_cast<float>(cell.alpha2);
+  }
+}
+
+}  // namespace burnish

@@ -1,0 +1,181 @@
+#include "server/solver/hierarchy.h"
+
+#include <algorithm>
+
+#include "common/base/check.h"
+
+namespace burnish {
+
+namespace {
+
+/// The neighbours of one corner by slot, kNone where they share no active cell.
+std::array<int32_t, kSlots> neighbours(const SparseGrid& grid, int32_t corner) {
+  std::array<int32_t, kSlots> by_slot;
+  by_slot.fill(kNone);
+  for (int a = 0; a < kCornersPerCell; ++a) {
+    const int32_t cell = grid.cells_of_corner[corner][a];
+    if (cell == kNone) continue;
+    for (int b = 0; b < kCornersPerCell; ++b)
+      by_slot[slot_between(a, b)] = grid.cell_corners[cell][b];
+  }
+  by_slot[kSelfSlot] = kNone;
+  return by_slot;
+}
+
+Stencil make_stencil(const SparseGrid& grid) {
+  const int32_t n = grid.corner_count();
+  Stencil stencil;
+  stencil.mask.resize(n);
+  stencil.row_start.resize(n + 1);
+#pragma omp parallel for schedule(static)
+  for (int32_t corner = 0; corner < n; ++corner) {
+    const auto by_slot = neighbours(grid, corner);
+    uint32_t mask = 0;
+    for (int s = 0; s < kSlots; ++s) mask |= static_cast<uint32_t>(by_slot[s] != kNone) << s;
+    stencil.mask[corner] = mask;
+  }
+  stencil.row_start[0] = 0;
+  for (int32_t corner = 0; corner < n; ++corner)
+    stencil.row_start[corner + 1] =
+        stencil.row_start[corner] + __builtin_popcount(stencil.mask[corner]);
+  stencil.column.resize(stencil.row_start[n]);
+#pragma omp parallel for schedule(static)
+  for (int32_t corner = 0; corner < n; ++corner) {
+    int64_t next = stencil.row_start[corner];
+    for (int32_t neighbour : neighbours(grid, corner))
+      if (neighbour != kNone) stencil.column[next++] = neighbour;
+  }
+  return stencil;
+}
+
+std::vector<int32_t> find_parents(const SparseGrid& fine, const SparseGrid& coarse) {
+  std::vector<int32_t> parents(fine.cells.size());
+  int32_t parent = 0;
+  for (size_t c = 0; c < fine.cells.size(); ++c) {
+    while (coarse.cells[parent] != fine.cells[c] >> 3) ++parent;
+    parents[c] = parent;
+  }
+  return parents;
+}
+
+DepthTransfer::FromCell place_in_parent(const HierarchyDepth& fine, int32_t corner) {
+  for (int a = 0; a < kCornersPerCell; ++a) {
+    const int32_t cell = fine.grid.cells_of_corner[corner][a];
+    if (cell == kNone) continue;
+    const Vec3i at = corner_offset(static_cast<int>(fine.grid.cells[cell] & 7)) + corner_offset(a);
+    return {fine.parent_cell[cell], static_cast<uint8_t>(at.x() + 3 * at.y() + 9 * at.z())};
+  }
+  BURNISH_CHECK(false, "every corner belongs to a cell");
+}
+
+// Pᵀ by rows: a counting sort of the entries of P by their coarse corner.
+void transpose(const SparseGrid& coarse, DepthTransfer& transfer) {
+  const auto& weights = half_way_weights();
+  const auto for_each_entry = [&](auto&& visit) {
+    for (size_t fine = 0; fine < transfer.prolongation.size(); ++fine) {
+      const DepthTransfer::FromCell from = transfer.prolongation[fine];
+      for (int a = 0; a < kCornersPerCell; ++a)
+        if (weights[from.place][a] > 0)
+          visit(static_cast<int32_t>(fine), coarse.cell_corners[from.cell][a],
+                weights[from.place][a]);
+    }
+  };
+  transfer.restriction_start.assign(coarse.corner_count() + 1, 0);
+  for_each_entry([&](int32_t, int32_t to, float) { ++transfer.restriction_start[to + 1]; });
+  for (int32_t i = 0; i < coarse.corner_count(); ++i)
+    transfer.restriction_start[i + 1] += transfer.restriction_start[i];
+  transfer.restriction_corner.resize(transfer.restriction_start.back());
+  transfer.restriction_weight.resize(transfer.restriction_start.back());
+  std::vector<int64_t> next(transfer.restriction_start.begin(),
+                            transfer.restriction_start.end() - 1);
+  for_each_entry([&](int32_t fine, int32_t to, float weight) {
+    transfer.restriction_corner[next[to]] = fine;
+    transfer.restriction_weight[next[to]++] = weight;
+  });
+}
+
+// Children of a cell are neighbours in Morton order.
+std::vector<int32_t> first_children(const std::vector<int32_t>& parent_cell, size_t parents) {
+  std::vector<int32_t> first(parents + 1, 0);
+  for (int32_t parent : parent_cell) ++first[parent + 1];
+  for (size_t p = 0; p < parents; ++p) first[p + 1] += first[p];
+  return first;
+}
+
+void connect(HierarchyDepth& fine, HierarchyDepth& coarse) {
+  fine.parent_cell = find_parents(fine.grid, coarse.grid);
+  coarse.first_child = first_children(fine.parent_cell, coarse.grid.cells.size());
+  fine.to_parent.prolongation.resize(fine.grid.corners.size());
+#pragma omp parallel for schedule(static)
+  for (int32_t corner = 0; corner < fine.grid.corner_count(); ++corner)
+    fine.to_parent.prolongation[corner] = place_in_parent(fine, corner);
+  transpose(coarse.grid, fine.to_parent);
+}
+
+std::vector<float> visibility_of(const PreparedMesh& prepared, const SparseGrid& grid) {
+  std::vector<float> visibility(grid.corners.size(), 0);
+  for (const EvaluationPoint& point : prepared.evaluation) {
+    if (point.cell == kNone) continue;
+    const auto weights = trilinear_weights(point.local);
+    for (int a = 0; a < kCornersPerCell; ++a) {
+      float& most = visibility[grid.cell_corners[point.cell][a]];
+      most = std::max(most, weights[a]);
+    }
+  }
+  return visibility;
+}
+
+template <typename T>
+uint64_t bytes_of(const std::vector<T>& v) {
+  return v.capacity() * sizeof(T);
+}
+
+}  // namespace
+
+const std::array<std::array<float, kCornersPerCell>, kSlots>& half_way_weights() {
+  static const auto table = [] {
+    std::array<std::array<float, kCornersPerCell>, kSlots> weights;
+    for (int place = 0; place < kSlots; ++place)
+      weights[place] = trilinear_weights(
+          {place % 3 * 0.5f, place / 3 % 3 * 0.5f, static_cast<float>(place / 9) * 0.5f});
+    return weights;
+  }();
+  return table;
+}
+
+std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared) {
+  auto hierarchy = std::make_shared<Hierarchy>();
+  std::vector<HierarchyDepth> from_finest;
+  std::vector<MortonKey> cells(prepared.cells.begin(), prepared.cells.end());
+  int depth = prepared.frame.depth;
+  for (;; --depth, cells = parent_cells(cells)) {
+    HierarchyDepth& here = from_finest.emplace_back();
+    here.grid = make_sparse_grid(depth, cells);
+    here.stencil = make_stencil(here.grid);
+    if (here.grid.corner_count() <= kCoarsestCornersMax) break;
+  }
+  for (size_t i = 0; i + 1 < from_finest.size(); ++i) connect(from_finest[i], from_finest[i + 1]);
+  hierarchy->coarsest = depth;
+  hierarchy->finest = prepared.frame.depth;
+  hierarchy->visibility = visibility_of(prepared, from_finest.front().grid);
+  hierarchy->depths.assign(std::make_move_iterator(from_finest.rbegin()),
+                           std::make_move_iterator(from_finest.rend()));
+  return hierarchy;
+}
+
+uint64_t Hierarchy::byte_count() const {
+  uint64_t bytes = bytes_of(visibility);
+  for (const HierarchyDepth& depth : depths) {
+    bytes += bytes_of(depth.grid.cells) + bytes_of(depth.grid.corners) +
+             bytes_of(depth.grid.cell_corners) + bytes_of(depth.grid.cells_of_corner) +
+             bytes_of(depth.stencil.row_start) + bytes_of(depth.stencil.column) +
+             bytes_of(depth.stencil.mask) + bytes_of(depth.parent_cell) +
+             bytes_of(depth.first_child) +
+             bytes_of(depth.to_parent.prolongation) + bytes_of(depth.to_parent.restriction_start) +
+             bytes_of(depth.to_parent.restriction_corner) +
+             bytes_of(depth.to_parent.restriction_weight);
+  }
+  return bytes;
+}
+
+}  // namespace burnish

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "common/grid/sparse_grid.h"
+#include "server/prepare/prepared_mesh.h"
+
+namespace burnish {
+
+/// Neighbour slot of an offset in {-1, 0, 1}³; the corner itself is slot 13.
+inline constexpr int kSlots = 27;
+inline constexpr int kSelfSlot = 13;
+inline constexpr int slot_of_offset(int dx, int dy, int dz) {
+  return (dx + 1) + 3 * (dy + 1) + 9 * (dz + 1);
+}
+/// Slot of local corner b seen from local corner a of the same cell.
+inline constexpr int slot_between(int a, int b) {
+  return slot_of_offset((b & 1) - (a & 1), (b >> 1 & 1) - (a >> 1 & 1), (b >> 2) - (a >> 2));
+}
+
+/// Which corners share a cell, itself left out: the off-diagonal pattern of every matrix of one
+/// depth, in compressed rows.
+struct Stencil {
+  std::vector<int64_t> row_start;  ///< corners + 1
+  std::vector<int32_t> column;     ///< in slot order within a row
+  std::vector<uint32_t> mask;      ///< bit s of mask[I]: slot s of corner I is present
+
+  /// Where slot s of corner I stands in `column`. Needs: the slot is present.
+  int64_t position(int32_t corner, int slot) const {
+    return row_start[corner] + __builtin_popcount(mask[corner] & ((1u << slot) - 1));
+  }
+  int64_t entry_count() const { return static_cast<int64_t>(column.size()); }
+};
+
+/// Prolongation P and restriction Pᵀ between a depth and the one above (coarser), trilinear.
+struct DepthTransfer {
+  /// A fine corner lies in coarse cell `cell`, at position `place` of its 3×3×3 half-way points.
+  struct FromCell {
+    int32_t cell;
+    uint8_t place;
+  };
+  std::vector<FromCell> prolongation;      ///< one per fine corner
+  std::vector<int64_t> restriction_start;  ///< coarse corners + 1
+  std::vector<int32_t> restriction_corner; ///< the fine corners that a coarse corner gathers
+  std::vector<float> restriction_weight;   ///< 1, 1/2, 1/4 or 1/8
+};
+
+/// The weights of a cell's eight corners at each of its 27 half-way points.
+const std::array<std::array<float, kCornersPerCell>, kSlots>& half_way_weights();
+
+/// One depth of the multigrid hierarchy, without any number that depends on the metric.
+struct HierarchyDepth {
+  SparseGrid grid;
+  Stencil stencil;
+  DepthTransfer to_parent;           ///< empty at the coarsest depth
+  std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth
+  std::vector<int32_t> first_child;  ///< cells + 1, into the finer depth; empty at the finest
+};
+
+/// All depths of one prepared mesh, immutable and shared by its sessions.
+struct Hierarchy {
+  int coarsest = 0;                    ///< solved directly
+  int finest = 0;
+  std::vector<HierarchyDepth> depths;  ///< depths[d - coarsest]
+  /// Per corner of the finest depth, the largest weight that it has on any vertex: 0 for corners
+  /// that no vertex feels.
+  std::vector<float> visibility;
+
+  const HierarchyDepth& at(int depth) const { return depths[depth - coarsest]; }
+  uint64_t byte_count() const;
+};
+
+/// The coarsest depth is the deepest one with at most this many corners.
+inline constexpr int32_t kCoarsestCornersMax = 600;
+
+std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared);
+
+}  // namespace burnish

@@ -1,0 +1,108 @@
+#include "server/solver/solver.h"
+
+#include <chrono>
+
+#include "common/base/parallel.h"
+#include "server/solver/backend.h"
+#include "server/solver/cpu/cpu_backend.h"
+#include "server/solver/hierarchy.h"
+#include "server/solver/vcycle.h"
+
+namespace burnish {
+
+static constexpr int kRecomputeResidualEvery = 50;  // steps; the recurrence drifts by rounding
+
+static double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Result<std::unique_ptr<Solver>> Solver::create(std::shared_ptr<const PreparedMesh> prepared,
+                                               std::shared_ptr<const Hierarchy> hierarchy,
+                                               const SolverOptions& options) {
+  if (options.backend == BackendKind::kCuda)
+    return failed_precondition("backend cuda: this build has no CUDA backend; use cpu or auto");
+  use_threads(options.threads);
+  auto backend = make_cpu_backend(prepared, hierarchy, options.smoother);
+  return std::unique_ptr<Solver>(new Solver(std::move(prepared), std::move(hierarchy),
+                                            std::move(backend), options.threads));
+}
+
+Solver::Solver(std::shared_ptr<const PreparedMesh> prepared,
+               std::shared_ptr<const Hierarchy> hierarchy, std::unique_ptr<Backend> backend,
+               int threads)
+    : prepared_(std::move(prepared)),
+      hierarchy_(std::move(hierarchy)),
+      backend_(std::move(backend)),
+      threads_(threads) {}
+
+Solver::~Solver() = default;
+
+void Solver::set_metric(const FieldsView& fields) {
+  use_threads(threads_);
+  const auto start = std::chrono::steady_clock::now();
+  backend_->set_metric(fields.alpha1, fields.alpha2);
+  backend_->set_constraint(fields.alpha1, fields.alpha2, fields.beta);
+  assemble_seconds_ += seconds_since(start);
+  restart_ = true;
+}
+
+void Solver::set_gradient_scale(const FieldsView& fields) {
+  use_threads(threads_);
+  const auto start = std::chrono::steady_clock::now();
+  backend_->set_constraint(fields.alpha1, fields.alpha2, fields.beta);
+  assemble_seconds_ += seconds_since(start);
+  restart_ = true;
+}
+
+StepReport Solver::step() {
+  use_threads(threads_);
+  if (restart_ || cycle_ % kRecomputeResidualEvery == 0) backend_->recompute_residual();
+  backend_->load_residual();
+  run_vcycle(*backend_, hierarchy_->coarsest, hierarchy_->finest);
+  backend_->update_direction(restart_);
+  backend_->advance();
+  restart_ = false;
+
+  const Measures measures = backend_->measure();
+  StepReport report;
+  report.cycle = ++cycle_;
+  report.energy = measures.energy;
+  report.residual = measures.residual;
+  report.distance = measures.correction_max * prepared_->frame.cell_size /
+                    prepared_->statistics.diagonal();
+  return report;
+}
+
+Result<SolveReport> Solver::solve(double distance_max, int cycles_max, const Progress& progress) {
+  SolveReport report;
+  const auto start = std::chrono::steady_clock::now();
+  while (report.cycles < cycles_max && !report.converged) {
+    if (!burnish::report(progress, "solve", static_cast<double>(report.cycles) / cycles_max))
+      return cancelled("cancelled after " + std::to_string(report.cycles) + " cycles");
+    report.last = step();
+    ++report.cycles;
+    report.converged = report.last.distance <= distance_max;
+  }
+  report.assemble_seconds = assemble_seconds_;
+  report.solve_seconds = seconds_since(start);
+  return report;
+}
+
+std::vector<Vec3d> Solver::evaluate_vertices() const {
+  use_threads(threads_);
+  const SparseGrid& grid = hierarchy_->at(hierarchy_->finest).grid;
+  std::vector<Vec3d> displacement(grid.corners.size());
+  backend_->read_displacement(displacement);
+  std::vector<Vec3d> positions(prepared_->vertices.begin(), prepared_->vertices.end());
+#pragma omp parallel for schedule(static)
+  for (int64_t v = 0; v < static_cast<int64_t>(positions.size()); ++v)
+    positions[v] += prepared_->frame.cell_size *
+                    evaluate<Vec3d>(grid, prepared_->evaluation[v], displacement);
+  return positions;
+}
+
+uint64_t Solver::byte_count() const { return backend_->byte_count(); }
+
+std::string_view Solver::backend_name() const { return backend_->name(); }
+
+}  // namespace burnish
