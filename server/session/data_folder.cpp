@@ -52,6 +52,15 @@ fs::path DataFolder::staging_path(const std::string& suffix) const {
   return path_ / "staging" / (random_name() + suffix);
 }
 
+Status sync_folder(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return errno_status("cannot open " + folder.string(), errno);
+  const Status status =
+      ::fsync(file) == 0 ? Status::ok() : errno_status("cannot sync " + folder.string(), errno);
+  ::close(file);
+  return status;
+}
+
 std::string random_name() {
   std::random_device device;
   static constexpr char kHex[] = "0123456789abcdef";

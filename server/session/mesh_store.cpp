@@ -5,12 +5,13 @@
 
 #include <spdlog/spdlog.h>
 
+#include "common/base/atomic_file.h"
+#include "common/base/mapped_file.h"
 #include "common/grid/grid.h"
 #include "common/mesh/mesh_io.h"
 #include "server/prepare/prepare.h"
 #include "server/session/cancellable_lock.h"
 #include "server/session/scan_record.h"
-#include "server/session/synced_files.h"
 
 namespace burnish {
 
@@ -45,6 +46,19 @@ Status make_folders(const fs::path& path) {
   fs::create_directories(path, error);
   return error ? errno_status("cannot make the folder " + path.string(), error.value())
                : Status::ok();
+}
+
+Status write_file(const fs::path& path, const std::string& text) {
+  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
+  RETURN_IF_ERROR(file.write(text));
+  return file.commit();
+}
+
+/// Reads a stored file under the name that its user knows.
+Result<TriangleMesh> read_original(const fs::path& path, MeshFormat format,
+                                   const std::string& name) {
+  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
+  return read_mesh(file.bytes(), format, name);
 }
 
 int64_t unix_seconds_now() {
@@ -108,7 +122,7 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
   RETURN_IF_ERROR(move_path(upload.path(), original));
 
   if (!report(progress, "reading", 0)) return cancelled("the import was cancelled");
-  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(original));
+  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_original(original, header.format, header.name));
   ASSIGN_OR_RETURN(const auto prepared,
                    prepare(mesh, {header.key.depth, header.key.curvature_radius, options_.threads},
                            progress));
@@ -117,7 +131,7 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
 
   if (!report(progress, "storing", 0)) return cancelled("the import was cancelled");
   RETURN_IF_ERROR(write_prepared_mesh(*prepared, staging.path() / "prepared" / prepared_name));
-  RETURN_IF_ERROR(write_synced(staging.path() / "info.json", scan_to_json(scan)));
+  RETURN_IF_ERROR(write_file(staging.path() / "info.json", scan_to_json(scan)));
   RETURN_IF_ERROR(sync_folder(staging.path()));
   RETURN_IF_ERROR(move_path(staging.path(), scan_folder(id)));
   RETURN_IF_ERROR(sync_folder(folder_.scans()));
@@ -128,7 +142,7 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
 Result<ImportOutcome> MeshStore::import_known(const std::string& id, const PreparedKey& key,
                                               const Progress& progress) {
   ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(scan_folder(id)));
-  RETURN_IF_ERROR(prepared(id, resolve(key, scan), progress).status());
+  RETURN_IF_ERROR(prepare_scan(id, resolve(key, scan), progress));
   ASSIGN_OR_RETURN(ScanInfo now, read_scan_folder(scan_folder(id)));
   return ImportOutcome{std::move(now), true};
 }
@@ -169,7 +183,7 @@ Result<ScanInfo> MeshStore::find(const std::string& reference) const {
   return std::move(answers[0]);
 }
 
-Result<ScanDescription> MeshStore::describe(const std::string& reference, int depth) {
+Result<ScanDescription> MeshStore::describe(const std::string& reference, int depth) const {
   ScanDescription description;
   ASSIGN_OR_RETURN(description.scan, find(reference));
   const auto& have = description.scan.prepared;
@@ -177,7 +191,8 @@ Result<ScanDescription> MeshStore::describe(const std::string& reference, int de
     return depth == 0 || p.key.depth == depth;
   });
   if (chosen == have.rend()) return description;
-  ASSIGN_OR_RETURN(const auto mesh, prepared(description.scan.id, chosen->key, {}));
+  ASSIGN_OR_RETURN(const auto mesh, map_prepared_mesh(scan_folder(description.scan.id) /
+                                                      "prepared" / prepared_file_name(chosen->key)));
   const CurvatureHistogram& histogram = mesh->histogram;
   description.prepared = PreparedDescription{
       chosen->key,      mesh->length_unit, mesh->frame.cell_size,
@@ -186,16 +201,25 @@ Result<ScanDescription> MeshStore::describe(const std::string& reference, int de
   return description;
 }
 
-Result<std::shared_ptr<const PreparedMesh>> MeshStore::prepared(const std::string& id,
-                                                                const PreparedKey& key,
-                                                                const Progress& progress) {
+Status MeshStore::prepare_scan(const std::string& id, const PreparedKey& key,
+                               const Progress& progress) {
+  ASSIGN_OR_RETURN(const auto lock,
+                   lock_or_cancel(preparing_, "waiting for another scan", progress));
+  return map_or_rebuild(id, key, progress).status();
+}
+
+Result<std::shared_ptr<const SharedMesh>> MeshStore::open_mesh(const std::string& id,
+                                                               const PreparedKey& key,
+                                                               const Progress& progress) {
   if (auto shared = cache_.find({id, key})) return shared;
   ASSIGN_OR_RETURN(const auto lock,
                    lock_or_cancel(preparing_, "waiting for another scan", progress));
   if (auto shared = cache_.find({id, key})) return shared;
-  ASSIGN_OR_RETURN(auto mesh, map_or_rebuild(id, key, progress));
+  auto mesh = std::make_shared<SharedMesh>();
+  ASSIGN_OR_RETURN(mesh->prepared, map_or_rebuild(id, key, progress));
+  mesh->hierarchy = make_hierarchy(*mesh->prepared);
   RETURN_IF_ERROR(cache_.admit({id, key}, mesh));
-  return mesh;
+  return std::shared_ptr<const SharedMesh>(std::move(mesh));
 }
 
 Result<std::shared_ptr<const PreparedMesh>> MeshStore::map_or_rebuild(const std::string& id,
@@ -217,7 +241,8 @@ Status MeshStore::rebuild(const std::string& id, const PreparedKey& key,
   const fs::path folder = scan_folder(id);
   ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(folder));
   if (!report(progress, "reading", 0)) return cancelled("preparing was cancelled");
-  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(folder / original_file_name(scan.format)));
+  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_original(folder / original_file_name(scan.format),
+                                                         scan.format, scan.name));
   ASSIGN_OR_RETURN(const auto prepared,
                    prepare(mesh, {key.depth, key.curvature_radius, options_.threads}, progress));
   return write_prepared_mesh(*prepared, folder / "prepared" / prepared_file_name(key));

@@ -49,13 +49,17 @@ class MeshStore {
   Result<ScanInfo> find(const std::string& reference) const;
 
   /// Describes the prepared mesh of `depth`, or the deepest there is for 0.
-  Result<ScanDescription> describe(const std::string& reference, int depth);
+  Result<ScanDescription> describe(const std::string& reference, int depth) const;
 
-  /// The prepared mesh: shared, mapped, or made now when it is missing or damaged.
-  /// Needs: key.depth as resolve() gives it.
-  Result<std::shared_ptr<const PreparedMesh>> prepared(const std::string& id,
-                                                       const PreparedKey& key,
-                                                       const Progress& progress);
+  /// Makes the prepared file when it is missing or damaged. Needs: a resolved key.
+  Status prepare_scan(const std::string& id, const PreparedKey& key, const Progress& progress);
+
+  /// The mesh for a session: shared with others, else mapped, else prepared now. The caller holds
+  /// it for as long as it uses it. Needs: a resolved key.
+  /// Fails: resource_exhausted when mesh_bytes_max has no room; not_found; cancelled.
+  Result<std::shared_ptr<const SharedMesh>> open_mesh(const std::string& id,
+                                                      const PreparedKey& key,
+                                                      const Progress& progress);
 
   /// Needs: no session edits it.
   Status remove(const std::string& id);

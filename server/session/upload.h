@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/base/atomic_file.h"
 #include "common/base/status.h"
 #include "common/service/content_hash.h"
 
@@ -24,19 +25,20 @@ class Upload {
   /// resource_exhausted (disk full).
   Status append(uint64_t offset, std::string_view data, uint32_t crc32);
 
-  /// Waits until the bytes are on disk; the SHA-256 of them. Call it once.
+  /// Puts the bytes at path(), on disk; returns their SHA-256. Call it once.
   /// Fails: data_loss when bytes are missing.
   Result<std::string> finish();
 
   const std::filesystem::path& path() const { return path_; }
   uint64_t received_bytes() const { return received_bytes_; }
+  uint64_t size_bytes() const { return size_bytes_; }
 
  private:
-  Upload(std::filesystem::path path, int file, uint64_t size_bytes)
-      : path_(std::move(path)), file_(file), size_bytes_(size_bytes) {}
+  Upload(std::filesystem::path path, AtomicFile file, uint64_t size_bytes)
+      : path_(std::move(path)), file_(std::move(file)), size_bytes_(size_bytes) {}
 
   std::filesystem::path path_;
-  int file_;
+  AtomicFile file_;
   uint64_t size_bytes_;
   uint64_t received_bytes_ = 0;
   ContentHash hash_;
