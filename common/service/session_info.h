@@ -11,7 +11,7 @@
 namespace burnish {
 
 /// Which session to open; an empty name lets the server choose one.
-struct OpenSession {
+struct SessionWish {
   std::string scan;  ///< name, id, or the beginning of one id
   std::string name;
   PreparedKey key;

@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-v1::OpenSessionRequest to_wire(const OpenSession& wish) {
+v1::OpenSessionRequest to_wire(const SessionWish& wish) {
   v1::OpenSessionRequest message;
   message.set_scan(wish.scan);
   message.set_name(wish.name);
@@ -14,8 +14,8 @@ v1::OpenSessionRequest to_wire(const OpenSession& wish) {
   return message;
 }
 
-Result<OpenSession> from_wire(const v1::OpenSessionRequest& message) {
-  OpenSession wish;
+Result<SessionWish> from_wire(const v1::OpenSessionRequest& message) {
+  SessionWish wish;
   RETURN_IF_ERROR(check_name("the scan's name or id", message.scan()));
   wish.scan = message.scan();
   if (!message.name().empty()) RETURN_IF_ERROR(check_name("the session's name", message.name()));

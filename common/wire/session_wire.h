@@ -5,9 +5,9 @@
 
 namespace burnish {
 
-v1::OpenSessionRequest to_wire(const OpenSession& wish);
+v1::OpenSessionRequest to_wire(const SessionWish& wish);
 /// Fails: invalid_argument naming the field, its value and its limit.
-Result<OpenSession> from_wire(const v1::OpenSessionRequest& message);
+Result<SessionWish> from_wire(const v1::OpenSessionRequest& message);
 
 v1::SessionInfo to_wire(const SessionInfo& session);
 Result<SessionInfo> from_wire(const v1::SessionInfo& message);

@@ -118,7 +118,7 @@ Status SessionManager::bring_back(Entry& entry, const Progress& progress) {
 }
 
 Result<std::shared_ptr<SessionManager::Entry>> SessionManager::find_or_create(
-    const OpenSession& wish, bool& created) {
+    const SessionWish& wish, bool& created) {
   const std::lock_guard lock(mutex_);
   ASSIGN_OR_RETURN(const ScanInfo scan, store_.find(wish.scan));
   SessionRecord record{random_name(), wish.name, scan.id, resolve(wish.key, scan),
@@ -142,7 +142,7 @@ Result<std::shared_ptr<SessionManager::Entry>> SessionManager::find_or_create(
   return sessions_[record.name] = std::make_shared<Entry>(record);
 }
 
-Result<OpenedSession> SessionManager::open(const OpenSession& wish, const Progress& progress) {
+Result<OpenedSession> SessionManager::open(const SessionWish& wish, const Progress& progress) {
   bool created = false;
   ASSIGN_OR_RETURN(const auto entry, find_or_create(wish, created));
   const auto held = use(entry->record.id, progress);

@@ -33,7 +33,7 @@ class SessionManager {
 
   /// Opens, or attaches to the session of that name when it is over the same prepared mesh.
   /// Fails: not_found, already_exists (the name is another's), resource_exhausted, cancelled.
-  Result<OpenedSession> open(const OpenSession& wish, const Progress& progress);
+  Result<OpenedSession> open(const SessionWish& wish, const Progress& progress);
 
   /// By name.
   std::vector<SessionInfo> list() const;
@@ -68,7 +68,7 @@ class SessionManager {
       : folder_(folder), store_(store), journal_(journal), options_(options) {}
 
   std::shared_ptr<Entry> find(const std::string& reference) const;
-  Result<std::shared_ptr<Entry>> find_or_create(const OpenSession& wish, bool& created);
+  Result<std::shared_ptr<Entry>> find_or_create(const SessionWish& wish, bool& created);
   Result<Held> lock(const std::string& reference, const Progress& progress) const;
   Result<Held> use(const std::string& reference, const Progress& progress);
   Status bring_back(Entry& entry, const Progress& progress);
