@@ -1,0 +1,81 @@
+#include "common/mesh/mesh_io.h"
+
+#include <algorithm>
+#include <cctype>
+#include <new>
+
+#include "common/base/atomic_file.h"
+#include "common/base/mapped_file.h"
+#include "common/mesh/mesh_formats.h"
+
+namespace burnish {
+
+Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".ply") return MeshFormat::kPly;
+  if (extension == ".obj") return MeshFormat::kObj;
+  if (extension == ".stl") return MeshFormat::kStl;
+  if (extension == ".off") return MeshFormat::kOff;
+  return invalid_argument(path.string() + ": extension '" + extension +
+                          "' is no mesh format; use .ply, .obj, .stl or .off");
+}
+
+static Result<TriangleMesh> parse_mesh(std::span<const uint8_t> bytes, MeshFormat format,
+                                       const std::string& name) {
+  switch (format) {
+    case MeshFormat::kPly:
+      return read_ply(bytes, name);
+    case MeshFormat::kObj:
+      return read_obj(bytes, name);
+    case MeshFormat::kStl:
+      return read_stl(bytes, name);
+    case MeshFormat::kOff:
+      return read_off(bytes, name);
+  }
+  return invalid_argument(name + ": unknown mesh format");
+}
+
+Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format,
+                               const std::string& name) {
+  if (bytes.empty()) return invalid_argument(name + ": the file is empty (0 bytes)");
+  try {
+    ASSIGN_OR_RETURN(TriangleMesh mesh, parse_mesh(bytes, format, name));
+    RETURN_IF_ERROR(validate(mesh).with_context(name));
+    return mesh;
+  } catch (const std::bad_alloc&) {
+    return resource_exhausted(name + ": not enough memory for a file of " +
+                              std::to_string(bytes.size()) + " bytes");
+  }
+}
+
+Result<TriangleMesh> read_mesh(const std::filesystem::path& path) {
+  ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
+  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
+  return read_mesh(file.bytes(), format, path.string());
+}
+
+static Status write_as(MeshFormat format, const TriangleMesh& mesh, AtomicFile& file) {
+  switch (format) {
+    case MeshFormat::kPly:
+      return write_ply(mesh, file);
+    case MeshFormat::kObj:
+      return write_obj(mesh, file);
+    case MeshFormat::kStl:
+      return write_stl(mesh, file);
+    case MeshFormat::kOff:
+      break;
+  }
+  return invalid_argument("OFF files are read only; write .ply, .obj or .stl");
+}
+
+Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path) {
+  ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
+  RETURN_IF_ERROR(validate(mesh).with_context("cannot write " + path.string()));
+  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
+  RETURN_IF_ERROR(write_as(format, mesh, file).with_context(path.string()));
+  return file.commit();
+}
+
+}  // namespace burnish

@@ -1,0 +1,118 @@
+#include <string_view>
+#include <vector>
+
+#include "common/base/limits.h"
+#include "common/mesh/mesh_formats.h"
+#include "common/mesh/polygon.h"
+#include "common/mesh/text_colours.h"
+#include "common/mesh/text_scanner.h"
+#include "common/mesh/text_values.h"
+
+namespace burnish {
+
+/// Reads the statements `v` and `f` of a Wavefront OBJ file and skips all others.
+class ObjReader {
+ public:
+  ObjReader(std::span<const uint8_t> bytes, const std::string& name)
+      : scanner_(bytes, name, {.hash_comments = true, .backslash_continues = true}), name_(name) {}
+
+  Result<TriangleMesh> read() {
+    while (scanner_.next_line()) {
+      const std::string_view keyword = scanner_.next_token();
+      if (keyword == "v") RETURN_IF_ERROR(read_vertex());
+      if (keyword == "f") RETURN_IF_ERROR(read_face());
+    }
+    RETURN_IF_ERROR(check_largest_index());
+    mesh_.colours = colours_.finish(mesh_.vertices.size());
+    return std::move(mesh_);
+  }
+
+ private:
+  Status read_vertex() {
+    Vec3d position;
+    RETURN_IF_ERROR(read_position(scanner_, {"vertex", mesh_.vertices.size()}, position, mesh_));
+    read_colour();
+    mesh_.vertices.push_back(position);
+    return Status::ok();
+  }
+
+  /// "x y z r g b" carries a colour; one value more than x y z is a weight and means nothing here.
+  void read_colour() {
+    std::array<float, 3> rgb;
+    for (float& channel : rgb) {
+      double value;
+      if (!parse_double(scanner_.next_token(), value)) return;
+      channel = static_cast<float>(value);
+    }
+    colours_.set(mesh_.vertices.size(), rgb);
+  }
+
+  Status read_face() {
+    corners_.clear();
+    for (std::string_view token; !(token = scanner_.next_token()).empty();) {
+      uint32_t corner;
+      RETURN_IF_ERROR(read_corner(token, corner));
+      corners_.push_back(corner);
+    }
+    if (corners_.size() < 3)
+      return scanner_.error(corner_count_complaint(faces_, static_cast<int64_t>(corners_.size())));
+    append_fan(corners_, mesh_.triangles);
+    ++faces_;
+    return Status::ok();
+  }
+
+  /// "v", "v/vt", "v//vn" or "v/vt/vn"; v counts from 1, or back from the last vertex when
+  /// negative.
+  Status read_corner(std::string_view token, uint32_t& corner) {
+    int64_t index;
+    if (!parse_integer(token.substr(0, token.find('/')), index))
+      return scanner_.error(face_text() + in_quotes(token) + " is not a corner such as 7 or 7/2/5");
+    const auto vertices = static_cast<int64_t>(mesh_.vertices.size());
+    const int64_t from_zero = index < 0 ? vertices + index : index - 1;
+    if (index == 0) return scanner_.error(face_text() + "vertex 0; OBJ counts vertices from 1");
+    if (from_zero < 0)
+      return scanner_.error(face_text() + "vertex " + std::to_string(index) + ", but only " +
+                            std::to_string(vertices) + " come before it");
+    if (static_cast<uint64_t>(from_zero) >= kVerticesMax)
+      return scanner_.error(face_text() + "vertex " + std::to_string(index) + ", the limit is " +
+                            std::to_string(kVerticesMax));
+    if (from_zero > largest_index_) {
+      largest_index_ = from_zero;
+      largest_index_place_ = {scanner_.line_number(), faces_};
+    }
+    corner = static_cast<uint32_t>(from_zero);
+    return Status::ok();
+  }
+
+  /// Faces may come before their vertices, so this waits until all are known.
+  Status check_largest_index() const {
+    if (largest_index_ < static_cast<int64_t>(mesh_.vertices.size())) return Status::ok();
+    return invalid_argument(name_ + ": line " + std::to_string(largest_index_place_.line) +
+                            ": face " + std::to_string(largest_index_place_.face) +
+                            " refers to vertex " + std::to_string(largest_index_ + 1) +
+                            ", but there are " + std::to_string(mesh_.vertices.size()));
+  }
+
+  std::string face_text() const { return "face " + std::to_string(faces_) + " refers to "; }
+
+  struct Place {
+    size_t line = 0;
+    uint64_t face = 0;
+  };
+
+  TextScanner scanner_;
+  std::string name_;
+  TriangleMesh mesh_;
+  TextColours colours_;
+  std::vector<uint32_t> corners_;
+  uint64_t faces_ = 0;
+  int64_t largest_index_ = -1;
+  Place largest_index_place_;
+};
+
+Result<TriangleMesh> read_obj(std::span<const uint8_t> bytes, const std::string& name) {
+  RETURN_IF_ERROR(check_line_lengths(bytes, name));
+  return ObjReader(bytes, name).read();
+}
+
+}  // namespace burnish

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <charconv>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "common/base/atomic_file.h"
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// Gathers small values into large writes. The first failure is kept, later values are dropped,
+/// and flush() tells.
+class OutputBuffer {
+ public:
+  explicit OutputBuffer(AtomicFile& file) : file_(file) { buffer_.reserve(kBytes); }
+
+  void put_text(std::string_view text) {
+    if (buffer_.size() + text.size() > kBytes) write();
+    buffer_.append(text);
+  }
+
+  /// The bytes of a value in the machine's order, which is little-endian.
+  template <typename T>
+  void put_bytes(const T& value) {
+    put_text({reinterpret_cast<const char*>(&value), sizeof value});
+  }
+
+  /// The shortest decimal number that reads back as the same value.
+  template <typename Number>
+  void put_number(Number value) {
+    char text[32];
+    const auto result = std::to_chars(text, text + sizeof text, value);
+    put_text({text, static_cast<size_t>(result.ptr - text)});
+  }
+
+  /// Call last.
+  Status flush() {
+    write();
+    return status_;
+  }
+
+ private:
+  static constexpr size_t kBytes = 1 << 20;
+
+  void write() {
+    if (status_.is_ok()) status_ = file_.write(buffer_);
+    buffer_.clear();
+  }
+
+  AtomicFile& file_;
+  std::string buffer_;
+  Status status_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+
+#include "common/base/status.h"
+#include "common/mesh/ply_header.h"
+
+namespace burnish {
+
+static_assert(std::endian::native == std::endian::little);
+
+/// The values of a binary PLY body, one after the other. A double holds every PLY type exactly.
+template <bool kBigEndian>
+class PlyBinarySource {
+ public:
+  PlyBinarySource(std::span<const uint8_t> bytes, const PlyHeader& header, const std::string& name)
+      : bytes_(bytes), position_(header.body_offset), name_(name) {}
+
+  /// False when the body ends before the value does; failure() then says so.
+  bool read(PlyType type, double& value) {
+    switch (type) {
+      case PlyType::kInt8:
+        return read_as<int8_t>(value);
+      case PlyType::kUint8:
+        return read_as<uint8_t>(value);
+      case PlyType::kInt16:
+        return read_as<int16_t>(value);
+      case PlyType::kUint16:
+        return read_as<uint16_t>(value);
+      case PlyType::kInt32:
+        return read_as<int32_t>(value);
+      case PlyType::kUint32:
+        return read_as<uint32_t>(value);
+      case PlyType::kFloat32:
+        return read_as<float>(value);
+      case PlyType::kFloat64:
+        return read_as<double>(value);
+    }
+    return false;
+  }
+
+  /// The same for several values that nobody wants.
+  bool skip(PlyType type, uint64_t count) {
+    if (count > values_left_max(type)) return false;
+    position_ += count * bytes_of(type);
+    return true;
+  }
+
+  /// More values than this cannot follow.
+  uint64_t values_left_max(PlyType type) const {
+    return (bytes_.size() - position_) / bytes_of(type);
+  }
+
+  /// True where an element may end: anywhere.
+  bool at_line_end() { return true; }
+
+  /// Whether the value, the last one read, was written with more digits than a float holds.
+  bool last_exceeds_float(double) const { return false; }
+
+  /// Why read() returned false.
+  std::string failure() const { return "the file ends in it"; }
+
+  Status error(const std::string& what) const {
+    return invalid_argument(name_ + ": byte " + std::to_string(position_) + ": " + what);
+  }
+
+ private:
+  template <typename T>
+  bool read_as(double& value) {
+    if (bytes_.size() - position_ < sizeof(T)) return false;
+    std::array<uint8_t, sizeof(T)> raw;
+    std::memcpy(raw.data(), bytes_.data() + position_, sizeof(T));
+    if constexpr (kBigEndian) std::reverse(raw.begin(), raw.end());
+    value = static_cast<double>(std::bit_cast<T>(raw));
+    position_ += sizeof(T);
+    return true;
+  }
+
+  std::span<const uint8_t> bytes_;
+  size_t position_;
+  const std::string& name_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,237 @@
+#include "common/mesh/ply_header.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "common/base/limits.h"
+#include "common/mesh/text_scanner.h"
+#include "common/mesh/text_values.h"
+
+namespace burnish {
+
+namespace {
+
+constexpr size_t kPropertiesMax = 1024;  // of all elements together
+
+struct TypeName {
+  std::string_view name;
+  PlyType type;
+};
+
+constexpr std::array<TypeName, 16> kTypeNames = {{{"char", PlyType::kInt8},
+                                                  {"uchar", PlyType::kUint8},
+                                                  {"short", PlyType::kInt16},
+                                                  {"ushort", PlyType::kUint16},
+                                                  {"int", PlyType::kInt32},
+                                                  {"uint", PlyType::kUint32},
+                                                  {"float", PlyType::kFloat32},
+                                                  {"double", PlyType::kFloat64},
+                                                  {"int8", PlyType::kInt8},
+                                                  {"uint8", PlyType::kUint8},
+                                                  {"int16", PlyType::kInt16},
+                                                  {"uint16", PlyType::kUint16},
+                                                  {"int32", PlyType::kInt32},
+                                                  {"uint32", PlyType::kUint32},
+                                                  {"float32", PlyType::kFloat32},
+                                                  {"float64", PlyType::kFloat64}}};
+
+template <typename Named>
+const Named* find_named(const std::vector<Named>& items, std::string_view name) {
+  const auto item =
+      std::find_if(items.begin(), items.end(), [&](const Named& i) { return i.name == name; });
+  return item == items.end() ? nullptr : &*item;
+}
+
+class HeaderParser {
+ public:
+  HeaderParser(std::span<const uint8_t> bytes, const std::string& name)
+      : scanner_(bytes, name), bytes_(bytes.size()) {}
+
+  Result<PlyHeader> parse() {
+    const std::string_view magic = scanner_.next_line() ? scanner_.next_token() : "";
+    if (magic != "ply")
+      return scanner_.error("not a PLY file: begins with " + in_quotes(magic) + ", not 'ply'");
+    while (scanner_.next_line()) {
+      if (scanner_.line_rest().size() > kLineBytesMax)
+        return scanner_.error("the header line has " + std::to_string(scanner_.line_rest().size()) +
+                              " bytes, the limit is " + std::to_string(kLineBytesMax));
+      const std::string_view keyword = scanner_.next_token();
+      if (keyword == "end_header") return finish();
+      RETURN_IF_ERROR(parse_line(keyword));
+    }
+    return scanner_.error("the header has no 'end_header'");
+  }
+
+ private:
+  Result<PlyHeader> finish() {
+    if (!has_format_) return scanner_.error("the header has no 'format' line");
+    header_.body_offset = bytes_ - scanner_.bytes_after_line();
+    header_.lines = scanner_.line_number();
+    return std::move(header_);
+  }
+
+  Status parse_line(std::string_view keyword) {
+    if (keyword == "comment" || keyword == "obj_info") return Status::ok();
+    if (keyword == "format") return parse_format();
+    if (keyword == "element") return parse_element();
+    if (keyword == "property") return parse_property();
+    return scanner_.error("unknown header keyword " + in_quotes(keyword) +
+                          "; is 'end_header' missing?");
+  }
+
+  Status parse_format() {
+    const std::string_view encoding = scanner_.next_token();
+    if (encoding == "ascii") {
+      header_.encoding = PlyEncoding::kAscii;
+    } else if (encoding == "binary_little_endian") {
+      header_.encoding = PlyEncoding::kLittleEndian;
+    } else if (encoding == "binary_big_endian") {
+      header_.encoding = PlyEncoding::kBigEndian;
+    } else {
+      return scanner_.error("unknown format " + in_quotes(encoding) +
+                            "; known are ascii, binary_little_endian and binary_big_endian");
+    }
+    const std::string_view version = scanner_.next_token();
+    if (version != "1.0")
+      return scanner_.error("PLY version " + in_quotes(version) + " cannot be read, only 1.0");
+    has_format_ = true;
+    return Status::ok();
+  }
+
+  Status parse_element() {
+    PlyElement element;
+    element.name = scanner_.next_token();
+    const std::string_view token = scanner_.next_token();
+    int64_t count;
+    if (!parse_integer(token, count) || count < 0)
+      return scanner_.error("element " + in_quotes(element.name) + " has the count " +
+                            in_quotes(token) + "; a count is a number from 0");
+    element.count = static_cast<uint64_t>(count);
+    if (header_.find(element.name) != nullptr)
+      return scanner_.error("element " + in_quotes(element.name) + " is declared twice");
+    if (element.name == "vertex") RETURN_IF_ERROR(check_limit(element, kVerticesMax));
+    if (element.name == "face") RETURN_IF_ERROR(check_limit(element, kTrianglesMax));
+    header_.elements.push_back(std::move(element));
+    return check_declarations();
+  }
+
+  Status check_limit(const PlyElement& element, uint64_t limit) const {
+    if (element.count <= limit) return Status::ok();
+    return scanner_.error("element " + in_quotes(element.name) + " has the count " +
+                          std::to_string(element.count) + ", the limit is " +
+                          std::to_string(limit));
+  }
+
+  Status parse_property() {
+    if (header_.elements.empty()) return scanner_.error("a property comes before any element");
+    PlyElement& element = header_.elements.back();
+    PlyProperty property;
+    std::string_view type = scanner_.next_token();
+    if (type == "list") {
+      PlyType count_type;
+      RETURN_IF_ERROR(parse_type(scanner_.next_token(), count_type));
+      if (!is_integer(count_type)) return scanner_.error("a list's count must be an integer");
+      property.count_type = count_type;
+      type = scanner_.next_token();
+    }
+    RETURN_IF_ERROR(parse_type(type, property.type));
+    property.name = scanner_.next_token();
+    if (property.name.empty()) return scanner_.error("a property has no name");
+    if (element.find(property.name) != nullptr)
+      return scanner_.error("property " + in_quotes(property.name) + " of element " +
+                            in_quotes(element.name) + " is declared twice");
+    element.properties.push_back(std::move(property));
+    return check_declarations();
+  }
+
+  Status parse_type(std::string_view token, PlyType& type) const {
+    const auto known = std::find_if(kTypeNames.begin(), kTypeNames.end(),
+                                    [&](const TypeName& t) { return t.name == token; });
+    if (known == kTypeNames.end())
+      return scanner_.error("unknown property type " + in_quotes(token) +
+                            "; known are char to double and int8 to float64");
+    type = known->type;
+    return Status::ok();
+  }
+
+  /// Looking for duplicates takes quadratic time, so that their number must be small.
+  Status check_declarations() {
+    if (++declarations_ <= kPropertiesMax) return Status::ok();
+    return scanner_.error("the header declares more than " + std::to_string(kPropertiesMax) +
+                          " elements and properties");
+  }
+
+  TextScanner scanner_;
+  size_t bytes_;
+  PlyHeader header_;
+  bool has_format_ = false;
+  size_t declarations_ = 0;
+};
+
+/// The least that one element can take in the body; in text a digit and a blank for each property.
+size_t bytes_min(const PlyElement& element, PlyEncoding encoding) {
+  size_t bytes = 0;
+  for (const PlyProperty& property : element.properties)
+    bytes +=
+        encoding == PlyEncoding::kAscii ? 2 : bytes_of(property.count_type.value_or(property.type));
+  return bytes;
+}
+
+Status check_counts(const PlyHeader& header, size_t file_bytes, const std::string& name) {
+  size_t left = file_bytes - header.body_offset;
+  if (header.encoding == PlyEncoding::kAscii) ++left;  // the last line may lack its end
+  for (const PlyElement& element : header.elements) {
+    const size_t each = bytes_min(element, header.encoding);
+    if (each == 0) continue;
+    if (element.count > left / each)
+      return invalid_argument(name + ": the header promises " + std::to_string(element.count) +
+                              " of element " + in_quotes(element.name) + ", at least " +
+                              std::to_string(each) + " bytes each, but " + std::to_string(left) +
+                              " of the file's " + std::to_string(file_bytes) +
+                              " bytes are left for them; " + element.name + " " +
+                              std::to_string(left / each) + " is not complete");
+    left -= element.count * each;
+  }
+  return Status::ok();
+}
+
+}  // namespace
+
+size_t bytes_of(PlyType type) {
+  switch (type) {
+    case PlyType::kInt8:
+    case PlyType::kUint8:
+      return 1;
+    case PlyType::kInt16:
+    case PlyType::kUint16:
+      return 2;
+    case PlyType::kInt32:
+    case PlyType::kUint32:
+    case PlyType::kFloat32:
+      return 4;
+    case PlyType::kFloat64:
+      return 8;
+  }
+  return 0;
+}
+
+bool is_integer(PlyType type) {
+  return type != PlyType::kFloat32 && type != PlyType::kFloat64;
+}
+
+const PlyProperty* PlyElement::find(std::string_view property_name) const {
+  return find_named(properties, property_name);
+}
+
+const PlyElement* PlyHeader::find(std::string_view element_name) const {
+  return find_named(elements, element_name);
+}
+
+Result<PlyHeader> parse_ply_header(std::span<const uint8_t> bytes, const std::string& name) {
+  ASSIGN_OR_RETURN(PlyHeader header, HeaderParser(bytes, name).parse());
+  RETURN_IF_ERROR(check_counts(header, bytes.size(), name));
+  return header;
+}
+
+}  // namespace burnish

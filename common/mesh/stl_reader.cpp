@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+
+#include "common/mesh/mesh_formats.h"
+#include "common/mesh/text_scanner.h"
+#include "common/mesh/text_values.h"
+#include "common/mesh/vertex_welder.h"
+
+namespace burnish {
+
+static constexpr size_t kHeaderBytes = 84;  // 80 of text, the facets' count
+static constexpr size_t kFacetBytes = 50;   // normal, three corners, an attribute of two bytes
+
+static uint64_t promised_bytes(std::span<const uint8_t> bytes) {
+  uint32_t facets;
+  std::memcpy(&facets, bytes.data() + kHeaderBytes - sizeof facets, sizeof facets);
+  return kHeaderBytes + uint64_t{facets} * kFacetBytes;
+}
+
+/// Binary files may begin with "solid" too; then their length or the bytes of their header,
+/// which text never has, give them away.
+static bool is_ascii(std::span<const uint8_t> bytes) {
+  constexpr std::string_view kSolid = "solid";
+  if (bytes.size() >= kHeaderBytes && promised_bytes(bytes) == bytes.size()) return false;
+  const auto is_text = [](uint8_t c) { return c >= ' ' || (c >= '\t' && c <= '\r'); };
+  const auto start = bytes.first(std::min<size_t>(bytes.size(), 2 * kHeaderBytes));
+  if (!std::all_of(start.begin(), start.end(), is_text)) return false;
+  TextScanner scanner(start, "");
+  return scanner.next_line() && equals_ignoring_case(scanner.next_token(), kSolid);
+}
+
+static Result<TriangleMesh> read_binary(std::span<const uint8_t> bytes, const std::string& name) {
+  if (bytes.size() < kHeaderBytes)
+    return invalid_argument(name + ": not an STL file: it neither begins with 'solid' nor holds " +
+                            "the 84 bytes of a binary header, but " + std::to_string(bytes.size()));
+  const uint64_t facets = (promised_bytes(bytes) - kHeaderBytes) / kFacetBytes;
+  if (promised_bytes(bytes) > bytes.size())
+    return invalid_argument(name + ": the header promises " + std::to_string(facets) + " facets, " +
+                            std::to_string(promised_bytes(bytes)) + " bytes, but the file has " +
+                            std::to_string(bytes.size()) + "; facet " +
+                            std::to_string((bytes.size() - kHeaderBytes) / kFacetBytes) +
+                            " is not complete");
+  TriangleMesh mesh;
+  mesh.triangles.resize(facets);
+  VertexWelder welder(mesh.vertices);
+  for (uint64_t facet = 0; facet < facets; ++facet) {
+    float corners[3][3];
+    const size_t offset = kHeaderBytes + facet * kFacetBytes + 12;  // after the normal
+    std::memcpy(corners, bytes.data() + offset, sizeof corners);
+    for (int corner = 0; corner < 3; ++corner) {
+      const float* p = corners[corner];
+      for (int axis = 0; axis < 3; ++axis) {
+        if (is_coordinate(p[axis])) continue;
+        return invalid_argument(name + ": byte " + std::to_string(offset) + ": " +
+                                coordinate_complaint({"facet", facet}, axis, number_text(p[axis])));
+      }
+      mesh.triangles[facet][corner] = welder.index_of(Vec3d(p[0], p[1], p[2]));
+    }
+  }
+  return mesh;
+}
+
+/// Reads one or several solids; what stands outside them is skipped.
+class AsciiStlReader {
+ public:
+  AsciiStlReader(std::span<const uint8_t> bytes, const std::string& name)
+      : scanner_(bytes, name), welder_(mesh_.vertices) {}
+
+  Result<TriangleMesh> read() {
+    while (scanner_.next_line()) {
+      const std::string_view keyword = scanner_.next_token();
+      if (in_solid_) {
+        RETURN_IF_ERROR(read_statement(keyword));
+      } else {
+        in_solid_ = equals_ignoring_case(keyword, "solid");
+      }
+    }
+    if (in_solid_)
+      return scanner_.error("the file ends in facet " + std::to_string(mesh_.triangles.size()) +
+                            " or without 'endsolid'");
+    return std::move(mesh_);
+  }
+
+ private:
+  Status read_statement(std::string_view keyword) {
+    const auto is = [&](const char* word) { return equals_ignoring_case(keyword, word); };
+    if (is("vertex")) return read_corner();
+    if (is("endfacet")) return end_facet();
+    if (is("outer") || is("endloop")) return Status::ok();
+    const bool is_facet = is("facet");
+    if (!is_facet && !is("endsolid"))
+      return scanner_.error(in_quotes(keyword) + " is no statement of an STL solid");
+    if (corners_ != 0)
+      return scanner_.error(facet_text() + " has no 'endfacet' before " + in_quotes(keyword));
+    in_solid_ = is_facet;
+    return Status::ok();
+  }
+
+  Status read_corner() {
+    if (corners_ == 3) return scanner_.error(facet_text() + " has more than 3 corners");
+    Vec3d position;
+    RETURN_IF_ERROR(read_position(scanner_, {"facet", mesh_.triangles.size()}, position, mesh_));
+    triangle_[corners_++] = welder_.index_of(position);
+    return Status::ok();
+  }
+
+  Status end_facet() {
+    if (corners_ != 3)
+      return scanner_.error(facet_text() + " has " + std::to_string(corners_) +
+                            " corners; a facet needs 3");
+    mesh_.triangles.push_back(triangle_);
+    corners_ = 0;
+    return Status::ok();
+  }
+
+  std::string facet_text() const { return "facet " + std::to_string(mesh_.triangles.size()); }
+
+  TextScanner scanner_;
+  TriangleMesh mesh_;
+  VertexWelder welder_;
+  bool in_solid_ = false;
+  Triangle triangle_ = {};
+  size_t corners_ = 0;
+};
+
+Result<TriangleMesh> read_stl(std::span<const uint8_t> bytes, const std::string& name) {
+  if (!is_ascii(bytes)) return read_binary(bytes, name);
+  RETURN_IF_ERROR(check_line_lengths(bytes, name));
+  return AsciiStlReader(bytes, name).read();
+}
+
+}  // namespace burnish

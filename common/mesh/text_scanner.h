@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// No sensible text mesh has a longer line; a longer one is refused rather than searched.
+inline constexpr size_t kLineBytesMax = 1 << 20;
+
+struct TextSyntax {
+  bool hash_comments = false;        ///< a token that begins with # ends the line
+  bool backslash_continues = false;  ///< a line that ends with \ goes on in the next one
+};
+
+/// Cuts text into lines and their blank-separated tokens and knows the place for messages.
+/// Lines may end in LF or CRLF, the last one in nothing; blank lines and a leading byte order mark
+/// are skipped.
+class TextScanner {
+ public:
+  TextScanner(std::span<const uint8_t> bytes, std::string name, TextSyntax syntax = {},
+              size_t lines_before = 0);
+
+  /// Goes to the next line that holds a token; false at the end of the text.
+  bool next_line();
+
+  /// The current line's next token; empty at its end.
+  std::string_view next_token();
+
+  /// The current line's unread part, and how many bytes follow the line.
+  std::string_view line_rest() const { return line_; }
+  size_t bytes_after_line() const { return rest_.size(); }
+  size_t line_number() const { return line_number_; }
+
+  /// invalid_argument: "name: line 12: what".
+  Status error(const std::string& what) const;
+
+ private:
+  bool next_physical_line();
+  void skip_blanks();
+
+  std::string_view line_;  // from the next unread byte to the line's end
+  std::string_view rest_;  // after the line
+  std::string name_;
+  TextSyntax syntax_;
+  size_t line_number_;
+  bool continues_ = false;
+};
+
+/// Fails: invalid_argument naming the first line longer than kLineBytesMax.
+Status check_line_lengths(std::span<const uint8_t> bytes, const std::string& name);
+
+}  // namespace burnish

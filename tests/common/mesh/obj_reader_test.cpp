@@ -1,0 +1,103 @@
+#include "tests/common/mesh/reading.h"
+
+namespace burnish {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr MeshFormat kObj = MeshFormat::kObj;
+const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST(ObjReader, ReadsPolygonsInEveryCornerForm) {
+  const std::string content =
+      "# a square\nmtllib m.mtl\no square\n" + kSquare +
+      "vt 0 0\nvn 0 0 1\ng one\nusemtl red\ns 1\n"
+      "f 1 2 3 4\nf 1/1 2/1 3/1\nf 1//1 2//1 3//1\nf 1/1/1 2/1/1 4/1/1 # the last\nl 1 2\n";
+  for (const std::string& text : {content, with_crlf(content), "\xEF\xBB\xBF" + content}) {
+    const TriangleMesh mesh = parsed(kObj, text);
+    EXPECT_THAT(mesh.vertices,
+                ElementsAre(Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(1, 1, 0), Vec3d(0, 1, 0)));
+    EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}, Triangle{0, 1, 2},
+                                            Triangle{0, 1, 2}, Triangle{0, 1, 3}));
+    EXPECT_FALSE(mesh.has_colours());
+    EXPECT_FALSE(mesh.has_double_positions);
+  }
+}
+
+TEST(ObjReader, NegativeIndicesCountBackFromTheLastVertex) {
+  const TriangleMesh mesh = parsed(kObj, kSquare + "f -4 -3 -2\nv 5 5 5\nf -4/-1 -3/-1 -1/-1");
+  EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{1, 2, 4}));
+}
+
+TEST(ObjReader, FacesMayComeBeforeTheirVertices) {
+  EXPECT_THAT(parsed(kObj, "f 1 2 3\n" + kSquare).triangles, ElementsAre(Triangle{0, 1, 2}));
+}
+
+TEST(ObjReader, BackslashContinuesALine) {
+  const TriangleMesh mesh = parsed(
+      kObj, with_crlf("# not this one: C:\\\nv 0 \\\n0 \\\n 0\nv 1 0 0\nv 1 1 0\nf 1\\\n2 3"));
+  EXPECT_EQ(mesh.vertices.size(), 3u);
+  EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}));
+}
+
+TEST(ObjReader, KeepsColoursAsFractionsOrBytes) {
+  const std::string rest = "v 1 0 0 0 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_THAT(parsed(kObj, "v 0 0 0 1 0.5 0\n" + rest).colours,
+              ElementsAre(Rgba8{255, 128, 0, 255}, Rgba8{0, 0, 0, 255}, Rgba8{255, 255, 255, 255}));
+  EXPECT_THAT(parsed(kObj, "v 0 0 0 255 1 300\n" + rest).colours,
+              ElementsAre(Rgba8{255, 1, 255, 255}, Rgba8{0, 0, 0, 255}, Rgba8{255, 255, 255, 255}));
+  EXPECT_FALSE(parsed(kObj, "v 0 0 0 1.0\nv 1 0 0 1.0\nv 0 1 0 1.0\nf 1 2 3\n").has_colours());
+}
+
+TEST(ObjReader, KnowsWhenPositionsSayMoreThanFloats) {
+  const auto is_double = [](const std::string& x) {
+    return parsed(kObj, "v " + x + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").has_double_positions;
+  };
+  EXPECT_TRUE(is_double("512345.678"));
+  EXPECT_TRUE(is_double("0.1234567890123"));
+  EXPECT_TRUE(is_double("1.234567890123e+02"));
+  EXPECT_FALSE(is_double("0.1"));
+  EXPECT_FALSE(is_double("-0.49023438"));  // the shortest text of a float
+  EXPECT_FALSE(is_double("1.6777216e+07"));
+  EXPECT_FALSE(is_double("0.5000000000000000"));
+}
+
+TEST(ObjReader, RefusesBadCoordinates) {
+  EXPECT_THAT(refusal(kObj, "v 0 0 0\nv 1 0\n"),
+              HasSubstr("scan: line 2: vertex 1: 2 of 3 coordinates are there"));
+  EXPECT_THAT(refusal(kObj, "v 0 zero 0\n"), HasSubstr("vertex 0: y = 'zero' is not a number"));
+  EXPECT_THAT(refusal(kObj, "v 0 0 1e999\n"), HasSubstr("vertex 0: z = '1e999' is not a number"));
+  EXPECT_THAT(refusal(kObj, "v nan 0 0\n"), HasSubstr("x = nan; coordinates must be finite"));
+  EXPECT_THAT(refusal(kObj, "v 0 -inf 0\n"), HasSubstr("y = -inf; coordinates must be finite"));
+  EXPECT_THAT(refusal(kObj, "v 0 0 1e30\n"), HasSubstr("z = 1e30; coordinates must be finite and"));
+}
+
+TEST(ObjReader, RefusesBadCorners) {
+  const auto refused = [](const std::string& face) { return refusal(kObj, kSquare + face); };
+  EXPECT_THAT(refused("f 1 2\n"), HasSubstr("line 5: face 0 has 2 corners; a face needs at least"));
+  EXPECT_THAT(refused("f\n"), HasSubstr("face 0 has 0 corners"));
+  EXPECT_THAT(refused("f 1 2 0\n"), HasSubstr("refers to vertex 0; OBJ counts vertices from 1"));
+  EXPECT_THAT(refused("f 1 2 3\nf 1 2 x/1\n"), HasSubstr("line 6: face 1 refers to 'x/1'"));
+  EXPECT_THAT(refused("f 1 2 -5\n"), HasSubstr("refers to vertex -5, but only 4 come before it"));
+  EXPECT_THAT(refused("f 1 2 3\nf 1 2 5\nf 1 2 3\n"),
+              HasSubstr("line 6: face 1 refers to vertex 5, but there are 4"));
+  EXPECT_THAT(refused("f 1 2 4294967298\n"),
+              HasSubstr("refers to vertex 4294967298, the limit is 2147483648"));
+  EXPECT_THAT(refused("f 1 2 -9223372036854775808\n"), HasSubstr("vertex -9223372036854775808"));
+}
+
+TEST(ObjReader, RefusesFilesWithoutFaces) {
+  EXPECT_THAT(refusal(kObj, ""), HasSubstr("scan: the file is empty"));
+  EXPECT_THAT(refusal(kObj, kSquare), HasSubstr("scan: mesh has no triangles"));
+  EXPECT_THAT(refusal(kObj, "not a mesh at all"), HasSubstr("scan: mesh has no triangles"));
+  EXPECT_THAT(refusal(kObj, "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), HasSubstr("no area"));
+}
+
+TEST(ObjReader, RefusesOverlongLines) {
+  EXPECT_THAT(refusal(kObj, kSquare + std::string(1 << 20, '#') + "x\nf 1 2 3\n"),
+              HasSubstr("line 5 has 1048577 bytes, the limit is 1048576"));
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstring>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/mesh/mesh_io.h"
+
+namespace burnish {
+
+inline Result<TriangleMesh> parse(MeshFormat format, const std::string& content) {
+  return read_mesh({reinterpret_cast<const uint8_t*>(content.data()), content.size()}, format,
+                   "scan");
+}
+
+/// The mesh, or an empty one and a failed test.
+inline TriangleMesh parsed(MeshFormat format, const std::string& content) {
+  Result<TriangleMesh> mesh = parse(format, content);
+  EXPECT_TRUE(mesh.is_ok()) << mesh.status().message();
+  return mesh.is_ok() ? std::move(mesh).value() : TriangleMesh();
+}
+
+/// Why the content is refused; empty, with a failed test, if it is not or not as a bad file.
+inline std::string refusal(MeshFormat format, const std::string& content) {
+  const Result<TriangleMesh> mesh = parse(format, content);
+  EXPECT_EQ(mesh.status().code(), StatusCode::kInvalidArgument);
+  return mesh.status().message();
+}
+
+/// The values' bytes as they lie in memory, little-endian.
+template <typename... Values>
+std::string bytes_of(const Values&... values) {
+  std::string bytes;
+  (bytes.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
+  return bytes;
+}
+
+inline std::string with_crlf(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  return result;
+}
+
+}  // namespace burnish
