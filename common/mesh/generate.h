@@ -22,17 +22,21 @@ struct GeneratedScanKind {
   std::string_view description;  ///< one line for the help text
 };
 
-/// tablet, icosphere, cylinder, sheet, blob, sheets, fan, soup (section 3 of ARCHITECTURE.md).
+/// tablet, icosphere, cylinder, sheet, blob, sheets, fan, soup, part (section 3 of
+/// ARCHITECTURE.md).
 const std::vector<GeneratedScanKind>& generated_scan_kinds();
 
+/// All are valid and consistently oriented, the closed ones outwards. The exact shapes
+/// (icosphere, cylinder, sheet, part) keep double positions; the others are rounded to float.
 /// Fails: invalid_argument for an unknown kind or a count outside the kind's limits.
 Result<TriangleMesh> generate_scan(const GeneratedScan& scan);
 
 /// A sphere of radius r around the origin: an icosahedron split `level` times (10·4^level + 2
-/// vertices), every vertex on the sphere.
+/// vertices), every vertex on the sphere. Needs: level 0 to 13.
 TriangleMesh make_icosphere(int level, double radius);
 
-/// An open cylinder around z of radius r and height h, `around` × `along` quads split in two.
+/// An open cylinder around z of radius r, from z = -height/2 to height/2, as `around` × `along`
+/// quads split in two.
 TriangleMesh make_cylinder(int around, int along, double radius, double height);
 
 /// The graph z = bump(x, y) over [0, width]², `side` × `side` quads; one Gaussian bump of this

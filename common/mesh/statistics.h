@@ -8,26 +8,27 @@
 namespace burnish {
 
 /// What a user wants to know of a scan before editing it. An edge is an unordered pair of vertex
-/// indices; triangles that repeat a vertex add area 0 and no edges of length zero.
+/// indices; a triangle that repeats a vertex adds area 0 and the one edge that it has left.
 struct MeshStatistics {
   uint64_t vertices = 0;
   uint64_t triangles = 0;
-  uint64_t boundary_edges = 0;          ///< edges of exactly one triangle
-  uint64_t non_manifold_edges = 0;      ///< edges of three or more triangles
-  uint64_t components = 0;              ///< of the referenced vertices, connected through edges
-  uint64_t zero_area_triangles = 0;
+  uint64_t boundary_edges = 0;       ///< edges of exactly one triangle
+  uint64_t non_manifold_edges = 0;   ///< edges of three or more triangles
+  uint64_t components = 0;           ///< of the referenced vertices, connected through edges
+  uint64_t zero_area_triangles = 0;  ///< exactly zero, in double precision
   uint64_t unreferenced_vertices = 0;
-  double area = 0;                      ///< file units squared
-  double signed_volume = 0;             ///< file units cubed; means something only when closed
-  double mean_edge_length = 0;          ///< over unordered edges, file units
-  Vec3d box_min = Vec3d::Zero();        ///< of the referenced vertices
+  double area = 0;                ///< file units squared
+  double signed_volume = 0;       ///< file units cubed; means something only when closed: an
+                                  ///< open surface is closed through the box's centre
+  double mean_edge_length = 0;    ///< over unordered edges, file units
+  Vec3d box_min = Vec3d::Zero();  ///< of the referenced vertices
   Vec3d box_max = Vec3d::Zero();
 
   bool is_closed() const { return boundary_edges == 0; }
   double diagonal() const { return (box_max - box_min).norm(); }
 };
 
-/// Needs: a valid mesh. Cost: O(t log t) time, 24 bytes per triangle of scratch.
+/// Needs: a valid mesh. Cost: near linear time; scratch of 12 bytes per triangle and 8 per vertex.
 MeshStatistics compute_statistics(const TriangleMesh& mesh);
 
 }  // namespace burnish

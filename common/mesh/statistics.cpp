@@ -1,0 +1,132 @@
+#include "common/mesh/statistics.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace burnish {
+namespace {
+
+/// Calls visit(a, b) once for each edge of the triangle: three, or one if it repeats a vertex, or
+/// none if all three are the same.
+template <typename Visit>
+void for_each_edge(const Triangle& triangle, const Visit& visit) {
+  const auto& [a, b, c] = triangle;
+  if (a != b) visit(a, b);
+  if (b != c && c != a) visit(b, c);
+  if (c != a && a != b && b != c) visit(c, a);
+}
+
+/// Every triangle's edges, as the upper ends grouped by lower end and sorted within.
+struct EdgeEnds {
+  std::vector<uint64_t> first;  ///< per lower end, and one past the last
+  std::vector<uint32_t> upper;
+};
+
+EdgeEnds collect_edges(const TriangleMesh& mesh) {
+  EdgeEnds edges;
+  edges.first.assign(mesh.vertices.size() + 1, 0);
+  for (const Triangle& triangle : mesh.triangles)
+    for_each_edge(triangle, [&](uint32_t a, uint32_t b) { ++edges.first[std::min(a, b)]; });
+  std::exclusive_scan(edges.first.begin(), edges.first.end(), edges.first.begin(), uint64_t{0});
+  edges.upper.resize(edges.first.back());
+  for (const Triangle& triangle : mesh.triangles)
+    for_each_edge(triangle, [&](uint32_t a, uint32_t b) {
+      edges.upper[edges.first[std::min(a, b)]++] = std::max(a, b);
+    });
+  // Each entry has moved on to its group's end, which is where the next group starts.
+  std::rotate(edges.first.begin(), edges.first.end() - 1, edges.first.end());
+  edges.first.front() = 0;
+#pragma omp parallel for schedule(dynamic, 4096)
+  for (size_t v = 0; v < mesh.vertices.size(); ++v)
+    std::sort(edges.upper.begin() + edges.first[v], edges.upper.begin() + edges.first[v + 1]);
+  return edges;
+}
+
+void count_edges(const TriangleMesh& mesh, MeshStatistics& statistics) {
+  const EdgeEnds edges = collect_edges(mesh);
+  uint64_t count = 0;
+  double length = 0;
+  for (size_t lower = 0; lower < mesh.vertices.size(); ++lower)
+    for (uint64_t i = edges.first[lower]; i < edges.first[lower + 1];) {
+      const uint32_t upper = edges.upper[i];
+      uint64_t triangles = 0;
+      for (; i < edges.first[lower + 1] && edges.upper[i] == upper; ++i) ++triangles;
+      ++count;
+      length += (mesh.vertices[upper] - mesh.vertices[lower]).norm();
+      statistics.boundary_edges += triangles == 1;
+      statistics.non_manifold_edges += triangles >= 3;
+    }
+  if (count > 0) statistics.mean_edge_length = length / static_cast<double>(count);
+}
+
+/// Disjoint sets of vertices; a set's root is its least vertex.
+class VertexSets {
+ public:
+  explicit VertexSets(size_t vertices) : parent_(vertices) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  uint32_t root(uint32_t v) {
+    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+    return v;
+  }
+  void join(uint32_t a, uint32_t b) {
+    a = root(a), b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<uint32_t> parent_;
+};
+
+std::vector<bool> referenced_vertices(const TriangleMesh& mesh) {
+  std::vector<bool> referenced(mesh.vertices.size(), false);
+  for (const Triangle& triangle : mesh.triangles)
+    for (uint32_t v : triangle) referenced[v] = true;
+  return referenced;
+}
+
+void count_vertices(const TriangleMesh& mesh, MeshStatistics& statistics) {
+  VertexSets sets(mesh.vertices.size());
+  for (const auto& [a, b, c] : mesh.triangles) sets.join(a, b), sets.join(b, c);
+  const std::vector<bool> referenced = referenced_vertices(mesh);
+  statistics.box_min.setConstant(std::numeric_limits<double>::infinity());
+  statistics.box_max.setConstant(-std::numeric_limits<double>::infinity());
+  for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (!referenced[v]) {
+      ++statistics.unreferenced_vertices;
+      continue;
+    }
+    statistics.components += sets.root(v) == v;
+    statistics.box_min = statistics.box_min.cwiseMin(mesh.vertices[v]);
+    statistics.box_max = statistics.box_max.cwiseMax(mesh.vertices[v]);
+  }
+}
+
+/// Needs the box: the volume is summed around its centre, or coordinates far from the origin, as
+/// surveys have, would cancel.
+void measure_triangles(const TriangleMesh& mesh, MeshStatistics& statistics) {
+  const Vec3d centre = statistics.box_min / 2 + statistics.box_max / 2;
+  for (const Triangle& triangle : mesh.triangles) {
+    const Vec3d& a = mesh.vertices[triangle[0]];
+    const Vec3d twice_area = (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a);
+    statistics.zero_area_triangles += twice_area.isZero(0);
+    statistics.area += twice_area.norm() / 2;
+    statistics.signed_volume += (a - centre).dot(twice_area) / 6;
+  }
+}
+
+}  // namespace
+
+MeshStatistics compute_statistics(const TriangleMesh& mesh) {
+  MeshStatistics statistics;
+  statistics.vertices = mesh.vertices.size();
+  statistics.triangles = mesh.triangles.size();
+  count_edges(mesh, statistics);
+  count_vertices(mesh, statistics);
+  measure_triangles(mesh, statistics);
+  return statistics;
+}
+
+}  // namespace burnish

@@ -1,0 +1,119 @@
+#include "common/mesh/statistics.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace burnish {
+namespace {
+
+TriangleMesh mesh_of(std::vector<Vec3d> vertices, std::vector<Triangle> triangles) {
+  TriangleMesh mesh;
+  mesh.vertices = std::move(vertices);
+  mesh.triangles = std::move(triangles);
+  return mesh;
+}
+
+TriangleMesh unit_tetrahedron() {
+  return mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                 {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+}
+
+TEST(Statistics, ATetrahedronIsClosedAndHasItsVolume) {
+  const MeshStatistics statistics = compute_statistics(unit_tetrahedron());
+  EXPECT_EQ(statistics.vertices, 4);
+  EXPECT_EQ(statistics.triangles, 4);
+  EXPECT_TRUE(statistics.is_closed());
+  EXPECT_EQ(statistics.non_manifold_edges, 0);
+  EXPECT_EQ(statistics.components, 1);
+  EXPECT_NEAR(statistics.signed_volume, 1.0 / 6, 1e-15);
+  EXPECT_NEAR(statistics.area, 1.5 + std::sqrt(3) / 2, 1e-15);
+  EXPECT_NEAR(statistics.mean_edge_length, (1 + std::sqrt(2)) / 2, 1e-15);
+  EXPECT_NEAR(statistics.diagonal(), std::sqrt(3), 1e-15);
+}
+
+TEST(Statistics, ReversedWindingHasNegativeVolume) {
+  TriangleMesh mesh = unit_tetrahedron();
+  for (Triangle& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
+  EXPECT_NEAR(compute_statistics(mesh).signed_volume, -1.0 / 6, 1e-15);
+}
+
+TEST(Statistics, VolumeSurvivesSurveyCoordinates) {
+  TriangleMesh mesh = unit_tetrahedron();
+  for (Vec3d& p : mesh.vertices) p += Vec3d(6e6, 5e6, 3e3);
+  EXPECT_NEAR(compute_statistics(mesh).signed_volume, 1.0 / 6, 1e-9);
+}
+
+TEST(Statistics, ASingleTriangleHasThreeBoundaryEdges) {
+  const auto statistics =
+      compute_statistics(mesh_of({{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}));
+  EXPECT_EQ(statistics.boundary_edges, 3);
+  EXPECT_FALSE(statistics.is_closed());
+  EXPECT_DOUBLE_EQ(statistics.area, 6);
+  EXPECT_DOUBLE_EQ(statistics.mean_edge_length, 4);
+}
+
+TEST(Statistics, AFanOfThreePagesHasANonManifoldSpine) {
+  const auto statistics = compute_statistics(mesh_of(
+      {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}}));
+  EXPECT_EQ(statistics.non_manifold_edges, 1);
+  EXPECT_EQ(statistics.boundary_edges, 6);
+  EXPECT_EQ(statistics.components, 1);
+}
+
+TEST(Statistics, TwoTrianglesOfTheSameDirectionStillShareTheEdge) {
+  const auto statistics = compute_statistics(
+      mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 1, 3}}));
+  EXPECT_EQ(statistics.boundary_edges, 4);
+  EXPECT_EQ(statistics.non_manifold_edges, 0);
+}
+
+TEST(Statistics, PiecesThatShareAVertexAreOneComponent) {
+  const std::vector<Vec3d> vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0},
+                                       {0, 2, 0}, {5, 5, 5}, {6, 5, 5}, {5, 6, 5}};
+  EXPECT_EQ(compute_statistics(mesh_of(vertices, {{0, 1, 2}, {0, 3, 4}})).components, 1);
+  EXPECT_EQ(compute_statistics(mesh_of(vertices, {{0, 1, 2}, {0, 3, 4}, {5, 6, 7}})).components, 2);
+}
+
+TEST(Statistics, ARepeatedVertexLeavesOneEdgeAndNoArea) {
+  const std::vector<Vec3d> vertices = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}};
+  for (const Triangle& triangle : {Triangle{0, 0, 1}, Triangle{0, 1, 0}, Triangle{1, 0, 0}}) {
+    const auto statistics = compute_statistics(mesh_of(vertices, {triangle}));
+    EXPECT_EQ(statistics.zero_area_triangles, 1);
+    EXPECT_EQ(statistics.boundary_edges, 1);
+    EXPECT_EQ(statistics.components, 1);
+    EXPECT_EQ(statistics.unreferenced_vertices, 1);
+    EXPECT_EQ(statistics.mean_edge_length, 2);
+    EXPECT_EQ(statistics.area, 0);
+  }
+}
+
+TEST(Statistics, ATriangleOfOneVertexHasNoEdges) {
+  const auto statistics = compute_statistics(mesh_of({{1, 2, 3}}, {{0, 0, 0}}));
+  EXPECT_EQ(statistics.boundary_edges, 0);
+  EXPECT_EQ(statistics.components, 1);
+  EXPECT_EQ(statistics.mean_edge_length, 0);
+  EXPECT_EQ(statistics.zero_area_triangles, 1);
+}
+
+TEST(Statistics, CollinearAndCoincidentCornersHaveZeroArea) {
+  const auto statistics = compute_statistics(mesh_of(
+      {{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {1, 1, 1}, {0, 1, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}));
+  EXPECT_EQ(statistics.zero_area_triangles, 2);
+}
+
+TEST(Statistics, UnreferencedVerticesCountNeitherInBoxNorComponents) {
+  TriangleMesh mesh = unit_tetrahedron();
+  mesh.vertices.push_back({1e6, 0, 0});
+  mesh.vertices.insert(mesh.vertices.begin(), Vec3d(-1e6, 0, 0));
+  for (Triangle& triangle : mesh.triangles)
+    for (uint32_t& v : triangle) ++v;
+  const MeshStatistics statistics = compute_statistics(mesh);
+  EXPECT_EQ(statistics.unreferenced_vertices, 2);
+  EXPECT_EQ(statistics.components, 1);
+  EXPECT_EQ(statistics.box_min, Vec3d(0, 0, 0));
+  EXPECT_EQ(statistics.box_max, Vec3d(1, 1, 1));
+}
+
+}  // namespace
+}  // namespace burnish
