@@ -1,7 +1,7 @@
 #include <csignal>
 #include <iostream>
-
 #include <pthread.h>
+
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 

@@ -36,8 +36,8 @@ void print(const ScanInfo& scan) {
   std::printf("%-22s %.6g\n%-22s %.6g\n", "area", s.area, "mean edge", s.mean_edge_length);
   std::printf("%-22s %d\n", "default depth", scan.default_depth);
   for (const PreparedInfo& prepared : scan.prepared)
-    std::printf("%-22s depth %d, curvature radius %g, %llu bytes\n", "prepared",
-                prepared.key.depth, prepared.key.curvature_radius,
+    std::printf("%-22s depth %d, curvature radius %g, %llu bytes\n", "prepared", prepared.key.depth,
+                prepared.key.curvature_radius,
                 static_cast<unsigned long long>(prepared.size_bytes));
 }
 

@@ -91,8 +91,7 @@ void add_change_options(CLI::App& command, Options& options) {
 
 void add_edit_command(CommandTable& table) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      table.add("edit", "Change a session", [options] { return run(*options); });
+  CLI::App* command = table.add("edit", "Change a session", [options] { return run(*options); });
   command->add_option("SESSION", options->session, "Name or id")->required();
   add_change_options(*command, *options);
   command->add_option("--id", options->id,

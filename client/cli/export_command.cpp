@@ -45,12 +45,12 @@ Status run(const Options& options) {
 
 void add_export_command(CommandTable& table) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = table.add("export", "Write a session's edited mesh",
-                                [options] { return run(*options); });
+  CLI::App* command =
+      table.add("export", "Write a session's edited mesh", [options] { return run(*options); });
   command->add_option("SESSION", options->session, "Name or id")->required();
   command->add_option("OUT", options->out, "File to write: .ply, .obj or .stl")->required();
-  CLI::Option* exact = command->add_flag("--exact", options->wish.exact,
-                                         "Solve to the accuracy of final results");
+  CLI::Option* exact =
+      command->add_flag("--exact", options->wish.exact, "Solve to the accuracy of final results");
   command->add_option("--cycles", options->wish.cycles, "Solve by so many cycles")
       ->check(CLI::Range(1, kExportCyclesMax))
       ->excludes(exact);

@@ -17,8 +17,8 @@ struct Options {
 Status run(const Options& options) {
   ASSIGN_OR_RETURN(const TriangleMesh mesh, generate_scan(options.scan));
   RETURN_IF_ERROR(write_mesh(mesh, options.out));
-  std::cout << options.out << ": " << mesh.vertices.size() << " vertices, "
-            << mesh.triangles.size() << " triangles\n";
+  std::cout << options.out << ": " << mesh.vertices.size() << " vertices, " << mesh.triangles.size()
+            << " triangles\n";
   return Status::ok();
 }
 

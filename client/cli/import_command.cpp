@@ -28,9 +28,8 @@ void print(const ImportOutcome& outcome) {
 
 Status run(const Options& options) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
-  const std::string name = options.name.empty()
-                               ? std::filesystem::path(options.file).stem().string()
-                               : options.name;
+  const std::string name =
+      options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name;
   ProgressPrinter printer;
   auto outcome = connection.import_scan(options.file, name, options.key, printer.progress());
   if (!outcome.is_ok()) return outcome.status().with_context("import of " + options.file);

@@ -6,7 +6,9 @@ namespace burnish {
 
 using Json = nlohmann::ordered_json;
 
-static Json point(const Vec3d& p) { return Json::array({p.x(), p.y(), p.z()}); }
+static Json point(const Vec3d& p) {
+  return Json::array({p.x(), p.y(), p.z()});
+}
 
 static Json key_to_json(const PreparedKey& key) {
   return {{"depth", key.depth}, {"curvature_radius", key.curvature_radius}};

@@ -25,8 +25,8 @@ Status run(const Options& options) {
     return Status::ok();
   }
   std::cout << (opened.attached ? "attached to " : "opened ") << session.name << ": scan "
-            << short_id(session.scan_id) << ", depth " << session.key.depth << ", "
-            << session.edits << " edits\n";
+            << short_id(session.scan_id) << ", depth " << session.key.depth << ", " << session.edits
+            << " edits\n";
   return Status::ok();
 }
 

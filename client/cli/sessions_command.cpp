@@ -17,8 +17,8 @@ struct Options {
 void print(const SessionInfo& session) {
   std::printf("%s  %s  %5d  %6llu  %-9s  %s\n", session.id.c_str(),
               short_id(session.scan_id).c_str(), session.key.depth,
-              static_cast<unsigned long long>(session.edits),
-              session.in_memory ? "yes" : "no", session.name.c_str());
+              static_cast<unsigned long long>(session.edits), session.in_memory ? "yes" : "no",
+              session.name.c_str());
 }
 
 Status list(Connection& connection, bool json) {

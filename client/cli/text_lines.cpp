@@ -41,8 +41,12 @@ static Result<Number> parse(std::string_view word, const char* kind) {
   return invalid_argument("'" + std::string(word) + "' is not " + kind);
 }
 
-Result<double> parse_real(std::string_view word) { return parse<double>(word, "a number"); }
-Result<int> parse_integer(std::string_view word) { return parse<int>(word, "an integer"); }
+Result<double> parse_real(std::string_view word) {
+  return parse<double>(word, "a number");
+}
+Result<int> parse_integer(std::string_view word) {
+  return parse<int>(word, "an integer");
+}
 
 Result<std::string> read_text_file(const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));

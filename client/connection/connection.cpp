@@ -34,8 +34,7 @@ static bool wait_until_ready(grpc::Channel& channel, std::chrono::milliseconds t
   }
 }
 
-Result<Connection> Connection::open(const std::string& server,
-                                    std::chrono::milliseconds timeout) {
+Result<Connection> Connection::open(const std::string& server, std::chrono::milliseconds timeout) {
   gpr_set_log_verbosity(GPR_LOG_SEVERITY_ERROR);  // what fails comes back as a Status
   auto channel = make_channel(server);
   if (!wait_until_ready(*channel, timeout))
@@ -54,14 +53,16 @@ Connection::Connection(std::unique_ptr<State> state) : state_(std::move(state)) 
 Connection::Connection(Connection&&) noexcept = default;
 Connection::~Connection() = default;
 
-const std::string& Connection::server() const { return state_->server; }
+const std::string& Connection::server() const {
+  return state_->server;
+}
 
 Result<std::vector<ScanInfo>> Connection::list_scans() {
   grpc::ClientContext context;
   state_->set_deadline(context);
   v1::ListScansResponse response;
-  RETURN_IF_ERROR(
-      call_status(server(), state_->library->ListScans(&context, v1::ListScansRequest(), &response)));
+  RETURN_IF_ERROR(call_status(
+      server(), state_->library->ListScans(&context, v1::ListScansRequest(), &response)));
   std::vector<ScanInfo> scans;
   for (const v1::ScanInfo& message : response.scans()) {
     ASSIGN_OR_RETURN(ScanInfo scan, from_wire(message));
@@ -108,8 +109,7 @@ Result<std::string> Connection::delete_scan(const std::string& scan) {
   v1::DeleteScanRequest request;
   request.set_scan(scan);
   v1::DeleteScanResponse response;
-  RETURN_IF_ERROR(
-      call_status(server(), state_->library->DeleteScan(&context, request, &response)));
+  RETURN_IF_ERROR(call_status(server(), state_->library->DeleteScan(&context, request, &response)));
   return response.id();
 }
 

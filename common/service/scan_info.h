@@ -41,11 +41,11 @@ struct ScanInfo {
 /// What a prepared mesh looks like from outside.
 struct PreparedDescription {
   PreparedKey key;
-  double length_unit = 0;     ///< L, file units
-  double cell_size = 0;       ///< file units
-  uint64_t cells = 0;         ///< of the finest depth
-  uint64_t memory_bytes = 0;  ///< shared by its sessions
-  float histogram_range = 0;  ///< bins are even in asinh(κ) from -range to range, user units
+  double length_unit = 0;        ///< L, file units
+  double cell_size = 0;          ///< file units
+  uint64_t cells = 0;            ///< of the finest depth
+  uint64_t memory_bytes = 0;     ///< shared by its sessions
+  float histogram_range = 0;     ///< bins are even in asinh(κ) from -range to range, user units
   std::vector<float> histogram;  ///< fraction of the area
 };
 
@@ -83,6 +83,8 @@ std::string_view mesh_format_name(MeshFormat format);
 Result<MeshFormat> mesh_format_of_name(std::string_view name);
 
 /// The first digits of an id, enough for people.
-inline std::string short_id(std::string_view id) { return std::string(id.substr(0, 12)); }
+inline std::string short_id(std::string_view id) {
+  return std::string(id.substr(0, 12));
+}
 
 }  // namespace burnish

@@ -11,21 +11,30 @@ namespace {
 
 v1::FallOff to_wire(FallOff fall_off) {
   switch (fall_off) {
-    case FallOff::kSmooth: return v1::FALL_OFF_SMOOTH;
-    case FallOff::kLinear: return v1::FALL_OFF_LINEAR;
-    case FallOff::kSharp: return v1::FALL_OFF_SHARP;
-    case FallOff::kConstant: return v1::FALL_OFF_CONSTANT;
+    case FallOff::kSmooth:
+      return v1::FALL_OFF_SMOOTH;
+    case FallOff::kLinear:
+      return v1::FALL_OFF_LINEAR;
+    case FallOff::kSharp:
+      return v1::FALL_OFF_SHARP;
+    case FallOff::kConstant:
+      return v1::FALL_OFF_CONSTANT;
   }
   return v1::FALL_OFF_UNSPECIFIED;
 }
 
 Result<FallOff> from_wire(v1::FallOff fall_off) {
   switch (fall_off) {
-    case v1::FALL_OFF_SMOOTH: return FallOff::kSmooth;
-    case v1::FALL_OFF_LINEAR: return FallOff::kLinear;
-    case v1::FALL_OFF_SHARP: return FallOff::kSharp;
-    case v1::FALL_OFF_CONSTANT: return FallOff::kConstant;
-    default: break;
+    case v1::FALL_OFF_SMOOTH:
+      return FallOff::kSmooth;
+    case v1::FALL_OFF_LINEAR:
+      return FallOff::kLinear;
+    case v1::FALL_OFF_SHARP:
+      return FallOff::kSharp;
+    case v1::FALL_OFF_CONSTANT:
+      return FallOff::kConstant;
+    default:
+      break;
   }
   return invalid_argument("brush fall-off " + std::to_string(static_cast<int>(fall_off)) +
                           " is none of 1 (smooth), 2 (linear), 3 (sharp), 4 (constant)");
@@ -48,8 +57,7 @@ Result<Stroke> from_wire(const v1::Stroke& message) {
   stroke.brush.strength = message.brush().strength();
   stroke.brush.beta = message.brush().beta();
   ASSIGN_OR_RETURN(stroke.brush.fall_off, from_wire(message.brush().fall_off()));
-  for (const v1::Point& point : message.path())
-    stroke.path.push_back(burnish::from_wire(point));
+  for (const v1::Point& point : message.path()) stroke.path.push_back(burnish::from_wire(point));
   return stroke;
 }
 
@@ -85,7 +93,8 @@ Status read_change(const v1::Edit& message, Edit& edit) {
     }
     case v1::Edit::kCellFields:
       return append_cells(message.cell_fields(), edit.change.emplace<SetCellFields>());
-    case v1::Edit::CHANGE_NOT_SET: break;
+    case v1::Edit::CHANGE_NOT_SET:
+      break;
   }
   return invalid_argument("it changes nothing that this server knows");
 }
@@ -97,8 +106,8 @@ Status check_edit_id(const std::string& id) {
       std::all_of(id.begin(), id.end(), [](char c) { return c > 0x20 && c < 0x7f; });
   if (!id.empty() && id.size() <= kEditIdBytesMax && printable) return Status::ok();
   return invalid_argument("an edit's id is 1 to " + std::to_string(kEditIdBytesMax) +
-                          " printable ASCII characters; this one has " +
-                          std::to_string(id.size()) + " bytes");
+                          " printable ASCII characters; this one has " + std::to_string(id.size()) +
+                          " bytes");
 }
 
 v1::SetTransferCurve to_wire(const TransferCurve& curve) {
@@ -136,11 +145,11 @@ v1::SetCellFields to_wire(const SetCellFields& change, size_t first, size_t coun
 Status append_cells(const v1::SetCellFields& message, SetCellFields& change) {
   const size_t count = change.cells.size() + static_cast<size_t>(message.cells_size());
   if (count > kCellFieldsPerEditMax)
-    return resource_exhausted("the edit sets " + std::to_string(count) +
-                              " cells, the limit is " + std::to_string(kCellFieldsPerEditMax));
+    return resource_exhausted("the edit sets " + std::to_string(count) + " cells, the limit is " +
+                              std::to_string(kCellFieldsPerEditMax));
   for (const v1::CellField& entry : message.cells())
-    change.cells.push_back({Vec3i(entry.i(), entry.j(), entry.k()), entry.alpha1(),
-                            entry.alpha2(), entry.beta()});
+    change.cells.push_back(
+        {Vec3i(entry.i(), entry.j(), entry.k()), entry.alpha1(), entry.alpha2(), entry.beta()});
   return Status::ok();
 }
 
@@ -161,7 +170,9 @@ Result<Edit> from_wire(const v1::Edit& message) {
   return edit;
 }
 
-std::string edit_to_bytes(const Edit& edit) { return to_wire(edit).SerializeAsString(); }
+std::string edit_to_bytes(const Edit& edit) {
+  return to_wire(edit).SerializeAsString();
+}
 
 Result<Edit> edit_from_bytes(std::string_view bytes) {
   v1::Edit message;

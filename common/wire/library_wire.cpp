@@ -26,8 +26,7 @@ Result<ImportHeader> from_wire(const v1::ImportHeader& message) {
   if (!message.sha256().empty() && !is_content_hash(message.sha256()))
     return invalid_argument("sha256 is not 64 lower-case hexadecimal digits");
   header.sha256 = message.sha256();
-  ASSIGN_OR_RETURN(header.key,
-                   prepared_key_from_wire(message.depth(), message.curvature_radius()));
+  ASSIGN_OR_RETURN(header.key, prepared_key_from_wire(message.depth(), message.curvature_radius()));
   return header;
 }
 

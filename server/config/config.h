@@ -11,17 +11,17 @@ namespace burnish {
 
 /// Everything that can be told to burnish-server. Defaults, then the file, then the flags.
 struct ServerConfig {
-  std::string listen = "127.0.0.1:7411";          ///< HOST:PORT; port 0 takes a free one
-  std::filesystem::path data = "burnish-data";    ///< the folder with everything that is kept
-  int threads = 0;                                ///< of the solver; 0: all cores
-  int workers = 16;                               ///< calls at work at once
+  std::string listen = "127.0.0.1:7411";        ///< HOST:PORT; port 0 takes a free one
+  std::filesystem::path data = "burnish-data";  ///< the folder with everything that is kept
+  int threads = 0;                              ///< of the solver; 0: all cores
+  int workers = 16;                             ///< calls at work at once
   BackendKind backend = BackendKind::kAuto;
-  std::string log_level = "info";                 ///< trace, debug, info, warn, error, off
-  bool insecure = false;                          ///< plaintext beyond this machine
+  std::string log_level = "info";  ///< trace, debug, info, warn, error, off
+  bool insecure = false;           ///< plaintext beyond this machine
 
   int64_t sessions_max = 64;
   int64_t upload_bytes_max = int64_t{8} << 30;
-  int64_t mesh_bytes_max = 0;                     ///< in memory; 0: half of the machine's
+  int64_t mesh_bytes_max = 0;  ///< in memory; 0: half of the machine's
 };
 
 /// Fails: invalid_argument naming the key, its value and its limits; failed_precondition when

@@ -80,8 +80,7 @@ grpc::ServerUnaryReactor* EditingService::GetState(grpc::CallbackServerContext* 
                                                    const v1::GetStateRequest* request,
                                                    v1::SessionState* response) {
   return answer(calls_, context, [this, request, response](const Progress& progress) -> Status {
-    ASSIGN_OR_RETURN(const SessionState state,
-                     calls_.sessions.state(request->session(), progress));
+    ASSIGN_OR_RETURN(const SessionState state, calls_.sessions.state(request->session(), progress));
     *response = to_wire(state);
     return Status::ok();
   });

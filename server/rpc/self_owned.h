@@ -22,9 +22,7 @@ class SelfOwned {
   std::shared_ptr<Call> self() const { return self_; }
 
   /// To be called last in OnDone.
-  void release() {
-    const std::shared_ptr<Call> last = std::move(self_);
-  }
+  void release() { const std::shared_ptr<Call> last = std::move(self_); }
 
  private:
   std::shared_ptr<Call> self_;

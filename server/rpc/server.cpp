@@ -73,8 +73,12 @@ Server::~Server() {
   if (state_) drain(std::chrono::milliseconds(0));
 }
 
-const std::string& Server::address() const { return state_->address; }
-int Server::port() const { return state_->port; }
+const std::string& Server::address() const {
+  return state_->address;
+}
+int Server::port() const {
+  return state_->port;
+}
 
 void Server::drain(std::chrono::milliseconds time) {
   set_serving(*state_->server, false);

@@ -1,11 +1,11 @@
 #include "server/session/data_folder.h"
 
 #include <cerrno>
-#include <random>
-
 #include <fcntl.h>
-#include <sys/file.h>
+#include <random>
 #include <unistd.h>
+
+#include <sys/file.h>
 
 namespace burnish {
 
@@ -46,7 +46,9 @@ Result<std::unique_ptr<DataFolder>> DataFolder::open(const fs::path& path) {
   return folder;
 }
 
-DataFolder::~DataFolder() { ::close(lock_); }
+DataFolder::~DataFolder() {
+  ::close(lock_);
+}
 
 fs::path DataFolder::staging_path(const std::string& suffix) const {
   return path_ / "staging" / (random_name() + suffix);

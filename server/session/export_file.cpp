@@ -1,7 +1,6 @@
 #include "server/session/export_file.h"
 
 #include <cerrno>
-
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -29,7 +28,9 @@ Result<std::unique_ptr<ExportFile>> ExportFile::adopt(const std::filesystem::pat
   return result;
 }
 
-ExportFile::~ExportFile() { ::close(file_); }
+ExportFile::~ExportFile() {
+  ::close(file_);
+}
 
 Result<std::string> ExportFile::read(uint64_t offset) const {
   std::string piece(kChunkBytes, '\0');

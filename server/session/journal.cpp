@@ -47,8 +47,11 @@ Result<std::vector<SessionRecord>> Journal::sessions() {
   for (;;) {
     ASSIGN_OR_RETURN(const bool row, query.step());
     if (!row) return records;
-    records.push_back({query.text(0), query.text(1), query.text(2),
-                       {static_cast<int>(query.integer(3)), query.real(4)}, query.integer(5)});
+    records.push_back({query.text(0),
+                       query.text(1),
+                       query.text(2),
+                       {static_cast<int>(query.integer(3)), query.real(4)},
+                       query.integer(5)});
   }
 }
 

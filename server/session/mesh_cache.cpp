@@ -15,8 +15,8 @@ Status MeshCache::admit(const Key& key, const std::shared_ptr<const SharedMesh>&
   for (const auto& [other_key, other] : meshes_)
     if (const auto held = other.lock()) bytes += held->byte_count();
   if (bytes + mesh->byte_count() > bytes_max_)
-    return resource_exhausted("the scan needs " + std::to_string(mesh->byte_count()) +
-                              " bytes; " + std::to_string(bytes) + " of mesh_bytes_max " +
+    return resource_exhausted("the scan needs " + std::to_string(mesh->byte_count()) + " bytes; " +
+                              std::to_string(bytes) + " of mesh_bytes_max " +
                               std::to_string(bytes_max_) + " are in use");
   meshes_[key] = mesh;
   return Status::ok();

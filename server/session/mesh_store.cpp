@@ -36,8 +36,7 @@ class StagingFolder {
 Status move_path(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
-  return error ? errno_status("cannot move " + from.string() + " to " + to.string(),
-                              error.value())
+  return error ? errno_status("cannot move " + from.string() + " to " + to.string(), error.value())
                : Status::ok();
 }
 
@@ -103,8 +102,7 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
                                         const Progress& progress) {
   ASSIGN_OR_RETURN(const std::string id, upload.finish());
   if (!header.sha256.empty() && header.sha256 != id)
-    return data_loss("the bytes that came have SHA-256 " + id + ", announced was " +
-                     header.sha256);
+    return data_loss("the bytes that came have SHA-256 " + id + ", announced was " + header.sha256);
   {
     ASSIGN_OR_RETURN(const auto lock,
                      lock_or_cancel(preparing_, "waiting for another scan", progress));
@@ -114,8 +112,7 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
 }
 
 Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& id,
-                                            const ImportHeader& header,
-                                            const Progress& progress) {
+                                            const ImportHeader& header, const Progress& progress) {
   const StagingFolder staging(folder_.staging_path(".scan"));
   RETURN_IF_ERROR(make_folders(staging.path() / "prepared"));
   const fs::path original = staging.path() / original_file_name(header.format);
@@ -123,9 +120,9 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
 
   if (!report(progress, "reading", 0)) return cancelled("the import was cancelled");
   ASSIGN_OR_RETURN(const TriangleMesh mesh, read_original(original, header.format, header.name));
-  ASSIGN_OR_RETURN(const auto prepared,
-                   prepare(mesh, {header.key.depth, header.key.curvature_radius, options_.threads},
-                           progress));
+  ASSIGN_OR_RETURN(
+      const auto prepared,
+      prepare(mesh, {header.key.depth, header.key.curvature_radius, options_.threads}, progress));
   const ScanInfo scan = make_scan_info(id, header, *prepared);
   const std::string prepared_name = prepared_file_name(resolve(header.key, scan));
 
@@ -191,13 +188,17 @@ Result<ScanDescription> MeshStore::describe(const std::string& reference, int de
     return depth == 0 || p.key.depth == depth;
   });
   if (chosen == have.rend()) return description;
-  ASSIGN_OR_RETURN(const auto mesh, map_prepared_mesh(scan_folder(description.scan.id) /
-                                                      "prepared" / prepared_file_name(chosen->key)));
+  ASSIGN_OR_RETURN(const auto mesh,
+                   map_prepared_mesh(scan_folder(description.scan.id) / "prepared" /
+                                     prepared_file_name(chosen->key)));
   const CurvatureHistogram& histogram = mesh->histogram;
-  description.prepared = PreparedDescription{
-      chosen->key,      mesh->length_unit, mesh->frame.cell_size,
-      mesh->cells.size(), mesh->byte_count(), histogram.range,
-      {histogram.area.begin(), histogram.area.end()}};
+  description.prepared = PreparedDescription{chosen->key,
+                                             mesh->length_unit,
+                                             mesh->frame.cell_size,
+                                             mesh->cells.size(),
+                                             mesh->byte_count(),
+                                             histogram.range,
+                                             {histogram.area.begin(), histogram.area.end()}};
   return description;
 }
 
@@ -230,19 +231,17 @@ Result<std::shared_ptr<const PreparedMesh>> MeshStore::map_or_rebuild(const std:
   if (mapped.is_ok()) return mapped;
   const StatusCode code = mapped.status().code();
   if (code != StatusCode::kNotFound && code != StatusCode::kDataLoss) return mapped;
-  if (code == StatusCode::kDataLoss)
-    spdlog::warn("preparing again: {}", mapped.status().message());
+  if (code == StatusCode::kDataLoss) spdlog::warn("preparing again: {}", mapped.status().message());
   RETURN_IF_ERROR(rebuild(id, key, progress));
   return map_prepared_mesh(path);
 }
 
-Status MeshStore::rebuild(const std::string& id, const PreparedKey& key,
-                          const Progress& progress) {
+Status MeshStore::rebuild(const std::string& id, const PreparedKey& key, const Progress& progress) {
   const fs::path folder = scan_folder(id);
   ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(folder));
   if (!report(progress, "reading", 0)) return cancelled("preparing was cancelled");
-  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_original(folder / original_file_name(scan.format),
-                                                         scan.format, scan.name));
+  ASSIGN_OR_RETURN(const TriangleMesh mesh,
+                   read_original(folder / original_file_name(scan.format), scan.format, scan.name));
   ASSIGN_OR_RETURN(const auto prepared,
                    prepare(mesh, {key.depth, key.curvature_radius, options_.threads}, progress));
   return write_prepared_mesh(*prepared, folder / "prepared" / prepared_file_name(key));

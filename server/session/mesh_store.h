@@ -57,8 +57,7 @@ class MeshStore {
   /// The mesh for a session: shared with others, else mapped, else prepared now. The caller holds
   /// it for as long as it uses it. Needs: a resolved key.
   /// Fails: resource_exhausted when mesh_bytes_max has no room; not_found; cancelled.
-  Result<std::shared_ptr<const SharedMesh>> open_mesh(const std::string& id,
-                                                      const PreparedKey& key,
+  Result<std::shared_ptr<const SharedMesh>> open_mesh(const std::string& id, const PreparedKey& key,
                                                       const Progress& progress);
 
   /// Needs: no session edits it.

@@ -14,7 +14,9 @@ namespace burnish {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-static json point_to_json(const Vec3d& p) { return json::array({p.x(), p.y(), p.z()}); }
+static json point_to_json(const Vec3d& p) {
+  return json::array({p.x(), p.y(), p.z()});
+}
 
 static Vec3d point_from_json(const json& p) {
   return {p.at(0).get<double>(), p.at(1).get<double>(), p.at(2).get<double>()};

@@ -31,8 +31,8 @@ struct SessionManager::Entry {
   std::timed_mutex mutex;  // of what follows
   bool deleted = false;
   std::shared_ptr<const SharedMesh> mesh;
-  std::unique_ptr<Session> session;           // null: not in memory
-  std::unordered_set<std::string> edit_ids;   // of the session in memory
+  std::unique_ptr<Session> session;          // null: not in memory
+  std::unordered_set<std::string> edit_ids;  // of the session in memory
   StepReport last;
 };
 
@@ -49,7 +49,9 @@ int64_t unix_seconds_now() {
       .count();
 }
 
-std::string describe(const PreparedKey& key) { return "depth " + std::to_string(key.depth); }
+std::string describe(const PreparedKey& key) {
+  return "depth " + std::to_string(key.depth);
+}
 
 }  // namespace
 
@@ -92,8 +94,8 @@ Result<SessionManager::Held> SessionManager::lock(const std::string& reference,
 Result<SessionManager::Held> SessionManager::use(const std::string& reference,
                                                  const Progress& progress) {
   ASSIGN_OR_RETURN(Held held, lock(reference, progress));
-  RETURN_IF_ERROR(bring_back(*held.entry, progress)
-                      .with_context("session " + held.entry->record.name));
+  RETURN_IF_ERROR(
+      bring_back(*held.entry, progress).with_context("session " + held.entry->record.name));
   return held;
 }
 
@@ -176,8 +178,7 @@ Status SessionManager::remove(const std::string& reference, const Progress& prog
 }
 
 Result<ApplyOutcome> SessionManager::apply(const std::string& reference,
-                                           std::span<const Edit> edits,
-                                           const Progress& progress) {
+                                           std::span<const Edit> edits, const Progress& progress) {
   for (const Edit& edit : edits) RETURN_IF_ERROR(validate(edit).with_context("edit " + edit.id));
   ASSIGN_OR_RETURN(const Held held, use(reference, progress));
   Entry& entry = *held.entry;
@@ -202,16 +203,15 @@ Result<ApplyOutcome> SessionManager::apply(const std::string& reference,
                       static_cast<uint32_t>(edits.size() - fresh.size()), entry.edits};
 }
 
-Result<SessionState> SessionManager::state(const std::string& reference,
-                                           const Progress& progress) {
+Result<SessionState> SessionManager::state(const std::string& reference, const Progress& progress) {
   ASSIGN_OR_RETURN(const Held held, use(reference, progress));
   const Entry& entry = *held.entry;
   const Fields& fields = entry.session->fields();
   const Solver& solver = entry.session->solver();
-  return SessionState{entry.info(),         fields.gradient_scale(), fields.transfer_curve(),
-                      entry.last.cycle,     entry.last.energy,       entry.last.residual,
-                      entry.last.distance,  solver.byte_count(),
-                      std::string(solver.backend_name())};
+  return SessionState{
+      entry.info(),        fields.gradient_scale(), fields.transfer_curve(),
+      entry.last.cycle,    entry.last.energy,       entry.last.residual,
+      entry.last.distance, solver.byte_count(),     std::string(solver.backend_name())};
 }
 
 Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish& wish,

@@ -52,8 +52,7 @@ class SessionManager {
 
   /// Solves and writes the edited mesh to a staging file.
   Result<std::unique_ptr<ExportFile>> export_mesh(const std::string& reference,
-                                                  const ExportWish& wish,
-                                                  const Progress& progress);
+                                                  const ExportWish& wish, const Progress& progress);
 
   /// Deletes a scan of the store. Fails: failed_precondition naming a session that edits it.
   Result<std::string> delete_scan(const std::string& reference);
@@ -73,8 +72,7 @@ class SessionManager {
   Result<Held> use(const std::string& reference, const Progress& progress);
   Status bring_back(Entry& entry, const Progress& progress);
   Result<ExportSummary> solve_to_file(Held& held, const ExportWish& wish,
-                                      const std::filesystem::path& path,
-                                      const Progress& progress);
+                                      const std::filesystem::path& path, const Progress& progress);
 
   const DataFolder& folder_;
   MeshStore& store_;

@@ -8,14 +8,19 @@ static StatusCode code_of_sqlite(int code) {
   switch (code & 0xff) {
     case SQLITE_FULL:
     case SQLITE_NOMEM:
-    case SQLITE_TOOBIG: return StatusCode::kResourceExhausted;
+    case SQLITE_TOOBIG:
+      return StatusCode::kResourceExhausted;
     case SQLITE_CORRUPT:
-    case SQLITE_NOTADB: return StatusCode::kDataLoss;
-    case SQLITE_CONSTRAINT: return StatusCode::kAlreadyExists;
+    case SQLITE_NOTADB:
+      return StatusCode::kDataLoss;
+    case SQLITE_CONSTRAINT:
+      return StatusCode::kAlreadyExists;
     case SQLITE_PERM:
     case SQLITE_READONLY:
-    case SQLITE_CANTOPEN: return StatusCode::kPermissionDenied;
-    default: return StatusCode::kInternal;
+    case SQLITE_CANTOPEN:
+      return StatusCode::kPermissionDenied;
+    default:
+      return StatusCode::kInternal;
   }
 }
 
@@ -31,9 +36,13 @@ void Statement::bind_one(std::string_view bytes) {
   sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.data(), bytes.size(), SQLITE_TRANSIENT);
 }
 
-void Statement::bind_one(int64_t value) { sqlite3_bind_int64(statement_.get(), ++bound_, value); }
+void Statement::bind_one(int64_t value) {
+  sqlite3_bind_int64(statement_.get(), ++bound_, value);
+}
 
-void Statement::bind_one(double value) { sqlite3_bind_double(statement_.get(), ++bound_, value); }
+void Statement::bind_one(double value) {
+  sqlite3_bind_double(statement_.get(), ++bound_, value);
+}
 
 Result<bool> Statement::step() {
   const int code = sqlite3_step(statement_.get());
@@ -57,13 +66,15 @@ double Statement::real(int column) const {
   return sqlite3_column_double(statement_.get(), column);
 }
 
-void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
+void Database::Close::operator()(sqlite3* database) const {
+  sqlite3_close_v2(database);
+}
 
 Result<Database> Database::open(const std::filesystem::path& path) {
   Database result;
   sqlite3* opened = nullptr;
-  const int code = sqlite3_open_v2(path.c_str(), &opened,
-                                   SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+  const int code =
+      sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
   result.database_.reset(opened);
   if (code != SQLITE_OK) return sqlite_status(opened, code).with_context(path.string());
   RETURN_IF_ERROR(result.execute("PRAGMA journal_mode=WAL").with_context(path.string()));

@@ -10,7 +10,9 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Chunk, CrcIsThatOfZlib) { EXPECT_EQ(chunk_crc32("123456789"), 0xcbf43926u); }
+TEST(Chunk, CrcIsThatOfZlib) {
+  EXPECT_EQ(chunk_crc32("123456789"), 0xcbf43926u);
+}
 
 TEST(Chunk, AGapIsDataLoss) {
   const Status status = check_chunk(10, 20, "abc", chunk_crc32("abc"));

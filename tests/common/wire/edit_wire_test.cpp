@@ -52,8 +52,9 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
   const auto stroke = std::get<Stroke>(edit_from_bytes(edit_to_bytes(edits[2])).value().change);
   EXPECT_EQ(stroke.brush.fall_off, FallOff::kLinear);
   EXPECT_EQ(stroke.path[1], Vec3d(-4, 5e-9, 6));
-  EXPECT_EQ(std::get<SetTransferCurve>(edit_from_bytes(edit_to_bytes(edits[1])).value().change).curve,
-            curve);
+  EXPECT_EQ(
+      std::get<SetTransferCurve>(edit_from_bytes(edit_to_bytes(edits[1])).value().change).curve,
+      curve);
 }
 
 TEST(EditWire, DamagedBytesAreDataLoss) {

@@ -54,7 +54,8 @@ TEST(ConfigFile, EveryKeyIsRead) {
 }
 
 TEST(ConfigFile, AWrongKeyIsRefusedByNameAndLine) {
-  EXPECT_THAT(refusal("threads = 1\nthreds = 4\n"), HasSubstr("server.toml:2: there is no key 'threds'"));
+  EXPECT_THAT(refusal("threads = 1\nthreds = 4\n"),
+              HasSubstr("server.toml:2: there is no key 'threds'"));
   EXPECT_THAT(refusal("[limits]\nsession_max = 4\n"), HasSubstr("'limits.session_max'"));
   EXPECT_THAT(refusal("[tls]\nkey = 4\n"), HasSubstr("'tls'"));
 }

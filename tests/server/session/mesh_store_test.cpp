@@ -74,8 +74,8 @@ TEST(MeshStore, AFileThatIsNoMeshLeavesNothing) {
 
 TEST(MeshStore, ACancelledImportLeavesNothing) {
   TestLibrary library;
-  const auto outcome = library.import(sphere_file(), "ball",
-                                      [](std::string_view, double) { return false; });
+  const auto outcome =
+      library.import(sphere_file(), "ball", [](std::string_view, double) { return false; });
   EXPECT_EQ(outcome.status().code(), StatusCode::kCancelled);
   EXPECT_TRUE(library.store->list().empty());
   EXPECT_EQ(library.staged_files(), 0u);

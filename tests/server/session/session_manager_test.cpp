@@ -25,9 +25,9 @@ class SessionManagerTest : public testing::Test {
     journal_.reset();
     library_.restart();
     journal_ = std::move(Journal::open(library_.folder->journal())).value();
-    manager_ = std::move(
-                   SessionManager::create(*library_.folder, *library_.store, *journal_, options_))
-                   .value();
+    manager_ =
+        std::move(SessionManager::create(*library_.folder, *library_.store, *journal_, options_))
+            .value();
   }
 
   Result<OpenedSession> open(const std::string& name, int depth = 5) {
@@ -136,8 +136,8 @@ TEST_F(SessionManagerTest, AScanThatIsEditedCannotBeDeleted) {
 }
 
 TEST_F(SessionManagerTest, ASessionThatCannotBeOpenedIsNotKept) {
-  const auto refused = manager_->open({"ball", "one", {6, 0}},
-                                      [](std::string_view, double) { return false; });
+  const auto refused =
+      manager_->open({"ball", "one", {6, 0}}, [](std::string_view, double) { return false; });
   EXPECT_EQ(refused.status().code(), StatusCode::kCancelled);
   EXPECT_TRUE(manager_->list().empty());
 }
@@ -145,15 +145,16 @@ TEST_F(SessionManagerTest, ASessionThatCannotBeOpenedIsNotKept) {
 TEST_F(SessionManagerTest, ACancelledExportLeavesNoFile) {
   ASSERT_TRUE(open("one").is_ok());
   ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0}}}).is_ok());
-  const auto cancelled = manager_->export_mesh(
-      "one", {MeshFormat::kPly, true, 0}, [](std::string_view, double) { return false; });
+  const auto cancelled = manager_->export_mesh("one", {MeshFormat::kPly, true, 0},
+                                               [](std::string_view, double) { return false; });
   EXPECT_EQ(cancelled.status().code(), StatusCode::kCancelled);
   EXPECT_EQ(library_.staged_files(), 0u);
 }
 
 TEST_F(SessionManagerTest, AnExportFileHasNoNameAndTellsItsHash) {
   ASSERT_TRUE(open("one").is_ok());
-  const auto file = std::move(manager_->export_mesh("one", {MeshFormat::kStl, false, 1}, {})).value();
+  const auto file =
+      std::move(manager_->export_mesh("one", {MeshFormat::kStl, false, 1}, {})).value();
   EXPECT_EQ(library_.staged_files(), 0u);
   EXPECT_EQ(file->summary().triangles, 1280u);
   EXPECT_EQ(file->summary().size_bytes, 84u + 50u * 1280u);
