@@ -42,4 +42,7 @@ class AtomicFile {
   int fd_ = -1;
 };
 
+/// All of a small file at once. Fails: as AtomicFile does.
+Status write_file(const std::filesystem::path& path, std::string_view text);
+
 }  // namespace burnish

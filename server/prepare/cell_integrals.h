@@ -12,8 +12,10 @@ namespace burnish {
 /// Units: grid; positions are relative to the cell's least corner.
 class CellIntegrator {
  public:
-  /// Adds one convex planar piece. v1 and v2 are the principal directions on it.
-  void add(const Polygon& piece, const Vec3d& v1, const Vec3d& v2);
+  /// Adds one convex planar piece. v1 and v2 are the principal directions on it; where it has none
+  /// (`umbilic`: flat or spherical) each of ℓ¹, ℓ² and of the gradients takes half of both, so that
+  /// nothing depends on an arbitrary choice.
+  void add(const Polygon& piece, const Vec3d& v1, const Vec3d& v2, bool umbilic);
 
   double area() const { return area_; }
   CellIntegrals integrals() const;
@@ -24,7 +26,7 @@ class CellIntegrator {
 
  private:
   void add_triangle(const Vec3d& p, const Vec3d& q, const Vec3d& r, const Vec3d& v1,
-                    const Vec3d& v2);
+                    const Vec3d& v2, bool umbilic);
 
   double area_ = 0;
   Square mass_ = {};

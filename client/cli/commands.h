@@ -1,0 +1,28 @@
+#pragma once
+
+#include "client/cli/command.h"
+
+namespace burnish {
+
+// One function per command of `burnish`, each in a file of its own; main() calls them.
+
+void add_generate_command(CommandTable& table);
+void add_filter_command(CommandTable& table);
+
+/// Draws with OpenGL; adds nothing in a build without it.
+void add_render_command(CommandTable& table);
+
+/// The commands that talk to a server; none in a build without gRPC.
+void add_service_commands(CommandTable& table);
+
+void add_import_command(CommandTable& table);
+void add_meshes_command(CommandTable& table);
+void add_describe_command(CommandTable& table);
+void add_open_command(CommandTable& table);
+void add_sessions_command(CommandTable& table);
+void add_edit_command(CommandTable& table);
+void add_export_command(CommandTable& table);
+void add_close_command(CommandTable& table);
+void add_delete_command(CommandTable& table);
+
+}  // namespace burnish

@@ -1,0 +1,60 @@
+#include <cstdio>
+#include <memory>
+
+#include "client/cli/commands.h"
+#include "client/cli/json_output.h"
+#include "client/cli/progress_printer.h"
+#include "client/cli/server_option.h"
+
+namespace burnish {
+
+namespace {
+
+struct Options {
+  ServerOption server;
+  std::string session;
+  std::string out;
+  ExportWish wish;
+};
+
+void print(const ExportSummary& summary, const std::string& out) {
+  std::printf("%s: %llu vertices, %llu triangles, %llu bytes; %d cycles in %.2f s, distance %.2g\n",
+              out.c_str(), static_cast<unsigned long long>(summary.vertices),
+              static_cast<unsigned long long>(summary.triangles),
+              static_cast<unsigned long long>(summary.size_bytes), summary.cycles,
+              summary.assemble_seconds + summary.solve_seconds, summary.distance);
+}
+
+Status run(const Options& options) {
+  ExportWish wish = options.wish;
+  ASSIGN_OR_RETURN(wish.format, mesh_format_of_path(options.out));
+  ASSIGN_OR_RETURN(Connection connection, options.server.connect());
+  ProgressPrinter printer;
+  const auto summary =
+      connection.export_mesh(options.session, wish, options.out, printer.progress());
+  if (!summary.is_ok()) return summary.status().with_context("export of " + options.session);
+  if (options.server.json) {
+    print_json(to_json(summary.value()));
+  } else {
+    print(summary.value(), options.out);
+  }
+  return Status::ok();
+}
+
+}  // namespace
+
+void add_export_command(CommandTable& table) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      table.add("export", "Write a session's edited mesh", [options] { return run(*options); });
+  command->add_option("SESSION", options->session, "Name or id")->required();
+  command->add_option("OUT", options->out, "File to write: .ply, .obj or .stl")->required();
+  CLI::Option* exact =
+      command->add_flag("--exact", options->wish.exact, "Solve to the accuracy of final results");
+  command->add_option("--cycles", options->wish.cycles, "Solve by so many cycles")
+      ->check(CLI::Range(1, kExportCyclesMax))
+      ->excludes(exact);
+  add_server_options(*command, options->server);
+}
+
+}  // namespace burnish

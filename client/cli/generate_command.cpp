@@ -1,0 +1,47 @@
+#include <iostream>
+#include <memory>
+
+#include "client/cli/commands.h"
+#include "common/mesh/generate.h"
+#include "common/mesh/mesh_io.h"
+
+namespace burnish {
+
+namespace {
+
+struct Options {
+  GeneratedScan scan;
+  std::string out;
+};
+
+Status run(const Options& options) {
+  ASSIGN_OR_RETURN(const TriangleMesh mesh, generate_scan(options.scan));
+  RETURN_IF_ERROR(write_mesh(mesh, options.out));
+  std::cout << options.out << ": " << mesh.vertices.size() << " vertices, " << mesh.triangles.size()
+            << " triangles\n";
+  return Status::ok();
+}
+
+}  // namespace
+
+void add_generate_command(CommandTable& table) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      table.add("generate", "Write a generated scan", [options] { return run(*options); });
+  std::string kinds = "Kinds:";
+  std::vector<std::string> names;
+  for (const GeneratedScanKind& kind : generated_scan_kinds()) {
+    names.emplace_back(kind.name);
+    kinds += "\n  " + std::string(kind.name) + ": " + std::string(kind.description);
+  }
+  command->add_option("KIND", options->scan.kind, "What to make")
+      ->required()
+      ->check(CLI::IsMember(names));
+  command->add_option("OUT", options->out, "File to write: .ply, .obj or .stl")->required();
+  command->add_option("--vertices", options->scan.vertices, "About how many")
+      ->capture_default_str();
+  command->add_option("--seed", options->scan.seed, "Same seed, same scan")->capture_default_str();
+  command->footer(kinds);
+}
+
+}  // namespace burnish

@@ -1,0 +1,105 @@
+#include "client/cli/json_output.h"
+
+#include <iostream>
+
+namespace burnish {
+
+using Json = nlohmann::ordered_json;
+
+static Json point(const Vec3d& p) {
+  return Json::array({p.x(), p.y(), p.z()});
+}
+
+static Json key_to_json(const PreparedKey& key) {
+  return {{"depth", key.depth}, {"curvature_radius", key.curvature_radius}};
+}
+
+Json to_json(const ScanInfo& scan) {
+  const MeshStatistics& s = scan.statistics;
+  Json json = {{"id", scan.id},
+               {"name", scan.name},
+               {"format", mesh_format_name(scan.format)},
+               {"size_bytes", scan.size_bytes},
+               {"imported_unix_seconds", scan.imported_unix_seconds},
+               {"default_depth", scan.default_depth},
+               {"has_colours", scan.has_colours},
+               {"vertices", s.vertices},
+               {"triangles", s.triangles},
+               {"boundary_edges", s.boundary_edges},
+               {"non_manifold_edges", s.non_manifold_edges},
+               {"components", s.components},
+               {"zero_area_triangles", s.zero_area_triangles},
+               {"unreferenced_vertices", s.unreferenced_vertices},
+               {"area", s.area},
+               {"signed_volume", s.signed_volume},
+               {"mean_edge_length", s.mean_edge_length},
+               {"box_min", point(s.box_min)},
+               {"box_max", point(s.box_max)},
+               {"prepared", Json::array()}};
+  for (const PreparedInfo& prepared : scan.prepared) {
+    Json entry = key_to_json(prepared.key);
+    entry["size_bytes"] = prepared.size_bytes;
+    json["prepared"].push_back(entry);
+  }
+  return json;
+}
+
+Json to_json(const ScanDescription& description) {
+  Json json = to_json(description.scan);
+  if (!description.prepared) return json;
+  const PreparedDescription& prepared = *description.prepared;
+  Json entry = key_to_json(prepared.key);
+  entry["length_unit"] = prepared.length_unit;
+  entry["cell_size"] = prepared.cell_size;
+  entry["cells"] = prepared.cells;
+  entry["memory_bytes"] = prepared.memory_bytes;
+  entry["histogram"] = {{"range", prepared.histogram_range}, {"area", prepared.histogram}};
+  json["described"] = entry;
+  return json;
+}
+
+Json to_json(const SessionInfo& session) {
+  return {{"id", session.id},
+          {"name", session.name},
+          {"scan_id", session.scan_id},
+          {"depth", session.key.depth},
+          {"curvature_radius", session.key.curvature_radius},
+          {"created_unix_seconds", session.created_unix_seconds},
+          {"edits", session.edits},
+          {"in_memory", session.in_memory}};
+}
+
+Json to_json(const SessionState& state) {
+  Json json = to_json(state.session);
+  json["beta"] = state.gradient_scale;
+  json["curve"] = state.transfer_curve.to_string();
+  json["memory_bytes"] = state.memory_bytes;
+  json["backend"] = state.backend;
+  if (state.cycles > 0) {
+    json["cycles"] = state.cycles;
+    json["energy"] = state.energy;
+    json["residual"] = state.residual;
+    json["distance"] = state.distance;
+  }
+  return json;
+}
+
+Json to_json(const ExportSummary& summary) {
+  return {{"size_bytes", summary.size_bytes},
+          {"sha256", summary.sha256},
+          {"vertices", summary.vertices},
+          {"triangles", summary.triangles},
+          {"cycles", summary.cycles},
+          {"converged", summary.converged},
+          {"energy", summary.energy},
+          {"residual", summary.residual},
+          {"distance", summary.distance},
+          {"assemble_seconds", summary.assemble_seconds},
+          {"solve_seconds", summary.solve_seconds}};
+}
+
+void print_json(const Json& json) {
+  std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+}
+
+}  // namespace burnish

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "client/connection/connection.h"
+
+namespace burnish {
+
+/// What every command that talks to a server is told.
+struct ServerOption {
+  std::string server = "127.0.0.1:7411";
+  double timeout_seconds = 10;
+  bool json = false;
+
+  Result<Connection> connect() const;
+};
+
+/// Adds --server, --timeout and --json.
+void add_server_options(CLI::App& command, ServerOption& option);
+
+/// Adds --depth and --curvature-radius.
+void add_prepared_options(CLI::App& command, PreparedKey& key);
+
+}  // namespace burnish

@@ -1,0 +1,17 @@
+#include "client/cli/commands.h"
+
+namespace burnish {
+
+void add_service_commands(CommandTable& table) {
+  add_import_command(table);
+  add_meshes_command(table);
+  add_describe_command(table);
+  add_open_command(table);
+  add_sessions_command(table);
+  add_edit_command(table);
+  add_export_command(table);
+  add_close_command(table);
+  add_delete_command(table);
+}
+
+}  // namespace burnish

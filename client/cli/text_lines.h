@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// A line of a small text file that has words on it; '#' begins a comment.
+struct TextLine {
+  size_t number;  ///< from 1
+  std::vector<std::string_view> words;
+};
+
+/// The words point into `text`.
+std::vector<TextLine> split_lines(std::string_view text);
+
+/// "name:12"
+std::string place(const std::string& name, const TextLine& line);
+
+/// Fails: invalid_argument naming the word.
+Result<double> parse_real(std::string_view word);
+Result<int> parse_integer(std::string_view word);
+
+/// Fails: as errno says.
+Result<std::string> read_text_file(const std::filesystem::path& path);
+
+}  // namespace burnish

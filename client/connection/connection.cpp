@@ -1,0 +1,148 @@
+#include "client/connection/connection.h"
+
+#include <grpc/support/log.h>
+
+#include "client/connection/connection_state.h"
+#include "common/wire/library_wire.h"
+#include "common/wire/session_wire.h"
+
+namespace burnish {
+
+static constexpr int kReceiveBytesMax = 16 << 20;
+static constexpr int kKeepaliveTimeMs = 20'000;
+static constexpr int kKeepaliveTimeoutMs = 10'000;
+
+static std::shared_ptr<grpc::Channel> make_channel(const std::string& server) {
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(kReceiveBytesMax);
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepaliveTimeMs);
+  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepaliveTimeoutMs);
+  arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
+  // A web proxy of the environment knows nothing of this server.
+  arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
+  return grpc::CreateCustomChannel(server, grpc::InsecureChannelCredentials(), arguments);
+}
+
+/// True when the channel is ready; false when an attempt failed or the time is over.
+static bool wait_until_ready(grpc::Channel& channel, std::chrono::milliseconds timeout) {
+  const auto deadline = std::chrono::system_clock::now() + timeout;
+  for (;;) {
+    const grpc_connectivity_state state = channel.GetState(true);
+    if (state == GRPC_CHANNEL_READY) return true;
+    if (state == GRPC_CHANNEL_TRANSIENT_FAILURE || state == GRPC_CHANNEL_SHUTDOWN) return false;
+    if (!channel.WaitForStateChange(state, deadline)) return false;
+  }
+}
+
+Result<Connection> Connection::open(const std::string& server, std::chrono::milliseconds timeout) {
+  gpr_set_log_verbosity(GPR_LOG_SEVERITY_ERROR);  // what fails comes back as a Status
+  auto channel = make_channel(server);
+  if (!wait_until_ready(*channel, timeout))
+    return unavailable("cannot reach server " + server + " within " +
+                       std::to_string(timeout.count()) + " ms; does burnish-server run there?");
+  auto state = std::make_unique<State>();
+  state->server = server;
+  state->timeout = timeout;
+  state->library = v1::Library::NewStub(channel);
+  state->editing = v1::Editing::NewStub(channel);
+  state->channel = std::move(channel);
+  return Connection(std::move(state));
+}
+
+Connection::Connection(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Connection::Connection(Connection&&) noexcept = default;
+Connection::~Connection() = default;
+
+const std::string& Connection::server() const {
+  return state_->server;
+}
+
+Result<std::vector<ScanInfo>> Connection::list_scans() {
+  grpc::ClientContext context;
+  state_->set_deadline(context);
+  v1::ListScansResponse response;
+  RETURN_IF_ERROR(call_status(
+      server(), state_->library->ListScans(&context, v1::ListScansRequest(), &response)));
+  std::vector<ScanInfo> scans;
+  for (const v1::ScanInfo& message : response.scans()) {
+    ASSIGN_OR_RETURN(ScanInfo scan, from_wire(message));
+    scans.push_back(std::move(scan));
+  }
+  return scans;
+}
+
+Result<ScanDescription> Connection::describe_scan(const std::string& scan, int depth) {
+  grpc::ClientContext context;
+  state_->set_deadline(context);
+  v1::DescribeScanRequest request;
+  request.set_scan(scan);
+  request.set_depth(depth);
+  v1::ScanDescription response;
+  RETURN_IF_ERROR(
+      call_status(server(), state_->library->DescribeScan(&context, request, &response)));
+  return from_wire(response);
+}
+
+Result<ScanInfo> Connection::prepare_scan(const std::string& scan, const PreparedKey& key,
+                                          const Progress& progress) {
+  grpc::ClientContext context;
+  v1::PrepareScanRequest request;
+  request.set_scan(scan);
+  request.set_depth(key.depth);
+  request.set_curvature_radius(key.curvature_radius);
+  const auto reader = state_->library->PrepareScan(&context, request);
+  v1::PrepareEvent event;
+  v1::ScanInfo done;
+  while (reader->Read(&event)) {
+    if (event.has_done()) done = event.done();
+    if (event.has_progress() &&
+        !report(progress, event.progress().phase(), event.progress().fraction()))
+      context.TryCancel();
+  }
+  RETURN_IF_ERROR(call_status(server(), reader->Finish()));
+  return from_wire(done);
+}
+
+Result<std::string> Connection::delete_scan(const std::string& scan) {
+  grpc::ClientContext context;
+  state_->set_deadline(context);
+  v1::DeleteScanRequest request;
+  request.set_scan(scan);
+  v1::DeleteScanResponse response;
+  RETURN_IF_ERROR(call_status(server(), state_->library->DeleteScan(&context, request, &response)));
+  return response.id();
+}
+
+Result<std::vector<SessionInfo>> Connection::list_sessions() {
+  grpc::ClientContext context;
+  state_->set_deadline(context);
+  v1::ListSessionsResponse response;
+  RETURN_IF_ERROR(call_status(
+      server(), state_->editing->ListSessions(&context, v1::ListSessionsRequest(), &response)));
+  std::vector<SessionInfo> sessions;
+  for (const v1::SessionInfo& message : response.sessions()) {
+    ASSIGN_OR_RETURN(SessionInfo session, from_wire(message));
+    sessions.push_back(std::move(session));
+  }
+  return sessions;
+}
+
+Status Connection::close_session(const std::string& session) {
+  grpc::ClientContext context;
+  state_->set_deadline(context);
+  v1::CloseSessionRequest request;
+  request.set_session(session);
+  v1::CloseSessionResponse response;
+  return call_status(server(), state_->editing->CloseSession(&context, request, &response));
+}
+
+Status Connection::delete_session(const std::string& session) {
+  grpc::ClientContext context;
+  state_->set_deadline(context);
+  v1::DeleteSessionRequest request;
+  request.set_session(session);
+  v1::DeleteSessionResponse response;
+  return call_status(server(), state_->editing->DeleteSession(&context, request, &response));
+}
+
+}  // namespace burnish

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/base/progress.h"
+#include "common/edit/edit.h"
+#include "common/service/session_info.h"
+
+namespace burnish {
+
+/// A client's connection to one server. Every failure names the server. Calls that answer at once
+/// have a deadline; long ones end when the server ends them, when `progress` says so, or when
+/// keepalive finds the server gone.
+class Connection {
+ public:
+  /// Fails: unavailable when nobody answers at `server` (HOST:PORT) within `timeout`.
+  static Result<Connection> open(const std::string& server, std::chrono::milliseconds timeout);
+  Connection(Connection&&) noexcept;
+  ~Connection();
+
+  const std::string& server() const;
+
+  /// Uploads a mesh file and has it prepared. Fails: as reading the file does, or as the server
+  /// says; cancelled.
+  Result<ImportOutcome> import_scan(const std::filesystem::path& file, const std::string& name,
+                                    const PreparedKey& key, const Progress& progress);
+  Result<std::vector<ScanInfo>> list_scans();
+  Result<ScanDescription> describe_scan(const std::string& scan, int depth);
+  Result<ScanInfo> prepare_scan(const std::string& scan, const PreparedKey& key,
+                                const Progress& progress);
+  /// Returns the id of what is gone.
+  Result<std::string> delete_scan(const std::string& scan);
+
+  Result<OpenedSession> open_session(const SessionWish& wish);
+  Result<std::vector<SessionInfo>> list_sessions();
+  Status close_session(const std::string& session);
+  Status delete_session(const std::string& session);
+
+  /// Sends the edits in order, in as many requests as they need. Edits sent before a failure stay;
+  /// sending all again is harmless.
+  Result<ApplyOutcome> apply(const std::string& session, std::span<const Edit> edits);
+  Result<SessionState> state(const std::string& session);
+
+  /// Solves on the server and writes the edited mesh to `file`, whole or not at all.
+  Result<ExportSummary> export_mesh(const std::string& session, const ExportWish& wish,
+                                    const std::filesystem::path& file, const Progress& progress);
+
+ private:
+  struct State;
+  explicit Connection(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace burnish

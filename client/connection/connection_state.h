@@ -1,0 +1,31 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include <grpcpp/grpcpp.h>
+
+#include "burnish/v1/editing.grpc.pb.h"
+#include "burnish/v1/library.grpc.pb.h"
+#include "client/connection/connection.h"
+
+namespace burnish {
+
+struct Connection::State {
+  std::string server;
+  std::chrono::milliseconds timeout;
+  std::shared_ptr<grpc::Channel> channel;
+  std::unique_ptr<v1::Library::Stub> library;
+  std::unique_ptr<v1::Editing::Stub> editing;
+
+  /// For calls that answer at once.
+  void set_deadline(grpc::ClientContext& context) const {
+    context.set_deadline(std::chrono::system_clock::now() + timeout);
+  }
+};
+
+/// What a call ended with, in our words: "server HOST:PORT: ...".
+Status call_status(const std::string& server, const grpc::Status& status);
+
+}  // namespace burnish

@@ -1,0 +1,66 @@
+#include "client/connection/connection_state.h"
+#include "common/base/atomic_file.h"
+#include "common/service/chunk.h"
+#include "common/service/content_hash.h"
+#include "common/wire/session_wire.h"
+
+namespace burnish {
+namespace {
+
+/// The file as it arrives: every piece checked, and the whole against the summary.
+class Download {
+ public:
+  static Result<Download> create(const std::filesystem::path& path) {
+    ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
+    return Download(std::move(file));
+  }
+
+  Status append(const v1::Chunk& chunk) {
+    RETURN_IF_ERROR(check_chunk(received_bytes_, chunk.offset(), chunk.data(), chunk.crc32()));
+    RETURN_IF_ERROR(file_.write(chunk.data()));
+    hash_.update(chunk.data());
+    received_bytes_ += chunk.data().size();
+    return Status::ok();
+  }
+
+  Status finish(const ExportSummary& summary) {
+    if (received_bytes_ != summary.size_bytes || hash_.finish() != summary.sha256)
+      return data_loss("the exported mesh was damaged on its way");
+    return file_.commit();
+  }
+
+ private:
+  explicit Download(AtomicFile file) : file_(std::move(file)) {}
+
+  AtomicFile file_;
+  ContentHash hash_;
+  uint64_t received_bytes_ = 0;
+};
+
+}  // namespace
+
+Result<ExportSummary> Connection::export_mesh(const std::string& session, const ExportWish& wish,
+                                              const std::filesystem::path& path,
+                                              const Progress& progress) {
+  ASSIGN_OR_RETURN(Download download, Download::create(path));
+  grpc::ClientContext context;
+  const auto reader = state_->editing->Export(&context, to_wire(session, wish));
+  v1::ExportEvent event;
+  ExportSummary summary;
+  Status here;  // what went wrong on this side
+  while (reader->Read(&event)) {
+    if (event.has_summary()) summary = from_wire(event.summary());
+    if (event.has_chunk() && here.is_ok()) here = download.append(event.chunk());
+    if (event.has_progress() &&
+        !report(progress, event.progress().phase(), event.progress().fraction()))
+      here = cancelled("the export was cancelled");
+    if (!here.is_ok()) context.TryCancel();
+  }
+  const grpc::Status there = reader->Finish();
+  RETURN_IF_ERROR(here);
+  RETURN_IF_ERROR(call_status(server(), there));
+  RETURN_IF_ERROR(download.finish(summary));
+  return summary;
+}
+
+}  // namespace burnish

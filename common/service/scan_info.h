@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/base/status.h"
+#include "common/mesh/mesh_io.h"
+#include "common/mesh/statistics.h"
+
+namespace burnish {
+
+/// Which prepared mesh of a scan.
+struct PreparedKey {
+  int depth = 0;                ///< 0 stands for the scan's default depth
+  double curvature_radius = 0;  ///< averaging radius for κ as a fraction of L
+  auto operator<=>(const PreparedKey&) const = default;
+};
+
+/// One prepared mesh that the server keeps.
+struct PreparedInfo {
+  PreparedKey key;
+  uint64_t size_bytes = 0;  ///< of its file
+};
+
+/// A scan of the library.
+struct ScanInfo {
+  std::string id;  ///< SHA-256 of the imported file
+  std::string name;
+  MeshFormat format = MeshFormat::kPly;
+  uint64_t size_bytes = 0;  ///< of the imported file
+  int64_t imported_unix_seconds = 0;
+  int default_depth = 0;
+  bool has_colours = false;
+  MeshStatistics statistics;
+  std::vector<PreparedInfo> prepared;  ///< by depth
+};
+
+/// What a prepared mesh looks like from outside.
+struct PreparedDescription {
+  PreparedKey key;
+  double length_unit = 0;        ///< L, file units
+  double cell_size = 0;          ///< file units
+  uint64_t cells = 0;            ///< of the finest depth
+  uint64_t memory_bytes = 0;     ///< shared by its sessions
+  float histogram_range = 0;     ///< bins are even in asinh(κ) from -range to range, user units
+  std::vector<float> histogram;  ///< fraction of the area
+};
+
+struct ScanDescription {
+  ScanInfo scan;
+  std::optional<PreparedDescription> prepared;
+};
+
+/// What a client says of a file before it sends it.
+struct ImportHeader {
+  std::string name;
+  MeshFormat format = MeshFormat::kPly;
+  uint64_t size_bytes = 0;
+  std::string sha256;  ///< empty, or what the bytes will hash to
+  PreparedKey key;
+};
+
+/// What an import ended with.
+struct ImportOutcome {
+  ScanInfo scan;
+  bool already_present = false;
+};
+
+inline constexpr size_t kNameBytesMax = 200;
+inline constexpr size_t kEditIdBytesMax = 64;
+
+/// Names of scans and sessions: 1 to kNameBytesMax bytes, no control characters.
+/// Fails: invalid_argument beginning with `what`.
+Status check_name(std::string_view what, std::string_view name);
+
+/// "ply", "obj", "stl", "off".
+std::string_view mesh_format_name(MeshFormat format);
+
+/// Fails: invalid_argument with the choices.
+Result<MeshFormat> mesh_format_of_name(std::string_view name);
+
+/// The first digits of an id, enough for people.
+inline std::string short_id(std::string_view id) {
+  return std::string(id.substr(0, 12));
+}
+
+}  // namespace burnish

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "common/base/limits.h"
+#include "common/edit/transfer_curve.h"
+#include "common/mesh/mesh_io.h"
+#include "common/service/scan_info.h"
+
+namespace burnish {
+
+/// Which session to open; an empty name lets the server choose one.
+struct SessionWish {
+  std::string scan;  ///< name, id, or the beginning of one id
+  std::string name;
+  PreparedKey key;
+};
+
+struct SessionInfo {
+  std::string id;
+  std::string name;
+  std::string scan_id;
+  PreparedKey key;
+  int64_t created_unix_seconds = 0;
+  uint64_t edits = 0;
+  bool in_memory = false;
+};
+
+struct OpenedSession {
+  SessionInfo session;
+  bool attached = false;  ///< it was there already
+};
+
+/// What became of a batch of edits.
+struct ApplyOutcome {
+  uint32_t applied = 0;
+  uint32_t known = 0;  ///< their ids had been applied before
+  uint64_t edits = 0;  ///< of the session now
+};
+
+struct SessionState {
+  SessionInfo session;
+  double gradient_scale = kBetaDefault;
+  TransferCurve transfer_curve{kAlphaDefault};
+  int cycles = 0;  ///< since the session came into memory; 0: the three figures mean nothing
+  double energy = 0;
+  double residual = 0;
+  double distance = 0;  ///< estimated, over the bounding-box diagonal
+  uint64_t memory_bytes = 0;
+  std::string backend;
+};
+
+inline constexpr int kExportCyclesMax = 10'000;
+
+/// What to export: converged to the bar of a live session unless told otherwise.
+struct ExportWish {
+  MeshFormat format = MeshFormat::kPly;
+  bool exact = false;  ///< to the export bar
+  int cycles = 0;      ///< > 0: exactly so many
+};
+
+struct ExportSummary {
+  uint64_t size_bytes = 0;
+  std::string sha256;
+  uint64_t vertices = 0;
+  uint64_t triangles = 0;
+  int cycles = 0;
+  bool converged = false;
+  double energy = 0;
+  double residual = 0;
+  double distance = 0;  ///< estimated, over the bounding-box diagonal
+  double assemble_seconds = 0;
+  double solve_seconds = 0;
+};
+
+}  // namespace burnish

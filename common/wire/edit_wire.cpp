@@ -1,0 +1,184 @@
+#include "common/wire/edit_wire.h"
+
+#include <algorithm>
+
+#include "common/service/scan_info.h"
+#include "common/wire/edit_bytes.h"
+#include "common/wire/format_wire.h"
+
+namespace burnish {
+namespace {
+
+v1::FallOff to_wire(FallOff fall_off) {
+  switch (fall_off) {
+    case FallOff::kSmooth:
+      return v1::FALL_OFF_SMOOTH;
+    case FallOff::kLinear:
+      return v1::FALL_OFF_LINEAR;
+    case FallOff::kSharp:
+      return v1::FALL_OFF_SHARP;
+    case FallOff::kConstant:
+      return v1::FALL_OFF_CONSTANT;
+  }
+  return v1::FALL_OFF_UNSPECIFIED;
+}
+
+Result<FallOff> from_wire(v1::FallOff fall_off) {
+  switch (fall_off) {
+    case v1::FALL_OFF_SMOOTH:
+      return FallOff::kSmooth;
+    case v1::FALL_OFF_LINEAR:
+      return FallOff::kLinear;
+    case v1::FALL_OFF_SHARP:
+      return FallOff::kSharp;
+    case v1::FALL_OFF_CONSTANT:
+      return FallOff::kConstant;
+    default:
+      break;
+  }
+  return invalid_argument("brush fall-off " + std::to_string(static_cast<int>(fall_off)) +
+                          " is none of 1 (smooth), 2 (linear), 3 (sharp), 4 (constant)");
+}
+
+v1::Stroke to_wire(const Stroke& stroke) {
+  v1::Stroke message;
+  v1::Brush* brush = message.mutable_brush();
+  brush->set_radius(stroke.brush.radius);
+  brush->set_strength(stroke.brush.strength);
+  brush->set_beta(stroke.brush.beta);
+  brush->set_fall_off(to_wire(stroke.brush.fall_off));
+  for (const Vec3d& point : stroke.path) *message.add_path() = burnish::to_wire(point);
+  return message;
+}
+
+Result<Stroke> from_wire(const v1::Stroke& message) {
+  Stroke stroke;
+  stroke.brush.radius = message.brush().radius();
+  stroke.brush.strength = message.brush().strength();
+  stroke.brush.beta = message.brush().beta();
+  ASSIGN_OR_RETURN(stroke.brush.fall_off, from_wire(message.brush().fall_off()));
+  for (const v1::Point& point : message.path()) stroke.path.push_back(burnish::from_wire(point));
+  return stroke;
+}
+
+/// Sets the message's member of the oneof.
+struct ChangeWriter {
+  v1::Edit& message;
+
+  void operator()(const SetGradientScale& change) const {
+    message.mutable_gradient_scale()->set_beta(change.beta);
+  }
+  void operator()(const SetTransferCurve& change) const {
+    *message.mutable_transfer_curve() = burnish::to_wire(change.curve);
+  }
+  void operator()(const Stroke& stroke) const { *message.mutable_stroke() = to_wire(stroke); }
+  void operator()(const SetCellFields& change) const {
+    *message.mutable_cell_fields() = burnish::to_wire(change, 0, change.cells.size());
+  }
+};
+
+Status read_change(const v1::Edit& message, Edit& edit) {
+  switch (message.change_case()) {
+    case v1::Edit::kGradientScale:
+      edit.change = SetGradientScale{message.gradient_scale().beta()};
+      return Status::ok();
+    case v1::Edit::kTransferCurve: {
+      ASSIGN_OR_RETURN(TransferCurve curve, burnish::from_wire(message.transfer_curve()));
+      edit.change = SetTransferCurve{std::move(curve)};
+      return Status::ok();
+    }
+    case v1::Edit::kStroke: {
+      ASSIGN_OR_RETURN(edit.change, from_wire(message.stroke()));
+      return Status::ok();
+    }
+    case v1::Edit::kCellFields:
+      return append_cells(message.cell_fields(), edit.change.emplace<SetCellFields>());
+    case v1::Edit::CHANGE_NOT_SET:
+      break;
+  }
+  return invalid_argument("it changes nothing that this server knows");
+}
+
+}  // namespace
+
+Status check_edit_id(const std::string& id) {
+  const bool printable =
+      std::all_of(id.begin(), id.end(), [](char c) { return c > 0x20 && c < 0x7f; });
+  if (!id.empty() && id.size() <= kEditIdBytesMax && printable) return Status::ok();
+  return invalid_argument("an edit's id is 1 to " + std::to_string(kEditIdBytesMax) +
+                          " printable ASCII characters; this one has " + std::to_string(id.size()) +
+                          " bytes");
+}
+
+v1::SetTransferCurve to_wire(const TransferCurve& curve) {
+  v1::SetTransferCurve message;
+  for (const TransferCurve::Point& point : curve.points()) {
+    v1::CurvePoint* entry = message.add_points();
+    entry->set_kappa(point.kappa);
+    entry->set_alpha(point.alpha);
+  }
+  return message;
+}
+
+Result<TransferCurve> from_wire(const v1::SetTransferCurve& message) {
+  std::vector<TransferCurve::Point> points;
+  for (const v1::CurvePoint& point : message.points())
+    points.push_back({point.kappa(), point.alpha()});
+  return TransferCurve::create(std::move(points));
+}
+
+v1::SetCellFields to_wire(const SetCellFields& change, size_t first, size_t count) {
+  v1::SetCellFields message;
+  for (size_t n = first; n < first + count; ++n) {
+    const SetCellFields::Cell& cell = change.cells[n];
+    v1::CellField* entry = message.add_cells();
+    entry->set_i(cell.cell.x());
+    entry->set_j(cell.cell.y());
+    entry->set_k(cell.cell.z());
+    entry->set_alpha1(cell.alpha1);
+    entry->set_alpha2(cell.alpha2);
+    entry->set_beta(cell.beta);
+  }
+  return message;
+}
+
+Status append_cells(const v1::SetCellFields& message, SetCellFields& change) {
+  const size_t count = change.cells.size() + static_cast<size_t>(message.cells_size());
+  if (count > kCellFieldsPerEditMax)
+    return resource_exhausted("the edit sets " + std::to_string(count) + " cells, the limit is " +
+                              std::to_string(kCellFieldsPerEditMax));
+  for (const v1::CellField& entry : message.cells())
+    change.cells.push_back(
+        {Vec3i(entry.i(), entry.j(), entry.k()), entry.alpha1(), entry.alpha2(), entry.beta()});
+  return Status::ok();
+}
+
+v1::Edit to_wire(const Edit& edit) {
+  v1::Edit message;
+  message.set_id(edit.id);
+  std::visit(ChangeWriter{message}, edit.change);
+  return message;
+}
+
+Result<Edit> from_wire(const v1::Edit& message) {
+  RETURN_IF_ERROR(check_edit_id(message.id()));
+  Edit edit;
+  edit.id = message.id();
+  Status status = read_change(message, edit);
+  if (status.is_ok()) status = validate(edit);
+  if (!status.is_ok()) return status.with_context("edit " + edit.id);
+  return edit;
+}
+
+std::string edit_to_bytes(const Edit& edit) {
+  return to_wire(edit).SerializeAsString();
+}
+
+Result<Edit> edit_from_bytes(std::string_view bytes) {
+  v1::Edit message;
+  if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())))
+    return data_loss("the stored edit is damaged");
+  return from_wire(message);
+}
+
+}  // namespace burnish

@@ -1,0 +1,61 @@
+#include "common/wire/format_wire.h"
+
+#include "common/base/limits.h"
+
+namespace burnish {
+
+v1::MeshFormat to_wire(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::kPly:
+      return v1::MESH_FORMAT_PLY;
+    case MeshFormat::kObj:
+      return v1::MESH_FORMAT_OBJ;
+    case MeshFormat::kStl:
+      return v1::MESH_FORMAT_STL;
+    case MeshFormat::kOff:
+      return v1::MESH_FORMAT_OFF;
+  }
+  return v1::MESH_FORMAT_UNSPECIFIED;
+}
+
+Result<MeshFormat> from_wire(v1::MeshFormat format) {
+  switch (format) {
+    case v1::MESH_FORMAT_PLY:
+      return MeshFormat::kPly;
+    case v1::MESH_FORMAT_OBJ:
+      return MeshFormat::kObj;
+    case v1::MESH_FORMAT_STL:
+      return MeshFormat::kStl;
+    case v1::MESH_FORMAT_OFF:
+      return MeshFormat::kOff;
+    default:
+      break;
+  }
+  return invalid_argument("mesh format " + std::to_string(static_cast<int>(format)) +
+                          " is none of 1 (PLY), 2 (OBJ), 3 (STL), 4 (OFF)");
+}
+
+v1::Point to_wire(const Vec3d& point) {
+  v1::Point message;
+  message.set_x(point.x());
+  message.set_y(point.y());
+  message.set_z(point.z());
+  return message;
+}
+
+Vec3d from_wire(const v1::Point& point) {
+  return {point.x(), point.y(), point.z()};
+}
+
+Result<PreparedKey> prepared_key_from_wire(int depth, double curvature_radius) {
+  if (depth != 0 && (depth < kDepthMin || depth > kDepthMax))
+    return invalid_argument("depth " + std::to_string(depth) + " is outside " +
+                            std::to_string(kDepthMin) + ".." + std::to_string(kDepthMax) +
+                            " and not 0 (chosen by the server)");
+  if (!(curvature_radius >= 0 && curvature_radius <= 1))
+    return invalid_argument("curvature radius " + std::to_string(curvature_radius) +
+                            " is outside 0..1 of sqrt(area)");
+  return PreparedKey{depth, curvature_radius};
+}
+
+}  // namespace burnish

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "burnish/v1/common.pb.h"
+#include "common/base/types.h"
+#include "common/mesh/mesh_io.h"
+#include "common/service/scan_info.h"
+
+namespace burnish {
+
+v1::MeshFormat to_wire(MeshFormat format);
+
+/// Fails: invalid_argument for an unspecified or unknown format.
+Result<MeshFormat> from_wire(v1::MeshFormat format);
+
+v1::Point to_wire(const Vec3d& point);
+Vec3d from_wire(const v1::Point& point);
+
+/// A depth (0 allowed) and an averaging radius as they come in a request.
+/// Fails: invalid_argument naming the value and its limits.
+Result<PreparedKey> prepared_key_from_wire(int depth, double curvature_radius);
+
+}  // namespace burnish

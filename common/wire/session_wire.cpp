@@ -1,0 +1,152 @@
+#include "common/wire/session_wire.h"
+
+#include "common/wire/edit_wire.h"
+#include "common/wire/format_wire.h"
+
+namespace burnish {
+
+v1::OpenSessionRequest to_wire(const SessionWish& wish) {
+  v1::OpenSessionRequest message;
+  message.set_scan(wish.scan);
+  message.set_name(wish.name);
+  message.set_depth(wish.key.depth);
+  message.set_curvature_radius(wish.key.curvature_radius);
+  return message;
+}
+
+Result<SessionWish> from_wire(const v1::OpenSessionRequest& message) {
+  SessionWish wish;
+  RETURN_IF_ERROR(check_name("the scan's name or id", message.scan()));
+  wish.scan = message.scan();
+  if (!message.name().empty()) RETURN_IF_ERROR(check_name("the session's name", message.name()));
+  wish.name = message.name();
+  ASSIGN_OR_RETURN(wish.key, prepared_key_from_wire(message.depth(), message.curvature_radius()));
+  return wish;
+}
+
+v1::SessionInfo to_wire(const SessionInfo& session) {
+  v1::SessionInfo message;
+  message.set_id(session.id);
+  message.set_name(session.name);
+  message.set_scan_id(session.scan_id);
+  message.set_depth(session.key.depth);
+  message.set_curvature_radius(session.key.curvature_radius);
+  message.set_created_unix_seconds(session.created_unix_seconds);
+  message.set_edits(session.edits);
+  message.set_in_memory(session.in_memory);
+  return message;
+}
+
+Result<SessionInfo> from_wire(const v1::SessionInfo& message) {
+  SessionInfo session;
+  session.id = message.id();
+  session.name = message.name();
+  session.scan_id = message.scan_id();
+  ASSIGN_OR_RETURN(session.key,
+                   prepared_key_from_wire(message.depth(), message.curvature_radius()));
+  session.created_unix_seconds = message.created_unix_seconds();
+  session.edits = message.edits();
+  session.in_memory = message.in_memory();
+  return session;
+}
+
+v1::SessionState to_wire(const SessionState& state) {
+  v1::SessionState message;
+  *message.mutable_session() = to_wire(state.session);
+  message.set_gradient_scale(state.gradient_scale);
+  *message.mutable_transfer_curve() = to_wire(state.transfer_curve);
+  message.set_cycles(state.cycles);
+  message.set_energy(state.energy);
+  message.set_residual(state.residual);
+  message.set_distance(state.distance);
+  message.set_memory_bytes(state.memory_bytes);
+  message.set_backend(state.backend);
+  return message;
+}
+
+Result<SessionState> from_wire(const v1::SessionState& message) {
+  SessionState state;
+  ASSIGN_OR_RETURN(state.session, from_wire(message.session()));
+  state.gradient_scale = message.gradient_scale();
+  ASSIGN_OR_RETURN(state.transfer_curve, from_wire(message.transfer_curve()));
+  state.cycles = message.cycles();
+  state.energy = message.energy();
+  state.residual = message.residual();
+  state.distance = message.distance();
+  state.memory_bytes = message.memory_bytes();
+  state.backend = message.backend();
+  return state;
+}
+
+v1::ApplyResponse to_wire(const ApplyOutcome& outcome) {
+  v1::ApplyResponse message;
+  message.set_applied(outcome.applied);
+  message.set_known(outcome.known);
+  message.set_edits(outcome.edits);
+  return message;
+}
+
+ApplyOutcome from_wire(const v1::ApplyResponse& message) {
+  return {message.applied(), message.known(), message.edits()};
+}
+
+v1::ExportRequest to_wire(const std::string& session, const ExportWish& wish) {
+  v1::ExportRequest message;
+  message.set_session(session);
+  message.set_format(to_wire(wish.format));
+  if (wish.cycles > 0) {
+    message.set_cycles(wish.cycles);
+  } else if (wish.exact) {
+    message.set_exact(true);
+  }
+  return message;
+}
+
+Result<ExportWish> from_wire(const v1::ExportRequest& message) {
+  ExportWish wish;
+  ASSIGN_OR_RETURN(wish.format, from_wire(message.format()));
+  if (wish.format == MeshFormat::kOff)
+    return invalid_argument("OFF is read only; export as PLY, OBJ or STL");
+  wish.exact = message.has_exact() && message.exact();
+  if (message.has_cycles()) {
+    if (message.cycles() < 1 || message.cycles() > kExportCyclesMax)
+      return invalid_argument("cycles " + std::to_string(message.cycles()) + " is outside 1.." +
+                              std::to_string(kExportCyclesMax));
+    wish.cycles = message.cycles();
+  }
+  return wish;
+}
+
+v1::ExportSummary to_wire(const ExportSummary& summary) {
+  v1::ExportSummary message;
+  message.set_size_bytes(summary.size_bytes);
+  message.set_sha256(summary.sha256);
+  message.set_vertices(summary.vertices);
+  message.set_triangles(summary.triangles);
+  message.set_cycles(summary.cycles);
+  message.set_converged(summary.converged);
+  message.set_energy(summary.energy);
+  message.set_residual(summary.residual);
+  message.set_distance(summary.distance);
+  message.set_assemble_seconds(summary.assemble_seconds);
+  message.set_solve_seconds(summary.solve_seconds);
+  return message;
+}
+
+ExportSummary from_wire(const v1::ExportSummary& message) {
+  ExportSummary summary;
+  summary.size_bytes = message.size_bytes();
+  summary.sha256 = message.sha256();
+  summary.vertices = message.vertices();
+  summary.triangles = message.triangles();
+  summary.cycles = message.cycles();
+  summary.converged = message.converged();
+  summary.energy = message.energy();
+  summary.residual = message.residual();
+  summary.distance = message.distance();
+  summary.assemble_seconds = message.assemble_seconds();
+  summary.solve_seconds = message.solve_seconds();
+  return summary;
+}
+
+}  // namespace burnish

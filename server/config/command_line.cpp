@@ -1,0 +1,75 @@
+#include "server/config/command_line.h"
+
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "server/config/config_file.h"
+
+namespace burnish {
+namespace {
+
+/// The flags as given; what is not given leaves the configuration alone.
+struct Flags {
+  std::string config;
+  std::string port_file;
+  std::optional<std::string> listen, data, backend, log_level;
+  std::optional<int> threads;
+  bool insecure = false;
+};
+
+void add_flags(CLI::App& app, Flags& flags) {
+  app.set_version_flag("--version", "burnish-server " BURNISH_VERSION);
+  app.add_option("--config", flags.config, "Configuration file (TOML); flags go before it");
+  app.add_option("--listen", flags.listen,
+                 "Address, default 127.0.0.1:7411; port 0 takes a free one")
+      ->type_name("HOST:PORT");
+  app.add_option("--port-file", flags.port_file, "Write the chosen port into this file");
+  app.add_option("--data", flags.data, "Folder with everything that is kept, default burnish-data")
+      ->type_name("FOLDER");
+  app.add_option("--threads", flags.threads, "Threads of the solver; 0, the default: all cores");
+  app.add_option("--backend", flags.backend, "auto, cpu or cuda; default auto");
+  app.add_option("--log-level", flags.log_level,
+                 "trace, debug, info, warn, error or off; default info");
+  app.add_flag("--insecure", flags.insecure,
+               "Serve other machines in plain text and without a password");
+}
+
+Result<CommandLine> read(const Flags& flags) {
+  CommandLine line;
+  ServerConfig& config = line.config;
+  if (!flags.config.empty()) RETURN_IF_ERROR(read_config_file(flags.config, config));
+  if (flags.listen) config.listen = *flags.listen;
+  if (flags.data) config.data = *flags.data;
+  if (flags.threads) config.threads = *flags.threads;
+  if (flags.log_level) config.log_level = *flags.log_level;
+  if (flags.backend) {
+    ASSIGN_OR_RETURN(config.backend, parse_backend(*flags.backend));
+  }
+  config.insecure |= flags.insecure;
+  RETURN_IF_ERROR(validate(config));
+  line.port_file = flags.port_file;
+  return line;
+}
+
+}  // namespace
+
+std::optional<CommandLine> parse_command_line(int argc, const char* const* argv, int& exit_code) {
+  CLI::App app("Burnish's server: keeps scans, edits them in sessions, and serves both over gRPC.",
+               "burnish-server");
+  Flags flags;
+  add_flags(app, flags);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    exit_code = app.exit(error) == 0 ? 0 : 2;
+    return std::nullopt;
+  }
+  auto line = read(flags);
+  if (line.is_ok()) return std::move(*line);
+  std::cerr << "burnish-server: " << line.status().message() << "\n";
+  exit_code = 2;
+  return std::nullopt;
+}
+
+}  // namespace burnish

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "server/config/config.h"
+
+namespace burnish {
+
+struct CommandLine {
+  ServerConfig config;
+  std::filesystem::path port_file;  ///< empty: none
+};
+
+/// Reads the flags, and the file that --config names below them. Prints help, version and errors
+/// itself; then there is nothing but `exit_code`: 0 after help and version, 2 for wrong usage.
+std::optional<CommandLine> parse_command_line(int argc, const char* const* argv, int& exit_code);
+
+}  // namespace burnish

@@ -1,0 +1,94 @@
+#include "server/rpc/editing_service.h"
+
+#include "common/base/limits.h"
+#include "common/wire/edit_wire.h"
+#include "common/wire/session_wire.h"
+#include "server/rpc/export_call.h"
+#include "server/rpc/upload_cell_fields_call.h"
+
+namespace burnish {
+
+grpc::ServerUnaryReactor* EditingService::OpenSession(grpc::CallbackServerContext* context,
+                                                      const v1::OpenSessionRequest* request,
+                                                      v1::OpenSessionResponse* response) {
+  return answer(calls_, context, [this, request, response](const Progress& progress) -> Status {
+    ASSIGN_OR_RETURN(const SessionWish wish, from_wire(*request));
+    ASSIGN_OR_RETURN(const OpenedSession opened, calls_.sessions.open(wish, progress));
+    *response->mutable_session() = to_wire(opened.session);
+    response->set_attached(opened.attached);
+    return Status::ok();
+  });
+}
+
+grpc::ServerUnaryReactor* EditingService::ListSessions(grpc::CallbackServerContext* context,
+                                                       const v1::ListSessionsRequest*,
+                                                       v1::ListSessionsResponse* response) {
+  return answer(calls_, context, [this, response](const Progress&) {
+    for (const SessionInfo& session : calls_.sessions.list())
+      *response->add_sessions() = to_wire(session);
+    return Status::ok();
+  });
+}
+
+grpc::ServerUnaryReactor* EditingService::CloseSession(grpc::CallbackServerContext* context,
+                                                       const v1::CloseSessionRequest* request,
+                                                       v1::CloseSessionResponse*) {
+  return answer(calls_, context, [this, request](const Progress& progress) {
+    return calls_.sessions.close(request->session(), progress);
+  });
+}
+
+grpc::ServerUnaryReactor* EditingService::DeleteSession(grpc::CallbackServerContext* context,
+                                                        const v1::DeleteSessionRequest* request,
+                                                        v1::DeleteSessionResponse*) {
+  return answer(calls_, context, [this, request](const Progress& progress) {
+    return calls_.sessions.remove(request->session(), progress);
+  });
+}
+
+static Result<std::vector<Edit>> edits_from_wire(const v1::ApplyRequest& request) {
+  const auto count = static_cast<size_t>(request.edits_size());
+  if (count == 0 || count > kEditsPerFrameMax)
+    return invalid_argument("a request has 1 to " + std::to_string(kEditsPerFrameMax) +
+                            " edits, not " + std::to_string(count));
+  std::vector<Edit> edits;
+  for (const v1::Edit& message : request.edits()) {
+    ASSIGN_OR_RETURN(Edit edit, from_wire(message));
+    edits.push_back(std::move(edit));
+  }
+  return edits;
+}
+
+grpc::ServerUnaryReactor* EditingService::Apply(grpc::CallbackServerContext* context,
+                                                const v1::ApplyRequest* request,
+                                                v1::ApplyResponse* response) {
+  return answer(calls_, context, [this, request, response](const Progress& progress) -> Status {
+    ASSIGN_OR_RETURN(const std::vector<Edit> edits, edits_from_wire(*request));
+    ASSIGN_OR_RETURN(const ApplyOutcome outcome,
+                     calls_.sessions.apply(request->session(), edits, progress));
+    *response = to_wire(outcome);
+    return Status::ok();
+  });
+}
+
+grpc::ServerReadReactor<v1::UploadCellFieldsRequest>* EditingService::UploadCellFields(
+    grpc::CallbackServerContext*, v1::ApplyResponse* response) {
+  return UploadCellFieldsCall::start(calls_, *response);
+}
+
+grpc::ServerUnaryReactor* EditingService::GetState(grpc::CallbackServerContext* context,
+                                                   const v1::GetStateRequest* request,
+                                                   v1::SessionState* response) {
+  return answer(calls_, context, [this, request, response](const Progress& progress) -> Status {
+    ASSIGN_OR_RETURN(const SessionState state, calls_.sessions.state(request->session(), progress));
+    *response = to_wire(state);
+    return Status::ok();
+  });
+}
+
+grpc::ServerWriteReactor<v1::ExportEvent>* EditingService::Export(
+    grpc::CallbackServerContext*, const v1::ExportRequest* request) {
+  return ExportCall::start(calls_, *request);
+}
+
+}  // namespace burnish

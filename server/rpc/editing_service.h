@@ -1,0 +1,40 @@
+#pragma once
+
+#include "burnish/v1/editing.grpc.pb.h"
+#include "server/rpc/call_context.h"
+
+namespace burnish {
+
+/// burnish.v1.Editing over the session manager: adapts messages, and nothing else.
+class EditingService final : public v1::Editing::CallbackService {
+ public:
+  explicit EditingService(const CallContext& calls) : calls_(calls) {}
+
+  grpc::ServerUnaryReactor* OpenSession(grpc::CallbackServerContext* context,
+                                        const v1::OpenSessionRequest* request,
+                                        v1::OpenSessionResponse* response) override;
+  grpc::ServerUnaryReactor* ListSessions(grpc::CallbackServerContext* context,
+                                         const v1::ListSessionsRequest* request,
+                                         v1::ListSessionsResponse* response) override;
+  grpc::ServerUnaryReactor* CloseSession(grpc::CallbackServerContext* context,
+                                         const v1::CloseSessionRequest* request,
+                                         v1::CloseSessionResponse* response) override;
+  grpc::ServerUnaryReactor* DeleteSession(grpc::CallbackServerContext* context,
+                                          const v1::DeleteSessionRequest* request,
+                                          v1::DeleteSessionResponse* response) override;
+  grpc::ServerUnaryReactor* Apply(grpc::CallbackServerContext* context,
+                                  const v1::ApplyRequest* request,
+                                  v1::ApplyResponse* response) override;
+  grpc::ServerReadReactor<v1::UploadCellFieldsRequest>* UploadCellFields(
+      grpc::CallbackServerContext* context, v1::ApplyResponse* response) override;
+  grpc::ServerUnaryReactor* GetState(grpc::CallbackServerContext* context,
+                                     const v1::GetStateRequest* request,
+                                     v1::SessionState* response) override;
+  grpc::ServerWriteReactor<v1::ExportEvent>* Export(grpc::CallbackServerContext* context,
+                                                    const v1::ExportRequest* request) override;
+
+ private:
+  const CallContext calls_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,65 @@
+#include "server/rpc/export_call.h"
+
+#include <spdlog/spdlog.h>
+
+#include "common/service/chunk.h"
+#include "common/wire/session_wire.h"
+
+namespace burnish {
+
+ExportCall::ExportCall(const CallContext& calls, const v1::ExportRequest& request)
+    : calls_(calls),
+      request_(request),
+      events_([this](const v1::ExportEvent* event) { StartWrite(event); },
+              [this](grpc::Status status) { Finish(std::move(status)); }) {}
+
+void ExportCall::begin() {
+  calls_.executor.post([call = self()] {
+    const Status status = call->solve();
+    if (status.is_ok()) return call->send_next();
+    spdlog::info("export of {}: {}", call->request_.session(), status.to_string());
+    call->events_.close(to_grpc(status));
+  });
+}
+
+Status ExportCall::solve() {
+  ASSIGN_OR_RETURN(const ExportWish wish, from_wire(request_));
+  const Progress progress = [this](std::string_view phase, double fraction) {
+    return report_progress(phase, fraction);
+  };
+  ASSIGN_OR_RETURN(file_, calls_.sessions.export_mesh(request_.session(), wish, progress));
+  return Status::ok();
+}
+
+void ExportCall::OnWriteDone(bool ok) {
+  const bool more = ok && events_.written().has_chunk();
+  events_.on_write_done(ok);
+  if (more) calls_.executor.post([call = self()] { call->send_next(); });
+}
+
+void ExportCall::send_next() {
+  const auto piece = file_->read(sent_bytes_);
+  if (!piece.is_ok()) return events_.close(to_grpc(piece.status()));
+  v1::ExportEvent event;
+  if (piece.value().empty()) {
+    *event.mutable_summary() = to_wire(file_->summary());
+    events_.push(std::move(event));
+    return events_.close(grpc::Status::OK);
+  }
+  v1::Chunk* chunk = event.mutable_chunk();
+  chunk->set_offset(sent_bytes_);
+  chunk->set_crc32(chunk_crc32(piece.value()));
+  chunk->set_data(piece.value());
+  sent_bytes_ += piece.value().size();
+  events_.push(std::move(event));
+}
+
+bool ExportCall::report_progress(std::string_view phase, double fraction) {
+  v1::ExportEvent event;
+  event.mutable_progress()->set_phase(std::string(phase));
+  event.mutable_progress()->set_fraction(fraction);
+  events_.offer(std::move(event));
+  return !cancelled_;
+}
+
+}  // namespace burnish

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "burnish/v1/editing.grpc.pb.h"
+#include "server/rpc/call_context.h"
+#include "server/rpc/event_queue.h"
+#include "server/rpc/self_owned.h"
+
+namespace burnish {
+
+/// Editing.Export: progress while the session solves, then the file, a chunk whenever the last one
+/// has been written, then the summary. A slow client holds no thread.
+class ExportCall final : public grpc::ServerWriteReactor<v1::ExportEvent>,
+                         public SelfOwned<ExportCall> {
+ public:
+  ExportCall(const CallContext& calls, const v1::ExportRequest& request);
+
+  void begin();
+
+  void OnWriteDone(bool ok) override;
+  void OnCancel() override { cancelled_ = true; }
+  void OnDone() override { release(); }
+
+ private:
+  Status solve();
+  void send_next();
+  bool report_progress(std::string_view phase, double fraction);
+
+  const CallContext calls_;
+  const v1::ExportRequest request_;
+  std::atomic<bool> cancelled_{false};
+  std::unique_ptr<ExportFile> file_;
+  uint64_t sent_bytes_ = 0;
+  EventQueue<v1::ExportEvent> events_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,95 @@
+#include "server/rpc/import_call.h"
+
+#include <spdlog/spdlog.h>
+
+#include "common/wire/library_wire.h"
+
+namespace burnish {
+
+static v1::ImportEvent received_event(uint64_t bytes) {
+  v1::ImportEvent event;
+  event.mutable_received()->set_bytes(bytes);
+  return event;
+}
+
+ImportCall::ImportCall(const CallContext& calls)
+    : calls_(calls),
+      events_([this](const v1::ImportEvent* event) { StartWrite(event); },
+              [this](grpc::Status status) { Finish(std::move(status)); }) {}
+
+void ImportCall::OnReadDone(bool ok) {
+  calls_.executor.post([call = self(), ok] {
+    if (ok) {
+      call->take_request();
+    } else {
+      call->end_of_requests();
+    }
+  });
+}
+
+void ImportCall::take_request() {
+  Status status;
+  if (request_.has_header()) {
+    status = take_header(request_.header());
+  } else if (request_.has_chunk()) {
+    status = take_chunk(request_.chunk());
+  } else {
+    status = invalid_argument("an import's message is a header or a chunk");
+  }
+  if (!status.is_ok()) return end(status);
+  if (!ended_) StartRead(&request_);
+}
+
+Status ImportCall::take_header(const v1::ImportHeader& message) {
+  if (upload_) return invalid_argument("an import has one header");
+  ASSIGN_OR_RETURN(header_, from_wire(message));
+  ASSIGN_OR_RETURN(upload_, calls_.store.begin_upload(header_));
+  if (!header_.sha256.empty()) {
+    const auto known = calls_.store.import_known(header_.sha256, header_.key, progress());
+    if (known.is_ok() || known.status().code() != StatusCode::kNotFound) {
+      end(known);
+      return Status::ok();
+    }
+  }
+  events_.push(received_event(0));
+  return Status::ok();
+}
+
+Status ImportCall::take_chunk(const v1::Chunk& chunk) {
+  if (!upload_) return invalid_argument("an import begins with its header");
+  RETURN_IF_ERROR(upload_->append(chunk.offset(), chunk.data(), chunk.crc32()));
+  events_.offer(received_event(upload_->received_bytes()));
+  return Status::ok();
+}
+
+void ImportCall::end_of_requests() {
+  if (cancelled_) return end(cancelled("the client has gone"));
+  if (!upload_) return end(invalid_argument("an import begins with its header"));
+  end(calls_.store.import(*upload_, header_, progress()));
+}
+
+void ImportCall::end(const Result<ImportOutcome>& outcome) {
+  ended_ = true;
+  if (outcome.is_ok()) {
+    v1::ImportEvent event;
+    *event.mutable_done()->mutable_scan() = to_wire(outcome.value().scan);
+    event.mutable_done()->set_already_present(outcome.value().already_present);
+    events_.push(std::move(event));
+    spdlog::info("import {}: scan {}", header_.name, short_id(outcome.value().scan.id));
+  } else {
+    spdlog::info("import {}: {}", header_.name, outcome.status().to_string());
+  }
+  events_.close(to_grpc(outcome.status()));
+}
+
+Progress ImportCall::progress() {
+  return [this](std::string_view phase, double fraction) {
+    v1::ImportEvent event;
+    event.mutable_progress()->set_phase(std::string(phase));
+    event.mutable_progress()->set_fraction(fraction);
+    events_.offer(std::move(event));
+    return !cancelled_;
+  };
+}
+
+}  // namespace burnish

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "burnish/v1/library.grpc.pb.h"
+#include "server/rpc/call_context.h"
+#include "server/rpc/event_queue.h"
+#include "server/rpc/self_owned.h"
+
+namespace burnish {
+
+/// Library.Import: header, chunks, then the work of the store. One message is read at a time, and
+/// the next only after the last is on its way to disk.
+class ImportCall final : public grpc::ServerBidiReactor<v1::ImportRequest, v1::ImportEvent>,
+                         public SelfOwned<ImportCall> {
+ public:
+  explicit ImportCall(const CallContext& calls);
+
+  void begin() { StartRead(&request_); }
+
+  void OnReadDone(bool ok) override;
+  void OnWriteDone(bool ok) override { events_.on_write_done(ok); }
+  void OnCancel() override { cancelled_ = true; }
+  void OnDone() override { release(); }
+
+ private:
+  void take_request();
+  Status take_header(const v1::ImportHeader& message);
+  Status take_chunk(const v1::Chunk& chunk);
+  void end_of_requests();
+  void end(const Result<ImportOutcome>& outcome);
+  Progress progress();
+
+  const CallContext calls_;
+  std::atomic<bool> cancelled_{false};
+  v1::ImportRequest request_;
+  ImportHeader header_;
+  std::unique_ptr<Upload> upload_;
+  bool ended_ = false;
+  EventQueue<v1::ImportEvent> events_;
+};
+
+}  // namespace burnish

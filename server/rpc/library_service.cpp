@@ -1,0 +1,54 @@
+#include "server/rpc/library_service.h"
+
+#include <spdlog/spdlog.h>
+
+#include "common/wire/format_wire.h"
+#include "common/wire/library_wire.h"
+#include "server/rpc/import_call.h"
+#include "server/rpc/prepare_call.h"
+
+namespace burnish {
+
+grpc::ServerBidiReactor<v1::ImportRequest, v1::ImportEvent>* LibraryService::Import(
+    grpc::CallbackServerContext*) {
+  return ImportCall::start(calls_);
+}
+
+grpc::ServerUnaryReactor* LibraryService::ListScans(grpc::CallbackServerContext* context,
+                                                    const v1::ListScansRequest*,
+                                                    v1::ListScansResponse* response) {
+  return answer(calls_, context, [this, response](const Progress&) {
+    for (const ScanInfo& scan : calls_.store.list()) *response->add_scans() = to_wire(scan);
+    return Status::ok();
+  });
+}
+
+grpc::ServerUnaryReactor* LibraryService::DescribeScan(grpc::CallbackServerContext* context,
+                                                       const v1::DescribeScanRequest* request,
+                                                       v1::ScanDescription* response) {
+  return answer(calls_, context, [this, request, response](const Progress&) -> Status {
+    ASSIGN_OR_RETURN(const PreparedKey key, prepared_key_from_wire(request->depth(), 0));
+    ASSIGN_OR_RETURN(const ScanDescription description,
+                     calls_.store.describe(request->scan(), key.depth));
+    *response = to_wire(description);
+    return Status::ok();
+  });
+}
+
+grpc::ServerWriteReactor<v1::PrepareEvent>* LibraryService::PrepareScan(
+    grpc::CallbackServerContext*, const v1::PrepareScanRequest* request) {
+  return PrepareCall::start(calls_, *request);
+}
+
+grpc::ServerUnaryReactor* LibraryService::DeleteScan(grpc::CallbackServerContext* context,
+                                                     const v1::DeleteScanRequest* request,
+                                                     v1::DeleteScanResponse* response) {
+  return answer(calls_, context, [this, request, response](const Progress&) -> Status {
+    ASSIGN_OR_RETURN(const std::string id, calls_.sessions.delete_scan(request->scan()));
+    spdlog::info("scan {} deleted", short_id(id));
+    response->set_id(id);
+    return Status::ok();
+  });
+}
+
+}  // namespace burnish

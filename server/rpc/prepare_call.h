@@ -1,0 +1,34 @@
+#pragma once
+
+#include <atomic>
+
+#include "burnish/v1/library.grpc.pb.h"
+#include "server/rpc/call_context.h"
+#include "server/rpc/event_queue.h"
+#include "server/rpc/self_owned.h"
+
+namespace burnish {
+
+/// Library.PrepareScan: progress while the store prepares, then the scan.
+class PrepareCall final : public grpc::ServerWriteReactor<v1::PrepareEvent>,
+                          public SelfOwned<PrepareCall> {
+ public:
+  PrepareCall(const CallContext& calls, const v1::PrepareScanRequest& request);
+
+  void begin();
+
+  void OnWriteDone(bool ok) override { events_.on_write_done(ok); }
+  void OnCancel() override { cancelled_ = true; }
+  void OnDone() override { release(); }
+
+ private:
+  Result<ScanInfo> prepare();
+  bool report_progress(std::string_view phase, double fraction);
+
+  const CallContext calls_;
+  const v1::PrepareScanRequest request_;
+  std::atomic<bool> cancelled_{false};
+  EventQueue<v1::PrepareEvent> events_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+namespace burnish {
+
+/// A call that lives until gRPC has reported its end *and* the last piece of its work on the
+/// executor has let go of it: whoever works for it holds self().
+template <typename Call>
+class SelfOwned {
+ public:
+  template <typename... Arguments>
+  static Call* start(Arguments&&... arguments) {
+    auto call = std::make_shared<Call>(std::forward<Arguments>(arguments)...);
+    call->self_ = call;
+    call->begin();
+    return call.get();
+  }
+
+ protected:
+  std::shared_ptr<Call> self() const { return self_; }
+
+  /// To be called last in OnDone.
+  void release() { const std::shared_ptr<Call> last = std::move(self_); }
+
+ private:
+  std::shared_ptr<Call> self_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,54 @@
+#include "server/rpc/upload_cell_fields_call.h"
+
+#include "common/wire/edit_wire.h"
+#include "common/wire/session_wire.h"
+
+namespace burnish {
+
+void UploadCellFieldsCall::OnReadDone(bool ok) {
+  calls_.executor.post([call = self(), ok] {
+    if (!ok) return call->Finish(to_grpc(call->apply()));
+    const Status status = call->take_request();
+    if (!status.is_ok()) return call->Finish(to_grpc(status));
+    call->StartRead(&call->request_);
+  });
+}
+
+Status UploadCellFieldsCall::take_request() {
+  if (request_.has_header()) return take_header(request_.header());
+  if (!has_header_) return invalid_argument("an upload of cell fields begins with its header");
+  RETURN_IF_ERROR(append_cells(request_.cells(), change_));
+  if (change_.cells.size() <= announced_cells_) return Status::ok();
+  return invalid_argument("the upload was announced with " + std::to_string(announced_cells_) +
+                          " cells and has more");
+}
+
+Status UploadCellFieldsCall::take_header(const v1::CellFieldsHeader& header) {
+  if (has_header_) return invalid_argument("an upload of cell fields has one header");
+  RETURN_IF_ERROR(check_edit_id(header.edit_id()));
+  if (header.cells() > kCellFieldsPerEditMax)
+    return resource_exhausted("the edit sets " + std::to_string(header.cells()) +
+                              " cells, the limit is " + std::to_string(kCellFieldsPerEditMax));
+  has_header_ = true;
+  session_ = header.session();
+  edit_id_ = header.edit_id();
+  announced_cells_ = header.cells();
+  change_.cells.reserve(announced_cells_);
+  return Status::ok();
+}
+
+Status UploadCellFieldsCall::apply() {
+  if (cancelled_) return cancelled("the client has gone");
+  if (!has_header_) return invalid_argument("an upload of cell fields begins with its header");
+  if (change_.cells.size() != announced_cells_)
+    return data_loss("the upload ended after " + std::to_string(change_.cells.size()) + " of " +
+                     std::to_string(announced_cells_) + " cells");
+  const Edit edit{edit_id_, std::move(change_)};
+  const Progress progress = [this](std::string_view, double) { return !cancelled_; };
+  ASSIGN_OR_RETURN(const ApplyOutcome outcome,
+                   calls_.sessions.apply(session_, {&edit, 1}, progress));
+  response_ = to_wire(outcome);
+  return Status::ok();
+}
+
+}  // namespace burnish

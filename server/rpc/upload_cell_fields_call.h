@@ -1,0 +1,40 @@
+#pragma once
+
+#include <atomic>
+
+#include "burnish/v1/editing.grpc.pb.h"
+#include "server/rpc/call_context.h"
+#include "server/rpc/self_owned.h"
+
+namespace burnish {
+
+/// Editing.UploadCellFields: gathers the parts of one large edit, then applies it.
+class UploadCellFieldsCall final : public grpc::ServerReadReactor<v1::UploadCellFieldsRequest>,
+                                   public SelfOwned<UploadCellFieldsCall> {
+ public:
+  UploadCellFieldsCall(const CallContext& calls, v1::ApplyResponse& response)
+      : calls_(calls), response_(response) {}
+
+  void begin() { StartRead(&request_); }
+
+  void OnReadDone(bool ok) override;
+  void OnCancel() override { cancelled_ = true; }
+  void OnDone() override { release(); }
+
+ private:
+  Status take_request();
+  Status take_header(const v1::CellFieldsHeader& header);
+  Status apply();
+
+  const CallContext calls_;
+  v1::ApplyResponse& response_;
+  std::atomic<bool> cancelled_{false};
+  v1::UploadCellFieldsRequest request_;
+  bool has_header_ = false;
+  uint64_t announced_cells_ = 0;
+  std::string session_;
+  std::string edit_id_;
+  SetCellFields change_;
+};
+
+}  // namespace burnish

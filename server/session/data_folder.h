@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// The one folder in which a server keeps everything, locked for as long as this object lives.
+///
+///     lock             held by the running server
+///     journal.sqlite   sessions and their edits
+///     scans/ID/        original.EXT, info.json, prepared/
+///     staging/         what is not finished; emptied at start
+class DataFolder {
+ public:
+  /// Makes the folder where it is missing, takes the lock and empties staging/.
+  /// Fails: failed_precondition when another server holds it; as errno says.
+  static Result<std::unique_ptr<DataFolder>> open(const std::filesystem::path& path);
+  ~DataFolder();
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path scans() const { return path_ / "scans"; }
+  std::filesystem::path journal() const { return path_ / "journal.sqlite"; }
+
+  /// A path in staging/ that nobody has used; ends with `suffix`.
+  std::filesystem::path staging_path(const std::string& suffix) const;
+
+ private:
+  DataFolder(std::filesystem::path path, int lock) : path_(std::move(path)), lock_(lock) {}
+
+  std::filesystem::path path_;
+  int lock_;
+};
+
+/// Waits until the names in a folder are on disk.
+Status sync_folder(const std::filesystem::path& folder);
+
+/// 16 hexadecimal digits that nobody can guess.
+std::string random_name();
+
+}  // namespace burnish

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "common/base/status.h"
+#include "common/service/session_info.h"
+
+namespace burnish {
+
+/// An exported mesh on its way out: a staging file without a name, gone with this object.
+class ExportFile {
+ public:
+  /// Takes over the file at `path`: reads it once for its size and hash, and unlinks it.
+  static Result<std::unique_ptr<ExportFile>> adopt(const std::filesystem::path& path,
+                                                   ExportSummary summary);
+  ~ExportFile();
+
+  const ExportSummary& summary() const { return summary_; }
+
+  /// Up to kChunkBytes from `offset` on; empty at the end.
+  Result<std::string> read(uint64_t offset) const;
+
+ private:
+  ExportFile(int file, ExportSummary summary) : file_(file), summary_(std::move(summary)) {}
+
+  int file_;
+  ExportSummary summary_;
+};
+
+}  // namespace burnish

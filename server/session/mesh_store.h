@@ -1,0 +1,84 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "common/base/progress.h"
+#include "common/base/status.h"
+#include "common/service/scan_info.h"
+#include "server/prepare/prepared_mesh.h"
+#include "server/session/data_folder.h"
+#include "server/session/mesh_cache.h"
+#include "server/session/upload.h"
+
+namespace burnish {
+
+struct MeshStoreOptions {
+  uint64_t upload_bytes_max = uint64_t{8} << 30;
+  uint64_t mesh_bytes_max = uint64_t{16} << 30;  ///< prepared meshes in memory
+  int threads = 0;                               ///< for preparing; 0: all cores
+};
+
+/// The library of scans on disk. A scan's folder appears complete, by one rename, or not at all;
+/// prepared files can always be rebuilt from the original. Thread-safe.
+class MeshStore {
+ public:
+  /// Needs: `folder` outlives the store.
+  MeshStore(const DataFolder& folder, const MeshStoreOptions& options);
+
+  /// Fails: resource_exhausted above upload_bytes_max.
+  Result<std::unique_ptr<Upload>> begin_upload(const ImportHeader& header) const;
+
+  /// Reads, checks, prepares and keeps the uploaded file; bytes that are known already only get
+  /// the prepared mesh that was asked for. Fails: invalid_argument (no good mesh), data_loss
+  /// (bytes other than announced), resource_exhausted (disk), cancelled; then nothing is kept.
+  Result<ImportOutcome> import(Upload& upload, const ImportHeader& header,
+                               const Progress& progress);
+
+  /// The outcome of importing bytes with this hash, if the library has them; else not_found.
+  Result<ImportOutcome> import_known(const std::string& id, const PreparedKey& key,
+                                     const Progress& progress);
+
+  /// By name, then id. Damaged folders are logged and left out.
+  std::vector<ScanInfo> list() const;
+
+  /// By name, id, or the beginning of one id.
+  /// Fails: not_found; invalid_argument when several scans answer to it.
+  Result<ScanInfo> find(const std::string& reference) const;
+
+  /// Describes the prepared mesh of `depth`, or the deepest there is for 0.
+  Result<ScanDescription> describe(const std::string& reference, int depth) const;
+
+  /// Makes the prepared file when it is missing or damaged. Needs: a resolved key.
+  Status prepare_scan(const std::string& id, const PreparedKey& key, const Progress& progress);
+
+  /// The mesh for a session: shared with others, else mapped, else prepared now. The caller holds
+  /// it for as long as it uses it. Needs: a resolved key.
+  /// Fails: resource_exhausted when mesh_bytes_max has no room; not_found; cancelled.
+  Result<std::shared_ptr<const SharedMesh>> open_mesh(const std::string& id, const PreparedKey& key,
+                                                      const Progress& progress);
+
+  /// Needs: no session edits it.
+  Status remove(const std::string& id);
+
+ private:
+  std::filesystem::path scan_folder(const std::string& id) const { return folder_.scans() / id; }
+  Result<ImportOutcome> import_new(Upload& upload, const std::string& id,
+                                   const ImportHeader& header, const Progress& progress);
+  Result<std::shared_ptr<const PreparedMesh>> map_or_rebuild(const std::string& id,
+                                                             const PreparedKey& key,
+                                                             const Progress& progress);
+  Status rebuild(const std::string& id, const PreparedKey& key, const Progress& progress);
+
+  const DataFolder& folder_;
+  const MeshStoreOptions options_;
+  MeshCache cache_;
+  std::timed_mutex preparing_;  // one at a time: it uses all cores and much memory
+};
+
+/// The key with its depth chosen: 0 becomes the scan's default depth.
+PreparedKey resolve(const PreparedKey& key, const ScanInfo& scan);
+
+}  // namespace burnish

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "common/base/status.h"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace burnish {
+
+/// One prepared statement, bound from the left with `bind(...)` and stepped row by row.
+class Statement {
+ public:
+  template <typename... Values>
+  Statement& bind(const Values&... values) {
+    (bind_one(values), ...);
+    return *this;
+  }
+
+  /// True: a row is there to read. False: done. Fails as SQLite says.
+  Result<bool> step();
+
+  /// For statements without rows.
+  Status run() { return step().status(); }
+
+  std::string text(int column) const;  ///< of text and blobs
+  int64_t integer(int column) const;
+  double real(int column) const;
+
+ private:
+  friend class Database;
+  struct Finalize {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  explicit Statement(sqlite3_stmt* statement) : statement_(statement) {}
+
+  void bind_one(std::string_view bytes);  // as a blob: text and bytes come back unchanged
+  void bind_one(int64_t value);
+  void bind_one(double value);
+
+  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+  int bound_ = 0;
+};
+
+/// A connection that waits until what it commits is on disk: WAL mode, synchronous=FULL.
+class Database {
+ public:
+  /// Fails: data_loss (damaged), resource_exhausted (disk full), as SQLite says.
+  static Result<Database> open(const std::filesystem::path& path);
+
+  Status execute(const char* sql);
+
+  Result<Statement> prepare(const char* sql);
+
+ private:
+  struct Close {
+    void operator()(sqlite3* database) const;
+  };
+  std::unique_ptr<sqlite3, Close> database_;
+};
+
+/// BEGIN now, and ROLLBACK at the end of the scope unless commit() was called.
+class Transaction {
+ public:
+  static Result<Transaction> begin(Database& database);
+  Transaction(Transaction&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
+  ~Transaction();
+  Status commit();
+
+ private:
+  explicit Transaction(Database& database) : database_(&database) {}
+  Database* database_;
+};
+
+}  // namespace burnish

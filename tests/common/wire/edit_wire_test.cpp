@@ -1,0 +1,130 @@
+#include "common/wire/edit_wire.h"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/wire/edit_bytes.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+v1::Edit with_id() {
+  v1::Edit message;
+  message.set_id("e1");
+  return message;
+}
+
+v1::Edit stroke_message() {
+  v1::Edit message = with_id();
+  v1::Brush* brush = message.mutable_stroke()->mutable_brush();
+  brush->set_radius(0.5);
+  brush->set_strength(1);
+  brush->set_beta(2);
+  brush->set_fall_off(v1::FALL_OFF_SHARP);
+  message.mutable_stroke()->add_path()->set_x(1);
+  return message;
+}
+
+std::string refusal(const v1::Edit& message) {
+  const auto edit = from_wire(message);
+  return edit.is_ok() ? "accepted" : edit.status().message();
+}
+
+TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
+  const TransferCurve curve = *TransferCurve::create({{-20, 5}, {0, 50}, {7.25, 100}});
+  const std::vector<Edit> edits = {
+      {"a", SetGradientScale{0.25}},
+      {"b", SetTransferCurve{curve}},
+      {"c", Stroke{{0.5, 0.75, 2, FallOff::kLinear}, {Vec3d(1, 2, 3), Vec3d(-4, 5e-9, 6)}}},
+      {"d", SetCellFields{{{Vec3i(1, 2, 3), 5, 6, 0.5}, {Vec3i(7, 8, 9), 10, 10, 3}}}},
+  };
+  for (const Edit& edit : edits) {
+    const auto back = edit_from_bytes(edit_to_bytes(edit));
+    ASSERT_TRUE(back.is_ok()) << back.status().message();
+    EXPECT_EQ(back.value().id, edit.id);
+    EXPECT_EQ(back.value().change.index(), edit.change.index());
+    EXPECT_EQ(edit_to_bytes(back.value()), edit_to_bytes(edit));
+  }
+  const auto stroke = std::get<Stroke>(edit_from_bytes(edit_to_bytes(edits[2])).value().change);
+  EXPECT_EQ(stroke.brush.fall_off, FallOff::kLinear);
+  EXPECT_EQ(stroke.path[1], Vec3d(-4, 5e-9, 6));
+  EXPECT_EQ(
+      std::get<SetTransferCurve>(edit_from_bytes(edit_to_bytes(edits[1])).value().change).curve,
+      curve);
+}
+
+TEST(EditWire, DamagedBytesAreDataLoss) {
+  EXPECT_EQ(edit_from_bytes("\x12\xff\xff").status().code(), StatusCode::kDataLoss);
+}
+
+TEST(EditWire, AnEditWithoutAChangeIsRefused) {
+  EXPECT_THAT(refusal(with_id()), HasSubstr("edit e1: it changes nothing"));
+}
+
+TEST(EditWire, IdsAreShortPrintableAndNotEmpty) {
+  v1::Edit message;
+  message.mutable_gradient_scale()->set_beta(1);
+  EXPECT_THAT(refusal(message), HasSubstr("0 bytes"));
+  message.set_id(std::string(65, 'x'));
+  EXPECT_THAT(refusal(message), HasSubstr("65 bytes"));
+  message.set_id("a b");
+  EXPECT_THAT(refusal(message), HasSubstr("printable"));
+  message.set_id(std::string(64, 'x'));
+  EXPECT_EQ(refusal(message), "accepted");
+}
+
+TEST(EditWire, BetaOutsideItsLimitsIsRefusedWithValueAndLimit) {
+  for (const double beta : {-0.1, 10.5, std::numeric_limits<double>::quiet_NaN(),
+                            std::numeric_limits<double>::infinity()}) {
+    v1::Edit message = with_id();
+    message.mutable_gradient_scale()->set_beta(beta);
+    EXPECT_THAT(refusal(message), HasSubstr("outside 0..10"));
+  }
+}
+
+TEST(EditWire, CurvePointsMustRiseAndStayWithinTheirLimits) {
+  v1::Edit message = with_id();
+  EXPECT_THAT((message.mutable_transfer_curve(), refusal(message)), HasSubstr("1 to 64 points"));
+  message.mutable_transfer_curve()->add_points()->set_alpha(5);
+  message.mutable_transfer_curve()->add_points()->set_alpha(6);
+  EXPECT_THAT(refusal(message), HasSubstr("does not rise"));
+  message.mutable_transfer_curve()->mutable_points(1)->set_kappa(1);
+  EXPECT_EQ(refusal(message), "accepted");
+  message.mutable_transfer_curve()->mutable_points(1)->set_alpha(0);
+  EXPECT_THAT(refusal(message), HasSubstr("curve point 2"));
+}
+
+TEST(EditWire, AStrokeNeedsABrushAFallOffAndAPath) {
+  EXPECT_EQ(refusal(stroke_message()), "accepted");
+  v1::Edit message = stroke_message();
+  message.mutable_stroke()->mutable_brush()->set_fall_off(v1::FALL_OFF_UNSPECIFIED);
+  EXPECT_THAT(refusal(message), HasSubstr("fall-off 0"));
+  message = stroke_message();
+  message.mutable_stroke()->mutable_brush()->set_radius(0);
+  EXPECT_THAT(refusal(message), HasSubstr("radius"));
+  message = stroke_message();
+  message.mutable_stroke()->clear_path();
+  EXPECT_THAT(refusal(message), HasSubstr("no points"));
+  message = stroke_message();
+  message.mutable_stroke()->add_path()->set_y(1e300);
+  EXPECT_THAT(refusal(message), HasSubstr("point 2"));
+}
+
+TEST(EditWire, CellFieldsAreCheckedOneByOne) {
+  v1::Edit message = with_id();
+  v1::CellField* cell = message.mutable_cell_fields()->add_cells();
+  cell->set_alpha1(5);
+  cell->set_alpha2(5);
+  cell->set_beta(1);
+  EXPECT_EQ(refusal(message), "accepted");
+  *message.mutable_cell_fields()->add_cells() = *cell;
+  message.mutable_cell_fields()->mutable_cells(1)->set_alpha2(-1);
+  EXPECT_THAT(refusal(message), HasSubstr("cell field 2: alpha2"));
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,123 @@
+#include "server/config/config.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "server/config/command_line.h"
+#include "server/config/config_file.h"
+#include "tests/common/temporary_folder.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal(const std::string& text) {
+  ServerConfig config;
+  const Status status = read_config_text(text, "server.toml", config);
+  return status.is_ok() ? "accepted" : status.message();
+}
+
+template <typename... Words>
+std::optional<CommandLine> parse(int& exit_code, const Words&... words) {
+  const char* argv[] = {"burnish-server", words...};
+  return parse_command_line(static_cast<int>(std::size(argv)), argv, exit_code);
+}
+
+TEST(ConfigFile, EveryKeyIsRead) {
+  ServerConfig config;
+  ASSERT_TRUE(read_config_text(R"(
+      listen = "127.0.0.1:1"
+      data = "/tmp/x"
+      threads = 3
+      workers = 5
+      backend = "cpu"
+      log_level = "debug"
+      insecure = true
+      [limits]
+      sessions_max = 7
+      upload_bytes_max = 1000
+      mesh_bytes_max = 2000
+      )",
+                               "server.toml", config)
+                  .is_ok());
+  EXPECT_EQ(config.listen, "127.0.0.1:1");
+  EXPECT_EQ(config.data, "/tmp/x");
+  EXPECT_EQ(config.threads, 3);
+  EXPECT_EQ(config.workers, 5);
+  EXPECT_EQ(config.backend, BackendKind::kCpu);
+  EXPECT_EQ(config.log_level, "debug");
+  EXPECT_TRUE(config.insecure);
+  EXPECT_EQ(config.sessions_max, 7);
+  EXPECT_EQ(config.upload_bytes_max, 1000);
+  EXPECT_EQ(resolved_mesh_bytes_max(config), 2000u);
+}
+
+TEST(ConfigFile, AWrongKeyIsRefusedByNameAndLine) {
+  EXPECT_THAT(refusal("threads = 1\nthreds = 4\n"),
+              HasSubstr("server.toml:2: there is no key 'threds'"));
+  EXPECT_THAT(refusal("[limits]\nsession_max = 4\n"), HasSubstr("'limits.session_max'"));
+  EXPECT_THAT(refusal("[tls]\nkey = 4\n"), HasSubstr("'tls'"));
+}
+
+TEST(ConfigFile, AValueOfTheWrongKindIsRefused) {
+  EXPECT_THAT(refusal("listen = 7\n"), HasSubstr("listen: is not a string"));
+  EXPECT_THAT(refusal("threads = \"4\"\n"), HasSubstr("threads: is not an integer"));
+  EXPECT_THAT(refusal("limits = 3\n"), HasSubstr("'limits'"));
+  EXPECT_THAT(refusal("backend = \"gpu\"\n"), HasSubstr("none of auto, cpu, cuda"));
+}
+
+TEST(ConfigFile, BrokenTomlIsRefusedWithItsLine) {
+  EXPECT_THAT(refusal("threads = 1\nlisten = \"x\n"), HasSubstr("server.toml:2"));
+}
+
+TEST(Config, ValuesOutsideTheirLimitsAreRefused) {
+  ServerConfig config;
+  EXPECT_TRUE(validate(config).is_ok());
+  config.sessions_max = 0;
+  EXPECT_THAT(validate(config).message(), HasSubstr("limits.sessions_max = 0"));
+  config = {};
+  config.listen = "localhost";
+  EXPECT_THAT(validate(config).message(), HasSubstr("HOST:PORT"));
+  config.listen = "localhost:99999";
+  EXPECT_THAT(validate(config).message(), HasSubstr("0..65535"));
+  config = {};
+  config.log_level = "loud";
+  EXPECT_THAT(validate(config).message(), HasSubstr("'loud'"));
+}
+
+TEST(Config, PlaintextBeyondThisMachineNeedsSayingSo) {
+  ServerConfig config;
+  config.listen = "0.0.0.0:7411";
+  EXPECT_EQ(validate(config).code(), StatusCode::kFailedPrecondition);
+  config.insecure = true;
+  EXPECT_TRUE(validate(config).is_ok());
+  for (const char* loopback : {"127.0.0.1:1", "[::1]:1", "localhost:1", "127.3.4.5:1"})
+    EXPECT_TRUE(is_loopback(loopback)) << loopback;
+  for (const char* other : {"0.0.0.0:1", "[::]:1", "10.0.0.1:1", "example.org:1"})
+    EXPECT_FALSE(is_loopback(other)) << other;
+}
+
+TEST(CommandLine, FlagsGoBeforeTheFileAndTheFileBeforeTheDefaults) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("s.toml", "threads = 3\nlog_level = \"warn\"\n").string();
+  int exit_code = -1;
+  const auto line = parse(exit_code, "--config", file.c_str(), "--threads", "2");
+  ASSERT_TRUE(line.has_value());
+  EXPECT_EQ(line->config.threads, 2);
+  EXPECT_EQ(line->config.log_level, "warn");
+  EXPECT_EQ(line->config.workers, ServerConfig().workers);
+}
+
+TEST(CommandLine, HelpEndsWith0AndNonsenseWith2) {
+  int exit_code = -1;
+  EXPECT_FALSE(parse(exit_code, "--help"));
+  EXPECT_EQ(exit_code, 0);
+  EXPECT_FALSE(parse(exit_code, "--nonsense"));
+  EXPECT_EQ(exit_code, 2);
+  EXPECT_FALSE(parse(exit_code, "--listen", "0.0.0.0:1"));
+  EXPECT_EQ(exit_code, 2);
+}
+
+}  // namespace
+}  // namespace burnish

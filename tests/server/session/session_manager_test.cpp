@@ -1,0 +1,166 @@
+#include "server/session/session_manager.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/server/session/test_library.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+/// A library with one scan, "ball", and a manager that can be started again.
+class SessionManagerTest : public testing::Test {
+ protected:
+  SessionManagerTest() {
+    scan_id_ = library_.import(sphere_file(), "ball").value().scan.id;
+    options_.sessions_max = 3;
+    options_.solver.threads = 1;
+    start();
+  }
+
+  void start() {
+    manager_.reset();
+    journal_.reset();
+    library_.restart();
+    journal_ = std::move(Journal::open(library_.folder->journal())).value();
+    manager_ =
+        std::move(SessionManager::create(*library_.folder, *library_.store, *journal_, options_))
+            .value();
+  }
+
+  Result<OpenedSession> open(const std::string& name, int depth = 5) {
+    return manager_->open({"ball", name, {depth, 0}}, {});
+  }
+
+  Result<ApplyOutcome> apply(const std::string& session, const std::vector<Edit>& edits) {
+    return manager_->apply(session, edits, {});
+  }
+
+  std::string exported(const std::string& session) {
+    const auto file = manager_->export_mesh(session, {MeshFormat::kPly, false, 3}, {});
+    return file.is_ok() ? file.value()->read(0).value() : file.status().to_string();
+  }
+
+  TestLibrary library_;
+  SessionManagerOptions options_;
+  std::unique_ptr<Journal> journal_;
+  std::unique_ptr<SessionManager> manager_;
+  std::string scan_id_;
+};
+
+TEST_F(SessionManagerTest, OpeningTheSameNameAgainAttaches) {
+  const auto first = open("one");
+  ASSERT_TRUE(first.is_ok()) << first.status().message();
+  EXPECT_FALSE(first.value().attached);
+  EXPECT_EQ(first.value().session.key.depth, 5);
+  EXPECT_TRUE(open("one").value().attached);
+  EXPECT_EQ(manager_->list().size(), 1u);
+}
+
+TEST_F(SessionManagerTest, ANameOfAnotherDepthIsTaken) {
+  ASSERT_TRUE(open("one", 5).is_ok());
+  EXPECT_EQ(open("one", 6).status().code(), StatusCode::kAlreadyExists);
+}
+
+TEST_F(SessionManagerTest, SessionsBeyondTheLimitAreRefusedWithTheNumbers) {
+  for (const char* name : {"1", "2", "3"}) ASSERT_TRUE(open(name).is_ok());
+  const Status status = open("4").status();
+  EXPECT_EQ(status.code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(status.message(), HasSubstr("3 sessions, sessions_max is 3"));
+}
+
+TEST_F(SessionManagerTest, AnEditIdAppliedTwiceChangesOnce) {
+  ASSERT_TRUE(open("one").is_ok());
+  const std::vector<Edit> edits = {{"a", SetGradientScale{0.5}}, {"b", SetGradientScale{0.25}}};
+  EXPECT_EQ(apply("one", edits).value().applied, 2u);
+  const ApplyOutcome again = apply("one", edits).value();
+  EXPECT_EQ(again.applied, 0u);
+  EXPECT_EQ(again.known, 2u);
+  EXPECT_EQ(again.edits, 2u);
+}
+
+TEST_F(SessionManagerTest, AFailedEditInABatchUndoesTheWholeBatch) {
+  ASSERT_TRUE(open("one").is_ok());
+  ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0.5}}}).is_ok());
+  const SetCellFields nowhere{{{Vec3i(0, 0, 0), 5, 5, 1}}};
+  const auto outcome = apply("one", {{"b", SetGradientScale{2}}, {"c", nowhere}});
+  EXPECT_EQ(outcome.status().code(), StatusCode::kInvalidArgument);
+  EXPECT_THAT(outcome.status().message(), HasSubstr("edit c"));
+  const SessionState state = manager_->state("one", {}).value();
+  EXPECT_EQ(state.gradient_scale, 0.5);
+  EXPECT_EQ(state.session.edits, 1u);
+}
+
+TEST_F(SessionManagerTest, ARestartedServerBringsBackTheSameSurface) {
+  ASSERT_TRUE(open("one").is_ok());
+  const Stroke stroke{{0.5, 1, 2, FallOff::kSmooth}, {Vec3d(0, 0, 1), Vec3d(0, 0.3, 0.95)}};
+  ASSERT_TRUE(apply("one", {{"a", SetTransferCurve{TransferCurve(5)}},
+                            {"b", SetGradientScale{0.25}},
+                            {"c", stroke}})
+                  .is_ok());
+  const std::string before = exported("one");
+  start();
+  ASSERT_EQ(manager_->list().size(), 1u);
+  EXPECT_EQ(manager_->list()[0].edits, 3u);
+  EXPECT_FALSE(manager_->list()[0].in_memory);
+  EXPECT_EQ(exported("one"), before);
+  EXPECT_THAT(before, testing::StartsWith("ply"));
+}
+
+TEST_F(SessionManagerTest, AClosedSessionKeepsItsEdits) {
+  ASSERT_TRUE(open("one").is_ok());
+  ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0.5}}}).is_ok());
+  ASSERT_TRUE(manager_->close("one", {}).is_ok());
+  EXPECT_FALSE(manager_->list()[0].in_memory);
+  EXPECT_EQ(manager_->state("one", {}).value().gradient_scale, 0.5);
+  EXPECT_EQ(apply("one", {{"a", SetGradientScale{0.7}}}).value().known, 1u);
+}
+
+TEST_F(SessionManagerTest, ARemovedSessionIsGoneForGood) {
+  ASSERT_TRUE(open("one").is_ok());
+  ASSERT_TRUE(manager_->remove("one", {}).is_ok());
+  EXPECT_EQ(manager_->state("one", {}).status().code(), StatusCode::kNotFound);
+  start();
+  EXPECT_TRUE(manager_->list().empty());
+}
+
+TEST_F(SessionManagerTest, AScanThatIsEditedCannotBeDeleted) {
+  ASSERT_TRUE(open("one").is_ok());
+  const auto refused = manager_->delete_scan("ball");
+  EXPECT_EQ(refused.status().code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(refused.status().message(), HasSubstr("session one"));
+  ASSERT_TRUE(manager_->remove("one", {}).is_ok());
+  EXPECT_EQ(manager_->delete_scan("ball").value(), scan_id_);
+}
+
+TEST_F(SessionManagerTest, ASessionThatCannotBeOpenedIsNotKept) {
+  const auto refused =
+      manager_->open({"ball", "one", {6, 0}}, [](std::string_view, double) { return false; });
+  EXPECT_EQ(refused.status().code(), StatusCode::kCancelled);
+  EXPECT_TRUE(manager_->list().empty());
+}
+
+TEST_F(SessionManagerTest, ACancelledExportLeavesNoFile) {
+  ASSERT_TRUE(open("one").is_ok());
+  ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0}}}).is_ok());
+  const auto cancelled = manager_->export_mesh("one", {MeshFormat::kPly, true, 0},
+                                               [](std::string_view, double) { return false; });
+  EXPECT_EQ(cancelled.status().code(), StatusCode::kCancelled);
+  EXPECT_EQ(library_.staged_files(), 0u);
+}
+
+TEST_F(SessionManagerTest, AnExportFileHasNoNameAndTellsItsHash) {
+  ASSERT_TRUE(open("one").is_ok());
+  const auto file =
+      std::move(manager_->export_mesh("one", {MeshFormat::kStl, false, 1}, {})).value();
+  EXPECT_EQ(library_.staged_files(), 0u);
+  EXPECT_EQ(file->summary().triangles, 1280u);
+  EXPECT_EQ(file->summary().size_bytes, 84u + 50u * 1280u);
+  EXPECT_EQ(file->summary().sha256.size(), 64u);
+  EXPECT_TRUE(file->read(file->summary().size_bytes).value().empty());
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,40 @@
+#include "tests/server/session/test_library.h"
+
+#include "common/mesh/mesh_io.h"
+#include "common/service/chunk.h"
+
+namespace burnish {
+
+TestLibrary::TestLibrary(const MeshStoreOptions& store_options) : options(store_options) {
+  restart();
+}
+
+void TestLibrary::restart() {
+  store.reset();
+  folder.reset();
+  folder = std::move(DataFolder::open(root / "data")).value();
+  store = std::make_unique<MeshStore>(*folder, options);
+}
+
+Result<ImportOutcome> TestLibrary::import(const std::string& bytes, const std::string& name,
+                                          const Progress& progress, int depth) {
+  const ImportHeader header{name, MeshFormat::kPly, bytes.size(), "", {depth, 0}};
+  ASSIGN_OR_RETURN(const auto upload, store->begin_upload(header));
+  RETURN_IF_ERROR(upload->append(0, bytes, chunk_crc32(bytes)));
+  return store->import(*upload, header, progress);
+}
+
+size_t TestLibrary::staged_files() const {
+  const std::filesystem::directory_iterator files(root / "data/staging");
+  return static_cast<size_t>(std::distance(begin(files), end(files)));
+}
+
+std::string sphere_file(double radius) {
+  const TemporaryFolder folder;
+  const auto path = folder / "sphere.ply";
+  const Status status = write_mesh(make_icosphere(3, radius), path);
+  BURNISH_CHECK(status.is_ok(), status.message());
+  return content_of(path);
+}
+
+}  // namespace burnish

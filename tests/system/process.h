@@ -1,0 +1,44 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace burnish {
+
+/// A program under test, with both outputs in one file. Killed with the object.
+class Process {
+ public:
+  struct Limits {
+    std::optional<uint64_t> file_bytes_max;  ///< RLIMIT_FSIZE: the nearest thing to a full disk
+  };
+
+  /// Starts `words[0]` with the rest as arguments. Its output goes to `output`.
+  Process(const std::vector<std::string>& words, std::filesystem::path output,
+          const Limits& limits = {});
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  /// The exit code, 128 + the signal that ended it, or nothing when it runs on after `time`.
+  std::optional<int> wait(std::chrono::milliseconds time);
+
+  void signal(int number) const;
+
+  /// What it has printed so far.
+  std::string output() const;
+
+  /// True once its output holds `text`; false when it has ended or `time` is over without that.
+  bool wait_for_output(const std::string& text, std::chrono::milliseconds time);
+
+ private:
+  std::filesystem::path output_;
+  pid_t pid_;
+  std::optional<int> exit_code_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/common/temporary_folder.h"
+#include "tests/system/process.h"
+
+namespace burnish {
+
+/// How long a step of a system test may take before it counts as hanging.
+inline constexpr std::chrono::seconds kPatience{120};
+
+/// A command of `burnish` that has ended.
+struct CommandOutcome {
+  int exit_code;
+  std::string output;
+};
+
+/// A burnish-server of the test's own, on a free loopback port, and `burnish` to talk to it.
+class ServerProcess {
+ public:
+  ServerProcess() { start(); }
+
+  /// Starts on the same data folder; a new port is taken.
+  void start(const Process::Limits& limits = {});
+
+  /// SIGKILL, and waits for the end.
+  void kill();
+
+  /// Runs `burnish WORDS... --server HERE` to its end.
+  CommandOutcome burnish(std::vector<std::string> words);
+
+  /// Starts `burnish WORDS... --server HERE`.
+  std::unique_ptr<Process> start_burnish(std::vector<std::string> words);
+
+  /// What burnish-server was started with, for a second one.
+  std::vector<std::string> command_line() const;
+
+  /// Files and folders below the library's staging/ and scans/.
+  size_t staged() const { return entries("staging"); }
+  size_t scans() const { return entries("scans"); }
+
+  TemporaryFolder folder;
+  std::unique_ptr<Process> process;
+  std::string address;
+
+ private:
+  size_t entries(const std::string& name) const;
+  int outputs_ = 0;
+};
+
+/// Writes a generated sphere of 642 (level 3) vertices times four for each further level.
+std::string write_sphere(const TemporaryFolder& folder, int level = 3);
+
+}  // namespace burnish

@@ -1,0 +1,139 @@
+#include <csignal>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "common/mesh/mesh_io.h"
+#include "tests/system/server_process.h"
+
+namespace burnish {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// Runs a command that must succeed.
+std::string done(ServerProcess& server, std::vector<std::string> words) {
+  const CommandOutcome outcome = server.burnish(std::move(words));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  return outcome.output;
+}
+
+json done_json(ServerProcess& server, std::vector<std::string> words) {
+  words.push_back("--json");
+  const std::string output = done(server, std::move(words));
+  return json::parse(output.substr(output.find_first_of("[{")));
+}
+
+/// The mean distance of the vertices from the origin.
+double mean_radius(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (const Vec3d& vertex : mesh.vertices) sum += vertex.norm();
+  return sum / static_cast<double>(mesh.vertices.size());
+}
+
+TEST(Workflow, AScanGoesInAndComesOutEdited) {
+  ServerProcess server;
+  const std::string scan = write_sphere(server.folder, 4);
+  const std::string out = (server.folder / "out.ply").string();
+
+  EXPECT_THAT(done(server, {"import", scan, "--depth", "5", "--name", "ball"}),
+              HasSubstr("imported ball"));
+  EXPECT_THAT(done(server, {"meshes"}), HasSubstr("ball"));
+  const json described = done_json(server, {"describe", "ball"});
+  EXPECT_EQ(described["vertices"], 2562);
+  EXPECT_EQ(described["boundary_edges"], 0);
+  EXPECT_EQ(described["components"], 1);
+  EXPECT_EQ(described["described"]["depth"], 5);
+  EXPECT_EQ(described["described"]["histogram"]["area"].size(), 128u);
+
+  done(server, {"open", "ball", "--depth", "5", "--session", "work"});
+  const std::string strokes =
+      server.folder.write("strokes.txt", "brush 0.4 1 3 smooth\n0 0 1\n0 0.3 0.95\n").string();
+  const json edited = done_json(server, {"edit", "work", "--curve", "-20:5,20:5", "--beta", "0",
+                                         "--stroke", strokes, "--id", "first"});
+  EXPECT_EQ(edited["applied"], 3);
+  EXPECT_EQ(done_json(server, {"edit", "work", "--curve=-20:5,20:5", "--beta", "0", "--stroke",
+                               strokes, "--id", "first"})["known"],
+            3);
+  EXPECT_EQ(done_json(server, {"sessions", "work"})["beta"], 0);
+
+  const json summary = done_json(server, {"export", "work", out, "--exact"});
+  EXPECT_EQ(summary["vertices"], 2562);
+  EXPECT_TRUE(summary["converged"]);
+  const TriangleMesh before = read_mesh(scan).value();
+  const TriangleMesh after = read_mesh(out).value();
+  EXPECT_EQ(after.triangles, before.triangles);
+  EXPECT_LT(mean_radius(after), mean_radius(before));
+
+  const CommandOutcome refused = server.burnish({"delete", "ball"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("edited by session work"));
+  done(server, {"close", "work", "--delete"});
+  done(server, {"delete", "ball"});
+  EXPECT_EQ(done_json(server, {"meshes"}).size(), 0u);
+  EXPECT_EQ(server.scans(), 0u);
+}
+
+TEST(Workflow, ImportingTheSameBytesTwiceSaysSo) {
+  ServerProcess server;
+  const std::string scan = write_sphere(server.folder);
+  done(server, {"import", scan, "--depth", "5"});
+  EXPECT_THAT(done(server, {"import", scan, "--depth", "5", "--name", "other"}),
+              HasSubstr("already there: sphere3"));
+  EXPECT_EQ(done_json(server, {"meshes"}).size(), 1u);
+}
+
+TEST(Workflow, CellFieldsOfManyCellsTravelInParts) {
+  ServerProcess server;
+  done(server, {"import", write_sphere(server.folder), "--depth", "4", "--name", "ball"});
+  done(server, {"open", "ball", "--depth", "4", "--session", "work"});
+  std::string cells;
+  for (int i = 0; i < 70'000; ++i) cells += "0 0 0 5 5 1\n";
+  const CommandOutcome outcome = server.burnish(
+      {"edit", "work", "--cell-field", server.folder.write("cells.txt", cells).string()});
+  EXPECT_EQ(outcome.exit_code, 1);  // the cube's least cell is empty: the server saw the cells
+  EXPECT_THAT(outcome.output, HasSubstr("cell 0 0 0"));
+}
+
+TEST(Workflow, AKilledServerLosesNoAcknowledgedEdit) {
+  ServerProcess server;
+  done(server, {"import", write_sphere(server.folder), "--depth", "5", "--name", "ball"});
+  done(server, {"open", "ball", "--depth", "5", "--session", "work"});
+  done(server, {"edit", "work", "--beta", "0.25", "--alpha", "7"});
+  server.kill();
+
+  server.start();
+  const json state = done_json(server, {"sessions", "work"});
+  EXPECT_EQ(state["edits"], 2);
+  EXPECT_EQ(state["beta"], 0.25);
+  EXPECT_EQ(state["curve"], "0:7");
+  const std::string out = (server.folder / "out.stl").string();
+  done(server, {"export", "work", out});
+  EXPECT_TRUE(read_mesh(out).is_ok());
+}
+
+TEST(Workflow, AKilledUploadLeavesNoHalfWrittenScan) {
+  ServerProcess server;
+  const std::string scan = write_sphere(server.folder, 7);
+  const auto import = server.start_burnish({"import", scan, "--name", "half"});
+  ASSERT_TRUE(import->wait_for_output("uploading", kPatience)) << import->output();
+  import->signal(SIGKILL);
+  import->wait(kPatience);
+  for (int i = 0; i < 1000 && server.staged() > 0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(server.staged(), 0u);
+  EXPECT_EQ(server.scans(), 0u);
+}
+
+TEST(Workflow, ATerminatedServerEndsWith0) {
+  ServerProcess server;
+  done(server, {"meshes"});
+  server.process->signal(SIGTERM);
+  EXPECT_EQ(server.process->wait(kPatience), 0) << server.process->output();
+}
+
+}  // namespace
+}  // namespace burnish
