@@ -47,12 +47,6 @@ Status make_folders(const fs::path& path) {
                : Status::ok();
 }
 
-Status write_file(const fs::path& path, const std::string& text) {
-  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
-  RETURN_IF_ERROR(file.write(text));
-  return file.commit();
-}
-
 /// Reads a stored file under the name that its user knows.
 Result<TriangleMesh> read_original(const fs::path& path, MeshFormat format,
                                    const std::string& name) {
