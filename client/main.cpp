@@ -11,6 +11,8 @@ int main(int argc, char** argv) {
   app.footer("burnish COMMAND --help says more of a command.");
   burnish::CommandTable table(app);
   burnish::add_generate_command(table);
+  burnish::add_filter_command(table);
+  burnish::add_render_command(table);
   burnish::add_service_commands(table);
   if (argc < 2) {
     std::cerr << app.help() << "\nburnish: name a command\n";

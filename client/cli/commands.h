@@ -7,6 +7,10 @@ namespace burnish {
 // One function per command of `burnish`, each in a file of its own; main() calls them.
 
 void add_generate_command(CommandTable& table);
+void add_filter_command(CommandTable& table);
+
+/// Draws with OpenGL; adds nothing in a build without it.
+void add_render_command(CommandTable& table);
 
 /// The commands that talk to a server; none in a build without gRPC.
 void add_service_commands(CommandTable& table);

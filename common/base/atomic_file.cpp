@@ -107,4 +107,10 @@ Status AtomicFile::commit() {
   return sync_folder(folder.empty() ? fs::path(".") : folder);
 }
 
+Status write_file(const std::filesystem::path& path, std::string_view text) {
+  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
+  RETURN_IF_ERROR(file.write(text));
+  return file.commit();
+}
+
 }  // namespace burnish

@@ -29,7 +29,8 @@ class AtomicFile {
   Status write(std::span<const uint8_t> bytes);
   Status write(std::string_view text);
 
-  /// Puts the file in its place. Call once, last; after a failure the target is untouched.
+  /// Puts the file in its place. Call once, last. After a failure the target is untouched; only if
+  /// the folder's own sync failed it is new, but may go back to the old one in a power cut.
   Status commit();
 
  private:
@@ -40,5 +41,8 @@ class AtomicFile {
   std::filesystem::path temporary_path_;  // empty once there is nothing to remove
   int fd_ = -1;
 };
+
+/// All of a small file at once. Fails: as AtomicFile does.
+Status write_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace burnish

@@ -32,4 +32,7 @@ inline constexpr size_t kStrokeDabsMax = 4096;
 inline constexpr size_t kEditsPerFrameMax = 64;
 inline constexpr size_t kCellFieldsPerEditMax = size_t{1} << 22;
 
+inline constexpr int kImageSidePixelsMin = 16;
+inline constexpr int kImageSidePixelsMax = 8192;
+
 }  // namespace burnish

@@ -22,7 +22,11 @@ uint64_t resident_bytes() { return bytes_of_line("/proc/self/status", "VmRSS:", 
 
 uint64_t peak_resident_bytes() { return bytes_of_line("/proc/self/status", "VmHWM:", 0); }
 
-void reset_peak_resident_bytes() { std::ofstream("/proc/self/clear_refs") << "5"; }
+bool reset_peak_resident_bytes() {
+  std::ofstream clear_refs("/proc/self/clear_refs");
+  clear_refs << "5" << std::flush;  // 5: the high-water mark only; proc(5)
+  return clear_refs.good();
+}
 
 uint64_t available_memory_bytes() {
   return bytes_of_line("/proc/meminfo", "MemAvailable:", std::numeric_limits<uint64_t>::max());

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>  // cross()
+#include <Eigen/Geometry>
 
 namespace burnish {
 

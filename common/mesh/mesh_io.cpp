@@ -56,25 +56,17 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& path) {
   return read_mesh(file.bytes(), format, path.string());
 }
 
-static Status write_as(MeshFormat format, const TriangleMesh& mesh, AtomicFile& file) {
-  switch (format) {
-    case MeshFormat::kPly:
-      return write_ply(mesh, file);
-    case MeshFormat::kObj:
-      return write_obj(mesh, file);
-    case MeshFormat::kStl:
-      return write_stl(mesh, file);
-    case MeshFormat::kOff:
-      break;
-  }
-  return invalid_argument("OFF files are read only; write .ply, .obj or .stl");
-}
-
 Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
+  if (format == MeshFormat::kOff)
+    return invalid_argument("cannot write " + path.string() +
+                            ": OFF files are read only; write .ply, .obj or .stl");
   RETURN_IF_ERROR(validate(mesh).with_context("cannot write " + path.string()));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
-  RETURN_IF_ERROR(write_as(format, mesh, file).with_context(path.string()));
+  const auto write = format == MeshFormat::kPly   ? write_ply
+                     : format == MeshFormat::kObj ? write_obj
+                                                  : write_stl;
+  RETURN_IF_ERROR(write(mesh, file));
   return file.commit();
 }
 

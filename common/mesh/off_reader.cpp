@@ -113,7 +113,7 @@ class OffReader {
       return scanner_.error("face " + std::to_string(f) + ": " + in_quotes(token) +
                             " is not a vertex number");
     if (index < 0 || static_cast<uint64_t>(index) >= vertices_)
-      return scanner_.error(index_complaint("face", f, index, vertices_));
+      return scanner_.error(index_complaint("face", f, std::to_string(index), vertices_));
     corners_.push_back(static_cast<uint32_t>(index));
     return Status::ok();
   }

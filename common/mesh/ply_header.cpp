@@ -1,7 +1,6 @@
 #include "common/mesh/ply_header.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "common/base/limits.h"
@@ -13,28 +12,6 @@ namespace burnish {
 namespace {
 
 constexpr size_t kPropertiesMax = 1024;  // of all elements together
-
-struct TypeName {
-  std::string_view name;
-  PlyType type;
-};
-
-constexpr std::array<TypeName, 16> kTypeNames = {{{"char", PlyType::kInt8},
-                                                  {"uchar", PlyType::kUint8},
-                                                  {"short", PlyType::kInt16},
-                                                  {"ushort", PlyType::kUint16},
-                                                  {"int", PlyType::kInt32},
-                                                  {"uint", PlyType::kUint32},
-                                                  {"float", PlyType::kFloat32},
-                                                  {"double", PlyType::kFloat64},
-                                                  {"int8", PlyType::kInt8},
-                                                  {"uint8", PlyType::kUint8},
-                                                  {"int16", PlyType::kInt16},
-                                                  {"uint16", PlyType::kUint16},
-                                                  {"int32", PlyType::kInt32},
-                                                  {"uint32", PlyType::kUint32},
-                                                  {"float32", PlyType::kFloat32},
-                                                  {"float64", PlyType::kFloat64}}};
 
 template <typename Named>
 const Named* find_named(const std::vector<Named>& items, std::string_view name) {
@@ -129,7 +106,7 @@ class HeaderParser {
     PlyProperty property;
     std::string_view type = scanner_.next_token();
     if (type == "list") {
-      PlyType count_type;
+      PlyType count_type = PlyType::kUint8;
       RETURN_IF_ERROR(parse_type(scanner_.next_token(), count_type));
       if (!is_integer(count_type)) return scanner_.error("a list's count must be an integer");
       property.count_type = count_type;
@@ -146,12 +123,11 @@ class HeaderParser {
   }
 
   Status parse_type(std::string_view token, PlyType& type) const {
-    const auto known = std::find_if(kTypeNames.begin(), kTypeNames.end(),
-                                    [&](const TypeName& t) { return t.name == token; });
-    if (known == kTypeNames.end())
+    const std::optional<PlyType> known = ply_type_of_name(token);
+    if (!known)
       return scanner_.error("unknown property type " + in_quotes(token) +
                             "; known are char to double and int8 to float64");
-    type = known->type;
+    type = *known;
     return Status::ok();
   }
 
@@ -197,28 +173,6 @@ Status check_counts(const PlyHeader& header, size_t file_bytes, const std::strin
 }
 
 }  // namespace
-
-size_t bytes_of(PlyType type) {
-  switch (type) {
-    case PlyType::kInt8:
-    case PlyType::kUint8:
-      return 1;
-    case PlyType::kInt16:
-    case PlyType::kUint16:
-      return 2;
-    case PlyType::kInt32:
-    case PlyType::kUint32:
-    case PlyType::kFloat32:
-      return 4;
-    case PlyType::kFloat64:
-      return 8;
-  }
-  return 0;
-}
-
-bool is_integer(PlyType type) {
-  return type != PlyType::kFloat32 && type != PlyType::kFloat64;
-}
 
 const PlyProperty* PlyElement::find(std::string_view property_name) const {
   return find_named(properties, property_name);

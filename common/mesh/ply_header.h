@@ -8,13 +8,9 @@
 #include <vector>
 
 #include "common/base/status.h"
+#include "common/mesh/ply_type.h"
 
 namespace burnish {
-
-enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
-
-size_t bytes_of(PlyType type);
-bool is_integer(PlyType type);
 
 /// "property float x", or "property list uchar int vertex_indices" with a count before the values.
 struct PlyProperty {

@@ -16,18 +16,35 @@ inline void append_fan(std::span<const uint32_t> corners, std::vector<Triangle>&
     triangles.push_back({corners[0], corners[i - 1], corners[i]});
 }
 
+/// A strip in which each vertex makes a triangle with the two before it, every other one turned
+/// round. Triangles that repeat a vertex are joints of the strip, not faces, and left out.
+class TriangleStrip {
+ public:
+  void append(uint32_t c, std::vector<Triangle>& triangles) {
+    ++length_;
+    if (length_ >= 3 && a_ != b_ && b_ != c && c != a_)
+      triangles.push_back(length_ % 2 == 1 ? Triangle{a_, b_, c} : Triangle{b_, a_, c});
+    a_ = b_;
+    b_ = c;
+  }
+
+ private:
+  uint64_t length_ = 0;
+  uint32_t a_ = 0;  // the last vertex but one
+  uint32_t b_ = 0;  // the last
+};
+
 /// "face 3 has 2 corners; a face needs at least 3".
 inline std::string corner_count_complaint(uint64_t face, int64_t corners) {
   return "face " + std::to_string(face) + " has " + std::to_string(corners) +
          " corners; a face needs at least 3";
 }
 
-/// "face 3 refers to vertex 9, but there are 8 (0 to 7)".
-inline std::string index_complaint(const char* element, uint64_t number, int64_t index,
-                                   uint64_t vertices) {
-  return std::string(element) + " " + std::to_string(number) + " refers to vertex " +
-         std::to_string(index) + ", but there are " + std::to_string(vertices) +
-         ", numbered from 0";
+/// "face 3 refers to vertex 9, but there are 8, numbered from 0".
+inline std::string index_complaint(const std::string& element, uint64_t number,
+                                   const std::string& index, uint64_t vertices) {
+  return element + " " + std::to_string(number) + " refers to vertex " + index +
+         ", but there are " + std::to_string(vertices) + ", numbered from 0";
 }
 
 }  // namespace burnish

@@ -32,15 +32,17 @@ static bool is_ascii(std::span<const uint8_t> bytes) {
 
 static Result<TriangleMesh> read_binary(std::span<const uint8_t> bytes, const std::string& name) {
   if (bytes.size() < kHeaderBytes)
-    return invalid_argument(name + ": not an STL file: it neither begins with 'solid' nor holds " +
-                            "the 84 bytes of a binary header, but " + std::to_string(bytes.size()));
+    return invalid_argument(name + ": neither text that begins with 'solid' nor a whole binary " +
+                            "STL file: the header has 84 bytes, the file " +
+                            std::to_string(bytes.size()));
   const uint64_t facets = (promised_bytes(bytes) - kHeaderBytes) / kFacetBytes;
   if (promised_bytes(bytes) > bytes.size())
-    return invalid_argument(name + ": the header promises " + std::to_string(facets) + " facets, " +
-                            std::to_string(promised_bytes(bytes)) + " bytes, but the file has " +
-                            std::to_string(bytes.size()) + "; facet " +
-                            std::to_string((bytes.size() - kHeaderBytes) / kFacetBytes) +
-                            " is not complete");
+    return invalid_argument(
+        name + ": neither text that begins with 'solid' nor a whole binary " +
+        "STL file: the header promises " + std::to_string(facets) + " facets, " +
+        std::to_string(promised_bytes(bytes)) + " bytes, but the file has " +
+        std::to_string(bytes.size()) + "; facet " +
+        std::to_string((bytes.size() - kHeaderBytes) / kFacetBytes) + " is not complete");
   TriangleMesh mesh;
   mesh.triangles.resize(facets);
   VertexWelder welder(mesh.vertices);

@@ -17,6 +17,9 @@ std::string in_quotes(std::string_view token);
 /// The shortest decimal form, e.g. 1e+30 or nan.
 std::string number_text(double value);
 
+/// All digits of a whole number: 4000000000, not 4e+09.
+std::string integer_text(double value);
+
 bool equals_ignoring_case(std::string_view a, std::string_view b);
 
 /// Whole token or nothing; a leading + is allowed. "nan" and "inf" are numbers here.

@@ -16,6 +16,11 @@ namespace burnish {
 using Square = CellIntegrator::Square;
 using Eight = std::array<double, 8>;
 
+// share[i][j]: how much of direction j goes to table i.
+using Share = std::array<std::array<double, 2>, 2>;
+static constexpr Share kShareOwn = {{{1, 0}, {0, 1}}};
+static constexpr Share kShareBoth = {{{0.5, 0.5}, {0.5, 0.5}}};
+
 // Trilinear weights, or their derivative along one axis where `derivative` >= 0, of all corners.
 static inline Eight trilinear(const double (&p)[3], int derivative) {
   double low[3], high[3];
@@ -54,8 +59,8 @@ static void integrate_mass(const Vec3d (&corner)[3], double area, Square& mass, 
 }
 
 BURNISH_WIDE_CLONES
-static void integrate_stiffness(const Vec3d (&corner)[3], double area, const Vec3d (&v)[2],
-                                std::array<Square, 2>& stiffness, std::array<Eight, 2>& slope) {
+static void integrate_stiffness(const Vec3d (&corner)[3], double area, const Vec3d (&v)[3],
+                                const Share& share, std::array<Square, 2>& stiffness, std::array<Eight, 2>& slope) {
   double p[3];
   for (const QuadraturePoint& q : kDegree4Rule) {
     point_at(q, corner, p);
@@ -64,9 +69,14 @@ static void integrate_stiffness(const Vec3d (&corner)[3], double area, const Vec
     for (int i = 0; i < 2; ++i) {
       Eight along;
       for (int a = 0; a < 8; ++a) along[a] = v[i][0] * dx[a] + v[i][1] * dy[a] + v[i][2] * dz[a];
-      add_outer_product(stiffness[i], along, weight);
+      for (int j = 0; j < 2; ++j)
+        if (share[j][i] != 0) add_outer_product(stiffness[j], along, share[j][i] * weight);
       for (int a = 0; a < 8; ++a) slope[i][a] += weight * along[a];
     }
+    Eight across;
+    for (int a = 0; a < 8; ++a) across[a] = v[2][0] * dx[a] + v[2][1] * dy[a] + v[2][2] * dz[a];
+    for (int i = 0; i < 2; ++i)
+      add_outer_product(stiffness[i], across, 0.5 * kNormalStiffness * weight);
   }
 }
 
@@ -76,22 +86,24 @@ std::array<std::array<Vec3d, 8>, 2> CellIntegrator::zero_gradient() {
   return zero;
 }
 
-void CellIntegrator::add(const Polygon& piece, const Vec3d& v1, const Vec3d& v2) {
+void CellIntegrator::add(const Polygon& piece, const Vec3d& v1, const Vec3d& v2, bool umbilic) {
   for (int i = 2; i < piece.count; ++i)
-    add_triangle(piece.vertices[0], piece.vertices[i - 1], piece.vertices[i], v1, v2);
+    add_triangle(piece.vertices[0], piece.vertices[i - 1], piece.vertices[i], v1, v2, umbilic);
 }
 
 void CellIntegrator::add_triangle(const Vec3d& p, const Vec3d& q, const Vec3d& r, const Vec3d& v1,
-                                  const Vec3d& v2) {
+                                  const Vec3d& v2, bool umbilic) {
   const double area = (q - p).cross(r - p).norm() / 2;
   if (!(area > kPieceAreaMin)) return;
   const Vec3d corner[3] = {p, q, r};
-  const Vec3d v[2] = {v1, v2};
+  const Vec3d v[3] = {v1, v2, v1.cross(v2)};
   std::array<Eight, 2> slope = {};
   integrate_mass(corner, area, mass_, mass_row_sum_);
-  integrate_stiffness(corner, area, v, stiffness_, slope);
+  const Share& share = umbilic ? kShareBoth : kShareOwn;
+  integrate_stiffness(corner, area, v, share, stiffness_, slope);
   for (int i = 0; i < 2; ++i)
-    for (int a = 0; a < 8; ++a) gradient_[i][a] += slope[i][a] * v[i];
+    for (int j = 0; j < 2; ++j)
+      for (int a = 0; a < 8; ++a) gradient_[i][a] += share[i][j] * slope[j][a] * v[j];
   area_ += area;
 }
 

@@ -12,8 +12,10 @@ namespace burnish {
 /// Units: grid; positions are relative to the cell's least corner.
 class CellIntegrator {
  public:
-  /// Adds one convex planar piece. v1 and v2 are the principal directions on it.
-  void add(const Polygon& piece, const Vec3d& v1, const Vec3d& v2);
+  /// Adds one convex planar piece. v1 and v2 are the principal directions on it; where it has none
+  /// (`umbilic`: flat or spherical) each of ℓ¹, ℓ² and of the gradients takes half of both, so that
+  /// nothing depends on an arbitrary choice.
+  void add(const Polygon& piece, const Vec3d& v1, const Vec3d& v2, bool umbilic);
 
   double area() const { return area_; }
   CellIntegrals integrals() const;
@@ -24,7 +26,7 @@ class CellIntegrator {
 
  private:
   void add_triangle(const Vec3d& p, const Vec3d& q, const Vec3d& r, const Vec3d& v1,
-                    const Vec3d& v2);
+                    const Vec3d& v2, bool umbilic);
 
   double area_ = 0;
   Square mass_ = {};
@@ -34,6 +36,12 @@ class CellIntegrator {
 
   static std::array<std::array<Vec3d, 8>, 2> zero_gradient();
 };
+
+/// The share of the squared normal derivative ∫⟨n, ∇B_a⟩⟨n, ∇B_b⟩ that is added to ℓ¹ + ℓ².
+/// Functions that vanish on a flat piece of surface have no energy at all; rounding the tables to
+/// float32 would make that slightly negative, and the solver would run away along them. This lifts
+/// them above the rounding and moves the surface by some 1e-6 of a cell.
+inline constexpr double kNormalStiffness = 1e-6;
 
 /// Below this area (cells²) a piece is a rounding artefact of clipping.
 inline constexpr double kPieceAreaMin = 1e-22;

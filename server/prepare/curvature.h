@@ -22,8 +22,7 @@ struct TriangleCurvature {
 /// Source: section 4.2; Rusinkiewicz 2004, "Estimating curvatures and their derivatives on triangle
 /// meshes".
 /// Needs: a valid mesh and its statistics.
-/// Cost: linear; 60 bytes per triangle of scratch. With a radius, linear in the pairs of vertices
-/// within it.
+/// Cost: linear, with or without a radius; 60 bytes per triangle of scratch.
 /// Accuracy: always finite; the same bits for any number of threads.
 std::vector<TriangleCurvature> compute_curvature(const TriangleMesh& mesh,
                                                  const MeshStatistics& statistics,

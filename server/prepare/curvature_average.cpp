@@ -7,44 +7,69 @@
 
 namespace burnish {
 
-static constexpr double kBucketsPerSideMax = 1 << 20;  // what a Morton key holds, with a margin
+static constexpr double kBucketsPerSideMax = 1 << 17;  // what a Morton key holds, with a margin
+static constexpr int kSplitsOfBucket = 3;              // vertices are ordered by eighths of it
+static constexpr size_t kSamplesPerBucket = 32;
 
 namespace {
 
-// The vertices that have area, by cubes as wide as the radius: neighbours lie in the 27 around.
+/// A vertex that stands for itself and the next few in its bucket.
+struct Sample {
+  MortonKey bucket;
+  uint32_t vertex;
+  double weight;
+};
+
+bool operator<(const Sample& sample, MortonKey bucket) {
+  return sample.bucket < bucket;
+}
+
+/// The vertices that have area, by cubes as wide as the radius: neighbours lie in the 27 around.
 class Buckets {
  public:
   Buckets(const TriangleMesh& mesh, const MeshStatistics& statistics,
           const VertexCurvature& vertices, double radius)
       : origin_(statistics.box_min),
         width_(std::max(radius, statistics.diagonal() / kBucketsPerSideMax)) {
+    std::vector<std::pair<MortonKey, uint32_t>> order;
+    const double fine_width = width_ / (1 << kSplitsOfBucket);
     for (size_t v = 0; v < mesh.vertices.size(); ++v) {
       if (vertices.areas[v] > 0)
-        entries_.emplace_back(morton_key(bucket_of(mesh.vertices[v])), static_cast<uint32_t>(v));
+        order.emplace_back(morton_key(cube_of(mesh.vertices[v], fine_width)), v);
     }
-    std::sort(entries_.begin(), entries_.end());
+    std::sort(order.begin(), order.end());
+    for (size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+      const MortonKey bucket = order[begin].first >> 3 * kSplitsOfBucket;
+      while (end < order.size() && order[end].first >> 3 * kSplitsOfBucket == bucket) ++end;
+      const size_t stride = (end - begin + kSamplesPerBucket - 1) / kSamplesPerBucket;
+      for (size_t i = begin; i < end; i += stride) {
+        const uint32_t v = order[i].second;
+        const auto stood_for = static_cast<double>(std::min(stride, end - i));
+        samples_.push_back({bucket, v, vertices.areas[v] * stood_for});
+      }
+    }
   }
 
   template <typename Visit>
   void for_each_near(const Vec3d& p, Visit visit) const {
-    const Vec3i home = bucket_of(p);
+    const Vec3i home = cube_of(p, width_);
     for (int i = 0; i < 27; ++i) {
-      const Vec3i bucket = home + Vec3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-      if (bucket.minCoeff() < 0) continue;
-      const MortonKey key = morton_key(bucket);
-      auto entry = std::lower_bound(entries_.begin(), entries_.end(), std::pair(key, 0u));
-      for (; entry != entries_.end() && entry->first == key; ++entry) visit(entry->second);
+      const Vec3i cube = home + Vec3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+      if (cube.minCoeff() < 0) continue;
+      const MortonKey bucket = morton_key(cube);
+      auto sample = std::lower_bound(samples_.begin(), samples_.end(), bucket);
+      for (; sample != samples_.end() && sample->bucket == bucket; ++sample) visit(*sample);
     }
   }
 
  private:
-  Vec3i bucket_of(const Vec3d& p) const {
-    return ((p - origin_) / width_).array().floor().cast<int>();
+  Vec3i cube_of(const Vec3d& p, double width) const {
+    return ((p - origin_) / width).array().floor().cast<int>();
   }
 
   Vec3d origin_;
   double width_;
-  std::vector<std::pair<MortonKey, uint32_t>> entries_;
+  std::vector<Sample> samples_;
 };
 
 }  // namespace
@@ -53,21 +78,22 @@ std::vector<TangentTensor> average_tensors(const TriangleMesh& mesh,
                                            const MeshStatistics& statistics,
                                            const VertexCurvature& vertices, double radius) {
   const Buckets buckets(mesh, statistics, vertices, radius);
-  std::vector<TangentTensor> averages(mesh.vertices.size());
+  std::vector<TangentTensor> averages = vertices.tensors;
 #pragma omp parallel for schedule(dynamic, 1024)
   for (int64_t v = 0; v < static_cast<int64_t>(averages.size()); ++v) {
     if (!(vertices.areas[v] > 0)) continue;
     const TangentFrame frame = make_frame(vertices.normals[v]);
     TangentTensor sum;
-    double area = 0;
-    buckets.for_each_near(mesh.vertices[v], [&](uint32_t w) {
-      if ((mesh.vertices[w] - mesh.vertices[v]).squaredNorm() > radius * radius) return;
-      if (vertices.normals[w].dot(frame.normal) <= 0) return;
-      const TangentFrame from = make_frame(vertices.normals[w]);
-      sum.add(vertices.areas[w], carry_tensor(vertices.tensors[w], from, frame));
-      area += vertices.areas[w];
+    double weight = 0;
+    buckets.for_each_near(mesh.vertices[v], [&](const Sample& sample) {
+      if ((mesh.vertices[sample.vertex] - mesh.vertices[v]).squaredNorm() > radius * radius) return;
+      const Vec3d& normal = vertices.normals[sample.vertex];
+      if (normal.dot(frame.normal) <= 0) return;
+      sum.add(sample.weight,
+              carry_tensor(vertices.tensors[sample.vertex], make_frame(normal), frame));
+      weight += sample.weight;
     });
-    averages[v] = sum.scaled(1 / area);
+    if (weight > 0) averages[v] = sum.scaled(1 / weight);
   }
   return averages;
 }

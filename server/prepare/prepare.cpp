@@ -1,5 +1,6 @@
 #include "server/prepare/prepare.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -19,6 +20,7 @@ namespace {
 
 constexpr size_t kCellsPerBatch = 1 << 15;  // between two looks at the cancel flag
 constexpr double kCurvatureRadiusMax = 0.2;  // of L
+constexpr double kUmbilicDifference = 1e-9;  // of the larger curvature, and of 1/L
 
 /// What the spans of a freshly prepared mesh point into.
 struct PreparedArrays {
@@ -78,6 +80,13 @@ Status check_cell_memory(size_t cells) {
                             std::to_string(available >> 20) + " MiB; choose a smaller depth");
 }
 
+/// No principal directions but by rounding: flat or spherical.
+bool is_umbilic(const TriangleCurvature& curvature, double length_unit) {
+  const double largest = std::max({std::abs(curvature.kappa1), std::abs(curvature.kappa2),
+                                   1 / length_unit});
+  return curvature.kappa1 - curvature.kappa2 <= kUmbilicDifference * largest;
+}
+
 /// Integrates over the pieces of one cell; false if no area is left in it.
 bool integrate_cell(std::span<const CellPiece> pieces, std::span<const Triangle> triangles,
                     std::span<const Vec3d> positions,
@@ -93,7 +102,7 @@ bool integrate_cell(std::span<const CellPiece> pieces, std::span<const Triangle>
     for (int i = 0; i < polygon.count; ++i) polygon.vertices[i] -= least;
     const TriangleCurvature& of_triangle = triangle_curvature[piece.triangle];
     const double area_before = integrator.area();
-    integrator.add(polygon, of_triangle.v1, of_triangle.v2);
+    integrator.add(polygon, of_triangle.v1, of_triangle.v2, is_umbilic(of_triangle, length_unit));
     const double area = integrator.area() - area_before;
     kappa1 += area * of_triangle.kappa1;
     kappa2 += area * of_triangle.kappa2;
@@ -200,7 +209,7 @@ Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
                                   *arrays));
   clock.end("integrals");
 
-  const SparseGrid grid = make_sparse_grid(depth, arrays->cells);
+  const SparseGrid grid = make_finest_grid(depth, arrays->cells);
   arrays->evaluation = make_evaluation(mesh, prepared->frame, grid);
   prepared->histogram = make_histogram(arrays->curvature);
   point_at(*prepared, std::move(arrays));

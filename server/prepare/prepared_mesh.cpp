@@ -1,0 +1,41 @@
+#include "server/prepare/prepared_mesh.h"
+
+#include <utility>
+
+#include "common/base/atomic_file.h"
+#include "common/base/mapped_file.h"
+#include "server/prepare/prepared_file.h"
+
+namespace burnish {
+
+uint64_t PreparedMesh::byte_count() const {
+  uint64_t total = 0;
+  for (const auto& section : section_bytes(*this)) total += section.size();
+  return total;
+}
+
+Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::path& path) {
+  static constexpr std::array<uint8_t, kSectionAlignment> kZeros = {};
+  const PreparedHeader header = make_prepared_header(prepared);
+  const auto sections = section_bytes(prepared);
+  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
+  RETURN_IF_ERROR(file.write({reinterpret_cast<const uint8_t*>(&header), sizeof(header)}));
+  uint64_t end = sizeof(header);
+  for (int i = 0; i < kPreparedSections; ++i) {
+    RETURN_IF_ERROR(file.write(std::span(kZeros).first(header.sections[i].offset - end)));
+    RETURN_IF_ERROR(file.write(sections[i]));
+    end = header.sections[i].offset + sections[i].size();
+  }
+  return file.commit();
+}
+
+Result<std::shared_ptr<const PreparedMesh>> map_prepared_mesh(const std::filesystem::path& path) {
+  ASSIGN_OR_RETURN(MappedFile opened, MappedFile::open(path));
+  const auto file = std::make_shared<const MappedFile>(std::move(opened));
+  Result<PreparedMesh> mesh = parse_prepared_file(file->bytes());
+  if (!mesh.is_ok()) return mesh.status().with_context("prepared mesh " + path.string());
+  mesh->storage = file;
+  return std::make_shared<const PreparedMesh>(std::move(mesh).value());
+}
+
+}  // namespace burnish

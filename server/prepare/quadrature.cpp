@@ -18,10 +18,10 @@ static constexpr std::array<QuadraturePoint, 6> orbit6(double a, double b, doubl
            {c, b, a, weight}}};
 }
 
-template <size_t... kSizes>
+template <std::size_t... kSizes>
 static constexpr auto join(const std::array<QuadraturePoint, kSizes>&... orbits) {
   std::array<QuadraturePoint, (kSizes + ...)> rule{};
-  size_t next = 0;
+  std::size_t next = 0;
   const auto append = [&](const auto& orbit) {
     for (const QuadraturePoint& point : orbit) rule[next++] = point;
   };

@@ -50,19 +50,29 @@ Stencil make_stencil(const SparseGrid& grid) {
 
 std::vector<int32_t> find_parents(const SparseGrid& fine, const SparseGrid& coarse) {
   std::vector<int32_t> parents(fine.cells.size());
-  int32_t parent = 0;
-  for (size_t c = 0; c < fine.cells.size(); ++c) {
-    while (coarse.cells[parent] != fine.cells[c] >> 3) ++parent;
-    parents[c] = parent;
-  }
+#pragma omp parallel for schedule(static)
+  for (int32_t c = 0; c < fine.cell_count(); ++c)
+    parents[c] = find_key(coarse.cells, parent_key(fine.cells[c]));
   return parents;
+}
+
+// The children of every coarse cell, by a counting sort.
+void list_children(const std::vector<int32_t>& parent_cell, HierarchyDepth& coarse) {
+  coarse.child_start.assign(coarse.grid.cells.size() + 1, 0);
+  for (int32_t parent : parent_cell) ++coarse.child_start[parent + 1];
+  for (size_t p = 0; p < coarse.grid.cells.size(); ++p)
+    coarse.child_start[p + 1] += coarse.child_start[p];
+  coarse.child.resize(parent_cell.size());
+  std::vector<int32_t> next(coarse.child_start.begin(), coarse.child_start.end() - 1);
+  for (size_t c = 0; c < parent_cell.size(); ++c)
+    coarse.child[next[parent_cell[c]]++] = static_cast<int32_t>(c);
 }
 
 DepthTransfer::FromCell place_in_parent(const HierarchyDepth& fine, int32_t corner) {
   for (int a = 0; a < kCornersPerCell; ++a) {
     const int32_t cell = fine.grid.cells_of_corner[corner][a];
     if (cell == kNone) continue;
-    const Vec3i at = corner_offset(static_cast<int>(fine.grid.cells[cell] & 7)) + corner_offset(a);
+    const Vec3i at = corner_offset(static_cast<int>(fine.grid.cells[cell].place & 7)) + corner_offset(a);
     return {fine.parent_cell[cell], static_cast<uint8_t>(at.x() + 3 * at.y() + 9 * at.z())};
   }
   BURNISH_CHECK(false, "every corner belongs to a cell");
@@ -94,17 +104,9 @@ void transpose(const SparseGrid& coarse, DepthTransfer& transfer) {
   });
 }
 
-// Children of a cell are neighbours in Morton order.
-std::vector<int32_t> first_children(const std::vector<int32_t>& parent_cell, size_t parents) {
-  std::vector<int32_t> first(parents + 1, 0);
-  for (int32_t parent : parent_cell) ++first[parent + 1];
-  for (size_t p = 0; p < parents; ++p) first[p + 1] += first[p];
-  return first;
-}
-
 void connect(HierarchyDepth& fine, HierarchyDepth& coarse) {
   fine.parent_cell = find_parents(fine.grid, coarse.grid);
-  coarse.first_child = first_children(fine.parent_cell, coarse.grid.cells.size());
+  list_children(fine.parent_cell, coarse);
   fine.to_parent.prolongation.resize(fine.grid.corners.size());
 #pragma omp parallel for schedule(static)
   for (int32_t corner = 0; corner < fine.grid.corner_count(); ++corner)
@@ -144,18 +146,20 @@ const std::array<std::array<float, kCornersPerCell>, kSlots>& half_way_weights()
 }
 
 std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared) {
-  auto hierarchy = std::make_shared<Hierarchy>();
-  std::vector<HierarchyDepth> from_finest;
-  std::vector<MortonKey> cells(prepared.cells.begin(), prepared.cells.end());
-  int depth = prepared.frame.depth;
-  for (;; --depth, cells = parent_cells(cells)) {
-    HierarchyDepth& here = from_finest.emplace_back();
-    here.grid = make_sparse_grid(depth, cells);
-    here.stencil = make_stencil(here.grid);
-    if (here.grid.corner_count() <= kCoarsestCornersMax) break;
+  std::vector<HierarchyDepth> from_finest(1);
+  from_finest[0].grid = make_finest_grid(prepared.frame.depth, prepared.cells);
+  const auto is_coarsest = [](const SparseGrid& grid) {
+    return grid.corner_count() <= kCoarsestCornersMax || grid.depth <= kCoarsestDepthMin;
+  };
+  while (!is_coarsest(from_finest.back().grid)) {
+    SparseGrid parents = make_parent_grid(from_finest.back().grid);
+    from_finest.emplace_back().grid = std::move(parents);
   }
+  for (HierarchyDepth& depth : from_finest) depth.stencil = make_stencil(depth.grid);
   for (size_t i = 0; i + 1 < from_finest.size(); ++i) connect(from_finest[i], from_finest[i + 1]);
-  hierarchy->coarsest = depth;
+
+  auto hierarchy = std::make_shared<Hierarchy>();
+  hierarchy->coarsest = from_finest.back().grid.depth;
   hierarchy->finest = prepared.frame.depth;
   hierarchy->visibility = visibility_of(prepared, from_finest.front().grid);
   hierarchy->depths.assign(std::make_move_iterator(from_finest.rbegin()),
@@ -170,7 +174,7 @@ uint64_t Hierarchy::byte_count() const {
              bytes_of(depth.grid.cell_corners) + bytes_of(depth.grid.cells_of_corner) +
              bytes_of(depth.stencil.row_start) + bytes_of(depth.stencil.column) +
              bytes_of(depth.stencil.mask) + bytes_of(depth.parent_cell) +
-             bytes_of(depth.first_child) +
+             bytes_of(depth.child_start) + bytes_of(depth.child) +
              bytes_of(depth.to_parent.prolongation) + bytes_of(depth.to_parent.restriction_start) +
              bytes_of(depth.to_parent.restriction_corner) +
              bytes_of(depth.to_parent.restriction_weight);

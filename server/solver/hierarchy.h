@@ -57,7 +57,8 @@ struct HierarchyDepth {
   Stencil stencil;
   DepthTransfer to_parent;           ///< empty at the coarsest depth
   std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth
-  std::vector<int32_t> first_child;  ///< cells + 1, into the finer depth; empty at the finest
+  std::vector<int32_t> child_start;  ///< cells + 1, into `child`; empty at the finest depth
+  std::vector<int32_t> child;        ///< cells of the finer depth
 };
 
 /// All depths of one prepared mesh, immutable and shared by its sessions.
@@ -73,8 +74,10 @@ struct Hierarchy {
   uint64_t byte_count() const;
 };
 
-/// The coarsest depth is the deepest one with at most this many corners.
+/// The coarsest depth is the deepest one with at most this many corners, or kCoarsestDepthMin:
+/// every separate piece of surface keeps eight corners at any depth.
 inline constexpr int32_t kCoarsestCornersMax = 600;
+inline constexpr int kCoarsestDepthMin = 2;
 
 std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared);
 

@@ -68,17 +68,18 @@ static void restrict_to_parent(int octant, Square& full, double (&row_sum)[8]) {
 }
 
 void down_sample(const CpuDepth& fine, CpuDepth& coarse) {
-  const auto& first_child = coarse.topology.first_child;
+  const HierarchyDepth& topology = coarse.topology;
   const int32_t parents = coarse.topology.grid.cell_count();
 #pragma omp parallel for schedule(static)
   for (int32_t parent = 0; parent < parents; ++parent) {
     Square sum = {};
     double sum_of_rows[8] = {};
-    for (int32_t child = first_child[parent]; child < first_child[parent + 1]; ++child) {
+    for (int32_t i = topology.child_start[parent]; i < topology.child_start[parent + 1]; ++i) {
+      const int32_t child = topology.child[i];
       Square full;
       double row_sum[8];
       expand(fine.cells[child], full, row_sum);
-      restrict_to_parent(static_cast<int>(fine.topology.grid.cells[child] & 7), full, row_sum);
+      restrict_to_parent(static_cast<int>(fine.topology.grid.cells[child].place & 7), full, row_sum);
       for (int a = 0; a < 8; ++a) {
         sum_of_rows[a] += row_sum[a];
         for (int b = 0; b < 8; ++b) sum[a][b] += full[a][b];

@@ -1,6 +1,7 @@
 #include "server/solver/cpu/coarsest.h"
 
 #include <cmath>
+#include <vector>
 
 #include "common/base/check.h"
 
@@ -13,11 +14,18 @@ void CoarsestSolver::factor(const CpuDepth& depth) {
   const Stencil& stencil = depth.topology.stencil;
   scale_.resize(n);
   for (int32_t i = 0; i < n; ++i) scale_[i] = std::sqrt(depth.inverse_diagonal[i]);
-  Eigen::MatrixXd scaled = Eigen::MatrixXd::Identity(n, n) * (1 + kRegularisation);
-  for (int32_t i = 0; i < n; ++i)
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int32_t i = 0; i < n; ++i) {
+    entries.emplace_back(i, i, 1 + kRegularisation);
     for (int64_t k = stencil.row_start[i]; k < stencil.row_start[i + 1]; ++k)
-      scaled(i, stencil.column[k]) = depth.system.entry[k] * scale_[i] * scale_[stencil.column[k]];
-  factor_.compute(scaled);
+      entries.emplace_back(i, stencil.column[k],
+                           depth.system.entry[k] * scale_[i] * scale_[stencil.column[k]]);
+  }
+  Eigen::SparseMatrix<double> scaled(n, n);
+  scaled.setFromTriplets(entries.begin(), entries.end());
+  if (entries_ == 0) factor_.analyzePattern(scaled);
+  factor_.factorize(scaled);
+  entries_ = static_cast<uint64_t>(factor_.matrixL().nestedExpression().nonZeros());
   BURNISH_CHECK(factor_.info() == Eigen::Success, "the regularised coarsest matrix is definite");
 }
 
@@ -26,7 +34,7 @@ void CoarsestSolver::solve(CpuDepth& depth) const {
   Eigen::MatrixXd columns(n, 3);
   for (int32_t i = 0; i < n; ++i)
     columns.row(i) = scale_[i] * depth.f[i].head<3>().cast<double>().matrix().transpose();
-  factor_.solveInPlace(columns);
+  columns = factor_.solve(columns).eval();
   for (int32_t i = 0; i < n; ++i)
     depth.x[i].head<3>() = (scale_[i] * columns.row(i)).cast<float>().transpose().array();
 }

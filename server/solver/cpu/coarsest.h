@@ -1,22 +1,24 @@
 #pragma once
 
-#include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
 
 #include "server/solver/cpu/cpu_depth.h"
 
 namespace burnish::cpu {
 
-/// The direct solve of the coarsest depth: a dense Cholesky factor in double of the diagonally
+/// The direct solve of the coarsest depth: a sparse Cholesky factor in double of the diagonally
 /// scaled matrix, regularised by 1e-5 (less lets rounding grow over hundreds of idle cycles).
+/// Separate pieces of surface are separate blocks, so that thousands of them stay cheap.
 class CoarsestSolver {
  public:
   void factor(const CpuDepth& depth);
   void solve(CpuDepth& depth) const;  ///< x = S⁻¹ f
-  uint64_t byte_count() const { return factor_.matrixLLT().size() * sizeof(double); }
+  uint64_t byte_count() const { return entries_ * (sizeof(double) + sizeof(int)); }
 
  private:
   Eigen::VectorXd scale_;  // D^-½, 0 where pinned
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor_;
+  uint64_t entries_ = 0;
 };
 
 }  // namespace burnish::cpu

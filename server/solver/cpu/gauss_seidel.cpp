@@ -14,10 +14,10 @@ class GaussSeidel final : public DepthSmoother {
   // The lowest Morton bits are the parities of i, j, k: corners of one colour share no cell.
   explicit GaussSeidel(const HierarchyDepth& topology) {
     for (int32_t corner = 0; corner < topology.grid.corner_count(); ++corner)
-      corners_[topology.grid.corners[corner] & 7].push_back(corner);
+      corners_[topology.grid.corners[corner].place & 7].push_back(corner);
   }
 
-  void set_up(const CpuDepth&) override {}
+  void set_up(CpuDepth&) override {}
 
   void relax_from_zero(CpuDepth& depth) override {
     std::fill(depth.x.begin(), depth.x.end(), Float4::Zero());

@@ -307,11 +307,11 @@ TEST(PlyReader, RefusesFacesOfFewerThanThreeCorners) {
 
 TEST(PlyReader, RefusesIndicesOutOfRange) {
   EXPECT_THAT(refusal(kPly, square_with_faces("3 0 1 2\n3 0 1 4\n")),
-              HasSubstr("line 15: face 1: refers to vertex 4, but there are 4, numbered from 0"));
+              HasSubstr("line 15: face 1 refers to vertex 4, but there are 4, numbered from 0"));
   EXPECT_THAT(refusal(kPly, square_with_faces("3 0 -1 2\n")), HasSubstr("refers to vertex -1"));
   std::string binary = header("binary_little_endian", 3, 1) + triangle_body();
   binary.replace(binary.size() - 4, 4, bytes_of(1000));
-  EXPECT_THAT(refusal(kPly, binary), HasSubstr("face 0: refers to vertex 1000, but there are 3"));
+  EXPECT_THAT(refusal(kPly, binary), HasSubstr("face 0 refers to vertex 1000, but there are 3"));
 }
 
 TEST(PlyReader, RefusesCoordinatesThatAreNotFiniteOrTooLarge) {

@@ -69,8 +69,10 @@ TEST(StlReader, KnowsWhenPositionsSayMoreThanFloats) {
 
 TEST(StlReader, RefusesWhatIsNoStlFile) {
   EXPECT_THAT(refusal(kStl, ""), HasSubstr("scan: the file is empty"));
-  EXPECT_THAT(refusal(kStl, "ply\n"),
-              HasSubstr("scan: not an STL file: it neither begins with 'solid' nor holds the 84"));
+  EXPECT_THAT(
+      refusal(kStl, "ply\n"),
+      HasSubstr("scan: neither text that begins with 'solid' nor a whole binary STL file: the "
+                "header has 84 bytes, the file 4"));
   EXPECT_THAT(refusal(kStl, "solid s\nendsolid s\n"), HasSubstr("mesh has no triangles"));
   EXPECT_THAT(refusal(kStl, binary("b", 0, "")), HasSubstr("mesh has no triangles"));
 }

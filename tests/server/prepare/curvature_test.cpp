@@ -214,6 +214,15 @@ TEST(Curvature, AveragingSteadiesANoisySphere) {
   EXPECT_LT(rms_error_against(averaged, 1), rms_error_against(paper, 1) / 4);
 }
 
+TEST(Curvature, AveragingByAFewSamplesOfManyVerticesStaysTrue) {
+  // Hundreds of vertices to each cube of the averaging grid.
+  const Curvature averaged = closed_curvature(shaken(test_sphere(5, 1), 0.002), 0.5);
+  for (const TriangleCurvature& c : averaged) {
+    EXPECT_NEAR(c.kappa1, 1, 0.15);
+    EXPECT_NEAR(c.kappa2, 1, 0.15);
+  }
+}
+
 TEST(Curvature, AveragingDoesNotReachThroughAThinSheet) {
   // Two walls back to back, each curved away from the other like a lens.
   TriangleMesh lens = test_patch(20, [](double u, double v) {

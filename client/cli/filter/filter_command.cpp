@@ -1,0 +1,185 @@
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "client/cli/cell_field_file.h"
+#include "client/cli/commands.h"
+#include "client/cli/filter/fields_file.h"
+#include "client/cli/filter/filter_report.h"
+#include "client/cli/progress_printer.h"
+#include "client/cli/stroke_file.h"
+#include "common/base/parallel.h"
+#include "common/mesh/mesh_io.h"
+#include "server/prepare/prepare.h"
+#include "server/session/session.h"
+#include "server/solver/hierarchy.h"
+
+namespace burnish {
+
+namespace {
+
+constexpr int kCyclesMax = 100'000;
+constexpr int kThreadsMax = 1024;
+
+struct FilterOptions {
+  std::string in, out;
+  PrepareOptions prepare;
+  SolverOptions solver;
+  SolveOptions solve;
+  double alpha = kAlphaDefault;
+  double beta = kBetaDefault;
+  std::optional<TransferCurve> curve;
+  std::string paint_file, cell_field_file, fields_file, report_file;
+};
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// What can be refused before the long work begins.
+Status check_output(const FilterOptions& options) {
+  ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(options.out));
+  if (format == MeshFormat::kOff)
+    return invalid_argument(options.out + ": OFF is read only; write .ply, .obj or .stl");
+  return Status::ok();
+}
+
+Result<std::vector<Edit>> read_edits(const FilterOptions& options) {
+  std::vector<Edit> edits;
+  edits.push_back({"curve", SetTransferCurve{options.curve.value_or(TransferCurve(options.alpha))}});
+  edits.push_back({"beta", SetGradientScale{options.beta}});
+  if (!options.paint_file.empty()) {
+    ASSIGN_OR_RETURN(std::vector<Stroke> strokes, read_stroke_file(options.paint_file));
+    for (Stroke& stroke : strokes) edits.push_back({"paint", std::move(stroke)});
+  }
+  if (!options.cell_field_file.empty()) {
+    ASSIGN_OR_RETURN(SetCellFields cells, read_cell_field_file(options.cell_field_file));
+    edits.push_back({options.cell_field_file, std::move(cells)});
+  }
+  return edits;
+}
+
+Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits, Session& session) {
+  if (options.curve && options.curve->contrast() > kCurveContrastWarn)
+    std::cerr << "warning: the curve's contrast is above " << kCurveContrastWarn
+              << ": convergence is slower and the accuracy less\n";
+  for (const Edit& edit : edits) RETURN_IF_ERROR(session.apply(edit).with_context(edit.id));
+  return Status::ok();
+}
+
+void print_summary(const FilterOptions& options, const Session& session, const FilterRun& run) {
+  if (!run.solve.converged && options.solve.cycles == 0)
+    std::cerr << "warning: not converged after " << run.solve.cycles
+              << " cycles; estimated distance " << run.solve.last.distance << " of the diagonal\n";
+  std::cout << options.out << ": depth " << session.prepared().frame.depth << ", " << run.corners
+            << " corners, " << run.solve.cycles << " cycles, estimated distance "
+            << run.solve.last.distance << " of the diagonal\n";
+}
+
+Status filter(const FilterOptions& options) {
+  RETURN_IF_ERROR(check_output(options));
+  use_threads(options.solver.threads);
+  ASSIGN_OR_RETURN(const std::vector<Edit> edits, read_edits(options));
+  FilterRun run;
+  ProgressPrinter printer;
+
+  const Stopwatch reading;
+  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(options.in));
+  run.read_seconds = reading.seconds();
+  ASSIGN_OR_RETURN(const auto prepared,
+                   prepare(mesh, options.prepare, printer.progress(), &run.prepare));
+  const Stopwatch connecting;
+  const auto hierarchy = make_hierarchy(*prepared);
+  run.hierarchy_seconds = connecting.seconds();
+  run.hierarchy_bytes = hierarchy->byte_count();
+  run.corners = hierarchy->at(hierarchy->finest).grid.corner_count();
+
+  ASSIGN_OR_RETURN(const auto session, Session::open(prepared, hierarchy, options.solver));
+  RETURN_IF_ERROR(apply_edits(options, edits, *session));
+  if (!options.fields_file.empty())
+    RETURN_IF_ERROR(write_fields_file(*session, options.fields_file));
+  ASSIGN_OR_RETURN(run.solve, session->solve(options.solve, printer.progress()));
+  const Stopwatch writing;
+  RETURN_IF_ERROR(write_mesh(session->surface(), options.out));
+  run.write_seconds = writing.seconds();
+  if (!options.report_file.empty())
+    RETURN_IF_ERROR(write_filter_report(*session, run, options.report_file));
+  print_summary(options, *session, run);
+  return Status::ok();
+}
+
+void add_field_options(CLI::App& command, FilterOptions& options) {
+  CLI::Option* alpha =
+      command.add_option("--alpha", options.alpha, "Fidelity weight: larger keeps more in place")
+          ->check(CLI::Range(kAlphaMin, kAlphaMax))
+          ->capture_default_str();
+  command
+      .add_option("--beta", options.beta, "Gradient scale: < 1 smooths, 1 keeps, > 1 sharpens")
+      ->check(CLI::Range(kBetaMin, kBetaMax))
+      ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--curve",
+          [&options](const std::string& text) { options.curve = TransferCurve::parse(text).value(); },
+          "Transfer curve: alpha by curvature, both times L")
+      ->type_name("K:A,K:A,...")
+      ->check([](const std::string& text) {
+        return usage_message(TransferCurve::parse(text).status());
+      })
+      ->excludes(alpha);
+  command.add_option("--beta-paint", options.paint_file,
+                     "File of strokes: 'brush RADIUS STRENGTH BETA FALLOFF', then 'X Y Z' lines");
+  command.add_option("--cell-field", options.cell_field_file,
+                     "File of cells: 'i j k alpha1 alpha2 beta' lines, which override the fields");
+  command.add_option("--fields-out", options.fields_file,
+                     "Write 'i j k alpha1 alpha2 beta kappa1 kappa2' for every active cell");
+}
+
+void add_solve_options(CLI::App& command, FilterOptions& options) {
+  CLI::Option* exact =
+      command.add_flag("--exact", options.solve.exact, "Solve to the bar of exports");
+  command.add_option("--cycles", options.solve.cycles, "Exactly so many V-cycles")
+      ->check(CLI::Range(1, kCyclesMax))
+      ->excludes(exact);
+  const std::map<std::string, BackendKind> backends = {
+      {"auto", BackendKind::kAuto}, {"cpu", BackendKind::kCpu}, {"cuda", BackendKind::kCuda}};
+  command.add_option("--backend", options.solver.backend, "cpu, cuda or auto")
+      ->transform(CLI::CheckedTransformer(backends))
+      ->type_name("NAME");
+  const std::map<std::string, Smoother> smoothers = {{"schwarz", Smoother::kSchwarz},
+                                                     {"gauss-seidel", Smoother::kGaussSeidel}};
+  command.add_option("--smoother", options.solver.smoother, "schwarz or gauss-seidel (the paper's)")
+      ->transform(CLI::CheckedTransformer(smoothers))
+      ->type_name("NAME");
+  command.add_option("--threads", options.solver.threads, "Processor cores to use (default: all)")
+      ->check(CLI::Range(1, kThreadsMax));
+  command.add_option("--report", options.report_file, "Write a report of the run: FILE.json");
+}
+
+}  // namespace
+
+void add_filter_command(CommandTable& table) {
+  const auto options = std::make_shared<FilterOptions>();
+  CLI::App* command = table.add("filter", "Edit a scan in this process, without a server",
+                                [options] { return filter(*options); });
+  command->add_option("IN", options->in, "Mesh file: .ply, .obj, .stl or .off")->required();
+  command->add_option("OUT", options->out, "File to write: .ply, .obj or .stl")->required();
+  command->add_option("--depth", options->prepare.depth, "Octree depth (default: by the mesh)")
+      ->check(CLI::Range(kDepthMin, kDepthMax));
+  command
+      ->add_option("--curvature-radius", options->prepare.curvature_radius,
+                   "Average the curvature over this fraction of L")
+      ->check(CLI::Range(0.0, 0.2));
+  add_field_options(*command, *options);
+  add_solve_options(*command, *options);
+}
+
+}  // namespace burnish

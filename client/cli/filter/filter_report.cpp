@@ -1,0 +1,81 @@
+#include "client/cli/filter/filter_report.h"
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "common/base/atomic_file.h"
+#include "common/base/parallel.h"
+
+namespace burnish {
+
+using nlohmann::ordered_json;
+
+static ordered_json to_json(const Vec3d& v) { return {v.x(), v.y(), v.z()}; }
+
+static ordered_json grid_of(const PreparedMesh& prepared) {
+  return {{"origin", to_json(prepared.frame.origin)},
+          {"cell_size", prepared.frame.cell_size},
+          {"L", prepared.length_unit},
+          {"depth", prepared.frame.depth}};
+}
+
+static ordered_json counts_of(const PreparedMesh& prepared, int32_t corners) {
+  const MeshStatistics& statistics = prepared.statistics;
+  return {{"vertices", statistics.vertices},
+          {"triangles", statistics.triangles},
+          {"boundary_edges", statistics.boundary_edges},
+          {"non_manifold_edges", statistics.non_manifold_edges},
+          {"components", statistics.components},
+          {"zero_area_triangles", statistics.zero_area_triangles},
+          {"unreferenced_vertices", statistics.unreferenced_vertices},
+          {"area", statistics.area},
+          {"diagonal", statistics.diagonal()},
+          {"cells", prepared.cells.size()},
+          {"corners", corners}};
+}
+
+static ordered_json phases_of(const FilterRun& run) {
+  ordered_json phases = ordered_json::array();
+  const auto add = [&](const std::string& name, double seconds) -> ordered_json& {
+    phases.push_back({{"name", name}, {"seconds", seconds}});
+    return phases.back();
+  };
+  add("read", run.read_seconds);
+  for (const PrepareReport::Phase& phase : run.prepare.phases)
+    add(phase.name, phase.seconds)["peak_bytes"] = phase.peak_bytes;
+  add("hierarchy", run.hierarchy_seconds);
+  add("assemble", run.solve.assemble_seconds);
+  add("solve", run.solve.solve_seconds);
+  add("write", run.write_seconds);
+  return phases;
+}
+
+static ordered_json memory_of(const Session& session, const FilterRun& run) {
+  const double cells = static_cast<double>(session.prepared().cells.size());
+  const uint64_t session_bytes = session.solver().byte_count();
+  return {{"prepared_bytes", session.prepared().byte_count()},
+          {"hierarchy_bytes", run.hierarchy_bytes},
+          {"session_bytes", session_bytes},
+          {"integral_bytes_per_cell", session.prepared().integrals.size_bytes() / cells},
+          {"hierarchy_bytes_per_corner", static_cast<double>(run.hierarchy_bytes) / run.corners},
+          {"session_bytes_per_corner", static_cast<double>(session_bytes) / run.corners}};
+}
+
+Status write_filter_report(const Session& session, const FilterRun& run,
+                           const std::filesystem::path& path) {
+  const ordered_json report = {{"grid", grid_of(session.prepared())},
+                               {"counts", counts_of(session.prepared(), run.corners)},
+                               {"backend", std::string(session.solver().backend_name())},
+                               {"threads", thread_count()},
+                               {"phases", phases_of(run)},
+                               {"memory", memory_of(session, run)},
+                               {"cycles", run.solve.cycles},
+                               {"converged", run.solve.converged},
+                               {"energy", run.solve.last.energy},
+                               {"residual", run.solve.last.residual},
+                               {"distance", run.solve.last.distance}};
+  return write_file(path, report.dump(2) + "\n");
+}
+
+}  // namespace burnish

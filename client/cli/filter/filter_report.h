@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+
+#include "common/base/status.h"
+#include "server/prepare/prepare.h"
+#include "server/session/session.h"
+
+namespace burnish {
+
+/// What `burnish filter --report` tells of one run.
+struct FilterRun {
+  double read_seconds = 0;
+  PrepareReport prepare;
+  double hierarchy_seconds = 0;
+  uint64_t hierarchy_bytes = 0;
+  int32_t corners = 0;
+  SolveReport solve;
+  double write_seconds = 0;
+};
+
+/// JSON: grid, counts, seconds and peak bytes by phase, memory, cycles, energy and the estimated
+/// distance to convergence (of the bounding-box diagonal).
+Status write_filter_report(const Session& session, const FilterRun& run,
+                           const std::filesystem::path& path);
+
+}  // namespace burnish

@@ -1,0 +1,7 @@
+#include "client/cli/commands.h"
+
+namespace burnish {
+
+void add_render_command(CommandTable&) {}  // a build without OpenGL draws nothing
+
+}  // namespace burnish

@@ -1,0 +1,76 @@
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "client/cli/command.h"
+#include "client/cli/commands.h"
+#include "client/gl/picture.h"
+#include "client/png_writer.h"
+#include "common/mesh/mesh_io.h"
+
+namespace burnish {
+namespace {
+
+struct RenderOptions {
+  std::string scan;
+  std::string out;
+  PictureOptions picture;
+};
+
+// Both return the usage message that CLI11 expects of a check: empty when the text is right.
+
+std::string parse_size(const std::string& text, ImageSize& size) {
+  int end = 0;
+  if (std::sscanf(text.c_str(), "%5dx%5d%n", &size.width, &size.height, &end) != 2 ||
+      static_cast<size_t>(end) != text.size())
+    return "'" + text + "' is not WIDTHxHEIGHT in pixels, such as 1280x960";
+  return usage_message(check_image_size(size));
+}
+
+std::string parse_view(const std::string& text, PictureOptions& picture) {
+  int end = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf%n", &picture.azimuth_degrees, &picture.elevation_degrees,
+                  &end) != 2 ||
+      static_cast<size_t>(end) != text.size() || !std::isfinite(picture.azimuth_degrees) ||
+      !(std::abs(picture.elevation_degrees) <= 90))
+    return "'" + text + "' is not AZIMUTH,ELEVATION in degrees, the elevation within -90..90";
+  return {};
+}
+
+Status render(const RenderOptions& options) {
+  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(options.scan));
+  ASSIGN_OR_RETURN(const Image image, draw_picture(mesh, options.picture));
+  RETURN_IF_ERROR(write_png(image, options.out));
+  std::printf("%s: %dx%d pixels\n", options.out.c_str(), image.size.width, image.size.height);
+  return Status::ok();
+}
+
+}  // namespace
+
+void add_render_command(CommandTable& commands) {
+  const auto options = std::make_shared<RenderOptions>();
+  PictureOptions& picture = options->picture;
+  CLI::App* command = commands.add("render", "Draw a picture of a scan, without a window",
+                                   [options] { return render(*options); });
+  command->add_option("SCAN", options->scan, "Mesh file: .ply, .obj, .stl or .off")->required();
+  command->add_option("OUT", options->out, "Picture to write: .png")->required();
+  command
+      ->add_option_function<std::string>(
+          "--size", [](const std::string&) {}, "Size in pixels (default 1280x960)")
+      ->type_name("WxH")
+      ->check([&picture](const std::string& text) { return parse_size(text, picture.size); });
+  command
+      ->add_option_function<std::string>(
+          "--view", [](const std::string&) {},
+          "Camera angles in degrees: azimuth from +z towards +x, elevation towards +y "
+          "(default 25,20)")
+      ->type_name("AZIMUTH,ELEVATION")
+      ->check([&picture](const std::string& text) { return parse_view(text, picture); });
+  command->add_option("--zoom", picture.zoom, "Magnification; 1 shows the whole scan")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str();
+  command->add_flag("--flat", picture.style.flat, "One shade for each triangle");
+  command->add_flag("--wireframe", picture.style.wireframe, "Draw the triangles' edges");
+}
+
+}  // namespace burnish

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// An OpenGL 3.3 core context without a window, made through EGL: on Mesa's surfaceless platform,
+/// else on the first device that has a driver. Current on the thread that made it.
+class EglContext {
+ public:
+  /// Fails: unavailable, saying what is missing: the EGL library, a driver, or OpenGL 3.3.
+  static Result<std::unique_ptr<EglContext>> create();
+  ~EglContext();
+  EglContext(const EglContext&) = delete;
+  EglContext& operator=(const EglContext&) = delete;
+
+ private:
+  EglContext(void* display, void* context) : display_(display), context_(context) {}
+
+  void* display_;  // EGLDisplay
+  void* context_;  // EGLContext
+};
+
+}  // namespace burnish

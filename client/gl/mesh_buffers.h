@@ -1,0 +1,35 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include "client/view_mesh.h"
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// Positions (attribute 0), normals (1), ridges (2) and indices of one mesh on the card.
+/// Needs a current context for its whole life.
+class MeshBuffers {
+ public:
+  MeshBuffers();
+  ~MeshBuffers();
+  MeshBuffers(const MeshBuffers&) = delete;
+  MeshBuffers& operator=(const MeshBuffers&) = delete;
+
+  /// Fails: resource_exhausted for more triangles than one draw call takes, or when the driver has
+  /// no room; then the buffers are empty.
+  Status upload(const ViewMesh& mesh);
+  bool is_empty() const { return index_count_ == 0; }
+  void bind() const { glBindVertexArray(vertex_array_); }
+  void draw() const;
+
+ private:
+  GLuint vertex_array_ = 0;
+  GLuint positions_ = 0;
+  GLuint normals_ = 0;
+  GLuint ridges_ = 0;
+  GLuint indices_ = 0;
+  GLsizei index_count_ = 0;
+};
+
+}  // namespace burnish

@@ -1,0 +1,23 @@
+#include "client/gl/picture.h"
+
+#include "client/gl/context_egl.h"
+#include "client/gl/gl_renderer.h"
+
+namespace burnish {
+
+Result<Image> draw_picture(const TriangleMesh& mesh, const PictureOptions& options) {
+  RETURN_IF_ERROR(check_image_size(options.size));
+  ASSIGN_OR_RETURN(const auto context, EglContext::create());
+  ASSIGN_OR_RETURN(const auto renderer, GlRenderer::create());
+  const ViewMesh view = make_view_mesh(mesh);
+  RETURN_IF_ERROR(renderer->upload_mesh(view));
+  Camera camera;
+  camera.azimuth_degrees = options.azimuth_degrees;
+  camera.elevation_degrees = options.elevation_degrees;
+  camera.zoom = options.zoom;
+  camera = frame_all(camera, view.box, options.size.aspect());
+  RETURN_IF_ERROR(renderer->draw(camera, options.size, options.style));
+  return renderer->read_pixels();
+}
+
+}  // namespace burnish

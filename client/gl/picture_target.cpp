@@ -1,0 +1,90 @@
+#include "client/gl/picture_target.h"
+
+#include <algorithm>
+
+#include "client/gl/gl_error.h"
+
+namespace burnish {
+
+static constexpr GLint kSamplesWanted = 4;
+
+static GLint integer_limit(GLenum name) {
+  GLint value = 0;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
+static void attach(GLenum attachment, GLuint buffer, GLint samples, GLenum format,
+                   const ImageSize& size) {
+  glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.width, size.height);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+}
+
+PictureTarget::PictureTarget() {
+  glGenFramebuffers(1, &samples_);
+  glGenFramebuffers(1, &resolved_);
+  glGenRenderbuffers(1, &samples_colour_);
+  glGenRenderbuffers(1, &samples_depth_);
+  glGenRenderbuffers(1, &resolved_colour_);
+}
+
+PictureTarget::~PictureTarget() {
+  glDeleteRenderbuffers(1, &resolved_colour_);
+  glDeleteRenderbuffers(1, &samples_depth_);
+  glDeleteRenderbuffers(1, &samples_colour_);
+  glDeleteFramebuffers(1, &resolved_);
+  glDeleteFramebuffers(1, &samples_);
+}
+
+Status PictureTarget::allocate(const ImageSize& size) {
+  const std::string what =
+      "picture of " + std::to_string(size.width) + "x" + std::to_string(size.height) + " pixels";
+  const GLint side_max = integer_limit(GL_MAX_RENDERBUFFER_SIZE);
+  if (std::max(size.width, size.height) > side_max)
+    return resource_exhausted(what + ": the graphics driver's limit is " +
+                              std::to_string(side_max));
+  const GLint samples = std::min(kSamplesWanted, integer_limit(GL_MAX_SAMPLES));
+  glBindFramebuffer(GL_FRAMEBUFFER, resolved_);
+  attach(GL_COLOR_ATTACHMENT0, resolved_colour_, 0, GL_RGBA8, size);
+  glBindFramebuffer(GL_FRAMEBUFFER, samples_);
+  attach(GL_COLOR_ATTACHMENT0, samples_colour_, samples, GL_RGBA8, size);
+  attach(GL_DEPTH_ATTACHMENT, samples_depth_, samples, GL_DEPTH_COMPONENT24, size);
+  RETURN_IF_ERROR(check_gl(what));
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    return resource_exhausted(what + ": the graphics driver offers no such buffers");
+  size_ = size;
+  return Status::ok();
+}
+
+Status PictureTarget::bind(const ImageSize& size) {
+  RETURN_IF_ERROR(check_image_size(size));
+  if (size != size_) RETURN_IF_ERROR(allocate(size));
+  glBindFramebuffer(GL_FRAMEBUFFER, samples_);
+  glViewport(0, 0, size.width, size.height);
+  return Status::ok();
+}
+
+void PictureTarget::resolve() const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
+  glBlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height,
+                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+Result<Image> PictureTarget::read() const {
+  if (size_ == ImageSize{}) return failed_precondition("nothing was drawn yet");
+  const size_t row_bytes = 3 * static_cast<size_t>(size_.width);
+  Image image{size_, std::vector<uint8_t>(row_bytes * size_.height)};
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, size_.width, size_.height, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
+  RETURN_IF_ERROR(check_gl("reading the picture"));
+  for (int low = 0, high = size_.height - 1; low < high; ++low, --high) {  // OpenGL's rows go up
+    uint8_t* const first = image.rgb.data() + low * row_bytes;
+    std::swap_ranges(first, first + row_bytes, image.rgb.data() + high * row_bytes);
+  }
+  return image;
+}
+
+}  // namespace burnish

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include "client/image.h"
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// Where a picture is drawn: a multisampled colour and depth buffer, and a plain colour buffer that
+/// it is resolved into. Needs a current context for its whole life.
+class PictureTarget {
+ public:
+  PictureTarget();
+  ~PictureTarget();
+  PictureTarget(const PictureTarget&) = delete;
+  PictureTarget& operator=(const PictureTarget&) = delete;
+
+  /// Makes the target ready for drawing at this size.
+  /// Fails: invalid_argument (check_image_size), resource_exhausted (the driver's limit or memory).
+  Status bind(const ImageSize& size);
+
+  /// Averages the samples of what was drawn.
+  void resolve() const;
+
+  /// The resolved picture. Fails: failed_precondition before the first bind().
+  Result<Image> read() const;
+
+ private:
+  Status allocate(const ImageSize& size);
+
+  ImageSize size_;
+  GLuint samples_ = 0;
+  GLuint samples_colour_ = 0;
+  GLuint samples_depth_ = 0;
+  GLuint resolved_ = 0;
+  GLuint resolved_colour_ = 0;
+};
+
+}  // namespace burnish

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include <Eigen/Core>
+#include <epoxy/gl.h>
+
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// A linked pair of shaders. Needs a current context for its whole life.
+class ShaderProgram {
+ public:
+  /// Fails: internal_error with the compiler's log; `name` only serves the message.
+  static Result<ShaderProgram> create(const std::string& name, const char* vertex_source,
+                                      const char* fragment_source);
+  ShaderProgram(ShaderProgram&& other) noexcept;
+  ShaderProgram& operator=(ShaderProgram&&) = delete;
+  ~ShaderProgram();
+
+  void use() const { glUseProgram(program_); }
+  /// For the program in use.
+  void set(const char* uniform, bool value) const;
+  void set(const char* uniform, const Eigen::Matrix4f& value) const;
+
+ private:
+  explicit ShaderProgram(GLuint program) : program_(program) {}
+
+  GLuint program_;  // 0 when moved from
+};
+
+}  // namespace burnish

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "common/mesh/triangle_mesh.h"
+
+namespace burnish {
+
+/// A mesh as a graphics card wants it. Positions are floats around the box's centre, in units of
+/// half the box's diagonal, so that survey coordinates far from the origin keep their detail.
+struct ViewMesh {
+  Eigen::AlignedBox3d box;       ///< of the referenced vertices, file units
+  std::vector<Vec3f> positions;  ///< one per vertex
+  std::vector<Vec3f> normals;    ///< one per vertex, unit length
+  std::vector<float> ridges;     ///< one per vertex, within -1 (groove) to 1 (ridge)
+  std::vector<Triangle> triangles;
+
+  double unit() const { return 0.5 * box.diagonal().norm(); }  ///< file units
+};
+
+/// Needs: a valid mesh.
+ViewMesh make_view_mesh(const TriangleMesh& mesh);
+
+/// Unit normals: the mean of the adjacent triangles' normals, weighted by their angle at the
+/// vertex; (0, 0, 1) where no triangle of positive area is near.
+/// Shapes: one per vertex.
+std::vector<Vec3f> vertex_normals(std::span<const Vec3d> vertices,
+                                  std::span<const Triangle> triangles);
+
+/// How far the surface bends at each vertex: the normals' divergence along the edges around it,
+/// averaged twice over its neighbours against noise, and pressed into -1 (groove) to 1 (ridge).
+/// Shapes: one per vertex. Units: positions in half diagonals, as in ViewMesh.
+std::vector<float> vertex_ridges(std::span<const Vec3f> positions, std::span<const Vec3f> normals,
+                                 std::span<const Triangle> triangles);
+
+}  // namespace burnish

@@ -1,0 +1,68 @@
+#include "common/mesh/ply_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "common/mesh/text_values.h"
+
+namespace burnish {
+
+static constexpr std::array<std::string_view, kPlyIgnored> kSlotNames = {
+    "x", "y", "z", "red", "green", "blue", "alpha"};
+
+static size_t slot_of(const PlyProperty& property) {
+  if (property.is_list()) return kPlyIgnored;
+  const auto slot = std::find(kSlotNames.begin(), kSlotNames.end(), property.name);
+  return static_cast<size_t>(slot - kSlotNames.begin());
+}
+
+static Status find_vertex_slots(const PlyHeader& header, const std::string& name,
+                                PlyLayout& layout) {
+  const PlyElement* vertex = header.find("vertex");
+  if (vertex == nullptr) return invalid_argument(name + ": the header has no element 'vertex'");
+  layout.vertices = vertex->count;
+  std::array<bool, kPlyIgnored + 1> found = {};
+  for (const PlyProperty& property : vertex->properties) {
+    const size_t slot = slot_of(property);
+    layout.vertex_slots.push_back(slot);
+    found[slot] = true;
+    layout.has_double_positions |= slot < kPlyRed && exceeds_float(property.type);
+  }
+  for (size_t axis = 0; axis < kPlyRed; ++axis)
+    if (!found[axis])
+      return invalid_argument(name + ": element 'vertex' has no property " +
+                              in_quotes(kSlotNames[axis]) + " that is a number");
+  layout.has_colours = found[kPlyRed] && found[kPlyRed + 1] && found[kPlyRed + 2];
+  return Status::ok();
+}
+
+/// None for an element that the file does not have.
+static Status find_index_list(const PlyHeader& header, const char* element_name,
+                              const std::string& name, size_t& list) {
+  const PlyElement* element = header.find(element_name);
+  if (element == nullptr || element->count == 0) return Status::ok();
+  const auto& properties = element->properties;
+  const auto found =
+      std::find_if(properties.begin(), properties.end(), [](const PlyProperty& property) {
+        return property.is_list() && is_integer(property.type) &&
+               (property.name == "vertex_indices" || property.name == "vertex_index");
+      });
+  if (found == properties.end())
+    return invalid_argument(name + ": element " + in_quotes(element_name) +
+                            " has no list 'vertex_indices' of integers");
+  list = static_cast<size_t>(found - properties.begin());
+  return Status::ok();
+}
+
+Result<PlyLayout> find_ply_layout(const PlyHeader& header, const std::string& name) {
+  PlyLayout layout;
+  RETURN_IF_ERROR(find_vertex_slots(header, name, layout));
+  RETURN_IF_ERROR(find_index_list(header, "face", name, layout.face_list));
+  RETURN_IF_ERROR(find_index_list(header, "tristrips", name, layout.strip_list));
+  if (layout.face_list == kPlyNoList && layout.strip_list == kPlyNoList)
+    return invalid_argument(name + ": the file has no faces, only points");
+  return layout;
+}
+
+}  // namespace burnish

@@ -1,0 +1,21 @@
+# shellcheck shell=bash
+# What the scripts of this folder share. Source it; it sets repo_root.
+
+repo_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+say() { printf '==> %s\n' "$*"; }
+
+fail() {
+  printf '%s: %s\n' "${0##*/}" "$*" >&2
+  exit 1
+}
+
+# configure_and_build PRESET [TARGET...]: the tree in build/PRESET; everything without targets.
+configure_and_build() {
+  local preset=$1
+  shift
+  say "configuring build/$preset"
+  (cd "$repo_root" && cmake --preset "$preset")
+  say "building build/$preset"
+  cmake --build "$repo_root/build/$preset" ${1:+--target "$@"}
+}

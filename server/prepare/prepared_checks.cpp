@@ -1,0 +1,158 @@
+#include "server/prepare/prepared_checks.h"
+
+#include <limits>
+#include <string>
+
+#include "common/base/limits.h"
+
+namespace burnish {
+
+namespace {
+
+constexpr std::array<const char*, kPreparedSections> kNames = {
+    "vertices", "triangles", "colours", "evaluation", "cells", "integrals", "curvature"};
+constexpr std::array<uint32_t, kPreparedSections> kElementBytes = {
+    sizeof(Vec3d),     sizeof(Triangle),      sizeof(Rgba8),        sizeof(EvaluationPoint),
+    sizeof(MortonKey), sizeof(CellIntegrals), sizeof(CellCurvature)};
+
+std::string section(PreparedSection id) {
+  return std::string("section ") + kNames[static_cast<int>(id)];
+}
+
+Status check_equal(const std::string& what, uint64_t value, uint64_t wanted) {
+  if (value == wanted) return Status::ok();
+  return data_loss(what + " is " + std::to_string(value) + ", must be " + std::to_string(wanted));
+}
+
+Status check_at_most(const std::string& what, uint64_t value, uint64_t most) {
+  if (value <= most) return Status::ok();
+  return data_loss(what + " is " + std::to_string(value) + ", must be at most " +
+                   std::to_string(most));
+}
+
+Status check_table(const PreparedHeader& header) {
+  uint64_t end = sizeof(PreparedHeader);
+  for (int i = 0; i < kPreparedSections; ++i) {
+    const SectionEntry& entry = header.sections[i];
+    const std::string where = section(static_cast<PreparedSection>(i)) + ": ";
+    const uint64_t offset = align_section(end);
+    RETURN_IF_ERROR(check_equal(where + "id", entry.id, i));
+    RETURN_IF_ERROR(check_equal(where + "element size", entry.element_bytes, kElementBytes[i]));
+    RETURN_IF_ERROR(check_equal(where + "offset", entry.offset, offset));
+    RETURN_IF_ERROR(check_at_most(where + "offset", offset, header.file_bytes));
+    const uint64_t room = (header.file_bytes - offset) / entry.element_bytes;
+    RETURN_IF_ERROR(check_at_most(where + "count", entry.count, room));
+    end = offset + entry.count * entry.element_bytes;
+  }
+  return check_equal("the end of the last section", end, header.file_bytes);
+}
+
+Status check_counts(const PreparedMesh& prepared) {
+  const auto check = [](PreparedSection id, uint64_t count, uint64_t wanted) {
+    return check_equal(section(id) + ": count", count, wanted);
+  };
+  const uint64_t vertices = prepared.vertices.size();
+  const uint64_t triangles = prepared.triangles.size();
+  const uint64_t cells = prepared.cells.size();
+  RETURN_IF_ERROR(check(PreparedSection::kVertices, vertices, prepared.statistics.vertices));
+  RETURN_IF_ERROR(check(PreparedSection::kTriangles, triangles, prepared.statistics.triangles));
+  RETURN_IF_ERROR(check_at_most("section vertices: count", vertices, kVerticesMax));
+  RETURN_IF_ERROR(check_at_most("section triangles: count", triangles, kTrianglesMax));
+  RETURN_IF_ERROR(check_at_most("section cells: count", cells, INT32_MAX));
+  if (!prepared.colours.empty())
+    RETURN_IF_ERROR(check(PreparedSection::kColours, prepared.colours.size(), vertices));
+  RETURN_IF_ERROR(check(PreparedSection::kEvaluation, prepared.evaluation.size(), vertices));
+  RETURN_IF_ERROR(check(PreparedSection::kIntegrals, prepared.integrals.size(), cells));
+  return check(PreparedSection::kCurvature, prepared.curvature.size(), cells);
+}
+
+Status check_triangles(const PreparedMesh& prepared) {
+  for (size_t t = 0; t < prepared.triangles.size(); ++t) {
+    for (uint32_t v : prepared.triangles[t]) {
+      if (v < prepared.vertices.size()) continue;
+      return data_loss("section triangles: triangle " + std::to_string(t) + " refers to vertex " +
+                       std::to_string(v) + " of " + std::to_string(prepared.vertices.size()));
+    }
+  }
+  return Status::ok();
+}
+
+Status check_evaluation(const PreparedMesh& prepared) {
+  const auto cells = static_cast<int32_t>(prepared.cells.size());
+  for (size_t v = 0; v < prepared.evaluation.size(); ++v) {
+    const int32_t cell = prepared.evaluation[v].cell;
+    if (cell == kNone || (cell >= 0 && cell < cells)) continue;
+    return data_loss("section evaluation: vertex " + std::to_string(v) + " lies in cell " +
+                     std::to_string(cell) + " of " + std::to_string(cells));
+  }
+  return Status::ok();
+}
+
+Status check_cells(const PreparedMesh& prepared) {
+  const MortonKey end = MortonKey{1} << 3 * prepared.frame.depth;
+  for (size_t c = 0; c < prepared.cells.size(); ++c) {
+    const MortonKey key = prepared.cells[c];
+    const bool is_rising = c == 0 || prepared.cells[c - 1] < key;
+    if (is_rising && key < end) continue;
+    return data_loss("section cells: key " + std::to_string(key) + " of cell " + std::to_string(c) +
+                     (is_rising
+                          ? " is outside the grid of depth " + std::to_string(prepared.frame.depth)
+                          : std::string(" does not rise")));
+  }
+  return Status::ok();
+}
+
+}  // namespace
+
+Status check_header(const PreparedHeader& header, uint64_t actual_file_bytes) {
+  if (header.magic != kPreparedMagic) return data_loss("header: this is no prepared mesh");
+  RETURN_IF_ERROR(check_equal("header: format version", header.version, kPreparedFormatVersion));
+  RETURN_IF_ERROR(check_equal("header: checksum", header.checksum, header_checksum(header)));
+  RETURN_IF_ERROR(check_equal("length of the file", actual_file_bytes, header.file_bytes));
+  return check_table(header);
+}
+
+Status check_scalars(const PreparedHeader& header) {
+  const auto check_range = [](const std::string& name, double value, double least, double most) {
+    if (value >= least && value <= most) return Status::ok();  // false for NaN
+    return data_loss("header: " + name + " is " + std::to_string(value));
+  };
+  const double max = std::numeric_limits<double>::max();
+  const double least = std::numeric_limits<double>::denorm_min();
+  RETURN_IF_ERROR(check_range("depth", header.depth, kDepthMin, kDepthMax));
+  RETURN_IF_ERROR(check_range("cell size", header.cell_size, least, max));
+  RETURN_IF_ERROR(check_range("length unit", header.length_unit, least, max));
+  RETURN_IF_ERROR(check_range("curvature radius", header.curvature_radius, 0, max));
+  RETURN_IF_ERROR(check_range("area", header.area, least, max));
+  RETURN_IF_ERROR(check_range("signed volume", header.signed_volume, -max, max));
+  RETURN_IF_ERROR(check_range("mean edge length", header.mean_edge_length, 0, max));
+  RETURN_IF_ERROR(check_range("double positions", header.has_double_positions, 0, 1));
+  RETURN_IF_ERROR(check_range("histogram range", header.histogram_range, least, max));
+  for (int axis = 0; axis < 3; ++axis) {
+    RETURN_IF_ERROR(check_range("grid origin", header.grid_origin[axis], -max, max));
+    RETURN_IF_ERROR(check_range("box", header.box_min[axis], -max, max));
+    RETURN_IF_ERROR(check_range("box", header.box_max[axis], header.box_min[axis], max));
+  }
+  for (float area : header.histogram_area)
+    RETURN_IF_ERROR(check_range("histogram area", area, 0, max));
+  return Status::ok();
+}
+
+Status check_section_checksums(const PreparedHeader& header, std::span<const uint8_t> file) {
+  for (int i = 0; i < kPreparedSections; ++i) {
+    const SectionEntry& entry = header.sections[i];
+    const auto bytes = file.subspan(entry.offset, entry.count * entry.element_bytes);
+    RETURN_IF_ERROR(check_equal(section(static_cast<PreparedSection>(i)) + ": checksum",
+                                prepared_checksum(bytes), entry.checksum));
+  }
+  return Status::ok();
+}
+
+Status check_contents(const PreparedMesh& prepared) {
+  RETURN_IF_ERROR(check_counts(prepared));
+  RETURN_IF_ERROR(check_triangles(prepared));
+  RETURN_IF_ERROR(check_evaluation(prepared));
+  return check_cells(prepared);
+}
+
+}  // namespace burnish

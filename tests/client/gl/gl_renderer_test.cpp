@@ -1,0 +1,164 @@
+#include "client/gl/gl_renderer.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "client/gl/context_egl.h"
+#include "client/gl/picture.h"
+#include "tests/client/sphere.h"
+
+namespace burnish {
+namespace {
+
+constexpr ImageSize kSize{400, 300};
+
+Camera sphere_camera(double distance) {
+  Camera camera;
+  camera.distance = distance;
+  camera.scene_radius = 1.1;
+  return camera;
+}
+
+class GlPicture : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto context = EglContext::create();
+    ASSERT_TRUE(context.is_ok()) << context.status().message();
+    context_ = std::move(context).value();
+    renderer_ = std::move(GlRenderer::create()).value();
+  }
+
+  Image draw(const Camera& camera, const DrawStyle& style = {}) {
+    const Status drawn = renderer_->draw(camera, kSize, style);
+    EXPECT_TRUE(drawn.is_ok()) << drawn.message();
+    return std::move(renderer_->read_pixels()).value();
+  }
+
+  Image draw_sphere(const Vec3d& centre, const Camera& camera, const DrawStyle& style = {}) {
+    EXPECT_TRUE(renderer_->upload_mesh(make_view_mesh(make_test_sphere(centre, 1))).is_ok());
+    return draw(camera, style);
+  }
+
+  std::unique_ptr<EglContext> context_;  // outlives the renderer
+  std::unique_ptr<GlRenderer> renderer_;
+};
+
+int count_different(const Image& a, const Image& b) {
+  int count = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x)
+      count += !std::equal(a.pixel(x, y), a.pixel(x, y) + 3, b.pixel(x, y));
+  return count;
+}
+
+int brightness(const Image& image, int x, int y) {
+  const uint8_t* rgb = image.pixel(x, y);
+  return rgb[0] + rgb[1] + rgb[2];
+}
+
+TEST_F(GlPicture, ASpheresSilhouetteHasTheAreaThatPerspectiveGives) {
+  const double distance = 5;
+  const Camera camera = sphere_camera(distance);
+  const Image background = draw(camera);
+  const Image sphere = draw_sphere(Vec3d::Zero(), camera);
+  const double half_view = std::tan(15 * std::numbers::pi / 180);
+  const double radius_pixels = std::tan(std::asin(1 / distance)) / half_view * (0.5 * kSize.height);
+  const double area = std::numbers::pi * radius_pixels * radius_pixels;
+  // Every pixel that the edge touches differs: half a pixel more around the whole circle.
+  const double edge = std::numbers::pi * radius_pixels;
+  EXPECT_NEAR(count_different(sphere, background), area + edge, edge);
+}
+
+TEST_F(GlPicture, TheSideTowardsTheKeyLightIsBrighter) {
+  const Image image = draw_sphere(Vec3d::Zero(), sphere_camera(5));
+  const int lit = brightness(image, kSize.width / 2 - 60, kSize.height / 2 - 60);
+  const int dark = brightness(image, kSize.width / 2 + 60, kSize.height / 2 + 60);
+  EXPECT_GT(lit, dark + 150);
+}
+
+TEST_F(GlPicture, RowsGoFromTopToBottom) {
+  const Image image = draw_sphere(Vec3d(0, 0.5, 0), sphere_camera(8));
+  const Image background = draw_sphere(Vec3d(0, 100, 0), sphere_camera(8));
+  int above = 0, below = 0;
+  for (int y = 0; y < kSize.height; ++y)
+    for (int x = 0; x < kSize.width; ++x)
+      if (brightness(image, x, y) != brightness(background, x, y))
+        ++(y < kSize.height / 2 ? above : below);
+  EXPECT_GT(above, 2 * below);
+  EXPECT_GT(below, 0);
+}
+
+TEST_F(GlPicture, AMovedMeshGivesAnotherPictureAndAnUnmovedOneTheSame) {
+  const Camera camera = sphere_camera(5);
+  const Image first = draw_sphere(Vec3d::Zero(), camera);
+  const Image moved = draw_sphere(Vec3d(0.1, 0, 0), camera);
+  const Image again = draw_sphere(Vec3d::Zero(), camera);
+  EXPECT_GT(count_different(first, moved), 1000);
+  EXPECT_EQ(count_different(first, again), 0);
+}
+
+TEST_F(GlPicture, DoesNotDependOnTheFilesUnitsOrOrigin) {
+  TriangleMesh small = make_test_sphere(Vec3d::Zero(), 1), large = small;
+  const Vec3d shift(4e6, -3e6, 1e6);
+  for (Vec3d& vertex : large.vertices) vertex = 1000 * vertex + shift;
+  Camera camera = sphere_camera(5);
+  ASSERT_TRUE(renderer_->upload_mesh(make_view_mesh(small)).is_ok());
+  const Image near_picture = draw(camera);
+  camera.target = shift;
+  camera.distance *= 1000;
+  camera.scene_radius *= 1000;
+  ASSERT_TRUE(renderer_->upload_mesh(make_view_mesh(large)).is_ok());
+  const Image far_picture = draw(camera);
+  for (size_t i = 0; i < near_picture.rgb.size(); ++i)
+    ASSERT_NEAR(near_picture.rgb[i], far_picture.rgb[i], 3) << "byte " << i;
+}
+
+TEST_F(GlPicture, FlatAndWireframeStylesDiffer) {
+  const Camera camera = sphere_camera(5);
+  const Image smooth = draw_sphere(Vec3d::Zero(), camera);
+  const Image flat = draw_sphere(Vec3d::Zero(), camera, {.flat = true});
+  const Image wires = draw_sphere(Vec3d::Zero(), camera, {.wireframe = true});
+  EXPECT_GT(count_different(smooth, flat), 1000);
+  EXPECT_GT(count_different(smooth, wires), 1000);
+  EXPECT_LT(brightness(wires, kSize.width / 2, kSize.height / 2 - 40),
+            brightness(smooth, kSize.width / 2, kSize.height / 2 - 40));
+}
+
+TEST_F(GlPicture, AbsurdSizesAreRefusedAndTheNextPictureIsDrawn) {
+  EXPECT_EQ(renderer_->draw({}, {15, 100}, {}).code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(renderer_->draw({}, {100, 8193}, {}).code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(renderer_->read_pixels().status().code(), StatusCode::kFailedPrecondition);
+  EXPECT_EQ(draw(sphere_camera(5)).size, kSize);
+}
+
+TEST(Picture, FramesTheWholeMesh) {
+  PictureOptions options;
+  options.size = kSize;
+  const Image image = std::move(draw_picture(make_test_sphere(Vec3d(7, 8, 9), 3), options)).value();
+  EXPECT_EQ(image.size, kSize);
+  const auto differs_from_left_edge = [&](int x, int y) {
+    return std::abs(brightness(image, x, y) - brightness(image, 0, y)) > 6;
+  };
+  EXPECT_TRUE(differs_from_left_edge(kSize.width / 2, kSize.height / 2));
+  for (int x = 0; x < kSize.width; ++x) {
+    EXPECT_FALSE(differs_from_left_edge(x, 0));
+    EXPECT_FALSE(differs_from_left_edge(x, kSize.height - 1));
+  }
+}
+
+TEST(Picture, SaysWhatIsMissingWithoutADriver) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a new process, which loads EGL anew
+  ASSERT_EQ(setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent", 1), 0);
+  EXPECT_EXIT(
+      {
+        const auto context = EglContext::create();
+        std::fputs(context.status().message().c_str(), stderr);
+        std::exit(context.is_ok() ? 0 : 1);
+      },
+      testing::ExitedWithCode(1), "no OpenGL context: .*libegl-mesa0");
+  unsetenv("__EGL_VENDOR_LIBRARY_DIRS");
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,58 @@
+#include <algorithm>
+#include <fstream>
+
+#include "tests/layering/layers.h"
+
+namespace burnish {
+namespace {
+
+struct Target {
+  std::set<std::string> layers;  // of its sources
+  std::set<std::string> links;
+};
+
+std::map<std::string, Target> read_targets(const std::filesystem::path& path,
+                                           const Layers& layers) {
+  std::map<std::string, Target> targets;
+  std::ifstream file(path);
+  std::string kind, name, value;
+  while (file >> kind >> name >> value) {
+    if (kind == "link") {
+      targets[name].links.insert(value);
+    } else if (const auto layer = layers.layer_of(value)) {
+      targets[name].layers.insert(*layer);
+    }
+  }
+  return targets;
+}
+
+// A target may link what one of its sources may include.
+std::string objection(const Target& target, const std::string& name, const Layers& layers) {
+  std::string last;
+  for (const std::string& layer : target.layers) {
+    last = layers.objection(layer, name);
+    if (last.empty()) return {};
+  }
+  return last;
+}
+
+}  // namespace
+
+std::vector<std::string> check_targets(const std::filesystem::path& list, const Layers& layers) {
+  const auto targets = read_targets(list, layers);
+  std::vector<std::string> wrong;
+  for (const auto& [name, target] : targets) {
+    for (const std::string& link : target.links) {
+      const auto other = targets.find(link);
+      const std::set<std::string> used =
+          other == targets.end() ? std::set{link} : other->second.layers;
+      for (const std::string& use : used) {
+        const std::string why = objection(target, use, layers);
+        if (!why.empty()) wrong.push_back("target " + name + " links " + link + ": " + why);
+      }
+    }
+  }
+  return wrong;
+}
+
+}  // namespace burnish

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// The table of layers.txt: which part of the tree may depend on which.
+struct Layers {
+  std::map<std::string, std::set<std::string>> allowed;  ///< by layer: what it may include
+  std::map<std::string, std::set<std::string>> only;     ///< by foreign prefix: who may use it
+
+  /// The layer of a path below the root: the longest one that is the path, its folder or its stem.
+  std::optional<std::string> layer_of(const std::string& path) const;
+
+  /// Empty when a file of `layer` may use `name`, an include path or a CMake target; else why not.
+  std::string objection(const std::string& layer, const std::string& name) const;
+};
+
+/// Fails: invalid_argument naming the line for unknown words, and for a layer that names one below
+/// it, so that no circle can be declared.
+Result<Layers> read_layers(const std::filesystem::path& table);
+
+/// Every `#include "..."` and `#include <...>` of the sources under root/folder for each folder.
+/// One message for each wrong one: "server/solver/a.cpp:12: ...".
+std::vector<std::string> check_includes(const std::filesystem::path& root,
+                                        const std::vector<std::string>& folders,
+                                        const Layers& layers);
+
+/// Every link of the CMake targets in `list`, as write_targets.cmake writes them.
+/// One message for each wrong one: "target burnish_grid links burnish_session: ...".
+std::vector<std::string> check_targets(const std::filesystem::path& list, const Layers& layers);
+
+}  // namespace burnish

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/mesh/triangle_mesh.h"
+
+/// Meshes of the kinds that scanners and exporters make, of 1 to 20 thousand triangles. Each is
+/// valid input; each breaks some careless preparation or solver.
+namespace burnish::reference {
+
+/// Both meshes in one, sharing no vertices.
+TriangleMesh joined(TriangleMesh mesh, const TriangleMesh& other);
+
+/// Boundary on four sides, one bump, exactly flat and parallel to the grid beyond it.
+TriangleMesh bumped_sheet(int side);
+
+/// Seven wavy sheets that meet in one edge line: that line's edges have seven triangles each.
+TriangleMesh non_manifold_fan(int side);
+
+/// Every triangle on its own three vertices, each moved a little: gaps and overlaps everywhere.
+TriangleMesh shaken_soup(const TriangleMesh& mesh, double shake);
+
+/// Scanner noise along the radius.
+TriangleMesh noisy_sphere(int level, double noise);
+
+/// Two slightly bent sheets a small part of a cell apart, facing away from each other.
+TriangleMesh two_near_sheets(int side, double gap);
+
+/// A closed pyramid of square steps. Steps, and all but the outermost walls, lie in grid planes of
+/// every depth from 4 on: multiples of 1/16 of the cube around the box's centre.
+TriangleMesh stepped_block(int splits);
+
+/// A sphere with triangles that repeat a vertex, triangles on a line, a double triangle, and
+/// vertices that no triangle references, one of them far away.
+TriangleMesh sphere_with_debris(int level);
+
+/// Closed, open and tiny parts: spheres of three sizes and orientations, and a loose triangle.
+TriangleMesh several_components();
+
+/// A cylinder of long thin triangles, twenty times as high as they are wide.
+TriangleMesh needles();
+
+/// Every kind with its name, for SCOPED_TRACE.
+std::vector<std::pair<std::string, TriangleMesh>> awkward_meshes();
+
+}  // namespace burnish::reference
