@@ -107,23 +107,23 @@ void CellIntegrator::add_triangle(const Vec3d& p, const Vec3d& q, const Vec3d& r
   area_ += area;
 }
 
-static std::array<float, 28> off_diagonal(const Square& matrix) {
-  std::array<float, 28> packed;
+static std::array<double, 28> off_diagonal(const Square& matrix) {
+  std::array<double, 28> packed;
   int pair = 0;
   for (int a = 0; a < 8; ++a)
-    for (int b = a + 1; b < 8; ++b) packed[pair++] = static_cast<float>(matrix[a][b]);
+    for (int b = a + 1; b < 8; ++b) packed[pair++] = matrix[a][b];
   return packed;
 }
 
 CellIntegrals CellIntegrator::integrals() const {
   CellIntegrals out;
   out.mass = off_diagonal(mass_);
-  for (int a = 0; a < 8; ++a) out.mass_row_sum[a] = static_cast<float>(mass_row_sum_[a]);
+  out.mass_row_sum = mass_row_sum_;
   for (int i = 0; i < 2; ++i) {
     out.stiffness[i] = off_diagonal(stiffness_[i]);
     for (int a = 0; a < 7; ++a)
       for (int axis = 0; axis < 3; ++axis)
-        out.gradient[i][3 * a + axis] = static_cast<float>(gradient_[i][a][axis]);
+        out.gradient[i][3 * a + axis] = gradient_[i][a][axis];
   }
   return out;
 }

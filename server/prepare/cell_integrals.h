@@ -38,10 +38,9 @@ class CellIntegrator {
 };
 
 /// The share of the squared normal derivative ∫⟨n, ∇B_a⟩⟨n, ∇B_b⟩ that is added to ℓ¹ + ℓ².
-/// Functions that vanish on a flat piece of surface have no energy at all; rounding the tables to
-/// float32 would make that slightly negative, and the solver would run away along them. This lifts
-/// them above the rounding and moves the surface by some 1e-6 of a cell.
-inline constexpr double kNormalStiffness = 1e-6;
+/// Functions that vanish on a flat piece of surface have no energy at all; this lifts them above
+/// the rounding of double and moves the surface by less than 1e-9 of a cell.
+inline constexpr double kNormalStiffness = 1e-9;
 
 /// Below this area (cells²) a piece is a rounding artefact of clipping.
 inline constexpr double kPieceAreaMin = 1e-22;

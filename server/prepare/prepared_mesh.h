@@ -18,16 +18,17 @@ namespace burnish {
 
 /// Metric-independent integrals of one cell over the surface inside it (section 4.3), grid units.
 /// Pairs (a, b), a < b, of local corners are ordered (0,1), (0,2), ..., (0,7), (1,2), ...: see
-/// pair_index(). Diagonals are not stored: they follow from the row sums, which keeps constants
-/// exact in float32 (ℓ has row sum zero).
+/// pair_index(). Diagonals are not stored: they follow from the row sums (of ℓ: zero), which keeps
+/// constants exact. In double: on flat pieces whole combinations of corners have no energy at all,
+/// and float32 tables would give them a negative one.
 struct CellIntegrals {
-  std::array<float, 28> mass;                        ///< ρ_ab
-  std::array<float, 8> mass_row_sum;                 ///< Σ_b ρ_ab = ∫ B_a
-  std::array<std::array<float, 28>, 2> stiffness;    ///< ℓ¹_ab, ℓ²_ab
-  std::array<std::array<float, 21>, 2> gradient;     ///< ∫ ⟨v_i, ∇B_a⟩ v_i for a = 0..6; a = 7 is
-                                                     ///< minus their sum
+  std::array<double, 28> mass;                        ///< ρ_ab
+  std::array<double, 8> mass_row_sum;                 ///< Σ_b ρ_ab = ∫ B_a
+  std::array<std::array<double, 28>, 2> stiffness;    ///< ℓ¹_ab, ℓ²_ab
+  std::array<std::array<double, 21>, 2> gradient;     ///< ∫ ⟨v_i, ∇B_a⟩ v_i for a = 0..6; a = 7
+                                                      ///< is minus their sum
 };
-static_assert(sizeof(CellIntegrals) == 536);
+static_assert(sizeof(CellIntegrals) == 1072);
 
 /// Area-weighted means over a cell, user units (κ·L), and the clipped area in grid units.
 struct CellCurvature {

@@ -12,8 +12,8 @@ namespace burnish {
 struct Measures {
   double energy = 0;             ///< ½uᵀSu − bᵀu, grid units
   double residual = 0;           ///< ‖D^-½ r‖ / ‖D^-½ b‖, D the diagonal of S
-  double correction_max = 0;     ///< largest visible |z_I| of the last V-cycle, in cells: an
-                                 ///< estimate of how far u was from the solution before the step
+  double correction_max = 0;     ///< largest |E x| of the last V-cycle at a vertex, in cells: an
+                                 ///< estimate of how far it was from the solution before the step
 };
 
 /// The one seam between the algorithms, written once, and the machines that run them.

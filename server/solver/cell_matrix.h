@@ -11,25 +11,23 @@ inline constexpr int pair_index(int a, int b) {
 }
 
 /// A cell's symmetric 8×8 share of a system matrix, as off-diagonal pairs and row sums. The
-/// diagonal is the row sum less the off-diagonals; keeping the sums apart keeps the mass term,
-/// which is many orders below the stiffness at small α, exact in float32.
+/// diagonal is the row sum less the off-diagonals; keeping the sums apart keeps the mass term, which
+/// is many orders below the stiffness at small α.
 struct CellMatrix {
-  std::array<float, 28> pair;
-  std::array<float, 8> row_sum;
+  std::array<double, 28> pair;
+  std::array<double, 8> row_sum;
 };
-static_assert(sizeof(CellMatrix) == 144);
 
 /// The combined integrals of section 5.2 ("Down-sampling"): α1α2 ρ + (α2/α1) ℓ¹ + (α1/α2) ℓ².
 /// Units: α in grid units.
 struct CombineWeights {
-  float mass;
-  float stiffness1;
-  float stiffness2;
+  double mass;
+  double stiffness1;
+  double stiffness2;
 };
 
 inline CombineWeights combine_weights(double alpha1, double alpha2) {
-  return {static_cast<float>(alpha1 * alpha2), static_cast<float>(alpha2 / alpha1),
-          static_cast<float>(alpha1 / alpha2)};
+  return {alpha1 * alpha2, alpha2 / alpha1, alpha1 / alpha2};
 }
 
 }  // namespace burnish

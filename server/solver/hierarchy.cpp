@@ -114,19 +114,6 @@ void connect(HierarchyDepth& fine, HierarchyDepth& coarse) {
   transpose(coarse.grid, fine.to_parent);
 }
 
-std::vector<float> visibility_of(const PreparedMesh& prepared, const SparseGrid& grid) {
-  std::vector<float> visibility(grid.corners.size(), 0);
-  for (const EvaluationPoint& point : prepared.evaluation) {
-    if (point.cell == kNone) continue;
-    const auto weights = trilinear_weights(point.local);
-    for (int a = 0; a < kCornersPerCell; ++a) {
-      float& most = visibility[grid.cell_corners[point.cell][a]];
-      most = std::max(most, weights[a]);
-    }
-  }
-  return visibility;
-}
-
 template <typename T>
 uint64_t bytes_of(const std::vector<T>& v) {
   return v.capacity() * sizeof(T);
@@ -161,14 +148,13 @@ std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared) {
   auto hierarchy = std::make_shared<Hierarchy>();
   hierarchy->coarsest = from_finest.back().grid.depth;
   hierarchy->finest = prepared.frame.depth;
-  hierarchy->visibility = visibility_of(prepared, from_finest.front().grid);
   hierarchy->depths.assign(std::make_move_iterator(from_finest.rbegin()),
                            std::make_move_iterator(from_finest.rend()));
   return hierarchy;
 }
 
 uint64_t Hierarchy::byte_count() const {
-  uint64_t bytes = bytes_of(visibility);
+  uint64_t bytes = 0;
   for (const HierarchyDepth& depth : depths) {
     bytes += bytes_of(depth.grid.cells) + bytes_of(depth.grid.corners) +
              bytes_of(depth.grid.cell_corners) + bytes_of(depth.grid.cells_of_corner) +

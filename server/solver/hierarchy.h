@@ -66,9 +66,6 @@ struct Hierarchy {
   int coarsest = 0;                    ///< solved directly
   int finest = 0;
   std::vector<HierarchyDepth> depths;  ///< depths[d - coarsest]
-  /// Per corner of the finest depth, the largest weight that it has on any vertex: 0 for corners
-  /// that no vertex feels.
-  std::vector<float> visibility;
 
   const HierarchyDepth& at(int depth) const { return depths[depth - coarsest]; }
   uint64_t byte_count() const;

@@ -19,14 +19,17 @@ static CellMatrix combine(const CellIntegrals& integrals, const CombineWeights& 
   return out;
 }
 
-void combine_integrals(const PreparedMesh& prepared, std::span<const float> alpha1,
-                       std::span<const float> alpha2, CpuDepth& finest) {
+std::vector<CellMatrix> combine_integrals(const PreparedMesh& prepared,
+                                          std::span<const float> alpha1,
+                                          std::span<const float> alpha2) {
+  std::vector<CellMatrix> combined(prepared.cells.size());
   const double scale = prepared.alpha_scale();
   const int64_t cells = static_cast<int64_t>(prepared.cells.size());
 #pragma omp parallel for schedule(static)
   for (int64_t c = 0; c < cells; ++c)
-    finest.cells[c] = combine(prepared.integrals[c],
-                              combine_weights(alpha1[c] * scale, alpha2[c] * scale));
+    combined[c] = combine(prepared.integrals[c],
+                          combine_weights(alpha1[c] * scale, alpha2[c] * scale));
+  return combined;
 }
 
 static void expand(const CellMatrix& cell, Square& full, double (&row_sum)[8]) {
@@ -67,30 +70,32 @@ static void restrict_to_parent(int octant, Square& full, double (&row_sum)[8]) {
   }
 }
 
-void down_sample(const CpuDepth& fine, CpuDepth& coarse) {
-  const HierarchyDepth& topology = coarse.topology;
-  const int32_t parents = coarse.topology.grid.cell_count();
+std::vector<CellMatrix> down_sample(const HierarchyDepth& fine, const HierarchyDepth& coarse,
+                                    std::span<const CellMatrix> fine_cells) {
+  const int32_t parents = coarse.grid.cell_count();
+  std::vector<CellMatrix> combined(parents);
 #pragma omp parallel for schedule(static)
   for (int32_t parent = 0; parent < parents; ++parent) {
     Square sum = {};
     double sum_of_rows[8] = {};
-    for (int32_t i = topology.child_start[parent]; i < topology.child_start[parent + 1]; ++i) {
-      const int32_t child = topology.child[i];
+    for (int32_t i = coarse.child_start[parent]; i < coarse.child_start[parent + 1]; ++i) {
+      const int32_t child = coarse.child[i];
       Square full;
       double row_sum[8];
-      expand(fine.cells[child], full, row_sum);
-      restrict_to_parent(static_cast<int>(fine.topology.grid.cells[child].place & 7), full, row_sum);
+      expand(fine_cells[child], full, row_sum);
+      restrict_to_parent(static_cast<int>(fine.grid.cells[child].place & 7), full, row_sum);
       for (int a = 0; a < 8; ++a) {
         sum_of_rows[a] += row_sum[a];
         for (int b = 0; b < 8; ++b) sum[a][b] += full[a][b];
       }
     }
-    CellMatrix& out = coarse.cells[parent];
+    CellMatrix& out = combined[parent];
     for (int a = 0, p = 0; a < 8; ++a) {
-      out.row_sum[a] = static_cast<float>(sum_of_rows[a]);
-      for (int b = a + 1; b < 8; ++b, ++p) out.pair[p] = static_cast<float>(sum[a][b]);
+      out.row_sum[a] = sum_of_rows[a];
+      for (int b = a + 1; b < 8; ++b, ++p) out.pair[p] = sum[a][b];
     }
   }
+  return combined;
 }
 
 // The median of an even sample: exact enough for a threshold twelve decades below it.
@@ -103,24 +108,28 @@ static double sampled_median(const std::vector<float>& values) {
   return *middle;
 }
 
-static void invert_diagonal(std::vector<float>& diagonal) {
+static void invert_diagonal(const std::vector<float>& diagonal, std::vector<float>& inverse) {
   const double pinned_below = kPinnedBelow * sampled_median(diagonal);
-  for (float& d : diagonal) d = d > pinned_below ? 1 / d : 0;
+  for (size_t i = 0; i < diagonal.size(); ++i)
+    inverse[i] = diagonal[i] > pinned_below ? 1 / diagonal[i] : 0;
 }
 
-void assemble(CpuDepth& depth) {
-  const auto pair_of = [&](int32_t cell) -> const auto& { return depth.cells[cell].pair; };
-  const auto own_of = [&](int32_t cell) -> const auto& { return depth.cells[cell].row_sum; };
+void assemble(std::span<const CellMatrix> cells, CpuDepth& depth, ExactMatrix* exact) {
+  const Stencil& stencil = depth.topology.stencil;
+  const auto pair_of = [&](int32_t cell) -> const auto& { return cells[cell].pair; };
+  const auto own_of = [&](int32_t cell) -> const auto& { return cells[cell].row_sum; };
   gather_rows(depth.topology, pair_of, own_of,
               [&](int32_t corner, const double* by_slot, double row_sum) {
                 double diagonal = row_sum;
                 for (int s = 0; s < kSlots; ++s) diagonal -= by_slot[s];
-                depth.system.own[corner] = static_cast<float>(row_sum);
-                depth.inverse_diagonal[corner] = static_cast<float>(diagonal);
-                store_row(depth.topology.stencil, corner, by_slot, depth.system.entry,
-                          [](int32_t) { return 1.0; });
+                depth.system.diagonal[corner] = static_cast<float>(diagonal);
+                store_row(stencil, corner, by_slot, [&](int64_t k, double value) {
+                  depth.system.entry[k] = static_cast<float>(value);
+                  if (exact != nullptr) exact->entry[k] = value;
+                });
+                if (exact != nullptr) exact->row_sum[corner] = row_sum;
               });
-  invert_diagonal(depth.inverse_diagonal);
+  invert_diagonal(depth.system.diagonal, depth.inverse_diagonal);
 }
 
 }  // namespace burnish::cpu

@@ -7,15 +7,18 @@
 
 namespace burnish::cpu {
 
-/// Combined integrals of the finest depth. Units: α in user units × alpha_scale = grid units.
-void combine_integrals(const PreparedMesh& prepared, std::span<const float> alpha1,
-                       std::span<const float> alpha2, CpuDepth& finest);
+/// Combined integrals of the finest depth, one per cell. Units: user α.
+std::vector<CellMatrix> combine_integrals(const PreparedMesh& prepared,
+                                          std::span<const float> alpha1,
+                                          std::span<const float> alpha2);
 
-/// Combined integrals of `coarse` from those of the depth below: Σ over children of Pᵀ K P.
-void down_sample(const CpuDepth& fine, CpuDepth& coarse);
+/// Combined integrals of the coarse depth from those of the fine one: Σ over children of Pᵀ K P.
+std::vector<CellMatrix> down_sample(const HierarchyDepth& fine, const HierarchyDepth& coarse,
+                                    std::span<const CellMatrix> fine_cells);
 
-/// The depth's matrix and inverse diagonal from its cells. Source: section 5.2.
-void assemble(CpuDepth& depth);
+/// The depth's matrix and inverse diagonal from its cells, and the same in double if `exact` is
+/// given. Source: section 5.2.
+void assemble(std::span<const CellMatrix> cells, CpuDepth& depth, ExactMatrix* exact = nullptr);
 
 /// Sums per-cell matrices into rows of the stencil: row(corner, entries by slot, sum of own).
 /// `pair_of(cell)` and `own_of(cell)` give a cell's packed pairs and its eight own numbers.
@@ -38,13 +41,12 @@ void gather_rows(const HierarchyDepth& topology, PairOf&& pair_of, OwnOf&& own_o
   }
 }
 
-/// Writes the present slots of a row into `entry`, times scale(column).
-template <typename Scale>
-void store_row(const Stencil& stencil, int32_t corner, const double* by_slot,
-               std::vector<float>& entry, Scale&& scale) {
+/// Calls store(k, value) for the present slots of a row, k being the entry's place.
+template <typename Store>
+void store_row(const Stencil& stencil, int32_t corner, const double* by_slot, Store&& store) {
   int64_t k = stencil.row_start[corner];
   for (uint32_t left = stencil.mask[corner]; left != 0; left &= left - 1, ++k)
-    entry[k] = static_cast<float>(by_slot[__builtin_ctz(left)] * scale(stencil.column[k]));
+    store(k, by_slot[__builtin_ctz(left)]);
 }
 
 }  // namespace burnish::cpu

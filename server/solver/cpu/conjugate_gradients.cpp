@@ -11,12 +11,10 @@ namespace {
 struct Sums {
   Double4 first = Double4::Zero();
   Double4 second = Double4::Zero();
-  double most = 0;
 
   Sums& operator+=(const Sums& other) {
     first += other.first;
     second += other.second;
-    most = std::max(most, other.most);
     return *this;
   }
 };
@@ -28,8 +26,8 @@ Double4 quotient(const Double4& dividend, const Double4& divisor) {
 
 }  // namespace
 
-ConjugateGradients::ConjugateGradients(CpuDepth& finest, const std::vector<float>& visibility)
-    : finest_(finest), visibility_(visibility) {
+ConjugateGradients::ConjugateGradients(CpuDepth& finest, std::span<const EvaluationPoint> evaluation)
+    : finest_(finest), evaluation_(evaluation), matrix_(finest.topology.stencil) {
   for (auto* vector : {&u_, &b_, &r_, &p_, &q_})
     vector->assign(finest.corner_count(), Double4::Zero());
 }
@@ -40,7 +38,7 @@ void ConjugateGradients::recompute_residual() {
     if (finest_.inverse_diagonal[i] == 0)
       u_[i] = r_[i] = Double4::Zero();
     else
-      r_[i] = b_[i] - system_row(finest_, u_, i);
+      r_[i] = b_[i] - product_row(finest_.topology.stencil, matrix_, u_, i);
   }
 }
 
@@ -56,18 +54,31 @@ void ConjugateGradients::update_direction(bool restart) {
       const Float4 z = finest_.x[i];
       sum.first += z.cast<double>() * r_[i];
       sum.second += z.cast<double>() * q_[i];
-      const double length = z.head<3>().matrix().norm();
-      sum.most = std::max(sum.most, visibility_[i] * length);
     }
     return sum;
   });
-  correction_max_ = sums.most;
+  correction_max_ = largest_correction();
   const Double4 momentum =
       restart ? Double4(Double4::Zero()) : quotient(-step_ * sums.second, z_dot_r_);
   z_dot_r_ = sums.first;
 #pragma omp parallel for schedule(static)
   for (int32_t i = 0; i < finest_.corner_count(); ++i)
     p_[i] = finest_.x[i].cast<double>() + momentum * p_[i];
+}
+
+double ConjugateGradients::largest_correction() const {
+  const auto& cell_corners = finest_.topology.grid.cell_corners;
+  float most = 0;
+#pragma omp parallel for schedule(static) reduction(max : most)
+  for (size_t v = 0; v < evaluation_.size(); ++v) {
+    if (evaluation_[v].cell == kNone) continue;
+    const auto weights = trilinear_weights(evaluation_[v].local);
+    Float4 moved = Float4::Zero();
+    for (int a = 0; a < kCornersPerCell; ++a)
+      moved += weights[a] * finest_.x[cell_corners[evaluation_[v].cell][a]];
+    most = std::max(most, moved.square().sum());
+  }
+  return std::sqrt(static_cast<double>(most));
 }
 
 void ConjugateGradients::advance() {
@@ -77,7 +88,7 @@ void ConjugateGradients::advance() {
       if (finest_.inverse_diagonal[i] == 0)
         q_[i].setZero();
       else
-        q_[i] = system_row(finest_, p_, i);
+        q_[i] = product_row(finest_.topology.stencil, matrix_, p_, i);
       sum.first += p_[i] * q_[i];
       sum.second += p_[i] * r_[i];
     }
@@ -121,7 +132,7 @@ Measures ConjugateGradients::measure() const {
 }
 
 uint64_t ConjugateGradients::byte_count() const {
-  return bytes_of(u_) + bytes_of(b_) + bytes_of(r_) + bytes_of(p_) + bytes_of(q_);
+  return matrix_.byte_count() + bytes_of(u_) + bytes_of(b_) + bytes_of(r_) + bytes_of(p_) + bytes_of(q_);
 }
 
 }  // namespace burnish::cpu

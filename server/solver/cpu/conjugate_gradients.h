@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "server/solver/backend.h"
@@ -7,15 +8,16 @@
 
 namespace burnish::cpu {
 
-/// The outer iteration's vectors and steps, in double over the float32 matrix of the finest depth:
-/// what float32 loses at small α it loses here, so here it is not used.
+/// The outer iteration's matrix, vectors and steps, all in double: what float32 loses at small α
+/// and on flat pieces it loses here, so here it is not used.
 ///
 /// Flexible (Polak-Ribière) directions, because the V-cycle runs in float32 and is symmetric only
 /// to its rounding; z_{k+1}·(r_{k+1} − r_k) is −a z_{k+1}·q_k, so that no old residual is kept.
 class ConjugateGradients {
  public:
-  ConjugateGradients(CpuDepth& finest, const std::vector<float>& visibility);
+  ConjugateGradients(CpuDepth& finest, std::span<const EvaluationPoint> evaluation);
 
+  ExactMatrix& matrix() { return matrix_; }
   std::vector<Double4>& constraint() { return b_; }
   const std::vector<Double4>& displacement() const { return u_; }
 
@@ -27,8 +29,11 @@ class ConjugateGradients {
   uint64_t byte_count() const;
 
  private:
+  double largest_correction() const;
+
   CpuDepth& finest_;
-  const std::vector<float>& visibility_;
+  std::span<const EvaluationPoint> evaluation_;
+  ExactMatrix matrix_;
   std::vector<Double4> u_, b_, r_, p_, q_;
   Double4 z_dot_r_ = Double4::Zero();
   Double4 step_ = Double4::Zero();  // a of the last advance()

@@ -3,7 +3,7 @@
 namespace burnish::cpu {
 
 // g of local corner a; the last is minus the sum of the others, since Σ_a ∇B_a = 0.
-static Double4 gradient_of(const std::array<float, 21>& gradient, int a) {
+static Double4 gradient_of(const std::array<double, 21>& gradient, int a) {
   Double4 g = Double4::Zero();
   if (a < 7) {
     for (int axis = 0; axis < 3; ++axis) g[axis] = gradient[3 * a + axis];

@@ -25,7 +25,7 @@ class CpuBackend final : public Backend {
       const bool coarsest = depths_.size() == 1;
       smoothers_.push_back(coarsest ? nullptr : make_smoother(smoother, topology));
     }
-    outer_ = std::make_unique<ConjugateGradients>(depths_.back(), hierarchy_->visibility);
+    outer_ = std::make_unique<ConjugateGradients>(depths_.back(), prepared_->evaluation);
   }
 
   std::string_view name() const override { return "cpu"; }
@@ -38,12 +38,13 @@ class CpuBackend final : public Backend {
   }
 
   void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
-    combine_integrals(*prepared_, alpha1, alpha2, depths_.back());
-    for (size_t i = depths_.size() - 1; i > 0; --i) down_sample(depths_[i], depths_[i - 1]);
-    for (size_t i = 0; i < depths_.size(); ++i) {
-      assemble(depths_[i]);
-      if (smoothers_[i]) smoothers_[i]->set_up(depths_[i]);
+    std::vector<CellMatrix> cells = combine_integrals(*prepared_, alpha1, alpha2);
+    assemble(cells, depths_.back(), &outer_->matrix());
+    for (size_t i = depths_.size() - 1; i > 0; --i) {
+      cells = down_sample(depths_[i].topology, depths_[i - 1].topology, cells);
+      assemble(cells, depths_[i - 1]);
     }
+    for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
     coarsest_.factor(depths_.front());
   }
 

@@ -4,18 +4,14 @@ namespace burnish::cpu {
 
 CpuDepth::CpuDepth(const HierarchyDepth& topology_of_depth)
     : topology(topology_of_depth),
-      cells(topology.grid.cells.size()),
+      system(topology.stencil),
       inverse_diagonal(topology.grid.corners.size()),
       x(topology.grid.corners.size(), Float4::Zero()),
       f(topology.grid.corners.size(), Float4::Zero()),
-      r(topology.grid.corners.size(), Float4::Zero()) {
-  system.entry.resize(topology.stencil.column.size());
-  system.own.resize(topology.grid.corners.size());
-}
+      r(topology.grid.corners.size(), Float4::Zero()) {}
 
 uint64_t CpuDepth::byte_count() const {
-  return bytes_of(cells) + system.byte_count() + bytes_of(inverse_diagonal) + bytes_of(x) +
-         bytes_of(f) + bytes_of(r);
+  return system.byte_count() + bytes_of(inverse_diagonal) + bytes_of(x) + bytes_of(f) + bytes_of(r);
 }
 
 void compute_residual(CpuDepth& depth) {
@@ -25,7 +21,8 @@ void compute_residual(CpuDepth& depth) {
     if (depth.inverse_diagonal[corner] == 0)
       depth.r[corner].setZero();
     else
-      depth.r[corner] = depth.f[corner] - system_row(depth, depth.x, corner);
+      depth.r[corner] = 
+          depth.f[corner] - product_row(depth.topology.stencil, depth.system, depth.x, corner);
   }
 }
 

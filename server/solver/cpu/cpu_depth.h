@@ -19,13 +19,26 @@ uint64_t bytes_of(const std::vector<T>& v) {
   return v.capacity() * sizeof(T);
 }
 
-/// A symmetric sparse matrix on a depth's stencil: off-diagonal entries in the stencil's order and
-/// one number per row, the row sum (system matrix) or the diagonal (smoother).
+/// A symmetric sparse matrix on a depth's stencil, for the float32 cycle: off-diagonal entries in
+/// the stencil's order, and the diagonal.
 struct StencilMatrix {
   std::vector<float> entry;
-  std::vector<float> own;
+  std::vector<float> diagonal;
 
-  uint64_t byte_count() const { return bytes_of(entry) + bytes_of(own); }
+  explicit StencilMatrix(const Stencil& stencil)
+      : entry(stencil.column.size()), diagonal(stencil.mask.size()) {}
+  uint64_t byte_count() const { return bytes_of(entry) + bytes_of(diagonal); }
+};
+
+/// S of the finest depth in double, by off-diagonals and row sums: what the outer iteration
+/// converges to.
+struct ExactMatrix {
+  std::vector<double> entry;
+  std::vector<double> row_sum;
+
+  explicit ExactMatrix(const Stencil& stencil)
+      : entry(stencil.column.size()), row_sum(stencil.mask.size()) {}
+  uint64_t byte_count() const { return bytes_of(entry) + bytes_of(row_sum); }
 };
 
 /// One session's numbers at one depth.
@@ -33,8 +46,7 @@ struct CpuDepth {
   explicit CpuDepth(const HierarchyDepth& topology_of_depth);
 
   const HierarchyDepth& topology;
-  std::vector<CellMatrix> cells;        ///< combined integrals
-  StencilMatrix system;                 ///< S: own = row sums
+  StencilMatrix system;                 ///< S
   std::vector<float> inverse_diagonal;  ///< 0 where pinned
   std::vector<Float4> x, f;             ///< correction and right-hand side of the cycle
   std::vector<Float4> r;                ///< f − S x
@@ -43,16 +55,24 @@ struct CpuDepth {
   uint64_t byte_count() const;
 };
 
-/// (S x)_I from row sums: Σ_J S_IJ (x_J − x_I) + m_I x_I loses nothing for smooth x.
-template <typename Four>
-Four system_row(const CpuDepth& depth, const std::vector<Four>& x, int32_t corner) {
-  using Scalar = typename Four::Scalar;
-  const Stencil& stencil = depth.topology.stencil;
-  const Four here = x[corner];
-  Four sum = static_cast<Scalar>(depth.system.own[corner]) * here;
+/// (A x)_I.
+inline Float4 product_row(const Stencil& stencil, const StencilMatrix& matrix,
+                          const std::vector<Float4>& x, int32_t corner) {
+  Float4 sum = matrix.diagonal[corner] * x[corner];
   const int64_t end = stencil.row_start[corner + 1];
   for (int64_t k = stencil.row_start[corner]; k < end; ++k)
-    sum += static_cast<Scalar>(depth.system.entry[k]) * (x[stencil.column[k]] - here);
+    sum += matrix.entry[k] * x[stencil.column[k]];
+  return sum;
+}
+
+/// (S x)_I as Σ_J S_IJ (x_J − x_I) + m_I x_I, which loses nothing for smooth x.
+inline Double4 product_row(const Stencil& stencil, const ExactMatrix& matrix,
+                           const std::vector<Double4>& x, int32_t corner) {
+  const Double4 here = x[corner];
+  Double4 sum = matrix.row_sum[corner] * here;
+  const int64_t end = stencil.row_start[corner + 1];
+  for (int64_t k = stencil.row_start[corner]; k < end; ++k)
+    sum += matrix.entry[k] * (x[stencil.column[k]] - here);
   return sum;
 }
 

@@ -43,7 +43,8 @@ class GaussSeidel final : public DepthSmoother {
     for (size_t i = 0; i < corners.size(); ++i) {
       const int32_t corner = corners[i];
       depth.x[corner] += depth.inverse_diagonal[corner] *
-                         (depth.f[corner] - system_row(depth, depth.x, corner));
+                         (depth.f[corner] - product_row(depth.topology.stencil, depth.system,
+                                                        depth.x, corner));
     }
   }
 

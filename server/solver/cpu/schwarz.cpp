@@ -77,26 +77,29 @@ constexpr int kIterationsNext = 4;
 class Schwarz final : public DepthSmoother {
  public:
   explicit Schwarz(const HierarchyDepth& topology)
-      : inverses_(topology.grid.cells.size()), direction_(topology.grid.corners.size()),
-        eigenvector_(topology.grid.corners.size()) {
-    inverse_.entry.resize(topology.stencil.column.size());
-    inverse_.own.resize(topology.grid.corners.size());
-  }
+      : inverse_(topology.stencil),
+        direction_(topology.grid.corners.size()),
+        eigenvector_(topology.grid.corners.size()) {}
 
   void set_up(CpuDepth& depth) override {
+    const Stencil& stencil = depth.topology.stencil;
     const std::vector<float> scale = scale_of(depth);
     const int32_t cells = depth.topology.grid.cell_count();
+    std::vector<CellInverse> inverses(cells);
 #pragma omp parallel for schedule(static)
-    for (int32_t cell = 0; cell < cells; ++cell) invert_cell(depth, scale, cell);
+    for (int32_t cell = 0; cell < cells; ++cell)
+      inverses[cell] = invert_cell(depth, scale, cell);
 
-    const auto pair_of = [&](int32_t cell) -> const auto& { return inverses_[cell].pair; };
-    const auto own_of = [&](int32_t cell) -> const auto& { return inverses_[cell].diagonal; };
+    const auto pair_of = [&](int32_t cell) -> const auto& { return inverses[cell].pair; };
+    const auto own_of = [&](int32_t cell) -> const auto& { return inverses[cell].diagonal; };
     gather_rows(depth.topology, pair_of, own_of,
                 [&](int32_t corner, const double* by_slot, double diagonal) {
                   const double here = scale[corner];
-                  inverse_.own[corner] = static_cast<float>(diagonal * here * here);
-                  store_row(depth.topology.stencil, corner, by_slot, inverse_.entry,
-                            [&](int32_t column) { return here * scale[column]; });
+                  inverse_.diagonal[corner] = static_cast<float>(diagonal * here * here);
+                  store_row(stencil, corner, by_slot, [&](int64_t k, double value) {
+                    inverse_.entry[k] =
+                        static_cast<float>(value * here * scale[stencil.column[k]]);
+                  });
                 });
     if (iterations_ == kIterationsFirst) set_start(scale);
     chebyshev_ = Chebyshev(estimate_lambda_max(depth));
@@ -116,8 +119,7 @@ class Schwarz final : public DepthSmoother {
   }
 
   uint64_t byte_count() const override {
-    return inverse_.byte_count() + bytes_of(inverses_) + bytes_of(direction_) +
-           bytes_of(eigenvector_);
+    return inverse_.byte_count() + bytes_of(direction_) + bytes_of(eigenvector_);
   }
 
  private:
@@ -135,15 +137,17 @@ class Schwarz final : public DepthSmoother {
       eigenvector_[i] = scale[i] * Float4(next(), next(), next(), 0);
   }
 
-  void invert_cell(const CpuDepth& depth, const std::vector<float>& scale, int32_t cell) {
+  static CellInverse invert_cell(const CpuDepth& depth, const std::vector<float>& scale,
+                                 int32_t cell) {
     Block block;
     read_scaled_block(depth, scale, cell, block);
     invert(block);
-    CellInverse& out = inverses_[cell];
+    CellInverse out;
     for (int a = 0, p = 0; a < 8; ++a) {
       out.diagonal[a] = block[a][a];
       for (int b = a + 1; b < 8; ++b, ++p) out.pair[p] = (block[a][b] + block[b][a]) / 2;
     }
+    return out;
   }
 
   // d = momentum·d + length·M⁻¹ source; x += d, or x = d from zero.
@@ -153,11 +157,7 @@ class Schwarz final : public DepthSmoother {
     const int32_t n = depth.corner_count();
 #pragma omp parallel for schedule(static)
     for (int32_t corner = 0; corner < n; ++corner) {
-      Float4 z = inverse_.own[corner] * source[corner];
-      const int64_t end = stencil.row_start[corner + 1];
-      for (int64_t k = stencil.row_start[corner]; k < end; ++k)
-        z += inverse_.entry[k] * source[stencil.column[k]];
-      Float4 direction = length * z;
+      Float4 direction = length * product_row(stencil, inverse_, source, corner);
       if (momentum != 0) direction += momentum * direction_[corner];
       direction_[corner] = direction;
       depth.x[corner] = kFromZero ? direction : Float4(depth.x[corner] + direction);
@@ -193,8 +193,7 @@ class Schwarz final : public DepthSmoother {
     });
   }
 
-  std::vector<CellInverse> inverses_;
-  StencilMatrix inverse_;  ///< M⁻¹ on the stencil: own = diagonal
+  StencilMatrix inverse_;  // M⁻¹
   std::vector<Float4> direction_;
   std::vector<Float4> eigenvector_;
   int iterations_ = kIterationsFirst;

@@ -1,0 +1,45 @@
+#include "tests/backends/filtered.h"
+
+#include "server/prepare/prepare.h"
+
+namespace burnish {
+
+Filtered::Filtered(const TriangleMesh& mesh, int depth, const SolverOptions& options) {
+  const auto prepared = prepare(mesh, {.depth = depth}).value();
+  session_ = Session::open(prepared, make_hierarchy(*prepared), options).value();
+}
+
+static void must(const Status& status) { BURNISH_CHECK(status.is_ok(), status.message()); }
+
+Filtered& Filtered::curve(const TransferCurve& curve) {
+  must(session_->apply({std::to_string(edits_++), SetTransferCurve{curve}}));
+  return *this;
+}
+
+Filtered& Filtered::beta(double beta) {
+  must(session_->apply({std::to_string(edits_++), SetGradientScale{beta}}));
+  return *this;
+}
+
+Filtered& Filtered::paint(const Stroke& stroke) {
+  must(session_->apply({std::to_string(edits_++), stroke}));
+  return *this;
+}
+
+std::vector<Vec3d> Filtered::after(int cycles) {
+  for (int i = 0; i < cycles; ++i) session_->step();
+  return session_->surface().vertices;
+}
+
+std::vector<Vec3d> Filtered::solved(const SolveOptions& options) {
+  const SolveReport report = session_->solve(options).value();
+  BURNISH_CHECK(report.converged, "not converged after " + std::to_string(report.cycles));
+  return session_->surface().vertices;
+}
+
+std::vector<BackendCase> backend_cases() {
+  return {{"cpu_schwarz", {.backend = BackendKind::kCpu, .smoother = Smoother::kSchwarz}},
+          {"cpu_gauss_seidel", {.backend = BackendKind::kCpu, .smoother = Smoother::kGaussSeidel}}};
+}
+
+}  // namespace burnish

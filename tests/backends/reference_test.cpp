@@ -1,0 +1,69 @@
+// Every backend against the independent double-precision reference, on the awkward meshes.
+
+#include <gtest/gtest.h>
+
+#include "tests/backends/filtered.h"
+#include "tests/reference/awkward_meshes.h"
+#include "tests/reference/compare.h"
+#include "tests/reference/reference.h"
+
+namespace burnish {
+namespace {
+
+constexpr int kDepth = 5;
+constexpr double kExportMax = 1e-5, kExportRms = 1e-6;    // DESIGN section 3, over the diagonal
+constexpr double kSettledMax = 1e-4, kSettledRms = 1e-5;
+constexpr double kCurveMax = 5e-4, kCurveRms = 5e-5;
+
+struct Filter {
+  std::string name;
+  TransferCurve curve;
+  double beta;
+};
+
+std::vector<Filter> filters() {
+  return {{"alpha_5_beta_0", TransferCurve(5), 0},
+          {"alpha_50_beta_2", TransferCurve(50), 2},
+          {"contrast_100", TransferCurve::parse("-20:5,20:500").value(), 0.5}};
+}
+
+using Case = std::tuple<BackendCase, Filter>;
+
+class AgainstReference : public testing::TestWithParam<Case> {
+ protected:
+  // The reference's factorisation is the expensive part; both bars are held against one solution.
+  void compare(const std::string& name, const TriangleMesh& mesh) {
+    SCOPED_TRACE(name);
+    const auto& [backend, filter] = GetParam();
+    const reference::System system = reference::build(mesh, kDepth);
+    const auto expected =
+        reference::edited_vertices(system, reference::fields(system, filter.curve, filter.beta));
+    Filtered filtered(mesh, kDepth, backend.options);
+    filtered.curve(filter.curve).beta(filter.beta);
+
+    const bool isotropic = filter.curve.is_constant();
+    const auto settled =
+        reference::vertex_distance(filtered.settled(), expected, filtered.diagonal());
+    EXPECT_LE(settled.max, isotropic ? kSettledMax : kCurveMax);
+    EXPECT_LE(settled.rms, isotropic ? kSettledRms : kCurveRms);
+    const auto exact = reference::vertex_distance(filtered.exact(), expected, filtered.diagonal());
+    EXPECT_LE(exact.max, kExportMax);
+    EXPECT_LE(exact.rms, kExportRms);
+  }
+};
+
+TEST_P(AgainstReference, AwkwardMeshesMeetTheSettledAndExportBars) {
+  for (const auto& [name, mesh] : reference::awkward_meshes()) compare(name, mesh);
+}
+
+std::string case_name(const testing::TestParamInfo<Case>& info) {
+  return std::get<0>(info.param).name + "_" + std::get<1>(info.param).name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, AgainstReference,
+                         testing::Combine(testing::ValuesIn(backend_cases()),
+                                          testing::ValuesIn(filters())),
+                         case_name);
+
+}  // namespace
+}  // namespace burnish
