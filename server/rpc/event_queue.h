@@ -43,14 +43,12 @@ class EventQueue {
     advance();
   }
 
-  /// To be called by OnWriteDone.
+  /// To be called by OnWriteDone. After a failed write the rest is dropped; ending the call stays
+  /// with its owner, who alone knows whether a read or work is still under way.
   void on_write_done(bool ok) {
     const std::lock_guard lock(mutex_);
     writing_ = false;
-    if (!ok) {
-      events_.clear();
-      if (!closed_) closed_ = grpc::Status(grpc::StatusCode::CANCELLED, "the client has gone");
-    }
+    if (!ok) broken_ = true;
     advance();
   }
 
@@ -61,6 +59,10 @@ class EventQueue {
   // Reactions never run inside StartWrite or Finish, so that the lock may be held here.
   void advance() {
     if (writing_ || finished_) return;
+    if (broken_) {
+      events_.clear();
+      newest_.reset();
+    }
     if (!events_.empty()) {
       current_ = std::move(events_.front());
       events_.pop_front();
@@ -86,6 +88,7 @@ class EventQueue {
   std::optional<grpc::Status> closed_;
   Event current_;
   bool writing_ = false;
+  bool broken_ = false;
   bool finished_ = false;
 };
 

@@ -32,9 +32,11 @@ Status ExportCall::solve() {
 }
 
 void ExportCall::OnWriteDone(bool ok) {
-  const bool more = ok && events_.written().has_chunk();
+  const bool was_chunk = events_.written().has_chunk();
   events_.on_write_done(ok);
-  if (more) calls_.executor.post([call = self()] { call->send_next(); });
+  if (!was_chunk) return;
+  if (!ok) return events_.close(to_grpc(cancelled("the client has gone")));
+  calls_.executor.post([call = self()] { call->send_next(); });
 }
 
 void ExportCall::send_next() {

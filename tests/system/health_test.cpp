@@ -1,6 +1,6 @@
+#include <gmock/gmock.h>
 #include <grpcpp/generic/generic_stub.h>
 #include <grpcpp/grpcpp.h>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/system/server_process.h"
@@ -53,8 +53,14 @@ TEST(Health, TheServerAndBothServicesServe) {
   const string method = "/grpc.health.v1.Health/Check";
   const string serving = "\x08\x01";  // field 1, SERVING
   EXPECT_EQ(call(server.address, method, ""), serving);
-  EXPECT_EQ(call(server.address, method, "\x0a\x12" "burnish.v1.Library"), serving);
-  EXPECT_EQ(call(server.address, method, "\x0a\x12" "burnish.v1.Editing"), serving);
+  EXPECT_EQ(call(server.address, method,
+                 "\x0a\x12"
+                 "burnish.v1.Library"),
+            serving);
+  EXPECT_EQ(call(server.address, method,
+                 "\x0a\x12"
+                 "burnish.v1.Editing"),
+            serving);
 }
 
 TEST(Reflection, NamesTheServices) {

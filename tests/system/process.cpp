@@ -1,12 +1,12 @@
 #include "tests/system/process.h"
 
 #include <csignal>
-#include <thread>
-
 #include <fcntl.h>
+#include <thread>
+#include <unistd.h>
+
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include "common/base/check.h"
 #include "tests/common/temporary_folder.h"
@@ -65,9 +65,13 @@ std::optional<int> Process::wait(milliseconds time) {
   return exit_code_;
 }
 
-void Process::signal(int number) const { ::kill(pid_, number); }
+void Process::signal(int number) const {
+  ::kill(pid_, number);
+}
 
-std::string Process::output() const { return content_of(output_); }
+std::string Process::output() const {
+  return content_of(output_);
+}
 
 bool Process::wait_for_output(const std::string& text, milliseconds time) {
   const auto deadline = steady_clock::now() + time;
