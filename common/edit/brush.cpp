@@ -11,10 +11,14 @@ double fall_off_weight(FallOff fall_off, double distance_over_radius) {
   const double x = distance_over_radius;
   if (!(x < 1)) return 0;
   switch (fall_off) {
-    case FallOff::kSmooth: return (1 - x) * (1 - x) * (1 + 2 * x);
-    case FallOff::kLinear: return 1 - x;
-    case FallOff::kSharp: return (1 - x) * (1 - x);
-    case FallOff::kConstant: return 1;
+    case FallOff::kSmooth:
+      return (1 - x) * (1 - x) * (1 + 2 * x);
+    case FallOff::kLinear:
+      return 1 - x;
+    case FallOff::kSharp:
+      return (1 - x) * (1 - x);
+    case FallOff::kConstant:
+      return 1;
   }
   return 0;
 }

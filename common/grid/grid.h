@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/base/status.h"
 #include "common/base/limits.h"
+#include "common/base/status.h"
 #include "common/base/types.h"
 #include "common/mesh/triangle_mesh.h"
 

@@ -10,9 +10,9 @@
 namespace burnish {
 
 struct PrepareOptions {
-  int depth = 0;                 ///< 0 chooses: default_depth()
-  double curvature_radius = 0;   ///< averaging radius for κ as a fraction of L, 0 for none
-  int threads = 0;               ///< 0: all cores
+  int depth = 0;                ///< 0 chooses: default_depth()
+  double curvature_radius = 0;  ///< averaging radius for κ as a fraction of L, 0 for none
+  int threads = 0;              ///< 0: all cores
 };
 
 /// Runs the whole pipeline: grid, curvature, clipping, integrals, evaluation, histogram.

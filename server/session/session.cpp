@@ -87,8 +87,14 @@ TriangleMesh Session::surface() const {
   return mesh;
 }
 
-const PreparedMesh& Session::prepared() const { return *state_->prepared; }
-const Fields& Session::fields() const { return state_->fields; }
-const Solver& Session::solver() const { return *state_->solver; }
+const PreparedMesh& Session::prepared() const {
+  return *state_->prepared;
+}
+const Fields& Session::fields() const {
+  return state_->fields;
+}
+const Solver& Session::solver() const {
+  return *state_->solver;
+}
 
 }  // namespace burnish

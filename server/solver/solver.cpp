@@ -23,8 +23,8 @@ Result<std::unique_ptr<Solver>> Solver::create(std::shared_ptr<const PreparedMes
     return failed_precondition("backend cuda: this build has no CUDA backend; use cpu or auto");
   use_threads(options.threads);
   auto backend = make_cpu_backend(prepared, hierarchy, options.smoother);
-  return std::unique_ptr<Solver>(new Solver(std::move(prepared), std::move(hierarchy),
-                                            std::move(backend), options.threads));
+  return std::unique_ptr<Solver>(
+      new Solver(std::move(prepared), std::move(hierarchy), std::move(backend), options.threads));
 }
 
 Solver::Solver(std::shared_ptr<const PreparedMesh> prepared,
@@ -68,8 +68,8 @@ StepReport Solver::step() {
   report.cycle = ++cycle_;
   report.energy = measures.energy;
   report.residual = measures.residual;
-  report.distance = measures.correction_max * prepared_->frame.cell_size /
-                    prepared_->statistics.diagonal();
+  report.distance =
+      measures.correction_max * prepared_->frame.cell_size / prepared_->statistics.diagonal();
   return report;
 }
 
@@ -96,13 +96,17 @@ std::vector<Vec3d> Solver::evaluate_vertices() const {
   std::vector<Vec3d> positions(prepared_->vertices.begin(), prepared_->vertices.end());
 #pragma omp parallel for schedule(static)
   for (int64_t v = 0; v < static_cast<int64_t>(positions.size()); ++v)
-    positions[v] += prepared_->frame.cell_size *
-                    evaluate<Vec3d>(grid, prepared_->evaluation[v], displacement);
+    positions[v] +=
+        prepared_->frame.cell_size * evaluate<Vec3d>(grid, prepared_->evaluation[v], displacement);
   return positions;
 }
 
-uint64_t Solver::byte_count() const { return backend_->byte_count(); }
+uint64_t Solver::byte_count() const {
+  return backend_->byte_count();
+}
 
-std::string_view Solver::backend_name() const { return backend_->name(); }
+std::string_view Solver::backend_name() const {
+  return backend_->name();
+}
 
 }  // namespace burnish

@@ -9,7 +9,9 @@ Filtered::Filtered(const TriangleMesh& mesh, int depth, const SolverOptions& opt
   session_ = Session::open(prepared, make_hierarchy(*prepared), options).value();
 }
 
-static void must(const Status& status) { BURNISH_CHECK(status.is_ok(), status.message()); }
+static void must(const Status& status) {
+  BURNISH_CHECK(status.is_ok(), status.message());
+}
 
 Filtered& Filtered::curve(const TransferCurve& curve) {
   must(session_->apply({std::to_string(edits_++), SetTransferCurve{curve}}));
