@@ -69,7 +69,7 @@ TEST_P(Facts, ConstantAlphaKeepsTheCentroid) {
   };
   Filtered filtered = session(mesh, 4);
   filtered.alpha(5).beta(0);
-  filtered.paint({{.radius = 0.7, .strength = 1, .beta = 2}, {mesh.vertices[0]}});
+  filtered.paint({{.radius = 0.7, .strength = 1, .beta = 1}, {mesh.vertices[0]}});
   const Vec3d moved = centroid(filtered.exact()) - centroid(mesh.vertices);
   EXPECT_LE(moved.norm() / filtered.diagonal(), 1e-6);
 }
