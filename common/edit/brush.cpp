@@ -7,6 +7,8 @@
 
 namespace burnish {
 
+static constexpr double kEndTolerance = 1e-6;  // of the spacing
+
 double fall_off_weight(FallOff fall_off, double distance_over_radius) {
   const double x = distance_over_radius;
   if (!(x < 1)) return 0;
@@ -36,6 +38,8 @@ std::vector<Vec3d> dab_centres(const Stroke& stroke) {
       centres.push_back(a + along * (at / length));
     until_next = at - length;
   }
+  // A path of a whole number of spacings ends on a dab, whichever way the sum was rounded.
+  if (until_next <= kEndTolerance * spacing) centres.push_back(stroke.path.back());
   return centres;
 }
 

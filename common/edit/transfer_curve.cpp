@@ -60,7 +60,7 @@ Result<TransferCurve> TransferCurve::create(std::vector<Point> points) {
 
 static Result<double> parse_number(std::string_view text, std::string_view point) {
   double x = 0;
-  if (text.starts_with('+')) text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
   if (error == std::errc() && end == text.data() + text.size()) return x;
   return invalid_argument("curve point '" + std::string(point) +

@@ -155,6 +155,10 @@ Status integrate_cells(std::span<const CellPiece> pieces, std::span<const Vec3d>
       return cancelled("cancelled while integrating");
   }
   keep(arrays, holds_surface);
+  if (arrays.cells.empty())
+    return invalid_argument("all " + std::to_string(arrays.triangles.size()) +
+                            " triangles are too thin: none has an area above 1e-12 of its longest "
+                            "edge squared");
   return Status::ok();
 }
 

@@ -17,7 +17,7 @@ struct PrepareOptions {
 
 /// Runs the whole pipeline: grid, curvature, clipping, integrals, evaluation, histogram.
 /// Source: section 5.1. Needs: a valid mesh (validate()).
-/// Fails: invalid_argument (depth or radius outside its limits), cancelled.
+/// Fails: invalid_argument (depth or radius outside its limits; no triangle with area), cancelled.
 /// Deterministic: the same bits for any thread count.
 Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
                                                     const PrepareOptions& options,
