@@ -88,7 +88,7 @@ struct BruteForce {
 };
 
 // The stored pairs as a whole matrix of row sums zero.
-Matrix8 expanded(const std::array<float, 28>& pairs) {
+Matrix8 expanded(const std::array<double, 28>& pairs) {
   Matrix8 full = Matrix8::Zero();
   for (int a = 0, pair = 0; a < 8; ++a)
     for (int b = a + 1; b < 8; ++b, ++pair) full(a, b) = full(b, a) = pairs[pair];

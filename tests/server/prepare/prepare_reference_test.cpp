@@ -30,7 +30,7 @@ const std::vector<Sample>& samples() {
 
 // The stored pairs, with the diagonal that makes row a sum to row_sum(a).
 template <typename RowSum>
-Matrix8d expanded(const std::array<float, 28>& pairs, RowSum&& row_sum) {
+Matrix8d expanded(const std::array<double, 28>& pairs, RowSum&& row_sum) {
   Matrix8d full = Matrix8d::Zero();
   for (int a = 0, pair = 0; a < 8; ++a)
     for (int b = a + 1; b < 8; ++b, ++pair) full(a, b) = full(b, a) = pairs[pair];

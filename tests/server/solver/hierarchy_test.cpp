@@ -120,20 +120,5 @@ TEST(Stencil, FindsANeighbourByItsSlot) {
         }
 }
 
-TEST(Visibility, IsTheLargestWeightOnAnyVertex) {
-  const TestSystem system(reference::sphere_with_debris(3), 5);
-  const Hierarchy& hierarchy = *system.hierarchy;
-  std::vector<float> expected(hierarchy.visibility.size(), 0);
-  for (const EvaluationPoint& point : system.prepared->evaluation) {
-    if (point.cell == kNone) continue;
-    for (int a = 0; a < kCornersPerCell; ++a) {
-      float& most = expected[hierarchy.at(5).grid.cell_corners[point.cell][a]];
-      most = std::max(most, trilinear_weights(point.local)[a]);
-    }
-  }
-  EXPECT_EQ(hierarchy.visibility, expected);
-  EXPECT_NE(std::count(expected.begin(), expected.end(), 0.0f), 0);
-}
-
 }  // namespace
 }  // namespace burnish

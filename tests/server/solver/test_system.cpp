@@ -20,9 +20,12 @@ std::vector<cpu::CpuDepth> TestSystem::assembled() const {
   depths.reserve(hierarchy->depths.size());
   for (const HierarchyDepth& topology : hierarchy->depths) depths.emplace_back(topology);
   const FieldsView view = fields.view();
-  cpu::combine_integrals(*prepared, view.alpha1, view.alpha2, depths.back());
-  for (size_t i = depths.size() - 1; i > 0; --i) cpu::down_sample(depths[i], depths[i - 1]);
-  for (cpu::CpuDepth& depth : depths) cpu::assemble(depth);
+  std::vector<CellMatrix> cells = cpu::combine_integrals(*prepared, view.alpha1, view.alpha2);
+  cpu::assemble(cells, depths.back());
+  for (size_t i = depths.size() - 1; i > 0; --i) {
+    cells = cpu::down_sample(depths[i].topology, depths[i - 1].topology, cells);
+    cpu::assemble(cells, depths[i - 1]);
+  }
   return depths;
 }
 
@@ -35,12 +38,9 @@ Sparse system_matrix(const cpu::CpuDepth& depth) {
   const Stencil& stencil = depth.topology.stencil;
   std::vector<Eigen::Triplet<double>> entries;
   for (int32_t i = 0; i < depth.corner_count(); ++i) {
-    double diagonal = depth.system.own[i];
-    for (int64_t k = stencil.row_start[i]; k < stencil.row_start[i + 1]; ++k) {
+    for (int64_t k = stencil.row_start[i]; k < stencil.row_start[i + 1]; ++k)
       entries.emplace_back(i, stencil.column[k], depth.system.entry[k]);
-      diagonal -= depth.system.entry[k];
-    }
-    entries.emplace_back(i, i, diagonal);
+    entries.emplace_back(i, i, depth.system.diagonal[i]);
   }
   Sparse matrix(depth.corner_count(), depth.corner_count());
   matrix.setFromTriplets(entries.begin(), entries.end());

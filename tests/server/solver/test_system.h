@@ -27,7 +27,7 @@ struct TestSystem {
 /// scale.
 TransferCurve test_curve(double contrast);
 
-/// S of one depth, its diagonal from the row sums. Rows and columns of pinned corners are kept.
+/// S of one depth. Rows and columns of pinned corners are kept.
 Sparse system_matrix(const cpu::CpuDepth& depth);
 
 /// P from the coarser depth to `fine`.
