@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -19,6 +20,12 @@ struct CellMatrix {
 };
 static_assert(sizeof(CellMatrix) == 144);
 
+/// The largest weight of ρ. Where a corner touches little surface, ρ's diagonal in float32 is wrong
+/// by far more than its rounding; under a weight much above this the error outgrows the stiffness
+/// and S is no longer definite. The grid resolves nothing there: the mass alone decides, and u is
+/// proportional to b / weight.
+inline constexpr double kMassWeightMax = 1024;
+
 /// The combined integrals of section 5.2 ("Down-sampling"): α1α2 ρ + (α2/α1) ℓ¹ + (α1/α2) ℓ².
 /// Units: α in grid units.
 struct CombineWeights {
@@ -28,8 +35,14 @@ struct CombineWeights {
 };
 
 inline CombineWeights combine_weights(double alpha1, double alpha2) {
-  return {static_cast<float>(alpha1 * alpha2), static_cast<float>(alpha2 / alpha1),
-          static_cast<float>(alpha1 / alpha2)};
+  return {static_cast<float>(std::min(alpha1 * alpha2, kMassWeightMax)),
+          static_cast<float>(alpha2 / alpha1), static_cast<float>(alpha1 / alpha2)};
+}
+
+/// What the constraint is multiplied with, so that u stays what the whole weight would give.
+/// Units: α in grid units.
+inline double constraint_weight(double alpha1, double alpha2) {
+  return std::min(1.0, kMassWeightMax / (alpha1 * alpha2));
 }
 
 }  // namespace burnish

@@ -18,6 +18,7 @@ void assemble_constraint(const PreparedMesh& prepared, const CpuDepth& finest,
                          std::span<const float> alpha1, std::span<const float> alpha2,
                          std::span<const float> beta, std::vector<Double4>& b) {
   const SparseGrid& grid = finest.topology.grid;
+  const double scale = prepared.alpha_scale();
 #pragma omp parallel for schedule(static)
   for (int32_t corner = 0; corner < grid.corner_count(); ++corner) {
     Double4 sum = Double4::Zero();
@@ -26,8 +27,10 @@ void assemble_constraint(const PreparedMesh& prepared, const CpuDepth& finest,
       if (cell == kNone || beta[cell] == 1) continue;
       const double ratio = static_cast<double>(alpha2[cell]) / alpha1[cell];
       const CellIntegrals& integrals = prepared.integrals[cell];
-      sum += (beta[cell] - 1.0) * (ratio * gradient_of(integrals.gradient[0], a) +
-                                   gradient_of(integrals.gradient[1], a) / ratio);
+      const double weight = constraint_weight(alpha1[cell] * scale, alpha2[cell] * scale);
+      sum += weight * (beta[cell] - 1.0) *
+             (ratio * gradient_of(integrals.gradient[0], a) +
+              gradient_of(integrals.gradient[1], a) / ratio);
     }
     b[corner] = finest.inverse_diagonal[corner] > 0 ? sum : Double4(Double4::Zero());
   }
