@@ -34,14 +34,14 @@ struct CombineWeights {
   float stiffness2;
 };
 
-inline CombineWeights combine_weights(double alpha1, double alpha2) {
+inline constexpr CombineWeights combine_weights(double alpha1, double alpha2) {
   return {static_cast<float>(std::min(alpha1 * alpha2, kMassWeightMax)),
           static_cast<float>(alpha2 / alpha1), static_cast<float>(alpha1 / alpha2)};
 }
 
 /// What the constraint is multiplied with, so that u stays what the whole weight would give.
 /// Units: α in grid units.
-inline double constraint_weight(double alpha1, double alpha2) {
+inline constexpr double constraint_weight(double alpha1, double alpha2) {
   return std::min(1.0, kMassWeightMax / (alpha1 * alpha2));
 }
 
