@@ -27,11 +27,11 @@ bool same_bits(std::span<const T> a, std::span<const T> b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
 }
 
-template <typename Struct>
+template <typename Number, typename Struct>
 bool all_finite(const Struct& numbers) {
-  std::array<float, sizeof(Struct) / sizeof(float)> values;
+  std::array<Number, sizeof(Struct) / sizeof(Number)> values;
   std::memcpy(values.data(), &numbers, sizeof(Struct));
-  return std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); });
+  return std::all_of(values.begin(), values.end(), [](Number x) { return std::isfinite(x); });
 }
 
 TEST(Prepare, MassOfAllCellsIsTheMeshsArea) {
@@ -58,8 +58,10 @@ TEST(Prepare, GivesFiniteNumbersForAwkwardMeshes) {
     ASSERT_TRUE(prepared.is_ok()) << prepared.status().message();
     const PreparedMesh& p = **prepared;
     EXPECT_TRUE(std::is_sorted(p.cells.begin(), p.cells.end(), std::less_equal<>()));
-    EXPECT_TRUE(std::all_of(p.integrals.begin(), p.integrals.end(), all_finite<CellIntegrals>));
-    EXPECT_TRUE(std::all_of(p.curvature.begin(), p.curvature.end(), all_finite<CellCurvature>));
+    EXPECT_TRUE(
+        std::all_of(p.integrals.begin(), p.integrals.end(), all_finite<double, CellIntegrals>));
+    EXPECT_TRUE(
+        std::all_of(p.curvature.begin(), p.curvature.end(), all_finite<float, CellCurvature>));
     EXPECT_EQ(p.evaluation.size(), mesh.vertices.size());
   }
 }
