@@ -1,4 +1,4 @@
-// What must hold of any edit on any backend, from closed forms and symmetries (DESIGN section 3).
+// What must hold of any edit on any backend, from closed forms and symmetries (ARCHITECTURE section 5).
 
 #include <cmath>
 
