@@ -1,4 +1,5 @@
-// What must hold of any edit on any backend, from closed forms and symmetries (ARCHITECTURE section 5).
+// What must hold of any edit on any backend, from closed forms and symmetries (ARCHITECTURE section
+// 5).
 
 #include <cmath>
 
