@@ -10,8 +10,9 @@ namespace burnish {
 
 /// Sums over the surface that one step of conjugate gradients leaves behind.
 struct Measures {
-  double energy = 0;          ///< ½uᵀSu − bᵀu, grid units
-  double residual = 0;        ///< ‖D^-½ r‖ / ‖D^-½ b‖, D the diagonal of S
+  double energy = 0;                   ///< ½uᵀSu − bᵀu, grid units
+  double residual = 0;                 ///< ‖D^-½ r‖ / ‖D^-½ b‖, D the diagonal of S
+  double preconditioned_residual = 0;  ///< rᵀz before the step, z the V-cycle's correction of r
   double correction_max = 0;  ///< largest |E x| of the last V-cycle at a vertex, in cells: an
                               ///< estimate of how far it was from the solution before the step
 };

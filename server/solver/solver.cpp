@@ -61,15 +61,17 @@ StepReport Solver::step() {
   run_vcycle(*backend_, hierarchy_->coarsest, hierarchy_->finest);
   backend_->update_direction(restart_);
   backend_->advance();
+  if (restart_) rate_.restart();
   restart_ = false;
 
   const Measures measures = backend_->measure();
+  rate_.add(measures.preconditioned_residual);
   StepReport report;
   report.cycle = ++cycle_;
   report.energy = measures.energy;
   report.residual = measures.residual;
-  report.distance =
-      measures.correction_max * prepared_->frame.cell_size / prepared_->statistics.diagonal();
+  report.distance = measures.correction_max / (1 - rate_.factor()) * prepared_->frame.cell_size /
+                    prepared_->statistics.diagonal();
   return report;
 }
 

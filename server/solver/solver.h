@@ -9,6 +9,7 @@
 #include "common/base/progress.h"
 #include "common/base/status.h"
 #include "server/prepare/prepared_mesh.h"
+#include "server/solver/convergence_rate.h"
 
 namespace burnish {
 
@@ -87,6 +88,7 @@ class Solver {
   std::shared_ptr<const Hierarchy> hierarchy_;
   std::unique_ptr<Backend> backend_;
   int threads_;
+  ConvergenceRate rate_;
   int cycle_ = 0;
   bool restart_ = true;
   double assemble_seconds_ = 0;

@@ -128,6 +128,7 @@ Measures ConjugateGradients::measure() const {
   Measures measures;
   measures.energy = totals.energy;
   measures.residual = totals.constraint > 0 ? std::sqrt(totals.residual / totals.constraint) : 0.0;
+  measures.preconditioned_residual = z_dot_r_.sum();
   measures.correction_max = correction_max_;
   return measures;
 }

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace burnish {
+
+/// By what factor a step reduces the error, from the preconditioned residuals rᵀz of the last
+/// steps, which estimate the squared error in the energy norm. What is still to come after a
+/// correction of size d is about d / (1 − factor): slow modes hide behind small corrections.
+class ConvergenceRate {
+ public:
+  void restart() { count_ = 0; }
+
+  void add(double preconditioned_residual) { latest_[count_++ % kSteps] = preconditioned_residual; }
+
+  /// In [0, kFactorMax]; a cautious guess before enough steps are known.
+  double factor() const {
+    if (count_ < kStepsLeast) return kFactorGuess;
+    const int span = std::min(count_, kSteps) - 1;
+    const double now = latest_[(count_ - 1) % kSteps];
+    const double then = latest_[(count_ - 1 - span) % kSteps];
+    if (!(then > 0)) return 0;  // nothing was left to do
+    return std::clamp(std::pow(std::max(now, 0.0) / then, 0.5 / span), 0.0, kFactorMax);
+  }
+
+ private:
+  static constexpr int kSteps = 9;
+  static constexpr int kStepsLeast = 3;
+  static constexpr double kFactorGuess = 0.5;
+  static constexpr double kFactorMax = 0.99;
+
+  std::array<double, kSteps> latest_ = {};
+  int count_ = 0;
+};
+
+}  // namespace burnish
