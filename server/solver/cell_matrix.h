@@ -26,7 +26,7 @@ struct CombineWeights {
   double stiffness2;
 };
 
-inline CombineWeights combine_weights(double alpha1, double alpha2) {
+inline constexpr CombineWeights combine_weights(double alpha1, double alpha2) {
   return {alpha1 * alpha2, alpha2 / alpha1, alpha1 / alpha2};
 }
 
