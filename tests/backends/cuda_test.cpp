@@ -78,7 +78,7 @@ TEST_F(OnADevice, BetaOneGivesTheInputBack) {
 }
 
 // Cycle by cycle, so that neither hides behind the other's convergence. They differ by rounding in
-// the float32 cycle alone.
+// the float32 cycle and by where the estimate of λmax starts; one cycle is 4e-2 off the solution.
 TEST_F(OnADevice, FollowsTheCpuCycleByCycle) {
   const TriangleMesh mesh = generate_scan({.kind = "tablet", .vertices = 20000}).value();
   const auto curve = TransferCurve::parse("-20:5,20:500").value();
@@ -93,7 +93,7 @@ TEST_F(OnADevice, FollowsTheCpuCycleByCycle) {
     double most = 0;
     for (size_t v = 0; v < on_cpu.size(); ++v)
       most = std::max(most, (on_cpu[v] - on_cuda[v]).norm());
-    EXPECT_LE(most, 2e-4 * diagonal) << cycles << " cycles";
+    EXPECT_LE(most, 1e-3 * diagonal) << cycles << " cycles";
   }
 }
 

@@ -10,7 +10,9 @@ Filtered::Filtered(const TriangleMesh& mesh, int depth, const SolverOptions& opt
   session_ = Session::open(prepared, make_hierarchy(*prepared), options).value();
 }
 
-static void must(const Status& status) { BURNISH_CHECK(status.is_ok(), status.message()); }
+static void must(const Status& status) {
+  BURNISH_CHECK(status.is_ok(), status.message());
+}
 
 Filtered& Filtered::curve(const TransferCurve& curve) {
   must(session_->apply({std::to_string(edits_++), SetTransferCurve{curve}}));
@@ -43,7 +45,8 @@ std::vector<BackendCase> backend_cases() {
       {"cpu_schwarz", {.backend = BackendKind::kCpu, .smoother = Smoother::kSchwarz}},
       {"cpu_gauss_seidel", {.backend = BackendKind::kCpu, .smoother = Smoother::kGaussSeidel}}};
   if (cuda_device().is_ok())
-    cases.push_back({"cuda_schwarz", {.backend = BackendKind::kCuda, .smoother = Smoother::kSchwarz}});
+    cases.push_back(
+        {"cuda_schwarz", {.backend = BackendKind::kCuda, .smoother = Smoother::kSchwarz}});
   return cases;
 }
 

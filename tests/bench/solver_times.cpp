@@ -49,12 +49,12 @@ Status print_times(const Input& input, BackendKind backend) {
   const double step = median_ms(5 * repeats, [&](int) { last = solver->step(); });
   RETURN_IF_ERROR(solver->status());
   const auto& grid = input.hierarchy->at(input.hierarchy->finest).grid;
-  std::printf("%-5s depth %2d..%d  n %8d  step %8.3f ms  matrix+rhs %9.3f ms  rhs %8.3f ms  "
-              "%6.0f bytes/corner  distance %.1e after %d\n",
-              std::string(solver->backend_name()).c_str(), input.hierarchy->coarsest,
-              input.hierarchy->finest, grid.corner_count(), step, matrix, constraint,
-              static_cast<double>(solver->byte_count()) / grid.corner_count(), last.distance,
-              last.cycle);
+  std::printf(
+      "%-5s depth %2d..%d  n %8d  step %8.3f ms  matrix+rhs %9.3f ms  rhs %8.3f ms  "
+      "%6.0f bytes/corner  distance %.1e after %d\n",
+      std::string(solver->backend_name()).c_str(), input.hierarchy->coarsest,
+      input.hierarchy->finest, grid.corner_count(), step, matrix, constraint,
+      static_cast<double>(solver->byte_count()) / grid.corner_count(), last.distance, last.cycle);
   return Status::ok();
 }
 
@@ -64,8 +64,7 @@ Status run(const std::string& kind, uint64_t vertices, int depth, std::span<char
   ASSIGN_OR_RETURN(input.prepared, prepare(mesh, {.depth = depth}));
   input.hierarchy = make_hierarchy(*input.prepared);
   for (const std::string_view backend : backends)
-    RETURN_IF_ERROR(
-        print_times(input, backend == "cpu" ? BackendKind::kCpu : BackendKind::kCuda));
+    RETURN_IF_ERROR(print_times(input, backend == "cpu" ? BackendKind::kCpu : BackendKind::kCuda));
   return Status::ok();
 }
 
@@ -77,8 +76,8 @@ int main(int argc, char** argv) {
     std::cerr << "usage: solver_times KIND VERTICES DEPTH [cpu|cuda]...\n";
     return 2;
   }
-  const auto status = burnish::run(argv[1], std::strtoull(argv[2], nullptr, 10),
-                                   std::atoi(argv[3]), {argv + 4, static_cast<size_t>(argc - 4)});
+  const auto status = burnish::run(argv[1], std::strtoull(argv[2], nullptr, 10), std::atoi(argv[3]),
+                                   {argv + 4, static_cast<size_t>(argc - 4)});
   if (status.is_ok()) return 0;
   std::cerr << "solver_times: " << status.message() << "\n";
   return 1;

@@ -1,12 +1,11 @@
 #include "server/solver/cuda/assembly.h"
-
 #include "server/solver/cuda/gather_rows.h"
 
 namespace burnish::cuda {
 
 namespace {
 
-constexpr int kNumbers = 36;  // of a CellSquare
+constexpr int kNumbers = 36;            // of a CellSquare
 constexpr float kPinnedBelow = 1e-12f;  // of the median diagonal
 constexpr int kMedianSamples = 1024;
 
@@ -22,9 +21,9 @@ __global__ void combine_kernel(int64_t count, const Integrals* integrals, const 
   if (number >= 28) {
     combined[c].own[number - 28] = weights.mass * in.mass_row_sum[number - 28];
   } else {
-    combined[c].pair[number] = weights.mass * in.mass[number] +
-                               (weights.stiffness1 * in.stiffness[0][number] +
-                                weights.stiffness2 * in.stiffness[1][number]);
+    combined[c].pair[number] =
+        weights.mass * in.mass[number] + (weights.stiffness1 * in.stiffness[0][number] +
+                                          weights.stiffness2 * in.stiffness[1][number]);
   }
 }
 

@@ -1,5 +1,4 @@
 #include "server/solver/cuda/cell_inverse.h"
-
 #include "server/solver/cuda/gather_rows.h"
 
 namespace burnish::cuda {
@@ -68,8 +67,7 @@ __global__ void assemble_inverse_kernel(Depth depth, const CellSquare<float>* in
   const float here = sqrtf(depth.inverse_diagonal[corner]);
   inverse.diagonal[corner] = row.own * here * here;
   for_present_slots(rows, corner, [&](int64_t k, int slot) {
-    inverse.entry[k] =
-        row.by_slot[slot] * here * sqrtf(depth.inverse_diagonal[rows.column[k]]);
+    inverse.entry[k] = row.by_slot[slot] * here * sqrtf(depth.inverse_diagonal[rows.column[k]]);
   });
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "server/solver/cuda/views.h"
 #include "server/solver/cuda/stream.h"
+#include "server/solver/cuda/views.h"
 
 namespace burnish::cuda {
 

@@ -1,5 +1,4 @@
 #include "server/solver/cuda/conjugate_gradients.h"
-
 #include "server/solver/cuda/reduce.h"
 
 namespace burnish::cuda {
@@ -22,7 +21,9 @@ __device__ void add(Double3 a, double* sums) {
   sums[2] += a.z;
 }
 
-__device__ Double3 triple(const double* numbers) { return {numbers[0], numbers[1], numbers[2], 0}; }
+__device__ Double3 triple(const double* numbers) {
+  return {numbers[0], numbers[1], numbers[2], 0};
+}
 
 // A column that has nothing left to do has a zero divisor and takes a zero step.
 __device__ double quotient(double dividend, double divisor) {
@@ -166,17 +167,19 @@ ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
       p_(stream, n_),
       q_(stream, n_),
       scalars_(stream, 1),
-      vectors_{finest,           {entry_.data(), row_sum_.data()},
-               u_.data(),        b_.data(),
-               r_.data(),        p_.data(),
-               q_.data(),        partials_.data(),
+      vectors_{finest,         {entry_.data(), row_sum_.data()},
+               u_.data(),      b_.data(),
+               r_.data(),      p_.data(),
+               q_.data(),      partials_.data(),
                scalars_.data()} {}
 
 void ConjugateGradients::recompute_residual() {
   launch(stream_, recompute_residual_kernel, n_, vectors_);
 }
 
-void ConjugateGradients::load_residual() { launch(stream_, load_residual_kernel, n_, vectors_); }
+void ConjugateGradients::load_residual() {
+  launch(stream_, load_residual_kernel, n_, vectors_);
+}
 
 void ConjugateGradients::update_direction(bool restart) {
   launch_striding(stream_, correction_sums_kernel, n_, vectors_);

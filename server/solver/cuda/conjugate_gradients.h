@@ -12,7 +12,7 @@ class ConjugateGradients {
   /// What one step hands to the next, per column.
   struct Scalars {
     double z_dot_r[3];
-    double step[3];      ///< a of the last advance()
+    double step[3];  ///< a of the last advance()
     double momentum[3];
     float correction_squared_max;
     double energy, residual, constraint;

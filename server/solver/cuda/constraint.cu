@@ -1,5 +1,4 @@
 #include "server/solver/cuda/constraint.h"
-
 #include "server/solver/cuda/kernel.h"
 
 namespace burnish::cuda {

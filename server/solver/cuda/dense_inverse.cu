@@ -1,7 +1,6 @@
-#include "server/solver/cuda/dense_inverse.h"
-
 #include <utility>
 
+#include "server/solver/cuda/dense_inverse.h"
 #include "server/solver/cuda/kernel.h"
 
 namespace burnish::cuda {
@@ -9,15 +8,22 @@ namespace burnish::cuda {
 namespace {
 
 constexpr double kRegularisation = 1e-5;
+constexpr int kTile = 16;
 
-__global__ void fill_kernel(Depth depth, double* square) {
+/// Rows of the square, a whole number of tiles; those beyond the corners are the identity's.
+int64_t padded(int64_t corner_count) {
+  return (corner_count + kTile - 1) / kTile * kTile;
+}
+
+// From zero; n is padded.
+__global__ void fill_kernel(int64_t n, Depth depth, double* square) {
   const int64_t row = thread_index();
-  const int64_t n = depth.topology.corner_count;
   if (row >= n) return;
+  square[row * n + row] = 1 + kRegularisation;
+  if (row >= depth.topology.corner_count) return;
   const Rows& rows = depth.topology.rows;
   const auto corner = static_cast<int32_t>(row);
   const double here = sqrt(static_cast<double>(depth.inverse_diagonal[row]));
-  square[row * n + row] = 1 + kRegularisation;
   const int64_t begin = row_begin(rows, corner), end = row_end(rows, corner, begin);
   for (int64_t k = begin; k < end; k += kSliceRows) {
     const int32_t column = rows.column[k];
@@ -26,27 +32,59 @@ __global__ void fill_kernel(Depth depth, double* square) {
   }
 }
 
-// One step of Gauss-Jordan without pivoting, one thread per number: the matrix is definite and, by
+// The tile's inverse, in place, by Gauss-Jordan without pivoting: the matrix is definite and, by
 // the regularisation, its condition number is bounded.
-__global__ void eliminate_kernel(int64_t n, int64_t pivot, const double* from, double* to) {
-  const int64_t i = thread_index();
-  if (i >= n * n) return;
-  const int64_t row = i / n, column = i % n;
-  const double inverse_pivot = 1 / from[pivot * n + pivot];
-  const double scaled = column == pivot ? inverse_pivot : from[pivot * n + column] * inverse_pivot;
-  if (row == pivot)
-    to[i] = scaled;
-  else
-    to[i] = (column == pivot ? 0 : from[i]) - from[row * n + pivot] * scaled;
+__device__ void invert_tile(double (&tile)[kTile][kTile], int row, int column) {
+  for (int pivot = 0; pivot < kTile; ++pivot) {
+    const double inverse_pivot = 1 / tile[pivot][pivot];
+    const double on_row = column == pivot ? inverse_pivot : tile[pivot][column] * inverse_pivot;
+    const double factor = tile[row][pivot];
+    const double kept = column == pivot ? 0 : tile[row][column];
+    __syncthreads();
+    tile[row][column] = row == pivot ? on_row : kept - factor * on_row;
+    __syncthreads();
+  }
 }
 
-__global__ void scale_kernel(Depth depth, const double* square, float* inverse) {
-  const int64_t i = thread_index();
-  const int64_t n = depth.topology.corner_count;
-  if (i >= n * n) return;
-  const double scale = sqrt(static_cast<double>(depth.inverse_diagonal[i / n]) *
-                            static_cast<double>(depth.inverse_diagonal[i % n]));
-  inverse[i] = static_cast<float>(square[i] * scale);
+// One step of Gauss-Jordan by tiles, one block per tile and one thread per number. With D the
+// inverse of the pivot tile, row tiles become D A, column tiles −A D, and all others lose A D A.
+__global__ void eliminate_kernel(int64_t n, int pivot, const double* from, double* to) {
+  __shared__ double inverse[kTile][kTile], on_row[kTile][kTile], on_column[kTile][kTile];
+  const int row = static_cast<int>(threadIdx.y), column = static_cast<int>(threadIdx.x);
+  const int tile_row = static_cast<int>(blockIdx.y), tile_column = static_cast<int>(blockIdx.x);
+  const auto place = [&](int of_row, int of_column) {
+    return (static_cast<int64_t>(of_row) * kTile + row) * n + of_column * kTile + column;
+  };
+  inverse[row][column] = from[place(pivot, pivot)];
+  on_column[row][column] = from[place(tile_row, pivot)];
+  // The pivot's own column of tiles counts as the identity, and so it is that D stays there.
+  const double identity = row == column;
+  const double there = tile_column == pivot ? identity : from[place(pivot, tile_column)];
+  __syncthreads();
+  invert_tile(inverse, row, column);
+  double sum = 0;
+  on_row[row][column] = there;
+  __syncthreads();
+  for (int k = 0; k < kTile; ++k) sum += inverse[row][k] * on_row[k][column];
+  __syncthreads();
+  on_row[row][column] = sum;
+  __syncthreads();
+  if (tile_row != pivot) {
+    sum = tile_column == pivot ? 0 : from[place(tile_row, tile_column)];
+    for (int k = 0; k < kTile; ++k) sum -= on_column[row][k] * on_row[k][column];
+  }
+  to[place(tile_row, tile_column)] = sum;
+}
+
+// One block per row.
+__global__ void scale_kernel(int64_t n, Depth depth, const double* square, float* inverse) {
+  const int64_t row = blockIdx.x;
+  const int32_t corners = depth.topology.corner_count;
+  const double here = sqrt(static_cast<double>(depth.inverse_diagonal[row]));
+  for (int column = static_cast<int>(threadIdx.x); column < corners; column += kThreads)
+    inverse[row * corners + column] =
+        static_cast<float>(square[row * n + column] * here *
+                           sqrt(static_cast<double>(depth.inverse_diagonal[column])));
 }
 
 // One warp per row.
@@ -69,19 +107,22 @@ __global__ void multiply_kernel(Depth depth, const float* inverse) {
 }  // namespace
 
 DenseInverse::DenseInverse(Stream& stream, const Depth& depth) : depth_(depth) {
-  const int64_t n = depth.topology.corner_count;
+  const int64_t corners = depth.topology.corner_count, n = padded(corners);
   for (DeviceArray<double>& square : square_) square = {stream, static_cast<size_t>(n * n)};
-  inverse_ = {stream, static_cast<size_t>(n * n)};
+  inverse_ = {stream, static_cast<size_t>(corners * corners)};
 }
 
 void DenseInverse::factor(Stream& stream) {
-  const int64_t n = depth_.topology.corner_count;
+  const int64_t corners = depth_.topology.corner_count, n = padded(corners);
+  const int tiles = static_cast<int>(n / kTile);
+  if (!stream.is_ok()) return;
   square_[0].clear(stream);
-  launch(stream, fill_kernel, n, depth_, square_[0].data());
-  for (int64_t pivot = 0; pivot < n; ++pivot)
-    launch(stream, eliminate_kernel, n * n, n, pivot, square_[pivot % 2].data(),
-           square_[(pivot + 1) % 2].data());
-  launch(stream, scale_kernel, n * n, depth_, square_[n % 2].data(), inverse_.data());
+  launch(stream, fill_kernel, n, n, depth_, square_[0].data());
+  for (int pivot = 0; pivot < tiles; ++pivot)
+    eliminate_kernel<<<dim3(tiles, tiles), dim3(kTile, kTile), 0, stream.get()>>>(
+        n, pivot, square_[pivot % 2].data(), square_[(pivot + 1) % 2].data());
+  launch(stream, scale_kernel, corners * kThreads, n, depth_, square_[tiles % 2].data(),
+         inverse_.data());
 }
 
 void DenseInverse::solve(Stream& stream) const {

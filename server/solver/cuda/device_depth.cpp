@@ -9,8 +9,12 @@ DeviceDepth::DeviceDepth(Stream& stream, const Topology& topology)
       x_(stream, topology.corner_count),
       f_(stream, topology.corner_count),
       r_(stream, topology.corner_count),
-      view_{topology,  {entry_.data(), diagonal_.data()}, inverse_diagonal_.data(), x_.data(),
-            f_.data(), r_.data()} {}
+      view_{topology,
+            {entry_.data(), diagonal_.data()},
+            inverse_diagonal_.data(),
+            x_.data(),
+            f_.data(),
+            r_.data()} {}
 
 uint64_t DeviceDepth::byte_count() const {
   return entry_.byte_count() + diagonal_.byte_count() + inverse_diagonal_.byte_count() +

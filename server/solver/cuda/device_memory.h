@@ -72,9 +72,7 @@ class DeviceArray {
     if (size_ > 0)
       stream.check(cudaMemsetAsync(data_, 0, byte_count(), stream.get()), "clearing memory");
   }
-  void upload(Stream& stream, std::span<const T> host) const {
-    cuda::upload(stream, data_, host);
-  }
+  void upload(Stream& stream, std::span<const T> host) const { cuda::upload(stream, data_, host); }
   void download(Stream& stream, std::span<T> host) const { cuda::download(stream, data_, host); }
 
  private:

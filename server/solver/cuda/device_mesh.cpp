@@ -53,10 +53,19 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth) {
   octant_ = {stream, octants(depth.grid)};
   child_start_ = {stream, depth.child_start};
   child_ = {stream, depth.child};
-  view_ = {depth.grid.corner_count(), depth.grid.cell_count(), starts.back(),
+  view_ = {depth.grid.corner_count(),
+           depth.grid.cell_count(),
+           starts.back(),
            {depth.grid.corner_count(), slice_start_.data(), mask_.data(), column_.data()},
-           cell_corners_.data(), cells_of_corner_.data(), octant_.data(), child_start_.data(),
-           child_.data(), nullptr, nullptr, nullptr, nullptr};
+           cell_corners_.data(),
+           cells_of_corner_.data(),
+           octant_.data(),
+           child_start_.data(),
+           child_.data(),
+           nullptr,
+           nullptr,
+           nullptr,
+           nullptr};
   const DepthTransfer& transfer = depth.to_parent;  // empty at the coarsest depth
   prolongation_ = DeviceArray<FromCell>::copy_of(stream, transfer.prolongation);
   restriction_start_ = {stream, transfer.restriction_start};
@@ -97,8 +106,8 @@ static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
 
 // The mesh keeps its hierarchy alive, so that an address stands for one hierarchy as long as its
 // mesh does.
-Result<std::shared_ptr<const DeviceMesh>> device_mesh(
-    std::shared_ptr<const PreparedMesh> prepared, std::shared_ptr<const Hierarchy> hierarchy) {
+Result<std::shared_ptr<const DeviceMesh>> device_mesh(std::shared_ptr<const PreparedMesh> prepared,
+                                                      std::shared_ptr<const Hierarchy> hierarchy) {
   static std::mutex mutex;
   static std::map<const Hierarchy*, std::weak_ptr<const DeviceMesh>> meshes;
   const std::scoped_lock lock(mutex);

@@ -45,7 +45,7 @@ struct DeviceMesh {
 
 /// The mesh on the device: copied there, or what another session has there already.
 /// Fails: resource_exhausted, internal.
-Result<std::shared_ptr<const DeviceMesh>> device_mesh(
-    std::shared_ptr<const PreparedMesh> prepared, std::shared_ptr<const Hierarchy> hierarchy);
+Result<std::shared_ptr<const DeviceMesh>> device_mesh(std::shared_ptr<const PreparedMesh> prepared,
+                                                      std::shared_ptr<const Hierarchy> hierarchy);
 
 }  // namespace burnish::cuda

@@ -1,6 +1,7 @@
 #pragma once
 
-// What the .cu files share: vectors of three columns, rows, and how a kernel is started.
+// What the .cu files share: vectors of three columns, rows, and how a kernel is started. Products
+// of rows are unrolled so that several of their loads are under way at once.
 
 #include "server/solver/cuda/stream.h"
 #include "server/solver/cuda/views.h"
@@ -28,8 +29,12 @@ __device__ inline float4 operator+(float4 a, float4 b) {
 __device__ inline float4 operator-(float4 a, float4 b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z, 0};
 }
-__device__ inline float4 operator*(float s, float4 a) { return {s * a.x, s * a.y, s * a.z, 0}; }
-__device__ inline float4 zero4() { return {0, 0, 0, 0}; }
+__device__ inline float4 operator*(float s, float4 a) {
+  return {s * a.x, s * a.y, s * a.z, 0};
+}
+__device__ inline float4 zero4() {
+  return {0, 0, 0, 0};
+}
 
 __device__ inline Double3 operator+(Double3 a, Double3 b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z, 0};
@@ -37,12 +42,18 @@ __device__ inline Double3 operator+(Double3 a, Double3 b) {
 __device__ inline Double3 operator-(Double3 a, Double3 b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z, 0};
 }
-__device__ inline Double3 operator*(double s, Double3 a) { return {s * a.x, s * a.y, s * a.z, 0}; }
+__device__ inline Double3 operator*(double s, Double3 a) {
+  return {s * a.x, s * a.y, s * a.z, 0};
+}
 __device__ inline Double3 operator*(Double3 a, Double3 b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z, 0};
 }
-__device__ inline Double3 to_double(float4 a) { return {a.x, a.y, a.z, 0}; }
-__device__ inline double sum_of(Double3 a) { return a.x + a.y + a.z; }
+__device__ inline Double3 to_double(float4 a) {
+  return {a.x, a.y, a.z, 0};
+}
+__device__ inline double sum_of(Double3 a) {
+  return a.x + a.y + a.z;
+}
 
 __device__ inline int64_t row_begin(const Rows& rows, int32_t i) {
   return rows.slice_start[i / kSliceRows] + i % kSliceRows;
@@ -60,17 +71,18 @@ __device__ inline float4 product_row(const Rows& rows, const Matrix& matrix, con
                                      int32_t i) {
   float4 sum = matrix.diagonal[i] * x[i];
   const int64_t begin = row_begin(rows, i), end = row_end(rows, i, begin);
-  for (int64_t k = begin; k < end; k += kSliceRows)
-    sum = sum + matrix.entry[k] * x[rows.column[k]];
+#pragma unroll 8
+  for (int64_t k = begin; k < end; k += kSliceRows) sum = sum + matrix.entry[k] * x[rows.column[k]];
   return sum;
 }
 
 /// (S x)_i as Σ_j S_ij (x_j − x_i) + m_i x_i, which loses nothing for smooth x.
-__device__ inline Double3 product_row(const Rows& rows, const ExactMatrix& matrix,
-                                      const Double3* x, int32_t i) {
+__device__ inline Double3 product_row(const Rows& rows, const ExactMatrix& matrix, const Double3* x,
+                                      int32_t i) {
   const Double3 here = x[i];
   Double3 sum = matrix.row_sum[i] * here;
   const int64_t begin = row_begin(rows, i), end = row_end(rows, i, begin);
+#pragma unroll 4
   for (int64_t k = begin; k < end; k += kSliceRows)
     sum = sum + matrix.entry[k] * (x[rows.column[k]] - here);
   return sum;

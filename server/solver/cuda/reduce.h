@@ -23,7 +23,9 @@ template <typename... Params, typename... Args>
 void launch_one_block(Stream& stream, void (*kernel)(Params...), Args... args) {
   launch(stream, kernel, kThreads, args...);
 }
-__device__ inline int64_t stride() { return static_cast<int64_t>(gridDim.x) * blockDim.x; }
+__device__ inline int64_t stride() {
+  return static_cast<int64_t>(gridDim.x) * blockDim.x;
+}
 
 /// The block's sum, in its first thread. Every thread of the block calls it, once in a kernel.
 template <int kCount>

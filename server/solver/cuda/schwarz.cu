@@ -1,7 +1,6 @@
-#include "server/solver/cuda/schwarz.h"
-
 #include "server/solver/cuda/cell_inverse.h"
 #include "server/solver/cuda/reduce.h"
+#include "server/solver/cuda/schwarz.h"
 #include "server/solver/cuda/transfer.h"
 
 namespace burnish::cuda {
@@ -49,8 +48,8 @@ __global__ void start_kernel(Depth depth, float4* eigenvector, Schwarz::Spectrum
   if (i >= depth.topology.corner_count) return;
   if (i == 0) *spectrum = {0, 1, 0, 0, 0};
   const auto seed = static_cast<uint32_t>(3 * i);
-  eigenvector[i] = sqrtf(depth.inverse_diagonal[i]) *
-                   float4{noise(seed), noise(seed + 1), noise(seed + 2), 0};
+  eigenvector[i] =
+      sqrtf(depth.inverse_diagonal[i]) * float4{noise(seed), noise(seed + 1), noise(seed + 2), 0};
 }
 
 // x = M⁻¹S x from r = −S x, and the parts of x·Sx and M⁻¹Sx·Sx.

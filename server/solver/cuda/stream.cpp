@@ -4,8 +4,8 @@ namespace burnish::cuda {
 
 Status cuda_status(cudaError_t error, const char* what) {
   if (error == cudaSuccess) return Status::ok();
-  const std::string text =
-      std::string("CUDA: ") + what + ": " + cudaGetErrorName(error) + ": " + cudaGetErrorString(error);
+  const std::string text = std::string("CUDA: ") + what + ": " + cudaGetErrorName(error) + ": " +
+                           cudaGetErrorString(error);
   return error == cudaErrorMemoryAllocation ? resource_exhausted(text) : internal_error(text);
 }
 

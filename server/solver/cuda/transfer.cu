@@ -1,6 +1,5 @@
-#include "server/solver/cuda/transfer.h"
-
 #include "server/solver/cuda/kernel.h"
+#include "server/solver/cuda/transfer.h"
 
 namespace burnish::cuda {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <vector_types.h>
 
 // What kernels see: plain structs of device pointers, the same for nvcc and the host's compiler.
@@ -52,7 +51,7 @@ inline constexpr int kSliceRows = 32;
 struct Rows {
   int32_t count;
   const int64_t* slice_start;
-  const uint32_t* mask;   ///< Stencil::mask
+  const uint32_t* mask;  ///< Stencil::mask
   const int32_t* column;
 };
 
@@ -64,10 +63,10 @@ struct Topology {
   Rows rows;
   const Eight* cell_corners;
   const Eight* cells_of_corner;
-  const uint8_t* octant;          ///< which child of its parent a cell is
-  const int32_t* child_start;     ///< null at the finest depth, as `child`
+  const uint8_t* octant;       ///< which child of its parent a cell is
+  const int32_t* child_start;  ///< null at the finest depth, as `child`
   const int32_t* child;
-  const FromCell* prolongation;   ///< null at the coarsest depth, as the next three
+  const FromCell* prolongation;  ///< null at the coarsest depth, as the next three
   const int64_t* restriction_start;
   const int32_t* restriction_corner;
   const float* restriction_weight;
