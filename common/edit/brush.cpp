@@ -7,14 +7,20 @@
 
 namespace burnish {
 
+static constexpr double kEndTolerance = 1e-6;  // of the spacing
+
 double fall_off_weight(FallOff fall_off, double distance_over_radius) {
   const double x = distance_over_radius;
   if (!(x < 1)) return 0;
   switch (fall_off) {
-    case FallOff::kSmooth: return (1 - x) * (1 - x) * (1 + 2 * x);
-    case FallOff::kLinear: return 1 - x;
-    case FallOff::kSharp: return (1 - x) * (1 - x);
-    case FallOff::kConstant: return 1;
+    case FallOff::kSmooth:
+      return (1 - x) * (1 - x) * (1 + 2 * x);
+    case FallOff::kLinear:
+      return 1 - x;
+    case FallOff::kSharp:
+      return (1 - x) * (1 - x);
+    case FallOff::kConstant:
+      return 1;
   }
   return 0;
 }
@@ -32,6 +38,8 @@ std::vector<Vec3d> dab_centres(const Stroke& stroke) {
       centres.push_back(a + along * (at / length));
     until_next = at - length;
   }
+  // A path of a whole number of spacings ends on a dab, whichever way the sum was rounded.
+  if (until_next <= kEndTolerance * spacing) centres.push_back(stroke.path.back());
   return centres;
 }
 

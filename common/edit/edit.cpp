@@ -2,11 +2,17 @@
 
 namespace burnish {
 
-static Status validate_change(const SetGradientScale& change) { return check_beta(change.beta); }
+static Status validate_change(const SetGradientScale& change) {
+  return check_beta(change.beta);
+}
 
-static Status validate_change(const SetTransferCurve&) { return Status::ok(); }  // by construction
+static Status validate_change(const SetTransferCurve&) {
+  return Status::ok();
+}  // by construction
 
-static Status validate_change(const Stroke& stroke) { return validate(stroke); }
+static Status validate_change(const Stroke& stroke) {
+  return validate(stroke);
+}
 
 static Status validate_change(const SetCellFields& change) {
   for (size_t i = 0; i < change.cells.size(); ++i) {

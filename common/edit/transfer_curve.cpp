@@ -21,8 +21,12 @@ static Status check_range(const char* what, double x, double min, double max) {
                           ".." + number(max));
 }
 
-Status check_alpha(double alpha) { return check_range("alpha", alpha, kAlphaMin, kAlphaMax); }
-Status check_beta(double beta) { return check_range("beta", beta, kBetaMin, kBetaMax); }
+Status check_alpha(double alpha) {
+  return check_range("alpha", alpha, kAlphaMin, kAlphaMax);
+}
+Status check_beta(double beta) {
+  return check_range("beta", beta, kBetaMin, kBetaMax);
+}
 
 TransferCurve::TransferCurve(double alpha) : points_{{0.0, alpha}} {
   BURNISH_CHECK(check_alpha(alpha).is_ok(), "alpha is checked at the edge");
@@ -30,9 +34,9 @@ TransferCurve::TransferCurve(double alpha) : points_{{0.0, alpha}} {
 
 static Status check_point(size_t i, const TransferCurve::Point& point) {
   const std::string where = "curve point " + std::to_string(i + 1);
-  RETURN_IF_ERROR(check_range("kappa", point.kappa, -kCurveKappaMagnitudeMax,
-                              kCurveKappaMagnitudeMax)
-                      .with_context(where));
+  RETURN_IF_ERROR(
+      check_range("kappa", point.kappa, -kCurveKappaMagnitudeMax, kCurveKappaMagnitudeMax)
+          .with_context(where));
   return check_alpha(point.alpha).with_context(where);
 }
 
@@ -56,7 +60,7 @@ Result<TransferCurve> TransferCurve::create(std::vector<Point> points) {
 
 static Result<double> parse_number(std::string_view text, std::string_view point) {
   double x = 0;
-  if (text.starts_with('+')) text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
   if (error == std::errc() && end == text.data() + text.size()) return x;
   return invalid_argument("curve point '" + std::string(point) +

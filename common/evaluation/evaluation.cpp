@@ -30,8 +30,8 @@ static EvaluationPoint locate(const Vec3d& p, const SparseGrid& grid) {
     for (int sign = -1; sign <= 1; sign += 2) {
       const Vec3i step = sign * corner_offset(mask);
       const Vec3i cell = home + step;
-      const Vec3d outside = (cell.cast<double>() - p).cwiseMax(p - cell.cast<double>() -
-                                                               Vec3d::Ones());
+      const Vec3d outside =
+          (cell.cast<double>() - p).cwiseMax(p - cell.cast<double>() - Vec3d::Ones());
       if (outside.maxCoeff() > kTouchDistance) continue;
       const int32_t index = grid.find_cell(cell);
       if (index != kNone) return point_in_cell(p, cell, index);

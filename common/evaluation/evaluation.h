@@ -13,8 +13,8 @@ namespace burnish {
 /// One row of the evaluation matrix E (section 5.1): the eight trilinear weights follow from where
 /// the vertex lies in its cell.
 struct EvaluationPoint {
-  int32_t cell = kNone;                ///< kNone: no surface near, the vertex stays where it is
-  std::array<float, 3> local = {};     ///< in [0, 1]³ of the cell
+  int32_t cell = kNone;             ///< kNone: no surface near, the vertex stays where it is
+  std::array<float, 3> local = {};  ///< in [0, 1]³ of the cell
 };
 static_assert(sizeof(EvaluationPoint) == 16);
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/base/status.h"
 #include "common/base/limits.h"
+#include "common/base/status.h"
 #include "common/base/types.h"
 #include "common/mesh/triangle_mesh.h"
 
@@ -26,8 +26,7 @@ struct GridFrame {
 /// Needs: box_max > box_min in at least one axis, kDepthMin <= depth <= kDepthMax.
 GridFrame make_grid_frame(const Vec3d& box_min, const Vec3d& box_max, int depth);
 
-/// The default depth of DESIGN section 3: the cell is about 1.5 mean edges, at most
-/// kDefaultDepthMax.
+/// The default depth: the cell is about 1.5 mean edges; at most kDefaultDepthMax.
 int default_depth(const Vec3d& box_min, const Vec3d& box_max, double mean_edge_length);
 
 /// Rounds coordinates that are within 1e-7 of a grid plane onto it, so that clipping and evaluation

@@ -12,7 +12,9 @@ namespace burnish {
 
 /// Local corner a of a cell sits at offset (a & 1, (a >> 1) & 1, a >> 2): x fastest.
 inline constexpr int kCornersPerCell = 8;
-inline Vec3i corner_offset(int a) { return {a & 1, (a >> 1) & 1, a >> 2}; }
+inline Vec3i corner_offset(int a) {
+  return {a & 1, (a >> 1) & 1, a >> 2};
+}
 
 inline constexpr int32_t kNone = -1;
 
@@ -27,7 +29,8 @@ struct GridKey {
 
 /// The cells of one depth that the surface meets, and their corners: the unknowns.
 /// Cells and corners are each in Morton order, then by component. Cell (i, j, k) spans
-/// [i, i+1] × [j, j+1] × [k, k+1] in grid units of this depth. At the finest depth places are unique.
+/// [i, i+1] × [j, j+1] × [k, k+1] in grid units of this depth. At the finest depth places are
+/// unique.
 struct SparseGrid {
   int depth = 0;
   std::vector<GridKey> cells;                                      ///< strictly rising
@@ -53,7 +56,9 @@ SparseGrid make_finest_grid(int depth, std::span<const MortonKey> cells);
 SparseGrid make_parent_grid(const SparseGrid& fine);
 
 /// The key of a cell's parent.
-inline GridKey parent_key(const GridKey& cell) { return {cell.place >> 3, cell.component}; }
+inline GridKey parent_key(const GridKey& cell) {
+  return {cell.place >> 3, cell.component};
+}
 
 /// Index of `key` among strictly rising keys, kNone if absent. O(log n).
 int32_t find_key(std::span<const GridKey> sorted, const GridKey& key);

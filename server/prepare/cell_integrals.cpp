@@ -5,8 +5,10 @@
 
 // The build's baseline is plain x86-64; this loop is where preparation spends its time, so that the
 // compiler also emits it for wider vectors. Contraction is off: every clone gives the same bits.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define BURNISH_WIDE_CLONES __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define BURNISH_WIDE_CLONES \
+  __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
 #else
 #define BURNISH_WIDE_CLONES
 #endif
@@ -30,7 +32,8 @@ static inline Eight trilinear(const double (&p)[3], int derivative) {
   }
   Eight weights;
   for (int a = 0; a < 8; ++a)
-    weights[a] = (a & 1 ? high[0] : low[0]) * (a & 2 ? high[1] : low[1]) * (a & 4 ? high[2] : low[2]);
+    weights[a] =
+        (a & 1 ? high[0] : low[0]) * (a & 2 ? high[1] : low[1]) * (a & 4 ? high[2] : low[2]);
   return weights;
 }
 
@@ -60,7 +63,8 @@ static void integrate_mass(const Vec3d (&corner)[3], double area, Square& mass, 
 
 BURNISH_WIDE_CLONES
 static void integrate_stiffness(const Vec3d (&corner)[3], double area, const Vec3d (&v)[3],
-                                const Share& share, std::array<Square, 2>& stiffness, std::array<Eight, 2>& slope) {
+                                const Share& share, std::array<Square, 2>& stiffness,
+                                std::array<Eight, 2>& slope) {
   double p[3];
   for (const QuadraturePoint& q : kDegree4Rule) {
     point_at(q, corner, p);
@@ -122,8 +126,7 @@ CellIntegrals CellIntegrator::integrals() const {
   for (int i = 0; i < 2; ++i) {
     out.stiffness[i] = off_diagonal(stiffness_[i]);
     for (int a = 0; a < 7; ++a)
-      for (int axis = 0; axis < 3; ++axis)
-        out.gradient[i][3 * a + axis] = gradient_[i][a][axis];
+      for (int axis = 0; axis < 3; ++axis) out.gradient[i][3 * a + axis] = gradient_[i][a][axis];
   }
   return out;
 }

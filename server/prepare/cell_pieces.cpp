@@ -9,10 +9,19 @@
 namespace burnish {
 
 static constexpr size_t kTrianglesPerBlock = 4096;
+static constexpr double kDegenerateRatio = 1e-12;  // twice the area over the longest edge squared
 
 static std::array<Vec3d, 3> positions_of(const Triangle& triangle,
                                          std::span<const Vec3d> grid_positions) {
   return {grid_positions[triangle[0]], grid_positions[triangle[1]], grid_positions[triangle[2]]};
+}
+
+// Clipping a triangle without area leaves slivers of rounding: cells where there is no surface.
+static bool has_area(const std::array<Vec3d, 3>& corners) {
+  const Vec3d ab = corners[1] - corners[0], bc = corners[2] - corners[1];
+  const Vec3d ca = corners[0] - corners[2];
+  const double longest = std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()});
+  return ab.cross(ca).norm() > kDegenerateRatio * longest;
 }
 
 template <typename Visit>
@@ -20,10 +29,13 @@ static void for_each_pair_of_block(std::span<const Triangle> triangles,
                                    std::span<const Vec3d> grid_positions, size_t block,
                                    Visit&& visit) {
   const size_t end = std::min(triangles.size(), (block + 1) * kTrianglesPerBlock);
-  for (size_t t = block * kTrianglesPerBlock; t < end; ++t)
-    for_each_cell_of_triangle(positions_of(triangles[t], grid_positions), [&](const Vec3i& cell) {
+  for (size_t t = block * kTrianglesPerBlock; t < end; ++t) {
+    const std::array<Vec3d, 3> corners = positions_of(triangles[t], grid_positions);
+    if (!has_area(corners)) continue;
+    for_each_cell_of_triangle(corners, [&](const Vec3i& cell) {
       visit(CellPiece{morton_key(cell), static_cast<uint32_t>(t)});
     });
+  }
 }
 
 static Status check_memory(uint64_t pairs) {

@@ -17,7 +17,8 @@ struct CellPiece {
   uint32_t triangle;
 };
 
-/// Every (cell, triangle) pair, sorted by cell, then triangle.
+/// Every (cell, triangle) pair, sorted by cell, then triangle. Triangles without area, but for
+/// rounding, are in no cell.
 /// Shapes: one snapped grid position per vertex. Units: grid.
 /// Fails: cancelled; resource_exhausted when the pairs alone exceed the machine's free memory.
 Result<std::vector<CellPiece>> find_cell_pieces(std::span<const Triangle> triangles,

@@ -18,7 +18,7 @@ namespace burnish {
 
 namespace {
 
-constexpr size_t kCellsPerBatch = 1 << 15;  // between two looks at the cancel flag
+constexpr size_t kCellsPerBatch = 1 << 15;   // between two looks at the cancel flag
 constexpr double kCurvatureRadiusMax = 0.2;  // of L
 constexpr double kUmbilicDifference = 1e-9;  // of the larger curvature, and of 1/L
 
@@ -72,18 +72,19 @@ std::vector<Vec3d> snapped_positions(const TriangleMesh& mesh, const GridFrame& 
 }
 
 Status check_cell_memory(size_t cells) {
-  const uint64_t bytes = cells * (sizeof(CellIntegrals) + sizeof(CellCurvature) + sizeof(MortonKey));
+  const uint64_t bytes =
+      cells * (sizeof(CellIntegrals) + sizeof(CellCurvature) + sizeof(MortonKey));
   const uint64_t available = available_memory_bytes();
   if (bytes <= available) return Status::ok();
   return resource_exhausted(std::to_string(cells) + " cells need " + std::to_string(bytes >> 20) +
-                            " MiB of integrals; available are " +
-                            std::to_string(available >> 20) + " MiB; choose a smaller depth");
+                            " MiB of integrals; available are " + std::to_string(available >> 20) +
+                            " MiB; choose a smaller depth");
 }
 
 /// No principal directions but by rounding: flat or spherical.
 bool is_umbilic(const TriangleCurvature& curvature, double length_unit) {
-  const double largest = std::max({std::abs(curvature.kappa1), std::abs(curvature.kappa2),
-                                   1 / length_unit});
+  const double largest =
+      std::max({std::abs(curvature.kappa1), std::abs(curvature.kappa2), 1 / length_unit});
   return curvature.kappa1 - curvature.kappa2 <= kUmbilicDifference * largest;
 }
 
@@ -154,6 +155,10 @@ Status integrate_cells(std::span<const CellPiece> pieces, std::span<const Vec3d>
       return cancelled("cancelled while integrating");
   }
   keep(arrays, holds_surface);
+  if (arrays.cells.empty())
+    return invalid_argument("all " + std::to_string(arrays.triangles.size()) +
+                            " triangles are too thin: none has an area above 1e-12 of its longest "
+                            "edge squared");
   return Status::ok();
 }
 
@@ -205,8 +210,8 @@ Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
       compute_curvature(mesh, statistics, options.curvature_radius * prepared->length_unit);
   clock.end("curvature");
 
-  RETURN_IF_ERROR(integrate_cells(pieces, positions, curvature, prepared->length_unit, progress,
-                                  *arrays));
+  RETURN_IF_ERROR(
+      integrate_cells(pieces, positions, curvature, prepared->length_unit, progress, *arrays));
   clock.end("integrals");
 
   const SparseGrid grid = make_finest_grid(depth, arrays->cells);

@@ -10,14 +10,14 @@
 namespace burnish {
 
 struct PrepareOptions {
-  int depth = 0;                 ///< 0 chooses: default_depth()
-  double curvature_radius = 0;   ///< averaging radius for κ as a fraction of L, 0 for none
-  int threads = 0;               ///< 0: all cores
+  int depth = 0;                ///< 0 chooses: default_depth()
+  double curvature_radius = 0;  ///< averaging radius for κ as a fraction of L, 0 for none
+  int threads = 0;              ///< 0: all cores
 };
 
 /// Runs the whole pipeline: grid, curvature, clipping, integrals, evaluation, histogram.
 /// Source: section 5.1. Needs: a valid mesh (validate()).
-/// Fails: invalid_argument (depth or radius outside its limits), cancelled.
+/// Fails: invalid_argument (depth or radius outside its limits; no triangle with area), cancelled.
 /// Deterministic: the same bits for any thread count.
 Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
                                                     const PrepareOptions& options,

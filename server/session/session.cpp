@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-// Half and a tenth of the accuracy bars of DESIGN section 3, for the estimate is not a bound.
+// Well below the bars of ARCHITECTURE section 5 (1e-4 and 1e-5), for the estimate is not a bound.
 static constexpr double kSettledDistance = 1e-5;
 static constexpr double kExactDistance = 1e-7;
 static constexpr int kCyclesMax = 500;
@@ -87,8 +87,14 @@ TriangleMesh Session::surface() const {
   return mesh;
 }
 
-const PreparedMesh& Session::prepared() const { return *state_->prepared; }
-const Fields& Session::fields() const { return state_->fields; }
-const Solver& Session::solver() const { return *state_->solver; }
+const PreparedMesh& Session::prepared() const {
+  return *state_->prepared;
+}
+const Fields& Session::fields() const {
+  return state_->fields;
+}
+const Solver& Session::solver() const {
+  return *state_->solver;
+}
 
 }  // namespace burnish

@@ -15,7 +15,7 @@ namespace burnish {
 /// When a solve ends: after a fixed number of cycles, or when the estimated distance to the
 /// converged surface is below a bar.
 struct SolveOptions {
-  bool exact = false;  ///< to the bar of exports, else of settled sessions (DESIGN section 3)
+  bool exact = false;  ///< to the bar of exports, else of settled sessions (ARCHITECTURE section 5)
   int cycles = 0;      ///< > 0: exactly this many
 };
 

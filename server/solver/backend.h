@@ -12,10 +12,10 @@ namespace burnish {
 
 /// Sums over the surface that one step of conjugate gradients leaves behind.
 struct Measures {
-  double energy = 0;             ///< ½uᵀSu − bᵀu, grid units
-  double residual = 0;           ///< ‖D^-½ r‖ / ‖D^-½ b‖, D the diagonal of S
-  double correction_max = 0;     ///< largest |E x| of the last V-cycle at a vertex, in cells: an
-                                 ///< estimate of how far it was from the solution before the step
+  double energy = 0;          ///< ½uᵀSu − bᵀu, grid units
+  double residual = 0;        ///< ‖D^-½ r‖ / ‖D^-½ b‖, D the diagonal of S
+  double correction_max = 0;  ///< largest |E x| of the last V-cycle at a vertex, in cells: an
+                              ///< estimate of how far it was from the solution before the step
 };
 
 /// The one seam between the algorithms, written once, and the machines that run them.
@@ -47,11 +47,11 @@ class Backend {
                               std::span<const float> beta) = 0;
 
   // The V-cycle.
-  virtual void relax_from_zero(int depth) = 0;      ///< x = M f, M symmetric positive definite
-  virtual void relax(int depth) = 0;                ///< x += Mᵀ (f − S x)
-  virtual void restrict_residual(int depth) = 0;    ///< f[depth−1] = Pᵀ (f − S x)
-  virtual void prolong_correction(int depth) = 0;   ///< x[depth] += P x[depth−1]
-  virtual void solve_coarsest() = 0;                ///< x = S⁻¹ f
+  virtual void relax_from_zero(int depth) = 0;     ///< x = M f, M symmetric positive definite
+  virtual void relax(int depth) = 0;               ///< x += Mᵀ (f − S x)
+  virtual void restrict_residual(int depth) = 0;   ///< f[depth−1] = Pᵀ (f − S x)
+  virtual void prolong_correction(int depth) = 0;  ///< x[depth] += P x[depth−1]
+  virtual void solve_coarsest() = 0;               ///< x = S⁻¹ f
 
   // Conjugate gradients at the finest depth; each column has its own scalars.
   virtual void recompute_residual() = 0;            ///< r = b − S u

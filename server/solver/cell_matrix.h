@@ -11,8 +11,8 @@ inline constexpr int pair_index(int a, int b) {
 }
 
 /// A cell's symmetric 8×8 share of a system matrix, as off-diagonal pairs and row sums. The
-/// diagonal is the row sum less the off-diagonals; keeping the sums apart keeps the mass term, which
-/// is many orders below the stiffness at small α.
+/// diagonal is the row sum less the off-diagonals; keeping the sums apart keeps the mass term,
+/// which is many orders below the stiffness at small α.
 struct CellMatrix {
   std::array<double, 28> pair;
   std::array<double, 8> row_sum;
@@ -26,7 +26,7 @@ struct CombineWeights {
   double stiffness2;
 };
 
-inline constexpr CombineWeights combine_weights(double alpha1, double alpha2) {
+constexpr CombineWeights combine_weights(double alpha1, double alpha2) {
   return {alpha1 * alpha2, alpha2 / alpha1, alpha1 / alpha2};
 }
 

@@ -56,8 +56,7 @@ void Fields::paint(const Stroke& stroke) {
 #pragma omp parallel for schedule(dynamic, 4096)
   for (int64_t c = 0; c < static_cast<int64_t>(beta_.size()); ++c) {
     const Vec3i cell = morton_point(prepared_.cells[c]);
-    const Vec3d middle =
-        prepared_.frame.to_file(cell.cast<double>() + Vec3d::Constant(0.5));
+    const Vec3d middle = prepared_.frame.to_file(cell.cast<double>() + Vec3d::Constant(0.5));
     if (!box.contains(middle)) continue;
     double beta = painted_beta_[c], covered = painted_weight_[c];
     for (const Vec3d& centre : centres) {

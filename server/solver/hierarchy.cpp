@@ -72,7 +72,8 @@ DepthTransfer::FromCell place_in_parent(const HierarchyDepth& fine, int32_t corn
   for (int a = 0; a < kCornersPerCell; ++a) {
     const int32_t cell = fine.grid.cells_of_corner[corner][a];
     if (cell == kNone) continue;
-    const Vec3i at = corner_offset(static_cast<int>(fine.grid.cells[cell].place & 7)) + corner_offset(a);
+    const Vec3i at =
+        corner_offset(static_cast<int>(fine.grid.cells[cell].place & 7)) + corner_offset(a);
     return {fine.parent_cell[cell], static_cast<uint8_t>(at.x() + 3 * at.y() + 9 * at.z())};
   }
   BURNISH_CHECK(false, "every corner belongs to a cell");

@@ -32,10 +32,10 @@ struct DepthTransfer {
     int32_t cell;
     uint8_t place;
   };
-  std::vector<FromCell> prolongation;      ///< one per fine corner
-  std::vector<int64_t> restriction_start;  ///< coarse corners + 1
-  std::vector<int32_t> restriction_corner; ///< the fine corners that a coarse corner gathers
-  std::vector<float> restriction_weight;   ///< 1, 1/2, 1/4 or 1/8
+  std::vector<FromCell> prolongation;       ///< one per fine corner
+  std::vector<int64_t> restriction_start;   ///< coarse corners + 1
+  std::vector<int32_t> restriction_corner;  ///< the fine corners that a coarse corner gathers
+  std::vector<float> restriction_weight;    ///< 1, 1/2, 1/4 or 1/8
 };
 
 /// The weights of a cell's eight corners at each of its 27 half-way points.
@@ -53,7 +53,7 @@ struct HierarchyDepth {
 
 /// All depths of one prepared mesh, immutable and shared by its sessions.
 struct Hierarchy {
-  int coarsest = 0;                    ///< solved directly
+  int coarsest = 0;  ///< solved directly
   int finest = 0;
   std::vector<HierarchyDepth> depths;  ///< depths[d - coarsest]
 

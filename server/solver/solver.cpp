@@ -94,8 +94,8 @@ StepReport Solver::step() {
   report.cycle = ++cycle_;
   report.energy = measures.energy;
   report.residual = measures.residual;
-  report.distance = measures.correction_max * prepared_->frame.cell_size /
-                    prepared_->statistics.diagonal();
+  report.distance =
+      measures.correction_max * prepared_->frame.cell_size / prepared_->statistics.diagonal();
   return report;
 }
 
@@ -123,15 +123,21 @@ std::vector<Vec3d> Solver::evaluate_vertices() const {
   std::vector<Vec3d> positions(prepared_->vertices.begin(), prepared_->vertices.end());
 #pragma omp parallel for schedule(static)
   for (int64_t v = 0; v < static_cast<int64_t>(positions.size()); ++v)
-    positions[v] += prepared_->frame.cell_size *
-                    evaluate<Vec3d>(grid, prepared_->evaluation[v], displacement);
+    positions[v] +=
+        prepared_->frame.cell_size * evaluate<Vec3d>(grid, prepared_->evaluation[v], displacement);
   return positions;
 }
 
-uint64_t Solver::byte_count() const { return backend_->byte_count(); }
+uint64_t Solver::byte_count() const {
+  return backend_->byte_count();
+}
 
-Status Solver::status() const { return backend_->status(); }
+Status Solver::status() const {
+  return backend_->status();
+}
 
-std::string_view Solver::backend_name() const { return backend_->name(); }
+std::string_view Solver::backend_name() const {
+  return backend_->name();
+}
 
 }  // namespace burnish

@@ -21,11 +21,11 @@ enum class Smoother {
 
 /// What one step found and did.
 struct StepReport {
-  int cycle = 0;             ///< since the solver was made
-  double energy = 0;         ///< ½uᵀSu − bᵀu summed over x, y, z: never rises between edits
-  double residual = 0;       ///< ‖r‖ in the diagonally scaled norm over that of b
-  double distance = 0;       ///< estimated largest vertex distance to the converged surface, over
-                             ///< the bounding-box diagonal
+  int cycle = 0;        ///< since the solver was made
+  double energy = 0;    ///< ½uᵀSu − bᵀu summed over x, y, z: never rises between edits
+  double residual = 0;  ///< ‖r‖ in the diagonally scaled norm over that of b
+  double distance = 0;  ///< estimated largest vertex distance to the converged surface, over
+                        ///< the bounding-box diagonal
 };
 
 struct SolveReport {
@@ -79,8 +79,8 @@ class Solver {
   /// Displaced positions E(c° + u) in file units, one per vertex.
   std::vector<Vec3d> evaluate_vertices() const;
 
-  uint64_t byte_count() const;             ///< of this session; prepared mesh and hierarchy apart
-  std::string_view backend_name() const;   ///< "cpu", "cuda"
+  uint64_t byte_count() const;            ///< of this session; prepared mesh and hierarchy apart
+  std::string_view backend_name() const;  ///< "cpu", "cuda"
   /// Why it is that backend: "NVIDIA H200, 143156 MiB", "asked for", "no CUDA device: ...".
   const std::string& backend_reason() const { return backend_reason_; }
   /// The first failure of the backend's machine, after which nothing here is worth reading.

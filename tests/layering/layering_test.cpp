@@ -58,7 +58,7 @@ TEST_F(Layering, APlantedWrongIncludeIsNamedByFileAndLine) {
 }
 
 TEST_F(Layering, OnlyTheFilterCommandOfTheClientMayRunTheSolver) {
-  write("client/cli/filter_command.cpp", "#include \"server/solver/solver.h\"\n");
+  write("client/cli/filter/filter_command.cpp", "#include \"server/solver/solver.h\"\n");
   write("client/cli/render_command.cpp", "#include \"server/solver/solver.h\"\n");
   EXPECT_THAT(check_includes(root_, {"client"}, the_table()),
               ElementsAre(HasSubstr("client/cli/render_command.cpp:1:")));

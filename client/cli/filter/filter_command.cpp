@@ -54,7 +54,8 @@ Status check_output(const FilterOptions& options) {
 
 Result<std::vector<Edit>> read_edits(const FilterOptions& options) {
   std::vector<Edit> edits;
-  edits.push_back({"curve", SetTransferCurve{options.curve.value_or(TransferCurve(options.alpha))}});
+  edits.push_back(
+      {"curve", SetTransferCurve{options.curve.value_or(TransferCurve(options.alpha))}});
   edits.push_back({"beta", SetGradientScale{options.beta}});
   if (!options.paint_file.empty()) {
     ASSIGN_OR_RETURN(std::vector<Stroke> strokes, read_stroke_file(options.paint_file));
@@ -121,14 +122,15 @@ void add_field_options(CLI::App& command, FilterOptions& options) {
       command.add_option("--alpha", options.alpha, "Fidelity weight: larger keeps more in place")
           ->check(CLI::Range(kAlphaMin, kAlphaMax))
           ->capture_default_str();
-  command
-      .add_option("--beta", options.beta, "Gradient scale: < 1 smooths, 1 keeps, > 1 sharpens")
+  command.add_option("--beta", options.beta, "Gradient scale: < 1 smooths, 1 keeps, > 1 sharpens")
       ->check(CLI::Range(kBetaMin, kBetaMax))
       ->capture_default_str();
   command
       .add_option_function<std::string>(
           "--curve",
-          [&options](const std::string& text) { options.curve = TransferCurve::parse(text).value(); },
+          [&options](const std::string& text) {
+            options.curve = TransferCurve::parse(text).value();
+          },
           "Transfer curve: alpha by curvature, both times L")
       ->type_name("K:A,K:A,...")
       ->check([](const std::string& text) {
@@ -156,7 +158,8 @@ void add_solve_options(CLI::App& command, FilterOptions& options) {
       ->type_name("NAME");
   const std::map<std::string, Smoother> smoothers = {{"schwarz", Smoother::kSchwarz},
                                                      {"gauss-seidel", Smoother::kGaussSeidel}};
-  command.add_option("--smoother", options.solver.smoother, "schwarz or gauss-seidel (the paper's)")
+  command
+      .add_option("--smoother", options.solver.smoother, "schwarz or gauss-seidel (the paper's)")
       ->transform(CLI::CheckedTransformer(smoothers))
       ->type_name("NAME");
   command.add_option("--threads", options.solver.threads, "Processor cores to use (default: all)")

@@ -11,7 +11,9 @@ namespace burnish {
 
 using nlohmann::ordered_json;
 
-static ordered_json to_json(const Vec3d& v) { return {v.x(), v.y(), v.z()}; }
+static ordered_json to_json(const Vec3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
 
 static ordered_json grid_of(const PreparedMesh& prepared) {
   return {{"origin", to_json(prepared.frame.origin)},

@@ -4,7 +4,7 @@
 
 namespace burnish::cpu {
 
-static constexpr double kPinnedBelow = 1e-12;        // of the median diagonal
+static constexpr double kPinnedBelow = 1e-12;  // of the median diagonal
 static constexpr size_t kMedianSamplesMax = 1 << 14;
 
 using Square = double[8][8];
@@ -12,9 +12,9 @@ using Square = double[8][8];
 static CellMatrix combine(const CellIntegrals& integrals, const CombineWeights& weights) {
   CellMatrix out;
   for (int p = 0; p < 28; ++p)
-    out.pair[p] = weights.mass * integrals.mass[p] +
-                  (weights.stiffness1 * integrals.stiffness[0][p] +
-                   weights.stiffness2 * integrals.stiffness[1][p]);
+    out.pair[p] =
+        weights.mass * integrals.mass[p] + (weights.stiffness1 * integrals.stiffness[0][p] +
+                                            weights.stiffness2 * integrals.stiffness[1][p]);
   for (int a = 0; a < 8; ++a) out.row_sum[a] = weights.mass * integrals.mass_row_sum[a];
   return out;
 }
@@ -27,8 +27,8 @@ std::vector<CellMatrix> combine_integrals(const PreparedMesh& prepared,
   const int64_t cells = static_cast<int64_t>(prepared.cells.size());
 #pragma omp parallel for schedule(static)
   for (int64_t c = 0; c < cells; ++c)
-    combined[c] = combine(prepared.integrals[c],
-                          combine_weights(alpha1[c] * scale, alpha2[c] * scale));
+    combined[c] =
+        combine(prepared.integrals[c], combine_weights(alpha1[c] * scale, alpha2[c] * scale));
   return combined;
 }
 
@@ -116,8 +116,12 @@ static void invert_diagonal(const std::vector<float>& diagonal, std::vector<floa
 
 void assemble(std::span<const CellMatrix> cells, CpuDepth& depth, ExactMatrix* exact) {
   const Stencil& stencil = depth.topology.stencil;
-  const auto pair_of = [&](int32_t cell) -> const auto& { return cells[cell].pair; };
-  const auto own_of = [&](int32_t cell) -> const auto& { return cells[cell].row_sum; };
+  const auto pair_of = [&](int32_t cell) -> const auto& {
+    return cells[cell].pair;
+  };
+  const auto own_of = [&](int32_t cell) -> const auto& {
+    return cells[cell].row_sum;
+  };
   gather_rows(depth.topology, pair_of, own_of,
               [&](int32_t corner, const double* by_slot, double row_sum) {
                 double diagonal = row_sum;

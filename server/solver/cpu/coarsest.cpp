@@ -8,6 +8,7 @@
 namespace burnish::cpu {
 
 static constexpr double kRegularisation = 1e-5;
+static constexpr double kRegularisationMax = 100;  // rows have 27 entries of at most about 1
 
 void CoarsestSolver::factor(const CpuDepth& depth) {
   const int32_t n = depth.corner_count();
@@ -25,8 +26,12 @@ void CoarsestSolver::factor(const CpuDepth& depth) {
   scaled.setFromTriplets(entries.begin(), entries.end());
   if (entries_ == 0) factor_.analyzePattern(scaled);
   factor_.factorize(scaled);
+  for (double more = 9 * kRegularisation; factor_.info() != Eigen::Success; more *= 10) {
+    BURNISH_CHECK(more < kRegularisationMax, "the coarsest matrix is finite");
+    scaled.diagonal().array() += more;
+    factor_.factorize(scaled);
+  }
   entries_ = static_cast<uint64_t>(factor_.matrixL().nestedExpression().nonZeros());
-  BURNISH_CHECK(factor_.info() == Eigen::Success, "the regularised coarsest matrix is definite");
 }
 
 void CoarsestSolver::solve(CpuDepth& depth) const {

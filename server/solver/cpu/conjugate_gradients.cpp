@@ -26,7 +26,8 @@ Double4 quotient(const Double4& dividend, const Double4& divisor) {
 
 }  // namespace
 
-ConjugateGradients::ConjugateGradients(CpuDepth& finest, std::span<const EvaluationPoint> evaluation)
+ConjugateGradients::ConjugateGradients(CpuDepth& finest,
+                                       std::span<const EvaluationPoint> evaluation)
     : finest_(finest), evaluation_(evaluation), matrix_(finest.topology.stencil) {
   for (auto* vector : {&u_, &b_, &r_, &p_, &q_})
     vector->assign(finest.corner_count(), Double4::Zero());
@@ -112,27 +113,28 @@ Measures ConjugateGradients::measure() const {
       return *this;
     }
   };
-  const Totals totals = ordered_sum<Totals>(finest_.corner_count(), [&](int32_t begin, int32_t end) {
-    Totals sum;
-    for (int32_t i = begin; i < end; ++i) {
-      const double scale = finest_.inverse_diagonal[i];
-      if (scale == 0) continue;
-      sum.energy -= 0.5 * (u_[i] * (b_[i] + r_[i])).sum();
-      sum.residual += scale * r_[i].square().sum();
-      sum.constraint += scale * b_[i].square().sum();
-    }
-    return sum;
-  });
+  const Totals totals =
+      ordered_sum<Totals>(finest_.corner_count(), [&](int32_t begin, int32_t end) {
+        Totals sum;
+        for (int32_t i = begin; i < end; ++i) {
+          const double scale = finest_.inverse_diagonal[i];
+          if (scale == 0) continue;
+          sum.energy -= 0.5 * (u_[i] * (b_[i] + r_[i])).sum();
+          sum.residual += scale * r_[i].square().sum();
+          sum.constraint += scale * b_[i].square().sum();
+        }
+        return sum;
+      });
   Measures measures;
   measures.energy = totals.energy;
-  measures.residual =
-      totals.constraint > 0 ? std::sqrt(totals.residual / totals.constraint) : 0.0;
+  measures.residual = totals.constraint > 0 ? std::sqrt(totals.residual / totals.constraint) : 0.0;
   measures.correction_max = correction_max_;
   return measures;
 }
 
 uint64_t ConjugateGradients::byte_count() const {
-  return matrix_.byte_count() + bytes_of(u_) + bytes_of(b_) + bytes_of(r_) + bytes_of(p_) + bytes_of(q_);
+  return matrix_.byte_count() + bytes_of(u_) + bytes_of(b_) + bytes_of(r_) + bytes_of(p_) +
+         bytes_of(q_);
 }
 
 }  // namespace burnish::cpu

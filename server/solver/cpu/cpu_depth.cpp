@@ -21,7 +21,7 @@ void compute_residual(CpuDepth& depth) {
     if (depth.inverse_diagonal[corner] == 0)
       depth.r[corner].setZero();
     else
-      depth.r[corner] = 
+      depth.r[corner] =
           depth.f[corner] - product_row(depth.topology.stencil, depth.system, depth.x, corner);
   }
 }

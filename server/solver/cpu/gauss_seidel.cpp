@@ -42,9 +42,9 @@ class GaussSeidel final : public DepthSmoother {
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < corners.size(); ++i) {
       const int32_t corner = corners[i];
-      depth.x[corner] += depth.inverse_diagonal[corner] *
-                         (depth.f[corner] - product_row(depth.topology.stencil, depth.system,
-                                                        depth.x, corner));
+      depth.x[corner] +=
+          depth.inverse_diagonal[corner] *
+          (depth.f[corner] - product_row(depth.topology.stencil, depth.system, depth.x, corner));
     }
   }
 
@@ -59,8 +59,10 @@ std::unique_ptr<DepthSmoother> make_gauss_seidel(const HierarchyDepth& topology)
 
 std::unique_ptr<DepthSmoother> make_smoother(Smoother kind, const HierarchyDepth& topology) {
   switch (kind) {
-    case Smoother::kGaussSeidel: return make_gauss_seidel(topology);
-    case Smoother::kSchwarz: return make_schwarz(topology);
+    case Smoother::kGaussSeidel:
+      return make_gauss_seidel(topology);
+    case Smoother::kSchwarz:
+      return make_schwarz(topology);
   }
   BURNISH_CHECK(false, "unknown smoother");
 }

@@ -28,8 +28,7 @@ void read_scaled_block(const CpuDepth& depth, const std::vector<float>& scale, i
     block[a][a] = 1 + kRegularisation;
     for (int b = a + 1; b < 8; ++b) {
       const int64_t k = depth.topology.stencil.position(corners[a], slot_between(a, b));
-      block[a][b] = block[b][a] =
-          depth.system.entry[k] * scale[corners[a]] * scale[corners[b]];
+      block[a][b] = block[b][a] = depth.system.entry[k] * scale[corners[a]] * scale[corners[b]];
     }
   }
 }
@@ -87,18 +86,20 @@ class Schwarz final : public DepthSmoother {
     const int32_t cells = depth.topology.grid.cell_count();
     std::vector<CellInverse> inverses(cells);
 #pragma omp parallel for schedule(static)
-    for (int32_t cell = 0; cell < cells; ++cell)
-      inverses[cell] = invert_cell(depth, scale, cell);
+    for (int32_t cell = 0; cell < cells; ++cell) inverses[cell] = invert_cell(depth, scale, cell);
 
-    const auto pair_of = [&](int32_t cell) -> const auto& { return inverses[cell].pair; };
-    const auto own_of = [&](int32_t cell) -> const auto& { return inverses[cell].diagonal; };
+    const auto pair_of = [&](int32_t cell) -> const auto& {
+      return inverses[cell].pair;
+    };
+    const auto own_of = [&](int32_t cell) -> const auto& {
+      return inverses[cell].diagonal;
+    };
     gather_rows(depth.topology, pair_of, own_of,
                 [&](int32_t corner, const double* by_slot, double diagonal) {
                   const double here = scale[corner];
                   inverse_.diagonal[corner] = static_cast<float>(diagonal * here * here);
                   store_row(stencil, corner, by_slot, [&](int64_t k, double value) {
-                    inverse_.entry[k] =
-                        static_cast<float>(value * here * scale[stencil.column[k]]);
+                    inverse_.entry[k] = static_cast<float>(value * here * scale[stencil.column[k]]);
                   });
                 });
     if (iterations_ == kIterationsFirst) set_start(scale);

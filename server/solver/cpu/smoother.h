@@ -13,9 +13,9 @@ namespace burnish::cpu {
 class DepthSmoother {
  public:
   virtual ~DepthSmoother() = default;
-  virtual void set_up(CpuDepth& depth) = 0;             ///< after a new matrix; leaves x, f, r changed
-  virtual void relax_from_zero(CpuDepth& depth) = 0;    ///< x from zero
-  virtual void relax(CpuDepth& depth) = 0;              ///< x further
+  virtual void set_up(CpuDepth& depth) = 0;  ///< after a new matrix; leaves x, f, r changed
+  virtual void relax_from_zero(CpuDepth& depth) = 0;  ///< x from zero
+  virtual void relax(CpuDepth& depth) = 0;            ///< x further
   virtual uint64_t byte_count() const = 0;
 };
 

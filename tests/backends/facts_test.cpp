@@ -1,0 +1,188 @@
+// What must hold of any edit on any backend, from closed forms and symmetries (ARCHITECTURE section
+// 5).
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/backends/filtered.h"
+#include "tests/reference/compare.h"
+#include "tests/reference/shapes.h"
+
+namespace burnish {
+namespace {
+
+using reference::vertex_distance;
+
+class Facts : public testing::TestWithParam<BackendCase> {
+ protected:
+  Filtered session(const TriangleMesh& mesh, int depth) {
+    return Filtered(mesh, depth, GetParam().options);
+  }
+  std::vector<Vec3d> exact(const TriangleMesh& mesh, int depth, double alpha, double beta) {
+    return session(mesh, depth).alpha(alpha).beta(beta).exact();
+  }
+};
+
+TriangleMesh bumpy() {
+  return reference::bumpy_sphere(4);
+}
+
+TransferCurve contrast_100() {
+  return TransferCurve::parse("-20:5,20:500").value();
+}
+
+TEST_P(Facts, BetaOneReturnsTheInputMesh) {
+  const TriangleMesh mesh = bumpy();
+  Filtered filtered = session(mesh, 4);
+  filtered.curve(contrast_100());
+  EXPECT_EQ(filtered.after(1000), mesh.vertices);
+}
+
+// Coordinates of a sphere are eigenfunctions with λ² = 2/r² and lie in the trial space.
+TEST_P(Facts, ASphereShrinksByTheTransferFunctionAtEveryDepth) {
+  const double radius = 2, alpha = 3, beta = 0.25;
+  const TriangleMesh mesh = reference::icosphere(6, radius);
+  for (int depth : {4, 7}) {
+    Filtered filtered = session(mesh, depth);
+    const auto moved = filtered.alpha(alpha).beta(beta).exact();
+    const double length_unit = filtered.session().prepared().length_unit;
+    const double a2 = std::pow(alpha / length_unit, 2), lambda2 = 2 / (radius * radius);
+    const double scale = (a2 + beta * lambda2) / (a2 + lambda2);
+    for (size_t v = 0; v < moved.size(); v += 97)
+      EXPECT_NEAR((moved[v] - scale * mesh.vertices[v]).norm(), 0, 1e-3 * radius) << depth;
+  }
+}
+
+// Over the true surface x(p); triangles much smaller than cells bring the vertices' close to it.
+TEST_P(Facts, ConstantAlphaKeepsTheCentroid) {
+  const TriangleMesh mesh = reference::bumpy_sphere(6);
+  const auto centroid = [&](const std::vector<Vec3d>& vertices) {
+    Vec3d sum = Vec3d::Zero();
+    double area = 0;
+    for (const Triangle& t : mesh.triangles) {
+      const Vec3d& a = mesh.vertices[t[0]];
+      const double twice = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+      sum += twice * (vertices[t[0]] + vertices[t[1]] + vertices[t[2]]) / 3;
+      area += twice;
+    }
+    return Vec3d(sum / area);
+  };
+  Filtered filtered = session(mesh, 4);
+  filtered.alpha(5).beta(0);
+  filtered.paint({{.radius = 0.7, .strength = 1, .beta = 1}, {mesh.vertices[0]}});
+  const Vec3d moved = centroid(filtered.exact()) - centroid(mesh.vertices);
+  EXPECT_LE(moved.norm() / filtered.diagonal(), 1e-6);
+}
+
+TEST_P(Facts, EnergyNeverRises) {
+  Filtered filtered = session(bumpy(), 5);
+  filtered.curve(contrast_100()).beta(0);
+  double before = 0;  // of u = 0
+  for (int i = 0; i < 60; ++i) {
+    const double energy = filtered.session().step().energy;
+    EXPECT_LE(energy, before + 1e-12 * std::abs(before)) << i;
+    before = energy;
+  }
+}
+
+TEST_P(Facts, ReversedWindingGivesTheSameSurface) {
+  const TriangleMesh mesh = bumpy();
+  const auto curve = contrast_100();
+  Filtered one = session(mesh, 5), other = session(reference::turned_inside_out(mesh), 5);
+  const auto a = one.curve(curve).beta(0.5).exact(), b = other.curve(curve).beta(0.5).exact();
+  EXPECT_LE(vertex_distance(a, b, one.diagonal()).max, 1e-6);
+}
+
+TEST_P(Facts, UnitsPoseAndPlaceDoNotMatter) {
+  const TriangleMesh mesh = bumpy();
+  const auto map = [](const Vec3d& p) {
+    return Vec3d(1000 * Vec3d(-p.y(), p.x(), p.z()) + Vec3d(5e4, -3e4, 1e4));  // a quarter turn
+  };
+  const auto curve = contrast_100();
+  Filtered one = session(mesh, 5), other = session(reference::mapped(mesh, map), 5);
+  auto a = one.curve(curve).beta(0.5).exact();
+  const auto b = other.curve(curve).beta(0.5).exact();
+  for (Vec3d& v : a) v = map(v);
+  EXPECT_LE(vertex_distance(a, b, other.diagonal()).max, 1e-6);
+}
+
+// Two thousand frames with nothing to do: no drift, no runaway of coefficients.
+TEST_P(Facts, AnIdleSessionStaysWhereItSettled) {
+  for (const TransferCurve& curve :
+       {TransferCurve(1), TransferCurve(50), TransferCurve::parse("-20:1,20:1000").value()}) {
+    Filtered filtered = session(bumpy(), 4);
+    filtered.curve(curve).beta(0);
+    const auto settled = filtered.exact();
+    const auto later = filtered.after(2000);
+    EXPECT_LE(vertex_distance(settled, later, filtered.diagonal()).max, 1e-6);
+  }
+}
+
+std::string case_name(const testing::TestParamInfo<BackendCase>& info) {
+  return info.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, Facts, testing::ValuesIn(backend_cases()), case_name);
+
+// The bars of interactive use hold for the default smoother.
+class Interactive : public Facts {};
+
+TEST_P(Interactive, AColdIsotropicStartMeetsTheBars) {
+  for (double alpha : {5.0, 50.0}) {
+    const TriangleMesh mesh = bumpy();
+    const auto converged = exact(mesh, 6, alpha, 0);
+    Filtered filtered = session(mesh, 6);
+    filtered.alpha(alpha).beta(0);
+    const auto error = [&](int more) {
+      return vertex_distance(filtered.after(more), converged, filtered.diagonal()).max;
+    };
+    EXPECT_LE(error(3), 1e-3) << alpha;
+    EXPECT_LE(error(2), 1e-4) << alpha;
+    EXPECT_LE(error(5), 1e-5) << alpha;
+  }
+}
+
+TEST_P(Interactive, AColdCurveOfContrastHundredMeetsTheBars) {
+  const TriangleMesh mesh = bumpy();
+  const auto converged = session(mesh, 6).curve(contrast_100()).beta(0).exact();
+  Filtered filtered = session(mesh, 6);
+  filtered.curve(contrast_100()).beta(0);
+  EXPECT_LE(vertex_distance(filtered.after(5), converged, filtered.diagonal()).max, 1e-2);
+  EXPECT_LE(vertex_distance(filtered.after(5), converged, filtered.diagonal()).max, 1e-3);
+}
+
+TEST_P(Interactive, ASliderStepAndAStrokeSettleInThreeFrames) {
+  const TriangleMesh mesh = bumpy();
+  const Stroke stroke{{.radius = 0.3, .strength = 1, .beta = 2}, {mesh.vertices[7]}};
+  Filtered live = session(mesh, 6);
+  live.alpha(50).beta(0.5).exact();
+  live.beta(0.6);
+  const auto slid = session(mesh, 6).alpha(50).beta(0.6).exact();
+  EXPECT_LE(vertex_distance(live.after(3), slid, live.diagonal()).max, 1e-4);
+  live.paint(stroke);
+  const auto painted = session(mesh, 6).alpha(50).beta(0.6).paint(stroke).exact();
+  EXPECT_LE(vertex_distance(live.after(3), painted, live.diagonal()).max, 1e-4);
+}
+
+TEST_P(Interactive, ACurveStepSettlesInFiveFrames) {
+  const TriangleMesh mesh = bumpy();
+  const auto stepped = TransferCurve::parse("-20:6.25,20:500").value();
+  Filtered live = session(mesh, 6);
+  live.curve(contrast_100()).beta(0).exact();
+  live.curve(stepped);
+  const auto converged = session(mesh, 6).curve(stepped).beta(0).exact();
+  EXPECT_LE(vertex_distance(live.after(5), converged, live.diagonal()).max, 1e-3);
+}
+
+std::vector<BackendCase> default_smoother_cases() {
+  std::vector<BackendCase> cases = backend_cases();
+  std::erase_if(cases, [](const auto& c) { return c.options.smoother != Smoother::kSchwarz; });
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, Interactive, testing::ValuesIn(default_smoother_cases()),
+                         case_name);
+
+}  // namespace
+}  // namespace burnish

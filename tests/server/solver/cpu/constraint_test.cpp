@@ -1,0 +1,63 @@
+#include "server/solver/cpu/constraint.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/reference/reference.h"
+#include "tests/reference/shapes.h"
+#include "tests/server/solver/test_system.h"
+
+namespace burnish::cpu {
+namespace {
+
+std::vector<Double4> constraint_of(const TestSystem& system, const CpuDepth& finest) {
+  const FieldsView view = system.fields.view();
+  std::vector<Double4> b(finest.corner_count());
+  assemble_constraint(*system.prepared, finest, view.alpha1, view.alpha2, view.beta, b);
+  return b;
+}
+
+TEST(Constraint, IsNothingWhereBetaIsOne) {
+  TestSystem system(reference::bumpy_sphere(3), 5);
+  system.fields.set_transfer_curve(test_curve(100));
+  const auto depths = system.assembled();
+  for (const Double4& b : constraint_of(system, depths.back())) EXPECT_EQ(b.abs().maxCoeff(), 0);
+}
+
+TEST(Constraint, SumsToZeroOverTheCorners) {
+  TestSystem system(reference::bumpy_sphere(3), 5);
+  system.fields.set_gradient_scale(0);
+  const auto depths = system.assembled();
+  Double4 sum = Double4::Zero(), size = Double4::Zero();
+  for (const Double4& b : constraint_of(system, depths.back())) {
+    sum += b;
+    size += b.abs();
+  }
+  for (int axis = 0; axis < 3; ++axis) EXPECT_LT(std::abs(sum[axis]), 1e-9 * size[axis]);
+}
+
+TEST(Constraint, IsTheReferencesAppliedToTheCornerPositions) {
+  const TriangleMesh mesh = reference::bumpy_sphere(4);
+  TestSystem system(mesh, 5);
+  system.fields.set_transfer_curve(test_curve(30));
+  system.fields.set_gradient_scale(2.5);
+  const auto depths = system.assembled();
+  const std::vector<Double4> found = constraint_of(system, depths.back());
+
+  const reference::System expected_system = reference::build(mesh, 5);
+  const Eigen::MatrixXd expected = reference::constraint(
+      expected_system, reference::fields(expected_system, test_curve(30), 2.5),
+      reference::corner_positions(expected_system));
+  const double largest = expected.cwiseAbs().maxCoeff();
+  const auto& corners = expected_system.corners;
+  for (int32_t i = 0; i < depths.back().corner_count(); ++i) {
+    const Vec3i at = morton_point(depths.back().topology.grid.corners[i].place);
+    const auto row = std::lower_bound(corners.begin(), corners.end(),
+                                      reference::Lattice{at.x(), at.y(), at.z()}) -
+                     corners.begin();
+    const Vec3d difference = found[i].head<3>().matrix() - expected.row(row).transpose();
+    ASSERT_LT(difference.norm(), 1e-6 * largest) << "corner " << at.transpose();
+  }
+}
+
+}  // namespace
+}  // namespace burnish::cpu

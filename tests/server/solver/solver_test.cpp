@@ -1,0 +1,195 @@
+#include "server/solver/solver.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/mesh/generate.h"
+#include "server/solver/cpu/cpu_backend.h"
+#include "server/solver/vcycle.h"
+#include "tests/reference/awkward_meshes.h"
+#include "tests/reference/compare.h"
+#include "tests/reference/reference.h"
+#include "tests/reference/shapes.h"
+#include "tests/server/solver/test_system.h"
+
+namespace burnish {
+namespace {
+
+std::unique_ptr<Solver> solver_of(const TestSystem& system, Smoother smoother = Smoother::kSchwarz,
+                                  int threads = 1) {
+  SolverOptions options;
+  options.backend = BackendKind::kCpu;
+  options.smoother = smoother;
+  options.threads = threads;
+  auto solver = std::move(Solver::create(system.prepared, system.hierarchy, options)).value();
+  solver->set_metric(system.fields.view());
+  return solver;
+}
+
+TEST(Solver, ReturnsTheInputBitExactlyWhereBetaIsOne) {
+  const TriangleMesh mesh = reference::bumpy_sphere(2);
+  TestSystem system(mesh, 4);
+  system.fields.set_transfer_curve(test_curve(100));
+  for (Smoother smoother : {Smoother::kSchwarz, Smoother::kGaussSeidel}) {
+    const auto solver = solver_of(system, smoother);
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(solver->step().energy, 0);
+    EXPECT_EQ(solver->evaluate_vertices(), mesh.vertices);
+  }
+}
+
+TEST(Solver, EnergyNeverRises) {
+  for (const auto& [name, mesh] : reference::awkward_meshes()) {
+    SCOPED_TRACE(name);
+    TestSystem system(mesh, 5);
+    system.fields.set_gradient_scale(0);
+    system.fields.set_transfer_curve(test_curve(100));
+    const auto solver = solver_of(system);
+    double last = 0;
+    for (int i = 0; i < 50; ++i) {
+      const double energy = solver->step().energy;
+      ASSERT_LE(energy, last + 1e-12 * std::abs(last)) << "step " << i + 1;
+      last = energy;
+    }
+    EXPECT_LT(last, 0);
+  }
+}
+
+// Where one term of S is a million times the other, float32 tables alone would not be definite.
+TEST(Solver, IsStableAtTheLimitsOfAlphaAndContrast) {
+  const TransferCurve curves[] = {TransferCurve(kAlphaMin), TransferCurve(1e3), TransferCurve(1e4),
+                                  TransferCurve(kAlphaMax), test_curve(kCurveContrastMax)};
+  for (const auto& [name, mesh] : reference::awkward_meshes()) {
+    TestSystem system(mesh, 4);
+    system.fields.set_gradient_scale(0);
+    for (const TransferCurve& curve : curves) {
+      SCOPED_TRACE(name + ", alpha " + curve.to_string());
+      system.fields.set_transfer_curve(curve);
+      const auto solver = solver_of(system);
+      double last = 0;
+      for (int i = 0; i < 20; ++i) {
+        const double energy = solver->step().energy;
+        ASSERT_LE(energy, last + 1e-12 * std::abs(last)) << "step " << i + 1;
+        last = energy;
+      }
+      const auto moved = reference::vertex_distance(solver->evaluate_vertices(), mesh.vertices,
+                                                    reference::box_diagonal(mesh));
+      EXPECT_LT(moved.max, 1);
+    }
+  }
+}
+
+TEST(Solver, HoldsTheSurfaceAsTheReferenceDoesWhereAlphaIsVeryLarge) {
+  for (const TriangleMesh& mesh : {reference::needles(), reference::bumpy_sphere(4)}) {
+    TestSystem system(mesh, 5);
+    system.fields.set_gradient_scale(0);
+    const reference::System expected_system = reference::build(mesh, 5);
+    for (double alpha : {3e2, 1e3, 1e4, 1e5}) {
+      system.fields.set_transfer_curve(TransferCurve(alpha));
+      const auto solver = solver_of(system);
+      ASSERT_TRUE(solver->solve(1e-8, 60).is_ok());
+      const auto expected = reference::edited_vertices(
+          expected_system, reference::fields(expected_system, TransferCurve(alpha), 0));
+      const auto distance = reference::vertex_distance(solver->evaluate_vertices(), expected,
+                                                       reference::box_diagonal(mesh));
+      EXPECT_LT(distance.max, 1e-4) << "alpha " << alpha;
+      EXPECT_LT(distance.rms, 1e-5) << "alpha " << alpha;
+    }
+  }
+}
+
+TEST(Solver, GivesTheSameBitsForAnyNumberOfThreads) {
+  TestSystem system(reference::several_components(), 5);
+  system.fields.set_gradient_scale(0.2);
+  system.fields.set_transfer_curve(test_curve(30));
+  for (Smoother smoother : {Smoother::kSchwarz, Smoother::kGaussSeidel}) {
+    const auto one = solver_of(system, smoother, 1), two = solver_of(system, smoother, 2);
+    for (int i = 0; i < 4; ++i) {
+      const StepReport a = one->step(), b = two->step();
+      ASSERT_EQ(a.energy, b.energy);
+      ASSERT_EQ(a.residual, b.residual);
+      ASSERT_EQ(a.distance, b.distance);
+    }
+    EXPECT_EQ(one->evaluate_vertices(), two->evaluate_vertices());
+  }
+}
+
+TEST(Solver, KeepsPinnedCornersInPlace) {
+  TestSystem system(reference::bumpy_sphere(4), 6);
+  system.fields.set_gradient_scale(0);
+  const auto depths = system.assembled();
+  const auto backend = make_cpu_backend(system.prepared, system.hierarchy, Smoother::kSchwarz);
+  const FieldsView view = system.fields.view();
+  backend->set_metric(view.alpha1, view.alpha2);
+  backend->set_constraint(view.alpha1, view.alpha2, view.beta);
+  backend->recompute_residual();
+  for (int i = 0; i < 5; ++i) {
+    backend->load_residual();
+    run_vcycle(*backend, system.hierarchy->coarsest, system.hierarchy->finest);
+    backend->update_direction(i == 0);
+    backend->advance();
+  }
+  std::vector<Vec3d> displacement(depths.back().corner_count());
+  backend->read_displacement(displacement);
+  int pinned = 0, moved = 0;
+  for (int32_t i = 0; i < depths.back().corner_count(); ++i) {
+    if (depths.back().inverse_diagonal[i] != 0) {
+      moved += displacement[i] != Vec3d::Zero();
+      continue;
+    }
+    ++pinned;
+    ASSERT_EQ(displacement[i], Vec3d::Zero()) << "corner " << i;
+  }
+  EXPECT_GT(pinned, 0);
+  EXPECT_GT(moved, 1000);
+}
+
+TEST(Solver, ConvergesToTheSameSurfaceFromAnyStart) {
+  const TriangleMesh mesh = reference::bumpy_sphere(4);
+  TestSystem system(mesh, 6);
+  system.fields.set_gradient_scale(0);
+  const auto cold = solver_of(system);
+  ASSERT_TRUE(cold->solve(1e-7, 100)->converged);
+
+  system.fields.set_gradient_scale(3);
+  system.fields.set_transfer_curve(test_curve(100));
+  const auto warm = solver_of(system, Smoother::kGaussSeidel);
+  ASSERT_TRUE(warm->solve(1e-4, 100).is_ok());
+  system.fields.set_transfer_curve(TransferCurve(50));
+  warm->set_metric(system.fields.view());
+  system.fields.set_gradient_scale(0);
+  warm->set_gradient_scale(system.fields.view());
+  ASSERT_TRUE(warm->solve(1e-7, 200)->converged);
+
+  const auto distance = reference::vertex_distance(
+      cold->evaluate_vertices(), warm->evaluate_vertices(), reference::box_diagonal(mesh));
+  EXPECT_LT(distance.max, 2e-6);
+  EXPECT_GT(reference::vertex_distance(cold->evaluate_vertices(), mesh.vertices,
+                                       reference::box_diagonal(mesh))
+                .max,
+            1e-3);
+}
+
+TEST(Solver, StopsWhereItsProgressSaysSo) {
+  TestSystem system(make_icosphere(3, 1), 5);
+  system.fields.set_gradient_scale(0);
+  const auto solver = solver_of(system);
+  int reports = 0;
+  const auto result = solver->solve(0, 100, [&](auto, auto) { return ++reports <= 3; });
+  ASSERT_FALSE(result.is_ok());
+  EXPECT_EQ(result.status().code(), StatusCode::kCancelled);
+  EXPECT_THAT(result.status().message(), testing::HasSubstr("after 3 cycles"));
+  EXPECT_EQ(solver->step().cycle, 4);
+}
+
+TEST(Solver, TakesMeshesThatNeedNoHierarchy) {
+  const TriangleMesh triangle = {{{0, 0, 0}, {1, 0, 0}, {0.3, 1, 0.2}}, {{0, 1, 2}}};
+  TestSystem system(triangle, 4);
+  ASSERT_EQ(system.hierarchy->coarsest, system.hierarchy->finest);
+  system.fields.set_gradient_scale(0.5);
+  const auto solver = solver_of(system);
+  ASSERT_TRUE(solver->solve(1e-8, 50)->converged);
+  for (const Vec3d& p : solver->evaluate_vertices()) EXPECT_TRUE(p.allFinite());
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,64 @@
+#include "tests/server/solver/test_system.h"
+
+#include <cmath>
+
+#include "server/solver/cpu/assembly.h"
+
+namespace burnish {
+
+static std::shared_ptr<const PreparedMesh> prepared_at(const TriangleMesh& mesh, int depth) {
+  PrepareOptions options;
+  options.depth = depth;
+  return *prepare(mesh, options);
+}
+
+TestSystem::TestSystem(const TriangleMesh& mesh, int depth)
+    : prepared(prepared_at(mesh, depth)), hierarchy(make_hierarchy(*prepared)), fields(*prepared) {}
+
+std::vector<cpu::CpuDepth> TestSystem::assembled() const {
+  std::vector<cpu::CpuDepth> depths;
+  depths.reserve(hierarchy->depths.size());
+  for (const HierarchyDepth& topology : hierarchy->depths) depths.emplace_back(topology);
+  const FieldsView view = fields.view();
+  std::vector<CellMatrix> cells = cpu::combine_integrals(*prepared, view.alpha1, view.alpha2);
+  cpu::assemble(cells, depths.back());
+  for (size_t i = depths.size() - 1; i > 0; --i) {
+    cells = cpu::down_sample(depths[i].topology, depths[i - 1].topology, cells);
+    cpu::assemble(cells, depths[i - 1]);
+  }
+  return depths;
+}
+
+TransferCurve test_curve(double contrast) {
+  const double half = std::sqrt(contrast);
+  return *TransferCurve::create({{-10, 50 * half}, {10, 50 / half}});
+}
+
+Sparse system_matrix(const cpu::CpuDepth& depth) {
+  const Stencil& stencil = depth.topology.stencil;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int32_t i = 0; i < depth.corner_count(); ++i) {
+    for (int64_t k = stencil.row_start[i]; k < stencil.row_start[i + 1]; ++k)
+      entries.emplace_back(i, stencil.column[k], depth.system.entry[k]);
+    entries.emplace_back(i, i, depth.system.diagonal[i]);
+  }
+  Sparse matrix(depth.corner_count(), depth.corner_count());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Sparse prolongation_matrix(const HierarchyDepth& fine, const HierarchyDepth& coarse) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int32_t i = 0; i < fine.grid.corner_count(); ++i) {
+    const DepthTransfer::FromCell from = fine.to_parent.prolongation[i];
+    for (int a = 0; a < kCornersPerCell; ++a)
+      if (half_way_weights()[from.place][a] > 0)
+        entries.emplace_back(i, coarse.grid.cell_corners[from.cell][a],
+                             half_way_weights()[from.place][a]);
+  }
+  Sparse matrix(fine.grid.corner_count(), coarse.grid.corner_count());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+}  // namespace burnish

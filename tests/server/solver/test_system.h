@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Sparse>
+
+#include "server/prepare/prepare.h"
+#include "server/solver/cpu/cpu_depth.h"
+#include "server/solver/fields.h"
+#include "server/solver/hierarchy.h"
+
+namespace burnish {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// A mesh prepared at a depth, with its hierarchy and fields.
+struct TestSystem {
+  TestSystem(const TriangleMesh& mesh, int depth);
+
+  std::shared_ptr<const PreparedMesh> prepared;
+  std::shared_ptr<const Hierarchy> hierarchy;
+  Fields fields;
+
+  /// The matrices of all depths from the coarsest, as the CPU backend makes them of the fields.
+  std::vector<cpu::CpuDepth> assembled() const;
+};
+
+/// Strong anisotropy: α1 and α2 differ by up to `contrast` over curvatures of a unit sphere's
+/// scale.
+TransferCurve test_curve(double contrast);
+
+/// S of one depth. Rows and columns of pinned corners are kept.
+Sparse system_matrix(const cpu::CpuDepth& depth);
+
+/// P from the coarser depth to `fine`.
+Sparse prolongation_matrix(const HierarchyDepth& fine, const HierarchyDepth& coarse);
+
+}  // namespace burnish
