@@ -18,22 +18,24 @@ endif()
 
 add_library(burnish_options INTERFACE)
 target_include_directories(burnish_options INTERFACE ${PROJECT_SOURCE_DIR})
-target_compile_options(burnish_options INTERFACE
-  -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers
-  -Wno-restrict)  # false alarms of g++ 12 on "text" + std::string
+# -Wno-restrict: false alarms of g++ 12 on "text" + std::string.
+target_compile_options(burnish_options INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:\
+-Wall;-Wextra;-Wshadow;-Wnon-virtual-dtor;-Wno-missing-field-initializers;-Wno-restrict>")
 # Debian's x86-64 baseline must run everywhere; only contraction and errno are relaxed, never the
 # order of sums: same input, same bits.
-target_compile_options(burnish_options INTERFACE -fno-math-errno -ffp-contract=off)
+target_compile_options(burnish_options INTERFACE
+  "$<$<COMPILE_LANGUAGE:CXX>:-fno-math-errno;-ffp-contract=off>")
 target_link_libraries(burnish_options INTERFACE Eigen3::Eigen Threads::Threads)
 target_compile_definitions(burnish_options INTERFACE EIGEN_DONT_PARALLELIZE)
 if(BURNISH_OPENMP)
   target_link_libraries(burnish_options INTERFACE OpenMP::OpenMP_CXX)
 else()
-  target_compile_options(burnish_options INTERFACE -Wno-unknown-pragmas)
+  target_compile_options(burnish_options INTERFACE
+    "$<$<COMPILE_LANGUAGE:CXX>:-Wno-unknown-pragmas>")
 endif()
 if(BURNISH_SANITIZE)
-  target_compile_options(burnish_options INTERFACE
-    -fsanitize=${BURNISH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_compile_options(burnish_options INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:\
+-fsanitize=${BURNISH_SANITIZE};-fno-omit-frame-pointer;-fno-sanitize-recover=all>")
   target_link_options(burnish_options INTERFACE -fsanitize=${BURNISH_SANITIZE})
 endif()
 

@@ -23,7 +23,7 @@ namespace burnish {
 //   colours      Rgba8                   4   0 or v
 //   evaluation   EvaluationPoint        16   v
 //   cells        MortonKey               8   c, strictly rising
-//   integrals    CellIntegrals         536   c
+//   integrals    CellIntegrals         1072   c
 //   curvature    CellCurvature          12   c
 //
 // Checksums are XXH3-64 without a seed. The table repeats what follows from the counts (element

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <unordered_set>
 
+#include <spdlog/spdlog.h>
+
 #include "server/session/cancellable_lock.h"
 
 namespace burnish {
@@ -104,6 +106,8 @@ Status SessionManager::bring_back(Entry& entry, const Progress& progress) {
   const SessionRecord& record = entry.record;
   ASSIGN_OR_RETURN(const auto mesh, store_.open_mesh(record.scan_id, record.key, progress));
   ASSIGN_OR_RETURN(auto session, Session::open(mesh->prepared, mesh->hierarchy, options_.solver));
+  spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),
+               session->solver().backend_reason());
   ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));
   std::unordered_set<std::string> ids;
   for (const Edit& edit : edits) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string_view>
 
+#include "common/base/status.h"
 #include "common/base/types.h"
 
 namespace burnish {
@@ -29,6 +31,14 @@ class Backend {
   virtual ~Backend() = default;
   virtual std::string_view name() const = 0;
   virtual uint64_t byte_count() const = 0;
+  /// The machine's first failure. From then on the other calls do nothing worth reading.
+  virtual Status status() const { return Status::ok(); }
+  /// Does `work`: calls of this object, the same whenever `key` (≥ 0) is. A backend may record
+  /// them once and replay them.
+  virtual void run_recorded(int key, const std::function<void()>& work) {
+    (void)key;
+    work();
+  }
 
   // The system. Shapes: one entry per cell of the finest depth. Units: α in user units.
   /// The matrices of all depths (section 5.2), smoothers and the coarsest factorisation.

@@ -7,19 +7,9 @@
 
 #include "common/grid/sparse_grid.h"
 #include "server/prepare/prepared_mesh.h"
+#include "server/solver/stencil_slots.h"
 
 namespace burnish {
-
-/// Neighbour slot of an offset in {-1, 0, 1}³; the corner itself is slot 13.
-inline constexpr int kSlots = 27;
-inline constexpr int kSelfSlot = 13;
-inline constexpr int slot_of_offset(int dx, int dy, int dz) {
-  return (dx + 1) + 3 * (dy + 1) + 9 * (dz + 1);
-}
-/// Slot of local corner b seen from local corner a of the same cell.
-inline constexpr int slot_between(int a, int b) {
-  return slot_of_offset((b & 1) - (a & 1), (b >> 1 & 1) - (a >> 1 & 1), (b >> 2) - (a >> 2));
-}
 
 /// Which corners share a cell, itself left out: the off-diagonal pattern of every matrix of one
 /// depth, in compressed rows.

@@ -5,6 +5,7 @@
 #include "common/base/parallel.h"
 #include "server/solver/backend.h"
 #include "server/solver/cpu/cpu_backend.h"
+#include "server/solver/cuda/cuda_backend.h"
 #include "server/solver/hierarchy.h"
 #include "server/solver/vcycle.h"
 
@@ -16,23 +17,46 @@ static double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+namespace {
+
+struct ChosenBackend {
+  std::unique_ptr<Backend> backend;
+  std::string reason;
+};
+
+Result<ChosenBackend> choose_backend(const std::shared_ptr<const PreparedMesh>& prepared,
+                                     const std::shared_ptr<const Hierarchy>& hierarchy,
+                                     const SolverOptions& options) {
+  const auto on_cpu = [&](std::string reason) {
+    return ChosenBackend{make_cpu_backend(prepared, hierarchy, options.smoother),
+                         std::move(reason)};
+  };
+  if (options.backend == BackendKind::kCpu) return on_cpu("asked for");
+  auto cuda = make_cuda_backend(prepared, hierarchy, options.smoother);
+  if (cuda.is_ok()) return ChosenBackend{std::move(cuda).value(), cuda_device().value()};
+  if (options.backend == BackendKind::kAuto) return on_cpu(cuda.status().message());
+  return cuda.status().with_context("backend cuda");
+}
+
+}  // namespace
+
 Result<std::unique_ptr<Solver>> Solver::create(std::shared_ptr<const PreparedMesh> prepared,
                                                std::shared_ptr<const Hierarchy> hierarchy,
                                                const SolverOptions& options) {
-  if (options.backend == BackendKind::kCuda)
-    return failed_precondition("backend cuda: this build has no CUDA backend; use cpu or auto");
   use_threads(options.threads);
-  auto backend = make_cpu_backend(prepared, hierarchy, options.smoother);
-  return std::unique_ptr<Solver>(
-      new Solver(std::move(prepared), std::move(hierarchy), std::move(backend), options.threads));
+  ASSIGN_OR_RETURN(ChosenBackend chosen, choose_backend(prepared, hierarchy, options));
+  return std::unique_ptr<Solver>(new Solver(std::move(prepared), std::move(hierarchy),
+                                            std::move(chosen.backend), std::move(chosen.reason),
+                                            options.threads));
 }
 
 Solver::Solver(std::shared_ptr<const PreparedMesh> prepared,
                std::shared_ptr<const Hierarchy> hierarchy, std::unique_ptr<Backend> backend,
-               int threads)
+               std::string backend_reason, int threads)
     : prepared_(std::move(prepared)),
       hierarchy_(std::move(hierarchy)),
       backend_(std::move(backend)),
+      backend_reason_(std::move(backend_reason)),
       threads_(threads) {}
 
 Solver::~Solver() = default;
@@ -57,10 +81,12 @@ void Solver::set_gradient_scale(const FieldsView& fields) {
 StepReport Solver::step() {
   use_threads(threads_);
   if (restart_ || cycle_ % kRecomputeResidualEvery == 0) backend_->recompute_residual();
-  backend_->load_residual();
-  run_vcycle(*backend_, hierarchy_->coarsest, hierarchy_->finest);
-  backend_->update_direction(restart_);
-  backend_->advance();
+  backend_->run_recorded(restart_, [this] {
+    backend_->load_residual();
+    run_vcycle(*backend_, hierarchy_->coarsest, hierarchy_->finest);
+    backend_->update_direction(restart_);
+    backend_->advance();
+  });
   if (restart_) rate_.restart();
   restart_ = false;
 
@@ -82,6 +108,7 @@ Result<SolveReport> Solver::solve(double distance_max, int cycles_max, const Pro
     if (!burnish::report(progress, "solve", static_cast<double>(report.cycles) / cycles_max))
       return cancelled("cancelled after " + std::to_string(report.cycles) + " cycles");
     report.last = step();
+    RETURN_IF_ERROR(backend_->status());
     ++report.cycles;
     report.converged = report.last.distance <= distance_max;
   }
@@ -105,6 +132,10 @@ std::vector<Vec3d> Solver::evaluate_vertices() const {
 
 uint64_t Solver::byte_count() const {
   return backend_->byte_count();
+}
+
+Status Solver::status() const {
+  return backend_->status();
 }
 
 std::string_view Solver::backend_name() const {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -56,7 +57,8 @@ struct Hierarchy;
 /// warm-started from step to step. Source: sections 4 and 5.2.
 class Solver {
  public:
-  /// Fails: failed_precondition when the backend is not in this build or finds no device.
+  /// kAuto takes CUDA where it works, else the CPU. Fails: failed_precondition when the backend is
+  /// not in this build or finds no device; unimplemented, resource_exhausted: see cuda_backend.h.
   static Result<std::unique_ptr<Solver>> create(std::shared_ptr<const PreparedMesh> prepared,
                                                 std::shared_ptr<const Hierarchy> hierarchy,
                                                 const SolverOptions& options);
@@ -71,7 +73,8 @@ class Solver {
   StepReport step();
 
   /// Steps until the estimated distance is at most `distance_max` (of the bounding-box diagonal) or
-  /// `cycles_max` steps are done. Fails: cancelled; the displacement is then that of the last step.
+  /// `cycles_max` steps are done. Fails: cancelled; the displacement is then that of the last step;
+  /// what status() says.
   Result<SolveReport> solve(double distance_max, int cycles_max, const Progress& progress = {});
 
   /// Displaced positions E(c° + u) in file units, one per vertex.
@@ -79,14 +82,19 @@ class Solver {
 
   uint64_t byte_count() const;            ///< of this session; prepared mesh and hierarchy apart
   std::string_view backend_name() const;  ///< "cpu", "cuda"
+  /// Why it is that backend: "NVIDIA H200, 143156 MiB", "asked for", "no CUDA device: ...".
+  const std::string& backend_reason() const { return backend_reason_; }
+  /// The first failure of the backend's machine, after which nothing here is worth reading.
+  Status status() const;
 
  private:
   Solver(std::shared_ptr<const PreparedMesh> prepared, std::shared_ptr<const Hierarchy> hierarchy,
-         std::unique_ptr<Backend> backend, int threads);
+         std::unique_ptr<Backend> backend, std::string backend_reason, int threads);
 
   std::shared_ptr<const PreparedMesh> prepared_;
   std::shared_ptr<const Hierarchy> hierarchy_;
   std::unique_ptr<Backend> backend_;
+  std::string backend_reason_;
   int threads_;
   ConvergenceRate rate_;
   int cycle_ = 0;

@@ -1,6 +1,7 @@
 #include "tests/backends/filtered.h"
 
 #include "server/prepare/prepare.h"
+#include "server/solver/cuda/cuda_backend.h"
 
 namespace burnish {
 
@@ -40,8 +41,13 @@ std::vector<Vec3d> Filtered::solved(const SolveOptions& options) {
 }
 
 std::vector<BackendCase> backend_cases() {
-  return {{"cpu_schwarz", {.backend = BackendKind::kCpu, .smoother = Smoother::kSchwarz}},
-          {"cpu_gauss_seidel", {.backend = BackendKind::kCpu, .smoother = Smoother::kGaussSeidel}}};
+  std::vector<BackendCase> cases = {
+      {"cpu_schwarz", {.backend = BackendKind::kCpu, .smoother = Smoother::kSchwarz}},
+      {"cpu_gauss_seidel", {.backend = BackendKind::kCpu, .smoother = Smoother::kGaussSeidel}}};
+  if (cuda_device().is_ok())
+    cases.push_back(
+        {"cuda_schwarz", {.backend = BackendKind::kCuda, .smoother = Smoother::kSchwarz}});
+  return cases;
 }
 
 }  // namespace burnish

@@ -1,0 +1,85 @@
+#include "server/solver/cuda/cell_inverse.h"
+#include "server/solver/cuda/gather_rows.h"
+
+namespace burnish::cuda {
+
+namespace {
+
+constexpr float kRegularisation = 1e-3f;  // on the unit diagonal of the scaled blocks
+
+__device__ void read_scaled_block(const Depth& depth, const Eight& corners, float (&block)[8][8]) {
+  float scale[8];
+#pragma unroll
+  for (int a = 0; a < 8; ++a) scale[a] = sqrtf(depth.inverse_diagonal[corners.at[a]]);
+#pragma unroll
+  for (int a = 0; a < 8; ++a) {
+    block[a][a] = 1 + kRegularisation;
+#pragma unroll
+    for (int b = a + 1; b < 8; ++b) {
+      const int64_t k = entry_position(depth.topology.rows, corners.at[a], slot_between(a, b));
+      block[a][b] = block[b][a] = depth.system.entry[k] * scale[a] * scale[b];
+    }
+  }
+}
+
+// Gauss-Jordan without pivoting: the block is symmetric positive definite with a condition number
+// of at most 8 / reg.
+__device__ void invert(float (&m)[8][8]) {
+#pragma unroll
+  for (int p = 0; p < 8; ++p) {
+    const float inverse_pivot = 1 / m[p][p];
+    m[p][p] = 1;
+#pragma unroll
+    for (int b = 0; b < 8; ++b) m[p][b] *= inverse_pivot;
+#pragma unroll
+    for (int a = 0; a < 8; ++a) {
+      if (a == p) continue;
+      const float factor = m[a][p];
+      m[a][p] = 0;
+#pragma unroll
+      for (int b = 0; b < 8; ++b) m[a][b] -= factor * m[p][b];
+    }
+  }
+}
+
+__global__ void invert_cells_kernel(Depth depth, CellSquare<float>* inverses) {
+  const int64_t cell = thread_index();
+  if (cell >= depth.topology.cell_count) return;
+  float block[8][8];
+  read_scaled_block(depth, depth.topology.cell_corners[cell], block);
+  invert(block);
+#pragma unroll
+  for (int a = 0; a < 8; ++a) {
+    inverses[cell].own[a] = block[a][a];
+#pragma unroll
+    for (int b = a + 1; b < 8; ++b)
+      inverses[cell].pair[pair_index(a, b)] = (block[a][b] + block[b][a]) / 2;
+  }
+}
+
+__global__ void assemble_inverse_kernel(Depth depth, const CellSquare<float>* inverses,
+                                        Matrix inverse) {
+  const int64_t i = thread_index();
+  if (i >= depth.topology.corner_count) return;
+  const auto corner = static_cast<int32_t>(i);
+  const Rows& rows = depth.topology.rows;
+  const GatheredRow<float> row = gather_row(depth.topology, inverses, corner);
+  const float here = sqrtf(depth.inverse_diagonal[corner]);
+  inverse.diagonal[corner] = row.own * here * here;
+  for_present_slots(rows, corner, [&](int64_t k, int slot) {
+    inverse.entry[k] = row.by_slot[slot] * here * sqrtf(depth.inverse_diagonal[rows.column[k]]);
+  });
+}
+
+}  // namespace
+
+void invert_cells(Stream& stream, const Depth& depth, CellSquare<float>* inverses) {
+  launch(stream, invert_cells_kernel, depth.topology.cell_count, depth, inverses);
+}
+
+void assemble_inverse(Stream& stream, const Depth& depth, const CellSquare<float>* inverses,
+                      const Matrix& inverse) {
+  launch(stream, assemble_inverse_kernel, depth.topology.corner_count, depth, inverses, inverse);
+}
+
+}  // namespace burnish::cuda

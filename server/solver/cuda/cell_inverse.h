@@ -1,0 +1,15 @@
+#pragma once
+
+#include "server/solver/cuda/stream.h"
+#include "server/solver/cuda/views.h"
+
+namespace burnish::cuda {
+
+/// (B_c + reg)⁻¹ of every cell, B_c the 8×8 block of the diagonally scaled S at its corners.
+void invert_cells(Stream& stream, const Depth& depth, CellSquare<float>* inverses);
+
+/// The rows of D^-½ Σ_c R_cᵀ inverse_c R_c D^-½.
+void assemble_inverse(Stream& stream, const Depth& depth, const CellSquare<float>* inverses,
+                      const Matrix& inverse);
+
+}  // namespace burnish::cuda

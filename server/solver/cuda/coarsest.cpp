@@ -1,0 +1,47 @@
+#include "server/solver/cuda/coarsest.h"
+
+#include "server/solver/cuda/device_mesh.h"
+
+namespace burnish::cuda {
+
+CoarsestSolver::CoarsestSolver(Stream& stream, const HierarchyDepth& topology, const Depth& depth)
+    : stream_(stream), depth_(depth) {
+  if (topology.grid.corner_count() <= DenseInverse::kCornersMax)
+    dense_ = DenseInverse(stream, depth);
+  else
+    host_.emplace(topology);
+}
+
+void CoarsestSolver::factor() {
+  if (on_device()) return dense_.factor(stream_);
+  read_matrix();
+  if (stream_.is_ok()) host_solver_.factor(*host_);
+}
+
+// From the device's slices into the host's rows.
+void CoarsestSolver::read_matrix() {
+  const Stencil& stencil = host_->topology.stencil;
+  const std::vector<int64_t> starts = slice_starts(stencil);
+  std::vector<float> entries(starts.back());
+  download(stream_, depth_.system.entry, std::span(entries));
+  download(stream_, depth_.system.diagonal, std::span(host_->system.diagonal));
+  download(stream_, depth_.inverse_diagonal, std::span(host_->inverse_diagonal));
+  for (int32_t i = 0; i < host_->corner_count(); ++i) {
+    int64_t from = starts[i / kSliceRows] + i % kSliceRows;
+    for (int64_t k = stencil.row_start[i]; k < stencil.row_start[i + 1]; ++k, from += kSliceRows)
+      host_->system.entry[k] = entries[from];
+  }
+}
+
+void CoarsestSolver::solve() {
+  if (on_device()) return dense_.solve(stream_);
+  static_assert(sizeof(cpu::Float4) == sizeof(float4));
+  const auto as_float4 = [](std::vector<cpu::Float4>& v) {
+    return std::span(reinterpret_cast<float4*>(v.data()), v.size());
+  };
+  download(stream_, depth_.f, as_float4(host_->f));
+  if (stream_.is_ok()) host_solver_.solve(*host_);
+  upload(stream_, depth_.x, std::span<const float4>(as_float4(host_->x)));
+}
+
+}  // namespace burnish::cuda

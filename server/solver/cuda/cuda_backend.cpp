@@ -1,0 +1,165 @@
+#include "server/solver/cuda/cuda_backend.h"
+
+#include <cmath>
+
+#include "server/solver/cuda/assembly.h"
+#include "server/solver/cuda/coarsest.h"
+#include "server/solver/cuda/conjugate_gradients.h"
+#include "server/solver/cuda/constraint.h"
+#include "server/solver/cuda/device_depth.h"
+#include "server/solver/cuda/device_mesh.h"
+#include "server/solver/cuda/graphs.h"
+#include "server/solver/cuda/schwarz.h"
+#include "server/solver/cuda/transfer.h"
+
+namespace burnish {
+
+namespace cuda {
+
+namespace {
+
+constexpr int kMetricGraph = -1;  // beside the keys of run_recorded()
+
+class CudaBackend final : public Backend {
+ public:
+  explicit CudaBackend(std::shared_ptr<const DeviceMesh> mesh)
+      : mesh_(std::move(mesh)),
+        coarse_offset_(mesh_->hierarchy->coarsest),
+        alpha1_(stream_, mesh_->prepared->cells.size()),
+        alpha2_(stream_, mesh_->prepared->cells.size()),
+        beta_(stream_, mesh_->prepared->cells.size()),
+        combined_{{stream_, mesh_->prepared->cells.size()}, {stream_, coarse_cells_max()}},
+        pinned_below_(stream_, 1) {
+    for (const DeviceTopology& topology : mesh_->depths)
+      depths_.emplace_back(stream_, topology.view());
+    for (size_t i = 1; i < depths_.size(); ++i)
+      smoothers_.push_back(std::make_unique<Schwarz>(stream_, depths_[i].view()));
+    coarsest_.emplace(stream_, mesh_->hierarchy->depths.front(), depths_.front().view());
+    outer_.emplace(stream_, finest(), mesh_->evaluation.data(), mesh_->evaluation.size());
+  }
+
+  std::string_view name() const override { return "cuda"; }
+  Status status() const override { return stream_.status(); }
+
+  uint64_t byte_count() const override {
+    uint64_t bytes = outer_->byte_count() + coarsest_->byte_count() + 3 * beta_.byte_count() +
+                     combined_[0].byte_count() + combined_[1].byte_count();
+    for (const DeviceDepth& depth : depths_) bytes += depth.byte_count();
+    for (const auto& smoother : smoothers_) bytes += smoother->byte_count();
+    return bytes;
+  }
+
+  void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
+    alpha1_.upload(stream_, alpha1);
+    alpha2_.upload(stream_, alpha2);
+    run_on_device(kMetricGraph, [this] { assemble_all(); });
+    stream_.synchronize();
+  }
+
+  void set_constraint(std::span<const float> alpha1, std::span<const float> alpha2,
+                      std::span<const float> beta) override {
+    alpha1_.upload(stream_, alpha1);
+    alpha2_.upload(stream_, alpha2);
+    beta_.upload(stream_, beta);
+    assemble_constraint(stream_, finest(), mesh_->integrals.data(),
+                        {alpha1_.data(), alpha2_.data(), beta_.data()}, outer_->constraint());
+    stream_.synchronize();
+  }
+
+  void run_recorded(int key, const std::function<void()>& work) override {
+    run_on_device(key, work);
+  }
+
+  void relax_from_zero(int depth) override { smoother(depth).relax_from_zero(); }
+  void relax(int depth) override { smoother(depth).relax(); }
+  void restrict_residual(int depth) override {
+    compute_residual(stream_, at(depth));
+    restrict_to_coarse(stream_, at(depth), at(depth - 1));
+  }
+  void prolong_correction(int depth) override { add_prolonged(stream_, at(depth - 1), at(depth)); }
+  void solve_coarsest() override { coarsest_->solve(); }
+
+  void recompute_residual() override { outer_->recompute_residual(); }
+  void load_residual() override { outer_->load_residual(); }
+  void update_direction(bool restart) override { outer_->update_direction(restart); }
+  void advance() override { outer_->advance(); }
+
+  Measures measure() const override {
+    const ConjugateGradients::Scalars sums = outer_->measure();
+    Measures measures;
+    measures.energy = sums.energy;
+    measures.residual = sums.constraint > 0 ? std::sqrt(sums.residual / sums.constraint) : 0.0;
+    measures.preconditioned_residual = sums.z_dot_r[0] + sums.z_dot_r[1] + sums.z_dot_r[2];
+    measures.correction_max = std::sqrt(static_cast<double>(sums.correction_squared_max));
+    return measures;
+  }
+
+  void read_displacement(std::span<Vec3d> displacement) const override {
+    std::vector<Double3> u(displacement.size());
+    outer_->displacement().download(stream_, u);
+    for (size_t i = 0; i < u.size(); ++i) displacement[i] = {u[i].x, u[i].y, u[i].z};
+  }
+
+ private:
+  const Depth& at(int depth) const { return depths_[depth - coarse_offset_].view(); }
+  const Depth& finest() const { return depths_.back().view(); }
+  Schwarz& smoother(int depth) { return *smoothers_[depth - coarse_offset_ - 1]; }
+
+  size_t coarse_cells_max() const {
+    const auto& depths = mesh_->hierarchy->depths;
+    return depths.size() > 1 ? depths[depths.size() - 2].grid.cells.size() : 1;
+  }
+
+  void run_on_device(int key, const std::function<void()>& work) {
+    coarsest_->on_device() ? graphs_.run(key, work) : work();
+  }
+
+  // The matrices of all depths, each from the combined integrals of the one below.
+  void assemble_all() {
+    combine_integrals(stream_, finest().topology.cell_count, mesh_->integrals.data(),
+                      alpha1_.data(), alpha2_.data(), mesh_->prepared->alpha_scale(),
+                      combined_[0].data());
+    assemble(stream_, combined_[0].data(), finest(), outer_->matrix(), pinned_below_.data());
+    int from = 0;
+    for (size_t i = depths_.size() - 1; i > 0; --i, from = 1 - from) {
+      const Depth &fine = depths_[i].view(), &coarse = depths_[i - 1].view();
+      down_sample(stream_, fine.topology, coarse.topology, combined_[from].data(),
+                  combined_[1 - from].data());
+      assemble(stream_, combined_[1 - from].data(), coarse, {}, pinned_below_.data());
+    }
+    // The combined integrals are of no more use: the smoothers work in their place.
+    for (const auto& smoother : smoothers_)
+      smoother->set_up(reinterpret_cast<CellSquare<float>*>(combined_[0].data()));
+    coarsest_->factor();
+  }
+
+  std::shared_ptr<const DeviceMesh> mesh_;
+  int coarse_offset_;
+  mutable Stream stream_;
+  Graphs graphs_{stream_};
+  DeviceArray<float> alpha1_, alpha2_, beta_;
+  DeviceArray<CellSquare<double>> combined_[2];
+  DeviceArray<float> pinned_below_;
+  std::vector<DeviceDepth> depths_;                  // from the coarsest
+  std::vector<std::unique_ptr<Schwarz>> smoothers_;  // none at the coarsest
+  std::optional<CoarsestSolver> coarsest_;
+  std::optional<ConjugateGradients> outer_;
+};
+
+}  // namespace
+
+}  // namespace cuda
+
+Result<std::unique_ptr<Backend>> make_cuda_backend(std::shared_ptr<const PreparedMesh> prepared,
+                                                   std::shared_ptr<const Hierarchy> hierarchy,
+                                                   Smoother smoother) {
+  RETURN_IF_ERROR(cuda_device().status());
+  if (smoother != Smoother::kSchwarz)
+    return unimplemented("the CUDA backend has the smoother schwarz only");
+  ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh(std::move(prepared), std::move(hierarchy)));
+  std::unique_ptr<Backend> backend = std::make_unique<cuda::CudaBackend>(std::move(mesh));
+  RETURN_IF_ERROR(backend->status());
+  return backend;
+}
+
+}  // namespace burnish

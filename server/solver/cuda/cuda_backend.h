@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "common/base/status.h"
+#include "server/solver/backend.h"
+#include "server/solver/hierarchy.h"
+#include "server/solver/solver.h"
+
+namespace burnish {
+
+/// Whether this build has the CUDA backend. Without it the functions below fail and say so.
+bool cuda_compiled();
+
+/// Name and memory of the device that a backend would use.
+/// Fails: failed_precondition: not in this build, no driver, no device.
+Result<std::string> cuda_device();
+
+/// The CUDA backend: float32 V-cycle, double outer iteration; on one device the same input gives
+/// the same bits. Fails: failed_precondition (no device), unimplemented (smoother),
+/// resource_exhausted (device memory, with the numbers).
+Result<std::unique_ptr<Backend>> make_cuda_backend(std::shared_ptr<const PreparedMesh> prepared,
+                                                   std::shared_ptr<const Hierarchy> hierarchy,
+                                                   Smoother smoother);
+
+}  // namespace burnish

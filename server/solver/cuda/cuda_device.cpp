@@ -1,0 +1,27 @@
+#include "server/solver/cuda/cuda_backend.h"
+#include "server/solver/cuda/stream.h"
+
+namespace burnish {
+
+bool cuda_compiled() {
+  return true;
+}
+
+static std::string why_none(cudaError_t error) {
+  if (error == cudaErrorInsufficientDriver)
+    return "the driver is missing or older than CUDA " + std::to_string(CUDART_VERSION / 1000);
+  return error == cudaSuccess ? "none is there" : cudaGetErrorString(error);
+}
+
+Result<std::string> cuda_device() {
+  int count = 0;
+  const cudaError_t error = cudaGetDeviceCount(&count);
+  if (error != cudaSuccess || count == 0)
+    return failed_precondition("no CUDA device: " + why_none(error));
+  cudaDeviceProp device;
+  const Status found = cuda::cuda_status(cudaGetDeviceProperties(&device, 0), "asking the device");
+  if (!found.is_ok()) return failed_precondition(found.message());
+  return std::string(device.name) + ", " + std::to_string(device.totalGlobalMem >> 20) + " MiB";
+}
+
+}  // namespace burnish

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "server/solver/cuda/device_memory.h"
+#include "server/solver/cuda/views.h"
+
+namespace burnish::cuda {
+
+/// Owns one session's numbers at one depth.
+class DeviceDepth {
+ public:
+  DeviceDepth(Stream& stream, const Topology& topology);
+
+  const Depth& view() const { return view_; }
+  uint64_t byte_count() const;
+
+ private:
+  DeviceArray<float> entry_, diagonal_, inverse_diagonal_;
+  DeviceArray<float4> x_, f_, r_;
+  Depth view_;
+};
+
+}  // namespace burnish::cuda

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "server/solver/cuda/stream.h"
+
+namespace burnish::cuda {
+
+/// Takes device memory; a failure goes to the stream, with what was asked for and what is free.
+void* allocate(Stream& stream, uint64_t bytes);
+
+/// Copies a whole array to the device.
+template <typename T>
+void upload(Stream& stream, T* device, std::span<const T> host) {
+  if (stream.is_ok() && !host.empty())
+    stream.check(cudaMemcpyAsync(device, host.data(), host.size_bytes(), cudaMemcpyHostToDevice,
+                                 stream.get()),
+                 "copying to the device");
+}
+
+/// Copies an array from the device and waits for it.
+template <typename T>
+void download(Stream& stream, const T* device, std::span<T> host) {
+  if (stream.is_ok() && !host.empty())
+    stream.check(cudaMemcpyAsync(host.data(), device, host.size_bytes(), cudaMemcpyDeviceToHost,
+                                 stream.get()),
+                 "copying from the device");
+  stream.synchronize();
+}
+
+/// An array on the device, zero at first. Empty when the stream has failed.
+template <typename T>
+class DeviceArray {
+ public:
+  DeviceArray() = default;
+  DeviceArray(Stream& stream, size_t count)
+      : data_(static_cast<T*>(allocate(stream, count * sizeof(T)))), size_(data_ ? count : 0) {
+    clear(stream);
+  }
+  DeviceArray(Stream& stream, std::span<const T> host) : DeviceArray(stream, host.size()) {
+    upload(stream, host);
+  }
+  /// From an array of another type with the same bytes.
+  template <typename Host>
+  static DeviceArray copy_of(Stream& stream, std::span<const Host> host) {
+    static_assert(sizeof(Host) == sizeof(T));
+    return {stream, std::span(reinterpret_cast<const T*>(host.data()), host.size())};
+  }
+  template <typename Host>
+  static DeviceArray copy_of(Stream& stream, const std::vector<Host>& host) {
+    return copy_of(stream, std::span<const Host>(host));
+  }
+  DeviceArray(DeviceArray&& other) noexcept { *this = std::move(other); }
+  DeviceArray& operator=(DeviceArray&& other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(size_, other.size_);
+    return *this;
+  }
+  ~DeviceArray() {
+    if (data_ != nullptr) cudaFree(data_);
+  }
+
+  T* data() const { return data_; }
+  size_t size() const { return size_; }
+  uint64_t byte_count() const { return size_ * sizeof(T); }
+
+  void clear(Stream& stream) const {
+    if (size_ > 0)
+      stream.check(cudaMemsetAsync(data_, 0, byte_count(), stream.get()), "clearing memory");
+  }
+  void upload(Stream& stream, std::span<const T> host) const { cuda::upload(stream, data_, host); }
+  void download(Stream& stream, std::span<T> host) const { cuda::download(stream, data_, host); }
+
+ private:
+  T* data_ = nullptr;
+  size_t size_ = 0;
+};
+
+}  // namespace burnish::cuda

@@ -1,0 +1,123 @@
+#include "server/solver/cuda/device_mesh.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <mutex>
+
+namespace burnish::cuda {
+
+static_assert(sizeof(Integrals) == sizeof(CellIntegrals) &&
+              offsetof(Integrals, mass_row_sum) == offsetof(CellIntegrals, mass_row_sum) &&
+              offsetof(Integrals, stiffness) == offsetof(CellIntegrals, stiffness) &&
+              offsetof(Integrals, gradient) == offsetof(CellIntegrals, gradient));
+static_assert(offsetof(FromCell, place) == offsetof(DepthTransfer::FromCell, place));
+static_assert(offsetof(VertexPlace, local) == offsetof(EvaluationPoint, local));
+
+std::vector<int64_t> slice_starts(const Stencil& stencil) {
+  const int32_t n = static_cast<int32_t>(stencil.mask.size());
+  std::vector<int64_t> starts = {0};
+  for (int32_t first = 0; first < n; first += kSliceRows) {
+    int64_t longest = 0;
+    for (int32_t i = first; i < std::min(n, first + kSliceRows); ++i)
+      longest = std::max(longest, stencil.row_start[i + 1] - stencil.row_start[i]);
+    starts.push_back(starts.back() + longest * kSliceRows);
+  }
+  return starts;
+}
+
+static std::vector<int32_t> sliced_columns(const Stencil& stencil,
+                                           const std::vector<int64_t>& starts) {
+  std::vector<int32_t> columns(starts.back(), 0);
+  for (int32_t i = 0; i < static_cast<int32_t>(stencil.mask.size()); ++i) {
+    int64_t to = starts[i / kSliceRows] + i % kSliceRows;
+    for (int64_t k = stencil.row_start[i]; k < stencil.row_start[i + 1]; ++k, to += kSliceRows)
+      columns[to] = stencil.column[k];
+  }
+  return columns;
+}
+
+static std::vector<uint8_t> octants(const SparseGrid& grid) {
+  std::vector<uint8_t> octants(grid.cells.size());
+  for (size_t c = 0; c < octants.size(); ++c) octants[c] = grid.cells[c].place & 7;
+  return octants;
+}
+
+DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth) {
+  const std::vector<int64_t> starts = slice_starts(depth.stencil);
+  slice_start_ = {stream, starts};
+  mask_ = {stream, depth.stencil.mask};
+  column_ = {stream, sliced_columns(depth.stencil, starts)};
+  cell_corners_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cell_corners);
+  cells_of_corner_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cells_of_corner);
+  octant_ = {stream, octants(depth.grid)};
+  child_start_ = {stream, depth.child_start};
+  child_ = {stream, depth.child};
+  view_ = {depth.grid.corner_count(),
+           depth.grid.cell_count(),
+           starts.back(),
+           {depth.grid.corner_count(), slice_start_.data(), mask_.data(), column_.data()},
+           cell_corners_.data(),
+           cells_of_corner_.data(),
+           octant_.data(),
+           child_start_.data(),
+           child_.data(),
+           nullptr,
+           nullptr,
+           nullptr,
+           nullptr};
+  const DepthTransfer& transfer = depth.to_parent;  // empty at the coarsest depth
+  prolongation_ = DeviceArray<FromCell>::copy_of(stream, transfer.prolongation);
+  restriction_start_ = {stream, transfer.restriction_start};
+  restriction_corner_ = {stream, transfer.restriction_corner};
+  restriction_weight_ = {stream, transfer.restriction_weight};
+  view_.prolongation = prolongation_.data();
+  view_.restriction_start = restriction_start_.data();
+  view_.restriction_corner = restriction_corner_.data();
+  view_.restriction_weight = restriction_weight_.data();
+}
+
+uint64_t DeviceTopology::byte_count() const {
+  return slice_start_.byte_count() + restriction_start_.byte_count() + mask_.byte_count() +
+         column_.byte_count() + child_start_.byte_count() + child_.byte_count() +
+         restriction_corner_.byte_count() + cell_corners_.byte_count() +
+         cells_of_corner_.byte_count() + octant_.byte_count() + prolongation_.byte_count() +
+         restriction_weight_.byte_count();
+}
+
+uint64_t DeviceMesh::byte_count() const {
+  uint64_t bytes = integrals.byte_count() + evaluation.byte_count();
+  for (const DeviceTopology& depth : depths) bytes += depth.byte_count();
+  return bytes;
+}
+
+static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
+    std::shared_ptr<const PreparedMesh> prepared, std::shared_ptr<const Hierarchy> hierarchy) {
+  Stream stream;
+  auto mesh = std::make_shared<DeviceMesh>();
+  for (const HierarchyDepth& depth : hierarchy->depths) mesh->depths.emplace_back(stream, depth);
+  mesh->integrals = DeviceArray<Integrals>::copy_of(stream, prepared->integrals);
+  mesh->evaluation = DeviceArray<VertexPlace>::copy_of(stream, prepared->evaluation);
+  mesh->prepared = std::move(prepared);
+  mesh->hierarchy = std::move(hierarchy);
+  if (!stream.synchronize()) return stream.status();
+  return std::shared_ptr<const DeviceMesh>(std::move(mesh));
+}
+
+// The mesh keeps its hierarchy alive, so that an address stands for one hierarchy as long as its
+// mesh does.
+Result<std::shared_ptr<const DeviceMesh>> device_mesh(std::shared_ptr<const PreparedMesh> prepared,
+                                                      std::shared_ptr<const Hierarchy> hierarchy) {
+  static std::mutex mutex;
+  static std::map<const Hierarchy*, std::weak_ptr<const DeviceMesh>> meshes;
+  const std::scoped_lock lock(mutex);
+  std::erase_if(meshes, [](const auto& entry) { return entry.second.expired(); });
+  const Hierarchy* key = hierarchy.get();
+  if (const auto found = meshes.find(key); found != meshes.end())
+    if (auto mesh = found->second.lock()) return mesh;
+  ASSIGN_OR_RETURN(auto mesh, copy_to_device(std::move(prepared), std::move(hierarchy)));
+  meshes[key] = mesh;
+  return mesh;
+}
+
+}  // namespace burnish::cuda

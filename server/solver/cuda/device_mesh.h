@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "server/prepare/prepared_mesh.h"
+#include "server/solver/cuda/device_memory.h"
+#include "server/solver/cuda/views.h"
+#include "server/solver/hierarchy.h"
+
+namespace burnish::cuda {
+
+/// One depth's stencil and transfers on the device.
+class DeviceTopology {
+ public:
+  DeviceTopology(Stream& stream, const HierarchyDepth& depth);
+
+  const Topology& view() const { return view_; }
+  uint64_t byte_count() const;
+
+ private:
+  DeviceArray<int64_t> slice_start_, restriction_start_;
+  DeviceArray<uint32_t> mask_;
+  DeviceArray<int32_t> column_, child_start_, child_, restriction_corner_;
+  DeviceArray<Eight> cell_corners_, cells_of_corner_;
+  DeviceArray<uint8_t> octant_;
+  DeviceArray<FromCell> prolongation_;
+  DeviceArray<float> restriction_weight_;
+  Topology view_{};
+};
+
+/// Where an entry of a row stands in the device's slices; the host's counterpart of Rows.
+std::vector<int64_t> slice_starts(const Stencil& stencil);
+
+/// Everything about a prepared mesh that no edit changes, immutable and shared by its sessions.
+struct DeviceMesh {
+  std::shared_ptr<const PreparedMesh> prepared;
+  std::shared_ptr<const Hierarchy> hierarchy;
+  std::vector<DeviceTopology> depths;  ///< from the coarsest
+  DeviceArray<Integrals> integrals;
+  DeviceArray<VertexPlace> evaluation;
+
+  uint64_t byte_count() const;
+};
+
+/// The mesh on the device: copied there, or what another session has there already.
+/// Fails: resource_exhausted, internal.
+Result<std::shared_ptr<const DeviceMesh>> device_mesh(std::shared_ptr<const PreparedMesh> prepared,
+                                                      std::shared_ptr<const Hierarchy> hierarchy);
+
+}  // namespace burnish::cuda

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "server/solver/cell_matrix.h"
+#include "server/solver/cuda/kernel.h"
+#include "server/solver/stencil_slots.h"
+
+namespace burnish::cuda {
+
+/// A row of the stencil: the sum over the corner's cells, always in the same order.
+template <typename Real>
+struct GatheredRow {
+  Real by_slot[kSlots];
+  Real own;
+};
+
+template <typename Real>
+__device__ GatheredRow<Real> gather_row(const Topology& topology, const CellSquare<Real>* cells,
+                                        int32_t corner) {
+  GatheredRow<Real> row = {};
+#pragma unroll
+  for (int a = 0; a < 8; ++a) {
+    const int32_t cell = topology.cells_of_corner[corner].at[a];
+    if (cell < 0) continue;
+    row.own += cells[cell].own[a];
+#pragma unroll
+    for (int b = 0; b < 8; ++b)
+      if (b != a) row.by_slot[slot_between(a, b)] += cells[cell].pair[pair_index(a, b)];
+  }
+  return row;
+}
+
+/// Calls store(k, slot) for the present slots of a row, k being the entry's place.
+template <typename Store>
+__device__ void for_present_slots(const Rows& rows, int32_t corner, Store&& store) {
+  const uint32_t mask = rows.mask[corner];
+  int64_t k = row_begin(rows, corner);
+#pragma unroll
+  for (int slot = 0; slot < kSlots; ++slot)
+    if (mask >> slot & 1) {
+      store(k, slot);
+      k += kSliceRows;
+    }
+}
+
+}  // namespace burnish::cuda

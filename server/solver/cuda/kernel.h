@@ -1,0 +1,91 @@
+#pragma once
+
+// What the .cu files share: vectors of three columns, rows, and how a kernel is started. Products
+// of rows are unrolled so that several of their loads are under way at once.
+
+#include "server/solver/cuda/stream.h"
+#include "server/solver/cuda/views.h"
+
+namespace burnish::cuda {
+
+inline constexpr int kThreads = 128;
+
+/// Starts one thread for each of `count` items.
+template <typename... Params, typename... Args>
+void launch(Stream& stream, void (*kernel)(Params...), int64_t count, Args... args) {
+  if (count == 0 || !stream.is_ok()) return;
+  const auto blocks = static_cast<unsigned>((count + kThreads - 1) / kThreads);
+  kernel<<<blocks, kThreads, 0, stream.get()>>>(static_cast<Params>(args)...);
+  stream.check(cudaGetLastError(), "starting a kernel");
+}
+
+__device__ inline int64_t thread_index() {
+  return static_cast<int64_t>(blockIdx.x) * blockDim.x + threadIdx.x;
+}
+
+__device__ inline float4 operator+(float4 a, float4 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z, 0};
+}
+__device__ inline float4 operator-(float4 a, float4 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z, 0};
+}
+__device__ inline float4 operator*(float s, float4 a) {
+  return {s * a.x, s * a.y, s * a.z, 0};
+}
+__device__ inline float4 zero4() {
+  return {0, 0, 0, 0};
+}
+
+__device__ inline Double3 operator+(Double3 a, Double3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z, 0};
+}
+__device__ inline Double3 operator-(Double3 a, Double3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z, 0};
+}
+__device__ inline Double3 operator*(double s, Double3 a) {
+  return {s * a.x, s * a.y, s * a.z, 0};
+}
+__device__ inline Double3 operator*(Double3 a, Double3 b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z, 0};
+}
+__device__ inline Double3 to_double(float4 a) {
+  return {a.x, a.y, a.z, 0};
+}
+__device__ inline double sum_of(Double3 a) {
+  return a.x + a.y + a.z;
+}
+
+__device__ inline int64_t row_begin(const Rows& rows, int32_t i) {
+  return rows.slice_start[i / kSliceRows] + i % kSliceRows;
+}
+__device__ inline int64_t row_end(const Rows& rows, int32_t i, int64_t begin) {
+  return begin + kSliceRows * __popc(rows.mask[i]);
+}
+/// Where slot s of row i stands. Needs: the slot is present.
+__device__ inline int64_t entry_position(const Rows& rows, int32_t i, int slot) {
+  return row_begin(rows, i) + kSliceRows * __popc(rows.mask[i] & ((1u << slot) - 1));
+}
+
+/// (A x)_i.
+__device__ inline float4 product_row(const Rows& rows, const Matrix& matrix, const float4* x,
+                                     int32_t i) {
+  float4 sum = matrix.diagonal[i] * x[i];
+  const int64_t begin = row_begin(rows, i), end = row_end(rows, i, begin);
+#pragma unroll 8
+  for (int64_t k = begin; k < end; k += kSliceRows) sum = sum + matrix.entry[k] * x[rows.column[k]];
+  return sum;
+}
+
+/// (S x)_i as Σ_j S_ij (x_j − x_i) + m_i x_i, which loses nothing for smooth x.
+__device__ inline Double3 product_row(const Rows& rows, const ExactMatrix& matrix, const Double3* x,
+                                      int32_t i) {
+  const Double3 here = x[i];
+  Double3 sum = matrix.row_sum[i] * here;
+  const int64_t begin = row_begin(rows, i), end = row_end(rows, i, begin);
+#pragma unroll 4
+  for (int64_t k = begin; k < end; k += kSliceRows)
+    sum = sum + matrix.entry[k] * (x[rows.column[k]] - here);
+  return sum;
+}
+
+}  // namespace burnish::cuda

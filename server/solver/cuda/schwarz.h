@@ -1,0 +1,41 @@
+#pragma once
+
+#include "server/solver/cuda/device_memory.h"
+#include "server/solver/cuda/views.h"
+
+namespace burnish::cuda {
+
+/// Chebyshev of degree 2 on additive Schwarz over cells: M⁻¹ = Σ_c R_cᵀ (B_c + reg)⁻¹ R_c with B_c
+/// the 8×8 block of the diagonally scaled S at the corners of cell c. relax() is the transpose of
+/// relax_from_zero().
+class Schwarz {
+ public:
+  /// λmax of M⁻¹S as found so far, and the iteration's steps for it.
+  struct Spectrum {
+    float lambda_max;
+    float normalise;  ///< keeps the power iteration's vector near one
+    float first_step, momentum, second_step;
+  };
+
+  Schwarz(Stream& stream, const Depth& depth);
+
+  /// After a new matrix; leaves f and r changed. `inverses` is working memory, one per cell.
+  void set_up(CellSquare<float>* inverses);
+  void relax_from_zero();
+  void relax();
+  uint64_t byte_count() const;
+
+ private:
+  void estimate_lambda_max();
+
+  Stream& stream_;
+  Depth depth_;
+  DeviceArray<float> entry_, diagonal_;  // M⁻¹
+  DeviceArray<float4> direction_, eigenvector_;
+  DeviceArray<Sums<2>> partials_;
+  DeviceArray<Spectrum> spectrum_;
+  Matrix inverse_;
+  bool first_ = true;
+};
+
+}  // namespace burnish::cuda

@@ -1,0 +1,33 @@
+#include "server/solver/cuda/stream.h"
+
+namespace burnish::cuda {
+
+Status cuda_status(cudaError_t error, const char* what) {
+  if (error == cudaSuccess) return Status::ok();
+  const std::string text = std::string("CUDA: ") + what + ": " + cudaGetErrorName(error) + ": " +
+                           cudaGetErrorString(error);
+  return error == cudaErrorMemoryAllocation ? resource_exhausted(text) : internal_error(text);
+}
+
+Stream::Stream() {
+  check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
+}
+
+Stream::~Stream() {
+  if (stream_ != nullptr) cudaStreamDestroy(stream_);
+}
+
+bool Stream::check(cudaError_t error, const char* what) {
+  return error == cudaSuccess ? is_ok() : check(cuda_status(error, what));
+}
+
+bool Stream::check(const Status& status) {
+  if (is_ok()) status_ = status;
+  return is_ok();
+}
+
+bool Stream::synchronize() {
+  return is_ok() && check(cudaStreamSynchronize(stream_), "waiting for the device");
+}
+
+}  // namespace burnish::cuda

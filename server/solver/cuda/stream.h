@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cuda_runtime_api.h>
+
+#include "common/base/status.h"
+
+namespace burnish::cuda {
+
+/// A failed CUDA call as a Status: `what` and CUDA's own words.
+Status cuda_status(cudaError_t error, const char* what);
+
+/// One backend's queue of work on the device, and its first failure. Once a call has failed nothing
+/// more is queued: CUDA's errors stick, and later results would be of no use.
+class Stream {
+ public:
+  Stream();
+  ~Stream();
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+
+  cudaStream_t get() const { return stream_; }
+  bool is_ok() const { return status_.is_ok(); }
+  const Status& status() const { return status_; }
+
+  /// Keeps a failure if it is the first. Returns is_ok().
+  bool check(cudaError_t error, const char* what);
+  bool check(const Status& status);
+  /// Waits for the device, which may fail only now.
+  bool synchronize();
+
+ private:
+  cudaStream_t stream_ = nullptr;
+  Status status_;
+};
+
+}  // namespace burnish::cuda

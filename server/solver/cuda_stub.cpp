@@ -1,0 +1,24 @@
+// Takes the place of server/solver/cuda in builds without CUDA.
+
+#include "server/solver/cuda/cuda_backend.h"
+
+namespace burnish {
+
+static Status not_in_this_build() {
+  return failed_precondition("this build has no CUDA backend (BURNISH_CUDA is off)");
+}
+
+bool cuda_compiled() {
+  return false;
+}
+
+Result<std::string> cuda_device() {
+  return not_in_this_build();
+}
+
+Result<std::unique_ptr<Backend>> make_cuda_backend(std::shared_ptr<const PreparedMesh>,
+                                                   std::shared_ptr<const Hierarchy>, Smoother) {
+  return not_in_this_build();
+}
+
+}  // namespace burnish
