@@ -12,8 +12,8 @@ namespace burnish {
 
 /// A contract between pieces of this program: when it breaks, the program is wrong and must stop.
 /// What users or files can get wrong is a Status instead.
-#define BURNISH_CHECK(condition, message)                                        \
-  do {                                                                           \
-    if (!(condition)) [[unlikely]]                                               \
-      ::burnish::check_failed(#condition, __FILE__, __LINE__, (message));        \
+#define BURNISH_CHECK(condition, message)                                 \
+  do {                                                                    \
+    if (!(condition)) [[unlikely]]                                        \
+      ::burnish::check_failed(#condition, __FILE__, __LINE__, (message)); \
   } while (false)

@@ -18,9 +18,13 @@ static uint64_t bytes_of_line(const char* file, const std::string& name, uint64_
   return otherwise;
 }
 
-uint64_t resident_bytes() { return bytes_of_line("/proc/self/status", "VmRSS:", 0); }
+uint64_t resident_bytes() {
+  return bytes_of_line("/proc/self/status", "VmRSS:", 0);
+}
 
-uint64_t peak_resident_bytes() { return bytes_of_line("/proc/self/status", "VmHWM:", 0); }
+uint64_t peak_resident_bytes() {
+  return bytes_of_line("/proc/self/status", "VmHWM:", 0);
+}
 
 bool reset_peak_resident_bytes() {
   std::ofstream clear_refs("/proc/self/clear_refs");

@@ -7,20 +7,34 @@ namespace burnish {
 
 const char* status_code_name(StatusCode code) {
   switch (code) {
-    case StatusCode::kOk: return "ok";
-    case StatusCode::kCancelled: return "cancelled";
-    case StatusCode::kInvalidArgument: return "invalid argument";
-    case StatusCode::kNotFound: return "not found";
-    case StatusCode::kAlreadyExists: return "already exists";
-    case StatusCode::kPermissionDenied: return "permission denied";
-    case StatusCode::kResourceExhausted: return "resource exhausted";
-    case StatusCode::kFailedPrecondition: return "failed precondition";
-    case StatusCode::kUnavailable: return "unavailable";
-    case StatusCode::kDataLoss: return "data loss";
-    case StatusCode::kUnimplemented: return "unimplemented";
-    case StatusCode::kUnauthenticated: return "unauthenticated";
-    case StatusCode::kDeadlineExceeded: return "deadline exceeded";
-    case StatusCode::kInternal: return "internal error";
+    case StatusCode::kOk:
+      return "ok";
+    case StatusCode::kCancelled:
+      return "cancelled";
+    case StatusCode::kInvalidArgument:
+      return "invalid argument";
+    case StatusCode::kNotFound:
+      return "not found";
+    case StatusCode::kAlreadyExists:
+      return "already exists";
+    case StatusCode::kPermissionDenied:
+      return "permission denied";
+    case StatusCode::kResourceExhausted:
+      return "resource exhausted";
+    case StatusCode::kFailedPrecondition:
+      return "failed precondition";
+    case StatusCode::kUnavailable:
+      return "unavailable";
+    case StatusCode::kDataLoss:
+      return "data loss";
+    case StatusCode::kUnimplemented:
+      return "unimplemented";
+    case StatusCode::kUnauthenticated:
+      return "unauthenticated";
+    case StatusCode::kDeadlineExceeded:
+      return "deadline exceeded";
+    case StatusCode::kInternal:
+      return "internal error";
   }
   return "unknown";
 }
@@ -38,7 +52,9 @@ Status Status::with_context(const std::string& context) const {
 Status invalid_argument(std::string message) {
   return {StatusCode::kInvalidArgument, std::move(message)};
 }
-Status not_found(std::string message) { return {StatusCode::kNotFound, std::move(message)}; }
+Status not_found(std::string message) {
+  return {StatusCode::kNotFound, std::move(message)};
+}
 Status already_exists(std::string message) {
   return {StatusCode::kAlreadyExists, std::move(message)};
 }
@@ -48,30 +64,44 @@ Status resource_exhausted(std::string message) {
 Status failed_precondition(std::string message) {
   return {StatusCode::kFailedPrecondition, std::move(message)};
 }
-Status data_loss(std::string message) { return {StatusCode::kDataLoss, std::move(message)}; }
-Status unavailable(std::string message) { return {StatusCode::kUnavailable, std::move(message)}; }
-Status cancelled(std::string message) { return {StatusCode::kCancelled, std::move(message)}; }
-Status internal_error(std::string message) { return {StatusCode::kInternal, std::move(message)}; }
+Status data_loss(std::string message) {
+  return {StatusCode::kDataLoss, std::move(message)};
+}
+Status unavailable(std::string message) {
+  return {StatusCode::kUnavailable, std::move(message)};
+}
+Status cancelled(std::string message) {
+  return {StatusCode::kCancelled, std::move(message)};
+}
+Status internal_error(std::string message) {
+  return {StatusCode::kInternal, std::move(message)};
+}
 Status unimplemented(std::string message) {
   return {StatusCode::kUnimplemented, std::move(message)};
 }
 
 static StatusCode code_of_errno(int error_number) {
   switch (error_number) {
-    case ENOENT: return StatusCode::kNotFound;
-    case EEXIST: return StatusCode::kAlreadyExists;
+    case ENOENT:
+      return StatusCode::kNotFound;
+    case EEXIST:
+      return StatusCode::kAlreadyExists;
     case EACCES:
     case EPERM:
-    case EROFS: return StatusCode::kPermissionDenied;
+    case EROFS:
+      return StatusCode::kPermissionDenied;
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
     case ENOMEM:
-    case EMFILE: return StatusCode::kResourceExhausted;
+    case EMFILE:
+      return StatusCode::kResourceExhausted;
     case EISDIR:
     case ENOTDIR:
-    case ENAMETOOLONG: return StatusCode::kInvalidArgument;
-    default: return StatusCode::kInternal;
+    case ENAMETOOLONG:
+      return StatusCode::kInvalidArgument;
+    default:
+      return StatusCode::kInternal;
   }
 }
 

@@ -13,7 +13,7 @@ namespace burnish {
 enum class StatusCode {
   kOk,
   kCancelled,
-  kInvalidArgument,     ///< the input itself is wrong: a bad file, a value out of its range
+  kInvalidArgument,  ///< the input itself is wrong: a bad file, a value out of its range
   kNotFound,
   kAlreadyExists,
   kPermissionDenied,
@@ -74,8 +74,8 @@ Status errno_status(const std::string& what, int error_number);
 template <typename T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : value_(std::move(value)) {}                  // NOLINT(google-explicit-constructor)
-  Result(Status status) : status_(std::move(status)) {           // NOLINT(google-explicit-constructor)
+  Result(T value) : value_(std::move(value)) {}         // NOLINT(google-explicit-constructor)
+  Result(Status status) : status_(std::move(status)) {  // NOLINT(google-explicit-constructor)
     BURNISH_CHECK(!status_.is_ok(), "a Result without a value needs an error");
   }
 
@@ -110,9 +110,9 @@ class [[nodiscard]] Result {
 #define BURNISH_CONCAT(a, b) BURNISH_CONCAT_INNER(a, b)
 
 /// Returns from the calling function when the expression's Status is an error.
-#define RETURN_IF_ERROR(expression)                         \
-  do {                                                      \
-    ::burnish::Status status_of_expression_ = (expression); \
+#define RETURN_IF_ERROR(expression)                                   \
+  do {                                                                \
+    ::burnish::Status status_of_expression_ = (expression);           \
     if (!status_of_expression_.is_ok()) return status_of_expression_; \
   } while (false)
 

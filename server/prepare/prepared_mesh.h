@@ -22,11 +22,11 @@ namespace burnish {
 /// constants exact. In double: on flat pieces whole combinations of corners have no energy at all,
 /// and float32 tables would give them a negative one.
 struct CellIntegrals {
-  std::array<double, 28> mass;                        ///< ρ_ab
-  std::array<double, 8> mass_row_sum;                 ///< Σ_b ρ_ab = ∫ B_a
-  std::array<std::array<double, 28>, 2> stiffness;    ///< ℓ¹_ab, ℓ²_ab
-  std::array<std::array<double, 21>, 2> gradient;     ///< ∫ ⟨v_i, ∇B_a⟩ v_i for a = 0..6; a = 7
-                                                      ///< is minus their sum
+  std::array<double, 28> mass;                      ///< ρ_ab
+  std::array<double, 8> mass_row_sum;               ///< Σ_b ρ_ab = ∫ B_a
+  std::array<std::array<double, 28>, 2> stiffness;  ///< ℓ¹_ab, ℓ²_ab
+  std::array<std::array<double, 21>, 2> gradient;  ///< ∫ ⟨v_i, ∇B_a⟩ v_i for a = 0..6; a = 7
+                                                   ///< is minus their sum
 };
 static_assert(sizeof(CellIntegrals) == 1072);
 
@@ -41,8 +41,8 @@ struct CellCurvature {
 /// curve. Bins are even in asinh(κ) between -range and range; both κ1 and κ2 count.
 struct CurvatureHistogram {
   static constexpr int kBins = 128;
-  float range = 1;                         ///< user units; the last bins hold what lies beyond
-  std::array<float, kBins> area = {};      ///< fraction of the total
+  float range = 1;                     ///< user units; the last bins hold what lies beyond
+  std::array<float, kBins> area = {};  ///< fraction of the total
 };
 
 /// Seconds by phase and peak bytes of one preparation.
@@ -60,8 +60,8 @@ struct PrepareReport {
 class PreparedMesh {
  public:
   GridFrame frame;
-  double length_unit = 1;         ///< L = sqrt(total area), file units
-  double curvature_radius = 0;    ///< averaging radius as a fraction of L
+  double length_unit = 1;       ///< L = sqrt(total area), file units
+  double curvature_radius = 0;  ///< averaging radius as a fraction of L
   MeshStatistics statistics;
   bool has_double_positions = false;
   CurvatureHistogram histogram;
