@@ -1,0 +1,159 @@
+// `burnish filter` and `generate` as a user meets them: files in, files out, exit codes.
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "common/mesh/generate.h"
+#include "common/mesh/mesh_io.h"
+#include "tests/common/temporary_folder.h"
+#include "tests/system/process.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::chrono::minutes kPatience{2};
+
+class FilterCommand : public testing::Test {
+ protected:
+  FilterCommand() {
+    const Status written = write_mesh(make_icosphere(4, 10), in());
+    BURNISH_CHECK(written.is_ok(), written.message());
+  }
+
+  std::string in() const { return (folder_ / "in.ply").string(); }
+  std::string out() const { return (folder_ / "out.ply").string(); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// Exit code of burnish with these arguments; what it printed is kept.
+  int burnish(std::vector<std::string> arguments, const Process::Limits& limits = {}) {
+    arguments.insert(arguments.begin(), BURNISH_BINARY);
+    Process process(arguments, folder_ / "log", limits);
+    const int code = process.wait(kPatience).value_or(-1);
+    output_ = process.output();
+    return code;
+  }
+
+  nlohmann::json report() const {
+    std::ifstream file(folder_ / "report.json");
+    return nlohmann::json::parse(file);
+  }
+
+  TemporaryFolder folder_;
+  std::string output_;
+};
+
+TEST_F(FilterCommand, SmoothsASphereAndReportsTheRun) {
+  ASSERT_EQ(burnish({"filter", in(), out(), "--depth", "5", "--alpha", "3", "--beta", "0",
+                     "--exact", "--backend", "cpu", "--report", path("report.json")}),
+            0)
+      << output_;
+  const TriangleMesh before = read_mesh(in()).value(), after = read_mesh(out()).value();
+  EXPECT_EQ(after.triangles, before.triangles);
+  EXPECT_LT(after.vertices[0].norm(), 0.8 * before.vertices[0].norm());
+  const nlohmann::json run = report();
+  EXPECT_EQ(run["grid"]["depth"], 5);
+  EXPECT_EQ(run["counts"]["vertices"], before.vertices.size());
+  EXPECT_EQ(run["backend"], "cpu");
+  EXPECT_TRUE(run["converged"]);
+  EXPECT_LT(run["energy"], 0);
+  EXPECT_LE(run["distance"], 1e-7);
+  EXPECT_GT(run["memory"]["session_bytes"], 0);
+}
+
+TEST_F(FilterCommand, FieldsOutReadBackAsCellFieldGiveTheSameSurface) {
+  ASSERT_EQ(burnish({"filter", in(), out(), "--depth", "5", "--curve", "-5:10,3:40", "--beta",
+                     "0.5", "--exact", "--fields-out", path("fields")}),
+            0)
+      << output_;
+  ASSERT_EQ(burnish({"filter", in(), path("again.ply"), "--depth", "5", "--exact", "--cell-field",
+                     path("fields")}),
+            0)
+      << output_;
+  const auto once = read_mesh(out()).value(), again = read_mesh(path("again.ply")).value();
+  for (size_t v = 0; v < once.vertices.size(); ++v)
+    ASSERT_LT((once.vertices[v] - again.vertices[v]).norm(), 1e-5);
+}
+
+TEST_F(FilterCommand, FieldsBeginWithTheGrid) {
+  ASSERT_EQ(burnish({"filter", in(), out(), "--depth", "4", "--cycles", "1", "--fields-out",
+                     path("fields")}),
+            0)
+      << output_;
+  std::ifstream file(path("fields"));
+  std::string header;
+  std::getline(file, header);
+  EXPECT_THAT(header, testing::StartsWith("# origin "));
+  EXPECT_THAT(header, HasSubstr(" depth 4"));
+}
+
+TEST_F(FilterCommand, PaintMovesOnlyTheSurfaceNearIt) {
+  std::ofstream(path("stroke")) << "brush 3 1 0 smooth\n0 0 10\n";
+  ASSERT_EQ(burnish({"filter", in(), out(), "--depth", "5", "--alpha", "20", "--exact",
+                     "--beta-paint", path("stroke")}),
+            0)
+      << output_;
+  const TriangleMesh before = read_mesh(in()).value(), after = read_mesh(out()).value();
+  double top = 0, bottom = 0;
+  for (size_t v = 0; v < before.vertices.size(); ++v) {
+    const double moved = (after.vertices[v] - before.vertices[v]).norm();
+    (before.vertices[v].z() > 0 ? top : bottom) =
+        std::max(before.vertices[v].z() > 0 ? top : bottom, moved);
+  }
+  EXPECT_GT(top, 0.01);
+  EXPECT_LT(bottom, top / 1000);
+}
+
+TEST_F(FilterCommand, WrongOptionValuesAreUsageErrors) {
+  const auto usage = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"filter", in(), out()});
+    return burnish(more);
+  };
+  EXPECT_EQ(usage({"--depth", "13"}), 2);
+  EXPECT_THAT(output_, HasSubstr("13"));
+  EXPECT_EQ(usage({"--alpha", "-1"}), 2);
+  EXPECT_EQ(usage({"--beta", "11"}), 2);
+  EXPECT_EQ(usage({"--curve", "5:1,5:2"}), 2);
+  EXPECT_THAT(output_, HasSubstr("does not rise"));
+  EXPECT_EQ(usage({"--curve", "0:1,1:2000"}), 2);
+  EXPECT_THAT(output_, HasSubstr("contrast"));
+  EXPECT_EQ(usage({"--exact", "--cycles", "3"}), 2);
+  EXPECT_EQ(usage({"--backend", "abacus"}), 2);
+  EXPECT_FALSE(std::filesystem::exists(out()));
+}
+
+TEST_F(FilterCommand, AWrongInputFailsWithItsPlaceAndWritesNothing) {
+  std::ofstream(path("bad.obj")) << "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n";
+  EXPECT_EQ(burnish({"filter", path("bad.obj"), out()}), 1);
+  EXPECT_THAT(output_, HasSubstr("bad.obj"));
+  EXPECT_EQ(burnish({"filter", path("absent.ply"), out()}), 1);
+  EXPECT_THAT(output_, HasSubstr("absent.ply"));
+  std::ofstream(path("cells")) << "0 0 0 10 10 1\n";
+  EXPECT_EQ(burnish({"filter", in(), out(), "--depth", "5", "--cell-field", path("cells")}), 1);
+  EXPECT_THAT(output_, HasSubstr("cell 0 0 0 holds no surface"));
+  EXPECT_FALSE(std::filesystem::exists(out()));
+}
+
+TEST_F(FilterCommand, AFullDiskLeavesWhatWasThere) {
+  std::ofstream(out()) << "mine";
+  EXPECT_EQ(
+      burnish({"filter", in(), out(), "--depth", "4", "--cycles", "1"}, {.file_bytes_max = 10'000}),
+      1);
+  EXPECT_THAT(output_, HasSubstr("File too large"));
+  std::ifstream file(out());
+  std::string text;
+  file >> text;
+  EXPECT_EQ(text, "mine");
+}
+
+TEST_F(FilterCommand, AnOutputThatCannotBeWrittenIsRefusedBeforeTheWork) {
+  EXPECT_EQ(burnish({"filter", in(), path("out.off")}), 1);
+  EXPECT_THAT(output_, HasSubstr("OFF is read only"));
+}
+
+}  // namespace
+}  // namespace burnish
