@@ -54,6 +54,32 @@ TEST_P(Facts, ASphereShrinksByTheTransferFunctionAtEveryDepth) {
   }
 }
 
+// Around the cylinder κ = 1/r takes one α, along it κ = 0 the other; both have closed forms.
+TEST_P(Facts, AnOpenCylinderFollowsItsTwoClosedFormsAlignedAndTurned) {
+  const double radius = 1, height = 2.5, around = 20, along = 4, beta = 2;
+  const TriangleMesh upright = reference::open_cylinder(200, 160, radius, height);
+  for (const Eigen::Matrix3d& turn :
+       {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), reference::skew_turn()}) {
+    const auto turned = [&](const Vec3d& p) { return Vec3d(turn * p); };
+    Filtered filtered = session(reference::mapped(upright, turned), 5);
+    const double length_unit = filtered.session().prepared().length_unit;
+    const double kappa = length_unit / radius;
+    filtered.beta(beta).curve(
+        TransferCurve::create({{0.25 * kappa, along}, {0.75 * kappa, around}}).value());
+    const auto moved = filtered.exact();
+    const double a1 = around / length_unit, a2 = along / length_unit;
+    const double across = (a1 * a1 + beta) / (a1 * a1 + 1);
+    for (size_t v = 0; v < moved.size(); v += 7) {
+      const Vec3d& p = upright.vertices[v];
+      const double z =
+          p.z() + (beta - 1) * std::sinh(a2 * p.z()) / (a2 * std::cosh(a2 * height / 2));
+      const Vec3d error = turn.transpose() * moved[v] - Vec3d(across * p.x(), across * p.y(), z);
+      ASSERT_LT(error.head<2>().norm(), 5e-4) << "vertex " << v;
+      ASSERT_LT(std::abs(error.z()), 2e-3) << "vertex " << v;  // sinh is not trilinear
+    }
+  }
+}
+
 // Over the true surface x(p); triangles much smaller than cells bring the vertices' close to it.
 TEST_P(Facts, ConstantAlphaKeepsTheCentroid) {
   const TriangleMesh mesh = reference::bumpy_sphere(6);

@@ -1,9 +1,11 @@
 // Every backend against the independent double-precision reference, on the awkward meshes.
 
 #include "tests/reference/reference.h"
+#include "tests/reference/shapes.h"
 
 #include <gtest/gtest.h>
 
+#include "common/grid/morton.h"
 #include "tests/backends/filtered.h"
 #include "tests/reference/awkward_meshes.h"
 #include "tests/reference/compare.h"
@@ -61,6 +63,31 @@ class AgainstReference : public testing::TestWithParam<Case> {
 
 TEST_P(AgainstReference, AwkwardMeshesMeetTheSettledAndExportBars) {
   for (const auto& [name, mesh] : reference::awkward_meshes()) compare(name, mesh);
+}
+
+// Every cell's painted β, as the product blends it, given to the reference.
+TEST_P(AgainstReference, APaintedSphereMeetsTheBars) {
+  const auto& [backend, filter] = GetParam();
+  const TriangleMesh mesh = reference::bumpy_sphere(4);
+  Filtered filtered(mesh, kDepth, backend.options);
+  filtered.curve(filter.curve).beta(filter.beta);
+  filtered.paint(
+      {{.radius = 0.5, .strength = 0.8, .beta = 3}, {mesh.vertices[3], mesh.vertices[9]}});
+  const reference::System system = reference::build(mesh, kDepth);
+  auto fields = reference::fields(system, filter.curve, filter.beta);
+  const auto beta = filtered.session().fields().view().beta;
+  const auto& cells = filtered.session().prepared().cells;
+  ASSERT_EQ(cells.size(), system.cells.size());
+  for (size_t c = 0; c < cells.size(); ++c) {
+    const Vec3i place = morton_point(cells[c]);
+    const reference::Cell* cell = system.find_cell({place.x(), place.y(), place.z()});
+    ASSERT_NE(cell, nullptr);
+    fields[cell - system.cells.data()].beta = beta[c];
+  }
+  const auto expected = reference::edited_vertices(system, fields);
+  const auto exact = reference::vertex_distance(filtered.exact(), expected, filtered.diagonal());
+  EXPECT_LE(exact.max, kExportMax);
+  EXPECT_LE(exact.rms, kExportRms);
 }
 
 std::string case_name(const testing::TestParamInfo<Case>& info) {
