@@ -1,7 +1,7 @@
-#include <cmath>
 #include <span>
 
 #include "server/solver/cpu/assembly.h"
+#include "server/solver/cpu/cell_inverse.h"
 #include "server/solver/cpu/chebyshev.h"
 #include "server/solver/cpu/lambda_max.h"
 #include "server/solver/cpu/smoother.h"
@@ -9,44 +9,6 @@
 namespace burnish::cpu {
 
 namespace {
-
-constexpr float kRegularisation = 1e-3f;  // on the unit diagonal of the scaled blocks
-
-/// (B_c + reg)⁻¹ of one cell: the pairs and the diagonal.
-struct CellInverse {
-  std::array<float, 28> pair;
-  std::array<float, 8> diagonal;
-};
-
-using Block = float[8][8];
-
-void read_scaled_block(const CpuDepth& depth, const std::vector<float>& scale, int32_t cell,
-                       Block& block) {
-  const auto& corners = depth.topology.grid.cell_corners[cell];
-  for (int a = 0; a < 8; ++a) {
-    block[a][a] = 1 + kRegularisation;
-    for (int b = a + 1; b < 8; ++b) {
-      const int64_t k = depth.topology.stencil.position(corners[a], slot_between(a, b));
-      block[a][b] = block[b][a] = depth.system.entry[k] * scale[corners[a]] * scale[corners[b]];
-    }
-  }
-}
-
-// Gauss-Jordan without pivoting: the block is symmetric positive definite with a condition number
-// of at most 8 / reg.
-void invert(Block& m) {
-  for (int p = 0; p < 8; ++p) {
-    const float inverse_pivot = 1 / m[p][p];
-    m[p][p] = 1;
-    for (int b = 0; b < 8; ++b) m[p][b] *= inverse_pivot;
-    for (int a = 0; a < 8; ++a) {
-      if (a == p) continue;
-      const float factor = m[a][p];
-      m[a][p] = 0;
-      for (int b = 0; b < 8; ++b) m[a][b] -= factor * m[p][b];
-    }
-  }
-}
 
 constexpr int kDegree = 2;
 constexpr float kRange = 20;
@@ -62,12 +24,8 @@ class Schwarz final : public DepthSmoother {
 
   void set_up(CpuDepth& depth) override {
     const Stencil& stencil = depth.topology.stencil;
-    const std::vector<float> scale = scale_of(depth);
-    const int32_t cells = depth.topology.grid.cell_count();
-    std::vector<CellInverse> inverses(cells);
-#pragma omp parallel for schedule(static)
-    for (int32_t cell = 0; cell < cells; ++cell) inverses[cell] = invert_cell(depth, scale, cell);
-
+    const std::vector<float> scale = diagonal_scale(depth);
+    const std::vector<CellInverse> inverses = invert_cells(depth, scale);
     const auto pair_of = [&](int32_t cell) -> const auto& {
       return inverses[cell].pair;
     };
@@ -92,34 +50,13 @@ class Schwarz final : public DepthSmoother {
     relax_by(depth, std::span(steps_).subspan(1));
   }
 
-  void relax(CpuDepth& depth) override {
-    relax_by(depth, steps_);
-  }
+  void relax(CpuDepth& depth) override { relax_by(depth, steps_); }
 
   uint64_t byte_count() const override {
     return inverse_.byte_count() + bytes_of(direction_) + lambda_max_.byte_count();
   }
 
  private:
-  static std::vector<float> scale_of(const CpuDepth& depth) {
-    std::vector<float> scale(depth.inverse_diagonal.size());
-    for (size_t i = 0; i < scale.size(); ++i) scale[i] = std::sqrt(depth.inverse_diagonal[i]);
-    return scale;
-  }
-
-  static CellInverse invert_cell(const CpuDepth& depth, const std::vector<float>& scale,
-                                 int32_t cell) {
-    Block block;
-    read_scaled_block(depth, scale, cell, block);
-    invert(block);
-    CellInverse out;
-    for (int a = 0, p = 0; a < 8; ++a) {
-      out.diagonal[a] = block[a][a];
-      for (int b = a + 1; b < 8; ++b, ++p) out.pair[p] = (block[a][b] + block[b][a]) / 2;
-    }
-    return out;
-  }
-
   void relax_by(CpuDepth& depth, std::span<const ChebyshevStep> steps) {
     for (const ChebyshevStep& now : steps) {
       compute_residual(depth);
