@@ -9,7 +9,7 @@ namespace burnish::bench {
 namespace {
 
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-constexpr int kIterationsMax = 20000;
+constexpr int kIterationsMax = 3000;
 
 template <typename Preconditioner>
 class EigenCgPeer final : public Peer {

@@ -16,6 +16,10 @@ constexpr double kConvergedDistance = 1e-8;
 constexpr double kStartDistance = 1e-6;  // of the state before an edit
 constexpr int kRepeats = 3;              // the figures of the median
 
+struct State {
+  double alpha, beta;
+};
+
 class OurMeasurement {
  public:
   OurMeasurement(const PreparedScan& scan, std::unique_ptr<Solver> solver, const Answers& answers)
@@ -26,30 +30,14 @@ class OurMeasurement {
     row.name = "burnish";
     row.alpha = alpha;
     row.setup_ms = scan_.setup_ms;
-    const double stepped = kMetricStepFactor * alpha;
+    const State input{alpha, 1}, smoothed{alpha, 0}, slid{alpha, kSliderStepBeta};
+    const State stepped{kMetricStepFactor * alpha, 0};
     RETURN_IF_ERROR(converge(stepped));
-    RETURN_IF_ERROR(converge(alpha));
-    row.factor_ms = set_metric(alpha, 1);
-    using Update = double (OurMeasurement::*)(double, double);
-    const auto edit = [&](EditKind kind, double from_beta, double to_alpha, double to_beta,
-                          Update update) -> Status {
-      std::array<EditTime, kRepeats> times;
-      for (EditTime& time : times) {
-        set_metric(alpha, from_beta);
-        RETURN_IF_ERROR(solver_->solve(kStartDistance, kStepsMax).status());
-        time.update_ms = (this->*update)(to_alpha, to_beta);
-        ASSIGN_OR_RETURN(time, settle(time, to_alpha, to_beta));
-      }
-      const auto middle = times.begin() + kRepeats / 2;
-      std::nth_element(times.begin(), middle, times.end(),
-                       [](const auto& a, const auto& b) { return a.total_ms() < b.total_ms(); });
-      row.edits[kind] = *middle;
-      return Status::ok();
-    };
-    RETURN_IF_ERROR(edit(kSmooth, 1, alpha, 0, &OurMeasurement::set_gradient_scale));
-    RETURN_IF_ERROR(
-        edit(kSliderStep, 0, alpha, kSliderStepBeta, &OurMeasurement::set_gradient_scale));
-    RETURN_IF_ERROR(edit(kMetricStep, 0, stepped, 0, &OurMeasurement::set_metric));
+    RETURN_IF_ERROR(converge(smoothed));
+    row.factor_ms = set_metric(input);
+    ASSIGN_OR_RETURN(row.edits[kSmooth], time_edit(input, smoothed));
+    ASSIGN_OR_RETURN(row.edits[kSliderStep], time_edit(smoothed, slid));
+    ASSIGN_OR_RETURN(row.edits[kMetricStep], time_edit(smoothed, stepped));
     row.byte_count =
         scan_.prepared->byte_count() + scan_.hierarchy->byte_count() + solver_->byte_count();
     row.note = note(alpha);
@@ -69,34 +57,45 @@ class OurMeasurement {
     return text.str();
   }
 
-  double set_metric(double alpha, double beta) {
+  Result<EditTime> time_edit(const State& from, const State& to) {
+    std::vector<EditTime> times;
+    do {
+      set_metric(from);
+      RETURN_IF_ERROR(solver_->solve(kStartDistance, kStepsMax).status());
+      EditTime time;
+      time.update_ms = from.alpha == to.alpha ? set_gradient_scale(to.beta) : set_metric(to);
+      Result<SolveReport> report = SolveReport();
+      time.solve_ms = milliseconds([&] { report = solver_->solve(kSettledDistance, kStepsMax); });
+      RETURN_IF_ERROR(report.status());
+      time.iterations = report->cycles;
+      time.error = error(vertex_moves(), (1 - to.beta) * answer(to.alpha));
+      times.push_back(time);
+    } while (wants_another(times.size(), times.back().total_ms()));
+    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::nth_element(times.begin(), middle, times.end(),
+                     [](const auto& a, const auto& b) { return a.total_ms() < b.total_ms(); });
+    return *middle;
+  }
+
+  double set_metric(const State& state) {
     return milliseconds([&] {
-      fields_.set_transfer_curve(TransferCurve(alpha));
-      fields_.set_gradient_scale(beta);
+      fields_.set_transfer_curve(TransferCurve(state.alpha));
+      fields_.set_gradient_scale(state.beta);
       solver_->set_metric(fields_.view());
     });
   }
 
-  double set_gradient_scale(double /*alpha*/, double beta) {
+  double set_gradient_scale(double beta) {
     return milliseconds([&] {
       fields_.set_gradient_scale(beta);
       solver_->set_gradient_scale(fields_.view());
     });
   }
 
-  Result<EditTime> settle(EditTime time, double alpha, double beta) {
-    Result<SolveReport> report = SolveReport();
-    time.solve_ms = milliseconds([&] { report = solver_->solve(kSettledDistance, kStepsMax); });
-    RETURN_IF_ERROR(report.status());
-    time.iterations = report->cycles;
-    time.error = error(vertex_moves(), (1 - beta) * answer(alpha));
-    return time;
-  }
-
-  Status converge(double alpha) {
-    set_metric(alpha, 0);
+  Status converge(const State& state) {
+    set_metric(state);
     RETURN_IF_ERROR(solver_->solve(kConvergedDistance, kStepsMax).status());
-    converged_[alpha] = vertex_moves();
+    converged_[state.alpha] = vertex_moves();
     return Status::ok();
   }
 

@@ -6,7 +6,6 @@
 
 namespace burnish::bench {
 
-static constexpr int kSolves = 3;  // medians of so many
 static constexpr double kToleranceMin = 1e-10;
 
 Distance distance_between(const MatrixXd& a, const MatrixXd& b, double diagonal) {
@@ -66,7 +65,7 @@ class Measurement {
     double tolerance = kind_.is_iterative ? 0.1 : 0;
     do {
       Result<int> iterations = 0;
-      time.solve_ms = median_milliseconds(kSolves, [&] {
+      time.solve_ms = median_milliseconds([&] {
         x = start;
         iterations = peer_->solve(b, tolerance, x);
       });

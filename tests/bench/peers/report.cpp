@@ -8,7 +8,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr double kMetricEditGain = 10;  // wanted over CHOLMOD's factorisation
+constexpr double kMetricEditGain = 10;  // wanted over CHOLMOD's re-factorisation
 
 struct Column {
   const char* name;
@@ -72,11 +72,11 @@ void print_targets(const Row& ours, const Row& cholmod) {
   print_target("beta 0 to 0.1 settles before its back-solve, ms",
                ours.edits[kSliderStep].total_ms(), back_solve);
   const EditTime& metric = ours.edits[kMetricStep];
-  print_target("metric edit settles in a tenth of its factorisation, ms", metric.total_ms(),
-               cholmod.factor_ms / kMetricEditGain);
-  print_target("metric edit shows a first step in a tenth of its factorisation, ms",
-               metric.update_ms + metric.solve_ms / metric.iterations,
-               cholmod.factor_ms / kMetricEditGain);
+  const double refactor = cholmod.edits[kMetricStep].update_ms;
+  print_target("metric edit settles in a tenth of its re-factorisation, ms", metric.total_ms(),
+               refactor / kMetricEditGain);
+  print_target("metric edit shows a first step in a tenth of its re-factorisation, ms",
+               metric.update_ms + metric.solve_ms / metric.iterations, refactor / kMetricEditGain);
   print_target("preparation before its assembly and analysis, ms", ours.setup_ms, cholmod.setup_ms);
   print_target("memory below its, MiB", static_cast<double>(ours.byte_count >> 20),
                static_cast<double>(cholmod.byte_count >> 20));
