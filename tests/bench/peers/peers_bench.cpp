@@ -159,11 +159,12 @@ int main_of(int argc, char** argv) {
   Options options;
   CLI::App app("Burnish beside CHOLMOD, Eigen and hypre on the same scans");
   app.add_option("--json", options.json_file, "Write the figures to this file");
-  app.add_option("--threads", options.threads, "Numbers of threads, one table each")
-      ->delimiter(',')
-      ->capture_default_str();
-  app.add_option("--alpha", options.alphas, "Fidelity weights")->delimiter(',');
-  app.add_option("--peers", options.peers, "Only these, by the table's names")->delimiter(',');
+  const auto add_list = [&app](const char* name, auto& list, const char* help) {
+    app.add_option(name, list, help)->delimiter(',')->allow_extra_args(false);
+  };
+  add_list("--threads", options.threads, "Numbers of threads, one table each");
+  add_list("--alpha", options.alphas, "Fidelity weights");
+  add_list("--peers", options.peers, "Only these, by the table's names");
   app.add_option("--mebibytes", options.mebibytes, "A larger factor is not tried");
   app.add_option("--vertices", options.vertices, "Of generated scans");
   app.add_option("scans", options.scans, "SCAN DEPTH pairs");
