@@ -98,6 +98,9 @@ void print_rows(std::span<const Row> rows) {
               rows.front().threads, "solver", "setup ms", "factor ms", "beta 1 to 0",
               "beta 0 to 0.1", "alpha x 1.25", "MiB", "error: max, rms");
   for (const Row& row : rows) print_row(row);
+  std::printf(
+      "  (iterations of all columns; error: largest of the three edits, in parts of the box's "
+      "diagonal,\n  to the first direct solver's answer to the same system)\n");
   for (const Column& column : kColumns) print_winner(column, rows);
   for (const Row& row : rows)
     if (row.name.starts_with("CHOLMOD") && row.failure.empty()) print_targets(rows.front(), row);
