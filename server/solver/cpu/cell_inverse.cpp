@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "server/solver/cpu/dispatch.h"
+#include "common/base/dispatch.h"
 
 namespace burnish::cpu {
 

@@ -1,6 +1,6 @@
 #include "server/solver/cpu/constraint.h"
 
-#include "server/solver/cpu/dispatch.h"
+#include "common/base/dispatch.h"
 #include "server/solver/cpu/scratch.h"
 
 namespace burnish::cpu {

@@ -1,7 +1,7 @@
 #include "server/solver/cpu/row_products.h"
 
+#include "common/base/dispatch.h"
 #include "server/solver/cpu/blocks.h"
-#include "server/solver/cpu/dispatch.h"
 
 namespace burnish::cpu {
 
