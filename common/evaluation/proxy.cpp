@@ -23,8 +23,7 @@ std::vector<Vec3f> float_positions(std::span<const Vec3d> vertices) {
 Indices simplify(const Indices& indices, const std::vector<Vec3f>& positions, size_t index_max) {
   Indices fewer(indices.size());
   fewer.resize(meshopt_simplify(fewer.data(), indices.data(), indices.size(), positions[0].data(),
-                                positions.size(), sizeof(Vec3f), index_max, kAnyError, 0,
-                                nullptr));
+                                positions.size(), sizeof(Vec3f), index_max, kAnyError, 0, nullptr));
   if (fewer.size() <= index_max) return fewer;
   Indices clustered(fewer.size());
   clustered.resize(meshopt_simplifySloppy(clustered.data(), fewer.data(), fewer.size(),

@@ -1,7 +1,6 @@
 #include "common/frame_codec/body_compression.h"
 
 #include <memory>
-
 #include <zstd.h>
 
 namespace burnish {
@@ -10,23 +9,23 @@ static constexpr int kZstdLevel = 1;  // level 3 is slower and no smaller: resid
 
 // A context is a megabyte, kept by the thread and not by each client.
 static ZSTD_CCtx* compression_context() {
-  thread_local const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(
-      ZSTD_createCCtx(), &ZSTD_freeCCtx);
+  thread_local const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
+                                                                                  &ZSTD_freeCCtx);
   return context.get();
 }
 
 static ZSTD_DCtx* decompression_context() {
-  thread_local const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(
-      ZSTD_createDCtx(), &ZSTD_freeDCtx);
+  thread_local const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(),
+                                                                                  &ZSTD_freeDCtx);
   return context.get();
 }
 
 void append_compressed(std::span<const uint8_t> body, std::vector<uint8_t>& bytes) {
   const size_t begin = bytes.size();
   bytes.resize(begin + ZSTD_compressBound(body.size()));
-  const size_t written = ZSTD_compressCCtx(compression_context(), bytes.data() + begin,
-                                           bytes.size() - begin, body.data(), body.size(),
-                                           kZstdLevel);
+  const size_t written =
+      ZSTD_compressCCtx(compression_context(), bytes.data() + begin, bytes.size() - begin,
+                        body.data(), body.size(), kZstdLevel);
   BURNISH_CHECK(!ZSTD_isError(written), ZSTD_getErrorName(written));
   bytes.resize(begin + written);
 }

@@ -92,6 +92,11 @@ void FrameEncoder::request_key_frame() {
   sent_.clear();
 }
 
+const FrameState* FrameEncoder::sent_state(uint64_t sequence) const {
+  const auto it = std::ranges::find(sent_, sequence, &SentFrame::sequence);
+  return it == sent_.end() ? nullptr : &it->state;
+}
+
 uint64_t FrameEncoder::byte_count() const {
   uint64_t bytes = 0;
   for (const SentFrame& frame : sent_) bytes += sizeof(frame) + frame.state.byte_count();

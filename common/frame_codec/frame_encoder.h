@@ -44,6 +44,9 @@ class FrameEncoder {
   /// The client holds nothing: the next frame is a key frame.
   void request_key_frame();
 
+  /// What the client holds once it has decoded this frame; null when that is forgotten.
+  const FrameState* sent_state(uint64_t sequence) const;
+
   /// What is remembered of sent frames. Tiles that they share count once for each.
   uint64_t byte_count() const;
 

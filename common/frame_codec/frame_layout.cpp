@@ -1,7 +1,6 @@
 #include "common/frame_codec/frame_layout.h"
 
 #include <cmath>
-
 #include <xxhash.h>
 
 #include "common/base/parallel.h"

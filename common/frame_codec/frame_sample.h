@@ -18,8 +18,7 @@ struct FrameSample {
   std::vector<int32_t> steps;  ///< tile by tile, in a tile all x, then all y, then all z
 
   std::span<const int32_t> tile(const FrameLayout& layout, int tile) const {
-    return {steps.data() + size_t{3} * layout.tile_begin(tile),
-            size_t{3} * layout.tile_size(tile)};
+    return {steps.data() + size_t{3} * layout.tile_begin(tile), size_t{3} * layout.tile_size(tile)};
   }
 };
 

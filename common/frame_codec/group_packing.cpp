@@ -55,7 +55,8 @@ void read_bits(std::span<const uint8_t>& stream, int bits, Group& group) {
   const auto bytes = take(stream, static_cast<size_t>(kGroupValues) * bits / 8);
   std::memcpy(&word, bytes.data(), bytes.size());
   const uint32_t mask = (1u << bits) - 1;
-  for (int i = 0; i < kGroupValues; ++i) group[i] = static_cast<uint32_t>(word >> (i * bits)) & mask;
+  for (int i = 0; i < kGroupValues; ++i)
+    group[i] = static_cast<uint32_t>(word >> (i * bits)) & mask;
 }
 
 void add_bytes(std::span<const uint8_t>& stream, int shift, Group& group) {

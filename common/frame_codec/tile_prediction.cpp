@@ -60,8 +60,7 @@ void round_and_predict(const TileRules& rules, std::span<const int32_t> change, 
       const int32_t rounded =
           round_towards(prediction, change[at], half * rules.slack[i], step_shift);
       rows[i][axis] = k[at] = rounded;
-      residuals[at] =
-          to_zigzag(static_cast<uint32_t>(rounded) - static_cast<uint32_t>(prediction));
+      residuals[at] = to_zigzag(static_cast<uint32_t>(rounded) - static_cast<uint32_t>(prediction));
     }
   }
 }
