@@ -30,8 +30,8 @@ class FrameEncoder {
   explicit FrameEncoder(std::shared_ptr<const FrameLayout> layout);
 
   /// After a still frame the client holds exactly the sample. After a moving one a vertex is off by
-  /// at most half a step of 1/64 cell, and a coefficient by so much that it moves no vertex by more
-  /// than that. Needs: a sample of this layout.
+  /// at most half of 1/64 cell where vertices are sent, and by 1/64 cell where coefficients are.
+  /// Needs: a sample of this layout.
   EncodedFrame encode(const FrameSample& sample, FrameStep step);
 
   /// The client holds this frame. Frames that are unknown or forgotten are ignored.

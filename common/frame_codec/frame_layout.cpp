@@ -28,8 +28,9 @@ std::vector<float> largest_weights(const FrameMesh& mesh) {
   return largest;
 }
 
+// The eight corners of a cell weigh on a vertex together: an eighth each makes one.
 uint16_t slack_of(float largest_weight) {
-  const int exponent = -std::ilogb(largest_weight) - 1;
+  const int exponent = -std::ilogb(8 * largest_weight) - 1;
   return static_cast<uint16_t>(1 << std::clamp(exponent, 0, kSlackExponentMax));
 }
 

@@ -38,7 +38,9 @@ struct FrameLayout {
   std::vector<int32_t> source;        ///< the corner or vertex of each value, in Morton order
   std::vector<Predictor> predictors;  ///< one per value
   /// By how many half steps a value may be off while the surface moves: 1 for a vertex; for a
-  /// corner 2^k with k >= 0 so that 2^k times its largest weight on a vertex is at most 1.
+  /// corner the largest power of two that times its largest weight on a vertex is at most 1/8,
+  /// or 1. So corners that hardly weigh on the surface, whose values roam, do not keep tiles busy,
+  /// and all corners of a cell together move a vertex by two half steps at most.
   std::vector<uint16_t> slack;
   uint64_t fingerprint = 0;  ///< of content, source and predictors
 

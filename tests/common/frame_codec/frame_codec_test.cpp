@@ -54,6 +54,27 @@ TEST_P(FrameCodec, AMovingFrameIsWithinTheSlackOfEachValue) {
   }
 }
 
+TEST(FrameCodecOfCoefficients, AMovingFrameIsWithinA64thOfACellAtEveryVertex) {
+  const SmallScan& scan = small_scan();
+  const auto layout = small_layout(FrameContent::kCoefficients);
+  FrameEncoder encoder(layout);
+  FrameDecoder decoder(layout);
+  std::vector<Vec3f> shown(scan.grid.corners.size(), Vec3f::Zero());
+  for (int i = 0; i < 6; ++i) {
+    const auto wanted = wavy_displacement(scan.grid, 3, 0.05 * i);
+    const EncodedFrame frame = encoder.encode(sample_of(*layout, wanted), FrameStep::kMoving);
+    encoder.acknowledge(frame.sequence);
+    const DecodedFrame decoded = decoder.decode(frame.bytes).value();
+    for (const int tile : decoded.changed_tiles)
+      write_displacement(*layout, decoder.state(), tile, shown);
+    for (const EvaluationPoint& point : scan.points) {
+      const Vec3d at_vertex = evaluate<Vec3f>(scan.grid, point, shown).cast<double>();
+      const Vec3d off = at_vertex - evaluate<Vec3d>(scan.grid, point, wanted);
+      ASSERT_LE(off.lpNorm<Eigen::Infinity>(), 1.0 / 64 + 0.5 / 256 + 1e-5);
+    }
+  }
+}
+
 TEST_P(FrameCodec, WhatDoesNotMoveIsNotSent) {
   send(wave(0.3), FrameStep::kStill);
   const EncodedFrame frame = encoder_.encode(wave(0.3), FrameStep::kStill);

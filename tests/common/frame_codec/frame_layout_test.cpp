@@ -40,15 +40,16 @@ TEST(FrameLayout, ACornerWithoutWeightIsLeftOut) {
   EXPECT_EQ(layout.value_count(), 4);
 }
 
-TEST(FrameLayout, SlackTimesTheLargestWeightIsAtMostOne) {
+TEST(FrameLayout, SlackTimesTheLargestWeightIsAtMostAnEighth) {
   const auto layout = small_layout(FrameContent::kCoefficients);
   const auto largest = largest_weights();
   int above_one = 0;
   for (int i = 0; i < layout->value_count(); ++i) {
-    EXPECT_LE(layout->slack[i] * largest[layout->source[i]], 1);
-    above_one += layout->slack[i] > 1;
+    if (layout->slack[i] == 1) continue;
+    ++above_one;
+    EXPECT_LE(layout->slack[i] * largest[layout->source[i]], 0.125F);
   }
-  EXPECT_GT(above_one, layout->value_count() / 10);
+  EXPECT_GT(above_one, layout->value_count() / 50);
 }
 
 TEST(FrameLayout, VerticesAreEachOnceAndAlongTheCells) {
