@@ -11,9 +11,9 @@ namespace burnish {
 inline constexpr int kGroupValues = 16;
 inline constexpr int kGroupWidthMax = 6;
 
-/// The five streams of a frame's body that hold groups of residuals: see frame_header.h.
-inline constexpr int kGroupStreams =
-    4;  // besides the widths: packed, byte 0, byte 1, bytes 2 and 3
+/// The streams of a frame's body that hold the groups, besides their widths (frame_header.h):
+/// packed, byte 0, byte 1, byte 2.
+inline constexpr int kGroupStreams = 4;
 
 inline int group_count(int values) {
   return (values + kGroupValues - 1) / kGroupValues;
