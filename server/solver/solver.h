@@ -77,6 +77,8 @@ class Solver {
   /// what status() says.
   Result<SolveReport> solve(double distance_max, int cycles_max, const Progress& progress = {});
 
+  /// u, one per corner of the finest depth. Units: cells.
+  std::vector<Vec3d> displacement() const;
   /// Displaced positions E(c° + u) in file units, one per vertex.
   std::vector<Vec3d> evaluate_vertices() const;
 
