@@ -22,7 +22,7 @@ class CellBlocks final : public DepthSmoother {
  public:
   // Cells of two bricks of one colour are a brick apart. (Colours of single cells would need 27:
   // a cell's residual reaches one cell further than its corners.)
-  explicit CellBlocks(const HierarchyDepth& topology) {
+  explicit CellBlocks(const HierarchyDepth& topology) : inverses_(topology.grid.cells.size()) {
     const auto& cells = topology.grid.cells;
     for (int32_t first = 0, last = 0; first < topology.grid.cell_count(); first = last) {
       const MortonKey brick = cells[first].place >> kBrickShift;
@@ -33,11 +33,11 @@ class CellBlocks final : public DepthSmoother {
 
   void set_up(CpuDepth& depth) override {
     const std::vector<float> scale = diagonal_scale(depth);
-    inverses_ = invert_cells(depth, scale);
+    const Scratch<CellInverse> scaled = invert_cells(depth, scale);
 #pragma omp parallel for schedule(static)
     for (int32_t cell = 0; cell < depth.topology.grid.cell_count(); ++cell) {
       const auto& corners = depth.topology.grid.cell_corners[cell];
-      CellInverse& inverse = inverses_[cell];
+      CellInverse& inverse = inverses_[cell] = scaled[cell];
       for (int a = 0; a < kCornersPerCell; ++a) {
         inverse.diagonal[a] *= depth.inverse_diagonal[corners[a]];
         for (int b = a + 1; b < kCornersPerCell; ++b)

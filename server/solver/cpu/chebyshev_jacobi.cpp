@@ -1,7 +1,6 @@
-#include <utility>
-
 #include "server/solver/cpu/chebyshev.h"
 #include "server/solver/cpu/lambda_max.h"
+#include "server/solver/cpu/row_products.h"
 #include "server/solver/cpu/smoother.h"
 
 namespace burnish::cpu {
@@ -16,52 +15,43 @@ constexpr Bounds kLambdaMaxBounds = {1, 8};
 class ChebyshevJacobi final : public DepthSmoother {
  public:
   explicit ChebyshevJacobi(const HierarchyDepth& topology)
-      : direction_(topology.grid.corners.size()),
-        next_(topology.grid.corners.size()),
-        lambda_max_(topology.grid.corners.size()) {}
+      : direction_(topology.grid.corners.size()), lambda_max_(topology.grid.corners.size()) {}
 
   void set_up(CpuDepth& depth) override {
-    const auto apply = [&] {
-#pragma omp parallel for schedule(static)
-      for (int32_t i = 0; i < depth.corner_count(); ++i)
-        depth.x[i] = -depth.inverse_diagonal[i] * depth.r[i];
-    };
+    const auto apply = [&] { relax_along(depth, depth.r, {0, -1}, true); };
     steps_ = chebyshev_steps<kDegree>(lambda_max_.estimate(depth, kLambdaMaxBounds, apply), kRange);
   }
 
   void relax_from_zero(CpuDepth& depth) override {
-#pragma omp parallel for schedule(static)
-    for (int32_t i = 0; i < depth.corner_count(); ++i)
-      depth.x[i] = direction_[i] = steps_[0].length * depth.inverse_diagonal[i] * depth.f[i];
-    for (int k = 1; k < kDegree; ++k) step(depth, steps_[k]);
+    relax_along(depth, depth.f, steps_[0], true);
+    for (int k = 1; k < kDegree; ++k) relax_further(depth, steps_[k]);
   }
 
   void relax(CpuDepth& depth) override {
-    for (const ChebyshevStep& now : steps_) step(depth, now);
+    for (const ChebyshevStep& now : steps_) relax_further(depth, now);
   }
 
-  uint64_t byte_count() const override {
-    return bytes_of(direction_) + bytes_of(next_) + lambda_max_.byte_count();
-  }
+  uint64_t byte_count() const override { return bytes_of(direction_) + lambda_max_.byte_count(); }
 
  private:
-  // d = momentum·d + length·D⁻¹(f − S x), x += d, in one pass from x to a second vector.
-  void step(CpuDepth& depth, ChebyshevStep now) {
-    const Stencil& stencil = depth.topology.stencil;
-    const int32_t n = depth.corner_count();
+  void relax_further(CpuDepth& depth, ChebyshevStep now) {
+    compute_residual(depth);
+    relax_along(depth, depth.r, now, false);
+  }
+
+  // d = momentum·d + length·D⁻¹ source; x += d, or x = d from zero.
+  void relax_along(CpuDepth& depth, const std::vector<Float4>& source, ChebyshevStep now,
+                   bool from_zero) {
 #pragma omp parallel for schedule(static)
-    for (int32_t i = 0; i < n; ++i) {
-      Float4 direction = now.length * depth.inverse_diagonal[i] *
-                         (depth.f[i] - product_row(stencil, depth.system, depth.x, i));
+    for (int32_t i = 0; i < depth.corner_count(); ++i) {
+      Float4 direction = now.length * depth.inverse_diagonal[i] * source[i];
       if (now.momentum != 0) direction += now.momentum * direction_[i];
       direction_[i] = direction;
-      next_[i] = depth.x[i] + direction;
+      depth.x[i] = from_zero ? direction : Float4(depth.x[i] + direction);
     }
-    std::swap(depth.x, next_);
   }
 
   std::vector<Float4> direction_;
-  std::vector<Float4> next_;
   LambdaMax lambda_max_;
   std::array<ChebyshevStep, kDegree> steps_;
 };

@@ -44,7 +44,7 @@ SliceRows::SliceRows(const HierarchyDepth& topology) {
   row_start.assign(n + 1, 0);
   column.reserve(stencil.column.size());
   for (int32_t p = 0; p < n; ++p) {
-    for (int64_t k = stencil.row_start[corner[p]]; k < stencil.row_start[corner[p] + 1]; ++k)
+    for (auto [k, end] = stencil.row(corner[p]); k < end; ++k)
       column.push_back(place[stencil.column[k]]);
     row_start[p + 1] = static_cast<int64_t>(column.size());
   }
@@ -60,8 +60,9 @@ void SliceRows::read(const CpuDepth& depth) {
     const int32_t from = corner[p];
     diagonal[p] = depth.system.diagonal[from];
     inverse_diagonal[p] = depth.inverse_diagonal[from];
-    std::copy_n(depth.system.entry.begin() + depth.topology.stencil.row_start[from],
-                row_start[p + 1] - row_start[p], entry.begin() + row_start[p]);
+    const auto [begin, end] = depth.topology.stencil.row(from);
+    std::copy(depth.system.entry.begin() + begin, depth.system.entry.begin() + end,
+              entry.begin() + row_start[p]);
   }
 }
 
