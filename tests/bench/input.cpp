@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "common/base/process_memory.h"
@@ -11,6 +10,7 @@
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/statistics.h"
 #include "server/prepare/prepare.h"
+#include "tests/bench/report.h"
 
 namespace burnish {
 
@@ -27,12 +27,6 @@ template <typename Number>
 bool parse_number(std::string_view text, Number& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc() && end == text.data() + text.size();
-}
-
-std::string in_words(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
 }
 
 }  // namespace

@@ -14,12 +14,16 @@ const BenchTable* printed_last = nullptr;  // tables that take turns print their
 
 std::string formatted(const BenchTable::Value& value, const char* format) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  char number[64];
-  std::snprintf(number, sizeof number, format, std::get<double>(value));
-  return number;
+  return in_words(format, std::get<double>(value));
 }
 
 }  // namespace
+
+std::string in_words(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
 
 BenchTable::BenchTable(std::string name, std::vector<Column> columns)
     : name_(std::move(name)), columns_(std::move(columns)) {

@@ -12,6 +12,9 @@
 
 namespace burnish {
 
+/// A number by a format of printf.
+std::string in_words(const char* format, double value);
+
 /// Rows under named columns: printed as they come, kept for JSON and for gnuplot.
 class BenchTable {
  public:
