@@ -20,24 +20,24 @@ struct Mode {
   bool temporal_blocking;
 };
 
-void report_mode(const BenchSystem& system, const FieldsView& fields, const Mode& mode,
-                 CycleShape shape, BenchTable& table) {
+void report_mode(const std::string& mesh, const BenchSystem& system, const FieldsView& fields,
+                 const Mode& mode, CycleShape shape, BenchTable& table) {
   use_threads(mode.threads);
-  SweepSolver solver(system, fields,
-                     {.sweeps = kSweeps,
-                      .blocks = mode.threads,
-                      .temporal_blocking = mode.temporal_blocking});
+  SweepSolver solver(
+      system, fields,
+      {.sweeps = kSweeps, .blocks = mode.threads, .temporal_blocking = mode.temporal_blocking});
   double time = 0;
   for (int cycle = 1; cycle <= kCycles; ++cycle) {
     time += milliseconds([&] { solver.iterate(shape); });
-    table.add({system.name, static_cast<double>(system.corners()),
+    table.add({mesh, system.name, static_cast<double>(system.corners()),
                shape == CycleShape::kV ? "V" : "W", mode.name, static_cast<double>(cycle), time,
                solver.residual()});
   }
 }
 
 Status run(const BenchArguments& arguments, BenchReport& report) {
-  BenchTable& table = report.add_table("figure6", {{"scan", "", 18},
+  BenchTable& table = report.add_table("figure6", {{"mesh", "", 16},
+                                                   {"scan", "", 18},
                                                    {"corners", "%.0f"},
                                                    {"shape"},
                                                    {"mode", "", 18},
@@ -57,7 +57,8 @@ Status run(const BenchArguments& arguments, BenchReport& report) {
       Fields fields(*system->prepared);
       fields.set_gradient_scale(0);
       for (const CycleShape shape : {CycleShape::kW, CycleShape::kV})
-        for (const Mode& mode : modes) report_mode(*system, fields.view(), mode, shape, table);
+        for (const Mode& mode : modes)
+          report_mode(scan.name(), *system, fields.view(), mode, shape, table);
     }
   }
   return Status::ok();

@@ -15,7 +15,8 @@ double per_second(double milliseconds) {
 }
 
 std::vector<BenchTable::Column> ablation_columns() {
-  return {{"scan", "", 18},
+  return {{"mesh", "", 16},
+          {"scan", "", 18},
           {"vertices", "%.0f"},
           {"corners", "%.0f"},
           {"smoother", "", 18},
@@ -40,22 +41,22 @@ Result<FrameTimes> times_of(const BenchSystem& system, Smoother smoother, int th
   return measure_frames(*session, TransferCurve(kAlphaDefault));
 }
 
-Status report_system(const BenchSystem& system, const BenchArguments& arguments,
-                     BenchTable& ablation, BenchTable& table_1) {
+Status report_system(const std::string& mesh, const BenchSystem& system,
+                     const BenchArguments& arguments, BenchTable& ablation, BenchTable& table_1) {
   const double vertices = static_cast<double>(system.prepared->vertices.size());
   const double corners = system.corners();
-  for (const auto& [smoother, name] : kSmoothers) {
+  for (const NamedSmoother& named : kSmoothers) {
     FrameTimes one_thread;
     for (int threads : thread_counts(arguments)) {
-      ASSIGN_OR_RETURN(const FrameTimes times, times_of(system, smoother, threads));
+      ASSIGN_OR_RETURN(const FrameTimes times, times_of(system, named.smoother, threads));
       if (threads == 1) one_thread = times;
-      ablation.add({system.name, vertices, corners, std::string(name), static_cast<double>(threads),
-                    times.solve, times.rhs, times.matrix, times.evaluate, per_second(times.solve),
-                    per_second(times.rhs), per_second(times.matrix),
-                    per_second(times.solve + times.evaluate),
+      ablation.add({mesh, system.name, vertices, corners, std::string(named.name),
+                    static_cast<double>(threads), times.solve, times.rhs, times.matrix,
+                    times.evaluate, per_second(times.solve), per_second(times.rhs),
+                    per_second(times.matrix), per_second(times.solve + times.evaluate),
                     per_second(times.rhs + times.evaluate),
                     per_second(times.matrix + times.evaluate)});
-      if (smoother == SolverOptions().smoother && threads == arguments.threads)
+      if (named.smoother == SolverOptions().smoother && threads == arguments.threads)
         table_1.add({system.name, vertices, corners, per_second(times.solve), per_second(times.rhs),
                      per_second(times.matrix), one_thread.solve / times.solve});
     }
@@ -77,7 +78,8 @@ Status run(const BenchArguments& arguments, BenchReport& report) {
     const int finest = depth_of(scan, mesh);
     for (int depth = std::max(kDepthMin, finest - kDepths + 1); depth <= finest; ++depth) {
       ASSIGN_OR_RETURN(const auto system, system_or_remark(scan, mesh, depth, arguments, report));
-      if (system) RETURN_IF_ERROR(report_system(*system, arguments, ablation, table_1));
+      if (system)
+        RETURN_IF_ERROR(report_system(scan.name(), *system, arguments, ablation, table_1));
     }
   }
   return Status::ok();

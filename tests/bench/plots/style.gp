@@ -17,14 +17,21 @@ set grid back linecolor "#dddddd" linewidth 1
 set border 3 back linecolor "#555555"
 set tics nomirror textcolor "#333333"
 power_of_ten = "10^{%T}"
-set key noenhanced
+set key noenhanced reverse Left samplen 2.5 spacing 1.15
 
 table(name) = folder."/".name.".tsv"
 sheet(name, width, height) = sprintf( \
   "set terminal pngcairo size %d,%d font 'sans,11'; set output '%s/%s.png'", \
   width, height, folder, name)
 
-# The values of a column, each once, in order.
+# One key for all panels of a sheet, beside them.
+key_beside = "set key at screen 0.99, screen 0.9 right top"
+
+# The values of a column, each once, in order; of the rows where another column is `text`.
+distinct_where(name, column, other, text) = system(sprintf( \
+  "awk -F '\\t' 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next } \
+    $at[\"%s\"] == \"%s\" && !seen[$at[\"%s\"]]++ { print $at[\"%s\"] }' '%s'", \
+  other, text, column, column, table(name)))
 distinct(name, column) = system(sprintf( \
   "awk -F '\\t' 'NR == 1 { while ($++c != \"%s\"); next } !seen[$c]++ { print $c }' '%s'", \
   column, table(name)))
