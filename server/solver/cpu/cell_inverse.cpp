@@ -1,65 +1,89 @@
 #include "server/solver/cpu/cell_inverse.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "server/solver/cpu/dispatch.h"
 
 namespace burnish::cpu {
 
 static constexpr float kRegularisation = 1e-3f;  // on the unit diagonal of the scaled blocks
+static constexpr int32_t kCellsPerBlock = 1024;
 
-using Block = float[8][8];
+namespace {
 
-static void read_scaled_block(const CpuDepth& depth, const std::vector<float>& scale, int32_t cell,
-                              Block& block) {
-  const auto& corners = depth.topology.grid.cell_corners[cell];
+struct Source {
+  const Stencil& stencil;
+  const std::array<int32_t, kCornersPerCell>* cell_corners;
+  const float* entry;
+  const float* scale;
+};
+
+}  // namespace
+
+[[gnu::always_inline]] static inline void read_scaled_block(const Source& source, int32_t cell,
+                                                            float (&block)[8][8]) {
+  const auto& corners = source.cell_corners[cell];
+#pragma GCC unroll 8
   for (int a = 0; a < 8; ++a) {
     block[a][a] = 1 + kRegularisation;
+#pragma GCC unroll 8
     for (int b = a + 1; b < 8; ++b) {
-      const int64_t k = depth.topology.stencil.position(corners[a], slot_between(a, b));
-      block[a][b] = block[b][a] = depth.system.entry[k] * scale[corners[a]] * scale[corners[b]];
+      const int64_t k = source.stencil.position(corners[a], slot_between(a, b));
+      block[a][b] = block[b][a] =
+          source.entry[k] * source.scale[corners[a]] * source.scale[corners[b]];
     }
   }
 }
 
-// Gauss-Jordan without pivoting: the block is symmetric positive definite with a condition number
-// of at most 8 / reg.
-static void invert(Block& m) {
+// −m⁻¹ by sweeping each pivot in turn, which keeps the matrix symmetric, so that a column is read
+// from its row. No pivoting: the block is positive definite with a condition number of at most
+// 8 / reg.
+[[gnu::always_inline]] static inline void sweep(Float8 (&m)[8]) {
+#pragma GCC unroll 8
   for (int p = 0; p < 8; ++p) {
-    const float inverse_pivot = 1 / m[p][p];
-    m[p][p] = 1;
-    for (int b = 0; b < 8; ++b) m[p][b] *= inverse_pivot;
-    for (int a = 0; a < 8; ++a) {
-      if (a == p) continue;
-      const float factor = m[a][p];
-      m[a][p] = 0;
-      for (int b = 0; b < 8; ++b) m[a][b] -= factor * m[p][b];
-    }
+    const Float8 column = m[p];
+    const float inverse_pivot = 1 / column[p];
+    Float8 row = column * inverse_pivot;
+    m[p] = row;
+    m[p][p] = -inverse_pivot;
+    row[p] = 1 - inverse_pivot;  // column[a] (1 − row[p]) is what stays of column p
+#pragma GCC unroll 8
+    for (int a = 0; a < 8; ++a)
+      if (a != p) m[a] -= column[a] * row;
   }
 }
 
-static CellInverse invert_cell(const CpuDepth& depth, const std::vector<float>& scale,
-                               int32_t cell) {
-  Block block;
-  read_scaled_block(depth, scale, cell, block);
-  invert(block);
-  CellInverse out;
-  for (int a = 0, p = 0; a < 8; ++a) {
-    out.diagonal[a] = block[a][a];
-    for (int b = a + 1; b < 8; ++b, ++p) out.pair[p] = (block[a][b] + block[b][a]) / 2;
+BURNISH_DISPATCH static void invert_range(const Source& source, int32_t begin, int32_t end,
+                                          CellInverse* out) {
+  for (int32_t cell = begin; cell < end; ++cell, ++out) {
+    alignas(Float8) float block[8][8];
+    read_scaled_block(source, cell, block);
+    Float8 m[8];
+    for (int a = 0; a < 8; ++a) m[a] = *reinterpret_cast<const Float8*>(block[a]);
+    sweep(m);
+    for (int a = 0, p = 0; a < 8; ++a) {
+      out->diagonal[a] = -m[a][a];
+      for (int b = a + 1; b < 8; ++b, ++p) out->pair[p] = -m[a][b];
+    }
   }
-  return out;
 }
 
 std::vector<float> diagonal_scale(const CpuDepth& depth) {
   std::vector<float> scale(depth.inverse_diagonal.size());
+#pragma omp parallel for schedule(static)
   for (size_t i = 0; i < scale.size(); ++i) scale[i] = std::sqrt(depth.inverse_diagonal[i]);
   return scale;
 }
 
-std::vector<CellInverse> invert_cells(const CpuDepth& depth, const std::vector<float>& scale) {
+Scratch<CellInverse> invert_cells(const CpuDepth& depth, const std::vector<float>& scale) {
   const int32_t cells = depth.topology.grid.cell_count();
-  std::vector<CellInverse> inverses(cells);
+  Scratch<CellInverse> inverses(cells);
+  const Source source = {depth.topology.stencil, depth.topology.grid.cell_corners.data(),
+                         depth.system.entry.data(), scale.data()};
 #pragma omp parallel for schedule(static)
-  for (int32_t cell = 0; cell < cells; ++cell) inverses[cell] = invert_cell(depth, scale, cell);
+  for (int32_t begin = 0; begin < cells; begin += kCellsPerBlock)
+    invert_range(source, begin, std::min(cells, begin + kCellsPerBlock), &inverses[begin]);
   return inverses;
 }
 

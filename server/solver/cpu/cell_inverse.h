@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "server/solver/cpu/cpu_depth.h"
+#include "server/solver/cpu/scratch.h"
 
 namespace burnish::cpu {
 
@@ -18,6 +19,6 @@ struct CellInverse {
 std::vector<float> diagonal_scale(const CpuDepth& depth);
 
 /// The inverse blocks of all cells. Shapes: `scale` per corner.
-std::vector<CellInverse> invert_cells(const CpuDepth& depth, const std::vector<float>& scale);
+Scratch<CellInverse> invert_cells(const CpuDepth& depth, const std::vector<float>& scale);
 
 }  // namespace burnish::cpu

@@ -34,7 +34,8 @@ class ConjugateGradients {
   CpuDepth& finest_;
   std::span<const EvaluationPoint> evaluation_;
   ExactMatrix matrix_;
-  std::vector<Double4> u_, b_, r_, p_, q_;
+  std::vector<Double4> u_, b_, r_, q_;
+  std::vector<Float4> p_;  // any direction will do; q = S p is exact
   Double4 z_dot_r_ = Double4::Zero();
   Double4 step_ = Double4::Zero();  // a of the last advance()
   double correction_max_ = 0;

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "server/solver/cpu/reduce.h"
+#include "server/solver/cpu/row_products.h"
 
 namespace burnish::cpu {
 
@@ -12,7 +13,7 @@ namespace burnish::cpu {
 // costs nothing.
 static constexpr double kMargin = 1.15;
 static constexpr int kIterationsFirst = 15;
-static constexpr int kIterationsNext = 4;
+static constexpr int kIterationsNext = 2;
 
 static double dot(const std::vector<Float4>& x, const std::vector<Float4>& y) {
   return ordered_sum<double>(static_cast<int32_t>(x.size()), [&](int32_t begin, int32_t end) {
@@ -20,6 +21,16 @@ static double dot(const std::vector<Float4>& x, const std::vector<Float4>& y) {
     for (int32_t i = begin; i < end; ++i) sum += (x[i] * y[i]).cast<double>().sum();
     return sum;
   });
+}
+
+static void set_all(std::vector<Float4>& x, const Float4& value) {
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < x.size(); ++i) x[i] = value;
+}
+
+static void scale_all(std::vector<Float4>& x, float factor) {
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < x.size(); ++i) x[i] *= factor;
 }
 
 // Three columns of noise that leave no eigenvector out.
@@ -34,21 +45,22 @@ float LambdaMax::estimate(CpuDepth& depth, Bounds bounds, const std::function<vo
   if (!started_) set_start(depth.inverse_diagonal);
   const int iterations = started_ ? kIterationsNext : kIterationsFirst;
   started_ = true;
-  depth.x = eigenvector_;
-  std::fill(depth.f.begin(), depth.f.end(), Float4::Zero());
-  double lambda = 0;
+  depth.x.swap(eigenvector_);
+  set_all(depth.f, Float4::Zero());
+  double before = 0;
   for (int i = 0; i < iterations; ++i) {
     compute_residual(depth);  // −S x
-    const double before = -dot(depth.x, depth.r);
+    if (i + 1 == iterations) before = -dot(depth.x, depth.r);
     apply();  // x = M⁻¹S x
-    const double after = -dot(depth.x, depth.r);
-    if (!(before > 0 && after > 0)) break;
-    lambda = after / before;
-    const float normalise = static_cast<float>(1 / std::sqrt(after));
-    for (Float4& x : depth.x) x *= normalise;
   }
-  eigenvector_ = depth.x;
-  return static_cast<float>(std::clamp(lambda * kMargin, bounds.least, bounds.most));
+  const double after = -dot(depth.x, depth.r);
+  depth.x.swap(eigenvector_);
+  if (!(before > 0 && after > 0)) {  // nothing but pinned corners
+    started_ = false;
+    return static_cast<float>(bounds.most);
+  }
+  scale_all(eigenvector_, static_cast<float>(1 / std::sqrt(after)));
+  return static_cast<float>(std::clamp(after / before * kMargin, bounds.least, bounds.most));
 }
 
 }  // namespace burnish::cpu

@@ -1,9 +1,10 @@
 #include <span>
 
-#include "server/solver/cpu/assembly.h"
 #include "server/solver/cpu/cell_inverse.h"
 #include "server/solver/cpu/chebyshev.h"
+#include "server/solver/cpu/gather_rows.h"
 #include "server/solver/cpu/lambda_max.h"
+#include "server/solver/cpu/row_products.h"
 #include "server/solver/cpu/smoother.h"
 
 namespace burnish::cpu {
@@ -25,59 +26,43 @@ class Schwarz final : public DepthSmoother {
   void set_up(CpuDepth& depth) override {
     const Stencil& stencil = depth.topology.stencil;
     const std::vector<float> scale = diagonal_scale(depth);
-    const std::vector<CellInverse> inverses = invert_cells(depth, scale);
-    const auto pair_of = [&](int32_t cell) -> const auto& {
-      return inverses[cell].pair;
+    const Scratch<CellInverse> inverses = invert_cells(depth, scale);
+    gather_rows<float>(
+        depth.topology, [&](int32_t cell, int p) { return inverses[cell].pair[p]; },
+        [&](int32_t cell, int a) { return inverses[cell].diagonal[a]; },
+        [&](int32_t corner, const float* by_slot, float diagonal) {
+          const float here = scale[corner];
+          inverse_.diagonal[corner] = diagonal * here * here;
+          store_row(stencil, corner, by_slot, [&](int64_t k, float value) {
+            inverse_.entry[k] = value * here * scale[stencil.column[k]];
+          });
+        });
+    const auto apply = [&] {
+      relax_along(depth, inverse_, {.source = depth.r, .step = {0, -1}, .from_zero = true});
     };
-    const auto own_of = [&](int32_t cell) -> const auto& {
-      return inverses[cell].diagonal;
-    };
-    gather_rows(depth.topology, pair_of, own_of,
-                [&](int32_t corner, const double* by_slot, double diagonal) {
-                  const double here = scale[corner];
-                  inverse_.diagonal[corner] = static_cast<float>(diagonal * here * here);
-                  store_row(stencil, corner, by_slot, [&](int64_t k, double value) {
-                    inverse_.entry[k] = static_cast<float>(value * here * scale[stencil.column[k]]);
-                  });
-                });
-    const auto apply = [&] { step<true>(depth, depth.r, {0, -1}); };
     const float lambda_max = lambda_max_.estimate(depth, kLambdaMaxBounds, apply);
     steps_ = chebyshev_steps<kDegree>(lambda_max, kRange);
   }
 
+  // After the first step from zero x is d itself, and degree two ends with the next.
   void relax_from_zero(CpuDepth& depth) override {
-    step<true>(depth, depth.f, steps_[0]);
-    relax_by(depth, std::span(steps_).subspan(1));
+    relax_along(depth, inverse_, {.source = depth.f, .step = steps_[0], .from_zero = true});
+    compute_residual(depth);
+    relax_along(depth, inverse_, {.source = depth.r, .step = steps_[1], .last_d = &depth.x});
   }
 
-  void relax(CpuDepth& depth) override { relax_by(depth, steps_); }
+  void relax(CpuDepth& depth) override {
+    compute_residual(depth);
+    relax_along(depth, inverse_, {.source = depth.r, .step = steps_[0], .d = &direction_});
+    compute_residual(depth);
+    relax_along(depth, inverse_, {.source = depth.r, .step = steps_[1], .last_d = &direction_});
+  }
 
   uint64_t byte_count() const override {
     return inverse_.byte_count() + bytes_of(direction_) + lambda_max_.byte_count();
   }
 
  private:
-  void relax_by(CpuDepth& depth, std::span<const ChebyshevStep> steps) {
-    for (const ChebyshevStep& now : steps) {
-      compute_residual(depth);
-      step<false>(depth, depth.r, now);
-    }
-  }
-
-  // d = momentum·d + length·M⁻¹ source; x += d, or x = d from zero.
-  template <bool kFromZero>
-  void step(CpuDepth& depth, const std::vector<Float4>& source, ChebyshevStep now) {
-    const Stencil& stencil = depth.topology.stencil;
-    const int32_t n = depth.corner_count();
-#pragma omp parallel for schedule(static)
-    for (int32_t corner = 0; corner < n; ++corner) {
-      Float4 direction = now.length * product_row(stencil, inverse_, source, corner);
-      if (now.momentum != 0) direction += now.momentum * direction_[corner];
-      direction_[corner] = direction;
-      depth.x[corner] = kFromZero ? direction : Float4(depth.x[corner] + direction);
-    }
-  }
-
   StencilMatrix inverse_;  // M⁻¹
   std::vector<Float4> direction_;
   LambdaMax lambda_max_;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "server/solver/cpu/coarsest.h"
+#include "server/solver/cpu/row_products.h"
 #include "server/solver/cpu/transfer.h"
 #include "tests/reference/awkward_meshes.h"
 #include "tests/reference/shapes.h"
