@@ -1,6 +1,7 @@
 #include "tests/bench/memory_floor.h"
 
 #include "server/solver/cell_matrix.h"
+#include "server/solver/cpu/cell_inverse.h"
 
 namespace burnish {
 
@@ -9,46 +10,44 @@ namespace {
 // The elements that the loops of server/solver/cpu read and write.
 constexpr double kFloat = 4, kDouble = 8, kIndex = 4, kRowStart = 8, kMask = 4;
 constexpr double kFloat4 = 16, kDouble4 = 32;  // three columns and one spare
-constexpr double kCellCorners = 8 * kIndex;    // of a cell; cells of a corner likewise
+constexpr double kCellCorners = 8 * kIndex;    // of a cell; the cells of a corner likewise
 constexpr double kFromCell = sizeof(DepthTransfer::FromCell);
-constexpr double kCellInverse = (28 + 8) * kFloat;
 constexpr double kCombined = sizeof(CellMatrix);
+constexpr double kInverse = sizeof(cpu::CellInverse);
 constexpr double kIntegrals = (28 + 8 + 2 * 28) * kDouble;
-constexpr double kGradients = 2 * 21 * kDouble;
-constexpr int kPowerIterations = 4;  // for the largest eigenvalue, after the first matrix
+constexpr double kGradients = 2 * 21 * kDouble, kGradientWeights = 2 * kDouble;
+constexpr int kPowerIterations = 2;  // for the largest eigenvalue, after the first matrix
 
 struct Counts {
   explicit Counts(const HierarchyDepth& depth)
       : corners(depth.grid.corner_count()),
         cells(depth.grid.cell_count()),
-        entries(static_cast<double>(depth.stencil.entry_count())),
+        entries(static_cast<double>(depth.stencil.column.size())),
         restricted(static_cast<double>(depth.to_parent.restriction_corner.size())) {}
 
   double corners, cells;
-  double entries;     ///< of the stencil, diagonals apart
+  double entries;     ///< of the stencil with its padding, diagonals apart
   double restricted;  ///< entries of Pᵀ to the coarser depth
 };
 
-double row_bytes(const Counts& at, double value) {
-  return at.entries * (value + kIndex) + at.corners * (kRowStart + value);
+// A matrix once through, with numbers of `value` bytes.
+double rows_bytes(const Counts& at, double value) {
+  return at.entries * (value + kIndex) + at.corners * (kIndex + kRowStart + value);
 }
 
 // r = f − S x.
 double residual_bytes(const Counts& at) {
-  return row_bytes(at, kFloat) + at.corners * (kFloat + 3 * kFloat4);
+  return rows_bytes(at, kFloat) + at.corners * (kFloat + 3 * kFloat4);
 }
 
-// d = momentum·d + length·M⁻¹ r; x += d.
-double schwarz_bytes(const Counts& at, bool from_zero, bool with_momentum) {
-  const int vectors = 3 + !from_zero + with_momentum;  // r, d and x written, x and d read
-  return row_bytes(at, kFloat) + at.corners * vectors * kFloat4;
+// One step of the Chebyshev iteration: so many vectors are read or written.
+double step_bytes(const Counts& at, int vectors) {
+  return rows_bytes(at, kFloat) + at.corners * vectors * kFloat4;
 }
 
 double vcycle_bytes(const Counts& fine, const Counts& coarse) {
-  const double before =
-      schwarz_bytes(fine, true, false) + residual_bytes(fine) + schwarz_bytes(fine, false, true);
-  const double after = 2 * residual_bytes(fine) + schwarz_bytes(fine, false, false) +
-                       schwarz_bytes(fine, false, true);
+  const double before = step_bytes(fine, 2) + residual_bytes(fine) + step_bytes(fine, 3);
+  const double after = 2 * (residual_bytes(fine) + step_bytes(fine, 4));
   const double restriction = residual_bytes(fine) + fine.corners * kFloat4 +
                              fine.restricted * (kIndex + kFloat) +
                              coarse.corners * (kRowStart + kFloat + kFloat4);
@@ -57,38 +56,42 @@ double vcycle_bytes(const Counts& fine, const Counts& coarse) {
   return before + restriction + prolongation + after;
 }
 
-// The outer iteration, in double.
+// The outer iteration: u, r, b and q are in double, p is not.
 double outer_bytes(const Counts& at, double vertices) {
   const double load = kDouble4 + kFloat4;
-  const double scalars = kFloat4 + 2 * kDouble4;
-  const double direction = kFloat4 + 2 * kDouble4;
-  const double product = kFloat + 3 * kDouble4;  // besides the rows: p, r, and q written
-  const double advance = 6 * kDouble4;           // u and r read and written, p, q
+  const double direction_sums = kFloat4 + 2 * kDouble4;
+  const double direction = 3 * kFloat4;
+  const double product = kFloat + kFloat4 + kDouble4;  // besides the rows
+  const double advance_sums = kFloat4 + 2 * kDouble4;
+  const double advance = kFloat4 + 5 * kDouble4;
   const double measure = kFloat + 3 * kDouble4;
   const double correction =
       vertices * sizeof(EvaluationPoint) + at.cells * kCellCorners + at.corners * kFloat4;
-  return row_bytes(at, kDouble) + correction +
-         at.corners * (load + scalars + direction + product + advance + measure);
+  return rows_bytes(at, kDouble) + correction +
+         at.corners *
+             (load + direction_sums + direction + product + advance_sums + advance + measure);
 }
 
 double constraint_bytes(const Counts& at) {
-  return at.corners * (kCellCorners + kFloat + kDouble4) + at.cells * (3 * kFloat + kGradients);
+  return at.cells * (3 * kFloat + 2 * kGradientWeights + kGradients) +
+         at.corners * (kCellCorners + kFloat + kDouble4);
 }
 
 double assembly_bytes(const Counts& at, bool exact) {
   const double values = kFloat + (exact ? kDouble : 0);
   return at.cells * kCombined + at.entries * values +
-         at.corners * (kCellCorners + kRowStart + kMask + values + 2 * kFloat);
+         at.corners * (kCellCorners + kIndex + kRowStart + kMask + values + 2 * kFloat);
 }
 
 double schwarz_set_up_bytes(const Counts& at) {
-  const double invert = at.cells * (kCellCorners + kCellInverse) + at.entries * kFloat +
-                        at.corners * (kRowStart + kMask + 3 * kFloat);
-  const double gather = at.cells * kCellInverse + row_bytes(at, kFloat) +
-                        at.corners * (kCellCorners + kMask + kFloat);
-  const double iteration = residual_bytes(at) + schwarz_bytes(at, true, false) +
-                           at.corners * 6 * kFloat4;  // two dot products, normalised in place
-  return invert + gather + kPowerIterations * iteration;
+  const double scale = at.corners * 2 * kFloat;
+  const double invert = at.cells * (kCellCorners + kInverse) + at.entries * kFloat +
+                        at.corners * (kIndex + kRowStart + kMask + kFloat);
+  const double gather =
+      at.cells * kInverse + rows_bytes(at, kFloat) + at.corners * (kCellCorners + kMask + kFloat);
+  const double power = kPowerIterations * (residual_bytes(at) + step_bytes(at, 2)) +
+                       at.corners * 7 * kFloat4;  // two dot products, cleared, normalised
+  return scale + invert + gather + power;
 }
 
 }  // namespace

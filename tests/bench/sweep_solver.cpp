@@ -2,6 +2,7 @@
 
 #include "server/solver/cpu/assembly.h"
 #include "server/solver/cpu/constraint.h"
+#include "server/solver/cpu/row_products.h"
 #include "server/solver/cpu/transfer.h"
 
 namespace burnish {
@@ -17,13 +18,8 @@ SweepSolver::SweepSolver(const BenchSystem& system, const FieldsView& fields,
   }
   outer_ = std::make_unique<cpu::ConjugateGradients>(depths_.back(), prepared.evaluation);
 
-  auto cells = cpu::combine_integrals(prepared, fields.alpha1, fields.alpha2);
-  cpu::assemble(cells, depths_.back(), &outer_->matrix());
-  for (size_t i = depths_.size() - 1; i > 0; --i) {
-    cells = cpu::down_sample(depths_[i].topology, depths_[i - 1].topology, cells);
-    cpu::assemble(cells, depths_[i - 1]);
-    smoothers_[i]->set_up(depths_[i]);
-  }
+  cpu::assemble(prepared, fields.alpha1, fields.alpha2, depths_, &outer_->matrix());
+  for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
   coarsest_.factor(depths_.front());
   cpu::assemble_constraint(prepared, depths_.back(), fields.alpha1, fields.alpha2, fields.beta,
                            outer_->constraint());
