@@ -11,14 +11,11 @@
 #include "common/base/status.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/solver/convergence_rate.h"
+#include "server/solver/smoother_names.h"
 
 namespace burnish {
 
 enum class BackendKind { kAuto, kCpu, kCuda };
-enum class Smoother {
-  kGaussSeidel,  ///< 8-colour point Gauss-Seidel, the paper's
-  kSchwarz,      ///< Chebyshev on additive Schwarz over cells, the default
-};
 
 /// What one step found and did.
 struct StepReport {

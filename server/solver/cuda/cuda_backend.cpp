@@ -155,7 +155,8 @@ Result<std::unique_ptr<Backend>> make_cuda_backend(std::shared_ptr<const Prepare
                                                    Smoother smoother) {
   RETURN_IF_ERROR(cuda_device().status());
   if (smoother != Smoother::kSchwarz)
-    return unimplemented("the CUDA backend has the smoother schwarz only");
+    return unimplemented("smoother " + std::string(name_of(smoother)) +
+                         ": the CUDA backend has schwarz only");
   ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh(std::move(prepared), std::move(hierarchy)));
   std::unique_ptr<Backend> backend = std::make_unique<cuda::CudaBackend>(std::move(mesh));
   RETURN_IF_ERROR(backend->status());
