@@ -67,7 +67,7 @@ void Solver::set_metric(const FieldsView& fields) {
   backend_->set_metric(fields.alpha1, fields.alpha2);
   backend_->set_constraint(fields.alpha1, fields.alpha2, fields.beta);
   assemble_seconds_ += seconds_since(start);
-  restart_ = true;
+  restart_ = residual_is_stale_ = true;
 }
 
 void Solver::set_gradient_scale(const FieldsView& fields) {
@@ -80,7 +80,8 @@ void Solver::set_gradient_scale(const FieldsView& fields) {
 
 StepReport Solver::step() {
   use_threads(threads_);
-  if (restart_ || cycle_ % kRecomputeResidualEvery == 0) backend_->recompute_residual();
+  if (residual_is_stale_ || cycle_ % kRecomputeResidualEvery == 0) backend_->recompute_residual();
+  residual_is_stale_ = false;
   backend_->run_recorded(restart_, [this] {
     backend_->load_residual();
     run_vcycle(*backend_, hierarchy_->coarsest, hierarchy_->finest);

@@ -96,6 +96,7 @@ class Solver {
   ConvergenceRate rate_;
   int cycle_ = 0;
   bool restart_ = true;
+  bool residual_is_stale_ = true;
   double assemble_seconds_ = 0;
 };
 

@@ -27,7 +27,7 @@ Result<Converged> Converged::solve(const BenchSystem& system, const FieldsView& 
                                                      {.backend = BackendKind::kCpu}));
   solver->set_metric(fields);
   ASSIGN_OR_RETURN(const SolveReport solved, solver->solve(kDistance, kCyclesMax));
-  solver->set_gradient_scale(fields);  // a restart: the next step recomputes the residual
+  solver->set_metric(fields);  // the next step starts from the residual, computed anew
   const StepReport last = solver->step();
   if (!solved.converged || !(last.residual <= kResidualMax))
     return failed_precondition(

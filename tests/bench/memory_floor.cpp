@@ -15,7 +15,7 @@ constexpr double kFromCell = sizeof(DepthTransfer::FromCell);
 constexpr double kCombined = sizeof(CellMatrix);
 constexpr double kInverse = sizeof(cpu::CellInverse);
 constexpr double kIntegrals = (28 + 8 + 2 * 28) * kDouble;
-constexpr double kGradients = 2 * 21 * kDouble, kGradientWeights = 2 * kDouble;
+constexpr double kGradients = 2 * 21 * kDouble, kConstraint = 3 * 8 * kDouble;
 constexpr int kPowerIterations = 2;  // for the largest eigenvalue, after the first matrix
 
 struct Counts {
@@ -61,20 +61,18 @@ double outer_bytes(const Counts& at, double vertices) {
   const double load = kDouble4 + kFloat4;
   const double direction_sums = kFloat4 + 2 * kDouble4;
   const double direction = 3 * kFloat4;
-  const double product = kFloat + kFloat4 + kDouble4;  // besides the rows
-  const double advance_sums = kFloat4 + 2 * kDouble4;
+  const double product = kFloat + kFloat4 + 2 * kDouble4;  // besides the rows: p, r, q written
   const double advance = kFloat4 + 5 * kDouble4;
   const double measure = kFloat + 3 * kDouble4;
   const double correction =
       vertices * sizeof(EvaluationPoint) + at.cells * kCellCorners + at.corners * kFloat4;
   return rows_bytes(at, kDouble) + correction +
-         at.corners *
-             (load + direction_sums + direction + product + advance_sums + advance + measure);
+         at.corners * (load + direction_sums + direction + product + advance + measure);
 }
 
 double constraint_bytes(const Counts& at) {
-  return at.cells * (3 * kFloat + 2 * kGradientWeights + kGradients) +
-         at.corners * (kCellCorners + kFloat + kDouble4);
+  return at.cells * (3 * kFloat + kGradients + 2 * kConstraint) +
+         at.corners * (kCellCorners + kFloat + 4 * kDouble4);  // b and r read and written
 }
 
 double assembly_bytes(const Counts& at, bool exact) {

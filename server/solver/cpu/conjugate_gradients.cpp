@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "server/solver/cpu/reduce.h"
+#include "server/solver/cpu/blocks.h"
 #include "server/solver/cpu/row_products.h"
 
 namespace burnish::cpu {
@@ -38,9 +38,10 @@ void ConjugateGradients::recompute_residual() {
 #pragma omp parallel for schedule(static)
   for (int32_t i = 0; i < finest_.corner_count(); ++i)
     if (finest_.inverse_diagonal[i] == 0) u_[i].setZero();
-  exact_product(finest_, matrix_, u_, r_);
-#pragma omp parallel for schedule(static)
-  for (int32_t i = 0; i < finest_.corner_count(); ++i) r_[i] = b_[i] - r_[i];
+  for_each_block(finest_.corner_count(), [&](int32_t begin, int32_t end) {
+    exact_product(finest_, matrix_, u_, r_, begin, end);
+    for (int32_t i = begin; i < end; ++i) r_[i] = b_[i] - r_[i];
+  });
 }
 
 void ConjugateGradients::load_residual() {
@@ -83,8 +84,8 @@ double ConjugateGradients::largest_correction() const {
 }
 
 void ConjugateGradients::advance() {
-  exact_product(finest_, matrix_, p_, q_);
   const Sums sums = ordered_sum<Sums>(finest_.corner_count(), [&](int32_t begin, int32_t end) {
+    exact_product(finest_, matrix_, p_, q_, begin, end);
     Sums sum;
     for (int32_t i = begin; i < end; ++i) {
       const Double4 p = p_[i].cast<double>();

@@ -19,6 +19,7 @@ class ConjugateGradients {
 
   ExactMatrix& matrix() { return matrix_; }
   std::vector<Double4>& constraint() { return b_; }
+  std::vector<Double4>& residual() { return r_; }
   const std::vector<Double4>& displacement() const { return u_; }
 
   void recompute_residual();

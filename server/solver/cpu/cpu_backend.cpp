@@ -46,7 +46,8 @@ class CpuBackend final : public Backend {
 
   void set_constraint(std::span<const float> alpha1, std::span<const float> alpha2,
                       std::span<const float> beta) override {
-    assemble_constraint(*prepared_, depths_.back(), alpha1, alpha2, beta, outer_->constraint());
+    assemble_constraint(*prepared_, depths_.back(), alpha1, alpha2, beta, outer_->constraint(),
+                        outer_->residual());
   }
 
   void relax_from_zero(int depth) override { smoother(depth).relax_from_zero(at(depth)); }

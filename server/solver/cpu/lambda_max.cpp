@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "server/solver/cpu/reduce.h"
+#include "server/solver/cpu/blocks.h"
 #include "server/solver/cpu/row_products.h"
 
 namespace burnish::cpu {

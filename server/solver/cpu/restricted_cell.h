@@ -1,7 +1,7 @@
 #pragma once
 
+#include "common/base/dispatch.h"
 #include "server/solver/cell_matrix.h"
-#include "server/solver/cpu/dispatch.h"
 
 namespace burnish::cpu {
 

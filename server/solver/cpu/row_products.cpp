@@ -1,14 +1,11 @@
 #include "server/solver/cpu/row_products.h"
 
-#include <algorithm>
-
-#include "server/solver/cpu/dispatch.h"
+#include "common/base/dispatch.h"
+#include "server/solver/cpu/blocks.h"
 
 namespace burnish::cpu {
 
 namespace {
-
-constexpr int32_t kRowsPerBlock = 2048;
 
 // A corner's three columns and a spare, as the compiler's own registers. Arrays are only aligned to
 // what the baseline's registers need.
@@ -20,6 +17,9 @@ const Lanes* lanes(const std::vector<Float4>& v) {
 }
 Lanes* lanes(std::vector<Float4>& v) {
   return reinterpret_cast<Lanes*>(v.data());
+}
+const DoubleLanes* lanes(const std::vector<Double4>& v) {
+  return reinterpret_cast<const DoubleLanes*>(v.data());
 }
 DoubleLanes* lanes(std::vector<Double4>& v) {
   return reinterpret_cast<DoubleLanes*>(v.data());
@@ -40,14 +40,6 @@ struct Rows {
         entry(entries.data()),
         diagonal(diagonals.data()) {}
 };
-
-template <typename RunBlock>
-void for_each_block(const CpuDepth& depth, RunBlock&& run_block) {
-  const int32_t n = depth.corner_count();
-#pragma omp parallel for schedule(static)
-  for (int32_t begin = 0; begin < n; begin += kRowsPerBlock)
-    run_block(begin, std::min(n, begin + kRowsPerBlock));
-}
 
 // Σ_J A_IJ x_J: entries in fours, two to a register.
 [[gnu::always_inline]] inline void add_row(const Rows<float>& a, const Lanes* x, int64_t begin,
@@ -124,7 +116,7 @@ BURNISH_DISPATCH void exact_block(const Rows<double>& s, const float* inverse_di
 
 void compute_residual(CpuDepth& depth) {
   const Rows<float> s(depth.topology.stencil, depth.system.entry, depth.system.diagonal);
-  for_each_block(depth, [&](int32_t begin, int32_t end) {
+  for_each_block(depth.corner_count(), [&](int32_t begin, int32_t end) {
     residual_block(s, depth.inverse_diagonal.data(), lanes(depth.f), lanes(depth.x), lanes(depth.r),
                    begin, end);
   });
@@ -132,7 +124,7 @@ void compute_residual(CpuDepth& depth) {
 
 void relax_along(CpuDepth& depth, const StencilMatrix& a, const RelaxAlong& relax) {
   const Rows<float> rows(depth.topology.stencil, a.entry, a.diagonal);
-  for_each_block(depth, [&](int32_t begin, int32_t end) {
+  for_each_block(depth.corner_count(), [&](int32_t begin, int32_t end) {
     relax_block(rows, lanes(relax.source), relax.step, relax.from_zero,
                 relax.last_d != nullptr ? lanes(*relax.last_d) : nullptr,
                 relax.d != nullptr ? lanes(*relax.d) : nullptr, lanes(depth.x), begin, end);
@@ -140,20 +132,15 @@ void relax_along(CpuDepth& depth, const StencilMatrix& a, const RelaxAlong& rela
 }
 
 void exact_product(const CpuDepth& depth, const ExactMatrix& s, const std::vector<Float4>& p,
-                   std::vector<Double4>& q) {
+                   std::vector<Double4>& q, int32_t begin, int32_t end) {
   const Rows<double> rows(depth.topology.stencil, s.entry, s.row_sum);
-  for_each_block(depth, [&](int32_t begin, int32_t end) {
-    exact_block(rows, depth.inverse_diagonal.data(), lanes(p), lanes(q), begin, end);
-  });
+  exact_block(rows, depth.inverse_diagonal.data(), lanes(p), lanes(q), begin, end);
 }
 
 void exact_product(const CpuDepth& depth, const ExactMatrix& s, const std::vector<Double4>& p,
-                   std::vector<Double4>& q) {
+                   std::vector<Double4>& q, int32_t begin, int32_t end) {
   const Rows<double> rows(depth.topology.stencil, s.entry, s.row_sum);
-  for_each_block(depth, [&](int32_t begin, int32_t end) {
-    exact_block(rows, depth.inverse_diagonal.data(), reinterpret_cast<const DoubleLanes*>(p.data()),
-                lanes(q), begin, end);
-  });
+  exact_block(rows, depth.inverse_diagonal.data(), lanes(p), lanes(q), begin, end);
 }
 
 }  // namespace burnish::cpu

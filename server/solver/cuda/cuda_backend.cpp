@@ -62,7 +62,8 @@ class CudaBackend final : public Backend {
     alpha2_.upload(stream_, alpha2);
     beta_.upload(stream_, beta);
     assemble_constraint(stream_, finest(), mesh_->integrals.data(),
-                        {alpha1_.data(), alpha2_.data(), beta_.data()}, outer_->constraint());
+                        {alpha1_.data(), alpha2_.data(), beta_.data()}, outer_->constraint(),
+                        outer_->residual());
     stream_.synchronize();
   }
 

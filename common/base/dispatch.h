@@ -12,10 +12,10 @@
 #define BURNISH_DISPATCH
 #endif
 
-namespace burnish::cpu {
+namespace burnish {
 
 /// Registers of several numbers; the compiler splits them where the machine's are shorter.
 using Float8 = float __attribute__((vector_size(32)));
 using Double8 = double __attribute__((vector_size(64)));
 
-}  // namespace burnish::cpu
+}  // namespace burnish
