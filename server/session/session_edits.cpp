@@ -108,6 +108,12 @@ Status SessionManager::set_role(const std::string& reference, const std::string&
   return Status::ok();
 }
 
+Status SessionManager::visit(const std::string& reference, const Progress& progress,
+                             const std::function<Status(Session&)>& work) {
+  ASSIGN_OR_RETURN(const Held held, use(reference, progress));
+  return work(*held.entry->session);
+}
+
 Result<std::shared_ptr<Presence>> SessionManager::presence(const std::string& reference) const {
   const std::shared_ptr<SessionEntry> entry = find(reference);
   if (!entry) return not_found("no session has the name or id '" + reference + "'");

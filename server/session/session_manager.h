@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -75,6 +76,10 @@ class SessionManager {
   /// Gives `subject`, or everybody without a role of their own when it is "", a role.
   Status set_role(const std::string& reference, const std::string& user, const std::string& subject,
                   SessionRole role, const Progress& progress);
+
+  /// Runs `work` with the session in memory and nobody else at it.
+  Status visit(const std::string& reference, const Progress& progress,
+               const std::function<Status(Session&)>& work);
 
   /// Who is there; lives as long as the session. Fails: not_found.
   Result<std::shared_ptr<Presence>> presence(const std::string& reference) const;
