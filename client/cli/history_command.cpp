@@ -50,8 +50,8 @@ Status run(const Options& options) {
   for (const HistoryEntry& entry : history)
     std::printf("%6llu  %-3s  %-19s  %-12s  %-10s  %s\n",
                 static_cast<unsigned long long>(entry.number), entry.enabled ? "on" : "off",
-                local_time(entry.unix_ms).c_str(), entry.author.c_str(),
-                edit_kind_name(entry.kind), entry.summary.c_str());
+                local_time(entry.unix_ms).c_str(), entry.author.c_str(), edit_kind_name(entry.kind),
+                entry.summary.c_str());
   return Status::ok();
 }
 

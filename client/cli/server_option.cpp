@@ -5,8 +5,9 @@
 namespace burnish {
 
 Result<Connection> ServerOption::connect() const {
-  ASSIGN_OR_RETURN(Connection connection,
-                   Connection::open(server, std::chrono::milliseconds(int64_t(timeout_seconds * 1000))));
+  ASSIGN_OR_RETURN(
+      Connection connection,
+      Connection::open(server, std::chrono::milliseconds(int64_t(timeout_seconds * 1000))));
   connection.set_user(user);
   return connection;
 }

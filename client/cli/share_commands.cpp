@@ -79,13 +79,12 @@ void add_fork_command(CommandTable& table) {
 
 void add_people_command(CommandTable& table) {
   auto options = std::make_shared<PeopleOptions>();
-  CLI::App* command =
-      table.add("people", "Show who may do what in a session, or give somebody a role", [options] {
-        return people(*options, !options->subject.empty() || options->others);
-      });
+  CLI::App* command = table.add(
+      "people", "Show who may do what in a session, or give somebody a role",
+      [options] { return people(*options, !options->subject.empty() || options->others); });
   command->add_option("SESSION", options->session, "Name or id")->required();
-  CLI::Option* user = command->add_option("--give", options->subject, "Who gets the role")
-                          ->type_name("USER");
+  CLI::Option* user =
+      command->add_option("--give", options->subject, "Who gets the role")->type_name("USER");
   CLI::Option* others =
       command->add_flag("--others", options->others, "Everybody without one gets the role")
           ->excludes(user);
@@ -93,8 +92,8 @@ void add_people_command(CommandTable& table) {
                                                     {"editor", SessionRole::kEditor},
                                                     {"owner", SessionRole::kOwner}};
   CLI::Option* role = command->add_option("--role", options->role, "viewer, editor or owner")
-             ->transform(CLI::CheckedTransformer(roles))
-             ->type_name("ROLE");
+                          ->transform(CLI::CheckedTransformer(roles))
+                          ->type_name("ROLE");
   user->needs(role);
   others->needs(role);
   add_server_options(*command, options->server);

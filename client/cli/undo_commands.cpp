@@ -27,9 +27,8 @@ Status print_outcome(Connection& connection, const Options& options, const char*
   ASSIGN_OR_RETURN(const std::vector<HistoryEntry> history, connection.history(options.session));
   auto array = nlohmann::ordered_json::array();
   for (const uint64_t number : numbers) {
-    const auto entry = std::find_if(history.begin(), history.end(), [&](const HistoryEntry& e) {
-      return e.number == number;
-    });
+    const auto entry = std::find_if(history.begin(), history.end(),
+                                    [&](const HistoryEntry& e) { return e.number == number; });
     if (entry == history.end()) continue;
     if (options.server.json) {
       array.push_back(to_json(*entry));
@@ -74,17 +73,15 @@ void add_steps_option(CLI::App& command, Options& options, const char* descripti
 
 void add_undo_command(CommandTable& table) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = table.add("undo", "Take back your last edits of a session; others' stay", [=] {
-    return apply_steps(*options, Undo{}, "undone");
-  });
+  CLI::App* command = table.add("undo", "Take back your last edits of a session; others' stay",
+                                [=] { return apply_steps(*options, Undo{}, "undone"); });
   add_steps_option(*command, *options, "How many edits");
 }
 
 void add_redo_command(CommandTable& table) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = table.add("redo", "Bring back what you have undone last", [=] {
-    return apply_steps(*options, Redo{}, "redone");
-  });
+  CLI::App* command = table.add("redo", "Bring back what you have undone last",
+                                [=] { return apply_steps(*options, Redo{}, "redone"); });
   add_steps_option(*command, *options, "How many edits");
 }
 

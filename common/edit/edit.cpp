@@ -49,10 +49,9 @@ static Status check_checkpoint_name(const std::string& name) {
   if (!name.empty() && name.size() <= kCheckpointNameBytesMax &&
       std::none_of(name.begin(), name.end(), is_control))
     return Status::ok();
-  return invalid_argument("a checkpoint's name has 1 to " +
-                          std::to_string(kCheckpointNameBytesMax) +
-                          " bytes and no control characters; this one has " +
-                          std::to_string(name.size()) + " bytes");
+  return invalid_argument(
+      "a checkpoint's name has 1 to " + std::to_string(kCheckpointNameBytesMax) +
+      " bytes and no control characters; this one has " + std::to_string(name.size()) + " bytes");
 }
 
 static Status validate_change(const SetCheckpoint& change) {
@@ -109,9 +108,7 @@ struct Summary {
            std::to_string(change.entry);
   }
   std::string operator()(const SetCheckpoint& change) const { return change.name; }
-  std::string operator()(const RestoreCheckpoint& change) const {
-    return "restore " + change.name;
-  }
+  std::string operator()(const RestoreCheckpoint& change) const { return "restore " + change.name; }
 };
 
 }  // namespace

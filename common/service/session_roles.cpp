@@ -28,7 +28,8 @@ SessionRole SessionRoles::of(const std::string& user) const {
   return others == roles_.end() ? SessionRole::kViewer : others->second;
 }
 
-Status SessionRoles::require(const std::string& user, SessionRole least, const std::string& what) const {
+Status SessionRoles::require(const std::string& user, SessionRole least,
+                             const std::string& what) const {
   const SessionRole role = of(user);
   if (role >= least) return Status::ok();
   return {StatusCode::kPermissionDenied,

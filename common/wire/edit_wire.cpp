@@ -112,8 +112,7 @@ Status read_change(const v1::Edit& message, Edit& edit) {
       edit.change = Redo{};
       return Status::ok();
     case v1::Edit::kSwitchEntry:
-      edit.change =
-          SwitchEntry{message.switch_entry().entry(), message.switch_entry().enabled()};
+      edit.change = SwitchEntry{message.switch_entry().entry(), message.switch_entry().enabled()};
       return Status::ok();
     case v1::Edit::kSetCheckpoint:
       edit.change = SetCheckpoint{message.set_checkpoint().name()};

@@ -130,8 +130,9 @@ void History::toggle(uint64_t number) {
 }
 
 History::Entry* History::find(uint64_t number) {
-  const auto found = std::lower_bound(entries_.begin(), entries_.end(), number,
-                                      [](const Entry& entry, uint64_t n) { return entry.number < n; });
+  const auto found =
+      std::lower_bound(entries_.begin(), entries_.end(), number,
+                       [](const Entry& entry, uint64_t n) { return entry.number < n; });
   return found == entries_.end() || found->number != number ? nullptr : &*found;
 }
 

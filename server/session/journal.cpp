@@ -211,9 +211,8 @@ Result<std::vector<PaintCheckpoint>> Journal::paint(const std::string& session_i
   };
   RETURN_IF_ERROR(commit_.read([&](Database& database) {
     return read_rows(
-        database,
-        "SELECT series, strokes, bytes FROM paint WHERE session_id = ? ORDER BY sequence", take,
-        session_id);
+        database, "SELECT series, strokes, bytes FROM paint WHERE session_id = ? ORDER BY sequence",
+        take, session_id);
   }));
   return kept;
 }

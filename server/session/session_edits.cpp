@@ -98,7 +98,8 @@ Result<SessionPeople> SessionManager::people(const std::string& reference,
 }
 
 Status SessionManager::set_role(const std::string& reference, const std::string& user,
-                                const std::string& subject, SessionRole role, const Progress& progress) {
+                                const std::string& subject, SessionRole role,
+                                const Progress& progress) {
   ASSIGN_OR_RETURN(const Held held, lock(reference, progress));
   RETURN_IF_ERROR(held.entry->roles.require(user, SessionRole::kOwner, "giving roles"));
   SessionRoles changed = held.entry->roles;

@@ -99,8 +99,9 @@ Status SessionManager::check_room() const {
                             "; delete one");
 }
 
-Result<std::shared_ptr<SessionEntry>> SessionManager::find_or_create(
-    const SessionWish& wish, const std::string& user, bool& created) {
+Result<std::shared_ptr<SessionEntry>> SessionManager::find_or_create(const SessionWish& wish,
+                                                                     const std::string& user,
+                                                                     bool& created) {
   const std::lock_guard lock(mutex_);
   ASSIGN_OR_RETURN(const ScanInfo scan, store_.find(wish.scan));
   SessionRecord record{random_name(), wish.name, scan.id, resolve(wish.key, scan),
@@ -194,9 +195,9 @@ Result<SessionState> SessionManager::state(const std::string& reference, const P
   const Fields& fields = entry.session->fields();
   const Solver& solver = entry.session->solver();
   return SessionState{
-      entry.info(),        fields.gradient_scale(), fields.transfer_curve(),
-      entry.last.cycle,    entry.last.energy,       entry.last.residual,
-      entry.last.distance, entry.session->byte_count(),   std::string(solver.backend_name())};
+      entry.info(),        fields.gradient_scale(),     fields.transfer_curve(),
+      entry.last.cycle,    entry.last.energy,           entry.last.residual,
+      entry.last.distance, entry.session->byte_count(), std::string(solver.backend_name())};
 }
 
 Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish& wish,

@@ -141,9 +141,8 @@ TEST_F(EditedFieldsTest, ACancelledReplayChangesNothing) {
   ASSERT_TRUE(apply(edited, stroke(1)).is_ok());
   const std::vector<float> before = beta(edited);
   const std::vector<AuthoredEdit> batch = {authored(stroke(2)), authored(stroke(3))};
-  const auto outcome = edited.apply(batch, [calls = 0](std::string_view, double) mutable {
-    return ++calls < 2;
-  });
+  const auto outcome =
+      edited.apply(batch, [calls = 0](std::string_view, double) mutable { return ++calls < 2; });
   EXPECT_EQ(outcome.status().code(), StatusCode::kCancelled);
   EXPECT_EQ(beta(edited), before);
   EXPECT_TRUE(edited.apply(batch).is_ok());

@@ -79,13 +79,13 @@ TEST_F(HistoryTest, AnyEntryIsSwitchedOffAndOnByAnybody) {
 }
 
 TEST_F(HistoryTest, ARestoredCheckpointSwitchesEverythingToWhatItWas) {
-  edit("ann");                                        // 1
-  edit("bob");                                        // 2
-  undo("ann");                                        // 3
+  edit("ann");  // 1
+  edit("bob");  // 2
+  undo("ann");  // 3
   EXPECT_EQ(apply("bob", SetCheckpoint{"x"}).value(), 4u);
-  redo("ann");                                        // 5
-  undo("bob");                                        // 6
-  edit("ann");                                        // 7
+  redo("ann");  // 5
+  undo("bob");  // 6
+  edit("ann");  // 7
   ASSERT_TRUE(apply("ann", RestoreCheckpoint{"x"}).is_ok());
   EXPECT_THAT(enabled(), ElementsAre(2, 4));
   EXPECT_EQ(apply("ann", RestoreCheckpoint{"y"}).status().code(), StatusCode::kNotFound);
@@ -112,8 +112,8 @@ TEST_F(HistoryTest, WhatIsTakenBackLeavesNoTrace) {
   edit("ann");
   edit("bob");
   undo("ann");
-  const std::vector<decltype(Edit::change)> changes = {
-      SetGradientScale{}, Redo{}, SwitchEntry{2, false}, SetCheckpoint{"x"}};
+  const std::vector<decltype(Edit::change)> changes = {SetGradientScale{}, Redo{},
+                                                       SwitchEntry{2, false}, SetCheckpoint{"x"}};
   for (const auto& change : changes) {
     apply("ann", change).value();
     history_.take_back();

@@ -93,9 +93,9 @@ struct Cell {
 void paint(Cell& cell, const Vec3d& middle, const Stroke& stroke) {
   double beta = cell.paint, covered = cell.weight;
   for (const Vec3d& centre : dab_centres(stroke)) {
-    const double w = stroke.brush.strength *
-                     fall_off_weight(stroke.brush.fall_off,
-                                     (middle - centre).norm() / stroke.brush.radius);
+    const double w =
+        stroke.brush.strength *
+        fall_off_weight(stroke.brush.fall_off, (middle - centre).norm() / stroke.brush.radius);
     if (w == 0) continue;
     const double rest = covered * (1 - w);
     covered = rest + w;

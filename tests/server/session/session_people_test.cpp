@@ -133,8 +133,7 @@ TEST_F(SessionPeopleTest, AForkBeginsWhereItIsToldAndGoesItsOwnWay) {
   EXPECT_EQ(manager_->people("a", {}).value().roles.of("bob"), SessionRole::kOwner);
   EXPECT_EQ(manager_->fork({"work", "a", 0, ""}, "bob", {}).status().code(),
             StatusCode::kAlreadyExists);
-  EXPECT_EQ(manager_->fork({"work", "d", 4, ""}, "bob", {}).status().code(),
-            StatusCode::kNotFound);
+  EXPECT_EQ(manager_->fork({"work", "d", 4, ""}, "bob", {}).status().code(), StatusCode::kNotFound);
   EXPECT_EQ(manager_->fork({"work", "d", 0, "half"}, "bob", {}).status().code(),
             StatusCode::kNotFound);
 }

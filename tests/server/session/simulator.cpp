@@ -20,6 +20,7 @@ Simulator::Simulator(TestLibrary& library, const ScanInfo& scan, uint64_t seed)
   const PreparedKey key = {scan.default_depth, 0};
   mesh_ = library.store->open_mesh(scan.id, key, {}).value();
   start_server(folder_ / "journal0.sqlite");
+  is_calm_ = chance(0.5);
   const size_t count = 1 + pick(4);
   for (size_t i = 0; i < count; ++i) users_.push_back({"user" + std::to_string(i)});
   const auto opened = manager_->open({scan.id, session_, key}, users_[0].name, {});
@@ -34,22 +35,23 @@ void Simulator::start_server(const fs::path& journal) {
   SessionManagerOptions options;
   options.sessions_max = 1000;
   options.solver = {BackendKind::kCpu, Smoother::kSchwarz, 1};
-  manager_ = std::move(
-                 SessionManager::create(*library_.folder, *library_.store, *journal_, options))
-                 .value();
+  manager_ =
+      std::move(SessionManager::create(*library_.folder, *library_.store, *journal_, options))
+          .value();
 }
 
-void Simulator::run(int steps) {
-  for (int i = 0; i < steps && !testing::Test::HasFailure(); ++i) {
+void Simulator::run() {
+  const size_t steps = 20 + pick(is_calm_ ? 300 : 80);
+  for (size_t i = 0; i < steps && !testing::Test::HasFailure(); ++i) {
     step();
-    if (chance(0.1)) compare();
+    if (chance(0.05)) compare();
   }
   compare();
 }
 
 void Simulator::step() {
   const size_t user = pick(users_.size());
-  const size_t what = pick(100);
+  const size_t what = pick(is_calm_ && !chance(0.2) ? 80 : 100);
   if (what < 45) return draw_edits(user);
   if (what < 80) return deliver();
   if (what < 85) return network_.clear();
@@ -68,7 +70,7 @@ void Simulator::step() {
 void Simulator::draw_edits(size_t user) {
   User& author = users_[user];
   std::vector<Edit> edits;
-  for (size_t n = 1 + pick(3); n > 0; --n)
+  for (size_t n = chance(0.3) ? 1 + pick(6) : 1; n > 0; --n)
     edits.push_back({std::to_string(++author.last_id), draw_change()});
   author.unacknowledged.push_back(edits);
   if (author.present) send(user, edits);
@@ -80,7 +82,7 @@ decltype(Edit::change) Simulator::draw_change() {
     return std::uniform_real_distribution<double>(least, most)(random_);
   };
   const auto any_checkpoint = [&] { return std::string(1, char('a' + pick(3))); };
-  switch (pick(16)) {
+  switch (pick(18)) {
     case 0:
     case 1:
       return SetGradientScale{any_number(0, 3)};
@@ -142,9 +144,8 @@ void Simulator::receive(const Message& message) {
   const bool possible = !user.is_viewer && longer.apply(fresh);
 
   if (possible && chance(0.05)) {  // killed before anybody hears of the disk
-    EXPECT_TRUE(manager_
-                    ->submit(session_, user.name, message.edits, {}, [](const Status&) {})
-                    .is_ok());
+    EXPECT_TRUE(
+        manager_->submit(session_, user.name, message.edits, {}, [](const Status&) {}).is_ok());
     serial_ = longer;
     return crash();
   }

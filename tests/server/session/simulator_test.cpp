@@ -9,7 +9,6 @@ namespace burnish {
 namespace {
 
 constexpr int kHistories = 300;
-constexpr int kStepsPerHistory = 80;
 
 /// BURNISH_SIMULATED_HISTORIES asks for more, or fewer; BURNISH_SIMULATED_SEED for others.
 int from_environment(const char* name, int otherwise) {
@@ -28,17 +27,17 @@ TEST(Simulator, RandomHistoriesOfManyPeopleEqualTheirSerialReplay) {
   for (int seed = first_seed; seed < first_seed + histories; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Simulator simulator(library, scan, static_cast<uint64_t>(seed));
-    simulator.run(kStepsPerHistory);
+    simulator.run();
     ASSERT_FALSE(HasFailure());
     const Simulator::Counts& counts = simulator.counts();
     all = {all.edits + counts.edits,     all.refused + counts.refused, all.known + counts.known,
            all.crashes + counts.crashes, all.lost + counts.lost,       all.forks + counts.forks,
            all.spills + counts.spills};
   }
-  std::printf("%d histories: %zu edits, %zu refused, %zu known, %zu crashes, %zu lost before they "
-              "were acknowledged, %zu forks, %zu spills\n",
-              histories, all.edits, all.refused, all.known, all.crashes, all.lost, all.forks,
-              all.spills);
+  std::printf(
+      "%d histories: %zu edits, %zu refused, %zu known, %zu crashes, %zu lost before they "
+      "were acknowledged, %zu forks, %zu spills\n",
+      histories, all.edits, all.refused, all.known, all.crashes, all.lost, all.forks, all.spills);
   for (const size_t count : {all.edits, all.refused, all.known, all.crashes, all.forks, all.spills})
     EXPECT_GT(count, 0u);
 }
