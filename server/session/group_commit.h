@@ -25,8 +25,8 @@ class GroupCommit {
   /// Does what has been posted, then ends.
   ~GroupCommit();
 
-  /// Queues work; `done` hears from the writing thread when it is on disk, or why it is not. It must
-  /// not wait for this object: that thread is the one that would serve it.
+  /// Queues work; `done` hears from the writing thread when it is on disk, or why it is not. It
+  /// must not wait for this object: that thread is the one that would serve it.
   void post(Work work, Done done);
 
   /// The same, and waits.
