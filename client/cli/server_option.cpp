@@ -5,7 +5,11 @@
 namespace burnish {
 
 Result<Connection> ServerOption::connect() const {
-  return Connection::open(server, std::chrono::milliseconds(int64_t(timeout_seconds * 1000)));
+  ASSIGN_OR_RETURN(
+      Connection connection,
+      Connection::open(server, std::chrono::milliseconds(int64_t(timeout_seconds * 1000))));
+  connection.set_user(user);
+  return connection;
 }
 
 void add_server_options(CLI::App& command, ServerOption& option) {
@@ -19,6 +23,10 @@ void add_server_options(CLI::App& command, ServerOption& option) {
       ->check(CLI::Range(0.001, 86400.0))
       ->capture_default_str();
   command.add_flag("--json", option.json, "Print the result as JSON");
+  command
+      .add_option("--user", option.user,
+                  "Who you are: your edits' author, whose undo is yours alone")
+      ->envname("BURNISH_USER");
 }
 
 void add_prepared_options(CLI::App& command, PreparedKey& key) {

@@ -14,11 +14,12 @@ struct ServerOption {
   std::string server = "127.0.0.1:7411";
   double timeout_seconds = 10;
   bool json = false;
+  std::string user;
 
   Result<Connection> connect() const;
 };
 
-/// Adds --server, --timeout and --json.
+/// Adds --server, --timeout, --json and --user.
 void add_server_options(CLI::App& command, ServerOption& option);
 
 /// Adds --depth and --curvature-radius.

@@ -72,7 +72,7 @@ Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits,
   if (options.curve && options.curve->contrast() > kCurveContrastWarn)
     std::cerr << "warning: the curve's contrast is above " << kCurveContrastWarn
               << ": convergence is slower and the accuracy less\n";
-  for (const Edit& edit : edits) RETURN_IF_ERROR(session.apply(edit).with_context(edit.id));
+  for (const Edit& edit : edits) RETURN_IF_ERROR(session.apply(edit));
   return Status::ok();
 }
 
