@@ -120,14 +120,18 @@ Result<SolveReport> Solver::solve(double distance_max, int cycles_max, const Pro
 std::vector<Vec3d> Solver::evaluate_vertices() const {
   use_threads(threads_);
   const SparseGrid& grid = hierarchy_->at(hierarchy_->finest).grid;
-  std::vector<Vec3d> displacement(grid.corners.size());
-  backend_->read_displacement(displacement);
+  const std::vector<Vec3d> u = displacement();
   std::vector<Vec3d> positions(prepared_->vertices.begin(), prepared_->vertices.end());
 #pragma omp parallel for schedule(static)
   for (int64_t v = 0; v < static_cast<int64_t>(positions.size()); ++v)
-    positions[v] +=
-        prepared_->frame.cell_size * evaluate<Vec3d>(grid, prepared_->evaluation[v], displacement);
+    positions[v] += prepared_->frame.cell_size * evaluate<Vec3d>(grid, prepared_->evaluation[v], u);
   return positions;
+}
+
+std::vector<Vec3d> Solver::displacement() const {
+  std::vector<Vec3d> u(hierarchy_->at(hierarchy_->finest).grid.corners.size());
+  backend_->read_displacement(u);
+  return u;
 }
 
 uint64_t Solver::byte_count() const {
