@@ -96,8 +96,8 @@ StepReport Solver::step() {
   report.cycle = ++cycle_;
   report.energy = measures.energy;
   report.residual = measures.residual;
-  report.distance = measures.correction_max / (1 - rate_.factor()) * prepared_->frame.cell_size /
-                    prepared_->statistics.diagonal();
+  report.distance = measures.correction_max * rate_.error_over_correction() *
+                    prepared_->frame.cell_size / prepared_->statistics.diagonal();
   return report;
 }
 
