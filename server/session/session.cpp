@@ -5,8 +5,8 @@
 namespace burnish {
 
 // Well below the bars of ARCHITECTURE section 5 (1e-4 and 1e-5), for the estimate is not a bound.
-static constexpr double kSettledDistance = 1e-5;
-static constexpr double kExactDistance = 1e-7;
+static constexpr double kSettledDistance = 3e-5;
+static constexpr double kExactDistance = 3e-7;
 static constexpr int kCyclesMax = 500;
 
 struct Session::State {

@@ -97,8 +97,8 @@ StepReport Solver::step() {
   report.cycle = ++cycle_;
   report.energy = measures.energy;
   report.residual = measures.residual;
-  report.distance = measures.correction_max / (1 - rate_.factor()) * prepared_->frame.cell_size /
-                    prepared_->statistics.diagonal();
+  report.distance = measures.correction_max * rate_.error_over_correction() *
+                    prepared_->frame.cell_size / prepared_->statistics.diagonal();
   return report;
 }
 
@@ -133,6 +133,12 @@ std::vector<Vec3d> Solver::evaluate_vertices() const {
   for (int64_t v = 0; v < static_cast<int64_t>(positions.size()); ++v)
     positions[v] += prepared_->frame.cell_size * evaluate<Vec3d>(grid, prepared_->evaluation[v], u);
   return positions;
+}
+
+std::vector<Vec3d> Solver::displacement() const {
+  std::vector<Vec3d> u(hierarchy_->at(hierarchy_->finest).grid.corners.size());
+  backend_->read_displacement(u);
+  return u;
 }
 
 uint64_t Solver::byte_count() const {

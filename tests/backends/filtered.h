@@ -37,11 +37,15 @@ class Filtered {
   int edits_ = 0;
 };
 
-/// Every way of solving that this build and machine offer: a name for the test and its options.
+/// Every backend that this build and machine offer, with the default smoother and the plainest: a
+/// name for the test and its options.
 struct BackendCase {
   std::string name;
   SolverOptions options;
 };
 std::vector<BackendCase> backend_cases();
+
+/// The same with every smoother.
+std::vector<BackendCase> every_smoother_cases();
 
 }  // namespace burnish

@@ -1,7 +1,6 @@
 // Every backend against the independent double-precision reference, on the awkward meshes.
 
 #include "tests/reference/reference.h"
-#include "tests/reference/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +8,7 @@
 #include "tests/backends/filtered.h"
 #include "tests/reference/awkward_meshes.h"
 #include "tests/reference/compare.h"
+#include "tests/reference/shapes.h"
 
 namespace burnish {
 namespace {

@@ -128,7 +128,7 @@ Matrix3d face_tensor(const Face& face, const std::vector<Vec3d>& normals) {
 /// The tensor turned by the least rotation that takes one normal to the other. Opposite normals
 /// share their plane, so there the tensor stays as it is.
 Matrix3d carried(const Matrix3d& tensor, const Vec3d& from, const Vec3d& to) {
-  if (from.dot(to) < -1 + 1e-12 || to.isZero(0) || from.isZero(0)) return tensor;
+  if (from.dot(to) < -1 + 1e-12 || from.isZero(0)) return tensor;
   const Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
   return turn * tensor * turn.transpose();
 }
@@ -142,6 +142,7 @@ std::vector<Matrix3d> vertex_tensors(const std::vector<Face>& faces,
     const Vec3d areas = nearest_areas(face.p[0], face.p[1], face.p[2]);
     for (int i = 0; i < 3; ++i) {
       const uint32_t vertex = face.vertex[i];
+      if (normals[vertex].isZero(0)) continue;  // no tangent plane, no tensor
       tensors[vertex] += areas[i] * carried(tensor, face.normal, normals[vertex]);
       weights[vertex] += areas[i];
     }

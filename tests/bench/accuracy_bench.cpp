@@ -1,0 +1,191 @@
+// Every row of the accuracy table (ARCHITECTURE section 5): how far the vertices of a session are
+// from the converged surface when it is settled, exact, and after so many frames.
+//
+//     accuracy_bench [--json FILE] [--rows TEXT] [--soak] [--vertices N] [SCAN[:DEPTH]]...
+//
+// SCAN is a mesh file or the kind of a generated scan of N vertices; without any: every kind. The
+// depth is the scan's default unless given. --rows keeps the rows whose name holds TEXT. --soak
+// leaves converged sessions idle for 2,000 frames instead.
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+#include "common/base/limits.h"
+#include "common/mesh/generate.h"
+#include "common/mesh/mesh_io.h"
+#include "server/prepare/prepare.h"
+#include "server/session/session.h"
+#include "tests/bench/accuracy_converged.h"
+#include "tests/bench/accuracy_runs.h"
+#include "tests/bench/accuracy_soak.h"
+#include "tests/reference/compare.h"
+
+namespace burnish {
+namespace {
+
+using nlohmann::ordered_json;
+using Kind = AccuracyStop::Kind;
+
+struct Options {
+  std::string json_file;
+  std::string rows;
+  bool soak = false;
+  uint64_t vertices = 60'000;
+  std::vector<std::string> scans;
+};
+
+struct Scan {
+  std::string name;
+  TriangleMesh mesh;
+  std::shared_ptr<const PreparedMesh> prepared;
+  std::shared_ptr<const Hierarchy> hierarchy;
+};
+
+TriangleMesh load(const std::string& name, uint64_t vertices) {
+  for (const GeneratedScanKind& kind : generated_scan_kinds())
+    if (kind.name == name) return generate_scan({.kind = name, .vertices = vertices}).value();
+  return read_mesh(name).value();
+}
+
+// "SCAN:DEPTH" or "SCAN".
+Scan open_scan(const std::string& argument, uint64_t vertices) {
+  const size_t colon = argument.rfind(':');
+  Scan scan;
+  scan.name = argument.substr(0, colon);
+  scan.mesh = load(scan.name, vertices);
+  const int depth = colon == std::string::npos ? 0 : std::atoi(argument.c_str() + colon + 1);
+  scan.prepared = prepare(scan.mesh, {.depth = depth}).value();
+  scan.hierarchy = make_hierarchy(*scan.prepared);
+  std::printf("%s, depth %d: %zu vertices, %d corners\n", scan.name.c_str(),
+              scan.prepared->frame.depth, scan.mesh.vertices.size(),
+              scan.hierarchy->at(scan.hierarchy->finest).grid.corner_count());
+  return scan;
+}
+
+/// A session and how many frames it has shown since its last edit.
+struct Live {
+  std::unique_ptr<Session> session;
+  int edits = 0;
+  int frames = 0;
+
+  void apply(const Changes& changes) {
+    for (const auto& change : changes) {
+      const Status status = session->apply({std::to_string(edits++), change});
+      BURNISH_CHECK(status.is_ok(), status.message());
+    }
+    frames = 0;
+  }
+
+  void go_to(const AccuracyStop& stop) {
+    if (stop.kind == Kind::kFrames)
+      for (; frames < stop.frames; ++frames) session->step();
+    else
+      frames += session->solve({.exact = stop.kind == Kind::kExact}).value().cycles;
+  }
+};
+
+std::string label(const AccuracyStop& stop, int frames) {
+  if (stop.kind == Kind::kFrames) return std::to_string(frames) + " frames";
+  return (stop.kind == Kind::kExact ? "exact (" : "settled (") + std::to_string(frames) + ")";
+}
+
+/// Prints one row; true where a bar is missed.
+bool report(const AccuracyRun& run, const AccuracyStop& stop, int frames,
+            const reference::Distance& distance, const ConvergedSurface& converged,
+            ordered_json& rows) {
+  const bool met = distance.max <= stop.max && (stop.rms == 0 || distance.rms <= stop.rms);
+  std::printf("  %-24s %-14s max %.1e of %.0e  rms %.1e", run.name.c_str(),
+              label(stop, frames).c_str(), distance.max, stop.max, distance.rms);
+  if (stop.rms > 0)
+    std::printf(" of %.0e", stop.rms);
+  else
+    std::printf("         ");
+  std::printf("  %-6s  %s to %.0e\n", met ? "met" : "MISSED", converged.method.c_str(),
+              converged.known_to);
+  std::fflush(stdout);
+  rows.push_back({{"row", run.name},
+                  {"stop", label(stop, 0)},
+                  {"frames", frames},
+                  {"max", distance.max},
+                  {"max_bar", stop.max},
+                  {"rms", distance.rms},
+                  {"rms_bar", stop.rms},
+                  {"met", met},
+                  {"converged_by", converged.method},
+                  {"converged_known_to", converged.known_to}});
+  return !met;
+}
+
+int measure(const Scan& scan, const AccuracyRun& run, Converged& converged, ordered_json& rows) {
+  Live live{Session::open(scan.prepared, scan.hierarchy, {}).value()};
+  if (!run.settled_with.empty()) {
+    live.apply(run.settled_with);
+    live.go_to({.kind = Kind::kSettled});
+  }
+  live.apply(run.then);
+  const ConvergedSurface answer = converged.of(*live.session);
+  int missed = 0;
+  for (const AccuracyStop& stop : run.stops) {
+    live.go_to(stop);
+    const auto distance = reference::vertex_distance(
+        live.session->surface().vertices, answer.vertices, scan.prepared->statistics.diagonal());
+    missed += report(run, stop, live.frames, distance, answer, rows);
+  }
+  return missed;
+}
+
+int bench(const Scan& scan, const Options& options, ordered_json& out) {
+  Converged converged(scan.mesh, scan.prepared, scan.hierarchy);
+  int missed = 0;
+  for (const AccuracyRun& run : accuracy_runs(*scan.prepared))
+    if (run.name.find(options.rows) != std::string::npos)
+      missed += measure(scan, run, converged, out["rows"]);
+  return missed;
+}
+
+Options parse(const std::vector<std::string>& arguments) {
+  Options options;
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    const bool has_next = i + 1 < arguments.size();
+    if (arguments[i] == "--json" && has_next)
+      options.json_file = arguments[++i];
+    else if (arguments[i] == "--rows" && has_next)
+      options.rows = arguments[++i];
+    else if (arguments[i] == "--vertices" && has_next)
+      options.vertices = std::strtoull(arguments[++i].c_str(), nullptr, 10);
+    else if (arguments[i] == "--soak")
+      options.soak = true;
+    else
+      options.scans.push_back(arguments[i]);
+  }
+  if (options.scans.empty())
+    for (const GeneratedScanKind& kind : generated_scan_kinds())
+      options.scans.emplace_back(kind.name);
+  return options;
+}
+
+int main_of(const Options& options) {
+  ordered_json report;
+  int missed = 0;
+  for (const std::string& argument : options.scans) {
+    const Scan scan = open_scan(argument, options.vertices);
+    ordered_json out = {{"scan", scan.name}, {"depth", scan.prepared->frame.depth}};
+    missed += options.soak ? soak(scan.prepared, scan.hierarchy, out) : bench(scan, options, out);
+    report["scans"].push_back(std::move(out));
+  }
+  std::printf("%d rows missed\n", missed);
+  report["missed"] = missed;
+  if (!options.json_file.empty()) std::ofstream(options.json_file) << report.dump(2) << "\n";
+  return missed > 0;
+}
+
+}  // namespace
+}  // namespace burnish
+
+int main(int argc, char** argv) {
+  return burnish::main_of(burnish::parse(std::vector<std::string>(argv + 1, argv + argc)));
+}

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "common/edit/edit.h"
+#include "server/prepare/prepared_mesh.h"
+
+namespace burnish {
+
+/// Where a run stops to be measured, and the bar that it is held to.
+struct AccuracyStop {
+  enum class Kind { kFrames, kSettled, kExact };
+  Kind kind = Kind::kFrames;
+  int frames = 0;  ///< since the last edit, for kFrames
+  double max = 0;  ///< over the bounding-box diagonal
+  double rms = 0;  ///< 0: no bar
+};
+
+using Changes = std::vector<decltype(Edit::change)>;
+
+/// One session's life: edits that it first settles from (none: a cold start), edits that follow,
+/// and where its distance from the converged surface is measured.
+struct AccuracyRun {
+  std::string name;
+  Changes settled_with;
+  Changes then;
+  std::vector<AccuracyStop> stops;
+};
+
+/// Every row of the accuracy table (ARCHITECTURE section 5), runs of one metric side by side.
+std::vector<AccuracyRun> accuracy_runs(const PreparedMesh& prepared);
+
+/// Curves of contrast 100 and 1000 around the curvatures of a scan's detail.
+TransferCurve contrast_100();
+TransferCurve contrast_1000();
+
+}  // namespace burnish
