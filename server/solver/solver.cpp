@@ -135,12 +135,6 @@ std::vector<Vec3d> Solver::evaluate_vertices() const {
   return positions;
 }
 
-std::vector<Vec3d> Solver::displacement() const {
-  std::vector<Vec3d> u(hierarchy_->at(hierarchy_->finest).grid.corners.size());
-  backend_->read_displacement(u);
-  return u;
-}
-
 uint64_t Solver::byte_count() const {
   return backend_->byte_count();
 }

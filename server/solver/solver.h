@@ -79,9 +79,6 @@ class Solver {
   /// Displaced positions E(c° + u) in file units, one per vertex.
   std::vector<Vec3d> evaluate_vertices() const;
 
-  /// u of every corner of the finest depth, in its order. Units: cells.
-  std::vector<Vec3d> displacement() const;
-
   uint64_t byte_count() const;            ///< of this session; prepared mesh and hierarchy apart
   std::string_view backend_name() const;  ///< "cpu", "cuda"
   /// Why it is that backend: "NVIDIA H200, 143156 MiB", "asked for", "no CUDA device: ...".
