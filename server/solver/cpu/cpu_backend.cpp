@@ -1,5 +1,7 @@
 #include "server/solver/cpu/cpu_backend.h"
 
+#include <algorithm>
+
 #include "server/solver/cpu/assembly.h"
 #include "server/solver/cpu/coarsest.h"
 #include "server/solver/cpu/conjugate_gradients.h"
@@ -14,6 +16,13 @@ namespace burnish {
 namespace cpu {
 
 namespace {
+
+float largest_ratio(std::span<const float> alpha1, std::span<const float> alpha2) {
+  float most = 1;
+  for (size_t c = 0; c < alpha1.size(); ++c)
+    most = std::max({most, alpha1[c] / alpha2[c], alpha2[c] / alpha1[c]});
+  return most;
+}
 
 class CpuBackend final : public Backend {
  public:
@@ -40,6 +49,8 @@ class CpuBackend final : public Backend {
 
   void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
     assemble(*prepared_, alpha1, alpha2, depths_, &outer_->matrix());
+    const float anisotropy = largest_ratio(alpha1, alpha2);
+    for (CpuDepth& depth : depths_) depth.anisotropy = anisotropy;
     for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
     coarsest_.factor(depths_.front());
   }

@@ -46,6 +46,7 @@ struct CpuDepth {
   explicit CpuDepth(const HierarchyDepth& topology_of_depth);
 
   const HierarchyDepth& topology;
+  float anisotropy = 1;                 ///< the largest ratio of α1 and α2 of any cell
   StencilMatrix system;                 ///< S
   std::vector<float> inverse_diagonal;  ///< 0 where pinned
   std::vector<Float4> x, f;             ///< correction and right-hand side of the cycle
