@@ -15,6 +15,7 @@ struct SessionWish {
   std::string scan;  ///< name, id, or the beginning of one id
   std::string name;
   PreparedKey key;
+  std::string user = {};  ///< who opens it, for the limit of sessions; empty: nobody in particular
 };
 
 struct SessionInfo {

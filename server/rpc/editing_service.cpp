@@ -4,6 +4,7 @@
 #include "common/wire/edit_wire.h"
 #include "common/wire/session_wire.h"
 #include "server/rpc/export_call.h"
+#include "server/rpc/start_call.h"
 #include "server/rpc/upload_cell_fields_call.h"
 
 namespace burnish {
@@ -11,8 +12,10 @@ namespace burnish {
 grpc::ServerUnaryReactor* EditingService::OpenSession(grpc::CallbackServerContext* context,
                                                       const v1::OpenSessionRequest* request,
                                                       v1::OpenSessionResponse* response) {
-  return answer(calls_, context, [this, request, response](const Progress& progress) -> Status {
-    ASSIGN_OR_RETURN(const SessionWish wish, from_wire(*request));
+  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+    ASSIGN_OR_RETURN(SessionWish wish, from_wire(*request));
+    ASSIGN_OR_RETURN(const Identity caller, calls_.guard.admit(*context));
+    wish.user = caller.user;
     ASSIGN_OR_RETURN(const OpenedSession opened, calls_.sessions.open(wish, progress));
     *response->mutable_session() = to_wire(opened.session);
     response->set_attached(opened.attached);
@@ -72,8 +75,8 @@ grpc::ServerUnaryReactor* EditingService::Apply(grpc::CallbackServerContext* con
 }
 
 grpc::ServerReadReactor<v1::UploadCellFieldsRequest>* EditingService::UploadCellFields(
-    grpc::CallbackServerContext*, v1::ApplyResponse* response) {
-  return UploadCellFieldsCall::start(calls_, *response);
+    grpc::CallbackServerContext* context, v1::ApplyResponse* response) {
+  return start_call<UploadCellFieldsCall>(calls_, context, *response);
 }
 
 grpc::ServerUnaryReactor* EditingService::GetState(grpc::CallbackServerContext* context,
@@ -87,8 +90,8 @@ grpc::ServerUnaryReactor* EditingService::GetState(grpc::CallbackServerContext* 
 }
 
 grpc::ServerWriteReactor<v1::ExportEvent>* EditingService::Export(
-    grpc::CallbackServerContext*, const v1::ExportRequest* request) {
-  return ExportCall::start(calls_, *request);
+    grpc::CallbackServerContext* context, const v1::ExportRequest* request) {
+  return start_call<ExportCall>(calls_, context, *request);
 }
 
 }  // namespace burnish

@@ -1,5 +1,6 @@
 #include "server/session/session.h"
 
+#include "server/metrics/live_objects.h"
 #include "server/solver/hierarchy.h"
 
 namespace burnish {
@@ -45,6 +46,7 @@ struct Session::State {
   std::shared_ptr<const PreparedMesh> prepared;
   Fields fields;
   std::unique_ptr<Solver> solver;
+  LiveObject live{LiveKind::kSession};
   bool metric_changed = true;
   bool beta_changed = true;
 };

@@ -6,7 +6,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include "server/metrics/metrics.h"
 #include "server/session/cancellable_lock.h"
+#include "server/session/memory_need.h"
 
 namespace burnish {
 
@@ -21,6 +23,9 @@ struct SessionManager::Entry {
   void leave_memory() {
     session.reset();
     mesh.reset();
+    memory = {};
+    by_user = {};
+    session_bytes = 0;
     edit_ids.clear();
     last = {};
     in_memory = false;
@@ -29,10 +34,13 @@ struct SessionManager::Entry {
   const SessionRecord record;
   std::atomic<uint64_t> edits{0};
   std::atomic<bool> in_memory{false};
+  std::atomic<uint64_t> session_bytes{0};
 
   std::timed_mutex mutex;  // of what follows
   bool deleted = false;
   std::shared_ptr<const SharedMesh> mesh;
+  Quota::Share memory;                       // what the session takes of the server's
+  Quota::Share by_user;                      // of whoever opened it
   std::unique_ptr<Session> session;          // null: not in memory
   std::unordered_set<std::string> edit_ids;  // of the session in memory
   StepReport last;
@@ -105,6 +113,8 @@ Status SessionManager::bring_back(Entry& entry, const Progress& progress) {
   if (entry.session) return Status::ok();
   const SessionRecord& record = entry.record;
   ASSIGN_OR_RETURN(const auto mesh, store_.open_mesh(record.scan_id, record.key, progress));
+  ASSIGN_OR_RETURN(Quota::Share memory, store_.memory().take(
+                                            kServer, predict_session_bytes(*mesh->hierarchy)));
   ASSIGN_OR_RETURN(auto session, Session::open(mesh->prepared, mesh->hierarchy, options_.solver));
   spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),
                session->solver().backend_reason());
@@ -117,6 +127,8 @@ Status SessionManager::bring_back(Entry& entry, const Progress& progress) {
     ids.insert(edit.id);
   }
   entry.mesh = mesh;
+  entry.session_bytes = memory.amount();
+  entry.memory = std::move(memory);
   entry.session = std::move(session);
   entry.edit_ids = std::move(ids);
   entry.in_memory = true;
@@ -151,11 +163,34 @@ Result<std::shared_ptr<SessionManager::Entry>> SessionManager::find_or_create(
 Result<OpenedSession> SessionManager::open(const SessionWish& wish, const Progress& progress) {
   bool created = false;
   ASSIGN_OR_RETURN(const auto entry, find_or_create(wish, created));
-  const auto held = use(entry->record.id, progress);
-  if (held.is_ok()) return OpenedSession{entry->info(), !created};
+  const Status status = bring_back_for(*entry, wish.user, progress);
+  if (status.is_ok()) return OpenedSession{entry->info(), !created};
   // Nobody has been told of a session that could not be opened: take it back.
   if (created) (void)remove(entry->record.id, {});
-  return held.status();
+  return status;
+}
+
+// A session in memory counts for the user who opened it.
+Status SessionManager::bring_back_for(Entry& entry, const std::string& user,
+                                      const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, lock(entry.record.id, progress));
+  Quota::Share share;
+  if (!user.empty() && entry.by_user.amount() == 0) {
+    ASSIGN_OR_RETURN(share, by_user_.take("user " + user, 1));
+  }
+  RETURN_IF_ERROR(bring_back(entry, progress).with_context("session " + entry.record.name));
+  if (share.amount() > 0) entry.by_user = std::move(share);
+  return Status::ok();
+}
+
+SessionManager::Usage SessionManager::usage() const {
+  const std::lock_guard lock(mutex_);
+  Usage usage;
+  for (const auto& [name, entry] : sessions_) {
+    usage.in_memory += entry->in_memory ? 1 : 0;
+    usage.session_bytes += entry->session_bytes;
+  }
+  return usage;
 }
 
 std::vector<SessionInfo> SessionManager::list() const {
@@ -225,6 +260,9 @@ Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish
   ASSIGN_OR_RETURN(const SolveReport solved,
                    entry.session->solve({wish.exact, wish.cycles}, progress));
   entry.last = solved.last;
+  metrics().observe(Measure::kAssembleSeconds, solved.assemble_seconds);
+  metrics().observe(Measure::kSolveSeconds, solved.solve_seconds);
+  metrics().observe(Measure::kResidual, solved.last.residual);
   const TriangleMesh mesh = entry.session->surface();
   held.lock.unlock();
 

@@ -18,6 +18,7 @@ namespace burnish {
 
 struct SessionManagerOptions {
   size_t sessions_max = 64;
+  uint64_t sessions_per_user = 1'000'000;  ///< in memory
   SolverOptions solver;
 };
 
@@ -37,6 +38,13 @@ class SessionManager {
 
   /// By name.
   std::vector<SessionInfo> list() const;
+
+  /// What the sessions in memory take, by the admission's prediction.
+  struct Usage {
+    size_t in_memory = 0;
+    uint64_t session_bytes = 0;
+  };
+  Usage usage() const;
 
   /// Gives the memory back; the next use brings the session back.
   Status close(const std::string& reference, const Progress& progress);
@@ -64,13 +72,18 @@ class SessionManager {
 
   SessionManager(const DataFolder& folder, MeshStore& store, Journal& journal,
                  const SessionManagerOptions& options)
-      : folder_(folder), store_(store), journal_(journal), options_(options) {}
+      : folder_(folder),
+        store_(store),
+        journal_(journal),
+        options_(options),
+        by_user_("sessions open", "limits.sessions_per_user", options.sessions_per_user) {}
 
   std::shared_ptr<Entry> find(const std::string& reference) const;
   Result<std::shared_ptr<Entry>> find_or_create(const SessionWish& wish, bool& created);
   Result<Held> lock(const std::string& reference, const Progress& progress) const;
   Result<Held> use(const std::string& reference, const Progress& progress);
   Status bring_back(Entry& entry, const Progress& progress);
+  Status bring_back_for(Entry& entry, const std::string& user, const Progress& progress);
   Result<ExportSummary> solve_to_file(Held& held, const ExportWish& wish,
                                       const std::filesystem::path& path, const Progress& progress);
 
@@ -78,6 +91,7 @@ class SessionManager {
   MeshStore& store_;
   Journal& journal_;
   const SessionManagerOptions options_;
+  Quota by_user_;
 
   mutable std::mutex mutex_;  // of the map; never held while a session works
   std::map<std::string, std::shared_ptr<Entry>> sessions_;  // by name
