@@ -23,8 +23,10 @@ static Status check_socket(const std::filesystem::path& socket) {
   static constexpr size_t kBytesMax = 107;  // of sockaddr_un's path
   if (socket.native().size() <= kBytesMax) return Status::ok();
   return invalid_argument("socket = '" + socket.string() + "' has " +
-                          std::to_string(socket.native().size()) + " bytes, a socket's path has at"
-                          " most " + std::to_string(kBytesMax));
+                          std::to_string(socket.native().size()) +
+                          " bytes, a socket's path has at"
+                          " most " +
+                          std::to_string(kBytesMax));
 }
 
 static Status check_tls(const ServerConfig& config) {
@@ -44,13 +46,15 @@ static Status check_tls(const ServerConfig& config) {
 
 static Status check_exposure(const ServerConfig& config) {
   if (config.listen.empty() || config.insecure || is_loopback(config.listen)) return Status::ok();
-  const std::string reachable = "listen = '" + config.listen +
-                                "' is reachable from other machines, ";
+  const std::string reachable =
+      "listen = '" + config.listen + "' is reachable from other machines, ";
   if (config.tls_certificate.empty())
-    return failed_precondition(reachable + "in plain text; set tls.certificate and tls.key, or say "
+    return failed_precondition(reachable +
+                               "in plain text; set tls.certificate and tls.key, or say "
                                "--insecure if that is meant");
   if (config.users.empty())
-    return failed_precondition(reachable + "and nobody is asked who he is; set users, or say "
+    return failed_precondition(reachable +
+                               "and nobody is asked who he is; set users, or say "
                                "--insecure if that is meant");
   return Status::ok();
 }

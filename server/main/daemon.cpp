@@ -1,6 +1,7 @@
 #include "server/main/daemon.h"
 
 #include <pthread.h>
+
 #include <spdlog/spdlog.h>
 
 #include "server/metrics/metrics.h"
@@ -34,8 +35,10 @@ static void count_cut_off_calls(Server& server) {
   const uint64_t calls = server.take_cut_off_calls();
   for (uint64_t i = 0; i < calls; ++i) metrics().count_refusal(Refusal::kCutOff);
   if (calls > 0)
-    spdlog::warn("refused {} calls before their message was whole: it was above the receive limit, "
-                 "or the client has gone", calls);
+    spdlog::warn(
+        "refused {} calls before their message was whole: it was above the receive limit, "
+        "or the client has gone",
+        calls);
 }
 
 static void end_at_next_signal(const sigset_t& signals) {

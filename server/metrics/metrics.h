@@ -19,7 +19,7 @@ enum class Refusal {
   kUnauthenticated,
   kPermission,
   kUnknownRpc,
-  kLimit,        ///< of one user or of the whole server
+  kLimit,  ///< of one user or of the whole server
   kDraining,
   kMalformed,    ///< the message is no message of its type
   kCutOff,       ///< the message was above the receive limit, or its client went while it came

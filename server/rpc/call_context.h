@@ -40,7 +40,7 @@ struct CallContext {
   SessionManager& sessions;
   CallExecutor executor;
   CallGuard& guard;
-  std::string user = {};  ///< who calls; empty: nobody was asked
+  std::string user = {};                            ///< who calls; empty: nobody was asked
   std::shared_ptr<const Quota::Share> stream = {};  ///< his share of the streams, while they last
 };
 

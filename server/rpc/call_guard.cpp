@@ -25,11 +25,16 @@ Proof proof_of(const grpc::CallbackServerContext& context, const grpc::AuthConte
 
 Refusal reason_of(StatusCode code) {
   switch (code) {
-    case StatusCode::kPermissionDenied: return Refusal::kPermission;
-    case StatusCode::kUnimplemented: return Refusal::kUnknownRpc;
-    case StatusCode::kUnavailable: return Refusal::kDraining;
-    case StatusCode::kResourceExhausted: return Refusal::kLimit;
-    default: return Refusal::kUnauthenticated;
+    case StatusCode::kPermissionDenied:
+      return Refusal::kPermission;
+    case StatusCode::kUnimplemented:
+      return Refusal::kUnknownRpc;
+    case StatusCode::kUnavailable:
+      return Refusal::kDraining;
+    case StatusCode::kResourceExhausted:
+      return Refusal::kLimit;
+    default:
+      return Refusal::kUnauthenticated;
   }
 }
 

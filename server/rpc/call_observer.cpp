@@ -21,12 +21,23 @@ constexpr char kMethodKey[] = "burnish-method";
 constexpr char kRequestIdKey[] = "x-request-id";
 
 const char* code_name(grpc::StatusCode code) {
-  static constexpr std::array kNames = {
-      "OK",           "CANCELLED",         "UNKNOWN",           "INVALID_ARGUMENT",
-      "DEADLINE_EXCEEDED", "NOT_FOUND",    "ALREADY_EXISTS",    "PERMISSION_DENIED",
-      "RESOURCE_EXHAUSTED", "FAILED_PRECONDITION", "ABORTED",   "OUT_OF_RANGE",
-      "UNIMPLEMENTED", "INTERNAL",         "UNAVAILABLE",       "DATA_LOSS",
-      "UNAUTHENTICATED"};
+  static constexpr std::array kNames = {"OK",
+                                        "CANCELLED",
+                                        "UNKNOWN",
+                                        "INVALID_ARGUMENT",
+                                        "DEADLINE_EXCEEDED",
+                                        "NOT_FOUND",
+                                        "ALREADY_EXISTS",
+                                        "PERMISSION_DENIED",
+                                        "RESOURCE_EXHAUSTED",
+                                        "FAILED_PRECONDITION",
+                                        "ABORTED",
+                                        "OUT_OF_RANGE",
+                                        "UNIMPLEMENTED",
+                                        "INTERNAL",
+                                        "UNAVAILABLE",
+                                        "DATA_LOSS",
+                                        "UNAUTHENTICATED"};
   const auto index = static_cast<size_t>(code);
   return index < kNames.size() ? kNames[index] : "UNKNOWN";
 }
@@ -90,14 +101,13 @@ class CallObserver final : public grpc::experimental::Interceptor {
 
   void take_status(InterceptorBatchMethods& batch) {
     if (is_malformed())  // gRPC itself says UNIMPLEMENTED
-      batch.ModifySendStatus({grpc::StatusCode::INVALID_ARGUMENT,
-                              "the message is no request of " + method_});
+      batch.ModifySendStatus(
+          {grpc::StatusCode::INVALID_ARGUMENT, "the message is no request of " + method_});
     status_ = batch.GetSendStatus();
   }
 
   void report() {
-    const double seconds =
-        std::chrono::duration<double>(steady_clock::now() - start_).count();
+    const double seconds = std::chrono::duration<double>(steady_clock::now() - start_).count();
     record_.method = method_;
     record_.code = code_name(status_->error_code());
     record_.seconds = seconds;
@@ -133,8 +143,7 @@ std::string value_of(const grpc::CallbackServerContext& context, const char* key
 
 }  // namespace
 
-grpc::experimental::Interceptor* CallObserverFactory::CreateServerInterceptor(
-    ServerRpcInfo* info) {
+grpc::experimental::Interceptor* CallObserverFactory::CreateServerInterceptor(ServerRpcInfo* info) {
   return new CallObserver(*info, counts_);
 }
 

@@ -76,8 +76,10 @@ void ConnectionAcceptor::accept_from(Door& door) {
     return;
   }
   if (!has_room()) {
-    spdlog::warn("refused the connection of {}: {} connections are open, limits.connections_max "
-                 "is {}", peer_of(fd), connections_.size(), connections_max_);
+    spdlog::warn(
+        "refused the connection of {}: {} connections are open, limits.connections_max "
+        "is {}",
+        peer_of(fd), connections_.size(), connections_max_);
     metrics().count_refusal(Refusal::kConnections);
     close(fd);
     return;

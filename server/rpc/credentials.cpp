@@ -70,8 +70,7 @@ class Fetcher {
 
 class TlsCredentials final : public Credentials {
  public:
-  TlsCredentials(std::unique_ptr<Fetcher> fetcher,
-                 grpc_ssl_client_certificate_request_type request,
+  TlsCredentials(std::unique_ptr<Fetcher> fetcher, grpc_ssl_client_certificate_request_type request,
                  std::shared_ptr<CallCounts> counts)
       : Credentials(grpc_ssl_server_credentials_create_with_options(
                         grpc_ssl_server_credentials_create_options_using_config_fetcher(
@@ -95,9 +94,9 @@ void log_for_grpc(gpr_log_func_args* line) {
 
 }  // namespace
 
-std::shared_ptr<grpc::ServerCredentials> tls_credentials(
-    const Reloaded<Certificates>& certificates, bool client_certificate_required,
-    std::shared_ptr<CallCounts> counts) {
+std::shared_ptr<grpc::ServerCredentials> tls_credentials(const Reloaded<Certificates>& certificates,
+                                                         bool client_certificate_required,
+                                                         std::shared_ptr<CallCounts> counts) {
   auto request = GRPC_SSL_DONT_REQUEST_CLIENT_CERTIFICATE;
   if (!certificates.get()->client_ca.empty())
     request = client_certificate_required

@@ -15,9 +15,9 @@ namespace burnish {
 
 /// TLS; every handshake uses the certificates as they are then. With a client CA clients show a
 /// certificate of it: all of them, or those who have one.
-std::shared_ptr<grpc::ServerCredentials> tls_credentials(
-    const Reloaded<Certificates>& certificates, bool client_certificate_required,
-    std::shared_ptr<CallCounts> counts);
+std::shared_ptr<grpc::ServerCredentials> tls_credentials(const Reloaded<Certificates>& certificates,
+                                                         bool client_certificate_required,
+                                                         std::shared_ptr<CallCounts> counts);
 
 std::shared_ptr<grpc::ServerCredentials> plaintext_credentials(std::shared_ptr<CallCounts> counts);
 

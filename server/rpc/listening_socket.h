@@ -21,7 +21,7 @@ class ListeningSocket {
   ~ListeningSocket();
 
   int fd() const { return fd_; }
-  int port() const { return port_; }                        ///< 0: a Unix socket
+  int port() const { return port_; }                       ///< 0: a Unix socket
   const std::string& address() const { return address_; }  ///< HOST:PORT, or unix:PATH
 
   /// Waits in vain no longer: connects fail from now on.

@@ -84,11 +84,11 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, Mesh
   };
   if (!options.listen.empty()) {
     ASSIGN_OR_RETURN(ListeningSocket socket, ListeningSocket::tcp(options.listen));
-    open_door(std::move(socket), options.certificates
-                                     ? tls_credentials(*options.certificates,
-                                                       options.client_certificate_required,
-                                                       state->counts)
-                                     : plaintext_credentials(state->counts));
+    open_door(std::move(socket),
+              options.certificates
+                  ? tls_credentials(*options.certificates, options.client_certificate_required,
+                                    state->counts)
+                  : plaintext_credentials(state->counts));
   }
   if (!options.socket.empty()) {
     ASSIGN_OR_RETURN(ListeningSocket socket, ListeningSocket::unix_domain(options.socket));

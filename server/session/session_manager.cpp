@@ -113,8 +113,8 @@ Status SessionManager::bring_back(Entry& entry, const Progress& progress) {
   if (entry.session) return Status::ok();
   const SessionRecord& record = entry.record;
   ASSIGN_OR_RETURN(const auto mesh, store_.open_mesh(record.scan_id, record.key, progress));
-  ASSIGN_OR_RETURN(Quota::Share memory, store_.memory().take(
-                                            kServer, predict_session_bytes(*mesh->hierarchy)));
+  ASSIGN_OR_RETURN(Quota::Share memory,
+                   store_.memory().take(kServer, predict_session_bytes(*mesh->hierarchy)));
   ASSIGN_OR_RETURN(auto session, Session::open(mesh->prepared, mesh->hierarchy, options_.solver));
   spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),
                session->solver().backend_reason());

@@ -49,8 +49,7 @@ int no_pass_phrase(char*, int, int, void*) {
 
 Status check_key(const std::string& pem, const CertificateFiles& files, X509& certificate) {
   const Key key(PEM_read_bio_PrivateKey(reader(pem).get(), nullptr, no_pass_phrase, nullptr));
-  if (!key)
-    return invalid_argument(files.key.string() + " holds no PEM key without a pass phrase");
+  if (!key) return invalid_argument(files.key.string() + " holds no PEM key without a pass phrase");
   if (X509_check_private_key(&certificate, key.get()) == 1) return Status::ok();
   return invalid_argument(files.key.string() + " is not the key of " + files.certificate.string());
 }

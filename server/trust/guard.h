@@ -19,7 +19,7 @@ struct Identity {
 
 /// What a call shows of its caller.
 struct Proof {
-  std::string_view authorization;       ///< the header of that name; empty: none
+  std::string_view authorization;            ///< the header of that name; empty: none
   std::string_view certificate_common_name;  ///< of a verified client certificate; empty: none
 };
 

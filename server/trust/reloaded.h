@@ -59,8 +59,8 @@ class Reloaded {
     for (const auto& file : files_) {
       struct stat s = {};
       if (stat(file.c_str(), &s) != 0) s = {};
-      all.push_back({static_cast<int64_t>(s.st_ino), s.st_size, s.st_mtim.tv_sec,
-                     s.st_mtim.tv_nsec});
+      all.push_back(
+          {static_cast<int64_t>(s.st_ino), s.st_size, s.st_mtim.tv_sec, s.st_mtim.tv_nsec});
     }
     return all;
   }

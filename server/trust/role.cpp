@@ -29,10 +29,14 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
 
 std::string_view role_name(Role role) {
   switch (role) {
-    case Role::kViewer: return "viewer";
-    case Role::kEditor: return "editor";
-    case Role::kOwner: return "owner";
-    case Role::kAnyone: break;
+    case Role::kViewer:
+      return "viewer";
+    case Role::kEditor:
+      return "editor";
+    case Role::kOwner:
+      return "owner";
+    case Role::kAnyone:
+      break;
   }
   return "anyone";
 }

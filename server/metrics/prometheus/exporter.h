@@ -15,7 +15,7 @@ struct Gauge {
   std::string name;
   std::string help;
   double value = 0;
-  std::string label = {};        ///< empty: none
+  std::string label = {};  ///< empty: none
   std::string label_value = {};
 };
 

@@ -25,10 +25,14 @@ struct RefusalName {
 };
 
 constexpr RefusalName kRefusals[] = {
-    {Refusal::kUnauthenticated, "unauthenticated"}, {Refusal::kPermission, "permission"},
-    {Refusal::kUnknownRpc, "unknown_rpc"},          {Refusal::kLimit, "limit"},
-    {Refusal::kDraining, "draining"},               {Refusal::kMalformed, "malformed"},
-    {Refusal::kCutOff, "cut_off"},                  {Refusal::kConnections, "connections"},
+    {Refusal::kUnauthenticated, "unauthenticated"},
+    {Refusal::kPermission, "permission"},
+    {Refusal::kUnknownRpc, "unknown_rpc"},
+    {Refusal::kLimit, "limit"},
+    {Refusal::kDraining, "draining"},
+    {Refusal::kMalformed, "malformed"},
+    {Refusal::kCutOff, "cut_off"},
+    {Refusal::kConnections, "connections"},
     {Refusal::kHandshake, "handshake"},
 };
 
@@ -61,8 +65,7 @@ PrometheusFigures::PrometheusFigures(prometheus::Registry& registry)
           "Time until a commit of the journal was on disk", seconds());
   measure(Measure::kAssembleSeconds, "burnish_solver_assemble_seconds",
           "Matrices and constraint of one solve", seconds());
-  measure(Measure::kSolveSeconds, "burnish_solver_solve_seconds", "Cycles of one solve",
-          seconds());
+  measure(Measure::kSolveSeconds, "burnish_solver_solve_seconds", "Cycles of one solve", seconds());
   measure(Measure::kResidual, "burnish_solver_residual", "Relative residual at the end of a solve",
           decades(1e-12, 1));
 }

@@ -28,8 +28,8 @@ Status probe_cuda_device() {
   // An empty event needs no device memory, of which there may be none left.
   static cuda::Stream stream;  // its first failure stays, as the device's does
   static cudaEvent_t event = nullptr;
-  static const bool made = stream.check(
-      cudaEventCreateWithFlags(&event, cudaEventDisableTiming), "creating an event");
+  static const bool made =
+      stream.check(cudaEventCreateWithFlags(&event, cudaEventDisableTiming), "creating an event");
   if (made && stream.check(cudaEventRecord(event, stream.get()), "probing the device"))
     stream.check(cudaEventSynchronize(event), "probing the device");
   return stream.status();
