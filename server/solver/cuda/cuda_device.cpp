@@ -25,13 +25,12 @@ Result<std::string> cuda_device() {
 }
 
 Status probe_cuda_device() {
-  // An empty event needs no device memory, of which there may be none left.
   static cuda::Stream stream;  // its first failure stays, as the device's does
-  static cudaEvent_t event = nullptr;
-  static const bool made =
-      stream.check(cudaEventCreateWithFlags(&event, cudaEventDisableTiming), "creating an event");
-  if (made && stream.check(cudaEventRecord(event, stream.get()), "probing the device"))
-    stream.check(cudaEventSynchronize(event), "probing the device");
+  // The device writes a word of ours: its own memory may be full.
+  static void* word = nullptr;
+  static const bool has_word = stream.check(cudaMallocHost(&word, sizeof(int)), "pinning a word");
+  if (has_word && stream.check(cudaMemsetAsync(word, 0, sizeof(int), stream.get()), "probing"))
+    stream.synchronize();
   return stream.status();
 }
 

@@ -72,7 +72,7 @@ TEST(ConfigFile, AWrongKeyIsRefusedByNameAndLine) {
 TEST(ConfigFile, AValueOfTheWrongKindIsRefused) {
   EXPECT_EQ(refusal("listen = 7\n"), "server.toml:1: listen = 7 is not a string");
   EXPECT_EQ(refusal("\nthreads = \"4\"\n"),
-            "server.toml:2: threads = 4 is not an integer in 0..1024");
+            "server.toml:2: threads = '4' is not an integer in 0..1024");
   EXPECT_THAT(refusal("limits = 3\n"), HasSubstr("'limits'"));
   EXPECT_THAT(refusal("data = [1]\n"), HasSubstr("data = a list is not a string"));
   EXPECT_THAT(refusal("backend = \"gpu\"\n"), HasSubstr("\"auto\", \"cpu\" or \"cuda\""));
