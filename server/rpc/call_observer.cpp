@@ -84,23 +84,20 @@ class CallObserver final : public grpc::experimental::Interceptor {
   }
 
   void take_message(const void* message) {
-    if (message && is_ours_) {
-      // gRPC hands out the message without its type; those of our services are all protobuf's.
+    lacks_message_ = !message;
+    // gRPC hands out the message without its type; those of our services are all protobuf's.
+    if (message && is_ours_)
       record_.bytes_received +=
           static_cast<const google::protobuf::MessageLite*>(message)->ByteSizeLong();
-    } else if (!message) {
-      (info_.server_context()->IsCancelled() ? is_cut_off_ : lacks_message_) = true;
-    }
   }
 
-  // A stream of requests ends without a message as well; a single request must be there.
-  bool is_malformed() const {
-    return lacks_message_ && (info_.type() == ServerRpcInfo::Type::UNARY ||
-                              info_.type() == ServerRpcInfo::Type::SERVER_STREAMING);
-  }
-
+  // Whether the call was cancelled shows only after the read that failed for it.
   void take_status(InterceptorBatchMethods& batch) {
-    if (is_malformed())  // gRPC itself says UNIMPLEMENTED
+    const bool is_single_request = info_.type() == ServerRpcInfo::Type::UNARY ||
+                                   info_.type() == ServerRpcInfo::Type::SERVER_STREAMING;
+    is_cut_off_ = lacks_message_ && info_.server_context()->IsCancelled();
+    is_malformed_ = lacks_message_ && is_single_request && !is_cut_off_;
+    if (is_malformed_)  // gRPC itself says UNIMPLEMENTED
       batch.ModifySendStatus(
           {grpc::StatusCode::INVALID_ARGUMENT, "the message is no request of " + method_});
     status_ = batch.GetSendStatus();
@@ -112,7 +109,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
     record_.code = code_name(status_->error_code());
     record_.seconds = seconds;
     metrics().count_call(record_);
-    if (is_malformed()) metrics().count_refusal(Refusal::kMalformed);
+    if (is_malformed_) metrics().count_refusal(Refusal::kMalformed);
     if (is_cut_off_) metrics().count_refusal(Refusal::kCutOff);
     const LogContext context(request_id_);
     spdlog::log(status_->ok() ? spdlog::level::debug : spdlog::level::info,
@@ -132,6 +129,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
   CallRecord record_;
   bool lacks_message_ = false;
   bool is_cut_off_ = false;
+  bool is_malformed_ = false;
   std::optional<grpc::Status> status_;
 };
 

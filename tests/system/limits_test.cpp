@@ -110,7 +110,7 @@ TEST_F(LimitsTest, SessionsOfAUser) {
 }
 
 TEST_F(LimitsTest, ASessionIsAdmittedByItsBytes) {
-  const auto server = start("memory_bytes_max = 9000000");
+  const auto server = start("memory_bytes_max = 12000000");
   ASSERT_EQ(server->burnish({"import", write_sphere(folder_), "--depth", "4", "--name", "ball"})
                 .exit_code,
             0);
@@ -122,7 +122,7 @@ TEST_F(LimitsTest, ASessionIsAdmittedByItsBytes) {
   const CommandOutcome refused = open("two");
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.output, HasSubstr("bytes of meshes and sessions and asks for"));
-  EXPECT_THAT(refused.output, HasSubstr("limits.memory_bytes_max is 9000000"));
+  EXPECT_THAT(refused.output, HasSubstr("limits.memory_bytes_max is 12000000"));
   EXPECT_EQ(server->burnish({"close", "one"}).exit_code, 0);
   EXPECT_EQ(open("two").exit_code, 0);
 }

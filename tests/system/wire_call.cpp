@@ -49,7 +49,7 @@ WireAnswer call(const std::shared_ptr<grpc::Channel>& channel, const WireCall& w
     open = wait(queue);
   }
   if (wire.cancel) context.TryCancel();
-  if (open) {
+  if (open && !wire.keep_open) {
     stream->WritesDone(nullptr);
     wait(queue);
   }

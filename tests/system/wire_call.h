@@ -25,7 +25,8 @@ struct WireCall {
   std::vector<std::string> messages;
   std::string token = {};
   std::chrono::milliseconds deadline{120'000};
-  bool cancel = false;  ///< once the messages are sent
+  bool cancel = false;     ///< once the messages are sent
+  bool keep_open = false;  ///< do not say that there are no more
 };
 struct WireAnswer {
   grpc::Status status;
