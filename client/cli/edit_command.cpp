@@ -1,10 +1,10 @@
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <random>
 
 #include "client/cli/cell_field_file.h"
 #include "client/cli/commands.h"
+#include "client/cli/edit_id.h"
 #include "client/cli/json_output.h"
 #include "client/cli/server_option.h"
 #include "client/cli/stroke_file.h"
@@ -23,11 +23,6 @@ struct Options {
   std::string cell_field_file;
   std::string id;
 };
-
-std::string random_id() {
-  std::random_device device;
-  return std::to_string(device()) + std::to_string(device());
-}
 
 /// The edits in the order in which they are applied: metric, gradient scale, paint, cells.
 Result<std::vector<Edit>> make_edits(const Options& options) {

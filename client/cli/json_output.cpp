@@ -98,6 +98,24 @@ Json to_json(const ExportSummary& summary) {
           {"solve_seconds", summary.solve_seconds}};
 }
 
+Json to_json(const HistoryEntry& entry) {
+  return {{"number", entry.number},
+          {"id", entry.edit_id},
+          {"author", entry.author},
+          {"unix_ms", entry.unix_ms},
+          {"kind", edit_kind_name(entry.kind)},
+          {"summary", entry.summary},
+          {"enabled", entry.enabled}};
+}
+
+Json to_json(const SessionPeople& people) {
+  Json json = {{"roles", Json::object()}, {"present", Json::array()}};
+  for (const auto& [user, role] : people.roles.by_user())
+    json["roles"][user] = session_role_name(role);
+  for (const PresentUser& user : people.present) json["present"].push_back(user.user);
+  return json;
+}
+
 void print_json(const Json& json) {
   std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }

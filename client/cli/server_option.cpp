@@ -21,7 +21,10 @@ Result<Connection> ServerOption::connect() const {
   if (!token_file.empty()) {
     ASSIGN_OR_RETURN(all.token, read_token(token_file));
   }
-  return Connection::open(server, std::chrono::milliseconds(int64_t(timeout_seconds * 1000)), all);
+  const auto timeout = std::chrono::milliseconds(int64_t(timeout_seconds * 1000));
+  ASSIGN_OR_RETURN(Connection connection, Connection::open(server, timeout, all));
+  connection.set_user(user);
+  return connection;
 }
 
 static void add_trust_options(CLI::App& command, ServerOption& option) {
@@ -50,6 +53,10 @@ void add_server_options(CLI::App& command, ServerOption& option) {
       ->check(CLI::Range(0.001, 86400.0))
       ->capture_default_str();
   command.add_flag("--json", option.json, "Print the result as JSON");
+  command
+      .add_option("--user", option.user,
+                  "Who you are: your edits' author, whose undo is yours alone")
+      ->envname("BURNISH_USER");
   add_trust_options(command, option);
 }
 

@@ -16,11 +16,13 @@ struct ServerOption {
   bool json = false;
   ConnectionTrust trust;
   std::string token_file;
+  std::string user;
 
   Result<Connection> connect() const;
 };
 
-/// Adds --server, --timeout, --json, and what a server that is not of this machine asks for.
+/// Adds --server, --timeout, --json, --user, and what a server that is not of this machine asks
+/// for.
 void add_server_options(CLI::App& command, ServerOption& option);
 
 /// Adds --depth and --curvature-radius.

@@ -9,6 +9,12 @@ void add_service_commands(CommandTable& table) {
   add_open_command(table);
   add_sessions_command(table);
   add_edit_command(table);
+  add_undo_command(table);
+  add_redo_command(table);
+  add_history_command(table);
+  add_checkpoint_command(table);
+  add_fork_command(table);
+  add_people_command(table);
   add_export_command(table);
   add_close_command(table);
   add_delete_command(table);

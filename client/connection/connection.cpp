@@ -54,6 +54,10 @@ const std::string& Connection::server() const {
   return state_->server;
 }
 
+void Connection::set_user(std::string user) {
+  state_->user = std::move(user);
+}
+
 Result<std::vector<ScanInfo>> Connection::list_scans() {
   grpc::ClientContext context;
   state_->set_deadline(context);
@@ -136,6 +140,7 @@ Status Connection::close_session(const std::string& session) {
 Status Connection::delete_session(const std::string& session) {
   grpc::ClientContext context;
   state_->set_deadline(context);
+  state_->set_user(context);
   v1::DeleteSessionRequest request;
   request.set_session(session);
   v1::DeleteSessionResponse response;

@@ -9,7 +9,9 @@
 
 #include "common/base/progress.h"
 #include "common/edit/edit.h"
+#include "common/service/session_history.h"
 #include "common/service/session_info.h"
+#include "common/service/session_people.h"
 
 namespace burnish {
 
@@ -38,6 +40,9 @@ class Connection {
 
   const std::string& server() const;
 
+  /// Who edits, where the server cannot know better: the author of edits, and the holder of roles.
+  void set_user(std::string user);
+
   /// Uploads a mesh file and has it prepared. Fails: as reading the file does, or as the server
   /// says; cancelled.
   Result<ImportOutcome> import_scan(const std::filesystem::path& file, const std::string& name,
@@ -57,6 +62,12 @@ class Connection {
   /// Sends the edits in order, in as many requests as they need. Edits sent before a failure stay;
   /// sending all again is harmless.
   Result<ApplyOutcome> apply(const std::string& session, std::span<const Edit> edits);
+  /// All of a session's history.
+  Result<std::vector<HistoryEntry>> history(const std::string& session);
+  Result<SessionInfo> fork_session(const ForkWish& wish);
+  Result<SessionPeople> people(const std::string& session);
+  Status set_role(const std::string& session, const std::string& user, SessionRole role);
+
   Result<SessionState> state(const std::string& session);
 
   /// Solves on the server and writes the edited mesh to `file`, whole or not at all.

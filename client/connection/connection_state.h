@@ -14,10 +14,16 @@ namespace burnish {
 
 struct Connection::State {
   std::string server;
+  std::string user;
   std::chrono::milliseconds timeout;
   std::shared_ptr<grpc::Channel> channel;
   std::unique_ptr<v1::Library::Stub> library;
   std::unique_ptr<v1::Editing::Stub> editing;
+
+  /// For calls that depend on who calls.
+  void set_user(grpc::ClientContext& context) const {
+    if (!user.empty()) context.AddMetadata("burnish-user-bin", user);
+  }
 
   /// For calls that answer at once.
   void set_deadline(grpc::ClientContext& context) const {

@@ -13,6 +13,7 @@ static constexpr size_t kCellsPerMessage = 1 << 16;  // about 3 MB
 
 Result<OpenedSession> Connection::open_session(const SessionWish& wish) {
   grpc::ClientContext context;
+  state_->set_user(context);
   v1::OpenSessionResponse response;
   RETURN_IF_ERROR(
       call_status(server(), state_->editing->OpenSession(&context, to_wire(wish), &response)));
@@ -31,10 +32,9 @@ Result<SessionState> Connection::state(const std::string& session) {
   return from_wire(response);
 }
 
-static grpc::Status upload_cells(v1::Editing::Stub& stub, const std::string& session,
-                                 const std::string& edit_id, const SetCellFields& change,
-                                 v1::ApplyResponse& response) {
-  grpc::ClientContext context;
+static grpc::Status upload_cells(grpc::ClientContext& context, v1::Editing::Stub& stub,
+                                 const std::string& session, const std::string& edit_id,
+                                 const SetCellFields& change, v1::ApplyResponse& response) {
   const auto writer = stub.UploadCellFields(&context, &response);
   v1::UploadCellFieldsRequest request;
   request.mutable_header()->set_session(session);
@@ -50,9 +50,9 @@ static grpc::Status upload_cells(v1::Editing::Stub& stub, const std::string& ses
   return writer->Finish();
 }
 
-static grpc::Status apply_batch(v1::Editing::Stub& stub, const std::string& session,
-                                std::span<const Edit> edits, v1::ApplyResponse& response) {
-  grpc::ClientContext context;
+static grpc::Status apply_batch(grpc::ClientContext& context, v1::Editing::Stub& stub,
+                                const std::string& session, std::span<const Edit> edits,
+                                v1::ApplyResponse& response) {
   v1::ApplyRequest request;
   request.set_session(session);
   for (const Edit& edit : edits) *request.add_edits() = to_wire(edit);
@@ -71,18 +71,23 @@ Result<ApplyOutcome> Connection::apply(const std::string& session, std::span<con
   for (auto first = edits.begin(); first != edits.end();) {
     auto last = first;
     while (last != edits.end() && last - first < kEditsPerRequest && !is_large(*last)) ++last;
+    grpc::ClientContext context;
+    state_->set_user(context);
     v1::ApplyResponse response;
     grpc::Status status;
     if (last == first) {
-      status = upload_cells(*state_->editing, session, first->id,
+      status = upload_cells(context, *state_->editing, session, first->id,
                             std::get<SetCellFields>(first->change), response);
       ++last;
     } else {
-      status = apply_batch(*state_->editing, session, {first, last}, response);
+      status = apply_batch(context, *state_->editing, session, {first, last}, response);
     }
     RETURN_IF_ERROR(call_status(server(), status));
     const ApplyOutcome outcome = from_wire(response);
-    total = {total.applied + outcome.applied, total.known + outcome.known, outcome.edits};
+    total.applied += outcome.applied;
+    total.known += outcome.known;
+    total.edits = outcome.edits;
+    total.entries.insert(total.entries.end(), outcome.entries.begin(), outcome.entries.end());
     first = last;
   }
   return total;

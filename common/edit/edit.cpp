@@ -1,5 +1,9 @@
 #include "common/edit/edit.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
 namespace burnish {
 
 static Status validate_change(const SetGradientScale& change) {
@@ -28,8 +32,89 @@ static Status validate_change(const SetCellFields& change) {
   return Status::ok();
 }
 
+static Status validate_change(const Undo&) {
+  return Status::ok();
+}
+
+static Status validate_change(const Redo&) {
+  return Status::ok();
+}
+
+static Status validate_change(const SwitchEntry& change) {
+  return change.entry > 0 ? Status::ok() : invalid_argument("entries are numbered from 1");
+}
+
+static Status check_checkpoint_name(const std::string& name) {
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  if (!name.empty() && name.size() <= kCheckpointNameBytesMax &&
+      std::none_of(name.begin(), name.end(), is_control))
+    return Status::ok();
+  return invalid_argument(
+      "a checkpoint's name has 1 to " + std::to_string(kCheckpointNameBytesMax) +
+      " bytes and no control characters; this one has " + std::to_string(name.size()) + " bytes");
+}
+
+static Status validate_change(const SetCheckpoint& change) {
+  return check_checkpoint_name(change.name);
+}
+
+static Status validate_change(const RestoreCheckpoint& change) {
+  return check_checkpoint_name(change.name);
+}
+
 Status validate(const Edit& edit) {
   return std::visit([](const auto& change) { return validate_change(change); }, edit.change);
+}
+
+const char* edit_kind_name(EditKind kind) {
+  static constexpr std::array kNames = {"slider", "curve",  "stroke",     "cells",  "undo",
+                                        "redo",   "switch", "checkpoint", "restore"};
+  return kNames[static_cast<size_t>(kind)];
+}
+
+namespace {
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", x);
+  return text;
+}
+
+std::string count(size_t n, const char* what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+struct Summary {
+  std::string operator()(const SetGradientScale& change) const {
+    return "beta " + number(change.beta);
+  }
+  std::string operator()(const SetTransferCurve& change) const {
+    const auto& points = change.curve.points();
+    if (change.curve.is_constant()) return "alpha " + number(points.front().alpha);
+    return "curve of " + count(points.size(), "point") + ", contrast " +
+           number(change.curve.contrast());
+  }
+  std::string operator()(const Stroke& stroke) const {
+    return "stroke of " + count(stroke.path.size(), "point") + ", radius " +
+           number(stroke.brush.radius) + ", beta " + number(stroke.brush.beta);
+  }
+  std::string operator()(const SetCellFields& change) const {
+    return "fields of " + count(change.cells.size(), "cell");
+  }
+  std::string operator()(const Undo&) const { return "undo"; }
+  std::string operator()(const Redo&) const { return "redo"; }
+  std::string operator()(const SwitchEntry& change) const {
+    return std::string("switch ") + (change.enabled ? "on " : "off ") +
+           std::to_string(change.entry);
+  }
+  std::string operator()(const SetCheckpoint& change) const { return change.name; }
+  std::string operator()(const RestoreCheckpoint& change) const { return "restore " + change.name; }
+};
+
+}  // namespace
+
+std::string summary(const Edit& edit) {
+  return std::visit(Summary{}, edit.change);
 }
 
 }  // namespace burnish

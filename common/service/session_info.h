@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "common/base/limits.h"
 #include "common/edit/transfer_curve.h"
@@ -15,7 +16,6 @@ struct SessionWish {
   std::string scan;  ///< name, id, or the beginning of one id
   std::string name;
   PreparedKey key;
-  std::string user = {};  ///< who opens it, for the limit of sessions; empty: nobody in particular
 };
 
 struct SessionInfo {
@@ -38,6 +38,8 @@ struct ApplyOutcome {
   uint32_t applied = 0;
   uint32_t known = 0;  ///< their ids had been applied before
   uint64_t edits = 0;  ///< of the session now
+  /// For each edit of the batch the history entry that it made or switched; 0: none, or known.
+  std::vector<uint64_t> entries;
 };
 
 struct SessionState {

@@ -75,6 +75,18 @@ struct ChangeWriter {
   void operator()(const SetCellFields& change) const {
     *message.mutable_cell_fields() = burnish::to_wire(change, 0, change.cells.size());
   }
+  void operator()(const Undo&) const { message.mutable_undo(); }
+  void operator()(const Redo&) const { message.mutable_redo(); }
+  void operator()(const SwitchEntry& change) const {
+    message.mutable_switch_entry()->set_entry(change.entry);
+    message.mutable_switch_entry()->set_enabled(change.enabled);
+  }
+  void operator()(const SetCheckpoint& change) const {
+    message.mutable_set_checkpoint()->set_name(change.name);
+  }
+  void operator()(const RestoreCheckpoint& change) const {
+    message.mutable_restore_checkpoint()->set_name(change.name);
+  }
 };
 
 Status read_change(const v1::Edit& message, Edit& edit) {
@@ -93,6 +105,21 @@ Status read_change(const v1::Edit& message, Edit& edit) {
     }
     case v1::Edit::kCellFields:
       return append_cells(message.cell_fields(), edit.change.emplace<SetCellFields>());
+    case v1::Edit::kUndo:
+      edit.change = Undo{};
+      return Status::ok();
+    case v1::Edit::kRedo:
+      edit.change = Redo{};
+      return Status::ok();
+    case v1::Edit::kSwitchEntry:
+      edit.change = SwitchEntry{message.switch_entry().entry(), message.switch_entry().enabled()};
+      return Status::ok();
+    case v1::Edit::kSetCheckpoint:
+      edit.change = SetCheckpoint{message.set_checkpoint().name()};
+      return Status::ok();
+    case v1::Edit::kRestoreCheckpoint:
+      edit.change = RestoreCheckpoint{message.restore_checkpoint().name()};
+      return Status::ok();
     case v1::Edit::CHANGE_NOT_SET:
       break;
   }

@@ -83,11 +83,15 @@ v1::ApplyResponse to_wire(const ApplyOutcome& outcome) {
   message.set_applied(outcome.applied);
   message.set_known(outcome.known);
   message.set_edits(outcome.edits);
+  for (const uint64_t entry : outcome.entries) message.add_entries(entry);
   return message;
 }
 
 ApplyOutcome from_wire(const v1::ApplyResponse& message) {
-  return {message.applied(), message.known(), message.edits()};
+  return {message.applied(),
+          message.known(),
+          message.edits(),
+          {message.entries().begin(), message.entries().end()}};
 }
 
 v1::ExportRequest to_wire(const std::string& session, const ExportWish& wish) {

@@ -1,17 +1,8 @@
 #include "server/prepare/cell_integrals.h"
 
+#include "common/base/dispatch.h"
 #include "common/grid/sparse_grid.h"
 #include "server/prepare/quadrature.h"
-
-// The build's baseline is plain x86-64; this loop is where preparation spends its time, so that the
-// compiler also emits it for wider vectors. Contraction is off: every clone gives the same bits.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define BURNISH_WIDE_CLONES \
-  __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
-#else
-#define BURNISH_WIDE_CLONES
-#endif
 
 namespace burnish {
 
@@ -49,7 +40,7 @@ static inline void point_at(const QuadraturePoint& q, const Vec3d (&corner)[3], 
     p[axis] = q.a * corner[0][axis] + q.b * corner[1][axis] + q.c * corner[2][axis];
 }
 
-BURNISH_WIDE_CLONES
+BURNISH_DISPATCH
 static void integrate_mass(const Vec3d (&corner)[3], double area, Square& mass, Eight& row_sum) {
   double p[3];
   for (const QuadraturePoint& q : kDegree6Rule) {
@@ -61,7 +52,7 @@ static void integrate_mass(const Vec3d (&corner)[3], double area, Square& mass, 
   }
 }
 
-BURNISH_WIDE_CLONES
+BURNISH_DISPATCH
 static void integrate_stiffness(const Vec3d (&corner)[3], double area, const Vec3d (&v)[3],
                                 const Share& share, std::array<Square, 2>& stiffness,
                                 std::array<Eight, 2>& slope) {

@@ -3,12 +3,16 @@
 #include <grpc/grpc_security_constants.h>
 #include <spdlog/spdlog.h>
 
+#include "common/service/scan_info.h"
 #include "server/metrics/metrics.h"
 #include "server/process/log_context.h"
 #include "server/rpc/call_observer.h"
 
 namespace burnish {
 namespace {
+
+/// The header in which a client says who its user is.
+constexpr char kUserHeader[] = "burnish-user-bin";
 
 std::string_view view(grpc::string_ref text) {
   return {text.data(), text.size()};
@@ -52,6 +56,18 @@ Result<Identity> CallGuard::admit(const grpc::CallbackServerContext& context) co
   const auto connection = context.auth_context();
   auto identity = guard_.check(method_of(context), proof_of(context, *connection));
   return identity.is_ok() ? std::move(identity) : refuse(context, identity.status());
+}
+
+Result<std::string> CallGuard::caller_of(const grpc::CallbackServerContext& context) const {
+  ASSIGN_OR_RETURN(const Identity identity,
+                   guard_.identify(proof_of(context, *context.auth_context())));
+  const auto header = context.client_metadata().find(kUserHeader);
+  if (header == context.client_metadata().end()) return identity.user;
+  std::string name(view(header->second));
+  RETURN_IF_ERROR(check_name("the user's name", name));
+  if (identity.user.empty() || identity.user == name) return name;
+  return refuse(context, {StatusCode::kPermissionDenied,
+                          "user " + identity.user + " calls himself '" + name + "'"});
 }
 
 Result<CallGuard::Stream> CallGuard::admit_stream(const grpc::CallbackServerContext& context) {

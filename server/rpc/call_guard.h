@@ -18,7 +18,12 @@ class CallGuard {
   /// Fails as Guard::check().
   Result<Identity> admit(const grpc::CallbackServerContext& context) const;
 
-  /// The same for a call that lasts; the share is the user's part of the limit.
+  /// Whose edits a call makes: the user by token or certificate, or where nobody is asked for
+  /// those the name that the client gives, which may be "".
+  /// Fails: invalid_argument; permission_denied for a name that is another's.
+  Result<std::string> caller_of(const grpc::CallbackServerContext& context) const;
+
+  /// The same as admit() for a call that lasts; the share is the user's part of the limit.
   struct Stream {
     Identity identity;
     Quota::Share share;

@@ -2,6 +2,7 @@
 
 #include "common/base/limits.h"
 #include "common/wire/edit_wire.h"
+#include "common/wire/history_wire.h"
 #include "common/wire/session_wire.h"
 #include "server/rpc/export_call.h"
 #include "server/rpc/start_call.h"
@@ -13,10 +14,9 @@ grpc::ServerUnaryReactor* EditingService::OpenSession(grpc::CallbackServerContex
                                                       const v1::OpenSessionRequest* request,
                                                       v1::OpenSessionResponse* response) {
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
-    ASSIGN_OR_RETURN(SessionWish wish, from_wire(*request));
-    ASSIGN_OR_RETURN(const Identity caller, calls_.guard.admit(*context));
-    wish.user = caller.user;
-    ASSIGN_OR_RETURN(const OpenedSession opened, calls_.sessions.open(wish, progress));
+    ASSIGN_OR_RETURN(const SessionWish wish, from_wire(*request));
+    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
+    ASSIGN_OR_RETURN(const OpenedSession opened, calls_.sessions.open(wish, user, progress));
     *response->mutable_session() = to_wire(opened.session);
     response->set_attached(opened.attached);
     return Status::ok();
@@ -44,8 +44,9 @@ grpc::ServerUnaryReactor* EditingService::CloseSession(grpc::CallbackServerConte
 grpc::ServerUnaryReactor* EditingService::DeleteSession(grpc::CallbackServerContext* context,
                                                         const v1::DeleteSessionRequest* request,
                                                         v1::DeleteSessionResponse*) {
-  return answer(calls_, context, [this, request](const Progress& progress) {
-    return calls_.sessions.remove(request->session(), progress);
+  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
+    return calls_.sessions.remove(request->session(), user, progress);
   });
 }
 
@@ -65,10 +66,11 @@ static Result<std::vector<Edit>> edits_from_wire(const v1::ApplyRequest& request
 grpc::ServerUnaryReactor* EditingService::Apply(grpc::CallbackServerContext* context,
                                                 const v1::ApplyRequest* request,
                                                 v1::ApplyResponse* response) {
-  return answer(calls_, context, [this, request, response](const Progress& progress) -> Status {
+  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const std::vector<Edit> edits, edits_from_wire(*request));
+    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
     ASSIGN_OR_RETURN(const ApplyOutcome outcome,
-                     calls_.sessions.apply(request->session(), edits, progress));
+                     calls_.sessions.apply(request->session(), user, edits, progress));
     *response = to_wire(outcome);
     return Status::ok();
   });
@@ -76,7 +78,52 @@ grpc::ServerUnaryReactor* EditingService::Apply(grpc::CallbackServerContext* con
 
 grpc::ServerReadReactor<v1::UploadCellFieldsRequest>* EditingService::UploadCellFields(
     grpc::CallbackServerContext* context, v1::ApplyResponse* response) {
-  return start_call<UploadCellFieldsCall>(calls_, context, *response);
+  return start_call<UploadCellFieldsCall>(calls_, context, *context, *response);
+}
+
+grpc::ServerUnaryReactor* EditingService::GetHistory(grpc::CallbackServerContext* context,
+                                                     const v1::GetHistoryRequest* request,
+                                                     v1::GetHistoryResponse* response) {
+  return answer(calls_, context, [this, request, response](const Progress& progress) -> Status {
+    ASSIGN_OR_RETURN(const HistoryWish wish, from_wire(*request));
+    ASSIGN_OR_RETURN(const HistoryPage page, calls_.sessions.history(wish, progress));
+    *response = to_wire(page);
+    return Status::ok();
+  });
+}
+
+grpc::ServerUnaryReactor* EditingService::ForkSession(grpc::CallbackServerContext* context,
+                                                      const v1::ForkSessionRequest* request,
+                                                      v1::ForkSessionResponse* response) {
+  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+    ASSIGN_OR_RETURN(const ForkWish wish, from_wire(*request));
+    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
+    ASSIGN_OR_RETURN(const SessionInfo session, calls_.sessions.fork(wish, user, progress));
+    *response->mutable_session() = to_wire(session);
+    return Status::ok();
+  });
+}
+
+grpc::ServerUnaryReactor* EditingService::GetPeople(grpc::CallbackServerContext* context,
+                                                    const v1::GetPeopleRequest* request,
+                                                    v1::People* response) {
+  return answer(calls_, context, [this, request, response](const Progress& progress) -> Status {
+    ASSIGN_OR_RETURN(const SessionPeople people,
+                     calls_.sessions.people(request->session(), progress));
+    *response = to_wire(people);
+    return Status::ok();
+  });
+}
+
+grpc::ServerUnaryReactor* EditingService::SetRole(grpc::CallbackServerContext* context,
+                                                  const v1::SetRoleRequest* request,
+                                                  v1::SetRoleResponse*) {
+  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+    ASSIGN_OR_RETURN(const SessionRole role, from_wire(request->role()));
+    if (!request->user().empty()) RETURN_IF_ERROR(check_name("the user's name", request->user()));
+    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
+    return calls_.sessions.set_role(request->session(), user, request->user(), role, progress);
+  });
 }
 
 grpc::ServerUnaryReactor* EditingService::GetState(grpc::CallbackServerContext* context,

@@ -27,6 +27,18 @@ class EditingService final : public v1::Editing::CallbackService {
                                   v1::ApplyResponse* response) override;
   grpc::ServerReadReactor<v1::UploadCellFieldsRequest>* UploadCellFields(
       grpc::CallbackServerContext* context, v1::ApplyResponse* response) override;
+  grpc::ServerUnaryReactor* GetHistory(grpc::CallbackServerContext* context,
+                                       const v1::GetHistoryRequest* request,
+                                       v1::GetHistoryResponse* response) override;
+  grpc::ServerUnaryReactor* ForkSession(grpc::CallbackServerContext* context,
+                                        const v1::ForkSessionRequest* request,
+                                        v1::ForkSessionResponse* response) override;
+  grpc::ServerUnaryReactor* GetPeople(grpc::CallbackServerContext* context,
+                                      const v1::GetPeopleRequest* request,
+                                      v1::People* response) override;
+  grpc::ServerUnaryReactor* SetRole(grpc::CallbackServerContext* context,
+                                    const v1::SetRoleRequest* request,
+                                    v1::SetRoleResponse* response) override;
   grpc::ServerUnaryReactor* GetState(grpc::CallbackServerContext* context,
                                      const v1::GetStateRequest* request,
                                      v1::SessionState* response) override;

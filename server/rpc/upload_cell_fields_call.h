@@ -12,8 +12,9 @@ namespace burnish {
 class UploadCellFieldsCall final : public grpc::ServerReadReactor<v1::UploadCellFieldsRequest>,
                                    public SelfOwned<UploadCellFieldsCall> {
  public:
-  UploadCellFieldsCall(const CallContext& calls, v1::ApplyResponse& response)
-      : calls_(calls), response_(response) {}
+  UploadCellFieldsCall(const CallContext& calls, const grpc::CallbackServerContext& context,
+                       v1::ApplyResponse& response)
+      : calls_(calls), context_(context), response_(response) {}
 
   void begin() { StartRead(&request_); }
 
@@ -27,6 +28,7 @@ class UploadCellFieldsCall final : public grpc::ServerReadReactor<v1::UploadCell
   Status apply();
 
   const CallContext calls_;
+  const grpc::CallbackServerContext& context_;
   v1::ApplyResponse& response_;
   std::atomic<bool> cancelled_{false};
   v1::UploadCellFieldsRequest request_;

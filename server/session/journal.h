@@ -2,14 +2,14 @@
 
 #include <filesystem>
 #include <memory>
-#include <mutex>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "common/edit/edit.h"
 #include "common/service/scan_info.h"
-#include "server/session/sqlite.h"
+#include "common/service/session_roles.h"
+#include "server/session/group_commit.h"
+#include "server/session/paint_checkpoints.h"
 
 namespace burnish {
 
@@ -23,7 +23,8 @@ struct SessionRecord {
 };
 
 /// The sessions and their edits, on disk before anybody is told. It keeps intentions, never
-/// solutions: applying a session's edits in order gives its state. Thread-safe.
+/// solutions: applying a session's edits in order gives its state. The paint that it keeps beside
+/// them only shortens that. Thread-safe; writes share commits.
 class Journal {
  public:
   /// Fails: data_loss when the file is damaged or from a newer program; as SQLite says.
@@ -32,22 +33,44 @@ class Journal {
   /// By name.
   Result<std::vector<SessionRecord>> sessions();
 
-  Status create_session(const SessionRecord& record);
+  Status create_session(const SessionRecord& record, const SessionRoles& roles);
   Status remove_session(const std::string& id);
 
-  /// Appends all or none; returns when they are on disk. Needs: ids that the session has not seen.
-  Status append(const std::string& session_id, std::span<const Edit> edits);
+  /// A new session with the first `edits` edits of another, and its paint.
+  Status fork_session(const std::string& source_id, uint64_t edits, const SessionRecord& record,
+                      const SessionRoles& roles);
 
-  /// In the order of their acknowledgement.
-  Result<std::vector<Edit>> edits(const std::string& session_id);
+  /// Appends all or none, the first with the number `first`; `done` is called from another thread
+  /// when they are on disk. Without edits it only waits for those before.
+  /// Fails: already_exists (an id that the author has used), data_loss (the session's edits do not
+  /// end before `first`, for some before were not written).
+  void append(const std::string& session_id, uint64_t first, std::vector<AuthoredEdit> edits,
+              GroupCommit::Done done);
+
+  /// The same, and waits.
+  Status append(const std::string& session_id, uint64_t first, std::vector<AuthoredEdit> edits);
+
+  /// In the order of their numbers.
+  Result<std::vector<AuthoredEdit>> edits(const std::string& session_id);
 
   Result<uint64_t> edit_count(const std::string& session_id);
 
- private:
-  explicit Journal(Database database) : database_(std::move(database)) {}
+  Result<SessionRoles> roles(const std::string& session_id);
+  Status set_role(const std::string& session_id, const std::string& user, SessionRole role);
 
-  std::mutex mutex_;
-  Database database_;
+  /// Keeps paint of a session; its oldest goes when there is more than a few. Does not wait.
+  void keep_paint(const std::string& session_id, const PaintCheckpoint& paint);
+
+  /// What is kept, without what is damaged.
+  Result<std::vector<PaintCheckpoint>> paint(const std::string& session_id, size_t cell_count);
+
+  /// Commits so far, by which a test sees that writes share them.
+  uint64_t commits() const { return commit_.commits(); }
+
+ private:
+  explicit Journal(Database database) : commit_(std::move(database)) {}
+
+  GroupCommit commit_;
 };
 
 }  // namespace burnish

@@ -12,43 +12,20 @@ static constexpr int kCyclesMax = 500;
 
 struct Session::State {
   State(std::shared_ptr<const PreparedMesh> prepared_mesh, std::unique_ptr<Solver> session_solver)
-      : prepared(std::move(prepared_mesh)), fields(*prepared), solver(std::move(session_solver)) {}
+      : prepared(std::move(prepared_mesh)), edited(*prepared), solver(std::move(session_solver)) {}
 
   void update_solver() {
-    if (metric_changed)
-      solver->set_metric(fields.view());
-    else if (beta_changed)
-      solver->set_gradient_scale(fields.view());
-    metric_changed = beta_changed = false;
-  }
-
-  Status apply(const SetGradientScale& change) {
-    fields.set_gradient_scale(change.beta);
-    beta_changed = true;
-    return Status::ok();
-  }
-  Status apply(const SetTransferCurve& change) {
-    fields.set_transfer_curve(change.curve);
-    metric_changed = true;
-    return Status::ok();
-  }
-  Status apply(const Stroke& stroke) {
-    fields.paint(stroke);
-    beta_changed = true;
-    return Status::ok();
-  }
-  Status apply(const SetCellFields& change) {
-    RETURN_IF_ERROR(fields.override_cells(change));
-    metric_changed = true;
-    return Status::ok();
+    const EditedFields::Changes changes = edited.take_changes();
+    if (changes.metric)
+      solver->set_metric(edited.fields().view());
+    else if (changes.beta)
+      solver->set_gradient_scale(edited.fields().view());
   }
 
   std::shared_ptr<const PreparedMesh> prepared;
-  Fields fields;
+  EditedFields edited;
   std::unique_ptr<Solver> solver;
   LiveObject live{LiveKind::kSession};
-  bool metric_changed = true;
-  bool beta_changed = true;
 };
 
 Result<std::unique_ptr<Session>> Session::open(std::shared_ptr<const PreparedMesh> prepared,
@@ -62,9 +39,16 @@ Result<std::unique_ptr<Session>> Session::open(std::shared_ptr<const PreparedMes
 Session::Session(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Session::~Session() = default;
 
+EditedFields& Session::edited() {
+  return state_->edited;
+}
+const EditedFields& Session::edited() const {
+  return state_->edited;
+}
+
 Status Session::apply(const Edit& edit) {
-  RETURN_IF_ERROR(validate(edit));
-  return std::visit([&](const auto& change) { return state_->apply(change); }, edit.change);
+  const AuthoredEdit authored{"", 0, edit};
+  return state_->edited.apply({&authored, 1}).status();
 }
 
 StepReport Session::step() {
@@ -92,11 +76,11 @@ TriangleMesh Session::surface() const {
 const PreparedMesh& Session::prepared() const {
   return *state_->prepared;
 }
-const Fields& Session::fields() const {
-  return state_->fields;
-}
 const Solver& Session::solver() const {
   return *state_->solver;
+}
+uint64_t Session::byte_count() const {
+  return state_->solver->byte_count() + state_->edited.byte_count();
 }
 
 }  // namespace burnish

@@ -7,7 +7,7 @@
 #include "common/edit/edit.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/prepared_mesh.h"
-#include "server/solver/fields.h"
+#include "server/session/edited_fields.h"
 #include "server/solver/solver.h"
 
 namespace burnish {
@@ -19,7 +19,7 @@ struct SolveOptions {
   int cycles = 0;      ///< > 0: exactly this many
 };
 
-/// One user's editing state of a prepared mesh: edits in, fields, solver, surface out.
+/// One editing state of a prepared mesh: edits in, fields, solver, surface out.
 /// Not thread-safe: its owner serialises calls.
 class Session {
  public:
@@ -29,7 +29,12 @@ class Session {
                                                const SolverOptions& options);
   ~Session();
 
-  /// Validates and applies; the solver sees it at the next step. A failed edit changes nothing.
+  /// Edits in, all of a batch or none; the solver sees them at the next step, as new matrices or
+  /// as a new constraint only, once for all.
+  EditedFields& edited();
+  const EditedFields& edited() const;
+
+  /// One edit of nobody in particular.
   Status apply(const Edit& edit);
 
   /// Brings the system up to date with the edits and relaxes by one cycle.
@@ -42,8 +47,9 @@ class Session {
   TriangleMesh surface() const;
 
   const PreparedMesh& prepared() const;
-  const Fields& fields() const;
+  const Fields& fields() const { return edited().fields(); }
   const Solver& solver() const;
+  uint64_t byte_count() const;  ///< of this session alone
 
  private:
   struct State;

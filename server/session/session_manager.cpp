@@ -1,55 +1,14 @@
 #include "server/session/session_manager.h"
 
-#include <atomic>
 #include <chrono>
-#include <unordered_set>
 
 #include <spdlog/spdlog.h>
 
 #include "server/metrics/metrics.h"
-#include "server/session/cancellable_lock.h"
 #include "server/session/memory_need.h"
+#include "server/session/session_held.h"
 
 namespace burnish {
-
-struct SessionManager::Entry {
-  explicit Entry(SessionRecord session_record) : record(std::move(session_record)) {}
-
-  SessionInfo info() const {
-    return {record.id, record.name, record.scan_id, record.key, record.created_unix_seconds,
-            edits,     in_memory};
-  }
-
-  void leave_memory() {
-    session.reset();
-    mesh.reset();
-    memory = {};
-    by_user = {};
-    session_bytes = 0;
-    edit_ids.clear();
-    last = {};
-    in_memory = false;
-  }
-
-  const SessionRecord record;
-  std::atomic<uint64_t> edits{0};
-  std::atomic<bool> in_memory{false};
-  std::atomic<uint64_t> session_bytes{0};
-
-  std::timed_mutex mutex;  // of what follows
-  bool deleted = false;
-  std::shared_ptr<const SharedMesh> mesh;
-  Quota::Share memory;                       // what the session takes of the server's
-  Quota::Share by_user;                      // of whoever opened it
-  std::unique_ptr<Session> session;          // null: not in memory
-  std::unordered_set<std::string> edit_ids;  // of the session in memory
-  StepReport last;
-};
-
-struct SessionManager::Held {
-  std::shared_ptr<Entry> entry;
-  std::unique_lock<std::timed_mutex> lock;
-};
 
 namespace {
 
@@ -73,14 +32,15 @@ Result<std::unique_ptr<SessionManager>> SessionManager::create(
   std::unique_ptr<SessionManager> manager(new SessionManager(folder, store, journal, options));
   ASSIGN_OR_RETURN(const auto records, journal.sessions());
   for (const SessionRecord& record : records) {
-    auto entry = std::make_shared<Entry>(record);
+    auto entry = std::make_shared<SessionEntry>(record);
     ASSIGN_OR_RETURN(entry->edits, journal.edit_count(record.id));
+    ASSIGN_OR_RETURN(entry->roles, journal.roles(record.id));
     manager->sessions_[record.name] = std::move(entry);
   }
   return manager;
 }
 
-std::shared_ptr<SessionManager::Entry> SessionManager::find(const std::string& reference) const {
+std::shared_ptr<SessionEntry> SessionManager::find(const std::string& reference) const {
   const std::lock_guard lock(mutex_);
   const auto named = sessions_.find(reference);
   if (named != sessions_.end()) return named->second;
@@ -109,7 +69,8 @@ Result<SessionManager::Held> SessionManager::use(const std::string& reference,
   return held;
 }
 
-Status SessionManager::bring_back(Entry& entry, const Progress& progress) {
+Status SessionManager::bring_back(SessionEntry& entry, const Progress& progress) {
+  if (entry.ahead_of_journal.exchange(false)) entry.leave_memory();
   if (entry.session) return Status::ok();
   const SessionRecord& record = entry.record;
   ASSIGN_OR_RETURN(const auto mesh, store_.open_mesh(record.scan_id, record.key, progress));
@@ -119,24 +80,34 @@ Status SessionManager::bring_back(Entry& entry, const Progress& progress) {
   spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),
                session->solver().backend_reason());
   ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));
-  std::unordered_set<std::string> ids;
-  for (const Edit& edit : edits) {
-    if (!report(progress, "replaying edits", double(ids.size()) / double(edits.size())))
-      return cancelled("the replay was cancelled");
-    RETURN_IF_ERROR(session->apply(edit).with_context("replaying edit " + edit.id));
-    ids.insert(edit.id);
-  }
+  ASSIGN_OR_RETURN(auto kept, journal_.paint(record.id, mesh->prepared->cells.size()));
+  for (PaintCheckpoint& paint : kept) session->edited().offer(std::move(paint));
+  RETURN_IF_ERROR(session->edited().apply(edits, progress).status().with_context("replay"));
   entry.mesh = mesh;
   entry.session_bytes = memory.amount();
   entry.memory = std::move(memory);
   entry.session = std::move(session);
-  entry.edit_ids = std::move(ids);
+  entry.edits = edits.size();
   entry.in_memory = true;
+  keep_paint(entry);
   return Status::ok();
 }
 
-Result<std::shared_ptr<SessionManager::Entry>> SessionManager::find_or_create(
-    const SessionWish& wish, bool& created) {
+void SessionManager::keep_paint(SessionEntry& entry) {
+  for (const PaintCheckpoint& paint : entry.session->edited().take_kept())
+    journal_.keep_paint(entry.record.id, paint);
+}
+
+Status SessionManager::check_room() const {
+  if (sessions_.size() < options_.sessions_max) return Status::ok();
+  return resource_exhausted("the server has " + std::to_string(sessions_.size()) +
+                            " sessions, sessions_max is " + std::to_string(options_.sessions_max) +
+                            "; delete one");
+}
+
+Result<std::shared_ptr<SessionEntry>> SessionManager::find_or_create(const SessionWish& wish,
+                                                                     const std::string& user,
+                                                                     bool& created) {
   const std::lock_guard lock(mutex_);
   ASSIGN_OR_RETURN(const ScanInfo scan, store_.find(wish.scan));
   SessionRecord record{random_name(), wish.name, scan.id, resolve(wish.key, scan),
@@ -152,26 +123,26 @@ Result<std::shared_ptr<SessionManager::Entry>> SessionManager::find_or_create(
                           " at " + describe(other.key) + ", not scan " + short_id(scan.id) +
                           " at " + describe(record.key));
   }
-  if (sessions_.size() >= options_.sessions_max)
-    return resource_exhausted("the server has " + std::to_string(sessions_.size()) +
-                              " sessions, sessions_max is " +
-                              std::to_string(options_.sessions_max) + "; delete one");
-  RETURN_IF_ERROR(journal_.create_session(record));
-  return sessions_[record.name] = std::make_shared<Entry>(record);
+  RETURN_IF_ERROR(check_room());
+  auto entry = std::make_shared<SessionEntry>(record);
+  entry->roles = SessionRoles::of_new_session(user);
+  RETURN_IF_ERROR(journal_.create_session(record, entry->roles));
+  return sessions_[record.name] = std::move(entry);
 }
 
-Result<OpenedSession> SessionManager::open(const SessionWish& wish, const Progress& progress) {
+Result<OpenedSession> SessionManager::open(const SessionWish& wish, const std::string& user,
+                                           const Progress& progress) {
   bool created = false;
-  ASSIGN_OR_RETURN(const auto entry, find_or_create(wish, created));
-  const Status status = bring_back_for(*entry, wish.user, progress);
+  ASSIGN_OR_RETURN(const auto entry, find_or_create(wish, user, created));
+  const Status status = bring_back_for(*entry, user, progress);
   if (status.is_ok()) return OpenedSession{entry->info(), !created};
   // Nobody has been told of a session that could not be opened: take it back.
-  if (created) (void)remove(entry->record.id, {});
+  if (created) (void)remove(entry->record.id, user, {});
   return status;
 }
 
 // A session in memory counts for the user who opened it.
-Status SessionManager::bring_back_for(Entry& entry, const std::string& user,
+Status SessionManager::bring_back_for(SessionEntry& entry, const std::string& user,
                                       const Progress& progress) {
   ASSIGN_OR_RETURN(const Held held, lock(entry.record.id, progress));
   Quota::Share share;
@@ -193,6 +164,35 @@ SessionManager::Usage SessionManager::usage() const {
   return usage;
 }
 
+static Result<uint64_t> end_of_fork(const ForkWish& wish, const History& history) {
+  if (!wish.checkpoint.empty()) return history.checkpoint(wish.checkpoint);
+  if (wish.number <= history.size()) return wish.number == 0 ? history.size() : wish.number;
+  return not_found("the session has " + std::to_string(history.size()) + " edits, none is number " +
+                   std::to_string(wish.number));
+}
+
+Result<SessionInfo> SessionManager::fork(const ForkWish& wish, const std::string& user,
+                                         const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, use(wish.source, progress));
+  ASSIGN_OR_RETURN(const uint64_t edits,
+                   end_of_fork(wish, held.entry->session->edited().history()));
+  SessionRecord record = held.entry->record;
+  record.id = random_name();
+  record.name = wish.name.empty() ? record.name + "-" + record.id.substr(0, 6) : wish.name;
+  record.created_unix_seconds = unix_seconds_now();
+  auto entry = std::make_shared<SessionEntry>(record);
+  entry->roles = SessionRoles::of_new_session(user);
+  entry->edits = edits;
+
+  const std::lock_guard lock(mutex_);
+  if (sessions_.contains(record.name))
+    return already_exists("a session " + record.name + " is there already");
+  RETURN_IF_ERROR(check_room());
+  RETURN_IF_ERROR(journal_.fork_session(held.entry->record.id, edits, record, entry->roles));
+  sessions_[record.name] = entry;
+  return entry->info();
+}
+
 std::vector<SessionInfo> SessionManager::list() const {
   const std::lock_guard lock(mutex_);
   std::vector<SessionInfo> sessions;
@@ -206,8 +206,10 @@ Status SessionManager::close(const std::string& reference, const Progress& progr
   return Status::ok();
 }
 
-Status SessionManager::remove(const std::string& reference, const Progress& progress) {
+Status SessionManager::remove(const std::string& reference, const std::string& user,
+                              const Progress& progress) {
   ASSIGN_OR_RETURN(const Held held, lock(reference, progress));
+  RETURN_IF_ERROR(held.entry->roles.require(user, SessionRole::kOwner, "deleting the session"));
   RETURN_IF_ERROR(journal_.remove_session(held.entry->record.id));
   held.entry->leave_memory();
   held.entry->deleted = true;
@@ -216,47 +218,21 @@ Status SessionManager::remove(const std::string& reference, const Progress& prog
   return Status::ok();
 }
 
-Result<ApplyOutcome> SessionManager::apply(const std::string& reference,
-                                           std::span<const Edit> edits, const Progress& progress) {
-  for (const Edit& edit : edits) RETURN_IF_ERROR(validate(edit).with_context("edit " + edit.id));
-  ASSIGN_OR_RETURN(const Held held, use(reference, progress));
-  Entry& entry = *held.entry;
-
-  std::vector<Edit> fresh;
-  std::unordered_set<std::string> ids;
-  for (const Edit& edit : edits)
-    if (!entry.edit_ids.contains(edit.id) && ids.insert(edit.id).second) fresh.push_back(edit);
-
-  Status status;
-  for (size_t i = 0; i < fresh.size() && status.is_ok(); ++i)
-    status = entry.session->apply(fresh[i]).with_context("edit " + fresh[i].id);
-  if (status.is_ok()) status = journal_.append(entry.record.id, fresh);
-  if (!status.is_ok()) {
-    // The session may have seen an edit that is not in the journal: let it come back by replay.
-    entry.leave_memory();
-    return status;
-  }
-  entry.edit_ids.merge(ids);
-  entry.edits += fresh.size();
-  return ApplyOutcome{static_cast<uint32_t>(fresh.size()),
-                      static_cast<uint32_t>(edits.size() - fresh.size()), entry.edits};
-}
-
 Result<SessionState> SessionManager::state(const std::string& reference, const Progress& progress) {
   ASSIGN_OR_RETURN(const Held held, use(reference, progress));
-  const Entry& entry = *held.entry;
+  const SessionEntry& entry = *held.entry;
   const Fields& fields = entry.session->fields();
   const Solver& solver = entry.session->solver();
   return SessionState{
-      entry.info(),        fields.gradient_scale(), fields.transfer_curve(),
-      entry.last.cycle,    entry.last.energy,       entry.last.residual,
-      entry.last.distance, solver.byte_count(),     std::string(solver.backend_name())};
+      entry.info(),        fields.gradient_scale(),     fields.transfer_curve(),
+      entry.last.cycle,    entry.last.energy,           entry.last.residual,
+      entry.last.distance, entry.session->byte_count(), std::string(solver.backend_name())};
 }
 
 Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish& wish,
                                                     const std::filesystem::path& path,
                                                     const Progress& progress) {
-  Entry& entry = *held.entry;
+  SessionEntry& entry = *held.entry;
   ASSIGN_OR_RETURN(const SolveReport solved,
                    entry.session->solve({wish.exact, wish.cycles}, progress));
   entry.last = solved.last;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -8,10 +9,13 @@
 #include <vector>
 
 #include "common/base/progress.h"
+#include "common/service/session_history.h"
 #include "common/service/session_info.h"
+#include "common/service/session_people.h"
 #include "server/session/export_file.h"
 #include "server/session/journal.h"
 #include "server/session/mesh_store.h"
+#include "server/session/presence.h"
 #include "server/session/session.h"
 
 namespace burnish {
@@ -22,8 +26,12 @@ struct SessionManagerOptions {
   SolverOptions solver;
 };
 
+struct SessionEntry;
+
 /// All sessions by name and id. The journal knows every session; those in use are in memory as
 /// well, and come back there by replay. Thread-safe: one lock per session, held while it works.
+/// `user` is who asks, "" for somebody without a name; what they may do is up to the session's
+/// roles, and a refusal is permission_denied.
 class SessionManager {
  public:
   /// Lists the journal's sessions. Needs: folder, store and journal outlive the manager.
@@ -34,7 +42,12 @@ class SessionManager {
 
   /// Opens, or attaches to the session of that name when it is over the same prepared mesh.
   /// Fails: not_found, already_exists (the name is another's), resource_exhausted, cancelled.
-  Result<OpenedSession> open(const SessionWish& wish, const Progress& progress);
+  Result<OpenedSession> open(const SessionWish& wish, const std::string& user,
+                             const Progress& progress);
+
+  /// A new session with a part of another's edits; `user` becomes its owner.
+  /// Fails: not_found (session, edit, checkpoint), already_exists, resource_exhausted, cancelled.
+  Result<SessionInfo> fork(const ForkWish& wish, const std::string& user, const Progress& progress);
 
   /// By name.
   std::vector<SessionInfo> list() const;
@@ -50,11 +63,34 @@ class SessionManager {
   Status close(const std::string& reference, const Progress& progress);
 
   /// Forgets the session and its edits.
-  Status remove(const std::string& reference, const Progress& progress);
+  Status remove(const std::string& reference, const std::string& user, const Progress& progress);
 
-  /// Applies all new edits or none. When it returns they are on disk. Ids seen before are skipped.
-  Result<ApplyOutcome> apply(const std::string& reference, std::span<const Edit> edits,
-                             const Progress& progress);
+  /// Applies all new edits or none. When it returns they are on disk. Ids that the user has used
+  /// before are skipped. Fails: as EditedFields::apply() and Journal::append().
+  Result<ApplyOutcome> apply(const std::string& reference, const std::string& user,
+                             std::span<const Edit> edits, const Progress& progress);
+
+  /// The same without waiting for the disk: the session shows the edits when this returns, and
+  /// `on_disk` is called from another thread when they are safe. When it hears of a failure, the
+  /// session forgets them. Not called when this fails.
+  Result<ApplyOutcome> submit(const std::string& reference, const std::string& user,
+                              std::span<const Edit> edits, const Progress& progress,
+                              GroupCommit::Done on_disk);
+
+  Result<HistoryPage> history(const HistoryWish& wish, const Progress& progress);
+
+  Result<SessionPeople> people(const std::string& reference, const Progress& progress);
+
+  /// Gives `subject`, or everybody without a role of their own when it is "", a role.
+  Status set_role(const std::string& reference, const std::string& user, const std::string& subject,
+                  SessionRole role, const Progress& progress);
+
+  /// Runs `work` with the session in memory and nobody else at it.
+  Status visit(const std::string& reference, const Progress& progress,
+               const std::function<Status(Session&)>& work);
+
+  /// Who is there; lives as long as the session. Fails: not_found.
+  Result<std::shared_ptr<Presence>> presence(const std::string& reference) const;
 
   Result<SessionState> state(const std::string& reference, const Progress& progress);
 
@@ -66,7 +102,6 @@ class SessionManager {
   Result<std::string> delete_scan(const std::string& reference);
 
  private:
-  struct Entry;
   /// A session's entry with its lock held and the session in memory.
   struct Held;
 
@@ -78,12 +113,15 @@ class SessionManager {
         options_(options),
         by_user_("sessions open", "limits.sessions_per_user", options.sessions_per_user) {}
 
-  std::shared_ptr<Entry> find(const std::string& reference) const;
-  Result<std::shared_ptr<Entry>> find_or_create(const SessionWish& wish, bool& created);
+  std::shared_ptr<SessionEntry> find(const std::string& reference) const;
+  Result<std::shared_ptr<SessionEntry>> find_or_create(const SessionWish& wish,
+                                                       const std::string& user, bool& created);
+  Status check_room() const;  // needs the map's lock
   Result<Held> lock(const std::string& reference, const Progress& progress) const;
   Result<Held> use(const std::string& reference, const Progress& progress);
-  Status bring_back(Entry& entry, const Progress& progress);
-  Status bring_back_for(Entry& entry, const std::string& user, const Progress& progress);
+  Status bring_back(SessionEntry& entry, const Progress& progress);
+  void keep_paint(SessionEntry& entry);
+  Status bring_back_for(SessionEntry& entry, const std::string& user, const Progress& progress);
   Result<ExportSummary> solve_to_file(Held& held, const ExportWish& wish,
                                       const std::filesystem::path& path, const Progress& progress);
 
@@ -94,7 +132,7 @@ class SessionManager {
   Quota by_user_;
 
   mutable std::mutex mutex_;  // of the map; never held while a session works
-  std::map<std::string, std::shared_ptr<Entry>> sessions_;  // by name
+  std::map<std::string, std::shared_ptr<SessionEntry>> sessions_;  // by name
 };
 
 }  // namespace burnish

@@ -41,9 +41,10 @@ class Backend {
   }
 
   // The system. Shapes: one entry per cell of the finest depth. Units: α in user units.
-  /// The matrices of all depths (section 5.2), smoothers and the coarsest factorisation.
+  /// The matrices of all depths (section 5.2), smoothers and the coarsest factorisation. Afterwards
+  /// r is wrong until recompute_residual().
   virtual void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) = 0;
-  /// b = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²), the constraint of the displacement.
+  /// b = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²), the constraint of the displacement; r changes by as much.
   virtual void set_constraint(std::span<const float> alpha1, std::span<const float> alpha2,
                               std::span<const float> beta) = 0;
 

@@ -16,17 +16,12 @@ Fields::Fields(const PreparedMesh& prepared)
 
 void Fields::set_transfer_curve(const TransferCurve& curve) {
   curve_ = curve;
-#pragma omp parallel for schedule(static)
-  for (int64_t c = 0; c < static_cast<int64_t>(alpha1_.size()); ++c) {
-    alpha1_[c] = static_cast<float>(curve.alpha(prepared_.curvature[c].kappa1));
-    alpha2_[c] = static_cast<float>(curve.alpha(prepared_.curvature[c].kappa2));
-  }
-  override_metric();
+  metric_is_old_ = true;
 }
 
 void Fields::set_gradient_scale(double beta) {
   beta_slider_ = beta;
-  blend_beta();
+  beta_is_old_ = true;
 }
 
 namespace {
@@ -70,48 +65,96 @@ void Fields::paint(const Stroke& stroke) {
     painted_beta_[c] = static_cast<float>(beta);
     painted_weight_[c] = static_cast<float>(covered);
   }
-  blend_beta();
+  beta_is_old_ = true;
+}
+
+PaintedCells Fields::painted() const {
+  PaintedCells painted;
+  for (size_t c = 0; c < painted_weight_.size(); ++c) {
+    if (painted_weight_[c] == 0 && painted_beta_[c] == 0) continue;
+    painted.cells.push_back(static_cast<int32_t>(c));
+    painted.beta.push_back(painted_beta_[c]);
+    painted.weight.push_back(painted_weight_[c]);
+  }
+  return painted;
+}
+
+void Fields::set_painted(const PaintedCells& painted) {
+  std::fill(painted_beta_.begin(), painted_beta_.end(), 0.0f);
+  std::fill(painted_weight_.begin(), painted_weight_.end(), 0.0f);
+  for (size_t i = 0; i < painted.cells.size(); ++i) {
+    painted_beta_[painted.cells[i]] = painted.beta[i];
+    painted_weight_[painted.cells[i]] = painted.weight[i];
+  }
+  beta_is_old_ = true;
+}
+
+Result<int32_t> Fields::index_of(const Vec3i& cell) const {
+  const auto text = [&] {
+    return std::to_string(cell.x()) + " " + std::to_string(cell.y()) + " " +
+           std::to_string(cell.z());
+  };
+  const int side = prepared_.frame.cells_per_side();
+  if ((cell.array() < 0).any() || (cell.array() >= side).any())
+    return invalid_argument("cell " + text() + " is outside the grid of 0.." +
+                            std::to_string(side - 1));
+  const MortonKey key = morton_key(cell);
+  const auto it = std::lower_bound(prepared_.cells.begin(), prepared_.cells.end(), key);
+  if (it == prepared_.cells.end() || *it != key)
+    return invalid_argument("cell " + text() + " holds no surface at depth " +
+                            std::to_string(prepared_.frame.depth));
+  return static_cast<int32_t>(it - prepared_.cells.begin());
+}
+
+Status Fields::check(const SetCellFields& change) const {
+  for (const SetCellFields::Cell& cell : change.cells)
+    RETURN_IF_ERROR(index_of(cell.cell).status());
+  return Status::ok();
 }
 
 Status Fields::override_cells(const SetCellFields& change) {
   std::vector<std::pair<int32_t, SetCellFields::Cell>> found;
   found.reserve(change.cells.size());
   for (const SetCellFields::Cell& cell : change.cells) {
-    const auto text = [](const Vec3i& p) {
-      return std::to_string(p.x()) + " " + std::to_string(p.y()) + " " + std::to_string(p.z());
-    };
-    const int side = prepared_.frame.cells_per_side();
-    if ((cell.cell.array() < 0).any() || (cell.cell.array() >= side).any())
-      return invalid_argument("cell " + text(cell.cell) + " is outside the grid of 0.." +
-                              std::to_string(side - 1));
-    const MortonKey key = morton_key(cell.cell);
-    const auto it = std::lower_bound(prepared_.cells.begin(), prepared_.cells.end(), key);
-    if (it == prepared_.cells.end() || *it != key)
-      return invalid_argument("cell " + text(cell.cell) + " holds no surface at depth " +
-                              std::to_string(prepared_.frame.depth));
-    found.emplace_back(static_cast<int32_t>(it - prepared_.cells.begin()), cell);
+    ASSIGN_OR_RETURN(const int32_t index, index_of(cell.cell));
+    found.emplace_back(index, cell);
   }
   overrides_.insert(overrides_.end(), found.begin(), found.end());
-  override_metric();
-  blend_beta();
+  metric_is_old_ = beta_is_old_ = true;
   return Status::ok();
 }
 
-void Fields::blend_beta() {
-  const double slider = beta_slider_;
-#pragma omp parallel for schedule(static)
-  for (int64_t c = 0; c < static_cast<int64_t>(beta_.size()); ++c) {
-    const double weight = painted_weight_[c];
-    beta_[c] = static_cast<float>((1 - weight) * slider + weight * painted_beta_[c]);
-  }
-  for (const auto& [c, cell] : overrides_) beta_[c] = static_cast<float>(cell.beta);
+void Fields::clear_overrides() {
+  overrides_.clear();
+  metric_is_old_ = beta_is_old_ = true;
 }
 
-void Fields::override_metric() {
+FieldsView Fields::view() const {
+  if (metric_is_old_) update_metric();
+  if (beta_is_old_) update_beta();
+  metric_is_old_ = beta_is_old_ = false;
+  return {alpha1_, alpha2_, beta_};
+}
+
+void Fields::update_metric() const {
+#pragma omp parallel for schedule(static)
+  for (int64_t c = 0; c < static_cast<int64_t>(alpha1_.size()); ++c) {
+    alpha1_[c] = static_cast<float>(curve_.alpha(prepared_.curvature[c].kappa1));
+    alpha2_[c] = static_cast<float>(curve_.alpha(prepared_.curvature[c].kappa2));
+  }
   for (const auto& [c, cell] : overrides_) {
     alpha1_[c] = static_cast<float>(cell.alpha1);
     alpha2_[c] = static_cast<float>(cell.alpha2);
   }
+}
+
+void Fields::update_beta() const {
+#pragma omp parallel for schedule(static)
+  for (int64_t c = 0; c < static_cast<int64_t>(beta_.size()); ++c) {
+    const double weight = painted_weight_[c];
+    beta_[c] = static_cast<float>((1 - weight) * beta_slider_ + weight * painted_beta_[c]);
+  }
+  for (const auto& [c, cell] : overrides_) beta_[c] = static_cast<float>(cell.beta);
 }
 
 }  // namespace burnish

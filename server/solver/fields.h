@@ -10,7 +10,15 @@
 
 namespace burnish {
 
+/// Painted β and its weight, of the cells that have paint.
+struct PaintedCells {
+  std::vector<int32_t> cells;  ///< indices, rising
+  std::vector<float> beta, weight;
+  bool operator==(const PaintedCells&) const = default;
+};
+
 /// α1, α2 and β per cell (section 4.3), and what they come from: slider, paint, curve, overrides.
+/// Setting one of these is cheap; the cells are computed by the next view(), once for all changes.
 /// Shapes: one entry per cell of the finest depth. Units: α in user units.
 class Fields {
  public:
@@ -22,21 +30,34 @@ class Fields {
   void paint(const Stroke& stroke);
   /// Fails: invalid_argument naming the first cell that is not active; then nothing is changed.
   Status override_cells(const SetCellFields& change);
+  /// What override_cells() would fail with.
+  Status check(const SetCellFields& change) const;
+  void clear_overrides();
 
-  FieldsView view() const { return {alpha1_, alpha2_, beta_}; }
+  PaintedCells painted() const;
+  /// Replaces all paint. Needs: paint of the same prepared mesh.
+  void set_painted(const PaintedCells& painted);
+
+  FieldsView view() const;
   const TransferCurve& transfer_curve() const { return curve_; }
   double gradient_scale() const { return beta_slider_; }
 
  private:
-  void blend_beta();
-  void override_metric();
+  void update_metric() const;
+  void update_beta() const;
+  /// The index of an active cell. Fails: invalid_argument.
+  Result<int32_t> index_of(const Vec3i& cell) const;
 
   const PreparedMesh& prepared_;  // outlives the fields
   TransferCurve curve_{kAlphaDefault};
   double beta_slider_ = kBetaDefault;
   std::vector<float> painted_beta_, painted_weight_;
   std::vector<std::pair<int32_t, SetCellFields::Cell>> overrides_;  // by cell index, in order
-  std::vector<float> alpha1_, alpha2_, beta_;
+
+  // What the above amounts to, as of the last view().
+  mutable std::vector<float> alpha1_, alpha2_, beta_;
+  mutable bool metric_is_old_ = false;
+  mutable bool beta_is_old_ = false;
 };
 
 }  // namespace burnish

@@ -1,6 +1,7 @@
 #include "server/solver/hierarchy.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "common/base/check.h"
 
@@ -22,11 +23,34 @@ std::array<int32_t, kSlots> neighbours(const SparseGrid& grid, int32_t corner) {
   return by_slot;
 }
 
+// Stored rows of the corners: in each window by rising length, else in order.
+void order_rows(Stencil& stencil) {
+  const int32_t n = static_cast<int32_t>(stencil.mask.size());
+  const auto length = [&](int32_t corner) { return __builtin_popcount(stencil.mask[corner]); };
+  const auto shorter = [&](int32_t a, int32_t b) { return length(a) < length(b); };
+  stencil.corner_of_row.resize(n);
+  stencil.row_of_corner.resize(n);
+#pragma omp parallel for schedule(static)
+  for (int32_t first = 0; first < n; first += Stencil::kRowWindow) {
+    const auto begin = stencil.corner_of_row.begin() + first;
+    const auto end = begin + std::min(Stencil::kRowWindow, n - first);
+    std::iota(begin, end, first);
+    std::stable_sort(begin, end, shorter);
+    for (auto at = begin; at < end; ++at)
+      stencil.row_of_corner[*at] = static_cast<int32_t>(at - stencil.corner_of_row.begin());
+  }
+  stencil.row_start.assign(n + 1, 0);
+  for (int32_t row = 0; row < n; ++row) {
+    constexpr int kPadding = Stencil::kRowPadding;
+    const int padded = (length(stencil.corner_of_row[row]) + kPadding - 1) / kPadding * kPadding;
+    stencil.row_start[row + 1] = stencil.row_start[row] + padded;
+  }
+}
+
 Stencil make_stencil(const SparseGrid& grid) {
   const int32_t n = grid.corner_count();
   Stencil stencil;
   stencil.mask.resize(n);
-  stencil.row_start.resize(n + 1);
 #pragma omp parallel for schedule(static)
   for (int32_t corner = 0; corner < n; ++corner) {
     const auto by_slot = neighbours(grid, corner);
@@ -34,16 +58,15 @@ Stencil make_stencil(const SparseGrid& grid) {
     for (int s = 0; s < kSlots; ++s) mask |= static_cast<uint32_t>(by_slot[s] != kNone) << s;
     stencil.mask[corner] = mask;
   }
-  stencil.row_start[0] = 0;
-  for (int32_t corner = 0; corner < n; ++corner)
-    stencil.row_start[corner + 1] =
-        stencil.row_start[corner] + __builtin_popcount(stencil.mask[corner]);
+  order_rows(stencil);
   stencil.column.resize(stencil.row_start[n]);
 #pragma omp parallel for schedule(static)
-  for (int32_t corner = 0; corner < n; ++corner) {
-    int64_t next = stencil.row_start[corner];
+  for (int32_t row = 0; row < n; ++row) {
+    const int32_t corner = stencil.corner_of_row[row];
+    int64_t next = stencil.row_start[row];
     for (int32_t neighbour : neighbours(grid, corner))
       if (neighbour != kNone) stencil.column[next++] = neighbour;
+    while (next < stencil.row_start[row + 1]) stencil.column[next++] = corner;
   }
   return stencil;
 }
@@ -159,6 +182,7 @@ uint64_t Hierarchy::byte_count() const {
   for (const HierarchyDepth& depth : depths) {
     bytes += bytes_of(depth.grid.cells) + bytes_of(depth.grid.corners) +
              bytes_of(depth.grid.cell_corners) + bytes_of(depth.grid.cells_of_corner) +
+             bytes_of(depth.stencil.corner_of_row) + bytes_of(depth.stencil.row_of_corner) +
              bytes_of(depth.stencil.row_start) + bytes_of(depth.stencil.column) +
              bytes_of(depth.stencil.mask) + bytes_of(depth.parent_cell) +
              bytes_of(depth.child_start) + bytes_of(depth.child) +

@@ -13,16 +13,32 @@ namespace burnish {
 
 /// Which corners share a cell, itself left out: the off-diagonal pattern of every matrix of one
 /// depth, in compressed rows.
+///
+/// Among each kRowWindow corners the rows are stored by rising length, so that a loop over rows
+/// seldom meets another length than before (a mispredicted end costs as much as a row), and each
+/// is padded to a multiple of kRowPadding entries by the corner itself, whose entry is zero there.
 struct Stencil {
-  std::vector<int64_t> row_start;  ///< corners + 1
+  static constexpr int32_t kRowWindow = 256;
+  static constexpr int kRowPadding = 4;
+
+  std::vector<int32_t> corner_of_row;
+  std::vector<int32_t> row_of_corner;
+  std::vector<int64_t> row_start;  ///< rows + 1
   std::vector<int32_t> column;     ///< in slot order within a row
   std::vector<uint32_t> mask;      ///< bit s of mask[I]: slot s of corner I is present
 
+  struct Row {
+    int64_t begin, end;
+  };
+  /// The places of a corner's entries in `column`, padding left out.
+  Row row(int32_t corner) const {
+    const int64_t begin = row_start[row_of_corner[corner]];
+    return {begin, begin + __builtin_popcount(mask[corner])};
+  }
   /// Where slot s of corner I stands in `column`. Needs: the slot is present.
   int64_t position(int32_t corner, int slot) const {
-    return row_start[corner] + __builtin_popcount(mask[corner] & ((1u << slot) - 1));
+    return row_start[row_of_corner[corner]] + __builtin_popcount(mask[corner] & ((1u << slot) - 1));
   }
-  int64_t entry_count() const { return static_cast<int64_t>(column.size()); }
 };
 
 /// Prolongation P and restriction Pᵀ between a depth and the one above (coarser), trilinear.

@@ -67,7 +67,7 @@ void Solver::set_metric(const FieldsView& fields) {
   backend_->set_metric(fields.alpha1, fields.alpha2);
   backend_->set_constraint(fields.alpha1, fields.alpha2, fields.beta);
   assemble_seconds_ += seconds_since(start);
-  restart_ = true;
+  restart_ = residual_is_stale_ = true;
 }
 
 void Solver::set_gradient_scale(const FieldsView& fields) {
@@ -80,7 +80,8 @@ void Solver::set_gradient_scale(const FieldsView& fields) {
 
 StepReport Solver::step() {
   use_threads(threads_);
-  if (restart_ || cycle_ % kRecomputeResidualEvery == 0) backend_->recompute_residual();
+  if (residual_is_stale_ || cycle_ % kRecomputeResidualEvery == 0) backend_->recompute_residual();
+  residual_is_stale_ = false;
   backend_->run_recorded(restart_, [this] {
     backend_->load_residual();
     run_vcycle(*backend_, hierarchy_->coarsest, hierarchy_->finest);
@@ -117,16 +118,20 @@ Result<SolveReport> Solver::solve(double distance_max, int cycles_max, const Pro
   return report;
 }
 
+std::vector<Vec3d> Solver::displacement() const {
+  std::vector<Vec3d> displacement(hierarchy_->at(hierarchy_->finest).grid.corners.size());
+  backend_->read_displacement(displacement);
+  return displacement;
+}
+
 std::vector<Vec3d> Solver::evaluate_vertices() const {
   use_threads(threads_);
   const SparseGrid& grid = hierarchy_->at(hierarchy_->finest).grid;
-  std::vector<Vec3d> displacement(grid.corners.size());
-  backend_->read_displacement(displacement);
+  const std::vector<Vec3d> u = displacement();
   std::vector<Vec3d> positions(prepared_->vertices.begin(), prepared_->vertices.end());
 #pragma omp parallel for schedule(static)
   for (int64_t v = 0; v < static_cast<int64_t>(positions.size()); ++v)
-    positions[v] +=
-        prepared_->frame.cell_size * evaluate<Vec3d>(grid, prepared_->evaluation[v], displacement);
+    positions[v] += prepared_->frame.cell_size * evaluate<Vec3d>(grid, prepared_->evaluation[v], u);
   return positions;
 }
 

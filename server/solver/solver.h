@@ -11,14 +11,11 @@
 #include "common/base/status.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/solver/convergence_rate.h"
+#include "server/solver/smoother_names.h"
 
 namespace burnish {
 
 enum class BackendKind { kAuto, kCpu, kCuda };
-enum class Smoother {
-  kGaussSeidel,  ///< 8-colour point Gauss-Seidel, the paper's
-  kSchwarz,      ///< Chebyshev on additive Schwarz over cells, the default
-};
 
 /// What one step found and did.
 struct StepReport {
@@ -77,6 +74,8 @@ class Solver {
   /// what status() says.
   Result<SolveReport> solve(double distance_max, int cycles_max, const Progress& progress = {});
 
+  /// u, one per corner of the finest depth. Units: cells.
+  std::vector<Vec3d> displacement() const;
   /// Displaced positions E(c° + u) in file units, one per vertex.
   std::vector<Vec3d> evaluate_vertices() const;
 
@@ -99,6 +98,7 @@ class Solver {
   ConvergenceRate rate_;
   int cycle_ = 0;
   bool restart_ = true;
+  bool residual_is_stale_ = true;
   double assemble_seconds_ = 0;
 };
 

@@ -19,11 +19,15 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
 
     {"/burnish.v1.Editing/ListSessions", Role::kViewer},
     {"/burnish.v1.Editing/GetState", Role::kViewer},
+    {"/burnish.v1.Editing/GetHistory", Role::kViewer},
+    {"/burnish.v1.Editing/GetPeople", Role::kViewer},
     {"/burnish.v1.Editing/Export", Role::kViewer},
     {"/burnish.v1.Editing/OpenSession", Role::kEditor},
     {"/burnish.v1.Editing/CloseSession", Role::kEditor},
     {"/burnish.v1.Editing/Apply", Role::kEditor},
     {"/burnish.v1.Editing/UploadCellFields", Role::kEditor},
+    {"/burnish.v1.Editing/ForkSession", Role::kEditor},
+    {"/burnish.v1.Editing/SetRole", Role::kEditor},  // and the session's own roles beside it
     {"/burnish.v1.Editing/DeleteSession", Role::kOwner},
 };
 

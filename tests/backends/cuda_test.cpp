@@ -57,7 +57,8 @@ TEST_F(OnADevice, AutoTakesItAndNamesIt) {
 TEST_F(OnADevice, AutoTakesTheCpuForASmootherThatCudaHasNot) {
   const auto solver = open_solver({.smoother = Smoother::kGaussSeidel}).value();
   EXPECT_EQ(solver->backend_name(), "cpu");
-  EXPECT_THAT(solver->backend_reason(), HasSubstr("smoother schwarz only"));
+  EXPECT_THAT(solver->backend_reason(),
+              HasSubstr("smoother gauss-seidel: the CUDA backend has schwarz only"));
 }
 
 TEST_F(OnADevice, TwoRunsGiveTheSameBits) {

@@ -1,5 +1,7 @@
 #include "tests/backends/filtered.h"
 
+#include <algorithm>
+
 #include "server/prepare/prepare.h"
 #include "server/solver/cuda/cuda_backend.h"
 
@@ -41,9 +43,12 @@ std::vector<Vec3d> Filtered::solved(const SolveOptions& options) {
 }
 
 std::vector<BackendCase> backend_cases() {
-  std::vector<BackendCase> cases = {
-      {"cpu_schwarz", {.backend = BackendKind::kCpu, .smoother = Smoother::kSchwarz}},
-      {"cpu_gauss_seidel", {.backend = BackendKind::kCpu, .smoother = Smoother::kGaussSeidel}}};
+  std::vector<BackendCase> cases;
+  for (const NamedSmoother& named : kSmoothers) {
+    std::string name = "cpu_" + std::string(named.name);
+    std::ranges::replace(name, '-', '_');
+    cases.push_back({name, {.backend = BackendKind::kCpu, .smoother = named.smoother}});
+  }
   if (cuda_device().is_ok())
     cases.push_back(
         {"cuda_schwarz", {.backend = BackendKind::kCuda, .smoother = Smoother::kSchwarz}});

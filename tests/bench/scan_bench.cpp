@@ -1,174 +1,108 @@
-// Preparation by phase, memory, and the three frames of Table 1 (solve, rhs, matrix), beside the
-// machine's memory bandwidth.
-//
-//     scan_bench [--json FILE] [--threads N] [SCAN DEPTH]...
-//
-// SCAN is a mesh file or the kind of a generated scan of a million vertices; without any:
-// blob 9 tablet 9.
+// Preparation by phase, memory, and the frames of three transfer curves, for whole scans.
 
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <fstream>
-#include <iostream>
-#include <string>
-
-#include <nlohmann/json.hpp>
-
-#include "common/base/parallel.h"
-#include "common/mesh/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/base/process_memory.h"
 #include "server/prepare/prepare.h"
-#include "server/session/session.h"
-#include "server/solver/hierarchy.h"
-#include "tests/bench/triad.h"
+#include "tests/bench/bench_main.h"
+#include "tests/bench/frames.h"
+#include "tests/bench/timing.h"
 
 namespace burnish {
 namespace {
 
-using nlohmann::ordered_json;
+struct Tables {
+  BenchTable& preparation;
+  BenchTable& memory;
+  BenchTable& frames;
+};
 
-constexpr uint64_t kGeneratedVertices = 1'000'000;
-constexpr int kFrames = 9;
+struct Curve {
+  const char* name;
+  TransferCurve curve;
+};
 
-template <typename Work>
-double milliseconds(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
+std::vector<Curve> curves() {
+  return {{"alpha-5", TransferCurve(5)},
+          {"alpha-50", TransferCurve(50)},
+          {"contrast-100", TransferCurve::parse("-20:5,20:500").value()}};
 }
 
-template <typename Work>
-double median_milliseconds(Work&& work) {
-  std::vector<double> times(kFrames);
-  for (double& time : times) time = milliseconds(work);
-  std::nth_element(times.begin(), times.begin() + kFrames / 2, times.end());
-  return times[kFrames / 2];
-}
-
-TriangleMesh load(const std::string& scan) {
-  for (const GeneratedScanKind& kind : generated_scan_kinds())
-    if (kind.name == scan)
-      return generate_scan({.kind = scan, .vertices = kGeneratedVertices}).value();
-  return read_mesh(scan).value();
-}
-
-std::shared_ptr<const PreparedMesh> prepare_and_report(const TriangleMesh& mesh, int depth,
-                                                       ordered_json& out) {
-  PrepareReport report;
-  std::shared_ptr<const PreparedMesh> prepared;
+// The one program that times preparation itself.
+BenchSystem prepare_timed(const std::string& name, const TriangleMesh& mesh, int depth,
+                          BenchTable& table) {
+  BenchSystem system{.name = name};
+  PrepareReport phases;
   const double total =
-      milliseconds([&] { prepared = prepare(mesh, {.depth = depth}, {}, &report).value(); });
-  uint64_t peak = 0;
-  std::printf("  prepare %.2f s:", total * 1e-3);
-  for (const auto& phase : report.phases) {
-    std::printf(" %s %.2f s (%lu MiB)", phase.name.c_str(), phase.seconds,
-                static_cast<unsigned long>(phase.peak_bytes >> 20));
-    out["phases"].push_back(
-        {{"name", phase.name}, {"seconds", phase.seconds}, {"peak_bytes", phase.peak_bytes}});
-    peak = std::max(peak, phase.peak_bytes);
-  }
-  std::printf("; peak %lu MiB\n", static_cast<unsigned long>(peak >> 20));
-  out["prepare_seconds"] = total * 1e-3;
-  out["prepare_peak_bytes"] = peak;
-  return prepared;
+      milliseconds([&] { system.prepared = prepare(mesh, {.depth = depth}, {}, &phases).value(); });
+  for (const auto& phase : phases.phases)
+    table.add({name, phase.name, phase.seconds, static_cast<double>(phase.peak_bytes >> 20)});
+  const double connect = milliseconds([&] { system.hierarchy = make_hierarchy(*system.prepared); });
+  table.add({name, "prepare", total * 1e-3, static_cast<double>(peak_resident_bytes() >> 20)});
+  table.add({name, "hierarchy", connect * 1e-3, static_cast<double>(peak_resident_bytes() >> 20)});
+  return system;
 }
 
-void report_frames(Session& session, const std::string& name, const TransferCurve& curve,
-                   ordered_json& out) {
-  int edit = 0;
-  const auto apply = [&](auto change) {
-    const Status status = session.apply({std::to_string(edit++), std::move(change)});
-    BURNISH_CHECK(status.is_ok(), status.message());
-  };
-  apply(SetTransferCurve{curve});
-  apply(SetGradientScale{0});
-  session.step();
-  const double solve = median_milliseconds([&] { session.step(); });
-  double beta = 0;
-  const double rhs = median_milliseconds([&] {
-    apply(SetGradientScale{beta += 0.01});
-    session.step();
-  });
-  const double matrix = median_milliseconds([&] {
-    apply(SetTransferCurve{curve});
-    session.step();
-  });
-  apply(SetGradientScale{0});
-  SolveReport settled;
-  const double settle = milliseconds([&] { settled = session.solve({}).value(); });
-  const double evaluate = median_milliseconds([&] { session.surface(); });
-  std::printf(
-      "  %-14s solve %7.1f  rhs %7.1f  matrix %7.1f  evaluate %6.1f ms; a slider step "
-      "settles in %d cycles, %.0f ms\n",
-      name.c_str(), solve, rhs, matrix, evaluate, settled.cycles, settle);
-  out["frames"].push_back({{"curve", name},
-                           {"solve_ms", solve},
-                           {"rhs_ms", rhs},
-                           {"matrix_ms", matrix},
-                           {"evaluate_ms", evaluate},
-                           {"settle_cycles", settled.cycles},
-                           {"settle_ms", settle}});
+void report_memory(const BenchSystem& system, const Session& session, BenchTable& table) {
+  const double cells = static_cast<double>(system.prepared->cells.size());
+  const double corners = system.corners();
+  table.add({system.name, static_cast<double>(system.prepared->vertices.size()), corners, cells,
+             static_cast<double>(system.prepared->integrals.size_bytes()) / cells,
+             static_cast<double>(system.hierarchy->byte_count()) / corners,
+             static_cast<double>(session.solver().byte_count()) / corners});
 }
 
-ordered_json run(const std::string& scan, int depth) {
-  const TriangleMesh mesh = load(scan);
-  ordered_json out = {{"scan", scan}, {"depth", depth}, {"vertices", mesh.vertices.size()}};
-  std::printf("%s, depth %d: %zu vertices, %zu triangles\n", scan.c_str(), depth,
-              mesh.vertices.size(), mesh.triangles.size());
-  const auto prepared = prepare_and_report(mesh, depth, out);
-  std::shared_ptr<const Hierarchy> hierarchy;
-  const double connect = milliseconds([&] { hierarchy = make_hierarchy(*prepared); });
-  const int32_t corners = hierarchy->at(hierarchy->finest).grid.corner_count();
-  const auto session = Session::open(prepared, hierarchy, {}).value();
-  report_frames(*session, "alpha 5", TransferCurve(5), out);
-  report_frames(*session, "alpha 50", TransferCurve(50), out);
-  report_frames(*session, "contrast 100", TransferCurve::parse("-20:5,20:500").value(), out);
-
-  const double cells = static_cast<double>(prepared->cells.size());
-  const double session_bytes = static_cast<double>(session->solver().byte_count());
-  std::printf(
-      "  %d corners, %.0f cells; hierarchy %.2f s; bytes: %.0f per cell of integrals, "
-      "%.0f per corner of hierarchy, %.0f per corner of session\n",
-      corners, cells, connect * 1e-3, prepared->integrals.size_bytes() / cells,
-      static_cast<double>(hierarchy->byte_count()) / corners, session_bytes / corners);
-  out["corners"] = corners;
-  out["cells"] = cells;
-  out["hierarchy_seconds"] = connect * 1e-3;
-  out["session_bytes_per_corner"] = session_bytes / corners;
-  return out;
+Status report_scan(const ScanArgument& scan, const BenchArguments& arguments, BenchReport& report,
+                   Tables& tables) {
+  ASSIGN_OR_RETURN(const TriangleMesh mesh, load_mesh(scan));
+  const int depth = depth_of(scan, mesh);
+  const std::string name = scan.name() + "@" + std::to_string(depth);
+  const Status fits = check_size(name, mesh, depth, arguments.corners_max);
+  if (!fits.is_ok()) {
+    report.remark("left out: " + fits.message());
+    return Status::ok();
+  }
+  const BenchSystem system = prepare_timed(name, mesh, depth, tables.preparation);
+  ASSIGN_OR_RETURN(const auto session, Session::open(system.prepared, system.hierarchy, {}));
+  for (const auto& [curve_name, curve] : curves()) {
+    const FrameTimes times = measure_frames(*session, curve);
+    must_apply(*session, SetGradientScale{0});
+    SolveReport settled;
+    const double settle = milliseconds([&] { settled = session->solve({}).value(); });
+    tables.frames.add({name, curve_name, times.solve, times.rhs, times.matrix, times.evaluate,
+                       static_cast<double>(settled.cycles), settle});
+  }
+  report_memory(system, *session, tables.memory);
+  return Status::ok();
 }
 
-int main_of(const std::vector<std::string>& arguments) {
-  std::vector<std::string> scans;
-  std::string json_file;
-  for (size_t i = 0; i < arguments.size(); ++i) {
-    const bool has_next = i + 1 < arguments.size();
-    if (arguments[i] == "--json" && has_next)
-      json_file = arguments[++i];
-    else if (arguments[i] == "--threads" && has_next)
-      use_threads(std::atoi(arguments[++i].c_str()));
-    else
-      scans.push_back(arguments[i]);
-  }
-  if (scans.empty()) scans = {"blob", "9", "tablet", "9"};
-  if (scans.size() % 2 != 0) {
-    std::cerr << "usage: scan_bench [--json FILE] [--threads N] [SCAN DEPTH]...\n";
-    return 2;
-  }
-  const double triad = triad_gigabytes_per_second();
-  std::printf("%d threads, triad %.1f GB/s\n", thread_count(), triad);
-  ordered_json report = {{"threads", thread_count()}, {"triad_gb_per_s", triad}};
-  for (size_t i = 0; i < scans.size(); i += 2)
-    report["scans"].push_back(run(scans[i], std::atoi(scans[i + 1].c_str())));
-  if (!json_file.empty()) std::ofstream(json_file) << report.dump(2) << "\n";
-  return 0;
+Status run(const BenchArguments& arguments, BenchReport& report) {
+  Tables tables{
+      report.add_table(
+          "preparation",
+          {{"scan", "", 18}, {"phase", "", 12}, {"seconds", "%.3f"}, {"peak_mib", "%.0f"}}),
+      report.add_table("memory", {{"scan", "", 18},
+                                  {"vertices", "%.0f"},
+                                  {"corners", "%.0f"},
+                                  {"cells", "%.0f"},
+                                  {"integrals_bytes_per_cell", "%.0f"},
+                                  {"hierarchy_bytes_per_corner", "%.0f"},
+                                  {"session_bytes_per_corner", "%.0f"}}),
+      report.add_table("frames", {{"scan", "", 18},
+                                  {"curve", "", 12},
+                                  {"solve_ms", "%.1f"},
+                                  {"rhs_ms", "%.1f"},
+                                  {"matrix_ms", "%.1f"},
+                                  {"evaluate_ms", "%.1f"},
+                                  {"settle_cycles", "%.0f"},
+                                  {"settle_ms", "%.0f"}})};
+  for (const ScanArgument& scan : arguments.scans)
+    RETURN_IF_ERROR(report_scan(scan, arguments, report, tables));
+  return Status::ok();
 }
 
 }  // namespace
 }  // namespace burnish
 
 int main(int argc, char** argv) {
-  return burnish::main_of(std::vector<std::string>(argv + 1, argv + argc));
+  return burnish::bench_main({"scan_bench", {"blob:1000000@9", "tablet:1000000@9"}, burnish::run},
+                             argc, argv);
 }

@@ -1,70 +1,49 @@
-// Prints one line per backend: medians of the solver's calls on a generated scan.
-// Usage: solver_times KIND VERTICES DEPTH [cpu|cuda]...
+// Prints one line per backend: medians of the solver's calls.
+// Usage: solver_times SCAN[@DEPTH] cpu|cuda...      SCAN: a mesh file or KIND:VERTICES
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <functional>
 #include <iostream>
+#include <span>
 
-#include "common/mesh/generate.h"
-#include "server/prepare/prepare.h"
 #include "server/solver/fields.h"
-#include "server/solver/hierarchy.h"
 #include "server/solver/solver.h"
+#include "tests/bench/input.h"
+#include "tests/bench/timing.h"
 
 namespace burnish {
 namespace {
 
-struct Input {
-  std::shared_ptr<const PreparedMesh> prepared;
-  std::shared_ptr<const Hierarchy> hierarchy;
-};
+constexpr double kCornersMax = 3e7;
 
-double median_ms(int repeats, const std::function<void(int)>& work) {
-  using Clock = std::chrono::steady_clock;
-  std::vector<double> times;
-  for (int i = 0; i < repeats + 2; ++i) {  // the first two warm up
-    const auto start = Clock::now();
-    work(i);
-    times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-  }
-  times.erase(times.begin(), times.begin() + 2);
-  std::nth_element(times.begin(), times.begin() + repeats / 2, times.end());
-  return times[repeats / 2];
-}
-
-Status print_times(const Input& input, BackendKind backend) {
+Status print_times(const BenchSystem& system, BackendKind backend) {
   ASSIGN_OR_RETURN(auto solver,
-                   Solver::create(input.prepared, input.hierarchy, {.backend = backend}));
-  Fields fields(*input.prepared);
+                   Solver::create(system.prepared, system.hierarchy, {.backend = backend}));
+  Fields fields(*system.prepared);
   fields.set_transfer_curve(TransferCurve(20));
   fields.set_gradient_scale(0.3);
   const int repeats = backend == BackendKind::kCpu ? 3 : 20;
-  const double matrix = median_ms(repeats, [&](int) { solver->set_metric(fields.view()); });
+  const double matrix = median_milliseconds(repeats, 2, [&] { solver->set_metric(fields.view()); });
   const double constraint =
-      median_ms(repeats, [&](int) { solver->set_gradient_scale(fields.view()); });
+      median_milliseconds(repeats, 2, [&] { solver->set_gradient_scale(fields.view()); });
   StepReport last;
-  const double step = median_ms(5 * repeats, [&](int) { last = solver->step(); });
+  const double step = median_milliseconds(5 * repeats, 2, [&] { last = solver->step(); });
   RETURN_IF_ERROR(solver->status());
-  const auto& grid = input.hierarchy->at(input.hierarchy->finest).grid;
   std::printf(
       "%-5s depth %2d..%d  n %8d  step %8.3f ms  matrix+rhs %9.3f ms  rhs %8.3f ms  "
       "%6.0f bytes/corner  distance %.1e after %d\n",
-      std::string(solver->backend_name()).c_str(), input.hierarchy->coarsest,
-      input.hierarchy->finest, grid.corner_count(), step, matrix, constraint,
-      static_cast<double>(solver->byte_count()) / grid.corner_count(), last.distance, last.cycle);
+      std::string(solver->backend_name()).c_str(), system.hierarchy->coarsest, system.depth(),
+      system.corners(), step, matrix, constraint,
+      static_cast<double>(solver->byte_count()) / system.corners(), last.distance, last.cycle);
   return Status::ok();
 }
 
-Status run(const std::string& kind, uint64_t vertices, int depth, std::span<char*> backends) {
-  ASSIGN_OR_RETURN(const TriangleMesh mesh, generate_scan({.kind = kind, .vertices = vertices}));
-  Input input;
-  ASSIGN_OR_RETURN(input.prepared, prepare(mesh, {.depth = depth}));
-  input.hierarchy = make_hierarchy(*input.prepared);
+Status run(const char* name, std::span<char*> backends) {
+  ASSIGN_OR_RETURN(const ScanArgument scan, parse_scan(name));
+  ASSIGN_OR_RETURN(const TriangleMesh mesh, load_mesh(scan));
+  ASSIGN_OR_RETURN(const BenchSystem system,
+                   make_system(scan, mesh, depth_of(scan, mesh), kCornersMax));
   for (const std::string_view backend : backends)
-    RETURN_IF_ERROR(print_times(input, backend == "cpu" ? BackendKind::kCpu : BackendKind::kCuda));
+    RETURN_IF_ERROR(print_times(system, backend == "cpu" ? BackendKind::kCpu : BackendKind::kCuda));
   return Status::ok();
 }
 
@@ -72,12 +51,11 @@ Status run(const std::string& kind, uint64_t vertices, int depth, std::span<char
 }  // namespace burnish
 
 int main(int argc, char** argv) {
-  if (argc < 5) {
-    std::cerr << "usage: solver_times KIND VERTICES DEPTH [cpu|cuda]...\n";
+  if (argc < 3) {
+    std::cerr << "usage: solver_times SCAN[@DEPTH] cpu|cuda...\n";
     return 2;
   }
-  const auto status = burnish::run(argv[1], std::strtoull(argv[2], nullptr, 10), std::atoi(argv[3]),
-                                   {argv + 4, static_cast<size_t>(argc - 4)});
+  const auto status = burnish::run(argv[1], {argv + 2, static_cast<size_t>(argc - 2)});
   if (status.is_ok()) return 0;
   std::cerr << "solver_times: " << status.message() << "\n";
   return 1;

@@ -118,6 +118,16 @@ TEST_F(UsersTest, TheCommandLineTakesItsTokenFromAFile) {
   EXPECT_THAT(refused.output, HasSubstr("user vera is viewer"));
 }
 
+TEST_F(UsersTest, NobodyCallsHimselfAnother) {
+  const std::string token = folder_.write("token", "eddy-secret").string();
+  const CommandOutcome refused =
+      server_.burnish({"open", "ball", "--user", "otto", "--token-file", token});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("user eddy calls himself 'otto'"));
+  EXPECT_THAT(server_.burnish({"open", "ball", "--user", "eddy", "--token-file", token}).output,
+              HasSubstr("no scan has the name or id 'ball'"));
+}
+
 TEST_F(UsersTest, AChangedFileCountsWithoutARestart) {
   EXPECT_FALSE(list_as("nina-secret").ok());
   folder_.write("users.toml", user("nina", "viewer", "nina-secret"));

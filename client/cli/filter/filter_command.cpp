@@ -72,7 +72,7 @@ Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits,
   if (options.curve && options.curve->contrast() > kCurveContrastWarn)
     std::cerr << "warning: the curve's contrast is above " << kCurveContrastWarn
               << ": convergence is slower and the accuracy less\n";
-  for (const Edit& edit : edits) RETURN_IF_ERROR(session.apply(edit).with_context(edit.id));
+  for (const Edit& edit : edits) RETURN_IF_ERROR(session.apply(edit));
   return Status::ok();
 }
 
@@ -156,10 +156,13 @@ void add_solve_options(CLI::App& command, FilterOptions& options) {
   command.add_option("--backend", options.solver.backend, "cpu, cuda or auto")
       ->transform(CLI::CheckedTransformer(backends))
       ->type_name("NAME");
-  const std::map<std::string, Smoother> smoothers = {{"schwarz", Smoother::kSchwarz},
-                                                     {"gauss-seidel", Smoother::kGaussSeidel}};
-  command
-      .add_option("--smoother", options.solver.smoother, "schwarz or gauss-seidel (the paper's)")
+  std::map<std::string, Smoother> smoothers;
+  std::string meanings;
+  for (const NamedSmoother& named : kSmoothers) {
+    smoothers.emplace(named.name, named.smoother);
+    meanings.append("\n").append(named.name).append(": ").append(named.what);
+  }
+  command.add_option("--smoother", options.solver.smoother, "What relaxes each depth" + meanings)
       ->transform(CLI::CheckedTransformer(smoothers))
       ->type_name("NAME");
   command.add_option("--threads", options.solver.threads, "Processor cores to use (default: all)")

@@ -18,7 +18,7 @@ void CoarsestSolver::factor(const CpuDepth& depth) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int32_t i = 0; i < n; ++i) {
     entries.emplace_back(i, i, 1 + kRegularisation);
-    for (int64_t k = stencil.row_start[i]; k < stencil.row_start[i + 1]; ++k)
+    for (auto [k, end] = stencil.row(i); k < end; ++k)
       entries.emplace_back(i, stencil.column[k],
                            depth.system.entry[k] * scale_[i] * scale_[stencil.column[k]]);
   }

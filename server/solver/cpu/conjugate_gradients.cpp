@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "server/solver/cpu/reduce.h"
+#include "server/solver/cpu/blocks.h"
+#include "server/solver/cpu/row_products.h"
 
 namespace burnish::cpu {
 
@@ -29,18 +30,18 @@ Double4 quotient(const Double4& dividend, const Double4& divisor) {
 ConjugateGradients::ConjugateGradients(CpuDepth& finest,
                                        std::span<const EvaluationPoint> evaluation)
     : finest_(finest), evaluation_(evaluation), matrix_(finest.topology.stencil) {
-  for (auto* vector : {&u_, &b_, &r_, &p_, &q_})
-    vector->assign(finest.corner_count(), Double4::Zero());
+  for (auto* vector : {&u_, &b_, &r_, &q_}) vector->assign(finest.corner_count(), Double4::Zero());
+  p_.assign(finest.corner_count(), Float4::Zero());
 }
 
 void ConjugateGradients::recompute_residual() {
 #pragma omp parallel for schedule(static)
-  for (int32_t i = 0; i < finest_.corner_count(); ++i) {
-    if (finest_.inverse_diagonal[i] == 0)
-      u_[i] = r_[i] = Double4::Zero();
-    else
-      r_[i] = b_[i] - product_row(finest_.topology.stencil, matrix_, u_, i);
-  }
+  for (int32_t i = 0; i < finest_.corner_count(); ++i)
+    if (finest_.inverse_diagonal[i] == 0) u_[i].setZero();
+  for_each_block(finest_.corner_count(), [&](int32_t begin, int32_t end) {
+    exact_product(finest_, matrix_, u_, r_, begin, end);
+    for (int32_t i = begin; i < end; ++i) r_[i] = b_[i] - r_[i];
+  });
 }
 
 void ConjugateGradients::load_residual() {
@@ -62,9 +63,9 @@ void ConjugateGradients::update_direction(bool restart) {
   const Double4 momentum =
       restart ? Double4(Double4::Zero()) : quotient(-step_ * sums.second, z_dot_r_);
   z_dot_r_ = sums.first;
+  const Float4 gamma = momentum.cast<float>();
 #pragma omp parallel for schedule(static)
-  for (int32_t i = 0; i < finest_.corner_count(); ++i)
-    p_[i] = finest_.x[i].cast<double>() + momentum * p_[i];
+  for (int32_t i = 0; i < finest_.corner_count(); ++i) p_[i] = finest_.x[i] + gamma * p_[i];
 }
 
 double ConjugateGradients::largest_correction() const {
@@ -84,21 +85,19 @@ double ConjugateGradients::largest_correction() const {
 
 void ConjugateGradients::advance() {
   const Sums sums = ordered_sum<Sums>(finest_.corner_count(), [&](int32_t begin, int32_t end) {
+    exact_product(finest_, matrix_, p_, q_, begin, end);
     Sums sum;
     for (int32_t i = begin; i < end; ++i) {
-      if (finest_.inverse_diagonal[i] == 0)
-        q_[i].setZero();
-      else
-        q_[i] = product_row(finest_.topology.stencil, matrix_, p_, i);
-      sum.first += p_[i] * q_[i];
-      sum.second += p_[i] * r_[i];
+      const Double4 p = p_[i].cast<double>();
+      sum.first += p * q_[i];
+      sum.second += p * r_[i];
     }
     return sum;
   });
   step_ = quotient(sums.second, sums.first);
 #pragma omp parallel for schedule(static)
   for (int32_t i = 0; i < finest_.corner_count(); ++i) {
-    u_[i] += step_ * p_[i];
+    u_[i] += step_ * p_[i].cast<double>();
     r_[i] -= step_ * q_[i];
   }
 }

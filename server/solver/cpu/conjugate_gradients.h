@@ -19,6 +19,7 @@ class ConjugateGradients {
 
   ExactMatrix& matrix() { return matrix_; }
   std::vector<Double4>& constraint() { return b_; }
+  std::vector<Double4>& residual() { return r_; }
   const std::vector<Double4>& displacement() const { return u_; }
 
   void recompute_residual();
@@ -34,7 +35,8 @@ class ConjugateGradients {
   CpuDepth& finest_;
   std::span<const EvaluationPoint> evaluation_;
   ExactMatrix matrix_;
-  std::vector<Double4> u_, b_, r_, p_, q_;
+  std::vector<Double4> u_, b_, r_, q_;
+  std::vector<Float4> p_;  // any direction will do; q = S p is exact
   Double4 z_dot_r_ = Double4::Zero();
   Double4 step_ = Double4::Zero();  // a of the last advance()
   double correction_max_ = 0;

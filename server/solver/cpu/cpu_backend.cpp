@@ -5,6 +5,7 @@
 #include "server/solver/cpu/conjugate_gradients.h"
 #include "server/solver/cpu/constraint.h"
 #include "server/solver/cpu/cpu_depth.h"
+#include "server/solver/cpu/row_products.h"
 #include "server/solver/cpu/smoother.h"
 #include "server/solver/cpu/transfer.h"
 
@@ -38,19 +39,15 @@ class CpuBackend final : public Backend {
   }
 
   void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
-    std::vector<CellMatrix> cells = combine_integrals(*prepared_, alpha1, alpha2);
-    assemble(cells, depths_.back(), &outer_->matrix());
-    for (size_t i = depths_.size() - 1; i > 0; --i) {
-      cells = down_sample(depths_[i].topology, depths_[i - 1].topology, cells);
-      assemble(cells, depths_[i - 1]);
-    }
+    assemble(*prepared_, alpha1, alpha2, depths_, &outer_->matrix());
     for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
     coarsest_.factor(depths_.front());
   }
 
   void set_constraint(std::span<const float> alpha1, std::span<const float> alpha2,
                       std::span<const float> beta) override {
-    assemble_constraint(*prepared_, depths_.back(), alpha1, alpha2, beta, outer_->constraint());
+    assemble_constraint(*prepared_, depths_.back(), alpha1, alpha2, beta, outer_->constraint(),
+                        outer_->residual());
   }
 
   void relax_from_zero(int depth) override { smoother(depth).relax_from_zero(at(depth)); }

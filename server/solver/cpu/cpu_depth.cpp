@@ -14,16 +14,4 @@ uint64_t CpuDepth::byte_count() const {
   return system.byte_count() + bytes_of(inverse_diagonal) + bytes_of(x) + bytes_of(f) + bytes_of(r);
 }
 
-void compute_residual(CpuDepth& depth) {
-  const int32_t n = depth.corner_count();
-#pragma omp parallel for schedule(static)
-  for (int32_t corner = 0; corner < n; ++corner) {
-    if (depth.inverse_diagonal[corner] == 0)
-      depth.r[corner].setZero();
-    else
-      depth.r[corner] =
-          depth.f[corner] - product_row(depth.topology.stencil, depth.system, depth.x, corner);
-  }
-}
-
 }  // namespace burnish::cpu

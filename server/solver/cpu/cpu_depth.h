@@ -55,28 +55,13 @@ struct CpuDepth {
   uint64_t byte_count() const;
 };
 
-/// (A x)_I.
+/// (A x)_I: for smoothers that go from corner to corner; row_products.h has the fast loops.
 inline Float4 product_row(const Stencil& stencil, const StencilMatrix& matrix,
                           const std::vector<Float4>& x, int32_t corner) {
   Float4 sum = matrix.diagonal[corner] * x[corner];
-  const int64_t end = stencil.row_start[corner + 1];
-  for (int64_t k = stencil.row_start[corner]; k < end; ++k)
+  for (auto [k, end] = stencil.row(corner); k < end; ++k)
     sum += matrix.entry[k] * x[stencil.column[k]];
   return sum;
 }
-
-/// (S x)_I as Σ_J S_IJ (x_J − x_I) + m_I x_I, which loses nothing for smooth x.
-inline Double4 product_row(const Stencil& stencil, const ExactMatrix& matrix,
-                           const std::vector<Double4>& x, int32_t corner) {
-  const Double4 here = x[corner];
-  Double4 sum = matrix.row_sum[corner] * here;
-  const int64_t end = stencil.row_start[corner + 1];
-  for (int64_t k = stencil.row_start[corner]; k < end; ++k)
-    sum += matrix.entry[k] * (x[stencil.column[k]] - here);
-  return sum;
-}
-
-/// r = f − S x, zero where pinned.
-void compute_residual(CpuDepth& depth);
 
 }  // namespace burnish::cpu

@@ -57,14 +57,4 @@ std::unique_ptr<DepthSmoother> make_gauss_seidel(const HierarchyDepth& topology)
   return std::make_unique<GaussSeidel>(topology);
 }
 
-std::unique_ptr<DepthSmoother> make_smoother(Smoother kind, const HierarchyDepth& topology) {
-  switch (kind) {
-    case Smoother::kGaussSeidel:
-      return make_gauss_seidel(topology);
-    case Smoother::kSchwarz:
-      return make_schwarz(topology);
-  }
-  BURNISH_CHECK(false, "unknown smoother");
-}
-
 }  // namespace burnish::cpu

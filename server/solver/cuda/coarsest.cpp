@@ -28,7 +28,7 @@ void CoarsestSolver::read_matrix() {
   download(stream_, depth_.inverse_diagonal, std::span(host_->inverse_diagonal));
   for (int32_t i = 0; i < host_->corner_count(); ++i) {
     int64_t from = starts[i / kSliceRows] + i % kSliceRows;
-    for (int64_t k = stencil.row_start[i]; k < stencil.row_start[i + 1]; ++k, from += kSliceRows)
+    for (auto [k, end] = stencil.row(i); k < end; ++k, from += kSliceRows)
       host_->system.entry[k] = entries[from];
   }
 }

@@ -31,6 +31,7 @@ class ConjugateGradients {
 
   const ExactMatrix& matrix() const { return vectors_.matrix; }
   Double3* constraint() const { return vectors_.b; }
+  Double3* residual() const { return vectors_.r; }
   const DeviceArray<Double3>& displacement() const { return u_; }
 
   void recompute_residual();

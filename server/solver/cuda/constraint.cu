@@ -17,7 +17,7 @@ __device__ Double3 gradient_of(const double* gradient, int a) {
 }
 
 __global__ void constraint_kernel(Depth finest, const Integrals* integrals, FieldArrays fields,
-                                  Double3* b) {
+                                  Double3* b, Double3* r) {
   const int64_t corner = thread_index();
   if (corner >= finest.topology.corner_count) return;
   Double3 sum = {0, 0, 0, 0};
@@ -29,14 +29,16 @@ __global__ void constraint_kernel(Depth finest, const Integrals* integrals, Fiel
     sum = sum + change * (ratio * gradient_of(integrals[cell].gradient[0], a) +
                           1 / ratio * gradient_of(integrals[cell].gradient[1], a));
   }
-  b[corner] = finest.inverse_diagonal[corner] > 0 ? sum : Double3{0, 0, 0, 0};
+  if (finest.inverse_diagonal[corner] == 0) sum = {0, 0, 0, 0};
+  r[corner] = r[corner] + (sum - b[corner]);
+  b[corner] = sum;
 }
 
 }  // namespace
 
 void assemble_constraint(Stream& stream, const Depth& finest, const Integrals* integrals,
-                         const FieldArrays& fields, Double3* b) {
-  launch(stream, constraint_kernel, finest.topology.corner_count, finest, integrals, fields, b);
+                         const FieldArrays& fields, Double3* b, Double3* r) {
+  launch(stream, constraint_kernel, finest.topology.corner_count, finest, integrals, fields, b, r);
 }
 
 }  // namespace burnish::cuda

@@ -62,7 +62,8 @@ class CudaBackend final : public Backend {
     alpha2_.upload(stream_, alpha2);
     beta_.upload(stream_, beta);
     assemble_constraint(stream_, finest(), mesh_->integrals.data(),
-                        {alpha1_.data(), alpha2_.data(), beta_.data()}, outer_->constraint());
+                        {alpha1_.data(), alpha2_.data(), beta_.data()}, outer_->constraint(),
+                        outer_->residual());
     stream_.synchronize();
   }
 
@@ -155,7 +156,8 @@ Result<std::unique_ptr<Backend>> make_cuda_backend(std::shared_ptr<const Prepare
                                                    Smoother smoother) {
   RETURN_IF_ERROR(cuda_device().status());
   if (smoother != Smoother::kSchwarz)
-    return unimplemented("the CUDA backend has the smoother schwarz only");
+    return unimplemented("smoother " + std::string(name_of(smoother)) +
+                         ": the CUDA backend has schwarz only");
   ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh(std::move(prepared), std::move(hierarchy)));
   std::unique_ptr<Backend> backend = std::make_unique<cuda::CudaBackend>(std::move(mesh));
   RETURN_IF_ERROR(backend->status());

@@ -18,9 +18,9 @@ std::vector<int64_t> slice_starts(const Stencil& stencil) {
   const int32_t n = static_cast<int32_t>(stencil.mask.size());
   std::vector<int64_t> starts = {0};
   for (int32_t first = 0; first < n; first += kSliceRows) {
-    int64_t longest = 0;
+    int longest = 0;
     for (int32_t i = first; i < std::min(n, first + kSliceRows); ++i)
-      longest = std::max(longest, stencil.row_start[i + 1] - stencil.row_start[i]);
+      longest = std::max(longest, __builtin_popcount(stencil.mask[i]));
     starts.push_back(starts.back() + longest * kSliceRows);
   }
   return starts;
@@ -31,7 +31,7 @@ static std::vector<int32_t> sliced_columns(const Stencil& stencil,
   std::vector<int32_t> columns(starts.back(), 0);
   for (int32_t i = 0; i < static_cast<int32_t>(stencil.mask.size()); ++i) {
     int64_t to = starts[i / kSliceRows] + i % kSliceRows;
-    for (int64_t k = stencil.row_start[i]; k < stencil.row_start[i + 1]; ++k, to += kSliceRows)
+    for (auto [k, end] = stencil.row(i); k < end; ++k, to += kSliceRows)
       columns[to] = stencil.column[k];
   }
   return columns;

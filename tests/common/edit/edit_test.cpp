@@ -41,5 +41,35 @@ TEST(CellFields, AreRefusedByTheirNumberInTheList) {
   EXPECT_THAT(refusal(1, 1001, 1).message(), AllOf(HasSubstr("cell field 2"), HasSubstr("1000")));
 }
 
+TEST(Edit, SaysWhatItDoesInAFewWords) {
+  const auto said = [](decltype(Edit::change) change) {
+    return summary({"id", std::move(change)});
+  };
+  EXPECT_EQ(said(SetGradientScale{0.25}), "beta 0.25");
+  EXPECT_EQ(said(SetTransferCurve{TransferCurve(7)}), "alpha 7");
+  EXPECT_EQ(said(SetTransferCurve{*TransferCurve::create({{-1, 5}, {1, 50}})}),
+            "curve of 2 points, contrast 10");
+  EXPECT_EQ(said(Stroke{{0.5, 1, 2, FallOff::kSmooth}, {{0, 0, 0}}}),
+            "stroke of 1 point, radius 0.5, beta 2");
+  EXPECT_EQ(said(SetCellFields{}), "fields of 0 cells");
+  EXPECT_EQ(said(SwitchEntry{3, false}), "switch off 3");
+}
+
+TEST(Edit, KindsAreNamedInTheOrderOfTheChanges) {
+  EXPECT_STREQ(edit_kind_name(kind_of({"id", SetGradientScale{}})), "slider");
+  EXPECT_STREQ(edit_kind_name(kind_of({"id", Undo{}})), "undo");
+  EXPECT_STREQ(edit_kind_name(kind_of({"id", RestoreCheckpoint{}})), "restore");
+  EXPECT_TRUE(makes_fields(EditKind::kCellFields));
+  EXPECT_FALSE(makes_fields(EditKind::kUndo));
+}
+
+TEST(Edit, ACheckpointHasAShortPrintableName) {
+  EXPECT_TRUE(check(SetCheckpoint{"before lunch"}).is_ok());
+  EXPECT_THAT(check(SetCheckpoint{""}).message(), HasSubstr("has 0 bytes"));
+  EXPECT_THAT(check(RestoreCheckpoint{std::string(201, 'x')}).message(), HasSubstr("201 bytes"));
+  EXPECT_FALSE(check(SetCheckpoint{"a\nb"}).is_ok());
+  EXPECT_FALSE(check(SwitchEntry{0, true}).is_ok());
+}
+
 }  // namespace
 }  // namespace burnish

@@ -41,6 +41,11 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
       {"b", SetTransferCurve{curve}},
       {"c", Stroke{{0.5, 0.75, 2, FallOff::kLinear}, {Vec3d(1, 2, 3), Vec3d(-4, 5e-9, 6)}}},
       {"d", SetCellFields{{{Vec3i(1, 2, 3), 5, 6, 0.5}, {Vec3i(7, 8, 9), 10, 10, 3}}}},
+      {"e", Undo{}},
+      {"f", Redo{}},
+      {"g", SwitchEntry{7, true}},
+      {"h", SetCheckpoint{"before"}},
+      {"i", RestoreCheckpoint{"before"}},
   };
   for (const Edit& edit : edits) {
     const auto back = edit_from_bytes(edit_to_bytes(edit));

@@ -31,11 +31,11 @@ class SessionManagerTest : public testing::Test {
   }
 
   Result<OpenedSession> open(const std::string& name, int depth = 5) {
-    return manager_->open({"ball", name, {depth, 0}}, {});
+    return manager_->open({"ball", name, {depth, 0}}, user_, {});
   }
 
   Result<ApplyOutcome> apply(const std::string& session, const std::vector<Edit>& edits) {
-    return manager_->apply(session, edits, {});
+    return manager_->apply(session, user_, edits, {});
   }
 
   std::string exported(const std::string& session) {
@@ -48,6 +48,7 @@ class SessionManagerTest : public testing::Test {
   std::unique_ptr<Journal> journal_;
   std::unique_ptr<SessionManager> manager_;
   std::string scan_id_;
+  std::string user_;  // who opens, edits and removes
 };
 
 TEST_F(SessionManagerTest, OpeningTheSameNameAgainAttaches) {
@@ -120,7 +121,7 @@ TEST_F(SessionManagerTest, AClosedSessionKeepsItsEdits) {
 
 TEST_F(SessionManagerTest, ARemovedSessionIsGoneForGood) {
   ASSERT_TRUE(open("one").is_ok());
-  ASSERT_TRUE(manager_->remove("one", {}).is_ok());
+  ASSERT_TRUE(manager_->remove("one", user_, {}).is_ok());
   EXPECT_EQ(manager_->state("one", {}).status().code(), StatusCode::kNotFound);
   start();
   EXPECT_TRUE(manager_->list().empty());
@@ -131,13 +132,13 @@ TEST_F(SessionManagerTest, AScanThatIsEditedCannotBeDeleted) {
   const auto refused = manager_->delete_scan("ball");
   EXPECT_EQ(refused.status().code(), StatusCode::kFailedPrecondition);
   EXPECT_THAT(refused.status().message(), HasSubstr("session one"));
-  ASSERT_TRUE(manager_->remove("one", {}).is_ok());
+  ASSERT_TRUE(manager_->remove("one", user_, {}).is_ok());
   EXPECT_EQ(manager_->delete_scan("ball").value(), scan_id_);
 }
 
 TEST_F(SessionManagerTest, ASessionThatCannotBeOpenedIsNotKept) {
   const auto refused =
-      manager_->open({"ball", "one", {6, 0}}, [](std::string_view, double) { return false; });
+      manager_->open({"ball", "one", {6, 0}}, "", [](std::string_view, double) { return false; });
   EXPECT_EQ(refused.status().code(), StatusCode::kCancelled);
   EXPECT_TRUE(manager_->list().empty());
 }

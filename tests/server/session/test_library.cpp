@@ -29,10 +29,10 @@ size_t TestLibrary::staged_files() const {
   return static_cast<size_t>(std::distance(begin(files), end(files)));
 }
 
-std::string sphere_file(double radius) {
+std::string sphere_file(double radius, int level) {
   const TemporaryFolder folder;
   const auto path = folder / "sphere.ply";
-  const Status status = write_mesh(make_icosphere(3, radius), path);
+  const Status status = write_mesh(make_icosphere(level, radius), path);
   BURNISH_CHECK(status.is_ok(), status.message());
   return content_of(path);
 }

@@ -30,7 +30,7 @@ class TestLibrary {
   std::unique_ptr<MeshStore> store;
 };
 
-/// A sphere as the bytes of a PLY file: 642 vertices of radius `radius`.
-std::string sphere_file(double radius = 1);
+/// A sphere as the bytes of a PLY file: at level 3, 642 vertices.
+std::string sphere_file(double radius = 1, int level = 3);
 
 }  // namespace burnish

@@ -101,10 +101,37 @@ TEST(Stencil, HoldsEveryCornerThatSharesACellAndNoOther) {
           if (a != b) neighbours[a].insert(b);
     const Stencil& stencil = depth.stencil;
     for (int32_t i = 0; i < depth.grid.corner_count(); ++i) {
-      const auto begin = stencil.column.begin() + stencil.row_start[i];
-      const auto end = stencil.column.begin() + stencil.row_start[i + 1];
+      const auto begin = stencil.column.begin() + stencil.row(i).begin;
+      const auto end = stencil.column.begin() + stencil.row(i).end;
       ASSERT_EQ(std::set<int32_t>(begin, end), neighbours[i]);
       ASSERT_EQ(static_cast<size_t>(end - begin), neighbours[i].size());
+    }
+  }
+}
+
+TEST(Stencil, StoresTheRowsOfAWindowByRisingLength) {
+  for (const HierarchyDepth& depth : sample().depths) {
+    const Stencil& stencil = depth.stencil;
+    const int32_t n = depth.grid.corner_count();
+    for (int32_t row = 0; row < n; ++row) {
+      const int32_t corner = stencil.corner_of_row[row];
+      ASSERT_EQ(stencil.row_of_corner[corner], row);
+      ASSERT_EQ(corner / Stencil::kRowWindow, row / Stencil::kRowWindow);
+      if (row % Stencil::kRowWindow == 0) continue;
+      const auto before = stencil.row(stencil.corner_of_row[row - 1]), here = stencil.row(corner);
+      ASSERT_LE(before.end - before.begin, here.end - here.begin);
+    }
+  }
+}
+
+TEST(Stencil, PadsARowWithItsOwnCorner) {
+  for (const HierarchyDepth& depth : sample().depths) {
+    const Stencil& stencil = depth.stencil;
+    for (int32_t row = 0; row < depth.grid.corner_count(); ++row) {
+      const int32_t corner = stencil.corner_of_row[row];
+      ASSERT_EQ(stencil.row_start[row + 1] % Stencil::kRowPadding, 0);
+      for (int64_t k = stencil.row(corner).end; k < stencil.row_start[row + 1]; ++k)
+        ASSERT_EQ(stencil.column[k], corner);
     }
   }
 }

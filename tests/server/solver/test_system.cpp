@@ -15,17 +15,12 @@ static std::shared_ptr<const PreparedMesh> prepared_at(const TriangleMesh& mesh,
 TestSystem::TestSystem(const TriangleMesh& mesh, int depth)
     : prepared(prepared_at(mesh, depth)), hierarchy(make_hierarchy(*prepared)), fields(*prepared) {}
 
-std::vector<cpu::CpuDepth> TestSystem::assembled() const {
+std::vector<cpu::CpuDepth> TestSystem::assembled(cpu::ExactMatrix* exact) const {
   std::vector<cpu::CpuDepth> depths;
   depths.reserve(hierarchy->depths.size());
   for (const HierarchyDepth& topology : hierarchy->depths) depths.emplace_back(topology);
   const FieldsView view = fields.view();
-  std::vector<CellMatrix> cells = cpu::combine_integrals(*prepared, view.alpha1, view.alpha2);
-  cpu::assemble(cells, depths.back());
-  for (size_t i = depths.size() - 1; i > 0; --i) {
-    cells = cpu::down_sample(depths[i].topology, depths[i - 1].topology, cells);
-    cpu::assemble(cells, depths[i - 1]);
-  }
+  cpu::assemble(*prepared, view.alpha1, view.alpha2, depths, exact);
   return depths;
 }
 
@@ -38,7 +33,7 @@ Sparse system_matrix(const cpu::CpuDepth& depth) {
   const Stencil& stencil = depth.topology.stencil;
   std::vector<Eigen::Triplet<double>> entries;
   for (int32_t i = 0; i < depth.corner_count(); ++i) {
-    for (int64_t k = stencil.row_start[i]; k < stencil.row_start[i + 1]; ++k)
+    for (auto [k, end] = stencil.row(i); k < end; ++k)
       entries.emplace_back(i, stencil.column[k], depth.system.entry[k]);
     entries.emplace_back(i, i, depth.system.diagonal[i]);
   }

@@ -20,7 +20,7 @@ struct TestSystem {
   Fields fields;
 
   /// The matrices of all depths from the coarsest, as the CPU backend makes them of the fields.
-  std::vector<cpu::CpuDepth> assembled() const;
+  std::vector<cpu::CpuDepth> assembled(cpu::ExactMatrix* exact = nullptr) const;
 };
 
 /// Strong anisotropy: α1 and α2 differ by up to `contrast` over curvatures of a unit sphere's

@@ -23,10 +23,9 @@ double row_difference(const Sparse& found, const Sparse& expected) {
 TEST(Assembly, RowSumsAreThoseOfTheMass) {
   TestSystem system(reference::bumpy_sphere(4), 5);
   system.fields.set_transfer_curve(test_curve(100));
-  CpuDepth finest(system.hierarchy->depths.back());
-  ExactMatrix exact(finest.topology.stencil);
+  ExactMatrix exact(system.hierarchy->depths.back().stencil);
+  const CpuDepth finest = std::move(system.assembled(&exact).back());
   const FieldsView view = system.fields.view();
-  assemble(combine_integrals(*system.prepared, view.alpha1, view.alpha2), finest, &exact);
   const double scale = system.prepared->alpha_scale();
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(finest.corner_count());
   for (size_t c = 0; c < system.prepared->cells.size(); ++c)

@@ -11,8 +11,8 @@ namespace {
 
 std::vector<Double4> constraint_of(const TestSystem& system, const CpuDepth& finest) {
   const FieldsView view = system.fields.view();
-  std::vector<Double4> b(finest.corner_count());
-  assemble_constraint(*system.prepared, finest, view.alpha1, view.alpha2, view.beta, b);
+  std::vector<Double4> b(finest.corner_count(), Double4::Zero()), r = b;
+  assemble_constraint(*system.prepared, finest, view.alpha1, view.alpha2, view.beta, b, r);
   return b;
 }
 
@@ -21,6 +21,18 @@ TEST(Constraint, IsNothingWhereBetaIsOne) {
   system.fields.set_transfer_curve(test_curve(100));
   const auto depths = system.assembled();
   for (const Double4& b : constraint_of(system, depths.back())) EXPECT_EQ(b.abs().maxCoeff(), 0);
+}
+
+TEST(Constraint, TakesTheResidualAlong) {
+  TestSystem system(reference::bumpy_sphere(3), 5);
+  system.fields.set_gradient_scale(0);
+  const auto depths = system.assembled();
+  const FieldsView view = system.fields.view();
+  const Double4 before(1, 2, 3, 0), residual(0.5, 0.25, 0.125, 0);
+  std::vector<Double4> b(depths.back().corner_count(), before), r(b.size(), residual);
+  assemble_constraint(*system.prepared, depths.back(), view.alpha1, view.alpha2, view.beta, b, r);
+  for (size_t i = 0; i < b.size(); ++i)
+    ASSERT_LT((r[i] - residual - (b[i] - before)).abs().maxCoeff(), 1e-12);
 }
 
 TEST(Constraint, SumsToZeroOverTheCorners) {

@@ -1,10 +1,12 @@
 #include "server/solver/cpu/smoother.h"
 
+#include <algorithm>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "server/solver/cpu/coarsest.h"
+#include "server/solver/cpu/row_products.h"
 #include "server/solver/cpu/transfer.h"
 #include "tests/reference/awkward_meshes.h"
 #include "tests/reference/shapes.h"
@@ -91,12 +93,19 @@ class SmootherTest : public testing::TestWithParam<Smoother> {
   Cycle cycle_{system_, GetParam()};
 };
 
-std::string name_of(const testing::TestParamInfo<Smoother>& smoother) {
-  return smoother.param == Smoother::kSchwarz ? "Schwarz" : "GaussSeidel";
+std::vector<Smoother> all_smoothers() {
+  std::vector<Smoother> all;
+  for (const NamedSmoother& named : kSmoothers) all.push_back(named.smoother);
+  return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, SmootherTest,
-                         testing::Values(Smoother::kGaussSeidel, Smoother::kSchwarz), name_of);
+std::string case_name(const testing::TestParamInfo<Smoother>& smoother) {
+  std::string name(name_of(smoother.param));
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SmootherTest, testing::ValuesIn(all_smoothers()), case_name);
 
 TEST_P(SmootherTest, RelaxIsTheTransposeOfRelaxFromZero) {
   const Vector x = noise(cycle_.finest(), 1), y = noise(cycle_.finest(), 2);

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "common/frame_codec/frame_header.h"
+#include "common/frame_codec/frame_layout.h"
+#include "common/frame_codec/frame_sample.h"
+#include "common/frame_codec/frame_state.h"
+
+namespace burnish {
+
+/// Frames that are sent and not yet acknowledged; older ones are forgotten, so that a silent client
+/// costs bounded memory. Also how many frames a decoder remembers.
+inline constexpr size_t kFramesInFlightMax = 8;
+
+struct EncodedFrame {
+  uint64_t sequence = 0;
+  uint64_t reference = 0;   ///< 0: a key frame
+  uint32_t sent_tiles = 0;  ///< 0: the reference shows all there is to show
+  std::vector<uint8_t> bytes;
+};
+
+/// Makes the frames of one client: each is the difference to the newest frame that this client has
+/// acknowledged, or a key frame when there is none. Not thread-safe.
+class FrameEncoder {
+ public:
+  explicit FrameEncoder(std::shared_ptr<const FrameLayout> layout);
+
+  /// After a still frame the client holds exactly the sample. After a moving one a vertex is off by
+  /// at most half of 1/64 cell where vertices are sent, and by 1/64 cell where coefficients are.
+  /// Needs: a sample of this layout.
+  EncodedFrame encode(const FrameSample& sample, FrameStep step);
+
+  /// The client holds this frame. Frames that are unknown or forgotten are ignored.
+  void acknowledge(uint64_t sequence);
+
+  /// The client could not decode this frame for want of its reference: from now on an older
+  /// acknowledged frame serves, else a key frame.
+  void refuse(uint64_t sequence);
+
+  /// The client holds nothing: the next frame is a key frame.
+  void request_key_frame();
+
+  /// What the client holds once it has decoded this frame; null when that is forgotten.
+  const FrameState* sent_state(uint64_t sequence) const;
+
+  /// What is remembered of sent frames. Tiles that they share count once for each.
+  uint64_t byte_count() const;
+
+ private:
+  struct SentFrame {
+    uint64_t sequence;
+    uint64_t reference;
+    uint64_t checksum;
+    FrameState state;
+    bool acknowledged = false;
+  };
+
+  const SentFrame* newest_acknowledged() const;
+  void remember(SentFrame frame);
+
+  std::shared_ptr<const FrameLayout> layout_;
+  std::deque<SentFrame> sent_;  // rising; at most two acknowledged ones: a reference and its spare
+  uint64_t next_sequence_ = 1;
+};
+
+}  // namespace burnish

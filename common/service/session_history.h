@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/edit/edit.h"
+
+namespace burnish {
+
+/// One line of a session's history.
+struct HistoryEntry {
+  uint64_t number = 0;  ///< counted over all edits of the session, undo and switches among them
+  std::string edit_id;
+  std::string author;
+  int64_t unix_ms = 0;
+  EditKind kind = EditKind::kGradientScale;  ///< one that makes fields, or kSetCheckpoint
+  std::string summary;
+  bool enabled = true;
+};
+
+inline constexpr uint32_t kHistoryPageEntriesMax = 1000;
+
+/// Which part of a history: up to `count` entries from the first whose number is above `after`.
+struct HistoryWish {
+  std::string session;
+  uint64_t after = 0;
+  uint32_t count = kHistoryPageEntriesMax;
+};
+
+struct HistoryPage {
+  std::vector<HistoryEntry> entries;  ///< by number
+  bool complete = true;               ///< no entry follows
+};
+
+/// A new session with the history of another up to a point.
+struct ForkWish {
+  std::string source;      ///< name or id
+  std::string name;        ///< empty: the server chooses
+  uint64_t number = 0;     ///< the last edit that the fork has; 0: all
+  std::string checkpoint;  ///< not empty: all up to this checkpoint, and `number` is 0
+};
+
+}  // namespace burnish

@@ -1,0 +1,51 @@
+#include "common/service/session_roles.h"
+
+#include <algorithm>
+
+namespace burnish {
+
+const char* session_role_name(SessionRole role) {
+  switch (role) {
+    case SessionRole::kViewer:
+      return "viewer";
+    case SessionRole::kEditor:
+      return "editor";
+    case SessionRole::kOwner:
+      return "owner";
+  }
+  return "?";
+}
+
+SessionRoles SessionRoles::of_new_session(const std::string& maker) {
+  if (maker.empty()) return SessionRoles();
+  return SessionRoles({{"", SessionRole::kEditor}, {maker, SessionRole::kOwner}});
+}
+
+SessionRole SessionRoles::of(const std::string& user) const {
+  const auto own = roles_.find(user);
+  if (own != roles_.end()) return own->second;
+  const auto others = roles_.find("");
+  return others == roles_.end() ? SessionRole::kViewer : others->second;
+}
+
+Status SessionRoles::require(const std::string& user, SessionRole least,
+                             const std::string& what) const {
+  const SessionRole role = of(user);
+  if (role >= least) return Status::ok();
+  return {StatusCode::kPermissionDenied,
+          what + " needs the role " + session_role_name(least) + "; " +
+              (user.empty() ? "somebody without a name" : "'" + user + "'") + " is " +
+              session_role_name(role) + " of this session"};
+}
+
+Status SessionRoles::set(const std::string& user, SessionRole role) {
+  std::map<std::string, SessionRole> changed = roles_;
+  changed[user] = role;
+  if (std::none_of(changed.begin(), changed.end(),
+                   [](const auto& entry) { return entry.second == SessionRole::kOwner; }))
+    return failed_precondition("a session keeps at least one owner; make somebody else one first");
+  roles_ = std::move(changed);
+  return Status::ok();
+}
+
+}  // namespace burnish

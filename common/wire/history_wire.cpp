@@ -1,0 +1,160 @@
+#include "common/wire/history_wire.h"
+
+#include <array>
+#include <utility>
+
+#include "common/service/scan_info.h"
+#include "common/wire/format_wire.h"
+
+namespace burnish {
+
+static constexpr std::array<std::pair<EditKind, v1::EntryKind>, 5> kKinds = {{
+    {EditKind::kGradientScale, v1::ENTRY_KIND_GRADIENT_SCALE},
+    {EditKind::kTransferCurve, v1::ENTRY_KIND_TRANSFER_CURVE},
+    {EditKind::kStroke, v1::ENTRY_KIND_STROKE},
+    {EditKind::kCellFields, v1::ENTRY_KIND_CELL_FIELDS},
+    {EditKind::kSetCheckpoint, v1::ENTRY_KIND_CHECKPOINT},
+}};
+
+static v1::EntryKind kind_to_wire(EditKind kind) {
+  for (const auto& [ours, theirs] : kKinds)
+    if (ours == kind) return theirs;
+  return v1::ENTRY_KIND_UNSPECIFIED;
+}
+
+static Result<EditKind> kind_from_wire(v1::EntryKind kind) {
+  for (const auto& [ours, theirs] : kKinds)
+    if (theirs == kind) return ours;
+  return invalid_argument("history entries of kind " + std::to_string(kind) +
+                          " are not known to this program");
+}
+
+v1::GetHistoryRequest to_wire(const HistoryWish& wish) {
+  v1::GetHistoryRequest message;
+  message.set_session(wish.session);
+  message.set_after(wish.after);
+  message.set_count(wish.count);
+  return message;
+}
+
+Result<HistoryWish> from_wire(const v1::GetHistoryRequest& message) {
+  if (message.count() > kHistoryPageEntriesMax)
+    return invalid_argument("a page of " + std::to_string(message.count()) +
+                            " history entries is above the limit of " +
+                            std::to_string(kHistoryPageEntriesMax));
+  return HistoryWish{message.session(), message.after(),
+                     message.count() == 0 ? kHistoryPageEntriesMax : message.count()};
+}
+
+v1::GetHistoryResponse to_wire(const HistoryPage& page) {
+  v1::GetHistoryResponse message;
+  for (const HistoryEntry& entry : page.entries) {
+    v1::HistoryEntry* added = message.add_entries();
+    added->set_number(entry.number);
+    added->set_edit_id(entry.edit_id);
+    added->set_author(entry.author);
+    added->set_unix_ms(entry.unix_ms);
+    added->set_kind(kind_to_wire(entry.kind));
+    added->set_summary(entry.summary);
+    added->set_enabled(entry.enabled);
+  }
+  message.set_complete(page.complete);
+  return message;
+}
+
+Result<HistoryPage> from_wire(const v1::GetHistoryResponse& message) {
+  HistoryPage page;
+  for (const v1::HistoryEntry& entry : message.entries()) {
+    ASSIGN_OR_RETURN(const EditKind kind, kind_from_wire(entry.kind()));
+    page.entries.push_back({entry.number(), entry.edit_id(), entry.author(), entry.unix_ms(), kind,
+                            entry.summary(), entry.enabled()});
+  }
+  page.complete = message.complete();
+  return page;
+}
+
+v1::ForkSessionRequest to_wire(const ForkWish& wish) {
+  v1::ForkSessionRequest message;
+  message.set_session(wish.source);
+  message.set_name(wish.name);
+  if (!wish.checkpoint.empty()) {
+    message.set_checkpoint(wish.checkpoint);
+  } else if (wish.number > 0) {
+    message.set_number(wish.number);
+  }
+  return message;
+}
+
+Result<ForkWish> from_wire(const v1::ForkSessionRequest& message) {
+  if (!message.name().empty()) RETURN_IF_ERROR(check_name("the session's name", message.name()));
+  if (message.has_number() && message.number() == 0)
+    return invalid_argument("edits are numbered from 1: a fork up to number 0 would be empty");
+  if (message.has_checkpoint())
+    RETURN_IF_ERROR(check_name("the checkpoint's name", message.checkpoint()));
+  return ForkWish{message.session(), message.name(), message.number(), message.checkpoint()};
+}
+
+v1::Role to_wire(SessionRole role) {
+  return static_cast<v1::Role>(role);  // the same numbers, see below
+}
+
+static_assert(static_cast<int>(SessionRole::kViewer) == v1::ROLE_VIEWER &&
+              static_cast<int>(SessionRole::kEditor) == v1::ROLE_EDITOR &&
+              static_cast<int>(SessionRole::kOwner) == v1::ROLE_OWNER);
+
+Result<SessionRole> from_wire(v1::Role role) {
+  if (role >= v1::ROLE_VIEWER && role <= v1::ROLE_OWNER) return static_cast<SessionRole>(role);
+  return invalid_argument("role " + std::to_string(role) +
+                          " is none of 1 (viewer), 2 (editor), 3 (owner)");
+}
+
+v1::PresentUser to_wire(const PresentUser& user) {
+  v1::PresentUser message;
+  message.set_connection(user.connection);
+  message.set_user(user.user);
+  message.set_colour(user.colour);
+  if (user.ring) {
+    *message.mutable_ring()->mutable_centre() = to_wire(user.ring->centre);
+    message.mutable_ring()->set_radius(user.ring->radius);
+  }
+  return message;
+}
+
+PresentUser from_wire(const v1::PresentUser& message) {
+  PresentUser user{message.connection(), message.user(), message.colour(), {}};
+  if (message.has_ring())
+    user.ring = BrushRing{from_wire(message.ring().centre()), message.ring().radius()};
+  return user;
+}
+
+Result<BrushRing> from_wire(const v1::BrushRing& message) {
+  const BrushRing ring{from_wire(message.centre()), message.radius()};
+  if ((ring.centre.array().abs() <= kCoordinateMagnitudeMax).all() && ring.radius > 0 &&
+      ring.radius <= kCoordinateMagnitudeMax)
+    return ring;
+  return invalid_argument("the brush's ring of radius " + std::to_string(ring.radius) +
+                          " has a centre or a radius that is not finite and within 1e18");
+}
+
+v1::People to_wire(const SessionPeople& people) {
+  v1::People message;
+  for (const auto& [user, role] : people.roles.by_user()) {
+    v1::UserRole* added = message.add_roles();
+    added->set_user(user);
+    added->set_role(to_wire(role));
+  }
+  for (const PresentUser& user : people.present) *message.add_present() = to_wire(user);
+  return message;
+}
+
+Result<SessionPeople> from_wire(const v1::People& message) {
+  std::map<std::string, SessionRole> roles;
+  for (const v1::UserRole& entry : message.roles()) {
+    ASSIGN_OR_RETURN(roles[entry.user()], from_wire(entry.role()));
+  }
+  SessionPeople people{SessionRoles(std::move(roles)), {}};
+  for (const v1::PresentUser& user : message.present()) people.present.push_back(from_wire(user));
+  return people;
+}
+
+}  // namespace burnish

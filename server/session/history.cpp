@@ -1,0 +1,139 @@
+#include "server/session/history.h"
+
+#include <algorithm>
+
+#include "server/session/paint_checkpoints.h"
+
+namespace burnish {
+
+// Ids are printable: a line break cannot be part of one.
+static std::string id_key(const std::string& author, const std::string& edit_id) {
+  return edit_id + '\n' + author;
+}
+
+static bool can_be_switched(const History::Entry& entry) {
+  return makes_fields(kind_of(entry.made_by->edit));
+}
+
+bool History::knows(const std::string& author, const std::string& edit_id) const {
+  return ids_.contains(id_key(author, edit_id));
+}
+
+Result<uint64_t> History::apply(AuthoredEdit edit) {
+  Step step{std::make_shared<const AuthoredEdit>(std::move(edit)), {}, {}};
+  ASSIGN_OR_RETURN(const uint64_t number,
+                   std::visit([&](const auto& change) { return apply_change(change, step); },
+                              step.edit->edit.change));
+  ids_.insert(id_key(step.edit->author, step.edit->edit.id));
+  steps_.push_back(std::move(step));
+  return number;
+}
+
+void History::take_back() {
+  const Step step = std::move(steps_.back());
+  steps_.pop_back();
+  const AuthoredEdit& edit = *step.edit;
+  Author& author = authors_[edit.author];
+  if (kind_of(edit.edit) == EditKind::kUndo) author.undone.pop_back();
+  author.undone.insert(author.undone.end(), step.not_redoable.begin(), step.not_redoable.end());
+  for (const uint64_t number : step.switched) toggle(number);
+  if (const auto* change = std::get_if<SetCheckpoint>(&edit.edit.change))
+    checkpoints_[change->name].pop_back();
+  if (!entries_.empty() && entries_.back().made_by == step.edit) {
+    author.enabled.erase(entries_.back().number);
+    entries_.pop_back();
+  }
+  ids_.erase(id_key(edit.author, edit.edit.id));
+}
+
+Result<uint64_t> History::checkpoint(const std::string& name) const {
+  const auto found = checkpoints_.find(name);
+  if (found == checkpoints_.end() || found->second.empty())
+    return not_found("no checkpoint has the name '" + name + "'");
+  return found->second.back();
+}
+
+uint64_t History::add_entry(Step& step) {
+  const uint64_t number = size() + 1;
+  const auto* stroke = std::get_if<Stroke>(&step.edit->edit.change);
+  entries_.push_back({number, step.edit, true, stroke ? hash_of(*stroke) : 0});
+  Author& author = authors_[step.edit->author];
+  author.enabled.insert(number);
+  step.not_redoable = std::exchange(author.undone, {});
+  return number;
+}
+
+Result<uint64_t> History::apply_change(const Undo&, Step& step) {
+  Author& author = authors_[step.edit->author];
+  if (author.enabled.empty()) return failed_precondition("nothing of yours is there to undo");
+  step.switched = {*author.enabled.rbegin()};
+  author.undone.push_back(step.switched.front());
+  toggle(step.switched.front());
+  return step.switched.front();
+}
+
+Result<uint64_t> History::apply_change(const Redo&, Step& step) {
+  std::vector<uint64_t>& undone = authors_[step.edit->author].undone;
+  // What was undone may have been switched on by hand since.
+  const auto last = std::find_if(undone.rbegin(), undone.rend(),
+                                 [&](uint64_t number) { return !find(number)->enabled; });
+  if (last == undone.rend()) return failed_precondition("nothing of yours is there to redo");
+  const auto first_dropped = last.base() - 1;
+  step.switched = {*first_dropped};
+  step.not_redoable.assign(first_dropped, undone.end());
+  undone.erase(first_dropped, undone.end());
+  toggle(step.switched.front());
+  return step.switched.front();
+}
+
+Result<uint64_t> History::apply_change(const SwitchEntry& change, Step& step) {
+  const Entry* entry = find(change.entry);
+  if (!entry) return not_found("the history has no entry " + std::to_string(change.entry));
+  if (!can_be_switched(*entry))
+    return invalid_argument("entry " + std::to_string(change.entry) +
+                            " is a checkpoint: it is always on");
+  if (entry->enabled == change.enabled) return change.entry;
+  step.switched = {change.entry};
+  toggle(change.entry);
+  return change.entry;
+}
+
+Result<uint64_t> History::apply_change(const SetCheckpoint& change, Step& step) {
+  entries_.push_back({size() + 1, step.edit, true});
+  checkpoints_[change.name].push_back(size() + 1);
+  return size() + 1;
+}
+
+Result<uint64_t> History::apply_change(const RestoreCheckpoint& change, Step& step) {
+  ASSIGN_OR_RETURN(const uint64_t then, checkpoint(change.name));
+  // An entry differs from then if it was switched an odd number of times since, or has come since.
+  std::set<uint64_t> differ;
+  for (size_t i = then; i < steps_.size(); ++i)
+    for (const uint64_t number : steps_[i].switched)
+      if (number < then && !differ.insert(number).second) differ.erase(number);
+  for (auto entry = entries_.rbegin(); entry != entries_.rend() && entry->number > then; ++entry)
+    if (entry->enabled && can_be_switched(*entry)) differ.insert(entry->number);
+  step.switched.assign(differ.begin(), differ.end());
+  for (const uint64_t number : step.switched) toggle(number);
+  return uint64_t{0};
+}
+
+void History::toggle(uint64_t number) {
+  Entry& entry = *find(number);
+  entry.enabled = !entry.enabled;
+  std::set<uint64_t>& enabled = authors_[entry.made_by->author].enabled;
+  if (entry.enabled) {
+    enabled.insert(number);
+  } else {
+    enabled.erase(number);
+  }
+}
+
+History::Entry* History::find(uint64_t number) {
+  const auto found =
+      std::lower_bound(entries_.begin(), entries_.end(), number,
+                       [](const Entry& entry, uint64_t n) { return entry.number < n; });
+  return found == entries_.end() || found->number != number ? nullptr : &*found;
+}
+
+}  // namespace burnish

@@ -1,0 +1,124 @@
+// What SessionManager does with the edits and the people of one session.
+
+#include <algorithm>
+#include <chrono>
+#include <future>
+#include <set>
+#include <string_view>
+
+#include "server/session/session_held.h"
+
+namespace burnish {
+
+static int64_t unix_ms_now() {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+/// Those that the user has not sent before, each once.
+static std::vector<AuthoredEdit> new_edits(const History& history, const std::string& user,
+                                           std::span<const Edit> edits) {
+  std::vector<AuthoredEdit> fresh;
+  std::set<std::string_view> ids;
+  const int64_t now = unix_ms_now();
+  for (const Edit& edit : edits)
+    if (!history.knows(user, edit.id) && ids.insert(edit.id).second)
+      fresh.push_back({user, now, edit});
+  return fresh;
+}
+
+/// `numbers` of the fresh edits, each at the place of its edit; 0 for the others.
+static std::vector<uint64_t> at_their_places(std::span<const Edit> edits,
+                                             const std::vector<AuthoredEdit>& fresh,
+                                             const std::vector<uint64_t>& numbers) {
+  std::vector<uint64_t> entries(edits.size(), 0);
+  size_t next = 0;
+  for (size_t i = 0; i < edits.size() && next < fresh.size(); ++i)
+    if (edits[i].id == fresh[next].edit.id) entries[i] = numbers[next++];
+  return entries;
+}
+
+Result<ApplyOutcome> SessionManager::submit(const std::string& reference, const std::string& user,
+                                            std::span<const Edit> edits, const Progress& progress,
+                                            GroupCommit::Done on_disk) {
+  for (const Edit& edit : edits) RETURN_IF_ERROR(validate(edit).with_context("edit " + edit.id));
+  ASSIGN_OR_RETURN(const Held held, use(reference, progress));
+  SessionEntry& entry = *held.entry;
+  RETURN_IF_ERROR(entry.roles.require(user, SessionRole::kEditor, "editing"));
+  EditedFields& edited = entry.session->edited();
+
+  std::vector<AuthoredEdit> fresh = new_edits(edited.history(), user, edits);
+  const uint64_t first = edited.history().size() + 1;
+  ASSIGN_OR_RETURN(const std::vector<uint64_t> numbers, edited.apply(fresh, progress));
+  entry.edits = edited.history().size();
+  ApplyOutcome outcome{static_cast<uint32_t>(fresh.size()),
+                       static_cast<uint32_t>(edits.size() - fresh.size()), entry.edits,
+                       at_their_places(edits, fresh, numbers)};
+  // Also without new edits: a known one may still be on its way to the disk.
+  journal_.append(entry.record.id, first, std::move(fresh),
+                  [shared = held.entry, on_disk = std::move(on_disk)](const Status& status) {
+                    if (!status.is_ok()) shared->ahead_of_journal = true;
+                    on_disk(status);
+                  });
+  keep_paint(entry);
+  return outcome;
+}
+
+Result<ApplyOutcome> SessionManager::apply(const std::string& reference, const std::string& user,
+                                           std::span<const Edit> edits, const Progress& progress) {
+  const auto written = std::make_shared<std::promise<Status>>();
+  ASSIGN_OR_RETURN(const ApplyOutcome outcome,
+                   submit(reference, user, edits, progress,
+                          [written](const Status& status) { written->set_value(status); }));
+  RETURN_IF_ERROR(written->get_future().get());
+  return outcome;
+}
+
+Result<HistoryPage> SessionManager::history(const HistoryWish& wish, const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, use(wish.session, progress));
+  const auto& entries = held.entry->session->edited().history().entries();
+  auto entry = std::upper_bound(
+      entries.begin(), entries.end(), wish.after,
+      [](uint64_t number, const History::Entry& other) { return number < other.number; });
+  HistoryPage page;
+  for (; entry != entries.end() && page.entries.size() < wish.count; ++entry) {
+    const AuthoredEdit& made_by = *entry->made_by;
+    page.entries.push_back({entry->number, made_by.edit.id, made_by.author, made_by.unix_ms,
+                            kind_of(made_by.edit), summary(made_by.edit), entry->enabled});
+  }
+  page.complete = entry == entries.end();
+  return page;
+}
+
+Result<SessionPeople> SessionManager::people(const std::string& reference,
+                                             const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, lock(reference, progress));
+  return SessionPeople{held.entry->roles, held.entry->presence.list()};
+}
+
+Status SessionManager::set_role(const std::string& reference, const std::string& user,
+                                const std::string& subject, SessionRole role,
+                                const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, lock(reference, progress));
+  RETURN_IF_ERROR(held.entry->roles.require(user, SessionRole::kOwner, "giving roles"));
+  SessionRoles changed = held.entry->roles;
+  RETURN_IF_ERROR(changed.set(subject, role));
+  RETURN_IF_ERROR(journal_.set_role(held.entry->record.id, subject, role));
+  held.entry->roles = std::move(changed);
+  return Status::ok();
+}
+
+Status SessionManager::visit(const std::string& reference, const Progress& progress,
+                             const std::function<Status(Session&)>& work) {
+  ASSIGN_OR_RETURN(const Held held, use(reference, progress));
+  return work(*held.entry->session);
+}
+
+Result<std::shared_ptr<Presence>> SessionManager::presence(const std::string& reference) const {
+  const std::shared_ptr<SessionEntry> entry = find(reference);
+  if (!entry) return not_found("no session has the name or id '" + reference + "'");
+  return std::shared_ptr<Presence>(entry, &entry->presence);
+}
+
+}  // namespace burnish

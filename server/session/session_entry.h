@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+
+#include "common/service/session_info.h"
+#include "server/session/journal.h"
+#include "server/session/mesh_cache.h"
+#include "server/session/presence.h"
+#include "server/session/quota.h"
+#include "server/session/session.h"
+
+namespace burnish {
+
+/// A session as its manager keeps it, in memory or not.
+struct SessionEntry {
+  explicit SessionEntry(SessionRecord session_record) : record(std::move(session_record)) {}
+
+  SessionInfo info() const {
+    return {record.id, record.name, record.scan_id, record.key, record.created_unix_seconds,
+            edits,     in_memory};
+  }
+
+  void leave_memory() {
+    session.reset();
+    mesh.reset();
+    memory = {};
+    by_user = {};
+    session_bytes = 0;
+    last = {};
+    in_memory = false;
+  }
+
+  const SessionRecord record;
+  std::atomic<uint64_t> edits{0};
+  std::atomic<bool> in_memory{false};
+  std::atomic<uint64_t> session_bytes{0};
+  /// The session in memory has seen edits that could not be written: it is to be replayed.
+  std::atomic<bool> ahead_of_journal{false};
+  Presence presence;
+
+  std::timed_mutex mutex;  // of what follows
+  bool deleted = false;
+  SessionRoles roles;
+  std::shared_ptr<const SharedMesh> mesh;
+  Quota::Share memory;               // what the session takes of the server's
+  Quota::Share by_user;              // of whoever opened it
+  std::unique_ptr<Session> session;  // null: not in memory
+  StepReport last;
+};
+
+}  // namespace burnish

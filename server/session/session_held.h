@@ -1,0 +1,14 @@
+#pragma once
+
+#include "server/session/cancellable_lock.h"
+#include "server/session/session_entry.h"
+#include "server/session/session_manager.h"
+
+namespace burnish {
+
+struct SessionManager::Held {
+  std::shared_ptr<SessionEntry> entry;
+  std::unique_lock<std::timed_mutex> lock;
+};
+
+}  // namespace burnish

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace burnish::cpu {
+
+/// Corners are worked through in blocks of this many, whole windows of a stencil's rows.
+inline constexpr int32_t kBlock = 2048;
+
+/// Runs `run_block(begin, end)` over [0, n), the blocks side by side.
+template <typename RunBlock>
+void for_each_block(int32_t n, RunBlock&& run_block) {
+#pragma omp parallel for schedule(static)
+  for (int32_t begin = 0; begin < n; begin += kBlock) run_block(begin, std::min(n, begin + kBlock));
+}
+
+/// Sums over [0, n) in blocks, the blocks in order: the same bits for any number of threads.
+/// `sum_block(begin, end)` returns the sum of a block; Sum has += and a zero default.
+template <typename Sum, typename SumBlock>
+Sum ordered_sum(int32_t n, SumBlock&& sum_block) {
+  std::vector<Sum> partial((n + kBlock - 1) / kBlock);
+  for_each_block(
+      n, [&](int32_t begin, int32_t end) { partial[begin / kBlock] = sum_block(begin, end); });
+  Sum total{};
+  for (const Sum& sum : partial) total += sum;
+  return total;
+}
+
+}  // namespace burnish::cpu

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+
+namespace burnish {
+
+/// What relaxes the depths of the V-cycle.
+enum class Smoother {
+  kSchwarz,
+  kCellBlocks,
+  kChebyshevJacobi,
+  kGaussSeidel,
+  kSlices,
+  kBlockedSlices,
+};
+
+struct NamedSmoother {
+  Smoother smoother;
+  std::string_view name;  ///< as users write it
+  std::string_view what;
+};
+
+/// Every smoother, the default first.
+inline constexpr NamedSmoother kSmoothers[] = {
+    {Smoother::kSchwarz, "schwarz", "Chebyshev on additive Schwarz over cells"},
+    {Smoother::kCellBlocks, "cell-blocks", "Gauss-Seidel by the 8x8 blocks of cells"},
+    {Smoother::kChebyshevJacobi, "chebyshev-jacobi", "Chebyshev on the diagonal"},
+    {Smoother::kGaussSeidel, "gauss-seidel", "point Gauss-Seidel in eight colours"},
+    {Smoother::kSlices, "slices", "point Gauss-Seidel by slices, the paper's"},
+    {Smoother::kBlockedSlices, "blocked-slices", "the same with temporal blocking"},
+};
+
+constexpr std::string_view name_of(Smoother smoother) {
+  return std::ranges::find(kSmoothers, smoother, &NamedSmoother::smoother)->name;
+}
+
+}  // namespace burnish

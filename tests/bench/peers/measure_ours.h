@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+
+#include "common/mesh/triangle_mesh.h"
+#include "server/prepare/prepared_mesh.h"
+#include "server/solver/hierarchy.h"
+#include "tests/bench/peers/row.h"
+
+namespace burnish::bench {
+
+struct PreparedScan {
+  std::shared_ptr<const PreparedMesh> prepared;
+  std::shared_ptr<const Hierarchy> hierarchy;
+  PrepareReport report;
+  double setup_ms = 0;  ///< of both
+};
+
+Result<PreparedScan> prepare_scan(const TriangleMesh& mesh, int depth);
+
+/// Times the product at every α, settling by its own estimate. Errors are to `answers`, those of a
+/// direct solver on the grid's system; where they lack an α, to the product's own converged answer.
+/// The notes say how far the latter is from the former.
+Result<std::vector<Row>> measure_ours(const PreparedScan& scan, std::span<const double> alphas,
+                                      const Answers& answers);
+
+}  // namespace burnish::bench

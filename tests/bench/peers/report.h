@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/bench/peers/row.h"
+
+namespace burnish::bench {
+
+/// The rows of one scan at one α and number of threads: a table, who wins each column, and the
+/// targets against both CHOLMODs as met or missed. The product's row comes first.
+void print_rows(std::span<const Row> rows);
+
+nlohmann::ordered_json rows_to_json(std::span<const Row> rows);
+
+}  // namespace burnish::bench

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "common/frame_codec/frame_decoder.h"
+#include "common/frame_codec/frame_encoder.h"
+#include "common/frame_codec/frame_layout.h"
+#include "common/frame_codec/frame_sample.h"
+
+namespace burnish {
+
+/// A generated scan in a grid of the cells that its vertices lie in: enough for frames.
+struct SmallScan {
+  TriangleMesh mesh;
+  GridFrame frame;
+  SparseGrid grid;
+  std::vector<EvaluationPoint> points;
+
+  FrameMesh frame_mesh() const { return {grid, points}; }
+};
+
+/// A lumpy sphere; some five tiles of coefficients and three of vertices.
+const SmallScan& small_scan();
+
+std::shared_ptr<const FrameLayout> small_layout(FrameContent content);
+
+/// Smooth over the grid with a little noise, as displacements are. Units: cells.
+std::vector<Vec3d> wavy_displacement(const SparseGrid& grid, double amplitude, double phase);
+
+FrameSample sample_of(const FrameLayout& layout, std::span<const Vec3d> displacement);
+
+/// All that a state holds, in the order of a sample.
+std::vector<int32_t> steps_of(const FrameLayout& layout, const FrameState& state);
+
+/// Random small changes of some tiles, now and then a large one.
+void change_some_tiles(const FrameLayout& layout, std::mt19937& random, FrameSample& sample);
+
+}  // namespace burnish

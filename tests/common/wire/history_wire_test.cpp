@@ -1,0 +1,62 @@
+#include "common/wire/history_wire.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(HistoryWire, APageComesBackUnchanged) {
+  HistoryPage page;
+  page.complete = false;
+  for (const EditKind kind : {EditKind::kGradientScale, EditKind::kTransferCurve, EditKind::kStroke,
+                              EditKind::kCellFields, EditKind::kSetCheckpoint})
+    page.entries.push_back({page.entries.size() + 1, "id", "ann", 123, kind, "what", false});
+  const HistoryPage back = from_wire(to_wire(page)).value();
+  EXPECT_FALSE(back.complete);
+  ASSERT_EQ(back.entries.size(), 5u);
+  for (size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(back.entries[i].number, i + 1);
+    EXPECT_EQ(back.entries[i].kind, page.entries[i].kind);
+    EXPECT_EQ(back.entries[i].author, "ann");
+    EXPECT_FALSE(back.entries[i].enabled);
+  }
+}
+
+TEST(HistoryWire, APageAboveTheLimitIsRefused) {
+  v1::GetHistoryRequest message;
+  EXPECT_EQ(from_wire(message).value().count, kHistoryPageEntriesMax);
+  message.set_count(1001);
+  EXPECT_THAT(from_wire(message).status().message(), HasSubstr("limit of 1000"));
+}
+
+TEST(HistoryWire, AForkEndsAtANumberOrACheckpoint) {
+  EXPECT_EQ(from_wire(to_wire(ForkWish{"s", "n", 7, ""})).value().number, 7u);
+  EXPECT_EQ(from_wire(to_wire(ForkWish{"s", "n", 0, "c"})).value().checkpoint, "c");
+  v1::ForkSessionRequest message;
+  message.set_number(0);
+  EXPECT_THAT(from_wire(message).status().message(), HasSubstr("numbered from 1"));
+}
+
+TEST(HistoryWire, PeopleComeBackUnchanged) {
+  const SessionPeople people{
+      SessionRoles({{"", SessionRole::kViewer}, {"ann", SessionRole::kOwner}}),
+      {{3, "ann", 0xE69F00, BrushRing{Vec3d(1, 2, 3), 0.5}}, {4, "bob", 0x56B4E9, {}}}};
+  const SessionPeople back = from_wire(to_wire(people)).value();
+  EXPECT_EQ(back.roles.by_user(), people.roles.by_user());
+  EXPECT_EQ(back.present, people.present);
+}
+
+TEST(HistoryWire, UnknownRolesAndRingsWithoutARadiusAreRefused) {
+  EXPECT_FALSE(from_wire(v1::ROLE_UNSPECIFIED).is_ok());
+  EXPECT_FALSE(from_wire(static_cast<v1::Role>(4)).is_ok());
+  v1::BrushRing ring;
+  EXPECT_FALSE(from_wire(ring).is_ok());
+  ring.set_radius(1);
+  EXPECT_TRUE(from_wire(ring).is_ok());
+}
+
+}  // namespace
+}  // namespace burnish

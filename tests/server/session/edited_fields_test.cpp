@@ -1,0 +1,164 @@
+#include "server/session/edited_fields.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/mesh/generate.h"
+#include "server/prepare/prepare.h"
+
+namespace burnish {
+namespace {
+
+class EditedFieldsTest : public testing::Test {
+ protected:
+  static std::shared_ptr<const PreparedMesh> prepared_sphere() {
+    PrepareOptions options;
+    options.depth = 4;
+    return *prepare(make_icosphere(2, 1), options);
+  }
+
+  static Stroke stroke(int i) {
+    return {{0.4, 0.6, 0.01 * i, FallOff::kSmooth},
+            {Vec3d(std::cos(0.3 * i), std::sin(0.3 * i), 0)}};
+  }
+
+  AuthoredEdit authored(decltype(Edit::change) change) {
+    return {"ann", 0, {std::to_string(++last_id_), std::move(change)}};
+  }
+  Status apply(EditedFields& edited, decltype(Edit::change) change) {
+    const AuthoredEdit edit = authored(std::move(change));
+    return edited.apply({&edit, 1}).status();
+  }
+
+  static std::vector<float> beta(const EditedFields& edited) {
+    const auto view = edited.fields().view().beta;
+    return {view.begin(), view.end()};
+  }
+
+  /// How many strokes painting cost the last call.
+  static uint64_t painted_by(EditedFields& edited, const std::function<void()>& call) {
+    const uint64_t before = edited.painted_strokes();
+    call();
+    return edited.painted_strokes() - before;
+  }
+
+  std::shared_ptr<const PreparedMesh> prepared_ = prepared_sphere();
+  int last_id_ = 0;
+};
+
+TEST_F(EditedFieldsTest, AnUndoneStrokeIsAsIfItHadNeverBeen) {
+  EditedFields edited(*prepared_), without(*prepared_);
+  for (int i = 0; i < 40; ++i) {
+    ASSERT_TRUE(apply(edited, stroke(i)).is_ok());
+    if (i != 20) ASSERT_TRUE(apply(without, stroke(i)).is_ok());
+  }
+  ASSERT_TRUE(apply(edited, SwitchEntry{21, false}).is_ok());
+  EXPECT_EQ(beta(edited), beta(without));
+}
+
+TEST_F(EditedFieldsTest, BatchesDoNotMatter) {
+  EditedFields one_by_one(*prepared_), at_once(*prepared_);
+  std::vector<AuthoredEdit> edits;
+  for (int i = 0; i < 50; ++i) edits.push_back(authored(stroke(i)));
+  for (const AuthoredEdit& edit : edits) ASSERT_TRUE(one_by_one.apply({&edit, 1}).is_ok());
+  ASSERT_TRUE(at_once.apply(edits).is_ok());
+  EXPECT_EQ(beta(one_by_one), beta(at_once));
+}
+
+TEST_F(EditedFieldsTest, AnUndoNextToTheEndReplaysAlmostNothing) {
+  EditedFields edited(*prepared_);
+  for (int i = 0; i < 200; ++i) ASSERT_TRUE(apply(edited, stroke(i)).is_ok());
+  EXPECT_EQ(painted_by(edited, [&] { ASSERT_TRUE(apply(edited, Undo{}).is_ok()); }), 0u);
+  EXPECT_EQ(painted_by(edited, [&] { ASSERT_TRUE(apply(edited, Redo{}).is_ok()); }), 0u);
+  const uint64_t all = painted_by(edited, [&] {
+    for (int i = 0; i < 200; ++i) ASSERT_TRUE(apply(edited, Undo{}).is_ok());
+  });
+  EXPECT_LT(all, 1000u);  // a few each
+  EXPECT_EQ(beta(edited), beta(EditedFields(*prepared_)));
+}
+
+TEST_F(EditedFieldsTest, KeptCheckpointsBoundTheReplayOfANewStart) {
+  EditedFields edited(*prepared_);
+  std::vector<AuthoredEdit> edits;
+  std::vector<PaintCheckpoint> kept;
+  for (int i = 0; i < 150; ++i) {
+    edits.push_back(authored(stroke(i)));
+    ASSERT_TRUE(edited.apply({&edits.back(), 1}).is_ok());
+    for (PaintCheckpoint& checkpoint : edited.take_kept()) kept.push_back(std::move(checkpoint));
+  }
+  EditedFields again(*prepared_);
+  for (const PaintCheckpoint& checkpoint : kept) again.offer(checkpoint);
+  ASSERT_TRUE(again.apply(edits).is_ok());
+  EXPECT_LT(again.painted_strokes(), EditedFields::kStrokesPerKeptCheckpoint);
+  EXPECT_EQ(beta(again), beta(edited));
+}
+
+TEST_F(EditedFieldsTest, ACheckpointOfOtherStrokesIsNotUsed) {
+  EditedFields edited(*prepared_), other(*prepared_), plain(*prepared_);
+  for (int i = 0; i < 32; ++i) ASSERT_TRUE(apply(other, stroke(i + 1)).is_ok());
+  for (PaintCheckpoint& checkpoint : other.take_kept()) edited.offer(std::move(checkpoint));
+  std::vector<AuthoredEdit> edits;
+  for (int i = 0; i < 33; ++i) edits.push_back(authored(stroke(i)));
+  ASSERT_TRUE(edited.apply(edits).is_ok());
+  ASSERT_TRUE(plain.apply(edits).is_ok());
+  EXPECT_EQ(edited.painted_strokes(), 33u);
+  EXPECT_EQ(beta(edited), beta(plain));
+}
+
+TEST_F(EditedFieldsTest, TheSolverHearsOnlyOfWhatChanged) {
+  EditedFields edited(*prepared_);
+  (void)edited.take_changes();
+  const auto changes = [&](decltype(Edit::change) change) {
+    EXPECT_TRUE(apply(edited, std::move(change)).is_ok());
+    const EditedFields::Changes changed = edited.take_changes();
+    return std::string(changed.metric ? "matrix " : "") + (changed.beta ? "rhs" : "");
+  };
+  EXPECT_EQ(changes(SetGradientScale{0.5}), "rhs");
+  EXPECT_EQ(changes(SetGradientScale{0.5}), "");
+  EXPECT_EQ(changes(stroke(1)), "rhs");
+  EXPECT_EQ(changes(SetTransferCurve{TransferCurve(5)}), "matrix ");
+  EXPECT_EQ(changes(Undo{}), "matrix ");
+  EXPECT_EQ(changes(SetCheckpoint{"x"}), "");
+  EXPECT_EQ(changes(Undo{}), "rhs");
+  EXPECT_EQ(changes(RestoreCheckpoint{"x"}), "rhs");
+}
+
+TEST_F(EditedFieldsTest, AFailedBatchChangesNothing) {
+  EditedFields edited(*prepared_);
+  ASSERT_TRUE(apply(edited, stroke(1)).is_ok());
+  const std::vector<float> before = beta(edited);
+  const std::vector<AuthoredEdit> batch = {authored(stroke(2)), authored(Undo{}), authored(Undo{}),
+                                           authored(SetGradientScale{2}), authored(Redo{})};
+  const auto outcome = edited.apply(batch);
+  EXPECT_EQ(outcome.status().code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(outcome.status().message(), testing::HasSubstr("edit " + batch.back().edit.id));
+  EXPECT_EQ(beta(edited), before);
+  EXPECT_EQ(edited.history().size(), 1u);
+}
+
+TEST_F(EditedFieldsTest, ACancelledReplayChangesNothing) {
+  EditedFields edited(*prepared_);
+  ASSERT_TRUE(apply(edited, stroke(1)).is_ok());
+  const std::vector<float> before = beta(edited);
+  const std::vector<AuthoredEdit> batch = {authored(stroke(2)), authored(stroke(3))};
+  const auto outcome =
+      edited.apply(batch, [calls = 0](std::string_view, double) mutable { return ++calls < 2; });
+  EXPECT_EQ(outcome.status().code(), StatusCode::kCancelled);
+  EXPECT_EQ(beta(edited), before);
+  EXPECT_TRUE(edited.apply(batch).is_ok());
+}
+
+TEST(PaintedBytes, DamageIsSeen) {
+  const PaintedCells painted = {{1, 5, 9}, {0.5f, 1, 2}, {1, 0.5f, 0.25f}};
+  const std::string bytes = painted_to_bytes(painted);
+  EXPECT_EQ(painted_from_bytes(bytes, 10).value(), painted);
+  for (size_t i = 0; i < bytes.size(); ++i) {
+    std::string damaged = bytes;
+    damaged[i] = static_cast<char>(damaged[i] ^ 1);
+    EXPECT_EQ(painted_from_bytes(damaged, 10).status().code(), StatusCode::kDataLoss);
+  }
+  EXPECT_FALSE(painted_from_bytes(bytes.substr(0, bytes.size() - 1), 10).is_ok());
+}
+
+}  // namespace
+}  // namespace burnish
