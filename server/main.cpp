@@ -1,35 +1,24 @@
-#include <csignal>
 #include <iostream>
-#include <pthread.h>
+#include <optional>
+#include <thread>
 
-#include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include "common/base/atomic_file.h"
 #include "server/config/command_line.h"
-#include "server/rpc/server.h"
-#include "server/session/data_folder.h"
+#include "server/main/daemon.h"
+#include "server/main/gauges.h"
+#include "server/process/log_setup.h"
 #include "server/session/executor.h"
 #include "server/session/journal.h"
-#include "server/session/mesh_store.h"
-#include "server/session/session_manager.h"
+#include "server/solver/device_probe.h"
 
 namespace burnish {
 namespace {
 
-constexpr auto kDrainTime = std::chrono::seconds(5);
-
-/// SIGTERM and SIGINT, blocked for all threads so that main() can wait for them.
-sigset_t block_ending_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGINT);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  // A full disk or quota is an error of the write, not the end of the server.
-  std::signal(SIGXFSZ, SIG_IGN);
-  return signals;
-}
+constexpr int kExitFailed = 1;
+constexpr int kExitDeviceFailed = 3;
+constexpr auto kLastWords = std::chrono::milliseconds(200);  // for NOT_SERVING to get out
 
 Status write_port_file(const std::filesystem::path& path, int port) {
   if (path.empty()) return Status::ok();
@@ -38,29 +27,119 @@ Status write_port_file(const std::filesystem::path& path, int port) {
   return file.commit();
 }
 
+/// What is read again while the server runs; null where the configuration names no such file.
+struct TrustFiles {
+  std::unique_ptr<Reloaded<Certificates>> certificates;
+  std::unique_ptr<Reloaded<UserTable>> users;
+};
+
+Result<TrustFiles> open_trust_files(const ServerConfig& config) {
+  TrustFiles files;
+  if (!config.tls_certificate.empty()) {
+    const CertificateFiles names{config.tls_certificate, config.tls_key, config.tls_client_ca};
+    std::vector<std::filesystem::path> watched = {names.certificate, names.key};
+    if (!names.client_ca.empty()) watched.push_back(names.client_ca);
+    ASSIGN_OR_RETURN(files.certificates, Reloaded<Certificates>::open(watched, [names] {
+                       return read_certificates(names);
+                     }));
+  }
+  if (!config.users.empty()) {
+    ASSIGN_OR_RETURN(files.users, Reloaded<UserTable>::open({config.users}, [name = config.users] {
+                       return read_users_file(name);
+                     }));
+  }
+  return files;
+}
+
+template <typename T>
+void reload(Reloaded<T>* file, bool in_any_case, const char* what) {
+  if (!file) return;
+  const auto changed = file->refresh(in_any_case);
+  if (!changed.is_ok()) {
+    spdlog::error("{} stay as they were: {}", what, changed.status().message());
+  } else if (changed.value()) {
+    spdlog::info("{} read again", what);
+  }
+}
+
+ServerOptions server_options(const ServerConfig& config, const TrustFiles& files) {
+  ServerOptions options;
+  options.listen = config.listen;
+  options.socket = config.socket;
+  options.certificates = files.certificates.get();
+  options.client_certificate_required = config.tls_client_certificate_required;
+  options.users = files.users.get();
+  options.connections_max = static_cast<size_t>(config.connections_max);
+  options.streams_per_user = static_cast<uint64_t>(config.streams_per_user);
+  return options;
+}
+
+MeshStoreOptions store_options(const ServerConfig& config) {
+  MeshStoreOptions options;
+  options.upload_bytes_max = static_cast<uint64_t>(config.upload_bytes_max);
+  options.upload_bytes_per_user = static_cast<uint64_t>(config.upload_bytes_per_user);
+  options.memory_bytes_max = resolved_memory_bytes_max(config);
+  options.threads = static_cast<int>(config.threads);
+  return options;
+}
+
+SessionManagerOptions session_options(const ServerConfig& config) {
+  SessionManagerOptions options;
+  options.sessions_max = static_cast<size_t>(config.sessions_max);
+  options.sessions_per_user = static_cast<uint64_t>(config.sessions_per_user);
+  options.solver.backend = config.backend;
+  options.solver.threads = static_cast<int>(config.threads);
+  return options;
+}
+
+// A device that has failed may hold its callers for ever, so that nothing can be waited for.
+// Acknowledged edits are on disk; the supervisor starts the server again and it replays them.
+[[noreturn]] void end_at_once(const Status& status) {
+  spdlog::critical("{}; ending for the supervisor to start again", status.message());
+  spdlog::default_logger()->flush();
+  std::this_thread::sleep_for(kLastWords);
+  std::_Exit(kExitDeviceFailed);
+}
+
+Result<std::unique_ptr<MetricsExporter>> start_metrics(const std::string& listen,
+                                                       std::function<std::vector<Gauge>()> gauges) {
+  if (listen.empty()) return std::unique_ptr<MetricsExporter>();
+  ASSIGN_OR_RETURN(auto exporter, MetricsExporter::start(listen, std::move(gauges)));
+  set_metrics(exporter->figures());
+  std::cout << "metrics on port " << exporter->port() << std::endl;
+  return exporter;
+}
+
 /// Serves until a signal ends it.
 Status serve(const CommandLine& line, const sigset_t& signals) {
   const ServerConfig& config = line.config;
+  ASSIGN_OR_RETURN(const TrustFiles files, open_trust_files(config));
   ASSIGN_OR_RETURN(const auto folder, DataFolder::open(config.data));
-  MeshStore store(*folder, {static_cast<uint64_t>(config.upload_bytes_max),
-                            resolved_mesh_bytes_max(config), config.threads});
+  MeshStore store(*folder, store_options(config));
   ASSIGN_OR_RETURN(const auto journal, Journal::open(folder->journal()));
-  SessionManagerOptions options;
-  options.sessions_max = static_cast<size_t>(config.sessions_max);
-  options.solver.backend = config.backend;
-  options.solver.threads = config.threads;
-  ASSIGN_OR_RETURN(const auto sessions, SessionManager::create(*folder, store, *journal, options));
-  Executor executor(config.workers);
-  ASSIGN_OR_RETURN(const auto server, Server::start(config.listen, store, *sessions, executor));
+  ASSIGN_OR_RETURN(const auto sessions,
+                   SessionManager::create(*folder, store, *journal, session_options(config)));
+  Executor executor(static_cast<int>(config.workers));
+  ASSIGN_OR_RETURN(const auto server,
+                   Server::start(server_options(config, files), store, *sessions, executor));
+  ASSIGN_OR_RETURN(const auto exporter, start_metrics(config.metrics_listen, [&] {
+                     return read_gauges(*server, store, *sessions, files.certificates.get());
+                   }));
+  const DeviceWatch device([backend = config.backend] { return probe_device(backend); });
 
   RETURN_IF_ERROR(write_port_file(line.port_file, server->port()));
   std::cout << "listening on " << server->address() << std::endl;
   spdlog::info("data in {}: {} scans, {} sessions", config.data.string(), store.list().size(),
                sessions->list().size());
-  int signal = 0;
-  sigwait(&signals, &signal);
-  spdlog::info("{}: draining", signal == SIGINT ? "SIGINT" : "SIGTERM");
-  server->drain(kDrainTime);
+  DaemonOptions options;
+  options.drain_time = std::chrono::seconds(config.drain_seconds);
+  options.reload = [&files](bool in_any_case) {
+    reload(files.certificates.get(), in_any_case, "certificates");
+    reload(files.users.get(), in_any_case, "users");
+  };
+  const Status status = watch_over(*server, device, signals, options);
+  if (!status.is_ok()) end_at_once(status);
+  set_metrics(nullptr);
   spdlog::info("stopped");
   return Status::ok();
 }
@@ -72,11 +151,10 @@ int main(int argc, char** argv) {
   int exit_code = 0;
   const auto line = burnish::parse_command_line(argc, argv, exit_code);
   if (!line) return exit_code;
-  spdlog::set_default_logger(spdlog::stderr_color_mt("burnish-server"));
-  spdlog::set_level(spdlog::level::from_str(line->config.log_level));
-  const sigset_t signals = burnish::block_ending_signals();
+  burnish::set_up_log(line->config.log_level, line->config.log_format);
+  const sigset_t signals = burnish::block_signals();
   const burnish::Status status = burnish::serve(*line, signals);
   if (status.is_ok()) return 0;
   std::cerr << "burnish-server: " << status.message() << "\n";
-  return 1;
+  return burnish::kExitFailed;
 }

@@ -1,20 +1,50 @@
 #include "client/cli/server_option.h"
 
+#include <cerrno>
+#include <fstream>
+
 #include "common/base/limits.h"
 
 namespace burnish {
 
+/// The first word of a file.
+static Result<std::string> read_token(const std::string& path) {
+  std::ifstream file(path);
+  std::string token;
+  if (!file) return errno_status("cannot read the token in " + path, errno);
+  if (!(file >> token)) return invalid_argument("the token file " + path + " is empty");
+  return token;
+}
+
 Result<Connection> ServerOption::connect() const {
-  ASSIGN_OR_RETURN(
-      Connection connection,
-      Connection::open(server, std::chrono::milliseconds(int64_t(timeout_seconds * 1000))));
+  ConnectionTrust all = trust;
+  if (!token_file.empty()) {
+    ASSIGN_OR_RETURN(all.token, read_token(token_file));
+  }
+  const auto timeout = std::chrono::milliseconds(int64_t(timeout_seconds * 1000));
+  ASSIGN_OR_RETURN(Connection connection, Connection::open(server, timeout, all));
   connection.set_user(user);
   return connection;
 }
 
+static void add_trust_options(CLI::App& command, ServerOption& option) {
+  ConnectionTrust& trust = option.trust;
+  command.add_flag("--tls", trust.tls, "Connect by TLS, trusting the system's CAs");
+  command.add_option("--tls-ca", trust.ca, "Connect by TLS, trusting this CA (PEM)")
+      ->envname("BURNISH_TLS_CA");
+  command.add_option("--tls-certificate", trust.certificate, "This client's certificate (PEM)")
+      ->envname("BURNISH_TLS_CERTIFICATE");
+  command.add_option("--tls-key", trust.key, "Its private key (PEM)")->envname("BURNISH_TLS_KEY");
+  command
+      .add_option("--token-file", option.token_file,
+                  "File with the token that the server knows this user by")
+      ->envname("BURNISH_TOKEN_FILE");
+  command.add_flag("--insecure", trust.insecure, "Send the token in plain text to another machine");
+}
+
 void add_server_options(CLI::App& command, ServerOption& option) {
   command.add_option("--server", option.server, "The server's address")
-      ->type_name("HOST:PORT")
+      ->type_name("HOST:PORT|unix:PATH")
       ->envname("BURNISH_SERVER")
       ->capture_default_str();
   command
@@ -27,6 +57,7 @@ void add_server_options(CLI::App& command, ServerOption& option) {
       .add_option("--user", option.user,
                   "Who you are: your edits' author, whose undo is yours alone")
       ->envname("BURNISH_USER");
+  add_trust_options(command, option);
 }
 
 void add_prepared_options(CLI::App& command, PreparedKey& key) {

@@ -14,12 +14,15 @@ struct ServerOption {
   std::string server = "127.0.0.1:7411";
   double timeout_seconds = 10;
   bool json = false;
+  ConnectionTrust trust;
+  std::string token_file;
   std::string user;
 
   Result<Connection> connect() const;
 };
 
-/// Adds --server, --timeout, --json and --user.
+/// Adds --server, --timeout, --json, --user, and what a server that is not of this machine asks
+/// for.
 void add_server_options(CLI::App& command, ServerOption& option);
 
 /// Adds --depth and --curvature-radius.

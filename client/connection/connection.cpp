@@ -2,26 +2,12 @@
 
 #include <grpc/support/log.h>
 
+#include "client/connection/channel.h"
 #include "client/connection/connection_state.h"
 #include "common/wire/library_wire.h"
 #include "common/wire/session_wire.h"
 
 namespace burnish {
-
-static constexpr int kReceiveBytesMax = 16 << 20;
-static constexpr int kKeepaliveTimeMs = 20'000;
-static constexpr int kKeepaliveTimeoutMs = 10'000;
-
-static std::shared_ptr<grpc::Channel> make_channel(const std::string& server) {
-  grpc::ChannelArguments arguments;
-  arguments.SetMaxReceiveMessageSize(kReceiveBytesMax);
-  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepaliveTimeMs);
-  arguments.SetInt(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepaliveTimeoutMs);
-  arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
-  // A web proxy of the environment knows nothing of this server.
-  arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
-  return grpc::CreateCustomChannel(server, grpc::InsecureChannelCredentials(), arguments);
-}
 
 /// True when the channel is ready; false when an attempt failed or the time is over.
 static bool wait_until_ready(grpc::Channel& channel, std::chrono::milliseconds timeout) {
@@ -34,16 +20,27 @@ static bool wait_until_ready(grpc::Channel& channel, std::chrono::milliseconds t
   }
 }
 
-Result<Connection> Connection::open(const std::string& server, std::chrono::milliseconds timeout) {
-  gpr_set_log_verbosity(GPR_LOG_SEVERITY_ERROR);  // what fails comes back as a Status
-  auto channel = make_channel(server);
+/// Why the channel cannot connect: only a call that fails for it is told.
+static std::string reason_of_failure(v1::Library::Stub& library) {
+  grpc::ClientContext context;
+  context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(1));
+  v1::ListScansResponse response;
+  return library.ListScans(&context, v1::ListScansRequest(), &response).error_message();
+}
+
+Result<Connection> Connection::open(const std::string& server, std::chrono::milliseconds timeout,
+                                    const ConnectionTrust& trust) {
+  gpr_set_log_verbosity(GPR_LOG_SEVERITY_ERROR);
+  gpr_set_log_function([](gpr_log_func_args*) {});  // what fails comes back as a Status
+  ASSIGN_OR_RETURN(auto channel, make_channel(server, trust));
+  auto state = std::make_unique<State>();
+  state->library = v1::Library::NewStub(channel);
   if (!wait_until_ready(*channel, timeout))
     return unavailable("cannot reach server " + server + " within " +
-                       std::to_string(timeout.count()) + " ms; does burnish-server run there?");
-  auto state = std::make_unique<State>();
+                       std::to_string(timeout.count()) + " ms (" +
+                       reason_of_failure(*state->library) + "); does burnish-server run there?");
   state->server = server;
   state->timeout = timeout;
-  state->library = v1::Library::NewStub(channel);
   state->editing = v1::Editing::NewStub(channel);
   state->channel = std::move(channel);
   return Connection(std::move(state));

@@ -15,13 +15,26 @@
 
 namespace burnish {
 
+/// How a client knows its server, and how it shows who it is. Files are PEM.
+struct ConnectionTrust {
+  bool tls = false;          ///< implied by the files of certificates
+  std::filesystem::path ca;  ///< the server's certificate must be of it; empty: the system's
+  std::filesystem::path certificate;  ///< of the client, with its key
+  std::filesystem::path key;
+  std::string token;
+  bool insecure = false;  ///< send the token in plain text to other machines too
+};
+
 /// A client's connection to one server. Every failure names the server. Calls that answer at once
 /// have a deadline; long ones end when the server ends them, when `progress` says so, or when
 /// keepalive finds the server gone.
 class Connection {
  public:
-  /// Fails: unavailable when nobody answers at `server` (HOST:PORT) within `timeout`.
-  static Result<Connection> open(const std::string& server, std::chrono::milliseconds timeout);
+  /// Fails: unavailable when nobody answers at `server` (HOST:PORT, or unix:PATH) within
+  /// `timeout`, or the certificates do not please either side; invalid_argument and as errno says
+  /// for wrong files; failed_precondition when a token would travel in plain text.
+  static Result<Connection> open(const std::string& server, std::chrono::milliseconds timeout,
+                                 const ConnectionTrust& trust = {});
   Connection(Connection&&) noexcept;
   ~Connection();
 

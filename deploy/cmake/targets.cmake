@@ -11,6 +11,7 @@ if(BURNISH_SERVICE)
   find_package(Protobuf 3.21 REQUIRED)
   find_package(gRPC 1.51 CONFIG REQUIRED)
   find_package(spdlog REQUIRED)
+  find_package(prometheus-cpp REQUIRED CONFIG)  # says no version
   find_package(SQLite3 REQUIRED)
   find_package(tomlplusplus 3.3 REQUIRED)
   find_package(ZLIB REQUIRED)

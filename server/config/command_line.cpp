@@ -13,8 +13,9 @@ namespace {
 struct Flags {
   std::string config;
   std::string port_file;
-  std::optional<std::string> listen, data, backend, log_level;
-  std::optional<int> threads;
+  std::optional<std::string> listen, socket, data, backend, log_level, log_format, users,
+      certificate, key, client_ca, metrics;
+  std::optional<int64_t> threads;
   bool insecure = false;
 };
 
@@ -24,6 +25,7 @@ void add_flags(CLI::App& app, Flags& flags) {
   app.add_option("--listen", flags.listen,
                  "Address, default 127.0.0.1:7411; port 0 takes a free one")
       ->type_name("HOST:PORT");
+  app.add_option("--socket", flags.socket, "Listen on this Unix socket as well");
   app.add_option("--port-file", flags.port_file, "Write the chosen port into this file");
   app.add_option("--data", flags.data, "Folder with everything that is kept, default burnish-data")
       ->type_name("FOLDER");
@@ -31,18 +33,35 @@ void add_flags(CLI::App& app, Flags& flags) {
   app.add_option("--backend", flags.backend, "auto, cpu or cuda; default auto");
   app.add_option("--log-level", flags.log_level,
                  "trace, debug, info, warn, error or off; default info");
+  app.add_option("--log-format", flags.log_format, "text or json; default text");
+  app.add_option("--users", flags.users, "File of users: who may do what (TOML)");
+  app.add_option("--tls-certificate", flags.certificate, "The server's certificate (PEM)");
+  app.add_option("--tls-key", flags.key, "Its private key (PEM)");
+  app.add_option("--tls-client-ca", flags.client_ca, "Clients need a certificate of this CA (PEM)");
+  app.add_option("--metrics", flags.metrics, "Serve Prometheus metrics here")
+      ->type_name("HOST:PORT");
   app.add_flag("--insecure", flags.insecure,
-               "Serve other machines in plain text and without a password");
+               "Serve other machines in plain text, or without asking who they are");
 }
 
 Result<CommandLine> read(const Flags& flags) {
   CommandLine line;
   ServerConfig& config = line.config;
   if (!flags.config.empty()) RETURN_IF_ERROR(read_config_file(flags.config, config));
-  if (flags.listen) config.listen = *flags.listen;
-  if (flags.data) config.data = *flags.data;
-  if (flags.threads) config.threads = *flags.threads;
-  if (flags.log_level) config.log_level = *flags.log_level;
+  const auto set = [](const auto& flag, auto& value) {
+    if (flag) value = *flag;
+  };
+  set(flags.listen, config.listen);
+  set(flags.socket, config.socket);
+  set(flags.data, config.data);
+  set(flags.threads, config.threads);
+  set(flags.log_level, config.log_level);
+  set(flags.log_format, config.log_format);
+  set(flags.users, config.users);
+  set(flags.certificate, config.tls_certificate);
+  set(flags.key, config.tls_key);
+  set(flags.client_ca, config.tls_client_ca);
+  set(flags.metrics, config.metrics_listen);
   if (flags.backend) {
     ASSIGN_OR_RETURN(config.backend, parse_backend(*flags.backend));
   }

@@ -1,35 +1,62 @@
 #include "server/config/config.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <unistd.h>
 
+#include "server/config/config_keys.h"
+
 namespace burnish {
 
-static Status check_between(const std::string& key, int64_t value, int64_t min, int64_t max) {
-  if (value >= min && value <= max) return Status::ok();
-  return invalid_argument(key + " = " + std::to_string(value) + " is outside " +
-                          std::to_string(min) + ".." + std::to_string(max));
-}
-
-static Status check_listen(const std::string& listen) {
-  const size_t colon = listen.rfind(':');
+static Status check_address(const std::string& key, const std::string& address) {
+  const size_t colon = address.rfind(':');
   int port = -1;
   if (colon != std::string::npos && colon > 0) {
-    const char* end = listen.data() + listen.size();
-    const auto parsed = std::from_chars(listen.data() + colon + 1, end, port);
+    const char* end = address.data() + address.size();
+    const auto parsed = std::from_chars(address.data() + colon + 1, end, port);
     if (parsed.ec != std::errc() || parsed.ptr != end) port = -1;
   }
   if (port >= 0 && port <= 65535) return Status::ok();
-  return invalid_argument("listen = '" + listen + "' is not HOST:PORT with a port in 0..65535");
+  return invalid_argument(key + " = '" + address + "' is not HOST:PORT with a port in 0..65535");
 }
 
-static Status check_log_level(const std::string& level) {
-  static constexpr std::array kLevels = {"trace", "debug", "info", "warn", "error", "off"};
-  if (std::find(kLevels.begin(), kLevels.end(), level) != kLevels.end()) return Status::ok();
-  return invalid_argument("log_level = '" + level +
-                          "' is none of trace, debug, info, warn, error, off");
+static Status check_socket(const std::filesystem::path& socket) {
+  static constexpr size_t kBytesMax = 107;  // of sockaddr_un's path
+  if (socket.native().size() <= kBytesMax) return Status::ok();
+  return invalid_argument("socket = '" + socket.string() + "' has " +
+                          std::to_string(socket.native().size()) +
+                          " bytes, a socket's path has at"
+                          " most " +
+                          std::to_string(kBytesMax));
+}
+
+static Status check_tls(const ServerConfig& config) {
+  if (config.tls_certificate.empty() != config.tls_key.empty())
+    return invalid_argument("tls.certificate = '" + config.tls_certificate.string() +
+                            "' and tls.key = '" + config.tls_key.string() +
+                            "': give both or neither");
+  if (config.tls_client_ca.empty()) return Status::ok();
+  if (config.tls_certificate.empty())
+    return invalid_argument("tls.client_ca = '" + config.tls_client_ca.string() +
+                            "' needs tls.certificate and tls.key");
+  if (config.users.empty())
+    return invalid_argument("tls.client_ca = '" + config.tls_client_ca.string() +
+                            "' needs users, which says what each certificate's owner may do");
+  return Status::ok();
+}
+
+static Status check_exposure(const ServerConfig& config) {
+  if (config.listen.empty() || config.insecure || is_loopback(config.listen)) return Status::ok();
+  const std::string reachable =
+      "listen = '" + config.listen + "' is reachable from other machines, ";
+  if (config.tls_certificate.empty())
+    return failed_precondition(reachable +
+                               "in plain text; set tls.certificate and tls.key, or say "
+                               "--insecure if that is meant");
+  if (config.users.empty())
+    return failed_precondition(reachable +
+                               "and nobody is asked who he is; set users, or say "
+                               "--insecure if that is meant");
+  return Status::ok();
 }
 
 bool is_loopback(const std::string& listen) {
@@ -39,20 +66,16 @@ bool is_loopback(const std::string& listen) {
 }
 
 Status validate(const ServerConfig& config) {
-  static constexpr int64_t kMany = int64_t{1} << 50;
-  RETURN_IF_ERROR(check_listen(config.listen));
-  RETURN_IF_ERROR(check_log_level(config.log_level));
+  for (const ConfigKey& key : config_keys()) RETURN_IF_ERROR(check_limits(key, config));
   if (config.data.empty()) return invalid_argument("data is empty; name a folder");
-  RETURN_IF_ERROR(check_between("threads", config.threads, 0, 1024));
-  RETURN_IF_ERROR(check_between("workers", config.workers, 1, 1024));
-  RETURN_IF_ERROR(check_between("limits.sessions_max", config.sessions_max, 1, 1'000'000));
-  RETURN_IF_ERROR(check_between("limits.upload_bytes_max", config.upload_bytes_max, 1, kMany));
-  RETURN_IF_ERROR(check_between("limits.mesh_bytes_max", config.mesh_bytes_max, 0, kMany));
-  if (!is_loopback(config.listen) && !config.insecure)
-    return failed_precondition("listen = '" + config.listen +
-                               "' is reachable from other machines, in plain text and without a "
-                               "password; say --insecure if that is meant");
-  return Status::ok();
+  if (config.listen.empty() && config.socket.empty())
+    return invalid_argument("listen and socket are both empty: nobody could connect");
+  if (!config.listen.empty()) RETURN_IF_ERROR(check_address("listen", config.listen));
+  if (!config.metrics_listen.empty())
+    RETURN_IF_ERROR(check_address("metrics.listen", config.metrics_listen));
+  RETURN_IF_ERROR(check_socket(config.socket));
+  RETURN_IF_ERROR(check_tls(config));
+  return check_exposure(config);
 }
 
 Result<BackendKind> parse_backend(const std::string& text) {
@@ -62,8 +85,8 @@ Result<BackendKind> parse_backend(const std::string& text) {
   return invalid_argument("backend = '" + text + "' is none of auto, cpu, cuda");
 }
 
-uint64_t resolved_mesh_bytes_max(const ServerConfig& config) {
-  if (config.mesh_bytes_max > 0) return static_cast<uint64_t>(config.mesh_bytes_max);
+uint64_t resolved_memory_bytes_max(const ServerConfig& config) {
+  if (config.memory_bytes_max > 0) return static_cast<uint64_t>(config.memory_bytes_max);
   return static_cast<uint64_t>(sysconf(_SC_PHYS_PAGES)) *
          static_cast<uint64_t>(sysconf(_SC_PAGESIZE)) / 2;
 }

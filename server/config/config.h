@@ -10,22 +10,39 @@
 namespace burnish {
 
 /// Everything that can be told to burnish-server. Defaults, then the file, then the flags.
+/// deploy/server.example.toml says what each key means; config_keys.h has names and limits.
 struct ServerConfig {
-  std::string listen = "127.0.0.1:7411";        ///< HOST:PORT; port 0 takes a free one
+  std::string listen = "127.0.0.1:7411";        ///< HOST:PORT, port 0 a free one; empty: no TCP
+  std::filesystem::path socket;                 ///< a Unix socket to listen on as well
   std::filesystem::path data = "burnish-data";  ///< the folder with everything that is kept
-  int threads = 0;                              ///< of the solver; 0: all cores
-  int workers = 16;                             ///< calls at work at once
+  int64_t threads = 0;                          ///< of the solver; 0: all cores
+  int64_t workers = 16;                         ///< calls at work at once
   BackendKind backend = BackendKind::kAuto;
-  std::string log_level = "info";  ///< trace, debug, info, warn, error, off
-  bool insecure = false;           ///< plaintext beyond this machine
+  std::string log_level = "info";
+  std::string log_format = "text";
+  int64_t drain_seconds = 10;   ///< for running calls once the server is told to end
+  bool insecure = false;        ///< plaintext, or no users, beyond this machine
+  std::filesystem::path users;  ///< who may do what; empty: nobody is asked
+
+  std::filesystem::path tls_certificate;
+  std::filesystem::path tls_key;
+  std::filesystem::path tls_client_ca;
+  bool tls_client_certificate_required = true;
+
+  std::string metrics_listen;  ///< HOST:PORT; empty: no metrics
 
   int64_t sessions_max = 64;
+  int64_t sessions_per_user = 16;  ///< in memory
+  int64_t streams_per_user = 64;   ///< streaming calls under way
+  int64_t connections_max = 256;
   int64_t upload_bytes_max = int64_t{8} << 30;
-  int64_t mesh_bytes_max = 0;  ///< in memory; 0: half of the machine's
+  int64_t upload_bytes_per_user = int64_t{16} << 30;  ///< uploads under way
+  int64_t memory_bytes_max = 0;  ///< of meshes and sessions; 0: half of the machine's
 };
 
-/// Fails: invalid_argument naming the key, its value and its limits; failed_precondition when
-/// `listen` is not on this machine and `insecure` is not set.
+/// Fails: invalid_argument naming the key, its value and its limits, or keys that do not fit each
+/// other; failed_precondition when other machines could connect in plain text, or without being
+/// asked who they are, and `insecure` is not set.
 Status validate(const ServerConfig& config);
 
 /// True for 127.0.0.0/8, ::1 and localhost.
@@ -34,7 +51,7 @@ bool is_loopback(const std::string& listen);
 /// Fails: invalid_argument with the choices auto, cpu, cuda.
 Result<BackendKind> parse_backend(const std::string& text);
 
-/// mesh_bytes_max with its default filled in.
-uint64_t resolved_mesh_bytes_max(const ServerConfig& config);
+/// memory_bytes_max with its default filled in.
+uint64_t resolved_memory_bytes_max(const ServerConfig& config);
 
 }  // namespace burnish

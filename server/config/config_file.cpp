@@ -1,62 +1,87 @@
 #include "server/config/config_file.h"
 
+#include <algorithm>
 #include <fstream>
-#include <functional>
-#include <map>
 #include <sstream>
 
 #include <toml++/toml.h>
 
+#include "server/config/config_keys.h"
+
 namespace burnish {
 namespace {
 
-using Reader = std::function<Status(const toml::node&)>;
-
-/// A reader that stores a value of exactly this kind.
-template <typename Stored, typename Target>
-Reader store(Target& target, const char* kind) {
-  return [&target, kind](const toml::node& node) {
-    const auto value = node.value_exact<Stored>();
-    if (!value) return invalid_argument(std::string("is not ") + kind);
-    target = static_cast<Target>(*value);
-    return Status::ok();
-  };
-}
-
-Reader store_count(int& target) {
-  return [&target](const toml::node& node) {
-    const auto value = node.value_exact<int64_t>();
-    if (!value || *value < 0 || *value > 1'000'000)
-      return invalid_argument("is not an integer in 0..1000000");
-    target = static_cast<int>(*value);
-    return Status::ok();
-  };
-}
-
-Reader store_backend(BackendKind& target) {
-  return [&target](const toml::node& node) {
-    ASSIGN_OR_RETURN(target, parse_backend(node.value_exact<std::string>().value_or("")));
-    return Status::ok();
-  };
-}
-
-using Readers = std::map<std::string, Reader, std::less<>>;
-
 std::string place(const std::string& name, const toml::node& node) {
-  return name + ":" + std::to_string(node.source().begin.line);
+  return name + ":" + std::to_string(node.source().begin.line) + ": ";
 }
 
-Status read_table(const toml::table& table, const std::string& prefix, const Readers& readers,
-                  const std::string& name) {
+/// A value as the file has it; of lists and tables only what they are.
+std::string text_of(const toml::node& node) {
+  if (!node.is_value()) return node.is_table() ? "a table" : "a list";
+  std::ostringstream text;
+  node.visit([&](const auto& value) { text << value; });
+  return text.str();
+}
+
+/// Stores a node's value in the member of a configuration, if it is of the member's type.
+struct Store {
+  const toml::node& node;
+  ServerConfig& config;
+
+  bool operator()(int64_t ServerConfig::*member) const { return set<int64_t>(member); }
+  bool operator()(bool ServerConfig::*member) const { return set<bool>(member); }
+  bool operator()(std::string ServerConfig::*member) const { return set<std::string>(member); }
+  bool operator()(std::filesystem::path ServerConfig::*member) const {
+    return set<std::string>(member);
+  }
+  bool operator()(BackendKind ServerConfig::*member) const {
+    const auto kind = parse_backend(node.value_exact<std::string>().value_or(""));
+    if (kind.is_ok()) config.*member = kind.value();
+    return kind.is_ok();
+  }
+
+ private:
+  template <typename Kind, typename Member>
+  bool set(Member member) const {
+    const auto value = node.value_exact<Kind>();
+    if (value) config.*member = *value;
+    return value.has_value();
+  }
+};
+
+/// What a key's value must be, in words.
+std::string expected(const ConfigKey& key) {
+  if (std::holds_alternative<int64_t ServerConfig::*>(key.member))
+    return "an integer in " + std::to_string(key.min) + ".." + std::to_string(key.max);
+  if (std::holds_alternative<bool ServerConfig::*>(key.member)) return "true or false";
+  if (std::holds_alternative<BackendKind ServerConfig::*>(key.member))
+    return "\"auto\", \"cpu\" or \"cuda\"";
+  return "a string";
+}
+
+Status read_value(const ConfigKey& key, const toml::node& node, ServerConfig& config) {
+  if (!std::visit(Store{node, config}, key.member))
+    return invalid_argument(key.name + " = " + text_of(node) + " is not " + expected(key));
+  return check_limits(key, config);
+}
+
+bool is_table_of_keys(const std::string& name) {
+  return std::ranges::any_of(config_keys(), [prefix = name + "."](const ConfigKey& key) {
+    return key.name.starts_with(prefix);
+  });
+}
+
+Status read_table(const toml::table& table, const std::string& prefix, const std::string& name,
+                  ServerConfig& config) {
   for (const auto& [key, node] : table) {
     const std::string full = prefix + std::string(key.str());
-    const auto reader = readers.find(full);
-    if (reader != readers.end()) {
-      RETURN_IF_ERROR(reader->second(node).with_context(place(name, node) + ": " + full));
-    } else if (node.is_table() && full == "limits") {
-      RETURN_IF_ERROR(read_table(*node.as_table(), full + ".", readers, name));
+    if (const ConfigKey* known = find_config_key(full)) {
+      const Status status = read_value(*known, node, config);
+      if (!status.is_ok()) return invalid_argument(place(name, node) + status.message());
+    } else if (node.is_table() && is_table_of_keys(full)) {
+      RETURN_IF_ERROR(read_table(*node.as_table(), full + ".", name, config));
     } else {
-      return invalid_argument(place(name, node) + ": there is no key '" + full + "'");
+      return invalid_argument(place(name, node) + "there is no key '" + full + "'");
     }
   }
   return Status::ok();
@@ -65,19 +90,7 @@ Status read_table(const toml::table& table, const std::string& prefix, const Rea
 }  // namespace
 
 Status read_config_text(std::string_view text, const std::string& name, ServerConfig& config) try {
-  const Readers readers = {
-      {"listen", store<std::string>(config.listen, "a string")},
-      {"data", store<std::string>(config.data, "a string")},
-      {"threads", store_count(config.threads)},
-      {"workers", store_count(config.workers)},
-      {"backend", store_backend(config.backend)},
-      {"log_level", store<std::string>(config.log_level, "a string")},
-      {"insecure", store<bool>(config.insecure, "true or false")},
-      {"limits.sessions_max", store<int64_t>(config.sessions_max, "an integer")},
-      {"limits.upload_bytes_max", store<int64_t>(config.upload_bytes_max, "an integer")},
-      {"limits.mesh_bytes_max", store<int64_t>(config.mesh_bytes_max, "an integer")},
-  };
-  return read_table(toml::parse(text), "", readers, name);
+  return read_table(toml::parse(text), "", name, config);
 } catch (const toml::parse_error& error) {
   return invalid_argument(name + ":" + std::to_string(error.source().begin.line) + ": " +
                           std::string(error.description()));

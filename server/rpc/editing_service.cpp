@@ -4,8 +4,8 @@
 #include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
 #include "common/wire/session_wire.h"
-#include "server/rpc/caller.h"
 #include "server/rpc/export_call.h"
+#include "server/rpc/start_call.h"
 #include "server/rpc/upload_cell_fields_call.h"
 
 namespace burnish {
@@ -15,7 +15,7 @@ grpc::ServerUnaryReactor* EditingService::OpenSession(grpc::CallbackServerContex
                                                       v1::OpenSessionResponse* response) {
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const SessionWish wish, from_wire(*request));
-    ASSIGN_OR_RETURN(const std::string user, caller_of(*context));
+    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
     ASSIGN_OR_RETURN(const OpenedSession opened, calls_.sessions.open(wish, user, progress));
     *response->mutable_session() = to_wire(opened.session);
     response->set_attached(opened.attached);
@@ -45,7 +45,7 @@ grpc::ServerUnaryReactor* EditingService::DeleteSession(grpc::CallbackServerCont
                                                         const v1::DeleteSessionRequest* request,
                                                         v1::DeleteSessionResponse*) {
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
-    ASSIGN_OR_RETURN(const std::string user, caller_of(*context));
+    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
     return calls_.sessions.remove(request->session(), user, progress);
   });
 }
@@ -68,7 +68,7 @@ grpc::ServerUnaryReactor* EditingService::Apply(grpc::CallbackServerContext* con
                                                 v1::ApplyResponse* response) {
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const std::vector<Edit> edits, edits_from_wire(*request));
-    ASSIGN_OR_RETURN(const std::string user, caller_of(*context));
+    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
     ASSIGN_OR_RETURN(const ApplyOutcome outcome,
                      calls_.sessions.apply(request->session(), user, edits, progress));
     *response = to_wire(outcome);
@@ -78,7 +78,7 @@ grpc::ServerUnaryReactor* EditingService::Apply(grpc::CallbackServerContext* con
 
 grpc::ServerReadReactor<v1::UploadCellFieldsRequest>* EditingService::UploadCellFields(
     grpc::CallbackServerContext* context, v1::ApplyResponse* response) {
-  return UploadCellFieldsCall::start(calls_, *context, *response);
+  return start_call<UploadCellFieldsCall>(calls_, context, *context, *response);
 }
 
 grpc::ServerUnaryReactor* EditingService::GetHistory(grpc::CallbackServerContext* context,
@@ -97,7 +97,7 @@ grpc::ServerUnaryReactor* EditingService::ForkSession(grpc::CallbackServerContex
                                                       v1::ForkSessionResponse* response) {
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const ForkWish wish, from_wire(*request));
-    ASSIGN_OR_RETURN(const std::string user, caller_of(*context));
+    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
     ASSIGN_OR_RETURN(const SessionInfo session, calls_.sessions.fork(wish, user, progress));
     *response->mutable_session() = to_wire(session);
     return Status::ok();
@@ -121,7 +121,7 @@ grpc::ServerUnaryReactor* EditingService::SetRole(grpc::CallbackServerContext* c
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const SessionRole role, from_wire(request->role()));
     if (!request->user().empty()) RETURN_IF_ERROR(check_name("the user's name", request->user()));
-    ASSIGN_OR_RETURN(const std::string user, caller_of(*context));
+    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
     return calls_.sessions.set_role(request->session(), user, request->user(), role, progress);
   });
 }
@@ -137,8 +137,8 @@ grpc::ServerUnaryReactor* EditingService::GetState(grpc::CallbackServerContext* 
 }
 
 grpc::ServerWriteReactor<v1::ExportEvent>* EditingService::Export(
-    grpc::CallbackServerContext*, const v1::ExportRequest* request) {
-  return ExportCall::start(calls_, *request);
+    grpc::CallbackServerContext* context, const v1::ExportRequest* request) {
+  return start_call<ExportCall>(calls_, context, *request);
 }
 
 }  // namespace burnish

@@ -43,7 +43,7 @@ void ImportCall::take_request() {
 Status ImportCall::take_header(const v1::ImportHeader& message) {
   if (upload_) return invalid_argument("an import has one header");
   ASSIGN_OR_RETURN(header_, from_wire(message));
-  ASSIGN_OR_RETURN(upload_, calls_.store.begin_upload(header_));
+  ASSIGN_OR_RETURN(upload_, calls_.store.begin_upload(header_, calls_.user));
   if (!header_.sha256.empty()) {
     const auto known = calls_.store.import_known(header_.sha256, header_.key, progress());
     if (known.is_ok() || known.status().code() != StatusCode::kNotFound) {

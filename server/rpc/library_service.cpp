@@ -6,12 +6,13 @@
 #include "common/wire/library_wire.h"
 #include "server/rpc/import_call.h"
 #include "server/rpc/prepare_call.h"
+#include "server/rpc/start_call.h"
 
 namespace burnish {
 
 grpc::ServerBidiReactor<v1::ImportRequest, v1::ImportEvent>* LibraryService::Import(
-    grpc::CallbackServerContext*) {
-  return ImportCall::start(calls_);
+    grpc::CallbackServerContext* context) {
+  return start_call<ImportCall>(calls_, context);
 }
 
 grpc::ServerUnaryReactor* LibraryService::ListScans(grpc::CallbackServerContext* context,
@@ -36,8 +37,8 @@ grpc::ServerUnaryReactor* LibraryService::DescribeScan(grpc::CallbackServerConte
 }
 
 grpc::ServerWriteReactor<v1::PrepareEvent>* LibraryService::PrepareScan(
-    grpc::CallbackServerContext*, const v1::PrepareScanRequest* request) {
-  return PrepareCall::start(calls_, *request);
+    grpc::CallbackServerContext* context, const v1::PrepareScanRequest* request) {
+  return start_call<PrepareCall>(calls_, context, *request);
 }
 
 grpc::ServerUnaryReactor* LibraryService::DeleteScan(grpc::CallbackServerContext* context,

@@ -1,28 +1,49 @@
 #include "server/rpc/server.h"
 
+#include <thread>
+
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/resource_quota.h>
 
+#include "server/rpc/connection_acceptor.h"
+#include "server/rpc/credentials.h"
+#include "server/rpc/cut_off_calls.h"
 #include "server/rpc/editing_service.h"
 #include "server/rpc/library_service.h"
 
 namespace burnish {
 
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
 static constexpr int kReceiveBytesMax = 16 << 20;
 static constexpr size_t kTransportBytesMax = size_t{512} << 20;  // buffers of all connections
 static constexpr int kStreamsPerConnectionMax = 64;
+static constexpr int kHandshakeTimeMsMax = 10'000;
 static constexpr int kKeepaliveTimeMs = 30'000;
 static constexpr int kKeepaliveTimeoutMs = 10'000;
 static constexpr int kPingIntervalMsMin = 10'000;
+static constexpr auto kDrainPoll = milliseconds(10);
 
 struct Server::State {
-  explicit State(const CallContext& calls) : library(calls), editing(calls) {}
+  State(const ServerOptions& options, MeshStore& store, SessionManager& sessions,
+        Executor& executor)
+      : guard(options.users),
+        call_guard(guard, options.streams_per_user),
+        library({store, sessions, CallExecutor(executor), call_guard}),
+        editing({store, sessions, CallExecutor(executor), call_guard}),
+        acceptor(options.connections_max) {}
 
+  Guard guard;
+  CallGuard call_guard;
+  std::shared_ptr<CallCounts> counts = std::make_shared<CallCounts>();
+  CutOffCalls cut_off;
   LibraryService library;
   EditingService editing;
   std::unique_ptr<grpc::Server> server;
+  ConnectionAcceptor acceptor;
   std::string address;
   int port = 0;
 };
@@ -33,44 +54,62 @@ static void set_limits(grpc::ServerBuilder& builder) {
   builder.SetResourceQuota(quota);
   builder.SetMaxReceiveMessageSize(kReceiveBytesMax);
   builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, kStreamsPerConnectionMax);
+  builder.AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, kHandshakeTimeMsMax);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepaliveTimeMs);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepaliveTimeoutMs);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_PERMIT_WITHOUT_CALLS, 1);
   builder.AddChannelArgument(GRPC_ARG_HTTP2_MIN_RECV_PING_INTERVAL_WITHOUT_DATA_MS,
                              kPingIntervalMsMin);
-  // A second server on the same port must fail, not share it.
-  builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
 }
 
-static void set_serving(grpc::Server& server, bool serving) {
-  grpc::HealthCheckServiceInterface* health = server.GetHealthCheckService();
-  for (const char* service : {v1::Library::service_full_name(), v1::Editing::service_full_name()})
-    health->SetServingStatus(service, serving);
-  health->SetServingStatus(serving);
+static void observe_calls(grpc::ServerBuilder& builder, const std::shared_ptr<CallCounts>& counts) {
+  std::vector<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>> observers;
+  observers.push_back(std::make_unique<CallObserverFactory>(counts));
+  builder.experimental().SetInterceptorCreators(std::move(observers));
 }
 
-Result<std::unique_ptr<Server>> Server::start(const std::string& listen, MeshStore& store,
+Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, MeshStore& store,
                                               SessionManager& sessions, Executor& executor) {
+  adopt_grpc_log();
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
-  auto state = std::make_unique<State>(CallContext{store, sessions, executor});
+  auto state = std::make_unique<State>(options, store, sessions, executor);
   grpc::ServerBuilder builder;
+  const auto open_door = [&](ListeningSocket socket, std::shared_ptr<grpc::ServerCredentials> how) {
+    if (state->address.empty()) state->address = socket.address();
+    state->port = std::max(state->port, socket.port());
+    auto receiver = builder.experimental().AddExternalConnectionAcceptor(
+        grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD, std::move(how));
+    state->acceptor.add(std::move(socket), std::move(receiver));
+  };
+  if (!options.listen.empty()) {
+    ASSIGN_OR_RETURN(ListeningSocket socket, ListeningSocket::tcp(options.listen));
+    open_door(std::move(socket),
+              options.certificates
+                  ? tls_credentials(*options.certificates, options.client_certificate_required,
+                                    state->counts)
+                  : plaintext_credentials(state->counts));
+  }
+  if (!options.socket.empty()) {
+    ASSIGN_OR_RETURN(ListeningSocket socket, ListeningSocket::unix_domain(options.socket));
+    open_door(std::move(socket), plaintext_credentials(state->counts));
+  }
   set_limits(builder);
-  builder.AddListeningPort(listen, grpc::InsecureServerCredentials(), &state->port);
+  observe_calls(builder, state->counts);
   builder.RegisterService(&state->library);
   builder.RegisterService(&state->editing);
   state->server = builder.BuildAndStart();
-  if (!state->server || state->port == 0)
-    return unavailable("cannot listen on " + listen + ": the address is in use or not ours");
-  state->address = listen.substr(0, listen.rfind(':') + 1) + std::to_string(state->port);
-  set_serving(*state->server, true);
-  return std::unique_ptr<Server>(new Server(std::move(state)));
+  if (!state->server) return internal_error("gRPC cannot start a server; its log says why");
+  std::unique_ptr<Server> server(new Server(std::move(state)));
+  server->set_serving(true);
+  server->state_->acceptor.start();
+  return server;
 }
 
 Server::Server(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Server::~Server() {
-  if (state_) drain(std::chrono::milliseconds(0));
+  drain(milliseconds(0));
 }
 
 const std::string& Server::address() const {
@@ -80,9 +119,31 @@ int Server::port() const {
   return state_->port;
 }
 
-void Server::drain(std::chrono::milliseconds time) {
-  set_serving(*state_->server, false);
-  state_->server->Shutdown(std::chrono::system_clock::now() + time);
+void Server::set_serving(bool serving) {
+  grpc::HealthCheckServiceInterface* health = state_->server->GetHealthCheckService();
+  for (const char* service : {v1::Library::service_full_name(), v1::Editing::service_full_name()})
+    health->SetServingStatus(service, serving);
+  health->SetServingStatus(serving);
+}
+
+int64_t Server::running_calls() const {
+  return state_->counts->running;
+}
+
+uint64_t Server::take_cut_off_calls() {
+  const uint64_t started = state_->counts->started;  // first: it never overtakes the other
+  return state_->cut_off.add(state_->counts->arrived - started);
+}
+
+void Server::drain(milliseconds time) {
+  set_serving(false);
+  state_->guard.close();
+  // Whoever probes still gets an answer meanwhile: it says NOT_SERVING.
+  const auto deadline = steady_clock::now() + time;
+  while (running_calls() > 0 && steady_clock::now() < deadline)
+    std::this_thread::sleep_for(kDrainPoll);
+  state_->acceptor.stop();
+  state_->server->Shutdown(std::chrono::system_clock::now());
   state_->server->Wait();
 }
 

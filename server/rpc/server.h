@@ -1,10 +1,14 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "common/base/status.h"
+#include "server/trust/certificates.h"
+#include "server/trust/reloaded.h"
+#include "server/trust/users.h"
 
 namespace burnish {
 
@@ -12,21 +16,42 @@ class Executor;
 class MeshStore;
 class SessionManager;
 
+struct ServerOptions {
+  std::string listen;            ///< HOST:PORT, port 0 a free one; empty: no TCP
+  std::filesystem::path socket;  ///< a Unix socket as well; empty: none
+  const Reloaded<Certificates>* certificates = nullptr;  ///< null: TCP in plain text
+  bool client_certificate_required = true;               ///< where the certificates have a CA
+  const Reloaded<UserTable>* users = nullptr;            ///< null: nobody is asked who he is
+  size_t connections_max = 256;
+  uint64_t streams_per_user = 64;
+};
+
 /// The listening service: Library, Editing, health and reflection.
 class Server {
  public:
-  /// Listens on `listen` (HOST:PORT, port 0: a free one) and serves at once.
-  /// Needs: store, sessions and executor outlive the server.
-  /// Fails: unavailable when the address cannot be bound.
-  static Result<std::unique_ptr<Server>> start(const std::string& listen, MeshStore& store,
+  /// Listens and serves at once.
+  /// Needs: store, sessions, executor and what the options point to outlive the server.
+  /// Fails: unavailable when an address cannot be bound.
+  static Result<std::unique_ptr<Server>> start(const ServerOptions& options, MeshStore& store,
                                                SessionManager& sessions, Executor& executor);
   ~Server();
 
-  /// HOST:PORT with the port that was chosen.
+  /// HOST:PORT with the port that was chosen, else unix:PATH.
   const std::string& address() const;
-  int port() const;
+  int port() const;  ///< 0 without TCP
 
-  /// Reports NOT_SERVING, takes no new calls, lets those under way end until the time is over,
+  /// What the health service says of the server and of each of its services.
+  void set_serving(bool serving);
+
+  /// Calls of our services under way.
+  int64_t running_calls() const;
+
+  /// Calls that have ended before their first message was whole since the last time: the message
+  /// was above the receive limit, or its client has gone. To be asked every half second or so;
+  /// what is still on its way is not counted until it has been for a few times.
+  uint64_t take_cut_off_calls();
+
+  /// Reports NOT_SERVING, lets no call in, lets those under way end until the time is over,
   /// cancels the rest and returns when they have ended.
   void drain(std::chrono::milliseconds time);
 

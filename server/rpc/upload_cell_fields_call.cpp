@@ -2,7 +2,6 @@
 
 #include "common/wire/edit_wire.h"
 #include "common/wire/session_wire.h"
-#include "server/rpc/caller.h"
 
 namespace burnish {
 
@@ -46,7 +45,7 @@ Status UploadCellFieldsCall::apply() {
                      std::to_string(announced_cells_) + " cells");
   const Edit edit{edit_id_, std::move(change_)};
   const Progress progress = [this](std::string_view, double) { return !cancelled_; };
-  ASSIGN_OR_RETURN(const std::string user, caller_of(context_));
+  ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(context_));
   ASSIGN_OR_RETURN(const ApplyOutcome outcome,
                    calls_.sessions.apply(session_, user, {&edit, 1}, progress));
   response_ = to_wire(outcome);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "server/process/log_context.h"
+
 namespace burnish {
 
 Executor::Executor(int threads) {
@@ -17,7 +19,12 @@ Executor::~Executor() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void Executor::post(std::function<void()> work) {
+void Executor::post(std::function<void()> plain) {
+  // The work belongs to the request that posts it.
+  auto work = [plain = std::move(plain), request = LogContext::current()] {
+    const LogContext context(request);
+    plain();
+  };
   {
     const std::lock_guard lock(mutex_);
     queue_.push_back(std::move(work));

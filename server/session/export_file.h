@@ -6,6 +6,7 @@
 
 #include "common/base/status.h"
 #include "common/service/session_info.h"
+#include "server/metrics/live_objects.h"
 
 namespace burnish {
 
@@ -27,6 +28,7 @@ class ExportFile {
 
   int file_;
   ExportSummary summary_;
+  LiveObject live_{LiveKind::kExport};
 };
 
 }  // namespace burnish

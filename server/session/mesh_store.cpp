@@ -11,6 +11,7 @@
 #include "common/mesh/mesh_io.h"
 #include "server/prepare/prepare.h"
 #include "server/session/cancellable_lock.h"
+#include "server/session/memory_need.h"
 #include "server/session/scan_record.h"
 
 namespace burnish {
@@ -82,14 +83,23 @@ PreparedKey resolve(const PreparedKey& key, const ScanInfo& scan) {
 }
 
 MeshStore::MeshStore(const DataFolder& folder, const MeshStoreOptions& options)
-    : folder_(folder), options_(options), cache_(options.mesh_bytes_max) {}
+    : folder_(folder),
+      options_(options),
+      memory_("bytes of meshes and sessions", "limits.memory_bytes_max", options.memory_bytes_max),
+      uploads_("bytes of uploads under way", "limits.upload_bytes_per_user",
+               options.upload_bytes_per_user) {}
 
-Result<std::unique_ptr<Upload>> MeshStore::begin_upload(const ImportHeader& header) const {
+Result<std::unique_ptr<Upload>> MeshStore::begin_upload(const ImportHeader& header,
+                                                        const std::string& user) {
   if (header.size_bytes > options_.upload_bytes_max)
     return resource_exhausted("the file has " + std::to_string(header.size_bytes) +
                               " bytes; upload_bytes_max is " +
                               std::to_string(options_.upload_bytes_max));
-  return Upload::create(folder_.staging_path(".upload"), header.size_bytes);
+  Quota::Share share;
+  if (!user.empty()) {
+    ASSIGN_OR_RETURN(share, uploads_.take("user " + user, header.size_bytes));
+  }
+  return Upload::create(folder_.staging_path(".upload"), header.size_bytes, std::move(share));
 }
 
 Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& header,
@@ -212,8 +222,9 @@ Result<std::shared_ptr<const SharedMesh>> MeshStore::open_mesh(const std::string
   if (auto shared = cache_.find({id, key})) return shared;
   auto mesh = std::make_shared<SharedMesh>();
   ASSIGN_OR_RETURN(mesh->prepared, map_or_rebuild(id, key, progress));
+  ASSIGN_OR_RETURN(mesh->memory, memory_.take(kServer, predict_mesh_bytes(*mesh->prepared)));
   mesh->hierarchy = make_hierarchy(*mesh->prepared);
-  RETURN_IF_ERROR(cache_.admit({id, key}, mesh));
+  cache_.add({id, key}, mesh);
   return std::shared_ptr<const SharedMesh>(std::move(mesh));
 }
 

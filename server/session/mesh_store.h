@@ -11,14 +11,16 @@
 #include "server/prepare/prepared_mesh.h"
 #include "server/session/data_folder.h"
 #include "server/session/mesh_cache.h"
+#include "server/session/quota.h"
 #include "server/session/upload.h"
 
 namespace burnish {
 
 struct MeshStoreOptions {
   uint64_t upload_bytes_max = uint64_t{8} << 30;
-  uint64_t mesh_bytes_max = uint64_t{16} << 30;  ///< prepared meshes in memory
-  int threads = 0;                               ///< for preparing; 0: all cores
+  uint64_t upload_bytes_per_user = uint64_t{16} << 30;  ///< uploads under way
+  uint64_t memory_bytes_max = uint64_t{16} << 30;       ///< meshes and sessions
+  int threads = 0;                                      ///< for preparing; 0: all cores
 };
 
 /// The library of scans on disk. A scan's folder appears complete, by one rename, or not at all;
@@ -28,8 +30,10 @@ class MeshStore {
   /// Needs: `folder` outlives the store.
   MeshStore(const DataFolder& folder, const MeshStoreOptions& options);
 
-  /// Fails: resource_exhausted above upload_bytes_max.
-  Result<std::unique_ptr<Upload>> begin_upload(const ImportHeader& header) const;
+  /// Fails: resource_exhausted above upload_bytes_max, and when the user's uploads under way are
+  /// above upload_bytes_per_user together.
+  Result<std::unique_ptr<Upload>> begin_upload(const ImportHeader& header,
+                                               const std::string& user = {});
 
   /// Reads, checks, prepares and keeps the uploaded file; bytes that are known already only get
   /// the prepared mesh that was asked for. Fails: invalid_argument (no good mesh), data_loss
@@ -56,9 +60,13 @@ class MeshStore {
 
   /// The mesh for a session: shared with others, else mapped, else prepared now. The caller holds
   /// it for as long as it uses it. Needs: a resolved key.
-  /// Fails: resource_exhausted when mesh_bytes_max has no room; not_found; cancelled.
+  /// Fails: resource_exhausted when memory_bytes_max has no room; not_found; cancelled.
   Result<std::shared_ptr<const SharedMesh>> open_mesh(const std::string& id, const PreparedKey& key,
                                                       const Progress& progress);
+
+  /// The budget of meshes and sessions together, and what meshes take of it.
+  Quota& memory() { return memory_; }
+  uint64_t mesh_bytes() const { return cache_.byte_count(); }
 
   /// Needs: no session edits it.
   Status remove(const std::string& id);
@@ -75,6 +83,8 @@ class MeshStore {
   const DataFolder& folder_;
   const MeshStoreOptions options_;
   MeshCache cache_;
+  Quota memory_;
+  Quota uploads_;
   std::timed_mutex preparing_;  // one at a time: it uses all cores and much memory
 };
 

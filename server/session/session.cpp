@@ -1,5 +1,6 @@
 #include "server/session/session.h"
 
+#include "server/metrics/live_objects.h"
 #include "server/solver/hierarchy.h"
 
 namespace burnish {
@@ -24,6 +25,7 @@ struct Session::State {
   std::shared_ptr<const PreparedMesh> prepared;
   EditedFields edited;
   std::unique_ptr<Solver> solver;
+  LiveObject live{LiveKind::kSession};
 };
 
 Result<std::unique_ptr<Session>> Session::open(std::shared_ptr<const PreparedMesh> prepared,

@@ -8,6 +8,7 @@
 #include "server/session/journal.h"
 #include "server/session/mesh_cache.h"
 #include "server/session/presence.h"
+#include "server/session/quota.h"
 #include "server/session/session.h"
 
 namespace burnish {
@@ -24,6 +25,9 @@ struct SessionEntry {
   void leave_memory() {
     session.reset();
     mesh.reset();
+    memory = {};
+    by_user = {};
+    session_bytes = 0;
     last = {};
     in_memory = false;
   }
@@ -31,6 +35,7 @@ struct SessionEntry {
   const SessionRecord record;
   std::atomic<uint64_t> edits{0};
   std::atomic<bool> in_memory{false};
+  std::atomic<uint64_t> session_bytes{0};
   /// The session in memory has seen edits that could not be written: it is to be replayed.
   std::atomic<bool> ahead_of_journal{false};
   Presence presence;
@@ -39,6 +44,8 @@ struct SessionEntry {
   bool deleted = false;
   SessionRoles roles;
   std::shared_ptr<const SharedMesh> mesh;
+  Quota::Share memory;               // what the session takes of the server's
+  Quota::Share by_user;              // of whoever opened it
   std::unique_ptr<Session> session;  // null: not in memory
   StepReport last;
 };

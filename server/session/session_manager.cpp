@@ -4,6 +4,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include "server/metrics/metrics.h"
+#include "server/session/memory_need.h"
 #include "server/session/session_held.h"
 
 namespace burnish {
@@ -72,6 +74,8 @@ Status SessionManager::bring_back(SessionEntry& entry, const Progress& progress)
   if (entry.session) return Status::ok();
   const SessionRecord& record = entry.record;
   ASSIGN_OR_RETURN(const auto mesh, store_.open_mesh(record.scan_id, record.key, progress));
+  ASSIGN_OR_RETURN(Quota::Share memory,
+                   store_.memory().take(kServer, predict_session_bytes(*mesh->hierarchy)));
   ASSIGN_OR_RETURN(auto session, Session::open(mesh->prepared, mesh->hierarchy, options_.solver));
   spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),
                session->solver().backend_reason());
@@ -80,6 +84,8 @@ Status SessionManager::bring_back(SessionEntry& entry, const Progress& progress)
   for (PaintCheckpoint& paint : kept) session->edited().offer(std::move(paint));
   RETURN_IF_ERROR(session->edited().apply(edits, progress).status().with_context("replay"));
   entry.mesh = mesh;
+  entry.session_bytes = memory.amount();
+  entry.memory = std::move(memory);
   entry.session = std::move(session);
   entry.edits = edits.size();
   entry.in_memory = true;
@@ -128,11 +134,34 @@ Result<OpenedSession> SessionManager::open(const SessionWish& wish, const std::s
                                            const Progress& progress) {
   bool created = false;
   ASSIGN_OR_RETURN(const auto entry, find_or_create(wish, user, created));
-  const auto held = use(entry->record.id, progress);
-  if (held.is_ok()) return OpenedSession{entry->info(), !created};
+  const Status status = bring_back_for(*entry, user, progress);
+  if (status.is_ok()) return OpenedSession{entry->info(), !created};
   // Nobody has been told of a session that could not be opened: take it back.
   if (created) (void)remove(entry->record.id, user, {});
-  return held.status();
+  return status;
+}
+
+// A session in memory counts for the user who opened it.
+Status SessionManager::bring_back_for(SessionEntry& entry, const std::string& user,
+                                      const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, lock(entry.record.id, progress));
+  Quota::Share share;
+  if (!user.empty() && entry.by_user.amount() == 0) {
+    ASSIGN_OR_RETURN(share, by_user_.take("user " + user, 1));
+  }
+  RETURN_IF_ERROR(bring_back(entry, progress).with_context("session " + entry.record.name));
+  if (share.amount() > 0) entry.by_user = std::move(share);
+  return Status::ok();
+}
+
+SessionManager::Usage SessionManager::usage() const {
+  const std::lock_guard lock(mutex_);
+  Usage usage;
+  for (const auto& [name, entry] : sessions_) {
+    usage.in_memory += entry->in_memory ? 1 : 0;
+    usage.session_bytes += entry->session_bytes;
+  }
+  return usage;
 }
 
 static Result<uint64_t> end_of_fork(const ForkWish& wish, const History& history) {
@@ -207,6 +236,9 @@ Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish
   ASSIGN_OR_RETURN(const SolveReport solved,
                    entry.session->solve({wish.exact, wish.cycles}, progress));
   entry.last = solved.last;
+  metrics().observe(Measure::kAssembleSeconds, solved.assemble_seconds);
+  metrics().observe(Measure::kSolveSeconds, solved.solve_seconds);
+  metrics().observe(Measure::kResidual, solved.last.residual);
   const TriangleMesh mesh = entry.session->surface();
   held.lock.unlock();
 

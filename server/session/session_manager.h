@@ -22,6 +22,7 @@ namespace burnish {
 
 struct SessionManagerOptions {
   size_t sessions_max = 64;
+  uint64_t sessions_per_user = 1'000'000;  ///< in memory
   SolverOptions solver;
 };
 
@@ -50,6 +51,13 @@ class SessionManager {
 
   /// By name.
   std::vector<SessionInfo> list() const;
+
+  /// What the sessions in memory take, by the admission's prediction.
+  struct Usage {
+    size_t in_memory = 0;
+    uint64_t session_bytes = 0;
+  };
+  Usage usage() const;
 
   /// Gives the memory back; the next use brings the session back.
   Status close(const std::string& reference, const Progress& progress);
@@ -99,7 +107,11 @@ class SessionManager {
 
   SessionManager(const DataFolder& folder, MeshStore& store, Journal& journal,
                  const SessionManagerOptions& options)
-      : folder_(folder), store_(store), journal_(journal), options_(options) {}
+      : folder_(folder),
+        store_(store),
+        journal_(journal),
+        options_(options),
+        by_user_("sessions open", "limits.sessions_per_user", options.sessions_per_user) {}
 
   std::shared_ptr<SessionEntry> find(const std::string& reference) const;
   Result<std::shared_ptr<SessionEntry>> find_or_create(const SessionWish& wish,
@@ -109,6 +121,7 @@ class SessionManager {
   Result<Held> use(const std::string& reference, const Progress& progress);
   Status bring_back(SessionEntry& entry, const Progress& progress);
   void keep_paint(SessionEntry& entry);
+  Status bring_back_for(SessionEntry& entry, const std::string& user, const Progress& progress);
   Result<ExportSummary> solve_to_file(Held& held, const ExportWish& wish,
                                       const std::filesystem::path& path, const Progress& progress);
 
@@ -116,6 +129,7 @@ class SessionManager {
   MeshStore& store_;
   Journal& journal_;
   const SessionManagerOptions options_;
+  Quota by_user_;
 
   mutable std::mutex mutex_;  // of the map; never held while a session works
   std::map<std::string, std::shared_ptr<SessionEntry>> sessions_;  // by name

@@ -1,6 +1,10 @@
 #include "server/session/sqlite.h"
 
+#include <chrono>
+
 #include <sqlite3.h>
+
+#include "server/metrics/metrics.h"
 
 namespace burnish {
 
@@ -105,7 +109,11 @@ Transaction::~Transaction() {
 }
 
 Status Transaction::commit() {
+  const auto start = std::chrono::steady_clock::now();
   RETURN_IF_ERROR(database_->execute("COMMIT"));
+  metrics().observe(
+      Measure::kJournalCommitSeconds,
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   database_ = nullptr;
   return Status::ok();
 }

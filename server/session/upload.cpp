@@ -6,9 +6,10 @@ namespace burnish {
 
 namespace fs = std::filesystem;
 
-Result<std::unique_ptr<Upload>> Upload::create(const fs::path& path, uint64_t size_bytes) {
+Result<std::unique_ptr<Upload>> Upload::create(const fs::path& path, uint64_t size_bytes,
+                                               Quota::Share share) {
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
-  return std::unique_ptr<Upload>(new Upload(path, std::move(file), size_bytes));
+  return std::unique_ptr<Upload>(new Upload(path, std::move(file), size_bytes, std::move(share)));
 }
 
 Upload::~Upload() {

@@ -9,6 +9,8 @@
 #include "common/base/atomic_file.h"
 #include "common/base/status.h"
 #include "common/service/content_hash.h"
+#include "server/metrics/live_objects.h"
+#include "server/session/quota.h"
 
 namespace burnish {
 
@@ -18,7 +20,7 @@ class Upload {
  public:
   /// Fails: as errno says.
   static Result<std::unique_ptr<Upload>> create(const std::filesystem::path& path,
-                                                uint64_t size_bytes);
+                                                uint64_t size_bytes, Quota::Share share = {});
   ~Upload();
 
   /// Fails: data_loss (gap, damage), invalid_argument (more bytes than announced, chunk size),
@@ -34,14 +36,19 @@ class Upload {
   uint64_t size_bytes() const { return size_bytes_; }
 
  private:
-  Upload(std::filesystem::path path, AtomicFile file, uint64_t size_bytes)
-      : path_(std::move(path)), file_(std::move(file)), size_bytes_(size_bytes) {}
+  Upload(std::filesystem::path path, AtomicFile file, uint64_t size_bytes, Quota::Share share)
+      : path_(std::move(path)),
+        file_(std::move(file)),
+        size_bytes_(size_bytes),
+        share_(std::move(share)) {}
 
   std::filesystem::path path_;
   AtomicFile file_;
   uint64_t size_bytes_;
+  Quota::Share share_;  // of what its user may have under way
   uint64_t received_bytes_ = 0;
   ContentHash hash_;
+  LiveObject live_{LiveKind::kUpload};
 };
 
 }  // namespace burnish

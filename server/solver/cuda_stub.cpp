@@ -16,6 +16,10 @@ Result<std::string> cuda_device() {
   return not_in_this_build();
 }
 
+Status probe_cuda_device() {
+  return not_in_this_build();
+}
+
 Result<std::unique_ptr<Backend>> make_cuda_backend(std::shared_ptr<const PreparedMesh>,
                                                    std::shared_ptr<const Hierarchy>, Smoother) {
   return not_in_this_build();

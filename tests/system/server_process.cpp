@@ -9,16 +9,23 @@
 namespace burnish {
 
 std::vector<std::string> ServerProcess::command_line() const {
-  return {BURNISH_SERVER_BINARY, "--listen", "127.0.0.1:0", "--data", (folder / "data").string()};
+  std::vector<std::string> words = {BURNISH_SERVER_BINARY, "--listen", "127.0.0.1:0", "--data",
+                                    (folder / "data").string()};
+  words.insert(words.end(), flags.begin(), flags.end());
+  return words;
 }
 
 void ServerProcess::start(const Process::Limits& limits) {
   process = std::make_unique<Process>(command_line(), folder / "server.log", limits);
   const std::string announcement = "listening on ";
   BURNISH_CHECK(process->wait_for_output(announcement, kPatience), process->output());
+  address = announced(announcement);
+}
+
+std::string ServerProcess::announced(const std::string& announcement) const {
   const std::string output = process->output();
   const size_t begin = output.find(announcement) + announcement.size();
-  address = output.substr(begin, output.find('\n', begin) - begin);
+  return output.substr(begin, output.find('\n', begin) - begin);
 }
 
 void ServerProcess::kill() {
@@ -29,6 +36,7 @@ void ServerProcess::kill() {
 std::unique_ptr<Process> ServerProcess::start_burnish(std::vector<std::string> words) {
   words.insert(words.begin(), BURNISH_BINARY);
   words.insert(words.end(), {"--server", address});
+  words.insert(words.end(), client_flags.begin(), client_flags.end());
   return std::make_unique<Process>(words, folder / ("out" + std::to_string(outputs_++)));
 }
 

@@ -21,7 +21,9 @@ struct CommandOutcome {
 /// A burnish-server of the test's own, on a free loopback port, and `burnish` to talk to it.
 class ServerProcess {
  public:
-  ServerProcess() { start(); }
+  explicit ServerProcess(std::vector<std::string> more_flags = {}) : flags(std::move(more_flags)) {
+    start();
+  }
 
   /// Starts on the same data folder; a new port is taken.
   void start(const Process::Limits& limits = {});
@@ -35,6 +37,9 @@ class ServerProcess {
   /// Starts `burnish WORDS... --server HERE`.
   std::unique_ptr<Process> start_burnish(std::vector<std::string> words);
 
+  /// What follows `announcement` on its line of the server's output.
+  std::string announced(const std::string& announcement) const;
+
   /// What burnish-server was started with, for a second one.
   std::vector<std::string> command_line() const;
 
@@ -43,6 +48,8 @@ class ServerProcess {
   size_t scans() const { return entries("scans"); }
 
   TemporaryFolder folder;
+  std::vector<std::string> flags;         ///< of burnish-server, beside its address and folder
+  std::vector<std::string> client_flags;  ///< of burnish, beside the address
   std::unique_ptr<Process> process;
   std::string address;
 

@@ -17,6 +17,9 @@ bool cuda_compiled();
 /// Fails: failed_precondition: not in this build, no driver, no device.
 Result<std::string> cuda_device();
 
+/// Lets the device do a trifle and waits for it. Fails: internal_error; CUDA's errors stick.
+Status probe_cuda_device();
+
 /// The CUDA backend: float32 V-cycle, double outer iteration; on one device the same input gives
 /// the same bits. Fails: failed_precondition (no device), unimplemented (smoother),
 /// resource_exhausted (device memory, with the numbers).

@@ -24,4 +24,14 @@ Result<std::string> cuda_device() {
   return std::string(device.name) + ", " + std::to_string(device.totalGlobalMem >> 20) + " MiB";
 }
 
+Status probe_cuda_device() {
+  static cuda::Stream stream;  // its first failure stays, as the device's does
+  // The device writes a word of ours: its own memory may be full.
+  static void* word = nullptr;
+  static const bool has_word = stream.check(cudaMallocHost(&word, sizeof(int)), "pinning a word");
+  if (has_word && stream.check(cudaMemsetAsync(word, 0, sizeof(int), stream.get()), "probing"))
+    stream.synchronize();
+  return stream.status();
+}
+
 }  // namespace burnish

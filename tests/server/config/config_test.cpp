@@ -1,10 +1,14 @@
 #include "server/config/config.h"
 
+#include <fstream>
+#include <set>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "server/config/command_line.h"
 #include "server/config/config_file.h"
+#include "server/config/config_keys.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {
@@ -37,7 +41,10 @@ TEST(ConfigFile, EveryKeyIsRead) {
       [limits]
       sessions_max = 7
       upload_bytes_max = 1000
-      mesh_bytes_max = 2000
+      memory_bytes_max = 2000
+      [tls]
+      certificate = "c.pem"
+      client_certificate_required = false
       )",
                                "server.toml", config)
                   .is_ok());
@@ -50,21 +57,62 @@ TEST(ConfigFile, EveryKeyIsRead) {
   EXPECT_TRUE(config.insecure);
   EXPECT_EQ(config.sessions_max, 7);
   EXPECT_EQ(config.upload_bytes_max, 1000);
-  EXPECT_EQ(resolved_mesh_bytes_max(config), 2000u);
+  EXPECT_EQ(config.tls_certificate, "c.pem");
+  EXPECT_FALSE(config.tls_client_certificate_required);
+  EXPECT_EQ(resolved_memory_bytes_max(config), 2000u);
 }
 
 TEST(ConfigFile, AWrongKeyIsRefusedByNameAndLine) {
   EXPECT_THAT(refusal("threads = 1\nthreds = 4\n"),
               HasSubstr("server.toml:2: there is no key 'threds'"));
   EXPECT_THAT(refusal("[limits]\nsession_max = 4\n"), HasSubstr("'limits.session_max'"));
-  EXPECT_THAT(refusal("[tls]\nkey = 4\n"), HasSubstr("'tls'"));
+  EXPECT_THAT(refusal("[tsl]\nkey = 4\n"), HasSubstr("server.toml:1: there is no key 'tsl'"));
 }
 
 TEST(ConfigFile, AValueOfTheWrongKindIsRefused) {
-  EXPECT_THAT(refusal("listen = 7\n"), HasSubstr("listen: is not a string"));
-  EXPECT_THAT(refusal("threads = \"4\"\n"), HasSubstr("threads: is not an integer"));
+  EXPECT_EQ(refusal("listen = 7\n"), "server.toml:1: listen = 7 is not a string");
+  EXPECT_EQ(refusal("\nthreads = \"4\"\n"),
+            "server.toml:2: threads = '4' is not an integer in 0..1024");
   EXPECT_THAT(refusal("limits = 3\n"), HasSubstr("'limits'"));
-  EXPECT_THAT(refusal("backend = \"gpu\"\n"), HasSubstr("none of auto, cpu, cuda"));
+  EXPECT_THAT(refusal("data = [1]\n"), HasSubstr("data = a list is not a string"));
+  EXPECT_THAT(refusal("backend = \"gpu\"\n"), HasSubstr("\"auto\", \"cpu\" or \"cuda\""));
+}
+
+TEST(ConfigFile, AValueOutsideItsLimitsIsRefusedWithFileKeyValueAndLimits) {
+  EXPECT_EQ(refusal("\n[limits]\nsessions_max = 0\n"),
+            "server.toml:3: limits.sessions_max = 0 is outside 1..1000000");
+  EXPECT_EQ(refusal("log_format = \"xml\"\n"),
+            "server.toml:1: log_format = 'xml' is none of text, json");
+}
+
+/// Every key that a table has, with its dots.
+std::set<std::string> keys_in(std::istream& file) {
+  std::set<std::string> keys;
+  std::string table, line;
+  while (std::getline(file, line)) {
+    if (line.starts_with('[')) table = line.substr(1, line.find(']') - 1) + ".";
+    const size_t equals = line.find(" = ");
+    if (!line.starts_with('#') && equals != std::string::npos)
+      keys.insert(table + line.substr(0, equals));
+  }
+  return keys;
+}
+
+TEST(ConfigExample, IsAcceptedAndHasEveryKeyWithItsDefault) {
+  const std::string path = SOURCE_ROOT "/deploy/server.example.toml";
+  ServerConfig config;
+  const Status status = read_config_file(path, config);
+  ASSERT_TRUE(status.is_ok()) << status.message();
+  EXPECT_TRUE(validate(config).is_ok());
+  std::set<std::string> known;
+  std::ifstream file(path);
+  const ServerConfig defaults;
+  for (const ConfigKey& key : config_keys()) {
+    known.insert(key.name);
+    std::visit([&](auto member) { EXPECT_EQ(config.*member, defaults.*member) << key.name; },
+               key.member);
+  }
+  EXPECT_EQ(keys_in(file), known);
 }
 
 TEST(ConfigFile, BrokenTomlIsRefusedWithItsLine) {
@@ -90,12 +138,34 @@ TEST(Config, PlaintextBeyondThisMachineNeedsSayingSo) {
   ServerConfig config;
   config.listen = "0.0.0.0:7411";
   EXPECT_EQ(validate(config).code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(validate(config).message(), HasSubstr("in plain text"));
   config.insecure = true;
+  EXPECT_TRUE(validate(config).is_ok());
+  config.insecure = false;
+  config.tls_certificate = config.tls_key = "x.pem";
+  EXPECT_THAT(validate(config).message(), HasSubstr("nobody is asked who he is"));
+  config.users = "users.toml";
   EXPECT_TRUE(validate(config).is_ok());
   for (const char* loopback : {"127.0.0.1:1", "[::1]:1", "localhost:1", "127.3.4.5:1"})
     EXPECT_TRUE(is_loopback(loopback)) << loopback;
   for (const char* other : {"0.0.0.0:1", "[::]:1", "10.0.0.1:1", "example.org:1"})
     EXPECT_FALSE(is_loopback(other)) << other;
+}
+
+TEST(Config, KeysThatDoNotFitEachOtherAreRefused) {
+  ServerConfig config;
+  config.tls_certificate = "c.pem";
+  EXPECT_THAT(validate(config).message(), HasSubstr("tls.key = '': give both or neither"));
+  config.tls_key = "k.pem";
+  config.tls_client_ca = "ca.pem";
+  EXPECT_THAT(validate(config).message(), HasSubstr("tls.client_ca = 'ca.pem' needs users"));
+  config = {};
+  config.listen = "";
+  EXPECT_THAT(validate(config).message(), HasSubstr("nobody could connect"));
+  config.socket = "/run/burnish.sock";
+  EXPECT_TRUE(validate(config).is_ok());
+  config.socket = std::string(200, 'x');
+  EXPECT_THAT(validate(config).message(), HasSubstr("200 bytes"));
 }
 
 TEST(CommandLine, FlagsGoBeforeTheFileAndTheFileBeforeTheDefaults) {

@@ -112,12 +112,12 @@ TEST(MeshStore, SessionsShareOneMesh) {
 
 TEST(MeshStore, AMeshBeyondTheMemoryBudgetIsRefusedWithTheNumbers) {
   MeshStoreOptions options;
-  options.mesh_bytes_max = 1000;
+  options.memory_bytes_max = 1000;
   TestLibrary library(options);
   const ScanInfo scan = library.import(sphere_file(), "ball").value().scan;
   const auto mesh = library.store->open_mesh(scan.id, {5, 0}, {});
   EXPECT_EQ(mesh.status().code(), StatusCode::kResourceExhausted);
-  EXPECT_THAT(mesh.status().message(), HasSubstr("mesh_bytes_max 1000"));
+  EXPECT_THAT(mesh.status().message(), HasSubstr("limits.memory_bytes_max is 1000"));
 }
 
 TEST(MeshStore, ADamagedScanIsLeftOutOfTheList) {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <memory>
+
+#include <grpcpp/grpcpp.h>
+
+#include "client/connection/connection.h"
+
+namespace burnish {
+
+/// A channel that has not connected yet; every call on it carries the token.
+/// Fails: as errno says (files), failed_precondition (a token in plain text), invalid_argument.
+Result<std::shared_ptr<grpc::Channel>> make_channel(const std::string& server,
+                                                    const ConnectionTrust& trust);
+
+}  // namespace burnish

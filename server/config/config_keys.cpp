@@ -1,0 +1,66 @@
+#include "server/config/config_keys.h"
+
+#include <algorithm>
+
+namespace burnish {
+
+static constexpr int64_t kManyBytes = int64_t{1} << 50;
+
+std::span<const ConfigKey> config_keys() {
+  using C = ServerConfig;
+  static const std::vector<ConfigKey> keys = {
+      {"listen", &C::listen},
+      {"socket", &C::socket},
+      {"data", &C::data},
+      {"threads", &C::threads, 0, 1024},
+      {"workers", &C::workers, 1, 1024},
+      {"backend", &C::backend},
+      {"log_level", &C::log_level, 0, 0, {"trace", "debug", "info", "warn", "error", "off"}},
+      {"log_format", &C::log_format, 0, 0, {"text", "json"}},
+      {"drain_seconds", &C::drain_seconds, 0, 3600},
+      {"insecure", &C::insecure},
+      {"users", &C::users},
+      {"tls.certificate", &C::tls_certificate},
+      {"tls.key", &C::tls_key},
+      {"tls.client_ca", &C::tls_client_ca},
+      {"tls.client_certificate_required", &C::tls_client_certificate_required},
+      {"metrics.listen", &C::metrics_listen},
+      {"limits.sessions_max", &C::sessions_max, 1, 1'000'000},
+      {"limits.sessions_per_user", &C::sessions_per_user, 1, 1'000'000},
+      {"limits.streams_per_user", &C::streams_per_user, 1, 1'000'000},
+      {"limits.connections_max", &C::connections_max, 1, 65'536},
+      {"limits.upload_bytes_max", &C::upload_bytes_max, 1, kManyBytes},
+      {"limits.upload_bytes_per_user", &C::upload_bytes_per_user, 1, kManyBytes},
+      {"limits.memory_bytes_max", &C::memory_bytes_max, 0, kManyBytes},
+  };
+  return keys;
+}
+
+const ConfigKey* find_config_key(const std::string& name) {
+  const auto keys = config_keys();
+  const auto found = std::find_if(keys.begin(), keys.end(),
+                                  [&](const ConfigKey& key) { return key.name == name; });
+  return found == keys.end() ? nullptr : &*found;
+}
+
+static Status check_choice(const ConfigKey& key, const std::string& value) {
+  const auto& choices = key.choices;
+  if (choices.empty() || std::find(choices.begin(), choices.end(), value) != choices.end())
+    return Status::ok();
+  std::string list;
+  for (const std::string& choice : choices) list += (list.empty() ? "" : ", ") + choice;
+  return invalid_argument(key.name + " = '" + value + "' is none of " + list);
+}
+
+Status check_limits(const ConfigKey& key, const ServerConfig& config) {
+  if (const auto* text = std::get_if<std::string ServerConfig::*>(&key.member))
+    return check_choice(key, config.**text);
+  const auto* integer = std::get_if<int64_t ServerConfig::*>(&key.member);
+  if (integer == nullptr) return Status::ok();
+  const int64_t value = config.**integer;
+  if (value >= key.min && value <= key.max) return Status::ok();
+  return invalid_argument(key.name + " = " + std::to_string(value) + " is outside " +
+                          std::to_string(key.min) + ".." + std::to_string(key.max));
+}
+
+}  // namespace burnish

@@ -1,0 +1,84 @@
+#include "server/main/daemon.h"
+
+#include <pthread.h>
+
+#include <spdlog/spdlog.h>
+
+#include "server/metrics/metrics.h"
+#include "server/process/service_manager.h"
+
+namespace burnish {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+static constexpr auto kTick = milliseconds(250);
+
+sigset_t block_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&signals, signal);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  // A full disk or quota is an error of the write, not the end of the server.
+  std::signal(SIGXFSZ, SIG_IGN);
+  return signals;
+}
+
+/// The signal that came within a tick; 0: none.
+static int wait_for_signal(const sigset_t& signals) {
+  const timespec time = {0, std::chrono::nanoseconds(kTick).count()};
+  const int signal = sigtimedwait(&signals, nullptr, &time);
+  return signal > 0 ? signal : 0;
+}
+
+static void count_cut_off_calls(Server& server) {
+  const uint64_t calls = server.take_cut_off_calls();
+  for (uint64_t i = 0; i < calls; ++i) metrics().count_refusal(Refusal::kCutOff);
+  if (calls > 0)
+    spdlog::warn(
+        "refused {} calls before their message was whole: it was above the receive limit, "
+        "or the client has gone",
+        calls);
+}
+
+static void end_at_next_signal(const sigset_t& signals) {
+  std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGINT, SIG_DFL);
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+}
+
+static void drain(Server& server, int signal, const sigset_t& signals,
+                  const DaemonOptions& options) {
+  notify_service_manager("STOPPING=1");
+  spdlog::info("{}: draining, {} calls are running and have {} s", strsignal(signal),
+               server.running_calls(), options.drain_time.count());
+  end_at_next_signal(signals);
+  server.drain(options.drain_time);
+}
+
+Status watch_over(Server& server, const DeviceWatch& device, const sigset_t& signals,
+                  const DaemonOptions& options) {
+  const auto watchdog = watchdog_interval();
+  auto last_sign = steady_clock::now();
+  notify_service_manager("READY=1");
+  for (;;) {
+    const int signal = wait_for_signal(signals);
+    if (signal == SIGTERM || signal == SIGINT) {
+      drain(server, signal, signals, options);
+      return Status::ok();
+    }
+    options.reload(signal == SIGHUP);
+    count_cut_off_calls(server);
+    const Status status = device.status();
+    if (!status.is_ok()) {
+      server.set_serving(false);
+      return status.with_context("the solver's device has failed");
+    }
+    if (watchdog.count() > 0 && steady_clock::now() - last_sign >= watchdog - kTick) {
+      notify_service_manager("WATCHDOG=1");
+      last_sign = steady_clock::now();
+    }
+  }
+}
+
+}  // namespace burnish

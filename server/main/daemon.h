@@ -1,0 +1,27 @@
+#pragma once
+
+#include <chrono>
+#include <csignal>
+#include <functional>
+
+#include "server/process/device_watch.h"
+#include "server/rpc/server.h"
+
+namespace burnish {
+
+/// SIGTERM, SIGINT and SIGHUP, blocked for all threads so that one can wait for them.
+/// Call it before there are other threads.
+sigset_t block_signals();
+
+struct DaemonOptions {
+  std::chrono::seconds drain_time{10};
+  std::function<void(bool in_any_case)> reload;  ///< certificates and users; true: told to
+};
+
+/// Watches over a serving server until SIGTERM or SIGINT has drained it; a second such signal ends
+/// the process at once. SIGHUP reloads. Reports to the service manager throughout.
+/// Fails: what the device failed with; by then the health service has said NOT_SERVING.
+Status watch_over(Server& server, const DeviceWatch& device, const sigset_t& signals,
+                  const DaemonOptions& options);
+
+}  // namespace burnish

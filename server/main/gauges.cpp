@@ -1,0 +1,36 @@
+#include "server/main/gauges.h"
+
+#include "common/base/process_memory.h"
+#include "server/metrics/live_objects.h"
+
+namespace burnish {
+
+std::vector<Gauge> read_gauges(const Server& server, MeshStore& store,
+                               const SessionManager& sessions,
+                               const Reloaded<Certificates>* certificates) {
+  const SessionManager::Usage usage = sessions.usage();
+  const auto number = [](auto value) { return static_cast<double>(value); };
+  std::vector<Gauge> gauges = {
+      {"burnish_running_rpcs", "RPCs under way", number(server.running_calls())},
+      {"burnish_sessions", "Sessions that the journal knows", number(sessions.list().size())},
+      {"burnish_open_sessions", "Sessions in memory", number(usage.in_memory)},
+      {"burnish_session_bytes", "Predicted bytes of the sessions in memory, meshes apart",
+       number(usage.session_bytes)},
+      {"burnish_prepared_bytes", "Bytes of the prepared meshes and hierarchies in use",
+       number(store.mesh_bytes())},
+      {"burnish_memory_taken_bytes", "What admission has given away of memory_bytes_max",
+       number(store.memory().taken())},
+      {"burnish_memory_max_bytes", "limits.memory_bytes_max", number(store.memory().max())},
+      {"burnish_resident_bytes", "Resident memory of the process", number(resident_bytes())},
+  };
+  if (certificates)
+    gauges.push_back({"burnish_certificate_expires_unix_seconds",
+                      "When the server's certificate ends",
+                      number(certificates->get()->expires_unix_seconds)});
+  for (const LiveKind kind : kLiveKinds)
+    gauges.push_back({"burnish_live_objects", "Objects alive, by kind", number(live_count(kind)),
+                      "kind", std::string(live_kind_name(kind))});
+  return gauges;
+}
+
+}  // namespace burnish

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace burnish {
+
+/// What must be gone when nobody uses the server any more.
+enum class LiveKind { kCall, kMesh, kSession, kUpload, kExport };
+
+inline constexpr std::array kLiveKinds = {LiveKind::kCall, LiveKind::kMesh, LiveKind::kSession,
+                                          LiveKind::kUpload, LiveKind::kExport};
+
+/// "call", "mesh", ...
+std::string_view live_kind_name(LiveKind kind);
+
+/// How many objects of this kind are alive in the process.
+int64_t live_count(LiveKind kind);
+
+/// A member of each object that is counted.
+class LiveObject {
+ public:
+  explicit LiveObject(LiveKind kind);
+  ~LiveObject();
+  LiveObject(const LiveObject&) = delete;
+  LiveObject& operator=(const LiveObject&) = delete;
+
+ private:
+  const LiveKind kind_;
+};
+
+}  // namespace burnish

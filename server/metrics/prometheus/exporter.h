@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/base/status.h"
+#include "server/metrics/metrics.h"
+
+namespace burnish {
+
+/// A figure that is read when somebody asks for it.
+struct Gauge {
+  std::string name;
+  std::string help;
+  double value = 0;
+  std::string label = {};  ///< empty: none
+  std::string label_value = {};
+};
+
+/// Serves the figures over HTTP at /metrics, in Prometheus' text format.
+class MetricsExporter {
+ public:
+  /// Listens on HOST:PORT; port 0 takes a free one. `gauges` is called for every scrape, on a
+  /// thread of the exporter's. Fails: unavailable when the address cannot be bound.
+  static Result<std::unique_ptr<MetricsExporter>> start(const std::string& listen,
+                                                        std::function<std::vector<Gauge>()> gauges);
+  ~MetricsExporter();
+
+  /// The sink behind the counters and histograms.
+  std::shared_ptr<Metrics> figures() const;
+
+  int port() const;
+
+ private:
+  struct State;
+  explicit MetricsExporter(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace burnish

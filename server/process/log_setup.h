@@ -1,0 +1,19 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <spdlog/formatter.h>
+
+namespace burnish {
+
+/// Sends the log to standard error. `level` is one of spdlog's; `format` is text or json.
+void set_up_log(const std::string& level, const std::string& format);
+
+/// One JSON object a line: time, level, request (where there is one), message.
+std::unique_ptr<spdlog::formatter> make_json_formatter();
+
+/// "[time] [level] message [request]".
+std::unique_ptr<spdlog::formatter> make_text_formatter();
+
+}  // namespace burnish

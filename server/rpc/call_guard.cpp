@@ -1,0 +1,83 @@
+#include "server/rpc/call_guard.h"
+
+#include <grpc/grpc_security_constants.h>
+#include <spdlog/spdlog.h>
+
+#include "common/service/scan_info.h"
+#include "server/metrics/metrics.h"
+#include "server/process/log_context.h"
+#include "server/rpc/call_observer.h"
+
+namespace burnish {
+namespace {
+
+/// The header in which a client says who its user is.
+constexpr char kUserHeader[] = "burnish-user-bin";
+
+std::string_view view(grpc::string_ref text) {
+  return {text.data(), text.size()};
+}
+
+Proof proof_of(const grpc::CallbackServerContext& context, const grpc::AuthContext& connection) {
+  Proof proof;
+  const auto header = context.client_metadata().find("authorization");
+  if (header != context.client_metadata().end()) proof.authorization = view(header->second);
+  const auto names = connection.FindPropertyValues(GRPC_X509_CN_PROPERTY_NAME);
+  if (!names.empty()) proof.certificate_common_name = view(names.front());
+  return proof;
+}
+
+Refusal reason_of(StatusCode code) {
+  switch (code) {
+    case StatusCode::kPermissionDenied:
+      return Refusal::kPermission;
+    case StatusCode::kUnimplemented:
+      return Refusal::kUnknownRpc;
+    case StatusCode::kUnavailable:
+      return Refusal::kDraining;
+    case StatusCode::kResourceExhausted:
+      return Refusal::kLimit;
+    default:
+      return Refusal::kUnauthenticated;
+  }
+}
+
+Status refuse(const grpc::CallbackServerContext& context, const Status& status) {
+  const LogContext request(request_id_of(context));
+  spdlog::warn("refused {} from {}: {}", method_of(context), context.peer(),
+               one_line(status.to_string()));
+  metrics().count_refusal(reason_of(status.code()));
+  return status;
+}
+
+}  // namespace
+
+Result<Identity> CallGuard::admit(const grpc::CallbackServerContext& context) const {
+  const auto connection = context.auth_context();
+  auto identity = guard_.check(method_of(context), proof_of(context, *connection));
+  return identity.is_ok() ? std::move(identity) : refuse(context, identity.status());
+}
+
+Result<std::string> CallGuard::caller_of(const grpc::CallbackServerContext& context) const {
+  ASSIGN_OR_RETURN(const Identity identity,
+                   guard_.identify(proof_of(context, *context.auth_context())));
+  const auto header = context.client_metadata().find(kUserHeader);
+  if (header == context.client_metadata().end()) return identity.user;
+  std::string name(view(header->second));
+  RETURN_IF_ERROR(check_name("the user's name", name));
+  if (identity.user.empty() || identity.user == name) return name;
+  return refuse(context, {StatusCode::kPermissionDenied,
+                          "user " + identity.user + " calls himself '" + name + "'"});
+}
+
+Result<CallGuard::Stream> CallGuard::admit_stream(const grpc::CallbackServerContext& context) {
+  Stream stream;
+  ASSIGN_OR_RETURN(stream.identity, admit(context));
+  if (stream.identity.user.empty()) return stream;
+  auto share = streams_.take("user " + stream.identity.user, 1);
+  if (!share.is_ok()) return refuse(context, share.status());
+  stream.share = std::move(share).value();
+  return stream;
+}
+
+}  // namespace burnish

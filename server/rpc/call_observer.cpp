@@ -1,0 +1,162 @@
+#include "server/rpc/call_observer.h"
+
+#include <array>
+
+#include <google/protobuf/message_lite.h>
+#include <spdlog/spdlog.h>
+
+#include "server/metrics/metrics.h"
+#include "server/process/log_context.h"
+#include "server/session/data_folder.h"
+
+namespace burnish {
+namespace {
+
+using grpc::experimental::InterceptionHookPoints;
+using grpc::experimental::InterceptorBatchMethods;
+using grpc::experimental::ServerRpcInfo;
+using std::chrono::steady_clock;
+
+constexpr char kMethodKey[] = "burnish-method";
+constexpr char kRequestIdKey[] = "x-request-id";
+
+const char* code_name(grpc::StatusCode code) {
+  static constexpr std::array kNames = {"OK",
+                                        "CANCELLED",
+                                        "UNKNOWN",
+                                        "INVALID_ARGUMENT",
+                                        "DEADLINE_EXCEEDED",
+                                        "NOT_FOUND",
+                                        "ALREADY_EXISTS",
+                                        "PERMISSION_DENIED",
+                                        "RESOURCE_EXHAUSTED",
+                                        "FAILED_PRECONDITION",
+                                        "ABORTED",
+                                        "OUT_OF_RANGE",
+                                        "UNIMPLEMENTED",
+                                        "INTERNAL",
+                                        "UNAVAILABLE",
+                                        "DATA_LOSS",
+                                        "UNAUTHENTICATED"};
+  const auto index = static_cast<size_t>(code);
+  return index < kNames.size() ? kNames[index] : "UNKNOWN";
+}
+
+class CallObserver final : public grpc::experimental::Interceptor {
+ public:
+  CallObserver(ServerRpcInfo& info, std::shared_ptr<CallCounts> counts)
+      : info_(info),
+        counts_(std::move(counts)),
+        method_(info.method()),
+        is_ours_(method_.starts_with("/burnish.")),
+        peer_(info.server_context()->peer()) {
+    ++counts_->started;
+    if (is_ours_) ++counts_->running;
+  }
+
+  ~CallObserver() override {
+    if (is_ours_) --counts_->running;
+    if (status_) report();
+  }
+
+  void Intercept(InterceptorBatchMethods* batch) override {
+    const auto at = [batch](InterceptionHookPoints point) {
+      return batch->QueryInterceptionHookPoint(point);
+    };
+    if (at(InterceptionHookPoints::POST_RECV_INITIAL_METADATA))
+      stamp(*batch->GetRecvInitialMetadata());
+    if (at(InterceptionHookPoints::POST_RECV_MESSAGE)) take_message(batch->GetRecvMessage());
+    if (at(InterceptionHookPoints::PRE_SEND_INITIAL_METADATA))
+      batch->GetSendInitialMetadata()->emplace(kRequestIdKey, request_id_);
+    if (at(InterceptionHookPoints::PRE_SEND_MESSAGE) && is_ours_)
+      if (const grpc::ByteBuffer* bytes = batch->GetSerializedSendMessage())
+        record_.bytes_sent += bytes->Length();
+    if (at(InterceptionHookPoints::PRE_SEND_STATUS)) take_status(*batch);
+    batch->Proceed();
+  }
+
+ private:
+  void stamp(std::multimap<grpc::string_ref, grpc::string_ref>& metadata) const {
+    metadata.erase(kMethodKey);
+    metadata.erase(kRequestIdKey);
+    metadata.emplace(kMethodKey, method_);
+    metadata.emplace(kRequestIdKey, request_id_);
+  }
+
+  void take_message(const void* message) {
+    lacks_message_ = !message;
+    // gRPC hands out the message without its type; those of our services are all protobuf's.
+    if (message && is_ours_)
+      record_.bytes_received +=
+          static_cast<const google::protobuf::MessageLite*>(message)->ByteSizeLong();
+  }
+
+  // Whether the call was cancelled shows only after the read that failed for it.
+  void take_status(InterceptorBatchMethods& batch) {
+    const bool is_single_request = info_.type() == ServerRpcInfo::Type::UNARY ||
+                                   info_.type() == ServerRpcInfo::Type::SERVER_STREAMING;
+    is_cut_off_ = lacks_message_ && info_.server_context()->IsCancelled();
+    is_malformed_ = lacks_message_ && is_single_request && !is_cut_off_;
+    if (is_malformed_)  // gRPC itself says UNIMPLEMENTED
+      batch.ModifySendStatus(
+          {grpc::StatusCode::INVALID_ARGUMENT, "the message is no request of " + method_});
+    status_ = batch.GetSendStatus();
+  }
+
+  void report() {
+    const double seconds = std::chrono::duration<double>(steady_clock::now() - start_).count();
+    record_.method = method_;
+    record_.code = code_name(status_->error_code());
+    record_.seconds = seconds;
+    metrics().count_call(record_);
+    if (is_malformed_) metrics().count_refusal(Refusal::kMalformed);
+    if (is_cut_off_) metrics().count_refusal(Refusal::kCutOff);
+    const LogContext context(request_id_);
+    spdlog::log(status_->ok() ? spdlog::level::debug : spdlog::level::info,
+                "{} from {}: {}{} after {:.1f} ms{}{}", method_, peer_, record_.code,
+                is_cut_off_ ? ", cut off (cancelled, or a message above the limit)" : "",
+                seconds * 1000, status_->ok() ? "" : ": ", one_line(status_->error_message()));
+  }
+
+  ServerRpcInfo& info_;
+  const std::shared_ptr<CallCounts> counts_;
+  const std::string method_;
+  const bool is_ours_;
+  const std::string peer_;
+  const std::string request_id_ = random_name();
+  const steady_clock::time_point start_ = steady_clock::now();
+  const LiveObject live_{LiveKind::kCall};
+  CallRecord record_;
+  bool lacks_message_ = false;
+  bool is_cut_off_ = false;
+  bool is_malformed_ = false;
+  std::optional<grpc::Status> status_;
+};
+
+std::string value_of(const grpc::CallbackServerContext& context, const char* key) {
+  const auto found = context.client_metadata().find(key);
+  if (found == context.client_metadata().end()) return {};
+  return {found->second.data(), found->second.size()};
+}
+
+}  // namespace
+
+grpc::experimental::Interceptor* CallObserverFactory::CreateServerInterceptor(ServerRpcInfo* info) {
+  return new CallObserver(*info, counts_);
+}
+
+std::string method_of(const grpc::CallbackServerContext& context) {
+  return value_of(context, kMethodKey);
+}
+
+std::string request_id_of(const grpc::CallbackServerContext& context) {
+  return value_of(context, kRequestIdKey);
+}
+
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return text;
+}
+
+}  // namespace burnish

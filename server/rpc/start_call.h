@@ -1,0 +1,41 @@
+#pragma once
+
+#include <utility>
+
+#include "server/rpc/call_context.h"
+
+namespace burnish {
+
+/// A streaming call that ends as it begins.
+template <typename Reactor>
+class RefusedCall final : public Reactor {
+ public:
+  explicit RefusedCall(grpc::Status status) { this->Finish(std::move(status)); }
+  void OnDone() override { delete this; }
+};
+
+/// gRPC's base class of a streaming call.
+template <typename Request, typename Response>
+grpc::ServerBidiReactor<Request, Response> reactor_of(
+    const grpc::ServerBidiReactor<Request, Response>*);
+template <typename Request>
+grpc::ServerReadReactor<Request> reactor_of(const grpc::ServerReadReactor<Request>*);
+template <typename Response>
+grpc::ServerWriteReactor<Response> reactor_of(const grpc::ServerWriteReactor<Response>*);
+template <typename Call>
+using ReactorOf = decltype(reactor_of(static_cast<const Call*>(nullptr)));
+
+/// Lets a streaming call in and starts it with a CallContext of its own, or ends it at once.
+template <typename Call, typename... Arguments>
+ReactorOf<Call>* start_call(const CallContext& calls, grpc::CallbackServerContext* context,
+                            Arguments&&... arguments) {
+  auto admitted = calls.guard.admit_stream(*context);
+  if (!admitted.is_ok()) return new RefusedCall<ReactorOf<Call>>(to_grpc(admitted.status()));
+  CallContext own = calls;
+  own.executor = calls.executor.for_request(request_id_of(*context));
+  own.user = admitted.value().identity.user;
+  own.stream = std::make_shared<const Quota::Share>(std::move(admitted.value().share));
+  return Call::start(own, std::forward<Arguments>(arguments)...);
+}
+
+}  // namespace burnish

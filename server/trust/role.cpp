@@ -1,0 +1,60 @@
+#include "server/trust/role.h"
+
+#include <utility>
+
+namespace burnish {
+
+// Which RPC needs which role: the one place. Health is for probes, which have no password, and
+// reflection tells what the repository tells as well.
+static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
+    {"/grpc.health.v1.Health/Check", Role::kAnyone},
+    {"/grpc.health.v1.Health/Watch", Role::kAnyone},
+    {"/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", Role::kAnyone},
+
+    {"/burnish.v1.Library/ListScans", Role::kViewer},
+    {"/burnish.v1.Library/DescribeScan", Role::kViewer},
+    {"/burnish.v1.Library/Import", Role::kEditor},
+    {"/burnish.v1.Library/PrepareScan", Role::kEditor},
+    {"/burnish.v1.Library/DeleteScan", Role::kOwner},
+
+    {"/burnish.v1.Editing/ListSessions", Role::kViewer},
+    {"/burnish.v1.Editing/GetState", Role::kViewer},
+    {"/burnish.v1.Editing/GetHistory", Role::kViewer},
+    {"/burnish.v1.Editing/GetPeople", Role::kViewer},
+    {"/burnish.v1.Editing/Export", Role::kViewer},
+    {"/burnish.v1.Editing/OpenSession", Role::kEditor},
+    {"/burnish.v1.Editing/CloseSession", Role::kEditor},
+    {"/burnish.v1.Editing/Apply", Role::kEditor},
+    {"/burnish.v1.Editing/UploadCellFields", Role::kEditor},
+    {"/burnish.v1.Editing/ForkSession", Role::kEditor},
+    {"/burnish.v1.Editing/SetRole", Role::kEditor},  // and the session's own roles beside it
+    {"/burnish.v1.Editing/DeleteSession", Role::kOwner},
+};
+
+std::string_view role_name(Role role) {
+  switch (role) {
+    case Role::kViewer:
+      return "viewer";
+    case Role::kEditor:
+      return "editor";
+    case Role::kOwner:
+      return "owner";
+    case Role::kAnyone:
+      break;
+  }
+  return "anyone";
+}
+
+Result<Role> parse_role(const std::string& text) {
+  for (const Role role : {Role::kViewer, Role::kEditor, Role::kOwner})
+    if (text == role_name(role)) return role;
+  return invalid_argument("'" + text + "' is none of viewer, editor, owner");
+}
+
+std::optional<Role> least_role(std::string_view method) {
+  for (const auto& [known, role] : kLeastRoles)
+    if (known == method) return role;
+  return std::nullopt;
+}
+
+}  // namespace burnish

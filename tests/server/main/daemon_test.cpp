@@ -1,0 +1,73 @@
+#include "server/main/daemon.h"
+
+#include <future>
+
+#include <gmock/gmock.h>
+#include <grpcpp/generic/generic_stub.h>
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+
+#include "server/session/executor.h"
+#include "server/session/journal.h"
+#include "server/session/session_manager.h"
+#include "tests/common/temporary_folder.h"
+
+namespace burnish {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// A server of nothing in particular, in this process.
+struct TestServer {
+  TemporaryFolder root;
+  std::unique_ptr<DataFolder> folder = std::move(DataFolder::open(root / "data")).value();
+  MeshStore store{*folder, {}};
+  std::unique_ptr<Journal> journal = std::move(Journal::open(folder->journal())).value();
+  std::unique_ptr<SessionManager> sessions =
+      std::move(SessionManager::create(*folder, store, *journal, {})).value();
+  Executor executor{2};
+  std::unique_ptr<Server> server =
+      std::move(Server::start({"127.0.0.1:0", {}}, store, *sessions, executor)).value();
+};
+
+/// What grpc.health.v1 says of a service: "\x08\x01" is SERVING, "\x08\x02" is NOT_SERVING.
+std::string health(const Server& server, const std::string& service) {
+  grpc::GenericStub stub(grpc::CreateChannel(server.address(), grpc::InsecureChannelCredentials()));
+  grpc::ClientContext context;
+  grpc::CompletionQueue queue;
+  const grpc::Slice slice("\x0a" + std::string(1, static_cast<char>(service.size())) + service);
+  const auto call =
+      stub.PrepareUnaryCall(&context, "/grpc.health.v1.Health/Check", {&slice, 1}, &queue);
+  grpc::ByteBuffer answer;
+  grpc::Status status;
+  call->StartCall();
+  call->Finish(&answer, &status, nullptr);
+  void* tag = nullptr;
+  bool ok = false;
+  queue.Next(&tag, &ok);
+  grpc::Slice bytes;
+  if (!status.ok() || !answer.DumpToSingleSlice(&bytes).ok()) return status.error_message();
+  return {bytes.begin(), bytes.end()};
+}
+
+TEST(Daemon, AFailedDeviceEndsItWithEveryServiceNotServing) {
+  const sigset_t signals = block_signals();
+  TestServer test;
+  std::atomic<bool> works{true};
+  const DeviceWatch device(
+      [&works] { return works ? Status::ok() : internal_error("illegal address"); });
+  auto end = std::async(std::launch::async, [&] {
+    return watch_over(*test.server, device, signals, {std::chrono::seconds(1), [](bool) {}});
+  });
+  EXPECT_EQ(health(*test.server, "burnish.v1.Library"), "\x08\x01");
+  EXPECT_EQ(end.wait_for(milliseconds(300)), std::future_status::timeout);
+
+  works = false;
+  const Status status = end.get();
+  EXPECT_EQ(status.message(), "the solver's device has failed: illegal address");
+  for (const char* service : {"", "burnish.v1.Library", "burnish.v1.Editing"})
+    EXPECT_EQ(health(*test.server, service), "\x08\x02") << service;
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,34 @@
+#include "server/session/memory_need.h"
+
+#include <gtest/gtest.h>
+
+#include "common/mesh/generate.h"
+#include "server/prepare/prepare.h"
+#include "server/session/session.h"
+
+namespace burnish {
+namespace {
+
+class MemoryNeed : public testing::TestWithParam<int> {};
+
+TEST_P(MemoryNeed, IsNoLessThanWhatIsTakenAndNotFarAbove) {
+  const int depth = GetParam();
+  const auto prepared = prepare(make_icosphere(5, 1), {depth, 0, 1}, {}).value();
+  const auto hierarchy = make_hierarchy(*prepared);
+  const auto session =
+      std::move(Session::open(prepared, hierarchy, {BackendKind::kCpu, Smoother::kSchwarz, 1}))
+          .value();
+  ASSERT_TRUE(session->apply({"a", SetTransferCurve{TransferCurve(5)}}).is_ok());
+  session->step();
+  const double mesh = static_cast<double>(prepared->byte_count() + hierarchy->byte_count());
+  const double own = static_cast<double>(session->solver().byte_count());
+  EXPECT_GE(static_cast<double>(predict_mesh_bytes(*prepared)), mesh);
+  EXPECT_LE(static_cast<double>(predict_mesh_bytes(*prepared)), 1.5 * mesh);
+  EXPECT_GE(static_cast<double>(predict_session_bytes(*hierarchy)), own);
+  EXPECT_LE(static_cast<double>(predict_session_bytes(*hierarchy)), 2 * own + (8 << 20));
+}
+
+INSTANTIATE_TEST_SUITE_P(Depths, MemoryNeed, testing::Values(4, 6, 8));
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,172 @@
+// Limits by user and of the whole server, over real connections.
+
+#include <csignal>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <grpcpp/grpcpp.h>
+#include <gtest/gtest.h>
+
+#include "burnish/v1/library.grpc.pb.h"
+#include "server/trust/users.h"
+#include "tests/server/metrics/http_get.h"
+#include "tests/system/server_process.h"
+#include "tests/system/wire_call.h"
+
+namespace burnish {
+namespace {
+
+using grpc::StatusCode;
+using testing::HasSubstr;
+
+// The hash of the token "abc".
+constexpr char kUsers[] =
+    "[[user]]\nname = \"anna\"\nrole = \"owner\"\n"
+    "token_sha256 = \"ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad\"\n";
+
+/// A server of one user, with limits.
+class LimitsTest : public testing::Test {
+ protected:
+  std::unique_ptr<ServerProcess> start(const std::string& limits) const {
+    const std::string config =
+        "users = \"" + folder_.write("users.toml", kUsers).string() + "\"\n[limits]\n" + limits;
+    auto server = std::make_unique<ServerProcess>(std::vector<std::string>{
+        "--config", folder_.write("server.toml", config).string(), "--metrics", "127.0.0.1:0"});
+    server->client_flags = {"--token-file", folder_.write("token", "abc").string()};
+    return server;
+  }
+
+  TemporaryFolder folder_;
+};
+
+/// An import that has begun.
+struct Upload {
+  Upload(const std::shared_ptr<grpc::Channel>& channel, uint64_t size_bytes)
+      : library(v1::Library::NewStub(channel)) {
+    context.AddMetadata("authorization", "Bearer abc");
+    stream = library->Import(&context);
+    v1::ImportRequest request;
+    request.mutable_header()->set_name("test");
+    request.mutable_header()->set_format(v1::MESH_FORMAT_PLY);
+    request.mutable_header()->set_size_bytes(size_bytes);
+    stream->Write(request);
+    v1::ImportEvent event;
+    if (!stream->Read(&event)) status = stream->Finish();  // it has been turned away
+  }
+  ~Upload() { context.TryCancel(); }
+
+  grpc::ClientContext context;
+  std::unique_ptr<v1::Library::Stub> library;
+  std::unique_ptr<grpc::ClientReaderWriter<v1::ImportRequest, v1::ImportEvent>> stream;
+  grpc::Status status;
+};
+
+TEST_F(LimitsTest, StreamsOfAUser) {
+  const auto server = start("streams_per_user = 2");
+  const auto channel = wire_channel(server->address);
+  const Upload first(channel, 10);
+  {
+    const Upload second(channel, 10), third(channel, 10);
+    EXPECT_TRUE(second.status.ok());
+    EXPECT_EQ(third.status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
+    EXPECT_EQ(third.status.error_message(),
+              "user anna has 2 streams and asks for 1 more; limits.streams_per_user is 2");
+  }
+  // What ended gives its place back, as soon as the server has noticed.
+  for (int i = 0; i < 1000; ++i)
+    if (Upload(channel, 10).status.ok()) return;
+  FAIL() << "no stream came free";
+}
+
+TEST_F(LimitsTest, UploadBytesOfAUser) {
+  const auto server = start("upload_bytes_per_user = 1000");
+  const auto channel = wire_channel(server->address);
+  const Upload first(channel, 700);
+  EXPECT_TRUE(first.status.ok());
+  const Upload second(channel, 400);
+  EXPECT_EQ(second.status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_THAT(second.status.error_message(),
+              HasSubstr("has 700 bytes of uploads under way and asks for 400 more; "
+                        "limits.upload_bytes_per_user is 1000"));
+  EXPECT_TRUE(Upload(channel, 300).status.ok());
+}
+
+TEST_F(LimitsTest, SessionsOfAUser) {
+  const auto server = start("sessions_per_user = 1");
+  ASSERT_EQ(server->burnish({"import", write_sphere(folder_), "--depth", "4", "--name", "ball"})
+                .exit_code,
+            0);
+  const auto open = [&](const char* name) {
+    return server->burnish({"open", "ball", "--depth", "4", "--session", name});
+  };
+  EXPECT_EQ(open("one").exit_code, 0);
+  const CommandOutcome refused = open("two");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("user anna has 1 sessions open and asks for 1 more; "
+                                        "limits.sessions_per_user is 1"));
+  EXPECT_EQ(open("one").exit_code, 0);
+  EXPECT_EQ(server->burnish({"close", "one"}).exit_code, 0);
+  EXPECT_EQ(open("two").exit_code, 0);
+}
+
+TEST_F(LimitsTest, ASessionIsAdmittedByItsBytes) {
+  const auto server = start("memory_bytes_max = 12000000");
+  ASSERT_EQ(server->burnish({"import", write_sphere(folder_), "--depth", "4", "--name", "ball"})
+                .exit_code,
+            0);
+  const auto open = [&](const char* name) {
+    return server->burnish({"open", "ball", "--depth", "4", "--session", name});
+  };
+  const CommandOutcome first = open("one");
+  EXPECT_EQ(first.exit_code, 0) << first.output;
+  const CommandOutcome refused = open("two");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("bytes of meshes and sessions and asks for"));
+  EXPECT_THAT(refused.output, HasSubstr("limits.memory_bytes_max is 12000000"));
+  EXPECT_EQ(server->burnish({"close", "one"}).exit_code, 0);
+  EXPECT_EQ(open("two").exit_code, 0);
+}
+
+TEST_F(LimitsTest, ConnectionsBeyondTheLimitAreClosedAndComeBackLater) {
+  const auto server = start("connections_max = 2");
+  {
+    const Upload first(wire_channel(server->address), 10);
+    const Upload second(wire_channel(server->address), 10);
+    EXPECT_TRUE(first.status.ok() && second.status.ok());
+    EXPECT_EQ(server->burnish({"meshes", "--timeout", "20"}).exit_code, 1);
+    EXPECT_THAT(server->process->output(), HasSubstr("limits.connections_max is 2"));
+  }
+  for (int i = 0; i < 100; ++i)
+    if (server->burnish({"meshes", "--timeout", "20"}).exit_code == 0) return;
+  FAIL() << "no connection came free";
+}
+
+TEST_F(LimitsTest, MessagesThatAreTooLargeOrNoneAreRefusedLoggedAndCounted) {
+  const auto server = start("");
+  const auto channel = wire_channel(server->address);
+  const auto refused = [&](const std::string& method, const std::string& message) {
+    return call(channel, {method, {message}, "abc"}).status.error_code();
+  };
+  const auto counted = [&](const std::string& reason) {
+    return metric(http_get_metrics(std::stoi(server->announced("metrics on port "))),
+                  "burnish_refusals_total{reason=\"" + reason + "\"}");
+  };
+  const std::string nonsense = "\xff\xff\xff", large(17 << 20, 'x');
+  EXPECT_EQ(refused("/burnish.v1.Library/ListScans", nonsense), StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(refused("/burnish.v1.Editing/Export", nonsense), StatusCode::INVALID_ARGUMENT);
+  EXPECT_NE(refused("/burnish.v1.Library/Import", nonsense), StatusCode::OK);
+  for (int i = 0; i < 1000 && counted("malformed") < 2; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(counted("malformed"), 2);
+  EXPECT_THAT(server->process->output(), HasSubstr("the message is no request of"));
+
+  EXPECT_EQ(refused("/burnish.v1.Editing/Apply", large), StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(refused("/burnish.v1.Library/Import", large), StatusCode::RESOURCE_EXHAUSTED);
+  for (int i = 0; i < 1000 && counted("cut_off") < 2; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(counted("cut_off"), 2);
+  EXPECT_TRUE(server->process->wait_for_output("above the receive limit", kPatience));
+}
+
+}  // namespace
+}  // namespace burnish

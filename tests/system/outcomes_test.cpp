@@ -1,0 +1,261 @@
+// Every RPC, ended in every way: the right status, and nothing left behind.
+
+#include <csignal>
+#include <functional>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "burnish/v1/editing.pb.h"
+#include "burnish/v1/library.pb.h"
+#include "common/service/chunk.h"
+#include "tests/server/metrics/http_get.h"
+#include "tests/system/server_process.h"
+#include "tests/system/wire_call.h"
+
+namespace burnish {
+namespace {
+
+using grpc::StatusCode;
+
+/// How to call one RPC so that it does its work, and so that it cannot.
+struct Rpc {
+  std::string method;
+  std::vector<std::string> good;
+  std::vector<std::string> bad = {};  ///< empty: nothing can be wrong with it but its bytes
+  StatusCode refusal = StatusCode::NOT_FOUND;
+  bool is_there_already = false;  ///< called once more, to tidy up
+};
+
+template <typename Message>
+std::string bytes(const std::function<void(Message&)>& fill = {}) {
+  Message message;
+  if (fill) fill(message);
+  return message.SerializeAsString();
+}
+
+template <typename Message>
+std::string of_session(const std::string& name) {
+  return bytes<Message>([&](Message& message) { message.set_session(name); });
+}
+
+template <typename Message>
+std::string of_scan(const std::string& name) {
+  return bytes<Message>([&](Message& message) { message.set_scan(name); });
+}
+
+std::vector<std::string> import(const std::string& scan, uint64_t announced) {
+  return {bytes<v1::ImportRequest>([&](v1::ImportRequest& request) {
+            request.mutable_header()->set_name("ball");
+            request.mutable_header()->set_format(v1::MESH_FORMAT_PLY);
+            request.mutable_header()->set_size_bytes(announced);
+            request.mutable_header()->set_depth(4);
+          }),
+          bytes<v1::ImportRequest>([&](v1::ImportRequest& request) {
+            request.mutable_chunk()->set_data(scan);
+            request.mutable_chunk()->set_crc32(chunk_crc32(scan));
+          })};
+}
+
+std::string open_session(const std::string& scan) {
+  return bytes<v1::OpenSessionRequest>([&](v1::OpenSessionRequest& request) {
+    request.set_scan(scan);
+    request.set_name("work");
+    request.set_depth(4);
+  });
+}
+
+std::string apply(const std::string& session) {
+  return bytes<v1::ApplyRequest>([&](v1::ApplyRequest& request) {
+    request.set_session(session);
+    v1::Edit* edit = request.add_edits();
+    edit->set_id("one");
+    edit->mutable_gradient_scale()->set_beta(0.5);
+  });
+}
+
+std::string set_role(const std::string& session) {
+  return bytes<v1::SetRoleRequest>([&](v1::SetRoleRequest& request) {
+    request.set_session(session);
+    request.set_user("bob");
+    request.set_role(v1::ROLE_VIEWER);
+  });
+}
+
+std::string fork(const std::string& session) {
+  return bytes<v1::ForkSessionRequest>([&](v1::ForkSessionRequest& request) {
+    request.set_session(session);
+    request.set_name("copy");
+  });
+}
+
+std::string cell_fields(const std::string& session) {
+  return bytes<v1::UploadCellFieldsRequest>([&](v1::UploadCellFieldsRequest& request) {
+    request.mutable_header()->set_session(session);
+    request.mutable_header()->set_edit_id("cells");
+  });
+}
+
+std::string export_of(const std::string& session) {
+  return bytes<v1::ExportRequest>([&](v1::ExportRequest& request) {
+    request.set_session(session);
+    request.set_format(v1::MESH_FORMAT_PLY);
+    request.set_cycles(1);
+  });
+}
+
+/// In an order in which each finds what it needs.
+std::vector<Rpc> rpcs_in_order(const std::string& scan) {
+  const std::string library = "/burnish.v1.Library/", editing = "/burnish.v1.Editing/";
+  return {
+      {library + "Import", import(scan, scan.size()), import(scan, scan.size() + 1),
+       StatusCode::DATA_LOSS},
+      {library + "ListScans", {""}},
+      {library + "DescribeScan",
+       {of_scan<v1::DescribeScanRequest>("ball")},
+       {of_scan<v1::DescribeScanRequest>("none")}},
+      {library + "PrepareScan",
+       {of_scan<v1::PrepareScanRequest>("ball")},
+       {of_scan<v1::PrepareScanRequest>("none")}},
+      {editing + "OpenSession", {open_session("ball")}, {open_session("none")}},
+      {editing + "ListSessions", {""}},
+      {editing + "Apply", {apply("work")}, {apply("none")}},
+      {editing + "UploadCellFields", {cell_fields("work")}, {cell_fields("none")}},
+      {editing + "GetState",
+       {of_session<v1::GetStateRequest>("work")},
+       {of_session<v1::GetStateRequest>("none")}},
+      {editing + "GetHistory",
+       {of_session<v1::GetHistoryRequest>("work")},
+       {of_session<v1::GetHistoryRequest>("none")}},
+      {editing + "GetPeople",
+       {of_session<v1::GetPeopleRequest>("work")},
+       {of_session<v1::GetPeopleRequest>("none")}},
+      {editing + "SetRole", {set_role("work")}, {set_role("none")}},
+      {editing + "ForkSession", {fork("work")}, {fork("none")}},
+      {editing + "DeleteSession",
+       {of_session<v1::DeleteSessionRequest>("copy")},
+       {of_session<v1::DeleteSessionRequest>("none")},
+       StatusCode::NOT_FOUND,
+       true},
+      {editing + "Export", {export_of("work")}, {export_of("none")}},
+      {editing + "CloseSession",
+       {of_session<v1::CloseSessionRequest>("work")},
+       {of_session<v1::CloseSessionRequest>("none")}},
+      {editing + "DeleteSession",
+       {of_session<v1::DeleteSessionRequest>("work")},
+       {of_session<v1::DeleteSessionRequest>("none")}},
+      {library + "DeleteScan",
+       {of_scan<v1::DeleteScanRequest>("ball")},
+       {of_scan<v1::DeleteScanRequest>("none")}},
+  };
+}
+
+class Outcomes : public testing::Test {
+ protected:
+  Outcomes()
+      : server_({"--metrics", "127.0.0.1:0"}),
+        channel_(wire_channel(server_.address)),
+        rpcs_(rpcs_in_order(content_of(write_sphere(server_.folder)))) {}
+
+  /// Waits until nothing of these kinds is alive.
+  void expect_nothing_left(const std::vector<std::string>& kinds) const {
+    const int port = std::stoi(server_.announced("metrics on port "));
+    for (const std::string& kind : kinds) {
+      const std::string gauge = "burnish_live_objects{kind=\"" + kind + "\"}";
+      double alive = -1;
+      for (int i = 0; i < 3000 && alive != 0; ++i) {
+        alive = metric(http_get_metrics(port), gauge);
+        if (alive != 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+      EXPECT_EQ(alive, 0) << kind;
+    }
+  }
+
+  WireAnswer run(const Rpc& rpc, const std::function<void(WireCall&)>& change = {}) {
+    WireCall wire{rpc.method, rpc.good};
+    if (change) change(wire);
+    return call(channel_, wire);
+  }
+
+  ServerProcess server_;
+  std::shared_ptr<grpc::Channel> channel_;
+  std::vector<Rpc> rpcs_;
+};
+
+TEST_F(Outcomes, OfGoodCallsAreOkAndNothingIsLeft) {
+  std::vector<std::string> called;
+  for (const Rpc& rpc : rpcs_) {
+    const grpc::Status status = run(rpc).status;
+    EXPECT_TRUE(status.ok()) << rpc.method << ": " << status.error_message();
+    if (!rpc.is_there_already) called.push_back(rpc.method);
+  }
+  EXPECT_THAT(called, testing::UnorderedElementsAreArray(all_rpcs()));
+  expect_nothing_left({"call", "mesh", "session", "upload", "export"});
+}
+
+TEST_F(Outcomes, OfWrongCallsNameTheReason) {
+  for (const Rpc& rpc : rpcs_) {
+    const std::vector<std::string> nonsense = {"\xff\xff\xff"};
+    const grpc::Status malformed =
+        run(rpc, [&](WireCall& wire) { wire.messages = nonsense; }).status;
+    EXPECT_EQ(malformed.error_code(), StatusCode::INVALID_ARGUMENT) << rpc.method;
+    if (rpc.bad.empty()) continue;
+    const grpc::Status status = run(rpc, [&](WireCall& wire) { wire.messages = rpc.bad; }).status;
+    EXPECT_EQ(status.error_code(), rpc.refusal) << rpc.method << ": " << status.error_message();
+  }
+  expect_nothing_left({"call", "mesh", "session", "upload", "export"});
+}
+
+TEST_F(Outcomes, OfCallsThatAreCancelledOrOverdueSaySo) {
+  for (const Rpc& rpc : rpcs_) {
+    WireCall waiting{rpc.method, {}};  // whatever it is, it waits for what never comes
+    waiting.keep_open = true;
+    waiting.deadline = std::chrono::milliseconds(100);
+    EXPECT_EQ(call(channel_, waiting).status.error_code(), StatusCode::DEADLINE_EXCEEDED)
+        << rpc.method;
+    waiting.deadline = kPatience;
+    waiting.cancel = true;
+    EXPECT_EQ(call(channel_, waiting).status.error_code(), StatusCode::CANCELLED) << rpc.method;
+  }
+  expect_nothing_left({"call", "mesh", "session", "upload", "export"});
+}
+
+TEST_F(Outcomes, OfCallsThatAreCancelledAtWorkLeaveNothing) {
+  for (const Rpc& rpc : rpcs_) {
+    // The call may be done before its cancel comes.
+    const StatusCode code =
+        run(rpc, [](WireCall& wire) { wire.cancel = true; }).status.error_code();
+    EXPECT_THAT(code, testing::AnyOf(StatusCode::CANCELLED, StatusCode::OK)) << rpc.method;
+    run(rpc);
+  }
+  expect_nothing_left({"call", "mesh", "session", "upload", "export"});
+}
+
+TEST_F(Outcomes, OfAServerThatEndsAreOkOrUnavailable) {
+  std::vector<std::thread> clients;
+  std::atomic<int> others{0};
+  std::atomic<bool> gone{false};
+  for (int i = 0; i < 4; ++i)
+    clients.emplace_back([this, &others, &gone] {
+      while (!gone)
+        for (const Rpc& rpc : rpcs_) {
+          const StatusCode code = run(rpc).status.error_code();
+          // Four clients take each other's sessions and scans away as well.
+          const bool right = code == StatusCode::OK || code == StatusCode::UNAVAILABLE ||
+                             code == StatusCode::CANCELLED || code == StatusCode::NOT_FOUND ||
+                             code == StatusCode::ALREADY_EXISTS ||
+                             code == StatusCode::FAILED_PRECONDITION;
+          others += right ? 0 : 1;
+          if (code == StatusCode::UNAVAILABLE) gone = true;
+        }
+    });
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  server_.process->signal(SIGTERM);
+  for (std::thread& client : clients) client.join();
+  EXPECT_EQ(others, 0);
+  EXPECT_EQ(server_.process->wait(kPatience), 0) << server_.process->output();
+}
+
+}  // namespace
+}  // namespace burnish
