@@ -16,7 +16,8 @@ TEST(ListeningSocket, Port0TakesAFreePort) {
   ASSERT_TRUE(first.is_ok()) << first.status().message();
   EXPECT_GT(first.value().port(), 0);
   EXPECT_EQ(first.value().address(), "127.0.0.1:" + std::to_string(first.value().port()));
-  if (second.is_ok()) EXPECT_THAT(second.value().address(), HasSubstr("[::1]:"));
+  if (!second.is_ok()) return;  // a machine without IPv6
+  EXPECT_THAT(second.value().address(), HasSubstr("[::1]:"));
 }
 
 TEST(ListeningSocket, APortInUseIsRefusedWithItsAddress) {
