@@ -23,9 +23,9 @@ bool is_degenerate(const Vec3d& a, const Vec3d& b, const Vec3d& c);
 /// Source: Rusinkiewicz 2004 with the normals of Max 1999 and, as weights, the part of a triangle
 /// that lies nearest to each corner. The three corners' tensors are carried into the triangle's
 /// plane, averaged with equal weights, and diagonalised; a vertex whose normals cancel (the edge of
-/// two triangles back to back) has no plane and adds nothing. A closed mesh (no edge has one triangle
-/// only) of negative signed volume counts as turned inside out.
-/// Shapes: one per triangle; degenerate ones get zeros.
+/// two triangles back to back) has no plane and adds nothing. A closed mesh (no edge has one
+/// triangle only) of negative signed volume counts as turned inside out. Shapes: one per triangle;
+/// degenerate ones get zeros.
 std::vector<TriangleCurvature> triangle_curvature(const TriangleMesh& mesh);
 
 /// The areas of the parts of a triangle that lie nearest to a, b and c: they sum to its area.
