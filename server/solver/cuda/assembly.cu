@@ -27,6 +27,18 @@ __global__ void combine_kernel(int64_t count, const Integrals* integrals, const 
   }
 }
 
+// Numbers that are at least one compare as their bits do, and a largest has no order.
+__global__ void anisotropy_kernel(int64_t count, const float* alpha1, const float* alpha2,
+                                  float* anisotropy) {
+  const int64_t c = thread_index();
+  const float ratio = c < count ? alpha1[c] / alpha2[c] : 1;
+  float most = fmaxf(ratio, 1 / ratio);
+  for (int offset = 16; offset > 0; offset /= 2)
+    most = fmaxf(most, __shfl_down_sync(0xffffffffu, most, offset));
+  if (threadIdx.x % 32 == 0)
+    atomicMax(reinterpret_cast<unsigned*>(anisotropy), __float_as_uint(most));
+}
+
 // P of a child cell: the weight of its corner a on the parent's corner A.
 __device__ double child_weight(int octant, int a, int parent_corner) {
   double weight = 1;
@@ -144,6 +156,12 @@ void combine_integrals(Stream& stream, int32_t cell_count, const Integrals* inte
                        CellSquare<double>* combined) {
   const int64_t count = static_cast<int64_t>(cell_count) * kNumbers;
   launch(stream, combine_kernel, count, count, integrals, alpha1, alpha2, scale, combined);
+}
+
+void find_anisotropy(Stream& stream, int32_t cell_count, const float* alpha1, const float* alpha2,
+                     const DeviceArray<float>& anisotropy) {
+  anisotropy.clear(stream);
+  launch(stream, anisotropy_kernel, cell_count, cell_count, alpha1, alpha2, anisotropy.data());
 }
 
 void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,

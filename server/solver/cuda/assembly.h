@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/solver/cuda/stream.h"
+#include "server/solver/cuda/device_memory.h"
 #include "server/solver/cuda/views.h"
 
 namespace burnish::cuda {
@@ -9,6 +9,10 @@ namespace burnish::cuda {
 void combine_integrals(Stream& stream, int32_t cell_count, const Integrals* integrals,
                        const float* alpha1, const float* alpha2, double scale,
                        CellSquare<double>* combined);
+
+/// The largest ratio of α1 and α2, either way round, of any cell.
+void find_anisotropy(Stream& stream, int32_t cell_count, const float* alpha1, const float* alpha2,
+                     const DeviceArray<float>& anisotropy);
 
 /// Combined integrals of the coarse depth from those of the fine one: Σ over children of Pᵀ K P.
 void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,

@@ -29,7 +29,8 @@ class CudaBackend final : public Backend {
         alpha2_(stream_, mesh_->prepared->cells.size()),
         beta_(stream_, mesh_->prepared->cells.size()),
         combined_{{stream_, mesh_->prepared->cells.size()}, {stream_, coarse_cells_max()}},
-        pinned_below_(stream_, 1) {
+        pinned_below_(stream_, 1),
+        anisotropy_(stream_, 1) {
     for (const DeviceTopology& topology : mesh_->depths)
       depths_.emplace_back(stream_, topology.view());
     for (size_t i = 1; i < depths_.size(); ++i)
@@ -117,6 +118,8 @@ class CudaBackend final : public Backend {
 
   // The matrices of all depths, each from the combined integrals of the one below.
   void assemble_all() {
+    find_anisotropy(stream_, finest().topology.cell_count, alpha1_.data(), alpha2_.data(),
+                    anisotropy_);
     combine_integrals(stream_, finest().topology.cell_count, mesh_->integrals.data(),
                       alpha1_.data(), alpha2_.data(), mesh_->prepared->alpha_scale(),
                       combined_[0].data());
@@ -130,7 +133,8 @@ class CudaBackend final : public Backend {
     }
     // The combined integrals are of no more use: the smoothers work in their place.
     for (const auto& smoother : smoothers_)
-      smoother->set_up(reinterpret_cast<CellSquare<float>*>(combined_[0].data()));
+      smoother->set_up(reinterpret_cast<CellSquare<float>*>(combined_[0].data()),
+                       anisotropy_.data());
     coarsest_->factor();
   }
 
@@ -140,7 +144,7 @@ class CudaBackend final : public Backend {
   Graphs graphs_{stream_};
   DeviceArray<float> alpha1_, alpha2_, beta_;
   DeviceArray<CellSquare<double>> combined_[2];
-  DeviceArray<float> pinned_below_;
+  DeviceArray<float> pinned_below_, anisotropy_;
   std::vector<DeviceDepth> depths_;                  // from the coarsest
   std::vector<std::unique_ptr<Schwarz>> smoothers_;  // none at the coarsest
   std::optional<CoarsestSolver> coarsest_;

@@ -19,14 +19,15 @@ class Schwarz {
 
   Schwarz(Stream& stream, const Depth& depth);
 
-  /// After a new matrix; leaves f and r changed. `inverses` is working memory, one per cell.
-  void set_up(CellSquare<float>* inverses);
+  /// After a new matrix; leaves f and r changed. `inverses` is working memory, one per cell;
+  /// `anisotropy` the largest ratio of α1 and α2 of any cell, on the device.
+  void set_up(CellSquare<float>* inverses, const float* anisotropy);
   void relax_from_zero();
   void relax();
   uint64_t byte_count() const;
 
  private:
-  void estimate_lambda_max();
+  void estimate_lambda_max(const float* anisotropy);
 
   Stream& stream_;
   Depth depth_;
