@@ -65,7 +65,7 @@ void Solver::set_metric(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();
   backend_->set_metric(fields.alpha1, fields.alpha2);
-  backend_->set_constraint(fields.alpha1, fields.alpha2, fields.beta);
+  backend_->set_constraint(fields.beta);
   assemble_seconds_ += seconds_since(start);
   restart_ = residual_is_stale_ = true;
 }
@@ -73,7 +73,7 @@ void Solver::set_metric(const FieldsView& fields) {
 void Solver::set_gradient_scale(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();
-  backend_->set_constraint(fields.alpha1, fields.alpha2, fields.beta);
+  backend_->set_constraint(fields.beta);
   assemble_seconds_ += seconds_since(start);
   restart_ = true;
 }

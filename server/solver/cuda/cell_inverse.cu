@@ -42,7 +42,7 @@ __device__ void invert(float (&m)[8][8]) {
   }
 }
 
-__global__ void invert_cells_kernel(Depth depth, CellSquare<float>* inverses) {
+__global__ void invert_cells_kernel(Depth depth, CellSquares<float> inverses) {
   const int64_t cell = thread_index();
   if (cell >= depth.topology.cell_count) return;
   float block[8][8];
@@ -50,15 +50,14 @@ __global__ void invert_cells_kernel(Depth depth, CellSquare<float>* inverses) {
   invert(block);
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
-    inverses[cell].own[a] = block[a][a];
+    own_of(inverses, cell, a) = block[a][a];
 #pragma unroll
     for (int b = a + 1; b < 8; ++b)
-      inverses[cell].pair[pair_index(a, b)] = (block[a][b] + block[b][a]) / 2;
+      pair_of(inverses, cell, pair_index(a, b)) = (block[a][b] + block[b][a]) / 2;
   }
 }
 
-__global__ void assemble_inverse_kernel(Depth depth, const CellSquare<float>* inverses,
-                                        Matrix inverse) {
+__global__ void assemble_inverse_kernel(Depth depth, CellSquares<float> inverses, Matrix inverse) {
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
   const auto corner = static_cast<int32_t>(i);
@@ -73,11 +72,11 @@ __global__ void assemble_inverse_kernel(Depth depth, const CellSquare<float>* in
 
 }  // namespace
 
-void invert_cells(Stream& stream, const Depth& depth, CellSquare<float>* inverses) {
+void invert_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses) {
   launch(stream, invert_cells_kernel, depth.topology.cell_count, depth, inverses);
 }
 
-void assemble_inverse(Stream& stream, const Depth& depth, const CellSquare<float>* inverses,
+void assemble_inverse(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
                       const Matrix& inverse) {
   launch(stream, assemble_inverse_kernel, depth.topology.corner_count, depth, inverses, inverse);
 }

@@ -120,21 +120,16 @@ __global__ void step_length_kernel(Vectors v, int count) {
   for (int n = 0; n < 3; ++n) v.scalars->step[n] = quotient(total.at[3 + n], total.at[n]);
 }
 
+// u and r after the step, and the parts of their measures.
 __global__ void advance_kernel(Vectors v) {
-  const int64_t i = thread_index();
-  if (i >= v.finest.topology.corner_count) return;
-  const Double3 step = triple(v.scalars->step);
-  v.u[i] = v.u[i] + step * v.p[i];
-  v.r[i] = v.r[i] - step * v.q[i];
-}
-
-__global__ void measure_kernel(Vectors v) {
   Sums<3> sums = {};
+  const Double3 step = triple(v.scalars->step);
   for (int64_t i = thread_index(); i < v.finest.topology.corner_count; i += stride()) {
+    const Double3 b = v.b[i], u = v.u[i] + step * v.p[i], r = v.r[i] - step * v.q[i];
+    v.u[i] = u;
+    v.r[i] = r;
     const double scale = v.finest.inverse_diagonal[i];
-    if (scale == 0) continue;
-    const Double3 b = v.b[i], r = v.r[i];
-    sums.at[0] -= 0.5 * sum_of(v.u[i] * (b + r));
+    sums.at[0] -= 0.5 * sum_of(u * (b + r));
     sums.at[1] += scale * sum_of(r * r);
     sums.at[2] += scale * sum_of(b * b);
   }
@@ -192,12 +187,11 @@ void ConjugateGradients::update_direction(bool restart) {
 void ConjugateGradients::advance() {
   launch_striding(stream_, product_kernel, n_, vectors_);
   launch_one_block(stream_, step_length_kernel, vectors_, partial_count(n_));
-  launch(stream_, advance_kernel, n_, vectors_);
+  launch_striding(stream_, advance_kernel, n_, vectors_);
+  launch_one_block(stream_, measures_kernel, vectors_, partial_count(n_));
 }
 
 ConjugateGradients::Scalars ConjugateGradients::measure() const {
-  launch_striding(stream_, measure_kernel, n_, vectors_);
-  launch_one_block(stream_, measures_kernel, vectors_, partial_count(n_));
   Scalars scalars = {};
   scalars_.download(stream_, {&scalars, 1});
   return scalars;

@@ -14,17 +14,17 @@ struct GatheredRow {
 };
 
 template <typename Real>
-__device__ GatheredRow<Real> gather_row(const Topology& topology, const CellSquare<Real>* cells,
+__device__ GatheredRow<Real> gather_row(const Topology& topology, const CellSquares<Real>& cells,
                                         int32_t corner) {
   GatheredRow<Real> row = {};
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
     const int32_t cell = topology.cells_of_corner[corner].at[a];
     if (cell < 0) continue;
-    row.own += cells[cell].own[a];
+    row.own += own_of(cells, cell, a);
 #pragma unroll
     for (int b = 0; b < 8; ++b)
-      if (b != a) row.by_slot[slot_between(a, b)] += cells[cell].pair[pair_index(a, b)];
+      if (b != a) row.by_slot[slot_between(a, b)] += pair_of(cells, cell, pair_index(a, b));
   }
   return row;
 }

@@ -55,6 +55,15 @@ __device__ inline double sum_of(Double3 a) {
   return a.x + a.y + a.z;
 }
 
+template <typename Real>
+__device__ Real& pair_of(const CellSquares<Real>& squares, int64_t cell, int pair) {
+  return squares.numbers[pair * squares.cells + cell];
+}
+template <typename Real>
+__device__ Real& own_of(const CellSquares<Real>& squares, int64_t cell, int corner) {
+  return squares.numbers[(28 + corner) * squares.cells + cell];
+}
+
 __device__ inline int64_t row_begin(const Rows& rows, int32_t i) {
   return rows.slice_start[i / kSliceRows] + i % kSliceRows;
 }
@@ -66,13 +75,29 @@ __device__ inline int64_t entry_position(const Rows& rows, int32_t i, int slot) 
   return row_begin(rows, i) + kSliceRows * __popc(rows.mask[i] & ((1u << slot) - 1));
 }
 
+// A row in chunks of which all loads are under way at once; rows of the surface's inside have 17 or
+// 26 neighbours. Places beyond the row's end stand for the row's own corner, with weight zero.
+inline constexpr int kChunk = 9;
+
 /// (A x)_i.
 __device__ inline float4 product_row(const Rows& rows, const Matrix& matrix, const float4* x,
                                      int32_t i) {
   float4 sum = matrix.diagonal[i] * x[i];
-  const int64_t begin = row_begin(rows, i), end = row_end(rows, i, begin);
-#pragma unroll 8
-  for (int64_t k = begin; k < end; k += kSliceRows) sum = sum + matrix.entry[k] * x[rows.column[k]];
+  const int64_t begin = row_begin(rows, i);
+  const int count = __popc(rows.mask[i]);
+  for (int first = 0; first < count; first += kChunk) {
+    int32_t column[kChunk];
+    float entry[kChunk];
+#pragma unroll
+    for (int j = 0; j < kChunk; ++j) {
+      const bool present = first + j < count;
+      const int64_t k = begin + kSliceRows * (first + j);
+      column[j] = present ? rows.column[k] : i;
+      entry[j] = present ? matrix.entry[k] : 0;
+    }
+#pragma unroll
+    for (int j = 0; j < kChunk; ++j) sum = sum + entry[j] * x[column[j]];
+  }
   return sum;
 }
 

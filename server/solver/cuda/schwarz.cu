@@ -9,7 +9,7 @@ namespace burnish::cuda {
 namespace {
 
 constexpr int kIterationsFirst = 15;
-constexpr int kIterationsNext = 4;
+constexpr int kIterationsNext = 2;
 
 enum class Step { kFromZero, kFirst, kSecond };
 
@@ -99,23 +99,25 @@ Schwarz::Schwarz(Stream& stream, const Depth& depth)
       spectrum_(stream, 1),
       inverse_{entry_.data(), diagonal_.data()} {}
 
-void Schwarz::set_up(CellSquare<float>* inverses, const float* anisotropy) {
-  invert_cells(stream_, depth_, inverses);
-  assemble_inverse(stream_, depth_, inverses, inverse_);
+void Schwarz::set_up(const CellSquares<float>& inverses, const float* anisotropy) {
+  branch_.fork();
+  invert_cells(branch_.stream(), depth_, inverses);
+  assemble_inverse(branch_.stream(), depth_, inverses, inverse_);
   estimate_lambda_max(anisotropy);
 }
 
 void Schwarz::estimate_lambda_max(const float* anisotropy) {
+  Stream& stream = branch_.stream();
   const int64_t n = depth_.topology.corner_count;
   Depth power = depth_;
   power.x = eigenvector_.data();
-  if (first_) launch(stream_, start_kernel, n, depth_, eigenvector_.data(), spectrum_.data());
-  if (stream_.is_ok())
-    stream_.check(cudaMemsetAsync(power.f, 0, n * sizeof(float4), stream_.get()), "clearing f");
+  if (first_) launch(stream, start_kernel, n, depth_, eigenvector_.data(), spectrum_.data());
+  if (stream.is_ok())
+    stream.check(cudaMemsetAsync(power.f, 0, n * sizeof(float4), stream.get()), "clearing f");
   for (int i = 0; i < (first_ ? kIterationsFirst : kIterationsNext); ++i) {
-    compute_residual(stream_, power);
-    launch_striding(stream_, power_kernel, n, power, inverse_, spectrum_.data(), partials_.data());
-    launch_one_block(stream_, spectrum_kernel, partials_.data(), partial_count(n), anisotropy,
+    compute_residual(stream, power);
+    launch_striding(stream, power_kernel, n, power, inverse_, spectrum_.data(), partials_.data());
+    launch_one_block(stream, spectrum_kernel, partials_.data(), partial_count(n), anisotropy,
                      spectrum_.data());
   }
   first_ = false;

@@ -19,8 +19,17 @@ __global__ void restrict_kernel(Depth fine, Depth coarse) {
   if (i >= coarse.topology.corner_count) return;
   float4 sum = zero4();
   const int64_t end = fine.topology.restriction_start[i + 1];
-  for (int64_t k = fine.topology.restriction_start[i]; k < end; ++k)
-    sum = sum + fine.topology.restriction_weight[k] * fine.r[fine.topology.restriction_corner[k]];
+  for (int64_t k = fine.topology.restriction_start[i]; k < end; k += kChunk) {
+    int32_t corner[kChunk];
+    float weight[kChunk];
+#pragma unroll
+    for (int j = 0; j < kChunk; ++j) {
+      corner[j] = k + j < end ? fine.topology.restriction_corner[k + j] : 0;
+      weight[j] = k + j < end ? fine.topology.restriction_weight[k + j] : 0;
+    }
+#pragma unroll
+    for (int j = 0; j < kChunk; ++j) sum = sum + weight[j] * fine.r[corner[j]];
+  }
   coarse.f[i] = coarse.inverse_diagonal[i] > 0 ? sum : zero4();
 }
 
