@@ -10,6 +10,7 @@ constexpr int kMedianSamples = 1024;
 
 __global__ void combine_kernel(Integrals integrals, const float* alpha1, const float* alpha2,
                                double scale, CellSquares<double> combined) {
+  await_previous();
   const int64_t cell = thread_index();
   if (cell >= combined.cells) return;
   const CombineWeights weights = combine_weights(alpha1[cell] * scale, alpha2[cell] * scale);
@@ -28,6 +29,7 @@ __global__ void combine_kernel(Integrals integrals, const float* alpha1, const f
 // Numbers that are at least one compare as their bits do, and a largest has no order.
 __global__ void anisotropy_kernel(int64_t count, const float* alpha1, const float* alpha2,
                                   float* anisotropy) {
+  await_previous();
   const int64_t c = thread_index();
   const float ratio = c < count ? alpha1[c] / alpha2[c] : 1;
   float most = fmaxf(ratio, 1 / ratio);
@@ -82,6 +84,7 @@ __device__ void restrict_rows(int octant, int a, unsigned group, double (&row)[9
 // Eight threads per coarse cell, each with a row.
 __global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<double> fine_cells,
                                    CellSquares<double> coarse_cells) {
+  await_previous();
   const int64_t i = thread_index(), parent = i / 8;
   if (parent >= coarse_cells.cells) return;
   const int a = static_cast<int>(i % 8);
@@ -104,6 +107,7 @@ __global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<d
 }
 
 __global__ void assemble_kernel(CellSquares<double> cells, Depth depth, ExactMatrix exact) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
   const auto corner = static_cast<int32_t>(i);
@@ -113,14 +117,15 @@ __global__ void assemble_kernel(CellSquares<double> cells, Depth depth, ExactMat
   for (int s = 0; s < kSlots; ++s) diagonal -= row.by_slot[s];
   depth.system.diagonal[corner] = static_cast<float>(diagonal);
   if (exact.row_sum != nullptr) exact.row_sum[corner] = row.own;
-  for_present_slots(depth.topology.rows, corner, [&](int64_t k, int slot) {
-    depth.system.entry[k] = static_cast<float>(row.by_slot[slot]);
-    if (exact.entry != nullptr) exact.entry[k] = row.by_slot[slot];
+  store_row(depth.topology.rows, corner, row, [&](int64_t k, double value) {
+    depth.system.entry[k] = static_cast<float>(value);
+    if (exact.entry != nullptr) exact.entry[k] = value;
   });
 }
 
 // The median of an even sample, by one block that sorts it (bitonic).
 __global__ void pinned_below_kernel(int32_t n, const float* diagonal, float* pinned_below) {
+  await_previous();
   __shared__ float sample[kMedianSamples];
   const int stride = max(1, n / kMedianSamples);
   const int count = min(kMedianSamples, n / stride);
@@ -142,6 +147,7 @@ __global__ void pinned_below_kernel(int32_t n, const float* diagonal, float* pin
 }
 
 __global__ void invert_diagonal_kernel(Depth depth, const float* pinned_below) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
   const float diagonal = depth.system.diagonal[i];

@@ -43,6 +43,7 @@ __device__ void invert(float (&m)[8][8]) {
 }
 
 __global__ void invert_cells_kernel(Depth depth, CellSquares<float> inverses) {
+  await_previous();
   const int64_t cell = thread_index();
   if (cell >= depth.topology.cell_count) return;
   float block[8][8];
@@ -58,6 +59,7 @@ __global__ void invert_cells_kernel(Depth depth, CellSquares<float> inverses) {
 }
 
 __global__ void assemble_inverse_kernel(Depth depth, CellSquares<float> inverses, Matrix inverse) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
   const auto corner = static_cast<int32_t>(i);
@@ -65,8 +67,8 @@ __global__ void assemble_inverse_kernel(Depth depth, CellSquares<float> inverses
   const GatheredRow<float> row = gather_row(depth.topology, inverses, corner);
   const float here = sqrtf(depth.inverse_diagonal[corner]);
   inverse.diagonal[corner] = row.own * here * here;
-  for_present_slots(rows, corner, [&](int64_t k, int slot) {
-    inverse.entry[k] = row.by_slot[slot] * here * sqrtf(depth.inverse_diagonal[rows.column[k]]);
+  store_row(rows, corner, row, [&](int64_t k, float value) {
+    inverse.entry[k] = value * here * sqrtf(depth.inverse_diagonal[rows.column[k]]);
   });
 }
 

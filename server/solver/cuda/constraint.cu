@@ -24,6 +24,7 @@ __device__ Double3 share_of(const Gradients& gradients, int64_t cell, int a, dou
 
 __global__ void constraint_kernel(Depth finest, Gradients gradients, FieldArrays fields, Double3* b,
                                   Double3* r) {
+  await_previous();
   const int64_t corner = thread_index();
   if (corner >= finest.topology.corner_count) return;
   Double3 sum = {0, 0, 0, 0};

@@ -10,13 +10,31 @@ namespace burnish::cuda {
 
 inline constexpr int kThreads = 128;
 
-/// Starts one thread for each of `count` items.
+/// Starts one thread for each of `count` items. Where the device can, the kernel's blocks come up
+/// while the one before still runs, and wait in await_previous(): much of a small depth's time
+/// would else be the starting of kernels.
 template <typename... Params, typename... Args>
 void launch(Stream& stream, void (*kernel)(Params...), int64_t count, Args... args) {
   if (count == 0 || !stream.is_ok()) return;
-  const auto blocks = static_cast<unsigned>((count + kThreads - 1) / kThreads);
-  kernel<<<blocks, kThreads, 0, stream.get()>>>(static_cast<Params>(args)...);
-  stream.check(cudaGetLastError(), "starting a kernel");
+  cudaLaunchAttribute early = {};
+  early.id = cudaLaunchAttributeProgrammaticStreamSerialization;
+  early.val.programmaticStreamSerializationAllowed = 1;
+  cudaLaunchConfig_t config = {};
+  config.gridDim = dim3(static_cast<unsigned>((count + kThreads - 1) / kThreads));
+  config.blockDim = dim3(kThreads);
+  config.stream = stream.get();
+  config.attrs = &early;
+  config.numAttrs = stream.starts_early() ? 1 : 0;
+  stream.check(cudaLaunchKernelEx(&config, kernel, static_cast<Params>(args)...),
+               "starting a kernel");
+}
+
+/// The first statement of every kernel: what the kernel before has written is there afterwards.
+__device__ inline void await_previous() {
+#if __CUDA_ARCH__ >= 900
+  cudaTriggerProgrammaticLaunchCompletion();
+  cudaGridDependencySynchronize();
+#endif
 }
 
 __device__ inline int64_t thread_index() {

@@ -17,6 +17,7 @@ enum class Step { kFromZero, kFirst, kSecond };
 template <Step kStep>
 __global__ void step_kernel(Depth depth, Matrix inverse, const float4* source,
                             const Schwarz::Spectrum* spectrum, float4* direction) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
   const auto corner = static_cast<int32_t>(i);
@@ -40,6 +41,7 @@ __device__ float noise(uint32_t seed) {
 
 // Three columns of noise that leave no eigenvector out.
 __global__ void start_kernel(Depth depth, float4* eigenvector, Schwarz::Spectrum* spectrum) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
   if (i == 0) *spectrum = {0, 1, 0, 0, 0};
@@ -51,6 +53,7 @@ __global__ void start_kernel(Depth depth, float4* eigenvector, Schwarz::Spectrum
 // x = M⁻¹S x from r = −S x, and the parts of x·Sx and M⁻¹Sx·Sx.
 __global__ void power_kernel(Depth depth, Matrix inverse, const Schwarz::Spectrum* spectrum,
                              Sums<2>* partials) {
+  await_previous();
   Sums<2> sums = {};
   for (int64_t i = thread_index(); i < depth.topology.corner_count; i += stride()) {
     const float4 x = depth.x[i], r = depth.r[i];
@@ -76,6 +79,7 @@ __device__ void set_steps(float lambda_max, Schwarz::Spectrum& spectrum) {
 
 __global__ void spectrum_kernel(const Sums<2>* partials, int count, const float* anisotropy,
                                 Schwarz::Spectrum* spectrum) {
+  await_previous();
   const Sums<2> total = total_of(partials, count);
   if (threadIdx.x != 0) return;
   if (total.at[0] > 0 && total.at[1] > 0) {

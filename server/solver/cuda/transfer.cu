@@ -6,6 +6,7 @@ namespace burnish::cuda {
 namespace {
 
 __global__ void residual_kernel(Depth depth) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
   const auto corner = static_cast<int32_t>(i);
@@ -15,6 +16,7 @@ __global__ void residual_kernel(Depth depth) {
 }
 
 __global__ void restrict_kernel(Depth fine, Depth coarse) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= coarse.topology.corner_count) return;
   float4 sum = zero4();
@@ -45,6 +47,7 @@ __device__ float half_way_weight(int place, int a) {
 }
 
 __global__ void prolong_kernel(Depth coarse, Depth fine) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= fine.topology.corner_count || fine.inverse_diagonal[i] == 0) return;
   const FromCell from = fine.topology.prolongation[i];
