@@ -62,8 +62,9 @@ class Backend {
   virtual void advance() = 0;                       ///< u += a p, r −= a S p
 
   virtual Measures measure() const = 0;  ///< after advance()
-  /// Copies u out, one entry per corner. Units: cells.
-  virtual void read_displacement(std::span<Vec3d> displacement) const = 0;
+  // What leaves the solver. Each stays as it is until the same is called again. Units: cells.
+  virtual std::span<const Vec3f> displacement() = 0;         ///< u, one per corner
+  virtual std::span<const Vec3f> vertex_displacement() = 0;  ///< E u, one per vertex
 };
 
 }  // namespace burnish

@@ -23,6 +23,21 @@ double anisotropy_of(std::span<const double> ratio) {
   return most;
 }
 
+void evaluate_all(const SparseGrid& grid, std::span<const EvaluationPoint> points,
+                  const std::vector<Double4>& u, std::vector<Vec3f>& moved) {
+  moved.resize(points.size());
+#pragma omp parallel for schedule(static)
+  for (size_t v = 0; v < points.size(); ++v) {
+    Double4 sum = Double4::Zero();
+    if (points[v].cell != kNone) {
+      const auto weights = trilinear_weights(points[v].local);
+      const auto& corners = grid.cell_corners[points[v].cell];
+      for (int a = 0; a < kCornersPerCell; ++a) sum += double{weights[a]} * u[corners[a]];
+    }
+    moved[v] = sum.head<3>().matrix().cast<float>();
+  }
+}
+
 class CpuBackend final : public Backend {
  public:
   CpuBackend(std::shared_ptr<const PreparedMesh> prepared,
@@ -42,7 +57,8 @@ class CpuBackend final : public Backend {
   std::string_view name() const override { return "cpu"; }
 
   uint64_t byte_count() const override {
-    uint64_t bytes = outer_->byte_count() + coarsest_.byte_count() + bytes_of(ratio_);
+    uint64_t bytes = outer_->byte_count() + coarsest_.byte_count() + bytes_of(ratio_) +
+                     bytes_of(displacement_) + bytes_of(vertex_displacement_);
     for (const CpuDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother ? smoother->byte_count() : 0;
     return bytes;
@@ -77,14 +93,27 @@ class CpuBackend final : public Backend {
   void advance() override { outer_->advance(); }
   Measures measure() const override { return outer_->measure(); }
 
-  void read_displacement(std::span<Vec3d> displacement) const override {
-    const auto& u = outer_->displacement();
-    for (size_t i = 0; i < u.size(); ++i) displacement[i] = u[i].head<3>().matrix();
+  std::span<const Vec3f> displacement() override {
+    const std::vector<Double4>& u = outer_->displacement();
+    displacement_.resize(u.size());
+#pragma omp parallel for schedule(static)
+    for (size_t i = 0; i < u.size(); ++i) displacement_[i] = u[i].head<3>().matrix().cast<float>();
+    return displacement_;
+  }
+
+  std::span<const Vec3f> vertex_displacement() override {
+    evaluate_all(hierarchy_->at(hierarchy_->finest).grid, prepared_->evaluation,
+                 outer_->displacement(), vertex_displacement_);
+    return vertex_displacement_;
   }
 
  private:
-  CpuDepth& at(int depth) { return depths_[depth - hierarchy_->coarsest]; }
-  DepthSmoother& smoother(int depth) { return *smoothers_[depth - hierarchy_->coarsest]; }
+  CpuDepth& at(int depth) {
+    return depths_[depth - hierarchy_->coarsest];
+  }
+  DepthSmoother& smoother(int depth) {
+    return *smoothers_[depth - hierarchy_->coarsest];
+  }
 
   std::shared_ptr<const PreparedMesh> prepared_;
   std::shared_ptr<const Hierarchy> hierarchy_;
@@ -93,6 +122,7 @@ class CpuBackend final : public Backend {
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
   CoarsestSolver coarsest_;
   std::unique_ptr<ConjugateGradients> outer_;
+  std::vector<Vec3f> displacement_, vertex_displacement_;  // empty until asked for
 };
 
 }  // namespace

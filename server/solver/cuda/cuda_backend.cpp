@@ -9,6 +9,7 @@
 #include "server/solver/cuda/device_depth.h"
 #include "server/solver/cuda/device_mesh.h"
 #include "server/solver/cuda/graphs.h"
+#include "server/solver/cuda/readout.h"
 #include "server/solver/cuda/schwarz.h"
 #include "server/solver/cuda/transfer.h"
 
@@ -43,8 +44,8 @@ class CudaBackend final : public Backend {
   Status status() const override { return stream_.status(); }
 
   uint64_t byte_count() const override {
-    uint64_t bytes = outer_->byte_count() + coarsest_->byte_count() + 3 * beta_.byte_count() +
-                     combined_.byte_count();
+    uint64_t bytes = readout_.byte_count() + outer_->byte_count() + coarsest_->byte_count() +
+                     3 * beta_.byte_count() + combined_.byte_count();
     for (const DeviceDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother->byte_count();
     return bytes;
@@ -93,10 +94,11 @@ class CudaBackend final : public Backend {
     return measures;
   }
 
-  void read_displacement(std::span<Vec3d> displacement) const override {
-    std::vector<Double3> u(displacement.size());
-    outer_->displacement().download(stream_, u);
-    for (size_t i = 0; i < u.size(); ++i) displacement[i] = {u[i].x, u[i].y, u[i].z};
+  std::span<const Vec3f> displacement() override {
+    return readout_.displacement(finest(), outer_->displacement().data());
+  }
+  std::span<const Vec3f> vertex_displacement() override {
+    return readout_.vertex_displacement(finest(), outer_->displacement().data(), mesh_->evaluation);
   }
 
  private:
@@ -139,7 +141,7 @@ class CudaBackend final : public Backend {
 
   std::shared_ptr<const DeviceMesh> mesh_;
   int coarse_offset_;
-  mutable Stream stream_;
+  Stream stream_;
   Graphs graphs_{stream_};
   DeviceArray<float> alpha1_, alpha2_, beta_;
   DeviceArray<double> combined_;  // CellSquares of all depths, from the finest
@@ -148,6 +150,7 @@ class CudaBackend final : public Backend {
   std::vector<std::unique_ptr<Schwarz>> smoothers_;  // none at the coarsest
   std::optional<CoarsestSolver> coarsest_;
   std::optional<ConjugateGradients> outer_;
+  Readout readout_{stream_};
 };
 
 }  // namespace

@@ -152,16 +152,15 @@ TEST(Solver, KeepsPinnedCornersInPlace) {
     backend->update_direction(i == 0);
     backend->advance();
   }
-  std::vector<Vec3d> displacement(depths.back().corner_count());
-  backend->read_displacement(displacement);
+  const auto displacement = backend->displacement();
   int pinned = 0, moved = 0;
   for (int32_t i = 0; i < depths.back().corner_count(); ++i) {
     if (depths.back().inverse_diagonal[i] != 0) {
-      moved += displacement[i] != Vec3d::Zero();
+      moved += displacement[i] != Vec3f::Zero();
       continue;
     }
     ++pinned;
-    ASSERT_EQ(displacement[i], Vec3d::Zero()) << "corner " << i;
+    ASSERT_EQ(displacement[i], Vec3f::Zero()) << "corner " << i;
   }
   EXPECT_GT(pinned, 0);
   EXPECT_GT(moved, 1000);
