@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "server/solver/cuda/assembly.h"
+#include "server/solver/cuda/cell_field.h"
 #include "server/solver/cuda/coarsest.h"
 #include "server/solver/cuda/conjugate_gradients.h"
 #include "server/solver/cuda/constraint.h"
@@ -52,10 +53,10 @@ class CudaBackend final : public Backend {
   }
 
   void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
+    stream_.synchronize();
     alpha1_.upload(stream_, alpha1);
     alpha2_.upload(stream_, alpha2);
     run_on_device(kMetricGraph, [this] { assemble_all(); });
-    stream_.synchronize();
   }
 
   void set_constraint(std::span<const float> beta) override {
@@ -143,7 +144,7 @@ class CudaBackend final : public Backend {
   int coarse_offset_;
   Stream stream_;
   Graphs graphs_{stream_};
-  DeviceArray<float> alpha1_, alpha2_, beta_;
+  CellField alpha1_, alpha2_, beta_;
   DeviceArray<double> combined_;  // CellSquares of all depths, from the finest
   DeviceArray<float> pinned_below_, anisotropy_;
   std::vector<DeviceDepth> depths_;                  // from the coarsest

@@ -9,7 +9,7 @@ namespace burnish::cuda {
 namespace {
 
 constexpr int kIterationsFirst = 15;
-constexpr int kIterationsNext = 2;
+constexpr int kIterationsNext = 1;
 
 enum class Step { kFromZero, kFirst, kSecond };
 
