@@ -9,8 +9,8 @@ static int encoder_threads() {
   return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 8u));
 }
 
-LiveSessions::LiveSessions(SessionManager& manager, Scheduler& scheduler)
-    : manager_(manager), scheduler_(scheduler), encoders_(encoder_threads()) {
+LiveSessions::LiveSessions(SessionManager& manager, int solver_threads)
+    : manager_(manager), encoders_(encoder_threads()), scheduler_(solver_threads) {
   manager_.set_listener(this);
 }
 
@@ -32,8 +32,7 @@ Result<LiveClient> LiveSessions::join(const LiveGreeting& greeting, const std::s
   if (draining_) return going_down();
   std::shared_ptr<LiveSession>& session = sessions_[attached.info.id];
   if (!session)
-    session =
-        std::make_shared<LiveSession>(manager_, scheduler_, attached.entry, attached.roles);
+    session = std::make_shared<LiveSession>(manager_, scheduler_, attached.entry, attached.roles);
   wiring.on_wish = [weak = std::weak_ptr(session)] {
     if (const auto live = weak.lock()) live->wake();
   };
@@ -73,6 +72,7 @@ void LiveSessions::end_silent() {
 LiveSessions::Usage LiveSessions::usage() const {
   const std::lock_guard lock(mutex_);
   Usage usage;
+  usage.waiting_sessions = scheduler_.waiting();
   for (const auto& [id, session] : sessions_) {
     usage.queued_edits += session->queued_edits();
     usage.credits += session->credits();

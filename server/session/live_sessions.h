@@ -29,8 +29,9 @@ struct LiveClient {
 /// The sessions that have clients, and their coming and going. Thread-safe.
 class LiveSessions final : public SessionListener {
  public:
-  /// Needs: manager and scheduler outlive it, and nobody works with it when it ends.
-  LiveSessions(SessionManager& manager, Scheduler& scheduler);
+  /// `solver_threads` as of Scheduler. Needs: the manager outlives it, and nobody works with it
+  /// when it ends.
+  LiveSessions(SessionManager& manager, int solver_threads);
   ~LiveSessions() override;
 
   /// Brings the session back if need be, and joins. `wiring` of the client: on_message and on_dead.
@@ -48,10 +49,13 @@ class LiveSessions final : public SessionListener {
   static constexpr std::chrono::seconds kSilenceMax{30};
 
   struct Usage {
-    size_t queued_edits = 0;
+    size_t waiting_sessions = 0;  ///< for a turn
+    size_t queued_edits = 0;      ///< messages
     uint64_t credits = 0;
   };
   Usage usage() const;
+
+  Scheduler& scheduler() { return scheduler_; }
 
   void on_session_changed(const std::string& id) override;
   void on_session_left(const std::string& id, bool deleted) override;
@@ -60,14 +64,15 @@ class LiveSessions final : public SessionListener {
   std::shared_ptr<LiveSession> find(const std::string& id) const;
 
   SessionManager& manager_;
-  Scheduler& scheduler_;
   FrameTargets targets_;
 
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;                                      // of what follows
   std::map<std::string, std::shared_ptr<LiveSession>> sessions_;  // by id
   bool draining_ = false;
 
-  Executor encoders_;  // first to go: its work uses the others
+  // Last, for their threads end before anything else does; turns post to the encoders.
+  Executor encoders_;
+  Scheduler scheduler_;
 };
 
 }  // namespace burnish
