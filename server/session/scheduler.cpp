@@ -49,10 +49,12 @@ bool Scheduler::run_one() {
   return true;
 }
 
-// Whoever is first and has time left; who has none gets some and goes to the end.
+// Who comes first gets some time where it has none left; who is still in debt goes to the end.
 std::shared_ptr<Scheduled> Scheduler::next() {
-  while (ring_.front()->deficit_ms_ <= 0) {
-    ring_.front()->deficit_ms_ += kQuantumMs;
+  for (;;) {
+    double& deficit_ms = ring_.front()->deficit_ms_;
+    if (deficit_ms <= 0) deficit_ms += kQuantumMs;
+    if (deficit_ms > 0) break;
     std::rotate(ring_.begin(), ring_.begin() + 1, ring_.end());
   }
   std::shared_ptr<Scheduled> first = std::move(ring_.front());
