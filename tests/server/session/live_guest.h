@@ -23,6 +23,9 @@ class LiveGuest {
   LiveSession& session() { return *client_.session; }
   uint64_t connection() { return subscriber().connection; }
 
+  /// Takes the messages that are there.
+  void take_all();
+
   /// Takes turns and messages until nothing more comes.
   void run();
 
@@ -47,8 +50,6 @@ class LiveGuest {
   struct Bell;
   LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const std::string& user,
             std::shared_ptr<Bell> bell);
-  void take_all();
-
   LiveSessions& sessions_;
   std::shared_ptr<Bell> bell_;
   LiveClient client_;
