@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <future>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -101,6 +102,19 @@ TEST_F(SchedulerTest, WhoIsWokenDuringItsTurnGetsAnother) {
   while (scheduler_.run_one()) {
   }
   EXPECT_EQ(self->turns, 2);
+}
+
+TEST_F(SchedulerTest, WorkBesideItGivesWayOnlyWhileThereIsSomeAndOnlySoLong) {
+  scheduler_.give_way(std::chrono::hours(1));  // nobody works
+  const auto busy = worker(1, 3);
+  scheduler_.give_way(std::chrono::milliseconds(1));
+  std::thread others([this] {
+    while (scheduler_.run_one()) {
+    }
+  });
+  scheduler_.give_way(std::chrono::hours(1));
+  EXPECT_EQ(busy->turns, 3);
+  others.join();
 }
 
 TEST(SchedulerThreads, TakeEachTurnOnceAndNeverTwoOfTheSame) {
