@@ -38,8 +38,8 @@ class LiveSessionTest : public testing::Test {
     EXPECT_TRUE(manager_
                     ->visit("work", {},
                             [&](Session& session) {
-                              const auto all = session.solver().displacement();
-                              u.assign(all.begin(), all.end());
+                              const auto now = session.solver().displacement();
+                              u.assign(now.begin(), now.end());
                               return Status::ok();
                             })
                     .is_ok());
@@ -225,6 +225,17 @@ TEST_F(LiveSessionTest, AnExportLeavesPreviewsOut) {
   EXPECT_NE(ann.all<LiveFrame>().back().facts.report.energy, energy);
 }
 
+TEST_F(LiveSessionTest, ACancelledExportLeavesNothingUnsolved) {
+  ASSERT_TRUE(manager_->apply("work", "ann", std::vector<Edit>{{"a", stroke()}}, {}).is_ok());
+  int reports = 0;
+  const auto cancelled_at_once = [&](std::string_view, double) { return ++reports < 2; };
+  EXPECT_FALSE(manager_->export_mesh("work", {}, cancelled_at_once).is_ok());
+  auto ann = guest();
+  ann.settle();
+  EXPECT_GT(ann.all<LiveFrame>().back().facts.report.cycle, 2);
+  EXPECT_LT(ann.all<LiveFrame>().back().facts.report.distance, 1e-4);
+}
+
 TEST_F(LiveSessionTest, PreviewsAreCheckedAsAWhole) {
   auto ann = guest();
   const auto grow = [&](const Stroke& piece) {
@@ -307,6 +318,20 @@ TEST_F(LiveSessionTest, ADrainingServerLetsNobodyIn) {
   ann.run();
   EXPECT_TRUE(ann.all<EditsAcknowledged>().empty());
   EXPECT_EQ(live_->join({"work"}, "bob", {}, {}).status().code(), StatusCode::kUnavailable);
+}
+
+TEST_F(LiveSessionTest, WhoIsSilentIsSentAwayAndWatchersMayBe) {
+  auto ann = guest(), eve = guest("eve", {"work", 0, {}, true});
+  ann.run();
+  ann.session().end_silent(std::chrono::hours(1));
+  ann.run();
+  EXPECT_FALSE(ann.finished);
+  ann.session().end_silent(std::chrono::seconds(0));
+  ann.run();
+  eve.run();
+  ASSERT_EQ(ann.all<Farewell>().size(), 1u);
+  EXPECT_TRUE(ann.finished);
+  EXPECT_TRUE(eve.all<Farewell>().empty());
 }
 
 TEST_F(LiveSessionTest, WhoDoesNotTakeItsAnswersIsNotReadOn) {
