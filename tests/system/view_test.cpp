@@ -41,7 +41,7 @@ TEST_F(Views, OfAScanAreTheScan) {
 }
 
 TEST_F(Views, OfAProxyHaveNoMoreTrianglesThanAskedFor) {
-  const View view = connection_.fetch_view({"ball", {0, 0}, 500}, {}).value();
+  const View view = connection_.fetch_view({"ball", {5, 0}, 500}, {}).value();
   EXPECT_TRUE(view.is_proxy());
   EXPECT_LE(view.triangles.size(), 500u);
   EXPECT_EQ(view.scan_vertices, 2562u);
