@@ -165,6 +165,7 @@ bool FakeEditing::make_frame(Client& client) {
   EncodedFrame frame = client.encoder.encode(sample_, FrameStep::kStill);
   if (faults_.lost_frames > 0) {
     --faults_.lost_frames;
+    ++client.credits;
     client.encoder.acknowledge(frame.sequence);
     return true;
   }
