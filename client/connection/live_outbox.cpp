@@ -85,6 +85,7 @@ std::optional<v1::ClientMessage> LiveOutbox::next() {
     message.mutable_preview()->set_edit_id(dropped_preview_);
     message.mutable_preview()->mutable_drop();
     dropped_preview_.clear();
+    ++previews_sent_;
     return message;
   }
   if (gesture_ && !gesture_->sent) return next_part(*gesture_);
