@@ -81,12 +81,12 @@ Status LiveSession::send_frames(SessionTurn& at) {
     const FrameTarget& target = *seat.subscriber->target;
     auto& sample = samples[&target];
     if (!sample) {
-      ASSIGN_OR_RETURN(FrameSample made,
-                       sample_displacement<Vec3d>(*target.layout, target.frame_mesh(),
-                                                  displacement));
+      ASSIGN_OR_RETURN(FrameSample made, sample_displacement<Vec3d>(
+                                             *target.layout, target.frame_mesh(), displacement));
       sample = std::make_shared<const FrameSample>(std::move(made));
     }
-    seat.subscriber->show({sample, version_,
+    seat.subscriber->show({sample,
+                           version_,
                            {.settled = settled,
                             .report = at.last(),
                             .edits = at.edits(),
