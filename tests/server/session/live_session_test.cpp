@@ -33,12 +33,13 @@ class LiveSessionTest : public testing::Test {
     return LiveGuest(*live_, wish, user);
   }
 
-  std::vector<Vec3d> displacement() {
-    std::vector<Vec3d> u;
+  std::vector<Vec3f> displacement() {
+    std::vector<Vec3f> u;
     EXPECT_TRUE(manager_
                     ->visit("work", {},
                             [&](Session& session) {
-                              u = session.solver().displacement();
+                              const auto now = session.solver().displacement();
+                              u.assign(now.begin(), now.end());
                               return Status::ok();
                             })
                     .is_ok());
@@ -48,7 +49,7 @@ class LiveSessionTest : public testing::Test {
   /// What the guest must show of a settled session: the displacement, rounded.
   FrameSample sample(LiveGuest& guest) {
     const FrameTarget& target = *guest.subscriber().target;
-    return sample_displacement<Vec3d>(*target.layout, target.frame_mesh(), displacement()).value();
+    return sample_displacement<Vec3f>(*target.layout, target.frame_mesh(), displacement()).value();
   }
 
   /// What the guest shows, in the sample's order.
