@@ -6,6 +6,7 @@
 #include "common/wire/session_wire.h"
 #include "server/rpc/edit_call.h"
 #include "server/rpc/export_call.h"
+#include "server/rpc/get_cells_call.h"
 #include "server/rpc/live_wire.h"
 #include "server/rpc/start_call.h"
 #include "server/rpc/upload_cell_fields_call.h"
@@ -134,6 +135,11 @@ grpc::ServerBidiReactor<v1::ClientMessage, v1::ServerMessage>* EditingService::E
 grpc::ServerWriteReactor<v1::ServerMessage>* EditingService::Watch(
     grpc::CallbackServerContext* context, const v1::WatchRequest* request) {
   return start_call<WatchCall>(calls_, context, *context, *request);
+}
+
+grpc::ServerWriteReactor<v1::Chunk>* EditingService::GetCells(grpc::CallbackServerContext* context,
+                                                              const v1::GetCellsRequest* request) {
+  return start_call<GetCellsCall>(calls_, context, *request);
 }
 
 grpc::ServerWriteReactor<v1::ExportEvent>* EditingService::Export(

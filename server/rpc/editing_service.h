@@ -46,6 +46,8 @@ class EditingService final : public v1::Editing::CallbackService {
       grpc::CallbackServerContext* context) override;
   grpc::ServerWriteReactor<v1::ServerMessage>* Watch(grpc::CallbackServerContext* context,
                                                      const v1::WatchRequest* request) override;
+  grpc::ServerWriteReactor<v1::Chunk>* GetCells(grpc::CallbackServerContext* context,
+                                                const v1::GetCellsRequest* request) override;
   grpc::ServerWriteReactor<v1::ExportEvent>* Export(grpc::CallbackServerContext* context,
                                                     const v1::ExportRequest* request) override;
 
