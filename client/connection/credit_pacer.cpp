@@ -17,11 +17,11 @@ CreditPacer::CreditPacer(std::chrono::microseconds draw_interval)
     : draw_interval_ms_(std::max(0.001, draw_interval.count() / 1000.0)), hold_(kHoldMin) {}
 
 void CreditPacer::restart() {
-  on_their_way_ = 0;
+  granted_.clear();
   undrawn_ = 0;
   window_ = 1;
   rtt_ms_ = rtt_of_period_ms_ = 0;
-  latency_ms_ = 0;
+  latency_ms_ = deviation_ms_ = 0;
   hold_ = kHoldMin;
   may_grow_ = {};
 }
@@ -37,13 +37,22 @@ void CreditPacer::on_heartbeat(Time now, double rtt_ms) {
   rtt_ms_ = rtt_ms_ > 0 ? std::min(rtt_ms_, rtt_of_period_ms_) : rtt_of_period_ms_;
 }
 
-void CreditPacer::on_frame(Time now, double latency_ms, double server_ms) {
-  on_their_way_ = std::max(0, on_their_way_ - 1);
+void CreditPacer::on_frame(Time now, double age_ms, double server_ms) {
   ++undrawn_;
-  if (latency_ms <= 0) return;
-  const double weight = latency_ms_ > 0 ? kLatencyWeight : 1;
-  latency_ms_ += weight * (latency_ms - latency_ms_);
-  if (rtt_ms_ > 0) adapt_window(now, latency_ms - server_ms - rtt_ms_);
+  if (!granted_.empty()) {
+    learn_latency(std::chrono::duration<double, std::milli>(now - granted_.front()).count());
+    granted_.pop_front();
+  }
+  if (age_ms > 0 && rtt_ms_ > 0) adapt_window(now, age_ms - server_ms - rtt_ms_);
+}
+
+// A frame that came late because nothing moved says nothing: it counts as a picture's interval.
+void CreditPacer::learn_latency(double ms) {
+  const double counted_ms = std::min(ms, draw_interval_ms_);
+  if (latency_ms_ == 0) latency_ms_ = counted_ms;
+  const double change_ms = counted_ms - latency_ms_;
+  latency_ms_ += kLatencyWeight * change_ms;
+  deviation_ms_ += kLatencyWeight * (std::abs(change_ms) - deviation_ms_);
 }
 
 void CreditPacer::adapt_window(Time now, double queued_ms) {
@@ -66,13 +75,13 @@ void CreditPacer::on_drawn(Time now) {
 }
 
 int CreditPacer::missing() const {
-  return std::max(0, window_ - undrawn_ - on_their_way_);
+  return std::max(0, window_ - undrawn_ - static_cast<int>(granted_.size()));
 }
 
 // With one frame on its way at a time there is a choice of when; with more the link is full.
 CreditPacer::Time CreditPacer::earliest() const {
   if (window_ > 1 || latency_ms_ <= 0) return {};
-  const double wait_ms = draw_interval_ms_ - latency_ms_ - kDrawMarginMs;
+  const double wait_ms = draw_interval_ms_ - latency_ms_ - 2 * deviation_ms_ - kDrawMarginMs;
   if (wait_ms <= 0) return {};
   return last_drawn_ + std::chrono::microseconds(static_cast<int64_t>(wait_ms * 1000));
 }

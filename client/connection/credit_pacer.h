@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 
 namespace burnish {
 
@@ -19,25 +20,27 @@ class CreditPacer {
 
   void restart();  ///< a new stream: nothing is granted
   void on_heartbeat(Time now, double rtt_ms);
-  /// A frame has come. latency_ms: since it was asked for; 0 where nobody knows.
-  void on_frame(Time now, double latency_ms, double server_ms);
+  /// A frame has come. age_ms: since the newest heartbeat that it has seen; 0: it has seen none.
+  void on_frame(Time now, double age_ms, double server_ms);
   void on_drawn(Time now);
 
   int due(Time now) const;  ///< credits to grant now
   Time next_due() const;    ///< when one will be due, if nothing happens; Time::max(): never
-  void granted(int credits) { on_their_way_ += credits; }
+  void granted(Time now, int credits) { granted_.insert(granted_.end(), credits, now); }
   int window() const { return window_; }
 
  private:
   int missing() const;
   Time earliest() const;
+  void learn_latency(double ms);
   void adapt_window(Time now, double queued_ms);
 
   const double draw_interval_ms_;
   int window_ = 1;
-  int on_their_way_ = 0;
+  std::deque<Time> granted_;  // when, of credits whose frames have not come
   int undrawn_ = 0;
-  double latency_ms_ = 0;  // smoothed
+  double latency_ms_ = 0;    // from a credit to its frame, smoothed; 0: not known
+  double deviation_ms_ = 0;  // of that
   Time last_drawn_ = {};
   double rtt_ms_ = 0;  // the least of this period and the one before; 0: not known
   double rtt_of_period_ms_ = 0;

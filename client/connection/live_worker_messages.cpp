@@ -83,6 +83,8 @@ Status LiveSession::Worker::hear_frame(const v1::Frame& frame, Time now) {
   facts.encode_ms = frame.encode_ms();
   facts.age_ms = ms_since(frame.client_time_us(), decoded);
   facts.bytes += frame.data().size();
+  last_decoded_ = decoded;
+  has_new_frame_ = true;
   pacer_.on_frame(decoded, facts.age_ms, server_ms);
   facts.credit_window = pacer_.window();
   shown_.frame(frame.edits(), frame.previews(), decoded);

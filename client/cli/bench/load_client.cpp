@@ -53,7 +53,10 @@ void LoadClient::run(std::chrono::duration<double> length) {
 
 void LoadClient::draw() {
   LiveNews news = session_.take();
-  if (news.facts.frames > facts_.frames) figures_.age_ms.push_back(news.facts.age_ms);
+  if (news.facts.frames > facts_.frames) {
+    figures_.age_ms.push_back(news.facts.age_ms);
+    figures_.drawn_ms.push_back(news.facts.age_ms + news.facts.waited_ms);
+  }
   facts_ = news.facts;
   if (news.displacement) {
     const FrameLayout& layout = *news.displacement->layout;
