@@ -10,6 +10,8 @@ using std::chrono::milliseconds;
 static constexpr auto kRttPeriod = std::chrono::seconds(10);
 static constexpr double kQueuedMsMax = 12;  // more than jitter
 static constexpr double kDrawMarginMs = 4;  // a frame comes so much before its picture
+static constexpr size_t kFramesObserved = 5;
+static constexpr double kDeviations = 4;
 static constexpr double kLatencyWeight = 0.2;
 static constexpr milliseconds kHoldMin{1000}, kHoldMax{16'000};
 
@@ -22,6 +24,7 @@ void CreditPacer::restart() {
   window_ = 1;
   rtt_ms_ = rtt_of_period_ms_ = 0;
   latency_ms_ = deviation_ms_ = 0;
+  queued_ms_.clear();
   hold_ = kHoldMin;
   may_grow_ = {};
 }
@@ -37,13 +40,14 @@ void CreditPacer::on_heartbeat(Time now, double rtt_ms) {
   rtt_ms_ = rtt_ms_ > 0 ? std::min(rtt_ms_, rtt_of_period_ms_) : rtt_of_period_ms_;
 }
 
-void CreditPacer::on_frame(Time now, double age_ms, double server_ms) {
+void CreditPacer::on_frame(Time now, double since_heartbeat_ms, double server_ms) {
   ++undrawn_;
   if (!granted_.empty()) {
     learn_latency(std::chrono::duration<double, std::milli>(now - granted_.front()).count());
     granted_.pop_front();
   }
-  if (age_ms > 0 && rtt_ms_ > 0) adapt_window(now, age_ms - server_ms - rtt_ms_);
+  if (since_heartbeat_ms > 0 && rtt_ms_ > 0)
+    adapt_window(now, since_heartbeat_ms - server_ms - rtt_ms_);
 }
 
 // A frame that came late because nothing moved says nothing: it counts as a picture's interval.
@@ -55,13 +59,19 @@ void CreditPacer::learn_latency(double ms) {
   deviation_ms_ += kLatencyWeight * (std::abs(change_ms) - deviation_ms_);
 }
 
+// A frame may also have been made long after the heartbeat, or be a large one: what all of the last
+// few have waited at least is what frames wait for each other.
 void CreditPacer::adapt_window(Time now, double queued_ms) {
+  queued_ms_.push_back(queued_ms);
+  if (queued_ms_.size() > kFramesObserved) queued_ms_.pop_front();
   const int wanted =
       std::clamp(static_cast<int>(std::ceil(rtt_ms_ / draw_interval_ms_)), 1, kWindowMax);
   if (window_ > wanted) {
     window_ = wanted;
-  } else if (window_ > 1 && queued_ms > kQueuedMsMax) {
+  } else if (window_ > 1 && queued_ms_.size() == kFramesObserved &&
+             *std::ranges::min_element(queued_ms_) > kQueuedMsMax) {
     --window_;
+    queued_ms_.clear();
     may_grow_ = now + hold_;
     hold_ = std::min(2 * hold_, kHoldMax);
   } else if (window_ < wanted && now >= may_grow_) {
@@ -81,7 +91,8 @@ int CreditPacer::missing() const {
 // With one frame on its way at a time there is a choice of when; with more the link is full.
 CreditPacer::Time CreditPacer::earliest() const {
   if (window_ > 1 || latency_ms_ <= 0) return {};
-  const double wait_ms = draw_interval_ms_ - latency_ms_ - 2 * deviation_ms_ - kDrawMarginMs;
+  const double wait_ms =
+      draw_interval_ms_ - latency_ms_ - kDeviations * deviation_ms_ - kDrawMarginMs;
   if (wait_ms <= 0) return {};
   return last_drawn_ + std::chrono::microseconds(static_cast<int64_t>(wait_ms * 1000));
 }

@@ -20,14 +20,15 @@ class CreditPacer {
 
   void restart();  ///< a new stream: nothing is granted
   void on_heartbeat(Time now, double rtt_ms);
-  /// A frame has come. age_ms: since the newest heartbeat that it has seen; 0: it has seen none.
-  void on_frame(Time now, double age_ms, double server_ms);
+  /// A frame has come, so long after the newest heartbeat that it has seen; 0: it has seen none.
+  void on_frame(Time now, double since_heartbeat_ms, double server_ms);
   void on_drawn(Time now);
 
   int due(Time now) const;  ///< credits to grant now
   Time next_due() const;    ///< when one will be due, if nothing happens; Time::max(): never
   void granted(Time now, int credits) { granted_.insert(granted_.end(), credits, now); }
   int window() const { return window_; }
+  double rtt_ms() const { return rtt_ms_; }  ///< of the link alone; 0: not known
 
  private:
   int missing() const;
@@ -45,6 +46,7 @@ class CreditPacer {
   double rtt_ms_ = 0;  // the least of this period and the one before; 0: not known
   double rtt_of_period_ms_ = 0;
   Time period_end_ = {};
+  std::deque<double> queued_ms_;  // of the last frames: how long each may have waited in the link
   Time may_grow_ = {};
   std::chrono::milliseconds hold_;  // how long the window stays small
 };

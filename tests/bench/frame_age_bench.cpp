@@ -3,8 +3,8 @@
 //   frame_age_bench [SCAN [DEPTH]]       without a scan: a generated blob of 100,000 vertices
 //
 // One person drags the slider without a pause, over links of several kinds. A frame's age is told
-// by the newest heartbeat that the server had when it made the frame; these go out each 10 ms, and
-// before each credit: ages are over-told by their way to the server and up to that interval.
+// by the newest heartbeat that the server had when it made the frame, less half a round trip; these
+// go out each 2 ms: by so much ages may be over-told.
 
 #include <csignal>
 #include <cstdio>
@@ -59,7 +59,8 @@ nlohmann::ordered_json run_case(const ServerProcess& server,
                     {.session = "work",
                      .view = view,
                      .pictures_per_second = c.pictures_per_second,
-                     .mix = {{0, 1, 0}}},
+                     .mix = {{0, 1, 0}},
+                     .heartbeat_interval = milliseconds(2)},
                     1);
   client.start(std::chrono::duration<double>(kSecondsPerCase));
   client.join();

@@ -13,8 +13,7 @@ static LiveOptions live_options(const LoadOptions& options) {
   live.triangles_max = options.triangles_max;
   live.draw_interval =
       std::chrono::microseconds(static_cast<int64_t>(1e6 / options.pictures_per_second));
-  // A frame's age is told by the last heartbeat that it has seen: by so much it may be over-told.
-  live.heartbeat_interval = std::chrono::milliseconds(10);
+  live.heartbeat_interval = options.heartbeat_interval;
   return live;
 }
 

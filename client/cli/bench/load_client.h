@@ -17,6 +17,8 @@ struct LoadOptions {
   uint64_t triangles_max = 0;
   double pictures_per_second = 60;
   LoadMix mix;
+  /// A frame's age is told by the last heartbeat that it has seen: by so much it may be over-told.
+  std::chrono::milliseconds heartbeat_interval{10};
 };
 
 /// What one client saw.

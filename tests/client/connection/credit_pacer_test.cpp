@@ -71,7 +71,7 @@ TEST_F(CreditPacing, ShrinksWhereFramesWaitForEachOther) {
   pacer.on_heartbeat(now_, 40);
   run(pacer, 10, 42);
   ASSERT_EQ(pacer.window(), 3);
-  run(pacer, 2, 120);
+  run(pacer, 10, 120);
   EXPECT_EQ(pacer.window(), 1);
   run(pacer, 5, 42);
   EXPECT_EQ(pacer.window(), 1) << "not at once";
@@ -84,6 +84,17 @@ TEST_F(CreditPacing, DoesNotTakeASlowServerForASlowLink) {
   pacer.on_heartbeat(now_, 40);
   run(pacer, 10, 42);
   run(pacer, 10, 240, 198);
+  EXPECT_EQ(pacer.window(), 3);
+}
+
+TEST_F(CreditPacing, DoesNotTakeSomeLargeFramesForAFullLink) {
+  CreditPacer pacer(k60Hz);
+  pacer.on_heartbeat(now_, 40);
+  run(pacer, 10, 42);
+  for (int i = 0; i < 5; ++i) {
+    run(pacer, 4, 120);
+    run(pacer, 1, 42);
+  }
   EXPECT_EQ(pacer.window(), 3);
 }
 
