@@ -46,6 +46,7 @@ void CreditPacer::on_frame(Time now, double since_heartbeat_ms, double server_ms
     learn_latency(std::chrono::duration<double, std::milli>(now - granted_.front()).count());
     granted_.pop_front();
   }
+  server_ms_ += kLatencyWeight * (server_ms - server_ms_);
   if (since_heartbeat_ms > 0 && rtt_ms_ > 0)
     adapt_window(now, since_heartbeat_ms - server_ms - rtt_ms_);
 }
@@ -64,8 +65,8 @@ void CreditPacer::learn_latency(double ms) {
 void CreditPacer::adapt_window(Time now, double queued_ms) {
   queued_ms_.push_back(queued_ms);
   if (queued_ms_.size() > kFramesObserved) queued_ms_.pop_front();
-  const int wanted =
-      std::clamp(static_cast<int>(std::ceil(rtt_ms_ / draw_interval_ms_)), 1, kWindowMax);
+  const double interval_ms = std::max(draw_interval_ms_, server_ms_);
+  const int wanted = std::clamp(static_cast<int>(std::ceil(rtt_ms_ / interval_ms)), 1, kWindowMax);
   if (window_ > wanted) {
     window_ = wanted;
   } else if (window_ > 1 && queued_ms_.size() == kFramesObserved &&

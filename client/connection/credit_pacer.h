@@ -9,8 +9,8 @@ namespace burnish {
 /// Decides when a client asks for how many frames. A frame waits for nothing but the picture that
 /// it is drawn in: one that was decoded and not drawn holds the next one back, and where a round
 /// trip is shorter than a picture, the next is asked for as late as it may be.
-/// The window of frames on their way at once is the round trip over the picture's interval, so that
-/// each picture gets one; where frames wait for each other in the link, it is smaller.
+/// The window of frames on their way at once is the round trip over the interval of frames, be it
+/// the reader's or the server's; where frames wait for each other in the link, it is smaller.
 class CreditPacer {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -42,6 +42,7 @@ class CreditPacer {
   int undrawn_ = 0;
   double latency_ms_ = 0;    // from a credit to its frame, smoothed; 0: not known
   double deviation_ms_ = 0;  // of that
+  double server_ms_ = 0;     // that it takes for a frame, smoothed
   Time last_drawn_ = {};
   double rtt_ms_ = 0;  // the least of this period and the one before; 0: not known
   double rtt_of_period_ms_ = 0;
