@@ -45,8 +45,11 @@ struct FrameFacts {
   double assemble_ms = 0;
   double solve_ms = 0;
   double encode_ms = 0;
-  double age_ms = 0;  ///< when it was decoded: since the client asked for it, at most
-  double rtt_ms = 0;  ///< of the last heartbeat
+  /// Since it was made, when it was decoded: from the newest heartbeat that the server had then,
+  /// less half a round trip. Over-told by the time between two heartbeats at most.
+  double age_ms = 0;
+  double waited_ms = 0;  ///< from then until it was taken
+  double rtt_ms = 0;     ///< of the last heartbeat
   double frames_per_second = 0;
   double megabits_per_second = 0;
   uint64_t bytes = 0;     ///< of all frames so far

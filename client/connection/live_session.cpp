@@ -92,6 +92,9 @@ LiveNews LiveSession::Worker::take() {
   {
     const std::lock_guard lock(mutex_);
     pacer_.on_drawn(now);
+    if (std::exchange(has_new_frame_, false))
+      news_.facts.waited_ms =
+          std::chrono::duration<double, std::milli>(now - last_decoded_).count();
     news.link = news_.link;
     news.facts = news_.facts;
     news.facts.frames_per_second = rate_.frames_per_second(now);

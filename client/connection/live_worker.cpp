@@ -158,7 +158,7 @@ std::optional<v1::ClientMessage> LiveSession::Worker::next_message(Time now) {
   v1::ClientMessage message;
   *message.mutable_credit() = receiver_.take_answers();
   message.mutable_credit()->set_frames(static_cast<uint32_t>(due));
-  pacer_.granted(due);
+  pacer_.granted(now, due);
   beat_for_credit_ = false;
   return message;
 }

@@ -81,6 +81,8 @@ class LiveSession::Worker {
   ShownEdits shown_;
   RateMeter rate_;
   LiveNews news_;
+  Time last_decoded_;
+  bool has_new_frame_ = false;
   std::vector<bool> changed_tiles_;  // of news_.displacement
   bool stopping_ = false;
 

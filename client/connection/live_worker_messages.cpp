@@ -1,5 +1,7 @@
 // What LiveSession::Worker does with what the server says.
 
+#include <algorithm>
+
 #include "client/connection/live_worker.h"
 #include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
@@ -81,9 +83,12 @@ Status LiveSession::Worker::hear_frame(const v1::Frame& frame, Time now) {
   facts.assemble_ms = frame.assemble_ms();
   facts.solve_ms = frame.solve_ms();
   facts.encode_ms = frame.encode_ms();
-  facts.age_ms = ms_since(frame.client_time_us(), decoded);
+  const double since_heartbeat_ms = ms_since(frame.client_time_us(), decoded);
+  facts.age_ms = std::max(0.0, since_heartbeat_ms - pacer_.rtt_ms() / 2);
   facts.bytes += frame.data().size();
-  pacer_.on_frame(decoded, facts.age_ms, server_ms);
+  last_decoded_ = decoded;
+  has_new_frame_ = true;
+  pacer_.on_frame(decoded, since_heartbeat_ms, server_ms);
   facts.credit_window = pacer_.window();
   shown_.frame(frame.edits(), frame.previews(), decoded);
   tell_shown();

@@ -36,8 +36,9 @@ Status ExportCall::solve() {
 void ExportCall::OnWriteDone(bool ok) {
   const bool was_chunk = events_.written().has_chunk();
   events_.on_write_done(ok);
-  if (!was_chunk) return;
+  // Also after a mere progress event: what is pushed behind a failed write is never written.
   if (!ok) return events_.close(to_grpc(cancelled("the client has gone")));
+  if (!was_chunk) return;
   calls_.executor.post([call = self()] { call->send_next(); });
 }
 

@@ -44,9 +44,9 @@ void FetchViewCall::send_header() {
 void FetchViewCall::OnWriteDone(bool ok) {
   const bool was_progress = events_.written().has_progress();
   events_.on_write_done(ok);
-  if (was_progress) return;
+  // Also after a mere progress event: what is pushed behind a failed write is never written.
   if (!ok) return events_.close(to_grpc(cancelled("the client has gone")));
-  send_next();
+  if (!was_progress) send_next();
 }
 
 void FetchViewCall::send_next() {

@@ -28,6 +28,7 @@ class Process {
   std::optional<int> wait(std::chrono::milliseconds time);
 
   void signal(int number) const;
+  pid_t pid() const { return pid_; }
 
   /// What it has printed so far.
   std::string output() const;

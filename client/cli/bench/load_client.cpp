@@ -13,8 +13,7 @@ static LiveOptions live_options(const LoadOptions& options) {
   live.triangles_max = options.triangles_max;
   live.draw_interval =
       std::chrono::microseconds(static_cast<int64_t>(1e6 / options.pictures_per_second));
-  // A frame's age is told by the last heartbeat that it has seen: by so much it may be over-told.
-  live.heartbeat_interval = std::chrono::milliseconds(10);
+  live.heartbeat_interval = options.heartbeat_interval;
   return live;
 }
 
@@ -53,7 +52,10 @@ void LoadClient::run(std::chrono::duration<double> length) {
 
 void LoadClient::draw() {
   LiveNews news = session_.take();
-  if (news.facts.frames > facts_.frames) figures_.age_ms.push_back(news.facts.age_ms);
+  if (news.facts.frames > facts_.frames) {
+    figures_.age_ms.push_back(news.facts.age_ms);
+    figures_.drawn_ms.push_back(news.facts.age_ms + news.facts.waited_ms);
+  }
   facts_ = news.facts;
   if (news.displacement) {
     const FrameLayout& layout = *news.displacement->layout;

@@ -17,6 +17,8 @@ struct LoadOptions {
   uint64_t triangles_max = 0;
   double pictures_per_second = 60;
   LoadMix mix;
+  /// A frame's age is told by the last heartbeat that it has seen: by so much it may be over-told.
+  std::chrono::milliseconds heartbeat_interval{10};
 };
 
 /// What one client saw.
@@ -24,7 +26,8 @@ struct LoadFigures {
   double seconds = 0;
   uint64_t frames = 0;
   uint64_t bytes = 0;
-  std::vector<double> age_ms;      ///< of frames, one a picture at most
+  std::vector<double> age_ms;      ///< of frames when they came, one a picture at most
+  std::vector<double> drawn_ms;    ///< the same when they were drawn
   std::vector<double> edit_ms;     ///< from an edit to its first frame
   std::vector<double> preview_ms;  ///< the same of previews
   uint64_t applied = 0;            ///< edits

@@ -35,6 +35,7 @@ ordered_json report_of(const LoadFigures& client) {
   return {{"frames_per_second", client.frames / client.seconds},
           {"bytes_per_second", client.bytes / client.seconds},
           {"frame_age_ms", percentiles(client.age_ms)},
+          {"drawn_age_ms", percentiles(client.drawn_ms)},
           {"edit_to_frame_ms", percentiles(client.edit_ms)},
           {"preview_to_frame_ms", percentiles(client.preview_ms)},
           {"edits", client.applied},
@@ -61,6 +62,7 @@ ordered_json load_report(std::span<const LoadFigures> clients, const LoadChecks&
       {"fairness_ratio", fastest > 0 ? slowest / fastest : 0},
       {"bytes_per_second", bytes},
       {"frame_age_ms", percentiles(all_of(clients, &LoadFigures::age_ms))},
+      {"drawn_age_ms", percentiles(all_of(clients, &LoadFigures::drawn_ms))},
       {"edit_to_frame_ms", percentiles(all_of(clients, &LoadFigures::edit_ms))},
       {"preview_to_frame_ms", percentiles(all_of(clients, &LoadFigures::preview_ms))},
       {"edits_acknowledged", checks.acknowledged},
@@ -89,6 +91,7 @@ void print_load_report(const ordered_json& report) {
                                << "\n";
   line("megabits per second") << report["bytes_per_second"].get<double>() * 8e-6 << " in all\n";
   times("frame age", report["frame_age_ms"]);
+  times("frame age when drawn", report["drawn_age_ms"]);
   times("edit to frame", report["edit_to_frame_ms"]);
   times("preview to frame", report["preview_to_frame_ms"]);
   line("edits acknowledged") << report["edits_acknowledged"] << ", "

@@ -18,8 +18,8 @@ class CreditPacing : public testing::Test {
   /// Grants what is due, and lets `frames` come one after the other, each drawn at once.
   void run(CreditPacer& pacer, int frames, double latency_ms, double server_ms = 1) {
     for (int i = 0; i < frames; ++i) {
-      pass(17);
-      pacer.granted(pacer.due(now_));
+      pass(100);
+      pacer.granted(now_ - milliseconds(static_cast<int>(latency_ms)), pacer.due(now_));
       pacer.on_frame(now_, latency_ms, server_ms);
       pacer.on_drawn(now_);
     }
@@ -35,7 +35,7 @@ TEST_F(CreditPacing, BeginsWithOneFrame) {
 
 TEST_F(CreditPacing, GrantsNothingWhileAFrameIsNotDrawn) {
   CreditPacer pacer(k60Hz);
-  pacer.granted(pacer.due(now_));
+  pacer.granted(now_, pacer.due(now_));
   EXPECT_EQ(pacer.due(now_), 0);
   pacer.on_frame(now_, 0, 0);
   pass(1000);
@@ -71,19 +71,32 @@ TEST_F(CreditPacing, ShrinksWhereFramesWaitForEachOther) {
   pacer.on_heartbeat(now_, 40);
   run(pacer, 10, 42);
   ASSERT_EQ(pacer.window(), 3);
-  run(pacer, 2, 120);
+  run(pacer, 10, 120);
   EXPECT_EQ(pacer.window(), 1);
-  run(pacer, 10, 42);
+  run(pacer, 5, 42);
   EXPECT_EQ(pacer.window(), 1) << "not at once";
-  run(pacer, 400, 42);
+  run(pacer, 40, 42);
   EXPECT_EQ(pacer.window(), 3);
 }
 
-TEST_F(CreditPacing, DoesNotTakeASlowServerForASlowLink) {
+TEST_F(CreditPacing, HasNoMoreOnTheirWayThanTheServerMakes) {
   CreditPacer pacer(k60Hz);
   pacer.on_heartbeat(now_, 40);
   run(pacer, 10, 42);
-  run(pacer, 10, 240, 198);
+  run(pacer, 20, 70, 25);
+  EXPECT_EQ(pacer.window(), 2);
+  run(pacer, 20, 240, 198);
+  EXPECT_EQ(pacer.window(), 1);
+}
+
+TEST_F(CreditPacing, DoesNotTakeSomeLargeFramesForAFullLink) {
+  CreditPacer pacer(k60Hz);
+  pacer.on_heartbeat(now_, 40);
+  run(pacer, 10, 42);
+  for (int i = 0; i < 5; ++i) {
+    run(pacer, 4, 120);
+    run(pacer, 1, 42);
+  }
   EXPECT_EQ(pacer.window(), 3);
 }
 
@@ -120,7 +133,7 @@ TEST_F(CreditPacing, BeginsAnewWithANewStream) {
   CreditPacer pacer(k60Hz);
   pacer.on_heartbeat(now_, 40);
   run(pacer, 10, 42);
-  pacer.granted(2);
+  pacer.granted(now_, 2);
   pacer.restart();
   EXPECT_EQ(pacer.window(), 1);
   EXPECT_EQ(pacer.due(now_), 1);

@@ -1,0 +1,145 @@
+// How old frames are when a client has them, and what a client that stopped costs the server.
+//
+//   frame_age_bench [SCAN [DEPTH]]       without a scan: a generated blob of 100,000 vertices
+//
+// One person drags the slider without a pause, over links of several kinds. A frame's age is told
+// by the newest heartbeat that the server had when it made the frame, less half a round trip; these
+// go out each 2 ms: by so much ages may be over-told.
+
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <thread>
+
+#include "client/cli/bench/load_client.h"
+#include "client/cli/bench/load_report.h"
+#include "common/mesh/generate.h"
+#include "common/mesh/mesh_io.h"
+#include "tests/system/link.h"
+#include "tests/system/server_process.h"
+
+namespace burnish {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr double kSecondsPerCase = 8;
+constexpr double kBarMs = 20;  // beside the round trip
+
+struct Case {
+  const char* name;
+  double pictures_per_second;
+  double megabits_per_second;  // 0: no link between
+  double rtt_ms;
+};
+constexpr Case kCases[] = {
+    {"10 Hz reader", 10, 0, 0},
+    {"60 Hz reader", 60, 0, 0},
+    {"10 Hz, 50 Mbit/s, 40 ms", 10, 50, 40},
+    {"60 Hz, 50 Mbit/s, 40 ms", 60, 50, 40},
+    {"60 Hz, 10 Mbit/s, 40 ms", 60, 10, 40},
+};
+
+void must(const Status& status) {
+  BURNISH_CHECK(status.is_ok(), status.message());
+}
+
+nlohmann::ordered_json run_case(const ServerProcess& server,
+                                const std::shared_ptr<const View>& view, const Case& c) {
+  std::optional<Link> link;
+  if (c.megabits_per_second > 0)
+    link.emplace(
+        server.address,
+        LinkOptions{.megabits_per_second = c.megabits_per_second,
+                    .delay = std::chrono::microseconds(static_cast<int64_t>(c.rtt_ms * 1000 / 2))});
+  const Connection connection =
+      Connection::open(link ? link->address() : server.address, kPatience).value();
+  LoadClient client(connection,
+                    {.session = "work",
+                     .view = view,
+                     .pictures_per_second = c.pictures_per_second,
+                     .mix = {{0, 1, 0}},
+                     .heartbeat_interval = milliseconds(2)},
+                    1);
+  client.start(std::chrono::duration<double>(kSecondsPerCase));
+  client.join();
+  const LoadFigures figures = client.figures();
+  return load_report({&figures, 1}, {});
+}
+
+void print_case(const Case& c, const nlohmann::ordered_json& report) {
+  const auto& age = report["frame_age_ms"];
+  const auto& drawn = report["drawn_age_ms"];
+  const auto ms = [](const nlohmann::ordered_json& values, const char* key) {
+    return values.value(key, 0.0);
+  };
+  const double bar_ms = c.rtt_ms + kBarMs;
+  std::printf("%-26s %6.1f %7.1f   %6.1f %6.1f %6.1f   %6.1f %6.1f   %5.0f %s\n", c.name,
+              report["frames_per_second"].get<double>(),
+              report["bytes_per_second"].get<double>() * 8e-6, ms(age, "p50"), ms(age, "p95"),
+              ms(age, "p99"), ms(drawn, "p50"), ms(drawn, "p95"), bar_ms,
+              ms(age, "p95") <= bar_ms ? "met" : "MISSED");
+  std::fflush(stdout);
+}
+
+double resident_megabytes(pid_t pid) {
+  std::ifstream status("/proc/" + std::to_string(pid) + "/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024;
+  return 0;
+}
+
+// Somebody works on while another client of the session stands still.
+void run_stopped_client(ServerProcess& server, const std::shared_ptr<const View>& view) {
+  const auto other = server.start_burnish(
+      {"bench", "serve", "--session", "work", "--seconds", "12", "--mix", "drag=1", "--json"});
+  std::this_thread::sleep_for(seconds(4));
+  const double before = resident_megabytes(server.process->pid());
+  other->signal(SIGSTOP);
+  const Connection connection = Connection::open(server.address, kPatience).value();
+  LoadClient client(connection, {.session = "work", .view = view, .mix = {{0, 1, 0}}}, 2);
+  client.start(seconds(12));
+  double most = before;
+  for (int i = 0; i < 110; ++i) {
+    std::this_thread::sleep_for(milliseconds(100));
+    most = std::max(most, resident_megabytes(server.process->pid()));
+  }
+  client.join();
+  other->signal(SIGCONT);
+  const int exit_code = other->wait(kPatience).value_or(-1);
+  const LoadFigures figures = client.figures();
+  std::printf(
+      "\na client stopped for 12 s: the server's memory was %.1f MB, at most %.1f MB while "
+      "another drew %.1f frames a second; the stopped one ended with %d afterwards\n",
+      before, most, figures.frames / figures.seconds, exit_code);
+}
+
+int main_of(int argc, char** argv) {
+  ServerProcess server;
+  const std::string scan = argc > 1 ? argv[1] : (server.folder / "blob.ply").string();
+  const int depth = argc > 2 ? std::stoi(argv[2]) : 0;
+  if (argc < 2)
+    must(write_mesh(generate_scan({.kind = "blob", .vertices = 100'000}).value(), scan));
+  Connection connection = Connection::open(server.address, kPatience).value();
+  must(connection.import_scan(scan, "scan", {depth, 0}, {}).status());
+  const OpenedSession opened = connection.open_session({"scan", "work", {depth, 0}}).value();
+  const auto view =
+      std::make_shared<const View>(connection.fetch_view({"scan", opened.session.key}, {}).value());
+  std::printf("%zu vertices, %d corners at depth %d\n\n", view->vertices.size(),
+              view->grid.corner_count(), view->frame.depth);
+  std::printf("%-26s %6s %7s   %-20s   %-13s\n", "", "frames", "Mbit/s", "age on arrival, ms",
+              "when drawn");
+  std::printf("%-26s %6s %7s   %6s %6s %6s   %6s %6s   %5s\n", "", "/ s", "", "p50", "p95", "p99",
+              "p50", "p95", "bar");
+  for (const Case& c : kCases) print_case(c, run_case(server, view, c));
+  run_stopped_client(server, view);
+  return 0;
+}
+
+}  // namespace
+}  // namespace burnish
+
+int main(int argc, char** argv) {
+  return burnish::main_of(argc, argv);
+}
