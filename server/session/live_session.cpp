@@ -1,6 +1,7 @@
 #include "server/session/live_session.h"
 
 #include <chrono>
+#include <utility>
 
 #include <spdlog/spdlog.h>
 
@@ -37,6 +38,8 @@ bool LiveSession::turn() {
     SessionTurn& at = *turn.value();
     for (EditMessage& message : take_edits()) apply(at, std::move(message));
     show_gestures(at);
+    // Also an edit that moves nothing gets its frame: clients wait for it.
+    if (std::exchange(edits_seen_, at.edits()) != at.edits()) ++version_;
     status = relax(at);
     tell_state(at);
     if (status.is_ok()) status = send_frames(at);

@@ -83,7 +83,8 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
 
   // Of turn() alone.
   uint64_t version_ = 0;  // of the surface
-  uint64_t life_ = 0;     // of the session that the gestures are shown in
+  uint64_t edits_seen_ = 0;
+  uint64_t life_ = 0;  // of the session that the gestures are shown in
   double assemble_ms_ = 0;
   double solve_ms_ = 0;
 
