@@ -67,7 +67,7 @@ grpc::ServerUnaryReactor* EditingService::Apply(grpc::CallbackServerContext* con
                                                 const v1::ApplyRequest* request,
                                                 v1::ApplyResponse* response) {
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
-    ASSIGN_OR_RETURN(const std::vector<Edit> edits, edits_from_wire(*request));
+    ASSIGN_OR_RETURN(const std::vector<burnish::Edit> edits, edits_from_wire(*request));
     ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
     ASSIGN_OR_RETURN(const ApplyOutcome outcome,
                      calls_.sessions.apply(request->session(), user, edits, progress));
