@@ -42,8 +42,8 @@ double pixel_length(const Camera& camera, const ImageSize& size) {
 
 Camera turned(Camera camera, double azimuth_degrees, double elevation_degrees) {
   camera.azimuth_degrees = std::remainder(camera.azimuth_degrees + azimuth_degrees, 360);
-  camera.elevation_degrees = std::clamp(camera.elevation_degrees + elevation_degrees,
-                                        -kElevationMax, kElevationMax);
+  camera.elevation_degrees =
+      std::clamp(camera.elevation_degrees + elevation_degrees, -kElevationMax, kElevationMax);
   return camera;
 }
 

@@ -17,10 +17,10 @@ struct DisplacedSurface {
 /// Where a ray meets the surface.
 struct SurfaceHit {
   uint32_t triangle = 0;
-  Vec3d weights = Vec3d::Zero();   ///< barycentric, not negative, sum 1
-  Vec3d displaced = Vec3d::Zero(); ///< file units, where it is now
-  Vec3d original = Vec3d::Zero();  ///< file units, the same point of the surface before all edits
-  double distance = 0;             ///< from the ray's origin, file units
+  Vec3d weights = Vec3d::Zero();    ///< barycentric, not negative, sum 1
+  Vec3d displaced = Vec3d::Zero();  ///< file units, where it is now
+  Vec3d original = Vec3d::Zero();   ///< file units, the same point of the surface before all edits
+  double distance = 0;              ///< from the ray's origin, file units
 };
 
 /// File units.

@@ -33,10 +33,10 @@ struct DrawStyle {
   Colouring colouring = Colouring::kClay;
   double displacement_range = 1;  ///< cells; what is full blue and full red
   bool original = false;          ///< as if nothing had moved
-  double split = 0;        ///< the part of the width, from the left, that shows the original
-  bool faded = false;      ///< grey: what is shown may be out of date
-  std::vector<Ring> rings; ///< kRingsDrawnMax are drawn
-  Vec3f tint = Vec3f::Ones();  ///< sRGB, where upload_cell_tint() says so
+  double split = 0;               ///< the part of the width, from the left, that shows the original
+  bool faded = false;             ///< grey: what is shown may be out of date
+  std::vector<Ring> rings;        ///< kRingsDrawnMax are drawn
+  Vec3f tint = Vec3f::Ones();     ///< sRGB, where upload_cell_tint() says so
 };
 
 /// Elements first..first+count of an array.
