@@ -12,6 +12,7 @@
 #include "common/service/session_history.h"
 #include "common/service/session_info.h"
 #include "common/service/session_people.h"
+#include "common/view/view.h"
 
 namespace burnish {
 
@@ -51,6 +52,9 @@ class Connection {
   Result<ScanDescription> describe_scan(const std::string& scan, int depth);
   Result<ScanInfo> prepare_scan(const std::string& scan, const PreparedKey& key,
                                 const Progress& progress);
+  /// What to draw a prepared scan from. Fails: failed_precondition when that depth is not prepared;
+  /// data_loss and resource_exhausted as read_view() does; cancelled.
+  Result<View> fetch_view(const ViewWish& wish, const Progress& progress);
   /// Returns the id of what is gone.
   Result<std::string> delete_scan(const std::string& scan);
 
@@ -69,6 +73,8 @@ class Connection {
   Status set_role(const std::string& session, const std::string& user, SessionRole role);
 
   Result<SessionState> state(const std::string& session);
+  /// One value per cell, in the order of the view's grid.
+  Result<std::vector<float>> cells(const std::string& session, CellValue value);
 
   /// Solves on the server and writes the edited mesh to `file`, whole or not at all.
   Result<ExportSummary> export_mesh(const std::string& session, const ExportWish& wish,

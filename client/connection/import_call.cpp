@@ -2,6 +2,7 @@
 #include "common/base/mapped_file.h"
 #include "common/service/chunk.h"
 #include "common/service/content_hash.h"
+#include "common/wire/format_wire.h"
 #include "common/wire/library_wire.h"
 
 namespace burnish {
@@ -31,10 +32,7 @@ void send_chunks(Stream& stream, grpc::ClientContext& context, std::string_view 
   v1::ImportRequest request;
   while (offset < bytes.size()) {
     const std::string_view piece = bytes.substr(offset, kChunkBytes);
-    v1::Chunk* chunk = request.mutable_chunk();
-    chunk->set_offset(offset);
-    chunk->set_crc32(chunk_crc32(piece));
-    chunk->set_data(piece.data(), piece.size());
+    set_chunk(offset, piece, *request.mutable_chunk());
     if (!stream.Write(request)) return;
     offset += piece.size();
     if (!report(progress, "uploading", double(offset) / double(bytes.size()))) {

@@ -63,6 +63,13 @@ struct ImportHeader {
   PreparedKey key;
 };
 
+/// Which view of a scan a client draws.
+struct ViewWish {
+  std::string scan;  ///< name, id, or the beginning of one id
+  PreparedKey key;
+  uint64_t triangles_max = 0;  ///< of a proxy; 0: the whole scan
+};
+
 /// What an import ended with.
 struct ImportOutcome {
   ScanInfo scan;

@@ -54,6 +54,9 @@ struct SessionState {
   std::string backend;
 };
 
+/// What a cell of the finest depth can be asked for. α and κ in user units.
+enum class CellValue { kBeta, kKappa1, kKappa2, kAlpha1, kAlpha2 };
+
 inline constexpr int kExportCyclesMax = 10'000;
 
 /// What to export: converged to the bar of a live session unless told otherwise.

@@ -17,7 +17,7 @@ void add_vertex(const ViewSource& scan, size_t vertex, ViewParts& parts) {
 
 }  // namespace
 
-std::vector<uint8_t> make_view(const ViewSource& scan, uint64_t triangles_max) {
+PackedView make_view(const ViewSource& scan, uint64_t triangles_max) {
   ViewParts parts{.frame = scan.frame,
                   .length_unit = scan.length_unit,
                   .scan_vertices = scan.mesh.vertices.size(),
@@ -32,7 +32,8 @@ std::vector<uint8_t> make_view(const ViewSource& scan, uint64_t triangles_max) {
     parts.triangles = std::move(proxy.triangles);
     for (const uint32_t vertex : proxy.source) add_vertex(scan, vertex, parts);
   }
-  return pack_view(parts);
+  return {pack_view(parts), parts.homes.size(), parts.triangles.size(), parts.scan_vertices,
+          parts.scan_triangles};
 }
 
 Result<View> read_view(std::span<const uint8_t> bytes, uint64_t memory_bytes_max) {

@@ -39,10 +39,19 @@ struct ViewSource {
   std::span<const Rgba8> colours;  ///< empty, or one per vertex
 };
 
-/// A view's bytes (view_format.h): of the scan where triangles_max is 0 or the scan has no more,
-/// else of a proxy. The same input gives the same bytes.
+/// A view as it travels.
+struct PackedView {
+  std::vector<uint8_t> bytes;  ///< in the format of view_format.h
+  uint64_t vertices = 0;
+  uint64_t triangles = 0;
+  uint64_t scan_vertices = 0;  ///< of the whole scan
+  uint64_t scan_triangles = 0;
+};
+
+/// The view of the scan where triangles_max is 0 or the scan has no more, else of a proxy. The same
+/// input gives the same bytes.
 /// Cost: a second for some three million triangles, and what make_proxy() costs.
-std::vector<uint8_t> make_view(const ViewSource& scan, uint64_t triangles_max);
+PackedView make_view(const ViewSource& scan, uint64_t triangles_max);
 
 /// What a view may take once it is read.
 inline constexpr uint64_t kViewMemoryBytesMax = uint64_t{16} << 30;

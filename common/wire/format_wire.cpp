@@ -1,6 +1,7 @@
 #include "common/wire/format_wire.h"
 
 #include "common/base/limits.h"
+#include "common/service/chunk.h"
 
 namespace burnish {
 
@@ -33,6 +34,12 @@ Result<MeshFormat> from_wire(v1::MeshFormat format) {
   }
   return invalid_argument("mesh format " + std::to_string(static_cast<int>(format)) +
                           " is none of 1 (PLY), 2 (OBJ), 3 (STL), 4 (OFF)");
+}
+
+void set_chunk(uint64_t offset, std::string_view piece, v1::Chunk& chunk) {
+  chunk.set_offset(offset);
+  chunk.set_data(piece.data(), piece.size());
+  chunk.set_crc32(chunk_crc32(piece));
 }
 
 v1::Point to_wire(const Vec3d& point) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "burnish/v1/common.pb.h"
 #include "common/base/types.h"
 #include "common/mesh/mesh_io.h"
@@ -11,6 +13,9 @@ v1::MeshFormat to_wire(MeshFormat format);
 
 /// Fails: invalid_argument for an unspecified or unknown format.
 Result<MeshFormat> from_wire(v1::MeshFormat format);
+
+/// A piece of a file with its checksum.
+void set_chunk(uint64_t offset, std::string_view piece, v1::Chunk& chunk);
 
 v1::Point to_wire(const Vec3d& point);
 Vec3d from_wire(const v1::Point& point);

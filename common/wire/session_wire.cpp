@@ -106,6 +106,18 @@ v1::ExportRequest to_wire(const std::string& session, const ExportWish& wish) {
   return message;
 }
 
+v1::CellValue to_wire(CellValue value) {
+  return static_cast<v1::CellValue>(static_cast<int>(value) + v1::CELL_VALUE_BETA);
+}
+
+Result<CellValue> from_wire(v1::CellValue value) {
+  for (const CellValue known : {CellValue::kBeta, CellValue::kKappa1, CellValue::kKappa2,
+                                CellValue::kAlpha1, CellValue::kAlpha2})
+    if (to_wire(known) == value) return known;
+  return invalid_argument("cell value " + std::to_string(static_cast<int>(value)) +
+                          " is none of 1 (beta), 2 and 3 (kappa), 4 and 5 (alpha)");
+}
+
 Result<ExportWish> from_wire(const v1::ExportRequest& message) {
   ExportWish wish;
   ASSIGN_OR_RETURN(wish.format, from_wire(message.format()));

@@ -18,6 +18,10 @@ Result<SessionState> from_wire(const v1::SessionState& message);
 v1::ApplyResponse to_wire(const ApplyOutcome& outcome);
 ApplyOutcome from_wire(const v1::ApplyResponse& message);
 
+v1::CellValue to_wire(CellValue value);
+/// Fails: invalid_argument for an unspecified or unknown value.
+Result<CellValue> from_wire(v1::CellValue value);
+
 v1::ExportRequest to_wire(const std::string& session, const ExportWish& wish);
 /// Fails: invalid_argument for a format that is not written, or cycles outside their limits.
 Result<ExportWish> from_wire(const v1::ExportRequest& message);

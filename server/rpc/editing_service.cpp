@@ -5,6 +5,7 @@
 #include "common/wire/history_wire.h"
 #include "common/wire/session_wire.h"
 #include "server/rpc/export_call.h"
+#include "server/rpc/get_cells_call.h"
 #include "server/rpc/start_call.h"
 #include "server/rpc/upload_cell_fields_call.h"
 
@@ -134,6 +135,11 @@ grpc::ServerUnaryReactor* EditingService::GetState(grpc::CallbackServerContext* 
     *response = to_wire(state);
     return Status::ok();
   });
+}
+
+grpc::ServerWriteReactor<v1::Chunk>* EditingService::GetCells(grpc::CallbackServerContext* context,
+                                                              const v1::GetCellsRequest* request) {
+  return start_call<GetCellsCall>(calls_, context, *request);
 }
 
 grpc::ServerWriteReactor<v1::ExportEvent>* EditingService::Export(

@@ -42,6 +42,8 @@ class EditingService final : public v1::Editing::CallbackService {
   grpc::ServerUnaryReactor* GetState(grpc::CallbackServerContext* context,
                                      const v1::GetStateRequest* request,
                                      v1::SessionState* response) override;
+  grpc::ServerWriteReactor<v1::Chunk>* GetCells(grpc::CallbackServerContext* context,
+                                                const v1::GetCellsRequest* request) override;
   grpc::ServerWriteReactor<v1::ExportEvent>* Export(grpc::CallbackServerContext* context,
                                                     const v1::ExportRequest* request) override;
 

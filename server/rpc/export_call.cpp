@@ -2,7 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "common/service/chunk.h"
+#include "common/wire/format_wire.h"
 #include "common/wire/session_wire.h"
 
 namespace burnish {
@@ -48,10 +48,7 @@ void ExportCall::send_next() {
     events_.push(std::move(event));
     return events_.close(grpc::Status::OK);
   }
-  v1::Chunk* chunk = event.mutable_chunk();
-  chunk->set_offset(sent_bytes_);
-  chunk->set_crc32(chunk_crc32(piece.value()));
-  chunk->set_data(piece.value());
+  set_chunk(sent_bytes_, piece.value(), *event.mutable_chunk());
   sent_bytes_ += piece.value().size();
   events_.push(std::move(event));
 }

@@ -4,6 +4,7 @@
 
 #include "common/wire/format_wire.h"
 #include "common/wire/library_wire.h"
+#include "server/rpc/fetch_view_call.h"
 #include "server/rpc/import_call.h"
 #include "server/rpc/prepare_call.h"
 #include "server/rpc/start_call.h"
@@ -39,6 +40,11 @@ grpc::ServerUnaryReactor* LibraryService::DescribeScan(grpc::CallbackServerConte
 grpc::ServerWriteReactor<v1::PrepareEvent>* LibraryService::PrepareScan(
     grpc::CallbackServerContext* context, const v1::PrepareScanRequest* request) {
   return start_call<PrepareCall>(calls_, context, *request);
+}
+
+grpc::ServerWriteReactor<v1::FetchViewEvent>* LibraryService::FetchView(
+    grpc::CallbackServerContext* context, const v1::FetchViewRequest* request) {
+  return start_call<FetchViewCall>(calls_, context, *request);
 }
 
 grpc::ServerUnaryReactor* LibraryService::DeleteScan(grpc::CallbackServerContext* context,

@@ -20,6 +20,8 @@ class LibraryService final : public v1::Library::CallbackService {
                                          v1::ScanDescription* response) override;
   grpc::ServerWriteReactor<v1::PrepareEvent>* PrepareScan(
       grpc::CallbackServerContext* context, const v1::PrepareScanRequest* request) override;
+  grpc::ServerWriteReactor<v1::FetchViewEvent>* FetchView(
+      grpc::CallbackServerContext* context, const v1::FetchViewRequest* request) override;
   grpc::ServerUnaryReactor* DeleteScan(grpc::CallbackServerContext* context,
                                        const v1::DeleteScanRequest* request,
                                        v1::DeleteScanResponse* response) override;

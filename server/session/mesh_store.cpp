@@ -85,6 +85,7 @@ PreparedKey resolve(const PreparedKey& key, const ScanInfo& scan) {
 MeshStore::MeshStore(const DataFolder& folder, const MeshStoreOptions& options)
     : folder_(folder),
       options_(options),
+      views_(options.view_bytes_max),
       memory_("bytes of meshes and sessions", "limits.memory_bytes_max", options.memory_bytes_max),
       uploads_("bytes of uploads under way", "limits.upload_bytes_per_user",
                options.upload_bytes_per_user) {}

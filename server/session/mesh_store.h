@@ -13,6 +13,7 @@
 #include "server/session/mesh_cache.h"
 #include "server/session/quota.h"
 #include "server/session/upload.h"
+#include "server/session/view_cache.h"
 
 namespace burnish {
 
@@ -20,6 +21,7 @@ struct MeshStoreOptions {
   uint64_t upload_bytes_max = uint64_t{8} << 30;
   uint64_t upload_bytes_per_user = uint64_t{16} << 30;  ///< uploads under way
   uint64_t memory_bytes_max = uint64_t{16} << 30;       ///< meshes and sessions
+  uint64_t view_bytes_max = uint64_t{1} << 30;          ///< views kept for the next client
   int threads = 0;                                      ///< for preparing; 0: all cores
 };
 
@@ -64,6 +66,13 @@ class MeshStore {
   Result<std::shared_ptr<const SharedMesh>> open_mesh(const std::string& id, const PreparedKey& key,
                                                       const Progress& progress);
 
+  /// What a client draws a prepared mesh from, made now or kept from the last time.
+  /// triangles_max: 0 for the whole scan. Needs: a resolved key. Fails: failed_precondition when
+  /// nobody has prepared that depth; not_found; resource_exhausted; cancelled.
+  Result<std::shared_ptr<const PackedView>> open_view(const std::string& id, const PreparedKey& key,
+                                                      uint64_t triangles_max,
+                                                      const Progress& progress);
+
   /// The budget of meshes and sessions together, and what meshes take of it.
   Quota& memory() { return memory_; }
   uint64_t mesh_bytes() const { return cache_.byte_count(); }
@@ -78,14 +87,18 @@ class MeshStore {
   Result<std::shared_ptr<const PreparedMesh>> map_or_rebuild(const std::string& id,
                                                              const PreparedKey& key,
                                                              const Progress& progress);
+  Result<std::shared_ptr<const PreparedMesh>> find_prepared(const std::string& id,
+                                                            const PreparedKey& key);
   Status rebuild(const std::string& id, const PreparedKey& key, const Progress& progress);
 
   const DataFolder& folder_;
   const MeshStoreOptions options_;
   MeshCache cache_;
+  ViewCache views_;
   Quota memory_;
   Quota uploads_;
-  std::timed_mutex preparing_;  // one at a time: it uses all cores and much memory
+  std::timed_mutex preparing_;    // one at a time: it uses all cores and much memory
+  std::timed_mutex making_view_;  // one at a time: the next may want the same
 };
 
 /// The key with its depth chosen: 0 becomes the scan's default depth.

@@ -13,6 +13,7 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
 
     {"/burnish.v1.Library/ListScans", Role::kViewer},
     {"/burnish.v1.Library/DescribeScan", Role::kViewer},
+    {"/burnish.v1.Library/FetchView", Role::kViewer},
     {"/burnish.v1.Library/Import", Role::kEditor},
     {"/burnish.v1.Library/PrepareScan", Role::kEditor},
     {"/burnish.v1.Library/DeleteScan", Role::kOwner},
@@ -21,6 +22,9 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
     {"/burnish.v1.Editing/GetState", Role::kViewer},
     {"/burnish.v1.Editing/GetHistory", Role::kViewer},
     {"/burnish.v1.Editing/GetPeople", Role::kViewer},
+    {"/burnish.v1.Editing/GetCells", Role::kViewer},
+    {"/burnish.v1.Editing/Watch", Role::kViewer},
+    {"/burnish.v1.Editing/Edit", Role::kViewer},  // its edits need the session's own roles
     {"/burnish.v1.Editing/Export", Role::kViewer},
     {"/burnish.v1.Editing/OpenSession", Role::kEditor},
     {"/burnish.v1.Editing/CloseSession", Role::kEditor},

@@ -97,6 +97,13 @@ std::string cell_fields(const std::string& session) {
   });
 }
 
+std::string cells(const std::string& session) {
+  return bytes<v1::GetCellsRequest>([&](v1::GetCellsRequest& request) {
+    request.set_session(session);
+    request.set_value(v1::CELL_VALUE_BETA);
+  });
+}
+
 std::string export_of(const std::string& session) {
   return bytes<v1::ExportRequest>([&](v1::ExportRequest& request) {
     request.set_session(session);
@@ -118,6 +125,9 @@ std::vector<Rpc> rpcs_in_order(const std::string& scan) {
       {library + "PrepareScan",
        {of_scan<v1::PrepareScanRequest>("ball")},
        {of_scan<v1::PrepareScanRequest>("none")}},
+      {library + "FetchView",
+       {of_scan<v1::FetchViewRequest>("ball")},
+       {of_scan<v1::FetchViewRequest>("none")}},
       {editing + "OpenSession", {open_session("ball")}, {open_session("none")}},
       {editing + "ListSessions", {""}},
       {editing + "Apply", {apply("work")}, {apply("none")}},
@@ -131,6 +141,7 @@ std::vector<Rpc> rpcs_in_order(const std::string& scan) {
       {editing + "GetPeople",
        {of_session<v1::GetPeopleRequest>("work")},
        {of_session<v1::GetPeopleRequest>("none")}},
+      {editing + "GetCells", {cells("work")}, {cells("none")}},
       {editing + "SetRole", {set_role("work")}, {set_role("none")}},
       {editing + "ForkSession", {fork("work")}, {fork("none")}},
       {editing + "DeleteSession",

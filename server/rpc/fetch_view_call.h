@@ -1,0 +1,40 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "burnish/v1/library.grpc.pb.h"
+#include "server/rpc/call_context.h"
+#include "server/rpc/event_queue.h"
+#include "server/rpc/self_owned.h"
+
+namespace burnish {
+
+/// Library.FetchView: progress while the view is made, its header, then a chunk whenever the last
+/// one has been written. All clients of a view share its bytes.
+class FetchViewCall final : public grpc::ServerWriteReactor<v1::FetchViewEvent>,
+                            public SelfOwned<FetchViewCall> {
+ public:
+  FetchViewCall(const CallContext& calls, const v1::FetchViewRequest& request);
+
+  void begin();
+
+  void OnWriteDone(bool ok) override;
+  void OnCancel() override { cancelled_ = true; }
+  void OnDone() override { release(); }
+
+ private:
+  Status open();
+  void send_header();
+  void send_next();
+  bool report_progress(std::string_view phase, double fraction);
+
+  const CallContext calls_;
+  const v1::FetchViewRequest request_;
+  std::atomic<bool> cancelled_{false};
+  std::shared_ptr<const PackedView> view_;
+  size_t sent_bytes_ = 0;
+  EventQueue<v1::FetchViewEvent> events_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,50 @@
+#include "server/rpc/get_cells_call.h"
+
+#include "common/service/chunk.h"
+#include "common/wire/format_wire.h"
+#include "common/wire/session_wire.h"
+#include "server/session/cell_values.h"
+
+namespace burnish {
+
+GetCellsCall::GetCellsCall(const CallContext& calls, const v1::GetCellsRequest& request)
+    : calls_(calls),
+      request_(request),
+      events_([this](const v1::Chunk* chunk) { StartWrite(chunk); },
+              [this](grpc::Status status) { Finish(std::move(status)); }) {}
+
+void GetCellsCall::begin() {
+  calls_.executor.post([call = self()] {
+    const Status status = call->take_values();
+    if (!status.is_ok()) return call->events_.close(to_grpc(status));
+    call->send_next();
+  });
+}
+
+Status GetCellsCall::take_values() {
+  ASSIGN_OR_RETURN(const CellValue value, from_wire(request_.value()));
+  const Progress progress = [this](std::string_view, double) { return !cancelled_; };
+  return calls_.sessions.visit(request_.session(), progress, [&](Session& session) {
+    values_ = cell_values(session, value);
+    return Status::ok();
+  });
+}
+
+void GetCellsCall::OnWriteDone(bool ok) {
+  events_.on_write_done(ok);
+  if (!ok) return events_.close(to_grpc(cancelled("the client has gone")));
+  send_next();
+}
+
+void GetCellsCall::send_next() {
+  const std::string_view all(reinterpret_cast<const char*>(values_.data()),
+                             values_.size() * sizeof(float));
+  const std::string_view piece = all.substr(sent_bytes_, kChunkBytes);
+  if (piece.empty()) return events_.close(grpc::Status::OK);
+  v1::Chunk chunk;
+  set_chunk(sent_bytes_, piece, chunk);
+  sent_bytes_ += piece.size();
+  events_.push(std::move(chunk));
+}
+
+}  // namespace burnish

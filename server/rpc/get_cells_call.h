@@ -1,0 +1,37 @@
+#pragma once
+
+#include <atomic>
+#include <vector>
+
+#include "burnish/v1/editing.grpc.pb.h"
+#include "server/rpc/call_context.h"
+#include "server/rpc/event_queue.h"
+#include "server/rpc/self_owned.h"
+
+namespace burnish {
+
+/// Editing.GetCells: the values as they are now, a chunk whenever the last one has been written.
+class GetCellsCall final : public grpc::ServerWriteReactor<v1::Chunk>,
+                           public SelfOwned<GetCellsCall> {
+ public:
+  GetCellsCall(const CallContext& calls, const v1::GetCellsRequest& request);
+
+  void begin();
+
+  void OnWriteDone(bool ok) override;
+  void OnCancel() override { cancelled_ = true; }
+  void OnDone() override { release(); }
+
+ private:
+  Status take_values();
+  void send_next();
+
+  const CallContext calls_;
+  const v1::GetCellsRequest request_;
+  std::atomic<bool> cancelled_{false};
+  std::vector<float> values_;
+  size_t sent_bytes_ = 0;
+  EventQueue<v1::Chunk> events_;
+};
+
+}  // namespace burnish
