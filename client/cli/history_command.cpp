@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "client/cli/commands.h"
-#include "client/cli/edit_id.h"
+#include "common/edit/edit_id.h"
 #include "client/cli/json_output.h"
 #include "client/cli/server_option.h"
 

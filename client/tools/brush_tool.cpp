@@ -26,8 +26,13 @@ void BrushTool::set_radius(double radius, double diagonal) {
 }
 
 void BrushTool::begin(BrushMode mode, const Vec3d& point) {
-  stroke_ = Stroke{brush, {point}};
-  stroke_->brush.beta = painted_beta(brush.beta, mode);
+  Brush stroke_brush = brush;
+  stroke_brush.beta = painted_beta(brush.beta, mode);
+  go_on(stroke_brush, point);
+}
+
+void BrushTool::go_on(const Brush& stroke_brush, const Vec3d& point) {
+  stroke_ = Stroke{stroke_brush, {point}};
   length_ = 0;
   taken_ = 0;
 }

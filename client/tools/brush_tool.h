@@ -28,6 +28,8 @@ class BrushTool {
   const Stroke& stroke() const { return *stroke_; }  ///< Needs: is_drawing()
 
   void begin(BrushMode mode, const Vec3d& point);
+  /// A stroke that goes on where a full one ended.
+  void go_on(const Brush& stroke_brush, const Vec3d& point);
 
   /// Adds a point, if it is far enough from the last one to matter. False when the stroke has no
   /// room for it: end it and begin another.
