@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include "common/base/atomic_file.h"
+#include "common/base/limits.h"
 
 namespace burnish {
 

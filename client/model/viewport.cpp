@@ -18,10 +18,10 @@ static BrushMode mode_of(const Modifiers& modifiers) {
 void Viewport::press(PointerButton button, const Modifiers& modifiers, const Vector2d& pixel) {
   pointer_ = pixel;
   if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) {  // a click ends these
-    gesture_ = Gesture::kNone;
+    gesture_ = Gesture::kIdle;
     return;
   }
-  if (gesture_ != Gesture::kNone) return;
+  if (gesture_ != Gesture::kIdle) return;
   held_ = button;
   const bool turns = button == PointerButton::kMiddle ||
                      (button == PointerButton::kLeft && (modifiers.alt || navigate_mode));
@@ -57,11 +57,11 @@ void Viewport::drag_camera(const Vector2d& by) {
 }
 
 void Viewport::release(PointerButton button) {
-  if (gesture_ == Gesture::kNone || button != held_) return;
+  if (gesture_ == Gesture::kIdle || button != held_) return;
   if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) return;
   if (gesture_ == Gesture::kStroke)
     events_.push_back({Event::Kind::kRelease, pointer_.value_or(Vector2d::Zero())});
-  gesture_ = Gesture::kNone;
+  gesture_ = Gesture::kIdle;
 }
 
 void Viewport::wheel(const Vector2d& pixel, double steps) {
@@ -102,7 +102,7 @@ bool Viewport::cancel(Document& document) {
   if (gesture_ == Gesture::kStrength) document.brush().brush.strength = value_from_;
   if (document.brush().is_drawing()) document.cancel_stroke();
   const bool was_busy = is_busy();
-  gesture_ = Gesture::kNone;
+  gesture_ = Gesture::kIdle;
   value_changes_ = false;
   events_.clear();
   return was_busy;

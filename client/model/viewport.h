@@ -59,12 +59,12 @@ class Viewport {
   /// The surface under the pointer as it was at the last update().
   const std::optional<SurfaceHit>& hover() const { return hover_; }
   const std::optional<Eigen::Vector2d>& pointer() const { return pointer_; }
-  bool is_busy() const { return gesture_ != Gesture::kNone; }
+  bool is_busy() const { return gesture_ != Gesture::kIdle; }
 
   DrawStyle style(const Document& document) const;
 
  private:
-  enum class Gesture { kNone, kStroke, kTurn, kPan, kRadius, kStrength };
+  enum class Gesture { kIdle, kStroke, kTurn, kPan, kRadius, kStrength };
   struct Event {
     enum class Kind { kPress, kMove, kRelease } kind;
     Eigen::Vector2d pixel;
@@ -79,7 +79,7 @@ class Viewport {
   void send_ring(Document& document);
 
   ImageSize size_{1, 1};
-  Gesture gesture_ = Gesture::kNone;
+  Gesture gesture_ = Gesture::kIdle;
   PointerButton held_ = PointerButton::kLeft;
   std::optional<Eigen::Vector2d> pointer_;
   Eigen::Vector2d drag_from_ = Eigen::Vector2d::Zero();

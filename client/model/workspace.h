@@ -28,8 +28,8 @@ struct WorkspaceOptions {
 
 /// A server as the start page shows it.
 struct Library {
-  enum class State { kNone, kConnecting, kConnected, kFailed };
-  State state = State::kNone;
+  enum class State { kUnconnected, kConnecting, kConnected, kFailed };
+  State state = State::kUnconnected;
   std::string server;  ///< address; "this computer" is the private one
   bool is_private = false;
   std::string problem;  ///< of kFailed
@@ -60,6 +60,8 @@ class Workspace {
   void delete_scan(const std::string& id);
   void open(const SessionWish& wish);
   void join(const SessionInfo& session);
+  /// By name or id, once the list of sessions is here.
+  void join_by_name(const std::string& session);
   void reopen(const RecentSession& recent);
 
   /// Runs once the server answers. For what the command line asks for.

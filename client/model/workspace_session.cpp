@@ -23,6 +23,20 @@ void Workspace::join(const SessionInfo& session) {
   open({.scan = session.scan_id, .name = session.name, .key = session.key});
 }
 
+void Workspace::join_by_name(const std::string& session) {
+  if (!need_connection("join")) return;
+  tasks_.start([this, connection = connection_, session](std::stop_token) -> Tasks::Completion {
+    const auto sessions = connection->list_sessions();
+    wake();
+    return [this, session, sessions] {
+      if (!sessions.is_ok()) return log.failure("join", sessions.status());
+      for (const SessionInfo& each : *sessions)
+        if (each.name == session || each.id == session) return join(each);
+      log.failure("join", not_found("the server has no session '" + session + "'"));
+    };
+  });
+}
+
 void Workspace::reopen(const RecentSession& recent) {
   when_connected_ = [this, recent] { open({.scan = recent.scan, .name = recent.session}); };
   if (recent.server.empty()) {

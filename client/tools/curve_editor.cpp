@@ -55,7 +55,7 @@ bool CurveEditor::add(const Eigen::Vector2d& place) {
   point.alpha = curve().alpha(point.kappa);  // on the curve: dragging moves it from there
   const auto after = std::find_if(points_.begin(), points_.end(),
                                   [&](const auto& other) { return other.kappa > point.kappa; });
-  dragged_ = static_cast<size_t>(after - points_.begin());
+  begin_drag(static_cast<size_t>(after - points_.begin()));
   points_.insert(after, point);
   drag_to(place);
   return true;

@@ -39,10 +39,17 @@ class CurveEditor {
   /// False for the last point that is left.
   bool remove(size_t index);
 
-  void begin_drag(size_t index) { dragged_ = index; }
+  void begin_drag(size_t index) {
+    dragged_ = index;
+    before_drag_ = points_;
+  }
   /// Moves the dragged point as far as its neighbours, the limits of α and of contrast allow.
   void drag_to(const Eigen::Vector2d& place);
-  void end_drag() { dragged_.reset(); }
+  /// False when the curve is what it was before.
+  bool end_drag() {
+    dragged_.reset();
+    return points_ != before_drag_;
+  }
   std::optional<size_t> dragged() const { return dragged_; }
 
   /// The geometric mean of the points' α: what the fidelity slider shows.
@@ -54,6 +61,7 @@ class CurveEditor {
   double kappa_range_;
   std::vector<TransferCurve::Point> points_;  // kappa rises
   std::optional<size_t> dragged_;
+  std::vector<TransferCurve::Point> before_drag_;
 };
 
 inline constexpr double kFidelityMin = 1;  // of the slider and the plot

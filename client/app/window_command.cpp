@@ -1,0 +1,54 @@
+#include "client/app/window_command.h"
+
+#include <memory>
+
+#include "client/app/app.h"
+#include "client/cli/server_option.h"
+
+namespace burnish {
+namespace {
+
+struct Options {
+  ServerOption server;
+  AppOptions app;
+  std::string config;
+  std::string data;
+};
+
+Status run(const Options& given) {
+  AppOptions app = given.app;
+  app.server = given.server.server;
+  ASSIGN_OR_RETURN(app.workspace.trust, given.server.full_trust());
+  app.workspace.timeout =
+      std::chrono::milliseconds(static_cast<int64_t>(given.server.timeout_seconds * 1000));
+  app.workspace.preferences = given.config.empty() ? preferences_path() : given.config;
+  app.workspace.private_data = given.data.empty() ? private_data_folder() : given.data;
+  ASSIGN_OR_RETURN(Preferences preferences, read_preferences(app.workspace.preferences));
+  if (!given.server.user.empty()) preferences.user = given.server.user;
+  return App::run(std::move(app), std::move(preferences));
+}
+
+}  // namespace
+
+void add_window_command(CommandTable& table) {
+  auto options = std::make_shared<Options>();
+  options->server.server.clear();
+  CLI::App* command = table.add("window", "Edit a scan in a window (also: burnish [SCAN])",
+                                [options] { return run(*options); });
+  command->add_option("SCAN", options->app.scan, "Mesh file to import and open")
+      ->check(CLI::ExistingFile);
+  command->add_option("--session", options->app.session, "Session to join, by name or id");
+  command->add_option("--scale", options->app.scale, "Size of fonts and panels; 1 is normal")
+      ->check(CLI::Range(0.5, 4.0));
+  command->add_option("--width", options->app.size.width, "Of the window, in pixels")
+      ->check(CLI::Range(320, kImageSidePixelsMax));
+  command->add_option("--height", options->app.size.height, "Of the window, in pixels")
+      ->check(CLI::Range(240, kImageSidePixelsMax));
+  command->add_option("--triangles", options->app.workspace.triangles_max,
+                      "Draw at most so many; edits and exports use all");
+  command->add_option("--config", options->config, "Configuration file");
+  command->add_option("--data", options->data, "Folder of the private server");
+  add_server_options(*command, options->server);
+}
+
+}  // namespace burnish
