@@ -11,6 +11,7 @@
 #include "server/process/log_setup.h"
 #include "server/session/executor.h"
 #include "server/session/journal.h"
+#include "server/session/live_sessions.h"
 #include "server/solver/device_probe.h"
 
 namespace burnish {
@@ -18,6 +19,7 @@ namespace {
 
 constexpr int kExitFailed = 1;
 constexpr int kExitDeviceFailed = 3;
+constexpr int kSolverThreads = 1;  // the CPU's cores together, or the one GPU
 constexpr auto kLastWords = std::chrono::milliseconds(200);  // for NOT_SERVING to get out
 
 Status write_port_file(const std::filesystem::path& path, int port) {
@@ -119,11 +121,12 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   ASSIGN_OR_RETURN(const auto journal, Journal::open(folder->journal()));
   ASSIGN_OR_RETURN(const auto sessions,
                    SessionManager::create(*folder, store, *journal, session_options(config)));
+  LiveSessions live(*sessions, kSolverThreads);
   Executor executor(static_cast<int>(config.workers));
   ASSIGN_OR_RETURN(const auto server,
-                   Server::start(server_options(config, files), store, *sessions, executor));
+                   Server::start(server_options(config, files), store, *sessions, live, executor));
   ASSIGN_OR_RETURN(const auto exporter, start_metrics(config.metrics_listen, [&] {
-                     return read_gauges(*server, store, *sessions, files.certificates.get());
+                     return read_gauges(*server, store, *sessions, live, files.certificates.get());
                    }));
   const DeviceWatch device([backend = config.backend] { return probe_device(backend); });
 
@@ -133,7 +136,10 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
                sessions->list().size());
   DaemonOptions options;
   options.drain_time = std::chrono::seconds(config.drain_seconds);
-  options.reload = [&files](bool in_any_case) {
+  options.tend = [&](bool in_any_case) {
+    live.end_silent();
+    if (config.idle_spill_seconds > 0)
+      sessions->spill_idle(std::chrono::seconds(config.idle_spill_seconds));
     reload(files.certificates.get(), in_any_case, "certificates");
     reload(files.users.get(), in_any_case, "users");
   };

@@ -83,7 +83,7 @@ Result<std::shared_ptr<grpc::ChannelCredentials>> make_credentials(const Connect
   return grpc::SslCredentials(options);
 }
 
-grpc::ChannelArguments channel_arguments() {
+grpc::ChannelArguments channel_arguments(Sharing sharing) {
   grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(kReceiveBytesMax);
   arguments.SetInt(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepaliveTimeMs);
@@ -91,19 +91,20 @@ grpc::ChannelArguments channel_arguments() {
   arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
   // A web proxy of the environment knows nothing of this server.
   arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
+  if (sharing == Sharing::kOwn) arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   return arguments;
 }
 
 }  // namespace
 
 Result<std::shared_ptr<grpc::Channel>> make_channel(const std::string& server,
-                                                    const ConnectionTrust& trust) {
+                                                    const ConnectionTrust& trust, Sharing sharing) {
   RETURN_IF_ERROR(check(server, trust));
   ASSIGN_OR_RETURN(const auto credentials, make_credentials(trust));
   std::vector<std::unique_ptr<grpc::experimental::ClientInterceptorFactoryInterface>> senders;
   if (!trust.token.empty()) senders.push_back(std::make_unique<TokenSenderFactory>(trust.token));
   return grpc::experimental::CreateCustomChannelWithInterceptors(
-      server, credentials, channel_arguments(), std::move(senders));
+      server, credentials, channel_arguments(sharing), std::move(senders));
 }
 
 }  // namespace burnish

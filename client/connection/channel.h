@@ -8,9 +8,15 @@
 
 namespace burnish {
 
+enum class Sharing {
+  kShared,  ///< channels to the same server are one TCP connection
+  kOwn,     ///< nothing else travels on this one
+};
+
 /// A channel that has not connected yet; every call on it carries the token.
 /// Fails: as errno says (files), failed_precondition (a token in plain text), invalid_argument.
 Result<std::shared_ptr<grpc::Channel>> make_channel(const std::string& server,
-                                                    const ConnectionTrust& trust);
+                                                    const ConnectionTrust& trust,
+                                                    Sharing sharing = Sharing::kShared);
 
 }  // namespace burnish

@@ -40,6 +40,7 @@ Result<Connection> Connection::open(const std::string& server, std::chrono::mill
                        std::to_string(timeout.count()) + " ms (" +
                        reason_of_failure(*state->library) + "); does burnish-server run there?");
   state->server = server;
+  state->trust = trust;
   state->timeout = timeout;
   state->editing = v1::Editing::NewStub(channel);
   state->channel = std::move(channel);

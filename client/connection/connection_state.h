@@ -14,6 +14,7 @@ namespace burnish {
 
 struct Connection::State {
   std::string server;
+  ConnectionTrust trust;
   std::string user;
   std::chrono::milliseconds timeout;
   std::shared_ptr<grpc::Channel> channel;

@@ -80,7 +80,12 @@ struct EditsRefused {
 /// The first frame that has them is here: what was shown in their stead can go.
 struct EditsShown {
   std::vector<std::string> edit_ids;
-  double latency_ms = 0;  ///< since apply(), or since the preview was handed over
+  double latency_ms = 0;  ///< since apply()
+};
+
+/// The newest part of a preview that a frame shows.
+struct PreviewShown {
+  double latency_ms = 0;  ///< since preview()
 };
 
 struct PeopleChanged {
@@ -100,13 +105,13 @@ struct ProgressMade {
 };
 
 using LiveEvent = std::variant<LinkChanged, Welcomed, EditsAcknowledged, EditsRefused, EditsShown,
-                               PeopleChanged, HistoryChanged, ProgressMade>;
+                               PreviewShown, PeopleChanged, HistoryChanged, ProgressMade>;
 
 struct LiveNews {
   LinkState link = LinkState::kConnecting;
   std::optional<Displacement> displacement;  ///< where it has changed since the last time
   FrameFacts facts;
-  std::vector<LiveEvent> events;  ///< in order; of presence, history, progress the newest only
+  std::vector<LiveEvent> events;  ///< in order; of what replaces itself the newest only
   size_t unacknowledged = 0;      ///< edits
 };
 

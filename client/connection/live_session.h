@@ -72,8 +72,9 @@ class LiveSession {
   /// Waits until no edit is under way. False when `patience` is over or the session has ended.
   bool wait_until_acknowledged(std::chrono::milliseconds patience);
 
- private:
   class Worker;
+
+ private:
   std::unique_ptr<Worker> worker_;
 };
 

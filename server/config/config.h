@@ -31,6 +31,8 @@ struct ServerConfig {
 
   std::string metrics_listen;  ///< HOST:PORT; empty: no metrics
 
+  int64_t idle_spill_seconds = 600;  ///< until an unused session leaves memory; 0: never
+
   int64_t sessions_max = 64;
   int64_t sessions_per_user = 16;  ///< in memory
   int64_t streams_per_user = 64;   ///< streaming calls under way

@@ -25,6 +25,7 @@ std::span<const ConfigKey> config_keys() {
       {"tls.client_ca", &C::tls_client_ca},
       {"tls.client_certificate_required", &C::tls_client_certificate_required},
       {"metrics.listen", &C::metrics_listen},
+      {"sessions.idle_spill_seconds", &C::idle_spill_seconds, 0, 1'000'000'000},
       {"limits.sessions_max", &C::sessions_max, 1, 1'000'000},
       {"limits.sessions_per_user", &C::sessions_per_user, 1, 1'000'000},
       {"limits.streams_per_user", &C::streams_per_user, 1, 1'000'000},

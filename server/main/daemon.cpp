@@ -67,7 +67,7 @@ Status watch_over(Server& server, const DeviceWatch& device, const sigset_t& sig
       drain(server, signal, signals, options);
       return Status::ok();
     }
-    options.reload(signal == SIGHUP);
+    options.tend(signal == SIGHUP);
     count_cut_off_calls(server);
     const Status status = device.status();
     if (!status.is_ok()) {

@@ -15,7 +15,9 @@ sigset_t block_signals();
 
 struct DaemonOptions {
   std::chrono::seconds drain_time{10};
-  std::function<void(bool in_any_case)> reload;  ///< certificates and users; true: told to
+  /// What is to be done all the time; certificates and users are read again in any case when the
+  /// server was told to.
+  std::function<void(bool in_any_case)> tend;
 };
 
 /// Watches over a serving server until SIGTERM or SIGINT has drained it; a second such signal ends

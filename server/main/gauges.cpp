@@ -6,14 +6,20 @@
 namespace burnish {
 
 std::vector<Gauge> read_gauges(const Server& server, MeshStore& store,
-                               const SessionManager& sessions,
+                               const SessionManager& sessions, const LiveSessions& live,
                                const Reloaded<Certificates>* certificates) {
   const SessionManager::Usage usage = sessions.usage();
+  const LiveSessions::Usage live_usage = live.usage();
   const auto number = [](auto value) { return static_cast<double>(value); };
   std::vector<Gauge> gauges = {
       {"burnish_running_rpcs", "RPCs under way", number(server.running_calls())},
       {"burnish_sessions", "Sessions that the journal knows", number(sessions.list().size())},
       {"burnish_open_sessions", "Sessions in memory", number(usage.in_memory)},
+      {"burnish_live_waiting_sessions", "Live sessions that wait for their turn to solve",
+       number(live_usage.waiting_sessions)},
+      {"burnish_live_queued_edits", "Messages of edits that wait for their session's turn",
+       number(live_usage.queued_edits)},
+      {"burnish_live_credits", "Frames that clients are ready for", number(live_usage.credits)},
       {"burnish_session_bytes", "Predicted bytes of the sessions in memory, meshes apart",
        number(usage.session_bytes)},
       {"burnish_prepared_bytes", "Bytes of the prepared meshes and hierarchies in use",

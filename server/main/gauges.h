@@ -4,6 +4,7 @@
 
 #include "server/metrics/prometheus/exporter.h"
 #include "server/rpc/server.h"
+#include "server/session/live_sessions.h"
 #include "server/session/mesh_store.h"
 #include "server/session/session_manager.h"
 
@@ -12,7 +13,7 @@ namespace burnish {
 /// What the server has just now: calls, sessions, bytes, live objects, the certificate's end.
 /// `certificates` may be null.
 std::vector<Gauge> read_gauges(const Server& server, MeshStore& store,
-                               const SessionManager& sessions,
+                               const SessionManager& sessions, const LiveSessions& live,
                                const Reloaded<Certificates>* certificates);
 
 }  // namespace burnish

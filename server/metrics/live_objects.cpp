@@ -12,7 +12,7 @@ static std::atomic<int64_t>& count_of(LiveKind kind) {
 
 std::string_view live_kind_name(LiveKind kind) {
   static constexpr std::array<std::string_view, kLiveKinds.size()> kNames = {
-      "call", "mesh", "session", "upload", "export"};
+      "call", "mesh", "session", "upload", "export", "live_session", "stream"};
   return kNames[static_cast<size_t>(kind)];
 }
 

@@ -12,6 +12,10 @@ enum class Measure {
   kAssembleSeconds,  ///< matrices and constraint of one solve
   kSolveSeconds,     ///< its cycles
   kResidual,         ///< relative, at its end
+  kFrameAssembleSeconds,  ///< the same of one turn of a live session
+  kFrameSolveSeconds,
+  kFrameEncodeSeconds,  ///< of one client's frame
+  kFrameBytes,
 };
 
 /// Why somebody was turned away.

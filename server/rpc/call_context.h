@@ -8,6 +8,7 @@
 #include "server/rpc/call_guard.h"
 #include "server/rpc/call_observer.h"
 #include "server/session/executor.h"
+#include "server/session/live_sessions.h"
 #include "server/session/mesh_store.h"
 #include "server/session/session_manager.h"
 
@@ -38,6 +39,7 @@ class CallExecutor {
 struct CallContext {
   MeshStore& store;
   SessionManager& sessions;
+  LiveSessions& live;
   CallExecutor executor;
   CallGuard& guard;
   std::string user = {};                            ///< who calls; empty: nobody was asked

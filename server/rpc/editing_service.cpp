@@ -4,10 +4,13 @@
 #include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
 #include "common/wire/session_wire.h"
+#include "server/rpc/edit_call.h"
 #include "server/rpc/export_call.h"
 #include "server/rpc/get_cells_call.h"
+#include "server/rpc/live_wire.h"
 #include "server/rpc/start_call.h"
 #include "server/rpc/upload_cell_fields_call.h"
+#include "server/rpc/watch_call.h"
 
 namespace burnish {
 
@@ -51,24 +54,11 @@ grpc::ServerUnaryReactor* EditingService::DeleteSession(grpc::CallbackServerCont
   });
 }
 
-static Result<std::vector<Edit>> edits_from_wire(const v1::ApplyRequest& request) {
-  const auto count = static_cast<size_t>(request.edits_size());
-  if (count == 0 || count > kEditsPerFrameMax)
-    return invalid_argument("a request has 1 to " + std::to_string(kEditsPerFrameMax) +
-                            " edits, not " + std::to_string(count));
-  std::vector<Edit> edits;
-  for (const v1::Edit& message : request.edits()) {
-    ASSIGN_OR_RETURN(Edit edit, from_wire(message));
-    edits.push_back(std::move(edit));
-  }
-  return edits;
-}
-
 grpc::ServerUnaryReactor* EditingService::Apply(grpc::CallbackServerContext* context,
                                                 const v1::ApplyRequest* request,
                                                 v1::ApplyResponse* response) {
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
-    ASSIGN_OR_RETURN(const std::vector<burnish::Edit> edits, edits_from_wire(*request));
+    ASSIGN_OR_RETURN(const auto edits, edits_from_wire(request->edits()));
     ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
     ASSIGN_OR_RETURN(const ApplyOutcome outcome,
                      calls_.sessions.apply(request->session(), user, edits, progress));
@@ -135,6 +125,16 @@ grpc::ServerUnaryReactor* EditingService::GetState(grpc::CallbackServerContext* 
     *response = to_wire(state);
     return Status::ok();
   });
+}
+
+grpc::ServerBidiReactor<v1::ClientMessage, v1::ServerMessage>* EditingService::Edit(
+    grpc::CallbackServerContext* context) {
+  return start_call<EditCall>(calls_, context, *context);
+}
+
+grpc::ServerWriteReactor<v1::ServerMessage>* EditingService::Watch(
+    grpc::CallbackServerContext* context, const v1::WatchRequest* request) {
+  return start_call<WatchCall>(calls_, context, *context, *request);
 }
 
 grpc::ServerWriteReactor<v1::Chunk>* EditingService::GetCells(grpc::CallbackServerContext* context,

@@ -42,6 +42,10 @@ class EditingService final : public v1::Editing::CallbackService {
   grpc::ServerUnaryReactor* GetState(grpc::CallbackServerContext* context,
                                      const v1::GetStateRequest* request,
                                      v1::SessionState* response) override;
+  grpc::ServerBidiReactor<v1::ClientMessage, v1::ServerMessage>* Edit(
+      grpc::CallbackServerContext* context) override;
+  grpc::ServerWriteReactor<v1::ServerMessage>* Watch(grpc::CallbackServerContext* context,
+                                                     const v1::WatchRequest* request) override;
   grpc::ServerWriteReactor<v1::Chunk>* GetCells(grpc::CallbackServerContext* context,
                                                 const v1::GetCellsRequest* request) override;
   grpc::ServerWriteReactor<v1::ExportEvent>* Export(grpc::CallbackServerContext* context,

@@ -29,17 +29,19 @@ static constexpr auto kDrainPoll = milliseconds(10);
 
 struct Server::State {
   State(const ServerOptions& options, MeshStore& store, SessionManager& sessions,
-        Executor& executor)
+        LiveSessions& live_sessions, Executor& executor)
       : guard(options.users),
         call_guard(guard, options.streams_per_user),
-        library({store, sessions, CallExecutor(executor), call_guard}),
-        editing({store, sessions, CallExecutor(executor), call_guard}),
+        live(live_sessions),
+        library({store, sessions, live, CallExecutor(executor), call_guard}),
+        editing({store, sessions, live, CallExecutor(executor), call_guard}),
         acceptor(options.connections_max) {}
 
   Guard guard;
   CallGuard call_guard;
   std::shared_ptr<CallCounts> counts = std::make_shared<CallCounts>();
   CutOffCalls cut_off;
+  LiveSessions& live;
   LibraryService library;
   EditingService editing;
   std::unique_ptr<grpc::Server> server;
@@ -69,11 +71,12 @@ static void observe_calls(grpc::ServerBuilder& builder, const std::shared_ptr<Ca
 }
 
 Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, MeshStore& store,
-                                              SessionManager& sessions, Executor& executor) {
+                                              SessionManager& sessions, LiveSessions& live,
+                                              Executor& executor) {
   adopt_grpc_log();
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
-  auto state = std::make_unique<State>(options, store, sessions, executor);
+  auto state = std::make_unique<State>(options, store, sessions, live, executor);
   grpc::ServerBuilder builder;
   const auto open_door = [&](ListeningSocket socket, std::shared_ptr<grpc::ServerCredentials> how) {
     if (state->address.empty()) state->address = socket.address();
@@ -138,6 +141,7 @@ uint64_t Server::take_cut_off_calls() {
 void Server::drain(milliseconds time) {
   set_serving(false);
   state_->guard.close();
+  state_->live.drain();
   // Whoever probes still gets an answer meanwhile: it says NOT_SERVING.
   const auto deadline = steady_clock::now() + time;
   while (running_calls() > 0 && steady_clock::now() < deadline)

@@ -13,6 +13,7 @@
 namespace burnish {
 
 class Executor;
+class LiveSessions;
 class MeshStore;
 class SessionManager;
 
@@ -30,10 +31,11 @@ struct ServerOptions {
 class Server {
  public:
   /// Listens and serves at once.
-  /// Needs: store, sessions, executor and what the options point to outlive the server.
+  /// Needs: store, sessions, live, executor and what the options point to outlive the server.
   /// Fails: unavailable when an address cannot be bound.
   static Result<std::unique_ptr<Server>> start(const ServerOptions& options, MeshStore& store,
-                                               SessionManager& sessions, Executor& executor);
+                                               SessionManager& sessions, LiveSessions& live,
+                                               Executor& executor);
   ~Server();
 
   /// HOST:PORT with the port that was chosen, else unix:PATH.

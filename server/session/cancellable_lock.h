@@ -11,9 +11,9 @@ namespace burnish {
 
 /// Waits for a mutex that others may hold for seconds, and asks `progress` meanwhile whether the
 /// caller still wants it. Fails: cancelled.
-inline Result<std::unique_lock<std::timed_mutex>> lock_or_cancel(std::timed_mutex& mutex,
-                                                                 std::string_view phase,
-                                                                 const Progress& progress) {
+template <typename Mutex>
+Result<std::unique_lock<Mutex>> lock_or_cancel(Mutex& mutex, std::string_view phase,
+                                               const Progress& progress) {
   std::unique_lock lock(mutex, std::try_to_lock);
   while (!lock.owns_lock()) {
     if (!report(progress, phase, 0)) return cancelled("cancelled while " + std::string(phase));

@@ -24,6 +24,13 @@ class EditedFields {
   struct Changes {
     bool metric = false;  ///< α1, α2: new matrices
     bool beta = false;    ///< a new constraint
+
+    bool any() const { return metric || beta; }
+    Changes& operator|=(const Changes& other) {
+      metric |= other.metric;
+      beta |= other.beta;
+      return *this;
+    }
   };
 
   /// Applies all edits or none. Returns the number that History::apply gives for each.
@@ -32,7 +39,8 @@ class EditedFields {
   Result<std::vector<uint64_t>> apply(std::span<const AuthoredEdit> edits,
                                       const Progress& progress = {});
 
-  /// What has changed since the last call.
+  /// What has changed since the last take_changes().
+  const Changes& changes() const { return changes_; }
   Changes take_changes() { return std::exchange(changes_, {}); }
 
   /// Lets a later replay begin at a checkpoint that was kept elsewhere.

@@ -14,16 +14,18 @@ struct Session::State {
   State(std::shared_ptr<const PreparedMesh> prepared_mesh, std::unique_ptr<Solver> session_solver)
       : prepared(std::move(prepared_mesh)), edited(*prepared), solver(std::move(session_solver)) {}
 
-  void update_solver() {
-    const EditedFields::Changes changes = edited.take_changes();
+  void update_solver(const Fields& fields, const EditedFields::Changes& changes) {
     if (changes.metric)
-      solver->set_metric(edited.fields().view());
+      solver->set_metric(fields.view());
     else if (changes.beta)
-      solver->set_gradient_scale(edited.fields().view());
+      solver->set_gradient_scale(fields.view());
+    if (changes.any()) cycles_since_change = 0;
   }
 
   std::shared_ptr<const PreparedMesh> prepared;
   EditedFields edited;
+  Previews previews;
+  int cycles_since_change = 0;
   std::unique_ptr<Solver> solver;
   LiveObject live{LiveKind::kSession};
 };
@@ -51,13 +53,36 @@ Status Session::apply(const Edit& edit) {
   return state_->edited.apply({&authored, 1}).status();
 }
 
+Previews& Session::previews() {
+  return state_->previews;
+}
+
+bool Session::is_changed() const {
+  return state_->edited.changes().any() || state_->previews.is_changed();
+}
+
+void Session::update() {
+  EditedFields::Changes changes = state_->edited.take_changes();
+  const Fields& shown = state_->previews.over(state_->edited.fields(), changes);
+  state_->update_solver(shown, changes);
+}
+
 StepReport Session::step() {
-  state_->update_solver();
+  if (is_changed()) update();
+  ++state_->cycles_since_change;
   return state_->solver->step();
 }
 
+bool Session::is_settled(const StepReport& last) const {
+  if (is_changed() || state_->cycles_since_change == 0) return false;
+  return last.distance <= kSettledDistance || state_->cycles_since_change >= kCyclesMax;
+}
+
 Result<SolveReport> Session::solve(const SolveOptions& options, const Progress& progress) {
-  state_->update_solver();
+  EditedFields::Changes changes = state_->edited.take_changes();
+  changes |= state_->previews.set_aside();
+  state_->update_solver(state_->edited.fields(), changes);
+  ++state_->cycles_since_change;
   if (options.cycles > 0) return state_->solver->solve(0, options.cycles, progress);
   return state_->solver->solve(options.exact ? kExactDistance : kSettledDistance, kCyclesMax,
                                progress);
@@ -80,7 +105,7 @@ const Solver& Session::solver() const {
   return *state_->solver;
 }
 uint64_t Session::byte_count() const {
-  return state_->solver->byte_count() + state_->edited.byte_count();
+  return state_->solver->byte_count() + state_->edited.byte_count() + state_->previews.byte_count();
 }
 
 }  // namespace burnish

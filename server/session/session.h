@@ -8,6 +8,7 @@
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/session/edited_fields.h"
+#include "server/session/previews.h"
 #include "server/solver/solver.h"
 
 namespace burnish {
@@ -37,10 +38,23 @@ class Session {
   /// One edit of nobody in particular.
   Status apply(const Edit& edit);
 
-  /// Brings the system up to date with the edits and relaxes by one cycle.
+  /// What is shown beside the edits until it becomes one.
+  Previews& previews();
+
+  /// Whether there are edits or previews that the solver has not seen.
+  bool is_changed() const;
+
+  /// Brings the system up to date with the edits and the previews.
+  void update();
+
+  /// The same if need be, and relaxes by one cycle.
   StepReport step();
 
-  /// The same, cycle by cycle, until the end that `options` asks for. Fails: cancelled.
+  /// Whether a surface is at the bar of settled sessions, or as near as this solver comes to it:
+  /// then nothing is left to do until something changes.
+  bool is_settled(const StepReport& last) const;
+
+  /// Relaxes, without the previews, until the end that `options` asks for. Fails: cancelled.
   Result<SolveReport> solve(const SolveOptions& options, const Progress& progress = {});
 
   /// The surface as it is now: same triangles, same colours, moved vertices.

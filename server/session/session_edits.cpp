@@ -42,9 +42,17 @@ static std::vector<uint64_t> at_their_places(std::span<const Edit> edits,
 Result<ApplyOutcome> SessionManager::submit(const std::string& reference, const std::string& user,
                                             std::span<const Edit> edits, const Progress& progress,
                                             GroupCommit::Done on_disk) {
-  for (const Edit& edit : edits) RETURN_IF_ERROR(validate(edit).with_context("edit " + edit.id));
   ASSIGN_OR_RETURN(const Held held, use(reference, progress));
-  SessionEntry& entry = *held.entry;
+  return submit_held(held.entry, user, edits, progress, std::move(on_disk));
+}
+
+Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEntry>& held,
+                                                 const std::string& user,
+                                                 std::span<const Edit> edits,
+                                                 const Progress& progress,
+                                                 GroupCommit::Done on_disk) {
+  for (const Edit& edit : edits) RETURN_IF_ERROR(validate(edit).with_context("edit " + edit.id));
+  SessionEntry& entry = *held;
   RETURN_IF_ERROR(entry.roles.require(user, SessionRole::kEditor, "editing"));
   EditedFields& edited = entry.session->edited();
 
@@ -55,13 +63,18 @@ Result<ApplyOutcome> SessionManager::submit(const std::string& reference, const 
   ApplyOutcome outcome{static_cast<uint32_t>(fresh.size()),
                        static_cast<uint32_t>(edits.size() - fresh.size()), entry.edits,
                        at_their_places(edits, fresh, numbers)};
+  const bool is_changed = !fresh.empty();
   // Also without new edits: a known one may still be on its way to the disk.
   journal_.append(entry.record.id, first, std::move(fresh),
-                  [shared = held.entry, on_disk = std::move(on_disk)](const Status& status) {
-                    if (!status.is_ok()) shared->ahead_of_journal = true;
+                  [this, shared = held, on_disk = std::move(on_disk)](const Status& status) {
+                    if (!status.is_ok()) {
+                      shared->ahead_of_journal = true;
+                      tell_changed(*shared);
+                    }
                     on_disk(status);
                   });
   keep_paint(entry);
+  if (is_changed) tell_changed(entry);
   return outcome;
 }
 
@@ -106,6 +119,7 @@ Status SessionManager::set_role(const std::string& reference, const std::string&
   RETURN_IF_ERROR(changed.set(subject, role));
   RETURN_IF_ERROR(journal_.set_role(held.entry->record.id, subject, role));
   held.entry->roles = std::move(changed);
+  tell_changed(*held.entry);
   return Status::ok();
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <memory>
-#include <mutex>
 
 #include "common/service/session_info.h"
+#include "server/session/fair_mutex.h"
 #include "server/session/journal.h"
 #include "server/session/mesh_cache.h"
 #include "server/session/presence.h"
@@ -39,14 +40,16 @@ struct SessionEntry {
   /// The session in memory has seen edits that could not be written: it is to be replayed.
   std::atomic<bool> ahead_of_journal{false};
   Presence presence;
+  std::atomic<std::chrono::steady_clock::time_point> last_use{std::chrono::steady_clock::now()};
 
-  std::timed_mutex mutex;  // of what follows
+  FairMutex mutex;  // of what follows
   bool deleted = false;
   SessionRoles roles;
   std::shared_ptr<const SharedMesh> mesh;
   Quota::Share memory;               // what the session takes of the server's
   Quota::Share by_user;              // of whoever opened it
   std::unique_ptr<Session> session;  // null: not in memory
+  uint64_t life = 0;                 // how often it has come to memory
   StepReport last;
 };
 

@@ -8,7 +8,7 @@ namespace burnish {
 
 struct SessionManager::Held {
   std::shared_ptr<SessionEntry> entry;
-  std::unique_lock<std::timed_mutex> lock;
+  std::unique_lock<FairMutex> lock;
 };
 
 }  // namespace burnish

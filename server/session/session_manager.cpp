@@ -58,6 +58,7 @@ Result<SessionManager::Held> SessionManager::lock(const std::string& reference,
   }
   if (!held.entry || held.entry->deleted)
     return not_found("no session has the name or id '" + reference + "'");
+  held.entry->last_use = std::chrono::steady_clock::now();
   return held;
 }
 
@@ -88,6 +89,7 @@ Status SessionManager::bring_back(SessionEntry& entry, const Progress& progress)
   entry.memory = std::move(memory);
   entry.session = std::move(session);
   entry.edits = edits.size();
+  ++entry.life;
   entry.in_memory = true;
   keep_paint(entry);
   return Status::ok();
@@ -203,6 +205,7 @@ std::vector<SessionInfo> SessionManager::list() const {
 Status SessionManager::close(const std::string& reference, const Progress& progress) {
   ASSIGN_OR_RETURN(const Held held, lock(reference, progress));
   held.entry->leave_memory();
+  tell_left(*held.entry);
   return Status::ok();
 }
 
@@ -213,6 +216,7 @@ Status SessionManager::remove(const std::string& reference, const std::string& u
   RETURN_IF_ERROR(journal_.remove_session(held.entry->record.id));
   held.entry->leave_memory();
   held.entry->deleted = true;
+  tell_left(*held.entry);
   const std::lock_guard lock(mutex_);
   sessions_.erase(held.entry->record.name);
   return Status::ok();

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +20,7 @@
 #include "server/session/mesh_store.h"
 #include "server/session/presence.h"
 #include "server/session/session.h"
+#include "server/session/session_listener.h"
 
 namespace burnish {
 
@@ -27,6 +31,7 @@ struct SessionManagerOptions {
 };
 
 struct SessionEntry;
+class SessionTurn;
 
 /// All sessions by name and id. The journal knows every session; those in use are in memory as
 /// well, and come back there by replay. Thread-safe: one lock per session, held while it works.
@@ -92,6 +97,30 @@ class SessionManager {
   /// Who is there; lives as long as the session. Fails: not_found.
   Result<std::shared_ptr<Presence>> presence(const std::string& reference) const;
 
+  /// A session for whoever works at it in turns: in memory, and found without a search.
+  struct Attached {
+    std::shared_ptr<SessionEntry> entry;
+    std::shared_ptr<const SharedMesh> mesh;
+    SessionInfo info;
+    SessionRoles roles;
+    std::string backend;
+  };
+
+  /// Fails: not_found, resource_exhausted, cancelled.
+  Result<Attached> attach(const std::string& reference, const Progress& progress);
+
+  /// Never waits: nothing when somebody else is at the session; `when_free` is called then as soon
+  /// as it is worth another try. Fails: not_found (deleted), or as attach() where the session has
+  /// to come back to memory.
+  Result<std::optional<SessionTurn>> try_turn(const std::shared_ptr<SessionEntry>& entry,
+                                              std::function<void()> when_free);
+
+  /// Takes the sessions out of memory that nobody is in, and that nobody has used for so long.
+  void spill_idle(std::chrono::seconds idle_time);
+
+  /// Who hears of what happens to sessions; null: nobody. Needs: it outlives the calls.
+  void set_listener(SessionListener* listener) { listener_ = listener; }
+
   Result<SessionState> state(const std::string& reference, const Progress& progress);
 
   /// Solves and writes the edited mesh to a staging file.
@@ -102,6 +131,7 @@ class SessionManager {
   Result<std::string> delete_scan(const std::string& reference);
 
  private:
+  friend class SessionTurn;
   /// A session's entry with its lock held and the session in memory.
   struct Held;
 
@@ -120,6 +150,11 @@ class SessionManager {
   Result<Held> lock(const std::string& reference, const Progress& progress) const;
   Result<Held> use(const std::string& reference, const Progress& progress);
   Status bring_back(SessionEntry& entry, const Progress& progress);
+  Result<ApplyOutcome> submit_held(const std::shared_ptr<SessionEntry>& held,
+                                   const std::string& user, std::span<const Edit> edits,
+                                   const Progress& progress, GroupCommit::Done on_disk);
+  void tell_changed(const SessionEntry& entry) const;
+  void tell_left(const SessionEntry& entry) const;
   void keep_paint(SessionEntry& entry);
   Status bring_back_for(SessionEntry& entry, const std::string& user, const Progress& progress);
   Result<ExportSummary> solve_to_file(Held& held, const ExportWish& wish,
@@ -130,6 +165,7 @@ class SessionManager {
   Journal& journal_;
   const SessionManagerOptions options_;
   Quota by_user_;
+  std::atomic<SessionListener*> listener_{nullptr};
 
   mutable std::mutex mutex_;  // of the map; never held while a session works
   std::map<std::string, std::shared_ptr<SessionEntry>> sessions_;  // by name

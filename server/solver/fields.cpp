@@ -33,7 +33,7 @@ struct Box {
   }
 };
 
-Box box_of(const std::vector<Vec3d>& centres, double radius) {
+Box box_of(std::span<const Vec3d> centres, double radius) {
   Box box{centres.front(), centres.front()};
   for (const Vec3d& centre : centres) {
     box.least = box.least.cwiseMin(centre);
@@ -44,9 +44,7 @@ Box box_of(const std::vector<Vec3d>& centres, double radius) {
 
 }  // namespace
 
-void Fields::paint(const Stroke& stroke) {
-  const Brush& brush = stroke.brush;
-  const std::vector<Vec3d> centres = dab_centres(stroke);
+void Fields::paint(const Brush& brush, std::span<const Vec3d> centres) {
   const Box box = box_of(centres, brush.radius);
 #pragma omp parallel for schedule(dynamic, 4096)
   for (int64_t c = 0; c < static_cast<int64_t>(beta_.size()); ++c) {
@@ -134,6 +132,10 @@ FieldsView Fields::view() const {
   if (beta_is_old_) update_beta();
   metric_is_old_ = beta_is_old_ = false;
   return {alpha1_, alpha2_, beta_};
+}
+
+uint64_t Fields::byte_count() const {
+  return 5 * beta_.size() * sizeof(float) + overrides_.size() * sizeof(overrides_[0]);
 }
 
 void Fields::update_metric() const {

@@ -27,7 +27,9 @@ class Fields {
 
   void set_transfer_curve(const TransferCurve& curve);
   void set_gradient_scale(double beta);
-  void paint(const Stroke& stroke);
+  void paint(const Stroke& stroke) { paint(stroke.brush, dab_centres(stroke)); }
+  /// Some dabs of a stroke. Shapes: at least one centre, file units.
+  void paint(const Brush& brush, std::span<const Vec3d> centres);
   /// Fails: invalid_argument naming the first cell that is not active; then nothing is changed.
   Status override_cells(const SetCellFields& change);
   /// What override_cells() would fail with.
@@ -41,6 +43,7 @@ class Fields {
   FieldsView view() const;
   const TransferCurve& transfer_curve() const { return curve_; }
   double gradient_scale() const { return beta_slider_; }
+  uint64_t byte_count() const;
 
  private:
   void update_metric() const;

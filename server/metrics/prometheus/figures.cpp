@@ -68,6 +68,14 @@ PrometheusFigures::PrometheusFigures(prometheus::Registry& registry)
   measure(Measure::kSolveSeconds, "burnish_solver_solve_seconds", "Cycles of one solve", seconds());
   measure(Measure::kResidual, "burnish_solver_residual", "Relative residual at the end of a solve",
           decades(1e-12, 1));
+  measure(Measure::kFrameAssembleSeconds, "burnish_frame_assemble_seconds",
+          "Matrices and constraint of one turn of a live session", seconds());
+  measure(Measure::kFrameSolveSeconds, "burnish_frame_solve_seconds",
+          "One cycle of a live session", seconds());
+  measure(Measure::kFrameEncodeSeconds, "burnish_frame_encode_seconds",
+          "Encoding of one client's frame", seconds());
+  measure(Measure::kFrameBytes, "burnish_frame_bytes", "Bytes of the frames that were made",
+          decades(100, 1e7));
 }
 
 void PrometheusFigures::count_call(const CallRecord& call) {

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "burnish/v1/editing.pb.h"
+#include "client/connection/live_session.h"
+
+namespace burnish {
+
+/// What a client has to say to its live session, one message at a time. What waits for its turn is
+/// merged, so that a stalled link costs bounded memory; edits are kept until they are answered, and
+/// said again on the next stream.
+class LiveOutbox {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  /// Edits that were sent together.
+  struct Batch {
+    std::vector<Edit> edits;
+    Time since;  ///< when they were handed over
+    bool sent = false;
+  };
+
+  explicit LiveOutbox(v1::Greeting greeting) : greeting_(std::move(greeting)) {}
+
+  void apply(std::vector<Edit> edits, Time now);
+  void preview(const std::string& edit_id, PreviewChange change, Time now);
+  void drop_preview(const std::string& edit_id);
+  void move_brush(const std::optional<BrushRing>& ring);
+
+  /// A new stream: the greeting, all edits, the preview and the brush are to be said.
+  void restart();
+
+  /// The next message, or nothing.
+  std::optional<v1::ClientMessage> next();
+
+  /// The edits were answered: they are forgotten, and returned. Nothing where none are known.
+  std::optional<Batch> answered(const std::string& edit_id);
+  /// The server forgets the preview: it is not said again.
+  bool forget_preview(const std::string& edit_id);
+
+  size_t unacknowledged() const;  ///< edits
+
+  uint64_t previews_sent() const { return previews_sent_; }  ///< on this stream
+  Time preview_since() const { return preview_since_; }      ///< of the newest part
+
+ private:
+  /// A preview under way.
+  struct Gesture {
+    std::string edit_id;
+    PreviewChange change;    // all of it
+    size_t sent_points = 0;  // of a stroke
+    bool sent = false;       // all of it was
+  };
+
+  v1::ClientMessage next_part(Gesture& gesture);
+
+  const v1::Greeting greeting_;
+  bool greeted_ = false;
+  std::deque<Batch> batches_;
+  std::optional<Gesture> gesture_;
+  std::string dropped_preview_;
+  std::optional<BrushRing> ring_;
+  bool ring_sent_ = true;
+  uint64_t previews_sent_ = 0;
+  Time preview_since_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,122 @@
+#include "client/connection/live_session.h"
+
+#include "client/connection/live_worker.h"
+#include "common/base/limits.h"
+#include "common/wire/edit_wire.h"
+
+namespace burnish {
+
+using std::chrono::steady_clock;
+
+static Status check(const std::vector<Edit>& edits) {
+  if (edits.empty() || edits.size() > kEditsPerFrameMax)
+    return invalid_argument("1 to " + std::to_string(kEditsPerFrameMax) +
+                            " edits go together, not " + std::to_string(edits.size()));
+  for (const Edit& edit : edits) {
+    RETURN_IF_ERROR(check_edit_id(edit.id));
+    RETURN_IF_ERROR(validate(edit).with_context("edit " + edit.id));
+    if (std::holds_alternative<SetCellFields>(edit.change))
+      return invalid_argument("edit " + edit.id + ": cell fields are not for a live session");
+  }
+  return Status::ok();
+}
+
+LiveSession::LiveSession(const Connection& connection, LiveOptions options)
+    : worker_(std::make_unique<Worker>(connection.state_->server, connection.state_->trust,
+                                       connection.state_->user, std::move(options))) {}
+
+LiveSession::~LiveSession() = default;
+
+Status LiveSession::apply(std::vector<Edit> edits) {
+  RETURN_IF_ERROR(check(edits));
+  return worker_->apply(std::move(edits));
+}
+
+void LiveSession::preview(const std::string& edit_id, PreviewChange change) {
+  worker_->preview(edit_id, std::move(change));
+}
+
+void LiveSession::drop_preview(const std::string& edit_id) {
+  worker_->drop_preview(edit_id);
+}
+
+void LiveSession::move_brush(const std::optional<BrushRing>& ring) {
+  worker_->move_brush(ring);
+}
+
+LiveNews LiveSession::take() {
+  return worker_->take();
+}
+
+bool LiveSession::wait_until_acknowledged(std::chrono::milliseconds patience) {
+  return worker_->wait_until_acknowledged(patience);
+}
+
+Status LiveSession::Worker::apply(std::vector<Edit> edits) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (news_.link == LinkState::kEnded) return failed_precondition("the session has ended");
+    outbox_.apply(std::move(edits), steady_clock::now());
+  }
+  wakeup_->wake();
+  return Status::ok();
+}
+
+void LiveSession::Worker::preview(const std::string& edit_id, PreviewChange change) {
+  {
+    const std::lock_guard lock(mutex_);
+    outbox_.preview(edit_id, std::move(change), steady_clock::now());
+  }
+  wakeup_->wake();
+}
+
+void LiveSession::Worker::drop_preview(const std::string& edit_id) {
+  {
+    const std::lock_guard lock(mutex_);
+    outbox_.drop_preview(edit_id);
+  }
+  wakeup_->wake();
+}
+
+void LiveSession::Worker::move_brush(const std::optional<BrushRing>& ring) {
+  {
+    const std::lock_guard lock(mutex_);
+    outbox_.move_brush(ring);
+  }
+  wakeup_->wake();
+}
+
+LiveNews LiveSession::Worker::take() {
+  const auto now = steady_clock::now();
+  LiveNews news;
+  {
+    const std::lock_guard lock(mutex_);
+    pacer_.on_drawn(now);
+    news.link = news_.link;
+    news.facts = news_.facts;
+    news.facts.frames_per_second = rate_.frames_per_second(now);
+    news.facts.megabits_per_second = rate_.megabits_per_second(now);
+    news.unacknowledged = outbox_.unacknowledged();
+    news.events.swap(news_.events);
+    if (news_.displacement) {
+      news.displacement.swap(news_.displacement);
+      news.displacement->changed_tiles.clear();
+      for (size_t tile = 0; tile < changed_tiles_.size(); ++tile)
+        if (changed_tiles_[tile])
+          news.displacement->changed_tiles.push_back(static_cast<int>(tile));
+      changed_tiles_.assign(changed_tiles_.size(), false);
+    }
+  }
+  wakeup_->wake();
+  return news;
+}
+
+bool LiveSession::Worker::wait_until_acknowledged(std::chrono::milliseconds patience) {
+  std::unique_lock lock(mutex_);
+  acknowledged_.wait_for(lock, patience, [this] {
+    return outbox_.unacknowledged() == 0 || news_.link == LinkState::kEnded;
+  });
+  return outbox_.unacknowledged() == 0;
+}
+
+}  // namespace burnish

@@ -1,0 +1,96 @@
+#include "client/connection/live_stream.h"
+
+namespace burnish {
+
+// Operations start on the thread that owns the stream, not in reactions: a hold keeps gRPC from
+// ending the call between two of them.
+
+LiveStream::LiveStream(std::shared_ptr<grpc::Channel> channel, std::shared_ptr<Wakeup> wakeup)
+    : channel_(std::move(channel)),
+      stub_(v1::Editing::NewStub(channel_)),
+      wakeup_(std::move(wakeup)) {}
+
+std::shared_ptr<LiveStream> LiveStream::start(std::shared_ptr<grpc::Channel> channel,
+                                              const std::string& user,
+                                              std::shared_ptr<Wakeup> wakeup) {
+  const std::shared_ptr<LiveStream> stream(new LiveStream(std::move(channel), std::move(wakeup)));
+  stream->self_ = stream;
+  if (!user.empty()) stream->context_.AddMetadata("burnish-user-bin", user);
+  stream->stub_->async()->Edit(&stream->context_, stream.get());
+  stream->AddHold();
+  stream->StartRead(&stream->incoming_);
+  stream->StartCall();
+  return stream;
+}
+
+bool LiveStream::can_write() const {
+  const std::lock_guard lock(mutex_);
+  return !writing_ && !closed_;
+}
+
+void LiveStream::write(v1::ClientMessage message) {
+  const std::lock_guard lock(mutex_);
+  if (writing_ || closed_) return;
+  writing_ = true;
+  outgoing_ = std::move(message);
+  StartWrite(&outgoing_);
+}
+
+std::optional<v1::ServerMessage> LiveStream::take_message() {
+  const std::lock_guard lock(mutex_);
+  if (!has_message_) return std::nullopt;
+  has_message_ = false;
+  v1::ServerMessage message = std::move(incoming_);
+  if (cancelled_) {
+    close();
+  } else {
+    StartRead(&incoming_);
+  }
+  return message;
+}
+
+std::optional<grpc::Status> LiveStream::status() const {
+  const std::lock_guard lock(mutex_);
+  return status_;
+}
+
+void LiveStream::cancel() {
+  context_.TryCancel();
+  const std::lock_guard lock(mutex_);
+  cancelled_ = true;
+  if (has_message_) close();  // no read is under way that could fail
+}
+
+void LiveStream::OnReadDone(bool ok) {
+  {
+    const std::lock_guard lock(mutex_);
+    has_message_ = ok;
+    if (!ok || cancelled_) close();
+  }
+  wakeup_->wake();
+}
+
+void LiveStream::OnWriteDone(bool ok) {
+  {
+    const std::lock_guard lock(mutex_);
+    writing_ = !ok;  // after a failure nothing more can be written
+  }
+  wakeup_->wake();
+}
+
+void LiveStream::close() {
+  if (closed_) return;
+  closed_ = true;
+  RemoveHold();
+}
+
+void LiveStream::OnDone(const grpc::Status& status) {
+  const std::shared_ptr<LiveStream> last = std::move(self_);
+  {
+    const std::lock_guard lock(mutex_);
+    status_ = status;
+  }
+  wakeup_->wake();
+}
+
+}  // namespace burnish

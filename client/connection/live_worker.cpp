@@ -1,0 +1,209 @@
+#include "client/connection/live_worker.h"
+
+#include <algorithm>
+#include <random>
+
+#include "client/connection/channel.h"
+#include "common/base/limits.h"
+
+namespace burnish {
+
+using std::chrono::steady_clock;
+
+static v1::FrameContent content_of(FrameContentWish wish) {
+  switch (wish) {
+    case FrameContentWish::kCoefficients:
+      return v1::FRAME_CONTENT_COEFFICIENTS;
+    case FrameContentWish::kVertices:
+      return v1::FRAME_CONTENT_VERTICES;
+    case FrameContentWish::kSmaller:
+      break;
+  }
+  return v1::FRAME_CONTENT_UNSPECIFIED;
+}
+
+static v1::Greeting greeting_of(const LiveOptions& options) {
+  v1::Greeting greeting;
+  greeting.set_session(options.session);
+  greeting.set_triangles_max(options.triangles_max);
+  greeting.set_content(content_of(options.content));
+  return greeting;
+}
+
+// What another try may cure. The rest is about what was asked for, or who asked.
+static bool is_worth_another_try(StatusCode code) {
+  switch (code) {
+    case StatusCode::kOk:
+    case StatusCode::kUnavailable:
+    case StatusCode::kCancelled:
+    case StatusCode::kDeadlineExceeded:
+    case StatusCode::kResourceExhausted:
+    case StatusCode::kInternal:
+      return true;
+    default:
+      return false;
+  }
+}
+
+LiveSession::Worker::Worker(const std::string& server, const ConnectionTrust& trust,
+                            const std::string& user, LiveOptions options)
+    : server_(server),
+      trust_(trust),
+      user_(user),
+      options_(std::move(options)),
+      receiver_(options_.view),
+      outbox_(greeting_of(options_)),
+      pacer_(options_.draw_interval) {
+  thread_ = std::thread([this] { run(); });
+}
+
+LiveSession::Worker::~Worker() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  wakeup_->wake();
+  thread_.join();
+}
+
+void LiveSession::Worker::run() {
+  for (int failures = 0;; ++failures) {
+    const uint64_t frames_before = news_.facts.frames;
+    const Status why = converse();
+    {
+      const std::lock_guard lock(mutex_);
+      if (stopping_) return;
+    }
+    if (!is_worth_another_try(why.code())) return set_link(LinkState::kEnded, why.to_string());
+    set_link(news_.link == LinkState::kConnecting ? LinkState::kConnecting : LinkState::kLost,
+             why.message());
+    if (news_.facts.frames > frames_before) failures = 0;
+    wait_before_retry(failures);
+  }
+}
+
+Status LiveSession::Worker::converse() {
+  // A channel of its own for each try: no back-off but ours, and certificates as they are now.
+  ASSIGN_OR_RETURN(auto channel, make_channel(server_, trust_, Sharing::kOwn));
+  {
+    const std::lock_guard lock(mutex_);
+    if (stopping_) return cancelled("the session was left");
+    outbox_.restart();
+    pacer_.restart();
+    shown_.restart();
+  }
+  receiver_.take_answers();
+  last_heard_ = next_heartbeat_ = steady_clock::now();
+  leaving_ = false;
+  farewell_.clear();
+  const auto stream = LiveStream::start(std::move(channel), user_, wakeup_);
+  const Status here = speak_and_listen(*stream);
+  stream->cancel();
+  while (!stream->status()) {
+    stream->take_message();
+    wakeup_->wait_until(steady_clock::now() + std::chrono::seconds(1));
+  }
+  RETURN_IF_ERROR(here);
+  if (!farewell_.empty()) return unavailable(farewell_);
+  return call_status(server_, *stream->status());
+}
+
+// Until the stream has ended, or has to.
+Status LiveSession::Worker::speak_and_listen(LiveStream& stream) {
+  while (!stream.status()) {
+    const Time now = steady_clock::now();
+    if (must_leave(now)) break;
+    if (const auto message = stream.take_message()) {
+      last_heard_ = steady_clock::now();
+      RETURN_IF_ERROR(hear(*message, last_heard_));
+      wake_user();
+      continue;
+    }
+    if (stream.can_write()) {
+      if (auto message = next_message(now)) {
+        stream.write(std::move(*message));
+        continue;
+      }
+    }
+    wakeup_->wait_until(next_deadline());
+  }
+  return Status::ok();
+}
+
+bool LiveSession::Worker::must_leave(Time now) {
+  if (now >= last_heard_ + options_.silence_max) {
+    farewell_ = "server " + server_ + ": nothing was heard for " +
+                std::to_string(options_.silence_max.count()) + " ms";
+    leaving_ = true;
+  }
+  const std::lock_guard lock(mutex_);
+  return leaving_ || stopping_;
+}
+
+std::optional<v1::ClientMessage> LiveSession::Worker::next_message(Time now) {
+  const std::lock_guard lock(mutex_);
+  const uint64_t previews = outbox_.previews_sent();
+  if (auto message = outbox_.next()) {
+    if (outbox_.previews_sent() > previews)
+      shown_.preview_sent(outbox_.previews_sent(), outbox_.preview_since());
+    return message;
+  }
+  const int due = pacer_.due(now);
+  // One goes ahead of each credit: so the frame tells how long ago it was asked for.
+  if (now >= next_heartbeat_ || (due > 0 && !beat_for_credit_)) {
+    beat_for_credit_ = due > 0;
+    return heartbeat(now);
+  }
+  if (due == 0 && !receiver_.has_answers()) return std::nullopt;
+  v1::ClientMessage message;
+  *message.mutable_credit() = receiver_.take_answers();
+  message.mutable_credit()->set_frames(static_cast<uint32_t>(due));
+  pacer_.granted(due);
+  beat_for_credit_ = false;
+  return message;
+}
+
+v1::ClientMessage LiveSession::Worker::heartbeat(Time now) {
+  v1::ClientMessage message;
+  const auto since = std::chrono::duration_cast<std::chrono::microseconds>(now.time_since_epoch());
+  message.mutable_heartbeat()->set_client_time_us(static_cast<uint64_t>(since.count()));
+  next_heartbeat_ = now + options_.heartbeat_interval;
+  return message;
+}
+
+LiveSession::Worker::Time LiveSession::Worker::next_deadline() {
+  const std::lock_guard lock(mutex_);
+  return std::min({next_heartbeat_, last_heard_ + options_.silence_max, pacer_.next_due()});
+}
+
+void LiveSession::Worker::wait_before_retry(int failures) {
+  static thread_local std::minstd_rand random{std::random_device{}()};
+  const auto longest =
+      std::min(options_.retry_after_max, options_.retry_after_min * (1 << std::min(failures, 10)));
+  // Clients of a server that has gone do not come back all at once.
+  const auto wait = longest / 2 + longest * static_cast<int>(random() % 100) / 200;
+  const Time until = steady_clock::now() + wait;
+  while (steady_clock::now() < until) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (stopping_) return;
+    }
+    wakeup_->wait_until(until);
+  }
+}
+
+void LiveSession::Worker::set_link(LinkState state, const std::string& reason) {
+  {
+    const std::lock_guard lock(mutex_);
+    news_.link = state;
+    tell(LinkChanged{state, reason});
+  }
+  acknowledged_.notify_all();
+  wake_user();
+}
+
+void LiveSession::Worker::wake_user() {
+  if (options_.on_news) options_.on_news();
+}
+
+}  // namespace burnish

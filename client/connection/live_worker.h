@@ -1,0 +1,90 @@
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "client/connection/connection_state.h"
+#include "client/connection/credit_pacer.h"
+#include "client/connection/frame_receiver.h"
+#include "client/connection/live_outbox.h"
+#include "client/connection/live_session.h"
+#include "client/connection/live_stream.h"
+#include "client/connection/rate_meter.h"
+#include "client/connection/shown_edits.h"
+
+namespace burnish {
+
+/// The thread behind a LiveSession. It alone talks to the stream and decodes frames; callers leave
+/// what they want under the lock, and take what is new from there.
+class LiveSession::Worker {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  Worker(const std::string& server, const ConnectionTrust& trust, const std::string& user,
+         LiveOptions options);
+  ~Worker();
+
+  Status apply(std::vector<Edit> edits);
+  void preview(const std::string& edit_id, PreviewChange change);
+  void drop_preview(const std::string& edit_id);
+  void move_brush(const std::optional<BrushRing>& ring);
+  LiveNews take();
+  bool wait_until_acknowledged(std::chrono::milliseconds patience);
+
+ private:
+  void run();
+  Status converse();
+  Status speak_and_listen(LiveStream& stream);
+  bool must_leave(Time now);
+  void wait_before_retry(int failures);
+  void set_link(LinkState state, const std::string& reason);
+
+  // What is said.
+  std::optional<v1::ClientMessage> next_message(Time now);
+  v1::ClientMessage heartbeat(Time now);
+  Time next_deadline();
+
+  // What is heard (live_worker_messages.cpp). An error ends the session.
+  Status hear(const v1::ServerMessage& message, Time now);
+  Status hear_welcome(const v1::Welcome& welcome);
+  Status hear_frame(const v1::Frame& frame, Time now);
+  Status hear_acknowledged(const v1::Acknowledged& answer);
+  Status hear_refused(const v1::Refused& answer);
+  Status hear_people(const v1::People& people);
+  Status hear_history(const v1::HistoryChanged& history);
+  Status hear_farewell(const v1::GoAway& farewell);
+  void hear_heartbeat(const v1::Heartbeat& echo, Time now);
+
+  void tell(LiveEvent event);  // needs the lock
+  void tell_shown();           // needs the lock
+  void wake_user();
+
+  const std::string server_;
+  const ConnectionTrust trust_;
+  const std::string user_;
+  const LiveOptions options_;
+  const std::shared_ptr<Wakeup> wakeup_ = std::make_shared<Wakeup>();
+
+  // Of the thread alone.
+  FrameReceiver receiver_;
+  Time last_heard_;
+  Time next_heartbeat_;
+  bool leaving_ = false;  // the stream is to end: it is silent, or has said farewell
+  std::string farewell_;
+  bool beat_for_credit_ = false;
+
+  std::mutex mutex_;  // of what follows
+  std::condition_variable acknowledged_;
+  LiveOutbox outbox_;
+  CreditPacer pacer_;
+  ShownEdits shown_;
+  RateMeter rate_;
+  LiveNews news_;
+  std::vector<bool> changed_tiles_;  // of news_.displacement
+  bool stopping_ = false;
+
+  std::thread thread_;  // last: it uses all of the above
+};
+
+}  // namespace burnish

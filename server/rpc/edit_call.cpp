@@ -1,0 +1,158 @@
+#include "server/rpc/edit_call.h"
+
+#include <spdlog/spdlog.h>
+
+#include "common/service/scan_info.h"
+#include "server/rpc/live_wire.h"
+
+namespace burnish {
+
+EditCall::EditCall(const CallContext& calls, grpc::CallbackServerContext& context)
+    : calls_(calls),
+      context_(context),
+      writer_([this](const v1::ServerMessage* message) { StartWrite(message); },
+              [this](grpc::Status status) { Finish(std::move(status)); }) {}
+
+void EditCall::OnReadDone(bool ok) {
+  if (!ok) return end_of_requests();
+  if (!client_) return take_greeting();
+  client_->subscriber->heard();
+  const Status status = take_request();
+  if (!status.is_ok()) return writer_.end(status);
+  reading_paused_ = true;
+  read_on();
+}
+
+void EditCall::end_of_requests() {
+  if (cancelled_) return writer_.end(cancelled("the client has gone"));
+  if (!client_) return writer_.end(invalid_argument("a live session begins with a greeting"));
+  client_->subscriber->close(std::nullopt);
+}
+
+void EditCall::take_greeting() {
+  if (!request_.has_greeting())
+    return writer_.end(invalid_argument("a live session begins with a greeting"));
+  calls_.executor.post([call = self()] {
+    const auto client = call->join();
+    if (client.is_ok()) return call->take_place(client.value());
+    spdlog::info("live session {}: {}", call->request_.greeting().session(),
+                 client.status().to_string());
+    call->writer_.end(client.status());
+  });
+}
+
+Result<LiveClient> EditCall::join() {
+  ASSIGN_OR_RETURN(const LiveGreeting greeting, from_wire(request_.greeting()));
+  ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(context_));
+  const Progress progress = [this](std::string_view phase, double fraction) {
+    writer_.report_progress(phase, fraction);
+    return !cancelled_;
+  };
+  SubscriberWiring wiring;
+  wiring.on_message = [weak = std::weak_ptr(self())] {
+    const auto call = weak.lock();
+    if (!call) return;
+    call->writer_.pump();
+    call->read_on();
+  };
+  wiring.on_dead = [weak = std::weak_ptr(self())] {
+    if (const auto call = weak.lock()) call->cut();
+  };
+  return calls_.live.join(greeting, user, std::move(wiring), progress);
+}
+
+void EditCall::take_place(const LiveClient& client) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (done_) return calls_.live.leave(client);
+    client_ = client;
+  }
+  writer_.begin(client);
+  writer_.unless_finished([this] { StartRead(&request_); });
+}
+
+Status EditCall::take_request() {
+  LiveSession& session = *client_->session;
+  Subscriber& subscriber = *client_->subscriber;
+  switch (request_.message_case()) {
+    case v1::ClientMessage::kCredit: {
+      ASSIGN_OR_RETURN(const FrameCredit credit, from_wire(request_.credit()));
+      subscriber.grant(credit);
+      return Status::ok();
+    }
+    case v1::ClientMessage::kApply:
+      take_edits(request_.apply());
+      return Status::ok();
+    case v1::ClientMessage::kPreview:
+      take_preview(request_.preview());
+      return Status::ok();
+    case v1::ClientMessage::kMoveBrush: {
+      ASSIGN_OR_RETURN(const auto ring, from_wire(request_.move_brush()));
+      session.move_brush(subscriber.connection, ring);
+      return Status::ok();
+    }
+    case v1::ClientMessage::kHeartbeat:
+      subscriber.beat(request_.heartbeat().client_time_us());
+      return Status::ok();
+    case v1::ClientMessage::kGreeting:
+      return invalid_argument("a live session has one greeting");
+    case v1::ClientMessage::MESSAGE_NOT_SET:
+      break;
+  }
+  return invalid_argument("the message says nothing that this server knows");
+}
+
+void EditCall::take_edits(const v1::ApplyEdits& message) {
+  auto edits = edits_from_wire(message.edits());
+  if (edits.is_ok())
+    return client_->session->edit(client_->subscriber->connection, std::move(edits).value(),
+                                  message.ByteSizeLong());
+  EditsRefused refused{{}, edits.status()};
+  for (const v1::Edit& edit : message.edits())
+    if (refused.edit_ids.size() < kEditsPerFrameMax && edit.id().size() <= kEditIdBytesMax)
+      refused.edit_ids.push_back(edit.id());
+  client_->subscriber->refuse_unexpected(std::move(refused));
+}
+
+void EditCall::take_preview(const v1::Preview& message) {
+  const uint64_t connection = client_->subscriber->connection;
+  if (message.has_drop()) return client_->session->drop_preview(connection, message.edit_id());
+  auto piece = from_wire(message);
+  const Status status = piece.is_ok()
+                            ? client_->session->preview(connection, std::move(piece).value())
+                            : piece.status();
+  if (!status.is_ok()) client_->subscriber->refuse_unexpected({{message.edit_id()}, status});
+}
+
+// Whoever does not take its answers, or sends edits faster than they are done, is not read.
+void EditCall::read_on() {
+  if (!reading_paused_ || !client_->subscriber->may_send() || !reading_paused_.exchange(false))
+    return;
+  writer_.unless_finished([this] { StartRead(&request_); });
+}
+
+void EditCall::OnWriteDone(bool ok) {
+  writer_.on_write_done(ok);
+  read_on();
+}
+
+void EditCall::OnCancel() {
+  cancelled_ = true;
+  writer_.end(cancelled("the client has gone"));
+}
+
+void EditCall::cut() {
+  const std::lock_guard lock(mutex_);
+  if (!done_) context_.TryCancel();
+}
+
+void EditCall::OnDone() {
+  {
+    const std::lock_guard lock(mutex_);
+    done_ = true;
+    if (client_) calls_.live.leave(*client_);
+  }
+  release();
+}
+
+}  // namespace burnish

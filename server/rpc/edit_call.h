@@ -1,0 +1,52 @@
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+
+#include "burnish/v1/editing.grpc.pb.h"
+#include "server/rpc/call_context.h"
+#include "server/rpc/live_writer.h"
+#include "server/rpc/self_owned.h"
+
+namespace burnish {
+
+/// Editing.Edit: a greeting, which brings the session back on the executor; then what the client
+/// says is passed on as it comes, for none of it waits, and the writer sends what there is to tell.
+class EditCall final : public grpc::ServerBidiReactor<v1::ClientMessage, v1::ServerMessage>,
+                       public SelfOwned<EditCall> {
+ public:
+  EditCall(const CallContext& calls, grpc::CallbackServerContext& context);
+
+  void begin() { StartRead(&request_); }
+
+  void OnReadDone(bool ok) override;
+  void OnWriteDone(bool ok) override;
+  void OnCancel() override;
+  void OnDone() override;
+
+ private:
+  void take_greeting();
+  Result<LiveClient> join();
+  void take_place(const LiveClient& client);
+  void cut();
+
+  void end_of_requests();
+  Status take_request();
+  void take_edits(const v1::ApplyEdits& message);
+  void take_preview(const v1::Preview& message);
+  void read_on();
+
+  const CallContext calls_;
+  grpc::CallbackServerContext& context_;
+  std::atomic<bool> cancelled_{false};
+  v1::ClientMessage request_;
+  std::atomic<bool> reading_paused_{false};
+  LiveWriter writer_;
+
+  std::mutex mutex_;  // of what follows
+  std::optional<LiveClient> client_;
+  bool done_ = false;
+};
+
+}  // namespace burnish

@@ -1,0 +1,69 @@
+#include "server/rpc/live_writer.h"
+
+#include "server/rpc/call_context.h"
+#include "server/rpc/live_wire.h"
+
+namespace burnish {
+
+void LiveWriter::report_progress(std::string_view phase, double fraction) {
+  const std::lock_guard lock(mutex_);
+  first_.emplace();
+  first_->mutable_progress()->set_phase(std::string(phase));
+  first_->mutable_progress()->set_fraction(fraction);
+  advance();
+}
+
+void LiveWriter::begin(const LiveClient& client) {
+  const std::lock_guard lock(mutex_);
+  first_ = to_wire(client);
+  subscriber_ = client.subscriber;
+  advance();
+}
+
+void LiveWriter::end(const Status& status) {
+  const std::lock_guard lock(mutex_);
+  if (!end_) end_ = to_grpc(status);
+  advance();
+}
+
+void LiveWriter::pump() {
+  const std::lock_guard lock(mutex_);
+  advance();
+}
+
+void LiveWriter::on_write_done(bool ok) {
+  const std::lock_guard lock(mutex_);
+  writing_ = false;
+  if (!ok && !end_) end_ = to_grpc(cancelled("the client has gone"));
+  advance();
+}
+
+void LiveWriter::unless_finished(const std::function<void()>& start) {
+  const std::lock_guard lock(mutex_);
+  if (!finished_ && !end_) start();
+}
+
+bool LiveWriter::take_next() {
+  if (first_) {
+    current_ = *std::exchange(first_, std::nullopt);
+    return true;
+  }
+  if (!subscriber_) return false;
+  std::optional<LiveMessage> next = subscriber_->take();
+  if (next) current_ = to_wire(std::move(*next));
+  return next.has_value();
+}
+
+void LiveWriter::advance() {
+  if (writing_ || finished_) return;
+  if (!end_ && take_next()) {
+    writing_ = true;
+    return start_write_(&current_);
+  }
+  if (!end_ && subscriber_ && subscriber_->is_finished()) end_ = grpc::Status::OK;
+  if (!end_) return;
+  finished_ = true;
+  finish_(*end_);
+}
+
+}  // namespace burnish

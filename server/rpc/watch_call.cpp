@@ -1,0 +1,89 @@
+#include "server/rpc/watch_call.h"
+
+#include <chrono>
+
+#include <spdlog/spdlog.h>
+
+#include "server/rpc/live_wire.h"
+
+namespace burnish {
+
+static constexpr std::chrono::milliseconds kFrameInterval{100};
+
+WatchCall::WatchCall(const CallContext& calls, grpc::CallbackServerContext& context,
+                     const v1::WatchRequest& request)
+    : calls_(calls),
+      context_(context),
+      request_(request),
+      writer_([this](const v1::ServerMessage* message) { StartWrite(message); },
+              [this](grpc::Status status) { Finish(std::move(status)); }) {}
+
+void WatchCall::begin() {
+  calls_.executor.post([call = self()] {
+    const auto client = call->join();
+    if (client.is_ok()) return call->take_place(client.value());
+    spdlog::info("watching {}: {}", call->request_.greeting().session(),
+                 client.status().to_string());
+    call->writer_.end(client.status());
+  });
+}
+
+Result<LiveClient> WatchCall::join() {
+  ASSIGN_OR_RETURN(LiveGreeting greeting, from_wire(request_.greeting()));
+  greeting.may_be_silent = true;
+  ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(context_));
+  const Progress progress = [this](std::string_view phase, double fraction) {
+    writer_.report_progress(phase, fraction);
+    return !cancelled_;
+  };
+  SubscriberWiring wiring;
+  wiring.on_message = [weak = std::weak_ptr(self())] {
+    if (const auto call = weak.lock()) call->writer_.pump();
+  };
+  return calls_.live.join(greeting, user, std::move(wiring), progress);
+}
+
+static void grant_key_frame(const LiveClient& client) {
+  client.subscriber->grant({.frames = 1, .key_frame = true});
+}
+
+void WatchCall::take_place(const LiveClient& client) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (done_) return calls_.live.leave(client);
+    client_ = client;
+  }
+  writer_.begin(client);
+  grant_key_frame(client);
+}
+
+void WatchCall::OnWriteDone(bool ok) {
+  const bool was_frame = writer_.written().has_frame();
+  writer_.on_write_done(ok);
+  if (ok && was_frame) grant_later();
+}
+
+void WatchCall::grant_later() {
+  const std::lock_guard lock(mutex_);
+  if (done_) return;
+  next_frame_.Set(std::chrono::system_clock::now() + kFrameInterval, [call = self()](bool is_time) {
+    if (is_time) grant_key_frame(*call->client_);
+  });
+}
+
+void WatchCall::OnCancel() {
+  cancelled_ = true;
+  writer_.end(cancelled("the client has gone"));
+}
+
+void WatchCall::OnDone() {
+  {
+    const std::lock_guard lock(mutex_);
+    done_ = true;
+    next_frame_.Cancel();
+    if (client_) calls_.live.leave(*client_);
+  }
+  release();
+}
+
+}  // namespace burnish

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+
+#include <grpcpp/alarm.h>
+
+#include "burnish/v1/editing.grpc.pb.h"
+#include "server/rpc/call_context.h"
+#include "server/rpc/live_writer.h"
+#include "server/rpc/self_owned.h"
+
+namespace burnish {
+
+/// Editing.Watch: a live session's client that cannot speak. It gets a credit for a key frame when
+/// the last one has been written, and no sooner than kFrameInterval after that one.
+class WatchCall final : public grpc::ServerWriteReactor<v1::ServerMessage>,
+                        public SelfOwned<WatchCall> {
+ public:
+  WatchCall(const CallContext& calls, grpc::CallbackServerContext& context,
+            const v1::WatchRequest& request);
+
+  void begin();
+
+  void OnWriteDone(bool ok) override;
+  void OnCancel() override;
+  void OnDone() override;
+
+ private:
+  Result<LiveClient> join();
+  void take_place(const LiveClient& client);
+  void grant_later();
+
+  const CallContext calls_;
+  grpc::CallbackServerContext& context_;
+  const v1::WatchRequest request_;
+  std::atomic<bool> cancelled_{false};
+  LiveWriter writer_;
+
+  std::mutex mutex_;  // of what follows
+  std::optional<LiveClient> client_;
+  grpc::Alarm next_frame_;
+  bool done_ = false;
+};
+
+}  // namespace burnish

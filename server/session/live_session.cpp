@@ -1,0 +1,189 @@
+#include "server/session/live_session.h"
+
+#include <chrono>
+
+#include <spdlog/spdlog.h>
+
+#include "server/metrics/metrics.h"
+
+namespace burnish {
+
+using std::chrono::steady_clock;
+
+static double ms_between(steady_clock::time_point begin, steady_clock::time_point end) {
+  return std::chrono::duration<double, std::milli>(end - begin).count();
+}
+
+LiveSession::LiveSession(SessionManager& manager, Scheduler& scheduler,
+                         std::shared_ptr<SessionEntry> entry, SessionRoles roles)
+    : manager_(manager),
+      scheduler_(scheduler),
+      entry_(std::move(entry)),
+      roles_(std::move(roles)) {}
+
+void LiveSession::wake() {
+  scheduler_.wake(shared_from_this());
+}
+
+bool LiveSession::turn() {
+  if (subscribers().empty()) return false;
+  auto turn = manager_.try_turn(entry_, [weak = weak_from_this()] {
+    if (const auto self = weak.lock()) self->wake();
+  });
+  Status status = turn.status();
+  bool more = false;
+  if (status.is_ok()) {
+    if (!turn.value()) return false;  // somebody else is at it: woken again once it is free
+    SessionTurn& at = *turn.value();
+    for (EditMessage& message : take_edits()) apply(at, std::move(message));
+    show_gestures(at);
+    status = relax(at);
+    tell_state(at);
+    if (status.is_ok()) status = send_frames(at);
+    more = !at.session().is_settled(at.last()) || queued_edits() > 0;
+  }
+  if (status.is_ok()) return more;
+  spdlog::error("session {}: {}", entry_->record.id, status.to_string());
+  close({status.message(), status.code() != StatusCode::kNotFound});
+  return false;
+}
+
+Status LiveSession::relax(SessionTurn& at) {
+  Session& session = at.session();
+  if (session.is_settled(at.last())) return Status::ok();
+  const auto start = steady_clock::now();
+  const bool is_assembled = session.is_changed();
+  if (is_assembled) session.update();
+  const auto assembled = steady_clock::now();
+  at.last() = session.step();
+  RETURN_IF_ERROR(session.solver().status());
+  ++version_;
+  assemble_ms_ = is_assembled ? ms_between(start, assembled) : 0;
+  solve_ms_ = ms_between(assembled, steady_clock::now());
+  if (is_assembled) metrics().observe(Measure::kFrameAssembleSeconds, assemble_ms_ / 1e3);
+  metrics().observe(Measure::kFrameSolveSeconds, solve_ms_ / 1e3);
+  return Status::ok();
+}
+
+Status LiveSession::send_frames(SessionTurn& at) {
+  Session& session = at.session();
+  const bool settled = session.is_settled(at.last());
+  std::vector<Seat> wanting;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [connection, seat] : seats_)
+      if (seat.subscriber->wants_frame(version_, settled)) wanting.push_back(seat);
+  }
+  if (wanting.empty()) return Status::ok();
+  const std::vector<Vec3d> displacement = session.solver().displacement();
+  std::map<const FrameTarget*, std::shared_ptr<const FrameSample>> samples;
+  for (const Seat& seat : wanting) {
+    const FrameTarget& target = *seat.subscriber->target;
+    auto& sample = samples[&target];
+    if (!sample) {
+      ASSIGN_OR_RETURN(FrameSample made,
+                       sample_displacement<Vec3d>(*target.layout, target.frame_mesh(),
+                                                  displacement));
+      sample = std::make_shared<const FrameSample>(std::move(made));
+    }
+    seat.subscriber->show({sample, version_,
+                           {.settled = settled,
+                            .report = at.last(),
+                            .edits = at.edits(),
+                            .assemble_ms = assemble_ms_,
+                            .solve_ms = solve_ms_,
+                            .previews = seat.previews_taken}});
+  }
+  return Status::ok();
+}
+
+void LiveSession::tell_state(SessionTurn& at) {
+  const Fields& fields = at.session().fields();
+  const HistoryState history{at.edits(), fields.gradient_scale(), fields.transfer_curve()};
+  bool roles_changed = false, history_changed = false;
+  {
+    const std::lock_guard lock(mutex_);
+    roles_changed = roles_.by_user() != at.roles().by_user();
+    if (roles_changed) roles_ = at.roles();
+    history_changed = history_ != history;
+    history_ = history;
+  }
+  if (roles_changed) tell_people();
+  if (!history_changed) return;
+  for (const auto& subscriber : subscribers()) subscriber->tell(history);
+}
+
+void LiveSession::join(const std::shared_ptr<Subscriber>& subscriber) {
+  std::optional<HistoryState> history;
+  {
+    const std::lock_guard lock(mutex_);
+    seats_[subscriber->connection] = {subscriber};
+    history = history_;
+  }
+  if (history) subscriber->tell(*history);
+  tell_people();
+  wake();
+}
+
+bool LiveSession::leave(uint64_t connection) {
+  entry_->presence.leave(connection);
+  bool is_empty = false;
+  {
+    const std::lock_guard lock(mutex_);
+    seats_.erase(connection);
+    if (gestures_.erase(connection) > 0) changed_gestures_.insert(connection);
+    is_empty = seats_.empty();
+  }
+  tell_people();
+  wake();
+  return is_empty;
+}
+
+void LiveSession::move_brush(uint64_t connection, const std::optional<BrushRing>& ring) {
+  const uint64_t before = entry_->presence.version();
+  entry_->presence.move_brush(connection, ring);
+  if (entry_->presence.version() != before) tell_people();
+}
+
+void LiveSession::tell_people() {
+  auto people = std::make_shared<SessionPeople>();
+  people->present = entry_->presence.list();
+  {
+    const std::lock_guard lock(mutex_);
+    people->roles = roles_;
+  }
+  for (const auto& subscriber : subscribers()) subscriber->tell(people);
+}
+
+void LiveSession::close(const Farewell& farewell) {
+  for (const auto& subscriber : subscribers()) subscriber->close(farewell);
+}
+
+void LiveSession::end_silent(steady_clock::duration time) {
+  static constexpr auto kTimeToTakeIt = std::chrono::seconds(5);
+  for (const auto& subscriber : subscribers()) {
+    if (!subscriber->is_silent(time)) continue;
+    subscriber->close(Farewell{"nothing was heard from this client for too long", true});
+    if (subscriber->is_silent(time + kTimeToTakeIt)) subscriber->cut();
+  }
+}
+
+uint64_t LiveSession::credits() const {
+  uint64_t sum = 0;
+  for (const auto& subscriber : subscribers()) sum += subscriber->credits();
+  return sum;
+}
+
+size_t LiveSession::queued_edits() const {
+  const std::lock_guard lock(mutex_);
+  return edits_.size();
+}
+
+std::vector<std::shared_ptr<Subscriber>> LiveSession::subscribers() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::shared_ptr<Subscriber>> all;
+  for (const auto& [connection, seat] : seats_) all.push_back(seat.subscriber);
+  return all;
+}
+
+}  // namespace burnish

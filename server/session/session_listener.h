@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+namespace burnish {
+
+/// Hears of what happens to sessions, while their locks are held: must be short, and must not touch
+/// a session.
+class SessionListener {
+ public:
+  virtual ~SessionListener() = default;
+
+  /// Edits were applied, or have to be forgotten, or somebody got another role.
+  virtual void on_session_changed(const std::string& id) = 0;
+
+  /// Somebody closed the session, or deleted it.
+  virtual void on_session_left(const std::string& id, bool deleted) = 0;
+};
+
+}  // namespace burnish

@@ -1,0 +1,350 @@
+#include "client/connection/live_session.h"
+
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/client/connection/fake_editing.h"
+#include "tests/common/frame_codec/small_scan.h"
+
+namespace burnish {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A fake server, a session over it, and what it has told so far.
+class LiveSessions : public testing::Test {
+ protected:
+  LiveSessions() {
+    options_.session = "work";
+    options_.view = fake_view();
+    options_.draw_interval = milliseconds(1);
+    options_.retry_after_min = milliseconds(5);
+    options_.retry_after_max = milliseconds(50);
+  }
+
+  void connect() {
+    connection_.emplace(Connection::open(server_.address(), milliseconds(10'000)).value());
+    session_ = std::make_unique<LiveSession>(*connection_, options_);
+  }
+
+  void take() {
+    LiveNews news = session_->take();
+    link_ = news.link;
+    facts_ = news.facts;
+    unacknowledged_ = news.unacknowledged;
+    if (news.displacement) {
+      if (!shown_.has_value()) shown_steps_.assign(3 * news.displacement->layout->value_count(), 0);
+      shown_ = std::move(news.displacement);
+      for (const int tile : shown_->changed_tiles)
+        shown_->state.read_tile(tile, std::span(shown_steps_)
+                                          .subspan(size_t{3} * shown_->layout->tile_begin(tile),
+                                                   size_t{3} * shown_->layout->tile_size(tile)));
+    }
+    for (LiveEvent& event : news.events) events_.push_back(std::move(event));
+  }
+
+  /// Draws until `what` holds; false when patience is over.
+  template <typename What>
+  bool until(What what) {
+    for (int i = 0; i < 10'000; ++i) {
+      take();
+      if (what()) return true;
+      std::this_thread::sleep_for(milliseconds(2));
+    }
+    return false;
+  }
+  bool until_live() {
+    return until([this] { return link_ == LinkState::kLive; });
+  }
+  bool until_shown() {
+    return until([this] { return shown_ && shown_steps_ == server_.steps(); });
+  }
+
+  template <typename Event>
+  std::vector<Event> told() const {
+    std::vector<Event> of_kind;
+    for (const LiveEvent& event : events_)
+      if (const auto* found = std::get_if<Event>(&event)) of_kind.push_back(*found);
+    return of_kind;
+  }
+
+  static std::vector<Edit> slider(const std::string& id, double beta = 0.5) {
+    return {Edit{id, SetGradientScale{beta}}};
+  }
+
+  FakeEditing server_;
+  LiveOptions options_;
+  std::optional<Connection> connection_;
+  std::unique_ptr<LiveSession> session_;
+
+  LinkState link_ = LinkState::kConnecting;
+  FrameFacts facts_;
+  size_t unacknowledged_ = 0;
+  std::optional<Displacement> shown_;
+  std::vector<int32_t> shown_steps_;  // by changed tiles alone
+  std::vector<LiveEvent> events_;
+};
+
+TEST_F(LiveSessions, ShowEachSurfaceOfTheServer) {
+  connect();
+  ASSERT_TRUE(until_live());
+  ASSERT_TRUE(until_shown());
+  for (const double phase : {1.0, 2.0, 3.0}) {
+    server_.show(phase);
+    ASSERT_TRUE(until_shown()) << phase;
+  }
+  EXPECT_TRUE(facts_.settled);
+  EXPECT_GE(facts_.frames, 4u);
+  EXPECT_GT(facts_.bytes, 0u);
+  EXPECT_TRUE(until([this] { return facts_.rtt_ms > 0; }));
+  const auto welcomed = told<Welcomed>();
+  ASSERT_EQ(welcomed.size(), 1u);
+  EXPECT_EQ(welcomed[0].session.name, "work");
+  EXPECT_EQ(welcomed[0].connection, 7u);
+  EXPECT_EQ(welcomed[0].role, SessionRole::kEditor);
+}
+
+TEST_F(LiveSessions, TellOfEditsOnceTheyAreOnDiskAndOnceTheyAreShown) {
+  connect();
+  ASSERT_TRUE(session_->apply(slider("a")).is_ok());
+  ASSERT_TRUE(session_->apply(slider("b")).is_ok());
+  EXPECT_TRUE(session_->wait_until_acknowledged(milliseconds(20'000)));
+  ASSERT_TRUE(until([this] { return told<EditsShown>().size() == 2; }));
+  const auto acknowledged = told<EditsAcknowledged>();
+  ASSERT_EQ(acknowledged.size(), 2u);
+  EXPECT_THAT(acknowledged[0].edit_ids, ElementsAre("a"));
+  EXPECT_EQ(acknowledged[1].outcome.edits, 2u);
+  EXPECT_EQ(unacknowledged_, 0u);
+  EXPECT_THAT(server_.seen().applied, ElementsAre("a", "b"));
+}
+
+TEST_F(LiveSessions, LoseNoEditWhenTheServerIsGoneBeforeItsAnswer) {
+  server_.set_faults({.answer_no_edits = true});
+  connect();
+  ASSERT_TRUE(session_->apply(slider("a")).is_ok());
+  ASSERT_TRUE(until([this] { return server_.seen().applied.size() == 1; }));
+  server_.stop();
+  ASSERT_TRUE(until([this] { return link_ == LinkState::kLost; }));
+  ASSERT_TRUE(session_->apply(slider("b")).is_ok());
+  EXPECT_EQ(told<EditsAcknowledged>().size(), 0u);
+
+  server_.set_faults({});
+  server_.start();
+  ASSERT_TRUE(until([this] { return told<EditsAcknowledged>().size() == 2; }));
+  EXPECT_EQ(link_, LinkState::kLive);
+  EXPECT_EQ(server_.seen().repeated, 1);
+  EXPECT_THAT(server_.seen().applied, ElementsAre("a", "b"));
+  EXPECT_TRUE(until_shown());
+}
+
+TEST_F(LiveSessions, ShowTheWholeSurfaceAnewAfterTheyCameBack) {
+  connect();
+  ASSERT_TRUE(until_shown());
+  server_.stop();
+  server_.show(2);
+  server_.start();
+  ASSERT_TRUE(until_shown());
+  EXPECT_EQ(shown_->changed_tiles.size(), static_cast<size_t>(shown_->layout->tile_count()));
+}
+
+TEST_F(LiveSessions, ComeBackManyTimes) {
+  connect();
+  for (int i = 0; i < 10; ++i) {
+    ASSERT_TRUE(until_live());
+    ASSERT_TRUE(session_->apply(slider("edit" + std::to_string(i))).is_ok());
+    server_.stop();
+    server_.show(0.1 * i);
+    server_.start();
+    ASSERT_TRUE(until([&] { return server_.seen().greetings >= i + 2; }));
+  }
+  EXPECT_TRUE(session_->wait_until_acknowledged(milliseconds(20'000)));
+  EXPECT_EQ(server_.seen().applied.size(), 10u);
+  EXPECT_TRUE(until_shown());
+}
+
+TEST_F(LiveSessions, TellWhyAnEditWasRefusedAndForgetIt) {
+  server_.set_faults({.refuse_edits = grpc::StatusCode::PERMISSION_DENIED});
+  connect();
+  ASSERT_TRUE(session_->apply(slider("a")).is_ok());
+  ASSERT_TRUE(until([this] { return !told<EditsRefused>().empty(); }));
+  EXPECT_THAT(told<EditsRefused>()[0].edit_ids, ElementsAre("a"));
+  EXPECT_EQ(told<EditsRefused>()[0].why.code(), StatusCode::kPermissionDenied);
+  EXPECT_EQ(told<EditsRefused>()[0].why.message(), "not today");
+  EXPECT_EQ(unacknowledged_, 0u);
+}
+
+TEST_F(LiveSessions, KeepAnEditThatTheServerCannotTakeNow) {
+  server_.set_faults({.refuse_edits = grpc::StatusCode::UNAVAILABLE});
+  connect();
+  ASSERT_TRUE(session_->apply(slider("a")).is_ok());
+  ASSERT_TRUE(until([this] { return server_.seen().greetings >= 3; }));
+  EXPECT_EQ(unacknowledged_, 1u);
+  server_.set_faults({});
+  EXPECT_TRUE(session_->wait_until_acknowledged(milliseconds(20'000)));
+  EXPECT_THAT(server_.seen().applied, ElementsAre("a"));
+}
+
+TEST_F(LiveSessions, AskForAKeyFrameWhenAFrameIsDamaged) {
+  connect();
+  ASSERT_TRUE(until_shown());
+  server_.set_faults({.corrupt_frames = 1});
+  server_.show(1);
+  ASSERT_TRUE(until_shown());
+  EXPECT_EQ(server_.seen().key_frame_requests, 1);
+  EXPECT_EQ(server_.seen().greetings, 1);
+}
+
+TEST_F(LiveSessions, RefuseAFrameWhoseReferenceTheyDoNotHold) {
+  connect();
+  ASSERT_TRUE(until_shown());
+  server_.set_faults({.lost_frames = 1});
+  server_.show(1);
+  ASSERT_TRUE(until([this] { return server_.seen().frames >= 2; }));
+  server_.show(2);
+  ASSERT_TRUE(until_shown());
+  EXPECT_GE(server_.seen().refused_frames, 1);
+}
+
+TEST_F(LiveSessions, DoNotMindALateFrame) {
+  server_.set_faults({.late_frames = 3});
+  connect();
+  for (const double phase : {1.0, 2.0, 3.0}) {
+    server_.show(phase);
+    ASSERT_TRUE(until_shown());
+  }
+  EXPECT_EQ(server_.seen().greetings, 1);
+}
+
+TEST_F(LiveSessions, ComeBackWhenTheServerSaysSoAndEndWhenItDoesNot) {
+  connect();
+  ASSERT_TRUE(until_live());
+  server_.go_away("restarting", true);
+  ASSERT_TRUE(until([this] { return server_.seen().greetings == 2; }));
+  ASSERT_TRUE(until_live());
+  server_.go_away("the session is deleted", false);
+  ASSERT_TRUE(until([this] { return link_ == LinkState::kEnded; }));
+  EXPECT_THAT(told<LinkChanged>().back().reason, HasSubstr("the session is deleted"));
+  EXPECT_EQ(session_->apply(slider("a")).code(), StatusCode::kFailedPrecondition);
+}
+
+TEST_F(LiveSessions, EndWhenTheServerWillNeverHaveThem) {
+  server_.set_faults({.refuse_greeting = grpc::StatusCode::NOT_FOUND});
+  connect();
+  ASSERT_TRUE(until([this] { return link_ == LinkState::kEnded; }));
+  EXPECT_THAT(told<LinkChanged>().back().reason, HasSubstr("go elsewhere"));
+}
+
+TEST_F(LiveSessions, EndWhenTheViewIsOfAnotherMesh) {
+  server_.set_faults({.fingerprint_change = 1});
+  connect();
+  ASSERT_TRUE(until([this] { return link_ == LinkState::kEnded; }));
+  EXPECT_THAT(told<LinkChanged>().back().reason, HasSubstr("has to be fetched again"));
+}
+
+TEST_F(LiveSessions, LeaveAServerThatHasFallenSilent) {
+  options_.silence_max = milliseconds(200);
+  options_.heartbeat_interval = milliseconds(50);
+  connect();
+  ASSERT_TRUE(until_live());
+  server_.set_faults({.silent = true});
+  ASSERT_TRUE(until([this] { return link_ == LinkState::kLost; }));
+  EXPECT_THAT(told<LinkChanged>().back().reason, HasSubstr("nothing was heard for 200 ms"));
+  server_.set_faults({});
+  EXPECT_TRUE(until_live());
+}
+
+TEST_F(LiveSessions, StayWithAServerThatHasNothingToSayButHeartbeats) {
+  options_.silence_max = milliseconds(300);
+  options_.heartbeat_interval = milliseconds(20);
+  connect();
+  ASSERT_TRUE(until_shown());
+  std::this_thread::sleep_for(milliseconds(900));
+  take();
+  EXPECT_EQ(link_, LinkState::kLive);
+  EXPECT_EQ(server_.seen().greetings, 1);
+}
+
+TEST_F(LiveSessions, WaitForAServerThatIsNotThereYet) {
+  connect();
+  ASSERT_TRUE(until_live());
+  session_.reset();
+  server_.stop();
+  session_ = std::make_unique<LiveSession>(*connection_, options_);
+  std::this_thread::sleep_for(milliseconds(30));
+  take();
+  EXPECT_EQ(link_, LinkState::kConnecting);
+  server_.start();
+  EXPECT_TRUE(until_live());
+}
+
+TEST_F(LiveSessions, SendPreviewsInPartsAndTheWholeAgainOnTheNextStream) {
+  connect();
+  ASSERT_TRUE(until_live());
+  const Brush brush{.radius = 1, .strength = 1, .beta = 2};
+  const auto previews = [this] { return server_.seen().previews; };
+  session_->preview("s", Stroke{brush, {Vec3d(0, 0, 0), Vec3d(1, 0, 0)}});
+  ASSERT_TRUE(until([&] { return previews().size() == 1; }));
+  session_->preview("s", Stroke{brush, {Vec3d(2, 0, 0)}});
+  ASSERT_TRUE(until([&] { return previews().size() == 2; }));
+  EXPECT_EQ(previews()[0].stroke().path_size(), 2);
+  ASSERT_EQ(previews()[1].stroke().path_size(), 1);
+  EXPECT_EQ(previews()[1].stroke().path(0).x(), 2);
+  ASSERT_TRUE(until([this] { return !told<PreviewShown>().empty(); }));
+
+  server_.stop();
+  server_.start();
+  ASSERT_TRUE(until([&] { return previews().size() == 3; }));
+  EXPECT_EQ(previews()[2].stroke().path_size(), 3);
+  session_->drop_preview("s");
+  ASSERT_TRUE(until([&] { return previews().size() == 4; }));
+  EXPECT_TRUE(previews()[3].has_drop());
+}
+
+TEST_F(LiveSessions, SayWhereTheBrushIs) {
+  connect();
+  ASSERT_TRUE(until_live());
+  session_->move_brush(BrushRing{Vec3d(1, 2, 3), 4});
+  ASSERT_TRUE(until([this] { return server_.seen().rings.size() == 1; }));
+  EXPECT_EQ(server_.seen().rings[0].ring().centre().z(), 3);
+  session_->move_brush(std::nullopt);
+  ASSERT_TRUE(until([this] { return server_.seen().rings.size() == 2; }));
+  EXPECT_FALSE(server_.seen().rings[1].has_ring());
+}
+
+TEST_F(LiveSessions, RefuseWhatNoServerWouldTake) {
+  connect();
+  EXPECT_EQ(session_->apply({}).code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(session_->apply(slider("a", 11)).code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(session_->apply(slider("a b")).code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(session_->apply({65, slider("a")[0]}).code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(session_->apply({{"c", SetCellFields{}}}).code(), StatusCode::kInvalidArgument);
+}
+
+TEST_F(LiveSessions, AskForNoFrameThatNobodyDraws) {
+  connect();
+  ASSERT_TRUE(until_shown());
+  const int before = server_.seen().frames;
+  for (int i = 1; i <= 30; ++i) {
+    server_.show(0.1 * i);
+    std::this_thread::sleep_for(milliseconds(5));
+  }
+  EXPECT_LE(server_.seen().frames, before + 8);
+  EXPECT_TRUE(until_shown());
+}
+
+TEST_F(LiveSessions, CanBeLeftAtAnyMoment) {
+  for (int i = 0; i < 30; ++i) {
+    connect();
+    ASSERT_TRUE(session_->apply(slider("a")).is_ok());
+    std::this_thread::sleep_for(milliseconds(i % 6));
+    session_.reset();
+  }
+  EXPECT_LE(server_.seen().applied.size(), 1u);
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <grpcpp/grpcpp.h>
+
+#include "burnish/v1/editing.grpc.pb.h"
+#include "tests/system/wire_call.h"
+
+namespace burnish {
+
+/// A client of Editing.Edit as anybody may write it: messages out, messages in.
+class LiveStream {
+ public:
+  LiveStream(const std::shared_ptr<grpc::Channel>& channel, const std::string& user = {});
+  ~LiveStream();
+
+  bool send(const v1::ClientMessage& message) { return stream_->Write(message); }
+  void greet(const std::string& session);
+  void credit(uint32_t frames, const std::vector<uint64_t>& decoded = {});
+  void slide(const std::string& id, double beta);
+  void preview_slide(const std::string& id, double beta);
+  void beat(uint64_t time_us);
+
+  /// The next message for which `is_wanted` says so; those before are kept in `seen`. One without a
+  /// case when the stream has ended.
+  v1::ServerMessage next(const std::function<bool(const v1::ServerMessage&)>& is_wanted);
+  v1::ServerMessage next(v1::ServerMessage::MessageCase wanted);
+
+  /// Waits for the settled frame, granting a credit for each frame and acknowledging it.
+  v1::Frame settle();
+
+  void half_close() { stream_->WritesDone(); }
+  void cancel() { context_.TryCancel(); }
+
+  /// Reads the rest.
+  grpc::Status end();
+
+  std::vector<v1::ServerMessage> seen;
+
+ private:
+  grpc::ClientContext context_;
+  std::unique_ptr<v1::Editing::Stub> stub_;
+  std::unique_ptr<grpc::ClientReaderWriter<v1::ClientMessage, v1::ServerMessage>> stream_;
+  bool ended_ = false;
+};
+
+/// The sequence number in a frame's header.
+uint64_t sequence_of(const v1::Frame& frame);
+
+}  // namespace burnish
