@@ -11,7 +11,9 @@ static char kWindow[] = "window";
 
 // `burnish` alone, with a mesh file or with an option begins the window, where there is one.
 static bool means_window(const CLI::App& app, const std::vector<char*>& words) {
-  if (!app.get_subcommand_no_throw(kWindow)) return false;
+  const auto windows =
+      app.get_subcommands([](const CLI::App* one) { return one->get_name() == kWindow; });
+  if (windows.empty()) return false;
   if (words.size() < 2) return true;
   const std::string first = words[1];
   if (first == "-h" || first == "--help" || first == "--version") return false;

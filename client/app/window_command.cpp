@@ -11,8 +11,8 @@ namespace {
 struct Options {
   ServerOption server;
   AppOptions app;
-  std::string config;
-  std::string data;
+  std::filesystem::path config;
+  std::filesystem::path data;
 };
 
 Status run(const Options& given) {

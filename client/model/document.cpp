@@ -34,11 +34,10 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, std::fu
   live_ = std::make_unique<LiveSession>(*opened_.connection, std::move(options));
 }
 
-std::string Document::random_edit_id() {
-  return random_id();
+void Document::send(Change change) {
+  send_as(random_id(), std::move(change));
 }
 
-template <typename Change>
 void Document::send_as(const std::string& id, Change change) {
   const Status sent = live_->apply({Edit{id, std::move(change)}});
   if (!sent.is_ok()) log_.failure("edit", sent);

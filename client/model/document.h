@@ -14,6 +14,7 @@
 #include "client/tools/cell_tint.h"
 #include "client/tools/curve_editor.h"
 #include "client/tools/presets.h"
+#include "common/edit/edit.h"
 
 namespace burnish {
 
@@ -98,13 +99,9 @@ class Document {
   bool has_ended() const { return link_ == LinkState::kEnded; }
 
  private:
-  template <typename Change>
-  void send(Change change) {
-    send_as(random_edit_id(), std::move(change));
-  }
-  template <typename Change>
+  using Change = decltype(Edit::change);
+  void send(Change change);
   void send_as(const std::string& id, Change change);
-  static std::string random_edit_id();
 
   Status take_displacement(const Displacement& displacement, Renderer& renderer);
   void handle(const LiveEvent& event);

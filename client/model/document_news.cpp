@@ -74,7 +74,8 @@ void Document::handle(const LiveEvent& event) {
                      tint_changed_ = united(tint_changed_, tint_.clear());
                    refresh_cells();
                  },
-                 [&](const PeopleChanged& people) { people_ = people.people; },
+                 [&](const PreviewShown& shown) { shown_after_ms_ = shown.latency_ms; },
+          [&](const PeopleChanged& people) { people_ = people.people; },
                  [&](const HistoryChanged& change) { follow_server(change); },
                  [&](const ProgressMade& progress) { progress_ = progress; },
              },
