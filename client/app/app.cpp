@@ -1,6 +1,7 @@
 #include "client/app/app.h"
 
 #include <chrono>
+#include <csignal>
 #include <ctime>
 
 #include "client/app/theme.h"
@@ -14,7 +15,11 @@ namespace burnish {
 static constexpr int kPicturesAfterEvent = 3;
 static constexpr double kIdleSeconds = 0.5;
 
+static volatile std::sig_atomic_t ended_by_signal = 0;
+
 Status App::run(AppOptions options, Preferences preferences) {
+  for (int number : {SIGINT, SIGTERM})  // in order: a private server ends with the window
+    std::signal(number, [](int) { ended_by_signal = 1; });
   Bindings bindings;
   for (const auto& [action, key] : preferences.keys) RETURN_IF_ERROR(bindings.bind(action, key));
   App app(std::move(options), std::move(bindings));
@@ -49,6 +54,7 @@ Status App::start(Preferences preferences) {
     Window::wake();
   };
   workspace_ = std::make_unique<Workspace>(*renderer_, std::move(preferences), options_.workspace);
+  if (!options_.record.empty()) RETURN_IF_ERROR(workspace_->recorder.open(options_.record));
   open_what_was_asked();
   return Status::ok();
 }
@@ -69,7 +75,7 @@ void App::open_what_was_asked() {
 
 Status App::loop() {
   int pictures = kPicturesAfterEvent;
-  while (!window_->should_close()) {
+  while (!window_->should_close() && !ended_by_signal) {
     window_->wait(pictures > 0 ? 0 : kIdleSeconds);
     const bool timed_out = !window_->take_dirty() && !news_.exchange(false);
     pictures = timed_out ? std::max(pictures, 1) : kPicturesAfterEvent;
@@ -152,6 +158,9 @@ void App::take_screenshot() {
   std::tm local{};
   localtime_r(&now, &local);
   std::strftime(name, sizeof name, "burnish-%F-%H%M%S.png", &local);
+  workspace_->recorder.record("wait");
+  workspace_->recorder.record(workspace_->viewport.camera);
+  workspace_->recorder.record(std::string("screenshot ") + name);
   const auto image = renderer_->read_pixels();
   const Status written = image.is_ok() ? write_png(*image, name) : image.status();
   if (!written.is_ok()) return workspace_->log.failure("screenshot", written);

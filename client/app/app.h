@@ -20,11 +20,12 @@
 namespace burnish {
 
 struct AppOptions {
-  std::filesystem::path scan;  ///< to import and open; empty: none
-  std::string server;          ///< empty: the private one when there is a scan, else nothing
-  std::string session;         ///< to join, or the new one's name
-  ImageSize size;              ///< of the window; 0x0: as it was
-  double scale = 0;            ///< 0: as configured, else as the screen says
+  std::filesystem::path scan;    ///< to import and open; empty: none
+  std::string server;            ///< empty: the private one when there is a scan, else nothing
+  std::string session;           ///< to join, or the new one's name
+  ImageSize size;                ///< of the window; 0x0: as it was
+  double scale = 0;              ///< 0: as configured, else as the screen says
+  std::filesystem::path record;  ///< where to write a script of what is done; empty: nowhere
   WorkspaceOptions workspace;
 };
 

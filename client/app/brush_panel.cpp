@@ -9,6 +9,7 @@ namespace burnish {
 static void draw_fall_off(Brush& brush) {
   static const char* const kNames[] = {"Smooth", "Linear", "Sharp", "Constant"};  // as FallOff
   int chosen = static_cast<int>(brush.fall_off);
+  ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Fall-off");
   ImGui::SameLine(em(6));
   ImGui::SetNextItemWidth(-1);

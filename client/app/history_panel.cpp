@@ -53,7 +53,7 @@ static void draw_entry(const HistoryEntry& entry, Document& document) {
       document.switch_entry(entry.number, is_on);
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Text, entry.enabled ? theme::kText : theme::kFaint);
-    ImGui::TextUnformatted(entry.summary.c_str());
+    ImGui::TextWrapped("%s", entry.summary.c_str());
     ImGui::PopStyleColor();
   }
   if (ImGui::IsItemHovered()) {

@@ -58,7 +58,7 @@ void Hud::draw(Workspace& workspace) {
   const Document& document = *workspace.document();
   const float margin = em(0.7f);
   ImGui::SetNextWindowPos({upper_right.x - margin, upper_right.y + margin}, 0, {1, 0});
-  ImGui::SetNextWindowBgAlpha(0.72f);
+  ImGui::SetNextWindowBgAlpha(0.86f);
   ImGui::Begin("##hud", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |

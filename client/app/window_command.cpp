@@ -3,7 +3,9 @@
 #include <memory>
 
 #include "client/app/app.h"
+#include "client/app/headless.h"
 #include "client/cli/server_option.h"
+#include "client/script/script.h"
 
 namespace burnish {
 namespace {
@@ -13,6 +15,8 @@ struct Options {
   AppOptions app;
   std::filesystem::path config;
   std::filesystem::path data;
+  std::filesystem::path script;
+  std::filesystem::path record;
 };
 
 Status run(const Options& given) {
@@ -25,6 +29,8 @@ Status run(const Options& given) {
   app.workspace.private_data = given.data.empty() ? private_data_folder() : given.data;
   ASSIGN_OR_RETURN(Preferences preferences, read_preferences(app.workspace.preferences));
   if (!given.server.user.empty()) preferences.user = given.server.user;
+  app.record = given.record;
+  if (!given.script.empty()) return run_script_file(given.script, std::move(app));
   return App::run(std::move(app), std::move(preferences));
 }
 
@@ -48,6 +54,10 @@ void add_window_command(CommandTable& table) {
                       "Draw at most so many; edits and exports use all");
   command->add_option("--config", options->config, "Configuration file");
   command->add_option("--data", options->data, "Folder of the private server");
+  command->add_option("--script", options->script, "Do what this file says, without a window")
+      ->check(CLI::ExistingFile);
+  command->add_option("--record", options->record, "Write what is done here as a script");
+  command->footer("A script has one command a line:\n" + script_help());
   add_server_options(*command, options->server);
 }
 

@@ -12,10 +12,12 @@ static double histogram_range(const ScanDescription& scan) {
                                                              : kWithoutHistogram;
 }
 
-Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, std::function<void()> wake)
+Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorder& recorder,
+                   std::function<void()> wake)
     : opened_(std::move(opened)),
       tasks_(tasks),
       log_(log),
+      recorder_(recorder),
       wake_(std::move(wake)),
       displacements_(opened_.mesh.corner_count, Vec3f::Zero()),
       beta_(opened_.state.gradient_scale),
@@ -39,7 +41,9 @@ void Document::send(Change change) {
 }
 
 void Document::send_as(const std::string& id, Change change) {
-  const Status sent = live_->apply({Edit{id, std::move(change)}});
+  const Edit edit{id, std::move(change)};
+  recorder_.record(edit);
+  const Status sent = live_->apply({edit});
   if (!sent.is_ok()) log_.failure("edit", sent);
   unacknowledged_ += sent.is_ok();
 }

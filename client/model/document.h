@@ -8,6 +8,7 @@
 #include "client/connection/live_session.h"
 #include "client/displaced_surface.h"
 #include "client/model/message_log.h"
+#include "client/model/recorder.h"
 #include "client/model/tasks.h"
 #include "client/renderer.h"
 #include "client/tools/brush_tool.h"
@@ -39,7 +40,8 @@ enum class ColourBy { kNothing, kBeta, kCurvature, kDisplacement };
 class Document {
  public:
   /// `wake` is called from other threads when update() has something to do.
-  Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, std::function<void()> wake);
+  Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorder& recorder,
+           std::function<void()> wake);
 
   const SessionInfo& session() const { return opened_.session; }
   const ScanDescription& scan() const { return opened_.scan; }
@@ -59,6 +61,7 @@ class Document {
   void preview_beta(double beta);
   void commit_beta();
   CurveEditor& curve() { return curve_; }
+  const CurveEditor& curve() const { return curve_; }
   void preview_curve();
   void commit_curve();
   void apply(const Preset& preset);
@@ -69,6 +72,8 @@ class Document {
   void begin_stroke(BrushMode mode, const Vec3d& point);
   void extend_stroke(const Vec3d& point);
   void end_stroke();
+  /// A whole stroke at once.
+  void paint(Stroke stroke) { send(std::move(stroke)); }
   void cancel_stroke();
   void move_ring(const std::optional<BrushRing>& ring) { live_->move_brush(ring); }
 
@@ -115,6 +120,7 @@ class Document {
   OpenedDocument opened_;
   Tasks& tasks_;
   MessageLog& log_;
+  Recorder& recorder_;
   std::function<void()> wake_;
   std::vector<Vec3f> displacements_;
 

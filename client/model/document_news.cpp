@@ -75,7 +75,7 @@ void Document::handle(const LiveEvent& event) {
                    refresh_cells();
                  },
                  [&](const PreviewShown& shown) { shown_after_ms_ = shown.latency_ms; },
-          [&](const PeopleChanged& people) { people_ = people.people; },
+                 [&](const PeopleChanged& people) { people_ = people.people; },
                  [&](const HistoryChanged& change) { follow_server(change); },
                  [&](const ProgressMade& progress) { progress_ = progress; },
              },

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <thread>
 #include <unistd.h>
+
+#include "common/base/atomic_file.h"
 #include <vector>
 
 #include <sys/wait.h>
@@ -27,6 +29,17 @@ static std::string last_line(const std::filesystem::path& log) {
   while (std::getline(file, line))
     if (!line.empty()) last = line;
   return last;
+}
+
+// 0 where there is none.
+static int read_port(const std::filesystem::path& file) {
+  int port = 0;
+  std::ifstream(file) >> port;
+  return port;
+}
+
+static std::string loopback(int port) {
+  return "127.0.0.1:" + std::to_string(port);
 }
 
 // It outlives this program only when that is killed; its edits are on disk, and it can be asked to
@@ -56,6 +69,7 @@ Result<std::unique_ptr<PrivateServer>> PrivateServer::start(const std::filesyste
   std::filesystem::create_directories(data, error);
   if (error) return errno_status("cannot make " + data.string(), error.value());
   const auto port_file = data / "window-port", log = data / "window-server.log";
+  const int others_port = read_port(port_file);
   std::filesystem::remove(port_file, error);
   const pid_t pid = spawn({program.string(), "--listen", "127.0.0.1:0", "--data", data.string(),
                            "--port-file", port_file.string()},
@@ -63,14 +77,17 @@ Result<std::unique_ptr<PrivateServer>> PrivateServer::start(const std::filesyste
   if (pid < 0) return errno_status("cannot start " + program.string(), errno);
   auto server = std::unique_ptr<PrivateServer>(new PrivateServer(pid, ""));
   while (report(progress, "starting a private server", 0)) {
-    int port = 0;
-    if (std::ifstream file(port_file); file >> port) {
-      server->address_ = "127.0.0.1:" + std::to_string(port);
+    if (const int port = read_port(port_file)) {
+      server->address_ = loopback(port);
       return server;
     }
     if (waitpid(pid, nullptr, WNOHANG) == pid) {
       server->pid_ = 0;
-      return unavailable("the private server ended: " + last_line(log));
+      if (others_port == 0) return unavailable("the private server ended: " + last_line(log));
+      // The folder is in use: by the server of another window, which serves this one as well.
+      RETURN_IF_ERROR(write_file(port_file, std::to_string(others_port) + "\n"));
+      server->address_ = loopback(others_port);
+      return server;
     }
     std::this_thread::sleep_for(kPoll);
   }

@@ -14,7 +14,8 @@ namespace burnish {
 /// A burnish-server on a loopback port for this user alone. It ends with the object.
 class PrivateServer {
  public:
-  /// Starts the burnish-server beside this program on this folder.
+  /// Starts the burnish-server beside this program on this folder, or takes the one of another
+  /// window that uses it.
   /// Fails: not_found (no such program); unavailable (it ended, with what it said last); cancelled.
   static Result<std::unique_ptr<PrivateServer>> start(const std::filesystem::path& data,
                                                       const Progress& progress);

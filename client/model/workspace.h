@@ -45,6 +45,7 @@ class Workspace {
 
   Preferences preferences;
   MessageLog log;
+  Recorder recorder;
   Viewport viewport;
 
   /// Handles what came in since the last picture. Fails: as the renderer does.
@@ -75,6 +76,8 @@ class Workspace {
 
   /// Imports and other long work that runs now.
   const std::vector<std::shared_ptr<Activity>>& activities() const { return activities_; }
+  /// Nothing is under way.
+  bool is_idle() const { return tasks_.is_idle(); }
   bool is_opening() const { return opening_; }
   uint64_t exports_done() const { return exports_done_; }
 

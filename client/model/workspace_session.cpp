@@ -49,7 +49,8 @@ void Workspace::reopen(const RecentSession& recent) {
 void Workspace::show(OpenedDocument opened) {
   save_preferences();
   document_.reset();
-  auto document = std::make_unique<Document>(std::move(opened), tasks_, log, options_.wake);
+  auto document =
+      std::make_unique<Document>(std::move(opened), tasks_, log, recorder, options_.wake);
   const Status shown = document->show(renderer_);
   if (!shown.is_ok()) return log.failure("open", shown);
   document->brush().brush = {.radius = preferences.brush_radius_part * document->diagonal(),
@@ -63,6 +64,7 @@ void Workspace::show(OpenedDocument opened) {
   viewport.camera = {.azimuth_degrees = 25, .elevation_degrees = 20};
   viewport.bookmarks.clear();
   viewport.frame_all(*document_);
+  recorder.record("join " + document_->session().name);
   remember(preferences, {library_.is_private ? "" : library_.server, document_->session().name,
                          document_->session().scan_id});
   save_preferences();
@@ -78,6 +80,8 @@ void Workspace::export_mesh(const std::filesystem::path& file, bool exact) {
   if (!document_) return;
   const auto format = mesh_format_of_path(file);
   if (!format.is_ok()) return log.failure("export", format.status());
+  recorder.record("wait");
+  recorder.record("export " + file.string() + (exact ? " exact" : ""));
   start_activity("Exporting " + file.filename().string(),
                  [this, file, wish = ExportWish{.format = *format, .exact = exact},
                   connection = document_->opened().connection,
