@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "client/model/document.h"
 #include "client/tools/colours.h"
@@ -152,17 +153,20 @@ void Document::fetch_curvature() {
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
                 session = opened_.session.id, range = curve_.kappa_range(),
                 wake = wake_](std::stop_token) -> Tasks::Completion {
-    auto mean = connection->cells(session, CellValue::kKappa1);
+    auto stronger = connection->cells(session, CellValue::kKappa1);
     const auto other = connection->cells(session, CellValue::kKappa2);
-    const Status status = mean.is_ok() ? other.status() : mean.status();
+    const Status status = stronger.is_ok() ? other.status() : stronger.status();
     if (status.is_ok())
-      for (size_t c = 0; c < mean->size(); ++c)
-        (*mean)[c] = signed_part_of_kappa(0.5 * ((*mean)[c] + (*other)[c]), range);
+      for (size_t c = 0; c < stronger->size(); ++c) {
+        float& kappa = (*stronger)[c];
+        if (std::abs((*other)[c]) > std::abs(kappa)) kappa = (*other)[c];
+        kappa = signed_part_of_kappa(kappa, range);
+      }
     wake();
-    return [this, alive, status, mean = std::move(mean)] {
+    return [this, alive, status, stronger = std::move(stronger)] {
       if (alive.expired()) return;
       if (!status.is_ok()) return log_.failure("curvature of the cells", status);
-      curvature_ = *mean;
+      curvature_ = *stronger;
       if (colour_ == ColourBy::kCurvature) set_colour(colour_);
     };
   });
