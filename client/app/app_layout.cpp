@@ -15,6 +15,7 @@ Status App::draw() {
   if (size.width < kImageSidePixelsMin || size.height < kImageSidePixelsMin) return Status::ok();
   window_->begin_frame();
   draw_panels();
+  renderer_->clear_window();
   const Status drawn = workspace_->document() ? draw_picture() : Status::ok();
   window_->end_frame();
   return drawn;

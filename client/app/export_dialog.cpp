@@ -33,7 +33,8 @@ void ExportDialog::draw(Workspace& workspace) {
   hint("Solves on until the surface is within 1e-5 of the diagonal; takes longer.");
   const bool wanted = ImGui::Button("Export", {em(8), 0});
   ImGui::SameLine();
-  const bool unwanted = ImGui::Button("Cancel", {em(8), 0});
+  const bool unwanted = ImGui::Button("Cancel", {em(8), 0}) ||
+                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
   if (wanted) workspace.export_mesh(path_, exact_);
   if (wanted || unwanted) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

@@ -21,6 +21,17 @@ static std::string scan_name(const Library& library, const std::string& id) {
 static constexpr ImGuiTableFlags kTable =
     ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
 
+static void draw_delete(const ScanInfo& scan, Workspace& workspace) {
+  if (ImGui::SmallButton("Delete")) ImGui::OpenPopup("##sure");
+  if (!ImGui::BeginPopup("##sure")) return;
+  ImGui::Text("The server forgets %s.", scan.name.c_str());
+  if (ImGui::Button("Delete for good")) {
+    workspace.delete_scan(scan.id);
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
 void draw_scans(Workspace& workspace) {
   ImGui::TextUnformatted("Scans");
   const Library& library = workspace.library();
@@ -41,7 +52,7 @@ void draw_scans(Workspace& workspace) {
     ImGui::TableNextColumn();
     faint_text("%s", scan.statistics.is_closed() ? "closed" : "open");
     ImGui::TableNextColumn();
-    if (ImGui::SmallButton("Delete")) workspace.delete_scan(scan.id);
+    draw_delete(scan, workspace);
     ImGui::PopID();
   }
   ImGui::EndTable();

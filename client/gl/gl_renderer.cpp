@@ -36,6 +36,12 @@ Status GlRenderer::draw(const Camera& camera, const ImageSize& size, const DrawS
   return check_gl("drawing");
 }
 
+void GlRenderer::clear_window() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glClearColor(0.145f, 0.155f, 0.170f, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
 void GlRenderer::draw_background() const {
   glDisable(GL_DEPTH_TEST);
   programs_.background.use();

@@ -36,6 +36,8 @@ class GlRenderer : public Renderer {
 
   /// Copies the last drawn picture into the window's own buffer, its lower left corner there.
   void show(const Eigen::Vector2i& lower_left) const { target_.show(lower_left); }
+  /// Makes the window's own buffer dark, and the one that is drawn to.
+  void clear_window() const;
 
  private:
   struct Programs {

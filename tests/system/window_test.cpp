@@ -32,7 +32,7 @@ class WindowTest : public testing::Test {
     ASSERT_TRUE(mesh.is_ok());
     ASSERT_TRUE(write_mesh(*mesh, scan).is_ok());
     ASSERT_EQ(server_->burnish({"import", scan.string()}).exit_code, 0);
-    ASSERT_EQ(server_->burnish({"open", "blob", "--name", "desk"}).exit_code, 0);
+    ASSERT_EQ(server_->burnish({"open", "blob", "--session", "desk"}).exit_code, 0);
     connection_ = std::make_unique<Connection>(
         std::move(Connection::open(server_->address, kPatience)).value());
     screen_ = std::make_unique<XDisplay>(kScreen);
