@@ -1,5 +1,6 @@
 #include "tests/system/x_display.h"
 
+#include <sstream>
 #include <thread>
 #include <unistd.h>
 
@@ -19,24 +20,27 @@ bool XDisplay::is_available() {
   return access(kXvfb, X_OK) == 0;
 }
 
+// Warnings go to the same file: the display's number is the line that is one.
+static std::string announced_display(const std::string& output) {
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty() && !lines.eof() && line.find_first_not_of("0123456789") == std::string::npos)
+      return ":" + line;
+  return {};
+}
+
 XDisplay::XDisplay(const ImageSize& size) : size_(size) {
   const std::string screen = std::to_string(size.width) + "x" + std::to_string(size.height) + "x24";
   server_ = std::make_unique<Process>(std::vector<std::string>{kXvfb, "-displayfd", "1", "-screen",
                                                                "0", screen, "-nolisten", "tcp"},
                                       folder_ / "xvfb.log");
-  BURNISH_CHECK(server_->wait_for_output("\n", kPatience), server_->output());
-  // Warnings go to the same file: the number is the line that is one.
-  const std::string output = server_->output();
-  size_t begin = 0;
-  while (begin < output.size()) {
-    const size_t end = std::min(output.find('\n', begin), output.size());
-    const std::string line = output.substr(begin, end - begin);
-    if (!line.empty() && line.find_first_not_of("0123456789") == std::string::npos)
-      name_ = ":" + line;
-    begin = end + 1;
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (name_.empty() && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    name_ = announced_display(server_->output());
   }
   display_ = XOpenDisplay(name_.c_str());
-  BURNISH_CHECK(display_ != nullptr, "no connection to Xvfb " + output);
+  BURNISH_CHECK(display_ != nullptr, "no connection to Xvfb: " + server_->output());
 }
 
 XDisplay::~XDisplay() {
