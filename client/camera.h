@@ -17,6 +17,8 @@ struct Camera {
   double field_of_view_degrees = 30;  ///< of the picture's height at zoom 1
   double zoom = 1;                    ///< magnifies the picture, keeps the perspective
   double scene_radius = 1;            ///< around the target, file units; sets the depth range
+
+  bool operator==(const Camera&) const = default;
 };
 
 /// The camera's axes in the world as rows: right, up, and back (from the target to the eye).

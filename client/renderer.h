@@ -23,6 +23,8 @@ struct Ring {
   Vec3d centre = Vec3d::Zero();  ///< file units, on the original surface
   double radius = 0;             ///< file units
   Vec3f colour = Vec3f::Ones();  ///< sRGB
+
+  bool operator==(const Ring&) const = default;
 };
 
 inline constexpr size_t kRingsDrawnMax = 8;
@@ -37,6 +39,8 @@ struct DrawStyle {
   bool faded = false;             ///< grey: what is shown may be out of date
   std::vector<Ring> rings;        ///< kRingsDrawnMax are drawn
   Vec3f tint = Vec3f::Ones();     ///< sRGB, where upload_cell_tint() says so
+
+  bool operator==(const DrawStyle&) const = default;
 };
 
 /// Elements first..first+count of an array.

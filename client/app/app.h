@@ -86,6 +86,17 @@ class App {
     ImageSize size;
   };
   Area picture_;
+
+  /// What the renderer's picture shows; while that is the same it is not drawn again.
+  struct Shown {
+    std::shared_ptr<const View> view;  // held, so that no other one has its address
+    uint64_t changes = 0;
+    ImageSize size;
+    Camera camera;
+    DrawStyle style;
+    bool operator==(const Shown&) const = default;
+  };
+  Shown shown_;
 };
 
 }  // namespace burnish

@@ -26,8 +26,11 @@ Status App::draw_picture() {
   if (!check_image_size(picture_.size).is_ok()) return Status::ok();
   Workspace& workspace = *workspace_;
   workspace.viewport.set_size(picture_.size);
-  RETURN_IF_ERROR(renderer_->draw(workspace.viewport.camera, picture_.size,
-                                  workspace.viewport.style(*workspace.document())));
+  const Document& document = *workspace.document();
+  Shown now{document.opened().view, document.picture_changes(), picture_.size,
+            workspace.viewport.camera, workspace.viewport.style(document)};
+  if (!(now == shown_)) RETURN_IF_ERROR(renderer_->draw(now.camera, now.size, now.style));
+  shown_ = std::move(now);
   const int bottom = window_->framebuffer_size().height - picture_.y - picture_.size.height;
   renderer_->show({picture_.x, bottom});
   return Status::ok();
@@ -93,7 +96,7 @@ void App::draw_menu_bar() {
   if (Document* const document = workspace.document()) {
     const std::string title = document->scan().scan.name + " · " + document->session().name;
     const float width = ImGui::CalcTextSize(title.c_str()).x;
-    ImGui::SameLine(ImGui::GetWindowWidth() - width - em(1));
+    ImGui::SameLine(ImGui::GetWindowWidth() - width - em(1.6f));
     faint_text("%s", title.c_str());
   }
   ImGui::EndMainMenuBar();

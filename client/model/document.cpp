@@ -6,8 +6,8 @@
 
 namespace burnish {
 
-static double histogram_range(const ScanDescription& scan) {
-  constexpr double kWithoutHistogram = 6;
+static double kappa_range(const ScanDescription& scan) {
+  constexpr double kWithoutHistogram = 100;
   return scan.prepared && scan.prepared->histogram_range > 0 ? scan.prepared->histogram_range
                                                              : kWithoutHistogram;
 }
@@ -21,7 +21,7 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
       wake_(std::move(wake)),
       displacements_(opened_.mesh.corner_count, Vec3f::Zero()),
       beta_(opened_.state.gradient_scale),
-      curve_(histogram_range(opened_.scan), opened_.state.transfer_curve),
+      curve_(kappa_range(opened_.scan), opened_.state.transfer_curve),
       tint_(*opened_.view),
       history_(std::move(opened_.history)),
       edits_known_(opened_.session.edits) {

@@ -98,6 +98,9 @@ class Document {
   const ProgressMade& progress() const { return progress_; }
   bool is_viewer() const { return welcome_.role == SessionRole::kViewer; }
 
+  /// Rises when update() changed what is drawn.
+  uint64_t picture_changes() const { return picture_changes_; }
+
   /// All that was asked for is done, and shown.
   bool is_settled() const;
   /// Why nothing more will come, if so.
@@ -146,6 +149,7 @@ class Document {
   std::string link_reason_;
   ProgressMade progress_;
   size_t unacknowledged_ = 0;
+  uint64_t picture_changes_ = 0;
   uint64_t edits_known_ = 0;  // of the session, on disk
   double shown_after_ms_ = 0;
 

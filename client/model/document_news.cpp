@@ -11,8 +11,10 @@ Status Document::update(Renderer& renderer) {
   link_ = news.link;
   facts_ = news.facts;
   unacknowledged_ = news.unacknowledged;
+  picture_changes_ += news.displacement.has_value();
   if (news.displacement) RETURN_IF_ERROR(take_displacement(*news.displacement, renderer));
   for (const LiveEvent& event : news.events) handle(event);
+  if (tint_changed_.count > 0 || cell_values_changed_) ++picture_changes_;
   if (tint_changed_.count > 0)
     RETURN_IF_ERROR(renderer.upload_cell_tint(tint_.weights(), std::exchange(tint_changed_, {})));
   if (std::exchange(cell_values_changed_, false))

@@ -7,11 +7,11 @@
 #include <sstream>
 #include <thread>
 #include <unistd.h>
-
-#include "common/base/atomic_file.h"
 #include <vector>
 
 #include <sys/wait.h>
+
+#include "common/base/atomic_file.h"
 
 namespace burnish {
 

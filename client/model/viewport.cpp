@@ -9,6 +9,7 @@ using Eigen::Vector2d;
 
 static constexpr double kDegreesPerPixel = 0.4;
 static constexpr double kZoomPerStep = 0.88;
+static constexpr int kMovesPerPictureMax = 4;
 
 static BrushMode mode_of(const Modifiers& modifiers) {
   if (modifiers.control) return BrushMode::kInvert;
@@ -43,8 +44,11 @@ void Viewport::move(const Vector2d& pixel) {
   if (gesture_ == Gesture::kTurn || gesture_ == Gesture::kPan) drag_camera(by);
   if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) value_changes_ = true;
   if (gesture_ != Gesture::kStroke) return;
-  // Each move costs a look at what lies there: of those between two pictures the last counts.
-  if (!events_.empty() && events_.back().kind == Event::Kind::kMove) events_.pop_back();
+  // Each move costs a look at what lies there: of those between two pictures some count.
+  const auto moves = std::count_if(events_.begin(), events_.end(), [](const Event& event) {
+    return event.kind == Event::Kind::kMove;
+  });
+  if (moves >= kMovesPerPictureMax && events_.back().kind == Event::Kind::kMove) events_.pop_back();
   events_.push_back({Event::Kind::kMove, pixel});
 }
 

@@ -13,7 +13,7 @@ float signed_part_of_beta(double beta) {
 }
 
 float signed_part_of_kappa(double kappa, double range) {
-  return static_cast<float>(std::clamp(std::asinh(kappa) / range, -1.0, 1.0));
+  return static_cast<float>(std::clamp(std::asinh(kappa) / std::asinh(range), -1.0, 1.0));
 }
 
 Vec3f blue_to_red(float signed_part) {

@@ -11,7 +11,7 @@ namespace burnish {
 float signed_part_of_beta(double beta);
 
 /// Where a curvature (user units) lies between -1 and 1 on the histogram's axis, whose ends are
-/// ±sinh(range).
+/// ±range.
 float signed_part_of_kappa(double kappa, double range);
 
 /// sRGB: blue at -1, grey at 0, red at 1.

@@ -14,12 +14,17 @@ static double log_part(double alpha) {
   return std::log(alpha / kFidelityMin) / std::log(kFidelityMax / kFidelityMin);
 }
 
+CurveEditor::CurveEditor(double kappa_range, const TransferCurve& curve)
+    : kappa_range_(std::min(kappa_range, 0.999 * kCurveKappaMagnitudeMax)),
+      axis_end_(std::asinh(kappa_range_)),
+      points_(curve.points()) {}
+
 Eigen::Vector2d CurveEditor::place_of(const TransferCurve::Point& point) const {
-  return {0.5 + 0.5 * std::asinh(point.kappa) / kappa_range_, log_part(point.alpha)};
+  return {0.5 + 0.5 * std::asinh(point.kappa) / axis_end_, log_part(point.alpha)};
 }
 
 TransferCurve::Point CurveEditor::point_at(const Eigen::Vector2d& place) const {
-  return {std::sinh((2 * place.x() - 1) * kappa_range_),
+  return {std::sinh((2 * place.x() - 1) * axis_end_),
           kFidelityMin * std::pow(kFidelityMax / kFidelityMin, place.y())};
 }
 

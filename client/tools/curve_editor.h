@@ -13,15 +13,14 @@ namespace burnish {
 /// asinh(κ), as the histogram's bins do; y from 0 to 1 evenly in log α.
 class CurveEditor {
  public:
-  /// `kappa_range`: the histogram's; the plot's ends are ±sinh of it.
-  explicit CurveEditor(double kappa_range = 6, const TransferCurve& curve = TransferCurve(50))
-      : kappa_range_(kappa_range), points_(curve.points()) {}
+  /// `kappa_range`: the plot's ends, as the histogram's. Needs: positive.
+  explicit CurveEditor(double kappa_range, const TransferCurve& curve = TransferCurve(50));
 
   Eigen::Vector2d place_of(const TransferCurve::Point& point) const;
   TransferCurve::Point point_at(const Eigen::Vector2d& place) const;
 
   const std::vector<TransferCurve::Point>& points() const { return points_; }
-  double kappa_range() const { return kappa_range_; }
+  double kappa_range() const { return kappa_range_; }  ///< of the plot's ends
 
   /// The curve that the points make: always a valid one.
   TransferCurve curve() const;
@@ -59,6 +58,7 @@ class CurveEditor {
 
  private:
   double kappa_range_;
+  double axis_end_;                           // asinh of it
   std::vector<TransferCurve::Point> points_;  // kappa rises
   std::optional<size_t> dragged_;
   std::vector<TransferCurve::Point> before_drag_;

@@ -138,13 +138,14 @@ TEST_F(WindowTest, AStrokeASliderACurvePointAndUndoChangeTheSessionAndThePicture
 
   screen_->drag(kBetaMiddleX, kBetaY, kBetaLeftX, kBetaY);
   EXPECT_EQ(newest_of(2).kind, EditKind::kGradientScale);
-  EXPECT_LT(connection_->state("desk")->gradient_scale, 0.3);
+  EXPECT_TRUE(eventually([&] { return connection_->state("desk")->gradient_scale < 0.3; }));
   const Image smoothed = settle();
   EXPECT_GT(difference(painted, smoothed), 1);
 
   screen_->drag(kPlotX, kPlotY, kPlotX, kPlotY - 40);
   EXPECT_EQ(newest_of(3).kind, EditKind::kTransferCurve);
-  EXPECT_EQ(connection_->state("desk")->transfer_curve.points().size(), 2u);
+  EXPECT_TRUE(
+      eventually([&] { return connection_->state("desk")->transfer_curve.points().size() == 2; }));
   const Image curved = settle();
   EXPECT_GT(difference(smoothed, curved), 0.1);
 
