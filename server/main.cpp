@@ -12,6 +12,7 @@
 #include "server/session/executor.h"
 #include "server/session/journal.h"
 #include "server/session/live_sessions.h"
+#include "server/solver/cuda/cuda_backend.h"
 #include "server/solver/device_probe.h"
 
 namespace burnish {
@@ -117,6 +118,8 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   const ServerConfig& config = line.config;
   ASSIGN_OR_RETURN(const TrustFiles files, open_trust_files(config));
   ASSIGN_OR_RETURN(const auto folder, DataFolder::open(config.data));
+  if (config.device_memory_bytes_max > 0)
+    set_cuda_memory_budget(static_cast<uint64_t>(config.device_memory_bytes_max));
   MeshStore store(*folder, store_options(config));
   ASSIGN_OR_RETURN(const auto journal, Journal::open(folder->journal()));
   ASSIGN_OR_RETURN(const auto sessions,

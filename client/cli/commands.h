@@ -28,6 +28,7 @@ void add_checkpoint_command(CommandTable& table);
 void add_fork_command(CommandTable& table);
 void add_people_command(CommandTable& table);
 void add_export_command(CommandTable& table);
+void add_bench_command(CommandTable& table);
 void add_close_command(CommandTable& table);
 void add_delete_command(CommandTable& table);
 

@@ -33,6 +33,7 @@ std::span<const ConfigKey> config_keys() {
       {"limits.upload_bytes_max", &C::upload_bytes_max, 1, kManyBytes},
       {"limits.upload_bytes_per_user", &C::upload_bytes_per_user, 1, kManyBytes},
       {"limits.memory_bytes_max", &C::memory_bytes_max, 0, kManyBytes},
+      {"limits.device_memory_bytes_max", &C::device_memory_bytes_max, 0, kManyBytes},
   };
   return keys;
 }

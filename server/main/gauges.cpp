@@ -2,6 +2,7 @@
 
 #include "common/base/process_memory.h"
 #include "server/metrics/live_objects.h"
+#include "server/solver/cuda/cuda_backend.h"
 
 namespace burnish {
 
@@ -27,6 +28,8 @@ std::vector<Gauge> read_gauges(const Server& server, MeshStore& store,
       {"burnish_memory_taken_bytes", "What admission has given away of memory_bytes_max",
        number(store.memory().taken())},
       {"burnish_memory_max_bytes", "limits.memory_bytes_max", number(store.memory().max())},
+      {"burnish_device_memory_bytes", "What meshes and sessions take of the GPU's memory",
+       number(cuda_memory_used())},
       {"burnish_resident_bytes", "Resident memory of the process", number(resident_bytes())},
   };
   if (certificates)

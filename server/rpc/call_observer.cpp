@@ -72,6 +72,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
       if (const grpc::ByteBuffer* bytes = batch->GetSerializedSendMessage())
         record_.bytes_sent += bytes->Length();
     if (at(InterceptionHookPoints::PRE_SEND_STATUS)) take_status(*batch);
+    if (at(InterceptionHookPoints::POST_RECV_CLOSE)) take_end();
     batch->Proceed();
   }
 
@@ -91,11 +92,20 @@ class CallObserver final : public grpc::experimental::Interceptor {
           static_cast<const google::protobuf::MessageLite*>(message)->ByteSizeLong();
   }
 
-  // Whether the call was cancelled shows only after the read that failed for it.
+  bool is_cancelled_for_want_of_a_message() const {
+    return lacks_message_ && info_.server_context()->IsCancelled();
+  }
+
+  // Whether the call was cancelled shows only after the read that failed for it, in a stream
+  // sometimes only after the status that we send for that.
+  void take_end() {
+    if (!is_malformed_ && is_cancelled_for_want_of_a_message()) is_cut_off_ = true;
+  }
+
   void take_status(InterceptorBatchMethods& batch) {
     const bool is_single_request = info_.type() == ServerRpcInfo::Type::UNARY ||
                                    info_.type() == ServerRpcInfo::Type::SERVER_STREAMING;
-    is_cut_off_ = lacks_message_ && info_.server_context()->IsCancelled();
+    is_cut_off_ = is_cancelled_for_want_of_a_message();
     is_malformed_ = lacks_message_ && is_single_request && !is_cut_off_;
     if (is_malformed_)  // gRPC itself says UNIMPLEMENTED
       batch.ModifySendStatus(

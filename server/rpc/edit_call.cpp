@@ -32,8 +32,9 @@ void EditCall::end_of_requests() {
 void EditCall::take_greeting() {
   if (!request_.has_greeting())
     return writer_.end(invalid_argument("a live session begins with a greeting"));
-  calls_.executor.post([call = self()] {
-    const auto client = call->join();
+  // Here, for on the executor the call may have ended, and its context gone.
+  calls_.executor.post([call = self(), user = calls_.guard.caller_of(context_)] {
+    const auto client = call->join(user);
     if (client.is_ok()) return call->take_place(client.value());
     spdlog::info("live session {}: {}", call->request_.greeting().session(),
                  client.status().to_string());
@@ -41,9 +42,9 @@ void EditCall::take_greeting() {
   });
 }
 
-Result<LiveClient> EditCall::join() {
+Result<LiveClient> EditCall::join(const Result<std::string>& user) {
+  RETURN_IF_ERROR(user.status());
   ASSIGN_OR_RETURN(const LiveGreeting greeting, from_wire(request_.greeting()));
-  ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(context_));
   const Progress progress = [this](std::string_view phase, double fraction) {
     writer_.report_progress(phase, fraction);
     return !cancelled_;
@@ -58,7 +59,7 @@ Result<LiveClient> EditCall::join() {
   wiring.on_dead = [weak = std::weak_ptr(self())] {
     if (const auto call = weak.lock()) call->cut();
   };
-  return calls_.live.join(greeting, user, std::move(wiring), progress);
+  return calls_.live.join(greeting, user.value(), std::move(wiring), progress);
 }
 
 void EditCall::take_place(const LiveClient& client) {

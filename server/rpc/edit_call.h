@@ -27,7 +27,7 @@ class EditCall final : public grpc::ServerBidiReactor<v1::ClientMessage, v1::Ser
 
  private:
   void take_greeting();
-  Result<LiveClient> join();
+  Result<LiveClient> join(const Result<std::string>& user);
   void take_place(const LiveClient& client);
   void cut();
 

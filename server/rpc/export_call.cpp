@@ -27,7 +27,9 @@ Status ExportCall::solve() {
   const Progress progress = [this](std::string_view phase, double fraction) {
     return report_progress(phase, fraction);
   };
-  ASSIGN_OR_RETURN(file_, calls_.sessions.export_mesh(request_.session(), wish, progress));
+  ASSIGN_OR_RETURN(file_,
+                   calls_.sessions.export_mesh(request_.session(), wish,
+                                               give_way_to(calls_.live.scheduler(), progress)));
   return Status::ok();
 }
 

@@ -65,7 +65,7 @@ Status ImportCall::take_chunk(const v1::Chunk& chunk) {
 void ImportCall::end_of_requests() {
   if (cancelled_) return end(cancelled("the client has gone"));
   if (!upload_) return end(invalid_argument("an import begins with its header"));
-  end(calls_.store.import(*upload_, header_, progress()));
+  end(calls_.store.import(*upload_, header_, give_way_to(calls_.live.scheduler(), progress())));
 }
 
 void ImportCall::end(const Result<ImportOutcome>& outcome) {

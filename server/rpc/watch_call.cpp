@@ -19,8 +19,8 @@ WatchCall::WatchCall(const CallContext& calls, grpc::CallbackServerContext& cont
               [this](grpc::Status status) { Finish(std::move(status)); }) {}
 
 void WatchCall::begin() {
-  calls_.executor.post([call = self()] {
-    const auto client = call->join();
+  calls_.executor.post([call = self(), user = calls_.guard.caller_of(context_)] {
+    const auto client = call->join(user);
     if (client.is_ok()) return call->take_place(client.value());
     spdlog::info("watching {}: {}", call->request_.greeting().session(),
                  client.status().to_string());
@@ -28,10 +28,10 @@ void WatchCall::begin() {
   });
 }
 
-Result<LiveClient> WatchCall::join() {
+Result<LiveClient> WatchCall::join(const Result<std::string>& user) {
+  RETURN_IF_ERROR(user.status());
   ASSIGN_OR_RETURN(LiveGreeting greeting, from_wire(request_.greeting()));
   greeting.may_be_silent = true;
-  ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(context_));
   const Progress progress = [this](std::string_view phase, double fraction) {
     writer_.report_progress(phase, fraction);
     return !cancelled_;
@@ -40,7 +40,7 @@ Result<LiveClient> WatchCall::join() {
   wiring.on_message = [weak = std::weak_ptr(self())] {
     if (const auto call = weak.lock()) call->writer_.pump();
   };
-  return calls_.live.join(greeting, user, std::move(wiring), progress);
+  return calls_.live.join(greeting, user.value(), std::move(wiring), progress);
 }
 
 static void grant_key_frame(const LiveClient& client) {

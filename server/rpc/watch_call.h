@@ -28,7 +28,7 @@ class WatchCall final : public grpc::ServerWriteReactor<v1::ServerMessage>,
   void OnDone() override;
 
  private:
-  Result<LiveClient> join();
+  Result<LiveClient> join(const Result<std::string>& user);
   void take_place(const LiveClient& client);
   void grant_later();
 

@@ -36,8 +36,7 @@ Result<std::shared_ptr<const FrameTarget>> FrameTargets::find_or_make(
     target->proxy_points =
         make_proxy({prepared.vertices, prepared.triangles, prepared.evaluation}, triangles_max)
             .evaluation;
-  target->layout =
-      std::make_shared<const FrameLayout>(make_layout(target->frame_mesh(), content));
+  target->layout = std::make_shared<const FrameLayout>(make_layout(target->frame_mesh(), content));
   known = target;
   return std::shared_ptr<const FrameTarget>(std::move(target));
 }

@@ -2,13 +2,13 @@
 
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <tuple>
 #include <vector>
 
 #include "common/base/progress.h"
 #include "common/frame_codec/frame_layout.h"
+#include "server/session/fair_mutex.h"
 #include "server/session/mesh_cache.h"
 
 namespace burnish {
@@ -37,7 +37,7 @@ class FrameTargets {
  private:
   using Key = std::tuple<const SharedMesh*, uint64_t, WantedContent>;
 
-  std::timed_mutex mutex_;  // also while one is made: the next may want the same
+  FairMutex mutex_;  // also while one is made: the next may want the same
   std::map<Key, std::weak_ptr<const FrameTarget>> targets_;
 };
 

@@ -75,18 +75,18 @@ Status LiveSession::send_frames(SessionTurn& at) {
       if (seat.subscriber->wants_frame(version_, settled)) wanting.push_back(seat);
   }
   if (wanting.empty()) return Status::ok();
-  const std::vector<Vec3d> displacement = session.solver().displacement();
+  const std::span<const Vec3f> displacement = session.solver().displacement();
   std::map<const FrameTarget*, std::shared_ptr<const FrameSample>> samples;
   for (const Seat& seat : wanting) {
     const FrameTarget& target = *seat.subscriber->target;
     auto& sample = samples[&target];
     if (!sample) {
-      ASSIGN_OR_RETURN(FrameSample made,
-                       sample_displacement<Vec3d>(*target.layout, target.frame_mesh(),
-                                                  displacement));
+      ASSIGN_OR_RETURN(FrameSample made, sample_displacement<Vec3f>(
+                                             *target.layout, target.frame_mesh(), displacement));
       sample = std::make_shared<const FrameSample>(std::move(made));
     }
-    seat.subscriber->show({sample, version_,
+    seat.subscriber->show({sample,
+                           version_,
                            {.settled = settled,
                             .report = at.last(),
                             .edits = at.edits(),

@@ -125,7 +125,8 @@ void LiveSession::drop_preview(uint64_t connection, const std::string& edit_id) 
 void LiveSession::drop_gesture(uint64_t connection, const std::vector<std::string>& edit_ids) {
   const std::lock_guard lock(mutex_);
   const auto mine = gestures_.find(connection);
-  if (mine == gestures_.end() || std::ranges::find(edit_ids, mine->second.edit_id) == edit_ids.end())
+  if (mine == gestures_.end() ||
+      std::ranges::find(edit_ids, mine->second.edit_id) == edit_ids.end())
     return;
   gestures_.erase(mine);
   changed_gestures_.insert(connection);

@@ -17,9 +17,9 @@ struct Gesture {
   std::variant<SetGradientScale, SetTransferCurve, Stroke> change;
 };
 
-/// What the gestures under way do to the fields of a session. It is shown and kept nowhere: gestures
-/// work on a copy, and the edited fields never see them. Of sliders and curves the last one moved
-/// counts; strokes are painted in the order in which they began.
+/// What the gestures under way do to the fields of a session. It is shown and kept nowhere:
+/// gestures work on a copy, and the edited fields never see them. Of sliders and curves the last
+/// one moved counts; strokes are painted in the order in which they began.
 class Previews {
  public:
   using Changes = EditedFields::Changes;
@@ -41,8 +41,8 @@ class Previews {
   /// Whether over() would give anything else than last time for the same edited fields.
   bool is_changed() const { return changes_.any(); }
 
-  /// The edited fields with the gestures on top, valid until the next call. Adds to `changes`, which
-  /// says what has changed in the edited fields, what has changed because of gestures.
+  /// The edited fields with the gestures on top, valid until the next call. Adds to `changes`,
+  /// which says what has changed in the edited fields, what has changed because of gestures.
   const Fields& over(const Fields& edited, Changes& changes);
 
   /// For whoever solves without gestures: what changes by leaving them out. The next over() brings

@@ -42,6 +42,21 @@ size_t Scheduler::waiting() const {
   return ring_.size();
 }
 
+void Scheduler::give_way(std::chrono::duration<double> time_max) {
+  std::unique_lock lock(mutex_);
+  calm_.wait_for(lock, time_max, [this] { return ring_.empty() && running_ == 0; });
+}
+
+Progress give_way_to(Scheduler& scheduler, Progress progress) {
+  using std::chrono::steady_clock;
+  return [&scheduler, progress = std::move(progress), last = steady_clock::now()](
+             std::string_view phase, double fraction) mutable {
+    scheduler.give_way(steady_clock::now() - last);
+    last = steady_clock::now();
+    return report(progress, phase, fraction);
+  };
+}
+
 bool Scheduler::run_one() {
   std::unique_lock lock(mutex_);
   if (ring_.empty()) return false;
@@ -49,10 +64,12 @@ bool Scheduler::run_one() {
   return true;
 }
 
-// Whoever is first and has time left; who has none gets some and goes to the end.
+// Who comes first gets some time where it has none left; who is still in debt goes to the end.
 std::shared_ptr<Scheduled> Scheduler::next() {
-  while (ring_.front()->deficit_ms_ <= 0) {
-    ring_.front()->deficit_ms_ += kQuantumMs;
+  for (;;) {
+    double& deficit_ms = ring_.front()->deficit_ms_;
+    if (deficit_ms <= 0) deficit_ms += kQuantumMs;
+    if (deficit_ms > 0) break;
     std::rotate(ring_.begin(), ring_.begin() + 1, ring_.end());
   }
   std::shared_ptr<Scheduled> first = std::move(ring_.front());
@@ -64,11 +81,13 @@ void Scheduler::take_turn(std::unique_lock<std::mutex>& lock) {
   using State = Scheduled::State;
   std::shared_ptr<Scheduled> scheduled = next();
   scheduled->state_ = State::kRunning;
+  ++running_;
   lock.unlock();
   const double start = clock_();
   const bool has_more = scheduled->turn();
   const double cost = clock_() - start;
   lock.lock();
+  --running_;
   scheduled->deficit_ms_ -= cost;
   if (has_more || scheduled->state_ == State::kWokenWhileRunning) {
     scheduled->state_ = State::kReady;
@@ -83,6 +102,7 @@ void Scheduler::take_turn(std::unique_lock<std::mutex>& lock) {
   scheduled->state_ = State::kIdle;
   // Time is not saved up, but what was taken beyond it stays owed.
   scheduled->deficit_ms_ = std::min(scheduled->deficit_ms_, 0.0);
+  if (ring_.empty() && running_ == 0) calm_.notify_all();
   lock.unlock();  // it may end here
   scheduled.reset();
   lock.lock();

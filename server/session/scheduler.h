@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -7,6 +8,8 @@
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include "common/base/progress.h"
 
 namespace burnish {
 
@@ -47,6 +50,10 @@ class Scheduler {
   /// How many wait for a turn.
   size_t waiting() const;
 
+  /// For work that is not scheduled, from time to time: waits while others have turns to take, but
+  /// no longer than that.
+  void give_way(std::chrono::duration<double> time_max);
+
   /// Takes one turn in the calling thread; false when nobody has work.
   bool run_one();
 
@@ -60,9 +67,15 @@ class Scheduler {
   const ClockMs clock_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
+  std::condition_variable calm_;  // nobody waits, nobody is at it
+  size_t running_ = 0;
   std::deque<std::shared_ptr<Scheduled>> ring_;
   bool ending_ = false;
   std::vector<std::thread> threads_;
 };
+
+/// The progress of work that gives way to the scheduler's: between two reports it waits for that,
+/// but no longer than it has worked itself.
+Progress give_way_to(Scheduler& scheduler, Progress progress);
 
 }  // namespace burnish

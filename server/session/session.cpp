@@ -82,10 +82,12 @@ Result<SolveReport> Session::solve(const SolveOptions& options, const Progress& 
   EditedFields::Changes changes = state_->edited.take_changes();
   changes |= state_->previews.set_aside();
   state_->update_solver(state_->edited.fields(), changes);
-  ++state_->cycles_since_change;
-  if (options.cycles > 0) return state_->solver->solve(0, options.cycles, progress);
-  return state_->solver->solve(options.exact ? kExactDistance : kSettledDistance, kCyclesMax,
-                               progress);
+  const bool is_counted = options.cycles > 0;
+  const double distance_max = options.exact ? kExactDistance : kSettledDistance;
+  auto solved = state_->solver->solve(is_counted ? 0 : distance_max,
+                                      is_counted ? options.cycles : kCyclesMax, progress);
+  if (solved.is_ok()) state_->cycles_since_change += solved.value().cycles;
+  return solved;
 }
 
 TriangleMesh Session::surface() const {

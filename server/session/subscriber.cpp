@@ -8,8 +8,8 @@ namespace burnish {
 
 using std::chrono::steady_clock;
 
-static constexpr size_t kAnswersMax = 64;         // that the client has not taken
-static constexpr size_t kUnansweredMax = 64;      // messages of edits
+static constexpr size_t kAnswersMax = 64;     // that the client has not taken
+static constexpr size_t kUnansweredMax = 64;  // messages of edits
 static constexpr size_t kUnansweredBytesMax = size_t{16} << 20;
 
 Subscriber::Subscriber(uint64_t own_connection, std::string own_user,
@@ -184,8 +184,8 @@ void Subscriber::encode(Shot shot) {
   const double seconds = std::chrono::duration<double>(steady_clock::now() - start).count();
   LiveFrame frame{{}, shot.facts};
   frame.facts.encode_ms = seconds * 1e3;
-  const bool shows_the_last = encoded.sent_tiles == 0 && encoded.reference != 0 &&
-                              encoded.reference == last_sequence_;
+  const bool shows_the_last =
+      encoded.sent_tiles == 0 && encoded.reference != 0 && encoded.reference == last_sequence_;
   if (!shows_the_last) {
     frame.data.assign(encoded.bytes.begin(), encoded.bytes.end());
     last_sequence_ = encoded.sequence;

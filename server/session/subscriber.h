@@ -89,7 +89,6 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   uint32_t credits() const;
 
  private:
-
   void answer(LiveMessage message, size_t bytes);
   void encode(Shot shot);
   void on_message() const;
@@ -103,10 +102,10 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
 
   mutable std::mutex mutex_;  // of what follows
   uint32_t credits_ = 0;
-  FrameCredit unseen_;               // by the encoder: what became of its frames
-  bool holds_frame_ = false;         // as far as we know; else every frame is a key frame,
-  bool key_frame_allowed_ = false;   // of which one goes out for each of the client's messages
-  bool making_frame_ = false;        // from show() until it is taken
+  FrameCredit unseen_;              // by the encoder: what became of its frames
+  bool holds_frame_ = false;        // as far as we know; else every frame is a key frame,
+  bool key_frame_allowed_ = false;  // of which one goes out for each of the client's messages
+  bool making_frame_ = false;       // from show() until it is taken
   std::optional<LiveFrame> frame_;
   std::optional<uint64_t> shown_version_;
   bool shown_settled_ = false;

@@ -44,9 +44,9 @@ class Backend {
   /// The matrices of all depths (section 5.2), smoothers and the coarsest factorisation. Afterwards
   /// r is wrong until recompute_residual().
   virtual void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) = 0;
-  /// b = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²), the constraint of the displacement; r changes by as much.
-  virtual void set_constraint(std::span<const float> alpha1, std::span<const float> alpha2,
-                              std::span<const float> beta) = 0;
+  /// b = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²), the constraint of the displacement, with the metric as
+  /// last set; r changes by as much.
+  virtual void set_constraint(std::span<const float> beta) = 0;
 
   // The V-cycle.
   virtual void relax_from_zero(int depth) = 0;     ///< x = M f, M symmetric positive definite
@@ -61,9 +61,10 @@ class Backend {
   virtual void update_direction(bool restart) = 0;  ///< p = x + γ p; γ = 0 on a restart
   virtual void advance() = 0;                       ///< u += a p, r −= a S p
 
-  virtual Measures measure() const = 0;
-  /// Copies u out, one entry per corner. Units: cells.
-  virtual void read_displacement(std::span<Vec3d> displacement) const = 0;
+  virtual Measures measure() const = 0;  ///< after advance()
+  // What leaves the solver. Each stays as it is until the same is called again. Units: cells.
+  virtual std::span<const Vec3f> displacement() = 0;         ///< u, one per corner
+  virtual std::span<const Vec3f> vertex_displacement() = 0;  ///< E u, one per vertex
 };
 
 }  // namespace burnish

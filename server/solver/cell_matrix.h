@@ -5,9 +5,10 @@
 
 namespace burnish {
 
-/// Index of the pair (a, b), a < b, of local corners in a packed table: (0,1) ... (0,7), (1,2) ...
+/// Index of the pair {a, b} of local corners in a packed table: (0,1) ... (0,7), (1,2) ...
 inline constexpr int pair_index(int a, int b) {
-  return a < b ? a * 7 - a * (a - 1) / 2 + (b - a - 1) : pair_index(b, a);
+  const int low = a < b ? a : b, high = a < b ? b : a;
+  return low * 7 - low * (low - 1) / 2 + (high - low - 1);
 }
 
 /// A cell's symmetric 8×8 share of a system matrix, as off-diagonal pairs and row sums. The

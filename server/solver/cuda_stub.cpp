@@ -16,6 +16,12 @@ Result<std::string> cuda_device() {
   return not_in_this_build();
 }
 
+void set_cuda_memory_budget(uint64_t) {}
+
+uint64_t cuda_memory_used() {
+  return 0;
+}
+
 Status probe_cuda_device() {
   return not_in_this_build();
 }

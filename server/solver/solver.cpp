@@ -65,7 +65,7 @@ void Solver::set_metric(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();
   backend_->set_metric(fields.alpha1, fields.alpha2);
-  backend_->set_constraint(fields.alpha1, fields.alpha2, fields.beta);
+  backend_->set_constraint(fields.beta);
   assemble_seconds_ += seconds_since(start);
   restart_ = residual_is_stale_ = true;
 }
@@ -73,7 +73,7 @@ void Solver::set_metric(const FieldsView& fields) {
 void Solver::set_gradient_scale(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();
-  backend_->set_constraint(fields.alpha1, fields.alpha2, fields.beta);
+  backend_->set_constraint(fields.beta);
   assemble_seconds_ += seconds_since(start);
   restart_ = true;
 }
@@ -118,20 +118,22 @@ Result<SolveReport> Solver::solve(double distance_max, int cycles_max, const Pro
   return report;
 }
 
-std::vector<Vec3d> Solver::displacement() const {
-  std::vector<Vec3d> displacement(hierarchy_->at(hierarchy_->finest).grid.corners.size());
-  backend_->read_displacement(displacement);
-  return displacement;
+std::span<const Vec3f> Solver::displacement() const {
+  use_threads(threads_);
+  return backend_->displacement();
+}
+
+std::span<const Vec3f> Solver::vertex_displacement() const {
+  use_threads(threads_);
+  return backend_->vertex_displacement();
 }
 
 std::vector<Vec3d> Solver::evaluate_vertices() const {
-  use_threads(threads_);
-  const SparseGrid& grid = hierarchy_->at(hierarchy_->finest).grid;
-  const std::vector<Vec3d> u = displacement();
+  const std::span<const Vec3f> moved = vertex_displacement();
   std::vector<Vec3d> positions(prepared_->vertices.begin(), prepared_->vertices.end());
 #pragma omp parallel for schedule(static)
-  for (int64_t v = 0; v < static_cast<int64_t>(positions.size()); ++v)
-    positions[v] += prepared_->frame.cell_size * evaluate<Vec3d>(grid, prepared_->evaluation[v], u);
+  for (size_t v = 0; v < positions.size(); ++v)
+    positions[v] += prepared_->frame.cell_size * moved[v].cast<double>();
   return positions;
 }
 

@@ -74,8 +74,10 @@ class Solver {
   /// what status() says.
   Result<SolveReport> solve(double distance_max, int cycles_max, const Progress& progress = {});
 
-  /// u, one per corner of the finest depth. Units: cells.
-  std::vector<Vec3d> displacement() const;
+  /// u, one per corner of the finest depth; stays as it is until the next call. Units: cells.
+  std::span<const Vec3f> displacement() const;
+  /// E u, one per vertex, likewise.
+  std::span<const Vec3f> vertex_displacement() const;
   /// Displaced positions E(c° + u) in file units, one per vertex.
   std::vector<Vec3d> evaluate_vertices() const;
 

@@ -6,6 +6,8 @@
 #include "common/mesh/generate.h"
 #include "server/prepare/prepare.h"
 #include "server/solver/cuda/cuda_backend.h"
+#include "server/solver/fields.h"
+#include "tests/backends/fault.h"
 #include "tests/backends/filtered.h"
 
 namespace burnish {
@@ -117,6 +119,56 @@ TEST_F(OnADevice, ManySeparatePiecesSettle) {
   const double diagonal = compute_statistics(mesh).diagonal();
   for (size_t v = 0; v < on_cpu.size(); ++v)
     ASSERT_LE((on_cpu[v] - on_cuda[v]).norm(), 2e-5 * diagonal) << "vertex " << v;
+}
+
+TEST_F(OnADevice, WhatIsReadOutIsWhatTheCpuHas) {
+  const TriangleMesh mesh = generate_scan({.kind = "blob", .vertices = 5000}).value();
+  Filtered on_cpu(mesh, 6, {.backend = BackendKind::kCpu});
+  Filtered on_cuda(mesh, 6, {.backend = BackendKind::kCuda});
+  on_cpu.alpha(20).beta(0).exact();
+  on_cuda.alpha(20).beta(0).exact();
+  const Solver &one = on_cpu.session().solver(), &other = on_cuda.session().solver();
+  const auto farthest = [](std::span<const Vec3f> a, std::span<const Vec3f> b) {
+    float most = 0;
+    for (size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).norm());
+    return most;
+  };
+  ASSERT_EQ(one.displacement().size(), other.displacement().size());
+  ASSERT_EQ(one.vertex_displacement().size(), mesh.vertices.size());
+  ASSERT_EQ(other.vertex_displacement().size(), mesh.vertices.size());
+  EXPECT_LE(farthest(one.vertex_displacement(), other.vertex_displacement()), 1e-4f);  // cells
+}
+
+TEST_F(OnADevice, BeyondTheBudgetIsRefusedWithNumbersAndGivesAllBack) {
+  const uint64_t before = cuda_memory_used();
+  set_cuda_memory_budget(before + 1'000'000);
+  const auto refused = open_solver({.backend = BackendKind::kCuda});
+  set_cuda_memory_budget(std::numeric_limits<uint64_t>::max());
+  ASSERT_FALSE(refused.is_ok());
+  EXPECT_EQ(refused.status().code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(refused.status().message(), HasSubstr("bytes on the device: it uses "));
+  EXPECT_EQ(cuda_memory_used(), before);
+  EXPECT_TRUE(open_solver({.backend = BackendKind::kCuda}).is_ok());
+}
+
+// In a process of its own, which the fault leaves without a device.
+TEST_F(OnADevice, AFaultSticksToSolverAndProbe) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  const auto live_on = [] {
+    const auto solver = open_solver({.backend = BackendKind::kCuda}).value();
+    const auto prepared = small_scan();
+    const Fields fields(*prepared);
+    solver->set_metric(fields.view());
+    const bool was_well = probe_cuda_device().is_ok();
+    provoke_cuda_fault();
+    const auto solved = solver->solve(1e-4, 5);
+    const bool told = solved.status().code() == StatusCode::kInternal &&
+                      solver->status().code() == StatusCode::kInternal &&
+                      probe_cuda_device().code() == StatusCode::kInternal;
+    std::fprintf(stderr, "%s\n", solved.status().message().c_str());
+    std::_Exit(was_well && told ? 0 : 1);
+  };
+  EXPECT_EXIT(live_on(), testing::ExitedWithCode(0), "CUDA: ");
 }
 
 }  // namespace

@@ -136,9 +136,9 @@ TEST_P(Facts, UnitsPoseAndPlaceDoNotMatter) {
   EXPECT_LE(vertex_distance(a, b, other.diagonal()).max, 1e-6);
 }
 
-double largest(const std::vector<Vec3d>& displacement) {
-  double most = 0;
-  for (const Vec3d& u : displacement) most = std::max(most, u.norm());
+float largest(std::span<const Vec3f> displacement) {
+  float most = 0;
+  for (const Vec3f& u : displacement) most = std::max(most, u.norm());
   return most;
 }
 
@@ -152,7 +152,7 @@ TEST_P(Facts, AnIdleSessionStaysWhereItSettled) {
     filtered.curve(curve).beta(0);
     const auto settled = filtered.exact();
     Session& live = filtered.session();
-    const double corners_reach = largest(live.solver().displacement());
+    const float corners_reach = largest(live.solver().displacement());
     double before = live.step().energy;
     for (int i = 1; i < 2000; ++i) {
       const double energy = live.step().energy;

@@ -16,9 +16,9 @@ constexpr double kRiseMax = 1e-12;  // of the energy, from one frame to the next
 constexpr double kDriftMax = 1e-5;  // of the diagonal
 constexpr double kGrowthMax = 2;    // of the largest |u| over all corners, seen or not
 
-double largest(const std::vector<Vec3d>& displacement) {
+double largest(std::span<const Vec3f> displacement) {
   double most = 0;
-  for (const Vec3d& u : displacement) most = std::max(most, u.norm());
+  for (const Vec3f& u : displacement) most = std::max(most, double{u.norm()});
   return most;
 }
 

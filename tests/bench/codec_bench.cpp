@@ -42,7 +42,7 @@ struct Scene {
   std::string name;
   FrameStep step;
   bool is_key;
-  std::vector<Vec3d> displacement;
+  std::vector<Vec3f> displacement;
 };
 
 template <typename Work>
@@ -97,6 +97,10 @@ class Scenes {
   }
 
  private:
+  std::vector<Vec3f> shown() const {
+    const std::span<const Vec3f> u = session_.solver().displacement();
+    return {u.begin(), u.end()};
+  }
   template <typename Change>
   void edit(Change change) {
     const Status status = session_.apply({std::to_string(edits_++), std::move(change)});
@@ -104,11 +108,11 @@ class Scenes {
   }
   void step(const std::string& name) {
     session_.step();
-    scenes_.push_back({name, FrameStep::kMoving, false, session_.solver().displacement()});
+    scenes_.push_back({name, FrameStep::kMoving, false, shown()});
   }
   void settle(const std::string& name, bool is_key = false) {
     BURNISH_CHECK(session_.solve({}).is_ok(), "nobody cancels");
-    scenes_.push_back({name, FrameStep::kStill, is_key, session_.solver().displacement()});
+    scenes_.push_back({name, FrameStep::kStill, is_key, shown()});
   }
 
   Session& session_;
@@ -118,7 +122,7 @@ class Scenes {
 
 // The largest distance, in cells, between what a client shows and what it should show.
 double vertex_error(const FrameLayout& layout, const FrameMesh& mesh, const FrameState& state,
-                    const std::vector<Vec3d>& displacement) {
+                    const std::vector<Vec3f>& displacement) {
   const bool coefficients = layout.content == FrameContent::kCoefficients;
   std::vector<Vec3f> shown(coefficients ? mesh.grid.corners.size() : mesh.points.size(),
                            Vec3f::Zero());
@@ -126,10 +130,10 @@ double vertex_error(const FrameLayout& layout, const FrameMesh& mesh, const Fram
     write_displacement(layout, state, tile, shown);
   double largest = 0;
   for (size_t v = 0; v < mesh.points.size(); ++v) {
-    const Vec3d wanted = evaluate<Vec3d>(mesh.grid, mesh.points[v], displacement);
+    const Vec3f wanted = evaluate<Vec3f>(mesh.grid, mesh.points[v], displacement);
     const Vec3f at_vertex =
         coefficients ? evaluate<Vec3f>(mesh.grid, mesh.points[v], shown) : shown[v];
-    largest = std::max(largest, (at_vertex.cast<double>() - wanted).lpNorm<Eigen::Infinity>());
+    largest = std::max(largest, double{(at_vertex - wanted).lpNorm<Eigen::Infinity>()});
   }
   return largest;
 }
@@ -159,7 +163,7 @@ void report_client(const std::string& name, const FrameLayout& client_layout, co
     if (scene.is_key) encoder.request_key_frame();
     FrameSample sample;
     const double rounding = median_milliseconds(
-        [&] { sample = sample_displacement<Vec3d>(*layout, mesh, scene.displacement).value(); });
+        [&] { sample = sample_displacement<Vec3f>(*layout, mesh, scene.displacement).value(); });
     EncodedFrame frame;
     const double encoding =
         median_milliseconds([&] { frame = encoder.encode(sample, scene.step); });

@@ -26,6 +26,7 @@ struct Rpc {
   std::vector<std::string> bad = {};  ///< empty: nothing can be wrong with it but its bytes
   StatusCode refusal = StatusCode::NOT_FOUND;
   bool is_there_already = false;  ///< called once more, to tidy up
+  bool is_endless = false;        ///< until its client has enough
 };
 
 template <typename Message>
@@ -73,6 +74,16 @@ std::string apply(const std::string& session) {
     edit->set_id("one");
     edit->mutable_gradient_scale()->set_beta(0.5);
   });
+}
+
+std::string greeting(const std::string& session) {
+  return bytes<v1::ClientMessage>(
+      [&](v1::ClientMessage& message) { message.mutable_greeting()->set_session(session); });
+}
+
+std::string watch(const std::string& session) {
+  return bytes<v1::WatchRequest>(
+      [&](v1::WatchRequest& request) { request.mutable_greeting()->set_session(session); });
 }
 
 std::string set_role(const std::string& session) {
@@ -143,6 +154,8 @@ std::vector<Rpc> rpcs_in_order(const std::string& scan) {
        {of_session<v1::GetPeopleRequest>("none")}},
       {editing + "GetCells", {cells("work")}, {cells("none")}},
       {editing + "SetRole", {set_role("work")}, {set_role("none")}},
+      {editing + "Edit", {greeting("work")}, {greeting("none")}},
+      {editing + "Watch", {watch("work")}, {watch("none")}, StatusCode::NOT_FOUND, false, true},
       {editing + "ForkSession", {fork("work")}, {fork("none")}},
       {editing + "DeleteSession",
        {of_session<v1::DeleteSessionRequest>("copy")},
@@ -185,6 +198,7 @@ class Outcomes : public testing::Test {
 
   WireAnswer run(const Rpc& rpc, const std::function<void(WireCall&)>& change = {}) {
     WireCall wire{rpc.method, rpc.good};
+    wire.enough_messages = rpc.is_endless ? 1 : 0;
     if (change) change(wire);
     return call(channel_, wire);
   }

@@ -9,7 +9,7 @@
 namespace burnish {
 
 std::vector<std::string> ServerProcess::command_line() const {
-  std::vector<std::string> words = {BURNISH_SERVER_BINARY, "--listen", "127.0.0.1:0", "--data",
+  std::vector<std::string> words = {BURNISH_SERVER_BINARY, "--listen", listen, "--data",
                                     (folder / "data").string()};
   words.insert(words.end(), flags.begin(), flags.end());
   return words;

@@ -25,7 +25,7 @@ class ServerProcess {
     start();
   }
 
-  /// Starts on the same data folder; a new port is taken.
+  /// Starts on the same data folder; a new port is taken unless `listen` names one.
   void start(const Process::Limits& limits = {});
 
   /// SIGKILL, and waits for the end.
@@ -52,6 +52,7 @@ class ServerProcess {
   std::vector<std::string> client_flags;  ///< of burnish, beside the address
   std::unique_ptr<Process> process;
   std::string address;
+  std::string listen = "127.0.0.1:0";  ///< what start() asks for; `address` for the same again
 
  private:
   size_t entries(const std::string& name) const;

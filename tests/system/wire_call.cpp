@@ -58,9 +58,14 @@ WireAnswer call(const std::shared_ptr<grpc::Channel>& channel, const WireCall& w
     stream->Read(&message, nullptr);
     if (!wait(queue)) break;
     answer.messages.push_back(to_bytes(message));
+    if (answer.messages.size() == wire.enough_messages) context.TryCancel();
   }
   stream->Finish(&answer.status, nullptr);
   wait(queue);
+  const bool had_enough =
+      wire.enough_messages > 0 && answer.messages.size() >= wire.enough_messages;
+  if (had_enough && answer.status.error_code() == grpc::StatusCode::CANCELLED)
+    answer.status = grpc::Status::OK;
   return answer;
 }
 

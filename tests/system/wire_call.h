@@ -27,6 +27,8 @@ struct WireCall {
   std::chrono::milliseconds deadline{120'000};
   bool cancel = false;     ///< once the messages are sent
   bool keep_open = false;  ///< do not say that there are no more
+  size_t enough_messages =
+      0;  ///< of an endless call, so many; then it is cancelled and counts as OK
 };
 struct WireAnswer {
   grpc::Status status;

@@ -24,20 +24,25 @@ BURNISH_DISPATCH void combine(const std::array<Gradient, 2>& gradient, double fi
 
 }  // namespace
 
+std::vector<double> ratios_of(std::span<const float> alpha1, std::span<const float> alpha2) {
+  std::vector<double> ratios(alpha1.size());
+  for (size_t c = 0; c < ratios.size(); ++c) ratios[c] = static_cast<double>(alpha2[c]) / alpha1[c];
+  return ratios;
+}
+
 void assemble_constraint(const PreparedMesh& prepared, const CpuDepth& finest,
-                         std::span<const float> alpha1, std::span<const float> alpha2,
-                         std::span<const float> beta, std::vector<Double4>& b,
-                         std::vector<Double4>& r) {
+                         std::span<const double> ratio, std::span<const float> beta,
+                         std::vector<Double4>& b, std::vector<Double4>& r) {
   const SparseGrid& grid = finest.topology.grid;
   Scratch<CellConstraint> shares(beta.size());
 #pragma omp parallel for schedule(static)
   for (size_t cell = 0; cell < beta.size(); ++cell) {
-    const double change = beta[cell] - 1.0,
-                 ratio = static_cast<double>(alpha2[cell]) / alpha1[cell];
+    const double change = beta[cell] - 1.0;
     if (change == 0)
       shares[cell].fill(0);
     else
-      combine(prepared.integrals[cell].gradient, change * ratio, change / ratio, shares[cell]);
+      combine(prepared.integrals[cell].gradient, change * ratio[cell], change / ratio[cell],
+              shares[cell]);
   }
 #pragma omp parallel for schedule(static)
   for (int32_t corner = 0; corner < grid.corner_count(); ++corner) {

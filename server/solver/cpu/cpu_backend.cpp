@@ -17,18 +17,34 @@ namespace cpu {
 
 namespace {
 
-float largest_ratio(std::span<const float> alpha1, std::span<const float> alpha2) {
-  float most = 1;
-  for (size_t c = 0; c < alpha1.size(); ++c)
-    most = std::max({most, alpha1[c] / alpha2[c], alpha2[c] / alpha1[c]});
+double anisotropy_of(std::span<const double> ratio) {
+  double most = 1;
+  for (const double r : ratio) most = std::max({most, r, 1 / r});
   return most;
+}
+
+void evaluate_all(const SparseGrid& grid, std::span<const EvaluationPoint> points,
+                  const std::vector<Double4>& u, std::vector<Vec3f>& moved) {
+  moved.resize(points.size());
+#pragma omp parallel for schedule(static)
+  for (size_t v = 0; v < points.size(); ++v) {
+    Double4 sum = Double4::Zero();
+    if (points[v].cell != kNone) {
+      const auto weights = trilinear_weights(points[v].local);
+      const auto& corners = grid.cell_corners[points[v].cell];
+      for (int a = 0; a < kCornersPerCell; ++a) sum += double{weights[a]} * u[corners[a]];
+    }
+    moved[v] = sum.head<3>().matrix().cast<float>();
+  }
 }
 
 class CpuBackend final : public Backend {
  public:
   CpuBackend(std::shared_ptr<const PreparedMesh> prepared,
              std::shared_ptr<const Hierarchy> hierarchy, Smoother smoother)
-      : prepared_(std::move(prepared)), hierarchy_(std::move(hierarchy)) {
+      : prepared_(std::move(prepared)),
+        hierarchy_(std::move(hierarchy)),
+        ratio_(prepared_->cells.size(), 1) {
     depths_.reserve(hierarchy_->depths.size());
     for (const HierarchyDepth& topology : hierarchy_->depths) {
       depths_.emplace_back(topology);
@@ -41,7 +57,8 @@ class CpuBackend final : public Backend {
   std::string_view name() const override { return "cpu"; }
 
   uint64_t byte_count() const override {
-    uint64_t bytes = outer_->byte_count() + coarsest_.byte_count();
+    uint64_t bytes = outer_->byte_count() + coarsest_.byte_count() + bytes_of(ratio_) +
+                     bytes_of(displacement_) + bytes_of(vertex_displacement_);
     for (const CpuDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother ? smoother->byte_count() : 0;
     return bytes;
@@ -49,15 +66,15 @@ class CpuBackend final : public Backend {
 
   void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
     assemble(*prepared_, alpha1, alpha2, depths_, &outer_->matrix());
-    const float anisotropy = largest_ratio(alpha1, alpha2);
-    for (CpuDepth& depth : depths_) depth.anisotropy = anisotropy;
+    ratio_ = ratios_of(alpha1, alpha2);
+    const double anisotropy = anisotropy_of(ratio_);
+    for (CpuDepth& depth : depths_) depth.anisotropy = static_cast<float>(anisotropy);
     for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
     coarsest_.factor(depths_.front());
   }
 
-  void set_constraint(std::span<const float> alpha1, std::span<const float> alpha2,
-                      std::span<const float> beta) override {
-    assemble_constraint(*prepared_, depths_.back(), alpha1, alpha2, beta, outer_->constraint(),
+  void set_constraint(std::span<const float> beta) override {
+    assemble_constraint(*prepared_, depths_.back(), ratio_, beta, outer_->constraint(),
                         outer_->residual());
   }
 
@@ -76,21 +93,36 @@ class CpuBackend final : public Backend {
   void advance() override { outer_->advance(); }
   Measures measure() const override { return outer_->measure(); }
 
-  void read_displacement(std::span<Vec3d> displacement) const override {
-    const auto& u = outer_->displacement();
-    for (size_t i = 0; i < u.size(); ++i) displacement[i] = u[i].head<3>().matrix();
+  std::span<const Vec3f> displacement() override {
+    const std::vector<Double4>& u = outer_->displacement();
+    displacement_.resize(u.size());
+#pragma omp parallel for schedule(static)
+    for (size_t i = 0; i < u.size(); ++i) displacement_[i] = u[i].head<3>().matrix().cast<float>();
+    return displacement_;
+  }
+
+  std::span<const Vec3f> vertex_displacement() override {
+    evaluate_all(hierarchy_->at(hierarchy_->finest).grid, prepared_->evaluation,
+                 outer_->displacement(), vertex_displacement_);
+    return vertex_displacement_;
   }
 
  private:
-  CpuDepth& at(int depth) { return depths_[depth - hierarchy_->coarsest]; }
-  DepthSmoother& smoother(int depth) { return *smoothers_[depth - hierarchy_->coarsest]; }
+  CpuDepth& at(int depth) {
+    return depths_[depth - hierarchy_->coarsest];
+  }
+  DepthSmoother& smoother(int depth) {
+    return *smoothers_[depth - hierarchy_->coarsest];
+  }
 
   std::shared_ptr<const PreparedMesh> prepared_;
   std::shared_ptr<const Hierarchy> hierarchy_;
+  std::vector<double> ratio_;                              // α2/α1 of every cell
   std::vector<CpuDepth> depths_;                           // from the coarsest
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
   CoarsestSolver coarsest_;
   std::unique_ptr<ConjugateGradients> outer_;
+  std::vector<Vec3f> displacement_, vertex_displacement_;  // empty until asked for
 };
 
 }  // namespace

@@ -6,12 +6,10 @@
 
 #include "server/solver/cpu/blocks.h"
 #include "server/solver/cpu/row_products.h"
+#include "server/solver/schwarz_bounds.h"
 
 namespace burnish::cpu {
 
-// The iteration ends below λmax. An under-estimate ruins the cycle, an over-estimate by a third
-// costs nothing.
-static constexpr double kMargin = 1.15;
 static constexpr int kIterationsFirst = 15;
 static constexpr int kIterationsNext = 2;
 
@@ -60,7 +58,8 @@ float LambdaMax::estimate(CpuDepth& depth, Bounds bounds, const std::function<vo
     return static_cast<float>(bounds.most);
   }
   scale_all(eigenvector_, static_cast<float>(1 / std::sqrt(after)));
-  return static_cast<float>(std::clamp(after / before * kMargin, bounds.least, bounds.most));
+  return static_cast<float>(
+      std::clamp(after / before * kLambdaMaxMargin, bounds.least, bounds.most));
 }
 
 }  // namespace burnish::cpu

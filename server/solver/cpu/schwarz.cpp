@@ -1,25 +1,16 @@
-#include <cmath>
-
 #include "server/solver/cpu/cell_inverse.h"
 #include "server/solver/cpu/chebyshev.h"
 #include "server/solver/cpu/gather_rows.h"
 #include "server/solver/cpu/lambda_max.h"
 #include "server/solver/cpu/row_products.h"
 #include "server/solver/cpu/smoother.h"
+#include "server/solver/schwarz_bounds.h"
 
 namespace burnish::cpu {
 
 namespace {
 
 constexpr int kDegree = 2;
-constexpr float kRange = 20;
-// The power iteration starts from the last metric's eigenvector and may take long to leave it when
-// another becomes the largest elsewhere. An estimate that is too low ruins the cycle, so it is held
-// above what was seen on scans: 11 where α1 = α2, 14 at a ratio of 100, 21 at 1000 at the most. No
-// more than 27 blocks meet (three cells an axis), which is the bound.
-Bounds lambda_max_bounds(float anisotropy) {
-  return {12.5 * std::pow(anisotropy, 0.07), 27};
-}
 
 class Schwarz final : public DepthSmoother {
  public:
@@ -45,9 +36,8 @@ class Schwarz final : public DepthSmoother {
     const auto apply = [&] {
       relax_along(depth, inverse_, {.source = depth.r, .step = {0, -1}, .from_zero = true});
     };
-    const float lambda_max =
-        lambda_max_.estimate(depth, lambda_max_bounds(depth.anisotropy), apply);
-    steps_ = chebyshev_steps<kDegree>(lambda_max, kRange);
+    const Bounds bounds = {lambda_max_least(depth.anisotropy), kLambdaMaxBound};
+    steps_ = chebyshev_steps<kDegree>(lambda_max_.estimate(depth, bounds, apply), kSchwarzRange);
   }
 
   // After the first step from zero x is d itself, and degree two ends with the next.

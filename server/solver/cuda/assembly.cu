@@ -5,94 +5,109 @@ namespace burnish::cuda {
 
 namespace {
 
-constexpr int kNumbers = 36;            // of a CellSquare
 constexpr float kPinnedBelow = 1e-12f;  // of the median diagonal
 constexpr int kMedianSamples = 1024;
 
-// One thread per number of a cell.
-__global__ void combine_kernel(int64_t count, const Integrals* integrals, const float* alpha1,
-                               const float* alpha2, double scale, CellSquare<double>* combined) {
-  const int64_t i = thread_index();
-  if (i >= count) return;
-  const int64_t c = i / kNumbers;
-  const int number = static_cast<int>(i % kNumbers);
-  const Integrals& in = integrals[c];
-  const CombineWeights weights = combine_weights(alpha1[c] * scale, alpha2[c] * scale);
-  if (number >= 28) {
-    combined[c].own[number - 28] = weights.mass * in.mass_row_sum[number - 28];
-  } else {
-    combined[c].pair[number] =
-        weights.mass * in.mass[number] + (weights.stiffness1 * in.stiffness[0][number] +
-                                          weights.stiffness2 * in.stiffness[1][number]);
+__global__ void combine_kernel(Integrals integrals, const float* alpha1, const float* alpha2,
+                               double scale, CellSquares<double> combined) {
+  await_previous();
+  const int64_t cell = thread_index();
+  if (cell >= combined.cells) return;
+  const CombineWeights weights = combine_weights(alpha1[cell] * scale, alpha2[cell] * scale);
+  const auto integral = [&](int number) {
+    return integrals.numbers[number * integrals.cells + cell];
+  };
+#pragma unroll 7
+  for (int pair = 0; pair < 28; ++pair)
+    pair_of(combined, cell, pair) =
+        weights.mass * integral(pair) +
+        (weights.stiffness1 * integral(36 + pair) + weights.stiffness2 * integral(64 + pair));
+#pragma unroll
+  for (int a = 0; a < 8; ++a) own_of(combined, cell, a) = weights.mass * integral(28 + a);
+}
+
+// Numbers that are at least one compare as their bits do, and a largest has no order.
+__global__ void anisotropy_kernel(int64_t count, const float* alpha1, const float* alpha2,
+                                  float* anisotropy) {
+  await_previous();
+  const int64_t c = thread_index();
+  const float ratio = c < count ? alpha1[c] / alpha2[c] : 1;
+  float most = fmaxf(ratio, 1 / ratio);
+  for (int offset = 16; offset > 0; offset /= 2)
+    most = fmaxf(most, __shfl_down_sync(0xffffffffu, most, offset));
+  if (threadIdx.x % 32 == 0)
+    atomicMax(reinterpret_cast<unsigned*>(anisotropy), __float_as_uint(most));
+}
+
+// Row a of K; its last number is the row sum.
+__device__ void read_row(const CellSquares<double>& cells, int32_t cell, int a, double (&row)[9]) {
+  row[8] = own_of(cells, cell, a);
+  double diagonal = row[8];
+#pragma unroll
+  for (int b = 0; b < 8; ++b) {
+    row[b] = a == b ? 0 : pair_of(cells, cell, pair_index(a, b));
+    diagonal -= row[b];
+  }
+#pragma unroll
+  for (int b = 0; b < 8; ++b)
+    if (a == b) row[b] = diagonal;
+}
+
+// K P within a row. Along each axis the child's corner in the parent's middle shares itself out by
+// halves.
+__device__ void restrict_columns(int octant, double (&row)[9]) {
+#pragma unroll
+  for (int bit = 1; bit < 8; bit *= 2)
+#pragma unroll
+    for (int b = 0; b < 8; ++b) {
+      if (b & bit) continue;
+      double &low = row[b], &high = row[b | bit];
+      const double half = 0.5 * (octant & bit ? low : high);
+      low = octant & bit ? half : low + half;
+      high = octant & bit ? high + half : half;
+    }
+}
+
+// Pᵀ from the left, among the eight neighbouring threads that hold a row each.
+__device__ void restrict_rows(int octant, int a, unsigned group, double (&row)[9]) {
+#pragma unroll
+  for (int bit = 1; bit < 8; bit *= 2) {
+    const bool in_middle = ((a ^ octant) & bit) != 0;
+#pragma unroll
+    for (int b = 0; b < 9; ++b) {
+      const double other = __shfl_xor_sync(group, row[b], bit);
+      row[b] = in_middle ? 0.5 * row[b] : row[b] + 0.5 * other;
+    }
   }
 }
 
-// P of a child cell: the weight of its corner a on the parent's corner A.
-__device__ double child_weight(int octant, int a, int parent_corner) {
-  double weight = 1;
-#pragma unroll
-  for (int axis = 0; axis < 3; ++axis) {
-    const double high = 0.5 * ((octant >> axis & 1) + (a >> axis & 1));
-    weight *= parent_corner >> axis & 1 ? high : 1 - high;
-  }
-  return weight;
-}
-
-// (Pᵀ K P)_AB for A ≠ B by pairs and row sums, which loses nothing:
-// Σ_a m_a P_aA P_aB − Σ_a<b K_ab (P_aA − P_bA)(P_aB − P_bB).
-__device__ double restricted_pair(const CellSquare<double>& child, int octant, int corner_a,
-                                  int corner_b) {
-  double on_a[8], on_b[8], sum = 0;
-#pragma unroll
-  for (int a = 0; a < 8; ++a) {
-    on_a[a] = child_weight(octant, a, corner_a);
-    on_b[a] = child_weight(octant, a, corner_b);
-    sum += child.own[a] * on_a[a] * on_b[a];
-  }
-#pragma unroll
-  for (int a = 0; a < 8; ++a)
-#pragma unroll
-    for (int b = a + 1; b < 8; ++b)
-      sum -= child.pair[pair_index(a, b)] * (on_a[a] - on_a[b]) * (on_b[a] - on_b[b]);
-  return sum;
-}
-
-__device__ double restricted_row_sum(const CellSquare<double>& child, int octant, int corner) {
-  double sum = 0;
-#pragma unroll
-  for (int a = 0; a < 8; ++a) sum += child.own[a] * child_weight(octant, a, corner);
-  return sum;
-}
-
-__device__ void corners_of_pair(int pair, int& a, int& b) {
-  for (a = 0; pair >= 7 - a; ++a) pair -= 7 - a;
-  b = a + 1 + pair;
-}
-
-// One thread per number of a coarse cell.
-__global__ void down_sample_kernel(int64_t count, Topology fine, Topology coarse,
-                                   const CellSquare<double>* fine_cells,
-                                   CellSquare<double>* coarse_cells) {
-  const int64_t i = thread_index();
-  if (i >= count) return;
-  const int64_t parent = i / kNumbers;
-  const int number = static_cast<int>(i % kNumbers);
-  int corner_a = number - 28, corner_b = 0;
-  if (number < 28) corners_of_pair(number, corner_a, corner_b);
-  double sum = 0;
+// Eight threads per coarse cell, each with a row.
+__global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<double> fine_cells,
+                                   CellSquares<double> coarse_cells) {
+  await_previous();
+  const int64_t i = thread_index(), parent = i / 8;
+  if (parent >= coarse_cells.cells) return;
+  const int a = static_cast<int>(i % 8);
+  const unsigned group = 0xffu << (threadIdx.x % 32 / 8 * 8);
+  double sum[9] = {};
   for (int32_t k = coarse.child_start[parent]; k < coarse.child_start[parent + 1]; ++k) {
     const int32_t child = coarse.child[k];
     const int octant = fine.octant[child];
-    sum += number < 28 ? restricted_pair(fine_cells[child], octant, corner_a, corner_b)
-                       : restricted_row_sum(fine_cells[child], octant, corner_a);
+    double row[9];
+    read_row(fine_cells, child, a, row);
+    restrict_columns(octant, row);
+    restrict_rows(octant, a, group, row);
+#pragma unroll
+    for (int b = 0; b < 9; ++b) sum[b] += row[b];
   }
-  if (number < 28)
-    coarse_cells[parent].pair[number] = sum;
-  else
-    coarse_cells[parent].own[corner_a] = sum;
+#pragma unroll
+  for (int b = 0; b < 8; ++b)
+    if (b > a) pair_of(coarse_cells, parent, pair_index(a, b)) = sum[b];
+  own_of(coarse_cells, parent, a) = sum[8];
 }
 
-__global__ void assemble_kernel(const CellSquare<double>* cells, Depth depth, ExactMatrix exact) {
+__global__ void assemble_kernel(CellSquares<double> cells, Depth depth, ExactMatrix exact) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
   const auto corner = static_cast<int32_t>(i);
@@ -102,14 +117,15 @@ __global__ void assemble_kernel(const CellSquare<double>* cells, Depth depth, Ex
   for (int s = 0; s < kSlots; ++s) diagonal -= row.by_slot[s];
   depth.system.diagonal[corner] = static_cast<float>(diagonal);
   if (exact.row_sum != nullptr) exact.row_sum[corner] = row.own;
-  for_present_slots(depth.topology.rows, corner, [&](int64_t k, int slot) {
-    depth.system.entry[k] = static_cast<float>(row.by_slot[slot]);
-    if (exact.entry != nullptr) exact.entry[k] = row.by_slot[slot];
+  store_row(depth.topology.rows, corner, row, [&](int64_t k, double value) {
+    depth.system.entry[k] = static_cast<float>(value);
+    if (exact.entry != nullptr) exact.entry[k] = value;
   });
 }
 
 // The median of an even sample, by one block that sorts it (bitonic).
 __global__ void pinned_below_kernel(int32_t n, const float* diagonal, float* pinned_below) {
+  await_previous();
   __shared__ float sample[kMedianSamples];
   const int stride = max(1, n / kMedianSamples);
   const int count = min(kMedianSamples, n / stride);
@@ -131,6 +147,7 @@ __global__ void pinned_below_kernel(int32_t n, const float* diagonal, float* pin
 }
 
 __global__ void invert_diagonal_kernel(Depth depth, const float* pinned_below) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
   const float diagonal = depth.system.diagonal[i];
@@ -139,20 +156,24 @@ __global__ void invert_diagonal_kernel(Depth depth, const float* pinned_below) {
 
 }  // namespace
 
-void combine_integrals(Stream& stream, int32_t cell_count, const Integrals* integrals,
-                       const float* alpha1, const float* alpha2, double scale,
-                       CellSquare<double>* combined) {
-  const int64_t count = static_cast<int64_t>(cell_count) * kNumbers;
-  launch(stream, combine_kernel, count, count, integrals, alpha1, alpha2, scale, combined);
+void combine_integrals(Stream& stream, const Integrals& integrals, const float* alpha1,
+                       const float* alpha2, double scale, const CellSquares<double>& combined) {
+  launch(stream, combine_kernel, combined.cells, integrals, alpha1, alpha2, scale, combined);
+}
+
+void find_anisotropy(Stream& stream, int32_t cell_count, const float* alpha1, const float* alpha2,
+                     const DeviceArray<float>& anisotropy) {
+  anisotropy.clear(stream);
+  launch(stream, anisotropy_kernel, cell_count, cell_count, alpha1, alpha2, anisotropy.data());
 }
 
 void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,
-                 const CellSquare<double>* fine_cells, CellSquare<double>* coarse_cells) {
-  const int64_t count = static_cast<int64_t>(coarse.cell_count) * kNumbers;
-  launch(stream, down_sample_kernel, count, count, fine, coarse, fine_cells, coarse_cells);
+                 const CellSquares<double>& fine_cells, const CellSquares<double>& coarse_cells) {
+  launch(stream, down_sample_kernel, 8 * coarse_cells.cells, fine, coarse, fine_cells,
+         coarse_cells);
 }
 
-void assemble(Stream& stream, const CellSquare<double>* cells, const Depth& depth,
+void assemble(Stream& stream, const CellSquares<double>& cells, const Depth& depth,
               const ExactMatrix& exact, float* pinned_below) {
   const int32_t n = depth.topology.corner_count;
   launch(stream, assemble_kernel, n, cells, depth, exact);

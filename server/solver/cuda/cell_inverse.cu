@@ -42,7 +42,8 @@ __device__ void invert(float (&m)[8][8]) {
   }
 }
 
-__global__ void invert_cells_kernel(Depth depth, CellSquare<float>* inverses) {
+__global__ void invert_cells_kernel(Depth depth, CellSquares<float> inverses) {
+  await_previous();
   const int64_t cell = thread_index();
   if (cell >= depth.topology.cell_count) return;
   float block[8][8];
@@ -50,15 +51,15 @@ __global__ void invert_cells_kernel(Depth depth, CellSquare<float>* inverses) {
   invert(block);
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
-    inverses[cell].own[a] = block[a][a];
+    own_of(inverses, cell, a) = block[a][a];
 #pragma unroll
     for (int b = a + 1; b < 8; ++b)
-      inverses[cell].pair[pair_index(a, b)] = (block[a][b] + block[b][a]) / 2;
+      pair_of(inverses, cell, pair_index(a, b)) = (block[a][b] + block[b][a]) / 2;
   }
 }
 
-__global__ void assemble_inverse_kernel(Depth depth, const CellSquare<float>* inverses,
-                                        Matrix inverse) {
+__global__ void assemble_inverse_kernel(Depth depth, CellSquares<float> inverses, Matrix inverse) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
   const auto corner = static_cast<int32_t>(i);
@@ -66,18 +67,18 @@ __global__ void assemble_inverse_kernel(Depth depth, const CellSquare<float>* in
   const GatheredRow<float> row = gather_row(depth.topology, inverses, corner);
   const float here = sqrtf(depth.inverse_diagonal[corner]);
   inverse.diagonal[corner] = row.own * here * here;
-  for_present_slots(rows, corner, [&](int64_t k, int slot) {
-    inverse.entry[k] = row.by_slot[slot] * here * sqrtf(depth.inverse_diagonal[rows.column[k]]);
+  store_row(rows, corner, row, [&](int64_t k, float value) {
+    inverse.entry[k] = value * here * sqrtf(depth.inverse_diagonal[rows.column[k]]);
   });
 }
 
 }  // namespace
 
-void invert_cells(Stream& stream, const Depth& depth, CellSquare<float>* inverses) {
+void invert_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses) {
   launch(stream, invert_cells_kernel, depth.topology.cell_count, depth, inverses);
 }
 
-void assemble_inverse(Stream& stream, const Depth& depth, const CellSquare<float>* inverses,
+void assemble_inverse(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
                       const Matrix& inverse) {
   launch(stream, assemble_inverse_kernel, depth.topology.corner_count, depth, inverses, inverse);
 }

@@ -6,10 +6,10 @@
 namespace burnish::cuda {
 
 /// (B_c + reg)⁻¹ of every cell, B_c the 8×8 block of the diagonally scaled S at its corners.
-void invert_cells(Stream& stream, const Depth& depth, CellSquare<float>* inverses);
+void invert_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses);
 
 /// The rows of D^-½ Σ_c R_cᵀ inverse_c R_c D^-½.
-void assemble_inverse(Stream& stream, const Depth& depth, const CellSquare<float>* inverses,
+void assemble_inverse(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
                       const Matrix& inverse);
 
 }  // namespace burnish::cuda

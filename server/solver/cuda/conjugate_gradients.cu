@@ -31,6 +31,7 @@ __device__ double quotient(double dividend, double divisor) {
 }
 
 __global__ void recompute_residual_kernel(Vectors v) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= v.finest.topology.corner_count) return;
   if (v.finest.inverse_diagonal[i] == 0)
@@ -40,6 +41,7 @@ __global__ void recompute_residual_kernel(Vectors v) {
 }
 
 __global__ void load_residual_kernel(Vectors v) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= v.finest.topology.corner_count) return;
   const Double3 r = v.r[i];
@@ -48,6 +50,7 @@ __global__ void load_residual_kernel(Vectors v) {
 
 // z·r and z·q, z being the V-cycle's correction.
 __global__ void correction_sums_kernel(Vectors v) {
+  await_previous();
   Sums<6> sums = {};
   for (int64_t i = thread_index(); i < v.finest.topology.corner_count; i += stride()) {
     const Double3 z = to_double(v.finest.x[i]);
@@ -59,6 +62,7 @@ __global__ void correction_sums_kernel(Vectors v) {
 }
 
 __global__ void momentum_kernel(Vectors v, int count, bool restart) {
+  await_previous();
   const Sums<6> total = total_of(partials_of<6>(v), count);
   if (threadIdx.x != 0) return;
   Scalars& scalars = *v.scalars;
@@ -71,6 +75,7 @@ __global__ void momentum_kernel(Vectors v, int count, bool restart) {
 }
 
 __global__ void direction_kernel(Vectors v) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= v.finest.topology.corner_count) return;
   v.p[i] = to_double(v.finest.x[i]) + triple(v.scalars->momentum) * v.p[i];
@@ -89,6 +94,7 @@ __device__ float squared_correction(const Depth& finest, const VertexPlace& plac
 
 // Numbers that are not negative compare as their bits do, and a largest has no order.
 __global__ void largest_correction_kernel(Vectors v, const VertexPlace* places, int64_t count) {
+  await_previous();
   float most = 0;
   for (int64_t i = thread_index(); i < count; i += stride())
     if (places[i].cell >= 0) most = fmaxf(most, squared_correction(v.finest, places[i]));
@@ -101,6 +107,7 @@ __global__ void largest_correction_kernel(Vectors v, const VertexPlace* places, 
 
 // q = S p, and the parts of p·q and p·r.
 __global__ void product_kernel(Vectors v) {
+  await_previous();
   Sums<6> sums = {};
   for (int64_t i = thread_index(); i < v.finest.topology.corner_count; i += stride()) {
     Double3 q = {0, 0, 0, 0};
@@ -115,26 +122,23 @@ __global__ void product_kernel(Vectors v) {
 }
 
 __global__ void step_length_kernel(Vectors v, int count) {
+  await_previous();
   const Sums<6> total = total_of(partials_of<6>(v), count);
   if (threadIdx.x != 0) return;
   for (int n = 0; n < 3; ++n) v.scalars->step[n] = quotient(total.at[3 + n], total.at[n]);
 }
 
+// u and r after the step, and the parts of their measures.
 __global__ void advance_kernel(Vectors v) {
-  const int64_t i = thread_index();
-  if (i >= v.finest.topology.corner_count) return;
-  const Double3 step = triple(v.scalars->step);
-  v.u[i] = v.u[i] + step * v.p[i];
-  v.r[i] = v.r[i] - step * v.q[i];
-}
-
-__global__ void measure_kernel(Vectors v) {
+  await_previous();
   Sums<3> sums = {};
+  const Double3 step = triple(v.scalars->step);
   for (int64_t i = thread_index(); i < v.finest.topology.corner_count; i += stride()) {
+    const Double3 b = v.b[i], u = v.u[i] + step * v.p[i], r = v.r[i] - step * v.q[i];
+    v.u[i] = u;
+    v.r[i] = r;
     const double scale = v.finest.inverse_diagonal[i];
-    if (scale == 0) continue;
-    const Double3 b = v.b[i], r = v.r[i];
-    sums.at[0] -= 0.5 * sum_of(v.u[i] * (b + r));
+    sums.at[0] -= 0.5 * sum_of(u * (b + r));
     sums.at[1] += scale * sum_of(r * r);
     sums.at[2] += scale * sum_of(b * b);
   }
@@ -143,6 +147,7 @@ __global__ void measure_kernel(Vectors v) {
 }
 
 __global__ void measures_kernel(Vectors v, int count) {
+  await_previous();
   const Sums<3> total = total_of(partials_of<3>(v), count);
   if (threadIdx.x != 0) return;
   v.scalars->energy = total.at[0];
@@ -192,12 +197,11 @@ void ConjugateGradients::update_direction(bool restart) {
 void ConjugateGradients::advance() {
   launch_striding(stream_, product_kernel, n_, vectors_);
   launch_one_block(stream_, step_length_kernel, vectors_, partial_count(n_));
-  launch(stream_, advance_kernel, n_, vectors_);
+  launch_striding(stream_, advance_kernel, n_, vectors_);
+  launch_one_block(stream_, measures_kernel, vectors_, partial_count(n_));
 }
 
 ConjugateGradients::Scalars ConjugateGradients::measure() const {
-  launch_striding(stream_, measure_kernel, n_, vectors_);
-  launch_one_block(stream_, measures_kernel, vectors_, partial_count(n_));
   Scalars scalars = {};
   scalars_.download(stream_, {&scalars, 1});
   return scalars;

@@ -38,7 +38,8 @@ class ConjugateGradients {
   void load_residual();
   void update_direction(bool restart);
   void advance();
-  /// The sums of backend.h's Measures, not yet divided and rooted. Waits for the device.
+  /// The sums of backend.h's Measures after the last advance(), not yet divided and rooted. Waits
+  /// for the device.
   Scalars measure() const;
   uint64_t byte_count() const;
 

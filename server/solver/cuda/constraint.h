@@ -14,7 +14,7 @@ struct FieldArrays {
 
 /// b_I = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²)_I, the right-hand side for the displacement: Eq. 4's
 /// constraint less S c°; the residual r changes by as much. Zero where pinned.
-void assemble_constraint(Stream& stream, const Depth& finest, const Integrals* integrals,
+void assemble_constraint(Stream& stream, const Depth& finest, const Gradients& gradients,
                          const FieldArrays& fields, Double3* b, Double3* r);
 
 }  // namespace burnish::cuda

@@ -3,12 +3,14 @@
 #include <cmath>
 
 #include "server/solver/cuda/assembly.h"
+#include "server/solver/cuda/cell_field.h"
 #include "server/solver/cuda/coarsest.h"
 #include "server/solver/cuda/conjugate_gradients.h"
 #include "server/solver/cuda/constraint.h"
 #include "server/solver/cuda/device_depth.h"
 #include "server/solver/cuda/device_mesh.h"
 #include "server/solver/cuda/graphs.h"
+#include "server/solver/cuda/readout.h"
 #include "server/solver/cuda/schwarz.h"
 #include "server/solver/cuda/transfer.h"
 
@@ -28,8 +30,9 @@ class CudaBackend final : public Backend {
         alpha1_(stream_, mesh_->prepared->cells.size()),
         alpha2_(stream_, mesh_->prepared->cells.size()),
         beta_(stream_, mesh_->prepared->cells.size()),
-        combined_{{stream_, mesh_->prepared->cells.size()}, {stream_, coarse_cells_max()}},
-        pinned_below_(stream_, 1) {
+        combined_(stream_, CellSquares<double>::kNumbers * cells_of_all_depths()),
+        pinned_below_(stream_, 1),
+        anisotropy_(stream_, 1) {
     for (const DeviceTopology& topology : mesh_->depths)
       depths_.emplace_back(stream_, topology.view());
     for (size_t i = 1; i < depths_.size(); ++i)
@@ -42,26 +45,23 @@ class CudaBackend final : public Backend {
   Status status() const override { return stream_.status(); }
 
   uint64_t byte_count() const override {
-    uint64_t bytes = outer_->byte_count() + coarsest_->byte_count() + 3 * beta_.byte_count() +
-                     combined_[0].byte_count() + combined_[1].byte_count();
+    uint64_t bytes = readout_.byte_count() + outer_->byte_count() + coarsest_->byte_count() +
+                     3 * beta_.byte_count() + combined_.byte_count();
     for (const DeviceDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother->byte_count();
     return bytes;
   }
 
   void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
+    stream_.synchronize();
     alpha1_.upload(stream_, alpha1);
     alpha2_.upload(stream_, alpha2);
     run_on_device(kMetricGraph, [this] { assemble_all(); });
-    stream_.synchronize();
   }
 
-  void set_constraint(std::span<const float> alpha1, std::span<const float> alpha2,
-                      std::span<const float> beta) override {
-    alpha1_.upload(stream_, alpha1);
-    alpha2_.upload(stream_, alpha2);
+  void set_constraint(std::span<const float> beta) override {
     beta_.upload(stream_, beta);
-    assemble_constraint(stream_, finest(), mesh_->integrals.data(),
+    assemble_constraint(stream_, finest(), mesh_->gradients(),
                         {alpha1_.data(), alpha2_.data(), beta_.data()}, outer_->constraint(),
                         outer_->residual());
     stream_.synchronize();
@@ -95,10 +95,11 @@ class CudaBackend final : public Backend {
     return measures;
   }
 
-  void read_displacement(std::span<Vec3d> displacement) const override {
-    std::vector<Double3> u(displacement.size());
-    outer_->displacement().download(stream_, u);
-    for (size_t i = 0; i < u.size(); ++i) displacement[i] = {u[i].x, u[i].y, u[i].z};
+  std::span<const Vec3f> displacement() override {
+    return readout_.displacement(finest(), outer_->displacement().data());
+  }
+  std::span<const Vec3f> vertex_displacement() override {
+    return readout_.vertex_displacement(finest(), outer_->displacement().data(), mesh_->evaluation);
   }
 
  private:
@@ -106,9 +107,10 @@ class CudaBackend final : public Backend {
   const Depth& finest() const { return depths_.back().view(); }
   Schwarz& smoother(int depth) { return *smoothers_[depth - coarse_offset_ - 1]; }
 
-  size_t coarse_cells_max() const {
-    const auto& depths = mesh_->hierarchy->depths;
-    return depths.size() > 1 ? depths[depths.size() - 2].grid.cells.size() : 1;
+  size_t cells_of_all_depths() const {
+    size_t cells = 0;
+    for (const HierarchyDepth& depth : mesh_->hierarchy->depths) cells += depth.grid.cells.size();
+    return cells;
   }
 
   void run_on_device(int key, const std::function<void()>& work) {
@@ -117,34 +119,39 @@ class CudaBackend final : public Backend {
 
   // The matrices of all depths, each from the combined integrals of the one below.
   void assemble_all() {
-    combine_integrals(stream_, finest().topology.cell_count, mesh_->integrals.data(),
-                      alpha1_.data(), alpha2_.data(), mesh_->prepared->alpha_scale(),
-                      combined_[0].data());
-    assemble(stream_, combined_[0].data(), finest(), outer_->matrix(), pinned_below_.data());
-    int from = 0;
-    for (size_t i = depths_.size() - 1; i > 0; --i, from = 1 - from) {
+    find_anisotropy(stream_, finest().topology.cell_count, alpha1_.data(), alpha2_.data(),
+                    anisotropy_);
+    CellSquares<double> cells = {combined_.data(), finest().topology.cell_count};
+    combine_integrals(stream_, mesh_->integrals(), alpha1_.data(), alpha2_.data(),
+                      mesh_->prepared->alpha_scale(), cells);
+    assemble(stream_, cells, finest(), outer_->matrix(), pinned_below_.data());
+    for (size_t i = depths_.size() - 1; i > 0; --i) {
       const Depth &fine = depths_[i].view(), &coarse = depths_[i - 1].view();
-      down_sample(stream_, fine.topology, coarse.topology, combined_[from].data(),
-                  combined_[1 - from].data());
-      assemble(stream_, combined_[1 - from].data(), coarse, {}, pinned_below_.data());
+      const CellSquares<double> coarse_cells = {cells.numbers + cells.kNumbers * cells.cells,
+                                                coarse.topology.cell_count};
+      down_sample(stream_, fine.topology, coarse.topology, cells, coarse_cells);
+      // The depth's combined integrals are of no more use: its smoother works in their place.
+      smoothers_[i - 1]->set_up({reinterpret_cast<float*>(cells.numbers), cells.cells},
+                                anisotropy_.data());
+      assemble(stream_, coarse_cells, coarse, {}, pinned_below_.data());
+      cells = coarse_cells;
     }
-    // The combined integrals are of no more use: the smoothers work in their place.
-    for (const auto& smoother : smoothers_)
-      smoother->set_up(reinterpret_cast<CellSquare<float>*>(combined_[0].data()));
     coarsest_->factor();
+    for (const auto& smoother : smoothers_) smoother->finish_set_up();
   }
 
   std::shared_ptr<const DeviceMesh> mesh_;
   int coarse_offset_;
-  mutable Stream stream_;
+  Stream stream_;
   Graphs graphs_{stream_};
-  DeviceArray<float> alpha1_, alpha2_, beta_;
-  DeviceArray<CellSquare<double>> combined_[2];
-  DeviceArray<float> pinned_below_;
+  CellField alpha1_, alpha2_, beta_;
+  DeviceArray<double> combined_;  // CellSquares of all depths, from the finest
+  DeviceArray<float> pinned_below_, anisotropy_;
   std::vector<DeviceDepth> depths_;                  // from the coarsest
   std::vector<std::unique_ptr<Schwarz>> smoothers_;  // none at the coarsest
   std::optional<CoarsestSolver> coarsest_;
   std::optional<ConjugateGradients> outer_;
+  Readout readout_{stream_};
 };
 
 }  // namespace

@@ -17,6 +17,10 @@ bool cuda_compiled();
 /// Fails: failed_precondition: not in this build, no driver, no device.
 Result<std::string> cuda_device();
 
+/// Limits what all sessions and meshes together take of the device's memory; without it, all of it.
+void set_cuda_memory_budget(uint64_t bytes);
+uint64_t cuda_memory_used();  ///< bytes
+
 /// Lets the device do a trifle and waits for it. Fails: internal_error; CUDA's errors stick.
 Status probe_cuda_device();
 

@@ -17,6 +17,7 @@ int64_t padded(int64_t corner_count) {
 
 // From zero; n is padded.
 __global__ void fill_kernel(int64_t n, Depth depth, double* square) {
+  await_previous();
   const int64_t row = thread_index();
   if (row >= n) return;
   square[row * n + row] = 1 + kRegularisation;
@@ -49,6 +50,7 @@ __device__ void invert_tile(double (&tile)[kTile][kTile], int row, int column) {
 // One step of Gauss-Jordan by tiles, one block per tile and one thread per number. With D the
 // inverse of the pivot tile, row tiles become D A, column tiles −A D, and all others lose A D A.
 __global__ void eliminate_kernel(int64_t n, int pivot, const double* from, double* to) {
+  await_previous();
   __shared__ double inverse[kTile][kTile], on_row[kTile][kTile], on_column[kTile][kTile];
   const int row = static_cast<int>(threadIdx.y), column = static_cast<int>(threadIdx.x);
   const int tile_row = static_cast<int>(blockIdx.y), tile_column = static_cast<int>(blockIdx.x);
@@ -78,6 +80,7 @@ __global__ void eliminate_kernel(int64_t n, int pivot, const double* from, doubl
 
 // One block per row.
 __global__ void scale_kernel(int64_t n, Depth depth, const double* square, float* inverse) {
+  await_previous();
   const int64_t row = blockIdx.x;
   const int32_t corners = depth.topology.corner_count;
   const double here = sqrt(static_cast<double>(depth.inverse_diagonal[row]));
@@ -89,6 +92,7 @@ __global__ void scale_kernel(int64_t n, Depth depth, const double* square, float
 
 // One warp per row.
 __global__ void multiply_kernel(Depth depth, const float* inverse) {
+  await_previous();
   const int64_t row = thread_index() / 32;
   const int64_t n = depth.topology.corner_count;
   if (row >= n) return;

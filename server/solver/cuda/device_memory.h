@@ -10,8 +10,15 @@
 
 namespace burnish::cuda {
 
-/// Takes device memory; a failure goes to the stream, with what was asked for and what is free.
+/// Takes device memory from the pool; a failure goes to the stream, with what was asked for and
+/// what is free.
 void* allocate(Stream& stream, uint64_t bytes);
+/// Gives it back to the pool, once the device is through with it.
+void release(void* memory, uint64_t bytes);
+
+/// Takes memory of the host that the device copies to at full speed.
+void* allocate_pinned(Stream& stream, uint64_t bytes);
+void release_pinned(void* memory);
 
 /// Copies a whole array to the device.
 template <typename T>
@@ -60,9 +67,7 @@ class DeviceArray {
     std::swap(size_, other.size_);
     return *this;
   }
-  ~DeviceArray() {
-    if (data_ != nullptr) cudaFree(data_);
-  }
+  ~DeviceArray() { release(data_, byte_count()); }
 
   T* data() const { return data_; }
   size_t size() const { return size_; }
@@ -74,6 +79,30 @@ class DeviceArray {
   }
   void upload(Stream& stream, std::span<const T> host) const { cuda::upload(stream, data_, host); }
   void download(Stream& stream, std::span<T> host) const { cuda::download(stream, data_, host); }
+
+ private:
+  T* data_ = nullptr;
+  size_t size_ = 0;
+};
+
+/// An array on the host for copies from the device. Empty when the stream has failed.
+template <typename T>
+class PinnedArray {
+ public:
+  PinnedArray() = default;
+  PinnedArray(Stream& stream, size_t count)
+      : data_(static_cast<T*>(allocate_pinned(stream, count * sizeof(T)))),
+        size_(data_ ? count : 0) {}
+  PinnedArray(PinnedArray&& other) noexcept { *this = std::move(other); }
+  PinnedArray& operator=(PinnedArray&& other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(size_, other.size_);
+    return *this;
+  }
+  ~PinnedArray() { release_pinned(data_); }
+
+  T* data() const { return data_; }
+  size_t size() const { return size_; }
 
  private:
   T* data_ = nullptr;

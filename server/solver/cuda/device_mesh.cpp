@@ -7,10 +7,8 @@
 
 namespace burnish::cuda {
 
-static_assert(sizeof(Integrals) == sizeof(CellIntegrals) &&
-              offsetof(Integrals, mass_row_sum) == offsetof(CellIntegrals, mass_row_sum) &&
-              offsetof(Integrals, stiffness) == offsetof(CellIntegrals, stiffness) &&
-              offsetof(Integrals, gradient) == offsetof(CellIntegrals, gradient));
+static_assert(offsetof(CellIntegrals, mass) == 0 &&
+              offsetof(CellIntegrals, gradient) == Integrals::kNumbers * sizeof(double));
 static_assert(offsetof(FromCell, place) == offsetof(DepthTransfer::FromCell, place));
 static_assert(offsetof(VertexPlace, local) == offsetof(EvaluationPoint, local));
 
@@ -86,9 +84,42 @@ uint64_t DeviceTopology::byte_count() const {
 }
 
 uint64_t DeviceMesh::byte_count() const {
-  uint64_t bytes = integrals.byte_count() + evaluation.byte_count();
+  uint64_t bytes =
+      integral_numbers.byte_count() + gradient_numbers.byte_count() + evaluation.byte_count();
   for (const DeviceTopology& depth : depths) bytes += depth.byte_count();
   return bytes;
+}
+
+static std::vector<double> integrals_of(const PreparedMesh& prepared) {
+  const size_t cells = prepared.integrals.size();
+  std::vector<double> numbers(Integrals::kNumbers * cells);
+#pragma omp parallel for schedule(static)
+  for (size_t c = 0; c < cells; ++c) {
+    const double* of_cell = prepared.integrals[c].mass.data();
+    for (int i = 0; i < Integrals::kNumbers; ++i) numbers[i * cells + c] = of_cell[i];
+  }
+  return numbers;
+}
+
+static std::vector<float> gradients_of(const PreparedMesh& prepared) {
+  const size_t cells = prepared.integrals.size();
+  std::vector<float> numbers(Gradients::kNumbers * cells);
+#pragma omp parallel for schedule(static)
+  for (size_t c = 0; c < cells; ++c)
+    for (int i = 0; i < 2; ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto number = [&](int k) -> float& {
+          return numbers[(k + 3 * i + axis) * cells + c];
+        };
+        double last = 0;
+        for (int a = 0; a < 7; ++a) {
+          number(6 * a) = static_cast<float>(prepared.integrals[c].gradient[i][3 * a + axis]);
+          last -= number(6 * a);
+        }
+        number(42) = static_cast<float>(last);
+        number(48) = static_cast<float>(last - number(42));
+      }
+  return numbers;
 }
 
 static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
@@ -96,7 +127,8 @@ static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
   Stream stream;
   auto mesh = std::make_shared<DeviceMesh>();
   for (const HierarchyDepth& depth : hierarchy->depths) mesh->depths.emplace_back(stream, depth);
-  mesh->integrals = DeviceArray<Integrals>::copy_of(stream, prepared->integrals);
+  mesh->integral_numbers = {stream, integrals_of(*prepared)};
+  mesh->gradient_numbers = {stream, gradients_of(*prepared)};
   mesh->evaluation = DeviceArray<VertexPlace>::copy_of(stream, prepared->evaluation);
   mesh->prepared = std::move(prepared);
   mesh->hierarchy = std::move(hierarchy);

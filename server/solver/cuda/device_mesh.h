@@ -37,9 +37,13 @@ struct DeviceMesh {
   std::shared_ptr<const PreparedMesh> prepared;
   std::shared_ptr<const Hierarchy> hierarchy;
   std::vector<DeviceTopology> depths;  ///< from the coarsest
-  DeviceArray<Integrals> integrals;
+  DeviceArray<double> integral_numbers;
+  DeviceArray<float> gradient_numbers;
   DeviceArray<VertexPlace> evaluation;
 
+  int64_t cells() const { return depths.back().view().cell_count; }
+  Integrals integrals() const { return {integral_numbers.data(), cells()}; }
+  Gradients gradients() const { return {gradient_numbers.data(), cells()}; }
   uint64_t byte_count() const;
 };
 

@@ -14,32 +14,32 @@ struct GatheredRow {
 };
 
 template <typename Real>
-__device__ GatheredRow<Real> gather_row(const Topology& topology, const CellSquare<Real>* cells,
+__device__ GatheredRow<Real> gather_row(const Topology& topology, const CellSquares<Real>& cells,
                                         int32_t corner) {
   GatheredRow<Real> row = {};
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
     const int32_t cell = topology.cells_of_corner[corner].at[a];
     if (cell < 0) continue;
-    row.own += cells[cell].own[a];
+    row.own += own_of(cells, cell, a);
 #pragma unroll
     for (int b = 0; b < 8; ++b)
-      if (b != a) row.by_slot[slot_between(a, b)] += cells[cell].pair[pair_index(a, b)];
+      if (b != a) row.by_slot[slot_between(a, b)] += pair_of(cells, cell, pair_index(a, b));
   }
   return row;
 }
 
-/// Calls store(k, slot) for the present slots of a row, k being the entry's place.
-template <typename Store>
-__device__ void for_present_slots(const Rows& rows, int32_t corner, Store&& store) {
-  const uint32_t mask = rows.mask[corner];
-  int64_t k = row_begin(rows, corner);
+/// Calls store(k, value) for the present slots of a row, k being the entry's place. The row goes
+/// through shared memory, so that all rows of a slice store their first entries, then their second.
+template <typename Real, typename Store>
+__device__ void store_row(const Rows& rows, int32_t corner, const GatheredRow<Real>& row,
+                          Store&& store) {
+  __shared__ Real by_slot[kSlots][kThreads];
 #pragma unroll
-  for (int slot = 0; slot < kSlots; ++slot)
-    if (mask >> slot & 1) {
-      store(k, slot);
-      k += kSliceRows;
-    }
+  for (int slot = 0; slot < kSlots; ++slot) by_slot[slot][threadIdx.x] = row.by_slot[slot];
+  int64_t k = row_begin(rows, corner);
+  for (uint32_t mask = rows.mask[corner]; mask != 0; mask &= mask - 1, k += kSliceRows)
+    store(k, by_slot[__ffs(static_cast<int>(mask)) - 1][threadIdx.x]);
 }
 
 }  // namespace burnish::cuda

@@ -2,18 +2,14 @@
 #include "server/solver/cuda/reduce.h"
 #include "server/solver/cuda/schwarz.h"
 #include "server/solver/cuda/transfer.h"
+#include "server/solver/schwarz_bounds.h"
 
 namespace burnish::cuda {
 
 namespace {
 
-// An under-estimate of λmax ruins the cycle, an over-estimate by a third costs nothing. No more
-// than 27 blocks meet (three cells an axis), which bounds it.
-constexpr float kMargin = 1.15f;
-constexpr float kLambdaMaxLeast = 10;
-constexpr float kLambdaMaxBound = 27;
 constexpr int kIterationsFirst = 15;
-constexpr int kIterationsNext = 4;
+constexpr int kIterationsNext = 1;
 
 enum class Step { kFromZero, kFirst, kSecond };
 
@@ -21,6 +17,7 @@ enum class Step { kFromZero, kFirst, kSecond };
 template <Step kStep>
 __global__ void step_kernel(Depth depth, Matrix inverse, const float4* source,
                             const Schwarz::Spectrum* spectrum, float4* direction) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
   const auto corner = static_cast<int32_t>(i);
@@ -44,6 +41,7 @@ __device__ float noise(uint32_t seed) {
 
 // Three columns of noise that leave no eigenvector out.
 __global__ void start_kernel(Depth depth, float4* eigenvector, Schwarz::Spectrum* spectrum) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
   if (i == 0) *spectrum = {0, 1, 0, 0, 0};
@@ -55,6 +53,7 @@ __global__ void start_kernel(Depth depth, float4* eigenvector, Schwarz::Spectrum
 // x = M⁻¹S x from r = −S x, and the parts of x·Sx and M⁻¹Sx·Sx.
 __global__ void power_kernel(Depth depth, Matrix inverse, const Schwarz::Spectrum* spectrum,
                              Sums<2>* partials) {
+  await_previous();
   Sums<2> sums = {};
   for (int64_t i = thread_index(); i < depth.topology.corner_count; i += stride()) {
     const float4 x = depth.x[i], r = depth.r[i];
@@ -68,10 +67,9 @@ __global__ void power_kernel(Depth depth, Matrix inverse, const Schwarz::Spectru
   if (threadIdx.x == 0) partials[blockIdx.x] = sums;
 }
 
-// The Chebyshev iteration of degree 2 that damps eigenvalues in [λmax/20, λmax].
 __device__ void set_steps(float lambda_max, Schwarz::Spectrum& spectrum) {
-  const float centre = lambda_max * (1 + 1 / 20.0f) / 2;
-  const float half_width = lambda_max * (1 - 1 / 20.0f) / 2;
+  const float centre = lambda_max * (1 + 1 / kSchwarzRange) / 2;
+  const float half_width = lambda_max * (1 - 1 / kSchwarzRange) / 2;
   const float sigma = centre / half_width;
   const float rho = 1 / (2 * sigma - 1 / sigma);
   spectrum.first_step = 1 / centre;
@@ -79,15 +77,17 @@ __device__ void set_steps(float lambda_max, Schwarz::Spectrum& spectrum) {
   spectrum.second_step = 2 * rho / half_width;
 }
 
-__global__ void spectrum_kernel(const Sums<2>* partials, int count, Schwarz::Spectrum* spectrum) {
+__global__ void spectrum_kernel(const Sums<2>* partials, int count, const float* anisotropy,
+                                Schwarz::Spectrum* spectrum) {
+  await_previous();
   const Sums<2> total = total_of(partials, count);
   if (threadIdx.x != 0) return;
   if (total.at[0] > 0 && total.at[1] > 0) {
     spectrum->lambda_max = static_cast<float>(total.at[1] / total.at[0]);
     spectrum->normalise = static_cast<float>(1 / sqrt(total.at[1]));
   }
-  set_steps(fminf(fmaxf(spectrum->lambda_max * kMargin, kLambdaMaxLeast), kLambdaMaxBound),
-            *spectrum);
+  const float estimate = static_cast<float>(kLambdaMaxMargin) * spectrum->lambda_max;
+  set_steps(fminf(fmaxf(estimate, lambda_max_least(*anisotropy)), kLambdaMaxBound), *spectrum);
 }
 
 }  // namespace
@@ -103,25 +103,25 @@ Schwarz::Schwarz(Stream& stream, const Depth& depth)
       spectrum_(stream, 1),
       inverse_{entry_.data(), diagonal_.data()} {}
 
-void Schwarz::set_up(CellSquare<float>* inverses) {
-  invert_cells(stream_, depth_, inverses);
-  assemble_inverse(stream_, depth_, inverses, inverse_);
-  estimate_lambda_max();
+void Schwarz::set_up(const CellSquares<float>& inverses, const float* anisotropy) {
+  branch_.fork();
+  invert_cells(branch_.stream(), depth_, inverses);
+  assemble_inverse(branch_.stream(), depth_, inverses, inverse_);
+  estimate_lambda_max(anisotropy);
 }
 
-// The largest eigenvalue of M⁻¹S by power iteration, a lower bound that the margin lifts. It starts
-// from the last matrix's eigenvector: between two edits little changes.
-void Schwarz::estimate_lambda_max() {
+void Schwarz::estimate_lambda_max(const float* anisotropy) {
+  Stream& stream = branch_.stream();
   const int64_t n = depth_.topology.corner_count;
   Depth power = depth_;
   power.x = eigenvector_.data();
-  if (first_) launch(stream_, start_kernel, n, depth_, eigenvector_.data(), spectrum_.data());
-  if (stream_.is_ok())
-    stream_.check(cudaMemsetAsync(power.f, 0, n * sizeof(float4), stream_.get()), "clearing f");
+  if (first_) launch(stream, start_kernel, n, depth_, eigenvector_.data(), spectrum_.data());
+  if (stream.is_ok())
+    stream.check(cudaMemsetAsync(power.f, 0, n * sizeof(float4), stream.get()), "clearing f");
   for (int i = 0; i < (first_ ? kIterationsFirst : kIterationsNext); ++i) {
-    compute_residual(stream_, power);
-    launch_striding(stream_, power_kernel, n, power, inverse_, spectrum_.data(), partials_.data());
-    launch_one_block(stream_, spectrum_kernel, partials_.data(), partial_count(n),
+    compute_residual(stream, power);
+    launch_striding(stream, power_kernel, n, power, inverse_, spectrum_.data(), partials_.data());
+    launch_one_block(stream, spectrum_kernel, partials_.data(), partial_count(n), anisotropy,
                      spectrum_.data());
   }
   first_ = false;

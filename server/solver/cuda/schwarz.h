@@ -1,5 +1,6 @@
 #pragma once
 
+#include "server/solver/cuda/branch.h"
 #include "server/solver/cuda/device_memory.h"
 #include "server/solver/cuda/views.h"
 
@@ -19,16 +20,20 @@ class Schwarz {
 
   Schwarz(Stream& stream, const Depth& depth);
 
-  /// After a new matrix; leaves f and r changed. `inverses` is working memory, one per cell.
-  void set_up(CellSquare<float>* inverses);
+  /// After a new matrix, beside what else the stream does until finish_set_up(). Leaves f and r
+  /// changed. `inverses` is working memory; `anisotropy` the largest ratio of α1 and α2 of any
+  /// cell, on the device.
+  void set_up(const CellSquares<float>& inverses, const float* anisotropy);
+  void finish_set_up() { branch_.join(); }
   void relax_from_zero();
   void relax();
   uint64_t byte_count() const;
 
  private:
-  void estimate_lambda_max();
+  void estimate_lambda_max(const float* anisotropy);
 
   Stream& stream_;
+  Branch branch_{stream_};
   Depth depth_;
   DeviceArray<float> entry_, diagonal_;  // M⁻¹
   DeviceArray<float4> direction_, eigenvector_;

@@ -11,6 +11,11 @@ Status cuda_status(cudaError_t error, const char* what) {
 
 Stream::Stream() {
   check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
+  int device = 0, major = 0;
+  check(cudaGetDevice(&device), "finding the device");
+  check(cudaDeviceGetAttribute(&major, cudaDevAttrComputeCapabilityMajor, device),
+        "asking the device");
+  starts_early_ = major >= 9;
 }
 
 Stream::~Stream() {

@@ -20,6 +20,8 @@ class Stream {
 
   cudaStream_t get() const { return stream_; }
   bool is_ok() const { return status_.is_ok(); }
+  /// Whether the device can bring a kernel up while the one before still runs (from sm_90 on).
+  bool starts_early() const { return starts_early_; }
   const Status& status() const { return status_; }
 
   /// Keeps a failure if it is the first. Returns is_ok().
@@ -30,6 +32,7 @@ class Stream {
 
  private:
   cudaStream_t stream_ = nullptr;
+  bool starts_early_ = false;
   Status status_;
 };
 

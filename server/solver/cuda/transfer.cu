@@ -6,6 +6,7 @@ namespace burnish::cuda {
 namespace {
 
 __global__ void residual_kernel(Depth depth) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
   const auto corner = static_cast<int32_t>(i);
@@ -15,12 +16,22 @@ __global__ void residual_kernel(Depth depth) {
 }
 
 __global__ void restrict_kernel(Depth fine, Depth coarse) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= coarse.topology.corner_count) return;
   float4 sum = zero4();
   const int64_t end = fine.topology.restriction_start[i + 1];
-  for (int64_t k = fine.topology.restriction_start[i]; k < end; ++k)
-    sum = sum + fine.topology.restriction_weight[k] * fine.r[fine.topology.restriction_corner[k]];
+  for (int64_t k = fine.topology.restriction_start[i]; k < end; k += kChunk) {
+    int32_t corner[kChunk];
+    float weight[kChunk];
+#pragma unroll
+    for (int j = 0; j < kChunk; ++j) {
+      corner[j] = k + j < end ? fine.topology.restriction_corner[k + j] : 0;
+      weight[j] = k + j < end ? fine.topology.restriction_weight[k + j] : 0;
+    }
+#pragma unroll
+    for (int j = 0; j < kChunk; ++j) sum = sum + weight[j] * fine.r[corner[j]];
+  }
   coarse.f[i] = coarse.inverse_diagonal[i] > 0 ? sum : zero4();
 }
 
@@ -36,6 +47,7 @@ __device__ float half_way_weight(int place, int a) {
 }
 
 __global__ void prolong_kernel(Depth coarse, Depth fine) {
+  await_previous();
   const int64_t i = thread_index();
   if (i >= fine.topology.corner_count || fine.inverse_diagonal[i] == 0) return;
   const FromCell from = fine.topology.prolongation[i];

@@ -17,19 +17,30 @@ struct Eight {
   int32_t at[8];
 };
 
-/// CellIntegrals.
+// Numbers of cells: all cells' first number, then all cells' second, and so on, so that threads of
+// neighbouring cells read neighbouring numbers. Number i of cell c stands at i * cells + c.
+
+/// CellIntegrals, without its gradients: mass (28), mass_row_sum (8), stiffness (2 × 28).
 struct Integrals {
-  double mass[28];
-  double mass_row_sum[8];
-  double stiffness[2][28];
-  double gradient[2][21];
+  static constexpr int kNumbers = 92;
+  const double* numbers;
+  int64_t cells;
 };
 
-/// A symmetric 8×8 matrix of a cell: off-diagonal pairs, and row sums or the diagonal.
+/// CellIntegrals::gradient: for each corner a = 0..7 and direction i the three axes. That of a = 7
+/// is minus the sum of the others; what its floats leave of it follows as another 2 × 3 numbers.
+struct Gradients {
+  static constexpr int kNumbers = 54;
+  const float* numbers;
+  int64_t cells;
+};
+
+/// Symmetric 8×8 matrices: off-diagonal pairs (28), and row sums or the diagonal (8).
 template <typename Real>
-struct CellSquare {
-  Real pair[28];
-  Real own[8];
+struct CellSquares {
+  static constexpr int kNumbers = 36;
+  Real* numbers;
+  int64_t cells;
 };
 
 /// DepthTransfer::FromCell.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "server/solver/cuda/cuda_backend.h"
 #include "tests/bench/peers/measure_ours.h"
 #include "tests/bench/peers/measure_peer.h"
 #include "tests/bench/peers/report.h"
@@ -31,8 +32,12 @@ class Comparison {
       diagonal_ = scan.prepared->statistics.diagonal();
       print_preparation(scan);
       std::vector<Row> on_grid = measure_on_grid(scan);
-      ASSIGN_OR_RETURN(auto ours, measure_ours(scan, options_.alphas, grid_answers_));
+      ASSIGN_OR_RETURN(auto ours, measure(scan, BackendKind::kCpu));
       add("burnish", threads, std::move(ours));
+      if (cuda_device().is_ok()) {
+        ASSIGN_OR_RETURN(auto on_cuda, measure(scan, BackendKind::kCuda));
+        add("burnish on CUDA", threads, std::move(on_cuda));
+      }
       measure_on_mesh(threads);
       add(kGridPeer, threads, std::move(on_grid));
       for (const double alpha : options_.alphas) {
@@ -45,6 +50,10 @@ class Comparison {
   }
 
  private:
+  Result<std::vector<Row>> measure(const PreparedScan& scan, BackendKind backend) const {
+    return measure_ours(scan, backend, options_.alphas, grid_answers_);
+  }
+
   bool wants(std::string_view peer) const {
     const auto& peers = options_.peers;
     return peers.empty() || std::find(peers.begin(), peers.end(), peer) != peers.end();

@@ -5,7 +5,6 @@
 
 #include "server/prepare/prepare.h"
 #include "server/solver/fields.h"
-#include "server/solver/solver.h"
 #include "tests/bench/peers/stopwatch.h"
 
 namespace burnish::bench {
@@ -136,10 +135,10 @@ Result<PreparedScan> prepare_scan(const TriangleMesh& mesh, int depth) {
   return scan;
 }
 
-Result<std::vector<Row>> measure_ours(const PreparedScan& scan, std::span<const double> alphas,
-                                      const Answers& answers) {
+Result<std::vector<Row>> measure_ours(const PreparedScan& scan, BackendKind backend,
+                                      std::span<const double> alphas, const Answers& answers) {
   ASSIGN_OR_RETURN(auto solver,
-                   Solver::create(scan.prepared, scan.hierarchy, {.backend = BackendKind::kCpu}));
+                   Solver::create(scan.prepared, scan.hierarchy, {.backend = backend}));
   OurMeasurement measurement(scan, std::move(solver), answers);
   std::vector<Row> rows;
   for (const double alpha : alphas) {

@@ -5,6 +5,7 @@
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/solver/hierarchy.h"
+#include "server/solver/solver.h"
 #include "tests/bench/peers/row.h"
 
 namespace burnish::bench {
@@ -18,10 +19,10 @@ struct PreparedScan {
 
 Result<PreparedScan> prepare_scan(const TriangleMesh& mesh, int depth);
 
-/// Times the product at every α, settling by its own estimate. Errors are to `answers`, those of a
-/// direct solver on the grid's system; where they lack an α, to the product's own converged answer.
-/// The notes say how far the latter is from the former.
-Result<std::vector<Row>> measure_ours(const PreparedScan& scan, std::span<const double> alphas,
-                                      const Answers& answers);
+/// Times the product on one backend at every α, settling by its own estimate. Errors are to
+/// `answers`, those of a direct solver on the grid's system; where they lack an α, to the product's
+/// own converged answer. The notes say how far the latter is from the former.
+Result<std::vector<Row>> measure_ours(const PreparedScan& scan, BackendKind backend,
+                                      std::span<const double> alphas, const Answers& answers);
 
 }  // namespace burnish::bench

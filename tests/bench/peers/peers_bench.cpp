@@ -2,9 +2,9 @@
 // cotangent system of the scan's own vertices, and CHOLMOD on the product's own matrix as well.
 //
 //     peers_bench [--json FILE] [--threads N,...] [--alpha A,...] [--peers NAME,...]
-//                 [--mebibytes N] [--vertices N] [SCAN DEPTH]...
+//                 [--mebibytes N] [SCAN[@DEPTH]]...
 //
-// SCAN is a mesh file or the kind of a generated scan; without any: blob 7 tablet 7.
+// SCAN is a mesh file, or KIND:VERTICES of a generated scan.
 
 #include <cstdio>
 #include <fstream>
@@ -15,8 +15,7 @@
 #include "common/base/limits.h"
 #include "common/base/parallel.h"
 #include "common/base/process_memory.h"
-#include "common/mesh/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "tests/bench/input.h"
 #include "tests/bench/peers/comparison.h"
 #include "tests/bench/peers/peer.h"
 
@@ -29,8 +28,7 @@ struct Options {
   ComparisonOptions comparison{.threads = {1}, .alphas = {50, 5}};
   std::string json_file;
   uint64_t mebibytes_max = available_memory_bytes() >> 21;
-  uint64_t vertices = 100'000;
-  std::vector<std::string> scans = {"blob", "7", "tablet", "7"};
+  std::vector<std::string> scans = {"blob:100000@7", "tablet:100000@7"};
 };
 
 std::vector<std::string> peer_names() {
@@ -39,24 +37,16 @@ std::vector<std::string> peer_names() {
   return names;
 }
 
-Result<TriangleMesh> load(const std::string& scan, uint64_t vertices) {
-  for (const GeneratedScanKind& kind : generated_scan_kinds())
-    if (kind.name == scan) return generate_scan({.kind = scan, .vertices = vertices});
-  return read_mesh(scan);
-}
-
 Status run(const Options& options) {
   ordered_json report = ordered_json::array();
-  if (options.scans.size() % 2 != 0)
-    return invalid_argument("scan " + options.scans.back() + " has no depth after it");
-  for (size_t i = 0; i < options.scans.size(); i += 2) {
-    const std::string& scan = options.scans[i];
-    const int depth = std::atoi(options.scans[i + 1].c_str());
-    ASSIGN_OR_RETURN(const TriangleMesh mesh, load(scan, options.vertices));
-    std::printf("\n%s, depth %d: %zu vertices, %zu triangles\n", scan.c_str(), depth,
+  for (const std::string& text : options.scans) {
+    ASSIGN_OR_RETURN(const ScanArgument scan, parse_scan(text));
+    ASSIGN_OR_RETURN(const TriangleMesh mesh, load_mesh(scan));
+    const int depth = depth_of(scan, mesh);
+    std::printf("\n%s, depth %d: %zu vertices, %zu triangles\n", scan.name().c_str(), depth,
                 mesh.vertices.size(), mesh.triangles.size());
     ASSIGN_OR_RETURN(ordered_json rows, compare(mesh, depth, options.comparison));
-    report.push_back({{"scan", scan},
+    report.push_back({{"scan", scan.name()},
                       {"depth", depth},
                       {"vertices", mesh.vertices.size()},
                       {"rows", std::move(rows)}});
@@ -81,8 +71,7 @@ int main_of(int argc, char** argv) {
       ->check(CLI::Range(kAlphaMin, kAlphaMax / 2));
   add_list("--peers", comparison.peers, "Only these")->check(CLI::IsMember(peer_names()));
   app.add_option("--mebibytes", options.mebibytes_max, "A larger factor is not tried");
-  app.add_option("--vertices", options.vertices, "Of generated scans");
-  app.add_option("scans", options.scans, "SCAN DEPTH pairs");
+  app.add_option("scans", options.scans, "SCAN[@DEPTH]");
   CLI11_PARSE(app, argc, argv);
   comparison.bytes_max = options.mebibytes_max << 20;
   const Status status = run(options);

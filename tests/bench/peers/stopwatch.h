@@ -1,18 +1,8 @@
 #pragma once
 
-#include <algorithm>
-#include <chrono>
-#include <vector>
+#include "tests/bench/timing.h"
 
 namespace burnish::bench {
-
-template <typename Work>
-double milliseconds(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
-}
 
 /// Whether to measure once more for a median: thrice in all, but what takes seconds only once.
 inline bool wants_another(size_t measured, double last_ms) {

@@ -12,7 +12,7 @@ namespace {
 std::vector<Double4> constraint_of(const TestSystem& system, const CpuDepth& finest) {
   const FieldsView view = system.fields.view();
   std::vector<Double4> b(finest.corner_count(), Double4::Zero()), r = b;
-  assemble_constraint(*system.prepared, finest, view.alpha1, view.alpha2, view.beta, b, r);
+  assemble_constraint(*system.prepared, finest, ratios_of(view.alpha1, view.alpha2), view.beta, b, r);
   return b;
 }
 
@@ -30,7 +30,7 @@ TEST(Constraint, TakesTheResidualAlong) {
   const FieldsView view = system.fields.view();
   const Double4 before(1, 2, 3, 0), residual(0.5, 0.25, 0.125, 0);
   std::vector<Double4> b(depths.back().corner_count(), before), r(b.size(), residual);
-  assemble_constraint(*system.prepared, depths.back(), view.alpha1, view.alpha2, view.beta, b, r);
+  assemble_constraint(*system.prepared, depths.back(), ratios_of(view.alpha1, view.alpha2), view.beta, b, r);
   for (size_t i = 0; i < b.size(); ++i)
     ASSERT_LT((r[i] - residual - (b[i] - before)).abs().maxCoeff(), 1e-12);
 }

@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include "client/cli/bench/load_client.h"
+#include "client/cli/bench/load_report.h"
+#include "client/cli/commands.h"
+#include "client/cli/edit_id.h"
+#include "client/cli/json_output.h"
+#include "client/cli/server_option.h"
+
+namespace burnish {
+
+namespace {
+
+constexpr std::chrono::seconds kSettlePatience{300};
+
+struct Options {
+  ServerOption server;
+  std::vector<std::string> sessions;
+  int clients = 1;
+  double seconds = 10;
+  double pictures_per_second = 60;
+  uint64_t triangles_max = 0;
+  uint32_t seed = 1;
+  std::string mix = "draw=1,drag=1,paint=2";
+};
+
+/// The clients of a run with their connections, dealt to the sessions in turn.
+struct Load {
+  struct Seat {
+    std::string session;
+    std::unique_ptr<Connection> connection;
+    std::unique_ptr<LoadClient> client;
+  };
+  std::vector<Seat> seats;
+};
+
+/// What clients of the session draw.
+Result<std::shared_ptr<const View>> fetch_view_of(Connection& connection,
+                                                  const std::string& session,
+                                                  uint64_t triangles_max) {
+  ASSIGN_OR_RETURN(const SessionState state, connection.state(session));
+  ASSIGN_OR_RETURN(View view, connection.fetch_view(
+                                  {state.session.scan_id, state.session.key, triangles_max}, {}));
+  return std::make_shared<const View>(std::move(view));
+}
+
+Result<Load> connect_clients(const Options& options, const LoadMix& mix) {
+  ASSIGN_OR_RETURN(Connection connection, options.server.connect());
+  std::map<std::string, std::shared_ptr<const View>> views;
+  for (const std::string& session : options.sessions) {
+    ASSIGN_OR_RETURN(views[session], fetch_view_of(connection, session, options.triangles_max));
+  }
+  Load load;
+  for (int i = 0; i < options.clients; ++i) {
+    Load::Seat seat{options.sessions[static_cast<size_t>(i) % options.sessions.size()]};
+    ASSIGN_OR_RETURN(Connection own, options.server.connect());
+    seat.connection = std::make_unique<Connection>(std::move(own));
+    const LoadOptions client{.session = seat.session,
+                             .view = views[seat.session],
+                             .triangles_max = options.triangles_max,
+                             .pictures_per_second = options.pictures_per_second,
+                             .mix = mix};
+    seat.client = std::make_unique<LoadClient>(*seat.connection, client,
+                                               options.seed + static_cast<uint32_t>(i));
+    load.seats.push_back(std::move(seat));
+  }
+  return load;
+}
+
+/// A fork is made by replay: its fields must be those of the session that grew edit by edit.
+Result<bool> replay_agrees(Connection& connection, const std::string& session) {
+  ForkWish wish;
+  wish.source = session;
+  wish.name = "bench replay " + random_id();
+  ASSIGN_OR_RETURN(const SessionInfo fork, connection.fork_session(wish));
+  bool agrees = true;
+  for (const CellValue value : {CellValue::kBeta, CellValue::kAlpha1, CellValue::kAlpha2}) {
+    ASSIGN_OR_RETURN(const auto grown, connection.cells(session, value));
+    ASSIGN_OR_RETURN(const auto replayed, connection.cells(fork.id, value));
+    agrees = agrees && grown == replayed;
+  }
+  RETURN_IF_ERROR(connection.delete_session(fork.id));
+  return agrees;
+}
+
+Status check_session(Connection& connection, const std::string& session, Load& load,
+                     LoadChecks& checks) {
+  ASSIGN_OR_RETURN(const std::vector<HistoryEntry> history, connection.history(session));
+  ASSIGN_OR_RETURN(const SessionState state, connection.state(session));
+  std::set<std::string> ids;
+  for (const HistoryEntry& entry : history) ids.insert(entry.edit_id);
+  std::set<uint64_t> shown;
+  for (Load::Seat& seat : load.seats) {
+    if (seat.session != session) continue;
+    const LoadFigures& figures = seat.client->figures();
+    for (const std::string& id : figures.acknowledged)
+      if (!ids.contains(id)) ++checks.missing_from_history;
+    checks.acknowledged += figures.acknowledged.size();
+    checks.unanswered += figures.applied - figures.acknowledged.size() - figures.refused.size();
+    for (const std::string& why : figures.refused) checks.objections.push_back("refused: " + why);
+    if (!figures.ended.empty()) checks.objections.push_back("ended early: " + figures.ended);
+    if (!seat.client->settle(state.session.edits, kSettlePatience))
+      checks.objections.push_back("a client of session " + session + " did not settle");
+    shown.insert(seat.client->shown_hash());
+  }
+  checks.clients_agree = checks.clients_agree && shown.size() <= 1;
+  ASSIGN_OR_RETURN(const bool agrees, replay_agrees(connection, session));
+  checks.replay_agrees = checks.replay_agrees && agrees;
+  return Status::ok();
+}
+
+Result<LoadChecks> check(const Options& options, Load& load) {
+  ASSIGN_OR_RETURN(Connection connection, options.server.connect());
+  LoadChecks checks;
+  checks.clients_agree = checks.replay_agrees = true;
+  for (const std::string& session : options.sessions)
+    RETURN_IF_ERROR(check_session(connection, session, load, checks));
+  if (checks.missing_from_history > 0)
+    checks.objections.push_back("acknowledged edits are missing from the history");
+  if (checks.unanswered > 0) checks.objections.push_back("edits were not answered");
+  if (!checks.clients_agree) checks.objections.push_back("clients show different surfaces");
+  if (!checks.replay_agrees) checks.objections.push_back("a replay has other fields");
+  return checks;
+}
+
+Status bench(const Options& options) {
+  ASSIGN_OR_RETURN(const LoadMix mix, parse_load_mix(options.mix));
+  ASSIGN_OR_RETURN(Load load, connect_clients(options, mix));
+  for (Load::Seat& seat : load.seats)
+    seat.client->start(std::chrono::duration<double>(options.seconds));
+  for (Load::Seat& seat : load.seats) seat.client->join();
+  ASSIGN_OR_RETURN(const LoadChecks checks, check(options, load));
+  std::vector<LoadFigures> figures;
+  for (Load::Seat& seat : load.seats) figures.push_back(seat.client->figures());
+  const nlohmann::ordered_json report = load_report(figures, checks);
+  if (options.server.json) {
+    print_json(report);
+  } else {
+    print_load_report(report);
+  }
+  return checks.is_good() ? Status::ok() : data_loss(checks.objections.front());
+}
+
+}  // namespace
+
+void add_bench_command(CommandTable& table) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = table.add("bench", "Measure a server", [options] { return bench(*options); });
+  command->require_subcommand(1);
+  CLI::App* serve = command->add_subcommand(
+      "serve", "Many clients at once that look, drag and paint; checks that nothing is lost");
+  serve->add_option("--session", options->sessions, "Name or id; several: clients are dealt out")
+      ->required();
+  serve->add_option("--clients", options->clients, "Connections at once")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  serve->add_option("--seconds", options->seconds, "How long")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->capture_default_str();
+  serve->add_option("--mix", options->mix, "How often clients do what")
+      ->check([](const std::string& text) { return usage_message(parse_load_mix(text).status()); })
+      ->capture_default_str();
+  serve->add_option("--rate", options->pictures_per_second, "Pictures per second of a client")
+      ->check(CLI::Range(1.0, 240.0))
+      ->capture_default_str();
+  serve->add_option("--triangles-max", options->triangles_max,
+                    "Of the proxy that clients draw; 0: the whole scan");
+  serve->add_option("--seed", options->seed, "Of the gestures")->capture_default_str();
+  add_server_options(*serve, options->server);
+}
+
+}  // namespace burnish

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "client/cli/bench/load_mix.h"
+#include "client/connection/live_session.h"
+
+namespace burnish {
+
+/// Hands that drag and paint: one gesture after the other, previewed with each picture and applied
+/// at its end. The same seed gives the same gestures.
+class Gestures {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  Gestures(std::shared_ptr<const View> view, const LoadMix& mix, uint32_t seed);
+
+  /// Goes on with the gesture, or begins the next.
+  void advance(Time now, LiveSession& session);
+  /// Ends the gesture by its edit.
+  void end(LiveSession& session);
+
+  const std::vector<std::string>& applied() const { return applied_; }  ///< ids of edits
+
+ private:
+  void begin(Time now);
+  void advance_stroke(LiveSession& session);
+  std::optional<Vec3d> next_point();
+  void apply(LiveSession& session, Edit edit);
+
+  const std::shared_ptr<const View> view_;
+  const LoadMix mix_;
+  std::mt19937 random_;
+  const double radius_;
+
+  Activity activity_ = Activity::kDraw;
+  Time end_ = {};
+  std::string edit_id_;
+  double beta_ = 1;
+  double beta_step_ = 0;
+  Stroke stroke_;
+  size_t triangle_ = 0;  // that the stroke has come to
+  std::vector<std::string> applied_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,102 @@
+#include "client/cli/bench/load_client.h"
+
+namespace burnish {
+
+using std::chrono::steady_clock;
+
+static constexpr std::chrono::minutes kAnswerPatience{2};
+
+static LiveOptions live_options(const LoadOptions& options) {
+  LiveOptions live;
+  live.session = options.session;
+  live.view = options.view;
+  live.triangles_max = options.triangles_max;
+  live.draw_interval =
+      std::chrono::microseconds(static_cast<int64_t>(1e6 / options.pictures_per_second));
+  // A frame's age is told by the last heartbeat that it has seen: by so much it may be over-told.
+  live.heartbeat_interval = std::chrono::milliseconds(10);
+  return live;
+}
+
+LoadClient::LoadClient(const Connection& connection, const LoadOptions& options, uint32_t seed)
+    : options_(options),
+      session_(connection, live_options(options)),
+      gestures_(options.view, options.mix, seed) {}
+
+void LoadClient::start(std::chrono::duration<double> length) {
+  thread_ = std::thread([this, length] { run(length); });
+}
+
+void LoadClient::join() {
+  thread_.join();
+}
+
+void LoadClient::run(std::chrono::duration<double> length) {
+  const auto begin = steady_clock::now();
+  const auto picture = std::chrono::duration<double>(1 / options_.pictures_per_second);
+  auto next = begin;
+  while (steady_clock::now() < begin + length && figures_.ended.empty()) {
+    draw();
+    gestures_.advance(steady_clock::now(), session_);
+    next += std::chrono::duration_cast<steady_clock::duration>(picture);
+    std::this_thread::sleep_until(next);
+  }
+  figures_.seconds = std::chrono::duration<double>(steady_clock::now() - begin).count();
+  figures_.frames = facts_.frames;
+  figures_.bytes = facts_.bytes;
+  gestures_.end(session_);
+  session_.move_brush(std::nullopt);
+  session_.wait_until_acknowledged(kAnswerPatience);
+  draw();
+  figures_.applied = gestures_.applied().size();
+}
+
+void LoadClient::draw() {
+  LiveNews news = session_.take();
+  if (news.facts.frames > facts_.frames) figures_.age_ms.push_back(news.facts.age_ms);
+  facts_ = news.facts;
+  if (news.displacement) {
+    const FrameLayout& layout = *news.displacement->layout;
+    shown_.resize(size_t{3} * static_cast<size_t>(layout.value_count()));
+    for (const int tile : news.displacement->changed_tiles)
+      news.displacement->state.read_tile(
+          tile, std::span(shown_).subspan(size_t{3} * layout.tile_begin(tile),
+                                          size_t{3} * layout.tile_size(tile)));
+  }
+  for (const LiveEvent& event : news.events) {
+    if (const auto* answer = std::get_if<EditsAcknowledged>(&event))
+      figures_.acknowledged.insert(answer->edit_ids.begin(), answer->edit_ids.end());
+    if (const auto* refused = std::get_if<EditsRefused>(&event))
+      figures_.refused.push_back(refused->why.to_string());
+    if (const auto* shown = std::get_if<EditsShown>(&event))
+      figures_.edit_ms.push_back(shown->latency_ms);
+    if (const auto* shown = std::get_if<PreviewShown>(&event))
+      figures_.preview_ms.push_back(shown->latency_ms);
+    if (const auto* link = std::get_if<LinkChanged>(&event)) {
+      if (link->state == LinkState::kLost) ++figures_.times_lost;
+      if (link->state == LinkState::kEnded) figures_.ended = link->reason;
+    }
+  }
+}
+
+bool LoadClient::settle(uint64_t edits, std::chrono::seconds patience) {
+  const auto end = steady_clock::now() + patience;
+  while (steady_clock::now() < end && figures_.ended.empty()) {
+    draw();
+    if (facts_.frames > 0 && facts_.settled && facts_.edits >= edits) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
+uint64_t LoadClient::shown_hash() const {
+  uint64_t hash = 14695981039346656037u;  // FNV-1a
+  bool is_zero = true;
+  for (const int32_t step : shown_) {
+    hash = (hash ^ static_cast<uint32_t>(step)) * 1099511628211u;
+    is_zero = is_zero && step == 0;
+  }
+  return is_zero ? 0 : hash;  // a surface that never moved is told without any value
+}
+
+}  // namespace burnish

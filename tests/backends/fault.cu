@@ -1,0 +1,13 @@
+#include "tests/backends/fault.h"
+
+namespace burnish {
+
+static __global__ void trap_kernel() {
+  __trap();
+}
+
+void provoke_cuda_fault() {
+  trap_kernel<<<1, 1>>>();
+}
+
+}  // namespace burnish

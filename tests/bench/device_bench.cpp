@@ -1,0 +1,175 @@
+// What a session costs on a GPU, and many of them: one table, medians.
+// Usage: device_bench cpu|cuda SCAN[@DEPTH]...      SCAN: a mesh file or KIND:VERTICES
+
+#include <cstdio>
+#include <iostream>
+#include <span>
+#include <thread>
+
+#include "server/solver/cuda/cuda_backend.h"
+#include "tests/bench/frames.h"
+#include "tests/bench/input.h"
+#include "tests/bench/timing.h"
+
+namespace burnish {
+namespace {
+
+constexpr double kCornersMax = 1e8;
+constexpr int kSettles = 5;
+constexpr int kCyclesMax = 500;
+constexpr int kManySessions = 64;
+constexpr int64_t kCornersOfManyMax = 1'000'000;
+
+Result<std::unique_ptr<Session>> open_session(const BenchSystem& system, BackendKind backend) {
+  return Session::open(system.prepared, system.hierarchy, {.backend = backend});
+}
+
+TransferCurve contrast_100() {
+  return TransferCurve::parse("-20:5,20:500").value();
+}
+
+Stroke stroke_on(const PreparedMesh& prepared, double beta) {
+  Stroke stroke;
+  stroke.brush = {.radius = 0.03 * prepared.statistics.diagonal(), .beta = beta};
+  stroke.path = {prepared.vertices[prepared.vertices.size() / 2]};
+  return stroke;
+}
+
+/// Milliseconds and steps until the estimated distance is below a bar.
+struct Settling {
+  double milliseconds = 0;
+  int steps = 0;
+};
+
+Settling settle(Session& session, double distance) {
+  Settling settling;
+  settling.milliseconds = milliseconds([&] {
+    while (settling.steps < kCyclesMax) {
+      ++settling.steps;
+      if (session.step().distance <= distance) break;
+    }
+  });
+  return settling;
+}
+
+/// The median by time of several runs, each after a change that `prepare` makes.
+template <typename Prepare>
+Settling median_settling(Session& session, double distance, Prepare&& prepare) {
+  std::vector<Settling> runs;
+  for (int i = 0; i < kSettles; ++i) {
+    prepare(i);
+    runs.push_back(settle(session, distance));
+  }
+  std::nth_element(
+      runs.begin(), runs.begin() + kSettles / 2, runs.end(),
+      [](const Settling& a, const Settling& b) { return a.milliseconds < b.milliseconds; });
+  return runs[kSettles / 2];
+}
+
+void print_settling(const char* what, const Settling& settling) {
+  std::printf("  %-44s %9.3f ms, %d steps\n", what, settling.milliseconds, settling.steps);
+}
+
+// A change of β from 1 to 0 on a settled surface is as far as a cold start is.
+void print_settlings(Session& session) {
+  const PreparedMesh& prepared = session.prepared();
+  for (const double alpha : {5.0, 50.0}) {
+    must_apply(session, SetTransferCurve{TransferCurve(alpha)});
+    const Settling cold = median_settling(session, 1e-4, [&](int) {
+      must_apply(session, SetGradientScale{1});
+      settle(session, 1e-6);
+      must_apply(session, SetGradientScale{0});
+    });
+    print_settling(alpha == 5 ? "settle to 1e-4, cold, alpha 5" : "settle to 1e-4, cold, alpha 50",
+                   cold);
+  }
+  print_settling("settle to 1e-4, a dab", median_settling(session, 1e-4, [&](int i) {
+                   settle(session, 1e-6);
+                   must_apply(session, stroke_on(prepared, i % 2 == 0 ? 2 : 0));
+                 }));
+  print_settling("settle to 1e-3, a curve of contrast 100",
+                 median_settling(session, 1e-3, [&](int) {
+                   must_apply(session, SetTransferCurve{TransferCurve(50)});
+                   settle(session, 1e-6);
+                   must_apply(session, SetTransferCurve{contrast_100()});
+                 }));
+}
+
+// Each thread steps its share of the sessions, as a scheduler of so many threads would.
+double step_all(std::span<const std::unique_ptr<Session>> sessions, size_t threads) {
+  return median_milliseconds(5, 2, [&] {
+    std::vector<std::jthread> workers;
+    for (size_t t = 0; t < threads; ++t)
+      workers.emplace_back([&, t] {
+        for (size_t i = t; i < sessions.size(); i += threads) sessions[i]->step();
+      });
+  });
+}
+
+Status print_many(const BenchSystem& system, BackendKind backend) {
+  std::vector<std::unique_ptr<Session>> sessions;
+  for (int i = 0; i < kManySessions; ++i) {
+    ASSIGN_OR_RETURN(auto session, open_session(system, backend));
+    must_apply(*session, SetTransferCurve{TransferCurve(20 + i)});
+    must_apply(*session, SetGradientScale{0});
+    sessions.push_back(std::move(session));
+  }
+  for (const size_t threads : {1, 4, 8})
+    std::printf("  %d sessions, a frame each, %zu threads %15.3f ms\n", kManySessions, threads,
+                step_all(sessions, threads));
+  return Status::ok();
+}
+
+Status print_scan(const BenchSystem& system, BackendKind backend) {
+  ASSIGN_OR_RETURN(const auto session, open_session(system, backend));
+  const FrameTimes times = measure_frames(*session, TransferCurve(50));
+  const Solver& solver = session->solver();
+  const double corners = median_milliseconds(9, 2, [&] { solver.displacement(); });
+  const double vertices = median_milliseconds(9, 2, [&] { solver.vertex_displacement(); });
+  RETURN_IF_ERROR(solver.status());
+  std::printf("%s on %s: %d corners, %zu cells, %zu vertices\n", system.name.c_str(),
+              std::string(solver.backend_name()).c_str(), system.corners(),
+              system.prepared->cells.size(), system.prepared->vertices.size());
+  std::printf("  frame, ms: solve %.3f, rhs %.3f, matrix %.3f\n", times.solve, times.rhs,
+              times.matrix);
+  std::printf("  read out, ms: corners %.3f, vertices evaluated %.3f\n", corners, vertices);
+  std::printf("  bytes a corner: %.0f of the session",
+              double(solver.byte_count()) / system.corners());
+  if (cuda_memory_used() > 0)
+    std::printf(", %.0f on the device with the mesh",
+                double(cuda_memory_used()) / system.corners());
+  std::printf("\n");
+  print_settlings(*session);
+  RETURN_IF_ERROR(solver.status());
+  return system.corners() <= kCornersOfManyMax && backend == BackendKind::kCuda
+             ? print_many(system, backend)
+             : Status::ok();
+}
+
+Status run(BackendKind backend, std::span<char*> names) {
+  for (const char* name : names) {
+    ASSIGN_OR_RETURN(const ScanArgument scan, parse_scan(name));
+    ASSIGN_OR_RETURN(const TriangleMesh mesh, load_mesh(scan));
+    ASSIGN_OR_RETURN(const BenchSystem system,
+                     make_system(scan, mesh, depth_of(scan, mesh), kCornersMax));
+    RETURN_IF_ERROR(print_scan(system, backend));
+  }
+  return Status::ok();
+}
+
+}  // namespace
+}  // namespace burnish
+
+int main(int argc, char** argv) {
+  const std::string_view backend = argc > 1 ? argv[1] : "";
+  if (argc < 3 || (backend != "cpu" && backend != "cuda")) {
+    std::cerr << "usage: device_bench cpu|cuda SCAN[@DEPTH]...\n";
+    return 2;
+  }
+  const auto status =
+      burnish::run(backend == "cpu" ? burnish::BackendKind::kCpu : burnish::BackendKind::kCuda,
+                   {argv + 2, static_cast<size_t>(argc - 2)});
+  if (status.is_ok()) return 0;
+  std::cerr << "device_bench: " << status.message() << "\n";
+  return 1;
+}

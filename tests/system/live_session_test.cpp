@@ -1,0 +1,212 @@
+#include "client/connection/live_session.h"
+
+#include <csignal>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/base/limits.h"
+#include "tests/system/server_process.h"
+
+namespace burnish {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// One client of the session: what it draws, and what it has been told.
+class Client {
+ public:
+  Client(const ServerProcess& server, const std::string& user, uint64_t triangles_max = 0,
+         FrameContentWish content = FrameContentWish::kCoefficients)
+      : connection(Connection::open(server.address, kPatience).value()) {
+    connection.set_user(user);
+    LiveOptions options;
+    options.session = "work";
+    options.view = std::make_shared<const View>(
+        connection.fetch_view({"ball", {5, 0}, triangles_max}, {}).value());
+    options.triangles_max = triangles_max;
+    options.content = content;
+    options.retry_after_min = milliseconds(20);
+    options.retry_after_max = milliseconds(200);
+    view = options.view;
+    session = std::make_unique<LiveSession>(connection, options);
+  }
+
+  void take() {
+    news = session->take();
+    if (news.displacement) {
+      const FrameLayout& layout = *news.displacement->layout;
+      displacement.resize(layout.content == FrameContent::kVertices ? view->points.size()
+                                                                    : view->grid.corners.size(),
+                          Vec3f::Zero());
+      for (const int tile : news.displacement->changed_tiles)
+        write_displacement(layout, news.displacement->state, tile, displacement);
+    }
+    for (LiveEvent& event : news.events) events.push_back(std::move(event));
+  }
+
+  template <typename What>
+  bool until(What what) {
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (std::chrono::steady_clock::now() < end) {
+      take();
+      if (what()) return true;
+      std::this_thread::sleep_for(milliseconds(5));
+    }
+    return false;
+  }
+  bool until_live() {
+    return until([this] { return news.link == LinkState::kLive; });
+  }
+  bool until_settled_with(uint64_t edits) {
+    return until([&] { return news.facts.settled && news.facts.edits >= edits; });
+  }
+
+  template <typename Event>
+  const Event* told() const {
+    for (auto event = events.rbegin(); event != events.rend(); ++event)
+      if (const auto* found = std::get_if<Event>(&*event)) return found;
+    return nullptr;
+  }
+
+  /// The largest distance of a vertex from where it was, file units; needs coefficients.
+  double largest_move() const {
+    double largest = 0;
+    if (displacement.empty()) return largest;  // no frame has moved anything
+    for (const EvaluationPoint& point : view->points) {
+      const Vec3f moved = evaluate<Vec3f>(view->grid, point, displacement);
+      largest = std::max(largest, moved.norm() * view->frame.cell_size);
+    }
+    return largest;
+  }
+
+  Connection connection;
+  std::shared_ptr<const View> view;
+  std::unique_ptr<LiveSession> session;
+  LiveNews news;
+  std::vector<Vec3f> displacement;
+  std::vector<LiveEvent> events;
+};
+
+std::vector<Edit> slider(const std::string& id, double beta) {
+  return {Edit{id, SetGradientScale{beta}}};
+}
+
+/// A server with a session over a sphere.
+class LiveService : public testing::Test {
+ protected:
+  LiveService() {
+    Connection connection = Connection::open(server_.address, kPatience).value();
+    EXPECT_TRUE(
+        connection.import_scan(write_sphere(server_.folder, 4), "ball", {5, 0}, {}).is_ok());
+    EXPECT_TRUE(connection.open_session({"ball", "work", {5, 0}}).is_ok());
+  }
+
+  ServerProcess server_;
+};
+
+TEST_F(LiveService, ShowsAnEditToAllItsClients) {
+  Client anna(server_, "anna"), bert(server_, "bert");
+  ASSERT_TRUE(anna.until_settled_with(0));
+  EXPECT_EQ(anna.largest_move(), 0);
+  ASSERT_TRUE(anna.session->apply(slider("a", 0)).is_ok());
+  ASSERT_TRUE(anna.until_settled_with(1));
+  ASSERT_TRUE(bert.until_settled_with(1));
+  EXPECT_GT(anna.largest_move(), 1e-4);
+  EXPECT_EQ(anna.displacement, bert.displacement);
+  ASSERT_TRUE(anna.told<EditsAcknowledged>());
+  EXPECT_THAT(anna.told<EditsAcknowledged>()->edit_ids, ElementsAre("a"));
+  ASSERT_TRUE(bert.told<HistoryChanged>());
+  EXPECT_EQ(bert.told<HistoryChanged>()->gradient_scale, 0);
+  ASSERT_TRUE(bert.until([&] {
+    return bert.told<PeopleChanged>() && bert.told<PeopleChanged>()->people.present.size() == 2;
+  }));
+}
+
+TEST_F(LiveService, SendsVerticesOrAProxyWhereThatIsAskedFor) {
+  Client whole(server_, "anna", 0, FrameContentWish::kCoefficients);
+  Client vertices(server_, "bert", 0, FrameContentWish::kVertices);
+  Client proxy(server_, "carl", 500);
+  ASSERT_TRUE(whole.until_live());
+  ASSERT_TRUE(whole.session->apply(slider("a", 0)).is_ok());
+  for (Client* client : {&whole, &vertices, &proxy}) ASSERT_TRUE(client->until_settled_with(1));
+  EXPECT_TRUE(proxy.view->is_proxy());
+  ASSERT_EQ(vertices.displacement.size(), vertices.view->points.size());
+  for (size_t v = 0; v < vertices.displacement.size(); ++v) {
+    const Vec3f moved =
+        evaluate<Vec3f>(whole.view->grid, whole.view->points[v], whole.displacement);
+    EXPECT_LT((moved - vertices.displacement[v]).norm(), 1.0 / 128) << v;  // two roundings
+  }
+}
+
+TEST_F(LiveService, ShowsAPreviewAndForgetsIt) {
+  Client anna(server_, "anna"), bert(server_, "bert");
+  ASSERT_TRUE(anna.until_settled_with(0));
+  anna.session->preview("p", SetGradientScale{0});
+  ASSERT_TRUE(anna.until([&] { return anna.told<PreviewShown>() && anna.news.facts.settled; }));
+  ASSERT_TRUE(bert.until([&] { return bert.largest_move() > 1e-4 && bert.news.facts.settled; }));
+  const double previewed = bert.largest_move();
+  anna.session->drop_preview("p");
+  ASSERT_TRUE(bert.until([&] { return bert.largest_move() < previewed / 10; }));
+  EXPECT_EQ(bert.news.facts.edits, 0u);
+}
+
+TEST_F(LiveService, LosesNoEditWhenItIsKilled) {
+  Client anna(server_, "anna");
+  ASSERT_TRUE(anna.until_live());
+  server_.listen = server_.address;
+  for (int i = 0; i < 40; ++i) {
+    const double x = 0.02 * i;
+    const Stroke stroke{{.radius = 0.3, .beta = 2}, {Vec3d(x, 0, std::sqrt(1 - x * x))}};
+    ASSERT_TRUE(anna.session->apply({Edit{"s" + std::to_string(i), stroke}}).is_ok());
+    anna.take();
+    if (i == 20) {
+      server_.kill();
+      server_.start();
+    }
+  }
+  EXPECT_TRUE(anna.session->wait_until_acknowledged(kPatience));
+  ASSERT_TRUE(anna.until_settled_with(40));
+  Connection again = Connection::open(server_.address, kPatience).value();
+  const auto history = again.history("work").value();
+  ASSERT_EQ(history.size(), 40u);
+  for (int i = 0; i < 40; ++i) EXPECT_EQ(history[i].edit_id, "s" + std::to_string(i));
+}
+
+TEST_F(LiveService, RefusesWhatTheHistoryCannotDo) {
+  Client anna(server_, "anna");
+  ASSERT_TRUE(anna.until_live());
+  ASSERT_TRUE(anna.session->apply({Edit{"r", RestoreCheckpoint{"never"}}}).is_ok());
+  ASSERT_TRUE(anna.until([&] { return anna.told<EditsRefused>() != nullptr; }));
+  EXPECT_THAT(anna.told<EditsRefused>()->why.message(), HasSubstr("never"));
+  EXPECT_EQ(anna.news.unacknowledged, 0u);
+}
+
+TEST_F(LiveService, EndsForItsClientsWhenTheSessionIsDeleted) {
+  Client anna(server_, "anna");
+  ASSERT_TRUE(anna.until_live());
+  Connection owner = Connection::open(server_.address, kPatience).value();
+  ASSERT_TRUE(owner.delete_session("work").is_ok());
+  EXPECT_TRUE(anna.until([&] { return anna.news.link == LinkState::kEnded; }));
+}
+
+TEST_F(LiveService, ItsClientsComeBackAfterADrain) {
+  Client anna(server_, "anna");
+  ASSERT_TRUE(anna.until_live());
+  ASSERT_TRUE(anna.session->apply(slider("a", 0.5)).is_ok());
+  ASSERT_TRUE(anna.session->wait_until_acknowledged(kPatience));
+  server_.listen = server_.address;
+  server_.process->signal(SIGTERM);
+  ASSERT_TRUE(anna.until([&] { return anna.news.link == LinkState::kLost; }));
+  ASSERT_TRUE(anna.session->apply(slider("b", 0.25)).is_ok());
+  EXPECT_EQ(server_.process->wait(kPatience), 0);
+  server_.start();
+  EXPECT_TRUE(anna.session->wait_until_acknowledged(kPatience));
+  EXPECT_TRUE(anna.until_settled_with(2));
+}
+
+}  // namespace
+}  // namespace burnish
