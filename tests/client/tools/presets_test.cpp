@@ -29,10 +29,10 @@ TEST(Presets, Figure3HoldsWhatItsNameSays) {
   const TransferCurve& grooves = find_preset("Keep grooves")->curve;
   const TransferCurve& ridges = find_preset("Keep ridges")->curve;
   const TransferCurve& creases = find_preset("Keep creases")->curve;
-  EXPECT_GT(grooves.alpha(-20), 10 * grooves.alpha(20));
-  EXPECT_GT(ridges.alpha(20), 10 * ridges.alpha(-20));
-  EXPECT_GT(creases.alpha(20), 10 * creases.alpha(0));
-  EXPECT_GT(creases.alpha(-20), 10 * creases.alpha(0));
+  EXPECT_GT(grooves.alpha(-100), 10 * grooves.alpha(100));
+  EXPECT_GT(ridges.alpha(100), 10 * ridges.alpha(-100));
+  EXPECT_GT(creases.alpha(100), 10 * creases.alpha(0));
+  EXPECT_GT(creases.alpha(-100), 10 * creases.alpha(0));
 }
 
 }  // namespace
