@@ -1,8 +1,24 @@
 #include <csignal>
 #include <iostream>
+#include <vector>
 
+#include "client/app/window_command.h"
 #include "client/cli/command.h"
 #include "client/cli/commands.h"
+#include "common/mesh/mesh_io.h"
+
+static char kWindow[] = "window";
+
+// `burnish` alone, with a mesh file or with an option begins the window, where there is one.
+static bool means_window(const CLI::App& app, const std::vector<char*>& words) {
+  const auto windows =
+      app.get_subcommands([](const CLI::App* one) { return one->get_name() == kWindow; });
+  if (windows.empty()) return false;
+  if (words.size() < 2) return true;
+  const std::string first = words[1];
+  if (first == "-h" || first == "--help" || first == "--version") return false;
+  return first.starts_with("--") || burnish::mesh_format_of_path(first).is_ok();
+}
 
 int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a quota is an error of the write
@@ -10,13 +26,16 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "burnish " BURNISH_VERSION);
   app.footer("burnish COMMAND --help says more of a command.");
   burnish::CommandTable table(app);
+  burnish::add_window_command(table);
   burnish::add_generate_command(table);
   burnish::add_filter_command(table);
   burnish::add_render_command(table);
   burnish::add_service_commands(table);
-  if (argc < 2) {
+  std::vector<char*> words(argv, argv + argc);
+  if (means_window(app, words)) words.insert(words.begin() + 1, kWindow);
+  if (words.size() < 2) {
     std::cerr << app.help() << "\nburnish: name a command\n";
     return 2;
   }
-  return table.run(argc, argv);
+  return table.run(static_cast<int>(words.size()), words.data());
 }

@@ -1,16 +1,40 @@
 #include "client/null_renderer.h"
 
+#include <algorithm>
+
+#include "client/displaced_surface.h"
+
 namespace burnish {
 
 Status NullRenderer::upload_mesh(const ViewMesh& mesh) {
-  triangle_count_ = mesh.triangles.size();
+  mesh_ = mesh;
+  displacements_.assign(mesh.corner_count, Vec3f::Zero());
+  cell_values_.assign(mesh.cell_corners.size(), 0.0f);
   return Status::ok();
 }
 
-Status NullRenderer::draw(const Camera& camera, const ImageSize& size, const DrawStyle&) {
+Status NullRenderer::upload_displacements(std::span<const Vec3f> displacements,
+                                          std::span<const IndexRange> changed) {
+  for (const IndexRange& range : changed)
+    std::copy_n(displacements.begin() + range.first, range.count,
+                displacements_.begin() + range.first);
+  return Status::ok();
+}
+
+Status NullRenderer::upload_cell_values(std::span<const float> values) {
+  cell_values_.assign(values.begin(), values.end());
+  return Status::ok();
+}
+
+Status NullRenderer::upload_cell_tint(std::span<const float>, IndexRange) {
+  return Status::ok();
+}
+
+Status NullRenderer::draw(const Camera& camera, const ImageSize& size, const DrawStyle& style) {
   RETURN_IF_ERROR(check_image_size(size));
   camera_ = camera;
   size_ = size;
+  style_ = style;
   ++draw_count_;
   return Status::ok();
 }
@@ -18,6 +42,13 @@ Status NullRenderer::draw(const Camera& camera, const ImageSize& size, const Dra
 Result<Image> NullRenderer::read_pixels() {
   if (draw_count_ == 0) return failed_precondition("nothing was drawn yet");
   return Image{size_, std::vector<uint8_t>(3 * size_t(size_.width) * size_.height)};
+}
+
+Result<std::optional<uint32_t>> NullRenderer::pick(const Camera& camera, const ImageSize& size,
+                                                   const Eigen::Vector2i& pixel) {
+  const Ray ray = pixel_ray(camera, size, pixel.cast<double>() + Eigen::Vector2d(0.5, 0.5));
+  const auto hit = nearest_hit({mesh_, displacements_}, ray);
+  return hit ? std::optional<uint32_t>(hit->triangle) : std::nullopt;
 }
 
 }  // namespace burnish

@@ -5,7 +5,9 @@
 
 #include <Eigen/Geometry>
 
+#include "common/evaluation/evaluation.h"
 #include "common/mesh/triangle_mesh.h"
+#include "common/view/view.h"
 
 namespace burnish {
 
@@ -18,11 +20,21 @@ struct ViewMesh {
   std::vector<float> ridges;     ///< one per vertex, within -1 (groove) to 1 (ridge)
   std::vector<Triangle> triangles;
 
+  // How a session's displacement moves it; all empty where there is none.
+  std::vector<EvaluationPoint> points;  ///< one per vertex
+  std::vector<std::array<int32_t, kCornersPerCell>> cell_corners;
+  int32_t corner_count = 0;
+  float cell_size = 0;  ///< in half diagonals
+
+  bool has_grid() const { return !points.empty(); }
   double unit() const { return 0.5 * box.diagonal().norm(); }  ///< file units
 };
 
 /// Needs: a valid mesh.
 ViewMesh make_view_mesh(const TriangleMesh& mesh);
+
+/// The same of a session's view, with its grid.
+ViewMesh make_view_mesh(const View& view);
 
 /// Unit normals: the mean of the adjacent triangles' normals, weighted by their angle at the
 /// vertex; (0, 0, 1) where no triangle of positive area is near.

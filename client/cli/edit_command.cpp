@@ -4,10 +4,10 @@
 
 #include "client/cli/cell_field_file.h"
 #include "client/cli/commands.h"
-#include "client/cli/edit_id.h"
 #include "client/cli/json_output.h"
 #include "client/cli/server_option.h"
 #include "client/cli/stroke_file.h"
+#include "common/edit/edit_id.h"
 
 namespace burnish {
 

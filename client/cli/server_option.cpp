@@ -16,11 +16,16 @@ static Result<std::string> read_token(const std::string& path) {
   return token;
 }
 
-Result<Connection> ServerOption::connect() const {
+Result<ConnectionTrust> ServerOption::full_trust() const {
   ConnectionTrust all = trust;
   if (!token_file.empty()) {
     ASSIGN_OR_RETURN(all.token, read_token(token_file));
   }
+  return all;
+}
+
+Result<Connection> ServerOption::connect() const {
+  ASSIGN_OR_RETURN(const ConnectionTrust all, full_trust());
   const auto timeout = std::chrono::milliseconds(int64_t(timeout_seconds * 1000));
   ASSIGN_OR_RETURN(Connection connection, Connection::open(server, timeout, all));
   connection.set_user(user);

@@ -19,6 +19,8 @@ struct ServerOption {
   std::string user;
 
   Result<Connection> connect() const;
+  /// With the token that the file holds. Fails: as errno says; invalid_argument for an empty file.
+  Result<ConnectionTrust> full_trust() const;
 };
 
 /// Adds --server, --timeout, --json, --user, and what a server that is not of this machine asks

@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "client/cli/commands.h"
-#include "client/cli/edit_id.h"
 #include "client/cli/json_output.h"
 #include "client/cli/server_option.h"
+#include "common/edit/edit_id.h"
 
 namespace burnish {
 

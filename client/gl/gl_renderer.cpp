@@ -1,5 +1,8 @@
 #include "client/gl/gl_renderer.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "client/gl/gl_error.h"
 #include "client/gl/shaders.h"
 
@@ -8,68 +11,94 @@ namespace burnish {
 Result<std::unique_ptr<GlRenderer>> GlRenderer::create() {
   ASSIGN_OR_RETURN(ShaderProgram mesh,
                    ShaderProgram::create("mesh", kMeshVertexShader, kMeshFragmentShader));
+  ASSIGN_OR_RETURN(ShaderProgram pick,
+                   ShaderProgram::create("pick", kMeshVertexShader, kPickFragmentShader));
   ASSIGN_OR_RETURN(
       ShaderProgram background,
       ShaderProgram::create("background", kBackgroundVertexShader, kBackgroundFragmentShader));
-  return std::unique_ptr<GlRenderer>(new GlRenderer(std::move(mesh), std::move(background)));
+  Programs programs{std::move(mesh), std::move(pick), std::move(background)};
+  return std::unique_ptr<GlRenderer>(new GlRenderer(std::move(programs)));
 }
 
-GlRenderer::GlRenderer(ShaderProgram mesh_program, ShaderProgram background_program)
-    : mesh_program_(std::move(mesh_program)), background_program_(std::move(background_program)) {}
-
 Status GlRenderer::upload_mesh(const ViewMesh& mesh) {
-  mesh_centre_ = mesh.box.center();
-  mesh_unit_ = mesh.unit();
-  return mesh_.upload(mesh);
+  place_ = {mesh.box.center(), mesh.unit(), mesh.cell_size, mesh.has_grid()};
+  RETURN_IF_ERROR(mesh_.upload(mesh));
+  const Status grid = surface_.upload(mesh);
+  if (!grid.is_ok()) mesh_.clear();
+  return grid;
 }
 
 Status GlRenderer::draw(const Camera& camera, const ImageSize& size, const DrawStyle& style) {
   RETURN_IF_ERROR(target_.bind(size));
   draw_background();
-  if (!mesh_.is_empty()) draw_mesh(camera, size.aspect(), style);
+  if (!mesh_.is_empty()) draw_split(camera, size, style);
   target_.resolve();
   return check_gl("drawing");
 }
 
+void GlRenderer::clear_window() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glClearColor(0.145f, 0.155f, 0.170f, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
 void GlRenderer::draw_background() const {
   glDisable(GL_DEPTH_TEST);
-  background_program_.use();
+  programs_.background.use();
   no_mesh_.bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-// Camera space in units of the mesh's half diagonal, so that floats suffice at any file unit.
-Eigen::Matrix4d GlRenderer::model_view(const Camera& camera) const {
-  Eigen::Matrix4d centre = Eigen::Matrix4d::Identity();
-  centre.topRightCorner<3, 1>() = mesh_centre_;
-  Eigen::Matrix4d seen = view_matrix(camera) * centre;
-  seen.topRightCorner<3, 1>() /= mesh_unit_;
-  return seen;
-}
-
-void GlRenderer::draw_mesh(const Camera& camera, double aspect, const DrawStyle& style) const {
-  Camera scaled = camera;
-  scaled.distance /= mesh_unit_;
-  scaled.scene_radius /= mesh_unit_;
-  mesh_program_.use();
-  mesh_program_.set("model_view", Eigen::Matrix4f(model_view(camera).cast<float>()));
-  mesh_program_.set("projection", Eigen::Matrix4f(projection_matrix(scaled, aspect).cast<float>()));
-  mesh_program_.set("flat_normals", style.flat);
-  mesh_program_.set("edges", false);
+void GlRenderer::draw_split(const Camera& camera, const ImageSize& size,
+                            const DrawStyle& style) const {
   glEnable(GL_DEPTH_TEST);
   glClear(GL_DEPTH_BUFFER_BIT);
+  const int middle = static_cast<int>(std::lround(std::clamp(style.split, 0.0, 1.0) * size.width));
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(middle, 0, size.width - middle, size.height);
+  draw_mesh(camera, size.aspect(), style, style.original);
+  if (middle > 0) {
+    glScissor(0, 0, middle, size.height);
+    draw_mesh(camera, size.aspect(), style, true);
+  }
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void GlRenderer::draw_mesh(const Camera& camera, double aspect, const DrawStyle& style,
+                           bool original) const {
+  programs_.mesh.use();
+  surface_.bind();
+  set_place(programs_.mesh, place_, camera, aspect, original);
+  set_style(programs_.mesh, place_, style);
   glEnable(GL_POLYGON_OFFSET_FILL);  // leaves room for the edges in front
   glPolygonOffset(1, 1);
   mesh_.draw();
   glDisable(GL_POLYGON_OFFSET_FILL);
-  if (!style.wireframe) return;
-  mesh_program_.set("edges", true);
+  if (style.wireframe) draw_edges();
+}
+
+void GlRenderer::draw_edges() const {
+  programs_.mesh.set("edges", true);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   mesh_.draw();
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDisable(GL_BLEND);
+}
+
+Result<std::optional<uint32_t>> GlRenderer::pick(const Camera& camera, const ImageSize& size,
+                                                 const Eigen::Vector2i& pixel) {
+  if (mesh_.is_empty()) return std::optional<uint32_t>();
+  RETURN_IF_ERROR(pick_target_.bind());
+  programs_.pick.use();
+  surface_.bind();
+  set_place(programs_.pick, place_, camera, size.aspect(), false, pick_matrix(size, pixel));
+  glEnable(GL_DEPTH_TEST);
+  mesh_.draw();
+  const std::optional<uint32_t> triangle = pick_target_.read();
+  RETURN_IF_ERROR(check_gl("picking"));
+  return triangle;
 }
 
 }  // namespace burnish

@@ -3,8 +3,11 @@
 #include <memory>
 
 #include "client/gl/mesh_buffers.h"
+#include "client/gl/mesh_uniforms.h"
+#include "client/gl/pick_target.h"
 #include "client/gl/picture_target.h"
 #include "client/gl/shader_program.h"
+#include "client/gl/surface_buffers.h"
 #include "client/renderer.h"
 
 namespace burnish {
@@ -16,22 +19,45 @@ class GlRenderer : public Renderer {
   static Result<std::unique_ptr<GlRenderer>> create();
 
   Status upload_mesh(const ViewMesh& mesh) override;
+  Status upload_displacements(std::span<const Vec3f> displacements,
+                              std::span<const IndexRange> changed) override {
+    return surface_.upload_displacements(displacements, changed);
+  }
+  Status upload_cell_values(std::span<const float> values) override {
+    return surface_.upload_cell_values(values);
+  }
+  Status upload_cell_tint(std::span<const float> weights, IndexRange changed) override {
+    return surface_.upload_cell_tint(weights, changed);
+  }
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style) override;
   Result<Image> read_pixels() override { return target_.read(); }
+  Result<std::optional<uint32_t>> pick(const Camera& camera, const ImageSize& size,
+                                       const Eigen::Vector2i& pixel) override;
+
+  /// Copies the last drawn picture into the window's own buffer, its lower left corner there.
+  void show(const Eigen::Vector2i& lower_left) const { target_.show(lower_left); }
+  /// Makes the window's own buffer dark, and the one that is drawn to.
+  void clear_window() const;
 
  private:
-  GlRenderer(ShaderProgram mesh_program, ShaderProgram background_program);
+  struct Programs {
+    ShaderProgram mesh;
+    ShaderProgram pick;
+    ShaderProgram background;
+  };
+  explicit GlRenderer(Programs programs) : programs_(std::move(programs)) {}
   void draw_background() const;
-  void draw_mesh(const Camera& camera, double aspect, const DrawStyle& style) const;
-  Eigen::Matrix4d model_view(const Camera& camera) const;
+  void draw_split(const Camera& camera, const ImageSize& size, const DrawStyle& style) const;
+  void draw_mesh(const Camera& camera, double aspect, const DrawStyle& style, bool original) const;
+  void draw_edges() const;
 
-  ShaderProgram mesh_program_;
-  ShaderProgram background_program_;
+  Programs programs_;
   MeshBuffers mesh_;
   MeshBuffers no_mesh_;  // core profiles draw nothing without a vertex array
+  SurfaceBuffers surface_;
   PictureTarget target_;
-  Vec3d mesh_centre_ = Vec3d::Zero();  // file units
-  double mesh_unit_ = 1;
+  PickTarget pick_target_;
+  MeshPlace place_;
 };
 
 }  // namespace burnish

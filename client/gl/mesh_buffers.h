@@ -7,7 +7,8 @@
 
 namespace burnish {
 
-/// Positions (attribute 0), normals (1), ridges (2) and indices of one mesh on the card.
+/// Positions (attribute 0), normals (1), ridges (2), cells and places in them (3, 4; where the mesh
+/// has a grid) and indices of one mesh on the card.
 /// Needs a current context for its whole life.
 class MeshBuffers {
  public:
@@ -19,6 +20,7 @@ class MeshBuffers {
   /// Fails: resource_exhausted for more triangles than one draw call takes, or when the driver has
   /// no room; then the buffers are empty.
   Status upload(const ViewMesh& mesh);
+  void clear() { index_count_ = 0; }
   bool is_empty() const { return index_count_ == 0; }
   void bind() const { glBindVertexArray(vertex_array_); }
   void draw() const;
@@ -28,6 +30,7 @@ class MeshBuffers {
   GLuint positions_ = 0;
   GLuint normals_ = 0;
   GLuint ridges_ = 0;
+  GLuint points_ = 0;
   GLuint indices_ = 0;
   GLsizei index_count_ = 0;
 };

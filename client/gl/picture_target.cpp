@@ -72,6 +72,14 @@ void PictureTarget::resolve() const {
                     GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
+void PictureTarget::show(const Eigen::Vector2i& lower_left) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, size_.width, size_.height, lower_left.x(), lower_left.y(),
+                    lower_left.x() + size_.width, lower_left.y() + size_.height,
+                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 Result<Image> PictureTarget::read() const {
   if (size_ == ImageSize{}) return failed_precondition("nothing was drawn yet");
   const size_t row_bytes = 3 * static_cast<size_t>(size_.width);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <epoxy/gl.h>
 
 #include "client/image.h"
@@ -22,6 +23,9 @@ class PictureTarget {
 
   /// Averages the samples of what was drawn.
   void resolve() const;
+
+  /// Copies the resolved picture into the window's own buffer.
+  void show(const Eigen::Vector2i& lower_left) const;
 
   /// The resolved picture. Fails: failed_precondition before the first bind().
   Result<Image> read() const;

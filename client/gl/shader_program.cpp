@@ -50,6 +50,22 @@ void ShaderProgram::set(const char* uniform, bool value) const {
   glUniform1i(glGetUniformLocation(program_, uniform), value ? 1 : 0);
 }
 
+void ShaderProgram::set(const char* uniform, int value) const {
+  glUniform1i(glGetUniformLocation(program_, uniform), value);
+}
+
+void ShaderProgram::set(const char* uniform, float value) const {
+  glUniform1f(glGetUniformLocation(program_, uniform), value);
+}
+
+void ShaderProgram::set(const char* uniform, const Eigen::Vector3f& value) const {
+  glUniform3fv(glGetUniformLocation(program_, uniform), 1, value.data());
+}
+
+void ShaderProgram::set(const char* uniform, const Eigen::Vector4f& value) const {
+  glUniform4fv(glGetUniformLocation(program_, uniform), 1, value.data());
+}
+
 void ShaderProgram::set(const char* uniform, const Eigen::Matrix4f& value) const {
   glUniformMatrix4fv(glGetUniformLocation(program_, uniform), 1, GL_FALSE, value.data());
 }

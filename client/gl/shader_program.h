@@ -22,6 +22,10 @@ class ShaderProgram {
   void use() const { glUseProgram(program_); }
   /// For the program in use.
   void set(const char* uniform, bool value) const;
+  void set(const char* uniform, int value) const;
+  void set(const char* uniform, float value) const;
+  void set(const char* uniform, const Eigen::Vector3f& value) const;
+  void set(const char* uniform, const Eigen::Vector4f& value) const;
   void set(const char* uniform, const Eigen::Matrix4f& value) const;
 
  private:

@@ -2,20 +2,86 @@
 
 namespace burnish {
 
+// The displacement at a vertex is trilinear in its cell: sum of corner displacements times weights.
+// A normal moves with the surface by the cofactors of the map's Jacobian F = I + grad u, so that it
+// stays across the surface wherever the map leads.
 const char* const kMeshVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float ridge;
+layout(location = 3) in int cell;
+layout(location = 4) in vec3 local;
 uniform mat4 model_view;
 uniform mat4 projection;
+uniform float cell_size;  // 0: nothing moves
+uniform isamplerBuffer cell_corners;
+uniform samplerBuffer displacements;
+uniform samplerBuffer cell_values;
+uniform samplerBuffer cell_tint;
+uniform bool has_grid;
 centroid out vec3 seen_position;  // camera space
 centroid out vec3 seen_normal;
 centroid out float seen_ridge;
+centroid out vec3 original_position;
+centroid out float value;
+centroid out float tint;
+centroid out float moved;  // along the normal, cells
+
+vec3 moved_by = vec3(0.0);
+mat3 gradient = mat3(0.0);  // columns are derivatives along x, y, z
+
+void add_corner(int corner, vec3 at) {
+  vec3 u = texelFetch(displacements, corner).xyz;
+  vec3 w = mix(1.0 - local, local, at);
+  vec3 slope = 2.0 * at - 1.0;
+  moved_by += w.x * w.y * w.z * u;
+  gradient[0] += slope.x * w.y * w.z * u;
+  gradient[1] += w.x * slope.y * w.z * u;
+  gradient[2] += w.x * w.y * slope.z * u;
+}
+
+void evaluate() {
+  ivec4 low = texelFetch(cell_corners, 2 * cell);
+  ivec4 high = texelFetch(cell_corners, 2 * cell + 1);
+  add_corner(low.x, vec3(0, 0, 0));
+  add_corner(low.y, vec3(1, 0, 0));
+  add_corner(low.z, vec3(0, 1, 0));
+  add_corner(low.w, vec3(1, 1, 0));
+  add_corner(high.x, vec3(0, 0, 1));
+  add_corner(high.y, vec3(1, 0, 1));
+  add_corner(high.z, vec3(0, 1, 1));
+  add_corner(high.w, vec3(1, 1, 1));
+}
+
+vec3 transported(vec3 n) {
+  mat3 f = mat3(1.0) + gradient;
+  mat3 cofactors = mat3(cross(f[1], f[2]), cross(f[2], f[0]), cross(f[0], f[1]));
+  vec3 turned = cofactors * n;
+  float size = length(turned);
+  return size > 1e-6 ? turned / size : n;
+}
+
 void main() {
-  vec4 seen = model_view * vec4(position, 1.0);
+  vec3 at = position;
+  vec3 n = normal;
+  value = 0.0;
+  tint = 0.0;
+  moved = 0.0;
+  if (has_grid && cell >= 0) {
+    value = texelFetch(cell_values, cell).x;
+    tint = texelFetch(cell_tint, cell).x;
+    if (cell_size > 0.0) {
+      evaluate();
+      at += cell_size * moved_by;
+      n = transported(normal);
+      moved = dot(moved_by, normal);
+    }
+  }
+  vec4 seen = model_view * vec4(at, 1.0);
   seen_position = seen.xyz;
-  seen_normal = mat3(model_view) * normal;
-  seen_ridge = ridge;
+  seen_normal = mat3(model_view) * n;
+  seen_ridge = has_grid ? 0.0 : ridge;
+  original_position = position;
   gl_Position = projection * seen;
 }
 )";
@@ -26,11 +92,25 @@ const char* const kMeshFragmentShader = R"(#version 330 core
 centroid in vec3 seen_position;
 centroid in vec3 seen_normal;
 centroid in float seen_ridge;
+centroid in vec3 original_position;
+centroid in float value;
+centroid in float tint;
+centroid in float moved;
 uniform bool flat_normals;
 uniform bool edges;
+uniform bool faded;
+uniform int colouring;  // as Colouring
+uniform float displacement_range;
+uniform vec3 tint_colour;
+uniform int ring_count;
+uniform vec4 rings[8];  // centre, radius
+uniform vec3 ring_colours[8];
 out vec4 colour;
 
 const vec3 kClay = vec3(0.50, 0.44, 0.37);
+const vec3 kPlain = vec3(0.62, 0.62, 0.62);
+const vec3 kBlue = vec3(0.03, 0.16, 0.72);
+const vec3 kRed = vec3(0.72, 0.04, 0.03);
 const vec3 kSky = vec3(0.42, 0.45, 0.50);
 const vec3 kGround = vec3(0.16, 0.14, 0.13);
 const vec3 kKeyLight = vec3(1.00, 0.95, 0.88);
@@ -38,7 +118,9 @@ const vec3 kFillLight = vec3(0.14, 0.16, 0.20);
 const vec3 kToKey = normalize(vec3(-0.65, 0.60, 0.42));
 const vec3 kToFill = normalize(vec3(0.80, 0.10, 0.45));
 
-vec3 shade(vec3 n, vec3 to_eye, float ridge) {
+vec3 linear(vec3 srgb) { return pow(srgb, vec3(2.2)); }
+
+vec3 shade(vec3 base, vec3 n, vec3 to_eye, float ridge) {
   vec3 light = mix(kGround, kSky, 0.5 + 0.5 * n.y);
   light += kKeyLight * max(dot(n, kToKey), 0.0);
   light += kFillLight * max(dot(n, kToFill), 0.0);
@@ -46,7 +128,29 @@ vec3 shade(vec3 n, vec3 to_eye, float ridge) {
   float facing = max(dot(n, to_eye), 0.0);
   float highlight = pow(max(dot(n, normalize(kToKey + to_eye)), 0.0), 28.0);
   float rim = pow(1.0 - facing, 3.0);
-  return kClay * light + 0.06 * highlight * kKeyLight + 0.07 * rim * kSky;
+  return base * light + 0.06 * highlight * kKeyLight + 0.07 * rim * kSky;
+}
+
+vec3 blue_to_red(float signed_part) {
+  float part = clamp(signed_part, -1.0, 1.0);
+  return mix(kPlain, part < 0.0 ? kBlue : kRed, abs(part));
+}
+
+vec3 base_colour() {
+  vec3 base = kClay;
+  if (colouring == 1) base = blue_to_red(value);
+  if (colouring == 2) base = blue_to_red(moved / displacement_range);
+  return mix(base, linear(tint_colour), 0.75 * tint);
+}
+
+// Rings keep their width in pixels, whatever the distance.
+vec3 with_rings(vec3 below) {
+  for (int i = 0; i < ring_count; ++i) {
+    float away = distance(original_position, rings[i].xyz) - rings[i].w;
+    float pixels = abs(away) / max(fwidth(away), 1e-12);
+    below = mix(below, linear(ring_colours[i]), 1.0 - smoothstep(0.8, 1.8, pixels));
+  }
+  return below;
 }
 
 void main() {
@@ -56,8 +160,17 @@ void main() {
   }
   vec3 n = flat_normals ? cross(dFdx(seen_position), dFdy(seen_position)) : seen_normal;
   float side = gl_FrontFacing || flat_normals ? 1.0 : -1.0;  // both sides of a surface are lit
-  vec3 linear = shade(side * normalize(n), normalize(-seen_position), side * seen_ridge);
-  colour = vec4(pow(min(linear, 1.0), vec3(1.0 / 2.2)), 1.0);
+  vec3 lit = shade(base_colour(), side * normalize(n), normalize(-seen_position),
+                   side * seen_ridge);
+  if (faded) lit = mix(vec3(dot(lit, vec3(0.30, 0.59, 0.11))), vec3(0.45), 0.4);
+  colour = vec4(pow(min(with_rings(lit), 1.0), vec3(1.0 / 2.2)), 1.0);
+}
+)";
+
+const char* const kPickFragmentShader = R"(#version 330 core
+out uint number;
+void main() {
+  number = uint(gl_PrimitiveID) + 1u;
 }
 )";
 

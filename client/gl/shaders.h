@@ -6,6 +6,7 @@ namespace burnish {
 /// turn of the camera never moves the light off the surface.
 extern const char* const kMeshVertexShader;
 extern const char* const kMeshFragmentShader;
+extern const char* const kPickFragmentShader;  ///< with the mesh's vertex shader
 extern const char* const kBackgroundVertexShader;
 extern const char* const kBackgroundFragmentShader;
 

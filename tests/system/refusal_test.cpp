@@ -6,7 +6,9 @@
 namespace burnish {
 namespace {
 
+using testing::AnyOf;
 using testing::HasSubstr;
+using testing::Optional;
 
 TEST(Refusal, ADeadServerFailsWithItsNameWithinTheDeadline) {
   ServerProcess server;
@@ -84,11 +86,14 @@ TEST(Refusal, BadInputNamesWhatIsWrong) {
   EXPECT_EQ(server.burnish({"export", "s", "x.ply", "--exact", "--cycles", "3"}).exit_code, 2);
 }
 
-TEST(Refusal, NoCommandIsUsage) {
+TEST(Refusal, NoCommandOpensTheWindowWhichNeedsAScreen) {
   const TemporaryFolder folder;
+  unsetenv("DISPLAY");
+  unsetenv("WAYLAND_DISPLAY");
   Process program({BURNISH_BINARY}, folder / "out");
-  EXPECT_EQ(program.wait(kPatience), 2);
-  EXPECT_THAT(program.output(), HasSubstr("burnish: name a command"));
+  EXPECT_THAT(program.wait(kPatience), AnyOf(Optional(1), Optional(2)));
+  EXPECT_THAT(program.output(), AnyOf(HasSubstr("burnish: no window can be opened here"),
+                                      HasSubstr("burnish: name a command")));  // built without one
 }
 
 }  // namespace

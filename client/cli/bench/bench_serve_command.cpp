@@ -6,9 +6,9 @@
 #include "client/cli/bench/load_client.h"
 #include "client/cli/bench/load_report.h"
 #include "client/cli/commands.h"
-#include "client/cli/edit_id.h"
 #include "client/cli/json_output.h"
 #include "client/cli/server_option.h"
+#include "common/edit/edit_id.h"
 
 namespace burnish {
 

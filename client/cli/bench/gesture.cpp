@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "client/cli/edit_id.h"
+#include "common/edit/edit_id.h"
 
 namespace burnish {
 

@@ -1,0 +1,170 @@
+#include "client/app/app.h"
+
+#include <chrono>
+#include <csignal>
+#include <ctime>
+
+#include "client/app/theme.h"
+#include "client/gl/capabilities.h"
+#include "client/model/document_actions.h"
+#include "client/png_writer.h"
+
+namespace burnish {
+
+// ImGui needs a second picture to show what a click changed.
+static constexpr int kPicturesAfterEvent = 3;
+static constexpr double kIdleSeconds = 0.5;
+
+static volatile std::sig_atomic_t ended_by_signal = 0;
+
+Status App::run(AppOptions options, Preferences preferences) {
+  for (int number : {SIGINT, SIGTERM})  // in order: a private server ends with the window
+    std::signal(number, [](int) { ended_by_signal = 1; });
+  Bindings bindings;
+  for (const auto& [action, key] : preferences.keys) RETURN_IF_ERROR(bindings.bind(action, key));
+  App app(std::move(options), std::move(bindings));
+  RETURN_IF_ERROR(app.start(std::move(preferences)));
+  const Status status = app.loop();
+  const ImageSize size = app.window_->size();
+  if (size.width > 0) {
+    app.workspace_->preferences.window_width = size.width;
+    app.workspace_->preferences.window_height = size.height;
+  }
+  app.workspace_->save_preferences();
+  app.workspace_.reset();  // before the window: its threads wake it
+  app.renderer_.reset();
+  return status;
+}
+
+Status App::start(Preferences preferences) {
+  ImageSize size = options_.size;
+  if (size.width == 0) size = {preferences.window_width, preferences.window_height};
+  const double scale = options_.scale > 0 ? options_.scale : preferences.scale;
+  ASSIGN_OR_RETURN(window_, Window::create(size, scale, make_events()));
+  ASSIGN_OR_RETURN(renderer_, GlRenderer::create());
+  const Capabilities card = card_capabilities();
+  if (options_.workspace.triangles_max == 0) {
+    options_.workspace.triangles_max = card.triangles_max;
+    options_.workspace.triangles_why = card.triangles_why;
+  } else {
+    options_.workspace.triangles_why = "as asked";
+  }
+  options_.workspace.wake = [this] {
+    news_ = true;
+    Window::wake();
+  };
+  workspace_ = std::make_unique<Workspace>(*renderer_, std::move(preferences), options_.workspace);
+  if (!options_.record.empty()) RETURN_IF_ERROR(workspace_->recorder.open(options_.record));
+  open_what_was_asked();
+  return Status::ok();
+}
+
+void App::open_what_was_asked() {
+  Workspace& workspace = *workspace_;
+  if (!options_.scan.empty()) {
+    workspace.when_connected([this] { workspace_->import_scan(options_.scan); });
+  } else if (!options_.session.empty()) {
+    workspace.when_connected([this] { workspace_->join_by_name(options_.session); });
+  }
+  if (!options_.server.empty()) {
+    workspace.connect(options_.server);
+  } else if (!options_.scan.empty()) {
+    workspace.connect_privately();
+  }
+}
+
+Status App::loop() {
+  int pictures = kPicturesAfterEvent;
+  while (!window_->should_close() && !ended_by_signal) {
+    window_->wait(pictures > 0 ? 0 : kIdleSeconds);
+    const bool timed_out = !window_->take_dirty() && !news_.exchange(false);
+    pictures = timed_out ? std::max(pictures, 1) : kPicturesAfterEvent;
+    RETURN_IF_ERROR(workspace_->update());
+    RETURN_IF_ERROR(draw());
+    --pictures;
+  }
+  return Status::ok();
+}
+
+WindowEvents App::make_events() {
+  WindowEvents events;
+  events.press = [this](PointerButton button, Modifiers modifiers, const Eigen::Vector2d& pixel) {
+    if (workspace_ && workspace_->document() && is_in_picture(pixel))
+      workspace_->viewport.press(button, modifiers, in_picture(pixel));
+  };
+  events.release = [this](PointerButton button) {
+    if (workspace_) workspace_->viewport.release(button);
+  };
+  events.move = [this](const Eigen::Vector2d& pixel) {
+    if (!workspace_ || !workspace_->document()) return;
+    if (is_in_picture(pixel) || workspace_->viewport.is_busy()) {
+      workspace_->viewport.move(in_picture(pixel));
+    } else {
+      workspace_->viewport.leave();
+    }
+  };
+  events.wheel = [this](const Eigen::Vector2d& pixel, double steps) {
+    if (workspace_ && workspace_->document() && is_in_picture(pixel))
+      workspace_->viewport.wheel(in_picture(pixel), steps);
+  };
+  events.key = [this](const std::string& key) {
+    if (workspace_) handle_key(key);
+  };
+  events.space = [this](bool held) {
+    if (workspace_) workspace_->viewport.hold_original = held;
+  };
+  events.drop = [this](const std::vector<std::filesystem::path>& files) {
+    if (!workspace_) return;
+    for (const auto& file : files) workspace_->import_scan(file);
+  };
+  return events;
+}
+
+bool App::is_in_picture(const Eigen::Vector2d& pixel) const {
+  const Eigen::Vector2d at = in_picture(pixel);
+  if (at.x() < 0 || at.y() < 0 || at.x() >= picture_.size.width || at.y() >= picture_.size.height)
+    return false;
+  if (shows_help_ || shows_log_ || export_dialog_.is_open()) return false;
+  return pixel.x() < toasts_.covered_low.x || pixel.x() >= toasts_.covered_high.x ||
+         pixel.y() < toasts_.covered_low.y || pixel.y() >= toasts_.covered_high.y;
+}
+
+Eigen::Vector2d App::in_picture(const Eigen::Vector2d& pixel) const {
+  return pixel - Eigen::Vector2d(picture_.x, picture_.y);
+}
+
+void App::handle_key(const std::string& key) {
+  const auto action = bindings_.action_of(key);
+  if (action) do_action(*action);
+}
+
+void App::do_action(Action action) {
+  if (action == Action::kHelp) shows_help_ = !shows_help_;
+  if (action == Action::kLog) shows_log_ = !shows_log_;
+  if (action == Action::kCancel) {
+    const bool was_busy =
+        workspace_->document() && workspace_->viewport.cancel(*workspace_->document());
+    if (!was_busy) shows_help_ = shows_log_ = false;
+  }
+  if (!workspace_->document()) return;
+  if (action == Action::kExport) export_dialog_.open();
+  if (action == Action::kScreenshot) return take_screenshot();
+  do_document_action(action, *workspace_);
+}
+
+void App::take_screenshot() {
+  char name[64];
+  const time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::strftime(name, sizeof name, "burnish-%F-%H%M%S.png", &local);
+  workspace_->recorder.record("wait");
+  workspace_->recorder.record(workspace_->viewport.camera);
+  workspace_->recorder.record(std::string("screenshot ") + name);
+  const auto image = renderer_->read_pixels();
+  const Status written = image.is_ok() ? write_png(*image, name) : image.status();
+  if (!written.is_ok()) return workspace_->log.failure("screenshot", written);
+  workspace_->log.info(std::string("saved ") + name);
+}
+
+}  // namespace burnish

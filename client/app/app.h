@@ -1,0 +1,102 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "client/app/brush_panel.h"
+#include "client/app/curve_panel.h"
+#include "client/app/export_dialog.h"
+#include "client/app/filter_panel.h"
+#include "client/app/history_panel.h"
+#include "client/app/hud.h"
+#include "client/app/people_panel.h"
+#include "client/app/start_page.h"
+#include "client/app/toasts.h"
+#include "client/app/view_panel.h"
+#include "client/app/window.h"
+#include "client/gl/gl_renderer.h"
+#include "client/model/workspace.h"
+
+namespace burnish {
+
+struct AppOptions {
+  std::filesystem::path scan;    ///< to import and open; empty: none
+  std::string server;            ///< empty: the private one when there is a scan, else nothing
+  std::string session;           ///< to join, or the new one's name
+  ImageSize size;                ///< of the window; 0x0: as it was
+  double scale = 0;              ///< 0: as configured, else as the screen says
+  std::filesystem::path record;  ///< where to write a script of what is done; empty: nowhere
+  WorkspaceOptions workspace;
+};
+
+/// The window: events in, pictures out, around a Workspace.
+class App {
+ public:
+  /// Runs until the window is closed. Fails: unavailable (no display or driver), and as the
+  /// renderer does.
+  static Status run(AppOptions options, Preferences preferences);
+
+ private:
+  App(AppOptions options, Bindings bindings)
+      : options_(std::move(options)), bindings_(std::move(bindings)) {}
+  Status start(Preferences preferences);
+  Status loop();
+  void open_what_was_asked();
+  WindowEvents make_events();
+  void handle_key(const std::string& key);
+  void do_action(Action action);
+  void take_screenshot();
+
+  Status draw();
+  Status draw_picture();
+  void draw_panels();
+  void draw_menu_bar();
+  void draw_start_page();
+  void draw_left(float top, float width);
+  void draw_right(float top, float width);
+  void draw_overlays();
+
+  bool is_in_picture(const Eigen::Vector2d& pixel) const;
+  Eigen::Vector2d in_picture(const Eigen::Vector2d& pixel) const;
+
+  AppOptions options_;
+  Bindings bindings_;
+  std::atomic<bool> news_{true};
+  std::unique_ptr<Window> window_;
+  std::unique_ptr<GlRenderer> renderer_;
+  std::unique_ptr<Workspace> workspace_;
+
+  StartPage start_page_;
+  FilterPanel filter_panel_;
+  CurvePanel curve_panel_;
+  BrushPanel brush_panel_;
+  HistoryPanel history_panel_;
+  ViewPanel view_panel_;
+  PeoplePanel people_panel_;
+  Hud hud_;
+  Toasts toasts_;
+  ExportDialog export_dialog_;
+  bool shows_hud_ = true;
+  bool shows_log_ = false;
+  bool shows_help_ = false;
+
+  /// Where the picture is in the framebuffer, pixels from the upper left corner.
+  struct Area {
+    int x = 0, y = 0;
+    ImageSize size;
+  };
+  Area picture_;
+
+  /// What the renderer's picture shows; while that is the same it is not drawn again.
+  struct Shown {
+    std::shared_ptr<const View> view;  // held, so that no other one has its address
+    uint64_t changes = 0;
+    ImageSize size;
+    Camera camera;
+    DrawStyle style;
+    bool operator==(const Shown&) const = default;
+  };
+  Shown shown_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,156 @@
+#include <algorithm>
+
+#include "client/app/app.h"
+#include "client/app/key_help.h"
+#include "client/app/theme.h"
+
+namespace burnish {
+
+static constexpr ImGuiWindowFlags kFixed =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+Status App::draw() {
+  const ImageSize size = window_->framebuffer_size();
+  if (size.width < kImageSidePixelsMin || size.height < kImageSidePixelsMin) return Status::ok();
+  window_->begin_frame();
+  draw_panels();
+  renderer_->clear_window();
+  const Status drawn = workspace_->document() ? draw_picture() : Status::ok();
+  window_->end_frame();
+  return drawn;
+}
+
+// Between the panels; nothing where they leave no room.
+Status App::draw_picture() {
+  if (!check_image_size(picture_.size).is_ok()) return Status::ok();
+  Workspace& workspace = *workspace_;
+  workspace.viewport.set_size(picture_.size);
+  const Document& document = *workspace.document();
+  Shown now{document.opened().view, document.picture_changes(), picture_.size,
+            workspace.viewport.camera, workspace.viewport.style(document)};
+  if (!(now == shown_)) RETURN_IF_ERROR(renderer_->draw(now.camera, now.size, now.style));
+  shown_ = std::move(now);
+  const int bottom = window_->framebuffer_size().height - picture_.y - picture_.size.height;
+  renderer_->show({picture_.x, bottom});
+  return Status::ok();
+}
+
+void App::draw_panels() {
+  draw_menu_bar();
+  if (!workspace_->document()) {
+    picture_ = {};
+    draw_start_page();
+  } else {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
+    const float top = ImGui::GetFrameHeight();
+    const float left = em(kLeftPanelEm);
+    const bool has_room = screen.x > em(kLeftPanelEm + kRightPanelEm + 20);
+    const float right = has_room ? em(kRightPanelEm) : 0;
+    draw_left(top, left);
+    if (has_room) draw_right(top, right);
+    picture_ = {static_cast<int>(left * pixels.x),
+                static_cast<int>(top * pixels.y),
+                {static_cast<int>((screen.x - left - right) * pixels.x),
+                 static_cast<int>((screen.y - top) * pixels.y)}};
+    hud_.upper_right = {screen.x - right, top};
+    toasts_.lower_left = {left, screen.y};
+    if (shows_hud_) hud_.draw(*workspace_);
+  }
+  draw_overlays();
+}
+
+void App::draw_menu_bar() {
+  if (!ImGui::BeginMainMenuBar()) return;
+  Workspace& workspace = *workspace_;
+  const bool is_open = workspace.document() != nullptr;
+  const auto item = [&](const char* label, Action action, bool enabled = true) {
+    if (ImGui::MenuItem(label, bindings_.key_of(action).c_str(), false, enabled)) do_action(action);
+  };
+  if (ImGui::BeginMenu("File")) {
+    item("Export…", Action::kExport, is_open);
+    item("Save picture", Action::kScreenshot, is_open);
+    if (ImGui::MenuItem("Close session", nullptr, false, is_open)) workspace.close_document();
+    ImGui::Separator();
+    if (ImGui::MenuItem("Quit")) window_->close();
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Edit", workspace.document() != nullptr)) {
+    item("Undo", Action::kUndo);
+    item("Redo", Action::kRedo);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("View")) {
+    item("Frame all", Action::kFrameAll, workspace.document() != nullptr);
+    item("Wireframe", Action::kWireframe, workspace.document() != nullptr);
+    item("Split", Action::kSplit, workspace.document() != nullptr);
+    ImGui::MenuItem("Figures", nullptr, &shows_hud_);
+    item("Messages", Action::kLog);
+    ImGui::EndMenu();
+  }
+  if (ImGui::BeginMenu("Help")) {
+    item("Keys", Action::kHelp);
+    ImGui::EndMenu();
+  }
+  if (Document* const document = workspace.document()) {
+    const std::string title = document->scan().scan.name + " · " + document->session().name;
+    const float width = ImGui::CalcTextSize(title.c_str()).x;
+    ImGui::SameLine(ImGui::GetWindowWidth() - width - em(1.6f));
+    faint_text("%s", title.c_str());
+  }
+  ImGui::EndMainMenuBar();
+}
+
+void App::draw_start_page() {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float top = ImGui::GetFrameHeight();
+  const float width = std::min(screen.x, em(72));
+  ImGui::SetNextWindowPos({0, top});
+  ImGui::SetNextWindowSize({screen.x, screen.y - top});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      {std::max(em(1.5f), (screen.x - width) / 2), em(0.5f)});
+  ImGui::Begin("##start", nullptr, kFixed);
+  ImGui::PopStyleVar();
+  start_page_.draw(*workspace_);
+  ImGui::End();
+  toasts_.lower_left = {0, screen.y};
+}
+
+static void draw_section(const char* name, Panel& panel, Workspace& workspace) {
+  if (!ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen)) return;
+  ImGui::PushID(name);
+  panel.draw(workspace);
+  ImGui::Dummy({0, em(0.25f)});
+  ImGui::PopID();
+}
+
+void App::draw_left(float top, float width) {
+  ImGui::SetNextWindowPos({0, top});
+  ImGui::SetNextWindowSize({width, ImGui::GetIO().DisplaySize.y - top});
+  ImGui::Begin("##left", nullptr, kFixed);
+  draw_section("Filter", filter_panel_, *workspace_);
+  draw_section("Transfer curve α(κ)", curve_panel_, *workspace_);
+  draw_section("Brush", brush_panel_, *workspace_);
+  ImGui::End();
+}
+
+void App::draw_right(float top, float width) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({screen.x - width, top});
+  ImGui::SetNextWindowSize({width, screen.y - top});
+  ImGui::Begin("##right", nullptr, kFixed);
+  draw_section("View", view_panel_, *workspace_);
+  draw_section("History", history_panel_, *workspace_);
+  draw_section("People", people_panel_, *workspace_);
+  ImGui::End();
+}
+
+void App::draw_overlays() {
+  toasts_.draw(*workspace_);
+  if (shows_log_) draw_message_log(workspace_->log, shows_log_);
+  if (shows_help_) draw_key_help(bindings_, shows_help_);
+  if (workspace_->document()) export_dialog_.draw(*workspace_);
+}
+
+}  // namespace burnish

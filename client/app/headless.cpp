@@ -1,0 +1,35 @@
+#include "client/app/headless.h"
+
+#include <iostream>
+
+#include "client/cli/text_lines.h"
+#include "client/gl/context_egl.h"
+#include "client/null_renderer.h"
+#include "client/script/script_runner.h"
+
+namespace burnish {
+
+static Status run_with(Renderer& renderer, const std::vector<ScriptLine>& script,
+                       const std::string& name, const AppOptions& options) {
+  ScriptOptions script_options{.server = options.server, .workspace = options.workspace};
+  if (options.size.width > 0) script_options.size = options.size;
+  ScriptRunner runner(renderer, std::move(script_options));
+  if (!options.record.empty()) RETURN_IF_ERROR(runner.workspace().recorder.open(options.record));
+  return runner.run(script, name);
+}
+
+Status run_script_file(const std::filesystem::path& script, AppOptions options) {
+  ASSIGN_OR_RETURN(const std::string text, read_text_file(script));
+  ASSIGN_OR_RETURN(const std::vector<ScriptLine> lines, parse_script(text, script.string()));
+  options.workspace.preferences.clear();  // a script leaves no traces
+  const auto context = EglContext::create();
+  if (!context.is_ok()) {
+    std::cerr << "burnish: pictures stay black: " << context.status().message() << "\n";
+    NullRenderer renderer;
+    return run_with(renderer, lines, script.string(), options);
+  }
+  ASSIGN_OR_RETURN(const auto renderer, GlRenderer::create());
+  return run_with(*renderer, lines, script.string(), options);
+}
+
+}  // namespace burnish

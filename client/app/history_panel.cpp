@@ -1,0 +1,85 @@
+#include "client/app/history_panel.h"
+
+#include <cstdio>
+#include <ctime>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "client/app/theme.h"
+
+namespace burnish {
+
+static float half_width() {
+  return (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+}
+
+void HistoryPanel::draw_buttons(Document& document) {
+  const ImVec2 half{half_width(), 0};
+  if (ImGui::Button("Undo", half)) document.undo();
+  ImGui::SameLine();
+  if (ImGui::Button("Redo", half)) document.redo();
+}
+
+void HistoryPanel::draw_checkpoint_row(Workspace& workspace) {
+  const ImVec2 half{half_width(), 0};
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##checkpoint", "name of a checkpoint or fork", &checkpoint_name_);
+  ImGui::BeginDisabled(checkpoint_name_.empty() || workspace.document()->is_viewer());
+  if (ImGui::Button("Checkpoint", half)) {
+    workspace.document()->set_checkpoint(checkpoint_name_);
+    checkpoint_name_.clear();
+  }
+  hint("Names the state that the session has now, to come back to.");
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  if (ImGui::Button("Fork", half)) {
+    workspace.fork(checkpoint_name_, "");
+    checkpoint_name_.clear();
+  }
+  hint("Opens a new session with all edits of this one.");
+}
+
+static void draw_entry(const HistoryEntry& entry, Document& document) {
+  ImGui::PushID(static_cast<int>(entry.number));
+  if (entry.kind == EditKind::kSetCheckpoint) {
+    ImGui::BeginDisabled(document.is_viewer());
+    if (ImGui::SmallButton("Restore")) document.restore_checkpoint(entry.summary);
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::TextColored(theme::kAccent, "%s", entry.summary.c_str());
+  } else {
+    bool is_on = entry.enabled;
+    if (ImGui::Checkbox("##on", &is_on) && !document.is_viewer())
+      document.switch_entry(entry.number, is_on);
+    ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Text, entry.enabled ? theme::kText : theme::kFaint);
+    ImGui::TextWrapped("%s", entry.summary.c_str());
+    ImGui::PopStyleColor();
+  }
+  if (ImGui::IsItemHovered()) {
+    char time[32];
+    const time_t seconds = entry.unix_ms / 1000;
+    std::tm local{};
+    localtime_r(&seconds, &local);
+    std::strftime(time, sizeof time, "%F %T", &local);
+    ImGui::SetTooltip("%s\n%s\nby %s, number %llu", entry.summary.c_str(), time,
+                      entry.author.empty() ? "somebody" : entry.author.c_str(),
+                      static_cast<unsigned long long>(entry.number));
+  }
+  ImGui::PopID();
+}
+
+void HistoryPanel::draw(Workspace& workspace) {
+  Document& document = *workspace.document();
+  ImGui::BeginDisabled(document.is_viewer());
+  draw_buttons(document);
+  ImGui::EndDisabled();
+  ImGui::BeginChild("##entries", {0, em(12)}, true);
+  for (auto entry = document.history().rbegin(); entry != document.history().rend(); ++entry)
+    draw_entry(*entry, document);
+  if (document.history().empty()) faint_text("no edits yet");
+  ImGui::EndChild();
+  draw_checkpoint_row(workspace);
+}
+
+}  // namespace burnish

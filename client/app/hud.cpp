@@ -1,0 +1,73 @@
+#include "client/app/hud.h"
+
+#include <cstdarg>
+
+#include "client/app/theme.h"
+
+namespace burnish {
+namespace {
+
+struct Chip {
+  const char* text;
+  ImVec4 colour;
+};
+
+Chip chip_of(const Document& document) {
+  switch (document.link()) {
+    case LinkState::kConnecting:
+      return {"connecting", theme::kBusy};
+    case LinkState::kLost:
+      return {"connection lost, coming back", theme::kBad};
+    case LinkState::kEnded:
+      return {"session ended", theme::kBad};
+    case LinkState::kLive:
+      break;
+  }
+  if (document.facts().frames == 0) return {"waiting for the first frame", theme::kBusy};
+  if (!document.facts().settled) return {"converging", theme::kBusy};
+  return document.is_settled() ? Chip{"settled", theme::kGood} : Chip{"saving", theme::kBusy};
+}
+
+void row(const char* name, const char* format, ...) IM_FMTARGS(2);
+
+void row(const char* name, const char* format, ...) {
+  faint_text("%s", name);
+  ImGui::SameLine(em(7.5f));
+  va_list arguments;
+  va_start(arguments, format);
+  ImGui::TextV(format, arguments);
+  va_end(arguments);
+}
+
+void draw_facts(const Document& document) {
+  const FrameFacts& facts = document.facts();
+  row("residual", "%.1e", facts.residual);
+  row("distance", "%.1e of the diagonal", facts.distance);
+  row("cycles", "%d (%s)", facts.cycles, document.welcome().backend.c_str());
+  row("server", "%.1f + %.1f + %.1f ms", facts.assemble_ms, facts.solve_ms, facts.encode_ms);
+  hint("To assemble, to solve, to encode the last frame.");
+  row("frame age", "%.0f ms", facts.age_ms);
+  row("round trip", "%.1f ms", facts.rtt_ms);
+  row("frames", "%.0f/s, %.1f Mbit/s", facts.frames_per_second, facts.megabits_per_second);
+  if (document.shown_after_ms() > 0) row("edit to picture", "%.0f ms", document.shown_after_ms());
+}
+
+}  // namespace
+
+void Hud::draw(Workspace& workspace) {
+  const Document& document = *workspace.document();
+  const float margin = em(0.7f);
+  ImGui::SetNextWindowPos({upper_right.x - margin, upper_right.y + margin}, 0, {1, 0});
+  ImGui::SetNextWindowBgAlpha(0.86f);
+  ImGui::Begin("##hud", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings);
+  const Chip chip = chip_of(document);
+  ImGui::TextColored(chip.colour, "%s", chip.text);
+  if (document.facts().frames > 0) draw_facts(document);
+  if (workspace.viewport.navigate_mode) faint_text("left button turns (N)");
+  ImGui::End();
+}
+
+}  // namespace burnish

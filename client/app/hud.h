@@ -1,0 +1,17 @@
+#pragma once
+
+#include <imgui.h>
+
+#include "client/app/panel.h"
+
+namespace burnish {
+
+/// The state of the solver and of the link, over the picture.
+class Hud : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+
+  ImVec2 upper_right{0, 0};  ///< of the picture
+};
+
+}  // namespace burnish

@@ -1,0 +1,64 @@
+#include "client/app/view_panel.h"
+
+#include "client/app/theme.h"
+#include "client/app/value_slider.h"
+
+namespace burnish {
+
+static void draw_colours(Document& document, Viewport& viewport) {
+  static const char* const kNames[] = {"Clay", "Gradient scale β", "Curvature",
+                                       "Displacement"};  // as ColourBy
+  int chosen = static_cast<int>(document.colour());
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::Combo("##colour", &chosen, kNames, IM_ARRAYSIZE(kNames)))
+    document.set_colour(static_cast<ColourBy>(chosen));
+  if (document.colour() == ColourBy::kDisplacement) {
+    faint_text("full colour at so many cells");
+    log_slider("##range", viewport.options.displacement_range, 0.05, 20, "%.2g");
+  }
+}
+
+static void draw_toggles(ViewOptions& options) {
+  ImGui::Checkbox("Flat", &options.flat);
+  hint("One shade for each triangle.");
+  ImGui::SameLine(em(7));
+  ImGui::Checkbox("Wireframe", &options.wireframe);
+  ImGui::Checkbox("Split", &options.split);
+  hint(
+      "The original on the left, the edited surface on the right. Hold Space to see the original "
+      "everywhere.");
+  if (!options.split) return;
+  ImGui::SameLine(em(7));
+  auto at = static_cast<float>(options.split_at);
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderFloat("##split", &at, 0.05f, 0.95f, "", ImGuiSliderFlags_NoInput))
+    options.split_at = at;
+}
+
+static void draw_bookmarks(Viewport& viewport, const Document& document) {
+  if (ImGui::Button("Frame all")) viewport.frame_all(document);
+  ImGui::SameLine();
+  if (ImGui::Button("Bookmark")) viewport.bookmarks.push_back(viewport.camera);
+  for (size_t i = 0; i < viewport.bookmarks.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    if (i % 6 != 0) ImGui::SameLine();
+    const std::string name = std::to_string(i + 1);
+    if (ImGui::Button(name.c_str(), {em(1.9f), 0})) viewport.camera = viewport.bookmarks[i];
+    ImGui::PopID();
+  }
+}
+
+void ViewPanel::draw(Workspace& workspace) {
+  Document& document = *workspace.document();
+  draw_colours(document, workspace.viewport);
+  draw_toggles(workspace.viewport.options);
+  draw_bookmarks(workspace.viewport, document);
+  ImGui::Checkbox("Left button turns", &workspace.viewport.navigate_mode);
+  const View& view = document.view();
+  ImGui::PushTextWrapPos(0);
+  faint_text("%zu triangles%s, depth %d", view.triangles.size(),
+             view.is_proxy() ? " (reduced)" : "", view.grid.depth);
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace burnish

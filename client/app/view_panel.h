@@ -1,0 +1,13 @@
+#pragma once
+
+#include "client/app/panel.h"
+
+namespace burnish {
+
+/// How the surface is shown.
+class ViewPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+}  // namespace burnish

@@ -1,0 +1,114 @@
+#include "client/app/window.h"
+
+#include <imgui.h>
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+
+#include "client/app/theme.h"
+#include "client/app/window_callbacks.h"
+
+namespace burnish {
+
+static Status glfw_failure(const std::string& what) {
+  const char* why = nullptr;
+  glfwGetError(&why);
+  return unavailable(what + ": " + (why ? why : "no reason given"));
+}
+
+static double screen_scale(GLFWwindow* window) {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window, &x, &y);
+  return std::max(1.0f, std::max(x, y));
+}
+
+Result<std::unique_ptr<Window>> Window::create(const ImageSize& size, double scale,
+                                               WindowEvents events) {
+  if (!glfwInit()) return glfw_failure("no window can be opened here");
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  GLFWwindow* const handle = glfwCreateWindow(size.width, size.height, "Burnish", nullptr, nullptr);
+  if (!handle) {
+    Status failure = glfw_failure("no window with OpenGL 3.3");
+    glfwTerminate();
+    return failure;
+  }
+  auto window = std::unique_ptr<Window>(new Window(handle, std::move(events)));
+  glfwMakeContextCurrent(handle);
+  glfwSwapInterval(1);
+  glfwSetWindowUserPointer(handle, window.get());
+  WindowCallbacks::install(handle);  // ImGui calls these after its own
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;  // what is remembered is in our own file
+  apply_theme(static_cast<float>(scale > 0 ? scale : screen_scale(handle)));
+  ImGui_ImplGlfw_InitForOpenGL(handle, true);
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+  return window;
+}
+
+Window::~Window() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+bool Window::should_close() const {
+  return glfwWindowShouldClose(window_);
+}
+
+void Window::close() {
+  glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
+void Window::wait(double seconds) {
+  if (seconds > 0) {
+    glfwWaitEventsTimeout(seconds);
+  } else {
+    glfwPollEvents();
+  }
+}
+
+void Window::wake() {
+  glfwPostEmptyEvent();
+}
+
+ImageSize Window::framebuffer_size() const {
+  ImageSize size;
+  glfwGetFramebufferSize(window_, &size.width, &size.height);
+  return size;
+}
+
+ImageSize Window::size() const {
+  ImageSize size;
+  glfwGetWindowSize(window_, &size.width, &size.height);
+  return size;
+}
+
+void Window::set_title(const std::string& title) {
+  glfwSetWindowTitle(window_, title.c_str());
+}
+
+Eigen::Vector2d Window::to_pixels(double x, double y) const {
+  const ImageSize screen = size(), pixels = framebuffer_size();
+  return {x * pixels.width / std::max(1, screen.width),
+          y * pixels.height / std::max(1, screen.height)};
+}
+
+void Window::begin_frame() {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+}
+
+void Window::end_frame() {
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  glfwSwapBuffers(window_);
+}
+
+}  // namespace burnish

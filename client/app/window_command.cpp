@@ -1,0 +1,64 @@
+#include "client/app/window_command.h"
+
+#include <memory>
+
+#include "client/app/app.h"
+#include "client/app/headless.h"
+#include "client/cli/server_option.h"
+#include "client/script/script.h"
+
+namespace burnish {
+namespace {
+
+struct Options {
+  ServerOption server;
+  AppOptions app;
+  std::filesystem::path config;
+  std::filesystem::path data;
+  std::filesystem::path script;
+  std::filesystem::path record;
+};
+
+Status run(const Options& given) {
+  AppOptions app = given.app;
+  app.server = given.server.server;
+  ASSIGN_OR_RETURN(app.workspace.trust, given.server.full_trust());
+  app.workspace.timeout =
+      std::chrono::milliseconds(static_cast<int64_t>(given.server.timeout_seconds * 1000));
+  app.workspace.preferences = given.config.empty() ? preferences_path() : given.config;
+  app.workspace.private_data = given.data.empty() ? private_data_folder() : given.data;
+  ASSIGN_OR_RETURN(Preferences preferences, read_preferences(app.workspace.preferences));
+  if (!given.server.user.empty()) preferences.user = given.server.user;
+  app.record = given.record;
+  if (!given.script.empty()) return run_script_file(given.script, std::move(app));
+  return App::run(std::move(app), std::move(preferences));
+}
+
+}  // namespace
+
+void add_window_command(CommandTable& table) {
+  auto options = std::make_shared<Options>();
+  options->server.server.clear();
+  CLI::App* command = table.add("window", "Edit a scan in a window (also: burnish [SCAN])",
+                                [options] { return run(*options); });
+  command->add_option("SCAN", options->app.scan, "Mesh file to import and open")
+      ->check(CLI::ExistingFile);
+  command->add_option("--session", options->app.session, "Session to join, by name or id");
+  command->add_option("--scale", options->app.scale, "Size of fonts and panels; 1 is normal")
+      ->check(CLI::Range(0.5, 4.0));
+  command->add_option("--width", options->app.size.width, "Of the window, in pixels")
+      ->check(CLI::Range(320, kImageSidePixelsMax));
+  command->add_option("--height", options->app.size.height, "Of the window, in pixels")
+      ->check(CLI::Range(240, kImageSidePixelsMax));
+  command->add_option("--triangles", options->app.workspace.triangles_max,
+                      "Draw at most so many; edits and exports use all");
+  command->add_option("--config", options->config, "Configuration file");
+  command->add_option("--data", options->data, "Folder of the private server");
+  command->add_option("--script", options->script, "Do what this file says, without a window")
+      ->check(CLI::ExistingFile);
+  command->add_option("--record", options->record, "Write what is done here as a script");
+  command->footer("A script has one command a line:\n" + script_help());
+  add_server_options(*command, options->server);
+}
+
+}  // namespace burnish

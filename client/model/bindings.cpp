@@ -1,0 +1,60 @@
+#include "client/model/bindings.h"
+
+#include <algorithm>
+
+#include "common/base/check.h"
+
+namespace burnish {
+
+const std::array<ActionInfo, 17>& actions() {
+  static const std::array<ActionInfo, 17> kActions = {{
+      {Action::kUndo, "undo", "Ctrl+Z", "Undo your last edit"},
+      {Action::kRedo, "redo", "Ctrl+Shift+Z", "Redo it"},
+      {Action::kFrameAll, "frame_all", "Home", "Show the whole scan"},
+      {Action::kFocus, "focus", "C", "Turn around the point under the cursor"},
+      {Action::kBrushRadius, "brush_radius", "F", "Move the mouse to set the brush's radius"},
+      {Action::kBrushStrength, "brush_strength", "Shift+F",
+       "Move the mouse to set the brush's strength"},
+      {Action::kRadiusDown, "radius_down", "[", "Smaller brush"},
+      {Action::kRadiusUp, "radius_up", "]", "Larger brush"},
+      {Action::kNavigateMode, "navigate_mode", "N", "Left button turns instead of painting"},
+      {Action::kWireframe, "wireframe", "W", "Show the triangles' edges"},
+      {Action::kSplit, "split", "S", "Original on the left, edited on the right"},
+      {Action::kExport, "export", "Ctrl+E", "Export the edited scan"},
+      {Action::kScreenshot, "screenshot", "F12", "Save a picture of the surface"},
+      {Action::kBookmark, "bookmark", "B", "Remember this view"},
+      {Action::kLog, "log", "L", "Show all messages"},
+      {Action::kHelp, "help", "?", "Show the keys"},
+      {Action::kCancel, "cancel", "Escape", "Cancel the stroke; close what is open"},
+  }};
+  return kActions;
+}
+
+Bindings::Bindings() {
+  for (const ActionInfo& info : actions()) keys_[info.action] = info.key;
+}
+
+Status Bindings::bind(std::string_view action_name, const std::string& key) {
+  const auto info = std::find_if(actions().begin(), actions().end(),
+                                 [&](const ActionInfo& one) { return one.name == action_name; });
+  if (info == actions().end())
+    return invalid_argument("keys: there is no action '" + std::string(action_name) + "'");
+  const auto other = action_of(key);
+  if (other && *other != info->action)
+    return invalid_argument("keys: '" + key + "' is given to '" + std::string(action_name) +
+                            "' and to another action");
+  keys_[info->action] = key;
+  return Status::ok();
+}
+
+std::optional<Action> Bindings::action_of(const std::string& key) const {
+  for (const auto& [action, bound] : keys_)
+    if (bound == key) return action;
+  return std::nullopt;
+}
+
+const std::string& Bindings::key_of(Action action) const {
+  return keys_.at(action);
+}
+
+}  // namespace burnish

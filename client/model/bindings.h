@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// What keys do.
+enum class Action {
+  kUndo,
+  kRedo,
+  kFrameAll,
+  kFocus,
+  kBrushRadius,
+  kBrushStrength,
+  kRadiusDown,
+  kRadiusUp,
+  kNavigateMode,
+  kWireframe,
+  kSplit,
+  kExport,
+  kScreenshot,
+  kBookmark,
+  kLog,
+  kHelp,
+  kCancel,
+};
+
+struct ActionInfo {
+  Action action;
+  std::string_view name;  ///< in the configuration file
+  std::string_view key;   ///< unless the file says otherwise, e.g. "Ctrl+Z"
+  std::string_view description;
+};
+
+/// All of them, in the order of the key help.
+const std::array<ActionInfo, 17>& actions();
+
+/// Which key does what. A key is written as modifiers (Ctrl, Shift, Alt in that order) and a name,
+/// joined by '+': "Ctrl+Shift+Z", "F", "[", "Home", "Escape".
+class Bindings {
+ public:
+  Bindings();
+
+  /// Fails: invalid_argument for an unknown action, or a key that another action has.
+  Status bind(std::string_view action_name, const std::string& key);
+
+  std::optional<Action> action_of(const std::string& key) const;
+  const std::string& key_of(Action action) const;
+
+ private:
+  std::map<Action, std::string> keys_;
+};
+
+}  // namespace burnish

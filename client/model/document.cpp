@@ -1,0 +1,142 @@
+#include "client/model/document.h"
+
+#include <algorithm>
+
+#include "common/edit/edit_id.h"
+
+namespace burnish {
+
+static double kappa_range(const ScanDescription& scan) {
+  constexpr double kWithoutHistogram = 100;
+  return scan.prepared && scan.prepared->histogram_range > 0 ? scan.prepared->histogram_range
+                                                             : kWithoutHistogram;
+}
+
+Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorder& recorder,
+                   std::function<void()> wake)
+    : opened_(std::move(opened)),
+      tasks_(tasks),
+      log_(log),
+      recorder_(recorder),
+      wake_(std::move(wake)),
+      displacements_(opened_.mesh.corner_count, Vec3f::Zero()),
+      beta_(opened_.state.gradient_scale),
+      curve_(kappa_range(opened_.scan), opened_.state.transfer_curve),
+      tint_(*opened_.view),
+      history_(std::move(opened_.history)),
+      edits_known_(opened_.session.edits) {
+  welcome_.session = opened_.session;
+  welcome_.role = SessionRole::kEditor;  // until the server says
+  LiveOptions options;
+  options.session = opened_.session.id;
+  options.view = opened_.view;
+  options.triangles_max = opened_.triangles_max;
+  options.content = FrameContentWish::kCoefficients;
+  options.on_news = wake_;
+  live_ = std::make_unique<LiveSession>(*opened_.connection, std::move(options));
+}
+
+void Document::send(Change change) {
+  send_as(random_id(), std::move(change));
+}
+
+void Document::send_as(const std::string& id, Change change) {
+  const Edit edit{id, std::move(change)};
+  recorder_.record(edit);
+  const Status sent = live_->apply({edit});
+  if (!sent.is_ok()) log_.failure("edit", sent);
+  unacknowledged_ += sent.is_ok();
+}
+
+void Document::preview_beta(double beta) {
+  beta_ = beta;
+  if (gesture_.empty()) gesture_ = random_id();
+  live_->preview(gesture_, SetGradientScale{beta});
+}
+
+void Document::commit_beta() {
+  const std::string id = gesture_.empty() ? random_id() : std::exchange(gesture_, {});
+  send_as(id, SetGradientScale{beta_});
+}
+
+void Document::preview_curve() {
+  if (gesture_.empty()) gesture_ = random_id();
+  live_->preview(gesture_, SetTransferCurve{curve_.curve()});
+}
+
+void Document::commit_curve() {
+  const std::string id = gesture_.empty() ? random_id() : std::exchange(gesture_, {});
+  send_as(id, SetTransferCurve{curve_.curve()});
+}
+
+void Document::apply(const Preset& preset) {
+  beta_ = preset.beta;
+  curve_.set_curve(preset.curve);
+  if (preset.brush_beta) brush_.brush.beta = *preset.brush_beta;
+  commit_curve();
+  commit_beta();
+}
+
+void Document::begin_stroke(BrushMode mode, const Vec3d& point) {
+  brush_.begin(mode, point);
+  show_begun_stroke();
+}
+
+void Document::show_begun_stroke() {
+  gesture_ = random_id();
+  last_dab_ = brush_.stroke().path.front();
+  tint_changed_ = united(tint_changed_, tint_.add_dab(brush_.stroke().brush, last_dab_));
+  live_->preview(gesture_, Stroke{brush_.stroke().brush, brush_.take_new_points()});
+}
+
+void Document::extend_stroke(const Vec3d& point) {
+  if (!brush_.extend(point)) {  // a long stroke goes on as another
+    const Brush same = brush_.stroke().brush;
+    end_stroke();
+    brush_.go_on(same, point);
+    return show_begun_stroke();
+  }
+  const std::vector<Vec3d> points = brush_.take_new_points();
+  if (points.empty()) return;
+  add_dabs(points);
+  live_->preview(gesture_, Stroke{brush_.stroke().brush, points});
+}
+
+// Dabs along the way that the server will take.
+void Document::add_dabs(const std::vector<Vec3d>& points) {
+  Stroke way{brush_.stroke().brush, {last_dab_}};
+  way.path.insert(way.path.end(), points.begin(), points.end());
+  const std::vector<Vec3d> dabs = dab_centres(way);
+  for (size_t i = 1; i < dabs.size(); ++i)
+    tint_changed_ = united(tint_changed_, tint_.add_dab(way.brush, dabs[i]));
+  last_dab_ = dabs.back();
+}
+
+void Document::end_stroke() {
+  const std::string id = std::exchange(gesture_, {});
+  tinted_.push_back(id);
+  send_as(id, brush_.end());
+}
+
+void Document::cancel_stroke() {
+  brush_.cancel();
+  live_->drop_preview(std::exchange(gesture_, {}));
+  tint_changed_ = united(tint_changed_, tint_.clear());
+}
+
+void Document::set_role(const std::string& user, SessionRole role) {
+  tasks_.start([connection = opened_.connection, session = opened_.session.id, user, role,
+                &log = log_](std::stop_token) -> Tasks::Completion {
+    const Status status = connection->set_role(session, user, role);
+    return [status, &log] {
+      if (!status.is_ok()) log.failure("role", status);
+    };
+  });
+}
+
+bool Document::is_settled() const {
+  return link_ == LinkState::kLive && unacknowledged_ == 0 && gesture_.empty() &&
+         facts_.frames > 0 && facts_.settled && facts_.edits >= edits_known_;
+}
+
+}  // namespace burnish

@@ -1,0 +1,167 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/connection/live_session.h"
+#include "client/displaced_surface.h"
+#include "client/model/message_log.h"
+#include "client/model/recorder.h"
+#include "client/model/tasks.h"
+#include "client/renderer.h"
+#include "client/tools/brush_tool.h"
+#include "client/tools/cell_tint.h"
+#include "client/tools/curve_editor.h"
+#include "client/tools/presets.h"
+#include "common/edit/edit.h"
+
+namespace burnish {
+
+/// What is fetched, in the background, before a session is shown.
+struct OpenedDocument {
+  std::string server;
+  std::shared_ptr<Connection> connection;
+  SessionInfo session;
+  ScanDescription scan;
+  std::shared_ptr<const View> view;
+  uint64_t triangles_max = 0;  ///< that the view was fetched with
+  ViewMesh mesh;
+  SessionState state;
+  std::vector<HistoryEntry> history;
+};
+
+/// What colours the surface.
+enum class ColourBy { kNothing, kBeta, kCurvature, kDisplacement };
+
+/// An open session as its window sees it: the surface, what it was told, who is there; and the ways
+/// to tell it more. Nothing here waits for the network. Used from one thread.
+class Document {
+ public:
+  /// `wake` is called from other threads when update() has something to do.
+  Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorder& recorder,
+           std::function<void()> wake);
+
+  const SessionInfo& session() const { return opened_.session; }
+  const ScanDescription& scan() const { return opened_.scan; }
+  const OpenedDocument& opened() const { return opened_; }
+  const View& view() const { return *opened_.view; }
+  DisplacedSurface surface() const { return {opened_.mesh, displacements_}; }
+  double diagonal() const { return 2 * opened_.mesh.unit(); }
+
+  /// Once, before the first update(). Fails: as the renderer does.
+  Status show(Renderer& renderer) const { return renderer.upload_mesh(opened_.mesh); }
+
+  /// Takes what came from the server, and brings what is drawn up to date. Once per picture.
+  Status update(Renderer& renderer);
+
+  // The gradient scale and the curve follow a drag at once, as a preview; commit when it ends.
+  double beta() const { return beta_; }
+  void preview_beta(double beta);
+  void commit_beta();
+  CurveEditor& curve() { return curve_; }
+  const CurveEditor& curve() const { return curve_; }
+  void preview_curve();
+  void commit_curve();
+  void apply(const Preset& preset);
+
+  // A stroke, from point to point of the original surface.
+  BrushTool& brush() { return brush_; }
+  const BrushTool& brush() const { return brush_; }
+  void begin_stroke(BrushMode mode, const Vec3d& point);
+  void extend_stroke(const Vec3d& point);
+  void end_stroke();
+  /// A whole stroke at once.
+  void paint(Stroke stroke) { send(std::move(stroke)); }
+  void cancel_stroke();
+  void move_ring(const std::optional<BrushRing>& ring) { live_->move_brush(ring); }
+
+  void undo() { send(Undo{}); }
+  void redo() { send(Redo{}); }
+  void switch_entry(uint64_t number, bool on) { send(SwitchEntry{number, on}); }
+  void set_checkpoint(const std::string& name) { send(SetCheckpoint{name}); }
+  void restore_checkpoint(const std::string& name) { send(RestoreCheckpoint{name}); }
+  void set_role(const std::string& user, SessionRole role);
+
+  void set_colour(ColourBy colour);
+  ColourBy colour() const { return colour_; }
+
+  const std::vector<HistoryEntry>& history() const { return history_; }
+  const SessionPeople& people() const { return people_; }
+  const Welcomed& welcome() const { return welcome_; }
+  const FrameFacts& facts() const { return facts_; }
+  LinkState link() const { return link_; }
+  const std::string& link_reason() const { return link_reason_; }
+  size_t unacknowledged() const { return unacknowledged_; }
+  double shown_after_ms() const { return shown_after_ms_; }  ///< of the last edit of ours; 0: none
+  const ProgressMade& progress() const { return progress_; }
+  bool is_viewer() const { return welcome_.role == SessionRole::kViewer; }
+
+  /// Rises when update() changed what is drawn.
+  uint64_t picture_changes() const { return picture_changes_; }
+
+  /// All that was asked for is done, and shown.
+  bool is_settled() const;
+  /// Why nothing more will come, if so.
+  bool has_ended() const { return link_ == LinkState::kEnded; }
+
+ private:
+  using Change = decltype(Edit::change);
+  void send(Change change);
+  void send_as(const std::string& id, Change change);
+
+  Status take_displacement(const Displacement& displacement, Renderer& renderer);
+  void handle(const LiveEvent& event);
+  void follow_server(const HistoryChanged& change);
+  void show_begun_stroke();
+  void add_dabs(const std::vector<Vec3d>& points);
+  void refresh_history();
+  void refresh_cells();
+  void fetch_curvature();
+
+  OpenedDocument opened_;
+  Tasks& tasks_;
+  MessageLog& log_;
+  Recorder& recorder_;
+  std::function<void()> wake_;
+  std::vector<Vec3f> displacements_;
+
+  double beta_;
+  CurveEditor curve_;
+  BrushTool brush_;
+  CellTint tint_;
+  IndexRange tint_changed_;
+  Vec3d last_dab_ = Vec3d::Zero();
+  std::string gesture_;  // the id of the edit that the running drag or stroke will be; else empty
+  std::vector<std::string> tinted_;  // strokes that no frame shows yet
+
+  ColourBy colour_ = ColourBy::kNothing;
+  std::vector<float> cell_values_;
+  bool cell_values_changed_ = false;
+  std::vector<float> curvature_;  // fetched once
+
+  std::vector<HistoryEntry> history_;
+  SessionPeople people_;
+  Welcomed welcome_;
+  FrameFacts facts_;
+  LinkState link_ = LinkState::kConnecting;
+  std::string link_reason_;
+  ProgressMade progress_;
+  size_t unacknowledged_ = 0;
+  uint64_t picture_changes_ = 0;
+  uint64_t edits_known_ = 0;  // of the session, on disk
+  double shown_after_ms_ = 0;
+
+  // Fetches run one at a time; `again` asks for one more.
+  struct Fetch {
+    bool running = false;
+    bool again = false;
+  };
+  std::shared_ptr<Fetch> history_fetch_ = std::make_shared<Fetch>();
+  std::shared_ptr<Fetch> cells_fetch_ = std::make_shared<Fetch>();
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may come after us
+  std::unique_ptr<LiveSession> live_;                           // last: its thread calls wake_
+};
+
+}  // namespace burnish

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <string>
+
+#include "common/base/status.h"
+
+namespace burnish {
+
+enum class Severity { kInfo, kWarning, kError };
+
+struct Message {
+  std::chrono::system_clock::time_point time;
+  Severity severity = Severity::kInfo;
+  std::string text;
+};
+
+inline constexpr size_t kMessagesKeptMax = 1000;
+
+/// All that was told to the user, oldest first.
+class MessageLog {
+ public:
+  void add(Severity severity, std::string text) {
+    messages_.push_back({std::chrono::system_clock::now(), severity, std::move(text)});
+    if (messages_.size() > kMessagesKeptMax) messages_.pop_front();
+  }
+  void info(std::string text) { add(Severity::kInfo, std::move(text)); }
+  void warning(std::string text) { add(Severity::kWarning, std::move(text)); }
+
+  /// Tells why something failed; that somebody cancelled it is no error.
+  void failure(const std::string& what, const Status& status) {
+    const bool is_cancelled = status.code() == StatusCode::kCancelled;
+    add(is_cancelled ? Severity::kInfo : Severity::kError, what + ": " + status.message());
+  }
+
+  const std::deque<Message>& messages() const { return messages_; }
+
+ private:
+  std::deque<Message> messages_;
+};
+
+}  // namespace burnish

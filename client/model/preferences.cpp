@@ -1,0 +1,127 @@
+#include "client/model/preferences.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+#include <toml++/toml.h>
+
+#include "common/base/atomic_file.h"
+#include "common/base/limits.h"
+
+namespace burnish {
+
+static std::filesystem::path folder_of(const char* variable, const char* below_home) {
+  if (const char* set = std::getenv(variable); set && *set)
+    return std::filesystem::path(set) / "burnish";
+  const char* home = std::getenv("HOME");
+  if (!home || !*home) return {};
+  return std::filesystem::path(home) / below_home / "burnish";
+}
+
+std::filesystem::path preferences_path() {
+  const std::filesystem::path folder = folder_of("XDG_CONFIG_HOME", ".config");
+  return folder.empty() ? folder : folder / "window.toml";
+}
+
+std::filesystem::path private_data_folder() {
+  return folder_of("XDG_DATA_HOME", ".local/share");
+}
+
+namespace {
+
+template <typename T>
+void read(const toml::table& table, const char* key, T& value) {
+  value = table[key].value_or(value);
+}
+
+void read_numbers(const toml::table& table, Preferences& preferences) {
+  read(table, "user", preferences.user);
+  read(table, "server", preferences.server);
+  read(table, "brush_radius_part", preferences.brush_radius_part);
+  read(table, "brush_strength", preferences.brush_strength);
+  read(table, "brush_beta", preferences.brush_beta);
+  read(table, "scale", preferences.scale);
+  read(table, "window_width", preferences.window_width);
+  read(table, "window_height", preferences.window_height);
+  preferences.brush_radius_part = std::clamp(preferences.brush_radius_part, 1e-4, 0.5);
+  preferences.brush_strength = std::clamp(preferences.brush_strength, 0.01, 1.0);
+  preferences.brush_beta = std::clamp(preferences.brush_beta, kBetaMin, kBetaMax);
+  preferences.scale = std::clamp(preferences.scale, 0.0, 4.0);
+}
+
+void read_recent(const toml::table& table, Preferences& preferences) {
+  const toml::array* recent = table["recent"].as_array();
+  if (!recent) return;
+  for (const toml::node& node : *recent) {
+    const toml::table* entry = node.as_table();
+    if (!entry || preferences.recent.size() == kRecentMax) continue;
+    RecentSession session;
+    read(*entry, "server", session.server);
+    read(*entry, "session", session.session);
+    read(*entry, "scan", session.scan);
+    preferences.recent.push_back(session);
+  }
+}
+
+toml::table to_toml(const Preferences& preferences) {
+  toml::array recent;
+  for (const RecentSession& session : preferences.recent)
+    recent.push_back(toml::table{
+        {"server", session.server}, {"session", session.session}, {"scan", session.scan}});
+  toml::table keys;
+  for (const auto& [action, key] : preferences.keys) keys.insert(action, key);
+  return toml::table{{"user", preferences.user},
+                     {"server", preferences.server},
+                     {"brush_radius_part", preferences.brush_radius_part},
+                     {"brush_strength", preferences.brush_strength},
+                     {"brush_beta", preferences.brush_beta},
+                     {"scale", preferences.scale},
+                     {"window_width", preferences.window_width},
+                     {"window_height", preferences.window_height},
+                     {"recent", recent},
+                     {"keys", keys}};
+}
+
+}  // namespace
+
+Result<Preferences> read_preferences(const std::filesystem::path& path) {
+  Preferences preferences;
+  std::error_code ignored;
+  if (path.empty() || !std::filesystem::exists(path, ignored)) return preferences;
+  try {
+    const toml::table table = toml::parse_file(path.string());
+    read_numbers(table, preferences);
+    read_recent(table, preferences);
+    if (const toml::table* keys = table["keys"].as_table())
+      for (const auto& [action, key] : *keys)
+        preferences.keys[std::string(action.str())] = key.value_or(std::string());
+  } catch (const toml::parse_error& error) {
+    return invalid_argument(path.string() + ":" + std::to_string(error.source().begin.line) + ": " +
+                            std::string(error.description()));
+  }
+  Bindings bindings;
+  for (const auto& [action, key] : preferences.keys) {
+    const Status bound = bindings.bind(action, key);
+    if (!bound.is_ok()) return bound.with_context(path.string());
+  }
+  return preferences;
+}
+
+Status write_preferences(const Preferences& preferences, const std::filesystem::path& path) {
+  if (path.empty()) return Status::ok();
+  std::error_code error;
+  std::filesystem::create_directories(path.parent_path(), error);
+  if (error) return errno_status("cannot make " + path.parent_path().string(), error.value());
+  std::ostringstream text;
+  text << to_toml(preferences) << "\n";
+  return write_file(path, text.str());
+}
+
+void remember(Preferences& preferences, const RecentSession& session) {
+  std::erase(preferences.recent, session);
+  preferences.recent.insert(preferences.recent.begin(), session);
+  if (preferences.recent.size() > kRecentMax) preferences.recent.resize(kRecentMax);
+}
+
+}  // namespace burnish

@@ -1,0 +1,66 @@
+#include "client/model/recorder.h"
+
+#include <cerrno>
+#include <sstream>
+
+namespace burnish {
+
+Status Recorder::open(const std::filesystem::path& path) {
+  file_.open(path);
+  if (!file_) return errno_status("cannot record to " + path.string(), errno);
+  return Status::ok();
+}
+
+void Recorder::record(const std::string& line) {
+  if (file_.is_open()) file_ << line << std::endl;  // a crash loses nothing
+}
+
+namespace {
+
+const char* fall_off_name(FallOff fall_off) {
+  static const char* const kNames[] = {"smooth", "linear", "sharp", "constant"};
+  return kNames[static_cast<int>(fall_off)];
+}
+
+struct LineOf {
+  std::ostream& line;
+
+  void operator()(const SetGradientScale& change) const { line << "beta " << change.beta; }
+  void operator()(const SetTransferCurve& change) const {
+    line << "curve " << change.curve.to_string();
+  }
+  void operator()(const Stroke& stroke) const {
+    line << "stroke " << stroke.brush.radius << ' ' << stroke.brush.strength << ' '
+         << stroke.brush.beta << ' ' << fall_off_name(stroke.brush.fall_off);
+    for (const Vec3d& point : stroke.path)
+      line << ' ' << point.x() << ' ' << point.y() << ' ' << point.z();
+  }
+  void operator()(const SetCellFields&) const {}
+  void operator()(const Undo&) const { line << "undo"; }
+  void operator()(const Redo&) const { line << "redo"; }
+  void operator()(const SwitchEntry& change) const {
+    line << "switch " << change.entry << (change.enabled ? " on" : " off");
+  }
+  void operator()(const SetCheckpoint& change) const { line << "checkpoint " << change.name; }
+  void operator()(const RestoreCheckpoint& change) const { line << "restore " << change.name; }
+};
+
+}  // namespace
+
+void Recorder::record(const Edit& edit) {
+  std::ostringstream line;
+  line.precision(12);
+  std::visit(LineOf{line}, edit.change);
+  if (!line.str().empty()) record(line.str());
+}
+
+void Recorder::record(const Camera& camera) {
+  std::ostringstream line;
+  line.precision(12);
+  line << "camera " << camera.azimuth_degrees << ' ' << camera.elevation_degrees << ' '
+       << camera.distance << ' ' << camera.target.x() << ' ' << camera.target.y() << ' '
+       << camera.target.z();
+  record(line.str());
+}
+
+}  // namespace burnish

@@ -1,0 +1,176 @@
+#include "client/model/viewport.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burnish {
+
+using Eigen::Vector2d;
+
+static constexpr double kDegreesPerPixel = 0.4;
+static constexpr double kZoomPerStep = 0.88;
+static constexpr int kMovesPerPictureMax = 4;
+
+static BrushMode mode_of(const Modifiers& modifiers) {
+  if (modifiers.control) return BrushMode::kInvert;
+  return modifiers.shift ? BrushMode::kRestore : BrushMode::kPaint;
+}
+
+void Viewport::press(PointerButton button, const Modifiers& modifiers, const Vector2d& pixel) {
+  pointer_ = pixel;
+  if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) {  // a click ends these
+    gesture_ = Gesture::kIdle;
+    return;
+  }
+  if (gesture_ != Gesture::kIdle) return;
+  held_ = button;
+  const bool turns = button == PointerButton::kMiddle ||
+                     (button == PointerButton::kLeft && (modifiers.alt || navigate_mode));
+  if (button == PointerButton::kRight || (turns && modifiers.shift)) {
+    gesture_ = Gesture::kPan;
+  } else if (turns) {
+    gesture_ = Gesture::kTurn;
+  } else {
+    gesture_ = Gesture::kStroke;
+    events_.push_back({Event::Kind::kPress, pixel, mode_of(modifiers)});
+  }
+}
+
+void Viewport::move(const Vector2d& pixel) {
+  if (pointer_ == pixel) return;
+  const Vector2d by = pixel - pointer_.value_or(pixel);
+  pointer_ = pixel;
+  hover_is_old_ = true;
+  if (gesture_ == Gesture::kTurn || gesture_ == Gesture::kPan) drag_camera(by);
+  if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) value_changes_ = true;
+  if (gesture_ != Gesture::kStroke) return;
+  // Each move costs a look at what lies there: of those between two pictures some count.
+  const auto moves = std::count_if(events_.begin(), events_.end(), [](const Event& event) {
+    return event.kind == Event::Kind::kMove;
+  });
+  if (moves >= kMovesPerPictureMax && events_.back().kind == Event::Kind::kMove) events_.pop_back();
+  events_.push_back({Event::Kind::kMove, pixel});
+}
+
+void Viewport::drag_camera(const Vector2d& by) {
+  if (gesture_ == Gesture::kPan) {
+    camera = panned(camera, size_, by);
+  } else {
+    camera = turned(camera, -kDegreesPerPixel * by.x(), kDegreesPerPixel * by.y());
+  }
+}
+
+void Viewport::release(PointerButton button) {
+  if (gesture_ == Gesture::kIdle || button != held_) return;
+  if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) return;
+  if (gesture_ == Gesture::kStroke)
+    events_.push_back({Event::Kind::kRelease, pointer_.value_or(Vector2d::Zero())});
+  gesture_ = Gesture::kIdle;
+}
+
+void Viewport::wheel(const Vector2d& pixel, double steps) {
+  camera = zoomed_at(camera, size_, pixel, std::pow(kZoomPerStep, steps));
+  hover_is_old_ = true;
+}
+
+void Viewport::leave() {
+  if (is_busy()) return;
+  pointer_.reset();
+  hover_.reset();
+}
+
+void Viewport::frame_all(const Document& document) {
+  camera = burnish::frame_all(camera, document.surface().mesh.box, size_.aspect());
+}
+
+void Viewport::focus() {
+  if (hover_) camera.target = hover_->displaced;
+}
+
+void Viewport::begin_radius(const Document& document) {
+  if (is_busy() || !pointer_) return;
+  gesture_ = Gesture::kRadius;
+  drag_from_ = *pointer_;
+  value_from_ = document.brush().brush.radius;
+}
+
+void Viewport::begin_strength(const Document& document) {
+  if (is_busy() || !pointer_) return;
+  gesture_ = Gesture::kStrength;
+  drag_from_ = *pointer_;
+  value_from_ = document.brush().brush.strength;
+}
+
+bool Viewport::cancel(Document& document) {
+  if (gesture_ == Gesture::kRadius) document.brush().brush.radius = value_from_;
+  if (gesture_ == Gesture::kStrength) document.brush().brush.strength = value_from_;
+  if (document.brush().is_drawing()) document.cancel_stroke();
+  const bool was_busy = is_busy();
+  gesture_ = Gesture::kIdle;
+  value_changes_ = false;
+  events_.clear();
+  return was_busy;
+}
+
+void Viewport::drag_value(Document& document) {
+  constexpr double kStrengthPerPixel = 0.004;
+  const double by = pointer_->x() - drag_from_.x();
+  if (gesture_ == Gesture::kRadius)
+    document.brush().set_radius(value_from_ + by * pixel_length(camera, size_),
+                                document.diagonal());
+  if (gesture_ == Gesture::kStrength)
+    document.brush().brush.strength = std::clamp(value_from_ + by * kStrengthPerPixel, 0.01, 1.0);
+}
+
+Result<std::optional<SurfaceHit>> Viewport::hit_at(Renderer& renderer, const Document& document,
+                                                   const Vector2d& pixel) const {
+  const Eigen::Vector2i at = pixel.array().floor().cast<int>();
+  if (at.minCoeff() < 0 || at.x() >= size_.width || at.y() >= size_.height)
+    return std::optional<SurfaceHit>();
+  ASSIGN_OR_RETURN(const auto triangle, renderer.pick(camera, size_, at));
+  if (!triangle) return std::optional<SurfaceHit>();
+  const Ray ray = pixel_ray(camera, size_, at.cast<double>() + Vector2d(0.5, 0.5));
+  return point_on_triangle(document.surface(), ray, *triangle);
+}
+
+Status Viewport::update(Renderer& renderer, Document& document) {
+  camera = with_depth_of(camera, document.surface().mesh.box);
+  if (std::exchange(value_changes_, false)) drag_value(document);
+  for (const Event& event : std::exchange(events_, {}))
+    RETURN_IF_ERROR(paint(event, renderer, document));
+  if (pointer_ && hover_is_old_ && gesture_ != Gesture::kTurn && gesture_ != Gesture::kPan) {
+    ASSIGN_OR_RETURN(hover_, hit_at(renderer, document, *pointer_));
+    hover_is_old_ = false;
+  }
+  send_ring(document);
+  return Status::ok();
+}
+
+// The brush paints where the surface is under the pointer; beside it nothing happens.
+Status Viewport::paint(const Event& event, Renderer& renderer, Document& document) {
+  if (event.kind == Event::Kind::kRelease) {
+    if (document.brush().is_drawing()) document.end_stroke();
+    return Status::ok();
+  }
+  ASSIGN_OR_RETURN(const auto hit, hit_at(renderer, document, event.pixel));
+  hover_ = hit;
+  hover_is_old_ = false;
+  if (!hit) return Status::ok();
+  if (document.brush().is_drawing()) {
+    document.extend_stroke(hit->original);
+  } else if (event.kind == Event::Kind::kPress) {
+    document.begin_stroke(event.mode, hit->original);
+  }
+  return Status::ok();
+}
+
+void Viewport::send_ring(Document& document) {
+  std::optional<BrushRing> ring;
+  if (hover_ && pointer_ && !navigate_mode)
+    ring = BrushRing{hover_->original, document.brush().brush.radius};
+  if (ring == sent_ring_) return;
+  document.move_ring(ring);
+  sent_ring_ = ring;
+}
+
+}  // namespace burnish

@@ -1,0 +1,39 @@
+#include "client/model/viewport.h"
+#include "client/tools/colours.h"
+
+namespace burnish {
+
+static Colouring colouring_of(ColourBy colour) {
+  switch (colour) {
+    case ColourBy::kBeta:
+    case ColourBy::kCurvature:
+      return Colouring::kCells;
+    case ColourBy::kDisplacement:
+      return Colouring::kDisplacement;
+    case ColourBy::kNothing:
+      break;
+  }
+  return Colouring::kClay;
+}
+
+DrawStyle Viewport::style(const Document& document) const {
+  DrawStyle style;
+  style.flat = options.flat;
+  style.wireframe = options.wireframe;
+  style.colouring = colouring_of(document.colour());
+  style.displacement_range = options.displacement_range;
+  style.original = hold_original;
+  style.split = options.split ? options.split_at : 0;
+  style.faded = document.link() == LinkState::kLost || document.link() == LinkState::kEnded;
+  const BrushTool& brush = document.brush();
+  const double beta = brush.is_drawing() ? brush.stroke().brush.beta : brush.brush.beta;
+  style.tint = blue_to_red(signed_part_of_beta(beta));
+  if (hover_ && pointer_ && !navigate_mode && !document.is_viewer())
+    style.rings.push_back({hover_->original, brush.brush.radius, Vec3f(1, 1, 1)});
+  for (const PresentUser& user : document.people().present)
+    if (user.ring && user.connection != document.welcome().connection)
+      style.rings.push_back({user.ring->centre, user.ring->radius, colour_of_hex(user.colour)});
+  return style;
+}
+
+}  // namespace burnish

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/model/activity.h"
+#include "client/model/document.h"
+#include "client/model/message_log.h"
+#include "client/model/preferences.h"
+#include "client/model/private_server.h"
+#include "client/model/tasks.h"
+#include "client/model/viewport.h"
+
+namespace burnish {
+
+struct WorkspaceOptions {
+  std::filesystem::path preferences;   ///< empty: nothing is remembered
+  std::filesystem::path private_data;  ///< of the private server
+  ConnectionTrust trust;
+  std::chrono::milliseconds timeout{10'000};
+  uint64_t triangles_max = 0;  ///< of what is drawn; 0: all
+  std::string triangles_why;   ///< why not all
+  std::function<void()> wake;  ///< from any thread: update() has something to do
+};
+
+/// A server as the start page shows it.
+struct Library {
+  enum class State { kUnconnected, kConnecting, kConnected, kFailed };
+  State state = State::kUnconnected;
+  std::string server;  ///< address; "this computer" is the private one
+  bool is_private = false;
+  std::string problem;  ///< of kFailed
+  std::vector<ScanInfo> scans;
+  std::vector<SessionInfo> sessions;
+};
+
+/// Everything that the window shows and a script can do, without drawing any of it. No call waits
+/// for the network: what it began is told by update(), once per picture. Used from one thread.
+class Workspace {
+ public:
+  Workspace(Renderer& renderer, Preferences preferences, WorkspaceOptions options);
+
+  Preferences preferences;
+  MessageLog log;
+  Recorder recorder;
+  Viewport viewport;
+
+  /// Handles what came in since the last picture. Fails: as the renderer does.
+  Status update();
+
+  // The start page.
+  const Library& library() const { return library_; }
+  void connect(const std::string& server);
+  void connect_privately();
+  void refresh_library();
+  /// Imports a file, and opens it if nothing else is open by then.
+  void import_scan(const std::filesystem::path& file);
+  void delete_scan(const std::string& id);
+  void open(const SessionWish& wish);
+  void join(const SessionInfo& session);
+  /// By name or id, once the list of sessions is here.
+  void join_by_name(const std::string& session);
+  void reopen(const RecentSession& recent);
+
+  /// Runs once the server answers. For what the command line asks for.
+  void when_connected(std::function<void()> what) { when_connected_ = std::move(what); }
+
+  // The open session; null on the start page.
+  Document* document() { return document_.get(); }
+  void close_document();
+  void export_mesh(const std::filesystem::path& file, bool exact);
+  void fork(const std::string& name, const std::string& checkpoint);
+
+  /// Imports and other long work that runs now.
+  const std::vector<std::shared_ptr<Activity>>& activities() const { return activities_; }
+  /// Nothing is under way.
+  bool is_idle() const { return tasks_.is_idle(); }
+  bool is_opening() const { return opening_; }
+  uint64_t exports_done() const { return exports_done_; }
+
+  /// Remembers the window's state. Failures are told in the log.
+  void save_preferences();
+
+ private:
+  /// Ends with what the owner's thread does next.
+  using Step = std::function<Tasks::Completion(const Progress&)>;
+  void start_activity(const std::string& title, Step step);
+  void take_connection(Result<Connection> connection);
+  void open_in_background(SessionWish wish);
+  void show(OpenedDocument opened);
+  bool need_connection(const std::string& what);
+  void wake() const {
+    if (options_.wake) options_.wake();
+  }
+
+  Renderer& renderer_;
+  WorkspaceOptions options_;
+  std::unique_ptr<PrivateServer> private_server_;
+  std::shared_ptr<Connection> connection_;
+  Library library_;
+  std::function<void()> when_connected_;
+  std::vector<std::shared_ptr<Activity>> activities_;
+  bool opening_ = false;
+  uint64_t exports_done_ = 0;
+  std::unique_ptr<Document> document_;
+  Tasks tasks_;  // last: its threads end before what they report to
+};
+
+/// Fetches all that a document needs. Fails: as the server says; cancelled.
+Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
+                                     const SessionWish& wish, uint64_t triangles_max,
+                                     const Progress& progress);
+
+}  // namespace burnish

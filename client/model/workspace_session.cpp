@@ -1,0 +1,114 @@
+#include <algorithm>
+
+#include "client/model/workspace.h"
+
+namespace burnish {
+
+void Workspace::open(const SessionWish& wish) {
+  if (!need_connection("open") || opening_) return;
+  opening_ = true;
+  start_activity("Opening", [this, connection = connection_, wish,
+                             triangles_max = options_.triangles_max](const Progress& progress) {
+    auto opened = std::make_shared<Result<OpenedDocument>>(
+        open_document(connection, wish, triangles_max, progress));
+    return [this, opened] {
+      opening_ = false;
+      if (!opened->is_ok()) return log.failure("open", opened->status());
+      show(std::move(**opened));
+    };
+  });
+}
+
+void Workspace::join(const SessionInfo& session) {
+  open({.scan = session.scan_id, .name = session.name, .key = session.key});
+}
+
+void Workspace::join_by_name(const std::string& session) {
+  if (!need_connection("join")) return;
+  tasks_.start([this, connection = connection_, session](std::stop_token) -> Tasks::Completion {
+    const auto sessions = connection->list_sessions();
+    wake();
+    return [this, session, sessions] {
+      if (!sessions.is_ok()) return log.failure("join", sessions.status());
+      for (const SessionInfo& each : *sessions)
+        if (each.name == session || each.id == session) return join(each);
+      log.failure("join", not_found("the server has no session '" + session + "'"));
+    };
+  });
+}
+
+void Workspace::reopen(const RecentSession& recent) {
+  when_connected_ = [this, recent] { open({.scan = recent.scan, .name = recent.session}); };
+  if (recent.server.empty()) {
+    connect_privately();
+  } else {
+    connect(recent.server);
+  }
+}
+
+void Workspace::show(OpenedDocument opened) {
+  save_preferences();
+  document_.reset();
+  auto document =
+      std::make_unique<Document>(std::move(opened), tasks_, log, recorder, options_.wake);
+  const Status shown = document->show(renderer_);
+  if (!shown.is_ok()) return log.failure("open", shown);
+  document->brush().brush = {.radius = preferences.brush_radius_part * document->diagonal(),
+                             .strength = preferences.brush_strength,
+                             .beta = preferences.brush_beta};
+  document_ = std::move(document);
+  if (document_->view().is_proxy())
+    log.warning("shown with " + std::to_string(document_->view().triangles.size()) + " of " +
+                std::to_string(document_->view().scan_triangles) +
+                " triangles: " + options_.triangles_why + "; edits and exports use all");
+  viewport.camera = {.azimuth_degrees = 25, .elevation_degrees = 20};
+  viewport.bookmarks.clear();
+  viewport.frame_all(*document_);
+  recorder.record("join " + document_->session().name);
+  remember(preferences, {library_.is_private ? "" : library_.server, document_->session().name,
+                         document_->session().scan_id});
+  save_preferences();
+}
+
+void Workspace::close_document() {
+  save_preferences();
+  document_.reset();
+  refresh_library();
+}
+
+void Workspace::export_mesh(const std::filesystem::path& file, bool exact) {
+  if (!document_) return;
+  const auto format = mesh_format_of_path(file);
+  if (!format.is_ok()) return log.failure("export", format.status());
+  recorder.record("wait");
+  recorder.record("export " + file.string() + (exact ? " exact" : ""));
+  start_activity("Exporting " + file.filename().string(),
+                 [this, file, wish = ExportWish{.format = *format, .exact = exact},
+                  connection = document_->opened().connection,
+                  session = document_->session().id](const Progress& progress) {
+                   const auto outcome = connection->export_mesh(session, wish, file, progress);
+                   return [this, file, outcome] {
+                     if (!outcome.is_ok()) return log.failure("export", outcome.status());
+                     ++exports_done_;
+                     log.info("exported " + file.string() + ", " +
+                              std::to_string(outcome->vertices) + " vertices");
+                   };
+                 });
+}
+
+void Workspace::fork(const std::string& name, const std::string& checkpoint) {
+  if (!document_) return;
+  start_activity("Forking", [this, connection = connection_,
+                             wish = ForkWish{.source = document_->session().id,
+                                             .name = name,
+                                             .checkpoint = checkpoint}](const Progress&) {
+    const auto forked = connection->fork_session(wish);
+    return [this, forked] {
+      if (!forked.is_ok()) return log.failure("fork", forked.status());
+      log.info("forked as " + forked->name);
+      join(*forked);
+    };
+  });
+}
+
+}  // namespace burnish

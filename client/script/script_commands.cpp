@@ -1,0 +1,172 @@
+#include "client/cli/text_lines.h"
+#include "client/script/script_runner.h"
+
+namespace burnish {
+namespace {
+
+Result<bool> parse_switch(const std::string& word) {
+  if (word == "on") return true;
+  if (word == "off") return false;
+  return invalid_argument("'" + word + "' is neither on nor off");
+}
+
+Result<std::vector<double>> parse_numbers(const std::vector<std::string>& words, size_t first) {
+  std::vector<double> numbers;
+  for (size_t i = first; i < words.size(); ++i) {
+    ASSIGN_OR_RETURN(const double number, parse_real(words[i]));
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+Result<FallOff> parse_fall_off(const std::string& word) {
+  static constexpr std::pair<std::string_view, FallOff> kNames[] = {
+      {"smooth", FallOff::kSmooth},
+      {"linear", FallOff::kLinear},
+      {"sharp", FallOff::kSharp},
+      {"constant", FallOff::kConstant}};
+  for (const auto& [name, fall_off] : kNames)
+    if (word == name) return fall_off;
+  return invalid_argument("'" + word + "' is not smooth, linear, sharp or constant");
+}
+
+/// RADIUS STRENGTH BETA [FALLOFF]
+Result<Brush> parse_brush(const std::vector<std::string>& words) {
+  Brush brush;
+  ASSIGN_OR_RETURN(brush.radius, parse_real(words[0]));
+  ASSIGN_OR_RETURN(brush.strength, parse_real(words[1]));
+  ASSIGN_OR_RETURN(brush.beta, parse_real(words[2]));
+  if (words.size() > 3) {
+    ASSIGN_OR_RETURN(brush.fall_off, parse_fall_off(words[3]));
+  }
+  RETURN_IF_ERROR(validate(Stroke{brush, {Vec3d::Zero()}}));
+  return brush;
+}
+
+Result<Stroke> parse_stroke(const std::vector<std::string>& words) {
+  Stroke stroke;
+  ASSIGN_OR_RETURN(stroke.brush, parse_brush({words.begin(), words.begin() + 4}));
+  ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(words, 4));
+  if (numbers.size() % 3 != 0) return invalid_argument("points are three numbers each");
+  for (size_t i = 0; i < numbers.size(); i += 3)
+    stroke.path.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  RETURN_IF_ERROR(validate(stroke));
+  return stroke;
+}
+
+Result<ColourBy> parse_colour(const std::string& word) {
+  static constexpr std::string_view kNames[] = {"clay", "beta", "curvature", "displacement"};
+  for (size_t i = 0; i < std::size(kNames); ++i)
+    if (word == kNames[i]) return static_cast<ColourBy>(i);
+  return invalid_argument("'" + word + "' is not clay, beta, curvature or displacement");
+}
+
+Status set_camera(const std::vector<double>& numbers, Viewport& viewport,
+                  const Document& document) {
+  viewport.camera.azimuth_degrees = numbers[0];
+  viewport.camera.elevation_degrees = numbers[1];
+  viewport.frame_all(document);
+  if (numbers.size() > 2) viewport.camera.distance = numbers[2];
+  if (numbers.size() == 6) viewport.camera.target = Vec3d(numbers[3], numbers[4], numbers[5]);
+  return Status::ok();
+}
+
+}  // namespace
+
+Status ScriptRunner::run_edit(const ScriptLine& line) {
+  Document& document = *workspace_->document();
+  const std::string& command = line.command;
+  if (command == "beta") {
+    ASSIGN_OR_RETURN(const double beta, parse_real(line.words[0]));
+    RETURN_IF_ERROR(check_beta(beta));
+    document.preview_beta(beta);
+    document.commit_beta();
+  } else if (command == "fidelity") {
+    ASSIGN_OR_RETURN(const double alpha, parse_real(line.words[0]));
+    RETURN_IF_ERROR(check_alpha(alpha));
+    document.curve().set_fidelity(alpha);
+    document.commit_curve();
+  } else if (command == "curve") {
+    ASSIGN_OR_RETURN(const TransferCurve curve, TransferCurve::parse(line.words[0]));
+    document.curve().set_curve(curve);
+    document.commit_curve();
+  } else if (command == "preset") {
+    const Preset* const preset = find_preset(line.rest());
+    if (!preset) return not_found("there is no preset '" + line.rest() + "'");
+    document.apply(*preset);
+  } else if (command == "brush") {
+    ASSIGN_OR_RETURN(document.brush().brush, parse_brush(line.words));
+  } else if (command == "stroke") {
+    ASSIGN_OR_RETURN(Stroke stroke, parse_stroke(line.words));
+    document.paint(std::move(stroke));
+  } else if (command == "undo") {
+    document.undo();
+  } else if (command == "redo") {
+    document.redo();
+  } else if (command == "switch") {
+    ASSIGN_OR_RETURN(const int number, parse_integer(line.words[0]));
+    ASSIGN_OR_RETURN(const bool on, parse_switch(line.words[1]));
+    document.switch_entry(static_cast<uint64_t>(number), on);
+  } else if (command == "checkpoint") {
+    document.set_checkpoint(line.rest());
+  } else if (command == "restore") {
+    document.restore_checkpoint(line.rest());
+  } else {
+    const std::string name = line.rest();
+    workspace_->fork(name, "");
+    return update_until([&] { return workspace_->document()->session().name == name; }, "forking");
+  }
+  return Status::ok();
+}
+
+Status ScriptRunner::run_view(const ScriptLine& line) {
+  Document& document = *workspace_->document();
+  Viewport& viewport = workspace_->viewport;
+  const std::string& command = line.command;
+  if (command == "camera") {
+    ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(line.words, 0));
+    return set_camera(numbers, viewport, document);
+  }
+  if (command == "frame") {
+    viewport.frame_all(document);
+    return Status::ok();
+  }
+  if (command == "colour") {
+    ASSIGN_OR_RETURN(const ColourBy colour, parse_colour(line.words[0]));
+    document.set_colour(colour);
+    return update_until([this] { return workspace_->is_idle(); }, "fetching colours");
+  }
+  if (command == "size") {
+    ImageSize size;
+    if (std::sscanf(line.words[0].c_str(), "%5dx%5d", &size.width, &size.height) != 2)
+      return invalid_argument("'" + line.words[0] + "' is not WIDTHxHEIGHT");
+    RETURN_IF_ERROR(check_image_size(size));
+    viewport.set_size(size);
+    viewport.frame_all(document);
+    return Status::ok();
+  }
+  ASSIGN_OR_RETURN(const bool on, parse_switch(line.words[0]));
+  if (command == "flat") viewport.options.flat = on;
+  if (command == "wireframe") viewport.options.wireframe = on;
+  if (command == "split") viewport.options.split = on;
+  if (command == "original") viewport.hold_original = on;
+  return Status::ok();
+}
+
+Status ScriptRunner::run_pointer(const ScriptLine& line) {
+  ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(line.words, 0));
+  if (numbers.size() % 2 != 0) return invalid_argument("pixels are two numbers each");
+  Viewport& viewport = workspace_->viewport;
+  const auto button = line.command == "drag" ? PointerButton::kLeft : PointerButton::kMiddle;
+  viewport.press(button, {}, {numbers[0], numbers[1]});
+  for (size_t i = 0; i < numbers.size(); i += 2) {
+    viewport.move({numbers[i], numbers[i + 1]});
+    RETURN_IF_ERROR(update());
+  }
+  viewport.release(button);
+  RETURN_IF_ERROR(update());
+  viewport.leave();
+  return Status::ok();
+}
+
+}  // namespace burnish

@@ -1,0 +1,127 @@
+#include "client/script/script_runner.h"
+
+#include <cstdio>
+
+#include "client/png_writer.h"
+
+namespace burnish {
+
+ScriptRunner::ScriptRunner(Renderer& renderer, ScriptOptions options)
+    : renderer_(renderer), options_(std::move(options)) {
+  options_.workspace.wake = [this] {
+    const std::lock_guard lock(mutex_);
+    has_news_ = true;
+    news_.notify_one();
+  };
+  workspace_ = std::make_unique<Workspace>(renderer, Preferences(), options_.workspace);
+  workspace_->viewport.set_size(options_.size);
+}
+
+Status ScriptRunner::run(const std::vector<ScriptLine>& script, const std::string& name) {
+  RETURN_IF_ERROR(connect());
+  for (const ScriptLine& line : script) {
+    const Status status = run_line(line);
+    if (!status.is_ok())
+      return status.with_context(name + ":" + std::to_string(line.number) + ": " + line.command);
+  }
+  return Status::ok();
+}
+
+Status ScriptRunner::connect() {
+  if (options_.server.empty()) {
+    workspace_->connect_privately();
+  } else {
+    workspace_->connect(options_.server);
+  }
+  return update_until([this] { return workspace_->library().state == Library::State::kConnected; },
+                      "connecting");
+}
+
+Status ScriptRunner::update() {
+  RETURN_IF_ERROR(workspace_->update());
+  const auto& messages = workspace_->log.messages();
+  for (; messages_seen_ < messages.size(); ++messages_seen_)
+    if (messages[messages_seen_].severity == Severity::kError)
+      return failed_precondition(messages[messages_seen_].text);
+  return Status::ok();
+}
+
+Status ScriptRunner::update_until(const std::function<bool()>& done, const std::string& what) {
+  constexpr auto kPictureInterval = std::chrono::milliseconds(10);
+  const auto deadline = std::chrono::steady_clock::now() + options_.patience;
+  for (;;) {
+    RETURN_IF_ERROR(update());
+    if (done()) return Status::ok();
+    if (std::chrono::steady_clock::now() > deadline)
+      return {StatusCode::kDeadlineExceeded, what + " takes too long"};
+    std::unique_lock lock(mutex_);
+    news_.wait_for(lock, kPictureInterval, [this] { return has_news_; });
+    has_news_ = false;
+  }
+}
+
+Status ScriptRunner::run_line(const ScriptLine& line) {
+  const std::string& command = line.command;
+  if (command == "open" || command == "join" || command == "close") return run_session(line);
+  if (!workspace_->document()) return failed_precondition("no session is open");
+  if (command == "wait")
+    return update_until([this] { return workspace_->document()->is_settled(); }, "settling");
+  if (command == "export") return run_export(line);
+  if (command == "screenshot") return take_screenshot(line.rest());
+  if (command == "print") {
+    print_state();
+    return Status::ok();
+  }
+  if (command == "drag" || command == "turn") return run_pointer(line);
+  static constexpr std::string_view kViewCommands[] = {"camera",    "frame", "colour",   "flat",
+                                                       "wireframe", "split", "original", "size"};
+  for (std::string_view each : kViewCommands)
+    if (command == each) return run_view(line);
+  RETURN_IF_ERROR(run_edit(line));
+  return update();
+}
+
+Status ScriptRunner::run_session(const ScriptLine& line) {
+  if (line.command == "close") {
+    workspace_->close_document();
+    return update();
+  }
+  workspace_->close_document();
+  if (line.command == "open") workspace_->import_scan(line.rest());
+  if (line.command == "join") workspace_->join_by_name(line.rest());
+  return update_until(
+      [this] {
+        const Document* const document = workspace_->document();
+        return document && document->link() == LinkState::kLive && document->facts().frames > 0;
+      },
+      "opening");
+}
+
+Status ScriptRunner::run_export(const ScriptLine& line) {
+  const bool exact = line.words.size() > 1 && line.words[1] == "exact";
+  if (line.words.size() > 1 && !exact)
+    return invalid_argument("'" + line.words[1] + "' is not 'exact'");
+  const uint64_t before = workspace_->exports_done();
+  workspace_->export_mesh(line.words[0], exact);
+  return update_until([this, before] { return workspace_->exports_done() > before; }, "exporting");
+}
+
+Status ScriptRunner::take_screenshot(const std::filesystem::path& path) {
+  RETURN_IF_ERROR(update());
+  const Viewport& viewport = workspace_->viewport;
+  RETURN_IF_ERROR(
+      renderer_.draw(viewport.camera, viewport.size(), viewport.style(*workspace_->document())));
+  ASSIGN_OR_RETURN(const Image image, renderer_.read_pixels());
+  return write_png(image, path);
+}
+
+void ScriptRunner::print_state() const {
+  const Document& document = *workspace_->document();
+  const FrameFacts& facts = document.facts();
+  std::printf("%s: %s, beta %g, curve %s, %zu entries, %d cycles, distance %.3g\n",
+              document.session().name.c_str(), document.is_settled() ? "settled" : "converging",
+              document.beta(), document.curve().curve().to_string().c_str(),
+              document.history().size(), facts.cycles, facts.distance);
+}
+
+}  // namespace burnish

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+
+#include "client/model/workspace.h"
+#include "client/script/script.h"
+
+namespace burnish {
+
+struct ScriptOptions {
+  std::string server;  ///< empty: the private one
+  ImageSize size{1280, 960};
+  std::chrono::milliseconds patience{600'000};  ///< of one command
+  WorkspaceOptions workspace;
+};
+
+/// Does what a script says with a Workspace, as the window would, without one.
+class ScriptRunner {
+ public:
+  ScriptRunner(Renderer& renderer, ScriptOptions options);
+
+  /// Stops at the first command that fails. Fails: naming the line; deadline_exceeded.
+  Status run(const std::vector<ScriptLine>& script, const std::string& name);
+
+  Workspace& workspace() { return *workspace_; }
+
+ private:
+  Status connect();
+  Status run_line(const ScriptLine& line);
+  Status run_session(const ScriptLine& line);
+  Status run_edit(const ScriptLine& line);
+  Status run_view(const ScriptLine& line);
+  Status run_pointer(const ScriptLine& line);
+  Status run_export(const ScriptLine& line);
+  Status take_screenshot(const std::filesystem::path& path);
+  void print_state() const;
+
+  /// Updates until this is so. Fails: deadline_exceeded; with what the log says of a failure.
+  Status update_until(const std::function<bool()>& done, const std::string& what);
+  Status update();
+
+  Renderer& renderer_;
+  ScriptOptions options_;
+  std::mutex mutex_;
+  std::condition_variable news_;
+  bool has_news_ = false;
+  size_t messages_seen_ = 0;
+  std::unique_ptr<Workspace> workspace_;  // last: its threads wake us
+};
+
+}  // namespace burnish

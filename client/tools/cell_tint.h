@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "client/renderer.h"
+#include "common/edit/brush.h"
+#include "common/view/view.h"
+
+namespace burnish {
+
+/// Where a stroke has been so far, cell by cell, as the server's brush will blend it: shown before
+/// any answer comes.
+class CellTint {
+ public:
+  explicit CellTint(const View& view);
+
+  /// Blends one dab and returns the cells that may have changed. Cost: the cells in its box.
+  IndexRange add_dab(const Brush& brush, const Vec3d& centre);
+
+  /// Everything back to zero; returns what may have changed.
+  IndexRange clear();
+
+  std::span<const float> weights() const { return weights_; }
+  bool is_clear() const { return touched_.count == 0; }
+
+ private:
+  struct Block {
+    Eigen::AlignedBox3f box;
+    IndexRange cells;
+  };
+  IndexRange blend(const Block& block, const Brush& brush, const Vec3f& centre, float radius);
+
+  GridFrame frame_;
+  std::vector<Vec3f> centres_;  // of cells, grid units
+  std::vector<Block> blocks_;   // cells are in Morton order: neighbours in the array are near
+  std::vector<float> weights_;
+  IndexRange touched_;
+};
+
+/// The smallest range that holds both.
+IndexRange united(const IndexRange& a, const IndexRange& b);
+
+}  // namespace burnish

@@ -1,0 +1,34 @@
+#include "client/model/bindings.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace burnish {
+namespace {
+
+TEST(Bindings, EveryActionHasAKeyOfItsOwn) {
+  const Bindings bindings;
+  std::set<std::string> keys;
+  for (const ActionInfo& info : actions()) {
+    EXPECT_TRUE(keys.insert(bindings.key_of(info.action)).second) << info.name;
+    EXPECT_EQ(bindings.action_of(bindings.key_of(info.action)), info.action);
+  }
+}
+
+TEST(Bindings, AKeyCanBeGivenToAnAction) {
+  Bindings bindings;
+  ASSERT_TRUE(bindings.bind("undo", "Ctrl+U").is_ok());
+  EXPECT_EQ(bindings.action_of("Ctrl+U"), Action::kUndo);
+  EXPECT_FALSE(bindings.action_of("Ctrl+Z").has_value());
+}
+
+TEST(Bindings, UnknownActionsAndTakenKeysAreRefused) {
+  Bindings bindings;
+  EXPECT_EQ(bindings.bind("polish", "P").message(), "keys: there is no action 'polish'");
+  EXPECT_EQ(bindings.bind("undo", "Home").code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(bindings.key_of(Action::kUndo), "Ctrl+Z");
+}
+
+}  // namespace
+}  // namespace burnish

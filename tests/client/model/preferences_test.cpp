@@ -1,0 +1,72 @@
+#include "client/model/preferences.h"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "tests/common/temporary_folder.h"
+
+namespace burnish {
+namespace {
+
+TEST(Preferences, WhatIsWrittenIsReadAgain) {
+  const TemporaryFolder folder;
+  const auto path = folder / "below/window.toml";
+  Preferences written;
+  written.user = "ada";
+  written.server = "host:1";
+  written.brush_beta = 2.5;
+  written.window_width = 1600;
+  written.keys["undo"] = "Ctrl+U";
+  remember(written, {"", "desk", "abc"});
+  remember(written, {"host:1", "wall", "def"});
+  ASSERT_TRUE(write_preferences(written, path).is_ok());
+  const auto read = read_preferences(path);
+  ASSERT_TRUE(read.is_ok()) << read.status().message();
+  EXPECT_EQ(read->user, "ada");
+  EXPECT_EQ(read->server, "host:1");
+  EXPECT_EQ(read->brush_beta, 2.5);
+  EXPECT_EQ(read->window_width, 1600);
+  EXPECT_EQ(read->keys.at("undo"), "Ctrl+U");
+  EXPECT_EQ(read->recent, written.recent);
+  EXPECT_EQ(read->recent[0].session, "wall");
+}
+
+TEST(Preferences, WithoutAFileThereAreDefaults) {
+  const TemporaryFolder folder;
+  const auto read = read_preferences(folder / "none.toml");
+  ASSERT_TRUE(read.is_ok());
+  EXPECT_EQ(read->window_width, 1280);
+}
+
+TEST(Preferences, ADamagedFileIsNamedWithItsLine) {
+  const TemporaryFolder folder;
+  const auto path = folder / "window.toml";
+  std::ofstream(path) << "user = 'ada'\nscale = = 2\n";
+  const auto read = read_preferences(path);
+  ASSERT_FALSE(read.is_ok());
+  EXPECT_NE(read.status().message().find("window.toml:2"), std::string::npos)
+      << read.status().message();
+}
+
+TEST(Preferences, ValuesOutsideTheirLimitsAreBroughtInside) {
+  const TemporaryFolder folder;
+  const auto path = folder / "window.toml";
+  std::ofstream(path) << "brush_strength = 7.0\nscale = -3.0\n";
+  const auto read = read_preferences(path);
+  ASSERT_TRUE(read.is_ok());
+  EXPECT_EQ(read->brush_strength, 1);
+  EXPECT_EQ(read->scale, 0);
+}
+
+TEST(Preferences, ASessionIsRememberedOnceAndTheOldestIsForgotten) {
+  Preferences preferences;
+  for (int i = 0; i < 20; ++i) remember(preferences, {"", std::to_string(i), ""});
+  remember(preferences, {"", "15", ""});
+  EXPECT_EQ(preferences.recent.size(), kRecentMax);
+  EXPECT_EQ(preferences.recent[0].session, "15");
+  EXPECT_EQ(preferences.recent[1].session, "19");
+}
+
+}  // namespace
+}  // namespace burnish

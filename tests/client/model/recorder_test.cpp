@@ -1,0 +1,37 @@
+#include "client/model/recorder.h"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "tests/common/temporary_folder.h"
+
+namespace burnish {
+namespace {
+
+TEST(Recorder, EveryEditThatAWindowMakesHasALine) {
+  const TemporaryFolder folder;
+  const auto path = folder / "record.txt";
+  Recorder recorder;
+  ASSERT_TRUE(recorder.open(path).is_ok());
+  recorder.record(Edit{"1", SetGradientScale{0.5}});
+  recorder.record(Edit{"2", SetTransferCurve{*TransferCurve::parse("-1:5,2:50")}});
+  recorder.record(Edit{"3", Stroke{{.radius = 2, .strength = 0.5, .beta = 0}, {Vec3d(1, 2, 3)}}});
+  recorder.record(Edit{"4", Undo{}});
+  recorder.record(Edit{"5", SwitchEntry{3, true}});
+  recorder.record(Edit{"6", SetCheckpoint{"first draft"}});
+  std::ifstream file(path);
+  const std::string lines{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(lines,
+            "beta 0.5\ncurve -1:5,2:50\nstroke 2 0.5 0 smooth 1 2 3\nundo\nswitch 3 on\n"
+            "checkpoint first draft\n");
+}
+
+TEST(Recorder, WithoutAFileNothingHappens) {
+  Recorder recorder;
+  recorder.record("undo");
+  EXPECT_EQ(recorder.open("/nonexistent/record.txt").code(), StatusCode::kNotFound);
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,54 @@
+#include "client/model/tasks.h"
+
+#include <latch>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace burnish {
+namespace {
+
+TEST(Tasks, WorkRunsElsewhereAndItsCompletionHere) {
+  Tasks tasks;
+  std::thread::id worked, completed;
+  tasks.start([&](std::stop_token) -> Tasks::Completion {
+    worked = std::this_thread::get_id();
+    return [&] { completed = std::this_thread::get_id(); };
+  });
+  while (!tasks.is_idle()) tasks.drain();
+  EXPECT_EQ(completed, std::this_thread::get_id());
+  EXPECT_NE(worked, completed);
+}
+
+TEST(Tasks, ACompletionMayStartMore) {
+  Tasks tasks;
+  int done = 0;
+  tasks.start([&](std::stop_token) -> Tasks::Completion {
+    return [&] {
+      ++done;
+      tasks.start([&](std::stop_token) -> Tasks::Completion { return [&] { ++done; }; });
+    };
+  });
+  while (!tasks.is_idle()) tasks.drain();
+  EXPECT_EQ(done, 2);
+}
+
+TEST(Tasks, TheEndAsksWorkToStopAndDropsItsOutcome) {
+  bool completed = false, stopped = false;
+  {
+    std::latch begun(1);
+    Tasks tasks;
+    tasks.start([&](const std::stop_token& stop) -> Tasks::Completion {
+      begun.count_down();
+      while (!stop.stop_requested()) std::this_thread::yield();
+      stopped = true;
+      return [&] { completed = true; };
+    });
+    begun.wait();
+  }
+  EXPECT_TRUE(stopped);
+  EXPECT_FALSE(completed);
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,88 @@
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "common/mesh/mesh_io.h"
+#include "tests/system/server_process.h"
+
+namespace burnish {
+namespace {
+
+std::string write_script(const ServerProcess& server, const std::string& text) {
+  const auto path = server.folder / "script.txt";
+  std::ofstream(path) << text;
+  return path.string();
+}
+
+CommandOutcome run_script(ServerProcess& server, const std::string& text,
+                          std::vector<std::string> more = {}) {
+  std::vector<std::string> words = {"window", "--script", write_script(server, text)};
+  words.insert(words.end(), more.begin(), more.end());
+  return server.burnish(words);
+}
+
+TEST(Script, OpensEditsWaitsDrawsAndExports) {
+  ServerProcess server;
+  const std::string sphere = write_sphere(server.folder, 4);
+  const std::string picture = (server.folder / "out.png").string();
+  const std::string mesh = (server.folder / "out.ply").string();
+  const CommandOutcome outcome = run_script(
+      server, "open " + sphere + "  # a comment\nfidelity 5\nbeta 0\nwait\nprint\nscreenshot " +
+                  picture + "\nexport " + mesh + "\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("settled, beta 0, curve 0:5"), std::string::npos) << outcome.output;
+  EXPECT_GT(std::filesystem::file_size(picture), 1000u);
+  // A sphere of radius 1 shrinks by α²/(α² + 2L²), the closed form for its coordinates.
+  const auto edited = read_mesh(mesh);
+  ASSERT_TRUE(edited.is_ok());
+  const double expected = 25 / (25 + 2 * 4 * 3.14159265);
+  for (const Vec3d& vertex : edited->vertices) ASSERT_NEAR(vertex.norm(), expected, 2e-3);
+}
+
+TEST(Script, APointerStrokeIsOneEntryAndUndoSwitchesItOff) {
+  ServerProcess server;
+  const std::string sphere = write_sphere(server.folder, 4);
+  const CommandOutcome outcome = run_script(
+      server, "open " + sphere +
+                  "\nsize 640x480\nbrush 0.3 0.8 0\ndrag 300 240 320 240 340 240\nwait\nundo\n"
+                  "wait\nprint\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("1 entries"), std::string::npos) << outcome.output;
+}
+
+TEST(Script, WhatIsRecordedDoesTheSameAgain) {
+  ServerProcess server;
+  const std::string sphere = write_sphere(server.folder, 4);
+  const std::string record = (server.folder / "record.txt").string();
+  ASSERT_EQ(run_script(server,
+                       "open " + sphere +
+                           "\nbeta 0.25\ncurve -5:10,5:100\nbrush 0.3 0.8 2\n"
+                           "drag 600 480 640 480 680 480\nwait\n",
+                       {"--record", record})
+                .exit_code,
+            0);
+  std::ifstream file(record);
+  std::string lines{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(lines.find("beta 0.25\n"), std::string::npos) << lines;
+  EXPECT_NE(lines.find("stroke 0.3 0.8 2 smooth "), std::string::npos) << lines;
+  const CommandOutcome again = run_script(server, lines + "wait\nprint\n");
+  ASSERT_EQ(again.exit_code, 0) << again.output;
+  EXPECT_NE(again.output.find("beta 0.25, curve -5:10,5:100, 6 entries"), std::string::npos)
+      << again.output;
+}
+
+TEST(Script, AWrongLineIsNamedBeforeAnythingIsDone) {
+  ServerProcess server;
+  const CommandOutcome unknown = run_script(server, "open x.ply\npolish 3\n");
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_NE(unknown.output.find("script.txt:2: there is no command 'polish'"), std::string::npos)
+      << unknown.output;
+  const CommandOutcome value = run_script(server, "beta 0.5\n");
+  EXPECT_EQ(value.exit_code, 1);
+  EXPECT_NE(value.output.find("script.txt:1: beta: no session is open"), std::string::npos)
+      << value.output;
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,192 @@
+#include <csignal>
+#include <functional>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "client/connection/connection.h"
+#include "client/png_writer.h"
+#include "common/mesh/generate.h"
+#include "common/mesh/mesh_io.h"
+#include "tests/system/server_process.h"
+#include "tests/system/x_display.h"
+
+namespace burnish {
+namespace {
+
+constexpr ImageSize kScreen{1280, 720};
+
+// Where things are at scale 1, by the font that deploy/setup installs.
+constexpr int kPictureX = 660, kPictureY = 380, kReach = 120;
+constexpr int kBetaY = 119, kBetaMiddleX = 107, kBetaLeftX = 30;
+constexpr int kPlotX = 200, kPlotY = 290;
+
+class WindowTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!XDisplay::is_available())
+      GTEST_SKIP() << "Xvfb is not installed: deploy/setup installs it";
+    server_ = std::make_unique<ServerProcess>();
+    const auto scan = server_->folder / "blob.ply";
+    const auto mesh = generate_scan({.kind = "blob", .vertices = 20'000});
+    ASSERT_TRUE(mesh.is_ok());
+    ASSERT_TRUE(write_mesh(*mesh, scan).is_ok());
+    ASSERT_EQ(server_->burnish({"import", scan.string()}).exit_code, 0);
+    ASSERT_EQ(server_->burnish({"open", "blob", "--session", "desk"}).exit_code, 0);
+    connection_ = std::make_unique<Connection>(
+        std::move(Connection::open(server_->address, kPatience)).value());
+    screen_ = std::make_unique<XDisplay>(kScreen);
+    open_window();
+  }
+
+  void open_window() {
+    setenv("DISPLAY", screen_->name().c_str(), 1);
+    window_ = server_->start_burnish({"window", "--session", "desk", "--user", "ada", "--scale",
+                                      "1", "--width", "1280", "--height", "720", "--config",
+                                      (server_->folder / "window.toml").string()});
+    screen_->focus_window();
+    ASSERT_TRUE(eventually([&] { return is_surface(screen_->capture()); })) << window_->output();
+    settle();
+  }
+
+  static bool eventually(const std::function<bool()>& holds) {
+    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    while (std::chrono::steady_clock::now() < deadline) {
+      if (holds()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return false;
+  }
+
+  // Of the square around the middle of the picture, by colour.
+  struct Tone {
+    double brightness = 0;
+    double warmth = 0;  // red over blue: clay is warm, panels and background are cold
+  };
+  static Tone tone_of(const Image& image) {
+    Tone sum;
+    for (int y = kPictureY - kReach; y < kPictureY + kReach; ++y) {
+      for (int x = kPictureX - kReach; x < kPictureX + kReach; ++x) {
+        const uint8_t* rgb = image.pixel(x, y);
+        sum.brightness += rgb[1];
+        sum.warmth += int{rgb[0]} - int{rgb[2]};
+      }
+    }
+    const double count = 4.0 * kReach * kReach;
+    return {sum.brightness / count, sum.warmth / count};
+  }
+
+  static bool is_surface(const Image& image) { return tone_of(image).warmth > 5; }
+
+  // Mean difference of a square around the middle of the picture.
+  static double difference(const Image& a, const Image& b) {
+    double sum = 0;
+    int count = 0;
+    for (int y = kPictureY - kReach; y < kPictureY + kReach; ++y)
+      for (int x = kPictureX - kReach; x < kPictureX + kReach; ++x)
+        for (int c = 0; c < 3; ++c, ++count)
+          sum += std::abs(int{a.pixel(x, y)[c]} - int{b.pixel(x, y)[c]});
+    return sum / count;
+  }
+
+  // The picture once the pointer is away and nothing moves any more.
+  Image settle() {
+    screen_->move(5, 700);
+    Image last = screen_->capture();
+    int still = 0;
+    eventually([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(150));
+      Image now = screen_->capture();
+      still = difference(now, last) == 0 ? still + 1 : 0;
+      last = std::move(now);
+      return still >= 4;
+    });
+    return last;
+  }
+
+  std::vector<HistoryEntry> history() { return connection_->history("desk").value(); }
+
+  // Waits for so many entries and returns the newest.
+  HistoryEntry newest_of(size_t count) {
+    EXPECT_TRUE(eventually([&] { return history().size() >= count; })) << window_->output();
+    const auto entries = history();
+    EXPECT_EQ(entries.size(), count);
+    return entries.empty() ? HistoryEntry{} : entries.back();
+  }
+
+  size_t entries_on() {
+    size_t on = 0;
+    for (const HistoryEntry& entry : history()) on += entry.enabled;
+    return on;
+  }
+
+  std::unique_ptr<ServerProcess> server_;
+  std::unique_ptr<Connection> connection_;
+  std::unique_ptr<XDisplay> screen_;
+  std::unique_ptr<Process> window_;
+};
+
+TEST_F(WindowTest, AStrokeASliderACurvePointAndUndoChangeTheSessionAndThePicture) {
+  const Image untouched = settle();
+
+  screen_->drag(kPictureX - 60, kPictureY, kPictureX + 60, kPictureY);
+  const HistoryEntry stroke = newest_of(1);
+  EXPECT_EQ(stroke.kind, EditKind::kStroke);
+  EXPECT_EQ(stroke.author, "ada");
+  const Image painted = settle();
+  EXPECT_GT(difference(untouched, painted), 0.3);
+
+  screen_->drag(kBetaMiddleX, kBetaY, kBetaLeftX, kBetaY);
+  EXPECT_EQ(newest_of(2).kind, EditKind::kGradientScale);
+  EXPECT_TRUE(eventually([&] { return connection_->state("desk")->gradient_scale < 0.3; }));
+  const Image smoothed = settle();
+  EXPECT_GT(difference(painted, smoothed), 1);
+
+  screen_->drag(kPlotX, kPlotY, kPlotX, kPlotY - 40);
+  EXPECT_EQ(newest_of(3).kind, EditKind::kTransferCurve);
+  EXPECT_TRUE(
+      eventually([&] { return connection_->state("desk")->transfer_curve.points().size() == 2; }));
+  const Image curved = settle();
+  EXPECT_GT(difference(smoothed, curved), 0.1);
+
+  screen_->move(kPictureX, kPictureY);
+  for (size_t left : {2, 1, 0}) {
+    screen_->key({"Control_L", "z"});
+    ASSERT_TRUE(eventually([&] { return entries_on() == left; }));
+  }
+  EXPECT_LT(difference(untouched, settle()), 0.05);
+}
+
+TEST_F(WindowTest, TheMiddleButtonTurnsAndHomeComesBackWithoutAnEdit) {
+  const Image front = settle();
+  screen_->drag(kPictureX, kPictureY, kPictureX + 200, kPictureY, 2);
+  const Image turned = settle();
+  EXPECT_GT(difference(front, turned), 1);
+  screen_->drag(kPictureX, kPictureY, kPictureX - 200, kPictureY, 2);
+  EXPECT_LT(difference(front, settle()), 1);
+  EXPECT_TRUE(history().empty());
+}
+
+TEST_F(WindowTest, SurvivesAServerThatDiesMidStrokeAndAWindowOfNoSize) {
+  screen_->move(kPictureX - 60, kPictureY);
+  screen_->press(1);
+  for (int step = 0; step < 10; ++step) {
+    screen_->move(kPictureX - 60 + 6 * step, kPictureY);
+    if (step == 5) server_->kill();
+  }
+  screen_->release(1);
+  screen_->resize_window({1, 1});
+  screen_->resize_window({700, 400});
+  screen_->resize_window(kScreen);
+  // Grey: what is shown may be out of date.
+  EXPECT_TRUE(eventually([&] {
+    const Tone tone = tone_of(screen_->capture());
+    return tone.brightness > 60 && std::abs(tone.warmth) < 2;
+  }));
+  EXPECT_FALSE(window_->wait(std::chrono::milliseconds(0)).has_value()) << window_->output();
+  window_->signal(SIGTERM);
+  EXPECT_EQ(window_->wait(kPatience), 0) << window_->output();
+}
+
+}  // namespace
+}  // namespace burnish

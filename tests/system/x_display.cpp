@@ -1,0 +1,134 @@
+#include "tests/system/x_display.h"
+
+#include <sstream>
+#include <thread>
+#include <unistd.h>
+
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+#include <X11/extensions/XTest.h>
+
+#include "common/base/check.h"
+
+namespace burnish {
+
+static constexpr const char* kXvfb = "/usr/bin/Xvfb";
+static constexpr std::chrono::seconds kPatience{60};
+static constexpr auto kHumanPause = std::chrono::milliseconds(15);  // between two events
+
+bool XDisplay::is_available() {
+  return access(kXvfb, X_OK) == 0;
+}
+
+// Warnings go to the same file: the display's number is the line that is one.
+static std::string announced_display(const std::string& output) {
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty() && !lines.eof() && line.find_first_not_of("0123456789") == std::string::npos)
+      return ":" + line;
+  return {};
+}
+
+XDisplay::XDisplay(const ImageSize& size) : size_(size) {
+  const std::string screen = std::to_string(size.width) + "x" + std::to_string(size.height) + "x24";
+  server_ = std::make_unique<Process>(std::vector<std::string>{kXvfb, "-displayfd", "1", "-screen",
+                                                               "0", screen, "-nolisten", "tcp"},
+                                      folder_ / "xvfb.log");
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (name_.empty() && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    name_ = announced_display(server_->output());
+  }
+  display_ = XOpenDisplay(name_.c_str());
+  BURNISH_CHECK(display_ != nullptr, "no connection to Xvfb: " + server_->output());
+}
+
+XDisplay::~XDisplay() {
+  if (display_) XCloseDisplay(display_);
+}
+
+void XDisplay::focus_window() {
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (std::chrono::steady_clock::now() < deadline) {
+    Window root = 0, parent = 0, *children = nullptr;
+    unsigned count = 0;
+    XQueryTree(display_, DefaultRootWindow(display_), &root, &parent, &children, &count);
+    for (unsigned i = 0; i < count; ++i) {
+      XWindowAttributes attributes;
+      XGetWindowAttributes(display_, children[i], &attributes);
+      if (attributes.map_state == IsViewable && attributes.width > 100) window_ = children[i];
+    }
+    if (children) XFree(children);
+    if (window_ != 0) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  BURNISH_CHECK(window_ != 0, "no window has come");
+  XSetInputFocus(display_, window_, RevertToParent, CurrentTime);
+  flush();
+}
+
+void XDisplay::resize_window(const ImageSize& size) {
+  XResizeWindow(display_, window_, size.width, size.height);
+  flush();
+}
+
+void XDisplay::flush() {
+  XSync(display_, False);
+  std::this_thread::sleep_for(kHumanPause);
+}
+
+void XDisplay::move(int x, int y) {
+  XTestFakeMotionEvent(display_, -1, x, y, CurrentTime);
+  flush();
+}
+
+void XDisplay::press(int button) {
+  XTestFakeButtonEvent(display_, button, True, CurrentTime);
+  flush();
+}
+
+void XDisplay::release(int button) {
+  XTestFakeButtonEvent(display_, button, False, CurrentTime);
+  flush();
+}
+
+void XDisplay::drag(int from_x, int from_y, int to_x, int to_y, int button) {
+  constexpr int kSteps = 12;
+  move(from_x, from_y);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));  // the window draws the hover first
+  press(button);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  for (int step = 1; step <= kSteps; ++step) {
+    move(from_x + (to_x - from_x) * step / kSteps, from_y + (to_y - from_y) * step / kSteps);
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  release(button);
+}
+
+void XDisplay::key(const std::vector<std::string>& names) {
+  std::vector<KeyCode> codes;
+  for (const std::string& name : names)
+    codes.push_back(XKeysymToKeycode(display_, XStringToKeysym(name.c_str())));
+  for (KeyCode code : codes) XTestFakeKeyEvent(display_, code, True, CurrentTime), flush();
+  for (auto code = codes.rbegin(); code != codes.rend(); ++code)
+    XTestFakeKeyEvent(display_, *code, False, CurrentTime), flush();
+}
+
+Image XDisplay::capture() {
+  XImage* const shot = XGetImage(display_, DefaultRootWindow(display_), 0, 0, size_.width,
+                                 size_.height, AllPlanes, ZPixmap);
+  BURNISH_CHECK(shot != nullptr, "the screen cannot be read");
+  Image image{size_, {}};
+  image.rgb.reserve(3 * size_t(size_.width) * size_.height);
+  for (int y = 0; y < size_.height; ++y) {
+    for (int x = 0; x < size_.width; ++x) {
+      const unsigned long pixel = XGetPixel(shot, x, y);
+      for (int shift : {16, 8, 0}) image.rgb.push_back(static_cast<uint8_t>(pixel >> shift));
+    }
+  }
+  XDestroyImage(shot);
+  return image;
+}
+
+}  // namespace burnish

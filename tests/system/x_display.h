@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "client/image.h"
+#include "tests/common/temporary_folder.h"
+#include "tests/system/process.h"
+
+struct _XDisplay;
+
+namespace burnish {
+
+/// An X server without a screen, whose mouse and keyboard the test holds (XTest).
+class XDisplay {
+ public:
+  /// False where Xvfb is not installed.
+  static bool is_available();
+
+  explicit XDisplay(const ImageSize& size);
+  ~XDisplay();
+  XDisplay(const XDisplay&) = delete;
+  XDisplay& operator=(const XDisplay&) = delete;
+
+  const std::string& name() const { return name_; }  ///< for DISPLAY
+
+  /// Waits for the one window, and gives it the keyboard.
+  void focus_window();
+  void resize_window(const ImageSize& size);
+
+  void move(int x, int y);
+  void press(int button);
+  void release(int button);
+  /// Presses at the first point, moves on in steps, and lets go.
+  void drag(int from_x, int from_y, int to_x, int to_y, int button = 1);
+  /// Presses and releases keys by their names, the first ones held: key({"Control_L", "z"}).
+  void key(const std::vector<std::string>& names);
+
+  Image capture();
+
+ private:
+  void flush();
+
+  TemporaryFolder folder_;
+  std::unique_ptr<Process> server_;
+  std::string name_;
+  ImageSize size_;
+  _XDisplay* display_ = nullptr;
+  unsigned long window_ = 0;
+};
+
+}  // namespace burnish
