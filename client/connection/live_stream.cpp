@@ -1,5 +1,7 @@
 #include "client/connection/live_stream.h"
 
+#include "client/connection/callback_threads.h"
+
 namespace burnish {
 
 // Operations start on the thread that owns the stream, not in reactions: a hold keeps gRPC from
@@ -13,6 +15,7 @@ LiveStream::LiveStream(std::shared_ptr<grpc::Channel> channel, std::shared_ptr<W
 std::shared_ptr<LiveStream> LiveStream::start(std::shared_ptr<grpc::Channel> channel,
                                               const std::string& user,
                                               std::shared_ptr<Wakeup> wakeup) {
+  keep_callback_threads();
   const std::shared_ptr<LiveStream> stream(new LiveStream(std::move(channel), std::move(wakeup)));
   stream->self_ = stream;
   if (!user.empty()) stream->context_.AddMetadata("burnish-user-bin", user);

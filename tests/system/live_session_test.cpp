@@ -117,9 +117,9 @@ TEST_F(LiveService, ShowsAnEditToAllItsClients) {
   ASSERT_TRUE(bert.until_settled_with(1));
   EXPECT_GT(anna.largest_move(), 1e-4);
   EXPECT_EQ(anna.displacement, bert.displacement);
-  ASSERT_TRUE(anna.told<EditsAcknowledged>());
+  ASSERT_TRUE(anna.until([&] { return anna.told<EditsAcknowledged>(); }));
   EXPECT_THAT(anna.told<EditsAcknowledged>()->edit_ids, ElementsAre("a"));
-  ASSERT_TRUE(bert.told<HistoryChanged>());
+  ASSERT_TRUE(bert.until([&] { return bert.told<HistoryChanged>(); }));
   EXPECT_EQ(bert.told<HistoryChanged>()->gradient_scale, 0);
   ASSERT_TRUE(bert.until([&] {
     return bert.told<PeopleChanged>() && bert.told<PeopleChanged>()->people.present.size() == 2;

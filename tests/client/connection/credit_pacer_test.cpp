@@ -45,6 +45,20 @@ TEST_F(CreditPacing, GrantsNothingWhileAFrameIsNotDrawn) {
   EXPECT_EQ(pacer.due(now_), 1);
 }
 
+TEST_F(CreditPacing, LookingOftenDoesNotPutTheNextFrameOff) {
+  CreditPacer pacer(k60Hz);
+  pacer.on_heartbeat(now_, 1);
+  run(pacer, 10, 2);
+  int granted = 0;
+  for (int i = 0; i < 100; ++i) {
+    pass(1);
+    pacer.on_drawn(now_);
+    granted += pacer.due(now_);
+    pacer.granted(now_, pacer.due(now_));
+  }
+  EXPECT_EQ(granted, 1);
+}
+
 TEST_F(CreditPacing, HasARoundTripOfFramesOnTheirWay) {
   CreditPacer pacer(k60Hz);
   pacer.on_heartbeat(now_, 40);
