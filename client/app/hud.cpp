@@ -40,7 +40,7 @@ void row(const char* name, const char* format, ...) {
 }
 
 void draw_facts(const Document& document) {
-  const FrameFacts& facts = document.facts();
+  const FrameFigures& facts = document.facts();
   row("residual", "%.1e", facts.residual);
   row("distance", "%.1e of the diagonal", facts.distance);
   row("cycles", "%d (%s)", facts.cycles, document.welcome().backend.c_str());

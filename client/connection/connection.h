@@ -81,7 +81,7 @@ class Connection {
                                     const std::filesystem::path& file, const Progress& progress);
 
  private:
-  friend class LiveSession;
+  friend class SessionLink;
   struct State;
   explicit Connection(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;

@@ -14,7 +14,7 @@
 
 namespace burnish {
 
-// What a live session has to tell, taken once per drawn picture (LiveSession::take).
+// What a live session has to tell, taken once per drawn picture (SessionLink::take).
 
 enum class LinkState {
   kConnecting,  ///< for the first time
@@ -34,7 +34,7 @@ struct Displacement {
 };
 
 /// What the newest frame was told with, and how the link does.
-struct FrameFacts {
+struct FrameFigures {
   uint64_t frames = 0;  ///< since the session was made; 0: there is nothing below
   bool settled = false;
   int cycles = 0;  ///< since the session came into the server's memory
@@ -69,13 +69,13 @@ struct Welcomed {
 };
 
 /// On disk.
-struct EditsAcknowledged {
+struct AcknowledgedEdits {
   std::vector<std::string> edit_ids;
   ApplyOutcome outcome;
 };
 
 /// Not applied, and not kept. Ids of edits, or of a preview.
-struct EditsRefused {
+struct RefusedEdits {
   std::vector<std::string> edit_ids;
   Status why;
 };
@@ -107,13 +107,13 @@ struct ProgressMade {
   double fraction = 0;
 };
 
-using LiveEvent = std::variant<LinkChanged, Welcomed, EditsAcknowledged, EditsRefused, EditsShown,
+using LiveEvent = std::variant<LinkChanged, Welcomed, AcknowledgedEdits, RefusedEdits, EditsShown,
                                PreviewShown, PeopleChanged, HistoryChanged, ProgressMade>;
 
 struct LiveNews {
   LinkState link = LinkState::kConnecting;
   std::optional<Displacement> displacement;  ///< where it has changed since the last time
-  FrameFacts facts;
+  FrameFigures facts;
   std::vector<LiveEvent> events;  ///< in order; of what replaces itself the newest only
   size_t unacknowledged = 0;      ///< edits
 };

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "burnish/v1/editing.pb.h"
-#include "client/connection/live_session.h"
+#include "client/connection/session_link.h"
 
 namespace burnish {
 

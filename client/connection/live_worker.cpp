@@ -45,7 +45,7 @@ static bool is_worth_another_try(StatusCode code) {
   }
 }
 
-LiveSession::Worker::Worker(const std::string& server, const ConnectionTrust& trust,
+SessionLink::Worker::Worker(const std::string& server, const ConnectionTrust& trust,
                             const std::string& user, LiveOptions options)
     : server_(server),
       trust_(trust),
@@ -57,7 +57,7 @@ LiveSession::Worker::Worker(const std::string& server, const ConnectionTrust& tr
   thread_ = std::thread([this] { run(); });
 }
 
-LiveSession::Worker::~Worker() {
+SessionLink::Worker::~Worker() {
   {
     const std::lock_guard lock(mutex_);
     stopping_ = true;
@@ -66,7 +66,7 @@ LiveSession::Worker::~Worker() {
   thread_.join();
 }
 
-void LiveSession::Worker::run() {
+void SessionLink::Worker::run() {
   for (int failures = 0;; ++failures) {
     const uint64_t frames_before = news_.facts.frames;
     const Status why = converse();
@@ -82,7 +82,7 @@ void LiveSession::Worker::run() {
   }
 }
 
-Status LiveSession::Worker::converse() {
+Status SessionLink::Worker::converse() {
   // A channel of its own for each try: no back-off but ours, and certificates as they are now.
   ASSIGN_OR_RETURN(auto channel, make_channel(server_, trust_, Sharing::kOwn));
   {
@@ -109,7 +109,7 @@ Status LiveSession::Worker::converse() {
 }
 
 // Until the stream has ended, or has to.
-Status LiveSession::Worker::speak_and_listen(LiveStream& stream) {
+Status SessionLink::Worker::speak_and_listen(LiveStream& stream) {
   while (!stream.status()) {
     const Time now = steady_clock::now();
     if (must_leave(now)) break;
@@ -130,7 +130,7 @@ Status LiveSession::Worker::speak_and_listen(LiveStream& stream) {
   return Status::ok();
 }
 
-bool LiveSession::Worker::must_leave(Time now) {
+bool SessionLink::Worker::must_leave(Time now) {
   if (now >= last_heard_ + options_.silence_max) {
     farewell_ = "server " + server_ + ": nothing was heard for " +
                 std::to_string(options_.silence_max.count()) + " ms";
@@ -140,7 +140,7 @@ bool LiveSession::Worker::must_leave(Time now) {
   return leaving_ || stopping_;
 }
 
-std::optional<v1::ClientMessage> LiveSession::Worker::next_message(Time now) {
+std::optional<v1::ClientMessage> SessionLink::Worker::next_message(Time now) {
   const std::lock_guard lock(mutex_);
   const uint64_t previews = outbox_.previews_sent();
   if (auto message = outbox_.next()) {
@@ -163,7 +163,7 @@ std::optional<v1::ClientMessage> LiveSession::Worker::next_message(Time now) {
   return message;
 }
 
-v1::ClientMessage LiveSession::Worker::heartbeat(Time now) {
+v1::ClientMessage SessionLink::Worker::heartbeat(Time now) {
   v1::ClientMessage message;
   const auto since = std::chrono::duration_cast<std::chrono::microseconds>(now.time_since_epoch());
   message.mutable_heartbeat()->set_client_time_us(static_cast<uint64_t>(since.count()));
@@ -171,12 +171,12 @@ v1::ClientMessage LiveSession::Worker::heartbeat(Time now) {
   return message;
 }
 
-LiveSession::Worker::Time LiveSession::Worker::next_deadline() {
+SessionLink::Worker::Time SessionLink::Worker::next_deadline() {
   const std::lock_guard lock(mutex_);
   return std::min({next_heartbeat_, last_heard_ + options_.silence_max, pacer_.next_due()});
 }
 
-void LiveSession::Worker::wait_before_retry(int failures) {
+void SessionLink::Worker::wait_before_retry(int failures) {
   static thread_local std::minstd_rand random{std::random_device{}()};
   const auto longest =
       std::min(options_.retry_after_max, options_.retry_after_min * (1 << std::min(failures, 10)));
@@ -192,7 +192,7 @@ void LiveSession::Worker::wait_before_retry(int failures) {
   }
 }
 
-void LiveSession::Worker::set_link(LinkState state, const std::string& reason) {
+void SessionLink::Worker::set_link(LinkState state, const std::string& reason) {
   {
     const std::lock_guard lock(mutex_);
     news_.link = state;
@@ -202,7 +202,7 @@ void LiveSession::Worker::set_link(LinkState state, const std::string& reason) {
   wake_user();
 }
 
-void LiveSession::Worker::wake_user() {
+void SessionLink::Worker::wake_user() {
   if (options_.on_news) options_.on_news();
 }
 

@@ -8,16 +8,16 @@
 #include "client/connection/credit_pacer.h"
 #include "client/connection/frame_receiver.h"
 #include "client/connection/live_outbox.h"
-#include "client/connection/live_session.h"
 #include "client/connection/live_stream.h"
 #include "client/connection/rate_meter.h"
+#include "client/connection/session_link.h"
 #include "client/connection/shown_edits.h"
 
 namespace burnish {
 
-/// The thread behind a LiveSession. It alone talks to the stream and decodes frames; callers leave
+/// The thread behind a SessionLink. It alone talks to the stream and decodes frames; callers leave
 /// what they want under the lock, and take what is new from there.
-class LiveSession::Worker {
+class SessionLink::Worker {
  public:
   using Time = std::chrono::steady_clock::time_point;
 

@@ -1,4 +1,4 @@
-// What LiveSession::Worker does with what the server says.
+// What SessionLink::Worker does with what the server says.
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@
 namespace burnish {
 
 // 0 for a time that is not one of ours.
-static double ms_since(uint64_t client_time_us, LiveSession::Worker::Time now) {
+static double ms_since(uint64_t client_time_us, SessionLink::Worker::Time now) {
   const auto us = std::chrono::duration_cast<std::chrono::microseconds>(now.time_since_epoch());
   const auto passed = us.count() - static_cast<int64_t>(client_time_us);
   return client_time_us == 0 || passed < 0 ? 0 : static_cast<double>(passed) / 1000;
@@ -22,7 +22,7 @@ static std::vector<std::string> ids_of(
   return {edit_ids.begin(), edit_ids.end()};
 }
 
-Status LiveSession::Worker::hear(const v1::ServerMessage& message, Time now) {
+Status SessionLink::Worker::hear(const v1::ServerMessage& message, Time now) {
   switch (message.message_case()) {
     case v1::ServerMessage::kWelcome:
       return hear_welcome(message.welcome());
@@ -52,7 +52,7 @@ Status LiveSession::Worker::hear(const v1::ServerMessage& message, Time now) {
   return Status::ok();
 }
 
-Status LiveSession::Worker::hear_welcome(const v1::Welcome& welcome) {
+Status SessionLink::Worker::hear_welcome(const v1::Welcome& welcome) {
   RETURN_IF_ERROR(receiver_.welcome(welcome));
   Welcomed welcomed;
   welcomed.connection = welcome.connection();
@@ -66,12 +66,12 @@ Status LiveSession::Worker::hear_welcome(const v1::Welcome& welcome) {
   return Status::ok();
 }
 
-Status LiveSession::Worker::hear_frame(const v1::Frame& frame, Time now) {
+Status SessionLink::Worker::hear_frame(const v1::Frame& frame, Time now) {
   ASSIGN_OR_RETURN(auto displacement, receiver_.receive(frame.data()));
   const Time decoded = std::chrono::steady_clock::now();
   const double server_ms = frame.assemble_ms() + frame.solve_ms() + frame.encode_ms();
   const std::lock_guard lock(mutex_);
-  FrameFacts& facts = news_.facts;
+  FrameFigures& facts = news_.facts;
   rate_.add(now, frame.data().size());
   ++facts.frames;
   facts.settled = frame.state() == v1::SOLVE_STATE_SETTLED;
@@ -100,7 +100,7 @@ Status LiveSession::Worker::hear_frame(const v1::Frame& frame, Time now) {
   return Status::ok();
 }
 
-Status LiveSession::Worker::hear_acknowledged(const v1::Acknowledged& answer) {
+Status SessionLink::Worker::hear_acknowledged(const v1::Acknowledged& answer) {
   const std::lock_guard lock(mutex_);
   if (answer.edit_ids().empty()) return Status::ok();
   std::vector<std::string> ids = ids_of(answer.edit_ids());
@@ -109,12 +109,12 @@ Status LiveSession::Worker::hear_acknowledged(const v1::Acknowledged& answer) {
     shown_.acknowledged(ids, batch->since, outcome.edits);
     tell_shown();
   }
-  tell(EditsAcknowledged{std::move(ids), outcome});
+  tell(AcknowledgedEdits{std::move(ids), outcome});
   acknowledged_.notify_all();
   return Status::ok();
 }
 
-Status LiveSession::Worker::hear_refused(const v1::Refused& answer) {
+Status SessionLink::Worker::hear_refused(const v1::Refused& answer) {
   const StatusCode code = status_code_from_wire(answer.code());
   // It cannot be kept now: the next stream brings it again.
   if (code == StatusCode::kUnavailable) {
@@ -126,34 +126,34 @@ Status LiveSession::Worker::hear_refused(const v1::Refused& answer) {
   std::vector<std::string> ids = ids_of(answer.edit_ids());
   if (ids.empty()) return Status::ok();
   if (!outbox_.answered(ids.front())) outbox_.forget_preview(ids.front());
-  tell(EditsRefused{std::move(ids),
+  tell(RefusedEdits{std::move(ids),
                     {code == StatusCode::kOk ? StatusCode::kInternal : code, answer.message()}});
   acknowledged_.notify_all();
   return Status::ok();
 }
 
-Status LiveSession::Worker::hear_people(const v1::People& message) {
+Status SessionLink::Worker::hear_people(const v1::People& message) {
   ASSIGN_OR_RETURN(SessionPeople people, from_wire(message));
   const std::lock_guard lock(mutex_);
   tell(PeopleChanged{std::move(people)});
   return Status::ok();
 }
 
-Status LiveSession::Worker::hear_history(const v1::HistoryChanged& message) {
+Status SessionLink::Worker::hear_history(const v1::HistoryChanged& message) {
   ASSIGN_OR_RETURN(TransferCurve curve, from_wire(message.transfer_curve()));
   const std::lock_guard lock(mutex_);
   tell(HistoryChanged{message.edits(), message.gradient_scale(), std::move(curve)});
   return Status::ok();
 }
 
-Status LiveSession::Worker::hear_farewell(const v1::GoAway& message) {
+Status SessionLink::Worker::hear_farewell(const v1::GoAway& message) {
   if (!message.come_back()) return failed_precondition(message.reason());
   farewell_ = "server " + server_ + ": " + message.reason();
   leaving_ = true;
   return Status::ok();
 }
 
-void LiveSession::Worker::hear_heartbeat(const v1::Heartbeat& echo, Time now) {
+void SessionLink::Worker::hear_heartbeat(const v1::Heartbeat& echo, Time now) {
   const double rtt_ms = ms_since(echo.client_time_us(), now);
   if (rtt_ms <= 0) return;
   const std::lock_guard lock(mutex_);
@@ -161,13 +161,13 @@ void LiveSession::Worker::hear_heartbeat(const v1::Heartbeat& echo, Time now) {
   pacer_.on_heartbeat(now, rtt_ms);
 }
 
-void LiveSession::Worker::tell_shown() {
+void SessionLink::Worker::tell_shown() {
   for (EditsShown& shown : shown_.take_edits()) tell(std::move(shown));
   for (const double latency_ms : shown_.take_previews()) tell(PreviewShown{latency_ms});
 }
 
 // Of what replaces itself the newest is enough, so that nobody who does not listen costs memory.
-void LiveSession::Worker::tell(LiveEvent event) {
+void SessionLink::Worker::tell(LiveEvent event) {
   const bool replaces =
       std::holds_alternative<PeopleChanged>(event) ||
       std::holds_alternative<HistoryChanged>(event) ||

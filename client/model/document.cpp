@@ -33,7 +33,7 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
   options.triangles_max = opened_.triangles_max;
   options.content = FrameContentWish::kCoefficients;
   options.on_news = wake_;
-  live_ = std::make_unique<LiveSession>(*opened_.connection, std::move(options));
+  live_ = std::make_unique<SessionLink>(*opened_.connection, std::move(options));
 }
 
 void Document::send(Change change) {

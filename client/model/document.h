@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "client/connection/live_session.h"
+#include "client/connection/session_link.h"
 #include "client/displaced_surface.h"
 #include "client/model/message_log.h"
 #include "client/model/recorder.h"
@@ -90,7 +90,7 @@ class Document {
   const std::vector<HistoryEntry>& history() const { return history_; }
   const SessionPeople& people() const { return people_; }
   const Welcomed& welcome() const { return welcome_; }
-  const FrameFacts& facts() const { return facts_; }
+  const FrameFigures& facts() const { return facts_; }
   LinkState link() const { return link_; }
   const std::string& link_reason() const { return link_reason_; }
   size_t unacknowledged() const { return unacknowledged_; }
@@ -144,7 +144,7 @@ class Document {
   std::vector<HistoryEntry> history_;
   SessionPeople people_;
   Welcomed welcome_;
-  FrameFacts facts_;
+  FrameFigures facts_;
   LinkState link_ = LinkState::kConnecting;
   std::string link_reason_;
   ProgressMade progress_;
@@ -161,7 +161,7 @@ class Document {
   std::shared_ptr<Fetch> history_fetch_ = std::make_shared<Fetch>();
   std::shared_ptr<Fetch> cells_fetch_ = std::make_shared<Fetch>();
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may come after us
-  std::unique_ptr<LiveSession> live_;                           // last: its thread calls wake_
+  std::unique_ptr<SessionLink> live_;                           // last: its thread calls wake_
 };
 
 }  // namespace burnish

@@ -60,11 +60,11 @@ void Document::handle(const LiveEvent& event) {
                    edits_known_ = std::max(edits_known_, welcome.session.edits);
                    refresh_history();
                  },
-                 [&](const EditsAcknowledged& acknowledged) {
+                 [&](const AcknowledgedEdits& acknowledged) {
                    edits_known_ = std::max(edits_known_, acknowledged.outcome.edits);
                    refresh_history();
                  },
-                 [&](const EditsRefused& refused) {
+                 [&](const RefusedEdits& refused) {
                    log_.failure("edit refused", refused.why);
                    tinted_.clear();
                    tint_changed_ = united(tint_changed_, tint_.clear());

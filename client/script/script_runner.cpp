@@ -117,7 +117,7 @@ Status ScriptRunner::take_screenshot(const std::filesystem::path& path) {
 
 void ScriptRunner::print_state() const {
   const Document& document = *workspace_->document();
-  const FrameFacts& facts = document.facts();
+  const FrameFigures& facts = document.facts();
   std::printf("%s: %s, beta %g, curve %s, %zu entries, %d cycles, distance %.3g\n",
               document.session().name.c_str(), document.is_settled() ? "settled" : "converging",
               document.beta(), document.curve().curve().to_string().c_str(),

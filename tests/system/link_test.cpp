@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/connection/live_session.h"
+#include "client/connection/session_link.h"
 #include "tests/system/server_process.h"
 
 namespace burnish {
@@ -51,7 +51,7 @@ TEST_F(Links, CarryALiveSession) {
   LiveOptions options;
   options.session = "work";
   options.view = std::make_shared<const View>(connection.fetch_view({"ball", {5, 0}}, {}).value());
-  LiveSession session(connection, options);
+  SessionLink session(connection, options);
   ASSERT_TRUE(session.apply({Edit{"a", SetGradientScale{0.5}}}).is_ok());
   EXPECT_TRUE(session.wait_until_acknowledged(kPatience));
   EXPECT_EQ(session.take().link, LinkState::kLive);

@@ -36,7 +36,7 @@ void Gestures::begin(Time now) {
   stroke_ = {{.radius = radius_, .strength = 0.5, .beta = beta_}, {}};
 }
 
-void Gestures::advance(Time now, LiveSession& session) {
+void Gestures::advance(Time now, SessionLink& session) {
   if (now >= end_) {
     end(session);
     begin(now);
@@ -49,7 +49,7 @@ void Gestures::advance(Time now, LiveSession& session) {
   }
 }
 
-void Gestures::advance_stroke(LiveSession& session) {
+void Gestures::advance_stroke(SessionLink& session) {
   const auto point = next_point();
   if (!point || stroke_.path.size() >= kPathPointsMax) return;
   stroke_.path.push_back(*point);
@@ -66,7 +66,7 @@ std::optional<Vec3d> Gestures::next_point() {
   return point;
 }
 
-void Gestures::end(LiveSession& session) {
+void Gestures::end(SessionLink& session) {
   if (activity_ == Activity::kDrag) {
     apply(session, {edit_id_, SetGradientScale{beta_}});
   } else if (activity_ == Activity::kPaint && !stroke_.path.empty()) {
@@ -75,7 +75,7 @@ void Gestures::end(LiveSession& session) {
   activity_ = Activity::kDraw;
 }
 
-void Gestures::apply(LiveSession& session, Edit edit) {
+void Gestures::apply(SessionLink& session, Edit edit) {
   const std::string id = edit.id;
   if (session.apply({std::move(edit)}).is_ok()) applied_.push_back(id);
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "client/cli/bench/load_mix.h"
-#include "client/connection/live_session.h"
+#include "client/connection/session_link.h"
 
 namespace burnish {
 
@@ -21,17 +21,17 @@ class Gestures {
   Gestures(std::shared_ptr<const View> view, const LoadMix& mix, uint32_t seed);
 
   /// Goes on with the gesture, or begins the next.
-  void advance(Time now, LiveSession& session);
+  void advance(Time now, SessionLink& session);
   /// Ends the gesture by its edit.
-  void end(LiveSession& session);
+  void end(SessionLink& session);
 
   const std::vector<std::string>& applied() const { return applied_; }  ///< ids of edits
 
  private:
   void begin(Time now);
-  void advance_stroke(LiveSession& session);
+  void advance_stroke(SessionLink& session);
   std::optional<Vec3d> next_point();
-  void apply(LiveSession& session, Edit edit);
+  void apply(SessionLink& session, Edit edit);
 
   const std::shared_ptr<const View> view_;
   const LoadMix mix_;

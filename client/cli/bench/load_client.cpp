@@ -66,9 +66,9 @@ void LoadClient::draw() {
                                           size_t{3} * layout.tile_size(tile)));
   }
   for (const LiveEvent& event : news.events) {
-    if (const auto* answer = std::get_if<EditsAcknowledged>(&event))
+    if (const auto* answer = std::get_if<AcknowledgedEdits>(&event))
       figures_.acknowledged.insert(answer->edit_ids.begin(), answer->edit_ids.end());
-    if (const auto* refused = std::get_if<EditsRefused>(&event))
+    if (const auto* refused = std::get_if<RefusedEdits>(&event))
       figures_.refused.push_back(refused->why.to_string());
     if (const auto* shown = std::get_if<EditsShown>(&event))
       figures_.edit_ms.push_back(shown->latency_ms);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "client/cli/bench/gesture.h"
-#include "client/connection/live_session.h"
+#include "client/connection/session_link.h"
 
 namespace burnish {
 
@@ -60,10 +60,10 @@ class LoadClient {
   void draw();
 
   const LoadOptions options_;
-  LiveSession session_;
+  SessionLink session_;
   Gestures gestures_;
   LoadFigures figures_;
-  FrameFacts facts_;
+  FrameFigures facts_;
   std::vector<int32_t> shown_;  // steps, tile by tile
   std::thread thread_;
 };

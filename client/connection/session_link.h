@@ -43,13 +43,13 @@ using PreviewChange = std::variant<SetGradientScale, SetTransferCurve, Stroke>;
 /// A client's end of a live session: edits in, frames and news out. It keeps itself connected, and
 /// every edit until the server has it on disk or refuses it. All calls return at once, but for the
 /// waits that say so. Thread-safe.
-class LiveSession {
+class SessionLink {
  public:
   /// Begins to connect, by a connection of its own: what else is fetched does not hold up frames.
   /// Needs: options.view.
-  LiveSession(const Connection& connection, LiveOptions options);
+  SessionLink(const Connection& connection, LiveOptions options);
   /// Edits that are not acknowledged are given up; see wait_until_acknowledged().
-  ~LiveSession();
+  ~SessionLink();
 
   /// Sends edits, all of them or none to take effect. What becomes of them is told by events.
   /// Fails: invalid_argument as validate(Edit) does, for none or more than kEditsPerFrameMax edits,

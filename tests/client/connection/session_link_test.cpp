@@ -1,10 +1,9 @@
-#include "client/connection/live_session.h"
-
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "client/connection/session_link.h"
 #include "tests/client/connection/fake_editing.h"
 #include "tests/common/frame_codec/small_scan.h"
 
@@ -28,7 +27,7 @@ class LiveSessions : public testing::Test {
 
   void connect() {
     connection_.emplace(Connection::open(server_.address(), milliseconds(10'000)).value());
-    session_ = std::make_unique<LiveSession>(*connection_, options_);
+    session_ = std::make_unique<SessionLink>(*connection_, options_);
   }
 
   void take() {
@@ -79,10 +78,10 @@ class LiveSessions : public testing::Test {
   FakeEditing server_;
   LiveOptions options_;
   std::optional<Connection> connection_;
-  std::unique_ptr<LiveSession> session_;
+  std::unique_ptr<SessionLink> session_;
 
   LinkState link_ = LinkState::kConnecting;
-  FrameFacts facts_;
+  FrameFigures facts_;
   size_t unacknowledged_ = 0;
   std::optional<Displacement> shown_;
   std::vector<int32_t> shown_steps_;  // by changed tiles alone
@@ -114,7 +113,7 @@ TEST_F(LiveSessions, TellOfEditsOnceTheyAreOnDiskAndOnceTheyAreShown) {
   ASSERT_TRUE(session_->apply(slider("b")).is_ok());
   EXPECT_TRUE(session_->wait_until_acknowledged(milliseconds(20'000)));
   ASSERT_TRUE(until([this] { return told<EditsShown>().size() == 2; }));
-  const auto acknowledged = told<EditsAcknowledged>();
+  const auto acknowledged = told<AcknowledgedEdits>();
   ASSERT_EQ(acknowledged.size(), 2u);
   EXPECT_THAT(acknowledged[0].edit_ids, ElementsAre("a"));
   EXPECT_EQ(acknowledged[1].outcome.edits, 2u);
@@ -130,11 +129,11 @@ TEST_F(LiveSessions, LoseNoEditWhenTheServerIsGoneBeforeItsAnswer) {
   server_.stop();
   ASSERT_TRUE(until([this] { return link_ == LinkState::kLost; }));
   ASSERT_TRUE(session_->apply(slider("b")).is_ok());
-  EXPECT_EQ(told<EditsAcknowledged>().size(), 0u);
+  EXPECT_EQ(told<AcknowledgedEdits>().size(), 0u);
 
   server_.set_faults({});
   server_.start();
-  ASSERT_TRUE(until([this] { return told<EditsAcknowledged>().size() == 2; }));
+  ASSERT_TRUE(until([this] { return told<AcknowledgedEdits>().size() == 2; }));
   EXPECT_EQ(link_, LinkState::kLive);
   EXPECT_EQ(server_.seen().repeated, 1);
   EXPECT_THAT(server_.seen().applied, ElementsAre("a", "b"));
@@ -170,10 +169,10 @@ TEST_F(LiveSessions, TellWhyAnEditWasRefusedAndForgetIt) {
   server_.set_faults({.refuse_edits = grpc::StatusCode::PERMISSION_DENIED});
   connect();
   ASSERT_TRUE(session_->apply(slider("a")).is_ok());
-  ASSERT_TRUE(until([this] { return !told<EditsRefused>().empty(); }));
-  EXPECT_THAT(told<EditsRefused>()[0].edit_ids, ElementsAre("a"));
-  EXPECT_EQ(told<EditsRefused>()[0].why.code(), StatusCode::kPermissionDenied);
-  EXPECT_EQ(told<EditsRefused>()[0].why.message(), "not today");
+  ASSERT_TRUE(until([this] { return !told<RefusedEdits>().empty(); }));
+  EXPECT_THAT(told<RefusedEdits>()[0].edit_ids, ElementsAre("a"));
+  EXPECT_EQ(told<RefusedEdits>()[0].why.code(), StatusCode::kPermissionDenied);
+  EXPECT_EQ(told<RefusedEdits>()[0].why.message(), "not today");
   EXPECT_EQ(unacknowledged_, 0u);
 }
 
@@ -273,7 +272,7 @@ TEST_F(LiveSessions, WaitForAServerThatIsNotThereYet) {
   ASSERT_TRUE(until_live());
   session_.reset();
   server_.stop();
-  session_ = std::make_unique<LiveSession>(*connection_, options_);
+  session_ = std::make_unique<SessionLink>(*connection_, options_);
   std::this_thread::sleep_for(milliseconds(30));
   take();
   EXPECT_EQ(link_, LinkState::kConnecting);

@@ -1,11 +1,10 @@
-#include "client/connection/live_session.h"
-
 #include <csignal>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "client/connection/session_link.h"
 #include "common/base/limits.h"
 #include "tests/system/server_process.h"
 
@@ -32,7 +31,7 @@ class Client {
     options.retry_after_min = milliseconds(20);
     options.retry_after_max = milliseconds(200);
     view = options.view;
-    session = std::make_unique<LiveSession>(connection, options);
+    session = std::make_unique<SessionLink>(connection, options);
   }
 
   void take() {
@@ -85,7 +84,7 @@ class Client {
 
   Connection connection;
   std::shared_ptr<const View> view;
-  std::unique_ptr<LiveSession> session;
+  std::unique_ptr<SessionLink> session;
   LiveNews news;
   std::vector<Vec3f> displacement;
   std::vector<LiveEvent> events;
@@ -117,8 +116,8 @@ TEST_F(LiveService, ShowsAnEditToAllItsClients) {
   ASSERT_TRUE(bert.until_settled_with(1));
   EXPECT_GT(anna.largest_move(), 1e-4);
   EXPECT_EQ(anna.displacement, bert.displacement);
-  ASSERT_TRUE(anna.until([&] { return anna.told<EditsAcknowledged>(); }));
-  EXPECT_THAT(anna.told<EditsAcknowledged>()->edit_ids, ElementsAre("a"));
+  ASSERT_TRUE(anna.until([&] { return anna.told<AcknowledgedEdits>(); }));
+  EXPECT_THAT(anna.told<AcknowledgedEdits>()->edit_ids, ElementsAre("a"));
   ASSERT_TRUE(bert.until([&] { return bert.told<HistoryChanged>(); }));
   EXPECT_EQ(bert.told<HistoryChanged>()->gradient_scale, 0);
   ASSERT_TRUE(bert.until([&] {
@@ -180,8 +179,8 @@ TEST_F(LiveService, RefusesWhatTheHistoryCannotDo) {
   Client anna(server_, "anna");
   ASSERT_TRUE(anna.until_live());
   ASSERT_TRUE(anna.session->apply({Edit{"r", RestoreCheckpoint{"never"}}}).is_ok());
-  ASSERT_TRUE(anna.until([&] { return anna.told<EditsRefused>() != nullptr; }));
-  EXPECT_THAT(anna.told<EditsRefused>()->why.message(), HasSubstr("never"));
+  ASSERT_TRUE(anna.until([&] { return anna.told<RefusedEdits>() != nullptr; }));
+  EXPECT_THAT(anna.told<RefusedEdits>()->why.message(), HasSubstr("never"));
   EXPECT_EQ(anna.news.unacknowledged, 0u);
 }
 

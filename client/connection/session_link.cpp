@@ -1,4 +1,4 @@
-#include "client/connection/live_session.h"
+#include "client/connection/session_link.h"
 
 #include "client/connection/live_worker.h"
 #include "common/base/limits.h"
@@ -21,38 +21,38 @@ static Status check(const std::vector<Edit>& edits) {
   return Status::ok();
 }
 
-LiveSession::LiveSession(const Connection& connection, LiveOptions options)
+SessionLink::SessionLink(const Connection& connection, LiveOptions options)
     : worker_(std::make_unique<Worker>(connection.state_->server, connection.state_->trust,
                                        connection.state_->user, std::move(options))) {}
 
-LiveSession::~LiveSession() = default;
+SessionLink::~SessionLink() = default;
 
-Status LiveSession::apply(std::vector<Edit> edits) {
+Status SessionLink::apply(std::vector<Edit> edits) {
   RETURN_IF_ERROR(check(edits));
   return worker_->apply(std::move(edits));
 }
 
-void LiveSession::preview(const std::string& edit_id, PreviewChange change) {
+void SessionLink::preview(const std::string& edit_id, PreviewChange change) {
   worker_->preview(edit_id, std::move(change));
 }
 
-void LiveSession::drop_preview(const std::string& edit_id) {
+void SessionLink::drop_preview(const std::string& edit_id) {
   worker_->drop_preview(edit_id);
 }
 
-void LiveSession::move_brush(const std::optional<BrushRing>& ring) {
+void SessionLink::move_brush(const std::optional<BrushRing>& ring) {
   worker_->move_brush(ring);
 }
 
-LiveNews LiveSession::take() {
+LiveNews SessionLink::take() {
   return worker_->take();
 }
 
-bool LiveSession::wait_until_acknowledged(std::chrono::milliseconds patience) {
+bool SessionLink::wait_until_acknowledged(std::chrono::milliseconds patience) {
   return worker_->wait_until_acknowledged(patience);
 }
 
-Status LiveSession::Worker::apply(std::vector<Edit> edits) {
+Status SessionLink::Worker::apply(std::vector<Edit> edits) {
   {
     const std::lock_guard lock(mutex_);
     if (news_.link == LinkState::kEnded) return failed_precondition("the session has ended");
@@ -62,7 +62,7 @@ Status LiveSession::Worker::apply(std::vector<Edit> edits) {
   return Status::ok();
 }
 
-void LiveSession::Worker::preview(const std::string& edit_id, PreviewChange change) {
+void SessionLink::Worker::preview(const std::string& edit_id, PreviewChange change) {
   {
     const std::lock_guard lock(mutex_);
     outbox_.preview(edit_id, std::move(change), steady_clock::now());
@@ -70,7 +70,7 @@ void LiveSession::Worker::preview(const std::string& edit_id, PreviewChange chan
   wakeup_->wake();
 }
 
-void LiveSession::Worker::drop_preview(const std::string& edit_id) {
+void SessionLink::Worker::drop_preview(const std::string& edit_id) {
   {
     const std::lock_guard lock(mutex_);
     outbox_.drop_preview(edit_id);
@@ -78,7 +78,7 @@ void LiveSession::Worker::drop_preview(const std::string& edit_id) {
   wakeup_->wake();
 }
 
-void LiveSession::Worker::move_brush(const std::optional<BrushRing>& ring) {
+void SessionLink::Worker::move_brush(const std::optional<BrushRing>& ring) {
   {
     const std::lock_guard lock(mutex_);
     outbox_.move_brush(ring);
@@ -86,7 +86,7 @@ void LiveSession::Worker::move_brush(const std::optional<BrushRing>& ring) {
   wakeup_->wake();
 }
 
-LiveNews LiveSession::Worker::take() {
+LiveNews SessionLink::Worker::take() {
   const auto now = steady_clock::now();
   LiveNews news;
   {
@@ -114,7 +114,7 @@ LiveNews LiveSession::Worker::take() {
   return news;
 }
 
-bool LiveSession::Worker::wait_until_acknowledged(std::chrono::milliseconds patience) {
+bool SessionLink::Worker::wait_until_acknowledged(std::chrono::milliseconds patience) {
   std::unique_lock lock(mutex_);
   acknowledged_.wait_for(lock, patience, [this] {
     return outbox_.unacknowledged() == 0 || news_.link == LinkState::kEnded;
