@@ -2,6 +2,8 @@
 // comes back, and no file is damaged. BURNISH_KILL_ROUNDS=N kills N times instead of 5;
 // BURNISH_KILL_VERTICES=N edits a generated scan of that size.
 
+#include <csignal>
+#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <thread>
@@ -82,6 +84,29 @@ class KilledServer {
     check_scans();
     for_each_editor([&](const RestlessEditor& editor) { taken.edits += editor.applied(); });
     return taken;
+  }
+
+  /// A life that ends by itself at the count-th arrival at a point of die_at.cpp.
+  void end_at(const std::string& point, int count) {
+    kill();
+    ::setenv("LD_PRELOAD", DIE_AT_LIBRARY, 1);
+    ::setenv("BURNISH_DIE_AT", point.c_str(), 1);
+    ::setenv("BURNISH_DIE_COUNT", std::to_string(count).c_str(), 1);
+    server_.start();
+    ::unsetenv("LD_PRELOAD");
+    wait_until_back();
+    server_.process->signal(SIGUSR1);
+    const auto import = server_.start_burnish({"import", other_scan_, "--name", "other"});
+    const Clock::time_point end = Clock::now() + kPatience;
+    while (!server_.process->wait(milliseconds(0)) && Clock::now() < end) edit_for(milliseconds(5));
+    EXPECT_EQ(server_.process->wait(milliseconds(0)), 128 + SIGKILL) << point;
+    for_each_editor([](RestlessEditor& editor) { editor.lose_server(); });
+    check_journal();
+    server_.start();
+    wait_until_back();
+    for_each_editor([](RestlessEditor& editor) { ASSERT_TRUE(editor.wait_until_answered()); });
+    check_histories();
+    check_scans();
   }
 
   /// The fields after one more kill are those before it.
@@ -216,6 +241,15 @@ TEST(KilledServer, LosesAndDoublesNoAcknowledgedEditAndComesBack) {
             << kSessions.size() << " sessions, " << edits << " edits, each of them there once\n";
   print("listening", listening);
   print("everybody back and shown a frame", back);
+}
+
+TEST(KilledServer, LosesNothingAtAnyStepOfWritingToDisk) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "the sanitizer's library must be loaded first";
+#endif
+  KilledServer server(2000, 1);
+  for (const char* point : {"before sync", "after sync", "before rename", "after rename"})
+    for (const int count : {1, 2, 3}) server.end_at(point, count);
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+// Loaded into a burnish-server under test (LD_PRELOAD): once SIGUSR1 has come, kills it at the
+// BURNISH_DIE_COUNT-th arrival at the point BURNISH_DIE_AT: before or after a sync or a rename.
+
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <dlfcn.h>
+#include <unistd.h>
+
+static std::atomic<int> left{-1};  // arrivals until the end; negative: not armed
+
+static void arm(int) {
+  left = std::atoi(std::getenv("BURNISH_DIE_COUNT"));
+}
+
+__attribute__((constructor)) static void listen_for_signal() {
+  std::signal(SIGUSR1, arm);
+}
+
+static void arrive(const char* point) {
+  const char* wanted = std::getenv("BURNISH_DIE_AT");
+  if (left > 0 && wanted && std::strcmp(point, wanted) == 0 && --left == 0) ::raise(SIGKILL);
+}
+
+template <typename Function, typename... Arguments>
+static int between(const char* before, const char* after, Function real, Arguments... arguments) {
+  arrive(before);
+  const int result = real(arguments...);
+  arrive(after);
+  return result;
+}
+
+extern "C" int fsync(int file) {
+  static const auto real = reinterpret_cast<int (*)(int)>(::dlsym(RTLD_NEXT, "fsync"));
+  return between("before sync", "after sync", real, file);
+}
+
+extern "C" int fdatasync(int file) {
+  static const auto real = reinterpret_cast<int (*)(int)>(::dlsym(RTLD_NEXT, "fdatasync"));
+  return between("before sync", "after sync", real, file);
+}
+
+extern "C" int rename(const char* from, const char* to) noexcept {
+  using Rename = int (*)(const char*, const char*);
+  static const auto real = reinterpret_cast<Rename>(::dlsym(RTLD_NEXT, "rename"));
+  return between("before rename", "after rename", real, from, to);
+}
