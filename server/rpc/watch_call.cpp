@@ -66,9 +66,12 @@ void WatchCall::OnWriteDone(bool ok) {
 void WatchCall::grant_later() {
   const std::lock_guard lock(mutex_);
   if (done_) return;
-  next_frame_.Set(std::chrono::system_clock::now() + kFrameInterval, [call = self()](bool is_time) {
-    if (is_time) grant_key_frame(*call->client_);
-  });
+  // Weak: an alarm keeps what it was set with, also once it has rung, and the call owns the alarm.
+  next_frame_.Set(std::chrono::system_clock::now() + kFrameInterval,
+                  [weak = std::weak_ptr(self())](bool is_time) {
+                    const auto call = weak.lock();
+                    if (is_time && call) grant_key_frame(*call->client_);
+                  });
 }
 
 void WatchCall::OnCancel() {

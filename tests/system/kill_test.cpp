@@ -1,0 +1,222 @@
+// kill -9 under editing load: nothing that was acknowledged is lost or counted twice, everybody
+// comes back, and no file is damaged. BURNISH_KILL_ROUNDS=N kills N times instead of 5;
+// BURNISH_KILL_VERTICES=N edits a generated scan of that size.
+
+#include <iostream>
+#include <map>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/mesh/generate.h"
+#include "common/mesh/mesh_io.h"
+#include "server/prepare/prepared_mesh.h"
+#include "server/session/sqlite.h"
+#include "tests/system/environment.h"
+#include "tests/system/restless_editor.h"
+#include "tests/system/server_process.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kRoundsPerServer = 20;  // then another data folder, so that histories stay short
+const std::vector<std::string> kSessions = {"one", "two", "three"};
+constexpr int kEditors = 5;  // dealt to the sessions in turn
+
+struct Return {
+  double listening_s, back_s;  // since the start of the new process
+  size_t edits;                // of all sessions, that the history has
+};
+
+double seconds_since(Clock::time_point then) {
+  return std::chrono::duration<double>(Clock::now() - then).count();
+}
+
+/// One data folder with its server, which is killed again and again.
+class KilledServer {
+ public:
+  KilledServer(int vertices, uint32_t seed) : random_(seed) {
+    const TriangleMesh mesh =
+        generate_scan({"tablet", static_cast<uint64_t>(vertices), seed}).value();
+    const fs::path scan = server_.folder / "scan.ply";
+    EXPECT_TRUE(write_mesh(mesh, scan).is_ok());
+    EXPECT_TRUE(connect().import_scan(scan, "scan", {}, {}).is_ok());
+    EditorPlace place{server_.address, "", {}, {}, 0.05 * (mesh.vertices.front()).norm()};
+    for (int i = 0; i < 50; ++i)
+      place.surface.push_back(mesh.vertices[random_() % mesh.vertices.size()]);
+    place.view = std::make_shared<const View>(connect().fetch_view({"scan"}, {}).value());
+    for (const std::string& session : kSessions)
+      EXPECT_TRUE(connect().open_session({"scan", session}).is_ok());
+    for (int i = 0; i < kEditors; ++i) {
+      place.session = kSessions[i % kSessions.size()];
+      editors_[place.session].push_back(
+          std::make_unique<RestlessEditor>(place, "user" + std::to_string(i), random_()));
+    }
+    server_.listen = server_.address;
+    other_scan_ = write_sphere(server_.folder, 5);
+    wait_until_back();
+  }
+
+  Return round() {
+    const auto import = server_.start_burnish({"import", other_scan_, "--name", "other"});
+    edit_for(milliseconds(random_() % 500));
+    kill();
+    Clock::time_point begin = Clock::now();
+    server_.start();
+    const double listening_s = seconds_since(begin);
+    if (random_() % 4 == 0) {  // once more, while they come back
+      edit_for(milliseconds(random_() % 60));
+      kill();
+      begin = Clock::now();
+      server_.start();
+    }
+    wait_until_back();
+    Return taken{listening_s, seconds_since(begin), 0};
+    for_each_editor([](RestlessEditor& editor) { ASSERT_TRUE(editor.wait_until_answered()); });
+    check_histories();
+    check_scans();
+    for_each_editor([&](const RestlessEditor& editor) { taken.edits += editor.applied(); });
+    return taken;
+  }
+
+  /// The fields after one more kill are those before it.
+  void check_fields() {
+    const auto before = fields();
+    kill();
+    server_.start();
+    EXPECT_EQ(fields(), before);
+  }
+
+ private:
+  Connection connect() { return Connection::open(server_.address, kPatience).value(); }
+
+  template <typename What>
+  void for_each_editor(What what) {
+    for (auto& [session, editors] : editors_)
+      for (auto& editor : editors) what(*editor);
+  }
+
+  void edit_for(milliseconds time) {
+    const Clock::time_point end = Clock::now() + time;
+    while (Clock::now() < end) {
+      for_each_editor([&](RestlessEditor& editor) {
+        if (random_() % 4 == 0) editor.edit();
+        editor.listen();
+      });
+      std::this_thread::sleep_for(milliseconds(3));
+    }
+  }
+
+  void kill() {
+    EXPECT_FALSE(server_.process->wait(milliseconds(0))) << server_.process->output();
+    server_.kill();
+    for_each_editor([](RestlessEditor& editor) { editor.lose_server(); });
+    check_journal();
+  }
+
+  void wait_until_back() {
+    const Clock::time_point end = Clock::now() + kPatience;
+    for_each_editor([&](RestlessEditor& editor) {
+      while (!editor.is_back() && Clock::now() < end) {
+        std::this_thread::sleep_for(milliseconds(1));
+        for_each_editor([](RestlessEditor& other) { other.listen(); });
+      }
+      EXPECT_TRUE(editor.is_back()) << editor.user() << "\n" << server_.process->output();
+    });
+  }
+
+  /// Of a copy: opening it would repair the server's own.
+  void check_journal() {
+    const TemporaryFolder copy;
+    for (const char* name : {"journal.sqlite", "journal.sqlite-wal"})
+      if (fs::exists(server_.folder / "data" / name))
+        fs::copy_file(server_.folder / "data" / name, copy / name);
+    Database journal = Database::open(copy / "journal.sqlite").value();
+    Statement check = journal.prepare("PRAGMA integrity_check").value();
+    EXPECT_TRUE(check.step().value());
+    EXPECT_EQ(check.text(0), "ok");
+  }
+
+  void check_histories() {
+    Connection connection = connect();
+    for (auto& [session, editors] : editors_) {
+      std::map<std::string, std::vector<std::pair<std::string, bool>>> found;
+      const std::vector<HistoryEntry> history = connection.history(session).value();
+      for (const HistoryEntry& entry : history)
+        found[entry.author].emplace_back(entry.edit_id, entry.enabled);
+      uint64_t applied = 0;
+      for (const auto& editor : editors) {
+        EXPECT_EQ(found[editor->user()], editor->expected_entries()) << editor->user();
+        EXPECT_EQ(editor->refused(), editor->expected_refusals()) << editor->user();
+        applied += editor->applied();
+      }
+      EXPECT_GT(applied, 0u) << session;
+      EXPECT_EQ(connection.state(session).value().session.edits, applied) << session;
+    }
+  }
+
+  /// Each scan that is there is whole; the one whose import was cut off is there or it is not.
+  void check_scans() {
+    Connection connection = connect();
+    const std::vector<ScanInfo> scans = connection.list_scans().value();
+    EXPECT_EQ(scans.size(), server_.scans());
+    for (const ScanInfo& scan : scans) {
+      const fs::path prepared = server_.folder / "data" / "scans" / scan.id / "prepared";
+      for (const auto& file : fs::directory_iterator(prepared)) {
+        const auto mesh = map_prepared_mesh(file.path());
+        EXPECT_TRUE(mesh.is_ok()) << mesh.status().message();
+      }
+      const bool is_whole = scan.name != "other" || connection.delete_scan(scan.id).is_ok();
+      EXPECT_TRUE(is_whole) << scan.name;
+    }
+    EXPECT_EQ(server_.staged(), 0u);
+  }
+
+  std::vector<std::vector<float>> fields() {
+    Connection connection = connect();
+    std::vector<std::vector<float>> fields;
+    for (const std::string& session : kSessions)
+      for (const CellValue value : {CellValue::kBeta, CellValue::kAlpha1, CellValue::kAlpha2})
+        fields.push_back(connection.cells(session, value).value());
+    return fields;
+  }
+
+  std::mt19937 random_;
+  ServerProcess server_;
+  std::string other_scan_;
+  std::map<std::string, std::vector<std::unique_ptr<RestlessEditor>>> editors_;
+};
+
+TEST(KilledServer, LosesAndDoublesNoAcknowledgedEditAndComesBack) {
+  const int rounds = number_from_environment("BURNISH_KILL_ROUNDS", 5);
+  const int vertices = number_from_environment("BURNISH_KILL_VERTICES", 2000);
+  std::vector<double> listening, back;
+  size_t edits = 0;
+  std::unique_ptr<KilledServer> server;
+  for (int i = 0; i < rounds && !HasFailure(); ++i) {
+    if (i % kRoundsPerServer == 0) server = std::make_unique<KilledServer>(vertices, 1 + i);
+    const Return taken = server->round();
+    listening.push_back(taken.listening_s);
+    back.push_back(taken.back_s);
+    if (i < rounds - 1 && (i + 1) % kRoundsPerServer != 0) continue;
+    server->check_fields();
+    edits += taken.edits;
+  }
+  const auto print = [](const char* what, std::vector<double> seconds) {
+    std::sort(seconds.begin(), seconds.end());
+    std::cout << what << " after " << seconds[seconds.size() / 2] << " s (median), "
+              << seconds.back() << " s (longest)\n";
+  };
+  std::cout << back.size() << " rounds, " << vertices << " vertices, " << kEditors << " editors in "
+            << kSessions.size() << " sessions, " << edits << " edits, each of them there once\n";
+  print("listening", listening);
+  print("everybody back and shown a frame", back);
+}
+
+}  // namespace
+}  // namespace burnish

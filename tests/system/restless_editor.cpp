@@ -1,0 +1,132 @@
+#include "tests/system/restless_editor.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "common/base/check.h"
+#include "tests/system/server_process.h"
+
+namespace burnish {
+
+using std::chrono::milliseconds;
+
+RestlessEditor::RestlessEditor(const EditorPlace& place, const std::string& user, uint32_t seed)
+    : place_(place),
+      user_(user),
+      random_(seed),
+      connection_(Connection::open(place.address, kPatience).value()) {
+  connection_.set_user(user);
+  LiveOptions options;
+  options.session = place.session;
+  options.view = place.view;
+  options.retry_after_min = milliseconds(20);
+  options.retry_after_max = milliseconds(200);
+  link_ = std::make_unique<SessionLink>(connection_, options);
+}
+
+Edit RestlessEditor::next_edit() {
+  const std::string id = user_ + "-" + std::to_string(sent_.size());
+  const auto upto = [this](double top) {
+    return std::uniform_real_distribution<double>(0, top)(random_);
+  };
+  switch (random_() % 8) {
+    case 0:
+      return {id, SetGradientScale{upto(2)}};
+    case 1:
+      return {id, SetTransferCurve{TransferCurve(5 + upto(50))}};
+    case 2:
+      return {id, Undo{}};
+    case 3:
+      return {id, Redo{}};
+    default: {
+      const Vec3d& centre = place_.surface[random_() % place_.surface.size()];
+      return {id, Stroke{{.radius = place_.brush_radius, .beta = upto(3)}, {centre}}};
+    }
+  }
+}
+
+void RestlessEditor::edit() {
+  sent_.push_back(next_edit());
+  const Status status = link_->apply({sent_.back()});
+  BURNISH_CHECK(status.is_ok(), status.message());
+}
+
+void RestlessEditor::listen() {
+  const LiveNews news = link_->take();
+  for (const LiveEvent& event : news.events) {
+    if (const auto* answer = std::get_if<AcknowledgedEdits>(&event))
+      acknowledged_.insert(answer->edit_ids.begin(), answer->edit_ids.end());
+    if (const auto* answer = std::get_if<RefusedEdits>(&event))
+      refused_.insert(answer->edit_ids.begin(), answer->edit_ids.end());
+    if (std::holds_alternative<Welcomed>(event)) {
+      welcomed_ = true;
+      frames_then_ = frames_;
+    }
+  }
+  frames_ = news.facts.frames;
+}
+
+bool RestlessEditor::wait_until_answered() {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (acknowledged_.size() + refused_.size() < sent_.size()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(milliseconds(2));
+    listen();
+  }
+  return true;
+}
+
+void RestlessEditor::lose_server() {
+  listen();
+  welcomed_ = false;
+}
+
+/// The author's own undo, as a plain list: nobody else can switch these entries.
+struct RestlessEditor::Book {
+  std::vector<std::pair<std::string, bool>> entries;
+  std::vector<size_t> undone;
+  std::set<std::string> refusals;
+
+  void write(const Edit& edit) {
+    if (kind_of(edit) == EditKind::kUndo) return undo(edit.id);
+    if (kind_of(edit) == EditKind::kRedo) return redo(edit.id);
+    undone.clear();
+    entries.emplace_back(edit.id, true);
+  }
+
+  void undo(const std::string& id) {
+    const auto last =
+        std::find_if(entries.rbegin(), entries.rend(), [](const auto& e) { return e.second; });
+    if (last == entries.rend()) {
+      refusals.insert(id);
+      return;
+    }
+    last->second = false;
+    undone.push_back(static_cast<size_t>(entries.rend() - last) - 1);
+  }
+
+  void redo(const std::string& id) {
+    if (undone.empty()) {
+      refusals.insert(id);
+      return;
+    }
+    entries[undone.back()].second = true;
+    undone.pop_back();
+  }
+};
+
+RestlessEditor::Book RestlessEditor::keep_book() const {
+  Book book;
+  for (const Edit& edit : sent_) book.write(edit);
+  return book;
+}
+
+std::vector<std::pair<std::string, bool>> RestlessEditor::expected_entries() const {
+  return keep_book().entries;
+}
+
+std::set<std::string> RestlessEditor::expected_refusals() const {
+  return keep_book().refusals;
+}
+
+}  // namespace burnish

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "client/connection/session_link.h"
+
+namespace burnish {
+
+/// What a restless editor edits.
+struct EditorPlace {
+  std::string address;  ///< of the server
+  std::string session;
+  std::shared_ptr<const View> view;
+  std::vector<Vec3d> surface;  ///< points of the scan to paint on, file units
+  double brush_radius = 0;     ///< file units
+};
+
+/// Somebody who strokes, slides, bends the curve, undoes and redoes without a pause, and keeps a
+/// book of all that was sent and what became of it.
+class RestlessEditor {
+ public:
+  RestlessEditor(const EditorPlace& place, const std::string& user, uint32_t seed);
+
+  /// Sends one edit; the same seed gives the same edits.
+  void edit();
+  /// Hears what is new.
+  void listen();
+  /// Hears until every edit is acknowledged or refused; false when patience is over.
+  bool wait_until_answered();
+
+  /// From now on is_back() asks for a new welcome and a frame after it.
+  void lose_server();
+  bool is_back() const { return welcomed_ && frames_ > frames_then_; }
+
+  /// What the history has to say of this author: ids of the entries in order, true for those that
+  /// are on, had each edit that was not refused counted exactly once.
+  std::vector<std::pair<std::string, bool>> expected_entries() const;
+  /// Undo and redo that must be refused: there was nothing to undo.
+  const std::set<std::string>& refused() const { return refused_; }
+  std::set<std::string> expected_refusals() const;
+
+  size_t applied() const { return sent_.size() - refused_.size(); }
+  const std::string& user() const { return user_; }
+
+ private:
+  struct Book;
+  Edit next_edit();
+  Book keep_book() const;
+
+  const EditorPlace place_;
+  const std::string user_;
+  std::mt19937 random_;
+  Connection connection_;
+  std::unique_ptr<SessionLink> link_;
+
+  std::vector<Edit> sent_;
+  std::set<std::string> acknowledged_, refused_;
+  bool welcomed_ = false;
+  uint64_t frames_ = 0, frames_then_ = 0;
+};
+
+}  // namespace burnish
