@@ -18,7 +18,9 @@ enum class Colouring {
   kDisplacement,  ///< how far it moved along its normal: blue inwards, red outwards
 };
 
-/// A circle on the surface: all points of the original surface at this distance of its centre.
+/// A brush's outline: all points of the original surface at this distance of its centre, wherever
+/// they are now. Round on the surface as it was; as bent as the surface is where edits stretched it,
+/// so that the brush changes what lies inside, and nothing else.
 struct Ring {
   Vec3d centre = Vec3d::Zero();  ///< file units, on the original surface
   double radius = 0;             ///< file units

@@ -22,7 +22,7 @@ uniform bool has_grid;
 centroid out vec3 seen_position;  // camera space
 centroid out vec3 seen_normal;
 centroid out float seen_ridge;
-centroid out vec3 original_position;
+out vec3 original_position;  // not centroid: its derivatives must not jump from pixel to pixel
 centroid out float value;
 centroid out float tint;
 centroid out float moved;  // along the normal, cells
@@ -92,7 +92,7 @@ const char* const kMeshFragmentShader = R"(#version 330 core
 centroid in vec3 seen_position;
 centroid in vec3 seen_normal;
 centroid in float seen_ridge;
-centroid in vec3 original_position;
+in vec3 original_position;
 centroid in float value;
 centroid in float tint;
 centroid in float moved;
@@ -147,7 +147,7 @@ vec3 base_colour() {
 vec3 with_rings(vec3 below) {
   for (int i = 0; i < ring_count; ++i) {
     float away = distance(original_position, rings[i].xyz) - rings[i].w;
-    float pixels = abs(away) / max(fwidth(away), 1e-12);
+    float pixels = abs(away) / max(length(vec2(dFdx(away), dFdy(away))), 1e-12);
     below = mix(below, linear(ring_colours[i]), 1.0 - smoothstep(0.8, 1.8, pixels));
   }
   return below;

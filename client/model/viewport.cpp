@@ -40,7 +40,6 @@ void Viewport::move(const Vector2d& pixel) {
   if (pointer_ == pixel) return;
   const Vector2d by = pixel - pointer_.value_or(pixel);
   pointer_ = pixel;
-  hover_is_old_ = true;
   if (gesture_ == Gesture::kTurn || gesture_ == Gesture::kPan) drag_camera(by);
   if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) value_changes_ = true;
   if (gesture_ != Gesture::kStroke) return;
@@ -70,13 +69,24 @@ void Viewport::release(PointerButton button) {
 
 void Viewport::wheel(const Vector2d& pixel, double steps) {
   camera = zoomed_at(camera, size_, pixel, std::pow(kZoomPerStep, steps));
-  hover_is_old_ = true;
 }
 
 void Viewport::leave() {
   if (is_busy()) return;
   pointer_.reset();
   hover_.reset();
+  looked_.reset();
+}
+
+void Viewport::begin(const Document& document) {
+  gesture_ = Gesture::kIdle;
+  value_changes_ = false;
+  events_.clear();
+  bookmarks.clear();
+  leave();
+  sent_ring_.reset();
+  camera = {.azimuth_degrees = 25, .elevation_degrees = 20};
+  frame_all(document);
 }
 
 void Viewport::frame_all(const Document& document) {
@@ -138,11 +148,18 @@ Status Viewport::update(Renderer& renderer, Document& document) {
   if (std::exchange(value_changes_, false)) drag_value(document);
   for (const Event& event : std::exchange(events_, {}))
     RETURN_IF_ERROR(paint(event, renderer, document));
-  if (pointer_ && hover_is_old_ && gesture_ != Gesture::kTurn && gesture_ != Gesture::kPan) {
-    ASSIGN_OR_RETURN(hover_, hit_at(renderer, document, *pointer_));
-    hover_is_old_ = false;
-  }
+  if (pointer_ && gesture_ != Gesture::kTurn && gesture_ != Gesture::kPan)
+    RETURN_IF_ERROR(look_at(*pointer_, renderer, document));
   send_ring(document);
+  return Status::ok();
+}
+
+// A pointer at rest sees something else when the camera moves, or the surface does.
+Status Viewport::look_at(const Vector2d& pixel, Renderer& renderer, const Document& document) {
+  const Look look{pixel, camera, size_, document.facts().frames};
+  if (looked_ == look) return Status::ok();
+  ASSIGN_OR_RETURN(hover_, hit_at(renderer, document, pixel));
+  looked_ = look;
   return Status::ok();
 }
 
@@ -152,14 +169,12 @@ Status Viewport::paint(const Event& event, Renderer& renderer, Document& documen
     if (document.brush().is_drawing()) document.end_stroke();
     return Status::ok();
   }
-  ASSIGN_OR_RETURN(const auto hit, hit_at(renderer, document, event.pixel));
-  hover_ = hit;
-  hover_is_old_ = false;
-  if (!hit) return Status::ok();
+  RETURN_IF_ERROR(look_at(event.pixel, renderer, document));
+  if (!hover_) return Status::ok();
   if (document.brush().is_drawing()) {
-    document.extend_stroke(hit->original);
+    document.extend_stroke(hover_->original);
   } else if (event.kind == Event::Kind::kPress) {
-    document.begin_stroke(event.mode, hit->original);
+    document.begin_stroke(event.mode, hover_->original);
   }
   return Status::ok();
 }

@@ -46,6 +46,8 @@ class Viewport {
   void wheel(const Eigen::Vector2d& pixel, double steps);
   void leave();  ///< the pointer is elsewhere
 
+  /// As for a document just opened: nothing of the one before is kept but how surfaces are shown.
+  void begin(const Document& document);
   void frame_all(const Document& document);
   void focus();  ///< on the point under the pointer
   void begin_radius(const Document& document);
@@ -71,6 +73,17 @@ class Viewport {
     BrushMode mode = BrushMode::kPaint;
   };
 
+  /// What decides what a look finds.
+  struct Look {
+    Eigen::Vector2d pixel;
+    Camera camera;
+    ImageSize size;
+    uint64_t frames = 0;  // that moved the surface so far
+
+    bool operator==(const Look&) const = default;
+  };
+
+  Status look_at(const Eigen::Vector2d& pixel, Renderer& renderer, const Document& document);
   Result<std::optional<SurfaceHit>> hit_at(Renderer& renderer, const Document& document,
                                            const Eigen::Vector2d& pixel) const;
   Status paint(const Event& event, Renderer& renderer, Document& document);
@@ -87,7 +100,7 @@ class Viewport {
   bool value_changes_ = false;
   std::vector<Event> events_;  // of the brush
   std::optional<SurfaceHit> hover_;
-  bool hover_is_old_ = true;
+  std::optional<Look> looked_;  // that found hover_
   std::optional<BrushRing> sent_ring_;
 };
 

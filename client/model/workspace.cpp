@@ -5,7 +5,9 @@
 namespace burnish {
 
 Workspace::Workspace(Renderer& renderer, Preferences remembered, WorkspaceOptions options)
-    : preferences(std::move(remembered)), renderer_(renderer), options_(std::move(options)) {}
+    : preferences(std::move(remembered)), renderer_(renderer), options_(std::move(options)) {
+  if (!options_.wake) options_.wake = [] {};
+}
 
 Status Workspace::update() {
   tasks_.drain();

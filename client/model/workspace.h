@@ -92,9 +92,7 @@ class Workspace {
   void open_in_background(SessionWish wish);
   void show(OpenedDocument opened);
   bool need_connection(const std::string& what);
-  void wake() const {
-    if (options_.wake) options_.wake();
-  }
+  void wake() const { options_.wake(); }
 
   Renderer& renderer_;
   WorkspaceOptions options_;

@@ -61,9 +61,7 @@ void Workspace::show(OpenedDocument opened) {
     log.warning("shown with " + std::to_string(document_->view().triangles.size()) + " of " +
                 std::to_string(document_->view().scan_triangles) +
                 " triangles: " + options_.triangles_why + "; edits and exports use all");
-  viewport.camera = {.azimuth_degrees = 25, .elevation_degrees = 20};
-  viewport.bookmarks.clear();
-  viewport.frame_all(*document_);
+  viewport.begin(*document_);
   recorder.record("join " + document_->session().name);
   remember(preferences, {library_.is_private ? "" : library_.server, document_->session().name,
                          document_->session().scan_id});

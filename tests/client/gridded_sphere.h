@@ -8,9 +8,8 @@
 
 namespace burnish {
 
-/// A sphere in a grid of its own, as a server would send it.
-inline View make_sphere_view(int depth = 4) {
-  const TriangleMesh mesh = make_test_sphere(Vec3d(3, -2, 1), 1);
+/// A mesh in a grid of its own, as a server would send it.
+inline View make_gridded_view(const TriangleMesh& mesh, int depth) {
   const MeshStatistics statistics = compute_statistics(mesh);
   View view;
   view.frame = make_grid_frame(statistics.box_min, statistics.box_max, depth);
@@ -34,6 +33,10 @@ inline View make_sphere_view(int depth = 4) {
   view.scan_vertices = view.vertices.size();
   view.scan_triangles = view.triangles.size();
   return view;
+}
+
+inline View make_sphere_view(int depth = 4) {
+  return make_gridded_view(make_test_sphere(Vec3d(3, -2, 1), 1), depth);
 }
 
 /// The same displacement field at every corner: a function of the corner's place in grid units.

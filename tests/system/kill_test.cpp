@@ -180,7 +180,6 @@ class KilledServer {
         EXPECT_EQ(editor->refused(), editor->expected_refusals()) << editor->user();
         applied += editor->applied();
       }
-      EXPECT_GT(applied, 0u) << session;
       EXPECT_EQ(connection.state(session).value().session.edits, applied) << session;
     }
   }
@@ -232,6 +231,7 @@ TEST(KilledServer, LosesAndDoublesNoAcknowledgedEditAndComesBack) {
     server->check_fields();
     edits += taken.edits;
   }
+  EXPECT_GT(edits, 0u);
   const auto print = [](const char* what, std::vector<double> seconds) {
     std::sort(seconds.begin(), seconds.end());
     std::cout << what << " after " << seconds[seconds.size() / 2] << " s (median), "

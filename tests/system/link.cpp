@@ -128,8 +128,11 @@ class Link::Traffic {
     close(listener_);
   }
 
+  void stall(bool stalled) { stalled_ = stalled; }
+
  private:
   void pass_on() {
+    if (stalled_) return std::this_thread::sleep_for(std::chrono::milliseconds(10));
     wait();
     accept_new();
     for (Ends& ends : connections_) {
@@ -191,6 +194,7 @@ class Link::Traffic {
   Way up_, down_;
   std::list<Ends> connections_;
   std::atomic<bool> stopping_{false};
+  std::atomic<bool> stalled_{false};
   std::thread thread_;
 };
 
@@ -208,5 +212,9 @@ Link::Link(const std::string& target, const LinkOptions& options) {
 }
 
 Link::~Link() = default;
+
+void Link::stall(bool stalled) {
+  traffic_->stall(stalled);
+}
 
 }  // namespace burnish

@@ -23,6 +23,9 @@ class Link {
   /// What to connect to instead.
   const std::string& address() const { return address_; }
 
+  /// While it is stalled nothing comes through and nobody is told: as behind a dead radio.
+  void stall(bool stalled);
+
  private:
   class Traffic;
   std::string address_;

@@ -151,6 +151,28 @@ TEST_F(DisplacedPicture, ARingIsDrawnAroundItsCentreAndATintInside) {
   EXPECT_LT(tinted.pixel(200, 150)[0], plain.pixel(200, 150)[0]);
 }
 
+TEST_F(DisplacedPicture, ARingHoldsWhatTheBrushChangesWhereverItIsNow) {
+  const std::vector<Vec3f> displacements = displace_corners(view_, wave);
+  displace(*renderer_, displacements);
+  const Vec3d front = mesh_.box.center() + Vec3d(0, 0, 1);
+  const Image ring = draw({.rings = {{front, 0.4, Vec3f(1, 0, 0)}}});
+  int drawn = 0;
+  for (int y = 0; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) {
+      const uint8_t* rgb = ring.pixel(x, y);
+      if (rgb[0] < 200 || rgb[1] > 80) continue;
+      const auto triangle = std::move(renderer_->pick(camera_, kSize, {x, y})).value();
+      ASSERT_TRUE(triangle.has_value());
+      const Ray ray = pixel_ray(camera_, kSize, Eigen::Vector2d(x + 0.5, y + 0.5));
+      const auto hit = point_on_triangle({mesh_, displacements}, ray, *triangle);
+      ASSERT_TRUE(hit.has_value());
+      EXPECT_NEAR((hit->original - front).norm(), 0.4, 0.04) << x << " " << y;
+      ++drawn;
+    }
+  }
+  EXPECT_GT(drawn, 100);
+}
+
 TEST_F(DisplacedPicture, PicksTheTriangleThatAllTriangleTestsFind) {
   NullRenderer reference;
   ASSERT_TRUE(reference.upload_mesh(mesh_).is_ok());

@@ -1,0 +1,173 @@
+#include "client/model/workspace.h"
+
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "client/null_renderer.h"
+#include "tests/system/link.h"
+#include "tests/system/server_process.h"
+
+namespace burnish {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+using testing::HasSubstr;
+
+/// The window without a window: everything that it does, on a session over a sphere.
+class WorkspaceService : public testing::Test {
+ protected:
+  WorkspaceService() {
+    EXPECT_TRUE(owner_.import_scan(write_sphere(server_.folder, 3), "ball", {5, 0}, {}).is_ok());
+    EXPECT_TRUE(owner_.open_session({"ball", "work", {5, 0}}).is_ok());
+    workspace_.viewport.set_size({400, 300});
+  }
+
+  /// One picture after the other.
+  template <typename What>
+  bool until(What what) {
+    const auto end = steady_clock::now() + kPatience;
+    while (steady_clock::now() < end) {
+      EXPECT_TRUE(workspace_.update().is_ok());
+      if (what()) return true;
+      std::this_thread::sleep_for(milliseconds(5));
+    }
+    return false;
+  }
+
+  bool open_through(const std::string& server) {
+    workspace_.when_connected([this] { workspace_.join_by_name("work"); });
+    workspace_.connect(server);
+    return until([this] { return workspace_.document() && document().is_settled(); });
+  }
+
+  bool until_link_is(LinkState state) {
+    return until([&] { return document().link() == state; });
+  }
+
+  Document& document() { return *workspace_.document(); }
+
+  /// A little of all that hands do.
+  void use_everything() {
+    Viewport& viewport = workspace_.viewport;
+    viewport.press(PointerButton::kLeft, {}, {190, 150});
+    for (int x = 190; x <= 220; x += 10) {
+      viewport.move({double(x), 150});
+      EXPECT_TRUE(workspace_.update().is_ok());
+    }
+    viewport.release(PointerButton::kLeft);
+    EXPECT_TRUE(workspace_.update().is_ok());
+    document().preview_beta(0.5);
+    document().commit_beta();
+    document().undo();
+    document().set_checkpoint("here");
+    document().set_role("bert", SessionRole::kViewer);
+    for (ColourBy colour : {ColourBy::kBeta, ColourBy::kCurvature}) document().set_colour(colour);
+    workspace_.export_mesh(server_.folder / "out.ply", false);
+    EXPECT_TRUE(until([this] { return workspace_.is_idle(); }));
+  }
+
+  bool log_has(const std::string& text) const {
+    for (const Message& message : workspace_.log.messages())
+      if (message.text.find(text) != std::string::npos) return true;
+    return false;
+  }
+
+  ServerProcess server_;
+  Connection owner_ = Connection::open(server_.address, kPatience).value();
+  NullRenderer renderer_;
+  Workspace workspace_{renderer_, Preferences(), WorkspaceOptions()};
+};
+
+TEST_F(WorkspaceService, ClosingASessionUnderItsWindowCostsNothing) {
+  ASSERT_TRUE(open_through(server_.address));
+  (void)owner_.close_session("work");  // refused or done: the window goes on
+  document().commit_beta();
+  use_everything();
+  EXPECT_TRUE(until([this] { return document().is_settled(); }));
+  EXPECT_EQ(document().link(), LinkState::kLive);
+}
+
+TEST_F(WorkspaceService, OutlivesItsSessionAndItsScan) {
+  ASSERT_TRUE(open_through(server_.address));
+  workspace_.viewport.press(PointerButton::kLeft, {}, {190, 150});
+  workspace_.viewport.move({200, 150});
+  ASSERT_TRUE(until([this] { return document().brush().is_drawing(); }));
+  ASSERT_TRUE(owner_.delete_session("work").is_ok());
+  ASSERT_TRUE(owner_.delete_scan("ball").is_ok());
+  ASSERT_TRUE(until_link_is(LinkState::kEnded));
+  EXPECT_TRUE(log_has("session ended"));
+  workspace_.viewport.release(PointerButton::kLeft);
+  use_everything();
+  EXPECT_TRUE(workspace_.viewport.style(document()).faded);
+  EXPECT_FALSE(document().brush().is_drawing());
+  workspace_.close_document();
+  ASSERT_TRUE(until([this] { return workspace_.is_idle(); }));
+  EXPECT_TRUE(workspace_.library().scans.empty());
+}
+
+TEST_F(WorkspaceService, BringsWhatWasEditedWhileTheServerWasDead) {
+  ASSERT_TRUE(open_through(server_.address));
+  server_.listen = server_.address;
+  server_.kill();
+  ASSERT_TRUE(until_link_is(LinkState::kLost));
+  document().preview_beta(0.25);
+  document().commit_beta();
+  document().paint({{.radius = 0.3, .beta = 2}, {Vec3d(0, 0, 1)}});
+  EXPECT_TRUE(workspace_.update().is_ok());
+  EXPECT_EQ(document().unacknowledged(), 2u);
+  EXPECT_EQ(document().beta(), 0.25);
+  server_.start();
+  ASSERT_TRUE(until([this] {
+    return document().is_settled() && document().facts().edits == 2 &&
+           document().history().size() == 2;
+  }));
+  EXPECT_EQ(document().beta(), 0.25);
+  EXPECT_EQ(owner_.history("work")->size(), 2u);
+}
+
+TEST_F(WorkspaceService, EditsGoOnWhileTheLinkStallsForTenSeconds) {
+  Link link(server_.address, {.delay = milliseconds(1)});
+  ASSERT_TRUE(open_through(link.address()));
+  link.stall(true);
+  const auto end = steady_clock::now() + std::chrono::seconds(10);
+  size_t edits = 0;
+  for (; steady_clock::now() < end; ++edits) {
+    document().preview_beta(0.5);
+    ASSERT_TRUE(workspace_.update().is_ok());
+    document().commit_beta();
+    workspace_.viewport.move({150.0 + double(edits % 100), 150});
+    ASSERT_TRUE(workspace_.update().is_ok());
+    EXPECT_EQ(document().unacknowledged(), edits + 1);
+    std::this_thread::sleep_for(milliseconds(250));
+  }
+  link.stall(false);
+  ASSERT_TRUE(until([&] { return document().is_settled(); }));
+  EXPECT_EQ(owner_.history("work")->size(), edits);
+}
+
+TEST_F(WorkspaceService, APointerAtRestSeesTheSurfaceThatMovesUnderIt) {
+  ASSERT_TRUE(open_through(server_.address));
+  const Eigen::Vector2d pixel(230, 120), middle = pixel + Eigen::Vector2d(0.5, 0.5);
+  workspace_.viewport.move(pixel);
+  const auto ring_pixel = [&] {
+    const Viewport& viewport = workspace_.viewport;
+    return pixel_of(viewport.camera, viewport.size(), viewport.hover()->displaced);
+  };
+  ASSERT_TRUE(until([&] { return workspace_.viewport.hover().has_value(); }));
+  const Vec3d before = workspace_.viewport.hover()->original;
+  EXPECT_LT((ring_pixel() - middle).norm(), 0.1);
+  document().curve().set_fidelity(5);
+  document().commit_curve();
+  document().preview_beta(0);
+  document().commit_beta();
+  ASSERT_TRUE(until([&] { return document().is_settled() && document().facts().edits == 2; }));
+  ASSERT_TRUE(workspace_.viewport.hover().has_value());
+  EXPECT_LT((ring_pixel() - middle).norm(), 0.1);
+  EXPECT_GT((workspace_.viewport.hover()->original - before).norm(), 0.05);
+}
+
+}  // namespace
+}  // namespace burnish
