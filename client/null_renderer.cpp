@@ -26,7 +26,8 @@ Status NullRenderer::upload_cell_values(std::span<const float> values) {
   return Status::ok();
 }
 
-Status NullRenderer::upload_cell_tint(std::span<const float>, IndexRange) {
+Status NullRenderer::upload_cell_tint(std::span<const float> weights, IndexRange) {
+  cell_tint_.assign(weights.begin(), weights.end());
   return Status::ok();
 }
 

@@ -27,11 +27,13 @@ class NullRenderer : public Renderer {
   const DrawStyle& style() const { return style_; }  ///< of the last draw()
   std::span<const Vec3f> displacements() const { return displacements_; }
   std::span<const float> cell_values() const { return cell_values_; }
+  std::span<const float> cell_tint() const { return cell_tint_; }
 
  private:
   ViewMesh mesh_;
   std::vector<Vec3f> displacements_;
   std::vector<float> cell_values_;
+  std::vector<float> cell_tint_;
   uint64_t draw_count_ = 0;
   Camera camera_;
   DrawStyle style_;

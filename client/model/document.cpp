@@ -44,8 +44,10 @@ void Document::send_as(const std::string& id, Change change) {
   const Edit edit{id, std::move(change)};
   recorder_.record(edit);
   const Status sent = live_->apply({edit});
-  if (!sent.is_ok()) log_.failure("edit", sent);
   unacknowledged_ += sent.is_ok();
+  if (sent.is_ok()) return;
+  log_.failure("edit", sent);
+  forget_strokes();
 }
 
 void Document::preview_beta(double beta) {
@@ -121,6 +123,13 @@ void Document::end_stroke() {
 void Document::cancel_stroke() {
   brush_.cancel();
   live_->drop_preview(std::exchange(gesture_, {}));
+  tint_changed_ = united(tint_changed_, tint_.clear());
+}
+
+// No frame will show them.
+void Document::forget_strokes() {
+  if (brush_.is_drawing()) cancel_stroke();
+  tinted_.clear();
   tint_changed_ = united(tint_changed_, tint_.clear());
 }
 

@@ -115,6 +115,7 @@ class Document {
   void handle(const LiveEvent& event);
   void follow_server(const HistoryChanged& change);
   void show_begun_stroke();
+  void forget_strokes();
   void add_dabs(const std::vector<Vec3d>& points);
   void refresh_history();
   void refresh_cells();

@@ -50,8 +50,10 @@ void Document::handle(const LiveEvent& event) {
                    link_reason_ = change.reason;
                    if (change.state == LinkState::kLost)
                      log_.warning("connection lost: " + change.reason);
-                   if (change.state == LinkState::kEnded)
+                   if (change.state == LinkState::kEnded) {
                      log_.add(Severity::kError, "session ended: " + change.reason);
+                     forget_strokes();
+                   }
                    if (change.state == LinkState::kLive)
                      log_.info("connected to " + opened_.server);
                  },
@@ -66,9 +68,7 @@ void Document::handle(const LiveEvent& event) {
                  },
                  [&](const RefusedEdits& refused) {
                    log_.failure("edit refused", refused.why);
-                   tinted_.clear();
-                   tint_changed_ = united(tint_changed_, tint_.clear());
-                   if (brush_.is_drawing()) cancel_stroke();
+                   forget_strokes();
                  },
                  [&](const EditsShown& shown) {
                    shown_after_ms_ = shown.latency_ms;

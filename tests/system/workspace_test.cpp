@@ -14,7 +14,6 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
-using testing::HasSubstr;
 
 /// The window without a window: everything that it does, on a session over a sphere.
 class WorkspaceService : public testing::Test {
@@ -81,10 +80,9 @@ class WorkspaceService : public testing::Test {
   Workspace workspace_{renderer_, Preferences(), WorkspaceOptions()};
 };
 
-TEST_F(WorkspaceService, ClosingASessionUnderItsWindowCostsNothing) {
+TEST_F(WorkspaceService, ComesBackToASessionThatItsOwnerClosed) {
   ASSERT_TRUE(open_through(server_.address));
-  (void)owner_.close_session("work");  // refused or done: the window goes on
-  document().commit_beta();
+  ASSERT_TRUE(owner_.close_session("work").is_ok());
   use_everything();
   EXPECT_TRUE(until([this] { return document().is_settled(); }));
   EXPECT_EQ(document().link(), LinkState::kLive);
@@ -103,6 +101,7 @@ TEST_F(WorkspaceService, OutlivesItsSessionAndItsScan) {
   use_everything();
   EXPECT_TRUE(workspace_.viewport.style(document()).faded);
   EXPECT_FALSE(document().brush().is_drawing());
+  EXPECT_THAT(renderer_.cell_tint(), testing::Each(0.0f));  // no frame will show those strokes
   workspace_.close_document();
   ASSERT_TRUE(until([this] { return workspace_.is_idle(); }));
   EXPECT_TRUE(workspace_.library().scans.empty());
