@@ -6,7 +6,7 @@ namespace burnish {
 
 // Indices, half a vertex, its share of cells and corners; and as much again for everything else.
 static constexpr uint64_t kBytesPerTriangle = 200;
-static constexpr uint64_t kSoftwareTrianglesMax = 1'500'000;
+static constexpr uint64_t kSoftwareTrianglesMax = 200'000;
 
 Capabilities card_capabilities() {
   const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
