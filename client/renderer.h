@@ -19,8 +19,8 @@ enum class Colouring {
 };
 
 /// A brush's outline: all points of the original surface at this distance of its centre, wherever
-/// they are now. Round on the surface as it was; as bent as the surface is where edits stretched it,
-/// so that the brush changes what lies inside, and nothing else.
+/// they are now. Round on the surface as it was; as bent as the surface is where edits stretched
+/// it, so that the brush changes what lies inside, and nothing else.
 struct Ring {
   Vec3d centre = Vec3d::Zero();  ///< file units, on the original surface
   double radius = 0;             ///< file units
