@@ -1,4 +1,5 @@
 #include <iostream>
+#include <malloc.h>
 #include <optional>
 #include <thread>
 
@@ -157,6 +158,9 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
 }  // namespace burnish
 
 int main(int argc, char** argv) {
+  // glibc gives nearly every thread a heap of its own, and what a session took stays in many of
+  // them: fourteen sessions opened and closed in turn left 326 MB resident, with two heaps 131.
+  mallopt(M_ARENA_MAX, 2);
   int exit_code = 0;
   const auto line = burnish::parse_command_line(argc, argv, exit_code);
   if (!line) return exit_code;
