@@ -97,7 +97,7 @@ class SectionReader {
     if (!words.is_ok())
       return words.status().with_context(std::string("view: section ") + kNames[next_]);
     elements.resize(header_.elements[next_]);
-    std::memcpy(elements.data(), words->data(), size);
+    if (size > 0) std::memcpy(elements.data(), words->data(), size);
     body_ = body_.subspan(section.size());
     ++next_;
     return Status::ok();
