@@ -10,7 +10,7 @@ namespace burnish {
 
 // A channel that leads nowhere and is never destroyed; its one call fails at once.
 void keep_callback_threads() {
-  static const auto* const kept = [] {
+  [[gnu::used]] static const auto* kept = [] {
     auto* channel = new std::shared_ptr<grpc::Channel>(grpc::CreateChannel("", nullptr));
     grpc::ClientContext context;
     const v1::GetStateRequest request;
@@ -21,7 +21,6 @@ void keep_callback_threads() {
     done.get_future().wait();
     return channel;
   }();
-  static_cast<void>(kept);
 }
 
 }  // namespace burnish
