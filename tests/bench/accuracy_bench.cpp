@@ -1,27 +1,25 @@
 // Every row of the accuracy table (ARCHITECTURE section 5): how far the vertices of a session are
 // from the converged surface when it is settled, exact, and after so many frames.
 //
-//     accuracy_bench [--json FILE] [--rows TEXT] [--soak] [--vertices N] [SCAN[:DEPTH]]...
+//     accuracy_bench [--json FILE] [--rows TEXT] [--soak] [SCAN[@DEPTH]]...
 //
-// SCAN is a mesh file or the kind of a generated scan of N vertices; without any: every kind. The
-// depth is the scan's default unless given. --rows keeps the rows whose name holds TEXT. --soak
-// leaves converged sessions idle for 2,000 frames instead.
+// SCAN is a mesh file or KIND:VERTICES of a generated scan; without any: every kind. The depth is
+// the scan's default unless given. --rows keeps the rows whose name holds TEXT. --soak leaves
+// converged sessions idle for 2,000 frames instead. Ends with 1 where a bar is missed.
 
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 
 #include <nlohmann/json.hpp>
 
-#include "common/base/limits.h"
 #include "common/mesh/generate.h"
-#include "common/mesh/mesh_io.h"
 #include "server/prepare/prepare.h"
 #include "server/session/session.h"
 #include "tests/bench/accuracy_converged.h"
 #include "tests/bench/accuracy_runs.h"
 #include "tests/bench/accuracy_soak.h"
+#include "tests/bench/input.h"
 #include "tests/reference/compare.h"
 
 namespace burnish {
@@ -30,11 +28,12 @@ namespace {
 using nlohmann::ordered_json;
 using Kind = AccuracyStop::Kind;
 
+constexpr const char* kVerticesOfAKind = ":60000";
+
 struct Options {
   std::string json_file;
   std::string rows;
   bool soak = false;
-  uint64_t vertices = 60'000;
   std::vector<std::string> scans;
 };
 
@@ -45,20 +44,12 @@ struct Scan {
   std::shared_ptr<const Hierarchy> hierarchy;
 };
 
-TriangleMesh load(const std::string& name, uint64_t vertices) {
-  for (const GeneratedScanKind& kind : generated_scan_kinds())
-    if (kind.name == name) return generate_scan({.kind = name, .vertices = vertices}).value();
-  return read_mesh(name).value();
-}
-
-// "SCAN:DEPTH" or "SCAN".
-Scan open_scan(const std::string& argument, uint64_t vertices) {
-  const size_t colon = argument.rfind(':');
+Result<Scan> open_scan(const std::string& text) {
+  ASSIGN_OR_RETURN(const ScanArgument argument, parse_scan(text));
   Scan scan;
-  scan.name = argument.substr(0, colon);
-  scan.mesh = load(scan.name, vertices);
-  const int depth = colon == std::string::npos ? 0 : std::atoi(argument.c_str() + colon + 1);
-  scan.prepared = prepare(scan.mesh, {.depth = depth}).value();
+  scan.name = argument.name();
+  ASSIGN_OR_RETURN(scan.mesh, load_mesh(argument));
+  ASSIGN_OR_RETURN(scan.prepared, prepare(scan.mesh, {.depth = depth_of(argument, scan.mesh)}));
   scan.hierarchy = make_hierarchy(*scan.prepared);
   std::printf("%s, depth %d: %zu vertices, %d corners\n", scan.name.c_str(),
               scan.prepared->frame.depth, scan.mesh.vertices.size(),
@@ -155,8 +146,6 @@ Options parse(const std::vector<std::string>& arguments) {
       options.json_file = arguments[++i];
     else if (arguments[i] == "--rows" && has_next)
       options.rows = arguments[++i];
-    else if (arguments[i] == "--vertices" && has_next)
-      options.vertices = std::strtoull(arguments[++i].c_str(), nullptr, 10);
     else if (arguments[i] == "--soak")
       options.soak = true;
     else
@@ -164,15 +153,16 @@ Options parse(const std::vector<std::string>& arguments) {
   }
   if (options.scans.empty())
     for (const GeneratedScanKind& kind : generated_scan_kinds())
-      options.scans.emplace_back(kind.name);
+      options.scans.push_back(std::string(kind.name) + kVerticesOfAKind);
   return options;
 }
 
-int main_of(const Options& options) {
+/// How many rows missed their bar.
+Result<int> run(const Options& options) {
   ordered_json report;
   int missed = 0;
   for (const std::string& argument : options.scans) {
-    const Scan scan = open_scan(argument, options.vertices);
+    ASSIGN_OR_RETURN(const Scan scan, open_scan(argument));
     ordered_json out = {{"scan", scan.name}, {"depth", scan.prepared->frame.depth}};
     missed += options.soak ? soak(scan.prepared, scan.hierarchy, out) : bench(scan, options, out);
     report["scans"].push_back(std::move(out));
@@ -180,7 +170,14 @@ int main_of(const Options& options) {
   std::printf("%d rows missed\n", missed);
   report["missed"] = missed;
   if (!options.json_file.empty()) std::ofstream(options.json_file) << report.dump(2) << "\n";
-  return missed > 0;
+  return missed;
+}
+
+int main_of(const Options& options) {
+  const Result<int> missed = run(options);
+  if (missed.is_ok()) return missed.value() > 0;
+  std::cerr << "accuracy_bench: " << missed.status().message() << "\n";
+  return 2;
 }
 
 }  // namespace
