@@ -204,6 +204,7 @@ void draw_an_edit(Studio& studio) {
   studio.toggle_figures();
   studio.save("figures", {768, 28, 268, 204});
   studio.move(830, 400);
+  Studio::pause(1000);
   studio.save("window", {0, 0, 1280, 720});
 }
 
@@ -273,10 +274,12 @@ void draw_people(Studio& studio) {
 
 void draw_dialogs(Studio& studio) {
   studio.key({"Shift_L", "question"});
+  Studio::pause(1000);
   studio.save("keys", {400, 70, 490, 590});
   studio.key({"Escape"});
   studio.key({"Control_L", "e"});
   studio.move(640, 600);
+  Studio::pause(1000);
   studio.save("export", {395, 280, 490, 160});
   studio.click(427, 381);  // exact
   constexpr Box kToasts{280, 630, 520, 90};
@@ -285,6 +288,7 @@ void draw_dialogs(Studio& studio) {
   studio.rest();
   studio.save("exporting", in_rows({exporting, studio.crop(kToasts)}, 1));
   studio.key({"l"});
+  Studio::pause(1000);
   studio.save("messages", {320, 195, 640, 330});
   studio.key({"Escape"});
 }
