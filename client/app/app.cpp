@@ -26,6 +26,7 @@ Status App::run(AppOptions options, Preferences preferences) {
   RETURN_IF_ERROR(app.start(std::move(preferences)));
   const Status status = app.loop();
   const ImageSize size = app.window_->size();
+  app.window_->hide();  // calls under way may wait for their server a little longer
   if (size.width > 0) {
     app.workspace_->preferences.window_width = size.width;
     app.workspace_->preferences.window_height = size.height;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "client/app/app.h"
 #include "client/app/key_help.h"
@@ -158,7 +157,7 @@ void App::draw_split_line() const {
     return ImVec2(static_cast<float>(picture_.x + x) / pixels.x,
                   static_cast<float>(picture_.y + y) / pixels.y);
   };
-  const double middle = std::round(view.split_at * picture_.size.width);
+  const int middle = split_column(view.split_at, picture_.size.width);
   const ImVec2 low = place(middle, 0), high = place(middle, picture_.size.height);
   ImDrawList* const list = ImGui::GetBackgroundDrawList();
   const ImU32 dark = ImGui::ColorConvertFloat4ToU32(theme::kPanel);

@@ -68,6 +68,11 @@ void Window::close() {
   glfwSetWindowShouldClose(window_, GLFW_TRUE);
 }
 
+void Window::hide() {
+  glfwHideWindow(window_);
+  glfwPollEvents();
+}
+
 void Window::wait(double seconds) {
   if (seconds > 0) {
     glfwWaitEventsTimeout(seconds);

@@ -41,6 +41,8 @@ class Window {
 
   bool should_close() const;
   void close();
+  /// From the screen, at once; what it holds lives on.
+  void hide();
 
   /// Waits until something happens, or so long.
   void wait(double seconds);

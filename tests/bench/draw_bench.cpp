@@ -54,7 +54,7 @@ class Bench {
   Result<Vec3d> look() {
     x_ = kSize.width / 2 - 100 + (x_ + 7) % 200;
     const Eigen::Vector2i pixel(x_, kSize.height / 2);
-    ASSIGN_OR_RETURN(const auto triangle, renderer_->pick(camera_, kSize, pixel));
+    ASSIGN_OR_RETURN(const auto triangle, renderer_->pick(camera_, kSize, pixel, false));
     if (!triangle) return not_found("nothing lies under the pointer");
     const Ray ray = pixel_ray(camera_, kSize, pixel.cast<double>() + Eigen::Vector2d(0.5, 0.5));
     const auto hit = point_on_triangle({mesh_, displacements_}, ray, *triangle);

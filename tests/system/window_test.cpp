@@ -8,6 +8,7 @@
 #include "client/png_writer.h"
 #include "common/mesh/generate.h"
 #include "common/mesh/mesh_io.h"
+#include "tests/system/link.h"
 #include "tests/system/server_process.h"
 #include "tests/system/x_display.h"
 
@@ -20,6 +21,7 @@ constexpr ImageSize kScreen{1280, 720};
 constexpr int kPictureX = 660, kPictureY = 380, kReach = 120;
 constexpr int kBetaY = 119, kBetaMiddleX = 107, kBetaLeftX = 30;
 constexpr int kPlotX = 200, kPlotY = 290;
+constexpr int kColourX = 1160, kColourY = 71, kBetaColourY = 119;
 
 class WindowTest : public testing::Test {
  protected:
@@ -36,14 +38,14 @@ class WindowTest : public testing::Test {
     connection_ = std::make_unique<Connection>(
         std::move(Connection::open(server_->address, kPatience)).value());
     screen_ = std::make_unique<XDisplay>(kScreen);
-    open_window();
   }
 
-  void open_window() {
+  void open_window(const std::string& timeout_seconds = "10", const std::string& scale = "1") {
     setenv("DISPLAY", screen_->name().c_str(), 1);
-    window_ = server_->start_burnish({"window", "--session", "desk", "--user", "ada", "--scale",
-                                      "1", "--width", "1280", "--height", "720", "--config",
-                                      (server_->folder / "window.toml").string()});
+    window_ =
+        server_->start_burnish({"window", "--session", "desk", "--user", "ada", "--scale", scale,
+                                "--width", "1280", "--height", "720", "--timeout", timeout_seconds,
+                                "--config", (server_->folder / "window.toml").string()});
     screen_->focus_window();
     ASSERT_TRUE(eventually([&] { return is_surface(screen_->capture()); })) << window_->output();
     settle();
@@ -63,10 +65,10 @@ class WindowTest : public testing::Test {
     double brightness = 0;
     double warmth = 0;  // red over blue: clay is warm, panels and background are cold
   };
-  static Tone tone_of(const Image& image) {
+  Tone tone_of(const Image& image) const {
     Tone sum;
     for (int y = kPictureY - kReach; y < kPictureY + kReach; ++y) {
-      for (int x = kPictureX - kReach; x < kPictureX + kReach; ++x) {
+      for (int x = middle_x_ - kReach; x < middle_x_ + kReach; ++x) {
         const uint8_t* rgb = image.pixel(x, y);
         sum.brightness += rgb[1];
         sum.warmth += int{rgb[0]} - int{rgb[2]};
@@ -76,14 +78,14 @@ class WindowTest : public testing::Test {
     return {sum.brightness / count, sum.warmth / count};
   }
 
-  static bool is_surface(const Image& image) { return tone_of(image).warmth > 5; }
+  bool is_surface(const Image& image) const { return tone_of(image).warmth > 5; }
 
   // Mean difference of a square around the middle of the picture.
-  static double difference(const Image& a, const Image& b) {
+  double difference(const Image& a, const Image& b) const {
     double sum = 0;
     int count = 0;
     for (int y = kPictureY - kReach; y < kPictureY + kReach; ++y)
-      for (int x = kPictureX - kReach; x < kPictureX + kReach; ++x)
+      for (int x = middle_x_ - kReach; x < middle_x_ + kReach; ++x)
         for (int c = 0; c < 3; ++c, ++count)
           sum += std::abs(int{a.pixel(x, y)[c]} - int{b.pixel(x, y)[c]});
     return sum / count;
@@ -128,6 +130,7 @@ class WindowTest : public testing::Test {
     return on;
   }
 
+  int middle_x_ = kPictureX;  // of the picture
   std::unique_ptr<ServerProcess> server_;
   std::unique_ptr<Connection> connection_;
   std::unique_ptr<XDisplay> screen_;
@@ -135,6 +138,7 @@ class WindowTest : public testing::Test {
 };
 
 TEST_F(WindowTest, AStrokeASliderACurvePointAndUndoChangeTheSessionAndThePicture) {
+  open_window();
   const Image untouched = settle();
 
   screen_->drag(kPictureX - 60, kPictureY, kPictureX + 60, kPictureY);
@@ -165,6 +169,7 @@ TEST_F(WindowTest, AStrokeASliderACurvePointAndUndoChangeTheSessionAndThePicture
 }
 
 TEST_F(WindowTest, TheMiddleButtonTurnsAndHomeComesBackWithoutAnEdit) {
+  open_window();
   const Image front = settle();
   screen_->drag(kPictureX, kPictureY, kPictureX + 200, kPictureY, 2);
   EXPECT_TRUE(until_it_differs(front, 1));
@@ -173,7 +178,35 @@ TEST_F(WindowTest, TheMiddleButtonTurnsAndHomeComesBackWithoutAnEdit) {
   EXPECT_TRUE(history().empty());
 }
 
+// At 200 % there is one column; the history is at its other end.
+TEST_F(WindowTest, InASmallWindowAllPanelsAreInOneColumnThatScrolls) {
+  middle_x_ = 920;
+  open_window("10", "2");
+  constexpr int kColumnX = 300, kForkX = 390, kForkY = 173, kWheelDown = 5;
+  screen_->move(kColumnX, 500);
+  for (int i = 0; i < 30; ++i) {
+    screen_->press(kWheelDown);
+    screen_->release(kWheelDown);
+  }
+  settle();
+  screen_->drag(kForkX, kForkY, kForkX, kForkY);
+  EXPECT_TRUE(eventually([&] { return connection_->list_sessions()->size() == 2; }));
+}
+
+TEST_F(WindowTest, HidesAtOnceThoughACallWaitsForAStalledLink) {
+  Link link(server_->address, {.delay = std::chrono::milliseconds(1)});
+  server_->address = link.address();
+  open_window("600");
+  link.stall(true);
+  screen_->drag(kColourX, kColourY, kColourX, kColourY);          // a list of views
+  screen_->drag(kColourX, kBetaColourY, kColourX, kBetaColourY);  // whose colours are fetched
+  window_->signal(SIGTERM);
+  EXPECT_TRUE(eventually([&] { return !screen_->has_window(); }));
+  EXPECT_FALSE(window_->wait(std::chrono::milliseconds(0)).has_value()) << window_->output();
+}
+
 TEST_F(WindowTest, SurvivesAServerThatDiesMidStrokeAndAWindowOfNoSize) {
+  open_window();
   screen_->move(kPictureX - 60, kPictureY);
   screen_->press(1);
   for (int step = 0; step < 10; ++step) {

@@ -26,6 +26,8 @@ class XDisplay {
 
   /// Waits for the one window, and gives it the keyboard.
   void focus_window();
+  /// A window is to be seen.
+  bool has_window();
   void resize_window(const ImageSize& size);
 
   void move(int x, int y);
@@ -39,6 +41,7 @@ class XDisplay {
   Image capture();
 
  private:
+  unsigned long find_window();
   void flush();
 
   TemporaryFolder folder_;
