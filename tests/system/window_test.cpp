@@ -114,6 +114,16 @@ class WindowTest : public testing::Test {
     return eventually([&] { return difference(picture, settle()) < within; });
   }
 
+  // The start page says so in green.
+  bool window_is_connected() {
+    const Image image = screen_->capture();
+    for (int x = 136; x < 320; ++x) {
+      const uint8_t* rgb = image.pixel(x, 184);
+      if (rgb[1] > 150 && rgb[0] < 140) return true;
+    }
+    return false;
+  }
+
   std::vector<HistoryEntry> history() { return connection_->history("desk").value(); }
 
   // Waits for so many entries and returns the newest.
@@ -203,6 +213,20 @@ TEST_F(WindowTest, HidesAtOnceThoughACallWaitsForAStalledLink) {
   window_->signal(SIGTERM);
   EXPECT_TRUE(eventually([&] { return !screen_->has_window(); }));
   EXPECT_FALSE(window_->wait(std::chrono::milliseconds(0)).has_value()) << window_->output();
+}
+
+TEST_F(WindowTest, FilesThatAreDroppedAreImportedAndTheFirstGoodOneIsOpened) {
+  setenv("DISPLAY", screen_->name().c_str(), 1);
+  window_ = server_->start_burnish({"window", "--user", "ada", "--scale", "1", "--width", "1280",
+                                    "--height", "720", "--config",
+                                    (server_->folder / "window.toml").string()});
+  screen_->focus_window();
+  ASSERT_TRUE(eventually([&] { return window_is_connected(); })) << window_->output();
+  const auto letter = server_->folder.write("letter.txt", "Dear Sir");
+  screen_->drop({letter, write_sphere(server_->folder, 3), write_sphere(server_->folder, 4)});
+  EXPECT_TRUE(eventually([&] { return connection_->list_scans()->size() == 3; }));
+  EXPECT_TRUE(eventually([&] { return is_surface(screen_->capture()); })) << window_->output();
+  EXPECT_EQ(connection_->list_sessions()->size(), 2u);
 }
 
 TEST_F(WindowTest, SurvivesAServerThatDiesMidStrokeAndAWindowOfNoSize) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "client/image.h"
 #include "tests/common/temporary_folder.h"
@@ -37,6 +39,9 @@ class XDisplay {
   void drag(int from_x, int from_y, int to_x, int to_y, int button = 1);
   /// Presses and releases keys by their names, the first ones held: key({"Control_L", "z"}).
   void key(const std::vector<std::string>& names);
+
+  /// Drops files on the middle of the window. Their names need no escapes.
+  void drop(const std::vector<std::filesystem::path>& files);
 
   Image capture();
 
