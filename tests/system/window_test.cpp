@@ -40,13 +40,23 @@ class WindowTest : public testing::Test {
     screen_ = std::make_unique<XDisplay>(kScreen);
   }
 
-  void open_window(const std::string& timeout_seconds = "10", const std::string& scale = "1") {
+  // As `burnish window WORDS...`.
+  void start_window(std::vector<std::string> words) {
     setenv("DISPLAY", screen_->name().c_str(), 1);
-    window_ =
-        server_->start_burnish({"window", "--session", "desk", "--user", "ada", "--scale", scale,
-                                "--width", "1280", "--height", "720", "--timeout", timeout_seconds,
-                                "--config", (server_->folder / "window.toml").string()});
+#ifdef KEEP_LOADED_LIBRARY
+    setenv("LD_PRELOAD", KEEP_LOADED_LIBRARY, 1);
+    setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
+#endif
+    words.insert(words.begin(), "window");
+    words.insert(words.end(), {"--user", "ada", "--width", "1280", "--height", "720", "--config",
+                               (server_->folder / "window.toml").string()});
+    window_ = server_->start_burnish(std::move(words));
+    unsetenv("LD_PRELOAD");
     screen_->focus_window();
+  }
+
+  void open_window(const std::string& timeout_seconds = "10", const std::string& scale = "1") {
+    start_window({"--session", "desk", "--scale", scale, "--timeout", timeout_seconds});
     ASSERT_TRUE(eventually([&] { return is_surface(screen_->capture()); })) << window_->output();
     settle();
   }
@@ -78,7 +88,9 @@ class WindowTest : public testing::Test {
     return {sum.brightness / count, sum.warmth / count};
   }
 
-  bool is_surface(const Image& image) const { return tone_of(image).warmth > 5; }
+  bool is_surface(const Image& image) const {
+    return tone_of(image).warmth > 5;
+  }
 
   // Mean difference of a square around the middle of the picture.
   double difference(const Image& a, const Image& b) const {
@@ -124,7 +136,9 @@ class WindowTest : public testing::Test {
     return false;
   }
 
-  std::vector<HistoryEntry> history() { return connection_->history("desk").value(); }
+  std::vector<HistoryEntry> history() {
+    return connection_->history("desk").value();
+  }
 
   // Waits for so many entries and returns the newest.
   HistoryEntry newest_of(size_t count) {
@@ -216,11 +230,7 @@ TEST_F(WindowTest, HidesAtOnceThoughACallWaitsForAStalledLink) {
 }
 
 TEST_F(WindowTest, FilesThatAreDroppedAreImportedAndTheFirstGoodOneIsOpened) {
-  setenv("DISPLAY", screen_->name().c_str(), 1);
-  window_ = server_->start_burnish({"window", "--user", "ada", "--scale", "1", "--width", "1280",
-                                    "--height", "720", "--config",
-                                    (server_->folder / "window.toml").string()});
-  screen_->focus_window();
+  start_window({"--scale", "1"});
   ASSERT_TRUE(eventually([&] { return window_is_connected(); })) << window_->output();
   const auto letter = server_->folder.write("letter.txt", "Dear Sir");
   screen_->drop({letter, write_sphere(server_->folder, 3), write_sphere(server_->folder, 4)});
