@@ -46,9 +46,11 @@ Result<Image> NullRenderer::read_pixels() {
 }
 
 Result<std::optional<uint32_t>> NullRenderer::pick(const Camera& camera, const ImageSize& size,
-                                                   const Eigen::Vector2i& pixel) {
+                                                   const Eigen::Vector2i& pixel,
+                                                   bool original) {
   const Ray ray = pixel_ray(camera, size, pixel.cast<double>() + Eigen::Vector2d(0.5, 0.5));
-  const auto hit = nearest_hit({mesh_, displacements_}, ray);
+  const std::span<const Vec3f> nowhere;
+  const auto hit = nearest_hit({mesh_, original ? nowhere : displacements_}, ray);
   return hit ? std::optional<uint32_t>(hit->triangle) : std::nullopt;
 }
 

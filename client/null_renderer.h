@@ -19,7 +19,7 @@ class NullRenderer : public Renderer {
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style) override;
   Result<Image> read_pixels() override;
   Result<std::optional<uint32_t>> pick(const Camera& camera, const ImageSize& size,
-                                       const Eigen::Vector2i& pixel) override;
+                                       const Eigen::Vector2i& pixel, bool original) override;
 
   uint64_t triangle_count() const { return mesh_.triangles.size(); }
   uint64_t draw_count() const { return draw_count_; }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -45,6 +47,11 @@ struct DrawStyle {
   bool operator==(const DrawStyle&) const = default;
 };
 
+/// The first column that DrawStyle::split leaves to the surface as it is.
+inline int split_column(double split, int width) {
+  return static_cast<int>(std::lround(std::clamp(split, 0.0, 1.0) * width));
+}
+
 /// Elements first..first+count of an array.
 struct IndexRange {
   size_t first = 0;
@@ -79,9 +86,10 @@ class Renderer {
   /// The last drawn picture. Fails: failed_precondition before the first draw().
   virtual Result<Image> read_pixels() = 0;
 
-  /// The triangle that the middle of a pixel shows, if any, as the surface lies now.
+  /// The triangle that the middle of a pixel shows, if any, as the surface lies now, or as though
+  /// nothing had moved.
   virtual Result<std::optional<uint32_t>> pick(const Camera& camera, const ImageSize& size,
-                                               const Eigen::Vector2i& pixel) = 0;
+                                               const Eigen::Vector2i& pixel, bool original) = 0;
 };
 
 }  // namespace burnish

@@ -26,6 +26,7 @@ Status App::run(AppOptions options, Preferences preferences) {
   RETURN_IF_ERROR(app.start(std::move(preferences)));
   const Status status = app.loop();
   const ImageSize size = app.window_->size();
+  app.window_->hide();  // calls under way may wait for their server a little longer
   if (size.width > 0) {
     app.workspace_->preferences.window_width = size.width;
     app.workspace_->preferences.window_height = size.height;
@@ -125,6 +126,8 @@ bool App::is_in_picture(const Eigen::Vector2d& pixel) const {
   if (at.x() < 0 || at.y() < 0 || at.x() >= picture_.size.width || at.y() >= picture_.size.height)
     return false;
   if (shows_help_ || shows_log_ || export_dialog_.is_open()) return false;
+  constexpr auto kAnyPopup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+  if (ImGui::IsPopupOpen("", kAnyPopup)) return false;  // a click beside it closes it
   return pixel.x() < toasts_.covered_low.x || pixel.x() >= toasts_.covered_high.x ||
          pixel.y() < toasts_.covered_low.y || pixel.y() >= toasts_.covered_high.y;
 }

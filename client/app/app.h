@@ -52,8 +52,8 @@ class App {
   void draw_panels();
   void draw_menu_bar();
   void draw_start_page();
-  void draw_left(float top, float width);
-  void draw_right(float top, float width);
+  void draw_columns(float top, float left, float right);
+  void draw_split_line() const;
   void draw_overlays();
 
   bool is_in_picture(const Eigen::Vector2d& pixel) const;
@@ -73,6 +73,7 @@ class App {
   HistoryPanel history_panel_;
   ViewPanel view_panel_;
   PeoplePanel people_panel_;
+  FiguresPanel figures_panel_;
   Hud hud_;
   Toasts toasts_;
   ExportDialog export_dialog_;

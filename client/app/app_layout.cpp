@@ -46,16 +46,16 @@ void App::draw_panels() {
     const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
     const float top = ImGui::GetFrameHeight();
     const float left = em(kLeftPanelEm);
-    const bool has_room = screen.x > em(kLeftPanelEm + kRightPanelEm + 20);
-    const float right = has_room ? em(kRightPanelEm) : 0;
-    draw_left(top, left);
-    if (has_room) draw_right(top, right);
+    const bool is_wide = screen.x > em(kLeftPanelEm + kRightPanelEm + kPictureEm);
+    const float right = is_wide ? em(kRightPanelEm) : 0;
+    draw_columns(top, left, right);
     picture_ = {static_cast<int>(left * pixels.x),
                 static_cast<int>(top * pixels.y),
                 {static_cast<int>((screen.x - left - right) * pixels.x),
                  static_cast<int>((screen.y - top) * pixels.y)}};
     hud_.upper_right = {screen.x - right, top};
     toasts_.lower_left = {left, screen.y};
+    hud_.shows_figures = is_wide;
     if (shows_hud_) hud_.draw(*workspace_);
   }
   draw_overlays();
@@ -125,28 +125,52 @@ static void draw_section(const char* name, Panel& panel, Workspace& workspace) {
   ImGui::PopID();
 }
 
-void App::draw_left(float top, float width) {
-  ImGui::SetNextWindowPos({0, top});
+static void begin_column(const char* name, float from, float top, float width) {
+  ImGui::SetNextWindowPos({from, top});
   ImGui::SetNextWindowSize({width, ImGui::GetIO().DisplaySize.y - top});
-  ImGui::Begin("##left", nullptr, kFixed);
+  ImGui::Begin(name, nullptr, kFixed);
+}
+
+// Without room for a right column all is in the left one, which scrolls.
+void App::draw_columns(float top, float left, float right) {
+  begin_column("##left", 0, top, left);
   draw_section("Filter", filter_panel_, *workspace_);
   draw_section("Transfer curve α(κ)", curve_panel_, *workspace_);
   draw_section("Brush", brush_panel_, *workspace_);
-  ImGui::End();
-}
-
-void App::draw_right(float top, float width) {
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x - width, top});
-  ImGui::SetNextWindowSize({width, screen.y - top});
-  ImGui::Begin("##right", nullptr, kFixed);
+  if (right > 0) {
+    ImGui::End();
+    begin_column("##right", ImGui::GetIO().DisplaySize.x - right, top, right);
+  }
   draw_section("View", view_panel_, *workspace_);
   draw_section("History", history_panel_, *workspace_);
   draw_section("People", people_panel_, *workspace_);
+  if (right == 0 && shows_hud_) draw_section("Figures", figures_panel_, *workspace_);
   ImGui::End();
 }
 
+// Which side is which.
+void App::draw_split_line() const {
+  const ViewOptions& view = workspace_->viewport.options;
+  if (!view.split || !workspace_->document()) return;
+  const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
+  const auto place = [&](double x, double y) {
+    return ImVec2(static_cast<float>(picture_.x + x) / pixels.x,
+                  static_cast<float>(picture_.y + y) / pixels.y);
+  };
+  const int middle = split_column(view.split_at, picture_.size.width);
+  const ImVec2 low = place(middle, 0), high = place(middle, picture_.size.height);
+  ImDrawList* const list = ImGui::GetBackgroundDrawList();
+  const ImU32 dark = ImGui::ColorConvertFloat4ToU32(theme::kPanel);
+  list->AddLine(low, high, dark, em(0.1f));
+  const float pad = em(0.6f);
+  const float line = ImGui::GetTextLineHeight();
+  const char* const left = "original";
+  list->AddText({low.x - ImGui::CalcTextSize(left).x - pad, high.y - line - pad}, dark, left);
+  list->AddText({low.x + pad, high.y - line - pad}, dark, "edited");
+}
+
 void App::draw_overlays() {
+  draw_split_line();
   toasts_.draw(*workspace_);
   if (shows_log_) draw_message_log(workspace_->log, shows_log_);
   if (shows_help_) draw_key_help(bindings_, shows_help_);

@@ -25,7 +25,8 @@ Chip chip_of(const Document& document) {
   }
   if (document.facts().frames == 0) return {"waiting for the first frame", theme::kBusy};
   if (!document.facts().settled) return {"converging", theme::kBusy};
-  return document.is_settled() ? Chip{"settled", theme::kGood} : Chip{"saving", theme::kBusy};
+  if (!document.is_settled()) return {"saving", theme::kBusy};
+  return {document.facts().exact ? "exact" : "settled", theme::kGood};
 }
 
 void row(const char* name, const char* format, ...) IM_FMTARGS(2);
@@ -54,6 +55,10 @@ void draw_facts(const Document& document) {
 
 }  // namespace
 
+void FiguresPanel::draw(Workspace& workspace) {
+  draw_facts(*workspace.document());
+}
+
 void Hud::draw(Workspace& workspace) {
   const Document& document = *workspace.document();
   const float margin = em(0.7f);
@@ -65,7 +70,7 @@ void Hud::draw(Workspace& workspace) {
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings);
   const Chip chip = chip_of(document);
   ImGui::TextColored(chip.colour, "%s", chip.text);
-  if (document.facts().frames > 0) draw_facts(document);
+  if (shows_figures && document.facts().frames > 0) draw_facts(document);
   if (workspace.viewport.navigate_mode) faint_text("left button turns (N)");
   ImGui::End();
 }

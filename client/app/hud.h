@@ -6,12 +6,19 @@
 
 namespace burnish {
 
+/// What the newest frame was told with, and how the link does.
+class FiguresPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
 /// The state of the solver and of the link, over the picture.
 class Hud : public Panel {
  public:
   void draw(Workspace& workspace) override;
 
   ImVec2 upper_right{0, 0};  ///< of the picture
+  bool shows_figures = true;
 };
 
 }  // namespace burnish

@@ -77,9 +77,9 @@ void StartPage::draw(Workspace& workspace) {
   const float width = ImGui::GetContentRegionAvail().x;
   const float left = std::max(em(20), 0.34f * width);
   ImGui::SetCursorPosY(em(1.2f));
-  ImGui::SetWindowFontScale(1.6f);
+  ImGui::PushFont(title_font());
   ImGui::TextUnformatted("Burnish");
-  ImGui::SetWindowFontScale(1);
+  ImGui::PopFont();
   faint_text("smooths and sharpens scanned surfaces");
   ImGui::Dummy({0, em(0.6f)});
   ImGui::BeginChild("##left", {left, 0});

@@ -37,9 +37,9 @@ void draw_scans(Workspace& workspace) {
   const Library& library = workspace.library();
   if (library.scans.empty()) faint_text("none yet");
   if (library.scans.empty() || !ImGui::BeginTable("##scans", 4, kTable)) return;
-  ImGui::TableSetupColumn("name", 0, 5);
-  ImGui::TableSetupColumn("triangles", 0, 2);
-  ImGui::TableSetupColumn("surface", 0, 3);
+  ImGui::TableSetupColumn("name", 0, 1);
+  ImGui::TableSetupColumn("triangles", ImGuiTableColumnFlags_WidthFixed, em(5));
+  ImGui::TableSetupColumn("surface", ImGuiTableColumnFlags_WidthFixed, em(5));
   ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, em(4.5f));
   ImGui::TableHeadersRow();
   for (const ScanInfo& scan : library.scans) {
@@ -63,10 +63,10 @@ void draw_sessions(Workspace& workspace) {
   const Library& library = workspace.library();
   if (library.sessions.empty()) faint_text("none yet");
   if (library.sessions.empty() || !ImGui::BeginTable("##sessions", 4, kTable)) return;
-  ImGui::TableSetupColumn("name", 0, 5);
-  ImGui::TableSetupColumn("scan", 0, 3);
-  ImGui::TableSetupColumn("edits", 0, 1);
-  ImGui::TableSetupColumn("depth", 0, 1);
+  ImGui::TableSetupColumn("name", 0, 1);
+  ImGui::TableSetupColumn("scan", 0, 1);
+  ImGui::TableSetupColumn("edits", ImGuiTableColumnFlags_WidthFixed, em(3.5f));
+  ImGui::TableSetupColumn("depth", ImGuiTableColumnFlags_WidthFixed, em(4));
   ImGui::TableHeadersRow();
   for (const SessionInfo& session : library.sessions) {
     ImGui::PushID(session.id.c_str());

@@ -8,6 +8,7 @@ namespace burnish {
 
 static constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 static constexpr float kFontPixels = 14;
+static constexpr float kTitlePixels = 22;
 
 static void load_font(float scale) {
   // Latin, Greek, general punctuation, arrows, mathematical operators.
@@ -18,6 +19,7 @@ static void load_font(float scale) {
   std::error_code error;
   if (std::filesystem::exists(kFontFile, error)) {
     io.Fonts->AddFontFromFileTTF(kFontFile, std::round(kFontPixels * scale), nullptr, kRanges);
+    io.Fonts->AddFontFromFileTTF(kFontFile, std::round(kTitlePixels * scale));
     return;
   }
   ImFontConfig config;
@@ -34,9 +36,12 @@ static void set_colours(ImGuiStyle& style) {
   colours[ImGuiCol_PopupBg] = {0.12f, 0.13f, 0.14f, 0.98f};
   colours[ImGuiCol_MenuBarBg] = {0.11f, 0.12f, 0.13f, 1.0f};
   colours[ImGuiCol_Border] = {0.30f, 0.32f, 0.35f, 0.60f};
-  colours[ImGuiCol_FrameBg] = {0.22f, 0.235f, 0.255f, 1.0f};
-  colours[ImGuiCol_FrameBgHovered] = {0.27f, 0.29f, 0.32f, 1.0f};
-  colours[ImGuiCol_FrameBgActive] = {0.30f, 0.33f, 0.37f, 1.0f};
+  colours[ImGuiCol_FrameBg] = {0.245f, 0.262f, 0.285f, 1.0f};
+  colours[ImGuiCol_FrameBgHovered] = {0.29f, 0.31f, 0.34f, 1.0f};
+  colours[ImGuiCol_FrameBgActive] = {0.32f, 0.35f, 0.39f, 1.0f};
+  colours[ImGuiCol_TableHeaderBg] = {0.18f, 0.195f, 0.215f, 1.0f};
+  colours[ImGuiCol_TableBorderLight] = {0.26f, 0.28f, 0.31f, 1.0f};
+  colours[ImGuiCol_TitleBgActive] = {0.21f, 0.25f, 0.30f, 1.0f};
   colours[ImGuiCol_Header] = {0.21f, 0.25f, 0.30f, 1.0f};
   colours[ImGuiCol_HeaderHovered] = {0.26f, 0.33f, 0.42f, 1.0f};
   colours[ImGuiCol_HeaderActive] = {0.28f, 0.38f, 0.50f, 1.0f};
@@ -63,6 +68,10 @@ void apply_theme(float scale) {
   style.WindowPadding = {11, 10};
   style.GrabMinSize = 12;
   style.ScaleAllSizes(scale);
+}
+
+ImFont* title_font() {
+  return ImGui::GetIO().Fonts->Fonts.back();
 }
 
 void faint_text(const char* format, ...) {

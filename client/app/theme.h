@@ -13,10 +13,14 @@ inline float em(float count) {
 
 inline constexpr float kLeftPanelEm = 20;
 inline constexpr float kRightPanelEm = 17;
+inline constexpr float kPictureEm = 20;  // at least, between both
 
 /// Fonts, colours and spacing for this scale (1: 96 dots per inch). Between frames only.
 /// Falls back to ImGui's own font, which has no Greek letters, where DejaVu Sans is not installed.
 void apply_theme(float scale);
+
+/// For headings: larger, Latin letters alone.
+ImFont* title_font();
 
 namespace theme {
 inline const ImVec4 kText{0.90f, 0.91f, 0.92f, 1.0f};

@@ -78,7 +78,7 @@ void draw_message_log(const MessageLog& log, bool& is_open) {
       localtime_r(&seconds, &local);
       std::strftime(text, sizeof text, "%T", &local);
       faint_text("%s", text);
-      ImGui::SameLine(em(5));
+      ImGui::SameLine(em(6));
       ImGui::PushStyleColor(ImGuiCol_Text, colour_of(message->severity));
       ImGui::TextWrapped("%s", message->text.c_str());
       ImGui::PopStyleColor();

@@ -40,6 +40,9 @@ Result<std::unique_ptr<Window>> Window::create(const ImageSize& size, double sca
   glfwMakeContextCurrent(handle);
   glfwSwapInterval(1);
   glfwSetWindowUserPointer(handle, window.get());
+  Eigen::Vector2d pointer;
+  glfwGetCursorPos(handle, &pointer.x(), &pointer.y());
+  window->pointer_.move(pointer);
   WindowCallbacks::install(handle);  // ImGui calls these after its own
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // what is remembered is in our own file
@@ -63,6 +66,11 @@ bool Window::should_close() const {
 
 void Window::close() {
   glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
+void Window::hide() {
+  glfwHideWindow(window_);
+  glfwPollEvents();
 }
 
 void Window::wait(double seconds) {
@@ -93,15 +101,20 @@ void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(window_, title.c_str());
 }
 
-Eigen::Vector2d Window::to_pixels(double x, double y) const {
+Eigen::Vector2d Window::to_pixels(const Eigen::Vector2d& place) const {
   const ImageSize screen = size(), pixels = framebuffer_size();
-  return {x * pixels.width / std::max(1, screen.width),
-          y * pixels.height / std::max(1, screen.height)};
+  return {place.x() * pixels.width / std::max(1, screen.width),
+          place.y() * pixels.height / std::max(1, screen.height)};
 }
 
 void Window::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  const PointerQueue::State& pointer = pointer_.next();
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = {static_cast<float>(pointer.place.x()), static_cast<float>(pointer.place.y())};
+  std::copy(pointer.down.begin(), pointer.down.end(), io.MouseDown);
+  dirty_ |= pointer_.has_more();
   ImGui::NewFrame();
 }
 

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "client/image.h"
+#include "client/model/pointer_queue.h"
 #include "client/model/viewport.h"
 #include "common/base/status.h"
 
@@ -40,6 +41,8 @@ class Window {
 
   bool should_close() const;
   void close();
+  /// From the screen, at once; what it holds lives on.
+  void hide();
 
   /// Waits until something happens, or so long.
   void wait(double seconds);
@@ -60,10 +63,11 @@ class Window {
  private:
   Window(GLFWwindow* window, WindowEvents events) : window_(window), events_(std::move(events)) {}
   friend struct WindowCallbacks;
-  Eigen::Vector2d to_pixels(double x, double y) const;
+  Eigen::Vector2d to_pixels(const Eigen::Vector2d& place) const;
 
   GLFWwindow* window_;
   WindowEvents events_;
+  PointerQueue pointer_;  // in the screen's coordinates
   bool dirty_ = true;
 };
 

@@ -9,6 +9,8 @@
 
 namespace burnish {
 
+static constexpr double kNowhere = -1e6;  // on no panel
+
 static Window& window_of(GLFWwindow* window) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
@@ -49,16 +51,17 @@ static PointerButton button_of(int button) {
   return button == GLFW_MOUSE_BUTTON_RIGHT ? PointerButton::kRight : PointerButton::kLeft;
 }
 
+// Events come in bulk when pictures take long: where the pointer was then is what the moves before
+// said, not where it is now.
 void WindowCallbacks::press(GLFWwindow* window, int button, int action, int modifiers) {
   Window& self = window_of(window);
   self.dirty_ = true;
-  if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
-  double x = 0, y = 0;
-  glfwGetCursorPos(window, &x, &y);
+  if (button >= kPointerButtons) return;
+  self.pointer_.press(button, action == GLFW_PRESS);
   const Modifiers held{(modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0,
                        (modifiers & GLFW_MOD_ALT) != 0};
   if (action == GLFW_PRESS) {
-    self.events_.press(button_of(button), held, self.to_pixels(x, y));
+    self.events_.press(button_of(button), held, self.to_pixels(self.pointer_.place()));
   } else {
     self.events_.release(button_of(button));
   }
@@ -67,15 +70,14 @@ void WindowCallbacks::press(GLFWwindow* window, int button, int action, int modi
 void WindowCallbacks::move(GLFWwindow* window, double x, double y) {
   Window& self = window_of(window);
   self.dirty_ = true;
-  self.events_.move(self.to_pixels(x, y));
+  self.pointer_.move({x, y});
+  self.events_.move(self.to_pixels({x, y}));
 }
 
 void WindowCallbacks::wheel(GLFWwindow* window, double, double y) {
   Window& self = window_of(window);
   self.dirty_ = true;
-  double at_x = 0, at_y = 0;
-  glfwGetCursorPos(window, &at_x, &at_y);
-  self.events_.wheel(self.to_pixels(at_x, at_y), y);
+  self.events_.wheel(self.to_pixels(self.pointer_.place()), y);
 }
 
 void WindowCallbacks::key(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
@@ -103,6 +105,12 @@ void WindowCallbacks::drop(GLFWwindow* window, int count, const char** paths) {
   self.events_.drop({paths, paths + count});
 }
 
+void WindowCallbacks::left(GLFWwindow* window, int entered) {
+  Window& self = window_of(window);
+  self.dirty_ = true;
+  if (!entered) self.pointer_.move({kNowhere, kNowhere});
+}
+
 void WindowCallbacks::changed(GLFWwindow* window) {
   window_of(window).dirty_ = true;
 }
@@ -117,7 +125,7 @@ void WindowCallbacks::install(GLFWwindow* window) {
   glfwSetWindowRefreshCallback(window, changed);
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* one, int, int) { changed(one); });
   glfwSetWindowFocusCallback(window, [](GLFWwindow* one, int) { changed(one); });
-  glfwSetCursorEnterCallback(window, [](GLFWwindow* one, int) { changed(one); });
+  glfwSetCursorEnterCallback(window, left);
 }
 
 }  // namespace burnish

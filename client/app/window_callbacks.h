@@ -14,6 +14,7 @@ struct WindowCallbacks {
   static void key(GLFWwindow* window, int key, int scancode, int action, int modifiers);
   static void character(GLFWwindow* window, unsigned code);
   static void drop(GLFWwindow* window, int count, const char** paths);
+  static void left(GLFWwindow* window, int entered);
   static void changed(GLFWwindow* window);
 };
 

@@ -37,6 +37,7 @@ struct Displacement {
 struct FrameFigures {
   uint64_t frames = 0;  ///< since the session was made; 0: there is nothing below
   bool settled = false;
+  bool exact = false;  ///< settled, and to the bar of exports
   int cycles = 0;  ///< since the session came into the server's memory
   double energy = 0;
   double residual = 0;

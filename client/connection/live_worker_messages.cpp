@@ -75,6 +75,7 @@ Status SessionLink::Worker::hear_frame(const v1::Frame& frame, Time now) {
   rate_.add(now, frame.data().size());
   ++facts.frames;
   facts.settled = frame.state() == v1::SOLVE_STATE_SETTLED;
+  facts.exact = frame.exact();
   facts.cycles = frame.cycles();
   facts.energy = frame.energy();
   facts.residual = frame.residual();

@@ -1,8 +1,5 @@
 #include "client/gl/gl_renderer.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "client/gl/gl_error.h"
 #include "client/gl/shaders.h"
 
@@ -53,7 +50,7 @@ void GlRenderer::draw_split(const Camera& camera, const ImageSize& size,
                             const DrawStyle& style) const {
   glEnable(GL_DEPTH_TEST);
   glClear(GL_DEPTH_BUFFER_BIT);
-  const int middle = static_cast<int>(std::lround(std::clamp(style.split, 0.0, 1.0) * size.width));
+  const int middle = split_column(style.split, size.width);
   glEnable(GL_SCISSOR_TEST);
   glScissor(middle, 0, size.width - middle, size.height);
   draw_mesh(camera, size.aspect(), style, style.original);
@@ -88,12 +85,12 @@ void GlRenderer::draw_edges() const {
 }
 
 Result<std::optional<uint32_t>> GlRenderer::pick(const Camera& camera, const ImageSize& size,
-                                                 const Eigen::Vector2i& pixel) {
+                                                 const Eigen::Vector2i& pixel, bool original) {
   if (mesh_.is_empty()) return std::optional<uint32_t>();
   RETURN_IF_ERROR(pick_target_.bind());
   programs_.pick.use();
   surface_.bind();
-  set_place(programs_.pick, place_, camera, size.aspect(), false, pick_matrix(size, pixel));
+  set_place(programs_.pick, place_, camera, size.aspect(), original, pick_matrix(size, pixel));
   glEnable(GL_DEPTH_TEST);
   mesh_.draw();
   const std::optional<uint32_t> triangle = pick_target_.read();

@@ -32,7 +32,7 @@ class GlRenderer : public Renderer {
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style) override;
   Result<Image> read_pixels() override { return target_.read(); }
   Result<std::optional<uint32_t>> pick(const Camera& camera, const ImageSize& size,
-                                       const Eigen::Vector2i& pixel) override;
+                                       const Eigen::Vector2i& pixel, bool original) override;
 
   /// Copies the last drawn picture into the window's own buffer, its lower left corner there.
   void show(const Eigen::Vector2i& lower_left) const { target_.show(lower_left); }

@@ -111,8 +111,9 @@ Result<Preferences> read_preferences(const std::filesystem::path& path) {
 Status write_preferences(const Preferences& preferences, const std::filesystem::path& path) {
   if (path.empty()) return Status::ok();
   std::error_code error;
-  std::filesystem::create_directories(path.parent_path(), error);
-  if (error) return errno_status("cannot make " + path.parent_path().string(), error.value());
+  const auto folder = std::filesystem::absolute(path).parent_path();
+  std::filesystem::create_directories(folder, error);
+  if (error) return errno_status("cannot make " + folder.string(), error.value());
   std::ostringstream text;
   text << to_toml(preferences) << "\n";
   return write_file(path, text.str());

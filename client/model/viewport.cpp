@@ -137,10 +137,18 @@ Result<std::optional<SurfaceHit>> Viewport::hit_at(Renderer& renderer, const Doc
   const Eigen::Vector2i at = pixel.array().floor().cast<int>();
   if (at.minCoeff() < 0 || at.x() >= size_.width || at.y() >= size_.height)
     return std::optional<SurfaceHit>();
-  ASSIGN_OR_RETURN(const auto triangle, renderer.pick(camera, size_, at));
+  const bool original = shows_original(pixel);
+  ASSIGN_OR_RETURN(const auto triangle, renderer.pick(camera, size_, at, original));
   if (!triangle) return std::optional<SurfaceHit>();
+  DisplacedSurface surface = document.surface();
+  if (original) surface.displacements = {};
   const Ray ray = pixel_ray(camera, size_, at.cast<double>() + Vector2d(0.5, 0.5));
-  return point_on_triangle(document.surface(), ray, *triangle);
+  return point_on_triangle(surface, ray, *triangle);
+}
+
+bool Viewport::shows_original(const Vector2d& pixel) const {
+  return hold_original ||
+         (options.split && pixel.x() < split_column(options.split_at, size_.width));
 }
 
 Status Viewport::update(Renderer& renderer, Document& document) {
@@ -156,7 +164,7 @@ Status Viewport::update(Renderer& renderer, Document& document) {
 
 // A pointer at rest sees something else when the camera moves, or the surface does.
 Status Viewport::look_at(const Vector2d& pixel, Renderer& renderer, const Document& document) {
-  const Look look{pixel, camera, size_, document.facts().frames};
+  const Look look{pixel, camera, size_, document.facts().frames, shows_original(pixel)};
   if (looked_ == look) return Status::ok();
   ASSIGN_OR_RETURN(hover_, hit_at(renderer, document, pixel));
   looked_ = look;

@@ -79,10 +79,12 @@ class Viewport {
     Camera camera;
     ImageSize size;
     uint64_t frames = 0;  // that moved the surface so far
+    bool original = false;
 
     bool operator==(const Look&) const = default;
   };
 
+  bool shows_original(const Eigen::Vector2d& pixel) const;
   Status look_at(const Eigen::Vector2d& pixel, Renderer& renderer, const Document& document);
   Result<std::optional<SurfaceHit>> hit_at(Renderer& renderer, const Document& document,
                                            const Eigen::Vector2d& pixel) const;

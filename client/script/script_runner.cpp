@@ -115,13 +115,18 @@ Status ScriptRunner::take_screenshot(const std::filesystem::path& path) {
   return write_png(image, path);
 }
 
+static const char* state_name(const Document& document) {
+  if (!document.is_settled()) return "converging";
+  return document.facts().exact ? "exact" : "settled";
+}
+
 void ScriptRunner::print_state() const {
   const Document& document = *workspace_->document();
   const FrameFigures& facts = document.facts();
   std::printf("%s: %s, beta %g, curve %s, %zu entries, %d cycles, distance %.3g\n",
-              document.session().name.c_str(), document.is_settled() ? "settled" : "converging",
-              document.beta(), document.curve().curve().to_string().c_str(),
-              document.history().size(), facts.cycles, facts.distance);
+              document.session().name.c_str(), state_name(document), document.beta(),
+              document.curve().curve().to_string().c_str(), document.history().size(), facts.cycles,
+              facts.distance);
 }
 
 }  // namespace burnish

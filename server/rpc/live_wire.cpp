@@ -96,6 +96,7 @@ struct MessageWriter {
     const FrameFacts& facts = frame.facts;
     sent.set_data(std::move(frame.data));
     sent.set_state(facts.settled ? v1::SOLVE_STATE_SETTLED : v1::SOLVE_STATE_SOLVING);
+    sent.set_exact(facts.exact);
     sent.set_cycles(facts.report.cycle);
     sent.set_energy(facts.report.energy);
     sent.set_residual(facts.report.residual);

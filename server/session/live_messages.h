@@ -34,6 +34,7 @@ struct PreviewPiece {
 /// What a frame is told with.
 struct FrameFacts {
   bool settled = false;
+  bool exact = false;  ///< settled, and to the bar of exports
   StepReport report;
   uint64_t edits = 0;  ///< of the session, that the frame has seen
   double assemble_ms = 0;

@@ -38,9 +38,11 @@ bool LiveSession::turn() {
     SessionTurn& at = *turn.value();
     for (EditMessage& message : take_edits()) apply(at, std::move(message));
     show_gestures(at);
-    // Also an edit that moves nothing gets its frame: clients wait for it.
-    if (std::exchange(edits_seen_, at.edits()) != at.edits()) ++version_;
     status = relax(at);
+    // Also an edit that moves nothing gets its frame, for clients wait for it; and an export may
+    // have relaxed the surface further.
+    const Seen now{at.edits(), at.last().cycle};
+    if (std::exchange(seen_, now) != now) ++version_;
     tell_state(at);
     if (status.is_ok()) status = send_frames(at);
     more = !at.session().is_settled(at.last()) || queued_edits() > 0;
@@ -60,7 +62,6 @@ Status LiveSession::relax(SessionTurn& at) {
   const auto assembled = steady_clock::now();
   at.last() = session.step();
   RETURN_IF_ERROR(session.solver().status());
-  ++version_;
   assemble_ms_ = is_assembled ? ms_between(start, assembled) : 0;
   solve_ms_ = ms_between(assembled, steady_clock::now());
   if (is_assembled) metrics().observe(Measure::kFrameAssembleSeconds, assemble_ms_ / 1e3);
@@ -91,6 +92,7 @@ Status LiveSession::send_frames(SessionTurn& at) {
     seat.subscriber->show({sample,
                            version_,
                            {.settled = settled,
+                            .exact = session.is_exact(at.last()),
                             .report = at.last(),
                             .edits = at.edits(),
                             .assemble_ms = assemble_ms_,

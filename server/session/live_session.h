@@ -82,8 +82,14 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   const LiveObject live_{LiveKind::kLiveSession};
 
   // Of turn() alone.
+  /// What makes a new surface.
+  struct Seen {
+    uint64_t edits = 0;
+    int cycle = 0;
+    bool operator==(const Seen&) const = default;
+  };
   uint64_t version_ = 0;  // of the surface
-  uint64_t edits_seen_ = 0;
+  Seen seen_;
   uint64_t life_ = 0;  // of the session that the gestures are shown in
   double assemble_ms_ = 0;
   double solve_ms_ = 0;

@@ -78,6 +78,10 @@ bool Session::is_settled(const StepReport& last) const {
   return last.distance <= kSettledDistance || state_->cycles_since_change >= kCyclesMax;
 }
 
+bool Session::is_exact(const StepReport& last) const {
+  return is_settled(last) && last.distance <= kExactDistance;
+}
+
 Result<SolveReport> Session::solve(const SolveOptions& options, const Progress& progress) {
   EditedFields::Changes changes = state_->edited.take_changes();
   changes |= state_->previews.set_aside();

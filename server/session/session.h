@@ -54,6 +54,9 @@ class Session {
   /// then nothing is left to do until something changes.
   bool is_settled(const StepReport& last) const;
 
+  /// Whether it is at the bar of exports even.
+  bool is_exact(const StepReport& last) const;
+
   /// Relaxes, without the previews, until the end that `options` asks for. Fails: cancelled.
   Result<SolveReport> solve(const SolveOptions& options, const Progress& progress = {});
 

@@ -240,6 +240,7 @@ Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish
   ASSIGN_OR_RETURN(const SolveReport solved,
                    entry.session->solve({wish.exact, wish.cycles}, progress));
   entry.last = solved.last;
+  tell_changed(entry);
   metrics().observe(Measure::kAssembleSeconds, solved.assemble_seconds);
   metrics().observe(Measure::kSolveSeconds, solved.solve_seconds);
   metrics().observe(Measure::kResidual, solved.last.residual);

@@ -1,4 +1,5 @@
-// Pictures per second of a displaced mesh, without a window: draw_bench [TRIANGLES [PICTURES]]
+// Pictures per second of a displaced mesh, and how long a dab of the brush takes to its picture,
+// without a window: draw_bench [TRIANGLES [PICTURES]]
 
 #include <cmath>
 #include <cstdio>
@@ -6,8 +7,10 @@
 
 #include <epoxy/gl.h>
 
+#include "client/displaced_surface.h"
 #include "client/gl/context_egl.h"
 #include "client/gl/gl_renderer.h"
+#include "client/tools/cell_tint.h"
 #include "common/mesh/generate.h"
 #include "tests/bench/timing.h"
 #include "tests/client/gridded_sphere.h"
@@ -24,34 +27,71 @@ Vec3f wave(const Vec3d& corner) {
       .cast<float>();
 }
 
-/// Draws the mesh again and again, each time from a little further round.
+/// A mesh that is drawn again and again.
 class Bench {
  public:
-  static Result<Bench> create(const ViewMesh& mesh) {
+  static Result<Bench> create(const View& view) {
     ASSIGN_OR_RETURN(auto renderer, GlRenderer::create());
-    RETURN_IF_ERROR(renderer->upload_mesh(mesh));
-    return Bench(std::move(renderer), frame_all({}, mesh.box, kSize.aspect()));
+    Bench bench(std::move(renderer), view);
+    RETURN_IF_ERROR(bench.renderer_->upload_mesh(bench.mesh_));
+    return bench;
   }
 
   /// A frame that changes every corner, as the whole of a keyframe does.
   Status upload(const std::vector<Vec3f>& displacements) {
+    displacements_ = displacements;
     const IndexRange all{0, displacements.size()};
     return renderer_->upload_displacements(displacements, {&all, 1});
   }
 
-  Status draw() {
+  /// From a little further round.
+  Status turn() {
     camera_ = turned(camera_, 1, 0);
-    RETURN_IF_ERROR(renderer_->draw(camera_, kSize, {}));
+    return draw();
+  }
+
+  /// The point of the surface under the pointer, which moves on a little.
+  Result<Vec3d> look() {
+    x_ = kSize.width / 2 - 100 + (x_ + 7) % 200;
+    const Eigen::Vector2i pixel(x_, kSize.height / 2);
+    ASSIGN_OR_RETURN(const auto triangle, renderer_->pick(camera_, kSize, pixel, false));
+    if (!triangle) return not_found("nothing lies under the pointer");
+    const Ray ray = pixel_ray(camera_, kSize, pixel.cast<double>() + Eigen::Vector2d(0.5, 0.5));
+    const auto hit = point_on_triangle({mesh_, displacements_}, ray, *triangle);
+    return hit ? hit->original : Vec3d::Zero();
+  }
+
+  /// All that lies between a move of the mouse and its picture: the surface under the pointer, the
+  /// cells that the brush reaches, the ring around it.
+  Status dab() {
+    const Brush brush{.radius = 0.06 * mesh_.unit(), .strength = 0.6, .beta = 0};
+    ASSIGN_OR_RETURN(const Vec3d point, look());
+    const IndexRange changed = tint_.add_dab(brush, point);
+    RETURN_IF_ERROR(renderer_->upload_cell_tint(tint_.weights(), changed));
+    style_.rings = {{point, brush.radius}};
+    return draw();
+  }
+
+ private:
+  Bench(std::unique_ptr<GlRenderer> renderer, const View& view)
+      : renderer_(std::move(renderer)),
+        mesh_(make_view_mesh(view)),
+        tint_(view),
+        camera_(frame_all({}, mesh_.box, kSize.aspect())) {}
+
+  Status draw() {
+    RETURN_IF_ERROR(renderer_->draw(camera_, kSize, style_));
     glFinish();
     return Status::ok();
   }
 
- private:
-  Bench(std::unique_ptr<GlRenderer> renderer, const Camera& camera)
-      : renderer_(std::move(renderer)), camera_(camera) {}
-
   std::unique_ptr<GlRenderer> renderer_;
+  ViewMesh mesh_;
+  CellTint tint_;
+  std::vector<Vec3f> displacements_;
   Camera camera_;
+  DrawStyle style_;
+  int x_ = 0;
 };
 
 void report(const char* what, double ms) {
@@ -64,7 +104,7 @@ Status run(uint64_t triangles, int pictures) {
   ASSIGN_OR_RETURN(const TriangleMesh scan,
                    generate_scan({.kind = "blob", .vertices = triangles / 2}));
   const View view = make_gridded_view(scan, kDepth);
-  ASSIGN_OR_RETURN(Bench bench, Bench::create(make_view_mesh(view)));
+  ASSIGN_OR_RETURN(Bench bench, Bench::create(view));
   std::vector<Vec3f> frames[2] = {displace_corners(view, wave), {}};
   for (const Vec3f& displacement : frames[0]) frames[1].push_back(-displacement);
   std::printf("%s\n%zu triangles, %zu corners at depth %d, %dx%d\n",
@@ -73,12 +113,16 @@ Status run(uint64_t triangles, int pictures) {
   RETURN_IF_ERROR(bench.upload(frames[0]));
   Status status;
   const auto keep = [&status](const Status& each) { status = status.is_ok() ? each : status; };
-  report("turning", median_milliseconds(pictures, kWarmUp, [&] { keep(bench.draw()); }));
+  report("turning", median_milliseconds(pictures, kWarmUp, [&] { keep(bench.turn()); }));
   int number = 0;
   report("turning, all corners changed", median_milliseconds(pictures, kWarmUp, [&] {
            keep(bench.upload(frames[++number % 2]));
-           keep(bench.draw());
+           keep(bench.turn());
          }));
+  report("what lies under the pointer",
+         median_milliseconds(pictures, kWarmUp, [&] { keep(bench.look().status()); }));
+  report("from a dab to its picture",
+         median_milliseconds(pictures, kWarmUp, [&] { keep(bench.dab()); }));
   return status;
 }
 

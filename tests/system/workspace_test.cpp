@@ -147,6 +147,34 @@ TEST_F(WorkspaceService, EditsGoOnWhileTheLinkStallsForTenSeconds) {
   EXPECT_EQ(owner_.history("work")->size(), edits);
 }
 
+TEST_F(WorkspaceService, ThePointerFindsWhatIsShownUnderItOriginalOrEdited) {
+  ASSERT_TRUE(open_through(server_.address));
+  document().curve().set_fidelity(5);
+  document().commit_curve();
+  document().preview_beta(0);
+  document().commit_beta();
+  ASSERT_TRUE(until([&] { return document().is_settled() && document().facts().edits == 2; }));
+  Viewport& viewport = workspace_.viewport;
+  const auto looks_at = [&](const Eigen::Vector2d& pixel, auto place) {
+    viewport.move(pixel);
+    EXPECT_TRUE(workspace_.update().is_ok());
+    if (!viewport.hover()) return false;
+    const Vec3d found = (*viewport.hover()).*place;
+    return (pixel_of(viewport.camera, viewport.size(), found) - pixel).norm() < 1;
+  };
+  const Eigen::Vector2d left(170, 120), right(230, 120);
+  EXPECT_TRUE(looks_at(left, &SurfaceHit::displaced));
+  EXPECT_FALSE(looks_at(left, &SurfaceHit::original));
+  viewport.hold_original = true;  // the pointer rests
+  EXPECT_TRUE(looks_at(left, &SurfaceHit::original));
+  viewport.hold_original = false;
+  EXPECT_FALSE(looks_at(left, &SurfaceHit::original));
+  viewport.options.split = true;
+  EXPECT_TRUE(looks_at(left, &SurfaceHit::original));
+  EXPECT_TRUE(looks_at(right, &SurfaceHit::displaced));
+  EXPECT_FALSE(looks_at(right, &SurfaceHit::original));
+}
+
 TEST_F(WorkspaceService, APointerAtRestSeesTheSurfaceThatMovesUnderIt) {
   ASSERT_TRUE(open_through(server_.address));
   const Eigen::Vector2d pixel(230, 120), middle = pixel + Eigen::Vector2d(0.5, 0.5);

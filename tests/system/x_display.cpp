@@ -47,18 +47,28 @@ XDisplay::~XDisplay() {
   if (display_) XCloseDisplay(display_);
 }
 
+// 0 where there is none.
+unsigned long XDisplay::find_window() {
+  Window root = 0, parent = 0, *children = nullptr, found = 0;
+  unsigned count = 0;
+  XQueryTree(display_, DefaultRootWindow(display_), &root, &parent, &children, &count);
+  for (unsigned i = 0; i < count; ++i) {
+    XWindowAttributes attributes;
+    XGetWindowAttributes(display_, children[i], &attributes);
+    if (attributes.map_state == IsViewable && attributes.width > 100) found = children[i];
+  }
+  if (children) XFree(children);
+  return found;
+}
+
+bool XDisplay::has_window() {
+  return find_window() != 0;
+}
+
 void XDisplay::focus_window() {
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
   while (std::chrono::steady_clock::now() < deadline) {
-    Window root = 0, parent = 0, *children = nullptr;
-    unsigned count = 0;
-    XQueryTree(display_, DefaultRootWindow(display_), &root, &parent, &children, &count);
-    for (unsigned i = 0; i < count; ++i) {
-      XWindowAttributes attributes;
-      XGetWindowAttributes(display_, children[i], &attributes);
-      if (attributes.map_state == IsViewable && attributes.width > 100) window_ = children[i];
-    }
-    if (children) XFree(children);
+    window_ = find_window();
     if (window_ != 0) break;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "client/image.h"
 #include "tests/common/temporary_folder.h"
@@ -26,6 +28,8 @@ class XDisplay {
 
   /// Waits for the one window, and gives it the keyboard.
   void focus_window();
+  /// A window is to be seen.
+  bool has_window();
   void resize_window(const ImageSize& size);
 
   void move(int x, int y);
@@ -36,9 +40,13 @@ class XDisplay {
   /// Presses and releases keys by their names, the first ones held: key({"Control_L", "z"}).
   void key(const std::vector<std::string>& names);
 
+  /// Drops files on the middle of the window. Their names need no escapes.
+  void drop(const std::vector<std::filesystem::path>& files);
+
   Image capture();
 
  private:
+  unsigned long find_window();
   void flush();
 
   TemporaryFolder folder_;

@@ -161,7 +161,7 @@ TEST_F(DisplacedPicture, ARingHoldsWhatTheBrushChangesWhereverItIsNow) {
     for (int x = 0; x < kSize.width; ++x) {
       const uint8_t* rgb = ring.pixel(x, y);
       if (rgb[0] < 200 || rgb[1] > 80) continue;
-      const auto triangle = std::move(renderer_->pick(camera_, kSize, {x, y})).value();
+      const auto triangle = std::move(renderer_->pick(camera_, kSize, {x, y}, false)).value();
       ASSERT_TRUE(triangle.has_value());
       const Ray ray = pixel_ray(camera_, kSize, Eigen::Vector2d(x + 0.5, y + 0.5));
       const auto hit = point_on_triangle({mesh_, displacements}, ray, *triangle);
@@ -179,25 +179,28 @@ TEST_F(DisplacedPicture, PicksTheTriangleThatAllTriangleTestsFind) {
   const std::vector<Vec3f> displacements = displace_corners(view_, wave);
   displace(*renderer_, displacements);
   displace(reference, displacements);
-  int hits = 0, same = 0;
-  for (int y = 5; y < kSize.height; y += 20) {
-    for (int x = 5; x < kSize.width; x += 20) {
-      const auto found = std::move(renderer_->pick(camera_, kSize, {x, y})).value();
-      const auto expected = std::move(reference.pick(camera_, kSize, {x, y})).value();
-      hits += expected.has_value();
-      same += found == expected;
-      if (!found || !expected) continue;
-      const Ray ray = pixel_ray(camera_, kSize, Eigen::Vector2d(x + 0.5, y + 0.5));
-      const DisplacedSurface surface{mesh_, displacements};
-      const auto a = point_on_triangle(surface, ray, *found);
-      const auto b = nearest_hit(surface, ray);
-      ASSERT_TRUE(a && b);
-      EXPECT_LT((a->original - b->original).norm(), 1e-3);
-      EXPECT_LT((a->displaced - b->displaced).norm(), 1e-3);
+  for (const bool original : {false, true}) {
+    DisplacedSurface surface{mesh_, displacements};
+    if (original) surface.displacements = {};
+    int hits = 0, same = 0;
+    for (int y = 5; y < kSize.height; y += 20) {
+      for (int x = 5; x < kSize.width; x += 20) {
+        const auto found = std::move(renderer_->pick(camera_, kSize, {x, y}, original)).value();
+        const auto expected = std::move(reference.pick(camera_, kSize, {x, y}, original)).value();
+        hits += expected.has_value();
+        same += found == expected;
+        if (!found || !expected) continue;
+        const Ray ray = pixel_ray(camera_, kSize, Eigen::Vector2d(x + 0.5, y + 0.5));
+        const auto a = point_on_triangle(surface, ray, *found);
+        const auto b = nearest_hit(surface, ray);
+        ASSERT_TRUE(a && b);
+        EXPECT_LT((a->original - b->original).norm(), 1e-3);
+        EXPECT_LT((a->displaced - b->displaced).norm(), 1e-3);
+      }
     }
+    EXPECT_GT(hits, 40);
+    EXPECT_GE(same, 300 - 3);  // of 300 pixels, some lie on an edge
   }
-  EXPECT_GT(hits, 40);
-  EXPECT_GE(same, 300 - 3);  // of 300 pixels, some lie on an edge
 }
 
 }  // namespace

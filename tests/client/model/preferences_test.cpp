@@ -59,6 +59,16 @@ TEST(Preferences, ValuesOutsideTheirLimitsAreBroughtInside) {
   EXPECT_EQ(read->scale, 0);
 }
 
+TEST(Preferences, AFileInTheFolderWhereWeAreNeedsNoPath) {
+  const TemporaryFolder folder;
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder / "");
+  const Status written = write_preferences({.user = "ada"}, "window.toml");
+  std::filesystem::current_path(before);
+  ASSERT_TRUE(written.is_ok()) << written.message();
+  EXPECT_EQ(read_preferences(folder / "window.toml")->user, "ada");
+}
+
 TEST(Preferences, ASessionIsRememberedOnceAndTheOldestIsForgotten) {
   Preferences preferences;
   for (int i = 0; i < 20; ++i) remember(preferences, {"", std::to_string(i), ""});

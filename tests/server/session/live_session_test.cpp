@@ -136,6 +136,21 @@ TEST_F(LiveSessionTest, SettledItIsSilentUntilSomethingChanges) {
   EXPECT_EQ(ann.all<LiveFrame>().back().facts.edits, 1u);
 }
 
+TEST_F(LiveSessionTest, WhatAnExactExportRelaxedIsShownAsExact) {
+  auto ann = guest();
+  ann.edit({{"a", SetGradientScale{0}}});
+  ann.settle();
+  EXPECT_FALSE(ann.all<LiveFrame>().back().facts.exact);
+  ASSERT_TRUE(
+      manager_->export_mesh("work", {.format = MeshFormat::kPly, .exact = true}, {}).is_ok());
+  ann.settle();
+  EXPECT_TRUE(ann.all<LiveFrame>().back().facts.exact);
+  EXPECT_EQ(shown(ann).steps, sample(ann).steps);
+  ann.edit({{"b", SetGradientScale{0.5}}});
+  ann.settle();
+  EXPECT_FALSE(ann.all<LiveFrame>().back().facts.exact);
+}
+
 TEST_F(LiveSessionTest, WhoComesToASettledSurfaceGetsOneStillFrameWithoutACycle) {
   auto ann = guest();
   ann.settle();

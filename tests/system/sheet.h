@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "client/image.h"
+
+namespace burnish {
+
+/// Part of a picture, pixels from its upper left corner.
+struct Box {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+Box scaled(const Box& box, int factor);
+
+/// Needs: a box within the picture.
+Image cut(const Image& image, const Box& box);
+
+/// Each pixel the mean of four.
+Image halved(const Image& image);
+
+/// Tiles of one size on white, so many in a row, with a little room between.
+Image in_rows(const std::vector<Image>& tiles, int columns);
+
+}  // namespace burnish

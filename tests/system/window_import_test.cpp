@@ -1,0 +1,154 @@
+// What dropping files on the window does, without the window.
+
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "client/model/workspace.h"
+#include "client/null_renderer.h"
+#include "common/mesh/generate.h"
+#include "common/mesh/mesh_io.h"
+#include "tests/system/link.h"
+#include "tests/system/server_process.h"
+
+namespace burnish {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+using testing::HasSubstr;
+
+/// A start page that is connected to a server without scans.
+class WindowImport : public testing::Test {
+ protected:
+  template <typename What>
+  bool until(What what) {
+    const auto end = steady_clock::now() + kPatience;
+    while (steady_clock::now() < end) {
+      EXPECT_TRUE(workspace_.update().is_ok());
+      if (what()) return true;
+      std::this_thread::sleep_for(milliseconds(2));
+    }
+    return false;
+  }
+  bool until_idle() {
+    return until([this] { return workspace_.is_idle() && workspace_.activities().empty(); });
+  }
+
+  void connect(const std::string& address) {
+    workspace_.viewport.set_size({400, 300});
+    workspace_.connect(address);
+    ASSERT_TRUE(until([this] {
+      return workspace_.library().state == Library::State::kConnected && workspace_.is_idle();
+    }));
+  }
+
+  /// Some megabytes.
+  std::filesystem::path write_large() const {
+    const auto path = server_.folder / "large.ply";
+    EXPECT_TRUE(write_mesh(make_icosphere(7, 1), path).is_ok());
+    return path;
+  }
+
+  std::string phase() const {
+    return workspace_.activities().empty() ? "" : workspace_.activities().front()->state().phase;
+  }
+
+  std::string last_message(Severity severity) const {
+    const auto& messages = workspace_.log.messages();
+    for (auto message = messages.rbegin(); message != messages.rend(); ++message)
+      if (message->severity == severity) return message->text;
+    return {};
+  }
+  size_t errors() const {
+    const auto& messages = workspace_.log.messages();
+    return static_cast<size_t>(
+        std::count_if(messages.begin(), messages.end(),
+                      [](const Message& each) { return each.severity == Severity::kError; }));
+  }
+
+  void expect_nothing_is_left() {
+    EXPECT_TRUE(until([this] { return server_.staged() == 0; }));
+    EXPECT_EQ(server_.scans(), 0u);
+    EXPECT_EQ(workspace_.document(), nullptr);
+  }
+
+  ServerProcess server_;
+  NullRenderer renderer_;
+  Workspace workspace_{renderer_, Preferences(), WorkspaceOptions()};
+};
+
+TEST_F(WindowImport, OpensWhatItImported) {
+  connect(server_.address);
+  workspace_.import_scan(write_sphere(server_.folder));
+  ASSERT_TRUE(
+      until([this] { return workspace_.document() && workspace_.document()->is_settled(); }));
+  EXPECT_EQ(workspace_.document()->scan().scan.name, "sphere3");
+  EXPECT_EQ(errors(), 0u);
+}
+
+TEST_F(WindowImport, OfSeveralFilesTheGoodOnesComeAndTheOthersAreNamed) {
+  connect(server_.address);
+  const auto garbage = server_.folder.write("garbage.ply", "ply\nformat ascii 1.0\nnonsense\n");
+  const auto letter = server_.folder.write("letter.txt", "Dear Sir");
+  std::filesystem::create_directory(server_.folder / "folder.ply");
+  for (const std::filesystem::path& file :
+       {garbage, std::filesystem::path(write_sphere(server_.folder, 3)), letter,
+        server_.folder / "folder.ply", server_.folder / "nowhere.ply",
+        std::filesystem::path(write_sphere(server_.folder, 2))})
+    workspace_.import_scan(file);
+  ASSERT_TRUE(until_idle());
+  EXPECT_EQ(errors(), 4u);
+  std::string told;
+  for (const Message& message : workspace_.log.messages()) told += message.text + "\n";
+  for (const char* name : {"garbage.ply", "letter.txt", "folder.ply", "nowhere.ply"})
+    EXPECT_THAT(told, HasSubstr(name));
+  EXPECT_EQ(server_.scans(), 2u);
+  EXPECT_EQ(server_.staged(), 0u);
+  EXPECT_NE(workspace_.document(), nullptr);
+}
+
+TEST_F(WindowImport, CanBeCancelledWhileItUploads) {
+  Link link(server_.address, {.megabits_per_second = 8, .delay = milliseconds(1)});
+  connect(link.address());
+  workspace_.import_scan(write_large());
+  ASSERT_TRUE(until([this] { return phase() == "uploading"; }));
+  workspace_.activities().front()->cancel();
+  ASSERT_TRUE(until_idle());
+  EXPECT_EQ(errors(), 0u);
+  EXPECT_THAT(last_message(Severity::kInfo), HasSubstr("large.ply"));
+  expect_nothing_is_left();
+}
+
+TEST_F(WindowImport, CanBeCancelledWhileItIsPrepared) {
+  connect(server_.address);
+  workspace_.import_scan(write_large());
+  ASSERT_TRUE(until([this] { return phase() == "curvature" || phase() == "integrals"; }));
+  workspace_.activities().front()->cancel();
+  ASSERT_TRUE(until_idle());
+  EXPECT_EQ(errors(), 0u);
+  expect_nothing_is_left();
+}
+
+TEST_F(WindowImport, SaysWhenTheServerIsLostAndComesAgainThere) {
+  Link link(server_.address, {.megabits_per_second = 8, .delay = milliseconds(1)});
+  connect(link.address());
+  const auto file = write_large();
+  workspace_.import_scan(file);
+  ASSERT_TRUE(until([this] { return phase() == "uploading"; }));
+  server_.listen = server_.address;
+  server_.kill();
+  ASSERT_TRUE(until_idle());
+  EXPECT_GE(errors(), 1u);
+  EXPECT_THAT(last_message(Severity::kError), HasSubstr("large.ply"));
+  EXPECT_EQ(workspace_.document(), nullptr);
+  server_.start();
+  connect(server_.address);
+  EXPECT_EQ(server_.staged(), 0u);
+  workspace_.import_scan(file);
+  EXPECT_TRUE(until([this] { return workspace_.document() != nullptr; }));
+}
+
+}  // namespace
+}  // namespace burnish
