@@ -225,6 +225,11 @@ std::optional<LiveMessage> Subscriber::take() {
   return message;
 }
 
+bool Subscriber::is_closed() const {
+  const std::lock_guard lock(mutex_);
+  return closed_;
+}
+
 bool Subscriber::is_finished() const {
   const std::lock_guard lock(mutex_);
   return closed_ && answers_.empty() && unanswered_ == 0 && !farewell_;

@@ -74,6 +74,8 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   /// is the last message.
   void close(std::optional<Farewell> farewell);
 
+  bool is_closed() const;
+
   /// Whether a frame of this surface would show the client something new, and may be made.
   bool wants_frame(uint64_t version, bool settled) const;
 

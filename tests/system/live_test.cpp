@@ -202,8 +202,11 @@ TEST_F(Live, AClosedOrDeletedSessionSendsItsClientsAway) {
     ann.next(Case::kWelcome);
     std::vector<std::string> words = {"close", "work", "--user", "ann"};
     if (deleted) words.insert(words.begin() + 2, "--delete");
+    std::vector<std::string> of_another = words;
+    of_another.back() = "bob";
+    EXPECT_THAT(server_.burnish(of_another).output, HasSubstr("'bob' is editor of this session"));
     done(words);
-    EXPECT_EQ(ann.next(Case::kGoAway).go_away().come_back(), !deleted);
+    EXPECT_FALSE(ann.next(Case::kGoAway).go_away().come_back());
     EXPECT_TRUE(ann.end().ok());
   }
 }

@@ -295,18 +295,35 @@ TEST_F(LiveSessionTest, SomebodyElseAtTheSessionHoldsUpOnlyItsOwnTurns) {
 TEST_F(LiveSessionTest, ClosedAndDeletedSessionsSendTheirClientsAway) {
   auto ann = guest();
   ann.edit({{"a", SetGradientScale{0.5}}});
-  ASSERT_TRUE(manager_->close("work", {}).is_ok());
+  ASSERT_TRUE(manager_->close("work", "ann", {}).is_ok());
   ann.run();
   // What had come before is answered all the same.
   EXPECT_EQ(ann.all<EditsAcknowledged>().size(), 1u);
-  EXPECT_TRUE(ann.all<Farewell>()[0].come_back);
+  EXPECT_EQ(ann.all<Farewell>()[0].reason, "the session was closed by ann");
+  EXPECT_FALSE(ann.all<Farewell>()[0].come_back);
   EXPECT_TRUE(ann.finished);
+  auto again = guest();  // while the first one is still on the way out
   ann.leave();
-  auto again = guest();
+  again.edit({{"b", SetGradientScale{0.25}}});
   again.run();
+  EXPECT_EQ(again.all<EditsAcknowledged>().size(), 1u);
+  again.edit({{"c", SetGradientScale{0.75}}});
   ASSERT_TRUE(manager_->remove("work", "ann", {}).is_ok());
   again.run();
+  EXPECT_EQ(again.all<EditsRefused>().size(), 1u);
   EXPECT_FALSE(again.all<Farewell>()[0].come_back);
+  EXPECT_TRUE(again.finished);
+}
+
+TEST_F(LiveSessionTest, AClosedSessionStaysOutOfMemoryWhileItsClientsGo) {
+  auto ann = guest(), bob = guest("bob");
+  ann.edit({{"a", SetGradientScale{0}}});
+  bob.run();
+  ASSERT_TRUE(manager_->close("work", "ann", {}).is_ok());
+  ann.leave();
+  bob.run();
+  EXPECT_TRUE(bob.finished);
+  EXPECT_FALSE(manager_->list()[0].in_memory);
 }
 
 TEST_F(LiveSessionTest, ADrainingServerLetsNobodyIn) {
