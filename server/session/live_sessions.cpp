@@ -10,7 +10,10 @@ static int encoder_threads() {
 }
 
 LiveSessions::LiveSessions(SessionManager& manager, int solver_threads)
-    : manager_(manager), encoders_(encoder_threads()), scheduler_(solver_threads) {
+    : manager_(manager),
+      targets_(manager.memory()),
+      encoders_(encoder_threads()),
+      scheduler_(solver_threads) {
   manager_.set_listener(this);
 }
 

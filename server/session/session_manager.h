@@ -64,6 +64,9 @@ class SessionManager {
   };
   Usage usage() const;
 
+  /// What meshes, sessions and whoever shows them share.
+  Quota& memory() { return store_.memory(); }
+
   /// Sends everybody out of the session and gives its memory back; whoever opens it again brings
   /// it back.
   Status close(const std::string& reference, const std::string& user, const Progress& progress);

@@ -326,6 +326,27 @@ TEST_F(LiveSessionTest, AClosedSessionStaysOutOfMemoryWhileItsClientsGo) {
   EXPECT_FALSE(manager_->list()[0].in_memory);
 }
 
+TEST_F(LiveSessionTest, WhatClientsDrawIsAdmittedByItsBytes) {
+  Quota& memory = manager_->memory();
+  const uint64_t before = memory.taken();
+  {
+    const Quota::Share others = memory.take("others", memory.max() - 1000).value();
+    const Quota::Share own = memory.take(kServer, memory.max() - before - 1000).value();
+    const Status refused = live_->join({"work", 100}, "ann", {}, {}).status();
+    EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
+    EXPECT_THAT(refused.message(), testing::ContainsRegex("asks for [0-9]+ more"));
+  }
+  uint64_t whole = 0;
+  {
+    auto ann = guest(), bob = guest("bob");
+    whole = memory.taken() - before;
+    EXPECT_GE(whole, ann.subscriber().target->layout->byte_count());
+    const auto proxy = guest("eve", {"work", 100});
+    EXPECT_GT(memory.taken(), before + whole);
+  }
+  EXPECT_EQ(memory.taken(), before);
+}
+
 TEST_F(LiveSessionTest, ADrainingServerLetsNobodyIn) {
   auto ann = guest();
   live_->drain();
