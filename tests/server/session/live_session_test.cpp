@@ -95,6 +95,26 @@ TEST_F(LiveSessionTest, WhileItMovesAFrameIsOffByAtMostTheCodecsStep) {
     ASSERT_LE(std::abs(exact.steps[i] - seen.steps[i]), 2);  // half of 1/64 cell
 }
 
+TEST_F(LiveSessionTest, OverASlowLinkASettledSurfaceIsShownInPartsAndExactInTheEnd) {
+  ASSERT_TRUE(library_.import(sphere_file(1, 5), "large").is_ok());
+  ASSERT_TRUE(manager_->open({"large", "large", {5, 0}}, "ann", {}).is_ok());
+  const LiveGreeting wish{"large", 0, FrameContent::kVertices};  // of several tiles
+  auto ann = guest("ann", wish), bob = guest("bob", wish);
+  ann.edit({{"a", SetGradientScale{0}}});
+  bob.settle();
+  size_t parts = 0;
+  for (;; ++parts) {
+    ann.run();
+    const auto frames = ann.all<LiveFrame>();
+    if (!frames.empty() && frames.back().facts.settled && ann.decoded.empty()) break;
+    ASSERT_LT(parts, 100u);
+    ann.subscriber().grant(
+        {.frames = 1, .decoded = std::exchange(ann.decoded, {}), .frame_bytes = 1000});
+  }
+  EXPECT_EQ(shown(ann).steps, shown(bob).steps);
+  EXPECT_GE(parts, 4u);
+}
+
 TEST_F(LiveSessionTest, WithoutAnAcknowledgementOneKeyFrameGoesOut) {
   auto ann = guest();
   ann.edit({{"a", SetGradientScale{0}}});
