@@ -132,6 +132,7 @@ Result<std::vector<SessionInfo>> Connection::list_sessions() {
 Status Connection::close_session(const std::string& session) {
   grpc::ClientContext context;
   state_->set_deadline(context);
+  state_->set_user(context);
   v1::CloseSessionRequest request;
   request.set_session(session);
   v1::CloseSessionResponse response;

@@ -40,15 +40,14 @@ void CreditPacer::on_heartbeat(Time now, double rtt_ms) {
   rtt_ms_ = rtt_ms_ > 0 ? std::min(rtt_ms_, rtt_of_period_ms_) : rtt_of_period_ms_;
 }
 
-void CreditPacer::on_frame(Time now, double since_heartbeat_ms, double server_ms) {
+void CreditPacer::on_frame(Time now, double link_ms, double server_ms) {
   ++undrawn_;
   if (!granted_.empty()) {
     learn_latency(std::chrono::duration<double, std::milli>(now - granted_.front()).count());
     granted_.pop_front();
   }
   server_ms_ += kLatencyWeight * (server_ms - server_ms_);
-  if (since_heartbeat_ms > 0 && rtt_ms_ > 0)
-    adapt_window(now, since_heartbeat_ms - server_ms - rtt_ms_);
+  if (link_ms > 0 && rtt_ms_ > 0) adapt_window(now, link_ms - rtt_ms_);
 }
 
 // A frame that came late because nothing moved says nothing: it counts as a picture's interval.
@@ -60,8 +59,8 @@ void CreditPacer::learn_latency(double ms) {
   deviation_ms_ += kLatencyWeight * (std::abs(change_ms) - deviation_ms_);
 }
 
-// A frame may also have been made long after the heartbeat, or be a large one: what all of the last
-// few have waited at least is what frames wait for each other.
+// A frame may also be a large one: what all of the last few have waited at least is what frames
+// wait for each other.
 void CreditPacer::adapt_window(Time now, double queued_ms) {
   queued_ms_.push_back(queued_ms);
   if (queued_ms_.size() > kFramesObserved) queued_ms_.pop_front();

@@ -20,8 +20,9 @@ class CreditPacer {
 
   void restart();  ///< a new stream: nothing is granted
   void on_heartbeat(Time now, double rtt_ms);
-  /// A frame has come, so long after the newest heartbeat that it has seen; 0: it has seen none.
-  void on_frame(Time now, double since_heartbeat_ms, double server_ms);
+  /// A frame has come, which the server made in so long. The newest heartbeat that it has seen and
+  /// the frame itself were in the link for `link_ms` together; 0: it has seen none.
+  void on_frame(Time now, double link_ms, double server_ms);
   void on_drawn(Time now);
 
   int due(Time now) const;  ///< credits to grant now

@@ -90,6 +90,7 @@ Status SessionLink::Worker::converse() {
     if (stopping_) return cancelled("the session was left");
     outbox_.restart();
     pacer_.restart();
+    budget_.restart();
     shown_.restart();
   }
   receiver_.take_answers();
@@ -158,6 +159,7 @@ std::optional<v1::ClientMessage> SessionLink::Worker::next_message(Time now) {
   v1::ClientMessage message;
   *message.mutable_credit() = receiver_.take_answers();
   message.mutable_credit()->set_frames(static_cast<uint32_t>(due));
+  message.mutable_credit()->set_frame_bytes(budget_.bytes());
   pacer_.granted(now, due);
   beat_for_credit_ = false;
   return message;

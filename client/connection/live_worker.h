@@ -6,6 +6,7 @@
 
 #include "client/connection/connection_state.h"
 #include "client/connection/credit_pacer.h"
+#include "client/connection/frame_budget.h"
 #include "client/connection/frame_receiver.h"
 #include "client/connection/live_outbox.h"
 #include "client/connection/live_stream.h"
@@ -78,6 +79,7 @@ class SessionLink::Worker {
   std::condition_variable acknowledged_;
   LiveOutbox outbox_;
   CreditPacer pacer_;
+  FrameBudget budget_;
   ShownEdits shown_;
   RateMeter rate_;
   LiveNews news_;

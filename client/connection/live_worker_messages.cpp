@@ -89,7 +89,10 @@ Status SessionLink::Worker::hear_frame(const v1::Frame& frame, Time now) {
   facts.bytes += frame.data().size();
   last_decoded_ = decoded;
   has_new_frame_ = true;
-  pacer_.on_frame(decoded, since_heartbeat_ms, server_ms);
+  const double link_ms = ms_since(frame.client_time_us(), now) - frame.held_ms();
+  pacer_.on_frame(decoded, std::max(0.0, link_ms), server_ms);
+  if (link_ms > 0 && pacer_.rtt_ms() > 0)
+    budget_.on_frame(frame.data().size(), link_ms - pacer_.rtt_ms());
   facts.credit_window = pacer_.window();
   shown_.frame(frame.edits(), frame.previews(), decoded);
   tell_shown();

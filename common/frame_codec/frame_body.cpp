@@ -45,6 +45,12 @@ void FrameBodyWriter::add_tile(int tile, std::span<const uint32_t> residuals) {
   for (int axis = 0; axis < 3; ++axis) groups_.add_axis(residuals.subspan(axis * size, size));
 }
 
+size_t FrameBodyWriter::byte_count() const {
+  size_t count = sent_.size() + groups_.widths.size();
+  for (const auto& stream : groups_.streams) count += stream.size();
+  return count;
+}
+
 std::vector<uint8_t> FrameBodyWriter::bytes() const {
   std::vector<uint8_t> bytes = sent_;
   bytes.insert(bytes.end(), groups_.widths.begin(), groups_.widths.end());

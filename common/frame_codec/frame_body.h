@@ -19,6 +19,7 @@ class FrameBodyWriter {
   void add_tile(int tile, std::span<const uint32_t> residuals);
 
   uint32_t sent_tiles() const { return sent_tiles_; }
+  size_t byte_count() const;  ///< of bytes()
   std::vector<uint8_t> bytes() const;
 
  private:

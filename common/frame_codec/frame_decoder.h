@@ -16,7 +16,7 @@ namespace burnish {
 struct DecodedFrame {
   uint64_t sequence = 0;  ///< to acknowledge
   bool is_key = false;
-  bool is_still = false;           ///< exactly the rounded displacement
+  bool is_still = false;           ///< what it brings is exactly the rounded displacement
   std::vector<int> changed_tiles;  ///< since the frame that was decoded before
 };
 

@@ -38,32 +38,55 @@ void encode_tile(const FrameLayout& layout, int tile, std::span<const int32_t> w
 FrameEncoder::FrameEncoder(std::shared_ptr<const FrameLayout> layout)
     : layout_(std::move(layout)) {}
 
-EncodedFrame FrameEncoder::encode(const FrameSample& sample, FrameStep step) {
+/// What a frame will say, and what the client holds then.
+struct FrameEncoder::Draft {
+  FrameState state;
+  FrameBodyWriter body;
+  int step_shift;
+  bool is_complete;
+};
+
+FrameEncoder::Draft FrameEncoder::draft(const FrameSample& sample, int step_shift,
+                                        size_t bytes_max) const {
+  const SentFrame* reference = newest_acknowledged();
+  Draft made{reference != nullptr ? reference->state : FrameState(*layout_),
+             FrameBodyWriter(*layout_), step_shift, false};
+  const auto is_full = [&] {
+    return made.body.sent_tiles() > 0 && made.body.byte_count() >= bytes_max;
+  };
+  int tile = 0;
+  for (; tile < layout_->tile_count() && !is_full(); ++tile)
+    encode_tile(*layout_, tile, sample.tile(*layout_, tile), step_shift, made.state, made.body);
+  made.is_complete = tile == layout_->tile_count();
+  return made;
+}
+
+EncodedFrame FrameEncoder::encode(const FrameSample& sample, FrameStep step, size_t bytes_max) {
+  static constexpr int kCoarsestShift = static_cast<int>(FrameStep::kCoarsest);
   BURNISH_CHECK(sample.steps.size() == size_t{3} * layout_->value_count(),
                 "the sample is of another layout");
+  Draft made = draft(sample, static_cast<int>(step), bytes_max);
+  while (step != FrameStep::kStill && !made.is_complete) {
+    const int coarser = made.step_shift + 1;
+    made = draft(sample, coarser, coarser == kCoarsestShift ? SIZE_MAX : bytes_max);
+  }
   const SentFrame* reference = newest_acknowledged();
-  FrameState state = reference != nullptr ? reference->state : FrameState(*layout_);
-  const int step_shift = static_cast<int>(step);
-  FrameBodyWriter body(*layout_);
-  for (int tile = 0; tile < layout_->tile_count(); ++tile)
-    encode_tile(*layout_, tile, sample.tile(*layout_, tile), step_shift, state, body);
-
-  const std::vector<uint8_t> body_bytes = body.bytes();
+  const std::vector<uint8_t> body_bytes = made.body.bytes();
   FrameHeader header{.content = layout_->content,
-                     .step_shift = static_cast<uint8_t>(step_shift),
+                     .step_shift = static_cast<uint8_t>(made.step_shift),
                      .sequence = next_sequence_++,
                      .layout_fingerprint = layout_->fingerprint,
-                     .sent_tiles = body.sent_tiles(),
+                     .sent_tiles = made.body.sent_tiles(),
                      .body_bytes = static_cast<uint32_t>(body_bytes.size())};
   if (reference != nullptr) {
     header.reference = reference->sequence;
     header.reference_checksum = reference->checksum;
   }
-  EncodedFrame frame{header.sequence, header.reference, header.sent_tiles, {}};
+  EncodedFrame frame{header.sequence, header.reference, header.sent_tiles, made.is_complete, {}};
   frame.bytes.resize(kFrameHeaderBytes);
   append_compressed(body_bytes, frame.bytes);
   const uint64_t checksum = seal_frame(header, frame.bytes);
-  remember({header.sequence, header.reference, checksum, std::move(state)});
+  remember({header.sequence, header.reference, checksum, std::move(made.state)});
   return frame;
 }
 

@@ -20,6 +20,7 @@ struct EncodedFrame {
   uint64_t sequence = 0;
   uint64_t reference = 0;   ///< 0: a key frame
   uint32_t sent_tiles = 0;  ///< 0: the reference shows all there is to show
+  bool is_complete = true;  ///< no tile was left for the next frame
   std::vector<uint8_t> bytes;
 };
 
@@ -31,8 +32,10 @@ class FrameEncoder {
 
   /// After a still frame the client holds exactly the sample. After a moving one a vertex is off by
   /// at most half of 1/64 cell where vertices are sent, and by 1/64 cell where coefficients are.
+  /// A moving frame that would have more than `bytes_max` before compression is rounded more
+  /// coarsely, down to kCoarsest; a still one leaves its last tiles to the next.
   /// Needs: a sample of this layout.
-  EncodedFrame encode(const FrameSample& sample, FrameStep step);
+  EncodedFrame encode(const FrameSample& sample, FrameStep step, size_t bytes_max = SIZE_MAX);
 
   /// The client holds this frame. Frames that are unknown or forgotten are ignored.
   void acknowledge(uint64_t sequence);
@@ -59,6 +62,8 @@ class FrameEncoder {
     bool acknowledged = false;
   };
 
+  struct Draft;
+  Draft draft(const FrameSample& sample, int step_shift, size_t bytes_max) const;
   const SentFrame* newest_acknowledged() const;
   void remember(SentFrame frame);
 

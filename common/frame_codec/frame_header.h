@@ -22,9 +22,10 @@ namespace burnish {
 //
 //     new = old + (k << step_shift)          k = 0 throughout a tile that is not sent
 //
-// A key frame has no reference; old is zero. step_shift is 2 while the surface moves and 0 when it
-// is still. Everything is integer arithmetic modulo 2^32, so both ends hold the same state bit for
-// bit, and errors do not add up: k is chosen against the state that the client holds.
+// A key frame has no reference; old is zero. step_shift is 2 while the surface moves, up to 5 where
+// the link is slow, and 0 when it is still. Everything is integer arithmetic modulo 2^32, so both
+// ends hold the same state bit for bit, and errors do not add up: k is chosen against the state
+// that the client holds.
 //
 // Header, 64 bytes, little-endian:
 //
@@ -71,6 +72,9 @@ inline constexpr uint8_t kStepShiftMax = 7;
 enum class FrameStep : uint8_t {
   kStill = 0,   ///< 1/256 cell: exactly the rounded displacement
   kMoving = 2,  ///< 1/64 cell
+  kCoarse = 3,  ///< while it moves, where the link is slow
+  kCoarser = 4,
+  kCoarsest = 5,  ///< 1/8 cell
 };
 
 struct FrameHeader {

@@ -9,9 +9,9 @@ namespace burnish {
 /// What is measured wherever it happens; the exporter makes a histogram of each.
 enum class Measure {
   kJournalCommitSeconds,
-  kAssembleSeconds,  ///< matrices and constraint of one solve
-  kSolveSeconds,     ///< its cycles
-  kResidual,         ///< relative, at its end
+  kAssembleSeconds,       ///< matrices and constraint of one solve
+  kSolveSeconds,          ///< its cycles
+  kResidual,              ///< relative, at its end
   kFrameAssembleSeconds,  ///< the same of one turn of a live session
   kFrameSolveSeconds,
   kFrameEncodeSeconds,  ///< of one client's frame
@@ -25,7 +25,7 @@ enum class Refusal {
   kUnknownRpc,
   kLimit,  ///< of one user or of the whole server
   kDraining,
-  kMalformed,    ///< the message is no message of its type
+  kMalformed,    ///< no message of its type, or one that its stream does not take
   kCutOff,       ///< the message was above the receive limit, or its client went while it came
   kConnections,  ///< above connections_max
   kHandshake,    ///< no TLS, or a certificate that is not good

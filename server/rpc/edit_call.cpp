@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "common/service/scan_info.h"
+#include "server/metrics/metrics.h"
 #include "server/rpc/live_wire.h"
 
 namespace burnish {
@@ -18,20 +19,25 @@ void EditCall::OnReadDone(bool ok) {
   if (!client_) return take_greeting();
   client_->subscriber->heard();
   const Status status = take_request();
-  if (!status.is_ok()) return writer_.end(status);
+  if (!status.is_ok()) return refuse(status);
   reading_paused_ = true;
   read_on();
 }
 
+void EditCall::refuse(const Status& status) {
+  metrics().count_refusal(Refusal::kMalformed);
+  writer_.end(status);
+}
+
 void EditCall::end_of_requests() {
   if (cancelled_) return writer_.end(cancelled("the client has gone"));
-  if (!client_) return writer_.end(invalid_argument("a live session begins with a greeting"));
+  if (!client_) return refuse(invalid_argument("a live session begins with a greeting"));
   client_->subscriber->close(std::nullopt);
 }
 
 void EditCall::take_greeting() {
   if (!request_.has_greeting())
-    return writer_.end(invalid_argument("a live session begins with a greeting"));
+    return refuse(invalid_argument("a live session begins with a greeting"));
   // Here, for on the executor the call may have ended, and its context gone.
   calls_.executor.post([call = self(), user = calls_.guard.caller_of(context_)] {
     const auto client = call->join(user);

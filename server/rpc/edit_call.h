@@ -31,6 +31,7 @@ class EditCall final : public grpc::ServerBidiReactor<v1::ClientMessage, v1::Ser
   void take_place(const LiveClient& client);
   void cut();
 
+  void refuse(const Status& status);
   void end_of_requests();
   Status take_request();
   void take_edits(const v1::ApplyEdits& message);

@@ -40,8 +40,9 @@ grpc::ServerUnaryReactor* EditingService::ListSessions(grpc::CallbackServerConte
 grpc::ServerUnaryReactor* EditingService::CloseSession(grpc::CallbackServerContext* context,
                                                        const v1::CloseSessionRequest* request,
                                                        v1::CloseSessionResponse*) {
-  return answer(calls_, context, [this, request](const Progress& progress) {
-    return calls_.sessions.close(request->session(), progress);
+  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
+    return calls_.sessions.close(request->session(), user, progress);
   });
 }
 

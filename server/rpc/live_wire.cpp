@@ -48,7 +48,8 @@ Result<FrameCredit> from_wire(const v1::Credit& message) {
   return FrameCredit{message.frames(),
                      {message.decoded().begin(), message.decoded().end()},
                      {message.refused().begin(), message.refused().end()},
-                     message.key_frame()};
+                     message.key_frame(),
+                     message.frame_bytes()};
 }
 
 Result<PreviewPiece> from_wire(const v1::Preview& message) {
@@ -107,6 +108,7 @@ struct MessageWriter {
     sent.set_encode_ms(facts.encode_ms);
     sent.set_client_time_us(facts.client_time_us);
     sent.set_previews(facts.previews);
+    sent.set_held_ms(facts.held_ms);
   }
   void operator()(EditsAcknowledged& answer) const {
     v1::Acknowledged& sent = *message.mutable_acknowledged();

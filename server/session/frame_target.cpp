@@ -2,6 +2,7 @@
 
 #include "common/evaluation/proxy.h"
 #include "server/session/cancellable_lock.h"
+#include "server/session/memory_need.h"
 
 namespace burnish {
 
@@ -32,10 +33,15 @@ Result<std::shared_ptr<const FrameTarget>> FrameTargets::find_or_make(
   if (!report(progress, "laying out frames", 0)) return cancelled("cancelled before any frame");
   auto target = std::make_shared<FrameTarget>();
   target->mesh = mesh;
-  if (triangles_max > 0)
+  ASSIGN_OR_RETURN(
+      target->memory,
+      memory_.take(kServer, predict_target_bytes(prepared, *mesh->hierarchy, triangles_max)));
+  if (triangles_max > 0) {
+    ASSIGN_OR_RETURN(const auto meanwhile, memory_.take(kServer, predict_proxy_bytes(prepared)));
     target->proxy_points =
         make_proxy({prepared.vertices, prepared.triangles, prepared.evaluation}, triangles_max)
             .evaluation;
+  }
   target->layout = std::make_shared<const FrameLayout>(make_layout(target->frame_mesh(), content));
   known = target;
   return std::shared_ptr<const FrameTarget>(std::move(target));

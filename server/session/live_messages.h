@@ -23,6 +23,7 @@ struct FrameCredit {
   std::vector<uint64_t> decoded;
   std::vector<uint64_t> refused;
   bool key_frame = false;
+  uint32_t frame_bytes = 0;  ///< wanted at most while the surface moves; 0: any
 };
 
 /// A gesture's next piece; of a stroke the path goes on where the last one ended.
@@ -42,6 +43,7 @@ struct FrameFacts {
   double encode_ms = 0;
   uint64_t client_time_us = 0;
   uint64_t previews = 0;
+  double held_ms = 0;  ///< since the heartbeat of client_time_us came
 };
 
 struct LiveFrame {

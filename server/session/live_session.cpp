@@ -1,5 +1,6 @@
 #include "server/session/live_session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -27,7 +28,7 @@ void LiveSession::wake() {
 }
 
 bool LiveSession::turn() {
-  if (subscribers().empty()) return false;
+  if (is_over()) return false;
   auto turn = manager_.try_turn(entry_, [weak = weak_from_this()] {
     if (const auto self = weak.lock()) self->wake();
   });
@@ -49,8 +50,17 @@ bool LiveSession::turn() {
   }
   if (status.is_ok()) return more;
   spdlog::error("session {}: {}", entry_->record.id, status.to_string());
-  close({status.message(), status.code() != StatusCode::kNotFound});
+  fail(status);
   return false;
+}
+
+/// Whether nobody is here whom a turn would do any good: who is told to go waits for answers alone.
+bool LiveSession::is_over() const {
+  const std::lock_guard lock(mutex_);
+  if (seats_.empty()) return true;
+  return edits_.empty() && std::ranges::all_of(seats_, [](const auto& seat) {
+           return seat.second.subscriber->is_closed();
+         });
 }
 
 Status LiveSession::relax(SessionTurn& at) {
@@ -162,6 +172,13 @@ void LiveSession::tell_people() {
 
 void LiveSession::close(const Farewell& farewell) {
   for (const auto& subscriber : subscribers()) subscriber->close(farewell);
+}
+
+// Also what waits is answered, for a farewell comes after the last answer.
+void LiveSession::fail(const Status& why) {
+  const bool come_back = why.code() != StatusCode::kNotFound;
+  close({why.message(), come_back});
+  refuse_waiting(come_back ? unavailable(why.message()) : why);
 }
 
 void LiveSession::end_silent(steady_clock::duration time) {

@@ -66,7 +66,11 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
     size_t bytes;
   };
 
+  bool is_over() const;
+  void fail(const Status& why);
+
   std::vector<EditMessage> take_edits();
+  void refuse_waiting(const Status& why);
   void apply(SessionTurn& at, EditMessage message);
   void show_gestures(SessionTurn& at);
   void drop_gesture(uint64_t connection, const std::vector<std::string>& edit_ids);

@@ -63,6 +63,16 @@ std::vector<LiveSession::EditMessage> LiveSession::take_edits() {
   return taken;
 }
 
+void LiveSession::refuse_waiting(const Status& why) {
+  std::deque<EditMessage> waiting;
+  {
+    const std::lock_guard lock(mutex_);
+    waiting.swap(edits_);
+  }
+  for (const EditMessage& message : waiting)
+    message.from->refuse({ids_of(message.edits), why}, message.bytes);
+}
+
 void LiveSession::apply(SessionTurn& at, EditMessage message) {
   const auto& from = message.from;
   const std::vector<std::string> ids = ids_of(message.edits);

@@ -10,7 +10,10 @@ static int encoder_threads() {
 }
 
 LiveSessions::LiveSessions(SessionManager& manager, int solver_threads)
-    : manager_(manager), encoders_(encoder_threads()), scheduler_(solver_threads) {
+    : manager_(manager),
+      targets_(manager.memory()),
+      encoders_(encoder_threads()),
+      scheduler_(solver_threads) {
   manager_.set_listener(this);
 }
 
@@ -90,10 +93,11 @@ void LiveSessions::on_session_changed(const std::string& id) {
   if (const auto session = find(id)) session->wake();
 }
 
-void LiveSessions::on_session_left(const std::string& id, bool deleted) {
+void LiveSessions::on_session_left(const std::string& id, const Status& why) {
   const auto session = find(id);
   if (!session) return;
-  session->close({deleted ? "the session was deleted" : "the session was closed", !deleted});
+  session->close({why.message(), false});
+  session->wake();  // for edits that are to be answered
 }
 
 }  // namespace burnish

@@ -58,7 +58,7 @@ class LiveSessions final : public SessionListener {
   Scheduler& scheduler() { return scheduler_; }
 
   void on_session_changed(const std::string& id) override;
-  void on_session_left(const std::string& id, bool deleted) override;
+  void on_session_left(const std::string& id, const Status& why) override;
 
  private:
   std::shared_ptr<LiveSession> find(const std::string& id) const;

@@ -1,13 +1,16 @@
 #include "server/session/memory_need.h"
 
+#include <algorithm>
+
 namespace burnish {
 
 // Measured on real scans and rounded up: a cell of the finest depth brings some two corners, and
 // the coarser depths a third of that again (ARCHITECTURE section 7 has the figures).
 static constexpr uint64_t kHierarchyBytesPerCell = 700;
 static constexpr uint64_t kSessionBytesPerCorner = 700;  // of any depth
-static constexpr uint64_t kSessionBytesPerCell = 40;     // fields and paint
-static constexpr uint64_t kCoarsestBytes = 6 << 20;      // the direct solver of the coarsest depth
+static constexpr uint64_t kSessionBytesPerCell = 60;     // fields, paint, a gesture's copy
+static constexpr uint64_t kLayoutBytesPerValue = 12;
+static constexpr uint64_t kCoarsestBytes = 6 << 20;  // the direct solver of the coarsest depth
 
 uint64_t predict_mesh_bytes(const PreparedMesh& prepared) {
   return prepared.byte_count() + prepared.cells.size() * kHierarchyBytesPerCell;
@@ -18,6 +21,20 @@ uint64_t predict_session_bytes(const Hierarchy& hierarchy) {
   for (const HierarchyDepth& depth : hierarchy.depths)
     bytes += depth.grid.corners.size() * kSessionBytesPerCorner;
   return bytes + hierarchy.at(hierarchy.finest).grid.cells.size() * kSessionBytesPerCell;
+}
+
+// Either content may be asked for: the larger one counts.
+uint64_t predict_target_bytes(const PreparedMesh& prepared, const Hierarchy& hierarchy,
+                              uint64_t triangles_max) {
+  const uint64_t corners = hierarchy.at(hierarchy.finest).grid.corners.size();
+  const uint64_t vertices = prepared.vertices.size();
+  if (triangles_max == 0) return std::max(corners, vertices) * kLayoutBytesPerValue;
+  const uint64_t points = std::min(vertices, 3 * triangles_max);
+  return std::max(corners, points) * kLayoutBytesPerValue + points * sizeof(EvaluationPoint);
+}
+
+uint64_t predict_proxy_bytes(const PreparedMesh& prepared) {
+  return prepared.vertices.size() * 24 + prepared.triangles.size() * 40;
 }
 
 }  // namespace burnish

@@ -10,9 +10,18 @@ namespace burnish {
 /// Bytes that a prepared mesh and its hierarchy will take together, before the hierarchy is made.
 uint64_t predict_mesh_bytes(const PreparedMesh& prepared);
 
-/// Bytes that one session over the mesh will take for itself, before its solver is made.
+/// Bytes that one session over the mesh will take for itself, before its solver is made, with the
+/// copy of its fields that a gesture works on.
 /// Accuracy: no less than it takes on the CPU backend, and less than twice that from some ten
 /// thousand corners on.
 uint64_t predict_session_bytes(const Hierarchy& hierarchy);
+
+/// Bytes that the frames of clients which draw the same mesh will take for their layout and, where
+/// that mesh is a proxy of at most so many triangles, for its points; 0: the whole scan.
+uint64_t predict_target_bytes(const PreparedMesh& prepared, const Hierarchy& hierarchy,
+                              uint64_t triangles_max);
+
+/// Bytes that are taken only while a proxy is made.
+uint64_t predict_proxy_bytes(const PreparedMesh& prepared);
 
 }  // namespace burnish

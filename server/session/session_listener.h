@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "common/base/status.h"
+
 namespace burnish {
 
 /// Hears of what happens to sessions, while their locks are held: must be short, and must not touch
@@ -13,8 +15,8 @@ class SessionListener {
   /// Edits were applied, or have to be forgotten, or somebody got another role.
   virtual void on_session_changed(const std::string& id) = 0;
 
-  /// Somebody closed the session, or deleted it.
-  virtual void on_session_left(const std::string& id, bool deleted) = 0;
+  /// An owner closed the session, or deleted it: whoever is in it is to go, and hears why.
+  virtual void on_session_left(const std::string& id, const Status& why) = 0;
 };
 
 }  // namespace burnish

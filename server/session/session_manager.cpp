@@ -202,10 +202,16 @@ std::vector<SessionInfo> SessionManager::list() const {
   return sessions;
 }
 
-Status SessionManager::close(const std::string& reference, const Progress& progress) {
+static std::string named(const std::string& user) {
+  return user.empty() ? "somebody without a name" : user;
+}
+
+Status SessionManager::close(const std::string& reference, const std::string& user,
+                             const Progress& progress) {
   ASSIGN_OR_RETURN(const Held held, lock(reference, progress));
+  RETURN_IF_ERROR(held.entry->roles.require(user, SessionRole::kOwner, "closing the session"));
   held.entry->leave_memory();
-  tell_left(*held.entry);
+  tell_left(*held.entry, failed_precondition("the session was closed by " + named(user)));
   return Status::ok();
 }
 
@@ -216,7 +222,7 @@ Status SessionManager::remove(const std::string& reference, const std::string& u
   RETURN_IF_ERROR(journal_.remove_session(held.entry->record.id));
   held.entry->leave_memory();
   held.entry->deleted = true;
-  tell_left(*held.entry);
+  tell_left(*held.entry, not_found("the session was deleted by " + named(user)));
   const std::lock_guard lock(mutex_);
   sessions_.erase(held.entry->record.name);
   return Status::ok();

@@ -64,8 +64,12 @@ class SessionManager {
   };
   Usage usage() const;
 
-  /// Gives the memory back; the next use brings the session back.
-  Status close(const std::string& reference, const Progress& progress);
+  /// What meshes, sessions and whoever shows them share.
+  Quota& memory() { return store_.memory(); }
+
+  /// Sends everybody out of the session and gives its memory back; whoever opens it again brings
+  /// it back.
+  Status close(const std::string& reference, const std::string& user, const Progress& progress);
 
   /// Forgets the session and its edits.
   Status remove(const std::string& reference, const std::string& user, const Progress& progress);
@@ -154,7 +158,7 @@ class SessionManager {
                                    const std::string& user, std::span<const Edit> edits,
                                    const Progress& progress, GroupCommit::Done on_disk);
   void tell_changed(const SessionEntry& entry) const;
-  void tell_left(const SessionEntry& entry) const;
+  void tell_left(const SessionEntry& entry, const Status& why) const;
   void keep_paint(SessionEntry& entry);
   Status bring_back_for(SessionEntry& entry, const std::string& user, const Progress& progress);
   Result<ExportSummary> solve_to_file(Held& held, const ExportWish& wish,

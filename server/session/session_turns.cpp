@@ -13,9 +13,8 @@ void SessionManager::tell_changed(const SessionEntry& entry) const {
   if (SessionListener* listener = listener_) listener->on_session_changed(entry.record.id);
 }
 
-void SessionManager::tell_left(const SessionEntry& entry) const {
-  if (SessionListener* listener = listener_)
-    listener->on_session_left(entry.record.id, entry.deleted);
+void SessionManager::tell_left(const SessionEntry& entry, const Status& why) const {
+  if (SessionListener* listener = listener_) listener->on_session_left(entry.record.id, why);
 }
 
 Result<SessionManager::Attached> SessionManager::attach(const std::string& reference,

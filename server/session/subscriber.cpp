@@ -8,6 +8,17 @@ namespace burnish {
 
 using std::chrono::steady_clock;
 
+/// Before compression. A surface that is still may take its time to become exact, a moving one that
+/// begins meanwhile may not wait for it.
+static size_t bytes_max(bool settled, uint32_t bytes_wanted) {
+  if (bytes_wanted == 0) return SIZE_MAX;
+  return settled ? size_t{2} * bytes_wanted : bytes_wanted;
+}
+
+static double ms_since(steady_clock::time_point then) {
+  return std::chrono::duration<double, std::milli>(steady_clock::now() - then).count();
+}
+
 static constexpr size_t kAnswersMax = 64;     // that the client has not taken
 static constexpr size_t kUnansweredMax = 64;  // messages of edits
 static constexpr size_t kUnansweredBytesMax = size_t{16} << 20;
@@ -43,6 +54,7 @@ void Subscriber::grant(const FrameCredit& credit) {
     append_newest(credit.decoded, unseen_.decoded);
     append_newest(credit.refused, unseen_.refused);
     unseen_.key_frame |= credit.key_frame;
+    unseen_.frame_bytes = credit.frame_bytes;
     if (!credit.decoded.empty()) holds_frame_ = true;
     if (!credit.refused.empty() || credit.key_frame) {
       holds_frame_ = false;
@@ -57,6 +69,7 @@ void Subscriber::beat(uint64_t client_time_us) {
   {
     const std::lock_guard lock(mutex_);
     client_time_us_ = client_time_us;
+    last_beat_ = steady_clock::now();
     if (!closed_) echo_ = {client_time_us};
   }
   on_message();
@@ -163,6 +176,7 @@ void Subscriber::show(Shot shot) {
     shown_version_ = shot.version;
     shown_settled_ = shot.facts.settled;
     shot.facts.client_time_us = client_time_us_;
+    frame_beat_ = last_beat_;
   }
   encoders_.post([self = shared_from_this(), shot = std::move(shot)]() mutable {
     self->encode(std::move(shot));
@@ -174,15 +188,19 @@ void Subscriber::encode(Shot shot) {
   {
     const std::lock_guard lock(mutex_);
     std::swap(unseen, unseen_);
+    unseen_.frame_bytes = unseen.frame_bytes;  // holds on
   }
   for (const uint64_t sequence : unseen.decoded) encoder_.acknowledge(sequence);
   for (const uint64_t sequence : unseen.refused) encoder_.refuse(sequence);
   if (unseen.key_frame) encoder_.request_key_frame();
   const auto start = steady_clock::now();
+  const bool settled = shot.facts.settled;
   const EncodedFrame encoded =
-      encoder_.encode(*shot.sample, shot.facts.settled ? FrameStep::kStill : FrameStep::kMoving);
+      encoder_.encode(*shot.sample, settled ? FrameStep::kStill : FrameStep::kMoving,
+                      bytes_max(settled, unseen.frame_bytes));
   const double seconds = std::chrono::duration<double>(steady_clock::now() - start).count();
   LiveFrame frame{{}, shot.facts};
+  frame.facts.settled = settled && encoded.is_complete;
   frame.facts.encode_ms = seconds * 1e3;
   const bool shows_the_last =
       encoded.sent_tiles == 0 && encoded.reference != 0 && encoded.reference == last_sequence_;
@@ -194,6 +212,7 @@ void Subscriber::encode(Shot shot) {
   metrics().observe(Measure::kFrameBytes, static_cast<double>(frame.data.size()));
   {
     const std::lock_guard lock(mutex_);
+    shown_settled_ = frame.facts.settled;
     if (!closed_) frame_ = std::move(frame);
   }
   on_message();
@@ -210,6 +229,7 @@ std::optional<LiveMessage> Subscriber::take() {
     } else if (echo_) {
       message = *std::exchange(echo_, std::nullopt);
     } else if (frame_) {
+      if (frame_->facts.client_time_us != 0) frame_->facts.held_ms = ms_since(frame_beat_);
       message = *std::exchange(frame_, std::nullopt);
       making_frame_ = false;
       took_frame = true;
@@ -223,6 +243,11 @@ std::optional<LiveMessage> Subscriber::take() {
   }
   if (took_frame) on_wish();
   return message;
+}
+
+bool Subscriber::is_closed() const {
+  const std::lock_guard lock(mutex_);
+  return closed_;
 }
 
 bool Subscriber::is_finished() const {

@@ -74,6 +74,8 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   /// is the last message.
   void close(std::optional<Farewell> farewell);
 
+  bool is_closed() const;
+
   /// Whether a frame of this surface would show the client something new, and may be made.
   bool wants_frame(uint64_t version, bool settled) const;
 
@@ -97,8 +99,9 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   Executor& encoders_;
   const SubscriberWiring wiring_;
   const LiveObject live_{LiveKind::kStream};
-  FrameEncoder encoder_;        // of the one encode() under way
-  uint64_t last_sequence_ = 0;  // of encode(), too: of the last frame with data
+  // Of the one encode() under way.
+  FrameEncoder encoder_;
+  uint64_t last_sequence_ = 0;  // of the last frame with data
 
   mutable std::mutex mutex_;  // of what follows
   uint32_t credits_ = 0;
@@ -117,6 +120,8 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   std::optional<HistoryState> history_;
   std::optional<HeartbeatEcho> echo_;
   uint64_t client_time_us_ = 0;
+  std::chrono::steady_clock::time_point last_beat_;
+  std::chrono::steady_clock::time_point frame_beat_;  // that the frame under way has seen
   std::chrono::steady_clock::time_point last_heard_ = std::chrono::steady_clock::now();
   std::optional<Farewell> farewell_;
   bool closed_ = false;

@@ -4,7 +4,8 @@
 //
 // One person drags the slider without a pause, over links of several kinds. A frame's age is told
 // by the newest heartbeat that the server had when it made the frame, less half a round trip; these
-// go out each 2 ms: by so much ages may be over-told.
+// go out each 2 ms: by so much ages may be over-told. Mbit/s is what the link carried in all, else
+// frames.
 
 #include <csignal>
 #include <cstdio>
@@ -32,18 +33,45 @@ struct Case {
   double pictures_per_second;
   double megabits_per_second;  // 0: no link between
   double rtt_ms;
+  int readers = 1;        // of one link; the first one drags
+  bool download = false;  // somebody fetches the scan through the same link, over and over
 };
 constexpr Case kCases[] = {
     {"10 Hz reader", 10, 0, 0},
     {"60 Hz reader", 60, 0, 0},
     {"10 Hz, 50 Mbit/s, 40 ms", 10, 50, 40},
     {"60 Hz, 50 Mbit/s, 40 ms", 60, 50, 40},
+    {"4 of 60 Hz, 50 Mbit/s, 40 ms", 60, 50, 40, 4},
+    {"60 Hz beside a download", 60, 50, 40, 1, true},
     {"60 Hz, 10 Mbit/s, 40 ms", 60, 10, 40},
 };
 
 void must(const Status& status) {
   BURNISH_CHECK(status.is_ok(), status.message());
 }
+
+/// Fetches the scan through the link until it ends, if it is to.
+class Download {
+ public:
+  Download(const std::string& server, bool wanted) {
+    if (wanted) thread_ = std::thread([this, server] { run(server); });
+  }
+  ~Download() {
+    stopping_ = true;
+    if (thread_.joinable()) thread_.join();
+  }
+
+ private:
+  void run(const std::string& server) {
+    Connection connection = Connection::open(server, kPatience).value();
+    const PreparedKey key = connection.state("work").value().session.key;
+    const Progress go_on = [this](std::string_view, double) { return !stopping_; };
+    while (!stopping_) (void)connection.fetch_view({"scan", key}, go_on);
+  }
+
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;
+};
 
 nlohmann::ordered_json run_case(const ServerProcess& server,
                                 const std::shared_ptr<const View>& view, const Case& c) {
@@ -55,17 +83,29 @@ nlohmann::ordered_json run_case(const ServerProcess& server,
                     .delay = std::chrono::microseconds(static_cast<int64_t>(c.rtt_ms * 1000 / 2))});
   const Connection connection =
       Connection::open(link ? link->address() : server.address, kPatience).value();
-  LoadClient client(connection,
-                    {.session = "work",
-                     .view = view,
-                     .pictures_per_second = c.pictures_per_second,
-                     .mix = {{0, 1, 0}},
-                     .heartbeat_interval = milliseconds(2)},
-                    1);
-  client.start(std::chrono::duration<double>(kSecondsPerCase));
-  client.join();
-  const LoadFigures figures = client.figures();
-  return load_report({&figures, 1}, {});
+  std::vector<std::unique_ptr<LoadClient>> clients;
+  for (int i = 0; i < c.readers; ++i) {
+    LoadOptions options{.session = "work",
+                        .view = view,
+                        .pictures_per_second = c.pictures_per_second,
+                        .mix = {{1, 0, 0}},
+                        .heartbeat_interval = milliseconds(2)};
+    if (i == 0) options.mix = {{0, 1, 0}};
+    clients.push_back(std::make_unique<LoadClient>(connection, options, 1 + i));
+  }
+  const Download download(link ? link->address() : server.address, c.download);
+  const uint64_t bytes_before = link ? link->bytes_down() : 0;
+  for (auto& client : clients) client->start(std::chrono::duration<double>(kSecondsPerCase));
+  std::vector<LoadFigures> figures;
+  for (auto& client : clients) {
+    client->join();
+    figures.push_back(client->figures());
+  }
+  auto report = load_report(figures, {});
+  if (link)  // with what else goes through it
+    report["bytes_per_second"] =
+        static_cast<double>(link->bytes_down() - bytes_before) / figures[0].seconds;
+  return report;
 }
 
 void print_case(const Case& c, const nlohmann::ordered_json& report) {
@@ -75,7 +115,7 @@ void print_case(const Case& c, const nlohmann::ordered_json& report) {
     return values.value(key, 0.0);
   };
   const double bar_ms = c.rtt_ms + kBarMs;
-  std::printf("%-26s %6.1f %7.1f   %6.1f %6.1f %6.1f   %6.1f %6.1f   %5.0f %s\n", c.name,
+  std::printf("%-28s %6.1f %7.1f   %6.1f %6.1f %6.1f   %6.1f %6.1f   %5.0f %s\n", c.name,
               report["frames_per_second"].get<double>(),
               report["bytes_per_second"].get<double>() * 8e-6, ms(age, "p50"), ms(age, "p95"),
               ms(age, "p99"), ms(drawn, "p50"), ms(drawn, "p95"), bar_ms,
@@ -128,9 +168,9 @@ int main_of(int argc, char** argv) {
       std::make_shared<const View>(connection.fetch_view({"scan", opened.session.key}, {}).value());
   std::printf("%zu vertices, %d corners at depth %d\n\n", view->vertices.size(),
               view->grid.corner_count(), view->frame.depth);
-  std::printf("%-26s %6s %7s   %-20s   %-13s\n", "", "frames", "Mbit/s", "age on arrival, ms",
+  std::printf("%-28s %6s %7s   %-20s   %-13s\n", "", "frames", "Mbit/s", "age on arrival, ms",
               "when drawn");
-  std::printf("%-26s %6s %7s   %6s %6s %6s   %6s %6s   %5s\n", "", "/ s", "", "p50", "p95", "p99",
+  std::printf("%-28s %6s %7s   %6s %6s %6s   %6s %6s   %5s\n", "", "/ s", "", "p50", "p95", "p99",
               "p50", "p95", "bar");
   for (const Case& c : kCases) print_case(c, run_case(server, view, c));
   run_stopped_client(server, view);

@@ -86,6 +86,24 @@ class KilledServer {
     return taken;
   }
 
+  /// Ends the server as a supervisor does, while everybody goes on editing, and starts the next
+  /// one. Returns how long the end took.
+  double drain() {
+    edit_for(milliseconds(random_() % 300));
+    server_.process->signal(SIGTERM);
+    const Clock::time_point begin = Clock::now();
+    while (!server_.process->wait(milliseconds(0)) && Clock::now() < begin + kPatience)
+      edit_for(milliseconds(5));
+    const double taken_s = seconds_since(begin);
+    EXPECT_EQ(server_.process->wait(milliseconds(0)), 0) << server_.process->output();
+    for_each_editor([](RestlessEditor& editor) { editor.lose_server(); });
+    server_.start();
+    wait_until_back();
+    for_each_editor([](RestlessEditor& editor) { ASSERT_TRUE(editor.wait_until_answered()); });
+    check_histories();
+    return taken_s;
+  }
+
   /// A life that ends by itself at the count-th arrival at a point of die_at.cpp.
   void end_at(const std::string& point, int count) {
     kill();
@@ -241,6 +259,19 @@ TEST(KilledServer, LosesAndDoublesNoAcknowledgedEditAndComesBack) {
             << kSessions.size() << " sessions, " << edits << " edits, each of them there once\n";
   print("listening", listening);
   print("everybody back and shown a frame", back);
+}
+
+TEST(DrainedServer, LosesNothingUnderLoadAndNoClientSeesAnError) {
+  const int rounds = number_from_environment("BURNISH_KILL_ROUNDS", 3);
+  std::vector<double> taken_s;
+  std::unique_ptr<KilledServer> server;
+  for (int i = 0; i < rounds && !HasFailure(); ++i) {
+    if (i % kRoundsPerServer == 0) server = std::make_unique<KilledServer>(2000, 1 + i);
+    taken_s.push_back(server->drain());
+  }
+  std::sort(taken_s.begin(), taken_s.end());
+  std::cout << taken_s.size() << " drains under load: " << taken_s[taken_s.size() / 2]
+            << " s (median), " << taken_s.back() << " s (longest)\n";
 }
 
 TEST(KilledServer, LosesNothingAtAnyStepOfWritingToDisk) {

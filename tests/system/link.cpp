@@ -78,17 +78,19 @@ struct Pipe {
   bool has_room(const Way& way) const { return !ended && waiting < way.waiting_max(); }
   bool is_due(Time now) const { return !pieces.empty() && pieces.front().due <= now; }
 
-  void take(Way& way, Time now) {
+  /// Returns how many bytes came.
+  size_t take(Way& way, Time now) {
     std::vector<char> bytes(kPieceBytes);
+    const size_t before = waiting;
     while (has_room(way)) {
       const ssize_t count = recv(from, bytes.data(), bytes.size(), 0);
-      if (count < 0) return;
       if (count == 0) ended = true;
-      if (count == 0) return;
+      if (count <= 0) break;
       const auto size = static_cast<size_t>(count);
       pieces.push_back({way.through(now, size), {bytes.begin(), bytes.begin() + count}});
       waiting += size;
     }
+    return waiting - before;
   }
 
   bool give(Time now) {
@@ -129,6 +131,7 @@ class Link::Traffic {
   }
 
   void stall(bool stalled) { stalled_ = stalled; }
+  uint64_t bytes_down() const { return bytes_down_; }
 
  private:
   void pass_on() {
@@ -137,7 +140,7 @@ class Link::Traffic {
     accept_new();
     for (Ends& ends : connections_) {
       ends.up.take(up_, std::chrono::steady_clock::now());
-      ends.down.take(down_, std::chrono::steady_clock::now());
+      bytes_down_ += ends.down.take(down_, std::chrono::steady_clock::now());
       const Time now = std::chrono::steady_clock::now();
       ends.broken = !ends.up.give(now) || !ends.down.give(now) ||
                     (ends.up.ended && ends.up.pieces.empty()) ||
@@ -195,6 +198,7 @@ class Link::Traffic {
   std::list<Ends> connections_;
   std::atomic<bool> stopping_{false};
   std::atomic<bool> stalled_{false};
+  std::atomic<uint64_t> bytes_down_{0};
   std::thread thread_;
 };
 
@@ -212,6 +216,10 @@ Link::Link(const std::string& target, const LinkOptions& options) {
 }
 
 Link::~Link() = default;
+
+uint64_t Link::bytes_down() const {
+  return traffic_->bytes_down();
+}
 
 void Link::stall(bool stalled) {
   traffic_->stall(stalled);

@@ -26,6 +26,9 @@ class Link {
   /// While it is stalled nothing comes through and nobody is told: as behind a dead radio.
   void stall(bool stalled);
 
+  /// That have come from `target`.
+  uint64_t bytes_down() const;
+
  private:
   class Traffic;
   std::string address_;

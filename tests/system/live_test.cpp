@@ -154,6 +154,25 @@ TEST_F(Live, AStreamThatDoesNotBeginWithAGreetingIsEnded) {
   EXPECT_EQ(bob.end().error_code(), StatusCode::NOT_FOUND);
 }
 
+TEST_F(Live, AMessageThatItsStreamDoesNotTakeEndsItIsLoggedAndCounted) {
+  v1::ClientMessage second_greeting, of_too_many, nothing;
+  second_greeting.mutable_greeting()->set_session("work");
+  for (uint64_t i = 0; i < 257; ++i) of_too_many.mutable_credit()->add_decoded(i);
+  double refused = 0;
+  for (const v1::ClientMessage& wrong : {second_greeting, of_too_many, nothing}) {
+    LiveStream ann(channel(), "ann");
+    ann.greet("work");
+    ann.next(Case::kWelcome);
+    ann.send(wrong);
+    const grpc::Status status = ann.end();
+    EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT);
+    EXPECT_TRUE(server_.process->wait_for_output(status.error_message(), kPatience));
+    const int port = std::stoi(server_.announced("metrics on port "));
+    EXPECT_EQ(metric(http_get_metrics(port), "burnish_refusals_total{reason=\"malformed\"}"),
+              ++refused);
+  }
+}
+
 TEST_F(Live, PeopleComeMoveTheirBrushAndGo) {
   LiveStream ann(channel(), "ann");
   ann.greet("work");
@@ -202,8 +221,11 @@ TEST_F(Live, AClosedOrDeletedSessionSendsItsClientsAway) {
     ann.next(Case::kWelcome);
     std::vector<std::string> words = {"close", "work", "--user", "ann"};
     if (deleted) words.insert(words.begin() + 2, "--delete");
+    std::vector<std::string> of_another = words;
+    of_another.back() = "bob";
+    EXPECT_THAT(server_.burnish(of_another).output, HasSubstr("'bob' is editor of this session"));
     done(words);
-    EXPECT_EQ(ann.next(Case::kGoAway).go_away().come_back(), !deleted);
+    EXPECT_FALSE(ann.next(Case::kGoAway).go_away().come_back());
     EXPECT_TRUE(ann.end().ok());
   }
 }

@@ -80,12 +80,15 @@ class WorkspaceService : public testing::Test {
   Workspace workspace_{renderer_, Preferences(), WorkspaceOptions()};
 };
 
-TEST_F(WorkspaceService, ComesBackToASessionThatItsOwnerClosed) {
+TEST_F(WorkspaceService, LeavesASessionThatItsOwnerClosedUntilItIsOpenedAgain) {
   ASSERT_TRUE(open_through(server_.address));
   ASSERT_TRUE(owner_.close_session("work").is_ok());
+  ASSERT_TRUE(until_link_is(LinkState::kEnded));
+  EXPECT_TRUE(log_has("the session was closed by"));
+  workspace_.join_by_name("work");
+  ASSERT_TRUE(until([this] { return document().link() == LinkState::kLive; }));
   use_everything();
   EXPECT_TRUE(until([this] { return document().is_settled(); }));
-  EXPECT_EQ(document().link(), LinkState::kLive);
 }
 
 TEST_F(WorkspaceService, OutlivesItsSessionAndItsScan) {

@@ -20,7 +20,7 @@ class CreditPacing : public testing::Test {
     for (int i = 0; i < frames; ++i) {
       pass(100);
       pacer.granted(now_ - milliseconds(static_cast<int>(latency_ms)), pacer.due(now_));
-      pacer.on_frame(now_, latency_ms, server_ms);
+      pacer.on_frame(now_, latency_ms - server_ms, server_ms);
       pacer.on_drawn(now_);
     }
   }

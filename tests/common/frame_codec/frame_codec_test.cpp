@@ -103,6 +103,34 @@ TEST_P(FrameCodec, DisplacementsBeyondSixteenBitsAreExact) {
   EXPECT_EQ(shown(), sample.steps);
 }
 
+TEST_P(FrameCodec, AMovingFrameThatIsToBeSmallIsRoundedMoreCoarsely) {
+  const EncodedFrame fine = encoder_.encode(wave(0.3), FrameStep::kMoving);
+  const EncodedFrame small = encoder_.encode(wave(0.3), FrameStep::kMoving, 1);
+  EXPECT_TRUE(small.is_complete);
+  EXPECT_LT(small.bytes.size(), 0.8 * fine.bytes.size());
+  ASSERT_TRUE(decoder_.decode(small.bytes).is_ok());
+  const std::vector<int32_t> wanted = wave(0.3).steps, held = shown();
+  for (int tile = 0; tile < layout_->tile_count(); ++tile) {
+    const size_t begin = layout_->tile_begin(tile), size = layout_->tile_size(tile);
+    for (size_t i = 0; i < 3 * size; ++i)
+      ASSERT_LE(std::abs(held[3 * begin + i] - wanted[3 * begin + i]),
+                16 * layout_->slack[begin + i % size]);  // half of 1/8 cell
+  }
+}
+
+TEST_P(FrameCodec, AStillFrameThatIsToBeSmallComesInParts) {
+  size_t parts = 0;
+  for (bool is_complete = false; !is_complete; ++parts) {
+    const EncodedFrame part = encoder_.encode(wave(0.3), FrameStep::kStill, 1);
+    ASSERT_TRUE(decoder_.decode(part.bytes).is_ok());
+    encoder_.acknowledge(part.sequence);
+    is_complete = part.is_complete;
+    ASSERT_LE(part.sent_tiles, 1u);
+  }
+  EXPECT_EQ(shown(), wave(0.3).steps);
+  EXPECT_GE(parts, static_cast<size_t>(layout_->tile_count()));
+}
+
 TEST_P(FrameCodec, ADeltaIsSmallerThanAKeyFrame) {
   const size_t key = encoder_.encode(wave(0.3), FrameStep::kMoving).bytes.size();
   encoder_.acknowledge(1);

@@ -71,7 +71,7 @@ class Visitor {
       case 6:
         return guest.subscriber().beat(static_cast<uint64_t>(pick(1000)));
       case 7:
-        if (pick(10) == 0) (void)manager_.close(pick(2) ? "one" : "two", {});
+        if (pick(10) == 0) (void)manager_.close(pick(2) ? "one" : "two", name_, {});
         return;
       default:
         guest.subscriber().grant({.frames = 2, .decoded = std::exchange(guest.decoded, {})});

@@ -95,6 +95,26 @@ TEST_F(LiveSessionTest, WhileItMovesAFrameIsOffByAtMostTheCodecsStep) {
     ASSERT_LE(std::abs(exact.steps[i] - seen.steps[i]), 2);  // half of 1/64 cell
 }
 
+TEST_F(LiveSessionTest, OverASlowLinkASettledSurfaceIsShownInPartsAndExactInTheEnd) {
+  ASSERT_TRUE(library_.import(sphere_file(1, 5), "large").is_ok());
+  ASSERT_TRUE(manager_->open({"large", "large", {5, 0}}, "ann", {}).is_ok());
+  const LiveGreeting wish{"large", 0, FrameContent::kVertices};  // of several tiles
+  auto ann = guest("ann", wish), bob = guest("bob", wish);
+  ann.edit({{"a", SetGradientScale{0}}});
+  bob.settle();
+  size_t parts = 0;
+  for (;; ++parts) {
+    ann.run();
+    const auto frames = ann.all<LiveFrame>();
+    if (!frames.empty() && frames.back().facts.settled && ann.decoded.empty()) break;
+    ASSERT_LT(parts, 100u);
+    ann.subscriber().grant(
+        {.frames = 1, .decoded = std::exchange(ann.decoded, {}), .frame_bytes = 1000});
+  }
+  EXPECT_EQ(shown(ann).steps, shown(bob).steps);
+  EXPECT_GE(parts, 4u);
+}
+
 TEST_F(LiveSessionTest, WithoutAnAcknowledgementOneKeyFrameGoesOut) {
   auto ann = guest();
   ann.edit({{"a", SetGradientScale{0}}});
@@ -310,18 +330,56 @@ TEST_F(LiveSessionTest, SomebodyElseAtTheSessionHoldsUpOnlyItsOwnTurns) {
 TEST_F(LiveSessionTest, ClosedAndDeletedSessionsSendTheirClientsAway) {
   auto ann = guest();
   ann.edit({{"a", SetGradientScale{0.5}}});
-  ASSERT_TRUE(manager_->close("work", {}).is_ok());
+  ASSERT_TRUE(manager_->close("work", "ann", {}).is_ok());
   ann.run();
   // What had come before is answered all the same.
   EXPECT_EQ(ann.all<EditsAcknowledged>().size(), 1u);
-  EXPECT_TRUE(ann.all<Farewell>()[0].come_back);
+  EXPECT_EQ(ann.all<Farewell>()[0].reason, "the session was closed by ann");
+  EXPECT_FALSE(ann.all<Farewell>()[0].come_back);
   EXPECT_TRUE(ann.finished);
+  auto again = guest();  // while the first one is still on the way out
   ann.leave();
-  auto again = guest();
+  again.edit({{"b", SetGradientScale{0.25}}});
   again.run();
+  EXPECT_EQ(again.all<EditsAcknowledged>().size(), 1u);
+  again.edit({{"c", SetGradientScale{0.75}}});
   ASSERT_TRUE(manager_->remove("work", "ann", {}).is_ok());
   again.run();
+  EXPECT_EQ(again.all<EditsRefused>().size(), 1u);
   EXPECT_FALSE(again.all<Farewell>()[0].come_back);
+  EXPECT_TRUE(again.finished);
+}
+
+TEST_F(LiveSessionTest, AClosedSessionStaysOutOfMemoryWhileItsClientsGo) {
+  auto ann = guest(), bob = guest("bob");
+  ann.edit({{"a", SetGradientScale{0}}});
+  bob.run();
+  ASSERT_TRUE(manager_->close("work", "ann", {}).is_ok());
+  ann.leave();
+  bob.run();
+  EXPECT_TRUE(bob.finished);
+  EXPECT_FALSE(manager_->list()[0].in_memory);
+}
+
+TEST_F(LiveSessionTest, WhatClientsDrawIsAdmittedByItsBytes) {
+  Quota& memory = manager_->memory();
+  const uint64_t before = memory.taken();
+  {
+    const Quota::Share others = memory.take("others", memory.max() - 1000).value();
+    const Quota::Share own = memory.take(kServer, memory.max() - before - 1000).value();
+    const Status refused = live_->join({"work", 100}, "ann", {}, {}).status();
+    EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
+    EXPECT_THAT(refused.message(), testing::ContainsRegex("asks for [0-9]+ more"));
+  }
+  uint64_t whole = 0;
+  {
+    auto ann = guest(), bob = guest("bob");
+    whole = memory.taken() - before;
+    EXPECT_GE(whole, ann.subscriber().target->layout->byte_count());
+    const auto proxy = guest("eve", {"work", 100});
+    EXPECT_GT(memory.taken(), before + whole);
+  }
+  EXPECT_EQ(memory.taken(), before);
 }
 
 TEST_F(LiveSessionTest, ADrainingServerLetsNobodyIn) {

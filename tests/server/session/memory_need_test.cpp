@@ -4,6 +4,7 @@
 
 #include "common/mesh/generate.h"
 #include "server/prepare/prepare.h"
+#include "server/session/frame_target.h"
 #include "server/session/session.h"
 
 namespace burnish {
@@ -19,13 +20,30 @@ TEST_P(MemoryNeed, IsNoLessThanWhatIsTakenAndNotFarAbove) {
       std::move(Session::open(prepared, hierarchy, {BackendKind::kCpu, Smoother::kSchwarz, 1}))
           .value();
   ASSERT_TRUE(session->apply({"a", SetTransferCurve{TransferCurve(5)}}).is_ok());
+  session->previews().show(1, {"ann", "b", SetGradientScale{0.5}});
+  session->update();
   session->step();
   const double mesh = static_cast<double>(prepared->byte_count() + hierarchy->byte_count());
-  const double own = static_cast<double>(session->solver().byte_count());
+  const double own = static_cast<double>(session->byte_count());
   EXPECT_GE(static_cast<double>(predict_mesh_bytes(*prepared)), mesh);
   EXPECT_LE(static_cast<double>(predict_mesh_bytes(*prepared)), 1.5 * mesh);
   EXPECT_GE(static_cast<double>(predict_session_bytes(*hierarchy)), own);
   EXPECT_LE(static_cast<double>(predict_session_bytes(*hierarchy)), 2 * own + (8 << 20));
+}
+
+TEST_P(MemoryNeed, OfFramesIsNoLessThanTheirLayoutAndPoints) {
+  const auto prepared = prepare(make_icosphere(5, 1), {GetParam(), 0, 1}, {}).value();
+  const auto shared = std::make_shared<const SharedMesh>(prepared, make_hierarchy(*prepared));
+  Quota memory("bytes", "max", UINT64_MAX);
+  FrameTargets targets(memory);
+  for (const uint64_t triangles_max : {0, 500})
+    for (const FrameContent content : {FrameContent::kCoefficients, FrameContent::kVertices}) {
+      const auto target = targets.find_or_make(shared, triangles_max, content, {}).value();
+      const uint64_t taken =
+          target->layout->byte_count() + target->proxy_points.size() * sizeof(EvaluationPoint);
+      EXPECT_GE(predict_target_bytes(*prepared, *shared->hierarchy, triangles_max), taken);
+      EXPECT_EQ(memory.taken(), target->memory.amount());
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Depths, MemoryNeed, testing::Values(4, 6, 8));

@@ -113,7 +113,7 @@ TEST_F(SessionManagerTest, ARestartedServerBringsBackTheSameSurface) {
 TEST_F(SessionManagerTest, AClosedSessionKeepsItsEdits) {
   ASSERT_TRUE(open("one").is_ok());
   ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0.5}}}).is_ok());
-  ASSERT_TRUE(manager_->close("one", {}).is_ok());
+  ASSERT_TRUE(manager_->close("one", user_, {}).is_ok());
   EXPECT_FALSE(manager_->list()[0].in_memory);
   EXPECT_EQ(manager_->state("one", {}).value().gradient_scale, 0.5);
   EXPECT_EQ(apply("one", {{"a", SetGradientScale{0.7}}}).value().known, 1u);

@@ -87,6 +87,16 @@ TEST_F(SessionPeopleTest, AViewersEditIsRefusedAndChangesNothing) {
   EXPECT_TRUE(apply("eve", SetGradientScale{0.5}).is_ok());
 }
 
+TEST_F(SessionPeopleTest, OnlyAnOwnerClosesTheSession) {
+  const Status refused = manager_->close("work", "bob", {});
+  EXPECT_EQ(refused.code(), StatusCode::kPermissionDenied);
+  EXPECT_EQ(refused.message(),
+            "closing the session needs the role owner; 'bob' is editor of this session");
+  EXPECT_TRUE(manager_->list()[0].in_memory);
+  EXPECT_TRUE(manager_->close("work", "ann", {}).is_ok());
+  EXPECT_FALSE(manager_->list()[0].in_memory);
+}
+
 TEST_F(SessionPeopleTest, OnlyAnOwnerGivesRolesAndDeletes) {
   EXPECT_EQ(manager_->set_role("work", "bob", "bob", SessionRole::kOwner, {}).code(),
             StatusCode::kPermissionDenied);
