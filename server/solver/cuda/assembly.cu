@@ -1,5 +1,6 @@
 #include "server/solver/cuda/assembly.h"
 #include "server/solver/cuda/gather_rows.h"
+#include "server/solver/cuda/products.h"
 
 namespace burnish::cuda {
 
@@ -39,13 +40,34 @@ __global__ void anisotropy_kernel(int64_t count, const float* alpha1, const floa
     atomicMax(reinterpret_cast<unsigned*>(anisotropy), __float_as_uint(most));
 }
 
+// The combined integrals of a block's children, each read once.
+constexpr int kParents = kThreads / 8;
+constexpr int kChildren = 8 * kParents;
+struct Children {
+  double numbers[CellSquares<double>::kNumbers][kChildren + 1];  // one more: banks
+};
+
+__device__ void read_children(const CellSquares<double>& cells, const int32_t* child, int count,
+                              Children& children) {
+  constexpr int kWarps = kThreads / 32;
+  for (int i = static_cast<int>(threadIdx.x % 32); i < count; i += 32) {
+    const double* numbers = cells.numbers + child[i];
+#pragma unroll
+    for (int n = 0; n < CellSquares<double>::kNumbers / kWarps; ++n) {
+      const int number = n * kWarps + static_cast<int>(threadIdx.x / 32);
+      children.numbers[number][i] = numbers[number * cells.cells];
+    }
+  }
+  __syncthreads();
+}
+
 // Row a of K; its last number is the row sum.
-__device__ void read_row(const CellSquares<double>& cells, int32_t cell, int a, double (&row)[9]) {
-  row[8] = own_of(cells, cell, a);
+__device__ void read_row(const Children& children, int i, int a, double (&row)[9]) {
+  row[8] = children.numbers[28 + a][i];
   double diagonal = row[8];
 #pragma unroll
   for (int b = 0; b < 8; ++b) {
-    row[b] = a == b ? 0 : pair_of(cells, cell, pair_index(a, b));
+    row[b] = a == b ? 0 : children.numbers[pair_index(a, b)][i];
     diagonal -= row[b];
   }
 #pragma unroll
@@ -84,17 +106,22 @@ __device__ void restrict_rows(int octant, int a, unsigned group, double (&row)[9
 // Eight threads per coarse cell, each with a row.
 __global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<double> fine_cells,
                                    CellSquares<double> coarse_cells) {
+  __shared__ Children children;
+  let_next_start();
+  const int64_t first_parent = static_cast<int64_t>(blockIdx.x) * kParents;
+  const int64_t parents_end = min(first_parent + kParents, coarse_cells.cells);
+  const int32_t first = coarse.child_start[first_parent], end = coarse.child_start[parents_end];
   await_previous();
-  const int64_t i = thread_index(), parent = i / 8;
+  read_children(fine_cells, coarse.child + first, end - first, children);
+  const int64_t parent = thread_index() / 8;
   if (parent >= coarse_cells.cells) return;
-  const int a = static_cast<int>(i % 8);
+  const int a = static_cast<int>(threadIdx.x % 8);
   const unsigned group = 0xffu << (threadIdx.x % 32 / 8 * 8);
   double sum[9] = {};
   for (int32_t k = coarse.child_start[parent]; k < coarse.child_start[parent + 1]; ++k) {
-    const int32_t child = coarse.child[k];
-    const int octant = fine.octant[child];
+    const int octant = fine.octant[coarse.child[k]];
     double row[9];
-    read_row(fine_cells, child, a, row);
+    read_row(children, k - first, a, row);
     restrict_columns(octant, row);
     restrict_rows(octant, a, group, row);
 #pragma unroll
@@ -106,20 +133,20 @@ __global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<d
   own_of(coarse_cells, parent, a) = sum[8];
 }
 
-__global__ void assemble_kernel(CellSquares<double> cells, Depth depth, ExactMatrix exact) {
+__global__ void assemble_kernel(CellSquares<double> cells, Depth depth, double* row_sum) {
   await_previous();
-  const int64_t i = thread_index();
-  if (i >= depth.topology.corner_count) return;
-  const auto corner = static_cast<int32_t>(i);
+  const int32_t corner = row_of(group_of(depth.topology.rows, blockIdx.x));
+  if (corner < 0) return;
   const GatheredRow<double> row = gather_row(depth.topology, cells, corner);
   double diagonal = row.own;
 #pragma unroll
   for (int s = 0; s < kSlots; ++s) diagonal -= row.by_slot[s];
   depth.system.diagonal[corner] = static_cast<float>(diagonal);
-  if (exact.row_sum != nullptr) exact.row_sum[corner] = row.own;
+  if (row_sum != nullptr) row_sum[corner] = row.own;
   store_row(depth.topology.rows, corner, row, [&](int64_t k, double value) {
-    depth.system.entry[k] = static_cast<float>(value);
-    if (exact.entry != nullptr) exact.entry[k] = value;
+    const uint32_t packed = pack(static_cast<float>(value), depth.topology.rows.local[k]);
+    depth.system.packed[k] = packed;
+    depth.rest[k] = static_cast<float>(value - value_of(packed));
   });
 }
 
@@ -173,10 +200,10 @@ void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,
          coarse_cells);
 }
 
-void assemble(Stream& stream, const CellSquares<double>& cells, const Depth& depth,
-              const ExactMatrix& exact, float* pinned_below) {
+void assemble(Stream& stream, const CellSquares<double>& cells, const Depth& depth, double* row_sum,
+              float* pinned_below) {
   const int32_t n = depth.topology.corner_count;
-  launch(stream, assemble_kernel, n, cells, depth, exact);
+  launch_groups(stream, assemble_kernel, depth.topology.rows, cells, depth, row_sum);
   if (!stream.is_ok()) return;
   pinned_below_kernel<<<1, kMedianSamples, 0, stream.get()>>>(n, depth.system.diagonal,
                                                               pinned_below);

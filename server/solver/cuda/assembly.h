@@ -17,9 +17,9 @@ void find_anisotropy(Stream& stream, int32_t cell_count, const float* alpha1, co
 void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,
                  const CellSquares<double>& fine_cells, const CellSquares<double>& coarse_cells);
 
-/// The depth's matrix and inverse diagonal from its cells, and the same in double if `exact` has
-/// arrays. `pinned_below` is one number of working memory. Source: section 5.2.
-void assemble(Stream& stream, const CellSquares<double>& cells, const Depth& depth,
-              const ExactMatrix& exact, float* pinned_below);
+/// The depth's matrix and inverse diagonal from its cells, and its row sums unless null.
+/// `pinned_below` is one number of working memory. Source: section 5.2.
+void assemble(Stream& stream, const CellSquares<double>& cells, const Depth& depth, double* row_sum,
+              float* pinned_below);
 
 }  // namespace burnish::cuda

@@ -39,7 +39,9 @@ __global__ void constraint_kernel(Depth finest, Gradients gradients, FieldArrays
             share_of(gradients, cell, a, change * (alpha2 / alpha1), change * (alpha1 / alpha2));
     }
   }
-  r[corner] = r[corner] + (sum - b[corner]);
+  const Double3 residual = r[corner] + (sum - b[corner]);
+  r[corner] = residual;
+  finest.f[corner] = to_float(residual);
   b[corner] = sum;
 }
 

@@ -31,7 +31,7 @@ class CudaBackend final : public Backend {
         alpha2_(stream_, mesh_->prepared->cells.size()),
         beta_(stream_, mesh_->prepared->cells.size()),
         combined_(stream_, CellSquares<double>::kNumbers * cells_of_all_depths()),
-        pinned_below_(stream_, 1),
+        pinned_below_(stream_, mesh_->depths.size()),
         anisotropy_(stream_, 1) {
     for (const DeviceTopology& topology : mesh_->depths)
       depths_.emplace_back(stream_, topology.view());
@@ -81,7 +81,7 @@ class CudaBackend final : public Backend {
   void solve_coarsest() override { coarsest_->solve(); }
 
   void recompute_residual() override { outer_->recompute_residual(); }
-  void load_residual() override { outer_->load_residual(); }
+  void load_residual() override {}  // f goes with r
   void update_direction(bool restart) override { outer_->update_direction(restart); }
   void advance() override { outer_->advance(); }
 
@@ -117,27 +117,34 @@ class CudaBackend final : public Backend {
     coarsest_->on_device() ? graphs_.run(key, work) : work();
   }
 
-  // The matrices of all depths, each from the combined integrals of the one below.
+  // The matrices of all depths, each from the combined integrals of the one below. Those are what
+  // the coarsest depth waits for; a depth's own matrix and smoother are made beside them.
   void assemble_all() {
     find_anisotropy(stream_, finest().topology.cell_count, alpha1_.data(), alpha2_.data(),
                     anisotropy_);
     CellSquares<double> cells = {combined_.data(), finest().topology.cell_count};
     combine_integrals(stream_, mesh_->integrals(), alpha1_.data(), alpha2_.data(),
                       mesh_->prepared->alpha_scale(), cells);
-    assemble(stream_, cells, finest(), outer_->matrix(), pinned_below_.data());
     for (size_t i = depths_.size() - 1; i > 0; --i) {
       const Depth &fine = depths_[i].view(), &coarse = depths_[i - 1].view();
       const CellSquares<double> coarse_cells = {cells.numbers + cells.kNumbers * cells.cells,
                                                 coarse.topology.cell_count};
+      Schwarz& smoother = *smoothers_[i - 1];
+      assemble(smoother.fork(), cells, fine, row_sum_at(i), pinned_below_.data() + i);
       down_sample(stream_, fine.topology, coarse.topology, cells, coarse_cells);
       // The depth's combined integrals are of no more use: its smoother works in their place.
-      smoothers_[i - 1]->set_up({reinterpret_cast<float*>(cells.numbers), cells.cells},
-                                anisotropy_.data());
-      assemble(stream_, coarse_cells, coarse, {}, pinned_below_.data());
+      smoother.fork();
+      smoother.set_up({reinterpret_cast<float*>(cells.numbers), cells.cells}, anisotropy_.data());
       cells = coarse_cells;
     }
+    assemble(stream_, cells, depths_[0].view(), row_sum_at(0), pinned_below_.data());
     coarsest_->factor();
     for (const auto& smoother : smoothers_) smoother->finish_set_up();
+  }
+
+  // Only the finest depth's product is to double's digits.
+  double* row_sum_at(size_t i) const {
+    return i + 1 == depths_.size() ? outer_->row_sum() : nullptr;
   }
 
   std::shared_ptr<const DeviceMesh> mesh_;

@@ -1,42 +1,45 @@
 #include <utility>
 
 #include "server/solver/cuda/dense_inverse.h"
-#include "server/solver/cuda/kernel.h"
+#include "server/solver/cuda/products.h"
 
 namespace burnish::cuda {
 
 namespace {
 
 constexpr double kRegularisation = 1e-5;
-constexpr int kTile = 16;
+constexpr int kSide = 16;
 
 /// Rows of the square, a whole number of tiles; those beyond the corners are the identity's.
 int64_t padded(int64_t corner_count) {
-  return (corner_count + kTile - 1) / kTile * kTile;
+  return (corner_count + kSide - 1) / kSide * kSide;
 }
 
 // From zero; n is padded.
 __global__ void fill_kernel(int64_t n, Depth depth, double* square) {
   await_previous();
-  const int64_t row = thread_index();
-  if (row >= n) return;
-  square[row * n + row] = 1 + kRegularisation;
-  if (row >= depth.topology.corner_count) return;
   const Rows& rows = depth.topology.rows;
-  const auto corner = static_cast<int32_t>(row);
+  const Group group = group_of(rows, blockIdx.x);
+  const int64_t beyond = rows.count + threadIdx.x;
+  if (blockIdx.x == 0 && beyond < n) square[beyond * n + beyond] = 1 + kRegularisation;
+  const int32_t row = row_of(group);
+  if (row < 0) return;
+  square[row * n + row] = 1 + kRegularisation;
   const double here = sqrt(static_cast<double>(depth.inverse_diagonal[row]));
-  const int64_t begin = row_begin(rows, corner), end = row_end(rows, corner, begin);
+  const int64_t begin = row_begin(rows, row), end = row_end(rows, row, begin);
   for (int64_t k = begin; k < end; k += kSliceRows) {
-    const int32_t column = rows.column[k];
+    const uint32_t packed = depth.system.packed[k];
+    const int32_t column = column_of(group, local_of(packed));
+    const float entry = value_of(packed) + depth.rest[k];
     square[row * n + column] =
-        depth.system.entry[k] * here * sqrt(static_cast<double>(depth.inverse_diagonal[column]));
+        entry * here * sqrt(static_cast<double>(depth.inverse_diagonal[column]));
   }
 }
 
 // The tile's inverse, in place, by Gauss-Jordan without pivoting: the matrix is definite and, by
 // the regularisation, its condition number is bounded.
-__device__ void invert_tile(double (&tile)[kTile][kTile], int row, int column) {
-  for (int pivot = 0; pivot < kTile; ++pivot) {
+__device__ void invert_tile(double (&tile)[kSide][kSide], int row, int column) {
+  for (int pivot = 0; pivot < kSide; ++pivot) {
     const double inverse_pivot = 1 / tile[pivot][pivot];
     const double on_row = column == pivot ? inverse_pivot : tile[pivot][column] * inverse_pivot;
     const double factor = tile[row][pivot];
@@ -51,11 +54,11 @@ __device__ void invert_tile(double (&tile)[kTile][kTile], int row, int column) {
 // inverse of the pivot tile, row tiles become D A, column tiles −A D, and all others lose A D A.
 __global__ void eliminate_kernel(int64_t n, int pivot, const double* from, double* to) {
   await_previous();
-  __shared__ double inverse[kTile][kTile], on_row[kTile][kTile], on_column[kTile][kTile];
+  __shared__ double inverse[kSide][kSide], on_row[kSide][kSide], on_column[kSide][kSide];
   const int row = static_cast<int>(threadIdx.y), column = static_cast<int>(threadIdx.x);
   const int tile_row = static_cast<int>(blockIdx.y), tile_column = static_cast<int>(blockIdx.x);
   const auto place = [&](int of_row, int of_column) {
-    return (static_cast<int64_t>(of_row) * kTile + row) * n + of_column * kTile + column;
+    return (static_cast<int64_t>(of_row) * kSide + row) * n + of_column * kSide + column;
   };
   inverse[row][column] = from[place(pivot, pivot)];
   on_column[row][column] = from[place(tile_row, pivot)];
@@ -67,13 +70,13 @@ __global__ void eliminate_kernel(int64_t n, int pivot, const double* from, doubl
   double sum = 0;
   on_row[row][column] = there;
   __syncthreads();
-  for (int k = 0; k < kTile; ++k) sum += inverse[row][k] * on_row[k][column];
+  for (int k = 0; k < kSide; ++k) sum += inverse[row][k] * on_row[k][column];
   __syncthreads();
   on_row[row][column] = sum;
   __syncthreads();
   if (tile_row != pivot) {
     sum = tile_column == pivot ? 0 : from[place(tile_row, tile_column)];
-    for (int k = 0; k < kTile; ++k) sum -= on_column[row][k] * on_row[k][column];
+    for (int k = 0; k < kSide; ++k) sum -= on_column[row][k] * on_row[k][column];
   }
   to[place(tile_row, tile_column)] = sum;
 }
@@ -90,22 +93,35 @@ __global__ void scale_kernel(int64_t n, Depth depth, const double* square, float
                            sqrt(static_cast<double>(depth.inverse_diagonal[column])));
 }
 
-// One warp per row.
+constexpr int kAhead = 5;  // of a thread's numbers of a row: all of them at most coarsest depths
+
+// One block per row.
 __global__ void multiply_kernel(Depth depth, const float* inverse) {
+  __shared__ float4 of_warp[kThreads / 32];
+  let_next_start();
+  const int64_t n = depth.topology.corner_count, row = blockIdx.x;
+  const int64_t t = threadIdx.x;
+  float ahead[kAhead];
+#pragma unroll
+  for (int j = 0; j < kAhead; ++j)
+    ahead[j] = t + j * kThreads < n ? inverse[row * n + t + j * kThreads] : 0;
   await_previous();
-  const int64_t row = thread_index() / 32;
-  const int64_t n = depth.topology.corner_count;
-  if (row >= n) return;
-  const int lane = static_cast<int>(threadIdx.x % 32);
   float4 sum = zero4();
-  for (int64_t column = lane; column < n; column += 32)
+#pragma unroll
+  for (int j = 0; j < kAhead; ++j)
+    if (t + j * kThreads < n) sum = sum + ahead[j] * depth.f[t + j * kThreads];
+  for (int64_t column = t + kAhead * kThreads; column < n; column += kThreads)
     sum = sum + inverse[row * n + column] * depth.f[column];
   for (int offset = 16; offset > 0; offset /= 2) {
     sum.x += __shfl_down_sync(0xffffffffu, sum.x, offset);
     sum.y += __shfl_down_sync(0xffffffffu, sum.y, offset);
     sum.z += __shfl_down_sync(0xffffffffu, sum.z, offset);
   }
-  if (lane == 0) depth.x[row] = sum;
+  if (t % 32 == 0) of_warp[t / 32] = sum;
+  __syncthreads();
+  if (t != 0) return;
+  for (int warp = 1; warp < kThreads / 32; ++warp) sum = sum + of_warp[warp];
+  depth.x[row] = sum;
 }
 
 }  // namespace
@@ -118,20 +134,20 @@ DenseInverse::DenseInverse(Stream& stream, const Depth& depth) : depth_(depth) {
 
 void DenseInverse::factor(Stream& stream) {
   const int64_t corners = depth_.topology.corner_count, n = padded(corners);
-  const int tiles = static_cast<int>(n / kTile);
+  const int tiles = static_cast<int>(n / kSide);
   if (!stream.is_ok()) return;
   square_[0].clear(stream);
-  launch(stream, fill_kernel, n, n, depth_, square_[0].data());
+  launch_groups(stream, fill_kernel, depth_.topology.rows, n, depth_, square_[0].data());
   for (int pivot = 0; pivot < tiles; ++pivot)
-    eliminate_kernel<<<dim3(tiles, tiles), dim3(kTile, kTile), 0, stream.get()>>>(
-        n, pivot, square_[pivot % 2].data(), square_[(pivot + 1) % 2].data());
+    launch_blocks(stream, eliminate_kernel, dim3(tiles, tiles), dim3(kSide, kSide), n, pivot,
+                  square_[pivot % 2].data(), square_[(pivot + 1) % 2].data());
   launch(stream, scale_kernel, corners * kThreads, n, depth_, square_[tiles % 2].data(),
          inverse_.data());
 }
 
 void DenseInverse::solve(Stream& stream) const {
-  launch(stream, multiply_kernel, 32 * static_cast<int64_t>(depth_.topology.corner_count), depth_,
-         inverse_.data());
+  launch(stream, multiply_kernel, kThreads * static_cast<int64_t>(depth_.topology.corner_count),
+         depth_, inverse_.data());
 }
 
 uint64_t DenseInverse::byte_count() const {

@@ -1,9 +1,12 @@
 #include "server/solver/cuda/device_mesh.h"
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <mutex>
+
+#include "server/solver/cuda/packed.h"
+#include "server/solver/cuda/row_groups.h"
 
 namespace burnish::cuda {
 
@@ -12,40 +15,31 @@ static_assert(offsetof(CellIntegrals, mass) == 0 &&
 static_assert(offsetof(FromCell, place) == offsetof(DepthTransfer::FromCell, place));
 static_assert(offsetof(VertexPlace, local) == offsetof(EvaluationPoint, local));
 
-std::vector<int64_t> slice_starts(const Stencil& stencil) {
-  const int32_t n = static_cast<int32_t>(stencil.mask.size());
-  std::vector<int64_t> starts = {0};
-  for (int32_t first = 0; first < n; first += kSliceRows) {
-    int longest = 0;
-    for (int32_t i = first; i < std::min(n, first + kSliceRows); ++i)
-      longest = std::max(longest, __builtin_popcount(stencil.mask[i]));
-    starts.push_back(starts.back() + longest * kSliceRows);
-  }
-  return starts;
-}
-
-static std::vector<int32_t> sliced_columns(const Stencil& stencil,
-                                           const std::vector<int64_t>& starts) {
-  std::vector<int32_t> columns(starts.back(), 0);
-  for (int32_t i = 0; i < static_cast<int32_t>(stencil.mask.size()); ++i) {
-    int64_t to = starts[i / kSliceRows] + i % kSliceRows;
-    for (auto [k, end] = stencil.row(i); k < end; ++k, to += kSliceRows)
-      columns[to] = stencil.column[k];
-  }
-  return columns;
-}
-
 static std::vector<uint8_t> octants(const SparseGrid& grid) {
   std::vector<uint8_t> octants(grid.cells.size());
   for (size_t c = 0; c < octants.size(); ++c) octants[c] = grid.cells[c].place & 7;
   return octants;
 }
 
+static std::vector<uint32_t> packed_restriction(const DepthTransfer& transfer) {
+  std::vector<uint32_t> packed(transfer.restriction_corner.size());
+#pragma omp parallel for schedule(static)
+  for (size_t k = 0; k < packed.size(); ++k)
+    packed[k] =
+        pack_restriction(transfer.restriction_corner[k],
+                         static_cast<uint32_t>(-std::ilogb(transfer.restriction_weight[k])));
+  return packed;
+}
+
 DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth) {
   const std::vector<int64_t> starts = slice_starts(depth.stencil);
   slice_start_ = {stream, starts};
   mask_ = {stream, depth.stencil.mask};
-  column_ = {stream, sliced_columns(depth.stencil, starts)};
+  const RowGroups groups = make_row_groups(depth.stencil, starts);
+  local_ = {stream, groups.local};
+  first_row_ = {stream, groups.first_row};
+  halo_start_ = {stream, groups.halo_start};
+  halo_ = {stream, groups.halo};
   cell_corners_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cell_corners);
   cells_of_corner_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cells_of_corner);
   octant_ = {stream, octants(depth.grid)};
@@ -54,7 +48,9 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth) {
   view_ = {depth.grid.corner_count(),
            depth.grid.cell_count(),
            starts.back(),
-           {depth.grid.corner_count(), slice_start_.data(), mask_.data(), column_.data()},
+           {depth.grid.corner_count(), slice_start_.data(), mask_.data(), local_.data(),
+            static_cast<int32_t>(groups.first_row.size()) - 1, first_row_.data(),
+            halo_start_.data(), halo_.data()},
            cell_corners_.data(),
            cells_of_corner_.data(),
            octant_.data(),
@@ -62,25 +58,22 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth) {
            child_.data(),
            nullptr,
            nullptr,
-           nullptr,
            nullptr};
   const DepthTransfer& transfer = depth.to_parent;  // empty at the coarsest depth
   prolongation_ = DeviceArray<FromCell>::copy_of(stream, transfer.prolongation);
   restriction_start_ = {stream, transfer.restriction_start};
-  restriction_corner_ = {stream, transfer.restriction_corner};
-  restriction_weight_ = {stream, transfer.restriction_weight};
+  restriction_ = {stream, packed_restriction(transfer)};
   view_.prolongation = prolongation_.data();
   view_.restriction_start = restriction_start_.data();
-  view_.restriction_corner = restriction_corner_.data();
-  view_.restriction_weight = restriction_weight_.data();
+  view_.restriction = restriction_.data();
 }
 
 uint64_t DeviceTopology::byte_count() const {
   return slice_start_.byte_count() + restriction_start_.byte_count() + mask_.byte_count() +
-         column_.byte_count() + child_start_.byte_count() + child_.byte_count() +
-         restriction_corner_.byte_count() + cell_corners_.byte_count() +
-         cells_of_corner_.byte_count() + octant_.byte_count() + prolongation_.byte_count() +
-         restriction_weight_.byte_count();
+         local_.byte_count() + first_row_.byte_count() + halo_start_.byte_count() +
+         halo_.byte_count() + child_start_.byte_count() + child_.byte_count() +
+         restriction_.byte_count() + cell_corners_.byte_count() + cells_of_corner_.byte_count() +
+         octant_.byte_count() + prolongation_.byte_count();
 }
 
 uint64_t DeviceMesh::byte_count() const {

@@ -20,17 +20,14 @@ class DeviceTopology {
 
  private:
   DeviceArray<int64_t> slice_start_, restriction_start_;
-  DeviceArray<uint32_t> mask_;
-  DeviceArray<int32_t> column_, child_start_, child_, restriction_corner_;
+  DeviceArray<uint32_t> mask_, restriction_;
+  DeviceArray<uint16_t> local_;
+  DeviceArray<int32_t> first_row_, halo_start_, halo_, child_start_, child_;
   DeviceArray<Eight> cell_corners_, cells_of_corner_;
   DeviceArray<uint8_t> octant_;
   DeviceArray<FromCell> prolongation_;
-  DeviceArray<float> restriction_weight_;
   Topology view_{};
 };
-
-/// Where an entry of a row stands in the device's slices; the host's counterpart of Rows.
-std::vector<int64_t> slice_starts(const Stencil& stencil);
 
 /// Everything about a prepared mesh that no edit changes, immutable and shared by its sessions.
 struct DeviceMesh {

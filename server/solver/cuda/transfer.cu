@@ -1,38 +1,49 @@
-#include "server/solver/cuda/kernel.h"
+#include "server/solver/cuda/products.h"
 #include "server/solver/cuda/transfer.h"
 
 namespace burnish::cuda {
 
 namespace {
 
-__global__ void residual_kernel(Depth depth) {
+constexpr int kGatheredMax = 27;
+constexpr int kGatheredUsual = 16;
+
+__global__ void __launch_bounds__(kThreads, 8) residual_kernel(Depth depth) {
+  __shared__ float4 tile[kTile];
+  let_next_start();
+  const FetchedRow row = fetch_row(depth.topology.rows, depth.system.packed, blockIdx.x);
+  const int32_t i = row.corner;
+  const bool is_free = i >= 0 && depth.inverse_diagonal[i] != 0;
+  const float diagonal = is_free ? depth.system.diagonal[i] : 0;
   await_previous();
-  const int64_t i = thread_index();
-  if (i >= depth.topology.corner_count) return;
-  const auto corner = static_cast<int32_t>(i);
-  depth.r[i] = depth.inverse_diagonal[i] == 0
-                   ? zero4()
-                   : depth.f[i] - product_row(depth.topology.rows, depth.system, depth.x, corner);
+  const float4 f = is_free ? depth.f[i] : zero4();
+  fill_tile(row, depth.x, tile);
+  if (i < 0) return;
+  depth.r[i] = is_free ? f - diagonal * tile[threadIdx.x] - product_of(row, tile) : zero4();
 }
 
 __global__ void restrict_kernel(Depth fine, Depth coarse) {
-  await_previous();
+  let_next_start();
   const int64_t i = thread_index();
   if (i >= coarse.topology.corner_count) return;
+  const int64_t begin = fine.topology.restriction_start[i];
+  const auto count = static_cast<int>(fine.topology.restriction_start[i + 1] - begin);
+  uint32_t from[kGatheredMax];
+#pragma unroll
+  for (int j = 0; j < kGatheredMax; ++j)
+    from[j] = j < count ? fine.topology.restriction[begin + j] : 0;
+  const bool is_free = coarse.inverse_diagonal[i] > 0;
+  await_previous();
   float4 sum = zero4();
-  const int64_t end = fine.topology.restriction_start[i + 1];
-  for (int64_t k = fine.topology.restriction_start[i]; k < end; k += kChunk) {
-    int32_t corner[kChunk];
-    float weight[kChunk];
 #pragma unroll
-    for (int j = 0; j < kChunk; ++j) {
-      corner[j] = k + j < end ? fine.topology.restriction_corner[k + j] : 0;
-      weight[j] = k + j < end ? fine.topology.restriction_weight[k + j] : 0;
-    }
+  for (int j = 0; j < kGatheredUsual; ++j)
+    if (j < count) sum = sum + weight_of(from[j]) * fine.r[corner_of(from[j])];
+  if (count > kGatheredUsual) {
 #pragma unroll
-    for (int j = 0; j < kChunk; ++j) sum = sum + weight[j] * fine.r[corner[j]];
+    for (int j = kGatheredUsual; j < kGatheredMax; ++j)
+      if (j < count) sum = sum + weight_of(from[j]) * fine.r[corner_of(from[j])];
   }
-  coarse.f[i] = coarse.inverse_diagonal[i] > 0 ? sum : zero4();
+  coarse.f[i] = is_free ? sum : zero4();
 }
 
 // The weight of corner a of a cell at one of its 3×3×3 half-way points.
@@ -47,15 +58,17 @@ __device__ float half_way_weight(int place, int a) {
 }
 
 __global__ void prolong_kernel(Depth coarse, Depth fine) {
-  await_previous();
+  let_next_start();
   const int64_t i = thread_index();
   if (i >= fine.topology.corner_count || fine.inverse_diagonal[i] == 0) return;
   const FromCell from = fine.topology.prolongation[i];
+  const Eight corners = coarse.topology.cell_corners[from.cell];
+  await_previous();
   float4 sum = fine.x[i];
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
     const float weight = half_way_weight(from.place, a);
-    if (weight > 0) sum = sum + weight * coarse.x[coarse.topology.cell_corners[from.cell].at[a]];
+    if (weight > 0) sum = sum + weight * coarse.x[corners.at[a]];
   }
   fine.x[i] = sum;
 }
@@ -63,7 +76,7 @@ __global__ void prolong_kernel(Depth coarse, Depth fine) {
 }  // namespace
 
 void compute_residual(Stream& stream, const Depth& depth) {
-  launch(stream, residual_kernel, depth.topology.corner_count, depth);
+  launch_groups(stream, residual_kernel, depth.topology.rows, depth);
 }
 
 void restrict_to_coarse(Stream& stream, const Depth& fine, const Depth& coarse) {
