@@ -9,12 +9,23 @@ namespace {
 constexpr float kPinnedBelow = 1e-12f;  // of the median diagonal
 constexpr int kMedianSamples = 1024;
 
+// Numbers that are at least one compare as their bits do, and a largest has no order.
+__device__ void keep_largest(float number, float* largest) {
+  for (int offset = 16; offset > 0; offset /= 2)
+    number = fmaxf(number, __shfl_xor_sync(0xffffffffu, number, offset));
+  if (threadIdx.x % 32 == 0)
+    atomicMax(reinterpret_cast<unsigned*>(largest), __float_as_uint(number));
+}
+
 __global__ void combine_kernel(Integrals integrals, const float* alpha1, const float* alpha2,
-                               double scale, CellSquares<double> combined) {
+                               double scale, CellSquares<double> combined, float* anisotropy) {
   await_previous();
-  const int64_t cell = thread_index();
-  if (cell >= combined.cells) return;
-  const CombineWeights weights = combine_weights(alpha1[cell] * scale, alpha2[cell] * scale);
+  const bool is_there = thread_index() < combined.cells;
+  const int64_t cell = is_there ? thread_index() : 0;
+  const float a1 = alpha1[cell], a2 = alpha2[cell];
+  keep_largest(fmaxf(a1 / a2, a2 / a1), anisotropy);
+  if (!is_there) return;
+  const CombineWeights weights = combine_weights(a1 * scale, a2 * scale);
   const auto integral = [&](int number) {
     return integrals.numbers[number * integrals.cells + cell];
   };
@@ -25,19 +36,6 @@ __global__ void combine_kernel(Integrals integrals, const float* alpha1, const f
         (weights.stiffness1 * integral(36 + pair) + weights.stiffness2 * integral(64 + pair));
 #pragma unroll
   for (int a = 0; a < 8; ++a) own_of(combined, cell, a) = weights.mass * integral(28 + a);
-}
-
-// Numbers that are at least one compare as their bits do, and a largest has no order.
-__global__ void anisotropy_kernel(int64_t count, const float* alpha1, const float* alpha2,
-                                  float* anisotropy) {
-  await_previous();
-  const int64_t c = thread_index();
-  const float ratio = c < count ? alpha1[c] / alpha2[c] : 1;
-  float most = fmaxf(ratio, 1 / ratio);
-  for (int offset = 16; offset > 0; offset /= 2)
-    most = fmaxf(most, __shfl_down_sync(0xffffffffu, most, offset));
-  if (threadIdx.x % 32 == 0)
-    atomicMax(reinterpret_cast<unsigned*>(anisotropy), __float_as_uint(most));
 }
 
 // The combined integrals of a block's children, each read once.
@@ -150,27 +148,27 @@ __global__ void assemble_kernel(CellSquares<double> cells, Depth depth, double* 
   });
 }
 
-// The median of an even sample, by one block that sorts it (bitonic).
+// The median of an even sample, by one block: the number that half of the others precede.
 __global__ void pinned_below_kernel(int32_t n, const float* diagonal, float* pinned_below) {
+  __shared__ float4 sample[kMedianSamples / 4];
   await_previous();
-  __shared__ float sample[kMedianSamples];
   const int stride = max(1, n / kMedianSamples);
   const int count = min(kMedianSamples, n / stride);
   const int t = static_cast<int>(threadIdx.x);
-  sample[t] = t < count ? diagonal[t * stride] : __int_as_float(0x7f800000);  // infinity
-  for (int size = 2; size <= kMedianSamples; size *= 2)
-    for (int distance = size / 2; distance > 0; distance /= 2) {
-      __syncthreads();
-      const int other = t ^ distance;
-      const bool swap = other > t && (sample[t] > sample[other]) == ((t & size) == 0);
-      if (swap) {
-        const float kept = sample[t];
-        sample[t] = sample[other];
-        sample[other] = kept;
-      }
-    }
+  const float mine = t < count ? diagonal[t * stride] : __int_as_float(0x7f800000);  // infinity
+  reinterpret_cast<float*>(sample)[t] = mine;
   __syncthreads();
-  if (t == 0) *pinned_below = kPinnedBelow * sample[count / 2];
+  const auto precedes = [&](float other, int index) {
+    return static_cast<int>(other < mine || (other == mine && index < t));
+  };
+  int rank = 0;
+#pragma unroll 4
+  for (int k = 0; k < kMedianSamples / 4; ++k) {
+    const float4 others = sample[k];
+    rank += precedes(others.x, 4 * k) + precedes(others.y, 4 * k + 1) +
+            precedes(others.z, 4 * k + 2) + precedes(others.w, 4 * k + 3);
+  }
+  if (rank == count / 2) *pinned_below = kPinnedBelow * mine;
 }
 
 __global__ void invert_diagonal_kernel(Depth depth, const float* pinned_below) {
@@ -184,14 +182,11 @@ __global__ void invert_diagonal_kernel(Depth depth, const float* pinned_below) {
 }  // namespace
 
 void combine_integrals(Stream& stream, const Integrals& integrals, const float* alpha1,
-                       const float* alpha2, double scale, const CellSquares<double>& combined) {
-  launch(stream, combine_kernel, combined.cells, integrals, alpha1, alpha2, scale, combined);
-}
-
-void find_anisotropy(Stream& stream, int32_t cell_count, const float* alpha1, const float* alpha2,
-                     const DeviceArray<float>& anisotropy) {
+                       const float* alpha2, double scale, const CellSquares<double>& combined,
+                       const DeviceArray<float>& anisotropy) {
   anisotropy.clear(stream);
-  launch(stream, anisotropy_kernel, cell_count, cell_count, alpha1, alpha2, anisotropy.data());
+  launch(stream, combine_kernel, combined.cells, integrals, alpha1, alpha2, scale, combined,
+         anisotropy.data());
 }
 
 void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,
@@ -204,9 +199,8 @@ void assemble(Stream& stream, const CellSquares<double>& cells, const Depth& dep
               float* pinned_below) {
   const int32_t n = depth.topology.corner_count;
   launch_groups(stream, assemble_kernel, depth.topology.rows, cells, depth, row_sum);
-  if (!stream.is_ok()) return;
-  pinned_below_kernel<<<1, kMedianSamples, 0, stream.get()>>>(n, depth.system.diagonal,
-                                                              pinned_below);
+  launch_blocks(stream, pinned_below_kernel, dim3(1), dim3(kMedianSamples), n,
+                depth.system.diagonal, pinned_below);
   launch(stream, invert_diagonal_kernel, n, depth, pinned_below);
 }
 

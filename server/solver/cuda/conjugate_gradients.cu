@@ -16,7 +16,7 @@ __device__ void add(Double3 a, double* sums) {
 }
 
 __device__ Double3 triple(const double* numbers) {
-  return {numbers[0], numbers[1], numbers[2], 0};
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 __device__ ExactMatrix exact_matrix(const Vectors& v) {
@@ -35,7 +35,7 @@ __global__ void recompute_residual_kernel(Vectors v) {
   const int32_t i = row.corner;
   fill_tile(row, v.u, tile);
   if (i < 0) return;
-  Double3 r = {0, 0, 0, 0};
+  Double3 r = {0, 0, 0};
   if (v.finest.inverse_diagonal[i] != 0) r = v.b[i] - product_of(row, exact_matrix(v), tile);
   v.r[i] = r;
   v.finest.f[i] = to_float(r);
@@ -45,7 +45,7 @@ __global__ void pin_kernel(Vectors v) {
   await_previous();
   const int64_t i = thread_index();
   if (i < v.finest.topology.corner_count && v.finest.inverse_diagonal[i] == 0)
-    v.u[i] = Double3{0, 0, 0, 0};
+    v.u[i] = Double3{0, 0, 0};
 }
 
 // With p = z + m p' conjugate to p', p·q = z·w + m z·q'. The residual is orthogonal to p', hence
@@ -65,7 +65,7 @@ __device__ void choose_step(const Sums<9>& products, bool restart, Scalars& scal
 }
 
 // w = S z, z·r, z·q and z·w.
-__global__ void product_kernel(Vectors v, bool restart) {
+__global__ void __launch_bounds__(kThreads, 6) product_kernel(Vectors v, bool restart) {
   __shared__ float4 tile[kTile];
   let_next_start();
   const Rows& rows = v.finest.topology.rows;
@@ -79,7 +79,7 @@ __global__ void product_kernel(Vectors v, bool restart) {
     fill_tile(row, v.finest.x, tile);
     if (i >= 0) {
       const Double3 z = to_double(tile[threadIdx.x]);
-      Double3 w = {0, 0, 0, 0};
+      Double3 w = {0, 0, 0};
       if (is_free) w = product_of(row, exact_matrix(v), tile);
       v.w[i] = w;
       add(z * v.r[i], sums.at);

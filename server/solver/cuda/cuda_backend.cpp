@@ -120,11 +120,9 @@ class CudaBackend final : public Backend {
   // The matrices of all depths, each from the combined integrals of the one below. Those are what
   // the coarsest depth waits for; a depth's own matrix and smoother are made beside them.
   void assemble_all() {
-    find_anisotropy(stream_, finest().topology.cell_count, alpha1_.data(), alpha2_.data(),
-                    anisotropy_);
     CellSquares<double> cells = {combined_.data(), finest().topology.cell_count};
     combine_integrals(stream_, mesh_->integrals(), alpha1_.data(), alpha2_.data(),
-                      mesh_->prepared->alpha_scale(), cells);
+                      mesh_->prepared->alpha_scale(), cells, anisotropy_);
     for (size_t i = depths_.size() - 1; i > 0; --i) {
       const Depth &fine = depths_[i].view(), &coarse = depths_[i - 1].view();
       const CellSquares<double> coarse_cells = {cells.numbers + cells.kNumbers * cells.cells,

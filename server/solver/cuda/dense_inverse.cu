@@ -27,6 +27,7 @@ __global__ void fill_kernel(int64_t n, Depth depth, double* square) {
   square[row * n + row] = 1 + kRegularisation;
   const double here = sqrt(static_cast<double>(depth.inverse_diagonal[row]));
   const int64_t begin = row_begin(rows, row), end = row_end(rows, row, begin);
+#pragma unroll 4
   for (int64_t k = begin; k < end; k += kSliceRows) {
     const uint32_t packed = depth.system.packed[k];
     const int32_t column = column_of(group, local_of(packed));
@@ -36,16 +37,22 @@ __global__ void fill_kernel(int64_t n, Depth depth, double* square) {
   }
 }
 
-// The tile's inverse, in place, by Gauss-Jordan without pivoting: the matrix is definite and, by
-// the regularisation, its condition number is bounded.
+// The tile's inverse, in place, by Gauss-Jordan without pivoting, two pivots at a time: the matrix
+// is definite and, by the regularisation, its condition number is bounded.
 __device__ void invert_tile(double (&tile)[kSide][kSide], int row, int column) {
-  for (int pivot = 0; pivot < kSide; ++pivot) {
-    const double inverse_pivot = 1 / tile[pivot][pivot];
-    const double on_row = column == pivot ? inverse_pivot : tile[pivot][column] * inverse_pivot;
-    const double factor = tile[row][pivot];
-    const double kept = column == pivot ? 0 : tile[row][column];
+  for (int p = 0; p < kSide; p += 2) {
+    const double a = tile[p][p], b = tile[p][p + 1], c = tile[p + 1][p], d = tile[p + 1][p + 1];
+    const double scale = 1 / (a * d - b * c);
+    const bool on_rows = row / 2 == p / 2, on_columns = column / 2 == p / 2;
+    // What the two pivot rows become, above and below, in this column.
+    const double above = on_columns ? double(column == p) : tile[p][column];
+    const double below = on_columns ? double(column == p + 1) : tile[p + 1][column];
+    const double new_above = scale * (d * above - b * below);
+    const double new_below = scale * (a * below - c * above);
+    const double kept = on_columns ? 0 : tile[row][column];
+    const double eliminated = kept - (tile[row][p] * new_above + tile[row][p + 1] * new_below);
     __syncthreads();
-    tile[row][column] = row == pivot ? on_row : kept - factor * on_row;
+    tile[row][column] = !on_rows ? eliminated : row == p ? new_above : new_below;
     __syncthreads();
   }
 }

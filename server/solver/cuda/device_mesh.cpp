@@ -37,7 +37,6 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth) {
   mask_ = {stream, depth.stencil.mask};
   const RowGroups groups = make_row_groups(depth.stencil, starts);
   local_ = {stream, groups.local};
-  first_row_ = {stream, groups.first_row};
   halo_start_ = {stream, groups.halo_start};
   halo_ = {stream, groups.halo};
   cell_corners_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cell_corners);
@@ -45,20 +44,20 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth) {
   octant_ = {stream, octants(depth.grid)};
   child_start_ = {stream, depth.child_start};
   child_ = {stream, depth.child};
-  view_ = {depth.grid.corner_count(),
-           depth.grid.cell_count(),
-           starts.back(),
-           {depth.grid.corner_count(), slice_start_.data(), mask_.data(), local_.data(),
-            static_cast<int32_t>(groups.first_row.size()) - 1, first_row_.data(),
-            halo_start_.data(), halo_.data()},
-           cell_corners_.data(),
-           cells_of_corner_.data(),
-           octant_.data(),
-           child_start_.data(),
-           child_.data(),
-           nullptr,
-           nullptr,
-           nullptr};
+  view_ = {
+      depth.grid.corner_count(),
+      depth.grid.cell_count(),
+      starts.back(),
+      {depth.grid.corner_count(), slice_start_.data(), mask_.data(), local_.data(), groups.rows,
+       static_cast<int32_t>(groups.halo_start.size()) - 1, halo_start_.data(), halo_.data()},
+      cell_corners_.data(),
+      cells_of_corner_.data(),
+      octant_.data(),
+      child_start_.data(),
+      child_.data(),
+      nullptr,
+      nullptr,
+      nullptr};
   const DepthTransfer& transfer = depth.to_parent;  // empty at the coarsest depth
   prolongation_ = DeviceArray<FromCell>::copy_of(stream, transfer.prolongation);
   restriction_start_ = {stream, transfer.restriction_start};
@@ -70,10 +69,10 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth) {
 
 uint64_t DeviceTopology::byte_count() const {
   return slice_start_.byte_count() + restriction_start_.byte_count() + mask_.byte_count() +
-         local_.byte_count() + first_row_.byte_count() + halo_start_.byte_count() +
-         halo_.byte_count() + child_start_.byte_count() + child_.byte_count() +
-         restriction_.byte_count() + cell_corners_.byte_count() + cells_of_corner_.byte_count() +
-         octant_.byte_count() + prolongation_.byte_count();
+         local_.byte_count() + halo_start_.byte_count() + halo_.byte_count() +
+         child_start_.byte_count() + child_.byte_count() + restriction_.byte_count() +
+         cell_corners_.byte_count() + cells_of_corner_.byte_count() + octant_.byte_count() +
+         prolongation_.byte_count();
 }
 
 uint64_t DeviceMesh::byte_count() const {

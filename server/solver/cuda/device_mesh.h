@@ -22,7 +22,7 @@ class DeviceTopology {
   DeviceArray<int64_t> slice_start_, restriction_start_;
   DeviceArray<uint32_t> mask_, restriction_;
   DeviceArray<uint16_t> local_;
-  DeviceArray<int32_t> first_row_, halo_start_, halo_, child_start_, child_;
+  DeviceArray<int32_t> halo_start_, halo_, child_start_, child_;
   DeviceArray<Eight> cell_corners_, cells_of_corner_;
   DeviceArray<uint8_t> octant_;
   DeviceArray<FromCell> prolongation_;

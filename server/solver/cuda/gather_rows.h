@@ -13,18 +13,24 @@ struct GatheredRow {
   Real own;
 };
 
+// A cell that is not there counts as the first, times zero: its loads need not wait for a branch.
 template <typename Real>
 __device__ GatheredRow<Real> gather_row(const Topology& topology, const CellSquares<Real>& cells,
                                         int32_t corner) {
   GatheredRow<Real> row = {};
+  const Eight cells_here = topology.cells_of_corner[corner];
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
-    const int32_t cell = topology.cells_of_corner[corner].at[a];
-    if (cell < 0) continue;
-    row.own += own_of(cells, cell, a);
+    const bool is_there = cells_here.at[a] >= 0;
+    const int32_t cell = is_there ? cells_here.at[a] : 0;
+    const Real own = own_of(cells, cell, a);
+    row.own += is_there ? own : 0;
 #pragma unroll
-    for (int b = 0; b < 8; ++b)
-      if (b != a) row.by_slot[slot_between(a, b)] += pair_of(cells, cell, pair_index(a, b));
+    for (int b = 0; b < 8; ++b) {
+      if (b == a) continue;
+      const Real pair = pair_of(cells, cell, pair_index(a, b));
+      row.by_slot[slot_between(a, b)] += is_there ? pair : 0;
+    }
   }
   return row;
 }

@@ -73,19 +73,19 @@ __device__ inline float4 zero4() {
 }
 
 __device__ inline Double3 operator+(Double3 a, Double3 b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z, 0};
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 __device__ inline Double3 operator-(Double3 a, Double3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z, 0};
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 __device__ inline Double3 operator*(double s, Double3 a) {
-  return {s * a.x, s * a.y, s * a.z, 0};
+  return {s * a.x, s * a.y, s * a.z};
 }
 __device__ inline Double3 operator*(Double3 a, Double3 b) {
-  return {a.x * b.x, a.y * b.y, a.z * b.z, 0};
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 __device__ inline Double3 to_double(float4 a) {
-  return {a.x, a.y, a.z, 0};
+  return {a.x, a.y, a.z};
 }
 __device__ inline float4 to_float(Double3 a) {
   return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z), 0};

@@ -23,9 +23,10 @@ struct Group {
   int32_t halo_count;
 };
 
-__device__ inline Group group_of(const Rows& rows, int64_t g) {
-  const int32_t first = rows.first_row[g], halo = rows.halo_start[g];
-  return {first, rows.first_row[g + 1] - first, rows.halo + halo, rows.halo_start[g + 1] - halo};
+__device__ inline Group group_of(const Rows& rows, int32_t g) {
+  const int32_t first = g * rows.group_rows, halo = rows.halo_start[g];
+  return {first, min(rows.group_rows, rows.count - first), rows.halo + halo,
+          rows.halo_start[g + 1] - halo};
 }
 
 /// The corner of a column by its place in the group's tile.
@@ -50,7 +51,7 @@ struct FetchedRow {
   int32_t halo[kHaloAhead];
 };
 
-__device__ inline FetchedRow fetch_row(const Rows& rows, const uint32_t* packed, int64_t g) {
+__device__ inline FetchedRow fetch_row(const Rows& rows, const uint32_t* packed, int32_t g) {
   FetchedRow row;
   row.group = group_of(rows, g);
   row.corner = row_of(row.group);

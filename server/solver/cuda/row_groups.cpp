@@ -9,7 +9,6 @@ namespace burnish::cuda {
 
 namespace {
 
-constexpr int32_t kWindowRows = 4 * kSliceRows;  // as many as a block has threads
 static_assert(kSliceRows * 27 <= kTile);
 
 struct Group {
@@ -29,12 +28,14 @@ Group group_of(const Stencil& stencil, int32_t begin, int32_t end) {
   return group;
 }
 
-std::vector<Group> groups_of_window(const Stencil& stencil, int32_t begin, int32_t end) {
-  std::vector<Group> groups = {group_of(stencil, begin, end)};
-  if (groups[0].fits()) return groups;
-  groups.clear();
-  for (int32_t slice = begin; slice < end; slice += kSliceRows)
-    groups.push_back(group_of(stencil, slice, std::min(end, slice + kSliceRows)));
+std::vector<Group> groups_of(const Stencil& stencil, int32_t rows) {
+  const auto n = static_cast<int32_t>(stencil.mask.size());
+  std::vector<Group> groups((n + rows - 1) / rows);
+#pragma omp parallel for schedule(static)
+  for (size_t g = 0; g < groups.size(); ++g) {
+    const int32_t begin = static_cast<int32_t>(g) * rows;
+    groups[g] = group_of(stencil, begin, std::min(n, begin + rows));
+  }
   return groups;
 }
 
@@ -60,30 +61,26 @@ std::vector<int64_t> slice_starts(const Stencil& stencil) {
 }
 
 RowGroups make_row_groups(const Stencil& stencil, const std::vector<int64_t>& starts) {
-  const auto n = static_cast<int32_t>(stencil.mask.size());
-  const int32_t windows = (n + kWindowRows - 1) / kWindowRows;
-  std::vector<std::vector<Group>> groups(windows);
   RowGroups result;
+  result.rows = 4 * kSliceRows;
+  std::vector<Group> groups = groups_of(stencil, result.rows);
+  if (!std::ranges::all_of(groups, &Group::fits)) {
+    result.rows = kSliceRows;
+    groups = groups_of(stencil, result.rows);
+  }
   result.local.resize(starts.back());
 #pragma omp parallel for schedule(static)
-  for (int32_t w = 0; w < windows; ++w) {
-    const int32_t begin = w * kWindowRows;
-    groups[w] = groups_of_window(stencil, begin, std::min(n, begin + kWindowRows));
-    for (const Group& group : groups[w])
-      for (int32_t i = group.begin; i < group.end; ++i) {
-        int64_t to = starts[i / kSliceRows] + i % kSliceRows;
-        for (auto [k, end] = stencil.row(i); k < end; ++k, to += kSliceRows)
-          result.local[to] = local_of(group, stencil.column[k]);
-      }
-  }
-  for (const auto& of_window : groups)
-    for (const Group& group : of_window) {
-      result.first_row.push_back(group.begin);
-      result.halo_start.push_back(static_cast<int32_t>(result.halo.size()));
-      result.halo.insert(result.halo.end(), group.halo.begin(), group.halo.end());
+  for (size_t g = 0; g < groups.size(); ++g)
+    for (int32_t i = groups[g].begin; i < groups[g].end; ++i) {
+      int64_t to = starts[i / kSliceRows] + i % kSliceRows;
+      for (auto [k, end] = stencil.row(i); k < end; ++k, to += kSliceRows)
+        result.local[to] = local_of(groups[g], stencil.column[k]);
     }
-  result.first_row.push_back(n);
-  result.halo_start.push_back(static_cast<int32_t>(result.halo.size()));
+  result.halo_start = {0};
+  for (const Group& group : groups) {
+    result.halo.insert(result.halo.end(), group.halo.begin(), group.halo.end());
+    result.halo_start.push_back(static_cast<int32_t>(result.halo.size()));
+  }
   return result;
 }
 

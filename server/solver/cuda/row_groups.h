@@ -15,7 +15,7 @@ std::vector<int64_t> slice_starts(const Stencil& stencil);
 /// halo, the other columns in rising order. A tile holds no more than kTile: four slices of any
 /// scanned surface fit by far, and a single slice, of 32 rows of 26 neighbours, always does.
 struct RowGroups {
-  std::vector<int32_t> first_row;   ///< groups + 1
+  int32_t rows;                     ///< of every group but the last: four slices, or one
   std::vector<int32_t> halo_start;  ///< groups + 1
   std::vector<int32_t> halo;
   std::vector<uint16_t> local;  ///< one per entry of the slices

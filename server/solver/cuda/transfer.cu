@@ -29,19 +29,21 @@ __global__ void restrict_kernel(Depth fine, Depth coarse) {
   const int64_t begin = fine.topology.restriction_start[i];
   const auto count = static_cast<int>(fine.topology.restriction_start[i + 1] - begin);
   uint32_t from[kGatheredMax];
+  float weight[kGatheredMax];
 #pragma unroll
-  for (int j = 0; j < kGatheredMax; ++j)
+  for (int j = 0; j < kGatheredMax; ++j) {
     from[j] = j < count ? fine.topology.restriction[begin + j] : 0;
+    weight[j] = j < count ? weight_of(from[j]) : 0;
+  }
   const bool is_free = coarse.inverse_diagonal[i] > 0;
   await_previous();
   float4 sum = zero4();
 #pragma unroll
-  for (int j = 0; j < kGatheredUsual; ++j)
-    if (j < count) sum = sum + weight_of(from[j]) * fine.r[corner_of(from[j])];
+  for (int j = 0; j < kGatheredUsual; ++j) sum = sum + weight[j] * fine.r[corner_of(from[j])];
   if (count > kGatheredUsual) {
 #pragma unroll
     for (int j = kGatheredUsual; j < kGatheredMax; ++j)
-      if (j < count) sum = sum + weight_of(from[j]) * fine.r[corner_of(from[j])];
+      sum = sum + weight[j] * fine.r[corner_of(from[j])];
   }
   coarse.f[i] = is_free ? sum : zero4();
 }
@@ -68,7 +70,7 @@ __global__ void prolong_kernel(Depth coarse, Depth fine) {
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
     const float weight = half_way_weight(from.place, a);
-    if (weight > 0) sum = sum + weight * coarse.x[corners.at[a]];
+    sum = sum + weight * coarse.x[weight > 0 ? corners.at[a] : corners.at[0]];
   }
   fine.x[i] = sum;
 }

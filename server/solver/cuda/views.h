@@ -8,8 +8,8 @@
 
 namespace burnish::cuda {
 
-struct alignas(32) Double3 {
-  double x, y, z, unused;
+struct Double3 {
+  double x, y, z;
 };
 
 /// Eight indices, -1 where there is none: SparseGrid's cell_corners and cells_of_corner.
@@ -65,8 +65,8 @@ struct Rows {
   const int64_t* slice_start;
   const uint32_t* mask;   ///< Stencil::mask
   const uint16_t* local;  ///< one per entry: where in its group's tile its column stands
+  int32_t group_rows;     ///< of every group but the last
   int32_t group_count;
-  const int32_t* first_row;   ///< groups + 1
   const int32_t* halo_start;  ///< groups + 1
   const int32_t* halo;
 };
