@@ -7,7 +7,7 @@ namespace burnish::cuda {
 namespace {
 
 constexpr float kPinnedBelow = 1e-12f;  // of the median diagonal
-constexpr int kMedianSamples = 1024;
+constexpr int kMedianSamples = 256;
 
 // Numbers that are at least one compare as their bits do, and a largest has no order.
 __device__ void keep_largest(float number, float* largest) {
@@ -42,12 +42,15 @@ __global__ void combine_kernel(Integrals integrals, const float* alpha1, const f
 constexpr int kParents = kThreads / 8;
 constexpr int kChildren = 8 * kParents;
 struct Children {
+  int octant[kChildren];
   double numbers[CellSquares<double>::kNumbers][kChildren + 1];  // one more: banks
 };
 
-__device__ void read_children(const CellSquares<double>& cells, const int32_t* child, int count,
-                              Children& children) {
+__device__ void read_children(const CellSquares<double>& cells, const uint8_t* octant,
+                              const int32_t* child, int count, Children& children) {
   constexpr int kWarps = kThreads / 32;
+  for (int i = static_cast<int>(threadIdx.x); i < count; i += kThreads)
+    children.octant[i] = octant[child[i]];
   for (int i = static_cast<int>(threadIdx.x % 32); i < count; i += 32) {
     const double* numbers = cells.numbers + child[i];
 #pragma unroll
@@ -110,14 +113,14 @@ __global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<d
   const int64_t parents_end = min(first_parent + kParents, coarse_cells.cells);
   const int32_t first = coarse.child_start[first_parent], end = coarse.child_start[parents_end];
   await_previous();
-  read_children(fine_cells, coarse.child + first, end - first, children);
+  read_children(fine_cells, fine.octant, coarse.child + first, end - first, children);
   const int64_t parent = thread_index() / 8;
   if (parent >= coarse_cells.cells) return;
   const int a = static_cast<int>(threadIdx.x % 8);
   const unsigned group = 0xffu << (threadIdx.x % 32 / 8 * 8);
   double sum[9] = {};
   for (int32_t k = coarse.child_start[parent]; k < coarse.child_start[parent + 1]; ++k) {
-    const int octant = fine.octant[coarse.child[k]];
+    const int octant = children.octant[k - first];
     double row[9];
     read_row(children, k - first, a, row);
     restrict_columns(octant, row);
@@ -141,8 +144,8 @@ __global__ void assemble_kernel(CellSquares<double> cells, Depth depth, double* 
   for (int s = 0; s < kSlots; ++s) diagonal -= row.by_slot[s];
   depth.system.diagonal[corner] = static_cast<float>(diagonal);
   if (row_sum != nullptr) row_sum[corner] = row.own;
-  store_row(depth.topology.rows, corner, row, [&](int64_t k, double value) {
-    const uint32_t packed = pack(static_cast<float>(value), depth.topology.rows.local[k]);
+  store_row(depth.topology.rows, corner, row, [&](int64_t k, double value, uint32_t local) {
+    const uint32_t packed = pack(static_cast<float>(value), local);
     depth.system.packed[k] = packed;
     depth.rest[k] = static_cast<float>(value - value_of(packed));
   });

@@ -74,8 +74,7 @@ __global__ void assemble_inverse_kernel(Depth depth, CellSquares<float> inverses
   const GatheredRow<float> row = gather_row(depth.topology, inverses, corner);
   const float here = scale[threadIdx.x];
   inverse.diagonal[corner] = row.own * here * here;
-  store_row(rows, corner, row, [&](int64_t k, float value) {
-    const uint32_t local = rows.local[k];
+  store_row(rows, corner, row, [&](int64_t k, float value, uint32_t local) {
     inverse.packed[k] = pack(value * here * scale[local], local);
   });
 }

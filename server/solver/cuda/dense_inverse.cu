@@ -15,26 +15,21 @@ int64_t padded(int64_t corner_count) {
   return (corner_count + kSide - 1) / kSide * kSide;
 }
 
-// From zero; n is padded.
+// From zero; n is padded. A warp for each row, a lane for each entry.
 __global__ void fill_kernel(int64_t n, Depth depth, double* square) {
   await_previous();
   const Rows& rows = depth.topology.rows;
-  const Group group = group_of(rows, blockIdx.x);
-  const int64_t beyond = rows.count + threadIdx.x;
-  if (blockIdx.x == 0 && beyond < n) square[beyond * n + beyond] = 1 + kRegularisation;
-  const int32_t row = row_of(group);
-  if (row < 0) return;
-  square[row * n + row] = 1 + kRegularisation;
-  const double here = sqrt(static_cast<double>(depth.inverse_diagonal[row]));
-  const int64_t begin = row_begin(rows, row), end = row_end(rows, row, begin);
-#pragma unroll 4
-  for (int64_t k = begin; k < end; k += kSliceRows) {
-    const uint32_t packed = depth.system.packed[k];
-    const int32_t column = column_of(group, local_of(packed));
-    const float entry = value_of(packed) + depth.rest[k];
-    square[row * n + column] =
-        entry * here * sqrt(static_cast<double>(depth.inverse_diagonal[column]));
-  }
+  const auto row = static_cast<int32_t>(thread_index() / 32),
+             lane = static_cast<int32_t>(thread_index() % 32);
+  if (row >= n) return;
+  if (lane == 0) square[row * n + row] = 1 + kRegularisation;
+  if (row >= rows.count || lane >= __popc(rows.mask[row])) return;
+  const int64_t k = row_begin(rows, row) + lane * kSliceRows;
+  const uint32_t packed = depth.system.packed[k];
+  const float entry = value_of(packed) + depth.rest[k];
+  const int32_t column = column_of(group_of(rows, row / rows.group_rows), local_of(packed));
+  square[row * n + column] = entry * sqrt(static_cast<double>(depth.inverse_diagonal[row])) *
+                             sqrt(static_cast<double>(depth.inverse_diagonal[column]));
 }
 
 // The tile's inverse, in place, by Gauss-Jordan without pivoting, two pivots at a time: the matrix
@@ -57,35 +52,54 @@ __device__ void invert_tile(double (&tile)[kSide][kSide], int row, int column) {
   }
 }
 
+// A block's number of a tile.
+__device__ int64_t place_in(int64_t n, int tile_row, int tile_column) {
+  return (static_cast<int64_t>(tile_row) * kSide + threadIdx.y) * n + tile_column * kSide +
+         threadIdx.x;
+}
+
+__device__ void store_inverse(double (&tile)[kSide][kSide], double value, double* inverse) {
+  const int row = static_cast<int>(threadIdx.y), column = static_cast<int>(threadIdx.x);
+  tile[row][column] = value;
+  __syncthreads();
+  invert_tile(tile, row, column);
+  inverse[row * kSide + column] = tile[row][column];
+}
+
+// The inverse of the first pivot tile, by one block.
+__global__ void first_inverse_kernel(int64_t n, const double* square, double* inverse) {
+  __shared__ double tile[kSide][kSide];
+  await_previous();
+  store_inverse(tile, square[place_in(n, 0, 0)], inverse);
+}
+
 // One step of Gauss-Jordan by tiles, one block per tile and one thread per number. With D the
 // inverse of the pivot tile, row tiles become D A, column tiles −A D, and all others lose A D A.
-__global__ void eliminate_kernel(int64_t n, int pivot, const double* from, double* to) {
-  await_previous();
+// The block that has the next pivot tile inverts it for the next step.
+__global__ void eliminate_kernel(int64_t n, int pivot, const double* pivot_inverse,
+                                 const double* from, double* to, double* next_inverse) {
   __shared__ double inverse[kSide][kSide], on_row[kSide][kSide], on_column[kSide][kSide];
+  await_previous();
   const int row = static_cast<int>(threadIdx.y), column = static_cast<int>(threadIdx.x);
   const int tile_row = static_cast<int>(blockIdx.y), tile_column = static_cast<int>(blockIdx.x);
-  const auto place = [&](int of_row, int of_column) {
-    return (static_cast<int64_t>(of_row) * kSide + row) * n + of_column * kSide + column;
-  };
-  inverse[row][column] = from[place(pivot, pivot)];
-  on_column[row][column] = from[place(tile_row, pivot)];
+  const double before = from[place_in(n, tile_row, tile_column)];
+  inverse[row][column] = pivot_inverse[row * kSide + column];
+  on_column[row][column] = from[place_in(n, tile_row, pivot)];
   // The pivot's own column of tiles counts as the identity, and so it is that D stays there.
   const double identity = row == column;
-  const double there = tile_column == pivot ? identity : from[place(pivot, tile_column)];
+  on_row[row][column] = tile_column == pivot ? identity : from[place_in(n, pivot, tile_column)];
   __syncthreads();
-  invert_tile(inverse, row, column);
   double sum = 0;
-  on_row[row][column] = there;
-  __syncthreads();
   for (int k = 0; k < kSide; ++k) sum += inverse[row][k] * on_row[k][column];
   __syncthreads();
   on_row[row][column] = sum;
   __syncthreads();
   if (tile_row != pivot) {
-    sum = tile_column == pivot ? 0 : from[place(tile_row, tile_column)];
+    sum = tile_column == pivot ? 0 : before;
     for (int k = 0; k < kSide; ++k) sum -= on_column[row][k] * on_row[k][column];
   }
-  to[place(tile_row, tile_column)] = sum;
+  to[place_in(n, tile_row, tile_column)] = sum;
+  if (tile_row == pivot + 1 && tile_column == pivot + 1) store_inverse(inverse, sum, next_inverse);
 }
 
 // One block per row.
@@ -136,6 +150,7 @@ __global__ void multiply_kernel(Depth depth, const float* inverse) {
 DenseInverse::DenseInverse(Stream& stream, const Depth& depth) : depth_(depth) {
   const int64_t corners = depth.topology.corner_count, n = padded(corners);
   for (DeviceArray<double>& square : square_) square = {stream, static_cast<size_t>(n * n)};
+  for (DeviceArray<double>& inverse : pivot_inverse_) inverse = {stream, kSide * kSide};
   inverse_ = {stream, static_cast<size_t>(corners * corners)};
 }
 
@@ -144,10 +159,15 @@ void DenseInverse::factor(Stream& stream) {
   const int tiles = static_cast<int>(n / kSide);
   if (!stream.is_ok()) return;
   square_[0].clear(stream);
-  launch_groups(stream, fill_kernel, depth_.topology.rows, n, depth_, square_[0].data());
-  for (int pivot = 0; pivot < tiles; ++pivot)
+  launch(stream, fill_kernel, 32 * n, n, depth_, square_[0].data());
+  launch_blocks(stream, first_inverse_kernel, dim3(1), dim3(kSide, kSide), n, square_[0].data(),
+                pivot_inverse_[0].data());
+  for (int pivot = 0; pivot < tiles; ++pivot) {
+    const int here = pivot % 2, there = 1 - here;
     launch_blocks(stream, eliminate_kernel, dim3(tiles, tiles), dim3(kSide, kSide), n, pivot,
-                  square_[pivot % 2].data(), square_[(pivot + 1) % 2].data());
+                  pivot_inverse_[here].data(), square_[here].data(), square_[there].data(),
+                  pivot_inverse_[there].data());
+  }
   launch(stream, scale_kernel, corners * kThreads, n, depth_, square_[tiles % 2].data(),
          inverse_.data());
 }
