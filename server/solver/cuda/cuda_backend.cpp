@@ -10,6 +10,7 @@
 #include "server/solver/cuda/device_depth.h"
 #include "server/solver/cuda/device_mesh.h"
 #include "server/solver/cuda/graphs.h"
+#include "server/solver/cuda/placement.h"
 #include "server/solver/cuda/readout.h"
 #include "server/solver/cuda/schwarz.h"
 #include "server/solver/cuda/transfer.h"
@@ -26,6 +27,7 @@ class CudaBackend final : public Backend {
  public:
   explicit CudaBackend(std::shared_ptr<const DeviceMesh> mesh)
       : mesh_(std::move(mesh)),
+        stream_(mesh_->device),
         coarse_offset_(mesh_->hierarchy->coarsest),
         alpha1_(stream_, mesh_->prepared->cells.size()),
         alpha2_(stream_, mesh_->prepared->cells.size()),
@@ -146,8 +148,8 @@ class CudaBackend final : public Backend {
   }
 
   std::shared_ptr<const DeviceMesh> mesh_;
-  int coarse_offset_;
   Stream stream_;
+  int coarse_offset_;
   Graphs graphs_{stream_};
   CellField alpha1_, alpha2_, beta_;
   DeviceArray<double> combined_;  // CellSquares of all depths, from the finest
@@ -170,7 +172,8 @@ Result<std::unique_ptr<Backend>> make_cuda_backend(std::shared_ptr<const Prepare
   if (smoother != Smoother::kSchwarz)
     return unimplemented("smoother " + std::string(name_of(smoother)) +
                          ": the CUDA backend has schwarz only");
-  ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh(std::move(prepared), std::move(hierarchy)));
+  const int device = least_loaded(cuda_memory_by_device());
+  ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh(device, std::move(prepared), std::move(hierarchy)));
   std::unique_ptr<Backend> backend = std::make_unique<cuda::CudaBackend>(std::move(mesh));
   RETURN_IF_ERROR(backend->status());
   return backend;

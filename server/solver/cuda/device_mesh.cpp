@@ -115,9 +115,11 @@ static std::vector<float> gradients_of(const PreparedMesh& prepared) {
 }
 
 static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
-    std::shared_ptr<const PreparedMesh> prepared, std::shared_ptr<const Hierarchy> hierarchy) {
-  Stream stream;
+    int device, std::shared_ptr<const PreparedMesh> prepared,
+    std::shared_ptr<const Hierarchy> hierarchy) {
+  Stream stream(device);
   auto mesh = std::make_shared<DeviceMesh>();
+  mesh->device = device;
   for (const HierarchyDepth& depth : hierarchy->depths) mesh->depths.emplace_back(stream, depth);
   mesh->integral_numbers = {stream, integrals_of(*prepared)};
   mesh->gradient_numbers = {stream, gradients_of(*prepared)};
@@ -130,16 +132,17 @@ static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
 
 // The mesh keeps its hierarchy alive, so that an address stands for one hierarchy as long as its
 // mesh does.
-Result<std::shared_ptr<const DeviceMesh>> device_mesh(std::shared_ptr<const PreparedMesh> prepared,
+Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device,
+                                                      std::shared_ptr<const PreparedMesh> prepared,
                                                       std::shared_ptr<const Hierarchy> hierarchy) {
   static std::mutex mutex;
-  static std::map<const Hierarchy*, std::weak_ptr<const DeviceMesh>> meshes;
+  static std::map<std::pair<int, const Hierarchy*>, std::weak_ptr<const DeviceMesh>> meshes;
   const std::scoped_lock lock(mutex);
   std::erase_if(meshes, [](const auto& entry) { return entry.second.expired(); });
-  const Hierarchy* key = hierarchy.get();
+  const std::pair key = {device, static_cast<const Hierarchy*>(hierarchy.get())};
   if (const auto found = meshes.find(key); found != meshes.end())
     if (auto mesh = found->second.lock()) return mesh;
-  ASSIGN_OR_RETURN(auto mesh, copy_to_device(std::move(prepared), std::move(hierarchy)));
+  ASSIGN_OR_RETURN(auto mesh, copy_to_device(device, std::move(prepared), std::move(hierarchy)));
   meshes[key] = mesh;
   return mesh;
 }

@@ -31,6 +31,7 @@ class DeviceTopology {
 
 /// Everything about a prepared mesh that no edit changes, immutable and shared by its sessions.
 struct DeviceMesh {
+  int device = 0;
   std::shared_ptr<const PreparedMesh> prepared;
   std::shared_ptr<const Hierarchy> hierarchy;
   std::vector<DeviceTopology> depths;  ///< from the coarsest
@@ -44,9 +45,10 @@ struct DeviceMesh {
   uint64_t byte_count() const;
 };
 
-/// The mesh on the device: copied there, or what another session has there already.
+/// The mesh on a device: copied there, or what another session has there already.
 /// Fails: resource_exhausted, internal.
-Result<std::shared_ptr<const DeviceMesh>> device_mesh(std::shared_ptr<const PreparedMesh> prepared,
+Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device,
+                                                      std::shared_ptr<const PreparedMesh> prepared,
                                                       std::shared_ptr<const Hierarchy> hierarchy);
 
 }  // namespace burnish::cuda
