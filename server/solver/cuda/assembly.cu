@@ -162,7 +162,8 @@ __global__ void pinned_below_kernel(int32_t n, const float* diagonal, float* pin
   reinterpret_cast<float*>(sample)[t] = mine;
   __syncthreads();
   const auto precedes = [&](float other, int index) {
-    return static_cast<int>(other < mine || (other == mine && index < t));
+    return static_cast<int>(other < mine) |
+           (static_cast<int>(other == mine) & static_cast<int>(index < t));
   };
   int rank = 0;
 #pragma unroll 4

@@ -36,8 +36,9 @@ __device__ GatheredRow<Real> gather_row(const Topology& topology, const CellSqua
 }
 
 /// Calls store(k, value, local) for the present slots of a row, k being the entry's place and
-/// `local` that of its column in the group's tile. The row goes through shared memory, so that all
-/// rows of a slice store their first entries, then their second.
+/// `local` that of its column in the group's tile; then with zeros to the end of its slice, because
+/// a sector of memory that is written in part is read first. The row goes through shared memory, so
+/// that all rows of a slice store their first entries, then their second.
 template <typename Real, typename Store>
 __device__ void store_row(const Rows& rows, int32_t corner, const GatheredRow<Real>& row,
                           Store&& store) {
@@ -45,17 +46,20 @@ __device__ void store_row(const Rows& rows, int32_t corner, const GatheredRow<Re
 #pragma unroll
   for (int slot = 0; slot < kSlots; ++slot) by_slot[slot][threadIdx.x] = row.by_slot[slot];
   const int64_t begin = row_begin(rows, corner);
+  const auto longest = static_cast<int>(
+      (rows.slice_start[corner / kSliceRows + 1] - rows.slice_start[corner / kSliceRows]) /
+      kSliceRows);
   uint32_t mask = rows.mask[corner];
-  const int count = __popc(mask);
   uint16_t local[kSlots - 1];  // all at once: one after the other they would take most of the time
 #pragma unroll
   for (int j = 0; j < kSlots - 1; ++j)
-    local[j] = j < count ? rows.local[begin + kSliceRows * j] : 0;
+    local[j] = j < longest ? rows.local[begin + kSliceRows * j] : 0;
 #pragma unroll
   for (int j = 0; j < kSlots - 1; ++j, mask &= mask - 1)
-    if (j < count)
-      store(begin + kSliceRows * j, by_slot[__ffs(static_cast<int>(mask)) - 1][threadIdx.x],
-            uint32_t{local[j]});
+    if (j < longest) {
+      const int slot = mask != 0 ? __ffs(static_cast<int>(mask)) - 1 : kSelfSlot;  // that is 0
+      store(begin + kSliceRows * j, by_slot[slot][threadIdx.x], uint32_t{local[j]});
+    }
 }
 
 }  // namespace burnish::cuda

@@ -22,10 +22,10 @@ Stream::~Stream() {
   if (stream_ != nullptr) cudaStreamDestroy(stream_);
 }
 
-// A call that comes after it will say if there is no such device.
+// If there is no such device the call that this is for will say so.
 void Stream::use_device() const {
-  static thread_local int current = -1;
-  if (current != device_ && cudaSetDevice(device_) == cudaSuccess) current = device_;
+  int current = -1;
+  if (cudaGetDevice(&current) != cudaSuccess || current != device_) cudaSetDevice(device_);
 }
 
 bool Stream::check(cudaError_t error, const char* what) {
