@@ -29,8 +29,7 @@ class CudaBackend final : public Backend {
       : mesh_(std::move(mesh)),
         stream_(mesh_->device),
         coarse_offset_(mesh_->hierarchy->coarsest),
-        alpha1_(stream_, mesh_->prepared->cells.size()),
-        alpha2_(stream_, mesh_->prepared->cells.size()),
+        alpha_(stream_, mesh_->prepared->cells.size()),
         beta_(stream_, mesh_->prepared->cells.size()),
         combined_(stream_, CellSquares<double>::kNumbers * cells_of_all_depths()),
         pinned_below_(stream_, mesh_->depths.size()),
@@ -48,7 +47,7 @@ class CudaBackend final : public Backend {
 
   uint64_t byte_count() const override {
     uint64_t bytes = readout_.byte_count() + outer_->byte_count() + coarsest_->byte_count() +
-                     3 * beta_.byte_count() + combined_.byte_count();
+                     alpha_.byte_count() + beta_.byte_count() + combined_.byte_count();
     for (const DeviceDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother->byte_count();
     return bytes;
@@ -56,15 +55,14 @@ class CudaBackend final : public Backend {
 
   void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
     stream_.synchronize();
-    alpha1_.upload(stream_, alpha1);
-    alpha2_.upload(stream_, alpha2);
+    alpha_.upload(stream_, {alpha1, alpha2});
     run_on_device(kMetricGraph, [this] { assemble_all(); });
   }
 
   void set_constraint(std::span<const float> beta) override {
-    beta_.upload(stream_, beta);
+    beta_.upload(stream_, {beta});
     assemble_constraint(stream_, finest(), mesh_->gradients(),
-                        {alpha1_.data(), alpha2_.data(), beta_.data()}, outer_->constraint(),
+                        {alpha_.data(0), alpha_.data(1), beta_.data()}, outer_->constraint(),
                         outer_->residual());
     stream_.synchronize();
   }
@@ -123,7 +121,7 @@ class CudaBackend final : public Backend {
   // the coarsest depth waits for; a depth's own matrix and smoother are made beside them.
   void assemble_all() {
     CellSquares<double> cells = {combined_.data(), finest().topology.cell_count};
-    combine_integrals(stream_, mesh_->integrals(), alpha1_.data(), alpha2_.data(),
+    combine_integrals(stream_, mesh_->integrals(), alpha_.data(0), alpha_.data(1),
                       mesh_->prepared->alpha_scale(), cells, anisotropy_);
     for (size_t i = depths_.size() - 1; i > 0; --i) {
       const Depth &fine = depths_[i].view(), &coarse = depths_[i - 1].view();
@@ -151,7 +149,8 @@ class CudaBackend final : public Backend {
   Stream stream_;
   int coarse_offset_;
   Graphs graphs_{stream_};
-  CellField alpha1_, alpha2_, beta_;
+  CellFields<2> alpha_;  // α1, α2
+  CellFields<1> beta_;
   DeviceArray<double> combined_;  // CellSquares of all depths, from the finest
   DeviceArray<float> pinned_below_, anisotropy_;
   std::vector<DeviceDepth> depths_;                  // from the coarsest
