@@ -203,7 +203,7 @@ void assemble(Stream& stream, const CellSquares<double>& cells, const Depth& dep
               float* pinned_below) {
   const int32_t n = depth.topology.corner_count;
   launch_groups(stream, assemble_kernel, depth.topology.rows, cells, depth, row_sum);
-  launch_blocks(stream, pinned_below_kernel, dim3(1), dim3(kMedianSamples), n,
+  launch_blocks(stream, pinned_below_kernel, dim3(1), dim3(kMedianSamples), 0, n,
                 depth.system.diagonal, pinned_below);
   launch(stream, invert_diagonal_kernel, n, depth, pinned_below);
 }

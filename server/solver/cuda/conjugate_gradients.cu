@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "server/solver/cuda/conjugate_gradients.h"
 #include "server/solver/cuda/products.h"
 #include "server/solver/cuda/reduce.h"
@@ -29,7 +31,7 @@ __device__ double quotient(double dividend, double divisor) {
 }
 
 __global__ void recompute_residual_kernel(Vectors v) {
-  __shared__ Double3 tile[kTile];
+  Double3* tile = tile_of_block<Double3>();
   await_previous();
   const FetchedRow row = fetch_row(v.finest.topology.rows, v.finest.system.packed, blockIdx.x);
   const int32_t i = row.corner;
@@ -66,7 +68,7 @@ __device__ void choose_step(const Sums<9>& products, bool restart, Scalars& scal
 
 // w = S z, z·r, z·q and z·w.
 __global__ void __launch_bounds__(kThreads, 6) product_kernel(Vectors v, bool restart) {
-  __shared__ float4 tile[kTile];
+  float4* tile = tile_of_block<float4>();
   let_next_start();
   const Rows& rows = v.finest.topology.rows;
   Sums<9> sums = {};
@@ -179,14 +181,17 @@ ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
 
 void ConjugateGradients::recompute_residual() {
   launch(stream_, pin_kernel, n_, vectors_);
-  launch_groups(stream_, recompute_residual_kernel, vectors_.finest.topology.rows, vectors_);
+  const Rows& rows = vectors_.finest.topology.rows;
+  launch_products<Double3>(stream_, recompute_residual_kernel, rows, rows.group_count, vectors_);
 }
 
 void ConjugateGradients::update_direction(bool restart) {
   branch_.fork();
   launch_striding(branch_.stream(), largest_correction_kernel, vertex_count_, vectors_, evaluation_,
                   vertex_count_);
-  launch_groups_striding(stream_, product_kernel, vectors_.finest.topology.rows, vectors_, restart);
+  const Rows& rows = vectors_.finest.topology.rows;
+  launch_products<float4>(stream_, product_kernel, rows, std::min(rows.group_count, kPartialsMax),
+                          vectors_, restart);
   branch_.join();
 }
 

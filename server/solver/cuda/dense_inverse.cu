@@ -160,11 +160,11 @@ void DenseInverse::factor(Stream& stream) {
   if (!stream.is_ok()) return;
   square_[0].clear(stream);
   launch(stream, fill_kernel, 32 * n, n, depth_, square_[0].data());
-  launch_blocks(stream, first_inverse_kernel, dim3(1), dim3(kSide, kSide), n, square_[0].data(),
+  launch_blocks(stream, first_inverse_kernel, dim3(1), dim3(kSide, kSide), 0, n, square_[0].data(),
                 pivot_inverse_[0].data());
   for (int pivot = 0; pivot < tiles; ++pivot) {
     const int here = pivot % 2, there = 1 - here;
-    launch_blocks(stream, eliminate_kernel, dim3(tiles, tiles), dim3(kSide, kSide), n, pivot,
+    launch_blocks(stream, eliminate_kernel, dim3(tiles, tiles), dim3(kSide, kSide), 0, n, pivot,
                   pivot_inverse_[here].data(), square_[here].data(), square_[there].data(),
                   pivot_inverse_[there].data());
   }

@@ -44,20 +44,20 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth) {
   octant_ = {stream, octants(depth.grid)};
   child_start_ = {stream, depth.child_start};
   child_ = {stream, depth.child};
-  view_ = {
-      depth.grid.corner_count(),
-      depth.grid.cell_count(),
-      starts.back(),
-      {depth.grid.corner_count(), slice_start_.data(), mask_.data(), local_.data(), groups.rows,
-       static_cast<int32_t>(groups.halo_start.size()) - 1, halo_start_.data(), halo_.data()},
-      cell_corners_.data(),
-      cells_of_corner_.data(),
-      octant_.data(),
-      child_start_.data(),
-      child_.data(),
-      nullptr,
-      nullptr,
-      nullptr};
+  view_ = {depth.grid.corner_count(),
+           depth.grid.cell_count(),
+           starts.back(),
+           {depth.grid.corner_count(), slice_start_.data(), mask_.data(), local_.data(),
+            groups.rows, groups.tile_max, static_cast<int32_t>(groups.halo_start.size()) - 1,
+            halo_start_.data(), halo_.data()},
+           cell_corners_.data(),
+           cells_of_corner_.data(),
+           octant_.data(),
+           child_start_.data(),
+           child_.data(),
+           nullptr,
+           nullptr,
+           nullptr};
   const DepthTransfer& transfer = depth.to_parent;  // empty at the coarsest depth
   prolongation_ = DeviceArray<FromCell>::copy_of(stream, transfer.prolongation);
   restriction_start_ = {stream, transfer.restriction_start};

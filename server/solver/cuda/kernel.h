@@ -9,12 +9,12 @@ namespace burnish::cuda {
 
 inline constexpr int kThreads = 128;
 
-/// Starts blocks of threads. Where the device can, they come up while the kernel before still runs,
-/// and wait in await_previous(): much of a small depth's time would else be the starting of
-/// kernels.
+/// Starts blocks of threads with so much shared memory beside what they declare. Where the device
+/// can, they come up while the kernel before still runs, and wait in await_previous(): much of a
+/// small depth's time would else be the starting of kernels.
 template <typename... Params, typename... Args>
 void launch_blocks(Stream& stream, void (*kernel)(Params...), dim3 blocks, dim3 threads,
-                   Args... args) {
+                   size_t shared_bytes, Args... args) {
   if (!stream.is_ok()) return;
   cudaLaunchAttribute early = {};
   early.id = cudaLaunchAttributeProgrammaticStreamSerialization;
@@ -22,6 +22,7 @@ void launch_blocks(Stream& stream, void (*kernel)(Params...), dim3 blocks, dim3 
   cudaLaunchConfig_t config = {};
   config.gridDim = blocks;
   config.blockDim = threads;
+  config.dynamicSmemBytes = shared_bytes;
   config.stream = stream.get();
   config.attrs = &early;
   config.numAttrs = stream.starts_early() ? 1 : 0;
@@ -34,7 +35,7 @@ template <typename... Params, typename... Args>
 void launch(Stream& stream, void (*kernel)(Params...), int64_t count, Args... args) {
   if (count > 0)
     launch_blocks(stream, kernel, dim3(static_cast<unsigned>((count + kThreads - 1) / kThreads)),
-                  dim3(kThreads), args...);
+                  dim3(kThreads), 0, args...);
 }
 
 /// Lets the kernel after this one come up. The first statement of a kernel that has something to do

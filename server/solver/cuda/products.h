@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "server/solver/cuda/kernel.h"
 #include "server/solver/cuda/packed.h"
 #include "server/solver/stencil_slots.h"
@@ -68,10 +66,17 @@ __device__ inline FetchedRow fetch_row(const Rows& rows, const uint32_t* packed,
   return row;
 }
 
+/// A block's tile, for which launch_products() has made room: what it leaves is the cache's.
+template <typename Vector>
+__device__ Vector* tile_of_block() {
+  extern __shared__ float4 room[];
+  return reinterpret_cast<Vector*>(room);
+}
+
 /// Brings the numbers of x at the group's rows and halo into the block's tile. Every thread calls
 /// it.
 template <typename Vector>
-__device__ void fill_tile(const FetchedRow& row, const Vector* x, Vector (&tile)[kTile]) {
+__device__ void fill_tile(const FetchedRow& row, const Vector* x, Vector* tile) {
   const Group& group = row.group;
   if (row.corner >= 0) tile[threadIdx.x] = x[row.corner];
 #pragma unroll
@@ -86,7 +91,7 @@ __device__ void fill_tile(const FetchedRow& row, const Vector* x, Vector (&tile)
 }
 
 /// The row's off-diagonal entries times the tile.
-__device__ inline float4 product_of(const FetchedRow& row, const float4 (&tile)[kTile]) {
+__device__ inline float4 product_of(const FetchedRow& row, const float4* tile) {
   float4 sum = zero4();
 #pragma unroll
   for (int j = 0; j < kEntriesUsual; ++j)
@@ -117,7 +122,7 @@ struct ExactMatrix {
 /// The row times the tile as Σ_j S_ij (x_j − x_i) + m_i x_i, which loses nothing for smooth x.
 template <typename Vector>
 __device__ Double3 product_of(const FetchedRow& row, const ExactMatrix& matrix,
-                              const Vector (&tile)[kTile]) {
+                              const Vector* tile) {
   constexpr int kChunk = 9;
   const Double3 here = exactly(tile[threadIdx.x]);
   Double3 sum = matrix.row_sum[row.corner] * here;
@@ -138,14 +143,15 @@ __device__ Double3 product_of(const FetchedRow& row, const ExactMatrix& matrix,
   return sum;
 }
 
-/// Starts as many blocks for the groups of rows as leave a sum each.
-template <typename... Params, typename... Args>
-void launch_groups_striding(Stream& stream, void (*kernel)(Params...), const Rows& rows,
-                            Args... args) {
-  launch(stream, kernel, int64_t{std::min(rows.group_count, kPartialsMax)} * kThreads, args...);
+/// Starts blocks for a depth's groups, with a tile of such vectors each.
+template <typename Vector, typename... Params, typename... Args>
+void launch_products(Stream& stream, void (*kernel)(Params...), const Rows& rows, int32_t blocks,
+                     Args... args) {
+  launch_blocks(stream, kernel, dim3(static_cast<unsigned>(blocks)), dim3(kThreads),
+                rows.tile_max * sizeof(Vector), args...);
 }
 
-/// Starts one block for each group of rows.
+/// Starts one block for each group of rows, without a tile.
 template <typename... Params, typename... Args>
 void launch_groups(Stream& stream, void (*kernel)(Params...), const Rows& rows, Args... args) {
   launch(stream, kernel, static_cast<int64_t>(rows.group_count) * kThreads, args...);

@@ -14,7 +14,8 @@ static_assert(kSliceRows * 27 <= kTile);
 struct Group {
   int32_t begin, end;
   std::vector<int32_t> halo;
-  bool fits() const { return end - begin + halo.size() <= kTile; }
+  int32_t tile() const { return end - begin + static_cast<int32_t>(halo.size()); }
+  bool fits() const { return tile() <= kTile; }
 };
 
 Group group_of(const Stencil& stencil, int32_t begin, int32_t end) {
@@ -77,7 +78,9 @@ RowGroups make_row_groups(const Stencil& stencil, const std::vector<int64_t>& st
         result.local[to] = local_of(groups[g], stencil.column[k]);
     }
   result.halo_start = {0};
+  result.tile_max = 0;
   for (const Group& group : groups) {
+    result.tile_max = std::max(result.tile_max, group.tile());
     result.halo.insert(result.halo.end(), group.halo.begin(), group.halo.end());
     result.halo_start.push_back(static_cast<int32_t>(result.halo.size()));
   }

@@ -16,6 +16,7 @@ std::vector<int64_t> slice_starts(const Stencil& stencil);
 /// scanned surface fit by far, and a single slice, of 32 rows of 26 neighbours, always does.
 struct RowGroups {
   int32_t rows;                     ///< of every group but the last: four slices, or one
+  int32_t tile_max;                 ///< what the largest tile holds
   std::vector<int32_t> halo_start;  ///< groups + 1
   std::vector<int32_t> halo;
   std::vector<uint16_t> local;  ///< one per entry of the slices

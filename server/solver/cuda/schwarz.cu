@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "server/solver/cuda/cell_inverse.h"
 #include "server/solver/cuda/products.h"
 #include "server/solver/cuda/reduce.h"
@@ -19,7 +21,7 @@ template <Step kStep>
 __global__ void __launch_bounds__(kThreads, 8)
     step_kernel(Depth depth, Matrix inverse, const float4* source,
                 const Schwarz::Spectrum* spectrum, float4* direction) {
-  __shared__ float4 tile[kTile];
+  float4* tile = tile_of_block<float4>();
   let_next_start();
   constexpr bool kIsSecond = kStep == Step::kSecond || kStep == Step::kSecondFromZero;
   const FetchedRow row = fetch_row(depth.topology.rows, inverse.packed, blockIdx.x);
@@ -83,7 +85,7 @@ __device__ void update_spectrum(const Sums<2>& total, float anisotropy,
 // of.
 __global__ void power_kernel(Depth depth, Matrix inverse, const float* anisotropy,
                              Schwarz::Spectrum* spectrum, Partials<2> partials) {
-  __shared__ float4 tile[kTile];
+  float4* tile = tile_of_block<float4>();
   Sums<2> sums = {};
   await_previous();
   const float normalise = spectrum->normalise;
@@ -143,29 +145,30 @@ void Schwarz::estimate_lambda_max(const float* anisotropy) {
                  "clearing f");
   for (int i = 0; i < (first_ ? kIterationsFirst : kIterationsNext); ++i) {
     compute_residual(stream, power);
-    launch_groups_striding(stream, power_kernel, rows, power, inverse_, anisotropy,
-                           spectrum_.data(), Partials<2>{sums_.data(), arrived_.data()});
+    launch_products<float4>(stream, power_kernel, rows, std::min(rows.group_count, kPartialsMax),
+                            power, inverse_, anisotropy, spectrum_.data(),
+                            Partials<2>{sums_.data(), arrived_.data()});
   }
   first_ = false;
 }
 
 void Schwarz::relax_from_zero() {
   const Rows& rows = depth_.topology.rows;
-  launch_groups(stream_, step_kernel<Step::kFromZero>, rows, depth_, inverse_, depth_.f,
-                spectrum_.data(), nullptr);
+  launch_products<float4>(stream_, step_kernel<Step::kFromZero>, rows, rows.group_count, depth_,
+                          inverse_, depth_.f, spectrum_.data(), nullptr);
   compute_residual(stream_, depth_);
-  launch_groups(stream_, step_kernel<Step::kSecondFromZero>, rows, depth_, inverse_, depth_.r,
-                spectrum_.data(), nullptr);
+  launch_products<float4>(stream_, step_kernel<Step::kSecondFromZero>, rows, rows.group_count,
+                          depth_, inverse_, depth_.r, spectrum_.data(), nullptr);
 }
 
 void Schwarz::relax() {
   const Rows& rows = depth_.topology.rows;
   compute_residual(stream_, depth_);
-  launch_groups(stream_, step_kernel<Step::kFirst>, rows, depth_, inverse_, depth_.r,
-                spectrum_.data(), direction_.data());
+  launch_products<float4>(stream_, step_kernel<Step::kFirst>, rows, rows.group_count, depth_,
+                          inverse_, depth_.r, spectrum_.data(), direction_.data());
   compute_residual(stream_, depth_);
-  launch_groups(stream_, step_kernel<Step::kSecond>, rows, depth_, inverse_, depth_.r,
-                spectrum_.data(), direction_.data());
+  launch_products<float4>(stream_, step_kernel<Step::kSecond>, rows, rows.group_count, depth_,
+                          inverse_, depth_.r, spectrum_.data(), direction_.data());
 }
 
 uint64_t Schwarz::byte_count() const {

@@ -9,7 +9,7 @@ constexpr int kLanes = 4;  // threads for one coarse corner, which gathers 27 fi
 constexpr int kGatheredMax = (27 + kLanes - 1) / kLanes;
 
 __global__ void __launch_bounds__(kThreads, 8) residual_kernel(Depth depth) {
-  __shared__ float4 tile[kTile];
+  float4* tile = tile_of_block<float4>();
   let_next_start();
   const FetchedRow row = fetch_row(depth.topology.rows, depth.system.packed, blockIdx.x);
   const int32_t i = row.corner;
@@ -83,7 +83,8 @@ __global__ void prolong_kernel(Depth coarse, Depth fine) {
 }  // namespace
 
 void compute_residual(Stream& stream, const Depth& depth) {
-  launch_groups(stream, residual_kernel, depth.topology.rows, depth);
+  const Rows& rows = depth.topology.rows;
+  launch_products<float4>(stream, residual_kernel, rows, rows.group_count, depth);
 }
 
 void restrict_to_coarse(Stream& stream, const Depth& fine, const Depth& coarse) {

@@ -66,6 +66,7 @@ struct Rows {
   const uint32_t* mask;   ///< Stencil::mask
   const uint16_t* local;  ///< one per entry: where in its group's tile its column stands
   int32_t group_rows;     ///< of every group but the last
+  int32_t tile_max;       ///< the largest tile of a group
   int32_t group_count;
   const int32_t* halo_start;  ///< groups + 1
   const int32_t* halo;
