@@ -8,6 +8,7 @@ namespace burnish {
 
 static constexpr int kFrames = 9;
 static constexpr int kWarmUp = 1;
+static constexpr double kDabRadius = 0.03;  // of the diagonal
 
 // Hardly different, but another: a curve that a session has already is no edit.
 static TransferCurve nudged(const TransferCurve& curve) {
@@ -24,6 +25,14 @@ FrameTimes measure_frames(Session& session, const TransferCurve& curve) {
   double beta = 0;
   times.rhs = median_milliseconds(kFrames, kWarmUp, [&] {
     must_apply(session, SetGradientScale{beta += 0.01});
+    session.step();
+  });
+  const PreparedMesh& prepared = session.prepared();
+  const Brush brush = {.radius = kDabRadius * prepared.statistics.diagonal(), .strength = 0.5};
+  size_t vertex = 0;
+  times.dab = median_milliseconds(kFrames, kWarmUp, [&] {
+    vertex = (vertex + prepared.vertices.size() / kFrames) % prepared.vertices.size();
+    must_apply(session, Stroke{brush, {prepared.vertices[vertex]}});
     session.step();
   });
   TransferCurve now = nudged(curve), next = curve;

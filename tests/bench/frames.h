@@ -9,6 +9,7 @@ namespace burnish {
 struct FrameTimes {
   double solve = 0;     ///< no edit: one cycle
   double rhs = 0;       ///< a new β: constraint and one cycle
+  double dab = 0;       ///< a new β in a small ball: constraint of what it touches and one cycle
   double matrix = 0;    ///< a new curve: matrices, constraint and one cycle
   double evaluate = 0;  ///< all vertices, where the client does not do it
 };

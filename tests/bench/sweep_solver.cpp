@@ -22,7 +22,7 @@ SweepSolver::SweepSolver(const BenchSystem& system, const FieldsView& fields,
   for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
   coarsest_.factor(depths_.front());
   cpu::assemble_constraint(prepared, depths_.back(), cpu::ratios_of(fields.alpha1, fields.alpha2),
-                           fields.beta, outer_->constraint(), outer_->residual());
+                           fields.beta, {}, outer_->constraint(), outer_->residual());
   outer_->recompute_residual();
 }
 

@@ -58,7 +58,7 @@ class CpuBackend final : public Backend {
 
   uint64_t byte_count() const override {
     uint64_t bytes = outer_->byte_count() + coarsest_.byte_count() + bytes_of(ratio_) +
-                     bytes_of(displacement_) + bytes_of(vertex_displacement_);
+                     bytes_of(beta_) + bytes_of(displacement_) + bytes_of(vertex_displacement_);
     for (const CpuDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother ? smoother->byte_count() : 0;
     return bytes;
@@ -67,6 +67,7 @@ class CpuBackend final : public Backend {
   void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
     assemble(*prepared_, alpha1, alpha2, depths_, &outer_->matrix());
     ratio_ = ratios_of(alpha1, alpha2);
+    beta_.clear();
     const double anisotropy = anisotropy_of(ratio_);
     for (CpuDepth& depth : depths_) depth.anisotropy = static_cast<float>(anisotropy);
     for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
@@ -74,8 +75,9 @@ class CpuBackend final : public Backend {
   }
 
   void set_constraint(std::span<const float> beta) override {
-    assemble_constraint(*prepared_, depths_.back(), ratio_, beta, outer_->constraint(),
+    assemble_constraint(*prepared_, depths_.back(), ratio_, beta, beta_, outer_->constraint(),
                         outer_->residual());
+    beta_.assign(beta.begin(), beta.end());
   }
 
   void relax_from_zero(int depth) override { smoother(depth).relax_from_zero(at(depth)); }
@@ -117,8 +119,9 @@ class CpuBackend final : public Backend {
 
   std::shared_ptr<const PreparedMesh> prepared_;
   std::shared_ptr<const Hierarchy> hierarchy_;
-  std::vector<double> ratio_;                              // α2/α1 of every cell
-  std::vector<CpuDepth> depths_;                           // from the coarsest
+  std::vector<double> ratio_;     // α2/α1 of every cell
+  std::vector<float> beta_;       // what the constraint holds; empty when the metric is newer
+  std::vector<CpuDepth> depths_;  // from the coarsest
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
   CoarsestSolver coarsest_;
   std::unique_ptr<ConjugateGradients> outer_;
