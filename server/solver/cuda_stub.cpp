@@ -22,6 +22,10 @@ uint64_t cuda_memory_used() {
   return 0;
 }
 
+std::vector<uint64_t> cuda_memory_by_device() {
+  return {0};
+}
+
 Status probe_cuda_device() {
   return not_in_this_build();
 }

@@ -1,5 +1,7 @@
 // What the CUDA backend says of itself, with a device and without.
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -137,6 +139,21 @@ TEST_F(OnADevice, WhatIsReadOutIsWhatTheCpuHas) {
   ASSERT_EQ(one.vertex_displacement().size(), mesh.vertices.size());
   ASSERT_EQ(other.vertex_displacement().size(), mesh.vertices.size());
   EXPECT_LE(farthest(one.vertex_displacement(), other.vertex_displacement()), 1e-4f);  // cells
+}
+
+TEST_F(OnADevice, TwoSessionsAreOnAsManyDevicesAsThereAre) {
+  const auto one = open_solver({.backend = BackendKind::kCuda}).value();
+  const auto other = open_solver({.backend = BackendKind::kCuda}).value();
+  const std::vector<uint64_t> bytes = cuda_memory_by_device();
+  const auto in_use = std::ranges::count_if(bytes, [](uint64_t b) { return b > 0; });
+  EXPECT_EQ(in_use, std::min<int64_t>(2, std::ssize(bytes)));
+  Fields fields(*small_scan());
+  fields.set_gradient_scale(0);
+  for (Solver* solver : {one.get(), other.get()}) {
+    solver->set_metric(fields.view());
+    EXPECT_TRUE(solver->solve(1e-6, 50).value().converged);
+  }
+  EXPECT_LE((one->displacement()[0] - other->displacement()[0]).norm(), 1e-4f);
 }
 
 TEST_F(OnADevice, BeyondTheBudgetIsRefusedWithNumbersAndGivesAllBack) {

@@ -7,6 +7,7 @@ static __global__ void trap_kernel() {
 }
 
 void provoke_cuda_fault() {
+  cudaSetDevice(0);
   trap_kernel<<<1, 1>>>();
 }
 

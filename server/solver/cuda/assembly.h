@@ -5,21 +5,19 @@
 
 namespace burnish::cuda {
 
-/// Combined integrals of the finest depth. Units: α in grid units × `scale`.
+/// Combined integrals of the finest depth, and the largest ratio of α1 and α2, either way round, of
+/// any cell. Units: α in grid units × `scale`.
 void combine_integrals(Stream& stream, const Integrals& integrals, const float* alpha1,
-                       const float* alpha2, double scale, const CellSquares<double>& combined);
-
-/// The largest ratio of α1 and α2, either way round, of any cell.
-void find_anisotropy(Stream& stream, int32_t cell_count, const float* alpha1, const float* alpha2,
-                     const DeviceArray<float>& anisotropy);
+                       const float* alpha2, double scale, const CellSquares<double>& combined,
+                       const DeviceArray<float>& anisotropy);
 
 /// Combined integrals of the coarse depth from those of the fine one: Σ over children of Pᵀ K P.
 void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,
                  const CellSquares<double>& fine_cells, const CellSquares<double>& coarse_cells);
 
-/// The depth's matrix and inverse diagonal from its cells, and the same in double if `exact` has
-/// arrays. `pinned_below` is one number of working memory. Source: section 5.2.
-void assemble(Stream& stream, const CellSquares<double>& cells, const Depth& depth,
-              const ExactMatrix& exact, float* pinned_below);
+/// The depth's matrix and inverse diagonal from its cells, and its row sums unless null.
+/// `pinned_below` is one number of working memory. Source: section 5.2.
+void assemble(Stream& stream, const CellSquares<double>& cells, const Depth& depth, double* row_sum,
+              float* pinned_below);
 
 }  // namespace burnish::cuda

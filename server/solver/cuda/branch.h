@@ -21,7 +21,7 @@ class Branch {
 
  private:
   Stream& trunk_;
-  Stream stream_;
+  Stream stream_{trunk_.device()};
   cudaEvent_t forked_ = nullptr, joined_ = nullptr;
 };
 

@@ -1,6 +1,7 @@
 #include "server/solver/cuda/coarsest.h"
 
-#include "server/solver/cuda/device_mesh.h"
+#include "server/solver/cuda/packed.h"
+#include "server/solver/cuda/row_groups.h"
 
 namespace burnish::cuda {
 
@@ -22,14 +23,16 @@ void CoarsestSolver::factor() {
 void CoarsestSolver::read_matrix() {
   const Stencil& stencil = host_->topology.stencil;
   const std::vector<int64_t> starts = slice_starts(stencil);
-  std::vector<float> entries(starts.back());
-  download(stream_, depth_.system.entry, std::span(entries));
+  std::vector<uint32_t> packed(starts.back());
+  std::vector<float> rest(starts.back());
+  download(stream_, depth_.system.packed, std::span(packed));
+  download(stream_, depth_.rest, std::span(rest));
   download(stream_, depth_.system.diagonal, std::span(host_->system.diagonal));
   download(stream_, depth_.inverse_diagonal, std::span(host_->inverse_diagonal));
   for (int32_t i = 0; i < host_->corner_count(); ++i) {
     int64_t from = starts[i / kSliceRows] + i % kSliceRows;
     for (auto [k, end] = stencil.row(i); k < end; ++k, from += kSliceRows)
-      host_->system.entry[k] = entries[from];
+      host_->system.entry[k] = value_of(packed[from]) + rest[from];
   }
 }
 

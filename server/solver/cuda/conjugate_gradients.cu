@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "server/solver/cuda/conjugate_gradients.h"
+#include "server/solver/cuda/products.h"
 #include "server/solver/cuda/reduce.h"
 
 namespace burnish::cuda {
@@ -8,13 +11,6 @@ namespace {
 using Vectors = ConjugateGradients::Vectors;
 using Scalars = ConjugateGradients::Scalars;
 
-constexpr int kSumsMax = 6;  // per column: two dot products
-
-template <int kCount>
-__device__ Sums<kCount>* partials_of(const Vectors& v) {
-  return reinterpret_cast<Sums<kCount>*>(v.partials);
-}
-
 __device__ void add(Double3 a, double* sums) {
   sums[0] += a.x;
   sums[1] += a.y;
@@ -22,7 +18,11 @@ __device__ void add(Double3 a, double* sums) {
 }
 
 __device__ Double3 triple(const double* numbers) {
-  return {numbers[0], numbers[1], numbers[2], 0};
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+__device__ ExactMatrix exact_matrix(const Vectors& v) {
+  return {v.finest.system.packed, v.finest.rest, v.row_sum};
 }
 
 // A column that has nothing left to do has a zero divisor and takes a zero step.
@@ -31,54 +31,67 @@ __device__ double quotient(double dividend, double divisor) {
 }
 
 __global__ void recompute_residual_kernel(Vectors v) {
+  Double3* tile = tile_of_block<Double3>();
+  await_previous();
+  const FetchedRow row = fetch_row(v.finest.topology.rows, v.finest.system.packed, blockIdx.x);
+  const int32_t i = row.corner;
+  fill_tile(row, v.u, tile);
+  if (i < 0) return;
+  Double3 r = {0, 0, 0};
+  if (v.finest.inverse_diagonal[i] != 0) r = v.b[i] - product_of(row, exact_matrix(v), tile);
+  v.r[i] = r;
+  v.finest.f[i] = to_float(r);
+}
+
+__global__ void pin_kernel(Vectors v) {
   await_previous();
   const int64_t i = thread_index();
-  if (i >= v.finest.topology.corner_count) return;
-  if (v.finest.inverse_diagonal[i] == 0)
-    v.u[i] = v.r[i] = Double3{0, 0, 0, 0};
-  else
-    v.r[i] = v.b[i] - product_row(v.finest.topology.rows, v.matrix, v.u, static_cast<int32_t>(i));
+  if (i < v.finest.topology.corner_count && v.finest.inverse_diagonal[i] == 0)
+    v.u[i] = Double3{0, 0, 0};
 }
 
-__global__ void load_residual_kernel(Vectors v) {
-  await_previous();
-  const int64_t i = thread_index();
-  if (i >= v.finest.topology.corner_count) return;
-  const Double3 r = v.r[i];
-  v.finest.f[i] = {static_cast<float>(r.x), static_cast<float>(r.y), static_cast<float>(r.z), 0};
-}
-
-// z·r and z·q, z being the V-cycle's correction.
-__global__ void correction_sums_kernel(Vectors v) {
-  await_previous();
-  Sums<6> sums = {};
-  for (int64_t i = thread_index(); i < v.finest.topology.corner_count; i += stride()) {
-    const Double3 z = to_double(v.finest.x[i]);
-    add(z * v.r[i], sums.at);
-    add(z * v.q[i], sums.at + 3);
-  }
-  sums = block_sum(sums);
-  if (threadIdx.x == 0) partials_of<6>(v)[blockIdx.x] = sums;
-}
-
-__global__ void momentum_kernel(Vectors v, int count, bool restart) {
-  await_previous();
-  const Sums<6> total = total_of(partials_of<6>(v), count);
-  if (threadIdx.x != 0) return;
-  Scalars& scalars = *v.scalars;
+// With p = z + m p' conjugate to p', p·q = z·w + m z·q'. The residual is orthogonal to p', hence
+// p·r = z·r.
+__device__ void choose_step(const Sums<9>& products, bool restart, Scalars& scalars) {
   for (int n = 0; n < 3; ++n) {
-    const double change = -scalars.step[n] * total.at[3 + n];
-    scalars.momentum[n] = restart ? 0 : quotient(change, scalars.z_dot_r[n]);
-    scalars.z_dot_r[n] = total.at[n];
+    const double z_dot_r = products.at[n], z_dot_q = products.at[3 + n],
+                 z_dot_w = products.at[6 + n];
+    const double momentum = restart ? 0 : quotient(-z_dot_q, scalars.p_dot_q[n]);
+    const double p_dot_q = z_dot_w + momentum * z_dot_q;
+    const bool is_sound = p_dot_q > 0;  // else nothing but rounding is left of it
+    scalars.momentum[n] = is_sound ? momentum : 0;
+    scalars.p_dot_q[n] = is_sound ? p_dot_q : z_dot_w;
+    scalars.z_dot_r[n] = z_dot_r;
+    scalars.step[n] = quotient(z_dot_r, scalars.p_dot_q[n]);
   }
-  scalars.correction_squared_max = 0;
 }
 
-__global__ void direction_kernel(Vectors v) {
-  await_previous();
-  const int64_t i = thread_index();
-  if (i >= v.finest.topology.corner_count) return;
-  v.p[i] = to_double(v.finest.x[i]) + triple(v.scalars->momentum) * v.p[i];
+// w = S z, z·r, z·q and z·w.
+__global__ void __launch_bounds__(kThreads, 6) product_kernel(Vectors v, bool restart) {
+  float4* tile = tile_of_block<float4>();
+  let_next_start();
+  const Rows& rows = v.finest.topology.rows;
+  Sums<9> sums = {};
+  for (int g = static_cast<int>(blockIdx.x); g < rows.group_count;
+       g += static_cast<int>(gridDim.x)) {
+    const FetchedRow row = fetch_row(rows, v.finest.system.packed, g);
+    const int32_t i = row.corner;
+    const bool is_free = i >= 0 && v.finest.inverse_diagonal[i] != 0;
+    await_previous();
+    fill_tile(row, v.finest.x, tile);
+    if (i >= 0) {
+      const Double3 z = to_double(tile[threadIdx.x]);
+      Double3 w = {0, 0, 0};
+      if (is_free) w = product_of(row, exact_matrix(v), tile);
+      v.w[i] = w;
+      add(z * v.r[i], sums.at);
+      add(z * v.q[i], sums.at + 3);
+      add(z * w, sums.at + 6);
+    }
+    __syncthreads();
+  }
+  Sums<9> total;
+  if (add_up(sums, v.products, &total)) choose_step(total, restart, *v.scalars);
 }
 
 __device__ float squared_correction(const Depth& finest, const VertexPlace& place) {
@@ -105,54 +118,32 @@ __global__ void largest_correction_kernel(Vectors v, const VertexPlace* places, 
               __float_as_uint(most));
 }
 
-// q = S p, and the parts of p·q and p·r.
-__global__ void product_kernel(Vectors v) {
-  await_previous();
-  Sums<6> sums = {};
-  for (int64_t i = thread_index(); i < v.finest.topology.corner_count; i += stride()) {
-    Double3 q = {0, 0, 0, 0};
-    if (v.finest.inverse_diagonal[i] != 0)
-      q = product_row(v.finest.topology.rows, v.matrix, v.p, static_cast<int32_t>(i));
-    v.q[i] = q;
-    add(v.p[i] * q, sums.at);
-    add(v.p[i] * v.r[i], sums.at + 3);
-  }
-  sums = block_sum(sums);
-  if (threadIdx.x == 0) partials_of<6>(v)[blockIdx.x] = sums;
-}
-
-__global__ void step_length_kernel(Vectors v, int count) {
-  await_previous();
-  const Sums<6> total = total_of(partials_of<6>(v), count);
-  if (threadIdx.x != 0) return;
-  for (int n = 0; n < 3; ++n) v.scalars->step[n] = quotient(total.at[3 + n], total.at[n]);
-}
-
-// u and r after the step, and the parts of their measures.
+// p, q, u and r after the step, and the parts of the measures.
 __global__ void advance_kernel(Vectors v) {
   await_previous();
   Sums<3> sums = {};
-  const Double3 step = triple(v.scalars->step);
+  const Double3 step = triple(v.scalars->step), momentum = triple(v.scalars->momentum);
   for (int64_t i = thread_index(); i < v.finest.topology.corner_count; i += stride()) {
-    const Double3 b = v.b[i], u = v.u[i] + step * v.p[i], r = v.r[i] - step * v.q[i];
+    const Double3 p = to_double(v.finest.x[i]) + momentum * v.p[i], q = v.w[i] + momentum * v.q[i];
+    const Double3 b = v.b[i], u = v.u[i] + step * p, r = v.r[i] - step * q;
+    v.p[i] = p;
+    v.q[i] = q;
     v.u[i] = u;
     v.r[i] = r;
+    v.finest.f[i] = to_float(r);
     const double scale = v.finest.inverse_diagonal[i];
     sums.at[0] -= 0.5 * sum_of(u * (b + r));
     sums.at[1] += scale * sum_of(r * r);
     sums.at[2] += scale * sum_of(b * b);
   }
-  sums = block_sum(sums);
-  if (threadIdx.x == 0) partials_of<3>(v)[blockIdx.x] = sums;
-}
-
-__global__ void measures_kernel(Vectors v, int count) {
-  await_previous();
-  const Sums<3> total = total_of(partials_of<3>(v), count);
-  if (threadIdx.x != 0) return;
-  v.scalars->energy = total.at[0];
-  v.scalars->residual = total.at[1];
-  v.scalars->constraint = total.at[2];
+  Sums<3> total;
+  if (!add_up(sums, v.measures, &total)) return;
+  Scalars& scalars = *v.scalars;
+  scalars.energy = total.at[0];
+  scalars.residual = total.at[1];
+  scalars.constraint = total.at[2];
+  *v.measured = scalars;
+  scalars.correction_squared_max = 0;
 }
 
 }  // namespace
@@ -163,53 +154,58 @@ ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
       n_(finest.topology.corner_count),
       evaluation_(evaluation),
       vertex_count_(static_cast<int64_t>(vertex_count)),
-      entry_(stream, finest.topology.entry_count),
       row_sum_(stream, n_),
-      partials_(stream, kPartialsMax * kSumsMax),
       u_(stream, n_),
       b_(stream, n_),
       r_(stream, n_),
       p_(stream, n_),
       q_(stream, n_),
+      w_(stream, n_),
+      product_sums_(stream, kPartialsMax),
+      measure_sums_(stream, kPartialsMax),
+      arrived_(stream, 2),
       scalars_(stream, 1),
-      vectors_{finest,         {entry_.data(), row_sum_.data()},
-               u_.data(),      b_.data(),
-               r_.data(),      p_.data(),
-               q_.data(),      partials_.data(),
-               scalars_.data()} {}
+      measured_(stream, 1),
+      vectors_{finest,
+               row_sum_.data(),
+               u_.data(),
+               b_.data(),
+               r_.data(),
+               p_.data(),
+               q_.data(),
+               w_.data(),
+               {product_sums_.data(), arrived_.data()},
+               {measure_sums_.data(), arrived_.data() + 1},
+               scalars_.data(),
+               measured_.data()} {}
 
 void ConjugateGradients::recompute_residual() {
-  launch(stream_, recompute_residual_kernel, n_, vectors_);
-}
-
-void ConjugateGradients::load_residual() {
-  launch(stream_, load_residual_kernel, n_, vectors_);
+  launch(stream_, pin_kernel, n_, vectors_);
+  const Rows& rows = vectors_.finest.topology.rows;
+  launch_products<Double3>(stream_, recompute_residual_kernel, rows, rows.group_count, vectors_);
 }
 
 void ConjugateGradients::update_direction(bool restart) {
-  launch_striding(stream_, correction_sums_kernel, n_, vectors_);
-  launch_one_block(stream_, momentum_kernel, vectors_, partial_count(n_), restart);
-  launch_striding(stream_, largest_correction_kernel, vertex_count_, vectors_, evaluation_,
+  branch_.fork();
+  launch_striding(branch_.stream(), largest_correction_kernel, vertex_count_, vectors_, evaluation_,
                   vertex_count_);
-  launch(stream_, direction_kernel, n_, vectors_);
+  const Rows& rows = vectors_.finest.topology.rows;
+  launch_products<float4>(stream_, product_kernel, rows, std::min(rows.group_count, kPartialsMax),
+                          vectors_, restart);
+  branch_.join();
 }
 
 void ConjugateGradients::advance() {
-  launch_striding(stream_, product_kernel, n_, vectors_);
-  launch_one_block(stream_, step_length_kernel, vectors_, partial_count(n_));
   launch_striding(stream_, advance_kernel, n_, vectors_);
-  launch_one_block(stream_, measures_kernel, vectors_, partial_count(n_));
 }
 
 ConjugateGradients::Scalars ConjugateGradients::measure() const {
-  Scalars scalars = {};
-  scalars_.download(stream_, {&scalars, 1});
-  return scalars;
+  return stream_.synchronize() ? *measured_.data() : Scalars{};
 }
 
 uint64_t ConjugateGradients::byte_count() const {
-  return entry_.byte_count() + row_sum_.byte_count() + partials_.byte_count() +
-         5 * u_.byte_count() + scalars_.byte_count();
+  return row_sum_.byte_count() + 6 * u_.byte_count() + product_sums_.byte_count() +
+         measure_sums_.byte_count() + scalars_.byte_count();
 }
 
 }  // namespace burnish::cuda

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "server/solver/cuda/branch.h"
 #include "server/solver/cuda/device_memory.h"
 #include "server/solver/cuda/views.h"
 
@@ -7,11 +8,18 @@ namespace burnish::cuda {
 
 /// Flexible conjugate gradients in double, as on the CPU: see cpu/conjugate_gradients.h. Steps and
 /// sums stay on the device; only measure() waits for them.
+///
+/// A step has two passes over the depth. With z the V-cycle's correction, the first makes w = S z
+/// and all sums; what p and q = S p are follows from w, p·q from z·w and the directions being
+/// conjugate. The second makes p, q, u and r.
+///
+/// Whatever writes r writes it in float32 too, as the next cycle's f.
 class ConjugateGradients {
  public:
   /// What one step hands to the next, per column.
   struct Scalars {
     double z_dot_r[3];
+    double p_dot_q[3];
     double step[3];  ///< a of the last advance()
     double momentum[3];
     float correction_squared_max;
@@ -20,22 +28,23 @@ class ConjugateGradients {
   /// What the kernels work on.
   struct Vectors {
     Depth finest;
-    ExactMatrix matrix;
-    Double3 *u, *b, *r, *p, *q;
-    double* partials;
+    double* row_sum;  ///< of S
+    Double3 *u, *b, *r, *p, *q, *w;
+    Partials<9> products;
+    Partials<3> measures;
     Scalars* scalars;
+    Scalars* measured;  ///< the same on the host, after advance()
   };
 
   ConjugateGradients(Stream& stream, const Depth& finest, const VertexPlace* evaluation,
                      size_t vertex_count);
 
-  const ExactMatrix& matrix() const { return vectors_.matrix; }
+  double* row_sum() const { return vectors_.row_sum; }
   Double3* constraint() const { return vectors_.b; }
   Double3* residual() const { return vectors_.r; }
   const DeviceArray<Double3>& displacement() const { return u_; }
 
   void recompute_residual();
-  void load_residual();
   void update_direction(bool restart);
   void advance();
   /// The sums of backend.h's Measures after the last advance(), not yet divided and rooted. Waits
@@ -45,12 +54,17 @@ class ConjugateGradients {
 
  private:
   Stream& stream_;
+  Branch branch_{stream_};
   int64_t n_;
   const VertexPlace* evaluation_;
   int64_t vertex_count_;
-  DeviceArray<double> entry_, row_sum_, partials_;
-  DeviceArray<Double3> u_, b_, r_, p_, q_;
+  DeviceArray<double> row_sum_;
+  DeviceArray<Double3> u_, b_, r_, p_, q_, w_;
+  DeviceArray<Sums<9>> product_sums_;
+  DeviceArray<Sums<3>> measure_sums_;
+  DeviceArray<unsigned> arrived_;
   DeviceArray<Scalars> scalars_;
+  PinnedArray<Scalars> measured_;
   Vectors vectors_;
 };
 

@@ -7,7 +7,7 @@ namespace {
 
 __device__ Double3 triple(const Gradients& gradients, int64_t cell, int first) {
   const float* g = gradients.numbers + first * gradients.cells + cell;
-  return {g[0], g[gradients.cells], g[2 * gradients.cells], 0};
+  return {g[0], g[gradients.cells], g[2 * gradients.cells]};
 }
 
 // One cell's share at its local corner a. The shares of a cell must add up to zero, since
@@ -22,24 +22,27 @@ __device__ Double3 share_of(const Gradients& gradients, int64_t cell, int a, dou
   return weight1 * g1 + weight2 * g2;
 }
 
+// A cell that is not there counts as the first, times zero: its loads need not wait for a branch.
 __global__ void constraint_kernel(Depth finest, Gradients gradients, FieldArrays fields, Double3* b,
                                   Double3* r) {
-  await_previous();
+  let_next_start();
   const int64_t corner = thread_index();
   if (corner >= finest.topology.corner_count) return;
-  Double3 sum = {0, 0, 0, 0};
-  if (finest.inverse_diagonal[corner] != 0) {
+  const Eight cells = finest.topology.cells_of_corner[corner];
+  await_previous();
+  const bool is_free = finest.inverse_diagonal[corner] != 0;
+  Double3 sum = {0, 0, 0};
 #pragma unroll
-    for (int a = 0; a < 8; ++a) {
-      const int32_t cell = finest.topology.cells_of_corner[corner].at[a];
-      if (cell < 0 || fields.beta[cell] == 1) continue;
-      const float change = fields.beta[cell] - 1, alpha1 = fields.alpha1[cell],
-                  alpha2 = fields.alpha2[cell];
-      sum = sum +
-            share_of(gradients, cell, a, change * (alpha2 / alpha1), change * (alpha1 / alpha2));
-    }
+  for (int a = 0; a < 8; ++a) {
+    const bool is_there = is_free && cells.at[a] >= 0;
+    const int32_t cell = is_there ? cells.at[a] : 0;
+    const float change = is_there ? fields.beta[cell] - 1 : 0;
+    const float ratio = fields.alpha2[cell] / fields.alpha1[cell];
+    sum = sum + share_of(gradients, cell, a, change * ratio, change / ratio);
   }
-  r[corner] = r[corner] + (sum - b[corner]);
+  const Double3 residual = r[corner] + (sum - b[corner]);
+  r[corner] = residual;
+  finest.f[corner] = to_float(residual);
   b[corner] = sum;
 }
 

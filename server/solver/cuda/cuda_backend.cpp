@@ -10,6 +10,7 @@
 #include "server/solver/cuda/device_depth.h"
 #include "server/solver/cuda/device_mesh.h"
 #include "server/solver/cuda/graphs.h"
+#include "server/solver/cuda/placement.h"
 #include "server/solver/cuda/readout.h"
 #include "server/solver/cuda/schwarz.h"
 #include "server/solver/cuda/transfer.h"
@@ -26,12 +27,12 @@ class CudaBackend final : public Backend {
  public:
   explicit CudaBackend(std::shared_ptr<const DeviceMesh> mesh)
       : mesh_(std::move(mesh)),
+        stream_(mesh_->device),
         coarse_offset_(mesh_->hierarchy->coarsest),
-        alpha1_(stream_, mesh_->prepared->cells.size()),
-        alpha2_(stream_, mesh_->prepared->cells.size()),
+        alpha_(stream_, mesh_->prepared->cells.size()),
         beta_(stream_, mesh_->prepared->cells.size()),
         combined_(stream_, CellSquares<double>::kNumbers * cells_of_all_depths()),
-        pinned_below_(stream_, 1),
+        pinned_below_(stream_, mesh_->depths.size()),
         anisotropy_(stream_, 1) {
     for (const DeviceTopology& topology : mesh_->depths)
       depths_.emplace_back(stream_, topology.view());
@@ -46,7 +47,7 @@ class CudaBackend final : public Backend {
 
   uint64_t byte_count() const override {
     uint64_t bytes = readout_.byte_count() + outer_->byte_count() + coarsest_->byte_count() +
-                     3 * beta_.byte_count() + combined_.byte_count();
+                     alpha_.byte_count() + beta_.byte_count() + combined_.byte_count();
     for (const DeviceDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother->byte_count();
     return bytes;
@@ -54,15 +55,14 @@ class CudaBackend final : public Backend {
 
   void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
     stream_.synchronize();
-    alpha1_.upload(stream_, alpha1);
-    alpha2_.upload(stream_, alpha2);
+    alpha_.upload(stream_, {alpha1, alpha2});
     run_on_device(kMetricGraph, [this] { assemble_all(); });
   }
 
   void set_constraint(std::span<const float> beta) override {
-    beta_.upload(stream_, beta);
+    beta_.upload(stream_, {beta});
     assemble_constraint(stream_, finest(), mesh_->gradients(),
-                        {alpha1_.data(), alpha2_.data(), beta_.data()}, outer_->constraint(),
+                        {alpha_.data(0), alpha_.data(1), beta_.data()}, outer_->constraint(),
                         outer_->residual());
     stream_.synchronize();
   }
@@ -81,7 +81,7 @@ class CudaBackend final : public Backend {
   void solve_coarsest() override { coarsest_->solve(); }
 
   void recompute_residual() override { outer_->recompute_residual(); }
-  void load_residual() override { outer_->load_residual(); }
+  void load_residual() override {}  // f goes with r
   void update_direction(bool restart) override { outer_->update_direction(restart); }
   void advance() override { outer_->advance(); }
 
@@ -117,34 +117,40 @@ class CudaBackend final : public Backend {
     coarsest_->on_device() ? graphs_.run(key, work) : work();
   }
 
-  // The matrices of all depths, each from the combined integrals of the one below.
+  // The matrices of all depths, each from the combined integrals of the one below. Those are what
+  // the coarsest depth waits for; a depth's own matrix and smoother are made beside them.
   void assemble_all() {
-    find_anisotropy(stream_, finest().topology.cell_count, alpha1_.data(), alpha2_.data(),
-                    anisotropy_);
     CellSquares<double> cells = {combined_.data(), finest().topology.cell_count};
-    combine_integrals(stream_, mesh_->integrals(), alpha1_.data(), alpha2_.data(),
-                      mesh_->prepared->alpha_scale(), cells);
-    assemble(stream_, cells, finest(), outer_->matrix(), pinned_below_.data());
+    combine_integrals(stream_, mesh_->integrals(), alpha_.data(0), alpha_.data(1),
+                      mesh_->prepared->alpha_scale(), cells, anisotropy_);
     for (size_t i = depths_.size() - 1; i > 0; --i) {
       const Depth &fine = depths_[i].view(), &coarse = depths_[i - 1].view();
       const CellSquares<double> coarse_cells = {cells.numbers + cells.kNumbers * cells.cells,
                                                 coarse.topology.cell_count};
+      Schwarz& smoother = *smoothers_[i - 1];
+      assemble(smoother.fork(), cells, fine, row_sum_at(i), pinned_below_.data() + i);
       down_sample(stream_, fine.topology, coarse.topology, cells, coarse_cells);
       // The depth's combined integrals are of no more use: its smoother works in their place.
-      smoothers_[i - 1]->set_up({reinterpret_cast<float*>(cells.numbers), cells.cells},
-                                anisotropy_.data());
-      assemble(stream_, coarse_cells, coarse, {}, pinned_below_.data());
+      smoother.fork();
+      smoother.set_up({reinterpret_cast<float*>(cells.numbers), cells.cells}, anisotropy_.data());
       cells = coarse_cells;
     }
+    assemble(stream_, cells, depths_[0].view(), row_sum_at(0), pinned_below_.data());
     coarsest_->factor();
     for (const auto& smoother : smoothers_) smoother->finish_set_up();
   }
 
+  // Only the finest depth's product is to double's digits.
+  double* row_sum_at(size_t i) const {
+    return i + 1 == depths_.size() ? outer_->row_sum() : nullptr;
+  }
+
   std::shared_ptr<const DeviceMesh> mesh_;
-  int coarse_offset_;
   Stream stream_;
+  int coarse_offset_;
   Graphs graphs_{stream_};
-  CellField alpha1_, alpha2_, beta_;
+  CellFields<2> alpha_;  // α1, α2
+  CellFields<1> beta_;
   DeviceArray<double> combined_;  // CellSquares of all depths, from the finest
   DeviceArray<float> pinned_below_, anisotropy_;
   std::vector<DeviceDepth> depths_;                  // from the coarsest
@@ -165,7 +171,8 @@ Result<std::unique_ptr<Backend>> make_cuda_backend(std::shared_ptr<const Prepare
   if (smoother != Smoother::kSchwarz)
     return unimplemented("smoother " + std::string(name_of(smoother)) +
                          ": the CUDA backend has schwarz only");
-  ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh(std::move(prepared), std::move(hierarchy)));
+  const int device = least_loaded(cuda_memory_by_device());
+  ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh(device, std::move(prepared), std::move(hierarchy)));
   std::unique_ptr<Backend> backend = std::make_unique<cuda::CudaBackend>(std::move(mesh));
   RETURN_IF_ERROR(backend->status());
   return backend;

@@ -1,81 +1,105 @@
 #include <utility>
 
 #include "server/solver/cuda/dense_inverse.h"
-#include "server/solver/cuda/kernel.h"
+#include "server/solver/cuda/products.h"
 
 namespace burnish::cuda {
 
 namespace {
 
 constexpr double kRegularisation = 1e-5;
-constexpr int kTile = 16;
+constexpr int kSide = 16;
 
 /// Rows of the square, a whole number of tiles; those beyond the corners are the identity's.
 int64_t padded(int64_t corner_count) {
-  return (corner_count + kTile - 1) / kTile * kTile;
+  return (corner_count + kSide - 1) / kSide * kSide;
 }
 
-// From zero; n is padded.
+// From zero; n is padded. A warp for each row, a lane for each entry.
 __global__ void fill_kernel(int64_t n, Depth depth, double* square) {
   await_previous();
-  const int64_t row = thread_index();
-  if (row >= n) return;
-  square[row * n + row] = 1 + kRegularisation;
-  if (row >= depth.topology.corner_count) return;
   const Rows& rows = depth.topology.rows;
-  const auto corner = static_cast<int32_t>(row);
-  const double here = sqrt(static_cast<double>(depth.inverse_diagonal[row]));
-  const int64_t begin = row_begin(rows, corner), end = row_end(rows, corner, begin);
-  for (int64_t k = begin; k < end; k += kSliceRows) {
-    const int32_t column = rows.column[k];
-    square[row * n + column] =
-        depth.system.entry[k] * here * sqrt(static_cast<double>(depth.inverse_diagonal[column]));
+  const auto row = static_cast<int32_t>(thread_index() / 32),
+             lane = static_cast<int32_t>(thread_index() % 32);
+  if (row >= n) return;
+  if (lane == 0) square[row * n + row] = 1 + kRegularisation;
+  if (row >= rows.count || lane >= __popc(rows.mask[row])) return;
+  const int64_t k = row_begin(rows, row) + lane * kSliceRows;
+  const uint32_t packed = depth.system.packed[k];
+  const float entry = value_of(packed) + depth.rest[k];
+  const int32_t column = column_of(group_of(rows, row / rows.group_rows), local_of(packed));
+  square[row * n + column] = entry * sqrt(static_cast<double>(depth.inverse_diagonal[row])) *
+                             sqrt(static_cast<double>(depth.inverse_diagonal[column]));
+}
+
+// The tile's inverse, in place, by Gauss-Jordan without pivoting, two pivots at a time: the matrix
+// is definite and, by the regularisation, its condition number is bounded.
+__device__ void invert_tile(double (&tile)[kSide][kSide], int row, int column) {
+  for (int p = 0; p < kSide; p += 2) {
+    const double a = tile[p][p], b = tile[p][p + 1], c = tile[p + 1][p], d = tile[p + 1][p + 1];
+    const double scale = 1 / (a * d - b * c);
+    const bool on_rows = row / 2 == p / 2, on_columns = column / 2 == p / 2;
+    // What the two pivot rows become, above and below, in this column.
+    const double above = on_columns ? double(column == p) : tile[p][column];
+    const double below = on_columns ? double(column == p + 1) : tile[p + 1][column];
+    const double new_above = scale * (d * above - b * below);
+    const double new_below = scale * (a * below - c * above);
+    const double kept = on_columns ? 0 : tile[row][column];
+    const double eliminated = kept - (tile[row][p] * new_above + tile[row][p + 1] * new_below);
+    __syncthreads();
+    tile[row][column] = !on_rows ? eliminated : row == p ? new_above : new_below;
+    __syncthreads();
   }
 }
 
-// The tile's inverse, in place, by Gauss-Jordan without pivoting: the matrix is definite and, by
-// the regularisation, its condition number is bounded.
-__device__ void invert_tile(double (&tile)[kTile][kTile], int row, int column) {
-  for (int pivot = 0; pivot < kTile; ++pivot) {
-    const double inverse_pivot = 1 / tile[pivot][pivot];
-    const double on_row = column == pivot ? inverse_pivot : tile[pivot][column] * inverse_pivot;
-    const double factor = tile[row][pivot];
-    const double kept = column == pivot ? 0 : tile[row][column];
-    __syncthreads();
-    tile[row][column] = row == pivot ? on_row : kept - factor * on_row;
-    __syncthreads();
-  }
+// A block's number of a tile.
+__device__ int64_t place_in(int64_t n, int tile_row, int tile_column) {
+  return (static_cast<int64_t>(tile_row) * kSide + threadIdx.y) * n + tile_column * kSide +
+         threadIdx.x;
+}
+
+__device__ void store_inverse(double (&tile)[kSide][kSide], double value, double* inverse) {
+  const int row = static_cast<int>(threadIdx.y), column = static_cast<int>(threadIdx.x);
+  tile[row][column] = value;
+  __syncthreads();
+  invert_tile(tile, row, column);
+  inverse[row * kSide + column] = tile[row][column];
+}
+
+// The inverse of the first pivot tile, by one block.
+__global__ void first_inverse_kernel(int64_t n, const double* square, double* inverse) {
+  __shared__ double tile[kSide][kSide];
+  await_previous();
+  store_inverse(tile, square[place_in(n, 0, 0)], inverse);
 }
 
 // One step of Gauss-Jordan by tiles, one block per tile and one thread per number. With D the
 // inverse of the pivot tile, row tiles become D A, column tiles −A D, and all others lose A D A.
-__global__ void eliminate_kernel(int64_t n, int pivot, const double* from, double* to) {
+// The block that has the next pivot tile inverts it for the next step.
+__global__ void eliminate_kernel(int64_t n, int pivot, const double* pivot_inverse,
+                                 const double* from, double* to, double* next_inverse) {
+  __shared__ double inverse[kSide][kSide], on_row[kSide][kSide], on_column[kSide][kSide];
   await_previous();
-  __shared__ double inverse[kTile][kTile], on_row[kTile][kTile], on_column[kTile][kTile];
   const int row = static_cast<int>(threadIdx.y), column = static_cast<int>(threadIdx.x);
   const int tile_row = static_cast<int>(blockIdx.y), tile_column = static_cast<int>(blockIdx.x);
-  const auto place = [&](int of_row, int of_column) {
-    return (static_cast<int64_t>(of_row) * kTile + row) * n + of_column * kTile + column;
-  };
-  inverse[row][column] = from[place(pivot, pivot)];
-  on_column[row][column] = from[place(tile_row, pivot)];
+  const double before = from[place_in(n, tile_row, tile_column)];
+  inverse[row][column] = pivot_inverse[row * kSide + column];
+  on_column[row][column] = from[place_in(n, tile_row, pivot)];
   // The pivot's own column of tiles counts as the identity, and so it is that D stays there.
   const double identity = row == column;
-  const double there = tile_column == pivot ? identity : from[place(pivot, tile_column)];
+  on_row[row][column] = tile_column == pivot ? identity : from[place_in(n, pivot, tile_column)];
   __syncthreads();
-  invert_tile(inverse, row, column);
   double sum = 0;
-  on_row[row][column] = there;
-  __syncthreads();
-  for (int k = 0; k < kTile; ++k) sum += inverse[row][k] * on_row[k][column];
+  for (int k = 0; k < kSide; ++k) sum += inverse[row][k] * on_row[k][column];
   __syncthreads();
   on_row[row][column] = sum;
   __syncthreads();
   if (tile_row != pivot) {
-    sum = tile_column == pivot ? 0 : from[place(tile_row, tile_column)];
-    for (int k = 0; k < kTile; ++k) sum -= on_column[row][k] * on_row[k][column];
+    sum = tile_column == pivot ? 0 : before;
+    for (int k = 0; k < kSide; ++k) sum -= on_column[row][k] * on_row[k][column];
   }
-  to[place(tile_row, tile_column)] = sum;
+  to[place_in(n, tile_row, tile_column)] = sum;
+  if (tile_row == pivot + 1 && tile_column == pivot + 1) store_inverse(inverse, sum, next_inverse);
 }
 
 // One block per row.
@@ -90,22 +114,35 @@ __global__ void scale_kernel(int64_t n, Depth depth, const double* square, float
                            sqrt(static_cast<double>(depth.inverse_diagonal[column])));
 }
 
-// One warp per row.
+constexpr int kAhead = 5;  // of a thread's numbers of a row: all of them at most coarsest depths
+
+// One block per row.
 __global__ void multiply_kernel(Depth depth, const float* inverse) {
+  __shared__ float4 of_warp[kThreads / 32];
+  let_next_start();
+  const int64_t n = depth.topology.corner_count, row = blockIdx.x;
+  const int64_t t = threadIdx.x;
+  float ahead[kAhead];
+#pragma unroll
+  for (int j = 0; j < kAhead; ++j)
+    ahead[j] = t + j * kThreads < n ? inverse[row * n + t + j * kThreads] : 0;
   await_previous();
-  const int64_t row = thread_index() / 32;
-  const int64_t n = depth.topology.corner_count;
-  if (row >= n) return;
-  const int lane = static_cast<int>(threadIdx.x % 32);
   float4 sum = zero4();
-  for (int64_t column = lane; column < n; column += 32)
+#pragma unroll
+  for (int j = 0; j < kAhead; ++j)
+    if (t + j * kThreads < n) sum = sum + ahead[j] * depth.f[t + j * kThreads];
+  for (int64_t column = t + kAhead * kThreads; column < n; column += kThreads)
     sum = sum + inverse[row * n + column] * depth.f[column];
   for (int offset = 16; offset > 0; offset /= 2) {
     sum.x += __shfl_down_sync(0xffffffffu, sum.x, offset);
     sum.y += __shfl_down_sync(0xffffffffu, sum.y, offset);
     sum.z += __shfl_down_sync(0xffffffffu, sum.z, offset);
   }
-  if (lane == 0) depth.x[row] = sum;
+  if (t % 32 == 0) of_warp[t / 32] = sum;
+  __syncthreads();
+  if (t != 0) return;
+  for (int warp = 1; warp < kThreads / 32; ++warp) sum = sum + of_warp[warp];
+  depth.x[row] = sum;
 }
 
 }  // namespace
@@ -113,25 +150,31 @@ __global__ void multiply_kernel(Depth depth, const float* inverse) {
 DenseInverse::DenseInverse(Stream& stream, const Depth& depth) : depth_(depth) {
   const int64_t corners = depth.topology.corner_count, n = padded(corners);
   for (DeviceArray<double>& square : square_) square = {stream, static_cast<size_t>(n * n)};
+  for (DeviceArray<double>& inverse : pivot_inverse_) inverse = {stream, kSide * kSide};
   inverse_ = {stream, static_cast<size_t>(corners * corners)};
 }
 
 void DenseInverse::factor(Stream& stream) {
   const int64_t corners = depth_.topology.corner_count, n = padded(corners);
-  const int tiles = static_cast<int>(n / kTile);
+  const int tiles = static_cast<int>(n / kSide);
   if (!stream.is_ok()) return;
   square_[0].clear(stream);
-  launch(stream, fill_kernel, n, n, depth_, square_[0].data());
-  for (int pivot = 0; pivot < tiles; ++pivot)
-    eliminate_kernel<<<dim3(tiles, tiles), dim3(kTile, kTile), 0, stream.get()>>>(
-        n, pivot, square_[pivot % 2].data(), square_[(pivot + 1) % 2].data());
+  launch(stream, fill_kernel, 32 * n, n, depth_, square_[0].data());
+  launch_blocks(stream, first_inverse_kernel, dim3(1), dim3(kSide, kSide), 0, n, square_[0].data(),
+                pivot_inverse_[0].data());
+  for (int pivot = 0; pivot < tiles; ++pivot) {
+    const int here = pivot % 2, there = 1 - here;
+    launch_blocks(stream, eliminate_kernel, dim3(tiles, tiles), dim3(kSide, kSide), 0, n, pivot,
+                  pivot_inverse_[here].data(), square_[here].data(), square_[there].data(),
+                  pivot_inverse_[there].data());
+  }
   launch(stream, scale_kernel, corners * kThreads, n, depth_, square_[tiles % 2].data(),
          inverse_.data());
 }
 
 void DenseInverse::solve(Stream& stream) const {
-  launch(stream, multiply_kernel, 32 * static_cast<int64_t>(depth_.topology.corner_count), depth_,
-         inverse_.data());
+  launch(stream, multiply_kernel, kThreads * static_cast<int64_t>(depth_.topology.corner_count),
+         depth_, inverse_.data());
 }
 
 uint64_t DenseInverse::byte_count() const {

@@ -21,7 +21,8 @@ class DenseInverse {
 
  private:
   Depth depth_{};
-  DeviceArray<double> square_[2];  // the elimination goes from one to the other
+  DeviceArray<double> square_[2];         // the elimination goes from one to the other
+  DeviceArray<double> pivot_inverse_[2];  // likewise
   DeviceArray<float> inverse_;
 };
 

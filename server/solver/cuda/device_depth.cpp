@@ -3,22 +3,21 @@
 namespace burnish::cuda {
 
 DeviceDepth::DeviceDepth(Stream& stream, const Topology& topology)
-    : entry_(stream, topology.entry_count),
+    : packed_(stream, topology.entry_count),
+      rest_(stream, topology.entry_count),
       diagonal_(stream, topology.corner_count),
       inverse_diagonal_(stream, topology.corner_count),
       x_(stream, topology.corner_count),
       f_(stream, topology.corner_count),
       r_(stream, topology.corner_count),
-      view_{topology,
-            {entry_.data(), diagonal_.data()},
-            inverse_diagonal_.data(),
-            x_.data(),
-            f_.data(),
+      view_{topology,     {packed_.data(), diagonal_.data()},
+            rest_.data(), inverse_diagonal_.data(),
+            x_.data(),    f_.data(),
             r_.data()} {}
 
 uint64_t DeviceDepth::byte_count() const {
-  return entry_.byte_count() + diagonal_.byte_count() + inverse_diagonal_.byte_count() +
-         x_.byte_count() + f_.byte_count() + r_.byte_count();
+  return packed_.byte_count() + rest_.byte_count() + diagonal_.byte_count() +
+         inverse_diagonal_.byte_count() + x_.byte_count() + f_.byte_count() + r_.byte_count();
 }
 
 }  // namespace burnish::cuda

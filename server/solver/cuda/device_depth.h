@@ -14,7 +14,8 @@ class DeviceDepth {
   uint64_t byte_count() const;
 
  private:
-  DeviceArray<float> entry_, diagonal_, inverse_diagonal_;
+  DeviceArray<uint32_t> packed_;
+  DeviceArray<float> rest_, diagonal_, inverse_diagonal_;
   DeviceArray<float4> x_, f_, r_;
   Depth view_;
 };

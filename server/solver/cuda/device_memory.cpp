@@ -1,28 +1,42 @@
 #include "server/solver/cuda/device_memory.h"
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <mutex>
+#include <numeric>
 
 #include "server/solver/cuda/cuda_backend.h"
 
 namespace burnish {
 
 static std::atomic<uint64_t> budget = std::numeric_limits<uint64_t>::max();
-static std::atomic<uint64_t> used = 0;
+
+// One number for each device.
+static std::vector<std::atomic<uint64_t>>& used() {
+  static std::vector<std::atomic<uint64_t>> by_device([] {
+    int count = 0;
+    return cudaGetDeviceCount(&count) == cudaSuccess ? std::max(count, 1) : 1;
+  }());
+  return by_device;
+}
 
 void set_cuda_memory_budget(uint64_t bytes) {
   budget = bytes;
 }
+std::vector<uint64_t> cuda_memory_by_device() {
+  return {used().begin(), used().end()};
+}
 uint64_t cuda_memory_used() {
-  return used;
+  const std::vector<uint64_t> by_device = cuda_memory_by_device();
+  return std::accumulate(by_device.begin(), by_device.end(), uint64_t{0});
 }
 
 namespace cuda {
 
-static Status beyond_budget(uint64_t bytes) {
+static Status beyond_budget(int device, uint64_t bytes) {
   return resource_exhausted("the solver has no room for " + std::to_string(bytes) +
-                            " bytes on the device: it uses " + std::to_string(used) +
+                            " bytes on the device: it uses " + std::to_string(used()[device]) +
                             " and may use " + std::to_string(budget));
 }
 
@@ -37,28 +51,28 @@ static Status beyond_device(uint64_t bytes) {
 static void keep_freed_memory() {
   static std::once_flag once;
   std::call_once(once, [] {
-    int device = 0;
-    cudaMemPool_t pool = nullptr;
-    if (cudaGetDevice(&device) != cudaSuccess ||
-        cudaDeviceGetDefaultMemPool(&pool, device) != cudaSuccess)
-      return;
-    uint64_t all = std::numeric_limits<uint64_t>::max();
-    cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &all);
+    for (int device = 0; device < static_cast<int>(used().size()); ++device) {
+      cudaMemPool_t pool = nullptr;
+      if (cudaDeviceGetDefaultMemPool(&pool, device) != cudaSuccess) return;
+      uint64_t all = std::numeric_limits<uint64_t>::max();
+      cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &all);
+    }
   });
 }
 
 void* allocate(Stream& stream, uint64_t bytes) {
   void* memory = nullptr;
   if (!stream.is_ok() || bytes == 0) return nullptr;
-  if (used.fetch_add(bytes) + bytes > budget) {
-    used -= bytes;
-    stream.check(beyond_budget(bytes));
+  std::atomic<uint64_t>& used_there = used()[stream.device()];
+  if (used_there.fetch_add(bytes) + bytes > budget) {
+    used_there -= bytes;
+    stream.check(beyond_budget(stream.device(), bytes));
     return nullptr;
   }
   keep_freed_memory();
   const cudaError_t error = cudaMallocAsync(&memory, bytes, stream.get());
   if (error == cudaSuccess) return memory;
-  used -= bytes;
+  used_there -= bytes;
   if (error == cudaErrorMemoryAllocation) {
     cudaGetLastError();  // this one does not stick
     stream.check(beyond_device(bytes));
@@ -68,14 +82,15 @@ void* allocate(Stream& stream, uint64_t bytes) {
   return nullptr;
 }
 
-void release(void* memory, uint64_t bytes) {
+void release(int device, void* memory, uint64_t bytes) {
   if (memory == nullptr) return;
   cudaFree(memory);
-  used -= bytes;
+  used()[device] -= bytes;
 }
 
 void* allocate_pinned(Stream& stream, uint64_t bytes) {
   void* memory = nullptr;
+  stream.get();
   if (stream.is_ok() && bytes > 0)
     stream.check(cudaMallocHost(&memory, bytes), "taking memory of the host");
   return memory;

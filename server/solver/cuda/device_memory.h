@@ -14,7 +14,7 @@ namespace burnish::cuda {
 /// what is free.
 void* allocate(Stream& stream, uint64_t bytes);
 /// Gives it back to the pool, once the device is through with it.
-void release(void* memory, uint64_t bytes);
+void release(int device, void* memory, uint64_t bytes);
 
 /// Takes memory of the host that the device copies to at full speed.
 void* allocate_pinned(Stream& stream, uint64_t bytes);
@@ -45,7 +45,9 @@ class DeviceArray {
  public:
   DeviceArray() = default;
   DeviceArray(Stream& stream, size_t count)
-      : data_(static_cast<T*>(allocate(stream, count * sizeof(T)))), size_(data_ ? count : 0) {
+      : device_(stream.device()),
+        data_(static_cast<T*>(allocate(stream, count * sizeof(T)))),
+        size_(data_ ? count : 0) {
     clear(stream);
   }
   DeviceArray(Stream& stream, std::span<const T> host) : DeviceArray(stream, host.size()) {
@@ -63,11 +65,12 @@ class DeviceArray {
   }
   DeviceArray(DeviceArray&& other) noexcept { *this = std::move(other); }
   DeviceArray& operator=(DeviceArray&& other) noexcept {
+    std::swap(device_, other.device_);
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
     return *this;
   }
-  ~DeviceArray() { release(data_, byte_count()); }
+  ~DeviceArray() { release(device_, data_, byte_count()); }
 
   T* data() const { return data_; }
   size_t size() const { return size_; }
@@ -81,6 +84,7 @@ class DeviceArray {
   void download(Stream& stream, std::span<T> host) const { cuda::download(stream, data_, host); }
 
  private:
+  int device_ = 0;
   T* data_ = nullptr;
   size_t size_ = 0;
 };

@@ -1,9 +1,12 @@
 #include "server/solver/cuda/device_mesh.h"
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <mutex>
+
+#include "server/solver/cuda/packed.h"
+#include "server/solver/cuda/row_groups.h"
 
 namespace burnish::cuda {
 
@@ -12,40 +15,30 @@ static_assert(offsetof(CellIntegrals, mass) == 0 &&
 static_assert(offsetof(FromCell, place) == offsetof(DepthTransfer::FromCell, place));
 static_assert(offsetof(VertexPlace, local) == offsetof(EvaluationPoint, local));
 
-std::vector<int64_t> slice_starts(const Stencil& stencil) {
-  const int32_t n = static_cast<int32_t>(stencil.mask.size());
-  std::vector<int64_t> starts = {0};
-  for (int32_t first = 0; first < n; first += kSliceRows) {
-    int longest = 0;
-    for (int32_t i = first; i < std::min(n, first + kSliceRows); ++i)
-      longest = std::max(longest, __builtin_popcount(stencil.mask[i]));
-    starts.push_back(starts.back() + longest * kSliceRows);
-  }
-  return starts;
-}
-
-static std::vector<int32_t> sliced_columns(const Stencil& stencil,
-                                           const std::vector<int64_t>& starts) {
-  std::vector<int32_t> columns(starts.back(), 0);
-  for (int32_t i = 0; i < static_cast<int32_t>(stencil.mask.size()); ++i) {
-    int64_t to = starts[i / kSliceRows] + i % kSliceRows;
-    for (auto [k, end] = stencil.row(i); k < end; ++k, to += kSliceRows)
-      columns[to] = stencil.column[k];
-  }
-  return columns;
-}
-
 static std::vector<uint8_t> octants(const SparseGrid& grid) {
   std::vector<uint8_t> octants(grid.cells.size());
   for (size_t c = 0; c < octants.size(); ++c) octants[c] = grid.cells[c].place & 7;
   return octants;
 }
 
+static std::vector<uint32_t> packed_restriction(const DepthTransfer& transfer) {
+  std::vector<uint32_t> packed(transfer.restriction_corner.size());
+#pragma omp parallel for schedule(static)
+  for (size_t k = 0; k < packed.size(); ++k)
+    packed[k] =
+        pack_restriction(transfer.restriction_corner[k],
+                         static_cast<uint32_t>(-std::ilogb(transfer.restriction_weight[k])));
+  return packed;
+}
+
 DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth) {
   const std::vector<int64_t> starts = slice_starts(depth.stencil);
   slice_start_ = {stream, starts};
   mask_ = {stream, depth.stencil.mask};
-  column_ = {stream, sliced_columns(depth.stencil, starts)};
+  const RowGroups groups = make_row_groups(depth.stencil, starts);
+  local_ = {stream, groups.local};
+  halo_start_ = {stream, groups.halo_start};
+  halo_ = {stream, groups.halo};
   cell_corners_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cell_corners);
   cells_of_corner_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cells_of_corner);
   octant_ = {stream, octants(depth.grid)};
@@ -54,7 +47,9 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth) {
   view_ = {depth.grid.corner_count(),
            depth.grid.cell_count(),
            starts.back(),
-           {depth.grid.corner_count(), slice_start_.data(), mask_.data(), column_.data()},
+           {depth.grid.corner_count(), slice_start_.data(), mask_.data(), local_.data(),
+            groups.rows, groups.tile_max, static_cast<int32_t>(groups.halo_start.size()) - 1,
+            halo_start_.data(), halo_.data()},
            cell_corners_.data(),
            cells_of_corner_.data(),
            octant_.data(),
@@ -62,25 +57,22 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth) {
            child_.data(),
            nullptr,
            nullptr,
-           nullptr,
            nullptr};
   const DepthTransfer& transfer = depth.to_parent;  // empty at the coarsest depth
   prolongation_ = DeviceArray<FromCell>::copy_of(stream, transfer.prolongation);
   restriction_start_ = {stream, transfer.restriction_start};
-  restriction_corner_ = {stream, transfer.restriction_corner};
-  restriction_weight_ = {stream, transfer.restriction_weight};
+  restriction_ = {stream, packed_restriction(transfer)};
   view_.prolongation = prolongation_.data();
   view_.restriction_start = restriction_start_.data();
-  view_.restriction_corner = restriction_corner_.data();
-  view_.restriction_weight = restriction_weight_.data();
+  view_.restriction = restriction_.data();
 }
 
 uint64_t DeviceTopology::byte_count() const {
   return slice_start_.byte_count() + restriction_start_.byte_count() + mask_.byte_count() +
-         column_.byte_count() + child_start_.byte_count() + child_.byte_count() +
-         restriction_corner_.byte_count() + cell_corners_.byte_count() +
-         cells_of_corner_.byte_count() + octant_.byte_count() + prolongation_.byte_count() +
-         restriction_weight_.byte_count();
+         local_.byte_count() + halo_start_.byte_count() + halo_.byte_count() +
+         child_start_.byte_count() + child_.byte_count() + restriction_.byte_count() +
+         cell_corners_.byte_count() + cells_of_corner_.byte_count() + octant_.byte_count() +
+         prolongation_.byte_count();
 }
 
 uint64_t DeviceMesh::byte_count() const {
@@ -123,9 +115,11 @@ static std::vector<float> gradients_of(const PreparedMesh& prepared) {
 }
 
 static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
-    std::shared_ptr<const PreparedMesh> prepared, std::shared_ptr<const Hierarchy> hierarchy) {
-  Stream stream;
+    int device, std::shared_ptr<const PreparedMesh> prepared,
+    std::shared_ptr<const Hierarchy> hierarchy) {
+  Stream stream(device);
   auto mesh = std::make_shared<DeviceMesh>();
+  mesh->device = device;
   for (const HierarchyDepth& depth : hierarchy->depths) mesh->depths.emplace_back(stream, depth);
   mesh->integral_numbers = {stream, integrals_of(*prepared)};
   mesh->gradient_numbers = {stream, gradients_of(*prepared)};
@@ -138,16 +132,17 @@ static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
 
 // The mesh keeps its hierarchy alive, so that an address stands for one hierarchy as long as its
 // mesh does.
-Result<std::shared_ptr<const DeviceMesh>> device_mesh(std::shared_ptr<const PreparedMesh> prepared,
+Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device,
+                                                      std::shared_ptr<const PreparedMesh> prepared,
                                                       std::shared_ptr<const Hierarchy> hierarchy) {
   static std::mutex mutex;
-  static std::map<const Hierarchy*, std::weak_ptr<const DeviceMesh>> meshes;
+  static std::map<std::pair<int, const Hierarchy*>, std::weak_ptr<const DeviceMesh>> meshes;
   const std::scoped_lock lock(mutex);
   std::erase_if(meshes, [](const auto& entry) { return entry.second.expired(); });
-  const Hierarchy* key = hierarchy.get();
+  const std::pair key = {device, static_cast<const Hierarchy*>(hierarchy.get())};
   if (const auto found = meshes.find(key); found != meshes.end())
     if (auto mesh = found->second.lock()) return mesh;
-  ASSIGN_OR_RETURN(auto mesh, copy_to_device(std::move(prepared), std::move(hierarchy)));
+  ASSIGN_OR_RETURN(auto mesh, copy_to_device(device, std::move(prepared), std::move(hierarchy)));
   meshes[key] = mesh;
   return mesh;
 }

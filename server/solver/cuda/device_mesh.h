@@ -20,20 +20,18 @@ class DeviceTopology {
 
  private:
   DeviceArray<int64_t> slice_start_, restriction_start_;
-  DeviceArray<uint32_t> mask_;
-  DeviceArray<int32_t> column_, child_start_, child_, restriction_corner_;
+  DeviceArray<uint32_t> mask_, restriction_;
+  DeviceArray<uint16_t> local_;
+  DeviceArray<int32_t> halo_start_, halo_, child_start_, child_;
   DeviceArray<Eight> cell_corners_, cells_of_corner_;
   DeviceArray<uint8_t> octant_;
   DeviceArray<FromCell> prolongation_;
-  DeviceArray<float> restriction_weight_;
   Topology view_{};
 };
 
-/// Where an entry of a row stands in the device's slices; the host's counterpart of Rows.
-std::vector<int64_t> slice_starts(const Stencil& stencil);
-
 /// Everything about a prepared mesh that no edit changes, immutable and shared by its sessions.
 struct DeviceMesh {
+  int device = 0;
   std::shared_ptr<const PreparedMesh> prepared;
   std::shared_ptr<const Hierarchy> hierarchy;
   std::vector<DeviceTopology> depths;  ///< from the coarsest
@@ -47,9 +45,10 @@ struct DeviceMesh {
   uint64_t byte_count() const;
 };
 
-/// The mesh on the device: copied there, or what another session has there already.
+/// The mesh on a device: copied there, or what another session has there already.
 /// Fails: resource_exhausted, internal.
-Result<std::shared_ptr<const DeviceMesh>> device_mesh(std::shared_ptr<const PreparedMesh> prepared,
+Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device,
+                                                      std::shared_ptr<const PreparedMesh> prepared,
                                                       std::shared_ptr<const Hierarchy> hierarchy);
 
 }  // namespace burnish::cuda

@@ -1,7 +1,6 @@
 #pragma once
 
-// What the .cu files share: vectors of three columns, rows, and how a kernel is started. Products
-// of rows are unrolled so that several of their loads are under way at once.
+// What the .cu files share: vectors of three columns, rows, and how a kernel is started.
 
 #include "server/solver/cuda/stream.h"
 #include "server/solver/cuda/views.h"
@@ -10,18 +9,20 @@ namespace burnish::cuda {
 
 inline constexpr int kThreads = 128;
 
-/// Starts one thread for each of `count` items. Where the device can, the kernel's blocks come up
-/// while the one before still runs, and wait in await_previous(): much of a small depth's time
-/// would else be the starting of kernels.
+/// Starts blocks of threads with so much shared memory beside what they declare. Where the device
+/// can, they come up while the kernel before still runs, and wait in await_previous(): much of a
+/// small depth's time would else be the starting of kernels.
 template <typename... Params, typename... Args>
-void launch(Stream& stream, void (*kernel)(Params...), int64_t count, Args... args) {
-  if (count == 0 || !stream.is_ok()) return;
+void launch_blocks(Stream& stream, void (*kernel)(Params...), dim3 blocks, dim3 threads,
+                   size_t shared_bytes, Args... args) {
+  if (!stream.is_ok()) return;
   cudaLaunchAttribute early = {};
   early.id = cudaLaunchAttributeProgrammaticStreamSerialization;
   early.val.programmaticStreamSerializationAllowed = 1;
   cudaLaunchConfig_t config = {};
-  config.gridDim = dim3(static_cast<unsigned>((count + kThreads - 1) / kThreads));
-  config.blockDim = dim3(kThreads);
+  config.gridDim = blocks;
+  config.blockDim = threads;
+  config.dynamicSmemBytes = shared_bytes;
   config.stream = stream.get();
   config.attrs = &early;
   config.numAttrs = stream.starts_early() ? 1 : 0;
@@ -29,10 +30,28 @@ void launch(Stream& stream, void (*kernel)(Params...), int64_t count, Args... ar
                "starting a kernel");
 }
 
-/// The first statement of every kernel: what the kernel before has written is there afterwards.
-__device__ inline void await_previous() {
+/// Starts one thread for each of `count` items.
+template <typename... Params, typename... Args>
+void launch(Stream& stream, void (*kernel)(Params...), int64_t count, Args... args) {
+  if (count > 0)
+    launch_blocks(stream, kernel, dim3(static_cast<unsigned>((count + kThreads - 1) / kThreads)),
+                  dim3(kThreads), 0, args...);
+}
+
+/// Lets the kernel after this one come up. The first statement of a kernel that has something to do
+/// before await_previous().
+__device__ inline void let_next_start() {
 #if __CUDA_ARCH__ >= 900
   cudaTriggerProgrammaticLaunchCompletion();
+#endif
+}
+
+/// What the kernels before have written is there afterwards. Before, a kernel may read what none of
+/// those has written that it was not kept from by a host that waits, another graph, a copy or a
+/// memset: the mesh, and within a cycle the matrices.
+__device__ inline void await_previous() {
+  let_next_start();
+#if __CUDA_ARCH__ >= 900
   cudaGridDependencySynchronize();
 #endif
 }
@@ -55,19 +74,22 @@ __device__ inline float4 zero4() {
 }
 
 __device__ inline Double3 operator+(Double3 a, Double3 b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z, 0};
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 __device__ inline Double3 operator-(Double3 a, Double3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z, 0};
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 __device__ inline Double3 operator*(double s, Double3 a) {
-  return {s * a.x, s * a.y, s * a.z, 0};
+  return {s * a.x, s * a.y, s * a.z};
 }
 __device__ inline Double3 operator*(Double3 a, Double3 b) {
-  return {a.x * b.x, a.y * b.y, a.z * b.z, 0};
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 __device__ inline Double3 to_double(float4 a) {
-  return {a.x, a.y, a.z, 0};
+  return {a.x, a.y, a.z};
+}
+__device__ inline float4 to_float(Double3 a) {
+  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z), 0};
 }
 __device__ inline double sum_of(Double3 a) {
   return a.x + a.y + a.z;
@@ -91,44 +113,6 @@ __device__ inline int64_t row_end(const Rows& rows, int32_t i, int64_t begin) {
 /// Where slot s of row i stands. Needs: the slot is present.
 __device__ inline int64_t entry_position(const Rows& rows, int32_t i, int slot) {
   return row_begin(rows, i) + kSliceRows * __popc(rows.mask[i] & ((1u << slot) - 1));
-}
-
-// A row in chunks of which all loads are under way at once; rows of the surface's inside have 17 or
-// 26 neighbours. Places beyond the row's end stand for the row's own corner, with weight zero.
-inline constexpr int kChunk = 9;
-
-/// (A x)_i.
-__device__ inline float4 product_row(const Rows& rows, const Matrix& matrix, const float4* x,
-                                     int32_t i) {
-  float4 sum = matrix.diagonal[i] * x[i];
-  const int64_t begin = row_begin(rows, i);
-  const int count = __popc(rows.mask[i]);
-  for (int first = 0; first < count; first += kChunk) {
-    int32_t column[kChunk];
-    float entry[kChunk];
-#pragma unroll
-    for (int j = 0; j < kChunk; ++j) {
-      const bool present = first + j < count;
-      const int64_t k = begin + kSliceRows * (first + j);
-      column[j] = present ? rows.column[k] : i;
-      entry[j] = present ? matrix.entry[k] : 0;
-    }
-#pragma unroll
-    for (int j = 0; j < kChunk; ++j) sum = sum + entry[j] * x[column[j]];
-  }
-  return sum;
-}
-
-/// (S x)_i as Σ_j S_ij (x_j − x_i) + m_i x_i, which loses nothing for smooth x.
-__device__ inline Double3 product_row(const Rows& rows, const ExactMatrix& matrix, const Double3* x,
-                                      int32_t i) {
-  const Double3 here = x[i];
-  Double3 sum = matrix.row_sum[i] * here;
-  const int64_t begin = row_begin(rows, i), end = row_end(rows, i, begin);
-#pragma unroll 4
-  for (int64_t k = begin; k < end; k += kSliceRows)
-    sum = sum + matrix.entry[k] * (x[rows.column[k]] - here);
-  return sum;
 }
 
 }  // namespace burnish::cuda

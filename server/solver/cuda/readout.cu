@@ -11,10 +11,6 @@ __device__ void store(float* values, int64_t i, float4 value) {
   values[3 * i + 2] = value.z;
 }
 
-__device__ float4 to_float(Double3 a) {
-  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z), 0};
-}
-
 __global__ void corners_kernel(int64_t count, const Double3* u, float* values) {
   await_previous();
   const int64_t i = thread_index();
@@ -69,15 +65,15 @@ std::span<const Vec3f> Readout::displacement(const Depth& finest, const Double3*
   return corners_.read(stream_);
 }
 
-// The V-cycle's right-hand side is of no use between two steps: u in float32 takes its place.
+// The V-cycle's residual is of no use between two steps: u in float32 takes its place.
 std::span<const Vec3f> Readout::vertex_displacement(const Depth& finest, const Double3* u,
                                                     const DeviceArray<VertexPlace>& places) {
   const int64_t n = finest.topology.corner_count;
   const auto count = static_cast<int64_t>(places.size());
   vertices_.reserve(stream_, places.size());
-  launch(stream_, round_kernel, n, n, u, finest.f);
+  launch(stream_, round_kernel, n, n, u, finest.r);
   launch(stream_, vertices_kernel, count, count, places.data(), finest.topology.cell_corners,
-         finest.f, vertices_.device.data());
+         finest.r, vertices_.device.data());
   return vertices_.read(stream_);
 }
 

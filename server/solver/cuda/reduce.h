@@ -5,7 +5,7 @@
 #include "server/solver/cuda/kernel.h"
 
 // Sums in an order that the count alone fixes: a bounded number of blocks stride over the items,
-// then one block adds what they found.
+// and the last of them to end adds what all have found.
 
 namespace burnish::cuda {
 
@@ -19,18 +19,15 @@ template <typename... Params, typename... Args>
 void launch_striding(Stream& stream, void (*kernel)(Params...), int64_t count, Args... args) {
   launch(stream, kernel, static_cast<int64_t>(partial_count(count)) * kThreads, args...);
 }
-template <typename... Params, typename... Args>
-void launch_one_block(Stream& stream, void (*kernel)(Params...), Args... args) {
-  launch(stream, kernel, kThreads, args...);
-}
 __device__ inline int64_t stride() {
   return static_cast<int64_t>(gridDim.x) * blockDim.x;
 }
 
-/// The block's sum, in its first thread. Every thread of the block calls it, once in a kernel.
+/// The block's sum, in its first thread. Every thread of the block calls it.
 template <int kCount>
 __device__ Sums<kCount> block_sum(Sums<kCount> sum) {
   __shared__ Sums<kCount> of_warp[kThreads / 32];
+  __syncthreads();
   for (int offset = 16; offset > 0; offset /= 2)
     for (double& number : sum.at) number += __shfl_down_sync(0xffffffffu, number, offset);
   if (threadIdx.x % 32 == 0) of_warp[threadIdx.x / 32] = sum;
@@ -41,13 +38,25 @@ __device__ Sums<kCount> block_sum(Sums<kCount> sum) {
   return sum;
 }
 
-/// The sum of all partial sums, in the first thread of a single block.
+/// Every block of the kernel calls it with its sum, all threads of it. Returns true in the first
+/// thread of the block that comes last, which then has the total.
 template <int kCount>
-__device__ Sums<kCount> total_of(const Sums<kCount>* partials, int count) {
-  Sums<kCount> sum = {};
-  for (int i = static_cast<int>(threadIdx.x); i < count; i += kThreads)
-    for (int n = 0; n < kCount; ++n) sum.at[n] += partials[i].at[n];
-  return block_sum(sum);
+__device__ bool add_up(Sums<kCount> sum, const Partials<kCount>& partials, Sums<kCount>* total) {
+  __shared__ bool is_last;
+  sum = block_sum(sum);
+  if (threadIdx.x == 0) {
+    partials.sums[blockIdx.x] = sum;
+    __threadfence();
+    is_last = atomicInc(partials.arrived, gridDim.x - 1) == gridDim.x - 1;  // back to zero
+  }
+  __syncthreads();
+  if (!is_last) return false;
+  __threadfence();
+  sum = {};
+  for (unsigned i = threadIdx.x; i < gridDim.x; i += kThreads)
+    for (int n = 0; n < kCount; ++n) sum.at[n] += __ldcg(&partials.sums[i].at[n]);
+  *total = block_sum(sum);
+  return threadIdx.x == 0;
 }
 
 }  // namespace burnish::cuda

@@ -20,9 +20,11 @@ class Schwarz {
 
   Schwarz(Stream& stream, const Depth& depth);
 
-  /// After a new matrix, beside what else the stream does until finish_set_up(). Leaves f and r
-  /// changed. `inverses` is working memory; `anisotropy` the largest ratio of α1 and α2 of any
-  /// cell, on the device.
+  /// Where set_up() works, until finish_set_up() beside what else the stream does. It comes after
+  /// all that the stream has been given so far.
+  Stream& fork();
+  /// After a new matrix. Leaves f and r changed. `inverses` is working memory; `anisotropy` the
+  /// largest ratio of α1 and α2 of any cell, on the device.
   void set_up(const CellSquares<float>& inverses, const float* anisotropy);
   void finish_set_up() { branch_.join(); }
   void relax_from_zero();
@@ -35,9 +37,11 @@ class Schwarz {
   Stream& stream_;
   Branch branch_{stream_};
   Depth depth_;
-  DeviceArray<float> entry_, diagonal_;  // M⁻¹
+  DeviceArray<uint32_t> packed_;  // M⁻¹
+  DeviceArray<float> diagonal_;
   DeviceArray<float4> direction_, eigenvector_;
-  DeviceArray<Sums<2>> partials_;
+  DeviceArray<Sums<2>> sums_;
+  DeviceArray<unsigned> arrived_;
   DeviceArray<Spectrum> spectrum_;
   Matrix inverse_;
   bool first_ = true;

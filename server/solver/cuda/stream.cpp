@@ -9,10 +9,10 @@ Status cuda_status(cudaError_t error, const char* what) {
   return error == cudaErrorMemoryAllocation ? resource_exhausted(text) : internal_error(text);
 }
 
-Stream::Stream() {
+Stream::Stream(int device) : device_(device) {
+  use_device();
   check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "creating a stream");
-  int device = 0, major = 0;
-  check(cudaGetDevice(&device), "finding the device");
+  int major = 0;
   check(cudaDeviceGetAttribute(&major, cudaDevAttrComputeCapabilityMajor, device),
         "asking the device");
   starts_early_ = major >= 9;
@@ -20,6 +20,12 @@ Stream::Stream() {
 
 Stream::~Stream() {
   if (stream_ != nullptr) cudaStreamDestroy(stream_);
+}
+
+// If there is no such device the call that this is for will say so.
+void Stream::use_device() const {
+  int current = -1;
+  if (cudaGetDevice(&current) != cudaSuccess || current != device_) cudaSetDevice(device_);
 }
 
 bool Stream::check(cudaError_t error, const char* what) {

@@ -9,16 +9,21 @@ namespace burnish::cuda {
 /// A failed CUDA call as a Status: `what` and CUDA's own words.
 Status cuda_status(cudaError_t error, const char* what);
 
-/// One backend's queue of work on the device, and its first failure. Once a call has failed nothing
+/// One backend's queue of work on a device, and its first failure. Once a call has failed nothing
 /// more is queued: CUDA's errors stick, and later results would be of no use.
 class Stream {
  public:
-  Stream();
+  explicit Stream(int device);
   ~Stream();
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
 
-  cudaStream_t get() const { return stream_; }
+  /// For a call of CUDA, which then finds the stream's device to be the thread's.
+  cudaStream_t get() const {
+    use_device();
+    return stream_;
+  }
+  int device() const { return device_; }
   bool is_ok() const { return status_.is_ok(); }
   /// Whether the device can bring a kernel up while the one before still runs (from sm_90 on).
   bool starts_early() const { return starts_early_; }
@@ -31,6 +36,9 @@ class Stream {
   bool synchronize();
 
  private:
+  void use_device() const;
+
+  int device_;
   cudaStream_t stream_ = nullptr;
   bool starts_early_ = false;
   Status status_;

@@ -8,8 +8,8 @@
 
 namespace burnish::cuda {
 
-struct alignas(32) Double3 {
-  double x, y, z, unused;
+struct Double3 {
+  double x, y, z;
 };
 
 /// Eight indices, -1 where there is none: SparseGrid's cell_corners and cells_of_corner.
@@ -58,12 +58,18 @@ struct VertexPlace {
 inline constexpr int kSliceRows = 32;
 
 /// A depth's stencil in slices of 32 rows, so that neighbouring threads read neighbouring entries:
-/// entry k of row I stands at slice_start[I / 32] + 32 k + I % 32.
+/// entry k of row I stands at slice_start[I / 32] + 32 k + I % 32. Slices make groups, of which a
+/// block of threads does one: see row_groups.h.
 struct Rows {
   int32_t count;
   const int64_t* slice_start;
-  const uint32_t* mask;  ///< Stencil::mask
-  const int32_t* column;
+  const uint32_t* mask;   ///< Stencil::mask
+  const uint16_t* local;  ///< one per entry: where in its group's tile its column stands
+  int32_t group_rows;     ///< of every group but the last
+  int32_t tile_max;       ///< the largest tile of a group
+  int32_t group_count;
+  const int32_t* halo_start;  ///< groups + 1
+  const int32_t* halo;
 };
 
 /// One depth without any number that depends on the metric.
@@ -77,15 +83,14 @@ struct Topology {
   const uint8_t* octant;       ///< which child of its parent a cell is
   const int32_t* child_start;  ///< null at the finest depth, as `child`
   const int32_t* child;
-  const FromCell* prolongation;  ///< null at the coarsest depth, as the next three
+  const FromCell* prolongation;  ///< null at the coarsest depth, as the next two
   const int64_t* restriction_start;
-  const int32_t* restriction_corner;
-  const float* restriction_weight;
+  const uint32_t* restriction;  ///< packed.h
 };
 
-/// A symmetric matrix on a depth's stencil, float32.
+/// A symmetric matrix on a depth's stencil: off-diagonal entries with their columns (packed.h).
 struct Matrix {
-  float* entry;
+  uint32_t* packed;
   float* diagonal;
 };
 
@@ -93,6 +98,7 @@ struct Matrix {
 struct Depth {
   Topology topology;
   Matrix system;            ///< S
+  float* rest;              ///< what S's packed entries leave of its entries
   float* inverse_diagonal;  ///< 0 where pinned
   float4* x;
   float4* f;
@@ -106,10 +112,11 @@ struct Sums {
 };
 inline constexpr int kPartialsMax = 1024;
 
-/// S of the finest depth in double, by off-diagonals and row sums.
-struct ExactMatrix {
-  double* entry;
-  double* row_sum;
+/// Where the blocks of a kernel leave their sums, and how many have. Zero at first.
+template <int kCount>
+struct Partials {
+  Sums<kCount>* sums;  ///< kPartialsMax
+  unsigned* arrived;
 };
 
 }  // namespace burnish::cuda

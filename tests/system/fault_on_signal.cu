@@ -1,0 +1,23 @@
+// Loaded into a burnish-server under test (LD_PRELOAD): once SIGUSR1 has come, the device fails as
+// a broken kernel makes it fail, and CUDA's error sticks to the process.
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+static std::atomic<bool> has_come{false};
+
+static __global__ void trap_kernel() {
+  __trap();
+}
+
+static void wait_and_fault() {
+  while (!has_come) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  trap_kernel<<<1, 1>>>();
+}
+
+__attribute__((constructor)) static void listen_for_signal() {
+  std::signal(SIGUSR1, [](int) { has_come = true; });
+  std::thread(wait_and_fault).detach();
+}
