@@ -1,6 +1,7 @@
 #include "server/solver/fields.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "common/grid/morton.h"
 
@@ -42,12 +43,54 @@ Box box_of(std::span<const Vec3d> centres, double radius) {
   return {box.least - Vec3d::Constant(radius), box.most + Vec3d::Constant(radius)};
 }
 
+/// Finds the cells in a box, and few others: the cells of each octant of the grid are a range of
+/// the Morton order. A dab on a large scan else takes as long as the scan is large.
+class CellsInBox {
+ public:
+  CellsInBox(std::span<const MortonKey> cells, const GridFrame& frame, const Box& box)
+      : cells_(cells), least_(frame.to_grid(box.least)), most_(frame.to_grid(box.most)) {
+    add(0, frame.depth, 0, static_cast<int64_t>(cells.size()));
+  }
+
+  /// Rising.
+  const std::vector<int64_t>& found() const { return found_; }
+
+ private:
+  static constexpr int kLeafDepth = 2;  // octants of 4³ cells are taken whole
+
+  void add(MortonKey first, int depth, int64_t begin, int64_t end) {
+    const Vec3d low = morton_point(first).cast<double>();
+    const Vec3d high = low + Vec3d::Constant(1 << depth);
+    if (begin == end || (low.array() > most_.array()).any() ||
+        (high.array() < least_.array()).any())
+      return;
+    if (depth <= kLeafDepth) {
+      for (int64_t c = begin; c < end; ++c) found_.push_back(c);
+      return;
+    }
+    const MortonKey keys = MortonKey{1} << 3 * (depth - 1);  // of a child
+    for (MortonKey child = first; child < first + 8 * keys; child += keys) {
+      const auto stop =
+          std::lower_bound(cells_.begin() + begin, cells_.begin() + end, child + keys);
+      const int64_t child_end = stop - cells_.begin();
+      add(child, depth - 1, begin, child_end);
+      begin = child_end;
+    }
+  }
+
+  std::span<const MortonKey> cells_;
+  Vec3d least_, most_;  // grid units
+  std::vector<int64_t> found_;
+};
+
 }  // namespace
 
 void Fields::paint(const Brush& brush, std::span<const Vec3d> centres) {
   const Box box = box_of(centres, brush.radius);
+  const CellsInBox near(prepared_.cells, prepared_.frame, box);
 #pragma omp parallel for schedule(dynamic, 4096)
-  for (int64_t c = 0; c < static_cast<int64_t>(beta_.size()); ++c) {
+  for (size_t i = 0; i < near.found().size(); ++i) {
+    const int64_t c = near.found()[i];
     const Vec3i cell = morton_point(prepared_.cells[c]);
     const Vec3d middle = prepared_.frame.to_file(cell.cast<double>() + Vec3d::Constant(0.5));
     if (!box.contains(middle)) continue;

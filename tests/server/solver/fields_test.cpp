@@ -92,6 +92,17 @@ TEST_F(FieldsTest, OneDabBlendsByStrengthTimesFallOff) {
   }
 }
 
+TEST_F(FieldsTest, ADabReachesEveryCellOfItsBallAndNoOther) {
+  for (const Vec3d& at : {Vec3d(1, 0, 0), Vec3d(0, -1, 0), Vec3d(0.6, 0, 0.8), Vec3d(9, 9, 9)})
+    for (const double radius : {0.05, 0.3, 3.0}) {
+      Fields fields(*prepared_);
+      fields.paint({radius, 1, 2, FallOff::kConstant}, std::vector<Vec3d>{at});
+      for (size_t c = 0; c < prepared_->cells.size(); ++c)
+        ASSERT_EQ(fields.view().beta[c], (centre(c) - at).norm() < radius ? 2 : 1)
+            << "cell " << c << ", radius " << radius;
+    }
+}
+
 TEST_F(FieldsTest, ALaterStrokeCoversAnEarlierOne) {
   fields_.paint(stroke(4));
   fields_.paint(stroke(0, FallOff::kConstant));
