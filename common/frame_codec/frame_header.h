@@ -22,7 +22,7 @@ namespace burnish {
 //
 //     new = old + (k << step_shift)          k = 0 throughout a tile that is not sent
 //
-// A key frame has no reference; old is zero. step_shift is 2 while the surface moves, up to 5 where
+// A key frame has no reference; old is zero. step_shift is 2 while the surface moves, up to 6 where
 // the link is slow, and 0 when it is still. Everything is integer arithmetic modulo 2^32, so both
 // ends hold the same state bit for bit, and errors do not add up: k is chosen against the state
 // that the client holds.
@@ -70,11 +70,9 @@ inline constexpr uint8_t kStepShiftMax = 7;
 
 /// How finely a frame rounds.
 enum class FrameStep : uint8_t {
-  kStill = 0,   ///< 1/256 cell: exactly the rounded displacement
-  kMoving = 2,  ///< 1/64 cell
-  kCoarse = 3,  ///< while it moves, where the link is slow
-  kCoarser = 4,
-  kCoarsest = 5,  ///< 1/8 cell
+  kStill = 0,     ///< 1/256 cell: exactly the rounded displacement
+  kMoving = 2,    ///< 1/64 cell
+  kCoarsest = 6,  ///< 1/4 cell, while it moves and the link is slow
 };
 
 struct FrameHeader {
