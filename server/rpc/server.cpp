@@ -2,6 +2,7 @@
 
 #include <thread>
 
+#include <grpc/grpc.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/health_check_service_interface.h>
@@ -70,10 +71,17 @@ static void observe_calls(grpc::ServerBuilder& builder, const std::shared_ptr<Ca
   builder.experimental().SetInterceptorCreators(std::move(observers));
 }
 
+// gRPC 1.51 tears itself down with its last object, and then may wait ten seconds for an endpoint
+// that it takes for a living one, long after the last call. The process ends anyway.
+static void keep_grpc() {
+  [[maybe_unused]] static const bool kept = (grpc_init(), true);
+}
+
 Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, MeshStore& store,
                                               SessionManager& sessions, LiveSessions& live,
                                               Executor& executor) {
   adopt_grpc_log();
+  keep_grpc();
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
   auto state = std::make_unique<State>(options, store, sessions, live, executor);
