@@ -174,7 +174,9 @@ TEST_F(Churn, LeavesNothingBehind) {
             << resident_bytes[resident_bytes.size() / 2] * 1e-6 << " MB in the middle, "
             << resident_bytes.back() * 1e-6 << " MB at the end; " << growth
             << " bytes a visit over the second half\n";
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they keep what was freed
   EXPECT_LT(growth, 1000 + 16e6 / visits);  // what an allocator keeps counts less in a longer run
+#endif
 }
 
 }  // namespace
