@@ -46,8 +46,7 @@ Result<Image> NullRenderer::read_pixels() {
 }
 
 Result<std::optional<uint32_t>> NullRenderer::pick(const Camera& camera, const ImageSize& size,
-                                                   const Eigen::Vector2i& pixel,
-                                                   bool original) {
+                                                   const Eigen::Vector2i& pixel, bool original) {
   const Ray ray = pixel_ray(camera, size, pixel.cast<double>() + Eigen::Vector2d(0.5, 0.5));
   const std::span<const Vec3f> nowhere;
   const auto hit = nearest_hit({mesh_, original ? nowhere : displacements_}, ray);

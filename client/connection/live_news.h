@@ -38,7 +38,7 @@ struct FrameFigures {
   uint64_t frames = 0;  ///< since the session was made; 0: there is nothing below
   bool settled = false;
   bool exact = false;  ///< settled, and to the bar of exports
-  int cycles = 0;  ///< since the session came into the server's memory
+  int cycles = 0;      ///< since the session came into the server's memory
   double energy = 0;
   double residual = 0;
   double distance = 0;  ///< estimated to the converged surface, over the box's diagonal
