@@ -19,6 +19,7 @@ using std::chrono::steady_clock;
 
 constexpr char kMethodKey[] = "burnish-method";
 constexpr char kRequestIdKey[] = "x-request-id";
+constexpr char kCallOfBytes[] = "/burnish.v1.Editing/Edit";
 
 const char* code_name(grpc::StatusCode code) {
   static constexpr std::array kNames = {"OK",
@@ -86,10 +87,13 @@ class CallObserver final : public grpc::experimental::Interceptor {
 
   void take_message(const void* message) {
     lacks_message_ = !message;
-    // gRPC hands out the message without its type; those of our services are all protobuf's.
-    if (message && is_ours_)
-      record_.bytes_received +=
-          static_cast<const google::protobuf::MessageLite*>(message)->ByteSizeLong();
+    // gRPC hands out the message without its type; those of our services are protobuf's, but for
+    // the one call that takes bytes.
+    if (!message || !is_ours_) return;
+    record_.bytes_received +=
+        method_ == kCallOfBytes
+            ? static_cast<const grpc::ByteBuffer*>(message)->Length()
+            : static_cast<const google::protobuf::MessageLite*>(message)->ByteSizeLong();
   }
 
   bool is_cancelled_for_want_of_a_message() const {

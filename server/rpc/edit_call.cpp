@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "common/base/check.h"
 #include "common/service/scan_info.h"
 #include "server/metrics/metrics.h"
 #include "server/rpc/live_wire.h"
@@ -11,17 +12,31 @@ namespace burnish {
 EditCall::EditCall(const CallContext& calls, grpc::CallbackServerContext& context)
     : calls_(calls),
       context_(context),
-      writer_([this](const v1::ServerMessage* message) { StartWrite(message); },
+      writer_([this](const v1::ServerMessage* message) { write(*message); },
               [this](grpc::Status status) { Finish(std::move(status)); }) {}
 
 void EditCall::OnReadDone(bool ok) {
   if (!ok) return end_of_requests();
+  if (!parse_request()) return refuse(invalid_argument("the message is no ClientMessage"));
   if (!client_) return take_greeting();
   client_->subscriber->heard();
   const Status status = take_request();
   if (!status.is_ok()) return refuse(status);
   reading_paused_ = true;
   read_on();
+}
+
+bool EditCall::parse_request() {
+  return grpc::SerializationTraits<v1::ClientMessage>::Deserialize(&received_, &request_).ok();
+}
+
+void EditCall::write(const v1::ServerMessage& message) {
+  sent_.Clear();  // it must be empty
+  bool is_ours = false;
+  const auto status =
+      grpc::SerializationTraits<v1::ServerMessage>::Serialize(message, &sent_, &is_ours);
+  BURNISH_CHECK(status.ok(), "a message of ours has bytes");
+  StartWrite(&sent_);
 }
 
 void EditCall::refuse(const Status& status) {
@@ -75,7 +90,7 @@ void EditCall::take_place(const LiveClient& client) {
     client_ = client;
   }
   writer_.begin(client);
-  writer_.unless_finished([this] { StartRead(&request_); });
+  writer_.unless_finished([this] { StartRead(&received_); });
 }
 
 Status EditCall::take_request() {
@@ -135,7 +150,7 @@ void EditCall::take_preview(const v1::Preview& message) {
 void EditCall::read_on() {
   if (!reading_paused_ || !client_->subscriber->may_send() || !reading_paused_.exchange(false))
     return;
-  writer_.unless_finished([this] { StartRead(&request_); });
+  writer_.unless_finished([this] { StartRead(&received_); });
 }
 
 void EditCall::OnWriteDone(bool ok) {

@@ -13,12 +13,12 @@ namespace burnish {
 
 /// Editing.Edit: a greeting, which brings the session back on the executor; then what the client
 /// says is passed on as it comes, for none of it waits, and the writer sends what there is to tell.
-class EditCall final : public grpc::ServerBidiReactor<v1::ClientMessage, v1::ServerMessage>,
+class EditCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>,
                        public SelfOwned<EditCall> {
  public:
   EditCall(const CallContext& calls, grpc::CallbackServerContext& context);
 
-  void begin() { StartRead(&request_); }
+  void begin() { StartRead(&received_); }
 
   void OnReadDone(bool ok) override;
   void OnWriteDone(bool ok) override;
@@ -26,6 +26,8 @@ class EditCall final : public grpc::ServerBidiReactor<v1::ClientMessage, v1::Ser
   void OnDone() override;
 
  private:
+  bool parse_request();
+  void write(const v1::ServerMessage& message);
   void take_greeting();
   Result<LiveClient> join(const Result<std::string>& user);
   void take_place(const LiveClient& client);
@@ -41,7 +43,8 @@ class EditCall final : public grpc::ServerBidiReactor<v1::ClientMessage, v1::Ser
   const CallContext calls_;
   grpc::CallbackServerContext& context_;
   std::atomic<bool> cancelled_{false};
-  v1::ClientMessage request_;
+  grpc::ByteBuffer received_, sent_;
+  v1::ClientMessage request_;  // what was received
   std::atomic<bool> reading_paused_{false};
   LiveWriter writer_;
 

@@ -128,7 +128,7 @@ grpc::ServerUnaryReactor* EditingService::GetState(grpc::CallbackServerContext* 
   });
 }
 
-grpc::ServerBidiReactor<v1::ClientMessage, v1::ServerMessage>* EditingService::Edit(
+grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* EditingService::Edit(
     grpc::CallbackServerContext* context) {
   return start_call<EditCall>(calls_, context, *context);
 }

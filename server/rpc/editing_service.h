@@ -5,8 +5,30 @@
 
 namespace burnish {
 
+template <typename Service, template <typename> typename... Calls>
+struct WithCalls {
+  using Type = Service;
+};
+template <typename Service, template <typename> typename Call,
+          template <typename> typename... Calls>
+struct WithCalls<Service, Call, Calls...> {
+  using Type = typename WithCalls<Call<Service>, Calls...>::Type;
+};
+
+/// All calls by their messages but Edit, which takes bytes: of a message that is none a reactor
+/// hears no more than of the stream's end.
+using EditingCalls = WithCalls<
+    v1::Editing::Service, v1::Editing::WithRawCallbackMethod_Edit,
+    v1::Editing::WithCallbackMethod_OpenSession, v1::Editing::WithCallbackMethod_ListSessions,
+    v1::Editing::WithCallbackMethod_CloseSession, v1::Editing::WithCallbackMethod_DeleteSession,
+    v1::Editing::WithCallbackMethod_Apply, v1::Editing::WithCallbackMethod_UploadCellFields,
+    v1::Editing::WithCallbackMethod_GetHistory, v1::Editing::WithCallbackMethod_ForkSession,
+    v1::Editing::WithCallbackMethod_GetPeople, v1::Editing::WithCallbackMethod_SetRole,
+    v1::Editing::WithCallbackMethod_GetState, v1::Editing::WithCallbackMethod_Watch,
+    v1::Editing::WithCallbackMethod_GetCells, v1::Editing::WithCallbackMethod_Export>::Type;
+
 /// burnish.v1.Editing over the session manager: adapts messages, and nothing else.
-class EditingService final : public v1::Editing::CallbackService {
+class EditingService final : public EditingCalls {
  public:
   explicit EditingService(const CallContext& calls) : calls_(calls) {}
 
@@ -42,7 +64,7 @@ class EditingService final : public v1::Editing::CallbackService {
   grpc::ServerUnaryReactor* GetState(grpc::CallbackServerContext* context,
                                      const v1::GetStateRequest* request,
                                      v1::SessionState* response) override;
-  grpc::ServerBidiReactor<v1::ClientMessage, v1::ServerMessage>* Edit(
+  grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* Edit(
       grpc::CallbackServerContext* context) override;
   grpc::ServerWriteReactor<v1::ServerMessage>* Watch(grpc::CallbackServerContext* context,
                                                      const v1::WatchRequest* request) override;

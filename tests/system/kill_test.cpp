@@ -216,6 +216,8 @@ class KilledServer {
       const bool is_whole = scan.name != "other" || connection.delete_scan(scan.id).is_ok();
       EXPECT_TRUE(is_whole) << scan.name;
     }
+    for (int i = 0; i < 1000 && server_.staged() > 0; ++i)  // what is under way ends
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
     EXPECT_EQ(server_.staged(), 0u);
   }
 

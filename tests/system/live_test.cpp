@@ -173,6 +173,20 @@ TEST_F(Live, AMessageThatItsStreamDoesNotTakeEndsItIsLoggedAndCounted) {
   }
 }
 
+TEST_F(Live, BytesThatAreNoMessageEndTheirStreamAreLoggedAndCounted) {
+  v1::ClientMessage greeting;
+  greeting.mutable_greeting()->set_session("work");
+  const WireAnswer answer =
+      call(channel(), {.method = "/burnish.v1.Editing/Edit",
+                       .messages = {greeting.SerializeAsString(), "\xff\xff\xff"},
+                       .keep_open = true});
+  EXPECT_EQ(answer.status.error_code(), StatusCode::INVALID_ARGUMENT);
+  EXPECT_THAT(answer.status.error_message(), HasSubstr("no ClientMessage"));
+  EXPECT_TRUE(server_.process->wait_for_output("no ClientMessage", kPatience));
+  const int port = std::stoi(server_.announced("metrics on port "));
+  EXPECT_EQ(metric(http_get_metrics(port), "burnish_refusals_total{reason=\"malformed\"}"), 1);
+}
+
 TEST_F(Live, PeopleComeMoveTheirBrushAndGo) {
   LiveStream ann(channel(), "ann");
   ann.greet("work");
