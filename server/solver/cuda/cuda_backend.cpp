@@ -1,5 +1,6 @@
 #include "server/solver/cuda/cuda_backend.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "server/solver/cuda/assembly.h"
@@ -12,7 +13,7 @@
 #include "server/solver/cuda/graphs.h"
 #include "server/solver/cuda/placement.h"
 #include "server/solver/cuda/readout.h"
-#include "server/solver/cuda/schwarz.h"
+#include "server/solver/cuda/smoother.h"
 #include "server/solver/cuda/transfer.h"
 
 namespace burnish {
@@ -25,7 +26,7 @@ constexpr int kMetricGraph = -1;  // beside the keys of run_recorded()
 
 class CudaBackend final : public Backend {
  public:
-  explicit CudaBackend(std::shared_ptr<const DeviceMesh> mesh)
+  CudaBackend(std::shared_ptr<const DeviceMesh> mesh, Smoother smoother)
       : mesh_(std::move(mesh)),
         stream_(mesh_->device),
         coarse_offset_(mesh_->hierarchy->coarsest),
@@ -37,7 +38,8 @@ class CudaBackend final : public Backend {
     for (const DeviceTopology& topology : mesh_->depths)
       depths_.emplace_back(stream_, topology.view());
     for (size_t i = 1; i < depths_.size(); ++i)
-      smoothers_.push_back(std::make_unique<Schwarz>(stream_, depths_[i].view()));
+      smoothers_.push_back(
+          make_smoother(smoother, stream_, mesh_->hierarchy->depths[i], depths_[i].view()));
     coarsest_.emplace(stream_, mesh_->hierarchy->depths.front(), depths_.front().view());
     outer_.emplace(stream_, finest(), mesh_->evaluation.data(), mesh_->evaluation.size());
   }
@@ -105,7 +107,7 @@ class CudaBackend final : public Backend {
  private:
   const Depth& at(int depth) const { return depths_[depth - coarse_offset_].view(); }
   const Depth& finest() const { return depths_.back().view(); }
-  Schwarz& smoother(int depth) { return *smoothers_[depth - coarse_offset_ - 1]; }
+  DepthSmoother& smoother(int depth) { return *smoothers_[depth - coarse_offset_ - 1]; }
 
   size_t cells_of_all_depths() const {
     size_t cells = 0;
@@ -127,7 +129,7 @@ class CudaBackend final : public Backend {
       const Depth &fine = depths_[i].view(), &coarse = depths_[i - 1].view();
       const CellSquares<double> coarse_cells = {cells.numbers + cells.kNumbers * cells.cells,
                                                 coarse.topology.cell_count};
-      Schwarz& smoother = *smoothers_[i - 1];
+      DepthSmoother& smoother = *smoothers_[i - 1];
       assemble(smoother.fork(), cells, fine, row_sum_at(i), pinned_below_.data() + i);
       down_sample(stream_, fine.topology, coarse.topology, cells, coarse_cells);
       // The depth's combined integrals are of no more use: its smoother works in their place.
@@ -153,8 +155,8 @@ class CudaBackend final : public Backend {
   CellFields<1> beta_;
   DeviceArray<double> combined_;  // CellSquares of all depths, from the finest
   DeviceArray<float> pinned_below_, anisotropy_;
-  std::vector<DeviceDepth> depths_;                  // from the coarsest
-  std::vector<std::unique_ptr<Schwarz>> smoothers_;  // none at the coarsest
+  std::vector<DeviceDepth> depths_;                        // from the coarsest
+  std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
   std::optional<CoarsestSolver> coarsest_;
   std::optional<ConjugateGradients> outer_;
   Readout readout_{stream_};
@@ -164,16 +166,23 @@ class CudaBackend final : public Backend {
 
 }  // namespace cuda
 
+static Status must_have(Smoother smoother) {
+  if (std::ranges::find(kCudaSmoothers, smoother) != std::end(kCudaSmoothers)) return Status::ok();
+  std::string all;
+  for (const Smoother one : kCudaSmoothers)
+    all += (all.empty() ? "" : " and ") + std::string(name_of(one));
+  return unimplemented("smoother " + std::string(name_of(smoother)) + ": the CUDA backend has " +
+                       all + " only");
+}
+
 Result<std::unique_ptr<Backend>> make_cuda_backend(std::shared_ptr<const PreparedMesh> prepared,
                                                    std::shared_ptr<const Hierarchy> hierarchy,
                                                    Smoother smoother) {
   RETURN_IF_ERROR(cuda_device().status());
-  if (smoother != Smoother::kSchwarz)
-    return unimplemented("smoother " + std::string(name_of(smoother)) +
-                         ": the CUDA backend has schwarz only");
+  RETURN_IF_ERROR(must_have(smoother));
   const int device = least_loaded(cuda_memory_by_device());
   ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh(device, std::move(prepared), std::move(hierarchy)));
-  std::unique_ptr<Backend> backend = std::make_unique<cuda::CudaBackend>(std::move(mesh));
+  std::unique_ptr<Backend> backend = std::make_unique<cuda::CudaBackend>(std::move(mesh), smoother);
   RETURN_IF_ERROR(backend->status());
   return backend;
 }

@@ -2,6 +2,7 @@
 
 #include "server/solver/cuda/branch.h"
 #include "server/solver/cuda/device_memory.h"
+#include "server/solver/cuda/smoother.h"
 #include "server/solver/cuda/views.h"
 
 namespace burnish::cuda {
@@ -9,7 +10,7 @@ namespace burnish::cuda {
 /// Chebyshev of degree 2 on additive Schwarz over cells: M⁻¹ = Σ_c R_cᵀ (B_c + reg)⁻¹ R_c with B_c
 /// the 8×8 block of the diagonally scaled S at the corners of cell c. relax() is the transpose of
 /// relax_from_zero().
-class Schwarz {
+class Schwarz final : public DepthSmoother {
  public:
   /// λmax of M⁻¹S as found so far, and the iteration's steps for it.
   struct Spectrum {
@@ -20,16 +21,12 @@ class Schwarz {
 
   Schwarz(Stream& stream, const Depth& depth);
 
-  /// Where set_up() works, until finish_set_up() beside what else the stream does. It comes after
-  /// all that the stream has been given so far.
-  Stream& fork();
-  /// After a new matrix. Leaves f and r changed. `inverses` is working memory; `anisotropy` the
-  /// largest ratio of α1 and α2 of any cell, on the device.
-  void set_up(const CellSquares<float>& inverses, const float* anisotropy);
-  void finish_set_up() { branch_.join(); }
-  void relax_from_zero();
-  void relax();
-  uint64_t byte_count() const;
+  Stream& fork() override;
+  void set_up(const CellSquares<float>& inverses, const float* anisotropy) override;
+  void finish_set_up() override { branch_.join(); }
+  void relax_from_zero() override;
+  void relax() override;
+  uint64_t byte_count() const override;
 
  private:
   void estimate_lambda_max(const float* anisotropy);
