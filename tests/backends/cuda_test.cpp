@@ -109,20 +109,13 @@ double between_cpu_and_cuda(const TriangleMesh& mesh, Smoother smoother, int cyc
   return most / compute_statistics(mesh).diagonal();
 }
 
-// They differ by rounding in the float32 cycle and by where the estimate of λmax starts.
+// They differ by rounding; with Schwarz by where the estimate of λmax starts as well.
 TEST_F(OnADevice, FollowsTheCpuCycleByCycle) {
   const TriangleMesh mesh = generate_scan({.kind = "tablet", .vertices = 20000}).value();
-  for (const int cycles : {1, 2, 5})
-    EXPECT_LE(between_cpu_and_cuda(mesh, Smoother::kSchwarz, cycles), 1e-3) << cycles << " cycles";
-}
-
-// They differ by rounding alone, that of packed entries first.
-TEST_F(OnADevice, GaussSeidelFollowsTheCpuCycleByCycle) {
-  const TriangleMesh mesh = generate_scan({.kind = "tablet", .vertices = 20000}).value();
-  for (const int cycles : {1, 2, 5, 10}) {
-    const double distance = between_cpu_and_cuda(mesh, Smoother::kGaussSeidel, cycles);
-    std::printf("%d cycles: %.2e\n", cycles, distance);
-    EXPECT_LE(distance, 1e-4) << cycles << " cycles";
+  for (const int cycles : {1, 2, 5}) {
+    SCOPED_TRACE(std::to_string(cycles) + " cycles");
+    EXPECT_LE(between_cpu_and_cuda(mesh, Smoother::kSchwarz, cycles), 1e-3);
+    EXPECT_LE(between_cpu_and_cuda(mesh, Smoother::kGaussSeidel, cycles), 2e-5);
   }
 }
 
