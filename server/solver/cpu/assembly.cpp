@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/base/dispatch.h"
+#include "server/solver/cpu/blocks.h"
 #include "server/solver/cpu/gather_rows.h"
 #include "server/solver/cpu/restricted_cell.h"
 #include "server/solver/cpu/scratch.h"
@@ -11,7 +13,7 @@ namespace burnish::cpu {
 namespace {
 
 constexpr double kPinnedBelow = 1e-12;  // of the median diagonal
-constexpr size_t kMedianSamplesMax = 1 << 14;
+constexpr size_t kMedianSamplesMax = 1 << 12;
 
 BURNISH_DISPATCH void combine(const CellIntegrals& of, const CombineWeights& by, CellMatrix& out) {
   for (int p = 0; p < 28; ++p)
@@ -63,21 +65,37 @@ void invert_diagonal(const std::vector<float>& diagonal, std::vector<float>& inv
     inverse[i] = diagonal[i] > pinned_below ? 1 / diagonal[i] : 0;
 }
 
+struct Outputs {
+  float* entry;
+  float* diagonal;
+  double* exact_entry;  // none at the coarser depths
+  double* row_sum;
+};
+
+BURNISH_DISPATCH void assemble_rows(const RowSources& sources, const double* cells,
+                                    const Outputs& out, int32_t begin, int32_t end) {
+  for (int32_t stored = begin; stored < end; ++stored) {
+    const GatheredRow<double> row = gather_row(sources, cells, stored);
+    const int32_t corner = sources.corner[stored];
+    out.diagonal[corner] = static_cast<float>(row.own - row.off_diagonal);
+    store_row(sources, stored, row, out.entry);
+    if (out.exact_entry == nullptr) continue;
+    store_row(sources, stored, row, out.exact_entry);
+    out.row_sum[corner] = row.own;
+  }
+}
+
 void assemble_depth(const Scratch<CellMatrix>& cells, CpuDepth& depth, ExactMatrix* exact) {
-  const Stencil& stencil = depth.topology.stencil;
-  gather_rows<double>(
-      depth.topology, [&](int32_t cell, int p) { return cells[cell].pair[p]; },
-      [&](int32_t cell, int a) { return cells[cell].row_sum[a]; },
-      [&](int32_t corner, const double* by_slot, double row_sum) {
-        double diagonal = row_sum;
-        for (int s = 0; s < kSlots; ++s) diagonal -= by_slot[s];
-        depth.system.diagonal[corner] = static_cast<float>(diagonal);
-        store_row(stencil, corner, by_slot, [&](int64_t k, double value) {
-          depth.system.entry[k] = static_cast<float>(value);
-          if (exact != nullptr) exact->entry[k] = value;
-        });
-        if (exact != nullptr) exact->row_sum[corner] = row_sum;
-      });
+  static_assert(sizeof(CellMatrix) == kNumbersPerCell * sizeof(double));
+  const RowSources sources(depth.topology);
+  Outputs out = {depth.system.entry.data(), depth.system.diagonal.data(), nullptr, nullptr};
+  if (exact != nullptr) {
+    out.exact_entry = exact->entry.data();
+    out.row_sum = exact->row_sum.data();
+  }
+  for_each_block(depth.corner_count(), [&](int32_t begin, int32_t end) {
+    assemble_rows(sources, cells[0].pair.data(), out, begin, end);
+  });
   invert_diagonal(depth.system.diagonal, depth.inverse_diagonal);
 }
 
