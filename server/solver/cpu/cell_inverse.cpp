@@ -9,6 +9,7 @@ namespace burnish::cpu {
 
 static constexpr float kRegularisation = 1e-3f;  // on the unit diagonal of the scaled blocks
 static constexpr int32_t kCellsPerBlock = 1024;
+static constexpr int32_t kCellsAhead = 32;
 static constexpr int kLanes = 16;  // cells that are inverted side by side
 
 namespace {
@@ -42,6 +43,15 @@ struct Blocks {
       blocks.pair[pair_index(a, b)][lane] =
           source.entry[source.stencil.position(corners[a], slot_between(a, b))];
   }
+}
+
+// Rows of corners that no earlier cell has.
+[[gnu::always_inline]] static inline void prefetch_cell(const Source& source, int32_t cell) {
+  const auto& corners = source.cell_corners[cell];
+#pragma GCC unroll 8
+  for (int a = 1; a < kCornersPerCell; ++a)
+    __builtin_prefetch(source.entry +
+                       source.stencil.row_start[source.stencil.row_of_corner[corners[a]]]);
 }
 
 [[gnu::always_inline]] static inline void scale_pairs(Blocks& blocks) {
@@ -88,8 +98,10 @@ BURNISH_DISPATCH static void invert_range(const Source& source, int32_t begin, i
                                           CellInverse* out) {
   for (int32_t first = begin; first < end; first += kLanes) {
     Blocks blocks;
-    for (int lane = 0; lane < kLanes; ++lane)
+    for (int lane = 0; lane < kLanes; ++lane) {
+      prefetch_cell(source, std::min(first + lane + kCellsAhead, end - 1));
       read_cell(source, std::min(first + lane, end - 1), lane, blocks);
+    }
     for (int a = 0; a < kCornersPerCell; ++a) {
       for (int lane = 0; lane < kLanes; ++lane)
         blocks.scale[a][lane] = std::sqrt(blocks.scale[a][lane]);
