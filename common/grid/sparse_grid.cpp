@@ -93,10 +93,14 @@ int32_t SparseGrid::find_cell(const Vec3i& cell) const {
   return static_cast<int32_t>(it - cells.begin());
 }
 
-SparseGrid make_finest_grid(int depth, std::span<const MortonKey> cells) {
+std::vector<GridKey> finest_keys(std::span<const MortonKey> cells) {
   std::vector<GridKey> keys(cells.size());
   for (size_t c = 0; c < cells.size(); ++c) keys[c] = {cells[c], 0};
-  SparseGrid grid = connect(depth, std::move(keys));
+  return keys;
+}
+
+SparseGrid make_finest_grid(int depth, std::span<const MortonKey> cells) {
+  SparseGrid grid = connect(depth, finest_keys(cells));
   mark_components(grid);
   return grid;
 }
