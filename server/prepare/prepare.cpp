@@ -203,7 +203,7 @@ Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
   if (!report(progress, "grid", 0)) return cancelled("cancelled before cutting at the grid");
 
   const std::vector<Vec3d> positions = snapped_positions(mesh, prepared->frame);
-  ASSIGN_OR_RETURN(const std::vector<CellPiece> pieces,
+  ASSIGN_OR_RETURN(const UnsetVector<CellPiece> pieces,
                    find_cell_pieces(mesh.triangles, positions, progress));
   clock.end("grid");
   if (!report(progress, "curvature", 0)) return cancelled("cancelled before the curvature");
