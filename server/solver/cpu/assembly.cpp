@@ -22,18 +22,10 @@ BURNISH_DISPATCH void combine(const CellIntegrals& of, const CombineWeights& by,
   for (int a = 0; a < 8; ++a) out.row_sum[a] = by.mass * of.mass_row_sum[a];
 }
 
-Scratch<CellMatrix> combine_integrals(const PreparedMesh& prepared, std::span<const float> alpha1,
-                                      std::span<const float> alpha2) {
-  Scratch<CellMatrix> cells(prepared.integrals.size());
-  const double scale = prepared.alpha_scale();
-#pragma omp parallel for schedule(static)
-  for (size_t c = 0; c < prepared.integrals.size(); ++c)
-    combine(prepared.integrals[c], combine_weights(alpha1[c] * scale, alpha2[c] * scale), cells[c]);
-  return cells;
-}
-
+// The cells of a coarse depth; `child_of(cell)` gives those of the finer one, each once.
+template <typename ChildOf>
 Scratch<CellMatrix> down_sample(const HierarchyDepth& fine, const HierarchyDepth& coarse,
-                                const Scratch<CellMatrix>& fine_cells) {
+                                ChildOf&& child_of) {
   const int32_t parents = coarse.grid.cell_count();
   Scratch<CellMatrix> cells(parents);
 #pragma omp parallel for schedule(static)
@@ -41,7 +33,7 @@ Scratch<CellMatrix> down_sample(const HierarchyDepth& fine, const HierarchyDepth
     RestrictedCell sum;
     for (int32_t i = coarse.child_start[parent]; i < coarse.child_start[parent + 1]; ++i) {
       const int32_t child = coarse.child[i];
-      add_restricted(fine_cells[child], static_cast<int>(fine.grid.cells[child].place & 7), sum);
+      add_restricted(child_of(child), static_cast<int>(fine.grid.cells[child].place & 7), sum);
     }
     cells[parent] = sum.packed();
   }
@@ -103,12 +95,24 @@ void assemble_depth(const Scratch<CellMatrix>& cells, CpuDepth& depth, ExactMatr
 
 void assemble(const PreparedMesh& prepared, std::span<const float> alpha1,
               std::span<const float> alpha2, std::span<CpuDepth> depths, ExactMatrix* exact) {
-  Scratch<CellMatrix> cells = combine_integrals(prepared, alpha1, alpha2);
-  assemble_depth(cells, depths.back(), exact);
+  const double scale = prepared.alpha_scale();
+  Scratch<CellMatrix> cells(prepared.integrals.size());
+  const auto combined = [&](int32_t c) -> const CellMatrix& {
+    combine(prepared.integrals[c], combine_weights(alpha1[c] * scale, alpha2[c] * scale), cells[c]);
+    return cells[c];
+  };
+  const auto of_depth = [&](int32_t c) -> const CellMatrix& { return cells[c]; };
+  if (depths.size() == 1)
+    for (int32_t c = 0; c < depths[0].topology.grid.cell_count(); ++c) combined(c);
   for (size_t d = depths.size() - 1; d > 0; --d) {
-    cells = down_sample(depths[d].topology, depths[d - 1].topology, cells);
-    assemble_depth(cells, depths[d - 1], nullptr);
+    const HierarchyDepth &fine = depths[d].topology, &coarse = depths[d - 1].topology;
+    const bool finest = d + 1 == depths.size();  // combined while they are restricted
+    Scratch<CellMatrix> parents =
+        finest ? down_sample(fine, coarse, combined) : down_sample(fine, coarse, of_depth);
+    assemble_depth(cells, depths[d], finest ? exact : nullptr);
+    cells = std::move(parents);
   }
+  assemble_depth(cells, depths[0], depths.size() == 1 ? exact : nullptr);
 }
 
 }  // namespace burnish::cpu
