@@ -88,10 +88,12 @@ void CornerBricks::merge() {
     bricks_[kept++] = brick;
   }
   bricks_.resize(kept);
+  corner_count_ = static_cast<size_t>(corners);
 }
 
 std::vector<GridKey> CornerBricks::corners() const {
   std::vector<GridKey> corners;
+  corners.reserve(corner_count_);
   for (auto first = bricks_.begin(), last = first; first != bricks_.end(); first = last) {
     uint64_t of_all = 0;
     for (; last != bricks_.end() && last->key.place == first->key.place; ++last)

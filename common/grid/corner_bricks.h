@@ -42,6 +42,7 @@ class CornerBricks {
 
   std::vector<Run> runs_;
   std::vector<Brick> bricks_;  // strictly rising
+  size_t corner_count_ = 0;
 };
 
 }  // namespace burnish

@@ -208,7 +208,7 @@ Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
   clock.end("grid");
   if (!report(progress, "curvature", 0)) return cancelled("cancelled before the curvature");
 
-  const std::vector<TriangleCurvature> curvature =
+  const UnsetVector<TriangleCurvature> curvature =
       compute_curvature(mesh, statistics, options.curvature_radius * prepared->length_unit);
   clock.end("curvature");
 
