@@ -5,14 +5,11 @@
 #include <numeric>
 
 #include "common/base/parallel.h"
+#include "common/grid/corner_bricks.h"
 
 namespace burnish {
 
 namespace {
-
-GridKey corner_key(const GridKey& cell, int a) {
-  return {morton_key(morton_point(cell.place) + corner_offset(a)), cell.component};
-}
 
 void sort_unique(std::vector<GridKey>& keys) {
   parallel_sort(keys.begin(), keys.end(), std::less<>());
@@ -20,30 +17,27 @@ void sort_unique(std::vector<GridKey>& keys) {
   keys.shrink_to_fit();
 }
 
-std::vector<GridKey> all_corners(std::span<const GridKey> cells) {
-  std::vector<GridKey> corners;
-  corners.reserve(cells.size() * kCornersPerCell);
-  for (const GridKey& cell : cells)
-    for (int a = 0; a < kCornersPerCell; ++a) corners.push_back(corner_key(cell, a));
-  sort_unique(corners);
-  return corners;
+std::vector<std::array<int32_t, kCornersPerCell>> no_cells(size_t corners) {
+  std::array<int32_t, kCornersPerCell> none;
+  none.fill(kNone);
+  return std::vector(corners, none);
 }
 
 SparseGrid connect(int depth, std::vector<GridKey> cells) {
   SparseGrid grid;
   grid.depth = depth;
   grid.cells = std::move(cells);
-  grid.corners = all_corners(grid.cells);
+  const CornerBricks bricks(grid.cells);
+  grid.corners = bricks.corners();
   grid.cell_corners.resize(grid.cells.size());
-  grid.cells_of_corner.resize(grid.corners.size());
-  for (auto& around : grid.cells_of_corner) around.fill(kNone);
+  grid.cells_of_corner = no_cells(grid.corners.size());
+  const std::span<const CornerBricks::Run> runs = bricks.runs();
 #pragma omp parallel for schedule(static)
-  for (int32_t c = 0; c < grid.cell_count(); ++c) {
-    for (int a = 0; a < kCornersPerCell; ++a) {
-      const int32_t corner = find_key(grid.corners, corner_key(grid.cells[c], a));
-      grid.cell_corners[c][a] = corner;
-      grid.cells_of_corner[corner][a] = c;  // one writer for each (corner, a)
-    }
+  for (size_t run = 0; run < runs.size(); ++run) {
+    bricks.number(runs[run], grid.cells.data(), grid.cell_corners.data());
+    for (int32_t c = runs[run].first; c < runs[run].last; ++c)
+      for (int a = 0; a < kCornersPerCell; ++a)  // one writer for each (corner, a)
+        grid.cells_of_corner[grid.cell_corners[c][a]][a] = c;
   }
   return grid;
 }
@@ -61,7 +55,7 @@ std::vector<int32_t> component_roots(const SparseGrid& grid) {
     for (int32_t cell : around) {
       if (cell == kNone) continue;
       if (first == kNone) first = find(cell);
-      root[find(cell)] = first;
+      if (root[cell] != first) root[find(cell)] = first;
     }
   }
   for (int32_t cell = 0; cell < grid.cell_count(); ++cell) root[cell] = find(cell);
@@ -70,9 +64,12 @@ std::vector<int32_t> component_roots(const SparseGrid& grid) {
 
 void mark_components(SparseGrid& grid) {
   const std::vector<int32_t> root = component_roots(grid);
-  for (int32_t cell = 0; cell < grid.cell_count(); ++cell) {
-    grid.cells[cell].component = root[cell];
-    for (int32_t corner : grid.cell_corners[cell]) grid.corners[corner].component = root[cell];
+#pragma omp parallel for schedule(static)
+  for (int32_t cell = 0; cell < grid.cell_count(); ++cell) grid.cells[cell].component = root[cell];
+#pragma omp parallel for schedule(static)
+  for (int32_t corner = 0; corner < grid.corner_count(); ++corner) {
+    const auto& around = grid.cells_of_corner[corner];
+    grid.corners[corner].component = root[*std::ranges::max_element(around)];
   }
 }
 
@@ -93,10 +90,14 @@ int32_t SparseGrid::find_cell(const Vec3i& cell) const {
   return static_cast<int32_t>(it - cells.begin());
 }
 
-SparseGrid make_finest_grid(int depth, std::span<const MortonKey> cells) {
+std::vector<GridKey> finest_keys(std::span<const MortonKey> cells) {
   std::vector<GridKey> keys(cells.size());
   for (size_t c = 0; c < cells.size(); ++c) keys[c] = {cells[c], 0};
-  SparseGrid grid = connect(depth, std::move(keys));
+  return keys;
+}
+
+SparseGrid make_finest_grid(int depth, std::span<const MortonKey> cells) {
+  SparseGrid grid = connect(depth, finest_keys(cells));
   mark_components(grid);
   return grid;
 }

@@ -48,6 +48,9 @@ struct SparseGrid {
   int32_t find_cell(const Vec3i& cell) const;
 };
 
+/// Cells of the finest depth before anything is known of components.
+std::vector<GridKey> finest_keys(std::span<const MortonKey> cells);
+
 /// The finest depth, its components found: two cells are connected when they share a corner.
 /// Needs: `cells` strictly rising, inside the grid of that depth.
 SparseGrid make_finest_grid(int depth, std::span<const MortonKey> cells);

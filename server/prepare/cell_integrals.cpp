@@ -2,123 +2,95 @@
 
 #include "common/base/dispatch.h"
 #include "common/grid/sparse_grid.h"
-#include "server/prepare/quadrature.h"
 
 namespace burnish {
 
-using Square = CellIntegrator::Square;
-using Eight = std::array<double, 8>;
-
-// share[i][j]: how much of direction j goes to table i.
-using Share = std::array<std::array<double, 2>, 2>;
-static constexpr Share kShareOwn = {{{1, 0}, {0, 1}}};
-static constexpr Share kShareBoth = {{{0.5, 0.5}, {0.5, 0.5}}};
-
-// Trilinear weights, or their derivative along one axis where `derivative` >= 0, of all corners.
-static inline Eight trilinear(const double (&p)[3], int derivative) {
-  double low[3], high[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    low[axis] = axis == derivative ? -1.0 : 1.0 - p[axis];
-    high[axis] = axis == derivative ? 1.0 : p[axis];
-  }
-  Eight weights;
-  for (int a = 0; a < 8; ++a)
-    weights[a] =
-        (a & 1 ? high[0] : low[0]) * (a & 2 ? high[1] : low[1]) * (a & 4 ? high[2] : low[2]);
-  return weights;
-}
-
-static inline void add_outer_product(Square& sum, const Eight& x, double weight) {
-  for (int a = 0; a < 8; ++a) {
-    const double wa = weight * x[a];
-    for (int b = 0; b < 8; ++b) sum[a][b] += wa * x[b];
-  }
-}
-
-static inline void point_at(const QuadraturePoint& q, const Vec3d (&corner)[3], double (&p)[3]) {
-  for (int axis = 0; axis < 3; ++axis)
-    p[axis] = q.a * corner[0][axis] + q.b * corner[1][axis] + q.c * corner[2][axis];
-}
-
-BURNISH_DISPATCH
-static void integrate_mass(const Vec3d (&corner)[3], double area, Square& mass, Eight& row_sum) {
-  double p[3];
-  for (const QuadraturePoint& q : kDegree6Rule) {
-    point_at(q, corner, p);
-    const Eight b = trilinear(p, -1);
-    const double weight = area * q.weight;
-    add_outer_product(mass, b, weight);
-    for (int a = 0; a < 8; ++a) row_sum[a] += weight * b[a];
-  }
-}
-
-BURNISH_DISPATCH
-static void integrate_stiffness(const Vec3d (&corner)[3], double area, const Vec3d (&v)[3],
-                                const Share& share, std::array<Square, 2>& stiffness,
-                                std::array<Eight, 2>& slope) {
-  double p[3];
-  for (const QuadraturePoint& q : kDegree4Rule) {
-    point_at(q, corner, p);
-    const Eight dx = trilinear(p, 0), dy = trilinear(p, 1), dz = trilinear(p, 2);
-    const double weight = area * q.weight;
-    for (int i = 0; i < 2; ++i) {
-      Eight along;
-      for (int a = 0; a < 8; ++a) along[a] = v[i][0] * dx[a] + v[i][1] * dy[a] + v[i][2] * dz[a];
-      for (int j = 0; j < 2; ++j)
-        if (share[j][i] != 0) add_outer_product(stiffness[j], along, share[j][i] * weight);
-      for (int a = 0; a < 8; ++a) slope[i][a] += weight * along[a];
-    }
-    Eight across;
-    for (int a = 0; a < 8; ++a) across[a] = v[2][0] * dx[a] + v[2][1] * dy[a] + v[2][2] * dz[a];
-    for (int i = 0; i < 2; ++i)
-      add_outer_product(stiffness[i], across, 0.5 * kNormalStiffness * weight);
-  }
-}
-
-std::array<std::array<Vec3d, 8>, 2> CellIntegrator::zero_gradient() {
-  std::array<std::array<Vec3d, 8>, 2> zero;
-  for (auto& of_direction : zero) of_direction.fill(Vec3d::Zero());
-  return zero;
+static std::array<double, 6> tensor_of(const Vec3d& v) {
+  return {v[0] * v[0], v[1] * v[1], v[2] * v[2], v[1] * v[2], v[0] * v[2], v[0] * v[1]};
 }
 
 void CellIntegrator::add(const Polygon& piece, const Vec3d& v1, const Vec3d& v2, bool umbilic) {
+  std::array<Tensor, 2> tensors = {tensor_of(v1), tensor_of(v2)};
+  if (umbilic)
+    for (int i = 0; i < 6; ++i) tensors[0][i] = tensors[1][i] = (tensors[0][i] + tensors[1][i]) / 2;
   for (int i = 2; i < piece.count; ++i)
-    add_triangle(piece.vertices[0], piece.vertices[i - 1], piece.vertices[i], v1, v2, umbilic);
+    add_triangle({piece.vertices[0], piece.vertices[i - 1], piece.vertices[i]}, tensors);
 }
 
-void CellIntegrator::add_triangle(const Vec3d& p, const Vec3d& q, const Vec3d& r, const Vec3d& v1,
-                                  const Vec3d& v2, bool umbilic) {
-  const double area = (q - p).cross(r - p).norm() / 2;
+void CellIntegrator::add_triangle(const std::array<Vec3d, 3>& corners,
+                                  const std::array<Tensor, 2>& tensors) {
+  const double area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2;
   if (!(area > kPieceAreaMin)) return;
-  const Vec3d corner[3] = {p, q, r};
-  const Vec3d v[3] = {v1, v2, v1.cross(v2)};
-  std::array<Eight, 2> slope = {};
-  integrate_mass(corner, area, mass_, mass_row_sum_);
-  const Share& share = umbilic ? kShareBoth : kShareOwn;
-  integrate_stiffness(corner, area, v, share, stiffness_, slope);
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j)
-      for (int a = 0; a < 8; ++a) gradient_[i][a] += share[i][j] * slope[j][a] * v[j];
   area_ += area;
+  const int lane = waiting_++;
+  batch_.area[lane] = area;
+  for (int corner = 0; corner < 3; ++corner)
+    for (int axis = 0; axis < 3; ++axis) batch_.corner[corner][axis][lane] = corners[corner][axis];
+  for (int table = 0; table < 2; ++table)
+    for (int i = 0; i < 6; ++i) batch_.tensor[table][i][lane] = tensors[table][i];
+  if (waiting_ == TriangleBatch::kLanes) flush();
 }
 
-static std::array<double, 28> off_diagonal(const Square& matrix) {
-  std::array<double, 28> packed;
-  int pair = 0;
-  for (int a = 0; a < 8; ++a)
-    for (int b = a + 1; b < 8; ++b) packed[pair++] = matrix[a][b];
-  return packed;
+void CellIntegrator::flush() {
+  for (int lane = waiting_; lane < TriangleBatch::kLanes; ++lane) batch_.area[lane] = 0;
+  add_moments(batch_, moments_);
+  waiting_ = 0;
 }
 
-CellIntegrals CellIntegrator::integrals() const {
-  CellIntegrals out;
-  out.mass = off_diagonal(mass_);
-  out.mass_row_sum = mass_row_sum_;
-  for (int i = 0; i < 2; ++i) {
-    out.stiffness[i] = off_diagonal(stiffness_[i]);
-    for (int a = 0; a < 7; ++a)
-      for (int axis = 0; axis < 3; ++axis) out.gradient[i][3 * a + axis] = gradient_[i][a][axis];
+// ±1: the slope of h₀ or h₁.
+static constexpr double sign(int high) {
+  return high != 0 ? 1 : -1;
+}
+
+// ∫ S ∇B_a · ∇B_b of one table.
+[[gnu::always_inline]] static inline double stiffness_of(const double (&along)[3][9],
+                                                         const double (&across)[3][2][2][3],
+                                                         const int (&a)[3], const int (&b)[3]) {
+  double sum = 0;
+#pragma GCC unroll 3
+  for (int r = 0; r < 3; ++r) {
+    const int s = kBeside[r][0], t = kBeside[r][1];
+    sum += sign(a[r]) * sign(b[r]) * along[r][(a[s] + b[s]) + 3 * (a[t] + b[t])];
   }
+#pragma GCC unroll 3
+  for (int t = 0; t < 3; ++t) {
+    const int r = kBeside[t][0], s = kBeside[t][1];
+    sum += sign(a[r]) * sign(b[s]) * across[t][b[r]][a[s]][a[t] + b[t]] +
+           sign(b[r]) * sign(a[s]) * across[t][a[r]][b[s]][a[t] + b[t]];
+  }
+  return sum;
+}
+
+BURNISH_DISPATCH static void expand(const CellMoments<double>& moments, CellIntegrals& out) {
+#pragma GCC unroll 8
+  for (int i = 0; i < 8; ++i) {
+    const int a[3] = {i & 1, i >> 1 & 1, i >> 2};
+    const double* m = moments.mass + a[0] + 3 * a[1] + 9 * a[2];
+    out.mass_row_sum[i] = ((m[0] + m[1]) + (m[3] + m[4])) + ((m[9] + m[10]) + (m[12] + m[13]));
+#pragma GCC unroll 8
+    for (int j = i + 1; j < 8; ++j) {
+      const int b[3] = {j & 1, j >> 1 & 1, j >> 2};
+      const int pair = i * 7 - i * (i - 1) / 2 + (j - i - 1);
+      out.mass[pair] = m[b[0] + 3 * b[1] + 9 * b[2]];
+      for (int table = 0; table < 2; ++table)
+        out.stiffness[table][pair] =
+            stiffness_of(moments.along[table], moments.across[table], a, b);
+    }
+    if (i == 7) continue;
+    for (int table = 0; table < 2; ++table)
+      for (int r = 0; r < 3; ++r) {
+        double sum = 0;
+        for (int s = 0; s < 3; ++s)
+          sum += sign(a[s]) * moments.slope[table][r][s][a[kBeside[s][0]] + 2 * a[kBeside[s][1]]];
+        out.gradient[table][3 * i + r] = sum;
+      }
+  }
+}
+
+CellIntegrals CellIntegrator::integrals() {
+  if (waiting_ > 0) flush();
+  CellIntegrals out;
+  expand(sum_of_lanes(moments_), out);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "common/base/types.h"
+#include "server/prepare/cell_moments.h"
 #include "server/prepare/clip.h"
 #include "server/prepare/prepared_mesh.h"
 
@@ -18,29 +19,20 @@ class CellIntegrator {
   void add(const Polygon& piece, const Vec3d& v1, const Vec3d& v2, bool umbilic);
 
   double area() const { return area_; }
-  CellIntegrals integrals() const;
-
-  /// ρ, ℓ¹ or ℓ² as full symmetric matrices, and ∫⟨v_i, ∇B_a⟩ v_i: for tests and references.
-  using Square = std::array<std::array<double, 8>, 8>;
-  const Square& mass() const { return mass_; }
+  /// Of all that was added.
+  CellIntegrals integrals();
 
  private:
-  void add_triangle(const Vec3d& p, const Vec3d& q, const Vec3d& r, const Vec3d& v1,
-                    const Vec3d& v2, bool umbilic);
+  using Tensor = std::array<double, 6>;  // xx, yy, zz, yz, xz, xy
+
+  void add_triangle(const std::array<Vec3d, 3>& corners, const std::array<Tensor, 2>& tensors);
+  void flush();
 
   double area_ = 0;
-  Square mass_ = {};
-  std::array<double, 8> mass_row_sum_ = {};
-  std::array<Square, 2> stiffness_ = {};
-  std::array<std::array<Vec3d, 8>, 2> gradient_ = zero_gradient();
-
-  static std::array<std::array<Vec3d, 8>, 2> zero_gradient();
+  int waiting_ = 0;  // triangles in the batch
+  TriangleBatch batch_;
+  CellMoments<Double8> moments_;
 };
-
-/// The share of the squared normal derivative ∫⟨n, ∇B_a⟩⟨n, ∇B_b⟩ that is added to ℓ¹ + ℓ².
-/// Functions that vanish on a flat piece of surface have no energy at all; this lifts them above
-/// the rounding of double and moves the surface by less than 1e-9 of a cell.
-inline constexpr double kNormalStiffness = 1e-9;
 
 /// Below this area (cells²) a piece is a rounding artefact of clipping.
 inline constexpr double kPieceAreaMin = 1e-22;

@@ -1,14 +1,15 @@
 #include "server/prepare/cell_pieces.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "common/base/parallel.h"
 #include "common/base/process_memory.h"
 #include "server/prepare/clip.h"
 
 namespace burnish {
 
 static constexpr size_t kTrianglesPerBlock = 4096;
+static constexpr int kDigitBits = 11;
 static constexpr double kDegenerateRatio = 1e-12;  // twice the area over the longest edge squared
 
 static std::array<Vec3d, 3> positions_of(const Triangle& triangle,
@@ -48,11 +49,39 @@ static Status check_memory(uint64_t pairs) {
                             " MiB; choose a smaller depth");
 }
 
-static bool by_cell_then_triangle(const CellPiece& a, const CellPiece& b) {
-  return a.cell != b.cell ? a.cell < b.cell : a.triangle < b.triangle;
+// Puts the pieces in the order of one digit of their cells' keys; of one digit they keep theirs.
+static void order_by_digit(const UnsetVector<CellPiece>& from, int shift,
+                           UnsetVector<CellPiece>& to) {
+  constexpr size_t kDigits = 1 << kDigitBits, kChunks = 16;  // a chunk is one thread's
+  const auto digit_of = [&](const CellPiece& piece) { return piece.cell >> shift & (kDigits - 1); };
+  const auto chunk_start = [&](size_t chunk) { return from.size() * chunk / kChunks; };
+  std::vector<size_t> next(kChunks * kDigits, 0);  // by chunk, then digit
+#pragma omp parallel for schedule(static)
+  for (size_t chunk = 0; chunk < kChunks; ++chunk)
+    for (size_t i = chunk_start(chunk); i < chunk_start(chunk + 1); ++i)
+      ++next[chunk * kDigits + digit_of(from[i])];
+  size_t before = 0;
+  for (size_t digit = 0; digit < kDigits; ++digit)
+    for (size_t chunk = 0; chunk < kChunks; ++chunk)
+      before += std::exchange(next[chunk * kDigits + digit], before);
+#pragma omp parallel for schedule(static)
+  for (size_t chunk = 0; chunk < kChunks; ++chunk)
+    for (size_t i = chunk_start(chunk); i < chunk_start(chunk + 1); ++i)
+      to[next[chunk * kDigits + digit_of(from[i])]++] = from[i];
 }
 
-Result<std::vector<CellPiece>> find_cell_pieces(std::span<const Triangle> triangles,
+// By cell. Pieces of a cell stay in the order of their triangles, as which they come.
+static void sort_by_cell(UnsetVector<CellPiece>& pieces) {
+  MortonKey bits = 0;
+  for (const CellPiece& piece : pieces) bits |= piece.cell;
+  UnsetVector<CellPiece> ordered(pieces.size());
+  for (int shift = 0; bits >> shift != 0; shift += kDigitBits) {
+    order_by_digit(pieces, shift, ordered);
+    pieces.swap(ordered);
+  }
+}
+
+Result<UnsetVector<CellPiece>> find_cell_pieces(std::span<const Triangle> triangles,
                                                 std::span<const Vec3d> grid_positions,
                                                 const Progress& progress) {
   const size_t blocks = (triangles.size() + kTrianglesPerBlock - 1) / kTrianglesPerBlock;
@@ -65,7 +94,7 @@ Result<std::vector<CellPiece>> find_cell_pieces(std::span<const Triangle> triang
   if (!report(progress, "grid", 0.4)) return cancelled("cancelled while cutting at the grid");
   RETURN_IF_ERROR(check_memory(start.back()));
 
-  std::vector<CellPiece> pieces(start.back());
+  UnsetVector<CellPiece> pieces(start.back());
 #pragma omp parallel for schedule(dynamic)
   for (size_t block = 0; block < blocks; ++block) {
     uint64_t next = start[block];
@@ -73,7 +102,7 @@ Result<std::vector<CellPiece>> find_cell_pieces(std::span<const Triangle> triang
                            [&](const CellPiece& piece) { pieces[next++] = piece; });
   }
   if (!report(progress, "grid", 0.7)) return cancelled("cancelled while cutting at the grid");
-  parallel_sort(pieces.begin(), pieces.end(), by_cell_then_triangle);
+  sort_by_cell(pieces);
   return pieces;
 }
 

@@ -8,6 +8,7 @@
 #include "common/base/status.h"
 #include "common/grid/morton.h"
 #include "common/mesh/triangle_mesh.h"
+#include "server/prepare/unset_vector.h"
 
 namespace burnish {
 
@@ -21,7 +22,7 @@ struct CellPiece {
 /// rounding, are in no cell.
 /// Shapes: one snapped grid position per vertex. Units: grid.
 /// Fails: cancelled; resource_exhausted when the pairs alone exceed the machine's free memory.
-Result<std::vector<CellPiece>> find_cell_pieces(std::span<const Triangle> triangles,
+Result<UnsetVector<CellPiece>> find_cell_pieces(std::span<const Triangle> triangles,
                                                 std::span<const Vec3d> grid_positions,
                                                 const Progress& progress);
 

@@ -20,20 +20,20 @@ Polygon clip(const Polygon& polygon, int axis, double plane, double sign) {
 }
 
 Polygon clip_to_slab(const Polygon& polygon, int axis, int slab) {
-  return clip(clip(polygon, axis, slab, 1), axis, slab + 1, -1);
+  double low = polygon.vertices[0][axis], high = low;
+  for (int i = 1; i < polygon.count; ++i) {
+    low = std::min(low, polygon.vertices[i][axis]);
+    high = std::max(high, polygon.vertices[i][axis]);
+  }
+  Polygon kept = low < slab ? clip(polygon, axis, slab, 1) : polygon;
+  return high > slab + 1 ? clip(kept, axis, slab + 1, -1) : kept;
 }
 
 Polygon clip_to_cell(const std::array<Vec3d, 3>& triangle, const Vec3i& cell) {
   Polygon polygon;
   for (const Vec3d& p : triangle) polygon.push(p);
-  for (int axis = 0; axis < 3 && polygon.count > 0; ++axis) {
-    const auto inside = [&](const Vec3d& p) {
-      return p[axis] >= cell[axis] && p[axis] <= cell[axis] + 1;
-    };
-    const auto end = polygon.vertices.begin() + polygon.count;
-    if (!std::all_of(polygon.vertices.begin(), end, inside))
-      polygon = clip_to_slab(polygon, axis, cell[axis]);
-  }
+  for (int axis = 0; axis < 3 && polygon.count > 0; ++axis)
+    polygon = clip_to_slab(polygon, axis, cell[axis]);
   return polygon;
 }
 

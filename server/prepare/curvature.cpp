@@ -23,7 +23,7 @@ static TangentTensor mean_over_corners(const VertexCurvature& vertices, const Tr
   return mean;
 }
 
-std::vector<TriangleCurvature> compute_curvature(const TriangleMesh& mesh,
+UnsetVector<TriangleCurvature> compute_curvature(const TriangleMesh& mesh,
                                                  const MeshStatistics& statistics,
                                                  double averaging_radius) {
   const double unit = length_unit(statistics);
@@ -33,11 +33,12 @@ std::vector<TriangleCurvature> compute_curvature(const TriangleMesh& mesh,
 
   const bool is_inside_out = statistics.is_closed() && statistics.signed_volume < 0;
   const double to_file_units = (is_inside_out ? -1 : 1) / unit;
-  std::vector<TriangleCurvature> curvature(mesh.triangles.size());
+  UnsetVector<TriangleCurvature> curvature(mesh.triangles.size());
 #pragma omp parallel for schedule(static)
   for (int64_t t = 0; t < static_cast<int64_t>(curvature.size()); ++t) {
     const Triangle& triangle = mesh.triangles[t];
     const TriangleShape shape = make_triangle_shape(mesh, triangle, unit);
+    curvature[t] = {};
     if (!shape.has_plane) continue;
     const TangentFrame frame = shape.frame();
     const PrincipalAxes axes =

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include "common/mesh/statistics.h"
 #include "common/mesh/triangle_mesh.h"
+#include "server/prepare/unset_vector.h"
 
 namespace burnish {
 
@@ -24,7 +23,7 @@ struct TriangleCurvature {
 /// Needs: a valid mesh and its statistics.
 /// Cost: linear, with or without a radius; 60 bytes per triangle of scratch.
 /// Accuracy: always finite; the same bits for any number of threads.
-std::vector<TriangleCurvature> compute_curvature(const TriangleMesh& mesh,
+UnsetVector<TriangleCurvature> compute_curvature(const TriangleMesh& mesh,
                                                  const MeshStatistics& statistics,
                                                  double averaging_radius);
 

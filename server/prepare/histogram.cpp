@@ -21,13 +21,22 @@ static float range_of(std::span<const CellCurvature> curvature) {
     magnitude_area.emplace_back(std::abs(cell.kappa1), cell.area);
     magnitude_area.emplace_back(std::abs(cell.kappa2), cell.area);
   }
-  std::sort(magnitude_area.begin(), magnitude_area.end());
+  // Halves what the value is among until it is found.
+  auto begin = magnitude_area.begin(), end = magnitude_area.end();
   double left = kFractionInRange * total_area(curvature);
-  for (const auto& [magnitude, area] : magnitude_area) {
-    left -= area;
-    if (left <= 0) return std::max(magnitude, 1.0f);
+  while (end - begin > 1) {
+    const auto middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end);
+    double below = 0;
+    for (auto at = begin; at != middle; ++at) below += at->second;
+    if (below >= left) {
+      end = middle;
+    } else {
+      left -= below;
+      begin = middle;
+    }
   }
-  return 1;
+  return begin == end ? 1 : std::max(begin->first, 1.0f);
 }
 
 CurvatureHistogram make_histogram(std::span<const CellCurvature> curvature) {

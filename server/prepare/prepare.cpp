@@ -13,6 +13,7 @@
 #include "server/prepare/cell_pieces.h"
 #include "server/prepare/curvature.h"
 #include "server/prepare/histogram.h"
+#include "server/prepare/unset_vector.h"
 
 namespace burnish {
 
@@ -28,9 +29,9 @@ struct PreparedArrays {
   std::vector<Triangle> triangles;
   std::vector<Rgba8> colours;
   std::vector<EvaluationPoint> evaluation;
-  std::vector<MortonKey> cells;
-  std::vector<CellIntegrals> integrals;
-  std::vector<CellCurvature> curvature;
+  UnsetVector<MortonKey> cells;
+  UnsetVector<CellIntegrals> integrals;
+  UnsetVector<CellCurvature> curvature;
 };
 
 /// Times the phases of a preparation.
@@ -118,6 +119,7 @@ bool integrate_cell(std::span<const CellPiece> pieces, std::span<const Triangle>
 
 /// Keeps the cells that hold surface, in order.
 void keep(PreparedArrays& arrays, const std::vector<char>& holds_surface) {
+  if (std::ranges::find(holds_surface, 0) == holds_surface.end()) return;
   size_t kept = 0;
   for (size_t c = 0; c < holds_surface.size(); ++c) {
     if (!holds_surface[c]) continue;
@@ -201,12 +203,12 @@ Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
   if (!report(progress, "grid", 0)) return cancelled("cancelled before cutting at the grid");
 
   const std::vector<Vec3d> positions = snapped_positions(mesh, prepared->frame);
-  ASSIGN_OR_RETURN(const std::vector<CellPiece> pieces,
+  ASSIGN_OR_RETURN(const UnsetVector<CellPiece> pieces,
                    find_cell_pieces(mesh.triangles, positions, progress));
   clock.end("grid");
   if (!report(progress, "curvature", 0)) return cancelled("cancelled before the curvature");
 
-  const std::vector<TriangleCurvature> curvature =
+  const UnsetVector<TriangleCurvature> curvature =
       compute_curvature(mesh, statistics, options.curvature_radius * prepared->length_unit);
   clock.end("curvature");
 
@@ -214,8 +216,8 @@ Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
       integrate_cells(pieces, positions, curvature, prepared->length_unit, progress, *arrays));
   clock.end("integrals");
 
-  const SparseGrid grid = make_finest_grid(depth, arrays->cells);
-  arrays->evaluation = make_evaluation(mesh, prepared->frame, grid);
+  arrays->evaluation =
+      make_evaluation(mesh, prepared->frame, SparseGrid{depth, finest_keys(arrays->cells)});
   prepared->histogram = make_histogram(arrays->curvature);
   point_at(*prepared, std::move(arrays));
   clock.end("evaluation");

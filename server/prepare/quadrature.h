@@ -12,11 +12,8 @@ struct QuadraturePoint {
   double weight;
 };
 
-/// Exact for polynomials of degree 6: what ρ needs (trilinear × trilinear on a plane).
+/// Exact for polynomials of degree 6: what ρ needs (trilinear × trilinear on a plane), and ℓ less.
 /// Source: Cowper 1973, Dunavant 1985.
 extern const std::array<QuadraturePoint, 12> kDegree6Rule;
-
-/// Exact for degree 4: what ℓ needs.
-extern const std::array<QuadraturePoint, 6> kDegree4Rule;
 
 }  // namespace burnish

@@ -10,11 +10,12 @@ static constexpr double kFlatness = 1e-12;
 static constexpr double kLeastTwiceArea = 1e-60;
 
 TriangleShape make_triangle_shape(const TriangleMesh& mesh, const Triangle& triangle, double unit) {
+  const double scale = 1 / unit;  // exact, as units are powers of two
   TriangleShape shape;
   for (int k = 0; k < 3; ++k) {
     const Vec3d& from = mesh.vertices[triangle[(k + 1) % 3]];
     const Vec3d& to = mesh.vertices[triangle[(k + 2) % 3]];
-    shape.edges[k] = (to - from) / unit;
+    shape.edges[k] = (to - from) * scale;
     shape.squared[k] = shape.edges[k].squaredNorm();
   }
   shape.cross = shape.edges[0].cross(shape.edges[1]);

@@ -28,7 +28,7 @@ struct TriangleShape {
   double voronoi_area(int k) const;
 };
 
-/// Lengths are divided by `unit`.
+/// Lengths are divided by `unit`, a power of two.
 TriangleShape make_triangle_shape(const TriangleMesh& mesh, const Triangle& triangle, double unit);
 
 }  // namespace burnish

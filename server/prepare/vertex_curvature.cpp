@@ -1,6 +1,7 @@
 #include "server/prepare/vertex_curvature.h"
 
 #include "server/prepare/triangle_shape.h"
+#include "server/prepare/unset_vector.h"
 #include "server/prepare/vertex_triangles.h"
 
 namespace burnish {
@@ -71,13 +72,14 @@ static TangentTensor second_fundamental_form(const TriangleShape& shape, const T
 }
 
 // In the triangles' own frames; zero where there is no plane.
-static std::vector<TangentTensor> triangle_tensors(const TriangleMesh& mesh,
+static UnsetVector<TangentTensor> triangle_tensors(const TriangleMesh& mesh,
                                                    const std::vector<Vec3d>& normals, double unit) {
-  std::vector<TangentTensor> tensors(mesh.triangles.size());
+  UnsetVector<TangentTensor> tensors(mesh.triangles.size());
 #pragma omp parallel for schedule(static)
   for (int64_t t = 0; t < static_cast<int64_t>(tensors.size()); ++t) {
     const Triangle& triangle = mesh.triangles[t];
     const TriangleShape shape = make_triangle_shape(mesh, triangle, unit);
+    tensors[t] = {};
     if (!shape.has_plane) continue;
     tensors[t] = second_fundamental_form(
         shape, shape.frame(), {normals[triangle[0]], normals[triangle[1]], normals[triangle[2]]});
@@ -91,7 +93,7 @@ VertexCurvature compute_vertex_curvature(const TriangleMesh& mesh, double unit) 
   result.normals = vertex_normals(mesh, vertex_triangles, unit);
   result.tensors.resize(mesh.vertices.size());
   result.areas.resize(mesh.vertices.size());
-  const std::vector<TangentTensor> of_triangles = triangle_tensors(mesh, result.normals, unit);
+  const UnsetVector<TangentTensor> of_triangles = triangle_tensors(mesh, result.normals, unit);
 #pragma omp parallel for schedule(static)
   for (int64_t v = 0; v < static_cast<int64_t>(mesh.vertices.size()); ++v) {
     if (!result.has_normal(v)) continue;

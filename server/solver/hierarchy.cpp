@@ -1,7 +1,6 @@
 #include "server/solver/hierarchy.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "common/base/check.h"
 
@@ -23,26 +22,35 @@ std::array<int32_t, kSlots> neighbours(const SparseGrid& grid, int32_t corner) {
   return by_slot;
 }
 
+// The corners of a window by rising length, else in order.
+void order_window(const std::vector<uint8_t>& length, int32_t first, int32_t last,
+                  int32_t* corner_of_row) {
+  int32_t next[kSlots + 1] = {};
+  for (int32_t corner = first; corner < last; ++corner) ++next[length[corner] + 1];
+  for (int l = 1; l <= kSlots; ++l) next[l] += next[l - 1];
+  for (int32_t corner = first; corner < last; ++corner)
+    corner_of_row[first + next[length[corner]]++] = corner;
+}
+
 // Stored rows of the corners: in each window by rising length, else in order.
 void order_rows(Stencil& stencil) {
   const int32_t n = static_cast<int32_t>(stencil.mask.size());
-  const auto length = [&](int32_t corner) { return __builtin_popcount(stencil.mask[corner]); };
-  const auto shorter = [&](int32_t a, int32_t b) { return length(a) < length(b); };
+  std::vector<uint8_t> length(n);
   stencil.corner_of_row.resize(n);
   stencil.row_of_corner.resize(n);
 #pragma omp parallel for schedule(static)
   for (int32_t first = 0; first < n; first += Stencil::kRowWindow) {
-    const auto begin = stencil.corner_of_row.begin() + first;
-    const auto end = begin + std::min(Stencil::kRowWindow, n - first);
-    std::iota(begin, end, first);
-    std::stable_sort(begin, end, shorter);
-    for (auto at = begin; at < end; ++at)
-      stencil.row_of_corner[*at] = static_cast<int32_t>(at - stencil.corner_of_row.begin());
+    const int32_t last = std::min(first + Stencil::kRowWindow, n);
+    for (int32_t corner = first; corner < last; ++corner)
+      length[corner] = static_cast<uint8_t>(__builtin_popcount(stencil.mask[corner]));
+    order_window(length, first, last, stencil.corner_of_row.data());
+    for (int32_t row = first; row < last; ++row)
+      stencil.row_of_corner[stencil.corner_of_row[row]] = row;
   }
   stencil.row_start.assign(n + 1, 0);
   for (int32_t row = 0; row < n; ++row) {
     constexpr int kPadding = Stencil::kRowPadding;
-    const int padded = (length(stencil.corner_of_row[row]) + kPadding - 1) / kPadding * kPadding;
+    const int padded = (length[stencil.corner_of_row[row]] + kPadding - 1) / kPadding * kPadding;
     stencil.row_start[row + 1] = stencil.row_start[row] + padded;
   }
 }
@@ -102,16 +110,35 @@ DepthTransfer::FromCell place_in_parent(const HierarchyDepth& fine, int32_t corn
   BURNISH_CHECK(false, "every corner belongs to a cell");
 }
 
+/// The corners of a cell that weigh on one of its half-way points.
+struct Weights {
+  int count = 0;
+  std::array<int8_t, kCornersPerCell> corner;
+  std::array<float, kCornersPerCell> weight;
+};
+
+std::array<Weights, kSlots> positive_weights() {
+  std::array<Weights, kSlots> of_place;
+  for (int place = 0; place < kSlots; ++place)
+    for (int a = 0; a < kCornersPerCell; ++a) {
+      Weights& weights = of_place[place];
+      weights.corner[weights.count] = static_cast<int8_t>(a);
+      weights.weight[weights.count] = half_way_weights()[place][a];
+      if (half_way_weights()[place][a] > 0) ++weights.count;
+    }
+  return of_place;
+}
+
 // Pᵀ by rows: a counting sort of the entries of P by their coarse corner.
 void transpose(const SparseGrid& coarse, DepthTransfer& transfer) {
-  const auto& weights = half_way_weights();
+  const auto weights_of_place = positive_weights();
   const auto for_each_entry = [&](auto&& visit) {
     for (size_t fine = 0; fine < transfer.prolongation.size(); ++fine) {
       const DepthTransfer::FromCell from = transfer.prolongation[fine];
-      for (int a = 0; a < kCornersPerCell; ++a)
-        if (weights[from.place][a] > 0)
-          visit(static_cast<int32_t>(fine), coarse.cell_corners[from.cell][a],
-                weights[from.place][a]);
+      const Weights& weights = weights_of_place[from.place];
+      for (int i = 0; i < weights.count; ++i)
+        visit(static_cast<int32_t>(fine), coarse.cell_corners[from.cell][weights.corner[i]],
+              weights.weight[i]);
     }
   };
   transfer.restriction_start.assign(coarse.corner_count() + 1, 0);

@@ -82,14 +82,13 @@ double assembly_bytes(const Counts& at, bool exact) {
 }
 
 double schwarz_set_up_bytes(const Counts& at) {
-  const double scale = at.corners * 2 * kFloat;
   const double invert = at.cells * (kCellCorners + kInverse) + at.entries * kFloat +
                         at.corners * (kIndex + kRowStart + kMask + kFloat);
-  const double gather =
-      at.cells * kInverse + rows_bytes(at, kFloat) + at.corners * (kCellCorners + kMask + kFloat);
+  const double gather = at.cells * kInverse + at.entries * kFloat +
+                        at.corners * (kIndex + kRowStart + kCellCorners + kMask + kFloat);
   const double power = kPowerIterations * (residual_bytes(at) + step_bytes(at, 2)) +
                        at.corners * 7 * kFloat4;  // two dot products, cleared, normalised
-  return scale + invert + gather + power;
+  return invert + gather + power;
 }
 
 }  // namespace
@@ -103,9 +102,11 @@ MemoryFloor memory_floor(const BenchSystem& system) {
   floor.matrix = floor.rhs + finest.cells * (kIntegrals + 2 * kFloat + kCombined);
   for (int depth = hierarchy.finest; depth > hierarchy.coarsest; --depth) {
     const Counts fine(hierarchy.at(depth)), coarse(hierarchy.at(depth - 1));
+    const bool is_finest = depth == hierarchy.finest;
+    const double restricted = is_finest ? 0 : kCombined;  // there while they are combined
     floor.step += vcycle_bytes(fine, coarse);
-    floor.matrix += assembly_bytes(fine, depth == hierarchy.finest) + schwarz_set_up_bytes(fine) +
-                    fine.cells * (kCombined + kIndex) + coarse.cells * kCombined;
+    floor.matrix += assembly_bytes(fine, is_finest) + schwarz_set_up_bytes(fine) +
+                    fine.cells * (restricted + kIndex) + coarse.cells * kCombined;
   }
   return floor;
 }

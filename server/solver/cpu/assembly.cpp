@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/base/dispatch.h"
+#include "server/solver/cpu/blocks.h"
 #include "server/solver/cpu/gather_rows.h"
 #include "server/solver/cpu/restricted_cell.h"
 #include "server/solver/cpu/scratch.h"
@@ -11,7 +13,7 @@ namespace burnish::cpu {
 namespace {
 
 constexpr double kPinnedBelow = 1e-12;  // of the median diagonal
-constexpr size_t kMedianSamplesMax = 1 << 14;
+constexpr size_t kMedianSamplesMax = 1 << 12;
 
 BURNISH_DISPATCH void combine(const CellIntegrals& of, const CombineWeights& by, CellMatrix& out) {
   for (int p = 0; p < 28; ++p)
@@ -20,18 +22,10 @@ BURNISH_DISPATCH void combine(const CellIntegrals& of, const CombineWeights& by,
   for (int a = 0; a < 8; ++a) out.row_sum[a] = by.mass * of.mass_row_sum[a];
 }
 
-Scratch<CellMatrix> combine_integrals(const PreparedMesh& prepared, std::span<const float> alpha1,
-                                      std::span<const float> alpha2) {
-  Scratch<CellMatrix> cells(prepared.integrals.size());
-  const double scale = prepared.alpha_scale();
-#pragma omp parallel for schedule(static)
-  for (size_t c = 0; c < prepared.integrals.size(); ++c)
-    combine(prepared.integrals[c], combine_weights(alpha1[c] * scale, alpha2[c] * scale), cells[c]);
-  return cells;
-}
-
+// The cells of a coarse depth; `child_of(cell)` gives those of the finer one, each once.
+template <typename ChildOf>
 Scratch<CellMatrix> down_sample(const HierarchyDepth& fine, const HierarchyDepth& coarse,
-                                const Scratch<CellMatrix>& fine_cells) {
+                                ChildOf&& child_of) {
   const int32_t parents = coarse.grid.cell_count();
   Scratch<CellMatrix> cells(parents);
 #pragma omp parallel for schedule(static)
@@ -39,7 +33,7 @@ Scratch<CellMatrix> down_sample(const HierarchyDepth& fine, const HierarchyDepth
     RestrictedCell sum;
     for (int32_t i = coarse.child_start[parent]; i < coarse.child_start[parent + 1]; ++i) {
       const int32_t child = coarse.child[i];
-      add_restricted(fine_cells[child], static_cast<int>(fine.grid.cells[child].place & 7), sum);
+      add_restricted(child_of(child), static_cast<int>(fine.grid.cells[child].place & 7), sum);
     }
     cells[parent] = sum.packed();
   }
@@ -63,21 +57,37 @@ void invert_diagonal(const std::vector<float>& diagonal, std::vector<float>& inv
     inverse[i] = diagonal[i] > pinned_below ? 1 / diagonal[i] : 0;
 }
 
+struct Outputs {
+  float* entry;
+  float* diagonal;
+  double* exact_entry;  // none at the coarser depths
+  double* row_sum;
+};
+
+BURNISH_DISPATCH void assemble_rows(const RowSources& sources, const double* cells,
+                                    const Outputs& out, int32_t begin, int32_t end) {
+  for (int32_t stored = begin; stored < end; ++stored) {
+    const GatheredRow<double> row = gather_row(sources, cells, stored);
+    const int32_t corner = sources.corner[stored];
+    out.diagonal[corner] = static_cast<float>(row.own - row.off_diagonal);
+    store_row(sources, stored, row, out.entry);
+    if (out.exact_entry == nullptr) continue;
+    store_row(sources, stored, row, out.exact_entry);
+    out.row_sum[corner] = row.own;
+  }
+}
+
 void assemble_depth(const Scratch<CellMatrix>& cells, CpuDepth& depth, ExactMatrix* exact) {
-  const Stencil& stencil = depth.topology.stencil;
-  gather_rows<double>(
-      depth.topology, [&](int32_t cell, int p) { return cells[cell].pair[p]; },
-      [&](int32_t cell, int a) { return cells[cell].row_sum[a]; },
-      [&](int32_t corner, const double* by_slot, double row_sum) {
-        double diagonal = row_sum;
-        for (int s = 0; s < kSlots; ++s) diagonal -= by_slot[s];
-        depth.system.diagonal[corner] = static_cast<float>(diagonal);
-        store_row(stencil, corner, by_slot, [&](int64_t k, double value) {
-          depth.system.entry[k] = static_cast<float>(value);
-          if (exact != nullptr) exact->entry[k] = value;
-        });
-        if (exact != nullptr) exact->row_sum[corner] = row_sum;
-      });
+  static_assert(sizeof(CellMatrix) == kNumbersPerCell * sizeof(double));
+  const RowSources sources(depth.topology);
+  Outputs out = {depth.system.entry.data(), depth.system.diagonal.data(), nullptr, nullptr};
+  if (exact != nullptr) {
+    out.exact_entry = exact->entry.data();
+    out.row_sum = exact->row_sum.data();
+  }
+  for_each_block(depth.corner_count(), [&](int32_t begin, int32_t end) {
+    assemble_rows(sources, cells[0].pair.data(), out, begin, end);
+  });
   invert_diagonal(depth.system.diagonal, depth.inverse_diagonal);
 }
 
@@ -85,12 +95,24 @@ void assemble_depth(const Scratch<CellMatrix>& cells, CpuDepth& depth, ExactMatr
 
 void assemble(const PreparedMesh& prepared, std::span<const float> alpha1,
               std::span<const float> alpha2, std::span<CpuDepth> depths, ExactMatrix* exact) {
-  Scratch<CellMatrix> cells = combine_integrals(prepared, alpha1, alpha2);
-  assemble_depth(cells, depths.back(), exact);
+  const double scale = prepared.alpha_scale();
+  Scratch<CellMatrix> cells(prepared.integrals.size());
+  const auto combined = [&](int32_t c) -> const CellMatrix& {
+    combine(prepared.integrals[c], combine_weights(alpha1[c] * scale, alpha2[c] * scale), cells[c]);
+    return cells[c];
+  };
+  const auto of_depth = [&](int32_t c) -> const CellMatrix& { return cells[c]; };
+  if (depths.size() == 1)
+    for (int32_t c = 0; c < depths[0].topology.grid.cell_count(); ++c) combined(c);
   for (size_t d = depths.size() - 1; d > 0; --d) {
-    cells = down_sample(depths[d].topology, depths[d - 1].topology, cells);
-    assemble_depth(cells, depths[d - 1], nullptr);
+    const HierarchyDepth &fine = depths[d].topology, &coarse = depths[d - 1].topology;
+    const bool finest = d + 1 == depths.size();  // combined while they are restricted
+    Scratch<CellMatrix> parents =
+        finest ? down_sample(fine, coarse, combined) : down_sample(fine, coarse, of_depth);
+    assemble_depth(cells, depths[d], finest ? exact : nullptr);
+    cells = std::move(parents);
   }
+  assemble_depth(cells, depths[0], depths.size() == 1 ? exact : nullptr);
 }
 
 }  // namespace burnish::cpu

@@ -32,18 +32,9 @@ class CellBlocks final : public DepthSmoother {
   }
 
   void set_up(CpuDepth& depth) override {
-    const std::vector<float> scale = diagonal_scale(depth);
-    const Scratch<CellInverse> scaled = invert_cells(depth, scale);
+    const Scratch<CellInverse> inverses = invert_cells(depth);
 #pragma omp parallel for schedule(static)
-    for (int32_t cell = 0; cell < depth.topology.grid.cell_count(); ++cell) {
-      const auto& corners = depth.topology.grid.cell_corners[cell];
-      CellInverse& inverse = inverses_[cell] = scaled[cell];
-      for (int a = 0; a < kCornersPerCell; ++a) {
-        inverse.diagonal[a] *= depth.inverse_diagonal[corners[a]];
-        for (int b = a + 1; b < kCornersPerCell; ++b)
-          inverse.pair[pair_index(a, b)] *= scale[corners[a]] * scale[corners[b]];
-      }
-    }
+    for (size_t cell = 0; cell < inverses_.size(); ++cell) inverses_[cell] = inverses[cell];
   }
 
   void relax_from_zero(CpuDepth& depth) override {
@@ -94,7 +85,7 @@ class CellBlocks final : public DepthSmoother {
   }
 
   std::array<std::vector<Brick>, kColours> bricks_;
-  std::vector<CellInverse> inverses_;  // in the units of S: D^-½ on both sides
+  std::vector<CellInverse> inverses_;
 };
 
 }  // namespace

@@ -9,6 +9,8 @@ namespace burnish::cpu {
 
 static constexpr float kRegularisation = 1e-3f;  // on the unit diagonal of the scaled blocks
 static constexpr int32_t kCellsPerBlock = 1024;
+static constexpr int32_t kCellsAhead = 32;
+static constexpr int kLanes = 16;  // cells that are inverted side by side
 
 namespace {
 
@@ -16,80 +18,110 @@ struct Source {
   const Stencil& stencil;
   const std::array<int32_t, kCornersPerCell>* cell_corners;
   const float* entry;
-  const float* scale;
+  const float* inverse_diagonal;
+};
+
+using Lanes = float __attribute__((vector_size(4 * kLanes)));
+
+/// The blocks of several cells, a cell in each lane.
+struct Blocks {
+  Lanes pair[28];
+  Lanes diagonal[8];
+  Lanes scale[8];  // D^-½
 };
 
 }  // namespace
 
-[[gnu::always_inline]] static inline void read_scaled_block(const Source& source, int32_t cell,
-                                                            float (&block)[8][8]) {
+[[gnu::always_inline]] static inline void read_cell(const Source& source, int32_t cell, int lane,
+                                                    Blocks& blocks) {
   const auto& corners = source.cell_corners[cell];
 #pragma GCC unroll 8
-  for (int a = 0; a < 8; ++a) {
-    block[a][a] = 1 + kRegularisation;
+  for (int a = 0; a < kCornersPerCell; ++a) {
+    blocks.scale[a][lane] = source.inverse_diagonal[corners[a]];
 #pragma GCC unroll 8
-    for (int b = a + 1; b < 8; ++b) {
-      const int64_t k = source.stencil.position(corners[a], slot_between(a, b));
-      block[a][b] = block[b][a] =
-          source.entry[k] * source.scale[corners[a]] * source.scale[corners[b]];
+    for (int b = a + 1; b < kCornersPerCell; ++b)
+      blocks.pair[pair_index(a, b)][lane] =
+          source.entry[source.stencil.position(corners[a], slot_between(a, b))];
+  }
+}
+
+// Rows of corners that no earlier cell has.
+[[gnu::always_inline]] static inline void prefetch_cell(const Source& source, int32_t cell) {
+  const auto& corners = source.cell_corners[cell];
+#pragma GCC unroll 8
+  for (int a = 1; a < kCornersPerCell; ++a)
+    __builtin_prefetch(source.entry +
+                       source.stencil.row_start[source.stencil.row_of_corner[corners[a]]]);
+}
+
+[[gnu::always_inline]] static inline void scale_pairs(Blocks& blocks) {
+#pragma GCC unroll 8
+  for (int a = 0; a < kCornersPerCell; ++a)
+#pragma GCC unroll 8
+    for (int b = a + 1; b < kCornersPerCell; ++b)
+      blocks.pair[pair_index(a, b)] *= blocks.scale[a] * blocks.scale[b];
+}
+
+// −m⁻¹ by sweeping each pivot in turn, which keeps a block symmetric, so that half of it will do.
+// No pivoting: a block is positive definite with a condition number of at most 8 / reg.
+[[gnu::always_inline]] static inline void sweep(Blocks& blocks) {
+#pragma GCC unroll 8
+  for (int p = 0; p < kCornersPerCell; ++p) {
+    const Lanes inverse_pivot = 1 / blocks.diagonal[p];
+    Lanes column[8], row[8];
+#pragma GCC unroll 8
+    for (int a = 0; a < kCornersPerCell; ++a) {
+      if (a == p) continue;
+      column[a] = blocks.pair[pair_index(a, p)];
+      row[a] = column[a] * inverse_pivot;
+      blocks.pair[pair_index(a, p)] = row[a];
+    }
+    blocks.diagonal[p] = -inverse_pivot;
+#pragma GCC unroll 8
+    for (int a = 0; a < kCornersPerCell; ++a) {
+      if (a == p) continue;
+      blocks.diagonal[a] -= column[a] * row[a];
+#pragma GCC unroll 8
+      for (int b = a + 1; b < kCornersPerCell; ++b)
+        if (b != p) blocks.pair[pair_index(a, b)] -= column[a] * row[b];
     }
   }
 }
 
-// −m⁻¹ of two blocks by sweeping each pivot in turn, which keeps a block symmetric, so that a
-// column is read from its row. No pivoting: a block is positive definite with a condition number of
-// at most 8 / reg. Two at a time, because a pivot waits for the one before.
-[[gnu::always_inline]] static inline void sweep(Float8 (&blocks)[2][8]) {
-#pragma GCC unroll 8
-  for (int p = 0; p < 8; ++p)
-#pragma GCC unroll 2
-    for (auto& m : blocks) {
-      const Float8 column = m[p];
-      const float inverse_pivot = 1 / column[p];
-      Float8 row = column * inverse_pivot;
-      m[p] = row;
-      m[p][p] = -inverse_pivot;
-      row[p] = 1 - inverse_pivot;  // column[a] (1 − row[p]) is what stays of column p
-#pragma GCC unroll 8
-      for (int a = 0; a < 8; ++a)
-        if (a != p) m[a] -= column[a] * row;
-    }
-}
-
-[[gnu::always_inline]] static inline void store(const Float8 (&m)[8], CellInverse& out) {
-  for (int a = 0, p = 0; a < 8; ++a) {
-    out.diagonal[a] = -m[a][a];
-    for (int b = a + 1; b < 8; ++b, ++p) out.pair[p] = -m[a][b];
-  }
+[[gnu::always_inline]] static inline void write_cell(const Blocks& blocks, int lane,
+                                                     CellInverse& out) {
+  for (int p = 0; p < 28; ++p) out.pair[p] = -blocks.pair[p][lane];
+  for (int a = 0; a < 8; ++a) out.diagonal[a] = -blocks.diagonal[a][lane];
 }
 
 BURNISH_DISPATCH static void invert_range(const Source& source, int32_t begin, int32_t end,
                                           CellInverse* out) {
-  for (int32_t cell = begin; cell < end; cell += 2, out += 2) {
-    const bool has_second = cell + 1 < end;
-    alignas(Float8) float blocks[2][8][8];
-    read_scaled_block(source, cell, blocks[0]);
-    read_scaled_block(source, has_second ? cell + 1 : cell, blocks[1]);
-    Float8 m[2][8];
-    __builtin_memcpy(m, blocks, sizeof m);
-    sweep(m);
-    store(m[0], out[0]);
-    if (has_second) store(m[1], out[1]);
+  for (int32_t first = begin; first < end; first += kLanes) {
+    Blocks blocks;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      prefetch_cell(source, std::min(first + lane + kCellsAhead, end - 1));
+      read_cell(source, std::min(first + lane, end - 1), lane, blocks);
+    }
+    for (int a = 0; a < kCornersPerCell; ++a) {
+      for (int lane = 0; lane < kLanes; ++lane)
+        blocks.scale[a][lane] = std::sqrt(blocks.scale[a][lane]);
+      blocks.diagonal[a] = Lanes{} + (1 + kRegularisation);
+    }
+    scale_pairs(blocks);
+    sweep(blocks);
+    scale_pairs(blocks);
+    for (int a = 0; a < kCornersPerCell; ++a)
+      blocks.diagonal[a] *= blocks.scale[a] * blocks.scale[a];
+    for (int lane = 0; lane < std::min(kLanes, end - first); ++lane)
+      write_cell(blocks, lane, out[first + lane - begin]);
   }
 }
 
-std::vector<float> diagonal_scale(const CpuDepth& depth) {
-  std::vector<float> scale(depth.inverse_diagonal.size());
-#pragma omp parallel for schedule(static)
-  for (size_t i = 0; i < scale.size(); ++i) scale[i] = std::sqrt(depth.inverse_diagonal[i]);
-  return scale;
-}
-
-Scratch<CellInverse> invert_cells(const CpuDepth& depth, const std::vector<float>& scale) {
+Scratch<CellInverse> invert_cells(const CpuDepth& depth) {
   const int32_t cells = depth.topology.grid.cell_count();
   Scratch<CellInverse> inverses(cells);
   const Source source = {depth.topology.stencil, depth.topology.grid.cell_corners.data(),
-                         depth.system.entry.data(), scale.data()};
+                         depth.system.entry.data(), depth.inverse_diagonal.data()};
 #pragma omp parallel for schedule(static)
   for (int32_t begin = 0; begin < cells; begin += kCellsPerBlock)
     invert_range(source, begin, std::min(cells, begin + kCellsPerBlock), &inverses[begin]);

@@ -1,3 +1,5 @@
+#include "common/base/dispatch.h"
+#include "server/solver/cpu/blocks.h"
 #include "server/solver/cpu/cell_inverse.h"
 #include "server/solver/cpu/chebyshev.h"
 #include "server/solver/cpu/gather_rows.h"
@@ -12,6 +14,24 @@ namespace {
 
 constexpr int kDegree = 2;
 
+BURNISH_DISPATCH void sum_rows(const RowSources& sources, const float* cells, float* entry,
+                               float* diagonal, int32_t begin, int32_t end) {
+  for (int32_t stored = begin; stored < end; ++stored) {
+    const GatheredRow<float> row = gather_row(sources, cells, stored);
+    diagonal[sources.corner[stored]] = row.own;
+    store_row(sources, stored, row, entry);
+  }
+}
+
+void sum_inverses(const HierarchyDepth& topology, const Scratch<CellInverse>& cells,
+                  StencilMatrix& sum) {
+  static_assert(sizeof(CellInverse) == kNumbersPerCell * sizeof(float));
+  const RowSources sources(topology);
+  for_each_block(topology.grid.corner_count(), [&](int32_t begin, int32_t end) {
+    sum_rows(sources, cells[0].pair.data(), sum.entry.data(), sum.diagonal.data(), begin, end);
+  });
+}
+
 class Schwarz final : public DepthSmoother {
  public:
   explicit Schwarz(const HierarchyDepth& topology)
@@ -20,19 +40,7 @@ class Schwarz final : public DepthSmoother {
         lambda_max_(topology.grid.corners.size()) {}
 
   void set_up(CpuDepth& depth) override {
-    const Stencil& stencil = depth.topology.stencil;
-    const std::vector<float> scale = diagonal_scale(depth);
-    const Scratch<CellInverse> inverses = invert_cells(depth, scale);
-    gather_rows<float>(
-        depth.topology, [&](int32_t cell, int p) { return inverses[cell].pair[p]; },
-        [&](int32_t cell, int a) { return inverses[cell].diagonal[a]; },
-        [&](int32_t corner, const float* by_slot, float diagonal) {
-          const float here = scale[corner];
-          inverse_.diagonal[corner] = diagonal * here * here;
-          store_row(stencil, corner, by_slot, [&](int64_t k, float value) {
-            inverse_.entry[k] = value * here * scale[stencil.column[k]];
-          });
-        });
+    sum_inverses(depth.topology, invert_cells(depth), inverse_);
     const auto apply = [&] {
       relax_along(depth, inverse_, {.source = depth.r, .step = {0, -1}, .from_zero = true});
     };

@@ -96,30 +96,23 @@ Matrix8 expanded(const std::array<double, 28>& pairs) {
   return full;
 }
 
-TEST(CellIntegrals, MassIsThatOfFineSubdivisionAndSymmetric) {
+TEST(CellIntegrals, MassIsThatOfFineSubdivision) {
   const BruteForce expected(sample_piece());
-  const CellIntegrator integrator = integrator_of(sample_piece());
+  CellIntegrator integrator = integrator_of(sample_piece());
   EXPECT_NEAR(integrator.area(), expected.area, 1e-12);
   const CellIntegrals stored = integrator.integrals();
   for (int a = 0, pair = 0; a < 8; ++a) {
     EXPECT_NEAR(stored.mass_row_sum[a], expected.mass.row(a).sum(), 1e-7 * expected.area);
-    for (int b = 0; b < 8; ++b) {
-      EXPECT_NEAR(integrator.mass()[a][b], integrator.mass()[b][a], 1e-15);
-      EXPECT_NEAR(integrator.mass()[a][b], expected.mass(a, b), 1e-8 * expected.area);
-      if (b <= a) continue;
-      EXPECT_EQ(stored.mass[pair++], integrator.mass()[a][b]);
-    }
+    for (int b = a + 1; b < 8; ++b, ++pair)
+      EXPECT_NEAR(stored.mass[pair], expected.mass(a, b), 1e-8 * expected.area);
   }
 }
 
 TEST(CellIntegrals, MassSumsToTheArea) {
-  const CellIntegrator integrator = integrator_of(sample_piece());
-  double sum = 0, sum_of_rows = 0;
-  for (const auto& row : integrator.mass())
-    for (double entry : row) sum += entry;
-  for (float row : integrator.integrals().mass_row_sum) sum_of_rows += row;
-  EXPECT_NEAR(sum, integrator.area(), 1e-13);
-  EXPECT_NEAR(sum_of_rows, integrator.area(), 1e-7);
+  CellIntegrator integrator = integrator_of(sample_piece());
+  double sum = 0;
+  for (double row : integrator.integrals().mass_row_sum) sum += row;
+  EXPECT_NEAR(sum, integrator.area(), 1e-14);
 }
 
 TEST(CellIntegrals, StiffnessWithItsDiagonalFromTheRowSumsIsThatOfFineSubdivision) {
@@ -176,6 +169,18 @@ TEST(CellIntegrals, DoNotDependOnHowThePieceIsCut) {
     EXPECT_NEAR(found.mass[pair], expected.mass[pair], 1e-8);
     EXPECT_NEAR(found.stiffness[1][pair], expected.stiffness[1][pair], 1e-7);
   }
+}
+
+TEST(CellIntegrals, OfManyPiecesAreTheSumOfEach) {
+  const Piece piece = sample_piece();
+  CellIntegrator seven;
+  for (int i = 0; i < 7; ++i) seven.add(piece.polygon, piece.v1, piece.v2, false);
+  const CellIntegrals sum = seven.integrals(), one = integrator_of(piece).integrals();
+  for (int pair = 0; pair < 28; ++pair) {
+    EXPECT_NEAR(sum.mass[pair], 7 * one.mass[pair], 1e-14);
+    EXPECT_NEAR(sum.stiffness[0][pair], 7 * one.stiffness[0][pair], 1e-13);
+  }
+  for (int i = 0; i < 21; ++i) EXPECT_NEAR(sum.gradient[1][i], 7 * one.gradient[1][i], 1e-13);
 }
 
 TEST(CellIntegrals, IgnoreARoundingArtefact) {

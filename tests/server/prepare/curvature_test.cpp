@@ -17,7 +17,7 @@
 namespace burnish {
 namespace {
 
-using Curvature = std::vector<TriangleCurvature>;
+using Curvature = UnsetVector<TriangleCurvature>;
 
 Curvature closed_curvature(const TriangleMesh& mesh, double radius = 0) {
   return compute_curvature(mesh, test_statistics(mesh, true), radius);

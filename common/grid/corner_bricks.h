@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/grid/sparse_grid.h"
+
+namespace burnish {
+
+/// The corners of a grid's cells, found by bricks of 4×4×4: a brick's corners are the bits of one
+/// word, so that a tenth of the keys is to be sorted, and a corner's index is a count of bits.
+class CornerBricks {
+ public:
+  /// Cells of one component in one brick, next to each other: [first, last).
+  struct Run {
+    int32_t first, last;
+    uint8_t bricks;  ///< where their corners lie: bit 0 their own brick, bits 1 to 7 those above it
+  };
+
+  /// Needs: cells strictly rising; they stay where they are.
+  explicit CornerBricks(std::span<const GridKey> cells);
+
+  std::span<const Run> runs() const { return runs_; }
+  /// Strictly rising.
+  std::vector<GridKey> corners() const;
+  /// The corners of a run's cells, by cell.
+  void number(const Run& run, const GridKey* cells,
+              std::array<int32_t, kCornersPerCell>* cell_corners) const;
+
+ private:
+  struct Brick {
+    GridKey key;       // of the brick
+    uint64_t corners;  // bits in Morton order
+    int32_t first;     // the index of the first corner at this place, of any component
+  };
+
+  void find_runs(std::span<const GridKey> cells);
+  void add_corners(Run& run, std::span<const GridKey> cells);
+  void merge();
+
+  std::vector<Run> runs_;
+  std::vector<Brick> bricks_;  // strictly rising
+  size_t corner_count_ = 0;
+};
+
+}  // namespace burnish

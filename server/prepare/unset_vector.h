@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace burnish {
+
+/// Leaves new entries as they are.
+template <typename T>
+struct UnsetAllocator : std::allocator<T> {
+  template <typename U>
+  struct rebind {
+    using other = UnsetAllocator<U>;
+  };
+  template <typename U>
+  void construct(U*) {}
+  template <typename U, typename... Args>
+  void construct(U* at, Args&&... args) {
+    std::construct_at(at, std::forward<Args>(args)...);
+  }
+};
+
+/// A vector whose resize() leaves new entries as anything: zeroing a large array first, by one
+/// thread, takes as long as filling it by all.
+template <typename T>
+using UnsetVector = std::vector<T, UnsetAllocator<T>>;
+
+}  // namespace burnish
