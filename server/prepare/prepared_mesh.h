@@ -88,7 +88,7 @@ Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::
 /// Fails: not_found; data_loss naming the section when the version, a size or a checksum is wrong.
 Result<std::shared_ptr<const PreparedMesh>> map_prepared_mesh(const std::filesystem::path& path);
 
-/// Bumped whenever the file or the numbers in it change.
+/// Bumped whenever the form of the file changes, or its numbers by more than rounding.
 inline constexpr uint32_t kPreparedFormatVersion = 1;
 
 }  // namespace burnish
