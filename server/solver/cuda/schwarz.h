@@ -2,6 +2,7 @@
 
 #include "server/solver/cuda/branch.h"
 #include "server/solver/cuda/device_memory.h"
+#include "server/solver/cuda/spectrum.h"
 #include "server/solver/cuda/views.h"
 
 namespace burnish::cuda {
@@ -11,28 +12,24 @@ namespace burnish::cuda {
 /// relax_from_zero().
 class Schwarz {
  public:
-  /// λmax of M⁻¹S as found so far, and the iteration's steps for it.
-  struct Spectrum {
-    float lambda_max;
-    float normalise;  ///< keeps the power iteration's vector near one
-    float first_step, momentum, second_step;
-  };
-
   Schwarz(Stream& stream, const Depth& depth);
 
   /// Where set_up() works, until finish_set_up() beside what else the stream does. It comes after
   /// all that the stream has been given so far.
   Stream& fork();
-  /// After a new matrix. Leaves f and r changed. `inverses` is working memory; `anisotropy` the
-  /// largest ratio of α1 and α2 of any cell, on the device.
+  /// What assemble() is to leave S times in r, for set_up() to go on from.
+  const float4* probe() const { return eigenvector_.data(); }
+  /// After a new matrix. Leaves r changed, f too the first time. `inverses` is working memory;
+  /// `anisotropy` the largest ratio of α1 and α2 of any cell, on the device.
   void set_up(const CellSquares<float>& inverses, const float* anisotropy);
+  Stream& beside() { return branch_.stream(); }  ///< where set_up() works
   void finish_set_up() { branch_.join(); }
   void relax_from_zero();
   void relax();
   uint64_t byte_count() const;
 
  private:
-  void estimate_lambda_max(const float* anisotropy);
+  void start_estimate(const PowerStep& power);
 
   Stream& stream_;
   Branch branch_{stream_};
