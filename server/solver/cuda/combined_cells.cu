@@ -76,20 +76,24 @@ struct ChildNumbers {
 };
 
 // load(cell, number, is_pair) is what a number is made of by make(i, cell, number, loaded), i being
-// the child's. A thread loads all that it has of a child at once.
-template <typename Load, typename Make>
+// the child's. A thread loads all that it has of a child at once; after its first loads it calls
+// prepare(), as every thread does.
+template <typename Load, typename Prepare, typename Make>
 __device__ void read_children(const Children& children, const uint8_t* octant, Load&& load,
-                              Make&& make, ChildNumbers& read) {
+                              Prepare&& prepare, Make&& make, ChildNumbers& read) {
   constexpr int kWarps = kThreads / 32;
   constexpr int kShare = CellSquares<float>::kNumbers / kWarps;
   const auto number_of = [](int n) { return n * kWarps + static_cast<int>(threadIdx.x / 32); };
   for (int i = static_cast<int>(threadIdx.x); i < children.count; i += kThreads)
     read.octant[i] = octant[children.cell[i]];
-  for (int i = static_cast<int>(threadIdx.x % 32); i < children.count; i += 32) {
-    const int64_t cell = children.cell[i];
+  for (int first = 0; first < children.count; first += 32) {
+    const int i = first + static_cast<int>(threadIdx.x % 32);
+    const int64_t cell = children.cell[min(i, children.count - 1)];
     decltype(load(cell, 0, true)) loaded[kShare];
 #pragma unroll
     for (int n = 0; n < kShare; ++n) loaded[n] = load(cell, number_of(n), n < 28 / kWarps);
+    if (first == 0) prepare();
+    if (i >= children.count) continue;
 #pragma unroll
     for (int n = 0; n < kShare; ++n)
       read.numbers[number_of(n)][i] = static_cast<float>(make(i, cell, number_of(n), loaded[n]));
@@ -171,16 +175,19 @@ __global__ void __launch_bounds__(kThreads, 6)
   let_next_start();
   const Children children = children_of_block(coarse);
   await_previous();
-  const auto t = static_cast<int>(threadIdx.x);
-  weights[t] = weights_of(metric, t < children.count ? children.cell[t] : -1);
-  __syncthreads();
+  // The host's memory is far: what is here is loaded meanwhile.
+  const auto fetch_weights = [&] {
+    const auto t = static_cast<int>(threadIdx.x);
+    weights[t] = weights_of(metric, t < children.count ? children.cell[t] : -1);
+    __syncthreads();
+  };
   const auto load = [&](int64_t cell, int number, bool is_pair) {
     return integrals_of(integrals, cell, number, is_pair);
   };
   const auto make = [&](int i, int64_t cell, int number, const ThreeIntegrals& loaded) {
     return combined.numbers[number * combined.cells + cell] = combine(loaded, weights[i]);
   };
-  read_children(children, fine.octant, load, make, read);
+  read_children(children, fine.octant, load, fetch_weights, make, read);
   sum_children(coarse, children, read, coarse_cells);
 }
 static_assert(kChildren == kThreads);
@@ -195,7 +202,8 @@ __global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<f
     return fine_cells.numbers[number * fine_cells.cells + cell];
   };
   const auto keep = [](int, int64_t, int, float loaded) { return loaded; };
-  read_children(children, fine.octant, load, keep, read);
+  read_children(
+      children, fine.octant, load, [] {}, keep, read);
   sum_children(coarse, children, read, coarse_cells);
 }
 
