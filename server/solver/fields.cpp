@@ -189,7 +189,7 @@ FieldsView Fields::view() const {
   if (metric_is_old_) update_metric();
   if (beta_is_old_) update_beta();
   metric_is_old_ = beta_is_old_ = false;
-  return {alpha1_, alpha2_, beta_};
+  return {alpha1_, alpha2_, beta_, beta_slider_};
 }
 
 uint64_t Fields::byte_count() const {

@@ -67,7 +67,8 @@ void Solver::set_metric(const FieldsView& fields) {
   backend_->set_metric(fields.alpha1, fields.alpha2);
   backend_->set_constraint(fields.beta);
   assemble_seconds_ += seconds_since(start);
-  restart_ = residual_is_stale_ = true;
+  gradient_scale_ = fields.gradient_scale;
+  restart_ = residual_is_stale_ = rescale_ = true;
 }
 
 void Solver::set_gradient_scale(const FieldsView& fields) {
@@ -75,13 +76,16 @@ void Solver::set_gradient_scale(const FieldsView& fields) {
   const auto start = std::chrono::steady_clock::now();
   backend_->set_constraint(fields.beta);
   assemble_seconds_ += seconds_since(start);
+  rescale_ |= fields.gradient_scale != gradient_scale_;  // a stroke is no reason to move it all
+  gradient_scale_ = fields.gradient_scale;
   restart_ = true;
 }
 
 StepReport Solver::step() {
   use_threads(threads_);
   if (residual_is_stale_ || cycle_ % kRecomputeResidualEvery == 0) backend_->recompute_residual();
-  residual_is_stale_ = false;
+  if (rescale_) backend_->rescale();
+  residual_is_stale_ = rescale_ = false;
   backend_->run_recorded(restart_, [this] {
     backend_->load_residual();
     run_vcycle(*backend_, hierarchy_->coarsest, hierarchy_->finest);

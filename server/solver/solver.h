@@ -9,6 +9,7 @@
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
+#include "common/edit/edit.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/solver/convergence_rate.h"
 #include "server/solver/smoother_names.h"
@@ -45,6 +46,7 @@ struct FieldsView {
   std::span<const float> alpha1;
   std::span<const float> alpha2;
   std::span<const float> beta;
+  double gradient_scale = kBetaDefault;  ///< the slider: β of every cell without paint of its own
 };
 
 class Backend;
@@ -101,6 +103,8 @@ class Solver {
   int cycle_ = 0;
   bool restart_ = true;
   bool residual_is_stale_ = true;
+  double gradient_scale_ = kBetaDefault;  // of the constraint
+  bool rescale_ = false;                  // before the next step
   double assemble_seconds_ = 0;
 };
 

@@ -42,6 +42,16 @@ TEST_P(EverySmoother, BetaOneReturnsTheInputMesh) {
   EXPECT_EQ(filtered.after(1000), mesh.vertices);
 }
 
+// With one β everywhere the displacement is β − 1 times what the metric alone decides.
+TEST_P(EverySmoother, AMovedSliderNeedsOneStep) {
+  Filtered dragged = session(bumpy(), 5), fresh = session(bumpy(), 5);
+  dragged.alpha(8).beta(0.5).exact();
+  const auto expected = fresh.alpha(8).beta(3).exact();
+  const auto moved = dragged.beta(3).after(1);
+  EXPECT_LT(vertex_distance(moved, expected, fresh.diagonal()).max, 2e-5);
+  EXPECT_GT(vertex_distance(moved, bumpy().vertices, fresh.diagonal()).max, 1e-2);
+}
+
 // Coordinates of a sphere are eigenfunctions with λ² = 2/r² and lie in the trial space.
 TEST_P(Facts, ASphereShrinksByTheTransferFunctionAtEveryDepth) {
   const double radius = 2, alpha = 3, beta = 0.25;

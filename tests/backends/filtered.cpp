@@ -52,14 +52,14 @@ std::vector<BackendCase> backend_cases() {
 
 std::vector<BackendCase> every_smoother_cases() {
   std::vector<BackendCase> cases;
-  for (const NamedSmoother& named : kSmoothers) {
-    std::string name = "cpu_" + std::string(named.name);
+  const auto add = [&](BackendKind backend, const char* backend_name, Smoother smoother) {
+    std::string name = backend_name + ("_" + std::string(name_of(smoother)));
     std::ranges::replace(name, '-', '_');
-    cases.push_back({name, {.backend = BackendKind::kCpu, .smoother = named.smoother}});
-  }
+    cases.push_back({name, {.backend = backend, .smoother = smoother}});
+  };
+  for (const NamedSmoother& named : kSmoothers) add(BackendKind::kCpu, "cpu", named.smoother);
   if (cuda_device().is_ok())
-    cases.push_back(
-        {"cuda_schwarz", {.backend = BackendKind::kCuda, .smoother = Smoother::kSchwarz}});
+    for (const Smoother smoother : kCudaSmoothers) add(BackendKind::kCuda, "cuda", smoother);
   return cases;
 }
 

@@ -1,8 +1,8 @@
-// Figure 7 and Table 1: frames per second in the three states of the system, at three depths, by
-// smoother, by threads, and by where the vertices are evaluated. Speed-up: of all threads over one,
-// and of CUDA, where there is a device, over all threads.
+// Figure 7 and Table 1: frames per second in the three states of the system, at three depths.
+// `figure7` has all smoothers by threads, and those of CUDA where there is a device; `ablation`
+// what each of the paper's steps adds, and ours beyond, side by side; `table1` the default on
+// either backend, with the speed-up of all threads over one and of CUDA over all threads.
 
-#include "common/base/parallel.h"
 #include "server/solver/cuda/cuda_backend.h"
 #include "tests/bench/bench_main.h"
 #include "tests/bench/frames.h"
@@ -16,17 +16,77 @@ double per_second(double milliseconds) {
   return 1000 / milliseconds;
 }
 
-std::vector<BenchTable::Column> ablation_columns() {
+/// A smoother on a backend, on all threads or on one; its vertices evaluated here, or by the
+/// client.
+struct Bar {
+  const char* name;
+  BackendKind backend;
+  Smoother smoother;
+  bool on_all_threads = true;
+  bool evaluates = false;
+};
+
+/// The paper's plainest first, then what it adds; then ours.
+constexpr Bar kBars[] = {
+    {"serial_evaluate", BackendKind::kCpu, Smoother::kSlices, false, true},
+    {"serial", BackendKind::kCpu, Smoother::kSlices, false},
+    {"threads", BackendKind::kCpu, Smoother::kSlices},
+    {"blocked", BackendKind::kCpu, Smoother::kBlockedSlices},
+    {"schwarz", BackendKind::kCpu, Smoother::kSchwarz},
+    {"cuda_gauss_seidel", BackendKind::kCuda, Smoother::kGaussSeidel},
+    {"cuda_schwarz", BackendKind::kCuda, Smoother::kSchwarz},
+    {"cuda_schwarz_evaluate", BackendKind::kCuda, Smoother::kSchwarz, true, true},
+};
+
+struct State {
+  const char* name;
+  double FrameTimes::*time;
+};
+constexpr State kStates[] = {
+    {"solve", &FrameTimes::solve}, {"rhs", &FrameTimes::rhs}, {"matrix", &FrameTimes::matrix}};
+
+bool has_device() {
+  return cuda_device().is_ok();
+}
+
+/// All that was measured of one system.
+class Frames {
+ public:
+  explicit Frames(const BenchSystem& system) : system_(system) {}
+
+  Result<FrameTimes> measure(const SolverOptions& options) {
+    ASSIGN_OR_RETURN(const auto session,
+                     Session::open(system_.prepared, system_.hierarchy, options));
+    measured_.emplace_back(options, measure_frames(*session, TransferCurve(kAlphaDefault)));
+    RETURN_IF_ERROR(session->solver().status());
+    return measured_.back().second;
+  }
+
+  /// Needs: measured.
+  const FrameTimes& of(BackendKind backend, Smoother smoother, int threads) const {
+    for (const auto& [options, times] : measured_)
+      if (options.backend == backend && options.smoother == smoother && options.threads == threads)
+        return times;
+    BURNISH_CHECK(false, "every bar is measured");
+  }
+
+ private:
+  const BenchSystem& system_;
+  std::vector<std::pair<SolverOptions, FrameTimes>> measured_;
+};
+
+std::vector<BenchTable::Column> figure_7_columns() {
   return {{"mesh", "", 16},
           {"scan", "", 18},
           {"vertices", "%.0f"},
           {"corners", "%.0f"},
+          {"backend"},
           {"smoother", "", 18},
           {"threads", "%.0f"},
-          {"solve_ms", "%.1f"},
-          {"rhs_ms", "%.1f"},
-          {"matrix_ms", "%.1f"},
-          {"evaluate_ms", "%.1f"},
+          {"solve_ms", "%.2f"},
+          {"rhs_ms", "%.2f"},
+          {"matrix_ms", "%.2f"},
+          {"evaluate_ms", "%.2f"},
           {"solve_fps", "%.1f"},
           {"rhs_fps", "%.1f"},
           {"matrix_fps", "%.1f"},
@@ -35,64 +95,104 @@ std::vector<BenchTable::Column> ablation_columns() {
           {"matrix_evaluate_fps", "%.1f"}};
 }
 
-Result<FrameTimes> times_of(const BenchSystem& system, BackendKind backend, Smoother smoother,
-                            int threads) {
-  const SolverOptions options{.backend = backend, .smoother = smoother, .threads = threads};
-  ASSIGN_OR_RETURN(const auto session, Session::open(system.prepared, system.hierarchy, options));
-  use_threads(threads);
-  return measure_frames(*session, TransferCurve(kAlphaDefault));
+std::vector<BenchTable::Column> ablation_columns() {
+  std::vector<BenchTable::Column> columns = {
+      {"scan", "", 18}, {"corners", "%.0f"}, {"state", "", 6}};
+  for (const Bar& bar : kBars)
+    if (bar.backend == BackendKind::kCpu || has_device())
+      columns.push_back({std::string(bar.name) + "_fps", "%.1f"});
+  return columns;
+}
+
+std::vector<BenchTable::Column> table_1_columns() {
+  std::vector<BenchTable::Column> columns = {
+      {"scan", "", 18}, {"vertices", "%.0f"}, {"corners", "%.0f"}};
+  for (const std::string backend : {"cpu", "cuda"}) {
+    if (backend == "cuda" && !has_device()) continue;
+    for (const State& state : kStates)
+      columns.push_back({backend + "_" + state.name + "_fps", "%.1f"});
+    columns.push_back({backend + "_speed_up", "%.2f"});
+  }
+  return columns;
+}
+
+struct Tables {
+  BenchTable &figure_7, &ablation, &table_1;
+};
+
+Status measure_all(const std::string& mesh, const BenchSystem& system,
+                   const BenchArguments& arguments, Frames& frames, BenchTable& table) {
+  const auto measure = [&](BackendKind backend, Smoother smoother, int threads) -> Status {
+    ASSIGN_OR_RETURN(const FrameTimes times, frames.measure({backend, smoother, threads}));
+    table.add({mesh, system.name, static_cast<double>(system.prepared->vertices.size()),
+               static_cast<double>(system.corners()), backend == BackendKind::kCpu ? "cpu" : "cuda",
+               std::string(name_of(smoother)), static_cast<double>(threads), times.solve, times.rhs,
+               times.matrix, times.evaluate, per_second(times.solve), per_second(times.rhs),
+               per_second(times.matrix), per_second(times.solve + times.evaluate),
+               per_second(times.rhs + times.evaluate), per_second(times.matrix + times.evaluate)});
+    return Status::ok();
+  };
+  for (const NamedSmoother& named : kSmoothers)
+    for (const int threads : thread_counts(arguments))
+      RETURN_IF_ERROR(measure(BackendKind::kCpu, named.smoother, threads));
+  if (has_device())
+    for (const Smoother smoother : kCudaSmoothers)
+      RETURN_IF_ERROR(measure(BackendKind::kCuda, smoother, arguments.threads));
+  return Status::ok();
+}
+
+void add_to_ablation(const BenchSystem& system, const BenchArguments& arguments,
+                     const Frames& frames, BenchTable& table) {
+  for (const State& state : kStates) {
+    std::vector<BenchTable::Value> row = {system.name, static_cast<double>(system.corners()),
+                                          state.name};
+    for (const Bar& bar : kBars) {
+      if (bar.backend == BackendKind::kCuda && !has_device()) continue;
+      const FrameTimes& times =
+          frames.of(bar.backend, bar.smoother, bar.on_all_threads ? arguments.threads : 1);
+      row.emplace_back(per_second(times.*state.time + (bar.evaluates ? times.evaluate : 0)));
+    }
+    table.add(row);
+  }
+}
+
+void add_to_table_1(const BenchSystem& system, const BenchArguments& arguments,
+                    const Frames& frames, BenchTable& table) {
+  std::vector<BenchTable::Value> row = {system.name,
+                                        static_cast<double>(system.prepared->vertices.size()),
+                                        static_cast<double>(system.corners())};
+  const auto add = [&](const FrameTimes& times, const FrameTimes& slower) {
+    for (const State& state : kStates) row.emplace_back(per_second(times.*state.time));
+    row.emplace_back(slower.solve / times.solve);
+  };
+  const auto times_of = [&](BackendKind backend, int threads) {
+    return frames.of(backend, SolverOptions().smoother, threads);
+  };
+  const FrameTimes on_cpu = times_of(BackendKind::kCpu, arguments.threads);
+  add(on_cpu, times_of(BackendKind::kCpu, 1));
+  if (has_device()) add(times_of(BackendKind::kCuda, arguments.threads), on_cpu);
+  table.add(row);
 }
 
 Status report_system(const std::string& mesh, const BenchSystem& system,
-                     const BenchArguments& arguments, BenchTable& ablation, BenchTable& table_1) {
-  const double vertices = static_cast<double>(system.prepared->vertices.size());
-  const double corners = system.corners();
-  const auto add_to_table_1 = [&](const char* backend, const FrameTimes& times, double speed_up) {
-    table_1.add({system.name, backend, vertices, corners, per_second(times.solve),
-                 per_second(times.rhs), per_second(times.matrix), speed_up});
-  };
-  FrameTimes on_cpu;
-  for (const NamedSmoother& named : kSmoothers) {
-    FrameTimes one_thread;
-    for (int threads : thread_counts(arguments)) {
-      ASSIGN_OR_RETURN(const FrameTimes times,
-                       times_of(system, BackendKind::kCpu, named.smoother, threads));
-      if (threads == 1) one_thread = times;
-      ablation.add({mesh, system.name, vertices, corners, std::string(named.name),
-                    static_cast<double>(threads), times.solve, times.rhs, times.matrix,
-                    times.evaluate, per_second(times.solve), per_second(times.rhs),
-                    per_second(times.matrix), per_second(times.solve + times.evaluate),
-                    per_second(times.rhs + times.evaluate),
-                    per_second(times.matrix + times.evaluate)});
-      if (named.smoother != SolverOptions().smoother || threads != arguments.threads) continue;
-      add_to_table_1("cpu", times, one_thread.solve / times.solve);
-      on_cpu = times;
-    }
-  }
-  if (!cuda_device().is_ok()) return Status::ok();
-  ASSIGN_OR_RETURN(const FrameTimes times,
-                   times_of(system, BackendKind::kCuda, Smoother::kSchwarz, arguments.threads));
-  add_to_table_1("cuda", times, on_cpu.solve / times.solve);
+                     const BenchArguments& arguments, const Tables& tables) {
+  Frames frames(system);
+  RETURN_IF_ERROR(measure_all(mesh, system, arguments, frames, tables.figure_7));
+  add_to_ablation(system, arguments, frames, tables.ablation);
+  add_to_table_1(system, arguments, frames, tables.table_1);
   return Status::ok();
 }
 
 Status run(const BenchArguments& arguments, BenchReport& report) {
-  BenchTable& ablation = report.add_table("figure7", ablation_columns());
-  BenchTable& table_1 = report.add_table("table1", {{"scan", "", 18},
-                                                    {"backend", "", 8},
-                                                    {"vertices", "%.0f"},
-                                                    {"corners", "%.0f"},
-                                                    {"solve_fps", "%.1f"},
-                                                    {"rhs_fps", "%.1f"},
-                                                    {"matrix_fps", "%.1f"},
-                                                    {"speed_up", "%.2f"}});
+  const Tables tables = {report.add_table("figure7", figure_7_columns()),
+                         report.add_table("ablation", ablation_columns()),
+                         report.add_table("table1", table_1_columns())};
   for (const ScanArgument& scan : arguments.scans) {
     ASSIGN_OR_RETURN(const TriangleMesh mesh, load_mesh(scan));
     const int finest = depth_of(scan, mesh);
     for (int depth = std::max(kDepthMin, finest - kDepths + 1); depth <= finest; ++depth) {
       ASSIGN_OR_RETURN(const auto system, system_or_remark(scan, mesh, depth, arguments, report));
-      if (system)
-        RETURN_IF_ERROR(report_system(scan.name(), *system, arguments, ablation, table_1));
+      if (system) RETURN_IF_ERROR(report_system(scan.name(), *system, arguments, tables));
     }
   }
   return Status::ok();

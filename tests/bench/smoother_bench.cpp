@@ -1,6 +1,8 @@
-// Every smoother's distance from the converged surface, by cycle and by millisecond.
+// Every smoother's distance from the converged surface, by cycle and by millisecond; those of CUDA,
+// too, where there is a device.
 
 #include "common/base/parallel.h"
+#include "server/solver/cuda/cuda_backend.h"
 #include "tests/bench/bench_main.h"
 #include "tests/bench/converged.h"
 #include "tests/bench/frames.h"
@@ -44,22 +46,43 @@ Fields fields_of(const Case& what, const PreparedMesh& prepared) {
   return fields;
 }
 
-Status report_smoother(const BenchSystem& system, const Case& what, const NamedSmoother& named,
-                       const Converged& converged, int threads, BenchTable& table) {
-  ASSIGN_OR_RETURN(const auto solver, Solver::create(system.prepared, system.hierarchy,
-                                                     {.backend = BackendKind::kCpu,
-                                                      .smoother = named.smoother,
-                                                      .threads = threads}));
+std::vector<SolverOptions> every_smoother(int threads) {
+  std::vector<SolverOptions> all;
+  for (const NamedSmoother& named : kSmoothers)
+    all.push_back({BackendKind::kCpu, named.smoother, threads});
+  if (cuda_device().is_ok())
+    for (const Smoother smoother : kCudaSmoothers)
+      all.push_back({BackendKind::kCuda, smoother, threads});
+  return all;
+}
+
+// Two steps of either kind on the unfiltered surface, which they leave: a device records them.
+void warm_up(Solver& solver, Case what, const PreparedMesh& prepared) {
+  what.beta = 1;
+  what.stroke = false;
+  const Fields fields = fields_of(what, prepared);
+  for (int i = 0; i < 2; ++i) {
+    solver.set_metric(fields.view());
+    solver.step();
+    solver.step();
+  }
+}
+
+Status report_smoother(const BenchSystem& system, const Case& what, const SolverOptions& options,
+                       const Converged& converged, BenchTable& table) {
+  ASSIGN_OR_RETURN(const auto solver, Solver::create(system.prepared, system.hierarchy, options));
+  warm_up(*solver, what, *system.prepared);
   const Fields fields = fields_of(what, *system.prepared);
   const double matrix = milliseconds([&] { solver->set_metric(fields.view()); });
   double time = 0;
   for (int cycle = 1; cycle <= kCycles; ++cycle) {
     time += milliseconds([&] { solver->step(); });
     const VertexDistance distance = converged.distance(*solver);
-    table.add({system.name, what.name, std::string(named.name), static_cast<double>(cycle), time,
+    table.add({system.name, what.name, std::string(solver->backend_name()),
+               std::string(name_of(options.smoother)), static_cast<double>(cycle), time,
                distance.max, distance.rms, matrix});
   }
-  return Status::ok();
+  return solver->status();
 }
 
 Status run(const BenchArguments& arguments, BenchReport& report) {
@@ -71,6 +94,7 @@ Status run(const BenchArguments& arguments, BenchReport& report) {
                                                           {"moved_max", "%.1e"}});
   BenchTable& errors = report.add_table("smoothers", {{"scan", "", 18},
                                                       {"case", "", 22},
+                                                      {"backend", "", 8},
                                                       {"smoother", "", 18},
                                                       {"cycle", "%.0f"},
                                                       {"time_ms", "%.1f"},
@@ -87,9 +111,8 @@ Status run(const BenchArguments& arguments, BenchReport& report) {
       ASSIGN_OR_RETURN(const Converged converged, Converged::solve(*system, fields.view()));
       references.add({system->name, what.name, static_cast<double>(converged.cycles),
                       converged.residual, converged.correction, converged.moved_max});
-      for (const NamedSmoother& named : kSmoothers)
-        RETURN_IF_ERROR(
-            report_smoother(*system, what, named, converged, arguments.threads, errors));
+      for (const SolverOptions& options : every_smoother(arguments.threads))
+        RETURN_IF_ERROR(report_smoother(*system, what, options, converged, errors));
     }
   }
   return Status::ok();

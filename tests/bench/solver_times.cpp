@@ -1,6 +1,7 @@
-// Prints one line per backend: medians of the solver's calls.
-// Usage: solver_times SCAN[@DEPTH] cpu|cuda...      SCAN: a mesh file or KIND:VERTICES
+// Prints one line per backend and smoother: medians of the solver's calls.
+// Usage: solver_times SCAN[@DEPTH] cpu|cuda[:SMOOTHER]...      SCAN: a mesh file or KIND:VERTICES
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <span>
@@ -15,13 +16,27 @@ namespace {
 
 constexpr double kCornersMax = 3e7;
 
-Status print_times(const BenchSystem& system, BackendKind backend) {
-  ASSIGN_OR_RETURN(auto solver,
-                   Solver::create(system.prepared, system.hierarchy, {.backend = backend}));
+// "cuda:gauss-seidel"
+Result<SolverOptions> parse_options(std::string_view text) {
+  const std::string_view backend = text.substr(0, text.find(':'));
+  if (backend != "cpu" && backend != "cuda")
+    return invalid_argument("backend '" + std::string(backend) + "' is neither cpu nor cuda");
+  SolverOptions options{.backend = backend == "cpu" ? BackendKind::kCpu : BackendKind::kCuda};
+  if (backend.size() == text.size()) return options;
+  const std::string_view smoother = text.substr(backend.size() + 1);
+  const auto named = std::ranges::find(kSmoothers, smoother, &NamedSmoother::name);
+  if (named == std::end(kSmoothers))
+    return invalid_argument("there is no smoother '" + std::string(smoother) + "'");
+  options.smoother = named->smoother;
+  return options;
+}
+
+Status print_times(const BenchSystem& system, const SolverOptions& options) {
+  ASSIGN_OR_RETURN(auto solver, Solver::create(system.prepared, system.hierarchy, options));
   Fields fields(*system.prepared);
   fields.set_transfer_curve(TransferCurve(20));
   fields.set_gradient_scale(0.3);
-  const int repeats = backend == BackendKind::kCpu ? 3 : 20;
+  const int repeats = options.backend == BackendKind::kCpu ? 3 : 20;
   // Other fields each time: what has not changed a backend need not look at.
   Fields others = fields;
   others.set_transfer_curve(TransferCurve(20.1));
@@ -39,10 +54,10 @@ Status print_times(const BenchSystem& system, BackendKind backend) {
   const double step = median_milliseconds(5 * repeats, 2, [&] { last = solver->step(); });
   RETURN_IF_ERROR(solver->status());
   std::printf(
-      "%-5s depth %2d..%d  n %8d  step %8.3f ms  matrix+rhs %9.3f ms  rhs %8.3f ms  "
+      "%-5s%-13s depth %2d..%d  n %8d  step %8.3f ms  matrix+rhs %9.3f ms  rhs %8.3f ms  "
       "%6.0f bytes/corner  distance %.1e after %d\n",
-      std::string(solver->backend_name()).c_str(), system.hierarchy->coarsest, system.depth(),
-      system.corners(), step, matrix, constraint,
+      std::string(solver->backend_name()).c_str(), std::string(name_of(options.smoother)).c_str(),
+      system.hierarchy->coarsest, system.depth(), system.corners(), step, matrix, constraint,
       static_cast<double>(solver->byte_count()) / system.corners(), last.distance, last.cycle);
   return Status::ok();
 }
@@ -52,8 +67,10 @@ Status run(const char* name, std::span<char*> backends) {
   ASSIGN_OR_RETURN(const TriangleMesh mesh, load_mesh(scan));
   ASSIGN_OR_RETURN(const BenchSystem system,
                    make_system(scan, mesh, depth_of(scan, mesh), kCornersMax));
-  for (const std::string_view backend : backends)
-    RETURN_IF_ERROR(print_times(system, backend == "cpu" ? BackendKind::kCpu : BackendKind::kCuda));
+  for (const char* backend : backends) {
+    ASSIGN_OR_RETURN(const SolverOptions options, parse_options(backend));
+    RETURN_IF_ERROR(print_times(system, options));
+  }
   return Status::ok();
 }
 
@@ -62,7 +79,7 @@ Status run(const char* name, std::span<char*> backends) {
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::cerr << "usage: solver_times SCAN[@DEPTH] cpu|cuda...\n";
+    std::cerr << "usage: solver_times SCAN[@DEPTH] cpu|cuda[:SMOOTHER]...\n";
     return 2;
   }
   const auto status = burnish::run(argv[1], {argv + 2, static_cast<size_t>(argc - 2)});

@@ -44,6 +44,24 @@ void ConjugateGradients::recompute_residual() {
   });
 }
 
+// The energy ½a²u·Su − a u·b is least at a = u·b / u·Su, and Su is b − r.
+void ConjugateGradients::rescale() {
+  const Sums sums = ordered_sum<Sums>(finest_.corner_count(), [&](int32_t begin, int32_t end) {
+    Sums sum;
+    for (int32_t i = begin; i < end; ++i) {
+      sum.first += u_[i] * b_[i];
+      sum.second += u_[i] * (b_[i] - r_[i]);
+    }
+    return sum;
+  });
+  const Double4 factor = quotient(sums.first, sums.second);
+#pragma omp parallel for schedule(static)
+  for (int32_t i = 0; i < finest_.corner_count(); ++i) {
+    u_[i] *= factor;
+    r_[i] = b_[i] - factor * (b_[i] - r_[i]);
+  }
+}
+
 void ConjugateGradients::load_residual() {
 #pragma omp parallel for schedule(static)
   for (int32_t i = 0; i < finest_.corner_count(); ++i) finest_.f[i] = r_[i].cast<float>();

@@ -23,6 +23,7 @@ class ConjugateGradients {
   const std::vector<Double4>& displacement() const { return u_; }
 
   void recompute_residual();
+  void rescale();
   void load_residual();
   void update_direction(bool restart);
   void advance();

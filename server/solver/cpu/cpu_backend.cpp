@@ -90,6 +90,7 @@ class CpuBackend final : public Backend {
   void solve_coarsest() override { coarsest_.solve(depths_.front()); }
 
   void recompute_residual() override { outer_->recompute_residual(); }
+  void rescale() override { outer_->rescale(); }
   void load_residual() override { outer_->load_residual(); }
   void update_direction(bool restart) override { outer_->update_direction(restart); }
   void advance() override { outer_->advance(); }

@@ -50,6 +50,29 @@ __global__ void pin_kernel(Vectors v) {
     v.u[i] = Double3{0, 0, 0};
 }
 
+// u·b and u·Su, Su being b − r.
+__global__ void scale_sums_kernel(Vectors v) {
+  await_previous();
+  Sums<9> sums = {};
+  for (int64_t i = thread_index(); i < v.finest.topology.corner_count; i += stride()) {
+    add(v.u[i] * v.b[i], sums.at);
+    add(v.u[i] * (v.b[i] - v.r[i]), sums.at + 3);
+  }
+  Sums<9> total;
+  if (!add_up(sums, v.products, &total)) return;
+  for (int n = 0; n < 3; ++n) v.scalars->scale[n] = quotient(total.at[n], total.at[3 + n]);
+}
+
+__global__ void rescale_kernel(Vectors v) {
+  await_previous();
+  const int64_t i = thread_index();
+  if (i >= v.finest.topology.corner_count) return;
+  const Double3 scale = triple(v.scalars->scale), b = v.b[i], r = b - scale * (b - v.r[i]);
+  v.u[i] = scale * v.u[i];
+  v.r[i] = r;
+  v.finest.f[i] = to_float(r);
+}
+
 // With p = z + m p' conjugate to p', p·q = z·w + m z·q'. The residual is orthogonal to p', hence
 // p·r = z·r.
 __device__ void choose_step(const Sums<9>& products, bool restart, Scalars& scalars) {
@@ -183,6 +206,11 @@ void ConjugateGradients::recompute_residual() {
   launch(stream_, pin_kernel, n_, vectors_);
   const Rows& rows = vectors_.finest.topology.rows;
   launch_products<Double3>(stream_, recompute_residual_kernel, rows, rows.group_count, vectors_);
+}
+
+void ConjugateGradients::rescale() {
+  launch_striding(stream_, scale_sums_kernel, n_, vectors_);
+  launch(stream_, rescale_kernel, n_, vectors_);
 }
 
 void ConjugateGradients::update_direction(bool restart) {

@@ -22,6 +22,7 @@ class ConjugateGradients {
     double p_dot_q[3];
     double step[3];  ///< a of the last advance()
     double momentum[3];
+    double scale[3];  ///< a of the last rescale()
     float correction_squared_max;
     double energy, residual, constraint;
   };
@@ -45,6 +46,7 @@ class ConjugateGradients {
   const DeviceArray<Double3>& displacement() const { return u_; }
 
   void recompute_residual();
+  void rescale();
   void update_direction(bool restart);
   void advance();
   /// The sums of backend.h's Measures after the last advance(), not yet divided and rooted. Waits

@@ -1,5 +1,6 @@
 #include "server/solver/cuda/cuda_backend.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "server/solver/cuda/assembly.h"
@@ -14,7 +15,7 @@
 #include "server/solver/cuda/graphs.h"
 #include "server/solver/cuda/placement.h"
 #include "server/solver/cuda/readout.h"
-#include "server/solver/cuda/schwarz.h"
+#include "server/solver/cuda/smoother.h"
 #include "server/solver/cuda/transfer.h"
 
 namespace burnish {
@@ -27,7 +28,7 @@ constexpr int kMetricGraph = -1;  // beside the keys of run_recorded()
 
 class CudaBackend final : public Backend {
  public:
-  explicit CudaBackend(std::shared_ptr<const DeviceMesh> mesh)
+  CudaBackend(std::shared_ptr<const DeviceMesh> mesh, Smoother smoother)
       : mesh_(std::move(mesh)),
         stream_(mesh_->device),
         coarse_offset_(mesh_->hierarchy->coarsest),
@@ -44,7 +45,8 @@ class CudaBackend final : public Backend {
       depths_.emplace_back(stream_, topology.view(), !is_inner);
     }
     for (size_t i = 1; i < depths_.size(); ++i)
-      smoothers_.push_back(std::make_unique<Schwarz>(stream_, depths_[i].view()));
+      smoothers_.push_back(
+          make_smoother(smoother, stream_, mesh_->hierarchy->depths[i], depths_[i].view()));
     coarsest_.emplace(stream_, mesh_->hierarchy->depths.front(), depths_.front().view());
     outer_.emplace(stream_, finest(), mesh_->evaluation.data(), mesh_->evaluation.size());
   }
@@ -94,6 +96,7 @@ class CudaBackend final : public Backend {
     outer_->recompute_residual();
     residual_is_stale_ = false;
   }
+  void rescale() override { outer_->rescale(); }
   void load_residual() override {}  // f goes with r
   void update_direction(bool restart) override { outer_->update_direction(restart); }
   void advance() override { outer_->advance(); }
@@ -118,7 +121,7 @@ class CudaBackend final : public Backend {
  private:
   const Depth& at(int depth) const { return depths_[depth - coarse_offset_].view(); }
   const Depth& finest() const { return depths_.back().view(); }
-  Schwarz& smoother(int depth) { return *smoothers_[depth - coarse_offset_ - 1]; }
+  DepthSmoother& smoother(int depth) { return *smoothers_[depth - coarse_offset_ - 1]; }
 
   size_t cells() const { return mesh_->prepared->cells.size(); }
   size_t cells_of_coarse_depths() const {
@@ -169,7 +172,7 @@ class CudaBackend final : public Backend {
   // place.
   template <typename Real>
   void start_smoother(size_t above, const CellSquares<Real>& cells) {
-    Schwarz& smoother = *smoothers_[smoothers_.size() - 1 - above];
+    DepthSmoother& smoother = *smoothers_[smoothers_.size() - 1 - above];
     double* row_sum = above == 0 ? outer_->row_sum() : nullptr;
     assemble(smoother.fork(), cells, view(above), row_sum, smoother.probe(),
              pinned_below_.data() + above);
@@ -196,8 +199,8 @@ class CudaBackend final : public Backend {
   DeviceArray<double> combined_;        // CellSquares of the finest depth
   DeviceArray<float> coarse_combined_;  // of the others, from the finest
   DeviceArray<float> pinned_below_, anisotropy_;
-  std::vector<DeviceDepth> depths_;                  // from the coarsest
-  std::vector<std::unique_ptr<Schwarz>> smoothers_;  // none at the coarsest
+  std::vector<DeviceDepth> depths_;                        // from the coarsest
+  std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
   std::optional<CoarsestSolver> coarsest_;
   std::optional<ConjugateGradients> outer_;
   Readout readout_{stream_};
@@ -208,16 +211,23 @@ class CudaBackend final : public Backend {
 
 }  // namespace cuda
 
+static Status must_have(Smoother smoother) {
+  if (std::ranges::find(kCudaSmoothers, smoother) != std::end(kCudaSmoothers)) return Status::ok();
+  std::string all;
+  for (const Smoother one : kCudaSmoothers)
+    all += (all.empty() ? "" : " and ") + std::string(name_of(one));
+  return unimplemented("smoother " + std::string(name_of(smoother)) + ": the CUDA backend has " +
+                       all + " only");
+}
+
 Result<std::unique_ptr<Backend>> make_cuda_backend(std::shared_ptr<const PreparedMesh> prepared,
                                                    std::shared_ptr<const Hierarchy> hierarchy,
                                                    Smoother smoother) {
   RETURN_IF_ERROR(cuda_device().status());
-  if (smoother != Smoother::kSchwarz)
-    return unimplemented("smoother " + std::string(name_of(smoother)) +
-                         ": the CUDA backend has schwarz only");
+  RETURN_IF_ERROR(must_have(smoother));
   const int device = least_loaded(cuda_memory_by_device());
   ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh(device, std::move(prepared), std::move(hierarchy)));
-  std::unique_ptr<Backend> backend = std::make_unique<cuda::CudaBackend>(std::move(mesh));
+  std::unique_ptr<Backend> backend = std::make_unique<cuda::CudaBackend>(std::move(mesh), smoother);
   RETURN_IF_ERROR(backend->status());
   return backend;
 }

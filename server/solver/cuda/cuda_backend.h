@@ -26,6 +26,9 @@ std::vector<uint64_t> cuda_memory_by_device();  ///< bytes; one number where the
 /// Lets each device do a trifle and waits for it. Fails: internal_error; CUDA's errors stick.
 Status probe_cuda_device();
 
+/// The smoothers that the CUDA backend has, the default first.
+inline constexpr Smoother kCudaSmoothers[] = {Smoother::kSchwarz, Smoother::kGaussSeidel};
+
 /// The CUDA backend on the device that holds the least: float32 V-cycle, double outer iteration; on
 /// one device the same input gives the same bits. Fails: failed_precondition (no device),
 /// unimplemented (smoother), resource_exhausted (device memory, with the numbers).

@@ -2,6 +2,7 @@
 
 #include "server/solver/cuda/branch.h"
 #include "server/solver/cuda/device_memory.h"
+#include "server/solver/cuda/smoother.h"
 #include "server/solver/cuda/spectrum.h"
 #include "server/solver/cuda/views.h"
 
@@ -10,23 +11,18 @@ namespace burnish::cuda {
 /// Chebyshev of degree 2 on additive Schwarz over cells: M⁻¹ = Σ_c R_cᵀ (B_c + reg)⁻¹ R_c with B_c
 /// the 8×8 block of the diagonally scaled S at the corners of cell c. relax() is the transpose of
 /// relax_from_zero().
-class Schwarz {
+class Schwarz final : public DepthSmoother {
  public:
   Schwarz(Stream& stream, const Depth& depth);
 
-  /// Where set_up() works, until finish_set_up() beside what else the stream does. It comes after
-  /// all that the stream has been given so far.
-  Stream& fork();
-  /// What assemble() is to leave S times in r, for set_up() to go on from.
-  const float4* probe() const { return eigenvector_.data(); }
-  /// After a new matrix. Leaves r changed, f too the first time. `inverses` is working memory;
-  /// `anisotropy` the largest ratio of α1 and α2 of any cell, on the device.
-  void set_up(const CellSquares<float>& inverses, const float* anisotropy);
-  Stream& beside() { return branch_.stream(); }  ///< where set_up() works
-  void finish_set_up() { branch_.join(); }
-  void relax_from_zero();
-  void relax();
-  uint64_t byte_count() const;
+  Stream& fork() override;
+  Stream& beside() override { return branch_.stream(); }
+  const float4* probe() const override { return eigenvector_.data(); }
+  void set_up(const CellSquares<float>& inverses, const float* anisotropy) override;
+  void finish_set_up() override { branch_.join(); }
+  void relax_from_zero() override;
+  void relax() override;
+  uint64_t byte_count() const override;
 
  private:
   void start_estimate(const PowerStep& power);

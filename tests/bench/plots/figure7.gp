@@ -1,5 +1,6 @@
-# Frames per second in the three states: a bar for each smoother with all threads; its dark part,
-# one thread; the point, all threads with the vertices evaluated here and not by the client.
+# Frames per second in the three states on the CPU: a bar for each smoother with all threads; its
+# dark part, one thread; the point, all threads with the vertices evaluated here and not by the
+# client.
 
 load "style.gp"
 
@@ -9,7 +10,7 @@ meshes = distinct("figure7", "mesh")
 most = word(threads, words(threads))
 bars = words(smoothers)
 place(smoother) = sum [s = 1:bars] (word(smoothers, s) eq smoother ? s : 0)
-at_smoother(condition) = only(condition && is("scan", scan), place(strcol("smoother")))
+at_smoother(condition) = only(condition && is("scan", scan) && is("backend", "cpu"), place(strcol("smoother")))
 with_threads(t) = is("threads", t)
 
 do for [mesh in meshes] {

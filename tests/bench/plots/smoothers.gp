@@ -1,5 +1,5 @@
 # Largest (thick) and root-mean-square (thin) distance of the vertices from the converged surface,
-# by cycle and by time; a sheet of all cases for each scan.
+# by cycle and by time on the CPU; a sheet of all cases for each scan.
 
 load "style.gp"
 
@@ -7,7 +7,7 @@ smoothers = distinct("smoothers", "smoother")
 cases = distinct("smoothers", "case")
 scans = distinct("smoothers", "scan")
 title_of(name) = system(sprintf("printf %%s '%s' | sed 's/_/, /; s/-/ /g'", name))
-row(c, smoother) = is("scan", scan) && is("case", c) && is("smoother", smoother)
+row(c, smoother) = is("scan", scan) && is("case", c) && is("backend", "cpu") && is("smoother", smoother)
 
 set logscale y
 set format y power_of_ten
