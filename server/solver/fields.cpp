@@ -1,16 +1,23 @@
 #include "server/solver/fields.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "common/grid/morton.h"
 
 namespace burnish {
 
+// With fewer cells one thread is through with β before others have woken; and with fewer cells
+// times dabs with a brush's.
+static constexpr size_t kParallelMin = 1 << 18;
+static constexpr size_t kPaintParallelMin = 1 << 13;
+
 Fields::Fields(const PreparedMesh& prepared)
     : prepared_(prepared),
       painted_beta_(prepared.cells.size(), 0),
       painted_weight_(prepared.cells.size(), 0),
+      may_have_paint_((prepared.cells.size() + kStretch - 1) / kStretch, 0),
       alpha1_(prepared.cells.size(), static_cast<float>(kAlphaDefault)),
       alpha2_(prepared.cells.size(), static_cast<float>(kAlphaDefault)),
       beta_(prepared.cells.size(), static_cast<float>(kBetaDefault)) {}
@@ -88,8 +95,10 @@ class CellsInBox {
 void Fields::paint(const Brush& brush, std::span<const Vec3d> centres) {
   const Box box = box_of(centres, brush.radius);
   const CellsInBox near(prepared_.cells, prepared_.frame, box);
-#pragma omp parallel for schedule(dynamic, 4096)
-  for (size_t i = 0; i < near.found().size(); ++i) {
+  for (const int64_t c : near.found()) may_have_paint_[c / kStretch] = 1;
+  const size_t found = near.found().size();
+#pragma omp parallel for schedule(dynamic, 256) if (found * centres.size() >= kPaintParallelMin)
+  for (size_t i = 0; i < found; ++i) {
     const int64_t c = near.found()[i];
     const Vec3i cell = morton_point(prepared_.cells[c]);
     const Vec3d middle = prepared_.frame.to_file(cell.cast<double>() + Vec3d::Constant(0.5));
@@ -111,11 +120,15 @@ void Fields::paint(const Brush& brush, std::span<const Vec3d> centres) {
 
 PaintedCells Fields::painted() const {
   PaintedCells painted;
-  for (size_t c = 0; c < painted_weight_.size(); ++c) {
-    if (painted_weight_[c] == 0 && painted_beta_[c] == 0) continue;
-    painted.cells.push_back(static_cast<int32_t>(c));
-    painted.beta.push_back(painted_beta_[c]);
-    painted.weight.push_back(painted_weight_[c]);
+  for (size_t stretch = 0; stretch < may_have_paint_.size(); ++stretch) {
+    if (!may_have_paint_[stretch]) continue;
+    const size_t end = std::min((stretch + 1) * kStretch, painted_weight_.size());
+    for (size_t c = stretch * kStretch; c < end; ++c) {
+      if (painted_weight_[c] == 0 && painted_beta_[c] == 0) continue;
+      painted.cells.push_back(static_cast<int32_t>(c));
+      painted.beta.push_back(painted_beta_[c]);
+      painted.weight.push_back(painted_weight_[c]);
+    }
   }
   return painted;
 }
@@ -123,9 +136,11 @@ PaintedCells Fields::painted() const {
 void Fields::set_painted(const PaintedCells& painted) {
   std::fill(painted_beta_.begin(), painted_beta_.end(), 0.0f);
   std::fill(painted_weight_.begin(), painted_weight_.end(), 0.0f);
+  std::fill(may_have_paint_.begin(), may_have_paint_.end(), uint8_t{0});
   for (size_t i = 0; i < painted.cells.size(); ++i) {
     painted_beta_[painted.cells[i]] = painted.beta[i];
     painted_weight_[painted.cells[i]] = painted.weight[i];
+    may_have_paint_[painted.cells[i] / kStretch] = 1;
   }
   beta_is_old_ = true;
 }
@@ -178,14 +193,46 @@ FieldsView Fields::view() const {
 }
 
 uint64_t Fields::byte_count() const {
-  return 5 * beta_.size() * sizeof(float) + overrides_.size() * sizeof(overrides_[0]);
+  return 5 * beta_.size() * sizeof(float) + may_have_paint_.size() +
+         overrides_.size() * sizeof(overrides_[0]);
 }
 
+namespace {
+
+/// TransferCurve::alpha() of many curvatures, to the same bits: without the logarithms of its
+/// points, which take longer than all the rest.
+class ManyAlphas {
+ public:
+  explicit ManyAlphas(const TransferCurve& curve) : points_(curve.points()) {
+    for (const TransferCurve::Point& point : points_) logs_.push_back(std::log(point.alpha));
+  }
+
+  float operator()(double kappa) const {
+    const auto right =
+        std::upper_bound(points_.begin(), points_.end(), kappa,
+                         [](double k, const TransferCurve::Point& p) { return k < p.kappa; });
+    if (right == points_.begin()) return static_cast<float>(points_.front().alpha);
+    if (right == points_.end()) return static_cast<float>(points_.back().alpha);
+    const auto log = logs_.begin() + (right - points_.begin());
+    const double t = (kappa - (right - 1)->kappa) / (right->kappa - (right - 1)->kappa);
+    return static_cast<float>(std::exp(*(log - 1) * (1 - t) + *log * t));
+  }
+
+ private:
+  const std::vector<TransferCurve::Point>& points_;
+  std::vector<double> logs_;
+};
+
+}  // namespace
+
 void Fields::update_metric() const {
+  const ManyAlphas alpha(curve_);
+  const bool is_constant = curve_.is_constant();
+  const float one = alpha(0);
 #pragma omp parallel for schedule(static)
   for (int64_t c = 0; c < static_cast<int64_t>(alpha1_.size()); ++c) {
-    alpha1_[c] = static_cast<float>(curve_.alpha(prepared_.curvature[c].kappa1));
-    alpha2_[c] = static_cast<float>(curve_.alpha(prepared_.curvature[c].kappa2));
+    alpha1_[c] = is_constant ? one : alpha(prepared_.curvature[c].kappa1);
+    alpha2_[c] = is_constant ? one : alpha(prepared_.curvature[c].kappa2);
   }
   for (const auto& [c, cell] : overrides_) {
     alpha1_[c] = static_cast<float>(cell.alpha1);
@@ -194,10 +241,16 @@ void Fields::update_metric() const {
 }
 
 void Fields::update_beta() const {
-#pragma omp parallel for schedule(static)
-  for (int64_t c = 0; c < static_cast<int64_t>(beta_.size()); ++c) {
-    const double weight = painted_weight_[c];
-    beta_[c] = static_cast<float>((1 - weight) * beta_slider_ + weight * painted_beta_[c]);
+#pragma omp parallel for schedule(static) if (beta_.size() >= kParallelMin)
+  for (size_t stretch = 0; stretch < may_have_paint_.size(); ++stretch) {
+    const size_t begin = stretch * kStretch, end = std::min(begin + kStretch, beta_.size());
+    if (!may_have_paint_[stretch])
+      std::fill(&beta_[begin], &beta_[begin] + (end - begin), static_cast<float>(beta_slider_));
+    else
+      for (size_t c = begin; c < end; ++c) {
+        const double weight = painted_weight_[c];
+        beta_[c] = static_cast<float>((1 - weight) * beta_slider_ + weight * painted_beta_[c]);
+      }
   }
   for (const auto& [c, cell] : overrides_) beta_[c] = static_cast<float>(cell.beta);
 }

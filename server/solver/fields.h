@@ -55,6 +55,9 @@ class Fields {
   TransferCurve curve_{kAlphaDefault};
   double beta_slider_ = kBetaDefault;
   std::vector<float> painted_beta_, painted_weight_;
+  // Of each kStretch cells, so that painted() need not look at all: it is kept after many strokes.
+  static constexpr size_t kStretch = 1024;
+  std::vector<uint8_t> may_have_paint_;
   std::vector<std::pair<int32_t, SetCellFields::Cell>> overrides_;  // by cell index, in order
 
   // What the above amounts to, as of the last view().

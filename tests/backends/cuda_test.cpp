@@ -119,6 +119,27 @@ TEST_F(OnADevice, FollowsTheCpuCycleByCycle) {
   }
 }
 
+// The constraint goes on from what it was: a slip there would stay.
+TEST_F(OnADevice, EditAfterEditEndsWhereTheCpuDoes) {
+  const TriangleMesh mesh = generate_scan({.kind = "blob", .vertices = 8000}).value();
+  const auto edited = [&](BackendKind backend) {
+    Filtered filtered(mesh, 6, {.backend = backend});
+    const auto dab = [&](size_t vertex, double beta) {
+      return Stroke{{.radius = 0.3, .strength = 0.7, .beta = beta}, {mesh.vertices[vertex]}};
+    };
+    filtered.alpha(20).beta(0.3).after(1);
+    filtered.paint(dab(7, 2)).after(1);
+    filtered.beta(1.5).after(1);
+    filtered.alpha(40).paint(dab(4000, 0)).after(1);
+    filtered.paint(dab(7999, 1)).beta(0.5).after(1);
+    return filtered.exact();
+  };
+  const auto on_cpu = edited(BackendKind::kCpu), on_cuda = edited(BackendKind::kCuda);
+  const double diagonal = compute_statistics(mesh).diagonal();
+  for (size_t v = 0; v < on_cpu.size(); ++v)
+    ASSERT_LE((on_cpu[v] - on_cuda[v]).norm(), 2e-6 * diagonal) << "vertex " << v;
+}
+
 // Hundreds of separate pieces keep hundreds of coarsest corners: the direct solve of the host.
 TEST_F(OnADevice, ManySeparatePiecesSettle) {
   TriangleMesh mesh;

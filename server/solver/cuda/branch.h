@@ -4,8 +4,8 @@
 
 namespace burnish::cuda {
 
-/// Work beside a stream's own: it may run at the same time as what the stream is given between
-/// fork() and join(). Recorded in a graph it becomes a branch of it.
+/// Work beside a stream's own, which goes before it: it may run at the same time as what the stream
+/// is given between fork() and join(). Recorded in a graph it becomes a branch of it.
 class Branch {
  public:
   explicit Branch(Stream& trunk);
@@ -21,7 +21,7 @@ class Branch {
 
  private:
   Stream& trunk_;
-  Stream stream_{trunk_.device()};
+  Stream stream_{trunk_.device(), false};
   cudaEvent_t forked_ = nullptr, joined_ = nullptr;
 };
 

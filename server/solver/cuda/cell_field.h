@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -7,33 +8,29 @@
 
 namespace burnish::cuda {
 
-/// Floats per cell on the device, kCount of them one after the other, with their place on the host
-/// for copies at full speed.
+/// Floats per cell, kCount of them one after the other, in memory of the host that kernels read
+/// themselves: what they do with the first cells hides how long the last take to come.
 template <int kCount>
 class CellFields {
  public:
-  CellFields(Stream& stream, size_t cells)
-      : cells_(cells), device_(stream, kCount * cells), host_(stream, kCount * cells) {}
+  CellFields(Stream& stream, size_t cells) : cells_(cells), host_(stream, kCount * cells) {}
 
-  /// Needs: the last upload is through.
-  void upload(Stream& stream, const std::array<std::span<const float>, kCount>& values) {
-    if (!stream.is_ok()) return;
+  /// Needs: no kernel that reads them is under way.
+  void set(const std::array<std::span<const float>, kCount>& values) {
+    constexpr size_t kChunk = 1024;
 #pragma omp parallel for schedule(static)
-    for (size_t i = 0; i < cells_; ++i)
-      for (int n = 0; n < kCount; ++n) host_.data()[n * cells_ + i] = values[n][i];
-    device_.upload(stream, {host_.data(), host_.size()});
+    for (size_t first = 0; first < host_.size() / kCount; first += kChunk)
+      for (int n = 0; n < kCount; ++n)
+        std::copy_n(&values[n][first], std::min(kChunk, cells_ - first),
+                    host_.data() + n * cells_ + first);
   }
 
   const float* data(int n = 0) const {
-    return device_.data() + n * cells_;
-  }
-  uint64_t byte_count() const {
-    return device_.byte_count();
+    return host_.data() + n * cells_;
   }
 
  private:
   size_t cells_;
-  DeviceArray<float> device_;
   PinnedArray<float> host_;
 };
 

@@ -1,5 +1,6 @@
 #include "server/solver/cuda/cell_inverse.h"
 #include "server/solver/cuda/gather_rows.h"
+#include "server/solver/cuda/power_step.h"
 #include "server/solver/cuda/products.h"
 
 namespace burnish::cuda {
@@ -61,23 +62,40 @@ __global__ void invert_cells_kernel(Depth depth, CellSquares<float> inverses) {
   }
 }
 
-__global__ void assemble_inverse_kernel(Depth depth, CellSquares<float> inverses, Matrix inverse) {
-  __shared__ float scale[kTile];
-  await_previous();
+// The tile has the power iteration's S x, and in w the square root of the inverse diagonal.
+__global__ void assemble_inverse_kernel(Depth depth, CellSquares<float> inverses, Matrix inverse,
+                                        PowerStep power) {
+  __shared__ RowRoom room;
+  float4* tile = tile_of_block<float4>();
+  let_next_start();
   const Rows& rows = depth.topology.rows;
-  const Group group = group_of(rows, blockIdx.x);
-  for (auto at = static_cast<int32_t>(threadIdx.x); at < group.count + group.halo_count;
-       at += kThreads)
-    scale[at] = sqrtf(depth.inverse_diagonal[column_of(group, static_cast<uint32_t>(at))]);
-  __syncthreads();
-  const int32_t corner = row_of(group);
-  if (corner < 0) return;
-  const GatheredRow<float> row = gather_row(depth.topology, inverses, corner);
-  const float here = scale[threadIdx.x];
-  inverse.diagonal[corner] = row.own * here * here;
-  store_row(rows, corner, row, [&](int64_t k, float value, uint32_t local) {
-    inverse.packed[k] = pack(value * here * scale[local], local);
-  });
+  const TilePart part = fetch_part(rows, blockIdx.x);
+  const int32_t corner = part.corner;
+  const Eight cells_here = cells_around(depth.topology, corner);
+  await_previous();
+  const GatheredRow<float> row = gather_row(inverses, cells_here);
+  const auto scaled_product = [&](int32_t i) {
+    float4 number = power.product[i];
+    number.w = sqrtf(depth.inverse_diagonal[i]);
+    return number;
+  };
+  fill_tile_with(part, scaled_product, tile);
+  Sums<2> sums = {};
+  if (corner >= 0) {
+    const float4 here = tile[threadIdx.x];
+    const float diagonal = row.own * here.w * here.w;
+    inverse.diagonal[corner] = diagonal;
+    float4 next = diagonal * here;
+    const auto itself = [](float value) { return value; };
+    store_row(rows, corner, row, room, itself, [&](int64_t k, float value, uint32_t local) {
+      const float4 there = tile[local];
+      const uint32_t packed = pack(value * here.w * there.w, local);
+      inverse.packed[k] = packed;
+      next = next + value_of(packed) * there;
+    });
+    replace(power, corner, next, here.w != 0 ? here : zero4(), power.spectrum->normalise, sums);
+  }
+  update_spectrum(power, sums);
 }
 
 }  // namespace
@@ -87,8 +105,10 @@ void invert_cells(Stream& stream, const Depth& depth, const CellSquares<float>& 
 }
 
 void assemble_inverse(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
-                      const Matrix& inverse) {
-  launch_groups(stream, assemble_inverse_kernel, depth.topology.rows, depth, inverses, inverse);
+                      const Matrix& inverse, const PowerStep& power) {
+  const Rows& rows = depth.topology.rows;
+  launch_products<float4>(stream, assemble_inverse_kernel, rows, rows.group_count, depth, inverses,
+                          inverse, power);
 }
 
 }  // namespace burnish::cuda

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "server/solver/cuda/spectrum.h"
 #include "server/solver/cuda/stream.h"
 #include "server/solver/cuda/views.h"
 
@@ -8,8 +9,8 @@ namespace burnish::cuda {
 /// (B_c + reg)⁻¹ of every cell, B_c the 8×8 block of the diagonally scaled S at its corners.
 void invert_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses);
 
-/// The rows of D^-½ Σ_c R_cᵀ inverse_c R_c D^-½.
+/// The rows of M⁻¹ = D^-½ Σ_c R_cᵀ inverse_c R_c D^-½, and with them an iteration for λmax of M⁻¹S.
 void assemble_inverse(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
-                      const Matrix& inverse);
+                      const Matrix& inverse, const PowerStep& power);
 
 }  // namespace burnish::cuda

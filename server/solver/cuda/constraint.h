@@ -5,16 +5,14 @@
 
 namespace burnish::cuda {
 
-/// α1, α2 and β per cell, on the device.
-struct FieldArrays {
-  const float* alpha1;
-  const float* alpha2;
-  const float* beta;
-};
+/// α2/α1 g¹ + α1/α2 g² of every cell, which β−1 is multiplied by. `ratio` is α2/α1.
+void combine_gradients(Stream& stream, const Gradients& gradients, const float* ratio,
+                       const CellGradients& combined);
 
-/// b_I = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²)_I, the right-hand side for the displacement: Eq. 4's
-/// constraint less S c°; the residual r changes by as much. Zero where pinned.
-void assemble_constraint(Stream& stream, const Depth& finest, const Gradients& gradients,
-                         const FieldArrays& fields, Double3* b, Double3* r);
+/// b_I = Σ_c (β−1) combined_I, the right-hand side for the displacement: Eq. 4's constraint less
+/// S c°, with β as it is to be, which it is from then on; the residual r changes by as much, unless
+/// it is `stale` and to be recomputed anyway. Zero where pinned.
+void assemble_constraint(Stream& stream, const Depth& finest, const CellGradients& combined,
+                         const NewGradientScale& beta, bool stale, Double3* b, Double3* r);
 
 }  // namespace burnish::cuda

@@ -6,10 +6,12 @@
 #include "server/solver/cuda/assembly.h"
 #include "server/solver/cuda/cell_field.h"
 #include "server/solver/cuda/coarsest.h"
+#include "server/solver/cuda/combined_cells.h"
 #include "server/solver/cuda/conjugate_gradients.h"
 #include "server/solver/cuda/constraint.h"
 #include "server/solver/cuda/device_depth.h"
 #include "server/solver/cuda/device_mesh.h"
+#include "server/solver/cuda/gradient_scale.h"
 #include "server/solver/cuda/graphs.h"
 #include "server/solver/cuda/placement.h"
 #include "server/solver/cuda/readout.h"
@@ -30,13 +32,18 @@ class CudaBackend final : public Backend {
       : mesh_(std::move(mesh)),
         stream_(mesh_->device),
         coarse_offset_(mesh_->hierarchy->coarsest),
-        alpha_(stream_, mesh_->prepared->cells.size()),
-        beta_(stream_, mesh_->prepared->cells.size()),
-        combined_(stream_, CellSquares<double>::kNumbers * cells_of_all_depths()),
+        alpha_(stream_, cells()),
+        beta_(stream_, cells()),
+        ratio_(stream_, cells()),
+        gradients_(stream_, CellGradients::kNumbers * cells()),
+        combined_(stream_, CellSquares<double>::kNumbers * cells()),
+        coarse_combined_(stream_, CellSquares<float>::kNumbers * cells_of_coarse_depths()),
         pinned_below_(stream_, mesh_->depths.size()),
         anisotropy_(stream_, 1) {
-    for (const DeviceTopology& topology : mesh_->depths)
-      depths_.emplace_back(stream_, topology.view());
+    for (const DeviceTopology& topology : mesh_->depths) {
+      const bool is_inner = !depths_.empty() && depths_.size() + 1 < mesh_->depths.size();
+      depths_.emplace_back(stream_, topology.view(), !is_inner);
+    }
     for (size_t i = 1; i < depths_.size(); ++i)
       smoothers_.push_back(
           make_smoother(smoother, stream_, mesh_->hierarchy->depths[i], depths_[i].view()));
@@ -49,7 +56,8 @@ class CudaBackend final : public Backend {
 
   uint64_t byte_count() const override {
     uint64_t bytes = readout_.byte_count() + outer_->byte_count() + coarsest_->byte_count() +
-                     alpha_.byte_count() + beta_.byte_count() + combined_.byte_count();
+                     ratio_.byte_count() + beta_.byte_count() + gradients_.byte_count() +
+                     combined_.byte_count() + coarse_combined_.byte_count();
     for (const DeviceDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother->byte_count();
     return bytes;
@@ -57,15 +65,17 @@ class CudaBackend final : public Backend {
 
   void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
     stream_.synchronize();
-    alpha_.upload(stream_, {alpha1, alpha2});
+    if (!stream_.is_ok()) return;
+    alpha_.set({alpha1, alpha2});
     run_on_device(kMetricGraph, [this] { assemble_all(); });
+    residual_is_stale_ = true;
   }
 
   void set_constraint(std::span<const float> beta) override {
-    beta_.upload(stream_, {beta});
-    assemble_constraint(stream_, finest(), mesh_->gradients(),
-                        {alpha_.data(0), alpha_.data(1), beta_.data()}, outer_->constraint(),
-                        outer_->residual());
+    if (!stream_.is_ok()) return;
+    beta_.set(beta);
+    assemble_constraint(stream_, finest(), gradients(), beta_.view(), residual_is_stale_,
+                        outer_->constraint(), outer_->residual());
     stream_.synchronize();
   }
 
@@ -82,7 +92,10 @@ class CudaBackend final : public Backend {
   void prolong_correction(int depth) override { add_prolonged(stream_, at(depth - 1), at(depth)); }
   void solve_coarsest() override { coarsest_->solve(); }
 
-  void recompute_residual() override { outer_->recompute_residual(); }
+  void recompute_residual() override {
+    outer_->recompute_residual();
+    residual_is_stale_ = false;
+  }
   void rescale() override { outer_->rescale(); }
   void load_residual() override {}  // f goes with r
   void update_direction(bool restart) override { outer_->update_direction(restart); }
@@ -110,42 +123,69 @@ class CudaBackend final : public Backend {
   const Depth& finest() const { return depths_.back().view(); }
   DepthSmoother& smoother(int depth) { return *smoothers_[depth - coarse_offset_ - 1]; }
 
-  size_t cells_of_all_depths() const {
+  size_t cells() const { return mesh_->prepared->cells.size(); }
+  size_t cells_of_coarse_depths() const {
     size_t cells = 0;
     for (const HierarchyDepth& depth : mesh_->hierarchy->depths) cells += depth.grid.cells.size();
-    return cells;
+    return cells - this->cells();
   }
+  CellGradients gradients() const { return {gradients_.data(), finest().topology.cell_count}; }
 
   void run_on_device(int key, const std::function<void()>& work) {
     coarsest_->on_device() ? graphs_.run(key, work) : work();
   }
 
-  // The matrices of all depths, each from the combined integrals of the one below. Those are what
-  // the coarsest depth waits for; a depth's own matrix and smoother are made beside them.
+  // The matrices of all depths. A depth's combined integrals come from those of the one below,
+  // which is what the coarsest depth waits for; matrices and smoothers are made beside that.
   void assemble_all() {
-    CellSquares<double> cells = {combined_.data(), finest().topology.cell_count};
-    combine_integrals(stream_, mesh_->integrals(), alpha_.data(0), alpha_.data(1),
-                      mesh_->prepared->alpha_scale(), cells, anisotropy_);
-    for (size_t i = depths_.size() - 1; i > 0; --i) {
-      const Depth &fine = depths_[i].view(), &coarse = depths_[i - 1].view();
-      const CellSquares<double> coarse_cells = {cells.numbers + cells.kNumbers * cells.cells,
-                                                coarse.topology.cell_count};
-      DepthSmoother& smoother = *smoothers_[i - 1];
-      assemble(smoother.fork(), cells, fine, row_sum_at(i), pinned_below_.data() + i);
-      down_sample(stream_, fine.topology, coarse.topology, cells, coarse_cells);
-      // The depth's combined integrals are of no more use: its smoother works in their place.
-      smoother.fork();
-      smoother.set_up({reinterpret_cast<float*>(cells.numbers), cells.cells}, anisotropy_.data());
-      cells = coarse_cells;
+    const CellSquares<double> combined = {combined_.data(), finest().topology.cell_count};
+    const Metric metric = {alpha_.data(0), alpha_.data(1), mesh_->prepared->alpha_scale(),
+                           ratio_.data(), anisotropy_.data()};
+    anisotropy_.clear(stream_);
+    if (smoothers_.empty()) {
+      combine_integrals(stream_, mesh_->integrals(), metric, combined);
+      assemble_coarsest(combined);
+    } else {
+      CellSquares<float> cells = {coarse_combined_.data(), topology(1).cell_count};
+      combine_integrals(stream_, mesh_->integrals(), metric, combined, topology(0), topology(1),
+                        cells);
+      start_smoother(0, combined);
+      for (size_t above = 2; above < depths_.size(); ++above) {
+        const CellSquares<float> coarse = {cells.numbers + cells.kNumbers * cells.cells,
+                                           topology(above).cell_count};
+        down_sample(stream_, topology(above - 1), topology(above), cells, coarse);
+        start_smoother(above - 1, cells);
+        cells = coarse;
+      }
+      assemble_coarsest(cells);
     }
-    assemble(stream_, cells, depths_[0].view(), row_sum_at(0), pinned_below_.data());
-    coarsest_->factor();
+    combine_gradients(smoothers_.empty() ? stream_ : smoothers_.back()->beside(),
+                      mesh_->gradients(), ratio_.data(), gradients());
     for (const auto& smoother : smoothers_) smoother->finish_set_up();
   }
 
+  // `above`: how many depths above the finest.
+  const Depth& view(size_t above) const { return depths_[depths_.size() - 1 - above].view(); }
+  const Topology& topology(size_t above) const { return view(above).topology; }
+
+  // From the depth's combined integrals, which are of no more use then: the smoother works in their
+  // place.
+  template <typename Real>
+  void start_smoother(size_t above, const CellSquares<Real>& cells) {
+    DepthSmoother& smoother = *smoothers_[smoothers_.size() - 1 - above];
+    double* row_sum = above == 0 ? outer_->row_sum() : nullptr;
+    assemble(smoother.fork(), cells, view(above), row_sum, smoother.probe(),
+             pinned_below_.data() + above);
+    smoother.set_up({reinterpret_cast<float*>(cells.numbers), cells.cells}, anisotropy_.data());
+  }
+
   // Only the finest depth's product is to double's digits.
-  double* row_sum_at(size_t i) const {
-    return i + 1 == depths_.size() ? outer_->row_sum() : nullptr;
+  template <typename Real>
+  void assemble_coarsest(const CellSquares<Real>& cells) {
+    double* row_sum = smoothers_.empty() ? outer_->row_sum() : nullptr;
+    assemble(stream_, cells, depths_[0].view(), row_sum, nullptr,
+             pinned_below_.data() + smoothers_.size());
+    coarsest_->factor();
   }
 
   std::shared_ptr<const DeviceMesh> mesh_;
@@ -153,14 +193,18 @@ class CudaBackend final : public Backend {
   int coarse_offset_;
   Graphs graphs_{stream_};
   CellFields<2> alpha_;  // α1, α2
-  CellFields<1> beta_;
-  DeviceArray<double> combined_;  // CellSquares of all depths, from the finest
+  GradientScale beta_;
+  DeviceArray<float> ratio_;
+  DeviceArray<float> gradients_;        // CellGradients
+  DeviceArray<double> combined_;        // CellSquares of the finest depth
+  DeviceArray<float> coarse_combined_;  // of the others, from the finest
   DeviceArray<float> pinned_below_, anisotropy_;
   std::vector<DeviceDepth> depths_;                        // from the coarsest
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
   std::optional<CoarsestSolver> coarsest_;
   std::optional<ConjugateGradients> outer_;
   Readout readout_{stream_};
+  bool residual_is_stale_ = true;  // since the last set_metric()
 };
 
 }  // namespace

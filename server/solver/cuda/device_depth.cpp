@@ -2,9 +2,9 @@
 
 namespace burnish::cuda {
 
-DeviceDepth::DeviceDepth(Stream& stream, const Topology& topology)
+DeviceDepth::DeviceDepth(Stream& stream, const Topology& topology, bool with_rest)
     : packed_(stream, topology.entry_count),
-      rest_(stream, topology.entry_count),
+      rest_(stream, with_rest ? topology.entry_count : 0),
       diagonal_(stream, topology.corner_count),
       inverse_diagonal_(stream, topology.corner_count),
       x_(stream, topology.corner_count),

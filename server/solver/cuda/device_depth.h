@@ -8,7 +8,8 @@ namespace burnish::cuda {
 /// Owns one session's numbers at one depth.
 class DeviceDepth {
  public:
-  DeviceDepth(Stream& stream, const Topology& topology);
+  /// With S to all digits of a float, or as it is in products alone.
+  DeviceDepth(Stream& stream, const Topology& topology, bool with_rest);
 
   const Depth& view() const { return view_; }
   uint64_t byte_count() const;

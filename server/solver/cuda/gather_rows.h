@@ -13,12 +13,16 @@ struct GatheredRow {
   Real own;
 };
 
+/// The cells of a corner; none of no corner, which is -1.
+__device__ inline Eight cells_around(const Topology& topology, int32_t corner) {
+  if (corner >= 0) return topology.cells_of_corner[corner];
+  return {-1, -1, -1, -1, -1, -1, -1, -1};
+}
+
 // A cell that is not there counts as the first, times zero: its loads need not wait for a branch.
 template <typename Real>
-__device__ GatheredRow<Real> gather_row(const Topology& topology, const CellSquares<Real>& cells,
-                                        int32_t corner) {
+__device__ GatheredRow<Real> gather_row(const CellSquares<Real>& cells, const Eight& cells_here) {
   GatheredRow<Real> row = {};
-  const Eight cells_here = topology.cells_of_corner[corner];
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
     const bool is_there = cells_here.at[a] >= 0;
@@ -35,16 +39,22 @@ __device__ GatheredRow<Real> gather_row(const Topology& topology, const CellSqua
   return row;
 }
 
-/// Calls store(k, value, local) for the present slots of a row, k being the entry's place and
-/// `local` that of its column in the group's tile; then with zeros to the end of its slice, because
-/// a sector of memory that is written in part is read first. The row goes through shared memory, so
-/// that all rows of a slice store their first entries, then their second.
-template <typename Real, typename Store>
+/// Room of a block for the rows that it stores.
+struct RowRoom {
+  float by_slot[kSlots][kThreads];
+};
+
+/// Calls store(k, value, local) for the present slots of a row, k being the entry's place, `local`
+/// that of its column in the group's tile, and value value_of(number of the slot); then with zeros
+/// to the end of its slice, because a sector of memory that is written in part is read first. The
+/// row goes through shared memory, so that all rows of a slice store their first entries, then
+/// their second.
+template <typename Real, typename ValueOf, typename Store>
 __device__ void store_row(const Rows& rows, int32_t corner, const GatheredRow<Real>& row,
-                          Store&& store) {
-  __shared__ Real by_slot[kSlots][kThreads];
+                          RowRoom& room, ValueOf&& value_of, Store&& store) {
 #pragma unroll
-  for (int slot = 0; slot < kSlots; ++slot) by_slot[slot][threadIdx.x] = row.by_slot[slot];
+  for (int slot = 0; slot < kSlots; ++slot)
+    room.by_slot[slot][threadIdx.x] = value_of(row.by_slot[slot]);
   const int64_t begin = row_begin(rows, corner);
   const auto longest = static_cast<int>(
       (rows.slice_start[corner / kSliceRows + 1] - rows.slice_start[corner / kSliceRows]) /
@@ -58,7 +68,7 @@ __device__ void store_row(const Rows& rows, int32_t corner, const GatheredRow<Re
   for (int j = 0; j < kSlots - 1; ++j, mask &= mask - 1)
     if (j < longest) {
       const int slot = mask != 0 ? __ffs(static_cast<int>(mask)) - 1 : kSelfSlot;  // that is 0
-      store(begin + kSliceRows * j, by_slot[slot][threadIdx.x], uint32_t{local[j]});
+      store(begin + kSliceRows * j, room.by_slot[slot][threadIdx.x], uint32_t{local[j]});
     }
 }
 

@@ -27,6 +27,7 @@ class GaussSeidel final : public DepthSmoother {
   GaussSeidel(Stream& stream, const HierarchyDepth& topology, const Depth& depth);
 
   Stream& fork() override;
+  Stream& beside() override { return branch_.stream(); }
   void set_up(const CellSquares<float>& inverses, const float* anisotropy) override;
   void finish_set_up() override { branch_.join(); }
   void relax_from_zero() override;

@@ -24,7 +24,8 @@ cudaGraphExec_t Graphs::record(const std::function<void()>& work) {
     return nullptr;
   work();
   if (stream_.check(cudaStreamEndCapture(stream_.get(), &graph), "ending a graph"))
-    stream_.check(cudaGraphInstantiate(&executable, graph, 0), "making a graph");
+    stream_.check(cudaGraphInstantiate(&executable, graph, cudaGraphInstantiateFlagUseNodePriority),
+                  "making a graph");
   if (graph != nullptr) cudaGraphDestroy(graph);
   return executable;
 }

@@ -56,6 +56,15 @@ __device__ inline void await_previous() {
 #endif
 }
 
+/// The same, but the next kernel comes up only then: of a long chain no more than two are on the
+/// device, where all that wait would else keep other work from it.
+__device__ inline void await_previous_alone() {
+#if __CUDA_ARCH__ >= 900
+  cudaGridDependencySynchronize();
+#endif
+  let_next_start();
+}
+
 __device__ inline int64_t thread_index() {
   return static_cast<int64_t>(blockIdx.x) * blockDim.x + threadIdx.x;
 }

@@ -39,27 +39,37 @@ __device__ inline int32_t row_of(const Group& group) {
   return t < group.count ? group.first + t : -1;
 }
 
-/// A thread's row, and its part of the halo.
-struct FetchedRow {
+/// What a thread brings to its group's tile: its row's number and some of the halo's.
+struct TilePart {
   Group group;
   int32_t corner;  // -1 for none
-  int count;       // of its entries
-  int64_t begin;   // of its entries
-  uint32_t packed[kEntriesMax];
   int32_t halo[kHaloAhead];
+};
+
+__device__ inline TilePart fetch_part(const Rows& rows, int32_t g) {
+  TilePart part;
+  part.group = group_of(rows, g);
+  part.corner = row_of(part.group);
+#pragma unroll
+  for (int j = 0; j < kHaloAhead; ++j) {
+    const int at = static_cast<int>(threadIdx.x) + j * kThreads;
+    part.halo[j] = at < part.group.halo_count ? part.group.halo[at] : 0;
+  }
+  return part;
+}
+
+/// The same with the entries of its row.
+struct FetchedRow : TilePart {
+  int count;      // of its entries
+  int64_t begin;  // of its entries
+  uint32_t packed[kEntriesMax];
 };
 
 __device__ inline FetchedRow fetch_row(const Rows& rows, const uint32_t* packed, int32_t g) {
   FetchedRow row;
-  row.group = group_of(rows, g);
-  row.corner = row_of(row.group);
+  static_cast<TilePart&>(row) = fetch_part(rows, g);
   row.count = row.corner >= 0 ? __popc(rows.mask[row.corner]) : 0;
   row.begin = row.corner >= 0 ? row_begin(rows, row.corner) : 0;
-#pragma unroll
-  for (int j = 0; j < kHaloAhead; ++j) {
-    const int at = static_cast<int>(threadIdx.x) + j * kThreads;
-    row.halo[j] = at < row.group.halo_count ? row.group.halo[at] : 0;
-  }
 #pragma unroll
   for (int j = 0; j < kEntriesMax; ++j)
     row.packed[j] = j < row.count ? packed[row.begin + kSliceRows * j] : 0;
@@ -73,21 +83,38 @@ __device__ Vector* tile_of_block() {
   return reinterpret_cast<Vector*>(room);
 }
 
-/// Brings the numbers of x at the group's rows and halo into the block's tile. Every thread calls
+/// Fills the block's tile with the numbers of x at the group's rows and halo. Every thread calls
 /// it.
 template <typename Vector>
-__device__ void fill_tile(const FetchedRow& row, const Vector* x, Vector* tile) {
-  const Group& group = row.group;
-  if (row.corner >= 0) tile[threadIdx.x] = x[row.corner];
+__device__ void fill_tile(const Group& group, const Vector* x, Vector* tile) {
+  for (auto at = static_cast<int32_t>(threadIdx.x); at < group.count + group.halo_count;
+       at += kThreads)
+    tile[at] = x[column_of(group, static_cast<uint32_t>(at))];
+  __syncthreads();
+}
+
+/// Fills the block's tile with number_of(corner) of the group's rows and halo. Every thread calls
+/// it.
+template <typename Number, typename NumberOf>
+__device__ void fill_tile_with(const TilePart& part, NumberOf&& number_of, Number* tile) {
+  const Group& group = part.group;
+  if (part.corner >= 0) tile[threadIdx.x] = number_of(part.corner);
 #pragma unroll
   for (int j = 0; j < kHaloAhead; ++j) {
     const int at = static_cast<int>(threadIdx.x) + j * kThreads;
-    if (at < group.halo_count) tile[group.count + at] = x[row.halo[j]];
+    if (at < group.halo_count) tile[group.count + at] = number_of(part.halo[j]);
   }
   for (int at = static_cast<int>(threadIdx.x) + kHaloAhead * kThreads; at < group.halo_count;
        at += kThreads)
-    tile[group.count + at] = x[group.halo[at]];
+    tile[group.count + at] = number_of(group.halo[at]);
   __syncthreads();
+}
+
+/// The same with the numbers of x.
+template <typename Vector>
+__device__ void fill_tile(const TilePart& part, const Vector* x, Vector* tile) {
+  fill_tile_with(
+      part, [x](int32_t corner) { return x[corner]; }, tile);
 }
 
 /// The row's off-diagonal entries times the tile.
@@ -149,12 +176,6 @@ void launch_products(Stream& stream, void (*kernel)(Params...), const Rows& rows
                      Args... args) {
   launch_blocks(stream, kernel, dim3(static_cast<unsigned>(blocks)), dim3(kThreads),
                 rows.tile_max * sizeof(Vector), args...);
-}
-
-/// Starts one block for each group of rows, without a tile.
-template <typename... Params, typename... Args>
-void launch_groups(Stream& stream, void (*kernel)(Params...), const Rows& rows, Args... args) {
-  launch(stream, kernel, static_cast<int64_t>(rows.group_count) * kThreads, args...);
 }
 
 }  // namespace burnish::cuda

@@ -1,26 +1,24 @@
 #include <algorithm>
 
 #include "server/solver/cuda/cell_inverse.h"
+#include "server/solver/cuda/power_step.h"
 #include "server/solver/cuda/products.h"
-#include "server/solver/cuda/reduce.h"
 #include "server/solver/cuda/schwarz.h"
 #include "server/solver/cuda/transfer.h"
-#include "server/solver/schwarz_bounds.h"
 
 namespace burnish::cuda {
 
 namespace {
 
-constexpr int kIterationsFirst = 15;
-constexpr int kIterationsNext = 1;
+constexpr int kIterationsFirst = 15;  // one beside each new matrix after the first
 
 enum class Step { kFromZero, kSecondFromZero, kFirst, kSecond };
 
 // d = momentum·d + length·M⁻¹ source; x += d, or x = d from zero, where d need not be kept.
 template <Step kStep>
 __global__ void __launch_bounds__(kThreads, 8)
-    step_kernel(Depth depth, Matrix inverse, const float4* source,
-                const Schwarz::Spectrum* spectrum, float4* direction) {
+    step_kernel(Depth depth, Matrix inverse, const float4* source, const Spectrum* spectrum,
+                float4* direction) {
   float4* tile = tile_of_block<float4>();
   let_next_start();
   constexpr bool kIsSecond = kStep == Step::kSecond || kStep == Step::kSecondFromZero;
@@ -51,7 +49,7 @@ __device__ float noise(uint32_t seed) {
 }
 
 // Three columns of noise that leave no eigenvector out.
-__global__ void start_kernel(Depth depth, float4* eigenvector, Schwarz::Spectrum* spectrum) {
+__global__ void start_kernel(Depth depth, float4* eigenvector, Spectrum* spectrum) {
   await_previous();
   const int64_t i = thread_index();
   if (i >= depth.topology.corner_count) return;
@@ -61,50 +59,19 @@ __global__ void start_kernel(Depth depth, float4* eigenvector, Schwarz::Spectrum
       sqrtf(depth.inverse_diagonal[i]) * float4{noise(seed), noise(seed + 1), noise(seed + 2), 0};
 }
 
-__device__ void set_steps(float lambda_max, Schwarz::Spectrum& spectrum) {
-  const float centre = lambda_max * (1 + 1 / kSchwarzRange) / 2;
-  const float half_width = lambda_max * (1 - 1 / kSchwarzRange) / 2;
-  const float sigma = centre / half_width;
-  const float rho = 1 / (2 * sigma - 1 / sigma);
-  spectrum.first_step = 1 / centre;
-  spectrum.momentum = rho / sigma;
-  spectrum.second_step = 2 * rho / half_width;
-}
-
-__device__ void update_spectrum(const Sums<2>& total, float anisotropy,
-                                Schwarz::Spectrum& spectrum) {
-  if (total.at[0] > 0 && total.at[1] > 0) {
-    spectrum.lambda_max = static_cast<float>(total.at[1] / total.at[0]);
-    spectrum.normalise = static_cast<float>(1 / sqrt(total.at[1]));
-  }
-  const float estimate = static_cast<float>(kLambdaMaxMargin) * spectrum.lambda_max;
-  set_steps(fminf(fmaxf(estimate, lambda_max_least(anisotropy)), kLambdaMaxBound), spectrum);
-}
-
-// x = M⁻¹S x from r = −S x, and the sums x·Sx and M⁻¹Sx·Sx, which the last block makes the steps
-// of.
-__global__ void power_kernel(Depth depth, Matrix inverse, const float* anisotropy,
-                             Schwarz::Spectrum* spectrum, Partials<2> partials) {
+__global__ void power_kernel(Depth depth, Matrix inverse, PowerStep power) {
   float4* tile = tile_of_block<float4>();
-  Sums<2> sums = {};
   await_previous();
-  const float normalise = spectrum->normalise;
-  for (int g = static_cast<int>(blockIdx.x); g < depth.topology.rows.group_count;
-       g += static_cast<int>(gridDim.x)) {
-    const FetchedRow row = fetch_row(depth.topology.rows, inverse.packed, g);
-    const int32_t i = row.corner;
-    fill_tile(row, depth.r, tile);
-    if (i >= 0) {
-      const float4 x = depth.x[i], r = tile[threadIdx.x];
-      const float4 next = -1 * (inverse.diagonal[i] * r + product_of(row, tile));
-      sums.at[0] -= sum_of(to_double(x) * to_double(r));
-      sums.at[1] -= sum_of(to_double(next) * to_double(r));
-      depth.x[i] = normalise * next;
-    }
-    __syncthreads();
+  const FetchedRow row = fetch_row(depth.topology.rows, inverse.packed, blockIdx.x);
+  fill_tile(row, power.product, tile);
+  Sums<2> sums = {};
+  if (const int32_t i = row.corner; i >= 0) {
+    // What is there is the residual −S x.
+    const float4 product = -1 * tile[threadIdx.x];
+    const float4 next = inverse.diagonal[i] * product + -1 * product_of(row, tile);
+    replace(power, i, next, product, power.spectrum->normalise, sums);
   }
-  Sums<2> total;
-  if (add_up(sums, partials, &total)) update_spectrum(total, *anisotropy, *spectrum);
+  update_spectrum(power, sums);
 }
 
 }  // namespace
@@ -116,7 +83,7 @@ Schwarz::Schwarz(Stream& stream, const Depth& depth)
       diagonal_(stream, depth.topology.corner_count),
       direction_(stream, depth.topology.corner_count),
       eigenvector_(stream, depth.topology.corner_count),
-      sums_(stream, kPartialsMax),
+      sums_(stream, depth.topology.rows.group_count),
       arrived_(stream, 1),
       spectrum_(stream, 1),
       inverse_{packed_.data(), diagonal_.data()} {}
@@ -127,29 +94,28 @@ Stream& Schwarz::fork() {
 }
 
 void Schwarz::set_up(const CellSquares<float>& inverses, const float* anisotropy) {
+  const PowerStep power = {
+      eigenvector_.data(), depth_.r, anisotropy, spectrum_.data(), {sums_.data(), arrived_.data()}};
   invert_cells(branch_.stream(), depth_, inverses);
-  assemble_inverse(branch_.stream(), depth_, inverses, inverse_);
-  estimate_lambda_max(anisotropy);
+  assemble_inverse(branch_.stream(), depth_, inverses, inverse_, power);
+  if (first_) start_estimate(power);
+  first_ = false;
 }
 
-void Schwarz::estimate_lambda_max(const float* anisotropy) {
+void Schwarz::start_estimate(const PowerStep& power) {
   Stream& stream = branch_.stream();
   const Rows& rows = depth_.topology.rows;
-  Depth power = depth_;
-  power.x = eigenvector_.data();
-  if (first_)
-    launch(stream, start_kernel, rows.count, depth_, eigenvector_.data(), spectrum_.data());
+  Depth depth = depth_;
+  depth.x = power.x;
+  launch(stream, start_kernel, rows.count, depth_, power.x, power.spectrum);
   // A memset, which also keeps the products from fetching rows before they are there.
   if (stream.is_ok())
-    stream.check(cudaMemsetAsync(power.f, 0, rows.count * sizeof(float4), stream.get()),
+    stream.check(cudaMemsetAsync(depth.f, 0, rows.count * sizeof(float4), stream.get()),
                  "clearing f");
-  for (int i = 0; i < (first_ ? kIterationsFirst : kIterationsNext); ++i) {
-    compute_residual(stream, power);
-    launch_products<float4>(stream, power_kernel, rows, std::min(rows.group_count, kPartialsMax),
-                            power, inverse_, anisotropy, spectrum_.data(),
-                            Partials<2>{sums_.data(), arrived_.data()});
+  for (int i = 0; i < kIterationsFirst; ++i) {
+    compute_residual(stream, depth);
+    launch_products<float4>(stream, power_kernel, rows, rows.group_count, depth, inverse_, power);
   }
-  first_ = false;
 }
 
 void Schwarz::relax_from_zero() {

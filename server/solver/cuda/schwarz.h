@@ -3,6 +3,7 @@
 #include "server/solver/cuda/branch.h"
 #include "server/solver/cuda/device_memory.h"
 #include "server/solver/cuda/smoother.h"
+#include "server/solver/cuda/spectrum.h"
 #include "server/solver/cuda/views.h"
 
 namespace burnish::cuda {
@@ -12,16 +13,11 @@ namespace burnish::cuda {
 /// relax_from_zero().
 class Schwarz final : public DepthSmoother {
  public:
-  /// λmax of M⁻¹S as found so far, and the iteration's steps for it.
-  struct Spectrum {
-    float lambda_max;
-    float normalise;  ///< keeps the power iteration's vector near one
-    float first_step, momentum, second_step;
-  };
-
   Schwarz(Stream& stream, const Depth& depth);
 
   Stream& fork() override;
+  Stream& beside() override { return branch_.stream(); }
+  const float4* probe() const override { return eigenvector_.data(); }
   void set_up(const CellSquares<float>& inverses, const float* anisotropy) override;
   void finish_set_up() override { branch_.join(); }
   void relax_from_zero() override;
@@ -29,7 +25,7 @@ class Schwarz final : public DepthSmoother {
   uint64_t byte_count() const override;
 
  private:
-  void estimate_lambda_max(const float* anisotropy);
+  void start_estimate(const PowerStep& power);
 
   Stream& stream_;
   Branch branch_{stream_};

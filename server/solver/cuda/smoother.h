@@ -21,8 +21,11 @@ class DepthSmoother {
   /// Where set_up() works, until finish_set_up() beside what else the stream does. It comes after
   /// all that the stream has been given so far.
   virtual Stream& fork() = 0;
-  /// After a new matrix. Leaves f and r changed. `inverses` is working memory; `anisotropy` the
-  /// largest ratio of α1 and α2 of any cell, on the device.
+  virtual Stream& beside() = 0;  ///< the same without a fork: after what is done there
+  /// What assemble() is to leave S times in r, for set_up() to go on from; null for nothing.
+  virtual const float4* probe() const { return nullptr; }
+  /// After a new matrix. Leaves r changed, f too the first time. `inverses` is working memory;
+  /// `anisotropy` the largest ratio of α1 and α2 of any cell, on the device.
   virtual void set_up(const CellSquares<float>& inverses, const float* anisotropy) = 0;
   virtual void finish_set_up() = 0;
 

@@ -13,7 +13,8 @@ Status cuda_status(cudaError_t error, const char* what);
 /// more is queued: CUDA's errors stick, and later results would be of no use.
 class Stream {
  public:
-  explicit Stream(int device);
+  /// An urgent stream's kernels go before others', also in a graph.
+  explicit Stream(int device, bool is_urgent = true);
   ~Stream();
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;

@@ -35,6 +35,23 @@ struct Gradients {
   int64_t cells;
 };
 
+/// The same of a session's metric, both directions in one: three axes for each corner, and what the
+/// floats of a = 7 leave.
+struct CellGradients {
+  static constexpr int kNumbers = 27;
+  float* numbers;
+  int64_t cells;
+};
+
+/// β per cell as it was, and what it is to become.
+struct NewGradientScale {
+  float one;           ///< of the cells outside [begin, end)
+  int64_t begin, end;  ///< where many are to be read; they may be the host's: each is read once
+  const float* many;   ///< of every cell
+  float* now;          ///< of every cell
+  float* change;       ///< of every cell: working memory
+};
+
 /// Symmetric 8×8 matrices: off-diagonal pairs (28), and row sums or the diagonal (8).
 template <typename Real>
 struct CellSquares {
@@ -97,15 +114,15 @@ struct Matrix {
 /// One session's numbers at one depth.
 struct Depth {
   Topology topology;
-  Matrix system;            ///< S
-  float* rest;              ///< what S's packed entries leave of its entries
+  Matrix system;  ///< S
+  float* rest;  ///< what S's packed entries leave of its entries; null between finest and coarsest
   float* inverse_diagonal;  ///< 0 where pinned
   float4* x;
   float4* f;
   float4* r;
 };
 
-/// A partial sum of a reduction (reduce.h), and how many of them it has at most.
+/// A partial sum of a reduction (reduce.h), and how many of them one over all corners has at most.
 template <int kCount>
 struct Sums {
   double at[kCount];
@@ -115,7 +132,7 @@ inline constexpr int kPartialsMax = 1024;
 /// Where the blocks of a kernel leave their sums, and how many have. Zero at first.
 template <int kCount>
 struct Partials {
-  Sums<kCount>* sums;  ///< kPartialsMax
+  Sums<kCount>* sums;  ///< one a block
   unsigned* arrived;
 };
 

@@ -114,6 +114,21 @@ TEST_F(FieldsTest, ALaterStrokeCoversAnEarlierOne) {
   }
 }
 
+TEST_F(FieldsTest, PaintThatWasKeptComesBack) {
+  fields_.paint(stroke(3));
+  const PaintedCells kept = fields_.painted();
+  const std::vector<float> beta = copy(fields_.view().beta);
+  const auto painted = std::ranges::count_if(beta, [](float b) { return b != 1; });
+  EXPECT_GT(painted, 0);
+  EXPECT_GE(std::ssize(kept.cells), painted);
+  fields_.set_painted({});
+  EXPECT_THAT(fields_.view().beta, Each(1));
+  EXPECT_EQ(fields_.painted(), PaintedCells{});
+  fields_.set_painted(kept);
+  EXPECT_THAT(fields_.view().beta, ElementsAreArray(beta));
+  EXPECT_EQ(fields_.painted(), kept);
+}
+
 TEST_F(FieldsTest, PaintDoesNotDependOnHowTheStrokeWasSampled) {
   const Stroke coarse = stroke(3, FallOff::kSmooth, 0.3);
   Stroke fine = coarse;

@@ -1,0 +1,230 @@
+#include "server/solver/cell_matrix.h"
+#include "server/solver/cuda/combined_cells.h"
+#include "server/solver/cuda/kernel.h"
+
+namespace burnish::cuda {
+
+namespace {
+
+// Numbers that are at least one compare as their bits do, and a largest has no order.
+__device__ void keep_largest(float number, float* largest) {
+  for (int offset = 16; offset > 0; offset /= 2)
+    number = fmaxf(number, __shfl_xor_sync(0xffffffffu, number, offset));
+  if (threadIdx.x % 32 == 0)
+    atomicMax(reinterpret_cast<unsigned*>(largest), __float_as_uint(number));
+}
+
+// Each warp of a block calls it whole; cell < 0 for none.
+__device__ CombineWeights weights_of(const Metric& metric, int64_t cell) {
+  const bool is_there = cell >= 0;
+  const float a1 = is_there ? metric.alpha1[cell] : 1, a2 = is_there ? metric.alpha2[cell] : 1;
+  if (is_there) metric.ratio[cell] = a2 / a1;
+  keep_largest(fmaxf(a1 / a2, a2 / a1), metric.anisotropy);
+  return combine_weights(a1 * metric.scale, a2 * metric.scale);
+}
+
+// A number's three integrals. Pairs come first, then row sums, which are the mass's alone. They
+// never change: such loads need not wait for the stores before.
+struct ThreeIntegrals {
+  double mass, stiffness1, stiffness2;
+};
+
+__device__ ThreeIntegrals integrals_of(const Integrals& integrals, int64_t cell, int number,
+                                       bool is_pair) {
+  const double* at = integrals.numbers + number * integrals.cells + cell;
+  if (!is_pair) return {__ldg(at), 0, 0};
+  return {__ldg(at), __ldg(at + 36 * integrals.cells), __ldg(at + 64 * integrals.cells)};
+}
+
+__device__ double combine(const ThreeIntegrals& of, const CombineWeights& weights) {
+  return weights.mass * of.mass +
+         (weights.stiffness1 * of.stiffness1 + weights.stiffness2 * of.stiffness2);
+}
+
+__global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined) {
+  await_previous();
+  const int64_t cell = thread_index() < combined.cells ? thread_index() : -1;
+  const CombineWeights weights = weights_of(metric, cell);
+  if (cell < 0) return;
+#pragma unroll 7
+  for (int pair = 0; pair < 28; ++pair)
+    pair_of(combined, cell, pair) = combine(integrals_of(integrals, cell, pair, true), weights);
+#pragma unroll
+  for (int a = 0; a < 8; ++a)
+    own_of(combined, cell, a) = combine(integrals_of(integrals, cell, 28 + a, false), weights);
+}
+
+// The children of a block's parents, each read once.
+constexpr int kParents = kThreads / 8;
+constexpr int kChildren = 8 * kParents;
+struct Children {
+  const int32_t* cell;
+  int count;
+  int32_t before;  // of all children
+};
+
+__device__ Children children_of_block(const Topology& coarse) {
+  const int32_t parent = static_cast<int32_t>(blockIdx.x) * kParents;
+  const int32_t first = coarse.child_start[parent];
+  const int32_t end = coarse.child_start[min(parent + kParents, coarse.cell_count)];
+  return {coarse.child + first, end - first, first};
+}
+
+struct ChildNumbers {
+  int octant[kChildren];
+  float numbers[CellSquares<float>::kNumbers][kChildren + 1];  // one more: banks
+};
+
+// load(cell, number, is_pair) is what a number is made of by make(i, cell, number, loaded), i being
+// the child's. A thread loads all that it has of a child at once; after its first loads it calls
+// prepare(), as every thread does.
+template <typename Load, typename Prepare, typename Make>
+__device__ void read_children(const Children& children, const uint8_t* octant, Load&& load,
+                              Prepare&& prepare, Make&& make, ChildNumbers& read) {
+  constexpr int kWarps = kThreads / 32;
+  constexpr int kShare = CellSquares<float>::kNumbers / kWarps;
+  const auto number_of = [](int n) { return n * kWarps + static_cast<int>(threadIdx.x / 32); };
+  for (int i = static_cast<int>(threadIdx.x); i < children.count; i += kThreads)
+    read.octant[i] = octant[children.cell[i]];
+  for (int first = 0; first < children.count; first += 32) {
+    const int i = first + static_cast<int>(threadIdx.x % 32);
+    const int64_t cell = children.cell[min(i, children.count - 1)];
+    decltype(load(cell, 0, true)) loaded[kShare];
+#pragma unroll
+    for (int n = 0; n < kShare; ++n) loaded[n] = load(cell, number_of(n), n < 28 / kWarps);
+    if (first == 0) prepare();
+    if (i >= children.count) continue;
+#pragma unroll
+    for (int n = 0; n < kShare; ++n)
+      read.numbers[number_of(n)][i] = static_cast<float>(make(i, cell, number_of(n), loaded[n]));
+  }
+  __syncthreads();
+}
+
+// Row a of K; its last number is the row sum.
+__device__ void read_row(const ChildNumbers& children, int i, int a, float (&row)[9]) {
+  row[8] = children.numbers[28 + a][i];
+  float diagonal = row[8];
+#pragma unroll
+  for (int b = 0; b < 8; ++b) {
+    row[b] = a == b ? 0 : children.numbers[pair_index(a, b)][i];
+    diagonal -= row[b];
+  }
+#pragma unroll
+  for (int b = 0; b < 8; ++b)
+    if (a == b) row[b] = diagonal;
+}
+
+// K P within a row. Along each axis the child's corner in the parent's middle shares itself out by
+// halves.
+__device__ void restrict_columns(int octant, float (&row)[9]) {
+#pragma unroll
+  for (int bit = 1; bit < 8; bit *= 2)
+#pragma unroll
+    for (int b = 0; b < 8; ++b) {
+      if (b & bit) continue;
+      float &low = row[b], &high = row[b | bit];
+      const float half = 0.5f * (octant & bit ? low : high);
+      low = octant & bit ? half : low + half;
+      high = octant & bit ? high + half : half;
+    }
+}
+
+// Pᵀ from the left, among the eight neighbouring threads that hold a row each.
+__device__ void restrict_rows(int octant, int a, unsigned group, float (&row)[9]) {
+#pragma unroll
+  for (int bit = 1; bit < 8; bit *= 2) {
+    const bool in_middle = ((a ^ octant) & bit) != 0;
+#pragma unroll
+    for (int b = 0; b < 9; ++b) {
+      const float other = __shfl_xor_sync(group, row[b], bit);
+      row[b] = in_middle ? 0.5f * row[b] : row[b] + 0.5f * other;
+    }
+  }
+}
+
+// Eight threads per coarse cell, each with a row.
+__device__ void sum_children(const Topology& coarse, const Children& children,
+                             const ChildNumbers& read, const CellSquares<float>& coarse_cells) {
+  const int64_t parent = thread_index() / 8;
+  if (parent >= coarse_cells.cells) return;
+  const int a = static_cast<int>(threadIdx.x % 8);
+  const unsigned group = 0xffu << (threadIdx.x % 32 / 8 * 8);
+  float sum[9] = {};
+  for (int32_t k = coarse.child_start[parent]; k < coarse.child_start[parent + 1]; ++k) {
+    const int i = k - children.before;
+    float row[9];
+    read_row(read, i, a, row);
+    restrict_columns(read.octant[i], row);
+    restrict_rows(read.octant[i], a, group, row);
+#pragma unroll
+    for (int b = 0; b < 9; ++b) sum[b] += row[b];
+  }
+#pragma unroll
+  for (int b = 0; b < 8; ++b)
+    if (b > a) pair_of(coarse_cells, parent, pair_index(a, b)) = sum[b];
+  own_of(coarse_cells, parent, a) = sum[8];
+}
+
+__global__ void __launch_bounds__(kThreads, 6)
+    combine_and_down_sample_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
+                                   Topology fine, Topology coarse,
+                                   CellSquares<float> coarse_cells) {
+  __shared__ ChildNumbers read;
+  __shared__ CombineWeights weights[kChildren];
+  let_next_start();
+  const Children children = children_of_block(coarse);
+  await_previous();
+  // The host's memory is far: what is here is loaded meanwhile.
+  const auto fetch_weights = [&] {
+    const auto t = static_cast<int>(threadIdx.x);
+    weights[t] = weights_of(metric, t < children.count ? children.cell[t] : -1);
+    __syncthreads();
+  };
+  const auto load = [&](int64_t cell, int number, bool is_pair) {
+    return integrals_of(integrals, cell, number, is_pair);
+  };
+  const auto make = [&](int i, int64_t cell, int number, const ThreeIntegrals& loaded) {
+    return combined.numbers[number * combined.cells + cell] = combine(loaded, weights[i]);
+  };
+  read_children(children, fine.octant, load, fetch_weights, make, read);
+  sum_children(coarse, children, read, coarse_cells);
+}
+static_assert(kChildren == kThreads);
+
+__global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<float> fine_cells,
+                                   CellSquares<float> coarse_cells) {
+  __shared__ ChildNumbers read;
+  let_next_start();
+  const Children children = children_of_block(coarse);
+  await_previous();
+  const auto load = [&](int64_t cell, int number, bool) {
+    return fine_cells.numbers[number * fine_cells.cells + cell];
+  };
+  const auto keep = [](int, int64_t, int, float loaded) { return loaded; };
+  read_children(
+      children, fine.octant, load, [] {}, keep, read);
+  sum_children(coarse, children, read, coarse_cells);
+}
+
+}  // namespace
+
+void combine_integrals(Stream& stream, const Integrals& integrals, const Metric& metric,
+                       const CellSquares<double>& combined) {
+  launch(stream, combine_kernel, combined.cells, integrals, metric, combined);
+}
+
+void combine_integrals(Stream& stream, const Integrals& integrals, const Metric& metric,
+                       const CellSquares<double>& combined, const Topology& fine,
+                       const Topology& coarse, const CellSquares<float>& coarse_cells) {
+  launch(stream, combine_and_down_sample_kernel, 8 * coarse_cells.cells, integrals, metric,
+         combined, fine, coarse, coarse_cells);
+}
+
+void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,
+                 const CellSquares<float>& fine_cells, const CellSquares<float>& coarse_cells) {
+  launch(stream, down_sample_kernel, 8 * coarse_cells.cells, fine, coarse, fine_cells,
+         coarse_cells);
+}
+
+}  // namespace burnish::cuda

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "server/solver/cuda/stream.h"
+#include "server/solver/cuda/views.h"
+
+namespace burnish::cuda {
+
+/// A session's metric and what is kept of it.
+struct Metric {
+  const float *alpha1, *alpha2;  ///< of every cell; may be the host's: each is read once
+  double scale;                  ///< of α to grid units
+  float* ratio;                  ///< out: α2/α1 of every cell
+  float* anisotropy;             ///< out: the largest ratio, either way round, of any cell
+};
+
+/// Combined integrals of the finest depth.
+void combine_integrals(Stream& stream, const Integrals& integrals, const Metric& metric,
+                       const CellSquares<double>& combined);
+
+/// The same, and those of the next coarser depth, which for coarse depths need float32 only: they
+/// precondition.
+void combine_integrals(Stream& stream, const Integrals& integrals, const Metric& metric,
+                       const CellSquares<double>& combined, const Topology& fine,
+                       const Topology& coarse, const CellSquares<float>& coarse_cells);
+
+/// Combined integrals of the coarse depth from those of the fine one: Σ over children of Pᵀ K P.
+void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,
+                 const CellSquares<float>& fine_cells, const CellSquares<float>& coarse_cells);
+
+}  // namespace burnish::cuda

@@ -1,0 +1,52 @@
+#include "server/solver/cuda/gradient_scale.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace burnish::cuda {
+
+namespace {
+
+constexpr int64_t kChunk = 1024;
+constexpr int64_t kParallelMin = 256;  // chunks; of fewer one thread is done before others wake
+
+std::span<const float> chunk_of(std::span<const float> beta, int64_t chunk) {
+  return beta.subspan(chunk * kChunk, std::min(beta.size() - chunk * kChunk, size_t{kChunk}));
+}
+
+bool all_are(std::span<const float> beta, float one) {
+  return beta.front() == one &&
+         std::memcmp(&beta[0], &beta[0] + 1, beta.size_bytes() - sizeof(float)) == 0;
+}
+
+}  // namespace
+
+GradientScale::GradientScale(Stream& stream, size_t cells)
+    : many_(stream, cells), now_(stream, cells), change_(stream, cells) {
+  view_ = {0, 0, 0, many_.data(), now_.data(), change_.data()};
+}
+
+void GradientScale::set(std::span<const float> beta) {
+  const auto cells = static_cast<int64_t>(many_.size());
+  if (cells == 0) return;
+  const float one = beta.front();
+  const int64_t chunks = (cells + kChunk - 1) / kChunk;
+  int64_t begin = chunks, end = 0;  // of the chunks that have another number
+  // clang-format off
+#pragma omp parallel for schedule(static) reduction(min : begin) reduction(max : end) \
+    if (chunks >= kParallelMin)
+  // clang-format on
+  for (int64_t chunk = 0; chunk < chunks; ++chunk) {
+    if (all_are(chunk_of(beta, chunk), one)) continue;
+    begin = std::min(begin, chunk);
+    end = std::max(end, chunk + 1);
+  }
+#pragma omp parallel for schedule(static) if (end - begin >= kParallelMin)
+  for (int64_t chunk = begin; chunk < end; ++chunk)
+    std::ranges::copy(chunk_of(beta, chunk), many_.data() + chunk * kChunk);
+  view_.one = one;
+  view_.begin = begin * kChunk;
+  view_.end = end * kChunk;
+}
+
+}  // namespace burnish::cuda
