@@ -28,7 +28,11 @@ Status check_beta(double beta) {
   return check_range("beta", beta, kBetaMin, kBetaMax);
 }
 
-TransferCurve::TransferCurve(double alpha) : points_{{0.0, alpha}} {
+TransferCurve::TransferCurve(std::vector<Point> points) : points_(std::move(points)) {
+  for (const Point& point : points_) logs_.push_back(std::log(point.alpha));
+}
+
+TransferCurve::TransferCurve(double alpha) : TransferCurve(std::vector<Point>{{0.0, alpha}}) {
   BURNISH_CHECK(check_alpha(alpha).is_ok(), "alpha is checked at the edge");
 }
 
@@ -102,10 +106,9 @@ double TransferCurve::alpha(double kappa) const {
                                       [](double k, const Point& p) { return k < p.kappa; });
   if (right == points_.begin()) return points_.front().alpha;
   if (right == points_.end()) return points_.back().alpha;
-  const Point& a = *(right - 1);
-  const Point& b = *right;
-  const double t = (kappa - a.kappa) / (b.kappa - a.kappa);
-  return std::exp(std::log(a.alpha) * (1 - t) + std::log(b.alpha) * t);
+  const auto left = right - 1;
+  const double t = (kappa - left->kappa) / (right->kappa - left->kappa);
+  return std::exp(logs_[left - points_.begin()] * (1 - t) + logs_[right - points_.begin()] * t);
 }
 
 double TransferCurve::contrast() const {

@@ -37,8 +37,9 @@ class TransferCurve {
   bool operator==(const TransferCurve&) const = default;
 
  private:
-  explicit TransferCurve(std::vector<Point> points) : points_(std::move(points)) {}
+  explicit TransferCurve(std::vector<Point> points);
   std::vector<Point> points_;  // sorted by kappa, at least one
+  std::vector<double> logs_;   // of their α: taken once, they else cost more than all of alpha()
 };
 
 /// alpha within its limits, or invalid_argument naming the value and the limit.

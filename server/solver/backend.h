@@ -56,7 +56,7 @@ class Backend {
   virtual void solve_coarsest() = 0;               ///< x = S⁻¹ f
 
   // Conjugate gradients at the finest depth; each column has its own scalars.
-  virtual void recompute_residual() = 0;            ///< r = b − S u
+  virtual void recompute_residual() = 0;  ///< r = b − S u
   /// u *= a, r as follows, with the a that brings the energy lowest. Needs: r is right. Where β is
   /// one for all cells, u is β−1 times something: a slider's new value needs nothing else.
   virtual void rescale() = 0;

@@ -39,7 +39,7 @@ class ConvergenceRate {
   static constexpr int kStepsLeast = 3;
   static constexpr double kFactorGuess = 0.5;
   static constexpr double kFactorMin = 0.25;  // a step may do less than those before it did
-  static constexpr double kFactorMax = 0.9;  // κ = 361: slower is noise that no vertex sees
+  static constexpr double kFactorMax = 0.9;   // κ = 361: slower is noise that no vertex sees
 
   std::array<double, kSteps> latest_ = {};
   int count_ = 0;

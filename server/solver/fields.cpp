@@ -1,7 +1,6 @@
 #include "server/solver/fields.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "common/grid/morton.h"
@@ -197,37 +196,9 @@ uint64_t Fields::byte_count() const {
          overrides_.size() * sizeof(overrides_[0]);
 }
 
-namespace {
-
-/// TransferCurve::alpha() of many curvatures, to the same bits: without the logarithms of its
-/// points, which take longer than all the rest.
-class ManyAlphas {
- public:
-  explicit ManyAlphas(const TransferCurve& curve) : points_(curve.points()) {
-    for (const TransferCurve::Point& point : points_) logs_.push_back(std::log(point.alpha));
-  }
-
-  float operator()(double kappa) const {
-    const auto right =
-        std::upper_bound(points_.begin(), points_.end(), kappa,
-                         [](double k, const TransferCurve::Point& p) { return k < p.kappa; });
-    if (right == points_.begin()) return static_cast<float>(points_.front().alpha);
-    if (right == points_.end()) return static_cast<float>(points_.back().alpha);
-    const auto log = logs_.begin() + (right - points_.begin());
-    const double t = (kappa - (right - 1)->kappa) / (right->kappa - (right - 1)->kappa);
-    return static_cast<float>(std::exp(*(log - 1) * (1 - t) + *log * t));
-  }
-
- private:
-  const std::vector<TransferCurve::Point>& points_;
-  std::vector<double> logs_;
-};
-
-}  // namespace
-
 void Fields::update_metric() const {
-  const ManyAlphas alpha(curve_);
   const bool is_constant = curve_.is_constant();
+  const auto alpha = [&](double kappa) { return static_cast<float>(curve_.alpha(kappa)); };
   const float one = alpha(0);
 #pragma omp parallel for schedule(static)
   for (int64_t c = 0; c < static_cast<int64_t>(alpha1_.size()); ++c) {
