@@ -21,25 +21,25 @@ class ConvergenceRate {
   double error_over_correction() const {
     const double rho = factor();
     const double root = (1 + rho) / (1 - rho);
-    return rho * root * root;
+    return std::max(rho, kLeftMin) * root * root;
   }
 
  private:
-  // In [kFactorMin, kFactorMax]; a cautious guess before enough steps are known.
+  // In [0, kFactorMax]; a cautious guess before enough steps are known.
   double factor() const {
     if (count_ < kStepsLeast) return kFactorGuess;
     const int span = std::min(count_, kSteps) - 1;
     const double now = latest_[(count_ - 1) % kSteps];
     const double then = latest_[(count_ - 1 - span) % kSteps];
-    if (!(then > 0)) return kFactorMin;  // nothing was left to do
-    return std::clamp(std::pow(std::max(now, 0.0) / then, 0.5 / span), kFactorMin, kFactorMax);
+    if (!(then > 0)) return 0;  // nothing was left to do
+    return std::clamp(std::pow(std::max(now, 0.0) / then, 0.5 / span), 0.0, kFactorMax);
   }
 
   static constexpr int kSteps = 9;
   static constexpr int kStepsLeast = 3;
+  static constexpr double kLeftMin = 0.5;  // the largest error falls less evenly than the energy
   static constexpr double kFactorGuess = 0.5;
-  static constexpr double kFactorMin = 0.25;  // a step may do less than those before it did
-  static constexpr double kFactorMax = 0.9;   // κ = 361: slower is noise that no vertex sees
+  static constexpr double kFactorMax = 0.9;  // κ = 361: slower is noise that no vertex sees
 
   std::array<double, kSteps> latest_ = {};
   int count_ = 0;

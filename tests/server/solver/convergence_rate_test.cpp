@@ -25,8 +25,11 @@ TEST(ConvergenceRate, GuessesAHalfBeforeThreeSteps) {
   EXPECT_EQ(estimate_after(2, 0.1), 0.5 * 9);
 }
 
-TEST(ConvergenceRate, NeverCountsOnStepsThatLeaveLessThanAQuarterNorMoreThanNineTenths) {
-  EXPECT_EQ(estimate_after(5, 0.01), estimate_after(5, 0.25));
+TEST(ConvergenceRate, NeverCountsOnAStepThatLeavesLessThanAHalf) {
+  EXPECT_NEAR(estimate_after(5, 0.1), 0.5 * (1.1 / 0.9) * (1.1 / 0.9), 1e-12);
+}
+
+TEST(ConvergenceRate, IsCappedWhereStepsLeaveMoreThanNineTenths) {
   EXPECT_EQ(estimate_after(5, 0.99), estimate_after(5, 0.9));
 }
 
