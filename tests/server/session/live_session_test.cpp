@@ -158,7 +158,7 @@ TEST_F(LiveSessionTest, SettledItIsSilentUntilSomethingChanges) {
 
 TEST_F(LiveSessionTest, WhatAnExactExportRelaxedIsShownAsExact) {
   auto ann = guest();
-  ann.edit({{"a", SetGradientScale{0}}});
+  ann.edit({{"a", stroke()}});  // a slider alone would be exact at once
   ann.settle();
   EXPECT_FALSE(ann.all<LiveFrame>().back().facts.exact);
   ASSERT_TRUE(
