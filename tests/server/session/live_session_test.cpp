@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/session/memory_need.h"
 #include "server/session/session_turn.h"
 #include "tests/server/session/live_guest.h"
 #include "tests/server/session/test_library.h"
@@ -380,6 +381,43 @@ TEST_F(LiveSessionTest, WhatClientsDrawIsAdmittedByItsBytes) {
     EXPECT_GT(memory.taken(), before + whole);
   }
   EXPECT_EQ(memory.taken(), before);
+}
+
+TEST_F(LiveSessionTest, AClientIsAdmittedByTheBytesOfItsFrames) {
+  auto ann = guest();
+  Quota& memory = manager_->memory();
+  const uint64_t of_a_client = predict_client_bytes(*ann.subscriber().target->layout);
+  const uint64_t taken = memory.taken(), left = of_a_client - 1;
+  Quota::Share rest = memory.take(kServer, memory.max() - taken - left).value();
+  const Status refused = live_->join({"work"}, "bob", {}, {}).status();
+  EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
+  EXPECT_EQ(refused.message(),
+            "frames for a client of session work: the server has " +
+                std::to_string(memory.max() - left) +
+                " bytes of meshes and sessions and asks for " + std::to_string(of_a_client) +
+                " more; limits.memory_bytes_max is " + std::to_string(memory.max()));
+  rest = {};
+  EXPECT_TRUE(manager_->presence("work").value()->list().size() == 1);
+  const auto bob = guest("bob");
+  EXPECT_EQ(memory.taken(), taken + of_a_client);
+}
+
+TEST_F(LiveSessionTest, ASessionsBytesAreWithThoseOfItsClientsFrames) {
+  const auto bytes = [this] { return manager_->state("work", {}).value().memory_bytes; };
+  auto ann = guest();
+  ann.edit({{"a", SetTransferCurve{TransferCurve(5)}}, {"b", SetGradientScale{0}}});
+  ann.settle();
+  const uint64_t with_one = bytes();
+  {
+    auto bob = guest("bob");
+    bob.settle();
+    EXPECT_EQ(bytes(), with_one + bob.subscriber().byte_count());
+    EXPECT_EQ(live_->usage().client_bytes,
+              ann.subscriber().byte_count() + bob.subscriber().byte_count());
+    EXPECT_GT(bob.subscriber().byte_count(),
+              uint64_t{6} * bob.subscriber().target->layout->value_count());
+  }
+  EXPECT_EQ(bytes(), with_one);
 }
 
 TEST_F(LiveSessionTest, ADrainingServerLetsNobodyIn) {
