@@ -36,7 +36,7 @@ constexpr CommandForm kForms[] = {
     {"fork", 1, kAny, "fork NAME: opens a copy of the session"},
     {"wait", 0, 0, "wait: until all is applied and settled"},
     {"camera", 2, 6, "camera AZIMUTH ELEVATION [DISTANCE X Y Z]: without target, frames all"},
-    {"frame", 0, 0, "frame: shows the whole scan"},
+    {"frame", 0, 1, "frame [FARTHER]: shows the whole scan, from so many times the distance"},
     {"colour", 1, 1, "colour clay|beta|curvature|displacement"},
     {"flat", 1, 1, "flat on|off"},
     {"wireframe", 1, 1, "wireframe on|off"},

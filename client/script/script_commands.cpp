@@ -71,6 +71,17 @@ Status set_camera(const std::vector<double>& numbers, Viewport& viewport,
   return Status::ok();
 }
 
+Status frame(const std::vector<std::string>& words, Viewport& viewport, const Document& document) {
+  static constexpr double kFartherMin = 1, kFartherMax = 10;
+  ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(words, 0));
+  const double farther = numbers.empty() ? 1 : numbers[0];
+  if (!(farther >= kFartherMin && farther <= kFartherMax))
+    return invalid_argument("'" + words[0] + "' times the distance: must be within 1..10");
+  viewport.frame_all(document);
+  viewport.camera.distance *= farther;
+  return Status::ok();
+}
+
 }  // namespace
 
 Status ScriptRunner::run_edit(const ScriptLine& line) {
@@ -127,10 +138,7 @@ Status ScriptRunner::run_view(const ScriptLine& line) {
     ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(line.words, 0));
     return set_camera(numbers, viewport, document);
   }
-  if (command == "frame") {
-    viewport.frame_all(document);
-    return Status::ok();
-  }
+  if (command == "frame") return frame(line.words, viewport, document);
   if (command == "colour") {
     ASSIGN_OR_RETURN(const ColourBy colour, parse_colour(line.words[0]));
     document.set_colour(colour);

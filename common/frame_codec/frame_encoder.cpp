@@ -126,6 +126,11 @@ uint64_t FrameEncoder::byte_count() const {
   return bytes;
 }
 
+uint64_t FrameEncoder::byte_count_max(const FrameLayout& layout) {
+  return (kFramesInFlightMax + kAcknowledgedMax) *
+         (sizeof(SentFrame) + FrameState::byte_count_max(layout));
+}
+
 const FrameEncoder::SentFrame* FrameEncoder::newest_acknowledged() const {
   for (auto frame = sent_.rbegin(); frame != sent_.rend(); ++frame)
     if (frame->acknowledged) return &*frame;

@@ -53,6 +53,10 @@ class FrameEncoder {
   /// What is remembered of sent frames. Tiles that they share count once for each.
   uint64_t byte_count() const;
 
+  /// What byte_count() stays within while displacements are below 128 cells, whatever the client
+  /// acknowledges.
+  static uint64_t byte_count_max(const FrameLayout& layout);
+
  private:
   struct SentFrame {
     uint64_t sequence;
@@ -68,7 +72,8 @@ class FrameEncoder {
   void remember(SentFrame frame);
 
   std::shared_ptr<const FrameLayout> layout_;
-  std::deque<SentFrame> sent_;  // rising; at most two acknowledged ones: a reference and its spare
+  static constexpr size_t kAcknowledgedMax = 2;  // a reference and its spare
+  std::deque<SentFrame> sent_;                   // rising
   uint64_t next_sequence_ = 1;
 };
 

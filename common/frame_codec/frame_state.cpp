@@ -39,6 +39,11 @@ uint64_t FrameState::byte_count() const {
   return bytes;
 }
 
+uint64_t FrameState::byte_count_max(const FrameLayout& layout) {
+  return layout.tile_count() * (sizeof(tiles_[0]) + sizeof(Tile)) +
+         uint64_t{3} * layout.value_count() * sizeof(int16_t);
+}
+
 void write_displacement(const FrameLayout& layout, const FrameState& state, int tile,
                         std::span<Vec3f> displacements) {
   std::array<int32_t, 3 * kTileValues> values;

@@ -28,6 +28,9 @@ class FrameState {
 
   uint64_t byte_count() const;  ///< shared tiles included
 
+  /// What byte_count() stays within while displacements are below 128 cells.
+  static uint64_t byte_count_max(const FrameLayout& layout);
+
  private:
   // Two bytes a value as long as they fit: displacements below 128 cells.
   struct Tile {

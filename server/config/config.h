@@ -39,7 +39,7 @@ struct ServerConfig {
   int64_t connections_max = 256;
   int64_t upload_bytes_max = int64_t{8} << 30;
   int64_t upload_bytes_per_user = int64_t{16} << 30;  ///< uploads under way
-  int64_t memory_bytes_max = 0;         ///< of meshes and sessions; 0: half of the machine's
+  int64_t memory_bytes_max = 0;         ///< of meshes, sessions, clients; 0: half the machine's
   int64_t device_memory_bytes_max = 0;  ///< of the same on a GPU; 0: all that it has
 };
 

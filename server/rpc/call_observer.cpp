@@ -1,5 +1,6 @@
 #include "server/rpc/call_observer.h"
 
+#include <algorithm>
 #include <array>
 
 #include <google/protobuf/message_lite.h>
@@ -19,7 +20,9 @@ using std::chrono::steady_clock;
 
 constexpr char kMethodKey[] = "burnish-method";
 constexpr char kRequestIdKey[] = "x-request-id";
-constexpr char kCallOfBytes[] = "/burnish.v1.Editing/Edit";
+constexpr std::string_view kCallsOfBytes[] = {"/burnish.v1.Editing/Edit",
+                                              "/burnish.v1.Editing/UploadCellFields",
+                                              "/burnish.v1.Library/Import"};
 
 const char* code_name(grpc::StatusCode code) {
   static constexpr std::array kNames = {"OK",
@@ -50,6 +53,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
         counts_(std::move(counts)),
         method_(info.method()),
         is_ours_(method_.starts_with("/burnish.")),
+        takes_bytes_(std::ranges::count(kCallsOfBytes, method_) > 0),
         peer_(info.server_context()->peer()) {
     ++counts_->started;
     if (is_ours_) ++counts_->running;
@@ -88,12 +92,11 @@ class CallObserver final : public grpc::experimental::Interceptor {
   void take_message(const void* message) {
     lacks_message_ = !message;
     // gRPC hands out the message without its type; those of our services are protobuf's, but for
-    // the one call that takes bytes.
+    // the calls that take bytes.
     if (!message || !is_ours_) return;
     record_.bytes_received +=
-        method_ == kCallOfBytes
-            ? static_cast<const grpc::ByteBuffer*>(message)->Length()
-            : static_cast<const google::protobuf::MessageLite*>(message)->ByteSizeLong();
+        takes_bytes_ ? static_cast<const grpc::ByteBuffer*>(message)->Length()
+                     : static_cast<const google::protobuf::MessageLite*>(message)->ByteSizeLong();
   }
 
   bool is_cancelled_for_want_of_a_message() const {
@@ -136,6 +139,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
   const std::shared_ptr<CallCounts> counts_;
   const std::string method_;
   const bool is_ours_;
+  const bool takes_bytes_;
   const std::string peer_;
   const std::string request_id_ = random_name();
   const steady_clock::time_point start_ = steady_clock::now();

@@ -2,10 +2,9 @@
 
 #include <spdlog/spdlog.h>
 
-#include "common/base/check.h"
 #include "common/service/scan_info.h"
-#include "server/metrics/metrics.h"
 #include "server/rpc/live_wire.h"
+#include "server/rpc/message_bytes.h"
 
 namespace burnish {
 
@@ -17,7 +16,8 @@ EditCall::EditCall(const CallContext& calls, grpc::CallbackServerContext& contex
 
 void EditCall::OnReadDone(bool ok) {
   if (!ok) return end_of_requests();
-  if (!parse_request()) return refuse(invalid_argument("the message is no ClientMessage"));
+  const Status parsed = parse(received_, request_);
+  if (!parsed.is_ok()) return writer_.end(parsed);
   if (!client_) return take_greeting();
   client_->subscriber->heard();
   const Status status = take_request();
@@ -26,22 +26,13 @@ void EditCall::OnReadDone(bool ok) {
   read_on();
 }
 
-bool EditCall::parse_request() {
-  return grpc::SerializationTraits<v1::ClientMessage>::Deserialize(&received_, &request_).ok();
-}
-
 void EditCall::write(const v1::ServerMessage& message) {
-  sent_.Clear();  // it must be empty
-  bool is_ours = false;
-  const auto status =
-      grpc::SerializationTraits<v1::ServerMessage>::Serialize(message, &sent_, &is_ours);
-  BURNISH_CHECK(status.ok(), "a message of ours has bytes");
+  serialize(message, sent_);
   StartWrite(&sent_);
 }
 
 void EditCall::refuse(const Status& status) {
-  metrics().count_refusal(Refusal::kMalformed);
-  writer_.end(status);
+  writer_.end(malformed(status));
 }
 
 void EditCall::end_of_requests() {

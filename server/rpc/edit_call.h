@@ -26,7 +26,6 @@ class EditCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::By
   void OnDone() override;
 
  private:
-  bool parse_request();
   void write(const v1::ServerMessage& message);
   void take_greeting();
   Result<LiveClient> join(const Result<std::string>& user);

@@ -68,8 +68,8 @@ grpc::ServerUnaryReactor* EditingService::Apply(grpc::CallbackServerContext* con
   });
 }
 
-grpc::ServerReadReactor<v1::UploadCellFieldsRequest>* EditingService::UploadCellFields(
-    grpc::CallbackServerContext* context, v1::ApplyResponse* response) {
+grpc::ServerReadReactor<grpc::ByteBuffer>* EditingService::UploadCellFields(
+    grpc::CallbackServerContext* context, grpc::ByteBuffer* response) {
   return start_call<UploadCellFieldsCall>(calls_, context, *context, *response);
 }
 

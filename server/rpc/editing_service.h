@@ -2,30 +2,20 @@
 
 #include "burnish/v1/editing.grpc.pb.h"
 #include "server/rpc/call_context.h"
+#include "server/rpc/with_calls.h"
 
 namespace burnish {
 
-template <typename Service, template <typename> typename... Calls>
-struct WithCalls {
-  using Type = Service;
-};
-template <typename Service, template <typename> typename Call,
-          template <typename> typename... Calls>
-struct WithCalls<Service, Call, Calls...> {
-  using Type = typename WithCalls<Call<Service>, Calls...>::Type;
-};
-
-/// All calls by their messages but Edit, which takes bytes: of a message that is none a reactor
-/// hears no more than of the stream's end.
 using EditingCalls = WithCalls<
     v1::Editing::Service, v1::Editing::WithRawCallbackMethod_Edit,
+    v1::Editing::WithRawCallbackMethod_UploadCellFields,
     v1::Editing::WithCallbackMethod_OpenSession, v1::Editing::WithCallbackMethod_ListSessions,
     v1::Editing::WithCallbackMethod_CloseSession, v1::Editing::WithCallbackMethod_DeleteSession,
-    v1::Editing::WithCallbackMethod_Apply, v1::Editing::WithCallbackMethod_UploadCellFields,
-    v1::Editing::WithCallbackMethod_GetHistory, v1::Editing::WithCallbackMethod_ForkSession,
-    v1::Editing::WithCallbackMethod_GetPeople, v1::Editing::WithCallbackMethod_SetRole,
-    v1::Editing::WithCallbackMethod_GetState, v1::Editing::WithCallbackMethod_Watch,
-    v1::Editing::WithCallbackMethod_GetCells, v1::Editing::WithCallbackMethod_Export>::Type;
+    v1::Editing::WithCallbackMethod_Apply, v1::Editing::WithCallbackMethod_GetHistory,
+    v1::Editing::WithCallbackMethod_ForkSession, v1::Editing::WithCallbackMethod_GetPeople,
+    v1::Editing::WithCallbackMethod_SetRole, v1::Editing::WithCallbackMethod_GetState,
+    v1::Editing::WithCallbackMethod_Watch, v1::Editing::WithCallbackMethod_GetCells,
+    v1::Editing::WithCallbackMethod_Export>::Type;
 
 /// burnish.v1.Editing over the session manager: adapts messages, and nothing else.
 class EditingService final : public EditingCalls {
@@ -47,8 +37,8 @@ class EditingService final : public EditingCalls {
   grpc::ServerUnaryReactor* Apply(grpc::CallbackServerContext* context,
                                   const v1::ApplyRequest* request,
                                   v1::ApplyResponse* response) override;
-  grpc::ServerReadReactor<v1::UploadCellFieldsRequest>* UploadCellFields(
-      grpc::CallbackServerContext* context, v1::ApplyResponse* response) override;
+  grpc::ServerReadReactor<grpc::ByteBuffer>* UploadCellFields(grpc::CallbackServerContext* context,
+                                                              grpc::ByteBuffer* response) override;
   grpc::ServerUnaryReactor* GetHistory(grpc::CallbackServerContext* context,
                                        const v1::GetHistoryRequest* request,
                                        v1::GetHistoryResponse* response) override;

@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "common/wire/library_wire.h"
+#include "server/rpc/message_bytes.h"
 
 namespace burnish {
 
@@ -14,34 +15,32 @@ static v1::ImportEvent received_event(uint64_t bytes) {
 
 ImportCall::ImportCall(const CallContext& calls)
     : calls_(calls),
-      events_([this](const v1::ImportEvent* event) { StartWrite(event); },
+      events_([this](const v1::ImportEvent* event) { write(*event); },
               [this](grpc::Status status) { Finish(std::move(status)); }) {}
 
 void ImportCall::OnReadDone(bool ok) {
   calls_.executor.post([call = self(), ok] {
-    if (ok) {
-      call->take_request();
-    } else {
-      call->end_of_requests();
-    }
+    if (!ok) return call->end_of_requests();
+    const Status status = call->take_request();
+    if (!status.is_ok()) return call->end(status);
+    if (!call->ended_) call->StartRead(&call->received_);
   });
 }
 
-void ImportCall::take_request() {
-  Status status;
-  if (request_.has_header()) {
-    status = take_header(request_.header());
-  } else if (request_.has_chunk()) {
-    status = take_chunk(request_.chunk());
-  } else {
-    status = invalid_argument("an import's message is a header or a chunk");
-  }
-  if (!status.is_ok()) return end(status);
-  if (!ended_) StartRead(&request_);
+void ImportCall::write(const v1::ImportEvent& event) {
+  serialize(event, sent_);
+  StartWrite(&sent_);
+}
+
+Status ImportCall::take_request() {
+  RETURN_IF_ERROR(parse(received_, request_));
+  if (request_.has_header()) return take_header(request_.header());
+  if (request_.has_chunk()) return take_chunk(request_.chunk());
+  return malformed(invalid_argument("an import's message is a header or a chunk"));
 }
 
 Status ImportCall::take_header(const v1::ImportHeader& message) {
-  if (upload_) return invalid_argument("an import has one header");
+  if (upload_) return malformed(invalid_argument("an import has one header"));
   ASSIGN_OR_RETURN(header_, from_wire(message));
   ASSIGN_OR_RETURN(upload_, calls_.store.begin_upload(header_, calls_.user));
   if (!header_.sha256.empty()) {
@@ -56,7 +55,7 @@ Status ImportCall::take_header(const v1::ImportHeader& message) {
 }
 
 Status ImportCall::take_chunk(const v1::Chunk& chunk) {
-  if (!upload_) return invalid_argument("an import begins with its header");
+  if (!upload_) return malformed(invalid_argument("an import begins with its header"));
   RETURN_IF_ERROR(upload_->append(chunk.offset(), chunk.data(), chunk.crc32()));
   events_.offer(received_event(upload_->received_bytes()));
   return Status::ok();

@@ -12,12 +12,12 @@ namespace burnish {
 
 /// Library.Import: header, chunks, then the work of the store. One message is read at a time, and
 /// the next only after the last is on its way to disk.
-class ImportCall final : public grpc::ServerBidiReactor<v1::ImportRequest, v1::ImportEvent>,
+class ImportCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>,
                          public SelfOwned<ImportCall> {
  public:
   explicit ImportCall(const CallContext& calls);
 
-  void begin() { StartRead(&request_); }
+  void begin() { StartRead(&received_); }
 
   void OnReadDone(bool ok) override;
   void OnWriteDone(bool ok) override { events_.on_write_done(ok); }
@@ -25,16 +25,18 @@ class ImportCall final : public grpc::ServerBidiReactor<v1::ImportRequest, v1::I
   void OnDone() override { release(); }
 
  private:
-  void take_request();
+  Status take_request();
   Status take_header(const v1::ImportHeader& message);
   Status take_chunk(const v1::Chunk& chunk);
+  void write(const v1::ImportEvent& event);
   void end_of_requests();
   void end(const Result<ImportOutcome>& outcome);
   Progress progress();
 
   const CallContext calls_;
   std::atomic<bool> cancelled_{false};
-  v1::ImportRequest request_;
+  grpc::ByteBuffer received_, sent_;
+  v1::ImportRequest request_;  // what was received
   ImportHeader header_;
   std::unique_ptr<Upload> upload_;
   bool ended_ = false;

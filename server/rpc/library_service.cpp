@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-grpc::ServerBidiReactor<v1::ImportRequest, v1::ImportEvent>* LibraryService::Import(
+grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* LibraryService::Import(
     grpc::CallbackServerContext* context) {
   return start_call<ImportCall>(calls_, context);
 }

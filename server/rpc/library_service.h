@@ -2,15 +2,22 @@
 
 #include "burnish/v1/library.grpc.pb.h"
 #include "server/rpc/call_context.h"
+#include "server/rpc/with_calls.h"
 
 namespace burnish {
 
+using LibraryCalls = WithCalls<
+    v1::Library::Service, v1::Library::WithRawCallbackMethod_Import,
+    v1::Library::WithCallbackMethod_ListScans, v1::Library::WithCallbackMethod_DescribeScan,
+    v1::Library::WithCallbackMethod_PrepareScan, v1::Library::WithCallbackMethod_FetchView,
+    v1::Library::WithCallbackMethod_DeleteScan>::Type;
+
 /// burnish.v1.Library over the mesh store: adapts messages, and nothing else.
-class LibraryService final : public v1::Library::CallbackService {
+class LibraryService final : public LibraryCalls {
  public:
   explicit LibraryService(const CallContext& calls) : calls_(calls) {}
 
-  grpc::ServerBidiReactor<v1::ImportRequest, v1::ImportEvent>* Import(
+  grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* Import(
       grpc::CallbackServerContext* context) override;
   grpc::ServerUnaryReactor* ListScans(grpc::CallbackServerContext* context,
                                       const v1::ListScansRequest* request,

@@ -2,6 +2,7 @@
 
 #include "common/wire/edit_wire.h"
 #include "common/wire/session_wire.h"
+#include "server/rpc/message_bytes.h"
 
 namespace burnish {
 
@@ -10,13 +11,15 @@ void UploadCellFieldsCall::OnReadDone(bool ok) {
     if (!ok) return call->Finish(to_grpc(call->apply()));
     const Status status = call->take_request();
     if (!status.is_ok()) return call->Finish(to_grpc(status));
-    call->StartRead(&call->request_);
+    call->StartRead(&call->received_);
   });
 }
 
 Status UploadCellFieldsCall::take_request() {
+  RETURN_IF_ERROR(parse(received_, request_));
   if (request_.has_header()) return take_header(request_.header());
-  if (!has_header_) return invalid_argument("an upload of cell fields begins with its header");
+  if (!has_header_)
+    return malformed(invalid_argument("an upload of cell fields begins with its header"));
   RETURN_IF_ERROR(append_cells(request_.cells(), change_));
   if (change_.cells.size() <= announced_cells_) return Status::ok();
   return invalid_argument("the upload was announced with " + std::to_string(announced_cells_) +
@@ -24,7 +27,7 @@ Status UploadCellFieldsCall::take_request() {
 }
 
 Status UploadCellFieldsCall::take_header(const v1::CellFieldsHeader& header) {
-  if (has_header_) return invalid_argument("an upload of cell fields has one header");
+  if (has_header_) return malformed(invalid_argument("an upload of cell fields has one header"));
   RETURN_IF_ERROR(check_edit_id(header.edit_id()));
   if (header.cells() > kCellFieldsPerEditMax)
     return resource_exhausted("the edit sets " + std::to_string(header.cells()) +
@@ -48,7 +51,7 @@ Status UploadCellFieldsCall::apply() {
   ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(context_));
   ASSIGN_OR_RETURN(const ApplyOutcome outcome,
                    calls_.sessions.apply(session_, user, {&edit, 1}, progress));
-  response_ = to_wire(outcome);
+  serialize(to_wire(outcome), response_);
   return Status::ok();
 }
 

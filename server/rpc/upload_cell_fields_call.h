@@ -9,14 +9,14 @@
 namespace burnish {
 
 /// Editing.UploadCellFields: gathers the parts of one large edit, then applies it.
-class UploadCellFieldsCall final : public grpc::ServerReadReactor<v1::UploadCellFieldsRequest>,
+class UploadCellFieldsCall final : public grpc::ServerReadReactor<grpc::ByteBuffer>,
                                    public SelfOwned<UploadCellFieldsCall> {
  public:
   UploadCellFieldsCall(const CallContext& calls, const grpc::CallbackServerContext& context,
-                       v1::ApplyResponse& response)
+                       grpc::ByteBuffer& response)
       : calls_(calls), context_(context), response_(response) {}
 
-  void begin() { StartRead(&request_); }
+  void begin() { StartRead(&received_); }
 
   void OnReadDone(bool ok) override;
   void OnCancel() override { cancelled_ = true; }
@@ -29,9 +29,10 @@ class UploadCellFieldsCall final : public grpc::ServerReadReactor<v1::UploadCell
 
   const CallContext calls_;
   const grpc::CallbackServerContext& context_;
-  v1::ApplyResponse& response_;
+  grpc::ByteBuffer& response_;
   std::atomic<bool> cancelled_{false};
-  v1::UploadCellFieldsRequest request_;
+  grpc::ByteBuffer received_;
+  v1::UploadCellFieldsRequest request_;  // what was received
   bool has_header_ = false;
   uint64_t announced_cells_ = 0;
   std::string session_;

@@ -196,6 +196,12 @@ uint64_t LiveSession::credits() const {
   return sum;
 }
 
+uint64_t LiveSession::client_bytes() const {
+  uint64_t sum = 0;
+  for (const auto& subscriber : subscribers()) sum += subscriber->byte_count();
+  return sum;
+}
+
 size_t LiveSession::queued_edits() const {
   const std::lock_guard lock(mutex_);
   return edits_.size();

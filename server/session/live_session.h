@@ -53,6 +53,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
 
   size_t queued_edits() const;
   uint64_t credits() const;
+  uint64_t client_bytes() const;  ///< what is held of frames for its clients
 
  private:
   struct Seat {

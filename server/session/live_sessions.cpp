@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "server/session/memory_need.h"
+
 namespace burnish {
 
 static int encoder_threads() {
@@ -31,6 +33,9 @@ Result<LiveClient> LiveSessions::join(const LiveGreeting& greeting, const std::s
                    manager_.attach(greeting.session, progress));
   ASSIGN_OR_RETURN(auto target, targets_.find_or_make(attached.mesh, greeting.triangles_max,
                                                       greeting.content, progress));
+  auto memory = manager_.memory().take(kServer, predict_client_bytes(*target->layout));
+  if (!memory.is_ok())
+    return memory.status().with_context("frames for a client of session " + attached.info.name);
   const std::lock_guard lock(mutex_);
   if (draining_) return going_down();
   std::shared_ptr<LiveSession>& session = sessions_[attached.info.id];
@@ -41,8 +46,8 @@ Result<LiveClient> LiveSessions::join(const LiveGreeting& greeting, const std::s
   };
   wiring.may_be_silent = greeting.may_be_silent;
   const uint64_t connection = attached.entry->presence.join(user);
-  auto subscriber = std::make_shared<Subscriber>(connection, user, std::move(target), encoders_,
-                                                 std::move(wiring));
+  auto subscriber = std::make_shared<Subscriber>(
+      connection, user, std::move(target), std::move(memory).value(), encoders_, std::move(wiring));
   session->join(subscriber);
   return LiveClient{session, std::move(subscriber), attached.info, attached.roles.of(user),
                     attached.backend};
@@ -79,6 +84,7 @@ LiveSessions::Usage LiveSessions::usage() const {
   for (const auto& [id, session] : sessions_) {
     usage.queued_edits += session->queued_edits();
     usage.credits += session->credits();
+    usage.client_bytes += session->client_bytes();
   }
   return usage;
 }
@@ -91,6 +97,11 @@ std::shared_ptr<LiveSession> LiveSessions::find(const std::string& id) const {
 
 void LiveSessions::on_session_changed(const std::string& id) {
   if (const auto session = find(id)) session->wake();
+}
+
+uint64_t LiveSessions::client_bytes(const std::string& id) const {
+  const auto session = find(id);
+  return session ? session->client_bytes() : 0;
 }
 
 void LiveSessions::on_session_left(const std::string& id, const Status& why) {

@@ -52,6 +52,7 @@ class LiveSessions final : public SessionListener {
     size_t waiting_sessions = 0;  ///< for a turn
     size_t queued_edits = 0;      ///< messages
     uint64_t credits = 0;
+    uint64_t client_bytes = 0;  ///< what is held of frames for clients
   };
   Usage usage() const;
 
@@ -59,6 +60,7 @@ class LiveSessions final : public SessionListener {
 
   void on_session_changed(const std::string& id) override;
   void on_session_left(const std::string& id, const Status& why) override;
+  uint64_t client_bytes(const std::string& id) const override;
 
  private:
   std::shared_ptr<LiveSession> find(const std::string& id) const;

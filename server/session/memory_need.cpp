@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/frame_codec/frame_encoder.h"
+
 namespace burnish {
 
 // Measured on real scans and rounded up: a cell of the finest depth brings some two corners, and
@@ -10,6 +12,7 @@ static constexpr uint64_t kHierarchyBytesPerCell = 700;
 static constexpr uint64_t kSessionBytesPerCorner = 700;  // of any depth
 static constexpr uint64_t kSessionBytesPerCell = 60;     // fields, paint, a gesture's copy
 static constexpr uint64_t kLayoutBytesPerValue = 12;
+static constexpr uint64_t kFrameInTheMaking = 36;    // a value: its sample, two drafts, its bytes
 static constexpr uint64_t kCoarsestBytes = 6 << 20;  // the direct solver of the coarsest depth
 
 uint64_t predict_mesh_bytes(const PreparedMesh& prepared) {
@@ -31,6 +34,10 @@ uint64_t predict_target_bytes(const PreparedMesh& prepared, const Hierarchy& hie
   if (triangles_max == 0) return std::max(corners, vertices) * kLayoutBytesPerValue;
   const uint64_t points = std::min(vertices, 3 * triangles_max);
   return std::max(corners, points) * kLayoutBytesPerValue + points * sizeof(EvaluationPoint);
+}
+
+uint64_t predict_client_bytes(const FrameLayout& layout) {
+  return FrameEncoder::byte_count_max(layout) + kFrameInTheMaking * layout.value_count();
 }
 
 uint64_t predict_proxy_bytes(const PreparedMesh& prepared) {

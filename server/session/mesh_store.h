@@ -20,7 +20,7 @@ namespace burnish {
 struct MeshStoreOptions {
   uint64_t upload_bytes_max = uint64_t{8} << 30;
   uint64_t upload_bytes_per_user = uint64_t{16} << 30;  ///< uploads under way
-  uint64_t memory_bytes_max = uint64_t{16} << 30;       ///< meshes and sessions
+  uint64_t memory_bytes_max = uint64_t{16} << 30;       ///< meshes, sessions, their clients
   uint64_t view_bytes_max = uint64_t{1} << 30;          ///< views kept for the next client
   int threads = 0;                                      ///< for preparing; 0: all cores
 };
@@ -73,7 +73,7 @@ class MeshStore {
                                                       uint64_t triangles_max,
                                                       const Progress& progress);
 
-  /// The budget of meshes and sessions together, and what meshes take of it.
+  /// The budget of meshes, sessions and their clients together, and what meshes take of it.
   Quota& memory() { return memory_; }
   uint64_t mesh_bytes() const { return cache_.byte_count(); }
 

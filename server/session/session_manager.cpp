@@ -233,10 +233,16 @@ Result<SessionState> SessionManager::state(const std::string& reference, const P
   const SessionEntry& entry = *held.entry;
   const Fields& fields = entry.session->fields();
   const Solver& solver = entry.session->solver();
-  return SessionState{
-      entry.info(),        fields.gradient_scale(),     fields.transfer_curve(),
-      entry.last.cycle,    entry.last.energy,           entry.last.residual,
-      entry.last.distance, entry.session->byte_count(), std::string(solver.backend_name())};
+  const uint64_t memory_bytes = entry.session->byte_count() + client_bytes(entry);
+  return SessionState{entry.info(),
+                      fields.gradient_scale(),
+                      fields.transfer_curve(),
+                      entry.last.cycle,
+                      entry.last.energy,
+                      entry.last.residual,
+                      entry.last.distance,
+                      memory_bytes,
+                      std::string(solver.backend_name())};
 }
 
 Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish& wish,

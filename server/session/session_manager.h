@@ -122,7 +122,7 @@ class SessionManager {
   /// Takes the sessions out of memory that nobody is in, and that nobody has used for so long.
   void spill_idle(std::chrono::seconds idle_time);
 
-  /// Who hears of what happens to sessions; null: nobody. Needs: it outlives the calls.
+  /// Who shows sessions to clients; null: nobody. Needs: it outlives the calls.
   void set_listener(SessionListener* listener) { listener_ = listener; }
 
   Result<SessionState> state(const std::string& reference, const Progress& progress);
@@ -158,6 +158,7 @@ class SessionManager {
                                    const std::string& user, std::span<const Edit> edits,
                                    const Progress& progress, GroupCommit::Done on_disk);
   void tell_changed(const SessionEntry& entry) const;
+  uint64_t client_bytes(const SessionEntry& entry) const;
   void tell_left(const SessionEntry& entry, const Status& why) const;
   void keep_paint(SessionEntry& entry);
   Status bring_back_for(SessionEntry& entry, const std::string& user, const Progress& progress);

@@ -17,6 +17,11 @@ void SessionManager::tell_left(const SessionEntry& entry, const Status& why) con
   if (SessionListener* listener = listener_) listener->on_session_left(entry.record.id, why);
 }
 
+uint64_t SessionManager::client_bytes(const SessionEntry& entry) const {
+  SessionListener* listener = listener_;
+  return listener ? listener->client_bytes(entry.record.id) : 0;
+}
+
 Result<SessionManager::Attached> SessionManager::attach(const std::string& reference,
                                                         const Progress& progress) {
   ASSIGN_OR_RETURN(const Held held, use(reference, progress));

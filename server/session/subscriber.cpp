@@ -24,11 +24,12 @@ static constexpr size_t kUnansweredMax = 64;  // messages of edits
 static constexpr size_t kUnansweredBytesMax = size_t{16} << 20;
 
 Subscriber::Subscriber(uint64_t own_connection, std::string own_user,
-                       std::shared_ptr<const FrameTarget> own_target, Executor& encoders,
-                       SubscriberWiring wiring)
+                       std::shared_ptr<const FrameTarget> own_target, Quota::Share memory,
+                       Executor& encoders, SubscriberWiring wiring)
     : connection(own_connection),
       user(std::move(own_user)),
       target(std::move(own_target)),
+      memory_(std::move(memory)),
       encoders_(encoders),
       wiring_(std::move(wiring)),
       encoder_(target->layout) {}
@@ -213,6 +214,7 @@ void Subscriber::encode(Shot shot) {
   {
     const std::lock_guard lock(mutex_);
     shown_settled_ = frame.facts.settled;
+    encoder_bytes_ = encoder_.byte_count();
     if (!closed_) frame_ = std::move(frame);
   }
   on_message();
@@ -258,6 +260,11 @@ bool Subscriber::is_finished() const {
 uint32_t Subscriber::credits() const {
   const std::lock_guard lock(mutex_);
   return credits_;
+}
+
+uint64_t Subscriber::byte_count() const {
+  const std::lock_guard lock(mutex_);
+  return encoder_bytes_ + (frame_ ? frame_->data.size() : 0);
 }
 
 }  // namespace burnish

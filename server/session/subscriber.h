@@ -38,9 +38,9 @@ struct SubscriberWiring {
 /// this stays small. Thread-safe.
 class Subscriber : public std::enable_shared_from_this<Subscriber> {
  public:
-  /// Needs: `encoders` outlives it.
+  /// `memory`: what its frames may take of the server's. Needs: `encoders` outlives it.
   Subscriber(uint64_t connection, std::string user, std::shared_ptr<const FrameTarget> target,
-             Executor& encoders, SubscriberWiring wiring);
+             Quota::Share memory, Executor& encoders, SubscriberWiring wiring);
 
   const uint64_t connection;
   const std::string user;
@@ -90,12 +90,16 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
 
   uint32_t credits() const;
 
+  /// What is held of frames for this client alone.
+  uint64_t byte_count() const;
+
  private:
   void answer(LiveMessage message, size_t bytes);
   void encode(Shot shot);
   void on_message() const;
   void on_wish() const;
 
+  const Quota::Share memory_;
   Executor& encoders_;
   const SubscriberWiring wiring_;
   const LiveObject live_{LiveKind::kStream};
@@ -110,6 +114,7 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   bool key_frame_allowed_ = false;  // of which one goes out for each of the client's messages
   bool making_frame_ = false;       // from show() until it is taken
   std::optional<LiveFrame> frame_;
+  uint64_t encoder_bytes_ = 0;
   std::optional<uint64_t> shown_version_;
   bool shown_settled_ = false;
 

@@ -154,10 +154,10 @@ TEST_F(LimitsTest, MessagesThatAreTooLargeOrNoneAreRefusedLoggedAndCounted) {
   const std::string nonsense = "\xff\xff\xff", large(17 << 20, 'x');
   EXPECT_EQ(refused("/burnish.v1.Library/ListScans", nonsense), StatusCode::INVALID_ARGUMENT);
   EXPECT_EQ(refused("/burnish.v1.Editing/Export", nonsense), StatusCode::INVALID_ARGUMENT);
-  EXPECT_NE(refused("/burnish.v1.Library/Import", nonsense), StatusCode::OK);
-  for (int i = 0; i < 1000 && counted("malformed") < 2; ++i)
+  EXPECT_EQ(refused("/burnish.v1.Library/Import", nonsense), StatusCode::INVALID_ARGUMENT);
+  for (int i = 0; i < 1000 && counted("malformed") < 3; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  EXPECT_EQ(counted("malformed"), 2);
+  EXPECT_EQ(counted("malformed"), 3);
   EXPECT_THAT(server->process->output(), HasSubstr("the message is no request of"));
 
   EXPECT_EQ(refused("/burnish.v1.Editing/Apply", large), StatusCode::RESOURCE_EXHAUSTED);

@@ -51,6 +51,20 @@ TEST(Script, APointerStrokeIsOneEntryAndUndoSwitchesItOff) {
   EXPECT_NE(outcome.output.find("1 entries"), std::string::npos) << outcome.output;
 }
 
+TEST(Script, AFrameFromFartherShowsTheScanSmaller) {
+  ServerProcess server;
+  const std::string sphere = write_sphere(server.folder, 4);
+  const auto after = [&](const std::string& frame) {  // near the edge of the framed sphere
+    return run_script(server, "open " + sphere + "\nsize 640x480\nbrush 0.3 0.8 0\n" + frame +
+                                  "\ndrag 460 240 465 240\nwait\nprint\n")
+        .output;
+  };
+  EXPECT_NE(after("frame 2").find(" 0 entries"), std::string::npos);
+  EXPECT_NE(after("frame").find(" 1 entries"), std::string::npos);
+  EXPECT_NE(after("frame 0").find("'0' times the distance: must be within 1..10"),
+            std::string::npos);
+}
+
 TEST(Script, WhatIsRecordedDoesTheSameAgain) {
   ServerProcess server;
   const std::string sphere = write_sphere(server.folder, 4);

@@ -1,22 +1,19 @@
 // What dropping files on the window does, without the window.
 
-#include <thread>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "client/model/workspace.h"
 #include "client/null_renderer.h"
 #include "common/mesh/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/system/link.h"
 #include "tests/system/server_process.h"
+#include "tests/system/workspace_pictures.h"
 
 namespace burnish {
 namespace {
 
 using std::chrono::milliseconds;
-using std::chrono::steady_clock;
 using testing::HasSubstr;
 
 /// A start page that is connected to a server without scans.
@@ -24,13 +21,7 @@ class WindowImport : public testing::Test {
  protected:
   template <typename What>
   bool until(What what) {
-    const auto end = steady_clock::now() + kPatience;
-    while (steady_clock::now() < end) {
-      EXPECT_TRUE(workspace_.update().is_ok());
-      if (what()) return true;
-      std::this_thread::sleep_for(milliseconds(2));
-    }
-    return false;
+    return pictures_until(workspace_, what);
   }
   bool until_idle() {
     return until([this] { return workspace_.is_idle() && workspace_.activities().empty(); });

@@ -8,6 +8,7 @@
 #include "client/null_renderer.h"
 #include "tests/system/link.h"
 #include "tests/system/server_process.h"
+#include "tests/system/workspace_pictures.h"
 
 namespace burnish {
 namespace {
@@ -24,16 +25,9 @@ class WorkspaceService : public testing::Test {
     workspace_.viewport.set_size({400, 300});
   }
 
-  /// One picture after the other.
   template <typename What>
   bool until(What what) {
-    const auto end = steady_clock::now() + kPatience;
-    while (steady_clock::now() < end) {
-      EXPECT_TRUE(workspace_.update().is_ok());
-      if (what()) return true;
-      std::this_thread::sleep_for(milliseconds(5));
-    }
-    return false;
+    return pictures_until(workspace_, what);
   }
 
   bool open_through(const std::string& server) {

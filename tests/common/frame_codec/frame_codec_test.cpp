@@ -223,6 +223,16 @@ TEST_P(FrameCodec, AClientThatNeverAcknowledgesCostsBoundedMemory) {
   EXPECT_EQ(encoder_.byte_count(), full);
 }
 
+TEST_P(FrameCodec, AnEncoderHoldsUpToItsBoundAndNoMore) {
+  const uint64_t bound = FrameEncoder::byte_count_max(*layout_);
+  for (int i = 0; i < 12; ++i) {
+    const EncodedFrame frame = encoder_.encode(wave(0.1 * i), FrameStep::kMoving);
+    if (i < 2) encoder_.acknowledge(frame.sequence);
+    EXPECT_LE(encoder_.byte_count(), bound);
+  }
+  EXPECT_EQ(encoder_.byte_count(), bound);
+}
+
 TEST_P(FrameCodec, TheSameInputGivesTheSameBytes) {
   FrameEncoder again(layout_);
   EXPECT_EQ(encoder_.encode(wave(0.1), FrameStep::kMoving).bytes,

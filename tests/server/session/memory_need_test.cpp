@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/frame_codec/frame_encoder.h"
 #include "common/mesh/generate.h"
 #include "server/prepare/prepare.h"
 #include "server/session/frame_target.h"
@@ -44,6 +45,22 @@ TEST_P(MemoryNeed, OfFramesIsNoLessThanTheirLayoutAndPoints) {
       EXPECT_GE(predict_target_bytes(*prepared, *shared->hierarchy, triangles_max), taken);
       EXPECT_EQ(memory.taken(), target->memory.amount());
     }
+}
+
+TEST_P(MemoryNeed, OfAClientIsNoLessThanItsEncoderHoldsAndLessThanTwiceThat) {
+  const auto prepared = prepare(make_icosphere(5, 1), {GetParam(), 0, 1}, {}).value();
+  const auto shared = std::make_shared<const SharedMesh>(prepared, make_hierarchy(*prepared));
+  Quota memory("bytes", "max", UINT64_MAX);
+  const auto target = FrameTargets(memory).find_or_make(shared, 0, {}, {}).value();
+  FrameEncoder encoder(target->layout);
+  FrameSample sample;
+  for (int i = 1; i <= 20; ++i) {
+    sample.steps.assign(size_t{3} * target->layout->value_count(), 100 * i);
+    const EncodedFrame frame = encoder.encode(sample, FrameStep::kMoving);
+    if (i <= 2) encoder.acknowledge(frame.sequence);
+  }
+  EXPECT_GE(predict_client_bytes(*target->layout), encoder.byte_count());
+  EXPECT_LE(predict_client_bytes(*target->layout), 2 * encoder.byte_count());
 }
 
 INSTANTIATE_TEST_SUITE_P(Depths, MemoryNeed, testing::Values(4, 6, 8));

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+
+#include "common/base/check.h"
+#include "common/base/status.h"
+#include "server/metrics/metrics.h"
+
+namespace burnish {
+
+// Calls that read a stream take bytes and parse for themselves: of a message that is none, gRPC's
+// reactors hear no more than of the stream's end. What they write is bytes then, too.
+
+/// Counts the refusal of a message that is none, or that its stream does not take.
+inline Status malformed(Status refusal) {
+  metrics().count_refusal(Refusal::kMalformed);
+  return refusal;
+}
+
+/// Empties `bytes`. Fails: invalid_argument, counted, where they are no such message.
+template <typename Message>
+Status parse(grpc::ByteBuffer& bytes, Message& message) {
+  if (grpc::SerializationTraits<Message>::Deserialize(&bytes, &message).ok()) return Status::ok();
+  return malformed(invalid_argument("the message is no " + Message::descriptor()->name()));
+}
+
+template <typename Message>
+void serialize(const Message& message, grpc::ByteBuffer& bytes) {
+  bytes.Clear();  // it must be empty
+  bool is_ours = false;
+  const auto status = grpc::SerializationTraits<Message>::Serialize(message, &bytes, &is_ours);
+  BURNISH_CHECK(status.ok(), "a message of ours has bytes");
+}
+
+}  // namespace burnish

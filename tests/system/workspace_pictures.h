@@ -1,0 +1,26 @@
+#pragma once
+
+#include <chrono>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "client/model/workspace.h"
+#include "tests/system/server_process.h"
+
+namespace burnish {
+
+/// Takes one picture after the other of a window without a window until `what()` holds; false when
+/// patience is over.
+template <typename What>
+bool pictures_until(Workspace& workspace, What what) {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (std::chrono::steady_clock::now() < end) {
+    EXPECT_TRUE(workspace.update().is_ok());
+    if (what()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+}  // namespace burnish
