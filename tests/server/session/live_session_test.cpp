@@ -158,7 +158,7 @@ TEST_F(LiveSessionTest, SettledItIsSilentUntilSomethingChanges) {
 
 TEST_F(LiveSessionTest, WhatAnExactExportRelaxedIsShownAsExact) {
   auto ann = guest();
-  ann.edit({{"a", SetGradientScale{0}}});
+  ann.edit({{"a", stroke()}});  // a slider alone may be exact at once
   ann.settle();
   EXPECT_FALSE(ann.all<LiveFrame>().back().facts.exact);
   ASSERT_TRUE(
@@ -166,7 +166,7 @@ TEST_F(LiveSessionTest, WhatAnExactExportRelaxedIsShownAsExact) {
   ann.settle();
   EXPECT_TRUE(ann.all<LiveFrame>().back().facts.exact);
   EXPECT_EQ(shown(ann).steps, sample(ann).steps);
-  ann.edit({{"b", SetGradientScale{0.5}}});
+  ann.edit({{"b", stroke()}});
   ann.settle();
   EXPECT_FALSE(ann.all<LiveFrame>().back().facts.exact);
 }
