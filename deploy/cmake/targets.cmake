@@ -41,6 +41,10 @@ if(BURNISH_SANITIZE)
 -fsanitize=${BURNISH_SANITIZE};-fno-omit-frame-pointer;-fno-sanitize-recover=all>")
   target_link_options(burnish_sanitizer INTERFACE -fsanitize=${BURNISH_SANITIZE})
 endif()
+if(BURNISH_SANITIZE MATCHES thread)
+  add_library(timed_locks OBJECT tests/tsan/timed_locks.cpp)
+  target_link_libraries(burnish_sanitizer INTERFACE $<TARGET_OBJECTS:timed_locks>)
+endif()
 target_link_libraries(burnish_options INTERFACE burnish_sanitizer)
 
 # burnish_library(NAME SOURCES a.cpp ... DEPENDS burnish_base ...): one folder, one static library.
