@@ -101,14 +101,39 @@ void run_status_tag(grpc_completion_queue_functor* tag, int /*ok: the status say
   static_cast<grpc::internal::CallbackWithStatusTag*>(tag)->force_run(grpc::Status());
 }
 
-#define RUN_NEW_CALL                                                                         \
-  "_ZN4grpc6Server15CallbackRequestINS_21CallbackServerContextEE15CallbackCallTag9StaticRun" \
+#define RUN_NEW_CALL(context)                    \
+  "_ZN4grpc6Server15CallbackRequestINS_" context \
+  "EE15CallbackCallTag9StaticRun"                \
   "EP29grpc_completion_queue_functori"
-RunTag run_new_call __asm__(RUN_NEW_CALL);
+
+#define NEW_CALL RUN_NEW_CALL("21CallbackServerContext")
+RunTag run_new_call __asm__(NEW_CALL);
 void run_new_call(grpc_completion_queue_functor* tag, int ok) {
-  static const auto real = library<RunTag>(RUN_NEW_CALL);
+  static const auto real = library<RunTag>(NEW_CALL);
   __tsan_acquire(tag);
   real(tag, ok);
+}
+
+#define NEW_UNKNOWN_CALL RUN_NEW_CALL("28GenericCallbackServerContext")
+RunTag run_new_unknown_call __asm__(NEW_UNKNOWN_CALL);
+void run_new_unknown_call(grpc_completion_queue_functor* tag, int ok) {
+  static const auto real = library<RunTag>(NEW_UNKNOWN_CALL);
+  __tsan_acquire(tag);
+  real(tag, ok);
+}
+
+// From the end of each call to who waits for the server's.
+
+void grpc::Server::UnrefWithPossibleNotify() {
+  static const auto real = library<void(Server*)>("_ZN4grpc6Server23UnrefWithPossibleNotifyEv");
+  __tsan_release(this);
+  real(this);
+}
+
+void grpc::Server::Wait() {
+  static const auto real = library<void(Server*)>("_ZN4grpc6Server4WaitEv");
+  real(this);
+  __tsan_acquire(this);
 }
 
 // To the last reactions of a call: a thread instead of gRPC's executor, for the tool sees what
