@@ -34,11 +34,18 @@ else()
   target_compile_options(burnish_options INTERFACE
     "$<$<COMPILE_LANGUAGE:CXX>:-Wno-unknown-pragmas>")
 endif()
+# On its own for generated sources, which take no warnings but the same sanitizer.
+add_library(burnish_sanitizer INTERFACE)
 if(BURNISH_SANITIZE)
-  target_compile_options(burnish_options INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:\
+  target_compile_options(burnish_sanitizer INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:\
 -fsanitize=${BURNISH_SANITIZE};-fno-omit-frame-pointer;-fno-sanitize-recover=all>")
-  target_link_options(burnish_options INTERFACE -fsanitize=${BURNISH_SANITIZE})
+  target_link_options(burnish_sanitizer INTERFACE -fsanitize=${BURNISH_SANITIZE})
 endif()
+if(BURNISH_SANITIZE MATCHES thread)
+  add_library(timed_locks OBJECT tests/tsan/timed_locks.cpp)
+  target_link_libraries(burnish_sanitizer INTERFACE $<TARGET_OBJECTS:timed_locks>)
+endif()
+target_link_libraries(burnish_options INTERFACE burnish_sanitizer)
 
 # burnish_library(NAME SOURCES a.cpp ... DEPENDS burnish_base ...): one folder, one static library.
 function(burnish_library name)
@@ -52,6 +59,11 @@ function(burnish_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gtest GTest::gmock GTest::gtest_main)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600
-                       ENVIRONMENT OMP_WAIT_POLICY=passive)  # tests run side by side
+  set(properties TIMEOUT 600 ENVIRONMENT OMP_WAIT_POLICY=passive)  # tests run side by side
+  if(BURNISH_SANITIZE MATCHES thread)
+    # What the programs that a test starts inherit too.
+    list(APPEND properties ENVIRONMENT_MODIFICATION "TSAN_OPTIONS=set:\
+suppressions=${PROJECT_SOURCE_DIR}/tests/tsan/uninstrumented.supp:second_deadlock_stack=1")
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
 endfunction()

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 
 #include <google/protobuf/message_lite.h>
 #include <spdlog/spdlog.h>
@@ -64,24 +65,33 @@ class CallObserver final : public grpc::experimental::Interceptor {
     if (status_) report();
   }
 
+  // The call's end, above all a cancelled one's, may come on another thread while its status is
+  // sent.
   void Intercept(InterceptorBatchMethods* batch) override {
-    const auto at = [batch](InterceptionHookPoints point) {
-      return batch->QueryInterceptionHookPoint(point);
-    };
-    if (at(InterceptionHookPoints::POST_RECV_INITIAL_METADATA))
-      stamp(*batch->GetRecvInitialMetadata());
-    if (at(InterceptionHookPoints::POST_RECV_MESSAGE)) take_message(batch->GetRecvMessage());
-    if (at(InterceptionHookPoints::PRE_SEND_INITIAL_METADATA))
-      batch->GetSendInitialMetadata()->emplace(kRequestIdKey, request_id_);
-    if (at(InterceptionHookPoints::PRE_SEND_MESSAGE) && is_ours_)
-      if (const grpc::ByteBuffer* bytes = batch->GetSerializedSendMessage())
-        record_.bytes_sent += bytes->Length();
-    if (at(InterceptionHookPoints::PRE_SEND_STATUS)) take_status(*batch);
-    if (at(InterceptionHookPoints::POST_RECV_CLOSE)) take_end();
+    {
+      const std::lock_guard lock(mutex_);
+      observe(*batch);
+    }
     batch->Proceed();
   }
 
  private:
+  void observe(InterceptorBatchMethods& batch) {
+    const auto at = [&batch](InterceptionHookPoints point) {
+      return batch.QueryInterceptionHookPoint(point);
+    };
+    if (at(InterceptionHookPoints::POST_RECV_INITIAL_METADATA))
+      stamp(*batch.GetRecvInitialMetadata());
+    if (at(InterceptionHookPoints::POST_RECV_MESSAGE)) take_message(batch.GetRecvMessage());
+    if (at(InterceptionHookPoints::PRE_SEND_INITIAL_METADATA))
+      batch.GetSendInitialMetadata()->emplace(kRequestIdKey, request_id_);
+    if (at(InterceptionHookPoints::PRE_SEND_MESSAGE) && is_ours_)
+      if (const grpc::ByteBuffer* bytes = batch.GetSerializedSendMessage())
+        record_.bytes_sent += bytes->Length();
+    if (at(InterceptionHookPoints::PRE_SEND_STATUS)) take_status(batch);
+    if (at(InterceptionHookPoints::POST_RECV_CLOSE)) take_end();
+  }
+
   void stamp(std::multimap<grpc::string_ref, grpc::string_ref>& metadata) const {
     metadata.erase(kMethodKey);
     metadata.erase(kRequestIdKey);
@@ -144,6 +154,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
   const std::string request_id_ = random_name();
   const steady_clock::time_point start_ = steady_clock::now();
   const LiveObject live_{LiveKind::kCall};
+  std::mutex mutex_;  // of what follows
   CallRecord record_;
   bool lacks_message_ = false;
   bool is_cut_off_ = false;

@@ -8,7 +8,7 @@ namespace burnish {
 /// A call that lives until gRPC has reported its end *and* the last piece of its work on the
 /// executor has let go of it: whoever works for it holds self().
 template <typename Call>
-class SelfOwned {
+class SelfOwned : public std::enable_shared_from_this<Call> {
  public:
   template <typename... Arguments>
   static Call* start(Arguments&&... arguments) {
@@ -19,13 +19,14 @@ class SelfOwned {
   }
 
  protected:
-  std::shared_ptr<Call> self() const { return self_; }
+  /// From gRPC's reactions before release(), or for who holds it already, also while the call ends.
+  std::shared_ptr<Call> self() { return this->shared_from_this(); }
 
   /// To be called last in OnDone.
   void release() { const std::shared_ptr<Call> last = std::move(self_); }
 
  private:
-  std::shared_ptr<Call> self_;
+  std::shared_ptr<Call> self_;  // until the end is reported
 };
 
 }  // namespace burnish

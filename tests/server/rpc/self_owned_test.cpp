@@ -1,0 +1,41 @@
+#include "server/rpc/self_owned.h"
+
+#include <gtest/gtest.h>
+
+namespace burnish {
+namespace {
+
+class Call : public SelfOwned<Call> {
+ public:
+  explicit Call(bool& is_alive) : is_alive_(is_alive) { is_alive_ = true; }
+  ~Call() { is_alive_ = false; }
+
+  void begin() {}
+  void end() { release(); }
+  std::shared_ptr<Call> work() { return self(); }
+
+ private:
+  bool& is_alive_;
+};
+
+TEST(SelfOwned, ACallWithoutWorkGoesWithItsEnd) {
+  bool is_alive = false;
+  Call* call = Call::start(is_alive);
+  EXPECT_TRUE(is_alive);
+  call->end();
+  EXPECT_FALSE(is_alive);
+}
+
+TEST(SelfOwned, WorkUnderWayMayAskForMoreAfterTheCallsEnd) {
+  bool is_alive = false;
+  Call* call = Call::start(is_alive);
+  std::shared_ptr<Call> work = call->work();
+  call->end();
+  EXPECT_TRUE(is_alive);
+  EXPECT_EQ(call->work(), work);
+  work.reset();
+  EXPECT_FALSE(is_alive);
+}
+
+}  // namespace
+}  // namespace burnish
