@@ -17,11 +17,10 @@ class ConvergenceRate {
 
   void add(double preconditioned_residual) { latest_[count_++ % kSteps] = preconditioned_residual; }
 
-  /// The largest error that the last step leaves, over the V-cycle's correction before that step.
+  /// The largest error over the V-cycle's correction of it, at least 1.
   double error_over_correction() const {
-    const double rho = factor();
-    const double root = (1 + rho) / (1 - rho);
-    return std::max(rho, kLeftMin) * root * root;
+    const double root = (1 + factor()) / (1 - factor());
+    return root * root;
   }
 
  private:
@@ -37,7 +36,6 @@ class ConvergenceRate {
 
   static constexpr int kSteps = 9;
   static constexpr int kStepsLeast = 3;
-  static constexpr double kLeftMin = 0.5;  // the largest error falls less evenly than the energy
   static constexpr double kFactorGuess = 0.5;
   static constexpr double kFactorMax = 0.9;  // κ = 361: slower is noise that no vertex sees
 
