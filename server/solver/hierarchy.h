@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/grid/sparse_grid.h"
+#include "common/grid/stencil_slots.h"
 #include "server/prepare/prepared_mesh.h"
-#include "server/solver/stencil_slots.h"
 
 namespace burnish {
 

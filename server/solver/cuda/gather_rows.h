@@ -1,8 +1,8 @@
 #pragma once
 
+#include "common/grid/stencil_slots.h"
 #include "server/solver/cell_matrix.h"
 #include "server/solver/cuda/kernel.h"
-#include "server/solver/stencil_slots.h"
 
 namespace burnish::cuda {
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "common/grid/stencil_slots.h"
 #include "server/solver/cuda/kernel.h"
 #include "server/solver/cuda/packed.h"
-#include "server/solver/stencil_slots.h"
 
 // Products of a matrix with a vector: a block of threads for each group of rows, a thread for each
 // row. Whatever a cycle leaves as it is, a thread fetches before it waits for the kernel before;
