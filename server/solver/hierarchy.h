@@ -6,40 +6,11 @@
 #include <vector>
 
 #include "common/grid/sparse_grid.h"
-#include "common/grid/stencil_slots.h"
 #include "server/prepare/prepared_mesh.h"
+#include "server/solver/cell_shares.h"
+#include "server/solver/stencil.h"
 
 namespace burnish {
-
-/// Which corners share a cell, itself left out: the off-diagonal pattern of every matrix of one
-/// depth, in compressed rows.
-///
-/// Among each kRowWindow corners the rows are stored by rising length, so that a loop over rows
-/// seldom meets another length than before (a mispredicted end costs as much as a row), and each
-/// is padded to a multiple of kRowPadding entries by the corner itself, whose entry is zero there.
-struct Stencil {
-  static constexpr int32_t kRowWindow = 256;
-  static constexpr int kRowPadding = 4;
-
-  std::vector<int32_t> corner_of_row;
-  std::vector<int32_t> row_of_corner;
-  std::vector<int64_t> row_start;  ///< rows + 1
-  std::vector<int32_t> column;     ///< in slot order within a row
-  std::vector<uint32_t> mask;      ///< bit s of mask[I]: slot s of corner I is present
-
-  struct Row {
-    int64_t begin, end;
-  };
-  /// The places of a corner's entries in `column`, padding left out.
-  Row row(int32_t corner) const {
-    const int64_t begin = row_start[row_of_corner[corner]];
-    return {begin, begin + __builtin_popcount(mask[corner])};
-  }
-  /// Where slot s of corner I stands in `column`. Needs: the slot is present.
-  int64_t position(int32_t corner, int slot) const {
-    return row_start[row_of_corner[corner]] + __builtin_popcount(mask[corner] & ((1u << slot) - 1));
-  }
-};
 
 /// Prolongation P and restriction Pᵀ between a depth and the one above (coarser), trilinear.
 struct DepthTransfer {
@@ -48,10 +19,21 @@ struct DepthTransfer {
     int32_t cell;
     uint8_t place;
   };
-  std::vector<FromCell> prolongation;       ///< one per fine corner
+  /// Corners of the finest depth in which several sheets meet: each is the mean of what its sheets'
+  /// cells give, by their energy.
+  struct SharedCorners {
+    std::vector<int32_t> corner;         ///< rising
+    std::vector<int32_t> start;          ///< corners + 1
+    std::vector<int32_t> coarse_corner;  ///< rising within a corner
+    std::vector<float> weight;
+
+    int32_t count() const { return static_cast<int32_t>(corner.size()); }
+  };
+  std::vector<FromCell> prolongation;  ///< one per fine corner; of no cell where it is shared
+  SharedCorners shared;
   std::vector<int64_t> restriction_start;   ///< coarse corners + 1
   std::vector<int32_t> restriction_corner;  ///< the fine corners that a coarse corner gathers
-  std::vector<float> restriction_weight;    ///< 1, 1/2, 1/4 or 1/8
+  std::vector<float> restriction_weight;    ///< 1, 1/2, 1/4 or 1/8 unless that one is shared
 };
 
 /// The weights of a cell's eight corners at each of its 27 half-way points.
@@ -61,10 +43,19 @@ const std::array<std::array<float, kCornersPerCell>, kSlots>& half_way_weights()
 struct HierarchyDepth {
   SparseGrid grid;
   Stencil stencil;
+  std::vector<CellTie> ties;         ///< rising; none at the finest depth
   DepthTransfer to_parent;           ///< empty at the coarsest depth
   std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth
-  std::vector<int32_t> child_start;  ///< cells + 1, into `child`; empty at the finest depth
-  std::vector<int32_t> child;        ///< cells of the finer depth
+  // Where the numbers of cells and ties come from; empty at the finest depth.
+  std::vector<int32_t> child_start;  ///< cells + 1, into `child`
+  std::vector<int32_t> child;        ///< cells of the finer depth, at most eight a cell, each in an
+                                     ///< octant: their numbers are restricted by it alone
+  CellShares shares;                 ///< all else
+
+  /// How many numbers its cells and ties have: see number_of_tie().
+  size_t number_count() const {
+    return kNumbersPerCell * grid.cells.size() + kNumbersPerTie * ties.size();
+  }
 };
 
 /// All depths of one prepared mesh, immutable and shared by its sessions.
@@ -82,6 +73,19 @@ struct Hierarchy {
 inline constexpr int32_t kCoarsestCornersMax = 600;
 inline constexpr int kCoarsestDepthMin = 2;
 
-std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared);
+/// What coarse depths make of sheets of surface that come closer to each other than their cells.
+enum class Sheets {
+  /// A cell or corner for each sheet, as far as it does not hang together with the others nearby.
+  /// Where sheets meet in a corner of the finest depth without hanging together, that takes their
+  /// mean, and ties couple their cells (the Galerkin product PᵀSP, as everywhere).
+  kApart,
+  /// One for all sheets of a piece of surface, of which any two cells are connected by cells that
+  /// share a corner. Rows have at most 27 entries, and corners of one parity no entry with each
+  /// other: what point smoothers need.
+  kTogether,
+};
+
+std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared,
+                                                Sheets sheets = Sheets::kApart);
 
 }  // namespace burnish

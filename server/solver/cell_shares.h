@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "common/grid/sparse_grid.h"
+
+namespace burnish {
+
+/// How the corners of a cell follow from those of one cell of the depth above: corner a stands at
+/// place[a] of its 3×3×3 half-way points, and takes weight[a] of what that has; 0 where nothing.
+struct CellPart {
+  std::array<float, kCornersPerCell> weight;
+  std::array<uint8_t, kCornersPerCell> place;
+};
+
+/// One summand Lᵀ N R of a coarse cell's or tie's 8×8 numbers. N are those of a cell of the finer
+/// depth (source < its cells, symmetric, the diagonal being the row sum less the pairs) or of a tie
+/// (its number beyond the cells), which may be transposed; L and R are Q of its parts.
+struct CellShare {
+  int32_t source;
+  int32_t left, right;  ///< into CellShares::part
+  int32_t is_transposed;
+};
+
+/// What a coarse depth's cells and ties take from the finer depth beyond what its children give.
+struct CellShares {
+  std::vector<CellPart> part;   ///< the first eight are those of a parent's octants
+  std::vector<int32_t> target;  ///< rising: a cell, or cells + a tie
+  std::vector<int32_t> start;   ///< targets + 1, into share
+  std::vector<CellShare> share;
+  /// The finer depth's cells that are no cell's child: rising.
+  std::vector<int32_t> apart;
+};
+
+}  // namespace burnish
