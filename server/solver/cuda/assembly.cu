@@ -1,5 +1,8 @@
+#include <type_traits>
+
 #include "server/solver/cuda/assembly.h"
 #include "server/solver/cuda/gather_rows.h"
+#include "server/solver/cuda/irregular_rows.h"
 #include "server/solver/cuda/products.h"
 
 namespace burnish::cuda {
@@ -19,7 +22,7 @@ __device__ Real diagonal_of(const CellSquares<Real>& cells, int64_t cell, int a)
 }
 
 // The median of an even sample, by one block with eight threads for each: the number that half of
-// the others precede.
+// the others precede. Irregular rows are no part of it.
 template <typename Real>
 __global__ void pinned_below_kernel(Topology topology, CellSquares<Real> cells,
                                     float* pinned_below) {
@@ -33,15 +36,17 @@ __global__ void pinned_below_kernel(Topology topology, CellSquares<Real> cells,
   auto diagonal = cell >= 0 ? static_cast<float>(diagonal_of(cells, cell, a)) : 0.0f;
   for (int offset = 4; offset > 0; offset /= 2)
     diagonal += __shfl_xor_sync(0xffffffffu, diagonal, offset);
-  const float mine = t < count ? diagonal : __int_as_float(0x7f800000);  // infinity
+  const bool is_sample =
+      (__ballot_sync(0xffffffffu, cell >= 0) >> threadIdx.x % 32 / 8 * 8 & 0xffu) != 0;
+  const float mine = is_sample ? diagonal : __int_as_float(0x7f800000);  // infinity
   sample[t] = mine;
-  __syncthreads();
+  const int sampled = __syncthreads_count(is_sample) / 8;
   int rank = 0;
 #pragma unroll
   for (int k = a; k < kMedianSamples; k += 8)
     rank += static_cast<int>(sample[k] < mine || (sample[k] == mine && k < t));
   for (int offset = 4; offset > 0; offset /= 2) rank += __shfl_xor_sync(0xffffffffu, rank, offset);
-  if (a == 0 && rank == count / 2) *pinned_below = kPinnedBelow * mine;
+  if (a == 0 && rank == sampled / 2) *pinned_below = is_sample ? kPinnedBelow * mine : 0;
 }
 
 template <typename Real>
@@ -93,6 +98,8 @@ void assemble(Stream& stream, const CellSquares<Real>& cells, const Depth& depth
   const Rows& rows = depth.topology.rows;
   launch_products<float4>(stream, assemble_kernel<Real>, rows, rows.group_count, cells, depth,
                           row_sum, probe, pinned_below);
+  if constexpr (std::is_same_v<Real, float>)  // the finest depth, in double, is regular
+    assemble_irregular_rows(stream, cells, depth, probe, pinned_below);
 }
 
 template void assemble(Stream&, const CellSquares<double>&, const Depth&, double*, const float4*,

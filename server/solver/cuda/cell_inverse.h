@@ -10,7 +10,8 @@ namespace burnish::cuda {
 void invert_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses);
 
 /// The rows of M⁻¹ = D^-½ Σ_c R_cᵀ inverse_c R_c D^-½, and with them an iteration for λmax of M⁻¹S.
+/// `room`: one for each corner, of working memory.
 void assemble_inverse(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
-                      const Matrix& inverse, const PowerStep& power);
+                      const Matrix& inverse, const PowerStep& power, float4* room);
 
 }  // namespace burnish::cuda

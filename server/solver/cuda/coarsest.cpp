@@ -1,6 +1,6 @@
 #include "server/solver/cuda/coarsest.h"
 
-#include "server/solver/cuda/packed.h"
+#include "server/solver/cuda/long_rows.h"
 #include "server/solver/cuda/row_groups.h"
 
 namespace burnish::cuda {
@@ -27,12 +27,17 @@ void CoarsestSolver::read_matrix() {
   std::vector<float> rest(starts.back());
   download(stream_, depth_.system.packed, std::span(packed));
   download(stream_, depth_.rest, std::span(rest));
+  std::vector<float> tails(depth_.topology.rows.long_rows.entry_count);
+  download(stream_, depth_.system.long_entries, std::span(tails));
   download(stream_, depth_.system.diagonal, std::span(host_->system.diagonal));
   download(stream_, depth_.inverse_diagonal, std::span(host_->inverse_diagonal));
+  auto tail = tails.begin();
   for (int32_t i = 0; i < host_->corner_count(); ++i) {
     int64_t from = starts[i / kSliceRows] + i % kSliceRows;
-    for (auto [k, end] = stencil.row(i); k < end; ++k, from += kSliceRows)
+    auto [k, end] = packed_part(stencil, i);
+    for (; k < end; ++k, from += kSliceRows)
       host_->system.entry[k] = value_of(packed[from]) + rest[from];
+    for (; k < stencil.row(i).end; ++k) host_->system.entry[k] = *tail++;
   }
 }
 

@@ -1,4 +1,5 @@
 #include "server/solver/cell_matrix.h"
+#include "server/solver/cuda/cell_shares.h"
 #include "server/solver/cuda/combined_cells.h"
 #include "server/solver/cuda/kernel.h"
 
@@ -41,9 +42,9 @@ __device__ double combine(const ThreeIntegrals& of, const CombineWeights& weight
          (weights.stiffness1 * of.stiffness1 + weights.stiffness2 * of.stiffness2);
 }
 
-__global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined) {
-  await_previous();
-  const int64_t cell = thread_index() < combined.cells ? thread_index() : -1;
+// As weights_of().
+__device__ void combine_cell(const Integrals& integrals, const Metric& metric, int64_t cell,
+                             const CellSquares<double>& combined) {
   const CombineWeights weights = weights_of(metric, cell);
   if (cell < 0) return;
 #pragma unroll 7
@@ -52,6 +53,22 @@ __global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<d
 #pragma unroll
   for (int a = 0; a < 8; ++a)
     own_of(combined, cell, a) = combine(integrals_of(integrals, cell, 28 + a, false), weights);
+}
+
+__global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined) {
+  await_previous();
+  const int64_t cell = thread_index() < combined.cells ? thread_index() : -1;
+  combine_cell(integrals, metric, cell, combined);
+}
+
+// Beside the kernel that combines all other cells, none of whose numbers this one needs or touches:
+// what it waits for is that it ends after it.
+__global__ void combine_apart_kernel(Integrals integrals, Metric metric,
+                                     CellSquares<double> combined, Shares shares) {
+  let_next_start();
+  const int64_t cell = thread_index() < shares.apart_count ? shares.apart[thread_index()] : -1;
+  combine_cell(integrals, metric, cell, combined);
+  await_previous();
 }
 
 // The children of a block's parents, each read once.
@@ -219,12 +236,16 @@ void combine_integrals(Stream& stream, const Integrals& integrals, const Metric&
                        const Topology& coarse, const CellSquares<float>& coarse_cells) {
   launch(stream, combine_and_down_sample_kernel, 8 * coarse_cells.cells, integrals, metric,
          combined, fine, coarse, coarse_cells);
+  launch(stream, combine_apart_kernel, coarse.shares.apart_count, integrals, metric, combined,
+         coarse.shares);
+  add_shares(stream, coarse.shares, combined, coarse_cells);
 }
 
 void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,
                  const CellSquares<float>& fine_cells, const CellSquares<float>& coarse_cells) {
   launch(stream, down_sample_kernel, 8 * coarse_cells.cells, fine, coarse, fine_cells,
          coarse_cells);
+  add_shares(stream, coarse.shares, fine_cells, coarse_cells);
 }
 
 }  // namespace burnish::cuda

@@ -23,7 +23,8 @@ void combine_integrals(Stream& stream, const Integrals& integrals, const Metric&
                        const CellSquares<double>& combined, const Topology& fine,
                        const Topology& coarse, const CellSquares<float>& coarse_cells);
 
-/// Combined integrals of the coarse depth from those of the fine one: Σ over children of Pᵀ K P.
+/// Combined integrals of the coarse depth from those of the fine one: Σ over children of Pᵀ K P,
+/// and what else the depth's shares say.
 void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,
                  const CellSquares<float>& fine_cells, const CellSquares<float>& coarse_cells);
 

@@ -37,7 +37,7 @@ class CudaBackend final : public Backend {
         ratio_(stream_, cells()),
         gradients_(stream_, CellGradients::kNumbers * cells()),
         combined_(stream_, CellSquares<double>::kNumbers * cells()),
-        coarse_combined_(stream_, CellSquares<float>::kNumbers * cells_of_coarse_depths()),
+        coarse_combined_(stream_, numbers_of_coarse_depths()),
         pinned_below_(stream_, mesh_->depths.size()),
         anisotropy_(stream_, 1) {
     for (const DeviceTopology& topology : mesh_->depths) {
@@ -124,10 +124,11 @@ class CudaBackend final : public Backend {
   DepthSmoother& smoother(int depth) { return *smoothers_[depth - coarse_offset_ - 1]; }
 
   size_t cells() const { return mesh_->prepared->cells.size(); }
-  size_t cells_of_coarse_depths() const {
-    size_t cells = 0;
-    for (const HierarchyDepth& depth : mesh_->hierarchy->depths) cells += depth.grid.cells.size();
-    return cells - this->cells();
+  size_t numbers_of_coarse_depths() const {
+    size_t numbers = 0;
+    for (size_t i = 0; i + 1 < mesh_->depths.size(); ++i)
+      numbers += mesh_->hierarchy->depths[i].number_count();
+    return numbers;
   }
   CellGradients gradients() const { return {gradients_.data(), finest().topology.cell_count}; }
 
@@ -151,7 +152,7 @@ class CudaBackend final : public Backend {
                         cells);
       start_smoother(0, combined);
       for (size_t above = 2; above < depths_.size(); ++above) {
-        const CellSquares<float> coarse = {cells.numbers + cells.kNumbers * cells.cells,
+        const CellSquares<float> coarse = {cells.numbers + topology(above - 1).number_count,
                                            topology(above).cell_count};
         down_sample(stream_, topology(above - 1), topology(above), cells, coarse);
         start_smoother(above - 1, cells);
@@ -197,7 +198,7 @@ class CudaBackend final : public Backend {
   DeviceArray<float> ratio_;
   DeviceArray<float> gradients_;        // CellGradients
   DeviceArray<double> combined_;        // CellSquares of the finest depth
-  DeviceArray<float> coarse_combined_;  // of the others, from the finest
+  DeviceArray<float> coarse_combined_;  // and of ties, of the others, from the finest
   DeviceArray<float> pinned_below_, anisotropy_;
   std::vector<DeviceDepth> depths_;                        // from the coarsest
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest

@@ -25,13 +25,20 @@ __global__ void fill_kernel(int64_t n, Depth depth, double* square) {
   for (int64_t column = lane; column < n; column += 32)
     square[row * n + column] = column == row ? 1 + kRegularisation : 0;
   __syncwarp();
-  if (row >= rows.count || lane >= __popc(rows.mask[row])) return;
-  const int64_t k = row_begin(rows, row) + lane * kSliceRows;
-  const uint32_t packed = depth.system.packed[k];
-  const float entry = value_of(packed) + depth.rest[k];
-  const int32_t column = column_of(group_of(rows, row / rows.group_rows), local_of(packed));
-  square[row * n + column] = entry * sqrt(static_cast<double>(depth.inverse_diagonal[row])) *
-                             sqrt(static_cast<double>(depth.inverse_diagonal[column]));
+  if (row >= rows.count) return;
+  const auto store = [&](int32_t column, float entry) {
+    square[row * n + column] = entry * sqrt(static_cast<double>(depth.inverse_diagonal[row])) *
+                               sqrt(static_cast<double>(depth.inverse_diagonal[column]));
+  };
+  if (lane < __popc(rows.mask[row])) {
+    const int64_t k = row_begin(rows, row) + lane * kSliceRows;
+    const uint32_t packed = depth.system.packed[k];
+    store(column_of(group_of(rows, row / rows.group_rows), local_of(packed)),
+          value_of(packed) + depth.rest[k]);
+  }
+  if (rows.long_rows.start == nullptr) return;
+  for (int32_t k = rows.long_rows.start[row] + lane; k < rows.long_rows.start[row + 1]; k += 32)
+    store(rows.long_rows.column[k], depth.system.long_entries[k]);
 }
 
 // A block does one tile, each of its threads kEach numbers of a column, kThreadRows rows apart:

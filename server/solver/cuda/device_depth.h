@@ -16,7 +16,7 @@ class DeviceDepth {
 
  private:
   DeviceArray<uint32_t> packed_;
-  DeviceArray<float> rest_, diagonal_, inverse_diagonal_;
+  DeviceArray<float> rest_, long_entries_, diagonal_, inverse_diagonal_;
   DeviceArray<float4> x_, f_, r_;
   Depth view_;
 };

@@ -1,18 +1,17 @@
 #include "server/solver/cuda/device_mesh.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <mutex>
 
-#include "server/solver/cuda/packed.h"
+#include "server/solver/cuda/long_rows.h"
 #include "server/solver/cuda/row_groups.h"
 
 namespace burnish::cuda {
 
 static_assert(offsetof(CellIntegrals, mass) == 0 &&
               offsetof(CellIntegrals, gradient) == Integrals::kNumbers * sizeof(double));
-static_assert(offsetof(FromCell, place) == offsetof(DepthTransfer::FromCell, place));
 static_assert(offsetof(VertexPlace, local) == offsetof(EvaluationPoint, local));
 
 static std::vector<uint8_t> octants(const SparseGrid& grid) {
@@ -21,58 +20,70 @@ static std::vector<uint8_t> octants(const SparseGrid& grid) {
   return octants;
 }
 
-static std::vector<uint32_t> packed_restriction(const DepthTransfer& transfer) {
-  std::vector<uint32_t> packed(transfer.restriction_corner.size());
-#pragma omp parallel for schedule(static)
-  for (size_t k = 0; k < packed.size(); ++k)
-    packed[k] =
-        pack_restriction(transfer.restriction_corner[k],
-                         static_cast<uint32_t>(-std::ilogb(transfer.restriction_weight[k])));
-  return packed;
+// Slots and cells by side say nothing of irregular rows: these have other sources of their own.
+static std::vector<uint32_t> masks_of_packed(const Stencil& stencil) {
+  std::vector<uint32_t> masks = stencil.mask;
+  for (const int32_t i : stencil.irregular.corner) {
+    const Stencil::Row row = packed_part(stencil, i);
+    masks[i] = ((1u << (row.end - row.begin)) - 1) << (kSlots - (row.end - row.begin));
+  }
+  return masks;
 }
 
-DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth) {
+static std::vector<Eight> regular_cells_of_corner(const HierarchyDepth& depth) {
+  std::vector<Eight> cells(depth.grid.corners.size());
+  for (size_t i = 0; i < cells.size(); ++i)
+    std::ranges::copy(depth.grid.cells_of_corner[i], cells[i].at);
+  for (const int32_t i : depth.stencil.irregular.corner) std::ranges::fill(cells[i].at, kNone);
+  return cells;
+}
+
+DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth)
+    : irregular_(stream, depth.stencil, depth.grid.cell_count()),
+      shares_(stream, depth.shares),
+      transfer_(stream, depth.to_parent) {
   const std::vector<int64_t> starts = slice_starts(depth.stencil);
   slice_start_ = {stream, starts};
-  mask_ = {stream, depth.stencil.mask};
+  mask_ = {stream, masks_of_packed(depth.stencil)};
   const RowGroups groups = make_row_groups(depth.stencil, starts);
   local_ = {stream, groups.local};
   halo_start_ = {stream, groups.halo_start};
   halo_ = {stream, groups.halo};
   cell_corners_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cell_corners);
-  cells_of_corner_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cells_of_corner);
+  cells_of_corner_ = {stream, regular_cells_of_corner(depth)};
   octant_ = {stream, octants(depth.grid)};
   child_start_ = {stream, depth.child_start};
   child_ = {stream, depth.child};
-  view_ = {depth.grid.corner_count(),
-           depth.grid.cell_count(),
-           starts.back(),
-           {depth.grid.corner_count(), slice_start_.data(), mask_.data(), local_.data(),
-            groups.rows, groups.tile_max, static_cast<int32_t>(groups.halo_start.size()) - 1,
-            halo_start_.data(), halo_.data()},
-           cell_corners_.data(),
-           cells_of_corner_.data(),
-           octant_.data(),
-           child_start_.data(),
-           child_.data(),
-           nullptr,
-           nullptr,
-           nullptr};
-  const DepthTransfer& transfer = depth.to_parent;  // empty at the coarsest depth
-  prolongation_ = DeviceArray<FromCell>::copy_of(stream, transfer.prolongation);
-  restriction_start_ = {stream, transfer.restriction_start};
-  restriction_ = {stream, packed_restriction(transfer)};
-  view_.prolongation = prolongation_.data();
-  view_.restriction_start = restriction_start_.data();
-  view_.restriction = restriction_.data();
+  view_.corner_count = depth.grid.corner_count();
+  view_.cell_count = depth.grid.cell_count();
+  view_.number_count = static_cast<int64_t>(depth.number_count());
+  view_.entry_count = starts.back();
+  view_.rows = {depth.grid.corner_count(),
+                slice_start_.data(),
+                mask_.data(),
+                local_.data(),
+                groups.rows,
+                groups.tile_max,
+                static_cast<int32_t>(groups.halo_start.size()) - 1,
+                halo_start_.data(),
+                halo_.data(),
+                irregular_.long_rows()};
+  view_.cell_corners = cell_corners_.data();
+  view_.cells_of_corner = cells_of_corner_.data();
+  view_.octant = octant_.data();
+  view_.child_start = child_start_.data();
+  view_.child = child_.data();
+  view_.irregular = irregular_.view();
+  view_.shares = shares_.view();
+  transfer_.put_into(view_);
 }
 
 uint64_t DeviceTopology::byte_count() const {
-  return slice_start_.byte_count() + restriction_start_.byte_count() + mask_.byte_count() +
-         local_.byte_count() + halo_start_.byte_count() + halo_.byte_count() +
-         child_start_.byte_count() + child_.byte_count() + restriction_.byte_count() +
-         cell_corners_.byte_count() + cells_of_corner_.byte_count() + octant_.byte_count() +
-         prolongation_.byte_count();
+  return slice_start_.byte_count() + mask_.byte_count() + local_.byte_count() +
+         halo_start_.byte_count() + halo_.byte_count() + child_start_.byte_count() +
+         child_.byte_count() + cell_corners_.byte_count() + cells_of_corner_.byte_count() +
+         octant_.byte_count() + irregular_.byte_count() + shares_.byte_count() +
+         transfer_.byte_count();
 }
 
 uint64_t DeviceMesh::byte_count() const {

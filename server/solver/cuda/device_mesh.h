@@ -4,7 +4,10 @@
 #include <vector>
 
 #include "server/prepare/prepared_mesh.h"
+#include "server/solver/cuda/device_irregular.h"
 #include "server/solver/cuda/device_memory.h"
+#include "server/solver/cuda/device_shares.h"
+#include "server/solver/cuda/device_transfer.h"
 #include "server/solver/cuda/views.h"
 #include "server/solver/hierarchy.h"
 
@@ -19,13 +22,15 @@ class DeviceTopology {
   uint64_t byte_count() const;
 
  private:
-  DeviceArray<int64_t> slice_start_, restriction_start_;
-  DeviceArray<uint32_t> mask_, restriction_;
+  DeviceArray<int64_t> slice_start_;
+  DeviceArray<uint32_t> mask_;
   DeviceArray<uint16_t> local_;
   DeviceArray<int32_t> halo_start_, halo_, child_start_, child_;
   DeviceArray<Eight> cell_corners_, cells_of_corner_;
   DeviceArray<uint8_t> octant_;
-  DeviceArray<FromCell> prolongation_;
+  DeviceIrregular irregular_;
+  DeviceShares shares_;
+  DeviceTransfer transfer_;
   Topology view_{};
 };
 

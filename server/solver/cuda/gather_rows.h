@@ -19,6 +19,14 @@ __device__ inline Eight cells_around(const Topology& topology, int32_t corner) {
   return {-1, -1, -1, -1, -1, -1, -1, -1};
 }
 
+/// Whether a corner has cells by side: those of irregular rows have not.
+__device__ inline bool is_regular(const Eight& cells) {
+  int all = cells.at[0];  // negative while all are
+#pragma unroll
+  for (int a = 1; a < 8; ++a) all &= cells.at[a];
+  return all >= 0;
+}
+
 // A cell that is not there counts as the first, times zero: its loads need not wait for a branch.
 template <typename Real>
 __device__ GatheredRow<Real> gather_row(const CellSquares<Real>& cells, const Eight& cells_here) {

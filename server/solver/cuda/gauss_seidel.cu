@@ -8,7 +8,6 @@ namespace burnish::cuda {
 namespace {
 
 constexpr int kSweeps = 2;
-constexpr int kEntriesMax = kSlots - 1;
 
 // The lowest Morton bits are the parities of i, j, k.
 std::vector<int32_t> corners_by_colour(const SparseGrid& grid, std::span<int64_t> first_place) {

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "common/grid/stencil_slots.h"
+
 // An entry of a matrix and where its column stands in the tile of its group of rows, in one word:
 // products read half of what a float and an index would take. Of the number stay 14 significant
 // bits and the whole range of exponents, so that rows need no scaling.
@@ -14,6 +16,9 @@
 #endif
 
 namespace burnish::cuda {
+
+/// How many entries of a row are packed: all, but for irregular rows.
+inline constexpr int kEntriesMax = kSlots - 1;
 
 inline constexpr int kLocalBits = 10;
 inline constexpr int kTile = 1 << kLocalBits;
@@ -33,7 +38,8 @@ BURNISH_ON_BOTH inline uint32_t local_of(uint32_t packed) {
 }
 
 /// A fine corner that a coarse one gathers, and its weight 1, 1/2, 1/4 or 1/8 by the number of
-/// halvings.
+/// halvings. So many a coarse corner at most.
+inline constexpr int kRestrictionMax = kSlots;
 inline constexpr int kCornerBits = 30;
 BURNISH_ON_BOTH inline uint32_t pack_restriction(int32_t corner, uint32_t halvings) {
   return halvings << kCornerBits | static_cast<uint32_t>(corner);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "common/grid/stencil_slots.h"
 #include "server/solver/cuda/kernel.h"
 #include "server/solver/cuda/packed.h"
 
@@ -10,7 +9,6 @@
 
 namespace burnish::cuda {
 
-inline constexpr int kEntriesMax = kSlots - 1;
 inline constexpr int kEntriesUsual = 18;  // rows of the surface's inside have 17 or 26
 inline constexpr int kHaloAhead = 2;      // of a thread; as much as most groups have
 

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "server/solver/cuda/packed.h"
+#include "server/solver/cuda/long_rows.h"
 #include "server/solver/cuda/views.h"
 
 namespace burnish::cuda {
 
 namespace {
 
-static_assert(kSliceRows * 27 <= kTile);
+static_assert(kSliceRows * (kEntriesMax + 1) <= kTile);
 
 struct Group {
   int32_t begin, end;
@@ -21,7 +21,7 @@ struct Group {
 Group group_of(const Stencil& stencil, int32_t begin, int32_t end) {
   Group group = {begin, end, {}};
   for (int32_t i = begin; i < end; ++i)
-    for (auto [k, stop] = stencil.row(i); k < stop; ++k)
+    for (auto [k, stop] = packed_part(stencil, i); k < stop; ++k)
       if (const int32_t column = stencil.column[k]; column < begin || column >= end)
         group.halo.push_back(column);
   std::ranges::sort(group.halo);
@@ -53,9 +53,11 @@ std::vector<int64_t> slice_starts(const Stencil& stencil) {
   const auto n = static_cast<int32_t>(stencil.mask.size());
   std::vector<int64_t> starts = {0};
   for (int32_t first = 0; first < n; first += kSliceRows) {
-    int longest = 0;
-    for (int32_t i = first; i < std::min(n, first + kSliceRows); ++i)
-      longest = std::max(longest, __builtin_popcount(stencil.mask[i]));
+    int64_t longest = 0;
+    for (int32_t i = first; i < std::min(n, first + kSliceRows); ++i) {
+      const Stencil::Row row = packed_part(stencil, i);
+      longest = std::max(longest, row.end - row.begin);
+    }
     starts.push_back(starts.back() + longest * kSliceRows);
   }
   return starts;
@@ -74,7 +76,7 @@ RowGroups make_row_groups(const Stencil& stencil, const std::vector<int64_t>& st
   for (size_t g = 0; g < groups.size(); ++g)
     for (int32_t i = groups[g].begin; i < groups[g].end; ++i) {
       int64_t to = starts[i / kSliceRows] + i % kSliceRows;
-      for (auto [k, end] = stencil.row(i); k < end; ++k, to += kSliceRows)
+      for (auto [k, end] = packed_part(stencil, i); k < end; ++k, to += kSliceRows)
         result.local[to] = local_of(groups[g], stencil.column[k]);
     }
   result.halo_start = {0};

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "server/solver/cuda/cell_inverse.h"
+#include "server/solver/cuda/long_products.h"
 #include "server/solver/cuda/power_step.h"
-#include "server/solver/cuda/products.h"
 #include "server/solver/cuda/schwarz.h"
 #include "server/solver/cuda/transfer.h"
 
@@ -15,14 +15,15 @@ constexpr int kIterationsFirst = 15;  // one beside each new matrix after the fi
 enum class Step { kFromZero, kSecondFromZero, kFirst, kSecond };
 
 // d = momentum·d + length·M⁻¹ source; x += d, or x = d from zero, where d need not be kept.
-template <Step kStep>
-__global__ void __launch_bounds__(kThreads, 8)
+template <Step kStep, bool kLong>
+__global__ void __launch_bounds__(kThreads, kLong ? 6 : 8)
     step_kernel(Depth depth, Matrix inverse, const float4* source, const Spectrum* spectrum,
                 float4* direction) {
   float4* tile = tile_of_block<float4>();
   let_next_start();
   constexpr bool kIsSecond = kStep == Step::kSecond || kStep == Step::kSecondFromZero;
   const FetchedRow row = fetch_row(depth.topology.rows, inverse.packed, blockIdx.x);
+  LongPart<kLong> beyond(depth.topology.rows.long_rows, inverse.long_entries, row);
   const int32_t i = row.corner;
   const float diagonal = i >= 0 ? inverse.diagonal[i] : 0;
   const float momentum = spectrum->momentum;
@@ -33,8 +34,9 @@ __global__ void __launch_bounds__(kThreads, 8)
   if (kStep == Step::kSecond && i >= 0) last = direction[i];
   if (kStep == Step::kSecondFromZero) last = x;
   fill_tile(row, source, tile);
+  beyond.multiply(source);
   if (i < 0) return;
-  float4 d = length * (diagonal * tile[threadIdx.x] + product_of(row, tile));
+  float4 d = length * (diagonal * tile[threadIdx.x] + beyond.added_to(product_of(row, tile)));
   if (kIsSecond) d = momentum * last + d;
   if (kStep == Step::kFirst) direction[i] = d;
   depth.x[i] = x + d;
@@ -59,16 +61,19 @@ __global__ void start_kernel(Depth depth, float4* eigenvector, Spectrum* spectru
       sqrtf(depth.inverse_diagonal[i]) * float4{noise(seed), noise(seed + 1), noise(seed + 2), 0};
 }
 
+template <bool kLong>
 __global__ void power_kernel(Depth depth, Matrix inverse, PowerStep power) {
   float4* tile = tile_of_block<float4>();
   await_previous();
   const FetchedRow row = fetch_row(depth.topology.rows, inverse.packed, blockIdx.x);
+  LongPart<kLong> beyond(depth.topology.rows.long_rows, inverse.long_entries, row);
   fill_tile(row, power.product, tile);
+  beyond.multiply(power.product);
   Sums<2> sums = {};
   if (const int32_t i = row.corner; i >= 0) {
     // What is there is the residual −S x.
     const float4 product = -1 * tile[threadIdx.x];
-    const float4 next = inverse.diagonal[i] * product + -1 * product_of(row, tile);
+    const float4 next = inverse.diagonal[i] * product + -1 * beyond.added_to(product_of(row, tile));
     replace(power, i, next, product, power.spectrum->normalise, sums);
   }
   update_spectrum(power, sums);
@@ -80,13 +85,14 @@ Schwarz::Schwarz(Stream& stream, const Depth& depth)
     : stream_(stream),
       depth_(depth),
       packed_(stream, depth.topology.entry_count),
+      long_entries_(stream, depth.topology.rows.long_rows.entry_count),
       diagonal_(stream, depth.topology.corner_count),
       direction_(stream, depth.topology.corner_count),
       eigenvector_(stream, depth.topology.corner_count),
       sums_(stream, depth.topology.rows.group_count),
       arrived_(stream, 1),
       spectrum_(stream, 1),
-      inverse_{packed_.data(), diagonal_.data()} {}
+      inverse_{packed_.data(), diagonal_.data(), long_entries_.data()} {}
 
 Stream& Schwarz::fork() {
   branch_.fork();
@@ -97,7 +103,7 @@ void Schwarz::set_up(const CellSquares<float>& inverses, const float* anisotropy
   const PowerStep power = {
       eigenvector_.data(), depth_.r, anisotropy, spectrum_.data(), {sums_.data(), arrived_.data()}};
   invert_cells(branch_.stream(), depth_, inverses);
-  assemble_inverse(branch_.stream(), depth_, inverses, inverse_, power);
+  assemble_inverse(branch_.stream(), depth_, inverses, inverse_, power, direction_.data());
   if (first_) start_estimate(power);
   first_ = false;
 }
@@ -114,32 +120,40 @@ void Schwarz::start_estimate(const PowerStep& power) {
                  "clearing f");
   for (int i = 0; i < kIterationsFirst; ++i) {
     compute_residual(stream, depth);
-    launch_products<float4>(stream, power_kernel, rows, rows.group_count, depth, inverse_, power);
+    launch_products<float4>(stream, has_long(rows) ? power_kernel<true> : power_kernel<false>, rows,
+                            rows.group_count, depth, inverse_, power);
   }
 }
 
-void Schwarz::relax_from_zero() {
+template <typename Kernel>
+void Schwarz::step(Kernel kernel, const float4* source) {
   const Rows& rows = depth_.topology.rows;
-  launch_products<float4>(stream_, step_kernel<Step::kFromZero>, rows, rows.group_count, depth_,
-                          inverse_, depth_.f, spectrum_.data(), nullptr);
+  launch_products<float4>(stream_, kernel, rows, rows.group_count, depth_, inverse_, source,
+                          spectrum_.data(), direction_.data());
+}
+
+void Schwarz::relax_from_zero() {
+  const bool is_long = has_long(depth_.topology.rows);
+  step(is_long ? step_kernel<Step::kFromZero, true> : step_kernel<Step::kFromZero, false>,
+       depth_.f);
   compute_residual(stream_, depth_);
-  launch_products<float4>(stream_, step_kernel<Step::kSecondFromZero>, rows, rows.group_count,
-                          depth_, inverse_, depth_.r, spectrum_.data(), nullptr);
+  step(is_long ? step_kernel<Step::kSecondFromZero, true>
+               : step_kernel<Step::kSecondFromZero, false>,
+       depth_.r);
 }
 
 void Schwarz::relax() {
-  const Rows& rows = depth_.topology.rows;
+  const bool is_long = has_long(depth_.topology.rows);
   compute_residual(stream_, depth_);
-  launch_products<float4>(stream_, step_kernel<Step::kFirst>, rows, rows.group_count, depth_,
-                          inverse_, depth_.r, spectrum_.data(), direction_.data());
+  step(is_long ? step_kernel<Step::kFirst, true> : step_kernel<Step::kFirst, false>, depth_.r);
   compute_residual(stream_, depth_);
-  launch_products<float4>(stream_, step_kernel<Step::kSecond>, rows, rows.group_count, depth_,
-                          inverse_, depth_.r, spectrum_.data(), direction_.data());
+  step(is_long ? step_kernel<Step::kSecond, true> : step_kernel<Step::kSecond, false>, depth_.r);
 }
 
 uint64_t Schwarz::byte_count() const {
-  return packed_.byte_count() + diagonal_.byte_count() + direction_.byte_count() +
-         eigenvector_.byte_count() + sums_.byte_count() + spectrum_.byte_count();
+  return packed_.byte_count() + long_entries_.byte_count() + diagonal_.byte_count() +
+         direction_.byte_count() + eigenvector_.byte_count() + sums_.byte_count() +
+         spectrum_.byte_count();
 }
 
 }  // namespace burnish::cuda

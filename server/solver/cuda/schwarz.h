@@ -26,12 +26,14 @@ class Schwarz final : public DepthSmoother {
 
  private:
   void start_estimate(const PowerStep& power);
+  template <typename Kernel>
+  void step(Kernel kernel, const float4* source);
 
   Stream& stream_;
   Branch branch_{stream_};
   Depth depth_;
   DeviceArray<uint32_t> packed_;  // M⁻¹
-  DeviceArray<float> diagonal_;
+  DeviceArray<float> long_entries_, diagonal_;
   DeviceArray<float4> direction_, eigenvector_;
   DeviceArray<Sums<2>> sums_;
   DeviceArray<unsigned> arrived_;

@@ -1,27 +1,44 @@
-#include "server/solver/cuda/products.h"
+#include "server/solver/cuda/half_way.h"
+#include "server/solver/cuda/long_products.h"
 #include "server/solver/cuda/transfer.h"
 
 namespace burnish::cuda {
 
 namespace {
 
-constexpr int kLanes = 4;  // threads for one coarse corner, which gathers 27 fine ones at the most
-constexpr int kGatheredMax = (27 + kLanes - 1) / kLanes;
+constexpr int kLanes = 4;  // threads for one coarse corner
+constexpr int kGatheredMax = (kRestrictionMax + kLanes - 1) / kLanes;
 
-__global__ void __launch_bounds__(kThreads, 8) residual_kernel(Depth depth) {
+template <bool kLong>
+__global__ void __launch_bounds__(kThreads, kLong ? 6 : 8) residual_kernel(Depth depth) {
   float4* tile = tile_of_block<float4>();
   let_next_start();
   const FetchedRow row = fetch_row(depth.topology.rows, depth.system.packed, blockIdx.x);
+  LongPart<kLong> beyond(depth.topology.rows.long_rows, depth.system.long_entries, row);
   const int32_t i = row.corner;
   const bool is_free = i >= 0 && depth.inverse_diagonal[i] != 0;
   const float diagonal = is_free ? depth.system.diagonal[i] : 0;
   await_previous();
   const float4 f = is_free ? depth.f[i] : zero4();
   fill_tile(row, depth.x, tile);
+  beyond.multiply(depth.x);
   if (i < 0) return;
-  depth.r[i] = is_free ? f - diagonal * tile[threadIdx.x] - product_of(row, tile) : zero4();
+  const float4 product = beyond.added_to(product_of(row, tile));
+  depth.r[i] = is_free ? f - diagonal * tile[threadIdx.x] - product : zero4();
 }
 
+// What a corner takes from those of another depth, every `step` th from the first one on.
+__device__ float4 weighted_sum(const WeightedCorners& of, int64_t i, const float4* vector,
+                               int first, int step) {
+  float4 sum = zero4();
+#pragma unroll 4
+  for (int32_t k = of.start[i] + first; k < of.start[i + 1]; k += step)
+    sum = sum + of.weight[k] * vector[of.corner[k]];
+  return sum;
+}
+
+// kRest: of some corners there is more than what is packed.
+template <bool kRest>
 __global__ void restrict_kernel(Depth fine, Depth coarse) {
   let_next_start();
   const int64_t i = thread_index() / kLanes;
@@ -43,6 +60,8 @@ __global__ void restrict_kernel(Depth fine, Depth coarse) {
   float4 sum = zero4();
 #pragma unroll
   for (int j = 0; j < kGatheredMax; ++j) sum = sum + weight[j] * fine.r[from[j]];
+  if constexpr (kRest)
+    sum = sum + weighted_sum(fine.topology.restriction_rest, i, fine.r, lane, kLanes);
   const unsigned group = ((1u << kLanes) - 1) << (threadIdx.x % 32 / kLanes * kLanes);
 #pragma unroll
   for (int offset = kLanes / 2; offset > 0; offset /= 2) {
@@ -53,22 +72,18 @@ __global__ void restrict_kernel(Depth fine, Depth coarse) {
   if (lane == 0) coarse.f[i] = is_free ? sum : zero4();
 }
 
-// The weight of corner a of a cell at one of its 3×3×3 half-way points.
-__device__ float half_way_weight(int place, int a) {
-  float weight = 1;
-#pragma unroll
-  for (int axis = 0; axis < 3; ++axis, place /= 3) {
-    const float high = 0.5f * static_cast<float>(place % 3);
-    weight *= a >> axis & 1 ? high : 1 - high;
-  }
-  return weight;
-}
-
+// kShared: some corners take from those of several cells.
+template <bool kShared>
 __global__ void prolong_kernel(Depth coarse, Depth fine) {
   let_next_start();
   const int64_t i = thread_index();
   if (i >= fine.topology.corner_count || fine.inverse_diagonal[i] == 0) return;
   const FromCell from = fine.topology.prolongation[i];
+  if (kShared && from.cell < 0) {
+    await_previous();
+    fine.x[i] = fine.x[i] + weighted_sum(fine.topology.shared, -1 - from.cell, coarse.x, 0, 1);
+    return;
+  }
   const Eight corners = coarse.topology.cell_corners[from.cell];
   await_previous();
   float4 sum = fine.x[i];
@@ -84,15 +99,20 @@ __global__ void prolong_kernel(Depth coarse, Depth fine) {
 
 void compute_residual(Stream& stream, const Depth& depth) {
   const Rows& rows = depth.topology.rows;
-  launch_products<float4>(stream, residual_kernel, rows, rows.group_count, depth);
+  launch_products<float4>(stream, has_long(rows) ? residual_kernel<true> : residual_kernel<false>,
+                          rows, rows.group_count, depth);
 }
 
 void restrict_to_coarse(Stream& stream, const Depth& fine, const Depth& coarse) {
-  launch(stream, restrict_kernel, kLanes * int64_t{coarse.topology.corner_count}, fine, coarse);
+  const bool has_rest = fine.topology.restriction_rest.start != nullptr;
+  launch(stream, has_rest ? restrict_kernel<true> : restrict_kernel<false>,
+         kLanes * int64_t{coarse.topology.corner_count}, fine, coarse);
 }
 
 void add_prolonged(Stream& stream, const Depth& coarse, const Depth& fine) {
-  launch(stream, prolong_kernel, fine.topology.corner_count, coarse, fine);
+  const bool has_shared = fine.topology.shared.start != nullptr;
+  launch(stream, has_shared ? prolong_kernel<true> : prolong_kernel<false>,
+         fine.topology.corner_count, coarse, fine);
 }
 
 }  // namespace burnish::cuda

@@ -60,10 +60,17 @@ struct CellSquares {
   int64_t cells;
 };
 
-/// DepthTransfer::FromCell.
+/// DepthTransfer::FromCell; of a shared corner the cell is -1 less its number among them.
 struct FromCell {
   int32_t cell;
   uint8_t place;
+};
+
+/// For each of some corners those of another depth that it takes from, by weight. Null for none.
+struct WeightedCorners {
+  const int32_t* start;  ///< corners + 1
+  const int32_t* corner;
+  const float* weight;
 };
 
 /// EvaluationPoint.
@@ -74,41 +81,94 @@ struct VertexPlace {
 
 inline constexpr int kSliceRows = 32;
 
+/// What rows have beyond kEntriesMax entries (packed.h): see long_rows.h. Null where none has any.
+struct LongRows {
+  const int32_t* start;  ///< corners + 1
+  const int32_t* column;
+  int32_t entry_count;
+};
+
 /// A depth's stencil in slices of 32 rows, so that neighbouring threads read neighbouring entries:
 /// entry k of row I stands at slice_start[I / 32] + 32 k + I % 32. Slices make groups, of which a
 /// block of threads does one: see row_groups.h.
 struct Rows {
   int32_t count;
   const int64_t* slice_start;
-  const uint32_t* mask;   ///< Stencil::mask
+  const uint32_t* mask;   ///< Stencil::mask; of an irregular row one with as many bits as it has
+                          ///< entries here, the highest ones
   const uint16_t* local;  ///< one per entry: where in its group's tile its column stands
   int32_t group_rows;     ///< of every group but the last
   int32_t tile_max;       ///< the largest tile of a group
   int32_t group_count;
   const int32_t* halo_start;  ///< groups + 1
   const int32_t* halo;
+  LongRows long_rows;
+};
+
+/// IrregularCells::entry.
+struct PairEntries {
+  uint16_t at[28];
+};
+
+/// A depth's irregular rows and the cells at them (stencil.h). Sources are places among the depth's
+/// numbers, which are CellSquares and behind them 64 of each tie.
+struct Irregular {
+  int32_t row_count;
+  const int32_t* corner;
+  const int64_t* sum_start;
+  const int64_t* source_start;
+  const int32_t* source;
+  int32_t cell_count;
+  const int32_t* cell;
+  const PairEntries* entry;
+};
+
+/// CellPart and CellShare.
+struct CellPart {
+  float weight[8];
+  uint8_t place[8];
+};
+struct CellShare {
+  int32_t source, left, right, is_transposed;
+};
+
+/// What a depth's numbers take from those of the finer one beyond what children give: CellShares.
+struct Shares {
+  int32_t target_count;
+  const CellPart* part;
+  const int32_t* target;
+  const int32_t* start;
+  const CellShare* share;
+  int32_t apart_count;
+  const int32_t* apart;
 };
 
 /// One depth without any number that depends on the metric.
 struct Topology {
   int32_t corner_count;
   int32_t cell_count;
-  int64_t entry_count;
+  int64_t number_count;  ///< of its cells and ties: see Irregular
+  int64_t entry_count;   ///< of its rows, packed
   Rows rows;
   const Eight* cell_corners;
-  const Eight* cells_of_corner;
-  const uint8_t* octant;       ///< which child of its parent a cell is
-  const int32_t* child_start;  ///< null at the finest depth, as `child`
+  const Eight* cells_of_corner;  ///< none of the corner of an irregular row
+  const uint8_t* octant;         ///< which child of its parent a cell is
+  const int32_t* child_start;    ///< null at the finest depth, as `child`
   const int32_t* child;
   const FromCell* prolongation;  ///< null at the coarsest depth, as the next two
   const int64_t* restriction_start;
-  const uint32_t* restriction;  ///< packed.h
+  const uint32_t* restriction;       ///< packed.h
+  WeightedCorners shared;            ///< of this depth's shared corners
+  WeightedCorners restriction_rest;  ///< of coarse corners: what cannot be packed
+  Irregular irregular;
+  Shares shares;  ///< of this depth's numbers
 };
 
 /// A symmetric matrix on a depth's stencil: off-diagonal entries with their columns (packed.h).
 struct Matrix {
   uint32_t* packed;
   float* diagonal;
+  float* long_entries;  ///< as they are, of LongRows::column; null where there are none
 };
 
 /// One session's numbers at one depth.

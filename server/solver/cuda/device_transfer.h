@@ -1,0 +1,38 @@
+#pragma once
+
+#include "server/solver/cuda/device_memory.h"
+#include "server/solver/cuda/views.h"
+#include "server/solver/hierarchy.h"
+
+namespace burnish::cuda {
+
+/// A restriction as coarse corners gather it: packed what can be, in the order given, beside it the
+/// rest, which are shared corners and what a row has beyond kRestrictionMax.
+struct PackedRestriction {
+  std::vector<int64_t> start;  ///< coarse corners + 1
+  std::vector<uint32_t> packed;
+  std::vector<int32_t> rest_start;  ///< likewise; empty where there is no rest, as the next two
+  std::vector<int32_t> rest_corner;
+  std::vector<float> rest_weight;
+};
+PackedRestriction pack_restriction(const DepthTransfer& transfer);
+
+/// A depth's DepthTransfer on the device: nothing of the coarsest.
+class DeviceTransfer {
+ public:
+  DeviceTransfer() = default;
+  DeviceTransfer(Stream& stream, const DepthTransfer& transfer);
+
+  /// Fills in what of a depth's topology is of this.
+  void put_into(Topology& topology) const;
+  uint64_t byte_count() const;
+
+ private:
+  DeviceArray<FromCell> prolongation_;
+  DeviceArray<int64_t> restriction_start_;
+  DeviceArray<uint32_t> restriction_;
+  DeviceArray<int32_t> shared_start_, shared_corner_, rest_start_, rest_corner_;
+  DeviceArray<float> shared_weight_, rest_weight_;
+};
+
+}  // namespace burnish::cuda

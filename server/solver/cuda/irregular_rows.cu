@@ -1,0 +1,167 @@
+#include "server/solver/cuda/block_inverse.h"
+#include "server/solver/cuda/irregular_rows.h"
+#include "server/solver/cuda/products.h"
+
+namespace burnish::cuda {
+
+namespace {
+
+// An irregular row, done by a warp.
+struct Row {
+  int32_t corner;
+  int64_t first_sum;
+  int count;  // of its entries, each a sum; the one after them is the row's own
+};
+
+// Entry p of a row. Long rows have the last ones elsewhere.
+struct Place {
+  bool is_packed;
+  int64_t at;
+  uint32_t local;
+  int32_t column;
+};
+
+__device__ Row row_of_warp(const Irregular& irregular, int64_t number) {
+  const int64_t first = irregular.sum_start[number];
+  return {irregular.corner[number], first,
+          static_cast<int>(irregular.sum_start[number + 1] - first) - 1};
+}
+
+__device__ int64_t place_in_tail(const LongRows& rows, int32_t corner, int p) {
+  return rows.start[corner] + p - kEntriesMax;
+}
+
+__device__ Place place_of(const Rows& rows, int32_t corner, int p) {
+  if (p >= kEntriesMax) {
+    const int64_t at = place_in_tail(rows.long_rows, corner, p);
+    return {false, at, 0, rows.long_rows.column[at]};
+  }
+  const int64_t at = row_begin(rows, corner) + kSliceRows * p;
+  const uint32_t local = rows.local[at];
+  return {true, at, local, column_of(group_of(rows, corner / rows.group_rows), local)};
+}
+
+// Returns what products will find.
+__device__ float store(const Matrix& matrix, const Place& place, float value) {
+  if (!place.is_packed) return matrix.long_entries[place.at] = value;
+  return value_of(matrix.packed[place.at] = pack(value, place.local));
+}
+
+__device__ float entry_at(const Depth& depth, int32_t corner, int p) {
+  if (p >= kEntriesMax)
+    return depth.system.long_entries[place_in_tail(depth.topology.rows.long_rows, corner, p)];
+  return value_of(depth.system.packed[row_begin(depth.topology.rows, corner) + kSliceRows * p]);
+}
+
+// Sum number `sum` of the numbers below `numbers_end`, the first `step` th of them only.
+__device__ float add_sources(const Irregular& irregular, int64_t sum, const float* numbers,
+                             int32_t numbers_end, int first, int step) {
+  float total = 0;
+  const int64_t end = irregular.source_start[sum + 1];
+  for (int64_t k = irregular.source_start[sum] + first; k < end; k += step)
+    if (irregular.source[k] < numbers_end) total += numbers[irregular.source[k]];
+  return total;
+}
+
+__device__ float sum_of_warp(float number) {
+  for (int offset = 16; offset > 0; offset /= 2)
+    number += __shfl_xor_sync(0xffffffffu, number, offset);
+  return number;
+}
+
+__device__ float4 sum_of_warp(float4 vector) {
+  return {sum_of_warp(vector.x), sum_of_warp(vector.y), sum_of_warp(vector.z), 0};
+}
+
+__global__ void assemble_rows_kernel(Depth depth, const float* numbers, const float4* probe,
+                                     const float* pinned_below) {
+  await_previous();
+  const Irregular& irregular = depth.topology.irregular;
+  const int64_t number = thread_index() / 32;
+  const auto lane = static_cast<int>(threadIdx.x % 32);
+  if (number >= irregular.row_count) return;
+  const Row row = row_of_warp(irregular, number);
+  const auto all = static_cast<int32_t>(depth.topology.number_count);
+  float sum = add_sources(irregular, row.first_sum + row.count, numbers, all, lane, 32);
+  float4 product = zero4();
+  for (int p = lane; p < row.count; p += 32) {
+    const float entry = add_sources(irregular, row.first_sum + p, numbers, all, 0, 1);
+    const Place place = place_of(depth.topology.rows, row.corner, p);
+    const float stored = store(depth.system, place, entry);
+    if (depth.rest != nullptr && place.is_packed) depth.rest[place.at] = entry - stored;
+    if (probe != nullptr) product = product + stored * probe[place.column];
+    sum -= entry;
+  }
+  const float diagonal = sum_of_warp(sum);
+  product = sum_of_warp(product);
+  if (lane != 0) return;
+  depth.system.diagonal[row.corner] = diagonal;
+  depth.inverse_diagonal[row.corner] = diagonal > *pinned_below ? 1 / diagonal : 0;
+  if (probe != nullptr) depth.r[row.corner] = product + diagonal * probe[row.corner];
+}
+
+__global__ void invert_irregular_kernel(Depth depth, CellSquares<float> inverses) {
+  await_previous();
+  const Irregular& irregular = depth.topology.irregular;
+  const int64_t number = thread_index();
+  if (number >= irregular.cell_count) return;
+  const int32_t cell = irregular.cell[number];
+  const PairEntries entries = irregular.entry[number];
+  const Eight corners = depth.topology.cell_corners[cell];
+  float block[8][8];
+  const auto entry_of = [&](int a, int b) {
+    return entry_at(depth, corners.at[a], entries.at[pair_index(a, b)]);
+  };
+  read_scaled_block(depth, corners, entry_of, block);
+  invert(block);
+  store_block(block, cell, inverses);
+}
+
+// The numbers of cells alone: M⁻¹ has no part for ties.
+__global__ void inverse_rows_kernel(Depth depth, CellSquares<float> inverses, Matrix inverse,
+                                    const float4* vector, float4* next) {
+  await_previous();
+  const Irregular& irregular = depth.topology.irregular;
+  const int64_t number = thread_index() / 32;
+  const auto lane = static_cast<int>(threadIdx.x % 32);
+  if (number >= irregular.row_count) return;
+  const Row row = row_of_warp(irregular, number);
+  const auto of_cells = static_cast<int32_t>(inverses.kNumbers * inverses.cells);
+  const float here = sqrtf(depth.inverse_diagonal[row.corner]);
+  const float own = sum_of_warp(
+      add_sources(irregular, row.first_sum + row.count, inverses.numbers, of_cells, lane, 32));
+  float4 product = zero4();
+  for (int p = lane; p < row.count; p += 32) {
+    const Place place = place_of(depth.topology.rows, row.corner, p);
+    const float value = add_sources(irregular, row.first_sum + p, inverses.numbers, of_cells, 0, 1);
+    const float there = sqrtf(depth.inverse_diagonal[place.column]);
+    product = product + store(inverse, place, value * here * there) * vector[place.column];
+  }
+  product = sum_of_warp(product);
+  if (lane != 0) return;
+  const float diagonal = own * here * here;
+  inverse.diagonal[row.corner] = diagonal;
+  next[row.corner] = product + diagonal * vector[row.corner];
+}
+
+}  // namespace
+
+void assemble_irregular_rows(Stream& stream, const CellSquares<float>& cells, const Depth& depth,
+                             const float4* probe, const float* pinned_below) {
+  launch(stream, assemble_rows_kernel, int64_t{32} * depth.topology.irregular.row_count, depth,
+         cells.numbers, probe, pinned_below);
+}
+
+void invert_irregular_cells(Stream& stream, const Depth& depth,
+                            const CellSquares<float>& inverses) {
+  launch(stream, invert_irregular_kernel, depth.topology.irregular.cell_count, depth, inverses);
+}
+
+void assemble_irregular_inverse(Stream& stream, const Depth& depth,
+                                const CellSquares<float>& inverses, const Matrix& inverse,
+                                const PowerStep& power, float4* next) {
+  launch(stream, inverse_rows_kernel, int64_t{32} * depth.topology.irregular.row_count, depth,
+         inverses, inverse, power.product, next);
+}
+
+}  // namespace burnish::cuda
