@@ -24,8 +24,8 @@ uint8_t weighing_on(const CellPart& part, uint8_t corners) {
   unsigned weighing = 0;
   for (int a = 0; a < kCornersPerCell; ++a) {
     if ((corners >> a & 1) == 0 || part.weight[a] == 0) continue;
-    for (int v = 0; v < kCornersPerCell; ++v)
-      weighing |= static_cast<unsigned>(half_way_weights()[part.place[a]][v] > 0) << v;
+    const PositiveWeights& weights = positive_weights(part.place[a]);
+    for (int i = 0; i < weights.count; ++i) weighing |= 1u << weights.corner[i];
   }
   return static_cast<uint8_t>(weighing);
 }
@@ -122,9 +122,9 @@ class Parts {
   // The corners that weigh on a point, in the order of space.
   std::vector<int32_t> corners_of(const FromCell& from) const {
     std::vector<int32_t> corners;
-    for (int v = 0; v < kCornersPerCell; ++v)
-      if (half_way_weights()[from.place][v] > 0)
-        corners.push_back(coarse_.grid.cell_corners[from.cell][v]);
+    const PositiveWeights& weights = positive_weights(from.place);
+    for (int i = 0; i < weights.count; ++i)
+      corners.push_back(coarse_.grid.cell_corners[from.cell][weights.corner[i]]);
     return corners;
   }
 

@@ -13,10 +13,6 @@ namespace {
 
 using CellCorners = std::array<int32_t, kCornersPerCell>;
 
-Vec3i half_steps(const GridKey& cell, int a) {
-  return corner_offset(static_cast<int>(cell.place & 7)) + corner_offset(a);
-}
-
 FromCell find_parent_of_corner(const SparseGrid& fine, const std::vector<int32_t>& parent_cell,
                                int32_t corner) {
   for (int a = 0; a < kCornersPerCell; ++a) {
@@ -29,7 +25,8 @@ FromCell find_parent_of_corner(const SparseGrid& fine, const std::vector<int32_t
 bool have_common_corner(const GridKey& cell, const CellCorners& corners, const GridKey& other,
                         const CellCorners& other_corners) {
   for (int a = 0; a < kCornersPerCell; ++a) {
-    const Vec3i at = half_steps(cell, a) - corner_offset(static_cast<int>(other.place & 7));
+    const Vec3i at = corner_offset(a) + corner_offset(static_cast<int>(cell.place & 7)) -
+                     corner_offset(static_cast<int>(other.place & 7));
     if ((at.array() < 0).any() || (at.array() > 1).any()) continue;
     if (corners[a] == other_corners[at.x() + 2 * at.y() + 4 * at.z()]) return true;
   }
@@ -46,7 +43,7 @@ class Parents {
       if (c == 0 || cells[c].place >> 3 != cells[c - 1].place >> 3) group_start.push_back(c);
     group_start.push_back(count());
 #pragma omp parallel for schedule(dynamic, 1024)
-    for (size_t g = 0; g + 1 < group_start.size(); ++g)
+    for (size_t g = 0; g < group_start.size() - 1; ++g)
       join_group(group_start[g], group_start[g + 1]);
   }
 
@@ -97,24 +94,9 @@ class Parents {
   std::vector<int32_t> root_;  // the first child of the same parent
 };
 
-/// The corners of a cell that weigh on one of its half-way points, rising.
-struct WeighingCorners {
-  int count = 0;
-  std::array<int8_t, kCornersPerCell> corner;
-};
-
-std::array<WeighingCorners, 27> weighing_corners() {
-  std::array<WeighingCorners, 27> of_place;
-  for (int place = 0; place < 27; ++place)
-    for (int8_t a = 0; a < kCornersPerCell; ++a)
-      if (half_way_weights()[place][a] > 0) of_place[place].corner[of_place[place].count++] = a;
-  return of_place;
-}
-
 // Joins the corners of coarse cells that meet in a fine corner. Each coarse cell has eight numbers.
 UnionFind join_corners(std::span<const GridKey> cells, std::span<const CellCorners> cell_corners,
                        CoarseGrid& coarse) {
-  static const auto weighing = weighing_corners();
   UnionFind joined(kCornersPerCell * coarse.grid.cells.size());
   for (size_t c = 0; c < cells.size(); ++c)
     for (int a = 0; a < kCornersPerCell; ++a) {
@@ -123,7 +105,8 @@ UnionFind join_corners(std::span<const GridKey> cells, std::span<const CellCorne
       if (first.cell == kNone) first = here;
       if (first.cell == here.cell) continue;
       // The same points in space, in the same order.
-      const WeighingCorners &of_first = weighing[first.place], &of_here = weighing[here.place];
+      const PositiveWeights& of_first = positive_weights(first.place);
+      const PositiveWeights& of_here = positive_weights(here.place);
       for (int i = 0; i < of_here.count; ++i)
         joined.join(kCornersPerCell * first.cell + of_first.corner[i],
                     kCornersPerCell * here.cell + of_here.corner[i]);
@@ -164,22 +147,6 @@ void find_cells_of_corners(SparseGrid& grid) {
 }
 
 }  // namespace
-
-const std::array<std::array<float, kCornersPerCell>, 27>& half_way_weights() {
-  static const auto table = [] {
-    std::array<std::array<float, kCornersPerCell>, 27> weights;
-    for (int place = 0; place < 27; ++place)
-      weights[place] = trilinear_weights(
-          {place % 3 * 0.5f, place / 3 % 3 * 0.5f, static_cast<float>(place / 9) * 0.5f});
-    return weights;
-  }();
-  return table;
-}
-
-uint8_t place_in_parent(const GridKey& cell, int a) {
-  const Vec3i at = half_steps(cell, a);
-  return static_cast<uint8_t>(at.x() + 3 * at.y() + 9 * at.z());
-}
 
 CoarseGrid join_sheets(const SparseGrid& fine) {
   CoarseGrid coarse;

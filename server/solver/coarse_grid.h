@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/grid/sparse_grid.h"
+#include "server/solver/half_way.h"
 
 namespace burnish {
 
@@ -21,12 +22,6 @@ struct CoarseGrid {
   std::vector<int32_t> parent_cell;  ///< one per fine cell
   std::vector<FromCell> from;        ///< one per fine corner
 };
-
-/// The weights of a cell's eight corners at each of its 27 half-way points.
-const std::array<std::array<float, kCornersPerCell>, 27>& half_way_weights();
-
-/// The half-way point of its parent at which a cell's corner a stands.
-uint8_t place_in_parent(const GridKey& cell, int a);
 
 /// One cell for all cells of a piece of surface in one place, and one corner.
 CoarseGrid join_sheets(const SparseGrid& fine);

@@ -6,29 +6,9 @@ namespace burnish {
 
 namespace {
 
-/// The corners of a cell that weigh on one of its half-way points.
-struct Weights {
-  int count = 0;
-  std::array<int8_t, kCornersPerCell> corner;
-  std::array<float, kCornersPerCell> weight;
-};
-
-std::array<Weights, kSlots> positive_weights() {
-  std::array<Weights, kSlots> of_place;
-  for (int place = 0; place < kSlots; ++place)
-    for (int a = 0; a < kCornersPerCell; ++a) {
-      Weights& weights = of_place[place];
-      weights.corner[weights.count] = static_cast<int8_t>(a);
-      weights.weight[weights.count] = half_way_weights()[place][a];
-      if (half_way_weights()[place][a] > 0) ++weights.count;
-    }
-  return of_place;
-}
-
 // Calls visit(fine corner, coarse corner, weight) for every entry of P, by fine corners.
 template <typename Visit>
 void for_each_entry(const SparseGrid& coarse, const DepthTransfer& transfer, Visit&& visit) {
-  static const auto weights_of_place = positive_weights();
   const DepthTransfer::SharedCorners& shared = transfer.shared;
   int32_t next_shared = 0;
   for (size_t fine = 0; fine < transfer.prolongation.size(); ++fine) {
@@ -39,7 +19,7 @@ void for_each_entry(const SparseGrid& coarse, const DepthTransfer& transfer, Vis
       ++next_shared;
       continue;
     }
-    const Weights& weights = weights_of_place[from.place];
+    const PositiveWeights& weights = positive_weights(from.place);
     for (int i = 0; i < weights.count; ++i)
       visit(static_cast<int32_t>(fine), coarse.cell_corners[from.cell][weights.corner[i]],
             weights.weight[i]);
@@ -69,9 +49,10 @@ void add_shared(const CoarseGrid& coarse, const SheetCorners& sheets, size_t i,
   std::map<int32_t, double> weight;
   for (int32_t k = sheets.start[i]; k < sheets.start[i + 1]; ++k) {
     const FromCell& from = coarse.from[sheets.sheet[k]];
-    for (int a = 0; a < kCornersPerCell; ++a)
-      if (const float half_way = half_way_weights()[from.place][a]; half_way > 0)
-        weight[coarse.grid.cell_corners[from.cell][a]] += double{sheets.weight[k]} * half_way;
+    const PositiveWeights& half_way = positive_weights(from.place);
+    for (int j = 0; j < half_way.count; ++j)
+      weight[coarse.grid.cell_corners[from.cell][half_way.corner[j]]] +=
+          double{sheets.weight[k]} * half_way.weight[j];
   }
   DepthTransfer::SharedCorners& shared = transfer.shared;
   shared.corner.push_back(sheets.shared[i]);

@@ -9,8 +9,10 @@ namespace burnish {
 
 namespace {
 
-constexpr int32_t kSheetsMaxPerCorner = 8;  // one corner in so many may have a second sheet
-constexpr int kIrregularRowMax = 4096;
+// What is more broken than this is kept together: what hangs together nowhere has eight corners for
+// each cell, at all depths.
+constexpr int32_t kCornersPerExtraSheet = 8;
+constexpr int64_t kIrregularRowMax = 4096;  // entries
 
 // The children of every coarse cell that are not apart, by a counting sort.
 void list_children(const std::vector<int32_t>& parent_cell, HierarchyDepth& coarse) {
@@ -64,17 +66,21 @@ bool is_coarsest(const SparseGrid& grid) {
   return grid.corner_count() <= kCoarsestCornersMax || grid.depth <= kCoarsestDepthMin;
 }
 
-// All depths but their stencils, the finest first; the finest has its grid.
-void add_joined_depths(std::vector<HierarchyDepth>& from_finest) {
-  while (!is_coarsest(from_finest.back().grid))
-    from_finest.push_back(make_joined_parents(from_finest.back()));
+// All depths but their stencils, the finest first.
+std::vector<HierarchyDepth> joined_depths(SparseGrid finest) {
+  std::vector<HierarchyDepth> depths(1);
+  depths[0].grid = std::move(finest);
+  while (!is_coarsest(depths.back().grid)) depths.push_back(make_joined_parents(depths.back()));
+  return depths;
 }
 
-void add_depths_apart(const SheetCorners& sheets, std::vector<HierarchyDepth>& from_finest) {
-  if (!is_coarsest(from_finest.back().grid))
-    from_finest.push_back(make_parents_of_finest(from_finest.back(), sheets));
-  while (!is_coarsest(from_finest.back().grid))
-    from_finest.push_back(make_parents_apart(from_finest.back()));
+std::vector<HierarchyDepth> depths_apart(SparseGrid finest, const SheetCorners& sheets) {
+  std::vector<HierarchyDepth> depths(1);
+  depths[0].grid = std::move(finest);
+  while (!is_coarsest(depths.back().grid))
+    depths.push_back(depths.size() == 1 ? make_parents_of_finest(depths.back(), sheets)
+                                        : make_parents_apart(depths.back()));
+  return depths;
 }
 
 // An irregular corner's cells are listed with its row alone.
@@ -82,6 +88,22 @@ void add_stencil(HierarchyDepth& depth) {
   depth.stencil = make_stencil(depth.grid, depth.ties);
   for (int32_t corner : depth.stencil.irregular.corner)
     depth.grid.cells_of_corner[corner].fill(kNone);
+}
+
+bool has_endless_rows(const HierarchyDepth& depth) {
+  return std::ranges::any_of(depth.stencil.irregular.corner, [&](int32_t corner) {
+    const auto [begin, end] = depth.stencil.row(corner);
+    return end - begin > kIrregularRowMax;
+  });
+}
+
+std::vector<HierarchyDepth> make_depths(const PreparedMesh& prepared, Sheets sheets) {
+  SparseGrid finest = make_finest_grid(prepared.frame.depth, prepared.cells);
+  if (sheets == Sheets::kTogether) return joined_depths(std::move(finest));
+  const SheetCorners corners = find_sheet_corners(prepared, finest);
+  if (corners.count - finest.corner_count() > finest.corner_count() / kCornersPerExtraSheet)
+    return joined_depths(std::move(finest));
+  return depths_apart(std::move(finest), corners);
 }
 
 template <typename T>
@@ -92,13 +114,10 @@ uint64_t bytes_of(const std::vector<T>& v) {
 }  // namespace
 
 std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared, Sheets sheets) {
-  std::vector<HierarchyDepth> from_finest(1);
-  from_finest[0].grid = make_finest_grid(prepared.frame.depth, prepared.cells);
-  if (sheets == Sheets::kTogether)
-    add_joined_depths(from_finest);
-  else
-    add_depths_apart(find_sheet_corners(prepared, from_finest[0].grid), from_finest);
+  std::vector<HierarchyDepth> from_finest = make_depths(prepared, sheets);
   for (HierarchyDepth& depth : from_finest) add_stencil(depth);
+  if (sheets == Sheets::kApart && std::ranges::any_of(from_finest, has_endless_rows))
+    return make_hierarchy(prepared, Sheets::kTogether);
 
   auto hierarchy = std::make_shared<Hierarchy>();
   hierarchy->coarsest = from_finest.back().grid.depth;
