@@ -25,17 +25,18 @@ static bool has_area(const std::array<Vec3d, 3>& corners) {
   return ab.cross(ca).norm() > kDegenerateRatio * longest;
 }
 
+// Calls visit(triangle, columns).
 template <typename Visit>
-static void for_each_pair_of_block(std::span<const Triangle> triangles,
-                                   std::span<const Vec3d> grid_positions, size_t block,
-                                   Visit&& visit) {
+static void for_each_triangle_of_block(std::span<const Triangle> triangles,
+                                       std::span<const Vec3d> grid_positions, size_t block,
+                                       Visit&& visit) {
+  std::vector<CellColumn> columns;
   const size_t end = std::min(triangles.size(), (block + 1) * kTrianglesPerBlock);
   for (size_t t = block * kTrianglesPerBlock; t < end; ++t) {
     const std::array<Vec3d, 3> corners = positions_of(triangles[t], grid_positions);
     if (!has_area(corners)) continue;
-    for_each_cell_of_triangle(corners, [&](const Vec3i& cell) {
-      visit(CellPiece{morton_key(cell), static_cast<uint32_t>(t)});
-    });
+    find_columns(corners, columns);
+    visit(static_cast<uint32_t>(t), std::span<const CellColumn>(columns));
   }
 }
 
@@ -88,8 +89,11 @@ Result<UnsetVector<CellPiece>> find_cell_pieces(std::span<const Triangle> triang
   std::vector<uint64_t> start(blocks + 1, 0);
 #pragma omp parallel for schedule(dynamic)
   for (size_t block = 0; block < blocks; ++block)
-    for_each_pair_of_block(triangles, grid_positions, block,
-                           [&](const CellPiece&) { ++start[block + 1]; });
+    for_each_triangle_of_block(triangles, grid_positions, block,
+                               [&](uint32_t, std::span<const CellColumn> columns) {
+                                 for (const CellColumn& column : columns)
+                                   start[block + 1] += column.k.last - column.k.first + 1;
+                               });
   for (size_t block = 0; block < blocks; ++block) start[block + 1] += start[block];
   if (!report(progress, "grid", 0.4)) return cancelled("cancelled while cutting at the grid");
   RETURN_IF_ERROR(check_memory(start.back()));
@@ -98,8 +102,13 @@ Result<UnsetVector<CellPiece>> find_cell_pieces(std::span<const Triangle> triang
 #pragma omp parallel for schedule(dynamic)
   for (size_t block = 0; block < blocks; ++block) {
     uint64_t next = start[block];
-    for_each_pair_of_block(triangles, grid_positions, block,
-                           [&](const CellPiece& piece) { pieces[next++] = piece; });
+    for_each_triangle_of_block(triangles, grid_positions, block,
+                               [&](uint32_t triangle, std::span<const CellColumn> columns) {
+                                 for_each_cell_with_passages(
+                                     columns, [&](const Vec3i& cell, Passages passages) {
+                                       pieces[next++] = {morton_key(cell), triangle, passages};
+                                     });
+                               });
   }
   if (!report(progress, "grid", 0.7)) return cancelled("cancelled while cutting at the grid");
   sort_by_cell(pieces);

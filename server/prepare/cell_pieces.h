@@ -8,14 +8,16 @@
 #include "common/base/status.h"
 #include "common/grid/morton.h"
 #include "common/mesh/triangle_mesh.h"
+#include "server/prepare/passages.h"
 #include "server/prepare/unset_vector.h"
 
 namespace burnish {
 
-/// Triangle `triangle` meets cell `cell`.
+/// Triangle `triangle` meets cell `cell`, and of its neighbours those in `passages`.
 struct CellPiece {
   MortonKey cell;
   uint32_t triangle;
+  Passages passages;
 };
 
 /// Every (cell, triangle) pair, sorted by cell, then triangle. Triangles without area, but for

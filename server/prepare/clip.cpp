@@ -49,4 +49,20 @@ SlabRange slabs_of(const Polygon& polygon, int axis) {
   return {first, std::max(first, last)};
 }
 
+void find_columns(const std::array<Vec3d, 3>& triangle, std::vector<CellColumn>& columns) {
+  columns.clear();
+  Polygon whole;
+  for (const Vec3d& p : triangle) whole.push(p);
+  const SlabRange x = slabs_of(whole, 0);
+  for (int i = x.first; i <= x.last; ++i) {
+    const Polygon in_x = x.first == x.last ? whole : clip_to_slab(whole, 0, i);
+    if (in_x.count == 0) continue;
+    const SlabRange y = slabs_of(in_x, 1);
+    for (int j = y.first; j <= y.last; ++j) {
+      const Polygon in_y = y.first == y.last ? in_x : clip_to_slab(in_x, 1, j);
+      if (in_y.count > 0) columns.push_back({i, j, slabs_of(in_y, 2)});
+    }
+  }
+}
+
 }  // namespace burnish

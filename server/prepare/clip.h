@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "common/base/types.h"
 
@@ -34,24 +35,15 @@ struct SlabRange {
 };
 SlabRange slabs_of(const Polygon& polygon, int axis);
 
-/// Calls visit(cell) once for each cell that the triangle meets. Units: grid, snapped to planes.
-/// Cost: proportional to the number of cells met, also for triangles much larger than a cell.
-template <typename Visit>
-void for_each_cell_of_triangle(const std::array<Vec3d, 3>& triangle, Visit&& visit) {
-  Polygon whole;
-  for (const Vec3d& p : triangle) whole.push(p);
-  const SlabRange x = slabs_of(whole, 0);
-  for (int i = x.first; i <= x.last; ++i) {
-    const Polygon in_x = x.first == x.last ? whole : clip_to_slab(whole, 0, i);
-    if (in_x.count == 0) continue;
-    const SlabRange y = slabs_of(in_x, 1);
-    for (int j = y.first; j <= y.last; ++j) {
-      const Polygon in_y = y.first == y.last ? in_x : clip_to_slab(in_x, 1, j);
-      if (in_y.count == 0) continue;
-      const SlabRange z = slabs_of(in_y, 2);
-      for (int k = z.first; k <= z.last; ++k) visit(Vec3i(i, j, k));
-    }
-  }
-}
+/// Cells (i, j, k) with k in a range.
+struct CellColumn {
+  int i, j;
+  SlabRange k;
+};
+
+/// Puts the cells that the triangle meets into `columns`, in the order of i, then j, each pair
+/// once. Units: grid, snapped to planes. Cost: proportional to the number of cells met, also for
+/// triangles much larger than a cell.
+void find_columns(const std::array<Vec3d, 3>& triangle, std::vector<CellColumn>& columns);
 
 }  // namespace burnish

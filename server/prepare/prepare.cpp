@@ -32,6 +32,7 @@ struct PreparedArrays {
   UnsetVector<MortonKey> cells;
   UnsetVector<CellIntegrals> integrals;
   UnsetVector<CellCurvature> curvature;
+  UnsetVector<Passages> passages;
 };
 
 /// Times the phases of a preparation.
@@ -73,8 +74,8 @@ std::vector<Vec3d> snapped_positions(const TriangleMesh& mesh, const GridFrame& 
 }
 
 Status check_cell_memory(size_t cells) {
-  const uint64_t bytes =
-      cells * (sizeof(CellIntegrals) + sizeof(CellCurvature) + sizeof(MortonKey));
+  const uint64_t bytes = cells * (sizeof(CellIntegrals) + sizeof(CellCurvature) + sizeof(Passages) +
+                                  sizeof(MortonKey));
   const uint64_t available = available_memory_bytes();
   if (bytes <= available) return Status::ok();
   return resource_exhausted(std::to_string(cells) + " cells need " + std::to_string(bytes >> 20) +
@@ -117,20 +118,43 @@ bool integrate_cell(std::span<const CellPiece> pieces, std::span<const Triangle>
   return true;
 }
 
+Passages passages_of(std::span<const CellPiece> pieces) {
+  Passages all = 0;
+  for (const CellPiece& piece : pieces) all |= piece.passages;
+  return all;
+}
+
+/// Nothing leads to the cells that hold no surface.
+void close_passages_to_empty(PreparedArrays& arrays, const std::vector<char>& holds_surface) {
+  for (size_t c = 0; c < holds_surface.size(); ++c) {
+    if (holds_surface[c]) continue;
+    const Vec3i cell = morton_point(arrays.cells[c]);
+    for (int slot = 0; slot < kSlots; ++slot) {
+      if ((arrays.passages[c] >> slot & 1) == 0) continue;
+      const MortonKey neighbour = morton_key(cell + offset_of_slot(slot));
+      const auto at = std::ranges::lower_bound(arrays.cells, neighbour) - arrays.cells.begin();
+      arrays.passages[at] &= ~(Passages{1} << opposite_slot(slot));
+    }
+  }
+}
+
 /// Keeps the cells that hold surface, in order.
 void keep(PreparedArrays& arrays, const std::vector<char>& holds_surface) {
   if (std::ranges::find(holds_surface, 0) == holds_surface.end()) return;
+  close_passages_to_empty(arrays, holds_surface);
   size_t kept = 0;
   for (size_t c = 0; c < holds_surface.size(); ++c) {
     if (!holds_surface[c]) continue;
     arrays.cells[kept] = arrays.cells[c];
     arrays.integrals[kept] = arrays.integrals[c];
     arrays.curvature[kept] = arrays.curvature[c];
+    arrays.passages[kept] = arrays.passages[c];
     ++kept;
   }
   arrays.cells.resize(kept);
   arrays.integrals.resize(kept);
   arrays.curvature.resize(kept);
+  arrays.passages.resize(kept);
 }
 
 Status integrate_cells(std::span<const CellPiece> pieces, std::span<const Vec3d> positions,
@@ -142,15 +166,17 @@ Status integrate_cells(std::span<const CellPiece> pieces, std::span<const Vec3d>
   arrays.cells.resize(cell_count);
   arrays.integrals.resize(cell_count);
   arrays.curvature.resize(cell_count);
+  arrays.passages.resize(cell_count);
   std::vector<char> holds_surface(cell_count);
 
   for (size_t batch = 0; batch < cell_count; batch += kCellsPerBatch) {
     const size_t end = std::min(cell_count, batch + kCellsPerBatch);
 #pragma omp parallel for schedule(dynamic, 64)
     for (size_t c = batch; c < end; ++c) {
-      arrays.cells[c] = pieces[starts[c]].cell;
-      holds_surface[c] = integrate_cell(pieces.subspan(starts[c], starts[c + 1] - starts[c]),
-                                        arrays.triangles, positions, triangle_curvature,
+      const auto of_cell = pieces.subspan(starts[c], starts[c + 1] - starts[c]);
+      arrays.cells[c] = of_cell.front().cell;
+      arrays.passages[c] = passages_of(of_cell);
+      holds_surface[c] = integrate_cell(of_cell, arrays.triangles, positions, triangle_curvature,
                                         length_unit, arrays.integrals[c], arrays.curvature[c]);
     }
     if (!report(progress, "integrals", static_cast<double>(end) / cell_count))
@@ -172,6 +198,7 @@ void point_at(PreparedMesh& prepared, std::shared_ptr<PreparedArrays> arrays) {
   prepared.cells = arrays->cells;
   prepared.integrals = arrays->integrals;
   prepared.curvature = arrays->curvature;
+  prepared.passages = arrays->passages;
   prepared.storage = std::move(arrays);
 }
 

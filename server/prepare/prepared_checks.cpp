@@ -1,19 +1,22 @@
 #include "server/prepare/prepared_checks.h"
 
+#include <bit>
 #include <limits>
 #include <string>
 
 #include "common/base/limits.h"
+#include "server/prepare/passages.h"
 
 namespace burnish {
 
 namespace {
 
 constexpr std::array<const char*, kPreparedSections> kNames = {
-    "vertices", "triangles", "colours", "evaluation", "cells", "integrals", "curvature"};
+    "vertices", "triangles", "colours",   "evaluation",
+    "cells",    "integrals", "curvature", "passages"};
 constexpr std::array<uint32_t, kPreparedSections> kElementBytes = {
-    sizeof(Vec3d),     sizeof(Triangle),      sizeof(Rgba8),        sizeof(EvaluationPoint),
-    sizeof(MortonKey), sizeof(CellIntegrals), sizeof(CellCurvature)};
+    sizeof(Vec3d),     sizeof(Triangle),      sizeof(Rgba8),         sizeof(EvaluationPoint),
+    sizeof(MortonKey), sizeof(CellIntegrals), sizeof(CellCurvature), sizeof(uint32_t)};
 
 std::string section(PreparedSection id) {
   return std::string("section ") + kNames[static_cast<int>(id)];
@@ -63,7 +66,8 @@ Status check_counts(const PreparedMesh& prepared) {
     RETURN_IF_ERROR(check(PreparedSection::kColours, prepared.colours.size(), vertices));
   RETURN_IF_ERROR(check(PreparedSection::kEvaluation, prepared.evaluation.size(), vertices));
   RETURN_IF_ERROR(check(PreparedSection::kIntegrals, prepared.integrals.size(), cells));
-  return check(PreparedSection::kCurvature, prepared.curvature.size(), cells);
+  RETURN_IF_ERROR(check(PreparedSection::kCurvature, prepared.curvature.size(), cells));
+  return check(PreparedSection::kPassages, prepared.passages.size(), cells);
 }
 
 Status check_triangles(const PreparedMesh& prepared) {
@@ -98,6 +102,16 @@ Status check_cells(const PreparedMesh& prepared) {
                      (is_rising
                           ? " is outside the grid of depth " + std::to_string(prepared.frame.depth)
                           : std::string(" does not rise")));
+  }
+  return Status::ok();
+}
+
+Status check_passages(const PreparedMesh& prepared) {
+  for (size_t c = 0; c < prepared.passages.size(); ++c) {
+    const Passages unknown = prepared.passages[c] & ~kAllPassages;
+    if (unknown == 0) continue;
+    return data_loss("section passages: bit " + std::to_string(std::countr_zero(unknown)) +
+                     " of cell " + std::to_string(c) + " is set, but stands for no neighbour");
   }
   return Status::ok();
 }
@@ -152,7 +166,8 @@ Status check_contents(const PreparedMesh& prepared) {
   RETURN_IF_ERROR(check_counts(prepared));
   RETURN_IF_ERROR(check_triangles(prepared));
   RETURN_IF_ERROR(check_evaluation(prepared));
-  return check_cells(prepared);
+  RETURN_IF_ERROR(check_cells(prepared));
+  return check_passages(prepared);
 }
 
 }  // namespace burnish

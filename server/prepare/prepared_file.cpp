@@ -18,7 +18,7 @@ std::array<std::span<const uint8_t>, kPreparedSections> section_bytes(
     const PreparedMesh& prepared) {
   return {as_bytes(prepared.vertices),   as_bytes(prepared.triangles), as_bytes(prepared.colours),
           as_bytes(prepared.evaluation), as_bytes(prepared.cells),     as_bytes(prepared.integrals),
-          as_bytes(prepared.curvature)};
+          as_bytes(prepared.curvature),  as_bytes(prepared.passages)};
 }
 
 uint64_t prepared_checksum(std::span<const uint8_t> bytes) {
@@ -91,7 +91,8 @@ PreparedHeader make_prepared_header(const PreparedMesh& prepared) {
                      entry_of(PreparedSection::kEvaluation, prepared.evaluation),
                      entry_of(PreparedSection::kCells, prepared.cells),
                      entry_of(PreparedSection::kIntegrals, prepared.integrals),
-                     entry_of(PreparedSection::kCurvature, prepared.curvature)};
+                     entry_of(PreparedSection::kCurvature, prepared.curvature),
+                     entry_of(PreparedSection::kPassages, prepared.passages)};
   header.file_bytes = sizeof(PreparedHeader);
   for (SectionEntry& entry : header.sections) {
     entry.offset = align_section(header.file_bytes);
@@ -124,6 +125,7 @@ static PreparedMesh mesh_over(const PreparedHeader& header, std::span<const uint
   mesh.cells = elements_of<MortonKey>(PreparedSection::kCells, header, file);
   mesh.integrals = elements_of<CellIntegrals>(PreparedSection::kIntegrals, header, file);
   mesh.curvature = elements_of<CellCurvature>(PreparedSection::kCurvature, header, file);
+  mesh.passages = elements_of<uint32_t>(PreparedSection::kPassages, header, file);
   return mesh;
 }
 

@@ -14,7 +14,7 @@ namespace burnish {
 //
 //   offset 0     PreparedHeader: magic, format version, length of the whole file, the scalars of
 //                PreparedMesh, the table of sections, and last a checksum of all of that
-//   offset 960   the sections in the order of PreparedSection, each at the next multiple of 64
+//   offset 1024  the sections in the order of PreparedSection, each at the next multiple of 64
 //                bytes, as plain arrays of the structs that PreparedMesh shows; zeros in between
 //
 //   section      element             bytes   count
@@ -25,12 +25,13 @@ namespace burnish {
 //   cells        MortonKey               8   c, strictly rising
 //   integrals    CellIntegrals         1072   c
 //   curvature    CellCurvature          12   c
+//   passages     uint32_t                4   c
 //
 // Checksums are XXH3-64 without a seed. The table repeats what follows from the counts (element
 // sizes, offsets), and a reader refuses a file in which any of it differs. Beyond the checksums,
 // which find damage, whatever could lead a reader outside its arrays is checked by itself: indices
-// in triangles and evaluation, the order and range of cells. Floating-point values inside the
-// sections are as trustworthy as their checksum.
+// in triangles and evaluation, the order and range of cells, the unused bits of passages.
+// Floating-point values inside the sections are as trustworthy as their checksum.
 //
 // A file of another version is never converted: it can be rebuilt from the scan.
 
@@ -45,8 +46,9 @@ enum class PreparedSection {
   kCells,
   kIntegrals,
   kCurvature,
+  kPassages,
 };
-inline constexpr int kPreparedSections = 7;
+inline constexpr int kPreparedSections = 8;
 inline constexpr uint64_t kSectionAlignment = 64;
 inline constexpr std::array<char, 8> kPreparedMagic = {'b', 'u', 'r', 'n', 'i', 's', 'h', '\n'};
 
@@ -79,7 +81,7 @@ struct PreparedHeader {
   std::array<SectionEntry, kPreparedSections> sections;
   uint64_t checksum;  ///< of the bytes before it
 };
-static_assert(sizeof(PreparedHeader) == 952, "no padding: every byte is under the checksum");
+static_assert(sizeof(PreparedHeader) == 984, "no padding: every byte is under the checksum");
 
 inline uint64_t align_section(uint64_t offset) {
   return (offset + kSectionAlignment - 1) / kSectionAlignment * kSectionAlignment;

@@ -73,6 +73,10 @@ class PreparedMesh {
   std::span<const MortonKey> cells;             ///< the finest depth, strictly rising
   std::span<const CellIntegrals> integrals;     ///< one per cell
   std::span<const CellCurvature> curvature;     ///< one per cell
+  /// One per cell: bit s: some triangle lies both in this cell and in the one at stencil slot s
+  /// (common/grid/stencil_slots.h), so that the surface goes on there; two cells may share corners
+  /// without. Bit 26 - s of that cell says the same of this one.
+  std::span<const uint32_t> passages;
 
   /// α in grid units = α in user units × this.
   double alpha_scale() const { return frame.cell_size / length_unit; }
@@ -89,6 +93,6 @@ Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::
 Result<std::shared_ptr<const PreparedMesh>> map_prepared_mesh(const std::filesystem::path& path);
 
 /// Bumped whenever the form of the file changes, or its numbers by more than rounding.
-inline constexpr uint32_t kPreparedFormatVersion = 1;
+inline constexpr uint32_t kPreparedFormatVersion = 2;
 
 }  // namespace burnish

@@ -18,7 +18,7 @@ Result<ScanInfo> scan_from_json(const std::string& text);
 /// "original.ply"
 std::string original_file_name(MeshFormat format);
 
-/// "depth7-radius0-format1.prepared": the key and the version of the file format.
+/// "depth7-radius0-format2.prepared": the key and the version of the file format.
 std::string prepared_file_name(const PreparedKey& key);
 
 /// The key in such a name; nothing for other names and other versions.

@@ -2,9 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "common/grid/sparse_grid.h"
+#include "server/solver/coarse_grid.h"
+#include "server/solver/sheet_corners.h"
+#include "server/solver/stencil.h"
 
 namespace burnish {
 
@@ -33,5 +37,19 @@ struct CellShares {
   /// The finer depth's cells that are no cell's child: rising.
   std::vector<int32_t> apart;
 };
+
+/// The ties of a coarse depth, and what they and its cells take.
+struct TiesAndShares {
+  std::vector<CellTie> ties;
+  CellShares shares;
+};
+
+/// From the finest depth: the cells with a corner of several sheets.
+TiesAndShares share_cells(const SparseGrid& finest, const SheetCorners& sheets,
+                          const CoarseGrid& coarse);
+
+/// From a coarse depth: its ties, and of children those that are the ninth or more of a cell.
+TiesAndShares share_ties(const SparseGrid& fine, std::span<const CellTie> ties,
+                         const CoarseGrid& coarse);
 
 }  // namespace burnish

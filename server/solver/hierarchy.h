@@ -8,36 +8,10 @@
 #include "common/grid/sparse_grid.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/solver/cell_shares.h"
+#include "server/solver/depth_transfer.h"
 #include "server/solver/stencil.h"
 
 namespace burnish {
-
-/// Prolongation P and restriction Pᵀ between a depth and the one above (coarser), trilinear.
-struct DepthTransfer {
-  /// A fine corner lies in coarse cell `cell`, at position `place` of its 3×3×3 half-way points.
-  struct FromCell {
-    int32_t cell;
-    uint8_t place;
-  };
-  /// Corners of the finest depth in which several sheets meet: each is the mean of what its sheets'
-  /// cells give, by their energy.
-  struct SharedCorners {
-    std::vector<int32_t> corner;         ///< rising
-    std::vector<int32_t> start;          ///< corners + 1
-    std::vector<int32_t> coarse_corner;  ///< rising within a corner
-    std::vector<float> weight;
-
-    int32_t count() const { return static_cast<int32_t>(corner.size()); }
-  };
-  std::vector<FromCell> prolongation;  ///< one per fine corner; of no cell where it is shared
-  SharedCorners shared;
-  std::vector<int64_t> restriction_start;   ///< coarse corners + 1
-  std::vector<int32_t> restriction_corner;  ///< the fine corners that a coarse corner gathers
-  std::vector<float> restriction_weight;    ///< 1, 1/2, 1/4 or 1/8 unless that one is shared
-};
-
-/// The weights of a cell's eight corners at each of its 27 half-way points.
-const std::array<std::array<float, kCornersPerCell>, kSlots>& half_way_weights();
 
 /// One depth of the multigrid hierarchy, without any number that depends on the metric.
 struct HierarchyDepth {

@@ -31,6 +31,12 @@ inline constexpr NamedSmoother kSmoothers[] = {
     {Smoother::kBlockedSlices, "blocked-slices", "the same with temporal blocking"},
 };
 
+/// Whether it relaxes corners of one parity, or bricks of cells, beside each other: those then may
+/// not have an entry with each other.
+constexpr bool goes_by_colours(Smoother smoother) {
+  return smoother != Smoother::kSchwarz && smoother != Smoother::kChebyshevJacobi;
+}
+
 constexpr std::string_view name_of(Smoother smoother) {
   return std::ranges::find(kSmoothers, smoother, &NamedSmoother::smoother)->name;
 }

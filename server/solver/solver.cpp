@@ -44,6 +44,7 @@ Result<std::unique_ptr<Solver>> Solver::create(std::shared_ptr<const PreparedMes
                                                std::shared_ptr<const Hierarchy> hierarchy,
                                                const SolverOptions& options) {
   use_threads(options.threads);
+  if (goes_by_colours(options.smoother)) hierarchy = make_hierarchy(*prepared, Sheets::kTogether);
   ASSIGN_OR_RETURN(ChosenBackend chosen, choose_backend(prepared, hierarchy, options));
   return std::unique_ptr<Solver>(new Solver(std::move(prepared), std::move(hierarchy),
                                             std::move(chosen.backend), std::move(chosen.reason),

@@ -4,9 +4,9 @@
 
 #include "common/base/dispatch.h"
 #include "server/solver/cpu/blocks.h"
+#include "server/solver/cpu/combined_cells.h"
 #include "server/solver/cpu/gather_rows.h"
-#include "server/solver/cpu/restricted_cell.h"
-#include "server/solver/cpu/scratch.h"
+#include "server/solver/cpu/irregular_sums.h"
 
 namespace burnish::cpu {
 
@@ -14,31 +14,6 @@ namespace {
 
 constexpr double kPinnedBelow = 1e-12;  // of the median diagonal
 constexpr size_t kMedianSamplesMax = 1 << 12;
-
-BURNISH_DISPATCH void combine(const CellIntegrals& of, const CombineWeights& by, CellMatrix& out) {
-  for (int p = 0; p < 28; ++p)
-    out.pair[p] = by.mass * of.mass[p] +
-                  (by.stiffness1 * of.stiffness[0][p] + by.stiffness2 * of.stiffness[1][p]);
-  for (int a = 0; a < 8; ++a) out.row_sum[a] = by.mass * of.mass_row_sum[a];
-}
-
-// The cells of a coarse depth; `child_of(cell)` gives those of the finer one, each once.
-template <typename ChildOf>
-Scratch<CellMatrix> down_sample(const HierarchyDepth& fine, const HierarchyDepth& coarse,
-                                ChildOf&& child_of) {
-  const int32_t parents = coarse.grid.cell_count();
-  Scratch<CellMatrix> cells(parents);
-#pragma omp parallel for schedule(static)
-  for (int32_t parent = 0; parent < parents; ++parent) {
-    RestrictedCell sum;
-    for (int32_t i = coarse.child_start[parent]; i < coarse.child_start[parent + 1]; ++i) {
-      const int32_t child = coarse.child[i];
-      add_restricted(child_of(child), static_cast<int>(fine.grid.cells[child].place & 7), sum);
-    }
-    cells[parent] = sum.packed();
-  }
-  return cells;
-}
 
 // The median of an even sample: exact enough for a threshold twelve decades below it.
 double sampled_median(const std::vector<float>& values) {
@@ -67,8 +42,9 @@ struct Outputs {
 BURNISH_DISPATCH void assemble_rows(const RowSources& sources, const double* cells,
                                     const Outputs& out, int32_t begin, int32_t end) {
   for (int32_t stored = begin; stored < end; ++stored) {
-    const GatheredRow<double> row = gather_row(sources, cells, stored);
     const int32_t corner = sources.corner[stored];
+    if (sources.mask[corner] == 0) continue;  // irregular
+    const GatheredRow<double> row = gather_row(sources, cells, stored);
     out.diagonal[corner] = static_cast<float>(row.own - row.off_diagonal);
     store_row(sources, stored, row, out.entry);
     if (out.exact_entry == nullptr) continue;
@@ -77,8 +53,18 @@ BURNISH_DISPATCH void assemble_rows(const RowSources& sources, const double* cel
   }
 }
 
-void assemble_depth(const Scratch<CellMatrix>& cells, CpuDepth& depth, ExactMatrix* exact) {
-  static_assert(sizeof(CellMatrix) == kNumbersPerCell * sizeof(double));
+void assemble_irregular_rows(const CombinedCells& cells, CpuDepth& depth) {
+  const auto store = [&](int32_t corner, int64_t begin, std::span<const double> entries,
+                         double row_sum) {
+    for (double entry : entries) row_sum -= entry;
+    depth.system.diagonal[corner] = static_cast<float>(row_sum);
+    for (size_t k = 0; k < entries.size(); ++k)
+      depth.system.entry[begin + k] = static_cast<float>(entries[k]);
+  };
+  sum_irregular_rows(depth.topology.stencil, cells.numbers(), depth.topology.number_count(), store);
+}
+
+void assemble_depth(const CombinedCells& cells, CpuDepth& depth, ExactMatrix* exact) {
   const RowSources sources(depth.topology);
   Outputs out = {depth.system.entry.data(), depth.system.diagonal.data(), nullptr, nullptr};
   if (exact != nullptr) {
@@ -86,8 +72,9 @@ void assemble_depth(const Scratch<CellMatrix>& cells, CpuDepth& depth, ExactMatr
     out.row_sum = exact->row_sum.data();
   }
   for_each_block(depth.corner_count(), [&](int32_t begin, int32_t end) {
-    assemble_rows(sources, cells[0].pair.data(), out, begin, end);
+    assemble_rows(sources, cells.numbers(), out, begin, end);
   });
+  assemble_irregular_rows(cells, depth);
   invert_diagonal(depth.system.diagonal, depth.inverse_diagonal);
 }
 
@@ -95,21 +82,16 @@ void assemble_depth(const Scratch<CellMatrix>& cells, CpuDepth& depth, ExactMatr
 
 void assemble(const PreparedMesh& prepared, std::span<const float> alpha1,
               std::span<const float> alpha2, std::span<CpuDepth> depths, ExactMatrix* exact) {
-  const double scale = prepared.alpha_scale();
-  Scratch<CellMatrix> cells(prepared.integrals.size());
-  const auto combined = [&](int32_t c) -> const CellMatrix& {
-    combine(prepared.integrals[c], combine_weights(alpha1[c] * scale, alpha2[c] * scale), cells[c]);
-    return cells[c];
-  };
-  const auto of_depth = [&](int32_t c) -> const CellMatrix& { return cells[c]; };
-  if (depths.size() == 1)
-    for (int32_t c = 0; c < depths[0].topology.grid.cell_count(); ++c) combined(c);
+  const Metric metric = {alpha1, alpha2, prepared.alpha_scale()};
+  CombinedCells cells(depths.back().topology);
+  if (depths.size() == 1) combine_cells(prepared, metric, cells);
   for (size_t d = depths.size() - 1; d > 0; --d) {
     const HierarchyDepth &fine = depths[d].topology, &coarse = depths[d - 1].topology;
-    const bool finest = d + 1 == depths.size();  // combined while they are restricted
-    Scratch<CellMatrix> parents =
-        finest ? down_sample(fine, coarse, combined) : down_sample(fine, coarse, of_depth);
-    assemble_depth(cells, depths[d], finest ? exact : nullptr);
+    const bool is_finest = d + 1 == depths.size();
+    CombinedCells parents = is_finest
+                                ? combine_and_down_sample(prepared, metric, fine, coarse, cells)
+                                : down_sample(fine, coarse, cells);
+    assemble_depth(cells, depths[d], is_finest ? exact : nullptr);
     cells = std::move(parents);
   }
   assemble_depth(cells, depths[0], depths.size() == 1 ? exact : nullptr);

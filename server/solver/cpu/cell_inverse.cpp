@@ -94,6 +94,18 @@ struct Blocks {
   for (int a = 0; a < 8; ++a) out.diagonal[a] = -blocks.diagonal[a][lane];
 }
 
+[[gnu::always_inline]] static inline void invert(Blocks& blocks) {
+  for (int a = 0; a < kCornersPerCell; ++a) {
+    for (int lane = 0; lane < kLanes; ++lane)
+      blocks.scale[a][lane] = std::sqrt(blocks.scale[a][lane]);
+    blocks.diagonal[a] = Lanes{} + (1 + kRegularisation);
+  }
+  scale_pairs(blocks);
+  sweep(blocks);
+  scale_pairs(blocks);
+  for (int a = 0; a < kCornersPerCell; ++a) blocks.diagonal[a] *= blocks.scale[a] * blocks.scale[a];
+}
+
 BURNISH_DISPATCH static void invert_range(const Source& source, int32_t begin, int32_t end,
                                           CellInverse* out) {
   for (int32_t first = begin; first < end; first += kLanes) {
@@ -102,18 +114,34 @@ BURNISH_DISPATCH static void invert_range(const Source& source, int32_t begin, i
       prefetch_cell(source, std::min(first + lane + kCellsAhead, end - 1));
       read_cell(source, std::min(first + lane, end - 1), lane, blocks);
     }
-    for (int a = 0; a < kCornersPerCell; ++a) {
-      for (int lane = 0; lane < kLanes; ++lane)
-        blocks.scale[a][lane] = std::sqrt(blocks.scale[a][lane]);
-      blocks.diagonal[a] = Lanes{} + (1 + kRegularisation);
-    }
-    scale_pairs(blocks);
-    sweep(blocks);
-    scale_pairs(blocks);
-    for (int a = 0; a < kCornersPerCell; ++a)
-      blocks.diagonal[a] *= blocks.scale[a] * blocks.scale[a];
+    invert(blocks);
     for (int lane = 0; lane < std::min(kLanes, end - first); ++lane)
       write_cell(blocks, lane, out[first + lane - begin]);
+  }
+}
+
+// Cells with an irregular corner, whose entries are not found by slots.
+static void read_irregular_cell(const Source& source, int32_t i, int lane, Blocks& blocks) {
+  const IrregularCells& cells = source.stencil.irregular_cells;
+  const auto& corners = source.cell_corners[cells.cell[i]];
+  for (int a = 0; a < kCornersPerCell; ++a) {
+    blocks.scale[a][lane] = source.inverse_diagonal[corners[a]];
+    const float* row = source.entry + source.stencil.row(corners[a]).begin;
+    for (int b = a + 1; b < kCornersPerCell; ++b)
+      blocks.pair[pair_index(a, b)][lane] = row[cells.entry[i][pair_index(a, b)]];
+  }
+}
+
+static void invert_irregular_cells(const Source& source, Scratch<CellInverse>& inverses) {
+  const IrregularCells& cells = source.stencil.irregular_cells;
+#pragma omp parallel for schedule(static)
+  for (int32_t first = 0; first < cells.count(); first += kLanes) {
+    Blocks blocks;
+    for (int lane = 0; lane < kLanes; ++lane)
+      read_irregular_cell(source, std::min(first + lane, cells.count() - 1), lane, blocks);
+    invert(blocks);
+    for (int lane = 0; lane < std::min(kLanes, cells.count() - first); ++lane)
+      write_cell(blocks, lane, inverses[cells.cell[first + lane]]);
   }
 }
 
@@ -125,6 +153,7 @@ Scratch<CellInverse> invert_cells(const CpuDepth& depth) {
 #pragma omp parallel for schedule(static)
   for (int32_t begin = 0; begin < cells; begin += kCellsPerBlock)
     invert_range(source, begin, std::min(cells, begin + kCellsPerBlock), &inverses[begin]);
+  invert_irregular_cells(source, inverses);
   return inverses;
 }
 

@@ -35,10 +35,6 @@ struct GatheredRow {
   T own = 0;           ///< the sum of the cells' own numbers of this corner
 };
 
-/// The numbers of one cell: 28 pairs, packed as pair_index() says, then eight of its own, which
-/// belong to one corner each.
-inline constexpr int kNumbersPerCell = 36;
-
 /// Asks for what rows further on will need. Cells come nearly in the order of rows, but too
 /// irregularly for a processor to foresee.
 template <typename T>
@@ -54,9 +50,10 @@ template <typename T>
   for (size_t i = 0; i < kNumbersPerCell * sizeof(T); i += 64) __builtin_prefetch(ahead + i);
 }
 
-/// Gathers one stored row. Where there is no cell zeros are added, and an entry is put down before
-/// it is known whether it is there: rows differ too much for a processor to guess branches.
-/// Shapes: `cells` has kNumbersPerCell numbers per cell.
+/// Gathers one stored row, which is not irregular. Where there is no cell zeros are added, and an
+/// entry is put down before it is known whether it is there: rows differ too much for a processor
+/// to guess branches. Shapes: `cells` has kNumbersPerCell numbers per cell: 28 pairs, then eight of
+/// its own, which belong to one corner each.
 template <typename T>
 [[gnu::always_inline]] inline GatheredRow<T> gather_row(const RowSources& sources, const T* cells,
                                                         int32_t stored) {

@@ -1,8 +1,11 @@
+#include <algorithm>
+
 #include "common/base/dispatch.h"
 #include "server/solver/cpu/blocks.h"
 #include "server/solver/cpu/cell_inverse.h"
 #include "server/solver/cpu/chebyshev.h"
 #include "server/solver/cpu/gather_rows.h"
+#include "server/solver/cpu/irregular_sums.h"
 #include "server/solver/cpu/lambda_max.h"
 #include "server/solver/cpu/row_products.h"
 #include "server/solver/cpu/smoother.h"
@@ -17,6 +20,7 @@ constexpr int kDegree = 2;
 BURNISH_DISPATCH void sum_rows(const RowSources& sources, const float* cells, float* entry,
                                float* diagonal, int32_t begin, int32_t end) {
   for (int32_t stored = begin; stored < end; ++stored) {
+    if (sources.mask[sources.corner[stored]] == 0) continue;  // irregular
     const GatheredRow<float> row = gather_row(sources, cells, stored);
     diagonal[sources.corner[stored]] = row.own;
     store_row(sources, stored, row, entry);
@@ -30,6 +34,12 @@ void sum_inverses(const HierarchyDepth& topology, const Scratch<CellInverse>& ce
   for_each_block(topology.grid.corner_count(), [&](int32_t begin, int32_t end) {
     sum_rows(sources, cells[0].pair.data(), sum.entry.data(), sum.diagonal.data(), begin, end);
   });
+  const size_t numbers_of_cells = kNumbersPerCell * topology.grid.cells.size();  // ties have none
+  sum_irregular_rows(topology.stencil, cells[0].pair.data(), numbers_of_cells,
+                     [&](int32_t corner, int64_t begin, std::span<const float> entries, float own) {
+                       std::ranges::copy(entries, sum.entry.begin() + begin);
+                       sum.diagonal[corner] = own;
+                     });
 }
 
 class Schwarz final : public DepthSmoother {

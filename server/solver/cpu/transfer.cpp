@@ -13,17 +13,31 @@ void restrict_to_coarse(const CpuDepth& fine, CpuDepth& coarse) {
   }
 }
 
+static void add_prolonged(const DepthTransfer::SharedCorners& shared, const CpuDepth& coarse,
+                          CpuDepth& fine) {
+#pragma omp parallel for schedule(static)
+  for (int32_t j = 0; j < shared.count(); ++j) {
+    const int32_t i = shared.corner[j];
+    if (fine.inverse_diagonal[i] == 0) continue;
+    for (int32_t k = shared.start[j]; k < shared.start[j + 1]; ++k)
+      fine.x[i] += shared.weight[k] * coarse.x[shared.coarse_corner[k]];
+  }
+}
+
 void add_prolonged(const CpuDepth& coarse, CpuDepth& fine) {
   const auto& weights_of_place = half_way_weights();
+  const DepthTransfer& transfer = fine.topology.to_parent;
 #pragma omp parallel for schedule(static)
   for (int32_t i = 0; i < fine.corner_count(); ++i) {
     if (fine.inverse_diagonal[i] == 0) continue;
-    const DepthTransfer::FromCell from = fine.topology.to_parent.prolongation[i];
+    const FromCell from = transfer.prolongation[i];
+    if (from.cell == kNone) continue;
     const auto& weights = weights_of_place[from.place];
     const auto& corners = coarse.topology.grid.cell_corners[from.cell];
     for (int a = 0; a < kCornersPerCell; ++a)
       if (weights[a] > 0) fine.x[i] += weights[a] * coarse.x[corners[a]];
   }
+  add_prolonged(transfer.shared, coarse, fine);
 }
 
 }  // namespace burnish::cpu

@@ -29,7 +29,10 @@ Polygon polygon_of(const Corners& corners) {
 
 std::multiset<CellKey> cells_of(const Corners& triangle) {
   std::multiset<CellKey> cells;
-  for_each_cell_of_triangle(triangle, [&](const Vec3i& c) { cells.insert({c.x(), c.y(), c.z()}); });
+  std::vector<CellColumn> columns;
+  find_columns(triangle, columns);
+  for (const auto& [i, j, range] : columns)
+    for (int k = range.first; k <= range.last; ++k) cells.insert({i, j, k});
   return cells;
 }
 

@@ -28,6 +28,7 @@ struct Sample {
   std::vector<MortonKey> cells = {7, 500, 4095};
   std::vector<CellIntegrals> integrals = std::vector<CellIntegrals>(3);
   std::vector<CellCurvature> curvature = {{2, -1, 0.5f}, {3, 1, 0.25f}, {0, 0, 0.125f}};
+  std::vector<uint32_t> passages = {0, 1u << 26, 1};
 
   PreparedMesh mesh() {
     for (size_t c = 0; c < integrals.size(); ++c) {
@@ -49,6 +50,7 @@ struct Sample {
     mesh.cells = cells;
     mesh.integrals = integrals;
     mesh.curvature = curvature;
+    mesh.passages = passages;
     return mesh;
   }
 };
@@ -106,6 +108,7 @@ TEST_F(PreparedFile, MapsBackEveryBit) {
   EXPECT_TRUE(same_bytes(back.cells, mesh.cells));
   EXPECT_TRUE(same_bytes(back.integrals, mesh.integrals));
   EXPECT_TRUE(same_bytes(back.curvature, mesh.curvature));
+  EXPECT_TRUE(same_bytes(back.passages, mesh.passages));
   EXPECT_EQ(back.frame.origin, mesh.frame.origin);
   EXPECT_EQ(back.frame.cell_size, mesh.frame.cell_size);
   EXPECT_EQ(back.frame.depth, mesh.frame.depth);
@@ -157,8 +160,8 @@ TEST_F(PreparedFile, AMissingFileIsNotFound) {
 }
 
 TEST_F(PreparedFile, AFlippedByteIsFoundAndItsSectionNamed) {
-  static constexpr const char* kSections[] = {"vertices", "triangles", "colours",  "evaluation",
-                                              "cells",    "integrals", "curvature"};
+  static constexpr const char* kSections[] = {"vertices", "triangles", "colours",   "evaluation",
+                                              "cells",    "integrals", "curvature", "passages"};
   const std::string good = written(Sample().mesh());
   PreparedHeader header;
   std::memcpy(&header, good.data(), sizeof(header));
@@ -189,7 +192,7 @@ TEST_F(PreparedFile, AnyOtherLengthIsRefused) {
 }
 
 TEST_F(PreparedFile, AnotherVersionOrAnotherKindOfFileIsRefused) {
-  expect_damage(status_of_header([](PreparedHeader& h) { ++h.version; }), "format version is 2");
+  expect_damage(status_of_header([](PreparedHeader& h) { ++h.version; }), "format version is 3");
   expect_damage(map_status("ply\n" + std::string(2000, ' ')), "no prepared mesh");
 }
 
@@ -211,7 +214,7 @@ TEST_F(PreparedFile, ALyingTableIsRefused) {
 }
 
 TEST_F(PreparedFile, ALyingLengthIsRefused) {
-  for (uint64_t bytes : {uint64_t{0}, uint64_t{952}, ~uint64_t{0}})
+  for (uint64_t bytes : {uint64_t{0}, uint64_t{984}, ~uint64_t{0}})
     expect_damage(status_of_header([&](PreparedHeader& h) { h.file_bytes = bytes; }), "length");
 }
 
@@ -220,6 +223,7 @@ TEST_F(PreparedFile, CountsThatContradictEachOtherAreRefused) {
   expect_damage(status_of_lie([](Sample& s) { s.evaluation.pop_back(); }), "evaluation: count");
   expect_damage(status_of_lie([](Sample& s) { s.integrals.resize(4); }), "integrals: count is 4");
   expect_damage(status_of_lie([](Sample& s) { s.curvature.clear(); }), "curvature: count is 0");
+  expect_damage(status_of_lie([](Sample& s) { s.passages.resize(2); }), "passages: count is 2");
   expect_damage(status_of_lie([](Sample& s) { s.vertices.pop_back(); }), "vertices: count is 3");
   expect_damage(status_of_lie([](Sample& s) { s.triangles.pop_back(); }), "triangles: count is 1");
 }
@@ -233,6 +237,12 @@ TEST_F(PreparedFile, IndicesOutsideTheirArraysAreRefused) {
   expect_damage(status_of_lie([](Sample& s) { s.cells[1] = 7; }), "cell 1 does not rise");
   expect_damage(status_of_lie([](Sample& s) { s.cells[2] = 4096; }),
                 "key 4096 of cell 2 is outside the grid of depth 4");
+}
+
+TEST_F(PreparedFile, PassagesToNoNeighbourAreRefused) {
+  for (const int bit : {13, 27, 28, 29, 30, 31})
+    expect_damage(status_of_lie([&](Sample& s) { s.passages[1] |= uint32_t{1} << bit; }),
+                  "passages: bit " + std::to_string(bit) + " of cell 1");
 }
 
 TEST_F(PreparedFile, ScalarsOutsideTheirRangeAreRefused) {

@@ -45,12 +45,17 @@ Sparse system_matrix(const cpu::CpuDepth& depth) {
 Sparse prolongation_matrix(const HierarchyDepth& fine, const HierarchyDepth& coarse) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int32_t i = 0; i < fine.grid.corner_count(); ++i) {
-    const DepthTransfer::FromCell from = fine.to_parent.prolongation[i];
+    const FromCell from = fine.to_parent.prolongation[i];
+    if (from.cell == kNone) continue;
     for (int a = 0; a < kCornersPerCell; ++a)
       if (half_way_weights()[from.place][a] > 0)
         entries.emplace_back(i, coarse.grid.cell_corners[from.cell][a],
                              half_way_weights()[from.place][a]);
   }
+  const DepthTransfer::SharedCorners& shared = fine.to_parent.shared;
+  for (int32_t i = 0; i < shared.count(); ++i)
+    for (int32_t k = shared.start[i]; k < shared.start[i + 1]; ++k)
+      entries.emplace_back(shared.corner[i], shared.coarse_corner[k], shared.weight[k]);
   Sparse matrix(fine.grid.corner_count(), coarse.grid.corner_count());
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;

@@ -1,0 +1,95 @@
+#include "server/solver/cpu/restricted_shares.h"
+
+#include <utility>
+
+#include "common/base/dispatch.h"
+
+namespace burnish::cpu {
+
+namespace {
+
+/// An 8×8 matrix by rows.
+struct Square {
+  Double8 row[8] = {};
+};
+
+Square square_of(const CellMatrix& cell) {
+  Square k;
+  for (int a = 0; a < 8; ++a) {
+    double diagonal = cell.row_sum[a];
+    for (int b = 0; b < 8; ++b) {
+      if (b == a) continue;
+      k.row[a][b] = cell.pair[pair_index(a, b)];
+      diagonal -= k.row[a][b];
+    }
+    k.row[a][a] = diagonal;
+  }
+  return k;
+}
+
+Square square_of(const double* tie, bool is_transposed) {
+  Square k;
+  for (int v = 0; v < 8; ++v)
+    for (int w = 0; w < 8; ++w) k.row[v][w] = is_transposed ? tie[8 * w + v] : tie[8 * v + w];
+  return k;
+}
+
+// The weights of a coarse cell's corners at each of a cell's.
+Square weights_of(const CellPart& part) {
+  Square q;
+  for (int a = 0; a < 8; ++a)
+    for (int v = 0; v < 8; ++v)
+      q.row[a][v] = double{part.weight[a]} * half_way_weights()[part.place[a]][v];
+  return q;
+}
+
+// sum += Lᵀ N R.
+BURNISH_DISPATCH void add_product(const Square& l, const Square& n, const Square& r, Square& sum) {
+  for (int a = 0; a < 8; ++a) {
+    Double8 nr = {};
+    for (int b = 0; b < 8; ++b) nr += n.row[a][b] * r.row[b];
+    for (int v = 0; v < 8; ++v) sum.row[v] += l.row[a][v] * nr;
+  }
+}
+
+void add_to_cell(const Square& sum, CellMatrix& cell) {
+  for (int v = 0; v < 8; ++v)
+    for (int w = 0; w < 8; ++w) {
+      cell.row_sum[v] += sum.row[v][w];
+      if (w > v) cell.pair[pair_index(v, w)] += sum.row[v][w];
+    }
+}
+
+void write_tie(const Square& sum, double* tie) {
+  for (int v = 0; v < 8; ++v)
+    for (int w = 0; w < 8; ++w) tie[8 * v + w] = sum.row[v][w];
+}
+
+}  // namespace
+
+void add_shares(const HierarchyDepth& fine, const HierarchyDepth& coarse,
+                const CombinedCells& fine_cells, CombinedCells& coarse_cells) {
+  const CellShares& shares = coarse.shares;
+  const int32_t fine_count = fine.grid.cell_count(), coarse_count = coarse.grid.cell_count();
+#pragma omp parallel for schedule(dynamic, 64)
+  for (size_t i = 0; i < shares.target.size(); ++i) {
+    Square sum;
+    for (int32_t k = shares.start[i]; k < shares.start[i + 1]; ++k) {
+      const CellShare& share = shares.share[k];
+      const int32_t tie = share.source - fine_count;
+      const Square of_source =
+          tie < 0 ? square_of(fine_cells[share.source])
+                  : square_of(fine_cells.numbers() + number_of_tie(fine_count, tie, 0, 0),
+                              share.is_transposed != 0);
+      add_product(weights_of(shares.part[share.left]), of_source,
+                  weights_of(shares.part[share.right]), sum);
+    }
+    if (const int32_t target = shares.target[i]; target < coarse_count)
+      add_to_cell(sum, coarse_cells[target]);
+    else
+      write_tie(sum,
+                coarse_cells.numbers() + number_of_tie(coarse_count, target - coarse_count, 0, 0));
+  }
+}
+
+}  // namespace burnish::cpu

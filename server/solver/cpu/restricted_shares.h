@@ -1,0 +1,12 @@
+#pragma once
+
+#include "server/solver/cpu/combined_cells.h"
+
+namespace burnish::cpu {
+
+/// Adds a coarse depth's shares of the finer one's numbers to its cells, and makes its ties of
+/// them.
+void add_shares(const HierarchyDepth& fine, const HierarchyDepth& coarse,
+                const CombinedCells& fine_cells, CombinedCells& coarse_cells);
+
+}  // namespace burnish::cpu
