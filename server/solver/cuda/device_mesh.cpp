@@ -1,6 +1,5 @@
 #include "server/solver/cuda/device_mesh.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <mutex>
@@ -20,7 +19,7 @@ static std::vector<uint8_t> octants(const SparseGrid& grid) {
   return octants;
 }
 
-// Slots and cells by side say nothing of irregular rows: these have other sources of their own.
+// Those of irregular rows count the entries that are packed.
 static std::vector<uint32_t> masks_of_packed(const Stencil& stencil) {
   std::vector<uint32_t> masks = stencil.mask;
   for (const int32_t i : stencil.irregular.corner) {
@@ -28,14 +27,6 @@ static std::vector<uint32_t> masks_of_packed(const Stencil& stencil) {
     masks[i] = ((1u << (row.end - row.begin)) - 1) << (kSlots - (row.end - row.begin));
   }
   return masks;
-}
-
-static std::vector<Eight> regular_cells_of_corner(const HierarchyDepth& depth) {
-  std::vector<Eight> cells(depth.grid.corners.size());
-  for (size_t i = 0; i < cells.size(); ++i)
-    std::ranges::copy(depth.grid.cells_of_corner[i], cells[i].at);
-  for (const int32_t i : depth.stencil.irregular.corner) std::ranges::fill(cells[i].at, kNone);
-  return cells;
 }
 
 DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth)
@@ -50,7 +41,7 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth)
   halo_start_ = {stream, groups.halo_start};
   halo_ = {stream, groups.halo};
   cell_corners_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cell_corners);
-  cells_of_corner_ = {stream, regular_cells_of_corner(depth)};
+  cells_of_corner_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cells_of_corner);
   octant_ = {stream, octants(depth.grid)};
   child_start_ = {stream, depth.child_start};
   child_ = {stream, depth.child};
