@@ -33,36 +33,57 @@ Passages ColumnsAround::passages(int k) const {
   return found & kAllPassages;
 }
 
-static bool is_in_plane(const Vec3d& a, const Vec3d& b) {
+static unsigned axes_of_planes(const Vec3d& a, const Vec3d& b) {
+  unsigned axes = 0;
   for (int axis = 0; axis < 3; ++axis)
-    if (a[axis] == b[axis] && a[axis] == std::floor(a[axis])) return true;
-  return false;
+    if (a[axis] == b[axis] && a[axis] == std::floor(a[axis])) axes |= 1u << axis;
+  return axes;
 }
 
-bool has_edge_in_plane(const std::array<Vec3d, 3>& triangle) {
-  const auto& [a, b, c] = triangle;
-  return is_in_plane(a, b) || is_in_plane(b, c) || is_in_plane(c, a);
-}
-
-std::vector<CellColumn> with_touched(const std::array<Vec3d, 3>& triangle,
-                                     std::span<const CellColumn> columns) {
-  std::vector<CellColumn> all(columns.begin(), columns.end());
+std::vector<EdgeInPlane> edges_in_planes(const std::array<Vec3d, 3>& triangle) {
+  std::vector<EdgeInPlane> edges;
   for (int e = 0; e < 3; ++e) {
     const Vec3d &a = triangle[e], &b = triangle[(e + 1) % 3];
-    if (is_in_plane(a, b)) add_columns_along(a, b, all);
+    const unsigned axes = axes_of_planes(a, b);
+    if (axes == 0) continue;
+    edges.push_back({axes, {}});
+    add_columns_along(a, b, edges.back().columns);
   }
-  const auto place = [](const CellColumn& column) { return std::pair(column.i, column.j); };
-  std::ranges::sort(all, {}, place);
-  size_t kept = 0;
-  for (const CellColumn& column : all) {
-    if (kept == 0 || place(all[kept - 1]) != place(column)) {
-      all[kept++] = column;
-      continue;
+  return edges;
+}
+
+// The neighbours that lie in the same slab along all but these axes, by the axes' bits.
+static constexpr std::array<Passages, 8> kAlongAxes = [] {
+  std::array<Passages, 8> along = {};
+  for (unsigned axes = 0; axes < 8; ++axes)
+    for (int slot = 0; slot < kSlots; ++slot) {
+      const bool moves[3] = {slot % 3 != 1, slot / 3 % 3 != 1, slot / 9 != 1};
+      const unsigned across = moves[0] | moves[1] << 1 | moves[2] << 2;
+      if (slot != kSelfSlot && (across & ~axes) == 0) along[axes] |= Passages{1} << slot;
     }
-    SlabRange& range = all[kept - 1].k;
-    range = {std::min(range.first, column.k.first), std::max(range.last, column.k.last)};
+  return along;
+}();
+
+TrianglePassages::TrianglePassages(const std::array<Vec3d, 3>& triangle,
+                                   std::span<const CellColumn> columns)
+    : met_(columns), edges_(edges_in_planes(triangle)) {
+  for (const EdgeInPlane& edge : edges_) touched_.emplace_back(edge.columns);
+}
+
+void TrianglePassages::move_to(const CellColumn& column) {
+  met_.move_to(column);
+  for (ColumnsAround& touched : touched_) touched.move_to(column);
+}
+
+// Straight across the edge will do: the cells beside that one have passages of their own.
+Passages TrianglePassages::at(int k) const {
+  const Passages met = met_.passages(k);
+  Passages all = met;
+  for (size_t e = 0; e < edges_.size(); ++e) {
+    const unsigned axes = edges_[e].axes;
+    const Passages touched = touched_[e].passages(k) & kAlongAxes[axes] & ~met;
+    if (touched != 0) all |= touched | axes << kSlots;
   }
-  all.resize(kept);
   return all;
 }
 
@@ -85,14 +106,20 @@ void doubt_passages_to(size_t cell, std::span<const MortonKey> cells,
   });
 }
 
-// In any order: neither of two passages that return each other is ever closed.
+static Passages doubtful(Passages passages) {
+  const unsigned axes_without_doubt = ~passages >> kSlots & 7;
+  return passages & kAllPassages & ~kAlongAxes[axes_without_doubt];
+}
+
 void close_one_sided_passages(std::span<const MortonKey> cells, std::span<Passages> passages) {
+  const std::vector<Passages> claimed(passages.begin(), passages.end());
+#pragma omp parallel for schedule(static)
   for (size_t c = 0; c < cells.size(); ++c) {
-    if ((passages[c] & kInDoubt) == 0) continue;
-    passages[c] &= ~kInDoubt;
-    for_each_neighbour(cells[c], passages[c], cells, [&](int slot, ptrdiff_t neighbour) {
+    if ((claimed[c] & kInDoubt) == 0) continue;
+    passages[c] &= kAllPassages;
+    for_each_neighbour(cells[c], doubtful(claimed[c]), cells, [&](int slot, ptrdiff_t neighbour) {
       const bool returns =
-          neighbour != kNone && (passages[neighbour] >> opposite_slot(slot) & 1) != 0;
+          neighbour != kNone && (claimed[neighbour] >> opposite_slot(slot) & 1) != 0;
       if (!returns) passages[c] &= ~(Passages{1} << slot);
     });
   }

@@ -19,10 +19,10 @@ namespace burnish {
 // may lie across the plane. Hence such passages are in doubt until both sides are known.
 
 /// A bit for each neighbour of a cell: bit s is the one at stencil slot s. Bit kSelfSlot is 0.
+/// Until close_one_sided_passages(), bit kSlots + a says that those across axis a are in doubt.
 using Passages = uint32_t;
 inline constexpr Passages kAllPassages = (Passages{1} << kSlots) - 1 - (Passages{1} << kSelfSlot);
-/// Marks a cell some of whose passages may be one-sided, until close_one_sided_passages().
-inline constexpr Passages kInDoubt = Passages{1} << kSlots;
+inline constexpr Passages kInDoubt = Passages{7} << kSlots;
 
 inline Vec3i offset_of_slot(int slot) {
   return {slot % 3 - 1, slot / 3 % 3 - 1, slot / 9 - 1};
@@ -53,32 +53,43 @@ class ColumnsAround {
   int near_count_ = 0;
 };
 
-/// Whether an edge lies in a grid plane. Units: grid, snapped to planes.
-bool has_edge_in_plane(const std::array<Vec3d, 3>& triangle);
+/// An edge of a triangle, and the cells that it meets or touches.
+struct EdgeInPlane {
+  unsigned axes;  ///< bit a: the edge lies in a grid plane across axis a
+  std::vector<CellColumn> columns;
+};
 
-/// The triangle's columns as of find_columns(), and with them the cells that its edges in grid
-/// planes touch.
-std::vector<CellColumn> with_touched(const std::array<Vec3d, 3>& triangle,
-                                     std::span<const CellColumn> columns);
+/// Those of a triangle: none, mostly. Units: grid, snapped to planes.
+std::vector<EdgeInPlane> edges_in_planes(const std::array<Vec3d, 3>& triangle);
+
+/// The passages of one triangle's cells, column by column.
+class TrianglePassages {
+ public:
+  /// Needs: the columns of find_columns().
+  TrianglePassages(const std::array<Vec3d, 3>& triangle, std::span<const CellColumn> columns);
+
+  /// Needs: columns are asked for in their order.
+  void move_to(const CellColumn& column);
+
+  /// Of cell (i, j, k) of that column.
+  Passages at(int k) const;
+
+ private:
+  ColumnsAround met_;
+  std::vector<EdgeInPlane> edges_;
+  std::vector<ColumnsAround> touched_;  // by each edge
+};
 
 /// Calls visit(cell, passages) once for each cell of a triangle with these columns.
-/// Cost: proportional to the number of cells, but for triangles with an edge in a grid plane, whose
-/// columns are sorted.
+/// Cost: proportional to the number of cells.
 template <typename Visit>
 void for_each_cell_with_passages(const std::array<Vec3d, 3>& triangle,
                                  std::span<const CellColumn> columns, Visit&& visit) {
-  const bool touches = has_edge_in_plane(triangle);
-  const std::vector<CellColumn> reached =
-      touches ? with_touched(triangle, columns) : std::vector<CellColumn>();
-  ColumnsAround met_around(columns), reached_around(reached);
+  TrianglePassages passages(triangle, columns);
   for (const CellColumn& column : columns) {
-    met_around.move_to(column);
-    reached_around.move_to(column);
-    for (int k = column.k.first; k <= column.k.last; ++k) {
-      const Passages met = met_around.passages(k);
-      const Passages touched = reached_around.passages(k) & ~met;
-      visit(Vec3i(column.i, column.j, k), met | touched | (touched != 0 ? kInDoubt : 0));
-    }
+    passages.move_to(column);
+    for (int k = column.k.first; k <= column.k.last; ++k)
+      visit(Vec3i(column.i, column.j, k), passages.at(k));
   }
 }
 
