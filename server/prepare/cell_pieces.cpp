@@ -25,19 +25,32 @@ static bool has_area(const std::array<Vec3d, 3>& corners) {
   return ab.cross(ca).norm() > kDegenerateRatio * longest;
 }
 
-// Calls visit(triangle, columns).
+struct CutTriangle {
+  uint32_t index;
+  std::array<Vec3d, 3> corners;
+  std::vector<CellColumn> columns;
+};
+
+// Calls visit(const CutTriangle&) for those with area.
 template <typename Visit>
 static void for_each_triangle_of_block(std::span<const Triangle> triangles,
                                        std::span<const Vec3d> grid_positions, size_t block,
                                        Visit&& visit) {
-  std::vector<CellColumn> columns;
+  CutTriangle cut;
   const size_t end = std::min(triangles.size(), (block + 1) * kTrianglesPerBlock);
   for (size_t t = block * kTrianglesPerBlock; t < end; ++t) {
-    const std::array<Vec3d, 3> corners = positions_of(triangles[t], grid_positions);
-    if (!has_area(corners)) continue;
-    find_columns(corners, columns);
-    visit(static_cast<uint32_t>(t), std::span<const CellColumn>(columns));
+    cut.corners = positions_of(triangles[t], grid_positions);
+    if (!has_area(cut.corners)) continue;
+    cut.index = static_cast<uint32_t>(t);
+    find_columns(cut.corners, cut.columns);
+    visit(cut);
   }
+}
+
+static uint64_t cell_count(const CutTriangle& triangle) {
+  uint64_t count = 0;
+  for (const CellColumn& column : triangle.columns) count += column.k.last - column.k.first + 1;
+  return count;
 }
 
 static Status check_memory(uint64_t pairs) {
@@ -89,11 +102,9 @@ Result<UnsetVector<CellPiece>> find_cell_pieces(std::span<const Triangle> triang
   std::vector<uint64_t> start(blocks + 1, 0);
 #pragma omp parallel for schedule(dynamic)
   for (size_t block = 0; block < blocks; ++block)
-    for_each_triangle_of_block(triangles, grid_positions, block,
-                               [&](uint32_t, std::span<const CellColumn> columns) {
-                                 for (const CellColumn& column : columns)
-                                   start[block + 1] += column.k.last - column.k.first + 1;
-                               });
+    for_each_triangle_of_block(triangles, grid_positions, block, [&](const CutTriangle& triangle) {
+      start[block + 1] += cell_count(triangle);
+    });
   for (size_t block = 0; block < blocks; ++block) start[block + 1] += start[block];
   if (!report(progress, "grid", 0.4)) return cancelled("cancelled while cutting at the grid");
   RETURN_IF_ERROR(check_memory(start.back()));
@@ -102,13 +113,13 @@ Result<UnsetVector<CellPiece>> find_cell_pieces(std::span<const Triangle> triang
 #pragma omp parallel for schedule(dynamic)
   for (size_t block = 0; block < blocks; ++block) {
     uint64_t next = start[block];
-    for_each_triangle_of_block(triangles, grid_positions, block,
-                               [&](uint32_t triangle, std::span<const CellColumn> columns) {
-                                 for_each_cell_with_passages(
-                                     columns, [&](const Vec3i& cell, Passages passages) {
-                                       pieces[next++] = {morton_key(cell), triangle, passages};
-                                     });
-                               });
+    const auto add_pieces = [&](const CutTriangle& triangle) {
+      for_each_cell_with_passages(triangle.corners, triangle.columns,
+                                  [&](const Vec3i& cell, Passages passages) {
+                                    pieces[next++] = {morton_key(cell), triangle.index, passages};
+                                  });
+    };
+    for_each_triangle_of_block(triangles, grid_positions, block, add_pieces);
   }
   if (!report(progress, "grid", 0.7)) return cancelled("cancelled while cutting at the grid");
   sort_by_cell(pieces);

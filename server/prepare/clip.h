@@ -46,4 +46,8 @@ struct CellColumn {
 /// triangles much larger than a cell.
 void find_columns(const std::array<Vec3d, 3>& triangle, std::vector<CellColumn>& columns);
 
+/// Adds the cells that the line from a to b meets or touches to the end of `columns`, in the same
+/// order among themselves.
+void add_columns_along(const Vec3d& a, const Vec3d& b, std::vector<CellColumn>& columns);
+
 }  // namespace burnish

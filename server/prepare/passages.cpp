@@ -1,6 +1,11 @@
 #include "server/prepare/passages.h"
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <utility>
+
+#include "common/grid/sparse_grid.h"
 
 namespace burnish {
 
@@ -26,6 +31,98 @@ Passages ColumnsAround::passages(int k) const {
         found |= Passages{1} << (lowest_slot + (dz + 1) * kStep);
   }
   return found & kAllPassages;
+}
+
+static unsigned axes_of_planes(const Vec3d& a, const Vec3d& b) {
+  unsigned axes = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    if (a[axis] == b[axis] && a[axis] == std::floor(a[axis])) axes |= 1u << axis;
+  return axes;
+}
+
+std::vector<EdgeInPlane> edges_in_planes(const std::array<Vec3d, 3>& triangle) {
+  std::vector<EdgeInPlane> edges;
+  for (int e = 0; e < 3; ++e) {
+    const Vec3d &a = triangle[e], &b = triangle[(e + 1) % 3];
+    const unsigned axes = axes_of_planes(a, b);
+    if (axes == 0) continue;
+    edges.push_back({axes, {}});
+    add_columns_along(a, b, edges.back().columns);
+  }
+  return edges;
+}
+
+// The neighbours that lie in the same slab along all but these axes, by the axes' bits.
+static constexpr std::array<Passages, 8> kAlongAxes = [] {
+  std::array<Passages, 8> along = {};
+  for (unsigned axes = 0; axes < 8; ++axes)
+    for (int slot = 0; slot < kSlots; ++slot) {
+      const bool moves[3] = {slot % 3 != 1, slot / 3 % 3 != 1, slot / 9 != 1};
+      const unsigned across = moves[0] | moves[1] << 1 | moves[2] << 2;
+      if (slot != kSelfSlot && (across & ~axes) == 0) along[axes] |= Passages{1} << slot;
+    }
+  return along;
+}();
+
+TrianglePassages::TrianglePassages(const std::array<Vec3d, 3>& triangle,
+                                   std::span<const CellColumn> columns)
+    : met_(columns), edges_(edges_in_planes(triangle)) {
+  for (const EdgeInPlane& edge : edges_) touched_.emplace_back(edge.columns);
+}
+
+void TrianglePassages::move_to(const CellColumn& column) {
+  met_.move_to(column);
+  for (ColumnsAround& touched : touched_) touched.move_to(column);
+}
+
+// Straight across the edge will do: the cells beside that one have passages of their own.
+Passages TrianglePassages::at(int k) const {
+  const Passages met = met_.passages(k);
+  Passages all = met;
+  for (size_t e = 0; e < edges_.size(); ++e) {
+    const unsigned axes = edges_[e].axes;
+    const Passages touched = touched_[e].passages(k) & kAlongAxes[axes] & ~met;
+    if (touched != 0) all |= touched | axes << kSlots;
+  }
+  return all;
+}
+
+// Calls visit(slot, index) for each of these passages; the index is kNone where there is no cell.
+template <typename Visit>
+static void for_each_neighbour(MortonKey cell, Passages passages, std::span<const MortonKey> cells,
+                               Visit&& visit) {
+  for (Passages left = passages & kAllPassages; left != 0; left &= left - 1) {
+    const int slot = std::countr_zero(left);
+    const MortonKey key = morton_key(morton_point(cell) + offset_of_slot(slot));
+    const auto at = std::ranges::lower_bound(cells, key);
+    visit(slot, at != cells.end() && *at == key ? at - cells.begin() : kNone);
+  }
+}
+
+void doubt_passages_to(size_t cell, std::span<const MortonKey> cells,
+                       std::span<Passages> passages) {
+  for_each_neighbour(cells[cell], passages[cell], cells, [&](int, ptrdiff_t neighbour) {
+    if (neighbour != kNone) passages[neighbour] |= kInDoubt;
+  });
+}
+
+static Passages doubtful(Passages passages) {
+  const unsigned axes_without_doubt = ~passages >> kSlots & 7;
+  return passages & kAllPassages & ~kAlongAxes[axes_without_doubt];
+}
+
+void close_one_sided_passages(std::span<const MortonKey> cells, std::span<Passages> passages) {
+  const std::vector<Passages> claimed(passages.begin(), passages.end());
+#pragma omp parallel for schedule(static)
+  for (size_t c = 0; c < cells.size(); ++c) {
+    if ((claimed[c] & kInDoubt) == 0) continue;
+    passages[c] &= kAllPassages;
+    for_each_neighbour(cells[c], doubtful(claimed[c]), cells, [&](int slot, ptrdiff_t neighbour) {
+      const bool returns =
+          neighbour != kNone && (claimed[neighbour] >> opposite_slot(slot) & 1) != 0;
+      if (!returns) passages[c] &= ~(Passages{1} << slot);
+    });
+  }
 }
 
 }  // namespace burnish

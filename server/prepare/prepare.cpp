@@ -124,24 +124,11 @@ Passages passages_of(std::span<const CellPiece> pieces) {
   return all;
 }
 
-/// Nothing leads to the cells that hold no surface.
-void close_passages_to_empty(PreparedArrays& arrays, const std::vector<char>& holds_surface) {
-  for (size_t c = 0; c < holds_surface.size(); ++c) {
-    if (holds_surface[c]) continue;
-    const Vec3i cell = morton_point(arrays.cells[c]);
-    for (int slot = 0; slot < kSlots; ++slot) {
-      if ((arrays.passages[c] >> slot & 1) == 0) continue;
-      const MortonKey neighbour = morton_key(cell + offset_of_slot(slot));
-      const auto at = std::ranges::lower_bound(arrays.cells, neighbour) - arrays.cells.begin();
-      arrays.passages[at] &= ~(Passages{1} << opposite_slot(slot));
-    }
-  }
-}
-
 /// Keeps the cells that hold surface, in order.
 void keep(PreparedArrays& arrays, const std::vector<char>& holds_surface) {
   if (std::ranges::find(holds_surface, 0) == holds_surface.end()) return;
-  close_passages_to_empty(arrays, holds_surface);
+  for (size_t c = 0; c < holds_surface.size(); ++c)
+    if (!holds_surface[c]) doubt_passages_to(c, arrays.cells, arrays.passages);
   size_t kept = 0;
   for (size_t c = 0; c < holds_surface.size(); ++c) {
     if (!holds_surface[c]) continue;
@@ -183,6 +170,7 @@ Status integrate_cells(std::span<const CellPiece> pieces, std::span<const Vec3d>
       return cancelled("cancelled while integrating");
   }
   keep(arrays, holds_surface);
+  close_one_sided_passages(arrays.cells, arrays.passages);
   if (arrays.cells.empty())
     return invalid_argument("all " + std::to_string(arrays.triangles.size()) +
                             " triangles are too thin: none has an area above 1e-12 of its longest "

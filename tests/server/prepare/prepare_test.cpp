@@ -77,6 +77,7 @@ TEST(Prepare, GivesTheSameBitsForAnyNumberOfThreads) {
   EXPECT_TRUE(same_bits(one->cells, two->cells));
   EXPECT_TRUE(same_bits(one->integrals, two->integrals));
   EXPECT_TRUE(same_bits(one->curvature, two->curvature));
+  EXPECT_TRUE(same_bits(one->passages, two->passages));
   EXPECT_TRUE(same_bits(one->evaluation, two->evaluation));
   EXPECT_EQ(one->histogram.area, two->histogram.area);
 }

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/prepare/prepared_mesh.h"
 #include "server/session/scan_record.h"
 #include "tests/server/session/test_library.h"
 
@@ -100,6 +101,25 @@ TEST(MeshStore, AMissingOrDamagedPreparedFileIsMadeAgain) {
   fs::resize_file(prepared_path(library, scan), 3);
   EXPECT_TRUE(library.store->open_mesh(scan.id, {5, 0}, {}).is_ok());
   EXPECT_GT(fs::file_size(prepared_path(library, scan)), 3u);
+}
+
+TEST(MeshStore, APreparedFileOfAnotherVersionIsMadeAgain) {
+  TestLibrary library;
+  const ScanInfo scan = library.import(sphere_file(), "ball").value().scan;
+  const fs::path path = prepared_path(library, scan);
+  const auto size = fs::file_size(path);
+  const auto expect_made_again = [&] {
+    ASSERT_TRUE(library.store->open_mesh(scan.id, {5, 0}, {}).is_ok());
+    EXPECT_EQ(fs::file_size(path), size);
+    EXPECT_TRUE(map_prepared_mesh(path).is_ok());
+  };
+  fs::rename(path, path.parent_path() / "depth5-radius0-format1.prepared");
+  EXPECT_TRUE(library.store->find("ball").value().prepared.empty());
+  expect_made_again();
+
+  std::fstream(path, std::ios::in | std::ios::out | std::ios::binary).seekp(8).put(1);
+  EXPECT_THAT(map_prepared_mesh(path).status().message(), HasSubstr("format version is 1"));
+  expect_made_again();
 }
 
 TEST(MeshStore, SessionsShareOneMesh) {
