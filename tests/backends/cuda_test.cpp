@@ -90,6 +90,17 @@ TEST_F(OnADevice, TwoRunsGiveTheSameBits) {
     EXPECT_EQ(run(smoother), run(smoother)) << name_of(smoother);
 }
 
+TEST_F(OnADevice, TwoRunsWithSheetsApartGiveTheSameBits) {
+  const TriangleMesh mesh = generate_scan({.kind = "tablet", .vertices = 20000}).value();
+  const auto run = [&] {
+    Filtered filtered(mesh, 7, {.backend = BackendKind::kCuda});
+    auto& edited = filtered.alpha(20).beta(0.3);
+    edited.after(3);
+    return edited.alpha(30).after(4);
+  };
+  EXPECT_EQ(run(), run());
+}
+
 TEST_F(OnADevice, BetaOneGivesTheInputBack) {
   const TriangleMesh mesh = generate_scan({.kind = "blob", .vertices = 5000}).value();
   Filtered filtered(mesh, 6, {.backend = BackendKind::kCuda});
@@ -111,11 +122,32 @@ double between_cpu_and_cuda(const TriangleMesh& mesh, Smoother smoother, int cyc
 
 // They differ by rounding; with Schwarz by where the estimate of λmax starts as well.
 TEST_F(OnADevice, FollowsTheCpuCycleByCycle) {
-  const TriangleMesh mesh = generate_scan({.kind = "tablet", .vertices = 20000}).value();
-  for (const int cycles : {1, 2, 5}) {
-    SCOPED_TRACE(std::to_string(cycles) + " cycles");
-    EXPECT_LE(between_cpu_and_cuda(mesh, Smoother::kSchwarz, cycles), 1e-3);
-    EXPECT_LE(between_cpu_and_cuda(mesh, Smoother::kGaussSeidel, cycles), 2e-5);
+  for (const char* kind : {"tablet", "sheets", "blob"}) {
+    const TriangleMesh mesh = generate_scan({.kind = kind, .vertices = 20000}).value();
+    for (const int cycles : {1, 2, 5}) {
+      SCOPED_TRACE(kind + (" after " + std::to_string(cycles)) + " cycles");
+      EXPECT_LE(between_cpu_and_cuda(mesh, Smoother::kSchwarz, cycles), 1e-3);
+      EXPECT_LE(between_cpu_and_cuda(mesh, Smoother::kGaussSeidel, cycles), 2e-5);
+    }
+  }
+}
+
+// What the meshes above have for the device to follow.
+TEST(SheetsApart, OfATabletAndOfSheetsHaveAllThatSlotsCannotSay) {
+  for (const char* kind : {"tablet", "sheets"}) {
+    SCOPED_TRACE(kind);
+    const auto prepared =
+        prepare(generate_scan({.kind = kind, .vertices = 20000}).value(), {.depth = 7}).value();
+    const auto hierarchy = make_hierarchy(*prepared);
+    const HierarchyDepth &finest = hierarchy->at(7), &coarse = hierarchy->at(6);
+    EXPECT_EQ(finest.stencil.irregular.count(), 0);
+    EXPECT_GT(finest.to_parent.shared.count(), 0);
+    EXPECT_GT(coarse.stencil.irregular.count(), 0);
+    EXPECT_GT(coarse.stencil.irregular_cells.count(), 0);
+    EXPECT_FALSE(coarse.ties.empty());
+    EXPECT_FALSE(coarse.shares.apart.empty());
+    EXPECT_GT(hierarchy->depths.front().stencil.irregular.count(), 0);
+    EXPECT_FALSE(hierarchy->depths.front().ties.empty());
   }
 }
 

@@ -17,63 +17,76 @@ template <bool kLong>
 class LongPart {
  public:
   __device__ LongPart(const LongRows&, const float*, const TilePart&) {}
-  __device__ void multiply(const float4*) {}
+  __device__ void start(const float4*) {}
+  __device__ void finish(const float4*) {}
   __device__ float4 added_to(float4 product) const { return product; }
 };
 
+/// An entry for each thread at first, four for each from then on.
 template <>
 class LongPart<true> {
  public:
-  /// Fetches entries of the group's rows; may come before await_previous().
+  /// Fetches entries; may come before await_previous().
   __device__ LongPart(const LongRows& rows, const float* entries, const TilePart& part)
       : rows_(rows),
         entries_(entries),
-        part_(part),
         begin_(rows.start[part.group.first]),
-        end_(rows.start[part.group.first + part.group.count]) {
-    fetch_chunk(begin_);
+        end_(rows.start[part.group.first + part.group.count]),
+        own_begin_(part.corner >= 0 ? rows.start[part.corner] : end_),
+        own_end_(part.corner >= 0 ? rows.start[part.corner + 1] : end_) {
+    const int32_t k = begin_ + static_cast<int32_t>(threadIdx.x);
+    column_ = k < end_ ? rows.column[k] : 0;
+    entry_ = k < end_ ? entries[k] : 0;
   }
 
-  /// Every thread of the block calls it.
-  __device__ void multiply(const float4* x) {
+  /// Before the tile is filled, so that all loads are under way together.
+  __device__ void start(const float4* x) {
+    if (begin_ < end_) there_ = x[column_];
+  }
+  /// Afterwards. Every thread of the block calls it.
+  __device__ void finish(const float4* x) {
     if (begin_ == end_) return;
-    const int32_t own_begin = part_.corner >= 0 ? rows_.start[part_.corner] : end_;
-    const int32_t own_end = part_.corner >= 0 ? rows_.start[part_.corner + 1] : end_;
-    for (int32_t first = begin_; first < end_; first += kRoom) {
-      if (first > begin_) {
-        __syncthreads();
-        fetch_chunk(first);
-      }
-      const int32_t count = min(kRoom, end_ - first);
-      for (auto k = static_cast<int32_t>(threadIdx.x); k < count; k += kThreads)
-        room()[k] = room()[k].x * x[__float_as_int(room()[k].w)];
+    room()[threadIdx.x] = entry_ * there_;
+    __syncthreads();
+    add_own(begin_, kThreads);
+    for (int32_t first = begin_ + kThreads; first < end_; first += kRoom) {
       __syncthreads();
-      const int32_t own_stop = min(own_end - first, count);
-      for (int32_t k = max(own_begin - first, 0); k < own_stop; ++k) sum_ = sum_ + room()[k];
+      multiply_chunk(x, first);
+      __syncthreads();
+      add_own(first, kRoom);
     }
   }
   __device__ float4 added_to(float4 product) const { return product + sum_; }
 
  private:
-  static constexpr int32_t kRoom = 4 * kThreads;
+  static constexpr int32_t kEach = 4;
+  static constexpr int32_t kRoom = kEach * kThreads;
 
   __device__ static float4* room() {
     __shared__ float4 room[kRoom];
     return room;
   }
 
-  // Each thread brings what it multiplies.
-  __device__ void fetch_chunk(int32_t first) const {
-    const int32_t count = min(kRoom, end_ - first);
-    for (auto k = static_cast<int32_t>(threadIdx.x); k < count; k += kThreads)
-      room()[k] = {entries_[first + k], 0, 0, __int_as_float(rows_.column[first + k])};
+  __device__ void multiply_chunk(const float4* x, int32_t first) const {
+#pragma unroll
+    for (int j = 0; j < kEach; ++j) {
+      const int32_t at = static_cast<int32_t>(threadIdx.x) + j * kThreads;
+      if (first + at < end_) room()[at] = entries_[first + at] * x[rows_.column[first + at]];
+    }
+  }
+
+  __device__ void add_own(int32_t first, int32_t count) {
+    const int32_t stop = min(own_end_ - first, count);
+    for (int32_t k = max(own_begin_ - first, 0); k < stop; ++k) sum_ = sum_ + room()[k];
   }
 
   const LongRows& rows_;
   const float* entries_;
-  const TilePart& part_;
-  int32_t begin_, end_;  // of the group's entries
-  float4 sum_ = {0, 0, 0, 0};
+  int32_t begin_, end_;          // of the group's entries
+  int32_t own_begin_, own_end_;  // of the thread's row
+  int32_t column_;
+  float entry_;
+  float4 there_ = {0, 0, 0, 0}, sum_ = {0, 0, 0, 0};
 };
 
 }  // namespace burnish::cuda

@@ -33,8 +33,9 @@ __global__ void __launch_bounds__(kThreads, kLong ? 6 : 8)
   if (kStep != Step::kFromZero && i >= 0) x = depth.x[i];
   if (kStep == Step::kSecond && i >= 0) last = direction[i];
   if (kStep == Step::kSecondFromZero) last = x;
+  beyond.start(source);
   fill_tile(row, source, tile);
-  beyond.multiply(source);
+  beyond.finish(source);
   if (i < 0) return;
   float4 d = length * (diagonal * tile[threadIdx.x] + beyond.added_to(product_of(row, tile)));
   if (kIsSecond) d = momentum * last + d;
@@ -67,8 +68,9 @@ __global__ void power_kernel(Depth depth, Matrix inverse, PowerStep power) {
   await_previous();
   const FetchedRow row = fetch_row(depth.topology.rows, inverse.packed, blockIdx.x);
   LongPart<kLong> beyond(depth.topology.rows.long_rows, inverse.long_entries, row);
+  beyond.start(power.product);
   fill_tile(row, power.product, tile);
-  beyond.multiply(power.product);
+  beyond.finish(power.product);
   Sums<2> sums = {};
   if (const int32_t i = row.corner; i >= 0) {
     // What is there is the residual −S x.

@@ -20,20 +20,21 @@ __global__ void __launch_bounds__(kThreads, kLong ? 6 : 8) residual_kernel(Depth
   const float diagonal = is_free ? depth.system.diagonal[i] : 0;
   await_previous();
   const float4 f = is_free ? depth.f[i] : zero4();
+  beyond.start(depth.x);
   fill_tile(row, depth.x, tile);
-  beyond.multiply(depth.x);
+  beyond.finish(depth.x);
   if (i < 0) return;
   const float4 product = beyond.added_to(product_of(row, tile));
   depth.r[i] = is_free ? f - diagonal * tile[threadIdx.x] - product : zero4();
 }
 
-// What a corner takes from those of another depth, every `step` th from the first one on.
-__device__ float4 weighted_sum(const WeightedCorners& of, int64_t i, const float4* vector,
-                               int first, int step) {
+// What a corner takes from those of another depth by the list from `begin` to `end`, every `step`
+// th.
+__device__ float4 weighted_sum(const WeightedCorners& list, int32_t begin, int32_t end, int step,
+                               const float4* vector) {
   float4 sum = zero4();
 #pragma unroll 4
-  for (int32_t k = of.start[i] + first; k < of.start[i + 1]; k += step)
-    sum = sum + of.weight[k] * vector[of.corner[k]];
+  for (int32_t k = begin; k < end; k += step) sum = sum + list.weight[k] * vector[list.corner[k]];
   return sum;
 }
 
@@ -55,13 +56,15 @@ __global__ void restrict_kernel(Depth fine, Depth coarse) {
     from[j] = corner_of(restriction);
     weight[j] = k < count ? weight_of(restriction) : 0;
   }
+  const WeightedCorners& rest = fine.topology.restriction_rest;
+  const int32_t rest_begin = kRest ? rest.start[i] + lane : 0,
+                rest_end = kRest ? rest.start[i + 1] : 0;
   const bool is_free = coarse.inverse_diagonal[i] > 0;
   await_previous();
   float4 sum = zero4();
 #pragma unroll
   for (int j = 0; j < kGatheredMax; ++j) sum = sum + weight[j] * fine.r[from[j]];
-  if constexpr (kRest)
-    sum = sum + weighted_sum(fine.topology.restriction_rest, i, fine.r, lane, kLanes);
+  if (kRest) sum = sum + weighted_sum(rest, rest_begin, rest_end, kLanes, fine.r);
   const unsigned group = ((1u << kLanes) - 1) << (threadIdx.x % 32 / kLanes * kLanes);
 #pragma unroll
   for (int offset = kLanes / 2; offset > 0; offset /= 2) {
@@ -80,8 +83,10 @@ __global__ void prolong_kernel(Depth coarse, Depth fine) {
   if (i >= fine.topology.corner_count || fine.inverse_diagonal[i] == 0) return;
   const FromCell from = fine.topology.prolongation[i];
   if (kShared && from.cell < 0) {
+    const WeightedCorners& shared = fine.topology.shared;
+    const int32_t begin = shared.start[-1 - from.cell], end = shared.start[-from.cell];
     await_previous();
-    fine.x[i] = fine.x[i] + weighted_sum(fine.topology.shared, -1 - from.cell, coarse.x, 0, 1);
+    fine.x[i] = fine.x[i] + weighted_sum(shared, begin, end, 1, coarse.x);
     return;
   }
   const Eight corners = coarse.topology.cell_corners[from.cell];
