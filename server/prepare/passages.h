@@ -59,7 +59,8 @@ struct EdgeInPlane {
   std::vector<CellColumn> columns;
 };
 
-/// Those of a triangle: none, mostly. Units: grid, snapped to planes.
+/// Those of a triangle, but for edges in no other grid plane than the whole triangle: none, mostly.
+/// Units: grid, snapped to planes.
 std::vector<EdgeInPlane> edges_in_planes(const std::array<Vec3d, 3>& triangle);
 
 /// The passages of one triangle's cells, column by column.
@@ -76,6 +77,7 @@ class TrianglePassages {
 
  private:
   ColumnsAround met_;
+  Passages below_plane_;  // of each cell, where the whole triangle lies in a grid plane
   std::vector<EdgeInPlane> edges_;
   std::vector<ColumnsAround> touched_;  // by each edge
 };
