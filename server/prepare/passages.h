@@ -15,8 +15,9 @@ namespace burnish {
 // Where the surface goes on from a cell to its neighbours. Two cells of one triangle have a passage
 // between them. So have the cells of two triangles that meet at an edge in a grid plane, as they do
 // on whatever is symmetric about the middle of its box: neither triangle lies on both sides, but
-// each touches the other's. One that touches alone proves nothing: where it ends, something else
-// may lie across the plane. Hence such passages are in doubt until both sides are known.
+// each touches the other's, with an edge or with all of itself. One that touches alone proves
+// nothing: where it ends, something else may lie across the plane. Hence such passages are in doubt
+// until both sides are known.
 
 /// A bit for each neighbour of a cell: bit s is the one at stencil slot s. Bit kSelfSlot is 0.
 /// Until close_one_sided_passages(), bit kSlots + a says that those across axis a are in doubt.
