@@ -40,12 +40,17 @@ static unsigned axes_of_planes(const Vec3d& a, const Vec3d& b) {
   return axes;
 }
 
+static unsigned axes_of_planes(const std::array<Vec3d, 3>& triangle) {
+  return axes_of_planes(triangle[0], triangle[1]) & axes_of_planes(triangle[1], triangle[2]);
+}
+
 std::vector<EdgeInPlane> edges_in_planes(const std::array<Vec3d, 3>& triangle) {
+  const unsigned of_triangle = axes_of_planes(triangle);
   std::vector<EdgeInPlane> edges;
   for (int e = 0; e < 3; ++e) {
     const Vec3d &a = triangle[e], &b = triangle[(e + 1) % 3];
     const unsigned axes = axes_of_planes(a, b);
-    if (axes == 0) continue;
+    if (axes == of_triangle) continue;
     edges.push_back({axes, {}});
     add_columns_along(a, b, edges.back().columns);
   }
@@ -64,9 +69,18 @@ static constexpr std::array<Passages, 8> kAlongAxes = [] {
   return along;
 }();
 
+// A triangle in a grid plane is in the cells above and touches those below with all of itself.
+static Passages below_plane_of(const std::array<Vec3d, 3>& triangle) {
+  const unsigned axes = axes_of_planes(triangle);
+  constexpr Passages kBelow = Passages{1} << slot_of_offset(-1, 0, 0) |
+                              Passages{1} << slot_of_offset(0, -1, 0) |
+                              Passages{1} << slot_of_offset(0, 0, -1);
+  return (kBelow & kAlongAxes[axes]) | axes << kSlots;
+}
+
 TrianglePassages::TrianglePassages(const std::array<Vec3d, 3>& triangle,
                                    std::span<const CellColumn> columns)
-    : met_(columns), edges_(edges_in_planes(triangle)) {
+    : met_(columns), below_plane_(below_plane_of(triangle)), edges_(edges_in_planes(triangle)) {
   for (const EdgeInPlane& edge : edges_) touched_.emplace_back(edge.columns);
 }
 
@@ -78,7 +92,7 @@ void TrianglePassages::move_to(const CellColumn& column) {
 // Straight across the edge will do: the cells beside that one have passages of their own.
 Passages TrianglePassages::at(int k) const {
   const Passages met = met_.passages(k);
-  Passages all = met;
+  Passages all = met | below_plane_;
   for (size_t e = 0; e < edges_.size(); ++e) {
     const unsigned axes = edges_[e].axes;
     const Passages touched = touched_[e].passages(k) & kAlongAxes[axes] & ~met;

@@ -15,8 +15,9 @@ namespace burnish {
 // Where the surface goes on from a cell to its neighbours. Two cells of one triangle have a passage
 // between them. So have the cells of two triangles that meet at an edge in a grid plane, as they do
 // on whatever is symmetric about the middle of its box: neither triangle lies on both sides, but
-// each touches the other's. One that touches alone proves nothing: where it ends, something else
-// may lie across the plane. Hence such passages are in doubt until both sides are known.
+// each touches the other's, with an edge or with all of itself. One that touches alone proves
+// nothing: where it ends, something else may lie across the plane. Hence such passages are in doubt
+// until both sides are known.
 
 /// A bit for each neighbour of a cell: bit s is the one at stencil slot s. Bit kSelfSlot is 0.
 /// Until close_one_sided_passages(), bit kSlots + a says that those across axis a are in doubt.
@@ -59,7 +60,8 @@ struct EdgeInPlane {
   std::vector<CellColumn> columns;
 };
 
-/// Those of a triangle: none, mostly. Units: grid, snapped to planes.
+/// Those of a triangle, but for edges in no other grid plane than the whole triangle: none, mostly.
+/// Units: grid, snapped to planes.
 std::vector<EdgeInPlane> edges_in_planes(const std::array<Vec3d, 3>& triangle);
 
 /// The passages of one triangle's cells, column by column.
@@ -76,6 +78,7 @@ class TrianglePassages {
 
  private:
   ColumnsAround met_;
+  Passages below_plane_;  // of each cell, where the whole triangle lies in a grid plane
   std::vector<EdgeInPlane> edges_;
   std::vector<ColumnsAround> touched_;  // by each edge
 };

@@ -73,9 +73,10 @@ class PreparedMesh {
   std::span<const MortonKey> cells;             ///< the finest depth, strictly rising
   std::span<const CellIntegrals> integrals;     ///< one per cell
   std::span<const CellCurvature> curvature;     ///< one per cell
-  /// One per cell: bit s: some triangle lies both in this cell and in the one at stencil slot s
-  /// (common/grid/stencil_slots.h), so that the surface goes on there; two cells may share corners
-  /// without. Bit 26 - s of that cell says the same of this one.
+  /// One per cell: bit s: the surface goes on in the cell at stencil slot s
+  /// (common/grid/stencil_slots.h): some triangle lies in both, or one on each side meets the grid
+  /// plane between them with an edge or all of itself. Two cells may share corners without. Bit
+  /// 26 - s of that cell says the same of this one.
   std::span<const uint32_t> passages;
 
   /// α in grid units = α in user units × this.

@@ -194,6 +194,16 @@ TEST(Passages, DoNotLeadAcrossAGridPlaneToASheetThatEndsBeforeIt) {
   EXPECT_EQ(parts_with_gap(0), 1u);
 }
 
+TEST(Passages, LeadFromAFaceInAGridPlaneToWallsThatStandAgainstIt) {
+  const auto wall = [](double x, double from, double to) {
+    return test_patch(
+        5, [=](double u, double v) { return Vec3d(x, u - 0.5, (from + v * (to - from)) * kCell); });
+  };
+  const TriangleMesh walls = reference::joined(wall(-0.21, -4, 0), wall(0.13, 0, 4));
+  EXPECT_EQ(part_count(*prepared_at(kDepth, reference::joined(flat_sheet(-0.5, 0.5, 0), walls))),
+            1u);
+}
+
 TEST(Passages, HoldTogetherWhatTheMiddleOfTheBoxCutsAtEdges) {
   for (const char* kind : {"icosphere", "cylinder", "sheet", "fan", "part"}) {
     SCOPED_TRACE(kind);

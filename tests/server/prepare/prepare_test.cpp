@@ -82,6 +82,15 @@ TEST(Prepare, GivesTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(one->histogram.area, two->histogram.area);
 }
 
+TEST(Prepare, GivesTheSamePassagesInDoubtForAnyNumberOfThreads) {
+  const TriangleMesh mesh = reference::stepped_block(2);
+  PrepareOptions options = at_depth(6);
+  options.threads = 1;
+  const auto one = *prepare(mesh, options);
+  options.threads = 2;
+  EXPECT_TRUE(same_bits(one->passages, (*prepare(mesh, options))->passages));
+}
+
 TEST(Prepare, ReportsItsPhasesInOrder) {
   std::vector<std::string> phases;
   double last = 0;
