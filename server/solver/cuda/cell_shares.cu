@@ -22,6 +22,21 @@ __device__ void fill(HalfWay& weights) {
   __syncthreads();
 }
 
+// What a thread has of a share: the weights and places of its corner.
+struct FetchedShare {
+  int32_t source;
+  bool is_transposed;
+  float left_weight, right_weight;
+  int left_place, right_place;
+};
+
+__device__ FetchedShare fetch_share(const Shares& shares, int32_t k, int a) {
+  const CellShare share = shares.share[k];
+  const CellPart &left = shares.part[share.left], &right = shares.part[share.right];
+  return {share.source,  share.is_transposed != 0, left.weight[a], right.weight[a], left.place[a],
+          right.place[a]};
+}
+
 // Row a of N, and of a cell its row sum: what else the diagonal follows from.
 struct SourceRow {
   float entry[8];
@@ -29,30 +44,28 @@ struct SourceRow {
 };
 
 template <typename Real>
-__device__ SourceRow cell_row(const CellSquares<Real>& cells, int32_t cell, int a) {
+__device__ SourceRow read_row(const CellSquares<Real>& cells, const FetchedShare& share, int a) {
   SourceRow row;
-  row.row_sum = static_cast<float>(own_of(cells, cell, a));
-  float diagonal = row.row_sum;
+  if (share.source < cells.cells) {
+    row.row_sum = static_cast<float>(own_of(cells, share.source, a));
 #pragma unroll
-  for (int b = 0; b < 8; ++b) {
-    row.entry[b] =
-        b == a ? 0 : static_cast<float>(pair_of(cells, cell, pair_index(a, b == a ? a ^ 1 : b)));
-    diagonal -= row.entry[b];
+    for (int b = 0; b < 8; ++b)
+      if (b != a) row.entry[b] = static_cast<float>(pair_of(cells, share.source, pair_index(a, b)));
+    float diagonal = row.row_sum;
+#pragma unroll
+    for (int b = 0; b < 8; ++b)
+      if (b != a) diagonal -= row.entry[b];
+#pragma unroll
+    for (int b = 0; b < 8; ++b)
+      if (b == a) row.entry[b] = diagonal;
+    return row;
   }
+  const Real* tie =
+      cells.numbers + cells.kNumbers * cells.cells + 64 * (share.source - cells.cells);
+  row.row_sum = 0;
 #pragma unroll
   for (int b = 0; b < 8; ++b)
-    if (b == a) row.entry[b] = diagonal;
-  return row;
-}
-
-template <typename Real>
-__device__ SourceRow tie_row(const CellSquares<Real>& cells, int64_t tie, int a,
-                             bool is_transposed) {
-  const Real* numbers = cells.numbers + cells.kNumbers * cells.cells + 64 * tie;
-  SourceRow row = {};
-#pragma unroll
-  for (int b = 0; b < 8; ++b)
-    row.entry[b] = static_cast<float>(numbers[is_transposed ? 8 * b + a : 8 * a + b]);
+    row.entry[b] = static_cast<float>(tie[share.is_transposed ? 8 * b + a : 8 * a + b]);
   return row;
 }
 
@@ -67,37 +80,43 @@ struct Group {
   }
 };
 
-// Adds row v = `a` of Lᵀ N R, and in [8] of its row sum. R's rows add up to their weights: what N's
+// Adds row v = `a` of Lᵀ N R, and in [8] its row sum. R's rows add up to their weights: what N's
 // row sum has of a common weight needs no difference of large numbers.
-template <typename Real>
-__device__ void add_share(const CellSquares<Real>& fine, const Shares& shares,
-                          const CellShare& share, const HalfWay& half_way, const Group& group,
-                          int a, float (&sum)[9]) {
-  const bool is_cell = share.source < fine.cells;
-  const SourceRow row = is_cell
-                            ? cell_row(fine, share.source, a)
-                            : tie_row(fine, share.source - fine.cells, a, share.is_transposed != 0);
-  const float left_weight = shares.part[share.left].weight[a],
-              right_weight = shares.part[share.right].weight[a];
-  const int left_place = shares.part[share.left].place[a],
-            right_place = shares.part[share.right].place[a];
-  const float common = is_cell ? right_weight : 0;
+__device__ void add_share(const FetchedShare& share, const SourceRow& row, bool is_cell,
+                          const HalfWay& half_way, const Group& group, int a, float (&sum)[9]) {
+  const float common = is_cell ? share.right_weight : 0;
   float product[9] = {};
   product[8] = row.row_sum * common;
 #pragma unroll
   for (int b = 0; b < 8; ++b) {
-    const float weight = group.from(right_weight, b);
-    const int place = group.from(right_place, b);
+    const float weight = group.from(share.right_weight, b);
+    const int place = group.from(share.right_place, b);
     product[8] += row.entry[b] * (weight - common);
 #pragma unroll
     for (int w = 0; w < 8; ++w) product[w] += row.entry[b] * weight * half_way.at[place][w];
   }
 #pragma unroll
   for (int b = 0; b < 8; ++b) {
-    const float weight = group.from(left_weight, b) * half_way.at[group.from(left_place, b)][a];
+    const float weight =
+        group.from(share.left_weight, b) * half_way.at[group.from(share.left_place, b)][a];
 #pragma unroll
     for (int w = 0; w < 9; ++w) sum[w] += weight * group.from(product[w], b);
   }
+}
+
+// Row a of the target's numbers.
+__device__ void add_to(const CellSquares<float>& cells, int64_t target, int a,
+                       const float (&sum)[9]) {
+  if (target >= cells.cells) {
+    float* tie = cells.numbers + cells.kNumbers * cells.cells + 64 * (target - cells.cells);
+#pragma unroll
+    for (int w = 0; w < 8; ++w) tie[8 * a + w] = sum[w];
+    return;
+  }
+#pragma unroll
+  for (int w = 0; w < 8; ++w)
+    if (w > a) pair_of(cells, target, pair_index(a, w)) += sum[w];
+  own_of(cells, target, a) += sum[8];
 }
 
 template <typename Real>
@@ -105,32 +124,32 @@ __global__ void add_shares_kernel(Shares shares, CellSquares<Real> fine,
                                   CellSquares<float> coarse) {
   __shared__ HalfWay half_way;
   let_next_start();
-  fill(half_way);
   const int64_t number = thread_index() / 32;
-  await_previous();
-  if (number >= shares.target_count) return;
+  const bool is_there = number < shares.target_count;
   const auto lane = static_cast<int>(threadIdx.x % 32);
   const int a = lane % 8;
   const Group group = {0xffu << lane / 8 * 8, lane / 8 * 8};
+  int32_t k = is_there ? shares.start[number] + lane / 8 : 0;
+  const int32_t end = is_there ? shares.start[number + 1] : 0;
+  FetchedShare next = {};
+  if (k < end) next = fetch_share(shares, k, a);
+  fill(half_way);
+  await_previous();
+  if (!is_there) return;
   float sum[9] = {};
-  for (int32_t k = shares.start[number] + lane / 8; k < shares.start[number + 1]; k += kWarpGroups)
-    add_share(fine, shares, shares.share[k], half_way, group, a, sum);
+  while (k < end) {
+    const FetchedShare share = next;
+    const SourceRow row = read_row(fine, share, a);
+    k += kWarpGroups;
+    if (k < end) next = fetch_share(shares, k, a);
+    add_share(share, row, share.source < fine.cells, half_way, group, a, sum);
+  }
+  __syncwarp();
 #pragma unroll
   for (int w = 0; w < 9; ++w)
     for (int offset = 8; offset < 32; offset *= 2)
       sum[w] += __shfl_xor_sync(0xffffffffu, sum[w], offset);
-  if (lane >= 8) return;
-  const int64_t target = shares.target[number];
-  if (target >= coarse.cells) {
-    float* tie = coarse.numbers + coarse.kNumbers * coarse.cells + 64 * (target - coarse.cells);
-#pragma unroll
-    for (int w = 0; w < 8; ++w) tie[8 * a + w] = sum[w];
-    return;
-  }
-#pragma unroll
-  for (int w = 0; w < 8; ++w)
-    if (w > a) pair_of(coarse, target, pair_index(a, w)) += sum[w];
-  own_of(coarse, target, a) += sum[8];
+  if (lane < 8) add_to(coarse, shares.target[number], a, sum);
 }
 
 }  // namespace

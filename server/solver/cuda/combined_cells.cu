@@ -42,9 +42,9 @@ __device__ double combine(const ThreeIntegrals& of, const CombineWeights& weight
          (weights.stiffness1 * of.stiffness1 + weights.stiffness2 * of.stiffness2);
 }
 
-// As weights_of().
-__device__ void combine_cell(const Integrals& integrals, const Metric& metric, int64_t cell,
-                             const CellSquares<double>& combined) {
+__global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined) {
+  await_previous();
+  const int64_t cell = thread_index() < combined.cells ? thread_index() : -1;
   const CombineWeights weights = weights_of(metric, cell);
   if (cell < 0) return;
 #pragma unroll 7
@@ -55,19 +55,34 @@ __device__ void combine_cell(const Integrals& integrals, const Metric& metric, i
     own_of(combined, cell, a) = combine(integrals_of(integrals, cell, 28 + a, false), weights);
 }
 
-__global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined) {
-  await_previous();
-  const int64_t cell = thread_index() < combined.cells ? thread_index() : -1;
-  combine_cell(integrals, metric, cell, combined);
+// A cell's numbers are shared out among the warps of a block: so many each, one after the other.
+constexpr int kWarps = kThreads / 32;
+constexpr int kEach = CellSquares<float>::kNumbers / kWarps;
+constexpr int kPairsOfEach = 28 / kWarps;
+
+__device__ int number_of(int n) {
+  return n * kWarps + static_cast<int>(threadIdx.x / 32);
 }
 
-// Beside the kernel that combines all other cells, none of whose numbers this one needs or touches:
-// what it waits for is that it ends after it.
+// 32 cells a block. Beside the kernel that combines all other cells, none of whose numbers this one
+// needs or touches: what it waits for is that it ends after it.
 __global__ void combine_apart_kernel(Integrals integrals, Metric metric,
                                      CellSquares<double> combined, Shares shares) {
+  __shared__ CombineWeights weights[32];
   let_next_start();
-  const int64_t cell = thread_index() < shares.apart_count ? shares.apart[thread_index()] : -1;
-  combine_cell(integrals, metric, cell, combined);
+  const auto lane = static_cast<int32_t>(threadIdx.x % 32);
+  const int32_t i = static_cast<int32_t>(blockIdx.x) * 32 + lane;
+  const int64_t cell = shares.apart[min(i, shares.apart_count - 1)];
+  ThreeIntegrals loaded[kEach];
+#pragma unroll
+  for (int n = 0; n < kEach; ++n)
+    loaded[n] = integrals_of(integrals, cell, number_of(n), n < kPairsOfEach);
+  if (threadIdx.x < 32) weights[lane] = weights_of(metric, i < shares.apart_count ? cell : -1);
+  __syncthreads();
+#pragma unroll
+  for (int n = 0; n < kEach; ++n)
+    if (i < shares.apart_count)
+      combined.numbers[number_of(n) * combined.cells + cell] = combine(loaded[n], weights[lane]);
   await_previous();
 }
 
@@ -98,21 +113,18 @@ struct ChildNumbers {
 template <typename Load, typename Prepare, typename Make>
 __device__ void read_children(const Children& children, const uint8_t* octant, Load&& load,
                               Prepare&& prepare, Make&& make, ChildNumbers& read) {
-  constexpr int kWarps = kThreads / 32;
-  constexpr int kShare = CellSquares<float>::kNumbers / kWarps;
-  const auto number_of = [](int n) { return n * kWarps + static_cast<int>(threadIdx.x / 32); };
   for (int i = static_cast<int>(threadIdx.x); i < children.count; i += kThreads)
     read.octant[i] = octant[children.cell[i]];
   for (int first = 0; first < children.count; first += 32) {
     const int i = first + static_cast<int>(threadIdx.x % 32);
     const int64_t cell = children.cell[min(i, children.count - 1)];
-    decltype(load(cell, 0, true)) loaded[kShare];
+    decltype(load(cell, 0, true)) loaded[kEach];
 #pragma unroll
-    for (int n = 0; n < kShare; ++n) loaded[n] = load(cell, number_of(n), n < 28 / kWarps);
+    for (int n = 0; n < kEach; ++n) loaded[n] = load(cell, number_of(n), n < kPairsOfEach);
     if (first == 0) prepare();
     if (i >= children.count) continue;
 #pragma unroll
-    for (int n = 0; n < kShare; ++n)
+    for (int n = 0; n < kEach; ++n)
       read.numbers[number_of(n)][i] = static_cast<float>(make(i, cell, number_of(n), loaded[n]));
   }
   __syncthreads();
@@ -236,9 +248,8 @@ void combine_integrals(Stream& stream, const Integrals& integrals, const Metric&
                        const Topology& coarse, const CellSquares<float>& coarse_cells) {
   launch(stream, combine_and_down_sample_kernel, 8 * coarse_cells.cells, integrals, metric,
          combined, fine, coarse, coarse_cells);
-  launch(stream, combine_apart_kernel, coarse.shares.apart_count, integrals, metric, combined,
-         coarse.shares);
-  add_shares(stream, coarse.shares, combined, coarse_cells);
+  launch(stream, combine_apart_kernel, int64_t{kWarps} * coarse.shares.apart_count, integrals,
+         metric, combined, coarse.shares);
 }
 
 void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,

@@ -18,7 +18,7 @@ void combine_integrals(Stream& stream, const Integrals& integrals, const Metric&
                        const CellSquares<double>& combined);
 
 /// The same, and those of the next coarser depth, which for coarse depths need float32 only: they
-/// precondition.
+/// precondition. What they take beyond their children's is left to add_shares().
 void combine_integrals(Stream& stream, const Integrals& integrals, const Metric& metric,
                        const CellSquares<double>& combined, const Topology& fine,
                        const Topology& coarse, const CellSquares<float>& coarse_cells);

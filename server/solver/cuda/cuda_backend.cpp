@@ -5,6 +5,7 @@
 
 #include "server/solver/cuda/assembly.h"
 #include "server/solver/cuda/cell_field.h"
+#include "server/solver/cuda/cell_shares.h"
 #include "server/solver/cuda/coarsest.h"
 #include "server/solver/cuda/combined_cells.h"
 #include "server/solver/cuda/conjugate_gradients.h"
@@ -137,7 +138,8 @@ class CudaBackend final : public Backend {
   }
 
   // The matrices of all depths. A depth's combined integrals come from those of the one below,
-  // which is what the coarsest depth waits for; matrices and smoothers are made beside that.
+  // which is what the coarsest depth waits for; matrices and smoothers are made beside that. The
+  // finest matrix does not wait for the shares, but its smoother, which overwrites what they read.
   void assemble_all() {
     const CellSquares<double> combined = {combined_.data(), finest().topology.cell_count};
     const Metric metric = {alpha_.data(0), alpha_.data(1), mesh_->prepared->alpha_scale(),
@@ -150,11 +152,15 @@ class CudaBackend final : public Backend {
       CellSquares<float> cells = {coarse_combined_.data(), topology(1).cell_count};
       combine_integrals(stream_, mesh_->integrals(), metric, combined, topology(0), topology(1),
                         cells);
+      start_matrix(0, combined);
+      add_shares(stream_, topology(1).shares, combined, cells);
+      smoothers_.back()->fork();
       start_smoother(0, combined);
       for (size_t above = 2; above < depths_.size(); ++above) {
         const CellSquares<float> coarse = {cells.numbers + topology(above - 1).number_count,
                                            topology(above).cell_count};
         down_sample(stream_, topology(above - 1), topology(above), cells, coarse);
+        start_matrix(above - 1, cells);
         start_smoother(above - 1, cells);
         cells = coarse;
       }
@@ -169,15 +175,22 @@ class CudaBackend final : public Backend {
   const Depth& view(size_t above) const { return depths_[depths_.size() - 1 - above].view(); }
   const Topology& topology(size_t above) const { return view(above).topology; }
 
-  // From the depth's combined integrals, which are of no more use then: the smoother works in their
-  // place.
+  DepthSmoother& smoother_above(size_t above) { return *smoothers_[smoothers_.size() - 1 - above]; }
+
+  // From the depth's combined integrals, beside what else the stream does.
   template <typename Real>
-  void start_smoother(size_t above, const CellSquares<Real>& cells) {
-    DepthSmoother& smoother = *smoothers_[smoothers_.size() - 1 - above];
+  void start_matrix(size_t above, const CellSquares<Real>& cells) {
+    DepthSmoother& smoother = smoother_above(above);
     double* row_sum = above == 0 ? outer_->row_sum() : nullptr;
     assemble(smoother.fork(), cells, view(above), row_sum, smoother.probe(),
              pinned_below_.data() + above);
-    smoother.set_up({reinterpret_cast<float*>(cells.numbers), cells.cells}, anisotropy_.data());
+  }
+
+  // The combined integrals are of no more use then: the smoother works in their place.
+  template <typename Real>
+  void start_smoother(size_t above, const CellSquares<Real>& cells) {
+    smoother_above(above).set_up({reinterpret_cast<float*>(cells.numbers), cells.cells},
+                                 anisotropy_.data());
   }
 
   // Only the finest depth's product is to double's digits.

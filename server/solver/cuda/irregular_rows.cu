@@ -53,15 +53,37 @@ __device__ float entry_at(const Depth& depth, int32_t corner, int p) {
   return value_of(depth.system.packed[row_begin(depth.topology.rows, corner) + kSliceRows * p]);
 }
 
-// Sum number `sum` of the numbers below `numbers_end`, the first `step` th of them only.
-__device__ float add_sources(const Irregular& irregular, int64_t sum, const float* numbers,
-                             int32_t numbers_end, int first, int step) {
-  float total = 0;
-  const int64_t end = irregular.source_start[sum + 1];
-  for (int64_t k = irregular.source_start[sum] + first; k < end; k += step)
-    if (irregular.source[k] < numbers_end) total += numbers[irregular.source[k]];
-  return total;
-}
+// A sum of listed numbers, every `step` th of them, of which the first are known beforehand.
+class ListedSum {
+ public:
+  __device__ ListedSum(const Irregular& irregular, int64_t sum, int first, int step)
+      : source_(irregular.source),
+        next_(irregular.source_start[sum] + first),
+        end_(irregular.source_start[sum + 1]),
+        step_(step) {
+#pragma unroll
+    for (int j = 0; j < kAhead; ++j, next_ += step_) ahead_[j] = next_ < end_ ? source_[next_] : -1;
+  }
+
+  /// Of the numbers before `number_count` only.
+  __device__ float of(const float* numbers, int32_t number_count) const {
+    float total = 0;
+#pragma unroll
+    for (int j = 0; j < kAhead; ++j)
+      if (ahead_[j] >= 0 && ahead_[j] < number_count) total += numbers[ahead_[j]];
+    for (int64_t k = next_; k < end_; k += step_)
+      if (source_[k] < number_count) total += numbers[source_[k]];
+    return total;
+  }
+
+ private:
+  static constexpr int kAhead = 4;
+
+  const int32_t* source_;
+  int64_t next_, end_;
+  int step_;
+  int32_t ahead_[kAhead];
+};
 
 __device__ float sum_of_warp(float number) {
   for (int offset = 16; offset > 0; offset /= 2)
@@ -75,24 +97,28 @@ __device__ float4 sum_of_warp(float4 vector) {
 
 __global__ void assemble_rows_kernel(Depth depth, const float* numbers, const float4* probe,
                                      const float* pinned_below) {
-  await_previous();
-  const Irregular& irregular = depth.topology.irregular;
+  let_next_start();
+  const Topology& topology = depth.topology;
   const int64_t number = thread_index() / 32;
+  if (number >= topology.irregular.row_count) return;
+  const Row row = row_of_warp(topology.irregular, number);
   const auto lane = static_cast<int>(threadIdx.x % 32);
-  if (number >= irregular.row_count) return;
-  const Row row = row_of_warp(irregular, number);
-  const auto all = static_cast<int32_t>(depth.topology.number_count);
-  float sum = add_sources(irregular, row.first_sum + row.count, numbers, all, lane, 32);
+  const auto all = static_cast<int32_t>(topology.number_count);
+  const ListedSum own(topology.irregular, row.first_sum + row.count, lane, 32);
+  float sum = 0;
   float4 product = zero4();
   for (int p = lane; p < row.count; p += 32) {
-    const float entry = add_sources(irregular, row.first_sum + p, numbers, all, 0, 1);
-    const Place place = place_of(depth.topology.rows, row.corner, p);
+    const ListedSum listed(topology.irregular, row.first_sum + p, 0, 1);
+    const Place place = place_of(topology.rows, row.corner, p);
+    if (p == lane) await_previous();
+    const float entry = listed.of(numbers, all);
     const float stored = store(depth.system, place, entry);
     if (depth.rest != nullptr && place.is_packed) depth.rest[place.at] = entry - stored;
     if (probe != nullptr) product = product + stored * probe[place.column];
     sum -= entry;
   }
-  const float diagonal = sum_of_warp(sum);
+  await_previous();
+  const float diagonal = sum_of_warp(sum + own.of(numbers, all));
   product = sum_of_warp(product);
   if (lane != 0) return;
   depth.system.diagonal[row.corner] = diagonal;
@@ -101,13 +127,14 @@ __global__ void assemble_rows_kernel(Depth depth, const float* numbers, const fl
 }
 
 __global__ void invert_irregular_kernel(Depth depth, CellSquares<float> inverses) {
-  await_previous();
+  let_next_start();
   const Irregular& irregular = depth.topology.irregular;
   const int64_t number = thread_index();
   if (number >= irregular.cell_count) return;
   const int32_t cell = irregular.cell[number];
   const PairEntries entries = irregular.entry[number];
   const Eight corners = depth.topology.cell_corners[cell];
+  await_previous();
   float block[8][8];
   const auto entry_of = [&](int a, int b) {
     return entry_at(depth, corners.at[a], entries.at[pair_index(a, b)]);
@@ -120,26 +147,29 @@ __global__ void invert_irregular_kernel(Depth depth, CellSquares<float> inverses
 // The numbers of cells alone: M⁻¹ has no part for ties.
 __global__ void inverse_rows_kernel(Depth depth, CellSquares<float> inverses, Matrix inverse,
                                     const float4* vector, float4* next) {
-  await_previous();
-  const Irregular& irregular = depth.topology.irregular;
+  let_next_start();
+  const Topology& topology = depth.topology;
   const int64_t number = thread_index() / 32;
+  if (number >= topology.irregular.row_count) return;
+  const Row row = row_of_warp(topology.irregular, number);
   const auto lane = static_cast<int>(threadIdx.x % 32);
-  if (number >= irregular.row_count) return;
-  const Row row = row_of_warp(irregular, number);
   const auto of_cells = static_cast<int32_t>(inverses.kNumbers * inverses.cells);
-  const float here = sqrtf(depth.inverse_diagonal[row.corner]);
-  const float own = sum_of_warp(
-      add_sources(irregular, row.first_sum + row.count, inverses.numbers, of_cells, lane, 32));
+  const ListedSum own(topology.irregular, row.first_sum + row.count, lane, 32);
   float4 product = zero4();
   for (int p = lane; p < row.count; p += 32) {
-    const Place place = place_of(depth.topology.rows, row.corner, p);
-    const float value = add_sources(irregular, row.first_sum + p, inverses.numbers, of_cells, 0, 1);
-    const float there = sqrtf(depth.inverse_diagonal[place.column]);
-    product = product + store(inverse, place, value * here * there) * vector[place.column];
+    const ListedSum listed(topology.irregular, row.first_sum + p, 0, 1);
+    const Place place = place_of(topology.rows, row.corner, p);
+    if (p == lane) await_previous();
+    const float scale =
+        sqrtf(depth.inverse_diagonal[row.corner]) * sqrtf(depth.inverse_diagonal[place.column]);
+    const float stored = store(inverse, place, listed.of(inverses.numbers, of_cells) * scale);
+    product = product + stored * vector[place.column];
   }
+  await_previous();
+  const float diagonal =
+      sum_of_warp(own.of(inverses.numbers, of_cells)) * depth.inverse_diagonal[row.corner];
   product = sum_of_warp(product);
   if (lane != 0) return;
-  const float diagonal = own * here * here;
   inverse.diagonal[row.corner] = diagonal;
   next[row.corner] = product + diagonal * vector[row.corner];
 }

@@ -22,7 +22,8 @@ class LongPart {
   __device__ float4 added_to(float4 product) const { return product; }
 };
 
-/// An entry for each thread at first, four for each from then on.
+/// By chunks of four entries for each thread. Of the first chunk all but the vector's numbers waits
+/// in the block's room, and each thread's first number comes together with the tile's.
 template <>
 class LongPart<true> {
  public:
@@ -34,26 +35,25 @@ class LongPart<true> {
         end_(rows.start[part.group.first + part.group.count]),
         own_begin_(part.corner >= 0 ? rows.start[part.corner] : end_),
         own_end_(part.corner >= 0 ? rows.start[part.corner + 1] : end_) {
-    const int32_t k = begin_ + static_cast<int32_t>(threadIdx.x);
-    column_ = k < end_ ? rows.column[k] : 0;
-    entry_ = k < end_ ? entries[k] : 0;
+    fetch_chunk(begin_);
   }
 
-  /// Before the tile is filled, so that all loads are under way together.
+  /// Before the tile is filled.
   __device__ void start(const float4* x) {
-    if (begin_ < end_) there_ = x[column_];
+    if (begin_ + static_cast<int32_t>(threadIdx.x) < end_)
+      there_ = x[__float_as_int(room()[threadIdx.x].w)];
   }
   /// Afterwards. Every thread of the block calls it.
   __device__ void finish(const float4* x) {
     if (begin_ == end_) return;
-    room()[threadIdx.x] = entry_ * there_;
-    __syncthreads();
-    add_own(begin_, kThreads);
-    for (int32_t first = begin_ + kThreads; first < end_; first += kRoom) {
+    room()[threadIdx.x] = room()[threadIdx.x].x * there_;
+    multiply_chunk(x, begin_, 1);
+    add_own(begin_);
+    for (int32_t first = begin_ + kRoom; first < end_; first += kRoom) {
       __syncthreads();
-      multiply_chunk(x, first);
-      __syncthreads();
-      add_own(first, kRoom);
+      fetch_chunk(first);
+      multiply_chunk(x, first, 0);
+      add_own(first);
     }
   }
   __device__ float4 added_to(float4 product) const { return product + sum_; }
@@ -66,17 +66,25 @@ class LongPart<true> {
     __shared__ float4 room[kRoom];
     return room;
   }
+  // The thread's entry j of a chunk.
+  __device__ static int32_t own(int j) { return static_cast<int32_t>(threadIdx.x) + j * kThreads; }
 
-  __device__ void multiply_chunk(const float4* x, int32_t first) const {
-#pragma unroll
-    for (int j = 0; j < kEach; ++j) {
-      const int32_t at = static_cast<int32_t>(threadIdx.x) + j * kThreads;
-      if (first + at < end_) room()[at] = entries_[first + at] * x[rows_.column[first + at]];
-    }
+  __device__ void fetch_chunk(int32_t first) const {
+    for (int j = 0; j < kEach && first + own(j) < end_; ++j)
+      room()[own(j)] = {entries_[first + own(j)], 0, 0,
+                        __int_as_float(rows_.column[first + own(j)])};
   }
 
-  __device__ void add_own(int32_t first, int32_t count) {
-    const int32_t stop = min(own_end_ - first, count);
+  // The thread's entries from `from` on.
+  __device__ void multiply_chunk(const float4* x, int32_t first, int from) const {
+    for (int j = from; j < kEach && first + own(j) < end_; ++j)
+      room()[own(j)] = room()[own(j)].x * x[__float_as_int(room()[own(j)].w)];
+    __syncthreads();
+  }
+
+  __device__ void add_own(int32_t first) {
+    const int32_t stop = min(own_end_ - first, kRoom);
+#pragma unroll 4
     for (int32_t k = max(own_begin_ - first, 0); k < stop; ++k) sum_ = sum_ + room()[k];
   }
 
@@ -84,8 +92,6 @@ class LongPart<true> {
   const float* entries_;
   int32_t begin_, end_;          // of the group's entries
   int32_t own_begin_, own_end_;  // of the thread's row
-  int32_t column_;
-  float entry_;
   float4 there_ = {0, 0, 0, 0}, sum_ = {0, 0, 0, 0};
 };
 
