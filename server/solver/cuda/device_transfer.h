@@ -20,7 +20,7 @@ class DeviceTransfer {
   DeviceArray<FromCell> prolongation_;
   DeviceArray<int64_t> restriction_start_;
   DeviceArray<uint32_t> restriction_;
-  DeviceArray<int32_t> shared_start_, shared_corner_, rest_start_, rest_corner_;
+  DeviceArray<int32_t> shared_, shared_start_, shared_from_, rest_start_, rest_corner_;
   DeviceArray<float> shared_weight_, rest_weight_;
 };
 

@@ -53,7 +53,8 @@ __device__ float entry_at(const Depth& depth, int32_t corner, int p) {
   return value_of(depth.system.packed[row_begin(depth.topology.rows, corner) + kSliceRows * p]);
 }
 
-// A sum of listed numbers, every `step` th of them, of which the first are known beforehand.
+// A sum of listed numbers, every `step` th of them. The places of the first few are found at once,
+// which may come before await_previous().
 class ListedSum {
  public:
   __device__ ListedSum(const Irregular& irregular, int64_t sum, int first, int step)
@@ -61,28 +62,39 @@ class ListedSum {
         next_(irregular.source_start[sum] + first),
         end_(irregular.source_start[sum + 1]),
         step_(step) {
-#pragma unroll
-    for (int j = 0; j < kAhead; ++j, next_ += step_) ahead_[j] = next_ < end_ ? source_[next_] : -1;
+    fetch();
   }
 
   /// Of the numbers before `number_count` only.
-  __device__ float of(const float* numbers, int32_t number_count) const {
-    float total = 0;
-#pragma unroll
-    for (int j = 0; j < kAhead; ++j)
-      if (ahead_[j] >= 0 && ahead_[j] < number_count) total += numbers[ahead_[j]];
-    for (int64_t k = next_; k < end_; k += step_)
-      if (source_[k] < number_count) total += numbers[source_[k]];
+  __device__ float of(const float* numbers, int32_t number_count) {
+    float total = sum_of_fetched(numbers, number_count);
+    while (next_ < end_) {
+      fetch();
+      total += sum_of_fetched(numbers, number_count);
+    }
     return total;
   }
 
  private:
   static constexpr int kAhead = 4;
 
+  __device__ void fetch() {
+#pragma unroll
+    for (int j = 0; j < kAhead; ++j, next_ += step_) place_[j] = next_ < end_ ? source_[next_] : -1;
+  }
+
+  __device__ float sum_of_fetched(const float* numbers, int32_t number_count) const {
+    float total = 0;
+#pragma unroll
+    for (int j = 0; j < kAhead; ++j)
+      total += place_[j] >= 0 && place_[j] < number_count ? numbers[place_[j]] : 0;
+    return total;
+  }
+
   const int32_t* source_;
   int64_t next_, end_;
   int step_;
-  int32_t ahead_[kAhead];
+  int32_t place_[kAhead];
 };
 
 __device__ float sum_of_warp(float number) {
@@ -104,11 +116,11 @@ __global__ void assemble_rows_kernel(Depth depth, const float* numbers, const fl
   const Row row = row_of_warp(topology.irregular, number);
   const auto lane = static_cast<int>(threadIdx.x % 32);
   const auto all = static_cast<int32_t>(topology.number_count);
-  const ListedSum own(topology.irregular, row.first_sum + row.count, lane, 32);
+  ListedSum own(topology.irregular, row.first_sum + row.count, lane, 32);
   float sum = 0;
   float4 product = zero4();
   for (int p = lane; p < row.count; p += 32) {
-    const ListedSum listed(topology.irregular, row.first_sum + p, 0, 1);
+    ListedSum listed(topology.irregular, row.first_sum + p, 0, 1);
     const Place place = place_of(topology.rows, row.corner, p);
     if (p == lane) await_previous();
     const float entry = listed.of(numbers, all);
@@ -154,10 +166,10 @@ __global__ void inverse_rows_kernel(Depth depth, CellSquares<float> inverses, Ma
   const Row row = row_of_warp(topology.irregular, number);
   const auto lane = static_cast<int>(threadIdx.x % 32);
   const auto of_cells = static_cast<int32_t>(inverses.kNumbers * inverses.cells);
-  const ListedSum own(topology.irregular, row.first_sum + row.count, lane, 32);
+  ListedSum own(topology.irregular, row.first_sum + row.count, lane, 32);
   float4 product = zero4();
   for (int p = lane; p < row.count; p += 32) {
-    const ListedSum listed(topology.irregular, row.first_sum + p, 0, 1);
+    ListedSum listed(topology.irregular, row.first_sum + p, 0, 1);
     const Place place = place_of(topology.rows, row.corner, p);
     if (p == lane) await_previous();
     const float scale =

@@ -30,12 +30,16 @@ void launch_blocks(Stream& stream, void (*kernel)(Params...), dim3 blocks, dim3 
                "starting a kernel");
 }
 
+/// How many blocks have a thread for each of `count` items.
+inline unsigned block_count(int64_t count) {
+  return static_cast<unsigned>((count + kThreads - 1) / kThreads);
+}
+
 /// Starts one thread for each of `count` items.
 template <typename... Params, typename... Args>
 void launch(Stream& stream, void (*kernel)(Params...), int64_t count, Args... args) {
   if (count > 0)
-    launch_blocks(stream, kernel, dim3(static_cast<unsigned>((count + kThreads - 1) / kThreads)),
-                  dim3(kThreads), 0, args...);
+    launch_blocks(stream, kernel, dim3(block_count(count)), dim3(kThreads), 0, args...);
 }
 
 /// Lets the kernel after this one come up. The first statement of a kernel that has something to do

@@ -23,7 +23,7 @@ class LongPart {
 };
 
 /// By chunks of four entries for each thread. Of the first chunk all but the vector's numbers waits
-/// in the block's room, and each thread's first number comes together with the tile's.
+/// in the block's room; each thread's first number comes together with the tile's.
 template <>
 class LongPart<true> {
  public:
@@ -40,19 +40,18 @@ class LongPart<true> {
 
   /// Before the tile is filled.
   __device__ void start(const float4* x) {
-    if (begin_ + static_cast<int32_t>(threadIdx.x) < end_)
-      there_ = x[__float_as_int(room()[threadIdx.x].w)];
+    if (begin_ + own(0) < end_) first_there_ = x[__float_as_int(room()[own(0)].w)];
   }
   /// Afterwards. Every thread of the block calls it.
   __device__ void finish(const float4* x) {
     if (begin_ == end_) return;
-    room()[threadIdx.x] = room()[threadIdx.x].x * there_;
-    multiply_chunk(x, begin_, 1);
+    room()[own(0)] = room()[own(0)].x * first_there_;
+    if (begin_ + kThreads < end_) multiply_chunk<1>(x, begin_);
     add_own(begin_);
     for (int32_t first = begin_ + kRoom; first < end_; first += kRoom) {
       __syncthreads();
       fetch_chunk(first);
-      multiply_chunk(x, first, 0);
+      multiply_chunk<0>(x, first);
       add_own(first);
     }
   }
@@ -66,7 +65,7 @@ class LongPart<true> {
     __shared__ float4 room[kRoom];
     return room;
   }
-  // The thread's entry j of a chunk.
+  // The place of the thread's entry j of a chunk.
   __device__ static int32_t own(int j) { return static_cast<int32_t>(threadIdx.x) + j * kThreads; }
 
   __device__ void fetch_chunk(int32_t first) const {
@@ -75,14 +74,20 @@ class LongPart<true> {
                         __int_as_float(rows_.column[first + own(j)])};
   }
 
-  // The thread's entries from `from` on.
-  __device__ void multiply_chunk(const float4* x, int32_t first, int from) const {
-    for (int j = from; j < kEach && first + own(j) < end_; ++j)
-      room()[own(j)] = room()[own(j)].x * x[__float_as_int(room()[own(j)].w)];
-    __syncthreads();
+  // The thread's entries from kFrom on.
+  template <int kFrom>
+  __device__ void multiply_chunk(const float4* x, int32_t first) const {
+    float4 there[kEach];
+#pragma unroll
+    for (int j = kFrom; j < kEach; ++j)
+      if (first + own(j) < end_) there[j] = x[__float_as_int(room()[own(j)].w)];
+#pragma unroll
+    for (int j = kFrom; j < kEach; ++j)
+      if (first + own(j) < end_) room()[own(j)] = room()[own(j)].x * there[j];
   }
 
   __device__ void add_own(int32_t first) {
+    __syncthreads();
     const int32_t stop = min(own_end_ - first, kRoom);
 #pragma unroll 4
     for (int32_t k = max(own_begin_ - first, 0); k < stop; ++k) sum_ = sum_ + room()[k];
@@ -92,7 +97,7 @@ class LongPart<true> {
   const float* entries_;
   int32_t begin_, end_;          // of the group's entries
   int32_t own_begin_, own_end_;  // of the thread's row
-  float4 there_ = {0, 0, 0, 0}, sum_ = {0, 0, 0, 0};
+  float4 first_there_ = {0, 0, 0, 0}, sum_ = {0, 0, 0, 0};
 };
 
 }  // namespace burnish::cuda

@@ -60,7 +60,7 @@ struct CellSquares {
   int64_t cells;
 };
 
-/// DepthTransfer::FromCell; of a shared corner the cell is -1 less its number among them.
+/// DepthTransfer::FromCell; of a shared corner the cell is -1.
 struct FromCell {
   int32_t cell;
   uint8_t place;
@@ -80,6 +80,13 @@ struct VertexPlace {
 };
 
 inline constexpr int kSliceRows = 32;
+
+/// DepthTransfer::SharedCorners.
+struct SharedCorners {
+  int32_t count;
+  const int32_t* corner;
+  WeightedCorners from;
+};
 
 /// What rows have beyond kEntriesMax entries (packed.h): see long_rows.h. Null where none has any.
 struct LongRows {
@@ -157,8 +164,8 @@ struct Topology {
   const int32_t* child;
   const FromCell* prolongation;  ///< null at the coarsest depth, as the next two
   const int64_t* restriction_start;
-  const uint32_t* restriction;       ///< packed.h
-  WeightedCorners shared;            ///< of this depth's shared corners
+  const uint32_t* restriction;  ///< packed.h
+  SharedCorners shared;
   WeightedCorners restriction_rest;  ///< of coarse corners: what cannot be packed
   Irregular irregular;
   Shares shares;  ///< of this depth's numbers
