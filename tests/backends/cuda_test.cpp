@@ -172,25 +172,53 @@ TEST_F(OnADevice, EditAfterEditEndsWhereTheCpuDoes) {
     ASSERT_LE((on_cpu[v] - on_cuda[v]).norm(), 2e-6 * diagonal) << "vertex " << v;
 }
 
-// Hundreds of separate pieces keep hundreds of coarsest corners: the direct solve of the host.
-TEST_F(OnADevice, ManySeparatePiecesSettle) {
+void append(const TriangleMesh& piece, const Vec3d& at, TriangleMesh& mesh) {
+  const auto first = static_cast<uint32_t>(mesh.vertices.size());
+  for (const Vec3d& vertex : piece.vertices) mesh.vertices.push_back(vertex + at);
+  for (const Triangle& t : piece.triangles)
+    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+TriangleMesh separate_pieces() {
   TriangleMesh mesh;
   const TriangleMesh piece = generate_scan({.kind = "icosphere", .vertices = 12}).value();
-  for (int i = 0; i < 512; ++i) {
-    const Vec3d at = 4 * Vec3d(i % 8, i / 8 % 8, i / 64);
-    const auto first = static_cast<uint32_t>(mesh.vertices.size());
-    for (const Vec3d& vertex : piece.vertices) mesh.vertices.push_back(vertex + at);
-    for (const Triangle& t : piece.triangles)
-      mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
+  for (int i = 0; i < 512; ++i) append(piece, 4 * Vec3d(i % 8, i / 8 % 8, i / 64), mesh);
+  return mesh;
+}
+
+// The same below a tablet, which has sheets of its own.
+TriangleMesh separate_pieces_and_a_tablet() {
+  TriangleMesh mesh = separate_pieces();
+  TriangleMesh tablet = generate_scan({.kind = "tablet", .vertices = 20000}).value();
+  const double scale = 28 / compute_statistics(tablet).diagonal();
+  for (Vec3d& vertex : tablet.vertices) vertex *= scale;
+  append(tablet, Vec3d(0, 0, 30), mesh);
+  return mesh;
+}
+
+double between_cpu_and_cuda_settled(const TriangleMesh& mesh) {
   const auto settled = [&](BackendKind backend) {
     Filtered filtered(mesh, 6, {.backend = backend});
-    return filtered.alpha(5).beta(0.5).settled();
+    return filtered.alpha(5).beta(0.5).exact();
   };
   const auto on_cpu = settled(BackendKind::kCpu), on_cuda = settled(BackendKind::kCuda);
-  const double diagonal = compute_statistics(mesh).diagonal();
-  for (size_t v = 0; v < on_cpu.size(); ++v)
-    ASSERT_LE((on_cpu[v] - on_cuda[v]).norm(), 2e-5 * diagonal) << "vertex " << v;
+  double most = 0;
+  for (size_t v = 0; v < on_cpu.size(); ++v) most = std::max(most, (on_cpu[v] - on_cuda[v]).norm());
+  return most / compute_statistics(mesh).diagonal();
+}
+
+// Hundreds of separate pieces keep hundreds of coarsest corners: the direct solve of the host.
+TEST_F(OnADevice, ManySeparatePiecesSettle) {
+  EXPECT_LE(between_cpu_and_cuda_settled(separate_pieces()), 2e-5);
+  EXPECT_LE(between_cpu_and_cuda_settled(separate_pieces_and_a_tablet()), 2e-5);
+}
+
+TEST(SheetsApart, OfManyPiecesReachTheHostsDirectSolve) {
+  const auto prepared = prepare(separate_pieces_and_a_tablet(), {.depth = 6}).value();
+  const auto hierarchy = make_hierarchy(*prepared);
+  const HierarchyDepth& coarsest = hierarchy->depths.front();
+  EXPECT_GT(coarsest.grid.corner_count(), 2048);
+  EXPECT_GT(coarsest.stencil.irregular.count(), 0);
 }
 
 TEST_F(OnADevice, WhatIsReadOutIsWhatTheCpuHas) {

@@ -2,7 +2,7 @@
 
 #include "server/solver/cuda/packed_restriction.h"
 
-#include <algorithm>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -11,52 +11,52 @@
 namespace burnish::cuda {
 namespace {
 
-// Two coarse corners, of which the first gathers more fine ones than are packed.
-DepthTransfer a_transfer() {
+using Row = std::vector<std::pair<int32_t, float>>;
+
+// A row for each list of weights, of fine corners 10, 11, 12, ...
+DepthTransfer transfer_of(const std::vector<std::vector<float>>& weights) {
   DepthTransfer transfer;
-  for (int32_t i = 0; i < kRestrictionMax + 2; ++i) {
-    transfer.restriction_corner.push_back(i);
-    transfer.restriction_weight.push_back(0.25f);
+  transfer.restriction_start = {0};
+  for (const std::vector<float>& row : weights) {
+    for (const float weight : row) {
+      transfer.restriction_corner.push_back(
+          static_cast<int32_t>(10 + transfer.restriction_corner.size()));
+      transfer.restriction_weight.push_back(weight);
+    }
+    transfer.restriction_start.push_back(static_cast<int64_t>(transfer.restriction_corner.size()));
   }
-  transfer.restriction_weight[3] = 0.3f;
-  for (const float weight : {1.0f, 0.5f, 0.25f, 0.125f, 0.0625f, 2.0f}) {
-    transfer.restriction_corner.push_back(100);
-    transfer.restriction_weight.push_back(weight);
-  }
-  const auto all = static_cast<int64_t>(transfer.restriction_corner.size());
-  transfer.restriction_start = {0, all - 6, all};
   return transfer;
 }
 
-TEST(PackedRestriction, HasEveryEntryOnceInItsRow) {
+// Whole weights, a row of a shared corner, one that is too long, another of whole weights.
+DepthTransfer a_transfer() {
+  return transfer_of({{1, 0.5f, 0.25f, 0.125f},
+                      {1, 0.3f},
+                      std::vector<float>(kRestrictionMax + 1, 0.5f),
+                      std::vector<float>(kRestrictionMax, 0.125f)});
+}
+
+TEST(PackedRestriction, ListsRowsThatDoNotFit) {
+  const PackedRestriction packed = pack_restriction(a_transfer());
+  EXPECT_EQ(packed.listed, (std::vector<int32_t>{1, 2}));
+  EXPECT_EQ(packed.listed_start, (std::vector<int32_t>{0, 2, 3 + kRestrictionMax}));
+  EXPECT_EQ(packed.start, (std::vector<int64_t>{0, 4, 4, 4, 4 + kRestrictionMax}));
+}
+
+TEST(PackedRestriction, HasEveryEntryOfEveryRow) {
   const DepthTransfer transfer = a_transfer();
   const PackedRestriction packed = pack_restriction(transfer);
-  for (int row = 0; row < 2; ++row) {
-    std::vector<std::pair<int32_t, float>> expected, found;
+  std::vector<Row> expected(4), found(4);
+  for (int row = 0; row < 4; ++row) {
     for (auto k = transfer.restriction_start[row]; k < transfer.restriction_start[row + 1]; ++k)
-      expected.emplace_back(transfer.restriction_corner[k], transfer.restriction_weight[k]);
+      expected[row].emplace_back(transfer.restriction_corner[k], transfer.restriction_weight[k]);
     for (auto k = packed.start[row]; k < packed.start[row + 1]; ++k)
-      found.emplace_back(corner_of(packed.packed[k]), weight_of(packed.packed[k]));
-    for (auto k = packed.rest_start[row]; k < packed.rest_start[row + 1]; ++k)
-      found.emplace_back(packed.rest_corner[k], packed.rest_weight[k]);
-    std::ranges::sort(expected);
-    std::ranges::sort(found);
-    EXPECT_EQ(found, expected) << "row " << row;
+      found[row].emplace_back(corner_of(packed.packed[k]), weight_of(packed.packed[k]));
   }
-}
-
-TEST(PackedRestriction, LeavesWhatDoesNotFit) {
-  const PackedRestriction packed = pack_restriction(a_transfer());
-  EXPECT_EQ(packed.start, (std::vector<int64_t>{0, kRestrictionMax, kRestrictionMax + 4}));
-  EXPECT_EQ(packed.rest_weight, (std::vector<float>{0.3f, 0.25f, 0.0625f, 2.0f}));
-}
-
-TEST(PackedRestriction, OfWholeWeightsHasNoRest) {
-  DepthTransfer transfer;
-  transfer.restriction_start = {0, 2};
-  transfer.restriction_corner = {0, 1};
-  transfer.restriction_weight = {1, 0.125f};
-  EXPECT_TRUE(pack_restriction(transfer).rest_start.empty());
+  for (size_t n = 0; n < packed.listed.size(); ++n)
+    for (auto k = packed.listed_start[n]; k < packed.listed_start[n + 1]; ++k)
+      found[packed.listed[n]].emplace_back(packed.listed_from[k], packed.listed_weight[k]);
+  EXPECT_EQ(found, expected);
 }
 
 }  // namespace

@@ -14,31 +14,23 @@ DeviceTransfer::DeviceTransfer(Stream& stream, const DepthTransfer& transfer) {
   const PackedRestriction restriction = pack_restriction(transfer);
   restriction_start_ = {stream, restriction.start};
   restriction_ = {stream, restriction.packed};
-  rest_start_ = {stream, restriction.rest_start};
-  rest_corner_ = {stream, restriction.rest_corner};
-  rest_weight_ = {stream, restriction.rest_weight};
-  if (transfer.shared.count() == 0) return;
-  shared_ = {stream, transfer.shared.corner};
-  shared_start_ = {stream, transfer.shared.start};
-  shared_from_ = {stream, transfer.shared.coarse_corner};
-  shared_weight_ = {stream, transfer.shared.weight};
+  listed_ = {stream, restriction.listed, restriction.listed_start, restriction.listed_from,
+             restriction.listed_weight};
+  const DepthTransfer::SharedCorners& shared = transfer.shared;
+  shared_ = {stream, shared.corner, shared.start, shared.coarse_corner, shared.weight};
 }
 
 void DeviceTransfer::put_into(Topology& topology) const {
   topology.prolongation = prolongation_.data();
   topology.restriction_start = restriction_start_.data();
   topology.restriction = restriction_.data();
-  topology.restriction_rest = {rest_start_.data(), rest_corner_.data(), rest_weight_.data()};
-  topology.shared = {static_cast<int32_t>(shared_.size()),
-                     shared_.data(),
-                     {shared_start_.data(), shared_from_.data(), shared_weight_.data()}};
+  topology.shared = shared_.view();
+  topology.listed = listed_.view();
 }
 
 uint64_t DeviceTransfer::byte_count() const {
   return prolongation_.byte_count() + restriction_start_.byte_count() + restriction_.byte_count() +
-         shared_.byte_count() + shared_start_.byte_count() + shared_from_.byte_count() +
-         shared_weight_.byte_count() + rest_start_.byte_count() + rest_corner_.byte_count() +
-         rest_weight_.byte_count();
+         shared_.byte_count() + listed_.byte_count();
 }
 
 }  // namespace burnish::cuda

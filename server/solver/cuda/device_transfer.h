@@ -6,6 +6,30 @@
 
 namespace burnish::cuda {
 
+class DeviceListedCorners {
+ public:
+  DeviceListedCorners() = default;
+  DeviceListedCorners(Stream& stream, const std::vector<int32_t>& corner,
+                      const std::vector<int32_t>& start, const std::vector<int32_t>& from,
+                      const std::vector<float>& weight)
+      : corner_(stream, corner),
+        start_(stream, start),
+        from_(stream, from),
+        weight_(stream, weight) {}
+
+  ListedCorners view() const {
+    return {static_cast<int32_t>(corner_.size()), corner_.data(), start_.data(), from_.data(),
+            weight_.data()};
+  }
+  uint64_t byte_count() const {
+    return corner_.byte_count() + start_.byte_count() + from_.byte_count() + weight_.byte_count();
+  }
+
+ private:
+  DeviceArray<int32_t> corner_, start_, from_;
+  DeviceArray<float> weight_;
+};
+
 /// A depth's DepthTransfer on the device: nothing of the coarsest.
 class DeviceTransfer {
  public:
@@ -20,8 +44,7 @@ class DeviceTransfer {
   DeviceArray<FromCell> prolongation_;
   DeviceArray<int64_t> restriction_start_;
   DeviceArray<uint32_t> restriction_;
-  DeviceArray<int32_t> shared_, shared_start_, shared_from_, rest_start_, rest_corner_;
-  DeviceArray<float> shared_weight_, rest_weight_;
+  DeviceListedCorners shared_, listed_;
 };
 
 }  // namespace burnish::cuda

@@ -32,9 +32,10 @@ class LongPart<true> {
       : rows_(rows),
         entries_(entries),
         begin_(rows.start[part.group.first]),
-        end_(rows.start[part.group.first + part.group.count]),
-        own_begin_(part.corner >= 0 ? rows.start[part.corner] : end_),
-        own_end_(part.corner >= 0 ? rows.start[part.corner + 1] : end_) {
+        end_(rows.start[part.group.first + part.group.count]) {
+    const bool has_any = begin_ < end_ && part.corner >= 0;
+    own_begin_ = has_any ? rows.start[part.corner] : end_;
+    own_end_ = has_any ? rows.start[part.corner + 1] : end_;
     fetch_chunk(begin_);
   }
 

@@ -1,5 +1,7 @@
 #include "server/solver/cuda/packed_restriction.h"
 
+#include <algorithm>
+
 #include "server/solver/cuda/packed.h"
 
 namespace burnish::cuda {
@@ -11,26 +13,40 @@ static int halvings_of(float weight) {
   return -1;
 }
 
+static void pack_row(const DepthTransfer& transfer, int64_t begin, int64_t end,
+                     PackedRestriction& result) {
+  for (int64_t k = begin; k < end; ++k)
+    result.packed.push_back(
+        pack_restriction(transfer.restriction_corner[k],
+                         static_cast<uint32_t>(halvings_of(transfer.restriction_weight[k]))));
+}
+
+static void list_row(const DepthTransfer& transfer, int64_t begin, int64_t end,
+                     PackedRestriction& result) {
+  result.listed_from.insert(result.listed_from.end(), transfer.restriction_corner.begin() + begin,
+                            transfer.restriction_corner.begin() + end);
+  result.listed_weight.insert(result.listed_weight.end(),
+                              transfer.restriction_weight.begin() + begin,
+                              transfer.restriction_weight.begin() + end);
+  result.listed_start.push_back(static_cast<int32_t>(result.listed_from.size()));
+}
+
 PackedRestriction pack_restriction(const DepthTransfer& transfer) {
   PackedRestriction result;
   result.packed.reserve(transfer.restriction_corner.size());
-  for (size_t row = 0; row < transfer.restriction_start.size(); ++row) {
+  result.start = {0};
+  result.listed_start = {0};
+  for (size_t row = 0; row + 1 < transfer.restriction_start.size(); ++row) {
+    const int64_t begin = transfer.restriction_start[row],
+                  end = transfer.restriction_start[row + 1];
+    const bool fits = end - begin <= kRestrictionMax &&
+                      std::all_of(transfer.restriction_weight.begin() + begin,
+                                  transfer.restriction_weight.begin() + end,
+                                  [](float weight) { return halvings_of(weight) >= 0; });
+    if (!fits) result.listed.push_back(static_cast<int32_t>(row));
+    (fits ? pack_row : list_row)(transfer, begin, end, result);
     result.start.push_back(static_cast<int64_t>(result.packed.size()));
-    result.rest_start.push_back(static_cast<int32_t>(result.rest_corner.size()));
-    if (row + 1 == transfer.restriction_start.size()) break;
-    int room = kRestrictionMax;
-    for (auto k = transfer.restriction_start[row]; k < transfer.restriction_start[row + 1]; ++k) {
-      const int halvings = halvings_of(transfer.restriction_weight[k]);
-      if (halvings >= 0 && room-- > 0) {
-        result.packed.push_back(
-            pack_restriction(transfer.restriction_corner[k], static_cast<uint32_t>(halvings)));
-      } else {
-        result.rest_corner.push_back(transfer.restriction_corner[k]);
-        result.rest_weight.push_back(transfer.restriction_weight[k]);
-      }
-    }
   }
-  if (result.rest_corner.empty()) result.rest_start.clear();
   return result;
 }
 

@@ -7,14 +7,16 @@
 
 namespace burnish::cuda {
 
-/// A restriction as coarse corners gather it: packed what can be, in the order given, beside it the
-/// rest, which are shared corners and what a row has beyond kRestrictionMax.
+/// A restriction as coarse corners gather it. A row is packed in the order given, or listed as a
+/// whole: where it has more than kRestrictionMax fine corners or a shared one, whose weight is none
+/// of those that can be packed.
 struct PackedRestriction {
-  std::vector<int64_t> start;  ///< coarse corners + 1
+  std::vector<int64_t> start;  ///< coarse corners + 1; nothing of listed rows
   std::vector<uint32_t> packed;
-  std::vector<int32_t> rest_start;  ///< likewise; empty where there is no rest, as the next two
-  std::vector<int32_t> rest_corner;
-  std::vector<float> rest_weight;
+  std::vector<int32_t> listed;        ///< coarse corners, rising
+  std::vector<int32_t> listed_start;  ///< these + 1
+  std::vector<int32_t> listed_from;
+  std::vector<float> listed_weight;
 };
 PackedRestriction pack_restriction(const DepthTransfer& transfer);
 

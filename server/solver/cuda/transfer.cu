@@ -28,47 +28,84 @@ __global__ void __launch_bounds__(kThreads, kLong ? 6 : 8) residual_kernel(Depth
   depth.r[i] = is_free ? f - diagonal * tile[threadIdx.x] - product : zero4();
 }
 
-// What a corner takes from those of another depth by a list, every `step` th of it. The first
-// kAhead are found at once, which may come before await_previous().
-template <int kAhead>
-class ListedCorners {
- public:
-  __device__ ListedCorners(const WeightedCorners& list, int32_t begin, int32_t end, int step)
-      : list_(list), next_(begin), end_(end), step_(step) {
+// The sum over kCount neighbouring threads, in each of them.
+template <int kCount>
+__device__ float4 sum_of_lanes(float4 sum) {
+  const unsigned group = ((1u << kCount) - 1) << (threadIdx.x % 32 / kCount * kCount);
 #pragma unroll
-    for (int j = 0; j < kAhead; ++j, next_ += step_) {
-      corner_[j] = next_ < end_ ? list_.corner[next_] : 0;
+  for (int offset = kCount / 2; offset > 0; offset /= 2) {
+    sum.x += __shfl_xor_sync(group, sum.x, offset);
+    sum.y += __shfl_xor_sync(group, sum.y, offset);
+    sum.z += __shfl_xor_sync(group, sum.z, offset);
+  }
+  return sum;
+}
+
+// Corners that take from a list have blocks of their own, the first ones of a kernel: these take
+// longest.
+struct ListedBlocks {
+  unsigned count;
+
+  __device__ bool has_block() const { return blockIdx.x < count; }
+  // Of all but these.
+  __device__ int64_t other_thread() const { return thread_index() - int64_t{count} * kThreads; }
+};
+
+constexpr int kListedLanes = 8;  // threads for one of them
+constexpr int kListedAhead = 4;  // of a thread's numbers
+
+// What a listed corner takes, shared out among the threads of a group. Where from, as far as kept
+// in registers, is found at once, which may come before await_previous().
+class ListedSum {
+ public:
+  __device__ ListedSum(const ListedCorners& list, int64_t number)
+      : list_(list),
+        next_(list.start[number] + static_cast<int>(threadIdx.x % kListedLanes)),
+        end_(list.start[number + 1]) {
+#pragma unroll
+    for (int j = 0; j < kListedAhead; ++j, next_ += kListedLanes) {
+      from_[j] = next_ < end_ ? list_.from[next_] : -1;
       weight_[j] = next_ < end_ ? list_.weight[next_] : 0;
     }
   }
 
-  __device__ float4 sum_of(const float4* vector) const {
+  // The group's sum, in each of its threads. All of them call it.
+  __device__ float4 of(const float4* vector) const {
     float4 sum = zero4();
 #pragma unroll
-    for (int j = 0; j < kAhead; ++j) sum = sum + weight_[j] * vector[corner_[j]];
-#pragma unroll 4
-    for (int32_t k = next_; k < end_; k += step_)
-      sum = sum + list_.weight[k] * vector[list_.corner[k]];
-    return sum;
+    for (int j = 0; j < kListedAhead; ++j)
+      if (from_[j] >= 0) sum = sum + weight_[j] * vector[from_[j]];
+    for (int32_t k = next_; k < end_; k += kListedLanes)
+      sum = sum + list_.weight[k] * vector[list_.from[k]];
+    return sum_of_lanes<kListedLanes>(sum);
   }
 
  private:
-  const WeightedCorners& list_;
+  const ListedCorners& list_;
   int32_t next_, end_;
-  int step_;
-  int32_t corner_[kAhead];
-  float weight_[kAhead];
+  int32_t from_[kListedAhead];
+  float weight_[kListedAhead];
 };
 
-// kRest: of some corners there is more than what is packed.
-template <bool kRest>
-__global__ void restrict_kernel(Depth fine, Depth coarse) {
-  let_next_start();
-  const int64_t i = thread_index() / kLanes;
+__device__ void restrict_listed(const Depth& fine, const Depth& coarse, int64_t thread) {
+  const int64_t number = thread / kListedLanes;
+  if (number >= fine.topology.listed.count) return;
+  const int32_t i = fine.topology.listed.corner[number];
+  const ListedSum listed(fine.topology.listed, number);
+  const bool is_free = coarse.inverse_diagonal[i] > 0;
+  await_previous();
+  const float4 sum = listed.of(fine.r);
+  if (thread % kListedLanes == 0) coarse.f[i] = is_free ? sum : zero4();
+}
+
+template <bool kListed>
+__device__ void restrict_packed(const Depth& fine, const Depth& coarse, int64_t thread) {
+  const int64_t i = thread / kLanes;
   if (i >= coarse.topology.corner_count) return;
   const auto lane = static_cast<int>(threadIdx.x % kLanes);
   const int64_t begin = fine.topology.restriction_start[i];
   const auto count = static_cast<int>(fine.topology.restriction_start[i + 1] - begin);
+  if (kListed && count == 0) return;
   int32_t from[kGatheredMax];
   float weight[kGatheredMax];
 #pragma unroll
@@ -78,26 +115,37 @@ __global__ void restrict_kernel(Depth fine, Depth coarse) {
     from[j] = corner_of(restriction);
     weight[j] = k < count ? weight_of(restriction) : 0;
   }
-  const WeightedCorners& rest = fine.topology.restriction_rest;
-  const ListedCorners<2> more(rest, kRest ? rest.start[i] + lane : 0, kRest ? rest.start[i + 1] : 0,
-                              kLanes);
   const bool is_free = coarse.inverse_diagonal[i] > 0;
   await_previous();
   float4 sum = zero4();
 #pragma unroll
   for (int j = 0; j < kGatheredMax; ++j) sum = sum + weight[j] * fine.r[from[j]];
-  if (kRest) sum = sum + more.sum_of(fine.r);
-  const unsigned group = ((1u << kLanes) - 1) << (threadIdx.x % 32 / kLanes * kLanes);
-#pragma unroll
-  for (int offset = kLanes / 2; offset > 0; offset /= 2) {
-    sum.x += __shfl_xor_sync(group, sum.x, offset);
-    sum.y += __shfl_xor_sync(group, sum.y, offset);
-    sum.z += __shfl_xor_sync(group, sum.z, offset);
-  }
+  sum = sum_of_lanes<kLanes>(sum);
   if (lane == 0) coarse.f[i] = is_free ? sum : zero4();
 }
 
-// Shared corners are left out.
+template <bool kListed>
+__global__ void restrict_kernel(Depth fine, Depth coarse, ListedBlocks listed) {
+  let_next_start();
+  if (kListed && listed.has_block())
+    restrict_listed(fine, coarse, thread_index());
+  else
+    restrict_packed<kListed>(fine, coarse, kListed ? listed.other_thread() : thread_index());
+}
+
+__device__ void prolong_to_shared(const Depth& coarse, const Depth& fine, int64_t thread) {
+  const int64_t number = thread / kListedLanes;
+  if (number >= fine.topology.shared.count) return;
+  const int32_t i = fine.topology.shared.corner[number];
+  const ListedSum listed(fine.topology.shared, number);
+  if (fine.inverse_diagonal[i] == 0) return;
+  await_previous();
+  const bool is_first = thread % kListedLanes == 0;
+  const float4 x = is_first ? fine.x[i] : zero4();
+  const float4 sum = x + listed.of(coarse.x);
+  if (is_first) fine.x[i] = sum;
+}
+
 template <bool kShared>
 __device__ void prolong_from_cell(const Depth& coarse, const Depth& fine, int64_t i) {
   if (i >= fine.topology.corner_count || fine.inverse_diagonal[i] == 0) return;
@@ -114,25 +162,24 @@ __device__ void prolong_from_cell(const Depth& coarse, const Depth& fine, int64_
   fine.x[i] = sum;
 }
 
-__device__ void prolong_to_shared(const Depth& coarse, const Depth& fine, int64_t number) {
-  const SharedCorners& shared = fine.topology.shared;
-  if (number >= shared.count) return;
-  const int32_t i = shared.corner[number];
-  const ListedCorners<4> listed(shared.from, shared.from.start[number],
-                                shared.from.start[number + 1], 1);
-  if (fine.inverse_diagonal[i] == 0) return;
-  await_previous();
-  fine.x[i] = fine.x[i] + listed.sum_of(coarse.x);
+template <bool kShared>
+__global__ void prolong_kernel(Depth coarse, Depth fine, ListedBlocks shared) {
+  let_next_start();
+  if (kShared && shared.has_block())
+    prolong_to_shared(coarse, fine, thread_index());
+  else
+    prolong_from_cell<kShared>(coarse, fine, kShared ? shared.other_thread() : thread_index());
 }
 
-// kShared: the last blocks do shared corners.
-template <bool kShared>
-__global__ void prolong_kernel(Depth coarse, Depth fine, unsigned corner_blocks) {
-  let_next_start();
-  if (kShared && blockIdx.x >= corner_blocks)
-    prolong_to_shared(coarse, fine, thread_index() - int64_t{corner_blocks} * kThreads);
-  else
-    prolong_from_cell<kShared>(coarse, fine, thread_index());
+// Starts one of two kernels with a thread for each of `count` items and, the first one, with blocks
+// for listed corners.
+template <typename Kernel>
+void launch_with_listed(Stream& stream, Kernel* with_listed, Kernel* without, int64_t count,
+                        const ListedCorners& list, const Depth& from, const Depth& to) {
+  const ListedBlocks listed = {block_count(int64_t{kListedLanes} * list.count)};
+  const unsigned blocks = listed.count + block_count(count);
+  launch_blocks(stream, list.count > 0 ? with_listed : without, dim3(blocks), dim3(kThreads), 0,
+                from, to, listed);
 }
 
 }  // namespace
@@ -144,17 +191,14 @@ void compute_residual(Stream& stream, const Depth& depth) {
 }
 
 void restrict_to_coarse(Stream& stream, const Depth& fine, const Depth& coarse) {
-  const bool has_rest = fine.topology.restriction_rest.start != nullptr;
-  launch(stream, has_rest ? restrict_kernel<true> : restrict_kernel<false>,
-         kLanes * int64_t{coarse.topology.corner_count}, fine, coarse);
+  launch_with_listed(stream, restrict_kernel<true>, restrict_kernel<false>,
+                     kLanes * int64_t{coarse.topology.corner_count}, fine.topology.listed, fine,
+                     coarse);
 }
 
 void add_prolonged(Stream& stream, const Depth& coarse, const Depth& fine) {
-  const unsigned corner_blocks = block_count(fine.topology.corner_count);
-  const int32_t shared = fine.topology.shared.count;
-  launch_blocks(stream, shared > 0 ? prolong_kernel<true> : prolong_kernel<false>,
-                dim3(corner_blocks + block_count(shared)), dim3(kThreads), 0, coarse, fine,
-                corner_blocks);
+  launch_with_listed(stream, prolong_kernel<true>, prolong_kernel<false>,
+                     fine.topology.corner_count, fine.topology.shared, coarse, fine);
 }
 
 }  // namespace burnish::cuda

@@ -66,10 +66,12 @@ struct FromCell {
   uint8_t place;
 };
 
-/// For each of some corners those of another depth that it takes from, by weight. Null for none.
-struct WeightedCorners {
-  const int32_t* start;  ///< corners + 1
+/// Some corners, and those of another depth that each takes from, by weight.
+struct ListedCorners {
+  int32_t count;
   const int32_t* corner;
+  const int32_t* start;  ///< count + 1, into the next two
+  const int32_t* from;
   const float* weight;
 };
 
@@ -80,13 +82,6 @@ struct VertexPlace {
 };
 
 inline constexpr int kSliceRows = 32;
-
-/// DepthTransfer::SharedCorners.
-struct SharedCorners {
-  int32_t count;
-  const int32_t* corner;
-  WeightedCorners from;
-};
 
 /// What rows have beyond kEntriesMax entries (packed.h): see long_rows.h. Null where none has any.
 struct LongRows {
@@ -165,8 +160,8 @@ struct Topology {
   const FromCell* prolongation;  ///< null at the coarsest depth, as the next two
   const int64_t* restriction_start;
   const uint32_t* restriction;  ///< packed.h
-  SharedCorners shared;
-  WeightedCorners restriction_rest;  ///< of coarse corners: what cannot be packed
+  ListedCorners shared;         ///< DepthTransfer::SharedCorners
+  ListedCorners listed;         ///< coarse corners that are not packed
   Irregular irregular;
   Shares shares;  ///< of this depth's numbers
 };
