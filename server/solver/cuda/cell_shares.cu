@@ -7,9 +7,11 @@ namespace burnish::cuda {
 
 namespace {
 
-// A target has a warp: four groups of eight threads, of which each does every fourth share, a
-// thread for each row.
+// A share takes a group of eight threads, one for each row. A target has kGroups of them, of which
+// each does every kGroups th share: all of a warp's while they fit on the device at once, and else
+// one, since most targets have a share or two.
 constexpr int kWarpGroups = 4;
+constexpr int32_t kTargetsAtOnce = 4096;
 
 // The weights of a cell's corners at its half-way points.
 struct HalfWay {
@@ -119,37 +121,36 @@ __device__ void add_to(const CellSquares<float>& cells, int64_t target, int a,
   own_of(cells, target, a) += sum[8];
 }
 
-template <typename Real>
+template <int kGroups, typename Real>
 __global__ void add_shares_kernel(Shares shares, CellSquares<Real> fine,
                                   CellSquares<float> coarse) {
   __shared__ HalfWay half_way;
   let_next_start();
-  const int64_t number = thread_index() / 32;
+  const int64_t number = thread_index() / (8 * kGroups);
   const bool is_there = number < shares.target_count;
   const auto lane = static_cast<int>(threadIdx.x % 32);
   const int a = lane % 8;
   const Group group = {0xffu << lane / 8 * 8, lane / 8 * 8};
-  int32_t k = is_there ? shares.start[number] + lane / 8 : 0;
+  int32_t k = is_there ? shares.start[number] + lane / 8 % kGroups : 0;
   const int32_t end = is_there ? shares.start[number + 1] : 0;
   FetchedShare next = {};
   if (k < end) next = fetch_share(shares, k, a);
   fill(half_way);
   await_previous();
-  if (!is_there) return;
   float sum[9] = {};
   while (k < end) {
     const FetchedShare share = next;
     const SourceRow row = read_row(fine, share, a);
-    k += kWarpGroups;
+    k += kGroups;
     if (k < end) next = fetch_share(shares, k, a);
     add_share(share, row, share.source < fine.cells, half_way, group, a, sum);
   }
   __syncwarp();
 #pragma unroll
   for (int w = 0; w < 9; ++w)
-    for (int offset = 8; offset < 32; offset *= 2)
+    for (int offset = 8; offset < 8 * kGroups; offset *= 2)
       sum[w] += __shfl_xor_sync(0xffffffffu, sum[w], offset);
-  if (lane < 8) add_to(coarse, shares.target[number], a, sum);
+  if (is_there && lane / 8 % kGroups == 0) add_to(coarse, shares.target[number], a, sum);
 }
 
 }  // namespace
@@ -157,7 +158,12 @@ __global__ void add_shares_kernel(Shares shares, CellSquares<Real> fine,
 template <typename Real>
 void add_shares(Stream& stream, const Shares& shares, const CellSquares<Real>& fine,
                 const CellSquares<float>& coarse) {
-  launch(stream, add_shares_kernel<Real>, int64_t{32} * shares.target_count, shares, fine, coarse);
+  if (shares.target_count <= kTargetsAtOnce)
+    launch(stream, add_shares_kernel<kWarpGroups, Real>,
+           int64_t{8 * kWarpGroups} * shares.target_count, shares, fine, coarse);
+  else
+    launch(stream, add_shares_kernel<1, Real>, int64_t{8} * shares.target_count, shares, fine,
+           coarse);
 }
 
 template void add_shares(Stream&, const Shares&, const CellSquares<double>&,

@@ -10,7 +10,8 @@ namespace burnish::cuda {
 
 /// Point Gauss-Seidel in eight colours (the parity of the corner), two sweeps, as the paper's
 /// V(2,2) relaxes; the colours run backwards after the coarse correction. Corners of one colour
-/// share no cell: a launch relaxes them all. For comparison, as plain as it can be.
+/// share no cell: a launch relaxes them all. For comparison, as plain as it can be. Needs: no
+/// irregular rows (Sheets::kTogether).
 class GaussSeidel final : public DepthSmoother {
  public:
   static constexpr int kColours = 8;

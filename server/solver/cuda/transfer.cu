@@ -56,9 +56,9 @@ constexpr int kListedAhead = 4;  // of a thread's numbers
 
 // What a listed corner takes, shared out among the threads of a group. Where from, as far as kept
 // in registers, is found at once, which may come before await_previous().
-class ListedSum {
+class WeightedSum {
  public:
-  __device__ ListedSum(const ListedCorners& list, int64_t number)
+  __device__ WeightedSum(const ListedCorners& list, int64_t number)
       : list_(list),
         next_(list.start[number] + static_cast<int>(threadIdx.x % kListedLanes)),
         end_(list.start[number + 1]) {
@@ -91,10 +91,10 @@ __device__ void restrict_listed(const Depth& fine, const Depth& coarse, int64_t 
   const int64_t number = thread / kListedLanes;
   if (number >= fine.topology.listed.count) return;
   const int32_t i = fine.topology.listed.corner[number];
-  const ListedSum listed(fine.topology.listed, number);
+  const WeightedSum weighted(fine.topology.listed, number);
   const bool is_free = coarse.inverse_diagonal[i] > 0;
   await_previous();
-  const float4 sum = listed.of(fine.r);
+  const float4 sum = weighted.of(fine.r);
   if (thread % kListedLanes == 0) coarse.f[i] = is_free ? sum : zero4();
 }
 
@@ -137,12 +137,12 @@ __device__ void prolong_to_shared(const Depth& coarse, const Depth& fine, int64_
   const int64_t number = thread / kListedLanes;
   if (number >= fine.topology.shared.count) return;
   const int32_t i = fine.topology.shared.corner[number];
-  const ListedSum listed(fine.topology.shared, number);
+  const WeightedSum weighted(fine.topology.shared, number);
   if (fine.inverse_diagonal[i] == 0) return;
   await_previous();
   const bool is_first = thread % kListedLanes == 0;
   const float4 x = is_first ? fine.x[i] : zero4();
-  const float4 sum = x + listed.of(coarse.x);
+  const float4 sum = x + weighted.of(coarse.x);
   if (is_first) fine.x[i] = sum;
 }
 
