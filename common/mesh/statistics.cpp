@@ -5,6 +5,8 @@
 #include <numeric>
 #include <vector>
 
+#include "common/mesh/components.h"
+
 namespace burnish {
 namespace {
 
@@ -61,25 +63,6 @@ void count_edges(const TriangleMesh& mesh, MeshStatistics& statistics) {
   if (count > 0) statistics.mean_edge_length = length / static_cast<double>(count);
 }
 
-/// Disjoint sets of vertices; a set's root is its least vertex.
-class VertexSets {
- public:
-  explicit VertexSets(size_t vertices) : parent_(vertices) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  uint32_t root(uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(uint32_t a, uint32_t b) {
-    a = root(a), b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<uint32_t> parent_;
-};
-
 std::vector<bool> referenced_vertices(const TriangleMesh& mesh) {
   std::vector<bool> referenced(mesh.vertices.size(), false);
   for (const Triangle& triangle : mesh.triangles)
@@ -88,8 +71,7 @@ std::vector<bool> referenced_vertices(const TriangleMesh& mesh) {
 }
 
 void count_vertices(const TriangleMesh& mesh, MeshStatistics& statistics) {
-  VertexSets sets(mesh.vertices.size());
-  for (const auto& [a, b, c] : mesh.triangles) sets.join(a, b), sets.join(b, c);
+  const std::vector<int32_t> roots = component_roots(mesh.triangles, mesh.vertices.size());
   const std::vector<bool> referenced = referenced_vertices(mesh);
   statistics.box_min.setConstant(std::numeric_limits<double>::infinity());
   statistics.box_max.setConstant(-std::numeric_limits<double>::infinity());
@@ -98,7 +80,7 @@ void count_vertices(const TriangleMesh& mesh, MeshStatistics& statistics) {
       ++statistics.unreferenced_vertices;
       continue;
     }
-    statistics.components += sets.root(v) == v;
+    statistics.components += roots[v] == static_cast<int32_t>(v);
     statistics.box_min = statistics.box_min.cwiseMin(mesh.vertices[v]);
     statistics.box_max = statistics.box_max.cwiseMax(mesh.vertices[v]);
   }

@@ -11,8 +11,10 @@
 #include "common/grid/sparse_grid.h"
 #include "server/prepare/cell_integrals.h"
 #include "server/prepare/cell_pieces.h"
+#include "server/prepare/cell_sheets.h"
 #include "server/prepare/curvature.h"
 #include "server/prepare/histogram.h"
+#include "server/prepare/surface.h"
 #include "server/prepare/unset_vector.h"
 
 namespace burnish {
@@ -21,7 +23,6 @@ namespace {
 
 constexpr size_t kCellsPerBatch = 1 << 15;   // between two looks at the cancel flag
 constexpr double kCurvatureRadiusMax = 0.2;  // of L
-constexpr double kUmbilicDifference = 1e-9;  // of the larger curvature, and of 1/L
 
 /// What the spans of a freshly prepared mesh point into.
 struct PreparedArrays {
@@ -33,6 +34,7 @@ struct PreparedArrays {
   UnsetVector<CellIntegrals> integrals;
   UnsetVector<CellCurvature> curvature;
   UnsetVector<Passages> passages;
+  CellSheets sheets;
 };
 
 /// Times the phases of a preparation.
@@ -83,35 +85,18 @@ Status check_cell_memory(size_t cells) {
                             " MiB; choose a smaller depth");
 }
 
-/// No principal directions but by rounding: flat or spherical.
-bool is_umbilic(const TriangleCurvature& curvature, double length_unit) {
-  const double largest =
-      std::max({std::abs(curvature.kappa1), std::abs(curvature.kappa2), 1 / length_unit});
-  return curvature.kappa1 - curvature.kappa2 <= kUmbilicDifference * largest;
-}
-
 /// Integrates over the pieces of one cell; false if no area is left in it.
-bool integrate_cell(std::span<const CellPiece> pieces, std::span<const Triangle> triangles,
-                    std::span<const Vec3d> positions,
-                    std::span<const TriangleCurvature> triangle_curvature, double length_unit,
+bool integrate_cell(const Surface& surface, std::span<const CellPiece> pieces,
                     CellIntegrals& integrals, CellCurvature& curvature) {
-  const Vec3i cell = morton_point(pieces.front().cell);
-  const Vec3d least = cell.cast<double>();
   CellIntegrator integrator;
   double kappa1 = 0, kappa2 = 0;
   for (const CellPiece& piece : pieces) {
-    const Triangle& t = triangles[piece.triangle];
-    Polygon polygon = clip_to_cell({positions[t[0]], positions[t[1]], positions[t[2]]}, cell);
-    for (int i = 0; i < polygon.count; ++i) polygon.vertices[i] -= least;
-    const TriangleCurvature& of_triangle = triangle_curvature[piece.triangle];
-    const double area_before = integrator.area();
-    integrator.add(polygon, of_triangle.v1, of_triangle.v2, is_umbilic(of_triangle, length_unit));
-    const double area = integrator.area() - area_before;
-    kappa1 += area * of_triangle.kappa1;
-    kappa2 += area * of_triangle.kappa2;
+    const double area = surface.integrate(piece, integrator);
+    kappa1 += area * surface.curvature[piece.triangle].kappa1;
+    kappa2 += area * surface.curvature[piece.triangle].kappa2;
   }
   if (integrator.area() <= 0) return false;
-  const double scale = length_unit / integrator.area();
+  const double scale = surface.length_unit / integrator.area();
   integrals = integrator.integrals();
   curvature = {static_cast<float>(kappa1 * scale), static_cast<float>(kappa2 * scale),
                static_cast<float>(integrator.area())};
@@ -144,8 +129,7 @@ void keep(PreparedArrays& arrays, const std::vector<char>& holds_surface) {
   arrays.passages.resize(kept);
 }
 
-Status integrate_cells(std::span<const CellPiece> pieces, std::span<const Vec3d> positions,
-                       std::span<const TriangleCurvature> triangle_curvature, double length_unit,
+Status integrate_cells(const Surface& surface, std::span<const CellPiece> pieces,
                        const Progress& progress, PreparedArrays& arrays) {
   const std::vector<size_t> starts = cell_starts(pieces);
   const size_t cell_count = starts.size() - 1;
@@ -163,8 +147,7 @@ Status integrate_cells(std::span<const CellPiece> pieces, std::span<const Vec3d>
       const auto of_cell = pieces.subspan(starts[c], starts[c + 1] - starts[c]);
       arrays.cells[c] = of_cell.front().cell;
       arrays.passages[c] = passages_of(of_cell);
-      holds_surface[c] = integrate_cell(of_cell, arrays.triangles, positions, triangle_curvature,
-                                        length_unit, arrays.integrals[c], arrays.curvature[c]);
+      holds_surface[c] = integrate_cell(surface, of_cell, arrays.integrals[c], arrays.curvature[c]);
     }
     if (!report(progress, "integrals", static_cast<double>(end) / cell_count))
       return cancelled("cancelled while integrating");
@@ -187,6 +170,8 @@ void point_at(PreparedMesh& prepared, std::shared_ptr<PreparedArrays> arrays) {
   prepared.integrals = arrays->integrals;
   prepared.curvature = arrays->curvature;
   prepared.passages = arrays->passages;
+  prepared.sheets = arrays->sheets.sheets;
+  prepared.sheet_integrals = arrays->sheets.integrals;
   prepared.storage = std::move(arrays);
 }
 
@@ -227,8 +212,12 @@ Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
       compute_curvature(mesh, statistics, options.curvature_radius * prepared->length_unit);
   clock.end("curvature");
 
-  RETURN_IF_ERROR(
-      integrate_cells(pieces, positions, curvature, prepared->length_unit, progress, *arrays));
+  const Surface surface = {arrays->triangles, positions, curvature, prepared->length_unit};
+  RETURN_IF_ERROR(integrate_cells(surface, pieces, progress, *arrays));
+  if (statistics.components > 1) {
+    ASSIGN_OR_RETURN(arrays->sheets,
+                     find_cell_sheets(surface, pieces, arrays->cells, arrays->passages));
+  }
   clock.end("integrals");
 
   arrays->evaluation =

@@ -3,6 +3,7 @@
 #include <bit>
 #include <limits>
 #include <string>
+#include <tuple>
 
 #include "common/base/limits.h"
 #include "server/prepare/passages.h"
@@ -12,11 +13,12 @@ namespace burnish {
 namespace {
 
 constexpr std::array<const char*, kPreparedSections> kNames = {
-    "vertices", "triangles", "colours",   "evaluation",
-    "cells",    "integrals", "curvature", "passages"};
+    "vertices",  "triangles", "colours",  "evaluation", "cells",
+    "integrals", "curvature", "passages", "sheets",     "sheet integrals"};
 constexpr std::array<uint32_t, kPreparedSections> kElementBytes = {
     sizeof(Vec3d),     sizeof(Triangle),      sizeof(Rgba8),         sizeof(EvaluationPoint),
-    sizeof(MortonKey), sizeof(CellIntegrals), sizeof(CellCurvature), sizeof(uint32_t)};
+    sizeof(MortonKey), sizeof(CellIntegrals), sizeof(CellCurvature), sizeof(uint32_t),
+    sizeof(CellSheet), sizeof(CellIntegrals)};
 
 std::string section(PreparedSection id) {
   return std::string("section ") + kNames[static_cast<int>(id)];
@@ -67,7 +69,9 @@ Status check_counts(const PreparedMesh& prepared) {
   RETURN_IF_ERROR(check(PreparedSection::kEvaluation, prepared.evaluation.size(), vertices));
   RETURN_IF_ERROR(check(PreparedSection::kIntegrals, prepared.integrals.size(), cells));
   RETURN_IF_ERROR(check(PreparedSection::kCurvature, prepared.curvature.size(), cells));
-  return check(PreparedSection::kPassages, prepared.passages.size(), cells);
+  RETURN_IF_ERROR(check(PreparedSection::kPassages, prepared.passages.size(), cells));
+  return check(PreparedSection::kSheetIntegrals, prepared.sheet_integrals.size(),
+               prepared.sheets.size());
 }
 
 Status check_triangles(const PreparedMesh& prepared) {
@@ -112,6 +116,31 @@ Status check_passages(const PreparedMesh& prepared) {
     if (unknown == 0) continue;
     return data_loss("section passages: bit " + std::to_string(std::countr_zero(unknown)) +
                      " of cell " + std::to_string(c) + " is set, but stands for no neighbour");
+  }
+  return Status::ok();
+}
+
+Status check_sheets(const PreparedMesh& prepared) {
+  const CellSheet* last = nullptr;
+  int in_cell = 0;
+  for (size_t s = 0; s < prepared.sheets.size(); ++s) {
+    const CellSheet& sheet = prepared.sheets[s];
+    const auto fail = [&](const std::string& what) {
+      return data_loss("section sheets: sheet " + std::to_string(s) + what);
+    };
+    if (sheet.cell < 0 || static_cast<size_t>(sheet.cell) >= prepared.cells.size())
+      return fail(" is of cell " + std::to_string(sheet.cell) + " of " +
+                  std::to_string(prepared.cells.size()));
+    if (last != nullptr &&
+        std::tie(sheet.cell, sheet.component) <= std::tie(last->cell, last->component))
+      return fail(" does not rise");
+    if ((sheet.passages & ~prepared.passages[sheet.cell]) != 0)
+      return fail(" has passages that its cell " + std::to_string(sheet.cell) + " has not");
+    in_cell = last != nullptr && last->cell == sheet.cell ? in_cell + 1 : 1;
+    if (in_cell > kSheetsPerCellMax)
+      return fail(" is one of more than " + std::to_string(kSheetsPerCellMax) + " of cell " +
+                  std::to_string(sheet.cell));
+    last = &sheet;
   }
   return Status::ok();
 }
@@ -167,7 +196,8 @@ Status check_contents(const PreparedMesh& prepared) {
   RETURN_IF_ERROR(check_triangles(prepared));
   RETURN_IF_ERROR(check_evaluation(prepared));
   RETURN_IF_ERROR(check_cells(prepared));
-  return check_passages(prepared);
+  RETURN_IF_ERROR(check_passages(prepared));
+  return check_sheets(prepared);
 }
 
 }  // namespace burnish

@@ -16,9 +16,11 @@ static std::span<const uint8_t> as_bytes(std::span<const T> elements) {
 
 std::array<std::span<const uint8_t>, kPreparedSections> section_bytes(
     const PreparedMesh& prepared) {
-  return {as_bytes(prepared.vertices),   as_bytes(prepared.triangles), as_bytes(prepared.colours),
-          as_bytes(prepared.evaluation), as_bytes(prepared.cells),     as_bytes(prepared.integrals),
-          as_bytes(prepared.curvature),  as_bytes(prepared.passages)};
+  return {as_bytes(prepared.vertices),  as_bytes(prepared.triangles),
+          as_bytes(prepared.colours),   as_bytes(prepared.evaluation),
+          as_bytes(prepared.cells),     as_bytes(prepared.integrals),
+          as_bytes(prepared.curvature), as_bytes(prepared.passages),
+          as_bytes(prepared.sheets),    as_bytes(prepared.sheet_integrals)};
 }
 
 uint64_t prepared_checksum(std::span<const uint8_t> bytes) {
@@ -92,7 +94,9 @@ PreparedHeader make_prepared_header(const PreparedMesh& prepared) {
                      entry_of(PreparedSection::kCells, prepared.cells),
                      entry_of(PreparedSection::kIntegrals, prepared.integrals),
                      entry_of(PreparedSection::kCurvature, prepared.curvature),
-                     entry_of(PreparedSection::kPassages, prepared.passages)};
+                     entry_of(PreparedSection::kPassages, prepared.passages),
+                     entry_of(PreparedSection::kSheets, prepared.sheets),
+                     entry_of(PreparedSection::kSheetIntegrals, prepared.sheet_integrals)};
   header.file_bytes = sizeof(PreparedHeader);
   for (SectionEntry& entry : header.sections) {
     entry.offset = align_section(header.file_bytes);
@@ -126,6 +130,8 @@ static PreparedMesh mesh_over(const PreparedHeader& header, std::span<const uint
   mesh.integrals = elements_of<CellIntegrals>(PreparedSection::kIntegrals, header, file);
   mesh.curvature = elements_of<CellCurvature>(PreparedSection::kCurvature, header, file);
   mesh.passages = elements_of<uint32_t>(PreparedSection::kPassages, header, file);
+  mesh.sheets = elements_of<CellSheet>(PreparedSection::kSheets, header, file);
+  mesh.sheet_integrals = elements_of<CellIntegrals>(PreparedSection::kSheetIntegrals, header, file);
   return mesh;
 }
 

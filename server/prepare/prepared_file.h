@@ -47,8 +47,10 @@ enum class PreparedSection {
   kIntegrals,
   kCurvature,
   kPassages,
+  kSheets,
+  kSheetIntegrals,
 };
-inline constexpr int kPreparedSections = 8;
+inline constexpr int kPreparedSections = 10;
 inline constexpr uint64_t kSectionAlignment = 64;
 inline constexpr std::array<char, 8> kPreparedMagic = {'b', 'u', 'r', 'n', 'i', 's', 'h', '\n'};
 
@@ -81,7 +83,7 @@ struct PreparedHeader {
   std::array<SectionEntry, kPreparedSections> sections;
   uint64_t checksum;  ///< of the bytes before it
 };
-static_assert(sizeof(PreparedHeader) == 984, "no padding: every byte is under the checksum");
+static_assert(sizeof(PreparedHeader) == 1048, "no padding: every byte is under the checksum");
 
 inline uint64_t align_section(uint64_t offset) {
   return (offset + kSectionAlignment - 1) / kSectionAlignment * kSectionAlignment;

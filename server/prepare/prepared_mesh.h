@@ -37,6 +37,15 @@ struct CellCurvature {
   float area;
 };
 
+/// What of the surface in a cell belongs to one component of the mesh.
+struct CellSheet {
+  int32_t cell;
+  uint32_t component;  ///< its least vertex
+  uint32_t passages;   ///< as PreparedMesh::passages, of this component alone
+};
+
+inline constexpr int kSheetsPerCellMax = 8;
+
 /// How much of the surface has which curvature: what the transfer-curve editor draws behind the
 /// curve. Bins are even in asinh(κ) between -range and range; both κ1 and κ2 count.
 struct CurvatureHistogram {
@@ -78,6 +87,10 @@ class PreparedMesh {
   /// plane between them with an edge or all of itself. Two cells may share corners without. Bit
   /// 26 - s of that cell says the same of this one.
   std::span<const uint32_t> passages;
+  /// Of the cells through which several components of the mesh pass, by cell, then by component;
+  /// none of a soup.
+  std::span<const CellSheet> sheets;
+  std::span<const CellIntegrals> sheet_integrals;  ///< one per sheet
 
   /// α in grid units = α in user units × this.
   double alpha_scale() const { return frame.cell_size / length_unit; }

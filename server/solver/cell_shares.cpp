@@ -138,33 +138,44 @@ int64_t find_shared(const SheetCorners& sheets, int32_t corner) {
   return at != sheets.shared.end() && *at == corner ? at - sheets.shared.begin() : -1;
 }
 
-Parts parts_of(int32_t cell, const SparseGrid& finest, const SheetCorners& sheets,
+Parts parts_of(int32_t sheet, int32_t cell, const SparseGrid& finest, const SheetCorners& sheets,
                const CoarseGrid& coarse) {
   Parts parts(coarse);
   for (int a = 0; a < kCornersPerCell; ++a) {
-    const FromCell own = {coarse.parent_cell[cell], place_in_parent(finest.cells[cell], a)};
+    const FromCell own = {coarse.parent_cell[sheet], place_in_parent(sheets.cell[sheet], a)};
     const int64_t shared = find_shared(sheets, finest.cell_corners[cell][a]);
     if (shared < 0) {
       parts.add(own, a, 1);
       continue;
     }
     for (int32_t k = sheets.start[shared]; k < sheets.start[shared + 1]; ++k) {
-      const FromCell& other = coarse.from[sheets.sheet[k]];
+      const FromCell& other = coarse.from[sheets.copy[k]];
       parts.add(parts.are_alike(own, other) ? own : other, a, sheets.weight[k]);
     }
   }
   return parts;
 }
 
-std::vector<int32_t> cells_with_shared_corners(const SparseGrid& finest,
-                                               const SheetCorners& sheets) {
+// Cells that are no plain child of their parent: with a shared corner, or several sheets.
+std::vector<int32_t> cells_apart(const SparseGrid& finest, const SheetCorners& sheets) {
   std::vector<int32_t> cells;
   for (int32_t corner : sheets.shared)
     for (int32_t cell : finest.cells_of_corner[corner])
       if (cell != kNone) cells.push_back(cell);
+  for (int32_t cell = 0; cell < finest.cell_count(); ++cell)
+    if (sheets.has_several(cell)) cells.push_back(cell);
   std::ranges::sort(cells);
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   return cells;
+}
+
+void share_sheet(const Parts& parts, int32_t source, Collector& collector) {
+  std::vector<int32_t> number;
+  for (const CellPart& part : parts.parts()) number.push_back(collector.add_part(part));
+  for (size_t i = 0; i < number.size(); ++i)
+    for (size_t j = i; j < number.size(); ++j)
+      collector.add(parts.cells()[i], parts.cells()[j], {source, number[i], number[j], 0}, 0xff,
+                    0xff);
 }
 
 }  // namespace
@@ -172,16 +183,10 @@ std::vector<int32_t> cells_with_shared_corners(const SparseGrid& finest,
 TiesAndShares share_cells(const SparseGrid& finest, const SheetCorners& sheets,
                           const CoarseGrid& coarse) {
   Collector collector;
-  const std::vector<int32_t> apart = cells_with_shared_corners(finest, sheets);
-  for (int32_t cell : apart) {
-    const Parts parts = parts_of(cell, finest, sheets, coarse);
-    std::vector<int32_t> number;
-    for (const CellPart& part : parts.parts()) number.push_back(collector.add_part(part));
-    for (size_t i = 0; i < number.size(); ++i)
-      for (size_t j = i; j < number.size(); ++j)
-        collector.add(parts.cells()[i], parts.cells()[j], {cell, number[i], number[j], 0}, 0xff,
-                      0xff);
-  }
+  const std::vector<int32_t> apart = cells_apart(finest, sheets);
+  for (int32_t cell : apart)
+    for (int32_t s = sheets.first_of_cell[cell]; s < sheets.first_of_cell[cell + 1]; ++s)
+      share_sheet(parts_of(s, cell, finest, sheets, coarse), sheets.source[s], collector);
   TiesAndShares result = collector.collected(coarse.grid);
   result.shares.apart = apart;
   return result;

@@ -20,8 +20,9 @@ struct CellPart {
 };
 
 /// One summand Lᵀ N R of a coarse cell's or tie's 8×8 numbers. N are those of a cell of the finer
-/// depth (source < its cells, symmetric, the diagonal being the row sum less the pairs) or of a tie
-/// (its number beyond the cells), which may be transposed; L and R are Q of its parts.
+/// depth (source < its cells, symmetric, the diagonal being the row sum less the pairs), or of a
+/// tie or at the finest depth of a sheet (its number beyond the cells), which may be transposed; L
+/// and R are Q of its parts.
 struct CellShare {
   int32_t source;
   int32_t left, right;  ///< into CellShares::part
@@ -44,7 +45,7 @@ struct TiesAndShares {
   CellShares shares;
 };
 
-/// From the finest depth: the cells with a corner of several sheets.
+/// From the finest depth: the cells with several sheets, or a corner that has several copies.
 TiesAndShares share_cells(const SparseGrid& finest, const SheetCorners& sheets,
                           const CoarseGrid& coarse);
 

@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "common/base/check.h"
+#include "common/base/disjoint_sets.h"
 #include "common/base/parallel.h"
-#include "server/solver/union_find.h"
 
 namespace burnish {
 
@@ -95,9 +95,9 @@ class Parents {
 };
 
 // Joins the corners of coarse cells that meet in a fine corner. Each coarse cell has eight numbers.
-UnionFind join_corners(std::span<const GridKey> cells, std::span<const CellCorners> cell_corners,
-                       CoarseGrid& coarse) {
-  UnionFind joined(kCornersPerCell * coarse.grid.cells.size());
+DisjointSets join_corners(std::span<const GridKey> cells, std::span<const CellCorners> cell_corners,
+                          CoarseGrid& coarse) {
+  DisjointSets joined(kCornersPerCell * coarse.grid.cells.size());
   for (size_t c = 0; c < cells.size(); ++c)
     for (int a = 0; a < kCornersPerCell; ++a) {
       const FromCell here = {coarse.parent_cell[c], place_in_parent(cells[c], a)};
@@ -115,7 +115,7 @@ UnionFind join_corners(std::span<const GridKey> cells, std::span<const CellCorne
 }
 
 // Numbers the joined corners by place, then by root.
-void number_corners(UnionFind& joined, SparseGrid& grid) {
+void number_corners(DisjointSets& joined, SparseGrid& grid) {
   std::vector<int32_t> index(kCornersPerCell * grid.cells.size());
   for (int32_t node = 0; node < static_cast<int32_t>(index.size()); ++node)
     if (joined.root(node) == node)
@@ -168,7 +168,7 @@ CoarseGrid keep_sheets_apart(int depth, std::span<const GridKey> cells,
   coarse.grid.depth = depth;
   coarse.grid.cells = Parents(cells, cell_corners).number(coarse.parent_cell);
   coarse.from.assign(corner_count, {kNone, 0});
-  UnionFind joined = join_corners(cells, cell_corners, coarse);
+  DisjointSets joined = join_corners(cells, cell_corners, coarse);
   number_corners(joined, coarse.grid);
   find_cells_of_corners(coarse.grid);
   return coarse;

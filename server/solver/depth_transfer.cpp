@@ -43,12 +43,12 @@ void transpose(const SparseGrid& coarse, DepthTransfer& transfer) {
   });
 }
 
-// The mean of what a corner's sheets have, which are those with the numbers [begin, end).
+// The mean of what a shared corner's copies have.
 void add_shared(const CoarseGrid& coarse, const SheetCorners& sheets, size_t i,
                 DepthTransfer& transfer) {
   std::map<int32_t, double> weight;
   for (int32_t k = sheets.start[i]; k < sheets.start[i + 1]; ++k) {
-    const FromCell& from = coarse.from[sheets.sheet[k]];
+    const FromCell& from = coarse.from[sheets.copy[k]];
     const PositiveWeights& half_way = positive_weights(from.place);
     for (int j = 0; j < half_way.count; ++j)
       weight[coarse.grid.cell_corners[from.cell][half_way.corner[j]]] +=

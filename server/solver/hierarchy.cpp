@@ -11,7 +11,7 @@ namespace {
 
 // What is more broken than this is kept together: what hangs together nowhere has eight corners for
 // each cell, at all depths.
-constexpr int32_t kCornersPerExtraSheet = 8;
+constexpr int32_t kCornersPerExtraCopy = 8;
 constexpr int64_t kIrregularRowMax = 4096;  // entries
 
 // The children of every coarse cell that are not apart, by a counting sort.
@@ -48,9 +48,12 @@ HierarchyDepth make_joined_parents(HierarchyDepth& fine) {
 
 HierarchyDepth make_parents_of_finest(HierarchyDepth& finest, const SheetCorners& sheets) {
   CoarseGrid coarse =
-      keep_sheets_apart(finest.grid.depth - 1, finest.grid.cells, sheets.of_cell, sheets.count);
+      keep_sheets_apart(finest.grid.depth - 1, sheets.cell, sheets.corners, sheets.copy_count);
   finest.to_parent = make_transfer(coarse, sheets, finest.grid.corner_count());
   TiesAndShares numbers = share_cells(finest.grid, sheets, coarse);
+  std::vector<int32_t> parent_of_sheet = std::move(coarse.parent_cell);
+  for (int32_t cell = 0; cell < finest.grid.cell_count(); ++cell)
+    coarse.parent_cell.push_back(parent_of_sheet[sheets.first_of_cell[cell]]);
   return make_parent_depth(finest, std::move(coarse), std::move(numbers));
 }
 
@@ -101,9 +104,11 @@ std::vector<HierarchyDepth> make_depths(const PreparedMesh& prepared, Sheets she
   SparseGrid finest = make_finest_grid(prepared.frame.depth, prepared.cells);
   if (sheets == Sheets::kTogether) return joined_depths(std::move(finest));
   const SheetCorners corners = find_sheet_corners(prepared, finest);
-  if (corners.count - finest.corner_count() > finest.corner_count() / kCornersPerExtraSheet)
+  if (corners.copy_count - finest.corner_count() > finest.corner_count() / kCornersPerExtraCopy)
     return joined_depths(std::move(finest));
-  return depths_apart(std::move(finest), corners);
+  std::vector<HierarchyDepth> depths = depths_apart(std::move(finest), corners);
+  depths[0].sheet_count = static_cast<int32_t>(prepared.sheets.size());
+  return depths;
 }
 
 template <typename T>

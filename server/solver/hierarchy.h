@@ -18,6 +18,7 @@ struct HierarchyDepth {
   SparseGrid grid;
   Stencil stencil;
   std::vector<CellTie> ties;         ///< rising; none at the finest depth
+  int32_t sheet_count = 0;           ///< PreparedMesh::sheets that are used; none at coarse depths
   DepthTransfer to_parent;           ///< empty at the coarsest depth
   std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth
   // Where the numbers of cells and ties come from; empty at the finest depth.
@@ -26,9 +27,9 @@ struct HierarchyDepth {
                                      ///< octant: their numbers are restricted by it alone
   CellShares shares;                 ///< all else
 
-  /// How many numbers its cells and ties have: see number_of_tie().
+  /// How many numbers its cells, ties and sheets have: see number_of_tie().
   size_t number_count() const {
-    return kNumbersPerCell * grid.cells.size() + kNumbersPerTie * ties.size();
+    return kNumbersPerCell * grid.cells.size() + kNumbersPerTie * (ties.size() + sheet_count);
   }
 };
 

@@ -1,5 +1,7 @@
 #include "server/solver/sheet_corners.h"
 
+#include <algorithm>
+
 #include "common/grid/stencil_slots.h"
 #include "server/solver/cell_matrix.h"
 
@@ -7,90 +9,152 @@ namespace burnish {
 
 namespace {
 
-using EightCells = std::array<int32_t, kCornersPerCell>;
+/// A sheet that has a corner as its local corner `side`, and the copy of the corner that is its.
+struct SheetAtCorner {
+  int side;
+  int32_t sheet;
+  int copy;
+};
 
-/// Which of the cells around a corner are of which sheet: the least of its cells' sides, -1 where
-/// there is no cell.
-using SheetOfSide = std::array<int8_t, kCornersPerCell>;
+/// All sheets around a corner.
+struct Around {
+  std::array<SheetAtCorner, kCornersPerCell * kSheetsPerCellMax> sheets;
+  int count = 0;
+  int copies = 0;
 
-SheetOfSide sheets_around(const EightCells& cells, std::span<const uint32_t> passages) {
-  SheetOfSide sheet;
-  for (int a = 0; a < kCornersPerCell; ++a)
-    sheet[a] = static_cast<int8_t>(cells[a] == kNone ? -1 : a);
-  for (int a = 0; a < kCornersPerCell; ++a)
-    for (int b = 0; b < a; ++b) {
-      if (cells[a] == kNone || cells[b] == kNone || sheet[a] == sheet[b]) continue;
-      // Cell a lies on the corner's side away from its local corner a.
-      if ((passages[cells[a]] >> slot_between(b, a) & 1) == 0) continue;
-      const int8_t kept = std::min(sheet[a], sheet[b]), gone = std::max(sheet[a], sheet[b]);
-      for (int8_t& s : sheet)
-        if (s == gone) s = kept;
+  auto begin() { return sheets.begin(); }
+  auto end() { return sheets.begin() + count; }
+  auto begin() const { return sheets.begin(); }
+  auto end() const { return sheets.begin() + count; }
+};
+
+class SheetFinder {
+ public:
+  SheetFinder(const PreparedMesh& prepared, const SparseGrid& finest)
+      : prepared_(prepared), finest_(finest) {
+    list_sheets();
+  }
+
+  SheetCorners take() {
+    const int32_t corners = finest_.corner_count();
+    std::vector<char> is_shared(corners);
+#pragma omp parallel for schedule(static)
+    for (int32_t i = 0; i < corners; ++i) is_shared[i] = sheets_around(i).copies > 1;
+    found_.copy_count = corners;
+    found_.start = {0};
+    for (int32_t i = 0; i < corners; ++i)
+      if (is_shared[i]) add_shared(i);
+    return std::move(found_);
+  }
+
+ private:
+  void list_sheets() {
+    const int32_t cells = finest_.cell_count();
+    size_t next = 0;  // of prepared_.sheets
+    for (int32_t c = 0; c < cells; ++c) {
+      found_.first_of_cell.push_back(static_cast<int32_t>(found_.source.size()));
+      const bool is_mixed = next < prepared_.sheets.size() && prepared_.sheets[next].cell == c;
+      if (!is_mixed) add_sheet(c, c);
+      for (; next < prepared_.sheets.size() && prepared_.sheets[next].cell == c; ++next)
+        add_sheet(c, cells + static_cast<int32_t>(next));
     }
-  return sheet;
-}
-
-bool are_several(const SheetOfSide& sheet) {
-  int first = -1;
-  for (int s : sheet) {
-    if (s < 0) continue;
-    if (first >= 0 && s != first) return true;
-    first = s;
+    found_.first_of_cell.push_back(static_cast<int32_t>(found_.source.size()));
   }
-  return false;
-}
 
-// The diagonal of ℓ¹ + ℓ² at a cell's corner.
-double energy_of(const CellIntegrals& cell, int a) {
-  double energy = 0;
-  for (int b = 0; b < kCornersPerCell; ++b)
-    if (b != a) energy -= cell.stiffness[0][pair_index(a, b)] + cell.stiffness[1][pair_index(a, b)];
-  return energy;
-}
+  void add_sheet(int32_t cell, int32_t source) {
+    found_.source.push_back(source);
+    found_.cell.push_back(finest_.cells[cell]);
+    found_.corners.push_back(finest_.cell_corners[cell]);
+  }
 
-// Numbers the sheets of a shared corner and weighs them.
-void add_shared(int32_t corner, const EightCells& cells, const SheetOfSide& sheet,
-                std::span<const CellIntegrals> integrals, SheetCorners& found) {
-  std::array<double, kCornersPerCell> energy = {};
-  double total = 0;
-  int sheets = 0;
-  for (int a = 0; a < kCornersPerCell; ++a) {
-    if (cells[a] == kNone) continue;
-    energy[sheet[a]] += energy_of(integrals[cells[a]], a);
-    total += energy_of(integrals[cells[a]], a);
-    sheets += sheet[a] == a;
+  const CellSheet* of_several(int32_t sheet) const {
+    const int32_t i = found_.source[sheet] - finest_.cell_count();
+    return i < 0 ? nullptr : &prepared_.sheets[i];
   }
-  std::array<int32_t, kCornersPerCell> number;
-  bool is_first = true;
-  for (int s = 0; s < kCornersPerCell; ++s) {
-    if (cells[s] == kNone || sheet[s] != s) continue;
-    number[s] = is_first ? corner : found.count++;
-    is_first = false;
-    found.sheet.push_back(number[s]);
-    found.weight.push_back(static_cast<float>(total > 0 ? energy[s] / total : 1.0 / sheets));
+  uint32_t passages(int32_t sheet) const {
+    const CellSheet* one = of_several(sheet);
+    return one != nullptr ? one->passages : prepared_.passages[found_.source[sheet]];
   }
-  for (int a = 0; a < kCornersPerCell; ++a)
-    if (cells[a] != kNone) found.of_cell[cells[a]][a] = number[sheet[a]];
-  found.shared.push_back(corner);
-  found.start.push_back(static_cast<int32_t>(found.sheet.size()));
-}
+  const CellIntegrals& integrals(int32_t sheet) const {
+    const int32_t i = found_.source[sheet] - finest_.cell_count();
+    return i < 0 ? prepared_.integrals[found_.source[sheet]] : prepared_.sheet_integrals[i];
+  }
+
+  // A sheet's cell lies on the corner's side away from its own corner `side`.
+  bool hang_together(const SheetAtCorner& a, const SheetAtCorner& b) const {
+    if (a.side == b.side) return false;
+    const CellSheet *of_a = of_several(a.sheet), *of_b = of_several(b.sheet);
+    if (of_a != nullptr && of_b != nullptr && of_a->component != of_b->component) return false;
+    return (passages(a.sheet) >> slot_between(b.side, a.side) & 1) != 0 &&
+           (passages(b.sheet) >> slot_between(a.side, b.side) & 1) != 0;
+  }
+
+  Around sheets_around(int32_t corner) const {
+    Around around;
+    for (int side = 0; side < kCornersPerCell; ++side) {
+      const int32_t cell = finest_.cells_of_corner[corner][side];
+      if (cell == kNone) continue;
+      for (int32_t s = found_.first_of_cell[cell]; s < found_.first_of_cell[cell + 1];
+           ++s, ++around.count)
+        around.sheets[around.count] = {side, s, around.count};
+    }
+    around.copies = around.count;
+    for (const SheetAtCorner& a : around)
+      for (const SheetAtCorner& b : around)
+        if (a.copy != b.copy && hang_together(a, b)) join(a.copy, b.copy, around);
+    return around;
+  }
+
+  static void join(int a, int b, Around& around) {
+    const int kept = std::min(a, b), gone = std::max(a, b);
+    for (SheetAtCorner& sheet : around)
+      if (sheet.copy == gone) sheet.copy = kept;
+    --around.copies;
+  }
+
+  // The diagonal of ℓ¹ + ℓ² at a sheet's corner.
+  double energy_of(const SheetAtCorner& at) const {
+    const CellIntegrals& of = integrals(at.sheet);
+    double energy = 0;
+    for (int b = 0; b < kCornersPerCell; ++b)
+      if (b != at.side)
+        energy -= of.stiffness[0][pair_index(at.side, b)] + of.stiffness[1][pair_index(at.side, b)];
+    return energy;
+  }
+
+  // Numbers the copies of a corner and weighs them. A copy is known by its first sheet.
+  void add_shared(int32_t corner) {
+    const Around around = sheets_around(corner);
+    std::array<double, kCornersPerCell* kSheetsPerCellMax> energy = {};
+    double total = 0;
+    for (const SheetAtCorner& at : around) {
+      energy[at.copy] += energy_of(at);
+      total += energy_of(at);
+    }
+    std::array<int32_t, kCornersPerCell * kSheetsPerCellMax> number;
+    bool is_first = true;
+    for (int i = 0; i < around.count; ++i) {
+      if (around.sheets[i].copy != i) continue;
+      number[i] = is_first ? corner : found_.copy_count++;
+      is_first = false;
+      found_.copy.push_back(number[i]);
+      found_.weight.push_back(
+          static_cast<float>(total > 0 ? energy[i] / total : 1.0 / around.copies));
+    }
+    for (const SheetAtCorner& at : around) found_.corners[at.sheet][at.side] = number[at.copy];
+    found_.shared.push_back(corner);
+    found_.start.push_back(static_cast<int32_t>(found_.copy.size()));
+  }
+
+  const PreparedMesh& prepared_;
+  const SparseGrid& finest_;
+  SheetCorners found_;
+};
 
 }  // namespace
 
 SheetCorners find_sheet_corners(const PreparedMesh& prepared, const SparseGrid& finest) {
-  SheetCorners found;
-  found.count = finest.corner_count();
-  found.of_cell = finest.cell_corners;
-  found.start = {0};
-  std::vector<char> is_shared(finest.corners.size());
-#pragma omp parallel for schedule(static)
-  for (size_t i = 0; i < is_shared.size(); ++i)
-    is_shared[i] = are_several(sheets_around(finest.cells_of_corner[i], prepared.passages));
-  for (int32_t i = 0; i < finest.corner_count(); ++i) {
-    if (!is_shared[i]) continue;
-    const EightCells& cells = finest.cells_of_corner[i];
-    add_shared(i, cells, sheets_around(cells, prepared.passages), prepared.integrals, found);
-  }
-  return found;
+  return SheetFinder(prepared, finest).take();
 }
 
 }  // namespace burnish

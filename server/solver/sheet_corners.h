@@ -9,19 +9,28 @@
 
 namespace burnish {
 
-/// The corners of the finest depth, once for each sheet of surface that meets there. Two cells
-/// around a corner are of one sheet when passages lead from one to the other around it.
+/// The sheets of surface at the finest depth. A cell has one, or one for each component of the mesh
+/// that passes through it. Two sheets of neighbouring cells hang together where passages lead from
+/// one to the other. A corner has a copy for all sheets around it that hang together there.
 ///
-/// A corner's first sheet has the corner's number, the others have numbers beyond all corners.
+/// A corner's first copy has the corner's number, the others have numbers beyond all corners.
 struct SheetCorners {
-  int32_t count = 0;
-  std::vector<std::array<int32_t, kCornersPerCell>> of_cell;
+  // Of every sheet, by cell.
+  std::vector<int32_t> first_of_cell;  ///< cells + 1
+  std::vector<GridKey> cell;
+  std::vector<int32_t> source;  ///< the cell, or cells + the number in PreparedMesh::sheets
+  std::vector<std::array<int32_t, kCornersPerCell>> corners;  ///< copies
 
-  /// The corners with several sheets, rising, and these: [start[i], start[i + 1]).
+  int32_t copy_count = 0;
+  // The corners with several copies, rising, and these: [start[i], start[i + 1]).
   std::vector<int32_t> shared;
   std::vector<int32_t> start;
-  std::vector<int32_t> sheet;
-  std::vector<float> weight;  ///< a sheet's share of the corner's energy ℓ¹ + ℓ²; sum 1
+  std::vector<int32_t> copy;
+  std::vector<float> weight;  ///< a copy's share of the corner's energy ℓ¹ + ℓ²; sum 1
+
+  bool has_several(int32_t of_cell) const {
+    return first_of_cell[of_cell + 1] - first_of_cell[of_cell] > 1;
+  }
 };
 
 SheetCorners find_sheet_corners(const PreparedMesh& prepared, const SparseGrid& finest);

@@ -78,7 +78,8 @@ struct CellTie {
 };
 
 /// A depth's numbers: 36 of each cell (28 pairs by pair_index(), then eight row sums), then 64 of
-/// each tie (by corners of its first cell, then of its second).
+/// each tie (by corners of its first cell, then of its second). The finest depth has none, but
+/// there the sheets of PreparedMesh have 64 each, by the cell's corners both times.
 inline constexpr int kNumbersPerCell = 36;
 inline constexpr int kNumbersPerTie = 64;
 constexpr int32_t number_of_cell(int32_t cell, int number) {

@@ -15,10 +15,18 @@ BURNISH_DISPATCH void combine(const CellIntegrals& of, const CombineWeights& by,
   for (int a = 0; a < 8; ++a) out.row_sum[a] = by.mass * of.mass_row_sum[a];
 }
 
-void combine_cell(const PreparedMesh& prepared, const Metric& metric, int32_t c, CellMatrix& out) {
-  const CombineWeights weights =
-      combine_weights(metric.alpha1[c] * metric.scale, metric.alpha2[c] * metric.scale);
-  combine(prepared.integrals[c], weights, out);
+CombineWeights weights_of(const Metric& metric, int32_t cell) {
+  return combine_weights(metric.alpha1[cell] * metric.scale, metric.alpha2[cell] * metric.scale);
+}
+
+void combine_sheets(const PreparedMesh& prepared, const Metric& metric,
+                    const HierarchyDepth& finest, CombinedCells& cells) {
+#pragma omp parallel for schedule(static)
+  for (int32_t s = 0; s < finest.sheet_count; ++s) {
+    CellMatrix sheet;
+    combine(prepared.sheet_integrals[s], weights_of(metric, prepared.sheets[s].cell), sheet);
+    write_square(sheet, cells.numbers() + number_of_tie(finest.grid.cell_count(), s, 0, 0));
+  }
 }
 
 // `child_of(cell)` gives the cells of the finer depth, each once.
@@ -43,18 +51,20 @@ CombinedCells restrict_children(const HierarchyDepth& fine, const HierarchyDepth
 void combine_cells(const PreparedMesh& prepared, const Metric& metric, CombinedCells& cells) {
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < prepared.integrals.size(); ++c)
-    combine_cell(prepared, metric, static_cast<int32_t>(c), cells[c]);
+    combine(prepared.integrals[c], weights_of(metric, static_cast<int32_t>(c)), cells[c]);
 }
 
 CombinedCells combine_and_down_sample(const PreparedMesh& prepared, const Metric& metric,
                                       const HierarchyDepth& fine, const HierarchyDepth& coarse,
                                       CombinedCells& fine_cells) {
   CombinedCells cells = restrict_children(fine, coarse, [&](int32_t c) -> const CellMatrix& {
-    combine_cell(prepared, metric, c, fine_cells[c]);
+    combine(prepared.integrals[c], weights_of(metric, c), fine_cells[c]);
     return fine_cells[c];
   });
 #pragma omp parallel for schedule(static)
-  for (const int32_t c : coarse.shares.apart) combine_cell(prepared, metric, c, fine_cells[c]);
+  for (const int32_t c : coarse.shares.apart)
+    combine(prepared.integrals[c], weights_of(metric, c), fine_cells[c]);
+  combine_sheets(prepared, metric, fine, fine_cells);
   add_shares(fine, coarse, fine_cells, cells);
   return cells;
 }

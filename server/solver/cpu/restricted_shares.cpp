@@ -67,6 +67,10 @@ void write_tie(const Square& sum, double* tie) {
 
 }  // namespace
 
+void write_square(const CellMatrix& cell, double* square) {
+  write_tie(square_of(cell), square);
+}
+
 void add_shares(const HierarchyDepth& fine, const HierarchyDepth& coarse,
                 const CombinedCells& fine_cells, CombinedCells& coarse_cells) {
   const CellShares& shares = coarse.shares;

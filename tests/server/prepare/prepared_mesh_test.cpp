@@ -214,7 +214,7 @@ TEST_F(PreparedFile, ALyingTableIsRefused) {
 }
 
 TEST_F(PreparedFile, ALyingLengthIsRefused) {
-  for (uint64_t bytes : {uint64_t{0}, uint64_t{984}, ~uint64_t{0}})
+  for (uint64_t bytes : {uint64_t{0}, uint64_t{sizeof(PreparedHeader)}, ~uint64_t{0}})
     expect_damage(status_of_header([&](PreparedHeader& h) { h.file_bytes = bytes; }), "length");
 }
 

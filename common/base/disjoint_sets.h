@@ -8,9 +8,9 @@
 namespace burnish {
 
 /// Disjoint sets of the numbers 0 to count − 1; a set's root is its least number.
-class UnionFind {
+class DisjointSets {
  public:
-  explicit UnionFind(size_t count) : parent_(count) {
+  explicit DisjointSets(size_t count) : parent_(count) {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
 

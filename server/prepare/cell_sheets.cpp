@@ -1,0 +1,113 @@
+#include "server/prepare/cell_sheets.h"
+
+#include <algorithm>
+#include <string>
+
+#include "common/base/process_memory.h"
+#include "common/mesh/components.h"
+
+namespace burnish {
+
+namespace {
+
+constexpr size_t kCellsPerSheet = 4;  // of a soup more cells have several
+
+/// A cell with several components, and its pieces.
+struct MixedCell {
+  int32_t cell;
+  std::span<const CellPiece> pieces;
+  std::vector<uint32_t> components;  // rising
+};
+
+class Components {
+ public:
+  Components(const Surface& surface)
+      : triangles_(surface.triangles),
+        roots_(component_roots(surface.triangles, surface.positions.size())) {}
+
+  uint32_t of(const CellPiece& piece) const {
+    return static_cast<uint32_t>(roots_[triangles_[piece.triangle][0]]);
+  }
+  bool are_several(std::span<const CellPiece> pieces) const {
+    return std::ranges::any_of(pieces,
+                               [&](const CellPiece& p) { return of(p) != of(pieces.front()); });
+  }
+  std::vector<uint32_t> all_of(std::span<const CellPiece> pieces) const {
+    std::vector<uint32_t> all;
+    for (const CellPiece& piece : pieces) all.push_back(of(piece));
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+  }
+
+ private:
+  std::span<const Triangle> triangles_;
+  std::vector<int32_t> roots_;
+};
+
+// Cells and pieces are in the same order; pieces may have cells of their own in between.
+std::vector<MixedCell> find_mixed_cells(const Components& components,
+                                        std::span<const CellPiece> pieces,
+                                        std::span<const MortonKey> cells) {
+  const std::vector<size_t> starts = cell_starts(pieces);
+  std::vector<MixedCell> mixed;
+  size_t cell = 0;
+  for (size_t group = 0; group + 1 < starts.size(); ++group) {
+    const auto of_cell = pieces.subspan(starts[group], starts[group + 1] - starts[group]);
+    while (cell < cells.size() && cells[cell] < of_cell.front().cell) ++cell;
+    if (cell == cells.size()) break;
+    if (cells[cell] != of_cell.front().cell || !components.are_several(of_cell)) continue;
+    mixed.push_back({static_cast<int32_t>(cell), of_cell, components.all_of(of_cell)});
+  }
+  return mixed;
+}
+
+bool are_of_a_soup(const std::vector<MixedCell>& mixed, size_t cells) {
+  return mixed.size() > cells / kCellsPerSheet ||
+         std::ranges::any_of(mixed, [](const MixedCell& cell) {
+           return cell.components.size() > kSheetsPerCellMax;
+         });
+}
+
+Status check_memory(size_t sheets) {
+  const uint64_t bytes = sheets * (sizeof(CellIntegrals) + sizeof(CellSheet));
+  const uint64_t available = available_memory_bytes();
+  if (bytes <= available) return Status::ok();
+  return resource_exhausted(std::to_string(sheets) + " sheets of cells need " +
+                            std::to_string(bytes >> 20) + " MiB of integrals; available are " +
+                            std::to_string(available >> 20) + " MiB; choose a smaller depth");
+}
+
+}  // namespace
+
+Result<CellSheets> find_cell_sheets(const Surface& surface, std::span<const CellPiece> pieces,
+                                    std::span<const MortonKey> cells,
+                                    std::span<const Passages> passages) {
+  CellSheets found;
+  const Components components(surface);
+  const std::vector<MixedCell> mixed = find_mixed_cells(components, pieces, cells);
+  if (are_of_a_soup(mixed, cells.size())) return found;
+  std::vector<const MixedCell*> cell_of_sheet;
+  for (const MixedCell& cell : mixed)
+    for (uint32_t component : cell.components) {
+      found.sheets.push_back({cell.cell, component, 0});
+      cell_of_sheet.push_back(&cell);
+    }
+  RETURN_IF_ERROR(check_memory(found.sheets.size()));
+  found.integrals.resize(found.sheets.size());
+#pragma omp parallel for schedule(dynamic, 64)
+  for (size_t s = 0; s < found.sheets.size(); ++s) {
+    CellSheet& sheet = found.sheets[s];
+    CellIntegrator integrator;
+    for (const CellPiece& piece : cell_of_sheet[s]->pieces) {
+      if (components.of(piece) != sheet.component) continue;
+      surface.integrate(piece, integrator);
+      sheet.passages |= piece.passages;
+    }
+    sheet.passages &= passages[sheet.cell];
+    found.integrals[s] = integrator.integrals();
+  }
+  return found;
+}
+
+}  // namespace burnish
