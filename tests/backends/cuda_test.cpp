@@ -1,6 +1,7 @@
 // What the CUDA backend says of itself, with a device and without.
 
 #include <algorithm>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -42,6 +43,21 @@ TEST(CudaBackend, WithoutADeviceAutoTakesTheCpuAndSaysWhy) {
   const auto solver = open_solver({.backend = BackendKind::kAuto}).value();
   EXPECT_EQ(solver->backend_name(), "cpu");
   EXPECT_EQ(solver->backend_reason(), cuda_device().status().message());
+}
+
+void append(const TriangleMesh& piece, const Vec3d& at, TriangleMesh& mesh) {
+  const auto first = static_cast<uint32_t>(mesh.vertices.size());
+  for (const Vec3d& vertex : piece.vertices) mesh.vertices.push_back(vertex + at);
+  for (const Triangle& t : piece.triangles)
+    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+// Two spheres through each other: where they meet a cell has two components of the mesh.
+TriangleMesh crossing_spheres() {
+  const TriangleMesh sphere = generate_scan({.kind = "icosphere", .vertices = 5000}).value();
+  TriangleMesh mesh = sphere;
+  append(sphere, 0.7 * compute_statistics(sphere).diagonal() * Vec3d(0.5, 0.1, 0.2), mesh);
+  return mesh;
 }
 
 class OnADevice : public testing::Test {
@@ -122,14 +138,15 @@ double between_cpu_and_cuda(const TriangleMesh& mesh, Smoother smoother, int cyc
 
 // They differ by rounding; with Schwarz by where the estimate of λmax starts as well.
 TEST_F(OnADevice, FollowsTheCpuCycleByCycle) {
-  for (const char* kind : {"tablet", "sheets", "blob"}) {
-    const TriangleMesh mesh = generate_scan({.kind = kind, .vertices = 20000}).value();
+  std::map<std::string, TriangleMesh> meshes = {{"crossing spheres", crossing_spheres()}};
+  for (const char* kind : {"tablet", "sheets", "blob"})
+    meshes[kind] = generate_scan({.kind = kind, .vertices = 20000}).value();
+  for (const auto& [name, mesh] : meshes)
     for (const int cycles : {1, 2, 5}) {
-      SCOPED_TRACE(kind + (" after " + std::to_string(cycles)) + " cycles");
+      SCOPED_TRACE(name + " after " + std::to_string(cycles) + " cycles");
       EXPECT_LE(between_cpu_and_cuda(mesh, Smoother::kSchwarz, cycles), 3e-4);
       EXPECT_LE(between_cpu_and_cuda(mesh, Smoother::kGaussSeidel, cycles), 2e-5);
     }
-  }
 }
 
 // What the meshes above have for the device to follow.
@@ -172,13 +189,6 @@ TEST_F(OnADevice, EditAfterEditEndsWhereTheCpuDoes) {
     ASSERT_LE((on_cpu[v] - on_cuda[v]).norm(), 2e-6 * diagonal) << "vertex " << v;
 }
 
-void append(const TriangleMesh& piece, const Vec3d& at, TriangleMesh& mesh) {
-  const auto first = static_cast<uint32_t>(mesh.vertices.size());
-  for (const Vec3d& vertex : piece.vertices) mesh.vertices.push_back(vertex + at);
-  for (const Triangle& t : piece.triangles)
-    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-}
-
 TriangleMesh separate_pieces() {
   TriangleMesh mesh;
   const TriangleMesh piece = generate_scan({.kind = "icosphere", .vertices = 12}).value();
@@ -211,6 +221,13 @@ double between_cpu_and_cuda_settled(const TriangleMesh& mesh) {
 TEST_F(OnADevice, ManySeparatePiecesSettle) {
   EXPECT_LE(between_cpu_and_cuda_settled(separate_pieces()), 2e-5);
   EXPECT_LE(between_cpu_and_cuda_settled(separate_pieces_and_a_tablet()), 2e-5);
+}
+
+TEST(SheetsApart, OfCrossingSpheresAreThoseOfComponents) {
+  const auto prepared = prepare(crossing_spheres(), {.depth = 7}).value();
+  const auto hierarchy = make_hierarchy(*prepared);
+  EXPECT_GT(hierarchy->at(7).sheet_count, 0);
+  EXPECT_FALSE(hierarchy->at(6).shares.share.empty());
 }
 
 TEST(SheetsApart, OfManyPiecesReachTheHostsDirectSolve) {

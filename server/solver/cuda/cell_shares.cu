@@ -39,7 +39,7 @@ __device__ FetchedShare fetch_share(const Shares& shares, int32_t k, int a) {
           right.place[a]};
 }
 
-// Row a of N, and of a cell its row sum: what else the diagonal follows from.
+// Row a of N and its sum.
 struct SourceRow {
   float entry[8];
   float row_sum;
@@ -64,10 +64,14 @@ __device__ SourceRow read_row(const CellSquares<Real>& cells, const FetchedShare
   }
   const Real* tie =
       cells.numbers + cells.kNumbers * cells.cells + 64 * (share.source - cells.cells);
-  row.row_sum = 0;
+  Real sum = 0;
 #pragma unroll
-  for (int b = 0; b < 8; ++b)
-    row.entry[b] = static_cast<float>(tie[share.is_transposed ? 8 * b + a : 8 * a + b]);
+  for (int b = 0; b < 8; ++b) {
+    const Real number = tie[share.is_transposed ? 8 * b + a : 8 * a + b];
+    row.entry[b] = static_cast<float>(number);
+    sum += number;
+  }
+  row.row_sum = static_cast<float>(sum);
   return row;
 }
 
@@ -84,16 +88,15 @@ struct Group {
 
 // Adds row v = `a` of Lᵀ N R, and in [8] its row sum. R's rows add up to their weights: what N's
 // row sum has of a common weight needs no difference of large numbers.
-__device__ void add_share(const FetchedShare& share, const SourceRow& row, bool is_cell,
-                          const HalfWay& half_way, const Group& group, int a, float (&sum)[9]) {
-  const float common = is_cell ? share.right_weight : 0;
+__device__ void add_share(const FetchedShare& share, const SourceRow& row, const HalfWay& half_way,
+                          const Group& group, int a, float (&sum)[9]) {
   float product[9] = {};
-  product[8] = row.row_sum * common;
+  product[8] = row.row_sum * share.right_weight;
 #pragma unroll
   for (int b = 0; b < 8; ++b) {
     const float weight = group.from(share.right_weight, b);
     const int place = group.from(share.right_place, b);
-    product[8] += row.entry[b] * (weight - common);
+    product[8] += row.entry[b] * (weight - share.right_weight);
 #pragma unroll
     for (int w = 0; w < 8; ++w) product[w] += row.entry[b] * weight * half_way.at[place][w];
   }
@@ -143,7 +146,7 @@ __global__ void add_shares_kernel(Shares shares, CellSquares<Real> fine,
     const SourceRow row = read_row(fine, share, a);
     k += kGroups;
     if (k < end) next = fetch_share(shares, k, a);
-    add_share(share, row, share.source < fine.cells, half_way, group, a, sum);
+    add_share(share, row, half_way, group, a, sum);
   }
   __syncwarp();
 #pragma unroll

@@ -15,13 +15,17 @@ __device__ void keep_largest(float number, float* largest) {
     atomicMax(reinterpret_cast<unsigned*>(largest), __float_as_uint(number));
 }
 
-// Each warp of a block calls it whole; cell < 0 for none.
-__device__ CombineWeights weights_of(const Metric& metric, int64_t cell) {
+__device__ CombineWeights weights_of(const Metric& metric, float alpha1, float alpha2) {
+  return combine_weights(alpha1 * metric.scale, alpha2 * metric.scale);
+}
+
+// The same, and what is kept of the metric. Each warp of a block calls it whole; cell < 0 for none.
+__device__ CombineWeights take_weights(const Metric& metric, int64_t cell) {
   const bool is_there = cell >= 0;
   const float a1 = is_there ? metric.alpha1[cell] : 1, a2 = is_there ? metric.alpha2[cell] : 1;
   if (is_there) metric.ratio[cell] = a2 / a1;
   keep_largest(fmaxf(a1 / a2, a2 / a1), metric.anisotropy);
-  return combine_weights(a1 * metric.scale, a2 * metric.scale);
+  return weights_of(metric, a1, a2);
 }
 
 // A number's three integrals. Pairs come first, then row sums, which are the mass's alone. They
@@ -45,7 +49,7 @@ __device__ double combine(const ThreeIntegrals& of, const CombineWeights& weight
 __global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined) {
   await_previous();
   const int64_t cell = thread_index() < combined.cells ? thread_index() : -1;
-  const CombineWeights weights = weights_of(metric, cell);
+  const CombineWeights weights = take_weights(metric, cell);
   if (cell < 0) return;
 #pragma unroll 7
   for (int pair = 0; pair < 28; ++pair)
@@ -77,12 +81,42 @@ __global__ void combine_apart_kernel(Integrals integrals, Metric metric,
 #pragma unroll
   for (int n = 0; n < kEach; ++n)
     loaded[n] = integrals_of(integrals, cell, number_of(n), n < kPairsOfEach);
-  if (threadIdx.x < 32) weights[lane] = weights_of(metric, i < shares.apart_count ? cell : -1);
+  if (threadIdx.x < 32) weights[lane] = take_weights(metric, i < shares.apart_count ? cell : -1);
   __syncthreads();
 #pragma unroll
   for (int n = 0; n < kEach; ++n)
     if (i < shares.apart_count)
       combined.numbers[number_of(n) * combined.cells + cell] = combine(loaded[n], weights[lane]);
+  await_previous();
+}
+
+// The same of sheets, as 8×8 matrices one after the other.
+__global__ void combine_sheets_kernel(SheetIntegrals sheets, Metric metric, double* squares) {
+  __shared__ CombineWeights weights[32];
+  __shared__ double numbers[CellSquares<double>::kNumbers][32 + 1];
+  let_next_start();
+  const auto lane = static_cast<int32_t>(threadIdx.x % 32);
+  const int64_t first = int64_t{blockIdx.x} * 32;
+  const int64_t sheet = min(first + lane, sheets.integrals.cells - 1);
+  ThreeIntegrals loaded[kEach];
+#pragma unroll
+  for (int n = 0; n < kEach; ++n)
+    loaded[n] = integrals_of(sheets.integrals, sheet, number_of(n), n < kPairsOfEach);
+  if (threadIdx.x < 32) {
+    const int32_t cell = sheets.cell[sheet];
+    weights[lane] = weights_of(metric, metric.alpha1[cell], metric.alpha2[cell]);
+  }
+  __syncthreads();
+#pragma unroll
+  for (int n = 0; n < kEach; ++n) numbers[number_of(n)][lane] = combine(loaded[n], weights[lane]);
+  __syncthreads();
+  const auto count = static_cast<int>(min(int64_t{32}, sheets.integrals.cells - first));
+  for (auto k = static_cast<int>(threadIdx.x); k < 64 * count; k += kThreads) {
+    const int i = k / 64, a = k / 8 % 8, b = k % 8;
+    double number = numbers[a == b ? 28 + a : pair_index(a, b)][i];
+    for (int step = 1; a == b && step < 8; ++step) number -= numbers[pair_index(a, a ^ step)][i];
+    squares[64 * first + k] = number;
+  }
   await_previous();
 }
 
@@ -207,7 +241,7 @@ __global__ void __launch_bounds__(kThreads, 6)
   // The host's memory is far: what is here is loaded meanwhile.
   const auto fetch_weights = [&] {
     const auto t = static_cast<int>(threadIdx.x);
-    weights[t] = weights_of(metric, t < children.count ? children.cell[t] : -1);
+    weights[t] = take_weights(metric, t < children.count ? children.cell[t] : -1);
     __syncthreads();
   };
   const auto load = [&](int64_t cell, int number, bool is_pair) {
@@ -243,13 +277,16 @@ void combine_integrals(Stream& stream, const Integrals& integrals, const Metric&
   launch(stream, combine_kernel, combined.cells, integrals, metric, combined);
 }
 
-void combine_integrals(Stream& stream, const Integrals& integrals, const Metric& metric,
-                       const CellSquares<double>& combined, const Topology& fine,
-                       const Topology& coarse, const CellSquares<float>& coarse_cells) {
+void combine_integrals(Stream& stream, const Integrals& integrals, const SheetIntegrals& sheets,
+                       const Metric& metric, const CellSquares<double>& combined,
+                       const Topology& fine, const Topology& coarse,
+                       const CellSquares<float>& coarse_cells) {
   launch(stream, combine_and_down_sample_kernel, 8 * coarse_cells.cells, integrals, metric,
          combined, fine, coarse, coarse_cells);
   launch(stream, combine_apart_kernel, int64_t{kWarps} * coarse.shares.apart_count, integrals,
          metric, combined, coarse.shares);
+  launch(stream, combine_sheets_kernel, kWarps * sheets.integrals.cells, sheets, metric,
+         combined.numbers + combined.kNumbers * combined.cells);
 }
 
 void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,

@@ -7,7 +7,8 @@ namespace burnish::cuda {
 
 /// A session's metric and what is kept of it.
 struct Metric {
-  const float *alpha1, *alpha2;  ///< of every cell; may be the host's: each is read once
+  const float *alpha1, *alpha2;  ///< of every cell; may be the host's: each is read once, but for
+                                 ///< cells of several sheets
   double scale;                  ///< of α to grid units
   float* ratio;                  ///< out: α2/α1 of every cell
   float* anisotropy;             ///< out: the largest ratio, either way round, of any cell
@@ -17,11 +18,13 @@ struct Metric {
 void combine_integrals(Stream& stream, const Integrals& integrals, const Metric& metric,
                        const CellSquares<double>& combined);
 
-/// The same, and those of the next coarser depth, which for coarse depths need float32 only: they
-/// precondition. What they take beyond their children's is left to add_shares().
-void combine_integrals(Stream& stream, const Integrals& integrals, const Metric& metric,
-                       const CellSquares<double>& combined, const Topology& fine,
-                       const Topology& coarse, const CellSquares<float>& coarse_cells);
+/// The same with sheets, whose numbers stand behind those of the cells, and those of the next
+/// coarser depth, which for coarse depths need float32 only: they precondition. What they take
+/// beyond their children's is left to add_shares().
+void combine_integrals(Stream& stream, const Integrals& integrals, const SheetIntegrals& sheets,
+                       const Metric& metric, const CellSquares<double>& combined,
+                       const Topology& fine, const Topology& coarse,
+                       const CellSquares<float>& coarse_cells);
 
 /// Combined integrals of the coarse depth from those of the fine one: Σ over children of Pᵀ K P,
 /// and what else the depth's shares say.

@@ -37,7 +37,7 @@ class CudaBackend final : public Backend {
         beta_(stream_, cells()),
         ratio_(stream_, cells()),
         gradients_(stream_, CellGradients::kNumbers * cells()),
-        combined_(stream_, CellSquares<double>::kNumbers * cells()),
+        combined_(stream_, mesh_->hierarchy->depths.back().number_count()),
         coarse_combined_(stream_, numbers_of_coarse_depths()),
         pinned_below_(stream_, mesh_->depths.size()),
         anisotropy_(stream_, 1) {
@@ -150,8 +150,8 @@ class CudaBackend final : public Backend {
       assemble_coarsest(combined);
     } else {
       CellSquares<float> cells = {coarse_combined_.data(), topology(1).cell_count};
-      combine_integrals(stream_, mesh_->integrals(), metric, combined, topology(0), topology(1),
-                        cells);
+      combine_integrals(stream_, mesh_->integrals(), mesh_->sheets.view(), metric, combined,
+                        topology(0), topology(1), cells);
       start_matrix(0, combined);
       add_shares(stream_, topology(1).shares, combined, cells);
       smoothers_.back()->fork();
@@ -210,8 +210,8 @@ class CudaBackend final : public Backend {
   GradientScale beta_;
   DeviceArray<float> ratio_;
   DeviceArray<float> gradients_;        // CellGradients
-  DeviceArray<double> combined_;        // CellSquares of the finest depth
-  DeviceArray<float> coarse_combined_;  // and of ties, of the others, from the finest
+  DeviceArray<double> combined_;        // numbers of the finest depth: CellSquares, then sheets
+  DeviceArray<float> coarse_combined_;  // of the others, from the finest: CellSquares, then ties
   DeviceArray<float> pinned_below_, anisotropy_;
   std::vector<DeviceDepth> depths_;                        // from the coarsest
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest

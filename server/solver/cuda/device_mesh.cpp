@@ -78,21 +78,28 @@ uint64_t DeviceTopology::byte_count() const {
 }
 
 uint64_t DeviceMesh::byte_count() const {
-  uint64_t bytes =
-      integral_numbers.byte_count() + gradient_numbers.byte_count() + evaluation.byte_count();
+  uint64_t bytes = integral_numbers.byte_count() + gradient_numbers.byte_count() +
+                   evaluation.byte_count() + sheets.byte_count();
   for (const DeviceTopology& depth : depths) bytes += depth.byte_count();
   return bytes;
 }
 
-static std::vector<double> integrals_of(const PreparedMesh& prepared) {
-  const size_t cells = prepared.integrals.size();
+static std::vector<double> numbers_of(std::span<const CellIntegrals> integrals) {
+  const size_t cells = integrals.size();
   std::vector<double> numbers(Integrals::kNumbers * cells);
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < cells; ++c) {
-    const double* of_cell = prepared.integrals[c].mass.data();
+    const double* of_cell = integrals[c].mass.data();
     for (int i = 0; i < Integrals::kNumbers; ++i) numbers[i * cells + c] = of_cell[i];
   }
   return numbers;
+}
+
+DeviceSheets::DeviceSheets(Stream& stream, const PreparedMesh& prepared, int32_t count) {
+  std::vector<int32_t> cells;
+  for (const CellSheet& sheet : prepared.sheets.first(count)) cells.push_back(sheet.cell);
+  cell_ = {stream, cells};
+  numbers_ = {stream, numbers_of(prepared.sheet_integrals.first(count))};
 }
 
 static std::vector<float> gradients_of(const PreparedMesh& prepared) {
@@ -123,7 +130,8 @@ static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
   auto mesh = std::make_shared<DeviceMesh>();
   mesh->device = device;
   for (const HierarchyDepth& depth : hierarchy->depths) mesh->depths.emplace_back(stream, depth);
-  mesh->integral_numbers = {stream, integrals_of(*prepared)};
+  mesh->integral_numbers = {stream, numbers_of(prepared->integrals)};
+  mesh->sheets = {stream, *prepared, hierarchy->depths.back().sheet_count};
   mesh->gradient_numbers = {stream, gradients_of(*prepared)};
   mesh->evaluation = DeviceArray<VertexPlace>::copy_of(stream, prepared->evaluation);
   mesh->prepared = std::move(prepared);

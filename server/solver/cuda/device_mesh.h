@@ -34,6 +34,22 @@ class DeviceTopology {
   Topology view_{};
 };
 
+/// PreparedMesh::sheets on the device, as far as a hierarchy uses them.
+class DeviceSheets {
+ public:
+  DeviceSheets() = default;
+  DeviceSheets(Stream& stream, const PreparedMesh& prepared, int32_t count);
+
+  SheetIntegrals view() const {
+    return {{numbers_.data(), static_cast<int64_t>(cell_.size())}, cell_.data()};
+  }
+  uint64_t byte_count() const { return numbers_.byte_count() + cell_.byte_count(); }
+
+ private:
+  DeviceArray<double> numbers_;
+  DeviceArray<int32_t> cell_;
+};
+
 /// Everything about a prepared mesh that no edit changes, immutable and shared by its sessions.
 struct DeviceMesh {
   int device = 0;
@@ -41,6 +57,7 @@ struct DeviceMesh {
   std::shared_ptr<const Hierarchy> hierarchy;
   std::vector<DeviceTopology> depths;  ///< from the coarsest
   DeviceArray<double> integral_numbers;
+  DeviceSheets sheets;
   DeviceArray<float> gradient_numbers;
   DeviceArray<VertexPlace> evaluation;
 

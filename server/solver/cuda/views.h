@@ -27,6 +27,12 @@ struct Integrals {
   int64_t cells;
 };
 
+/// PreparedMesh::sheets that a hierarchy uses, with a sheet's integrals in place of a cell's.
+struct SheetIntegrals {
+  Integrals integrals;
+  const int32_t* cell;  ///< of every sheet
+};
+
 /// CellIntegrals::gradient: for each corner a = 0..7 and direction i the three axes. That of a = 7
 /// is minus the sum of the others; what its floats leave of it follows as another 2 × 3 numbers.
 struct Gradients {
@@ -113,7 +119,8 @@ struct PairEntries {
 };
 
 /// A depth's irregular rows and the cells at them (stencil.h). Sources are places among the depth's
-/// numbers, which are CellSquares and behind them 64 of each tie.
+/// numbers, which are CellSquares and behind them 64 of each tie; at the finest depth 64 of each
+/// sheet.
 struct Irregular {
   int32_t row_count;
   const int32_t* corner;
