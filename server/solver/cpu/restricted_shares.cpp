@@ -37,11 +37,9 @@ Square square_of(const double* tie, bool is_transposed) {
 }
 
 // What corner a of a part takes of the coarse cell's corners.
-[[gnu::always_inline]] inline Double8 weights_of(const CellPart& part, int a) {
+void find_weights(const CellPart& part, int a, Double8& weights) {
   const auto& half_way = half_way_weights()[part.place[a]];
-  Double8 weights;
   for (int v = 0; v < 8; ++v) weights[v] = double{part.weight[a]} * half_way[v];
-  return weights;
 }
 
 // sum += Lᵀ N R. Most parts have few corners.
@@ -50,12 +48,14 @@ BURNISH_DISPATCH void add_product(const CellPart& left, const Square& n, const C
   Square nr;
   for (int b = 0; b < 8; ++b) {
     if (right.weight[b] == 0) continue;
-    const Double8 r = weights_of(right, b);
+    Double8 r;
+    find_weights(right, b, r);
     for (int a = 0; a < 8; ++a) nr.row[a] += n.row[a][b] * r;
   }
   for (int a = 0; a < 8; ++a) {
     if (left.weight[a] == 0) continue;
-    const Double8 l = weights_of(left, a);
+    Double8 l;
+    find_weights(left, a, l);
     for (int v = 0; v < 8; ++v) sum.row[v] += l[v] * nr.row[a];
   }
 }
