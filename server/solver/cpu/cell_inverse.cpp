@@ -134,7 +134,7 @@ static void read_irregular_cell(const Source& source, int32_t i, int lane, Block
 
 static void invert_irregular_cells(const Source& source, Scratch<CellInverse>& inverses) {
   const IrregularCells& cells = source.stencil.irregular_cells;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (cells.count() > kCellsPerBlock)
   for (int32_t first = 0; first < cells.count(); first += kLanes) {
     Blocks blocks;
     for (int lane = 0; lane < kLanes; ++lane)

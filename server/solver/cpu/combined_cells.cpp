@@ -8,6 +8,8 @@ namespace burnish::cpu {
 
 namespace {
 
+constexpr int kCellsAlone = 1024;  // for fewer, threads take longer to wake
+
 BURNISH_DISPATCH void combine(const CellIntegrals& of, const CombineWeights& by, CellMatrix& out) {
   for (int p = 0; p < 28; ++p)
     out.pair[p] = by.mass * of.mass[p] +
@@ -61,7 +63,7 @@ CombinedCells combine_and_down_sample(const PreparedMesh& prepared, const Metric
     combine(prepared.integrals[c], weights_of(metric, c), fine_cells[c]);
     return fine_cells[c];
   });
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (coarse.shares.apart.size() > kCellsAlone)
   for (const int32_t c : coarse.shares.apart)
     combine(prepared.integrals[c], weights_of(metric, c), fine_cells[c]);
   combine_sheets(prepared, metric, fine, fine_cells);

@@ -11,8 +11,9 @@ namespace burnish::cpu {
 template <typename T, typename Store>
 void sum_irregular_rows(const Stencil& stencil, const T* numbers, size_t number_count,
                         Store&& store) {
+  constexpr int32_t kRowsAlone = 128;  // for fewer, threads take longer to wake
   const IrregularRows& rows = stencil.irregular;
-#pragma omp parallel for schedule(dynamic, 64)
+#pragma omp parallel for schedule(dynamic, 64) if (rows.count() > kRowsAlone)
   for (int32_t i = 0; i < rows.count(); ++i) {
     std::vector<T> sums;
     for (int64_t s = rows.sum_start[i]; s < rows.sum_start[i + 1]; ++s) {

@@ -8,6 +8,8 @@ namespace burnish::cpu {
 
 namespace {
 
+constexpr size_t kTargetsAlone = 128;  // for fewer, threads take longer to wake
+
 /// An 8×8 matrix by rows.
 struct Square {
   Double8 row[8] = {};
@@ -34,21 +36,27 @@ Square square_of(const double* tie, bool is_transposed) {
   return k;
 }
 
-// The weights of a coarse cell's corners at each of a cell's.
-Square weights_of(const CellPart& part) {
-  Square q;
-  for (int a = 0; a < 8; ++a)
-    for (int v = 0; v < 8; ++v)
-      q.row[a][v] = double{part.weight[a]} * half_way_weights()[part.place[a]][v];
-  return q;
+// What corner a of a part takes of the coarse cell's corners.
+void find_weights(const CellPart& part, int a, Double8& weights) {
+  const auto& half_way = half_way_weights()[part.place[a]];
+  for (int v = 0; v < 8; ++v) weights[v] = double{part.weight[a]} * half_way[v];
 }
 
-// sum += Lᵀ N R.
-BURNISH_DISPATCH void add_product(const Square& l, const Square& n, const Square& r, Square& sum) {
+// sum += Lᵀ N R. Most parts have few corners.
+BURNISH_DISPATCH void add_product(const CellPart& left, const Square& n, const CellPart& right,
+                                  Square& sum) {
+  Square nr;
+  for (int b = 0; b < 8; ++b) {
+    if (right.weight[b] == 0) continue;
+    Double8 r;
+    find_weights(right, b, r);
+    for (int a = 0; a < 8; ++a) nr.row[a] += n.row[a][b] * r;
+  }
   for (int a = 0; a < 8; ++a) {
-    Double8 nr = {};
-    for (int b = 0; b < 8; ++b) nr += n.row[a][b] * r.row[b];
-    for (int v = 0; v < 8; ++v) sum.row[v] += l.row[a][v] * nr;
+    if (left.weight[a] == 0) continue;
+    Double8 l;
+    find_weights(left, a, l);
+    for (int v = 0; v < 8; ++v) sum.row[v] += l[v] * nr.row[a];
   }
 }
 
@@ -75,7 +83,7 @@ void add_shares(const HierarchyDepth& fine, const HierarchyDepth& coarse,
                 const CombinedCells& fine_cells, CombinedCells& coarse_cells) {
   const CellShares& shares = coarse.shares;
   const int32_t fine_count = fine.grid.cell_count(), coarse_count = coarse.grid.cell_count();
-#pragma omp parallel for schedule(dynamic, 64)
+#pragma omp parallel for schedule(dynamic, 64) if (shares.target.size() > kTargetsAlone)
   for (size_t i = 0; i < shares.target.size(); ++i) {
     Square sum;
     for (int32_t k = shares.start[i]; k < shares.start[i + 1]; ++k) {
@@ -85,8 +93,7 @@ void add_shares(const HierarchyDepth& fine, const HierarchyDepth& coarse,
           tie < 0 ? square_of(fine_cells[share.source])
                   : square_of(fine_cells.numbers() + number_of_tie(fine_count, tie, 0, 0),
                               share.is_transposed != 0);
-      add_product(weights_of(shares.part[share.left]), of_source,
-                  weights_of(shares.part[share.right]), sum);
+      add_product(shares.part[share.left], of_source, shares.part[share.right], sum);
     }
     if (const int32_t target = shares.target[i]; target < coarse_count)
       add_to_cell(sum, coarse_cells[target]);

@@ -13,9 +13,11 @@ void restrict_to_coarse(const CpuDepth& fine, CpuDepth& coarse) {
   }
 }
 
+static constexpr int32_t kCornersAlone = 1024;  // for fewer, threads take longer to wake
+
 static void add_prolonged(const DepthTransfer::SharedCorners& shared, const CpuDepth& coarse,
                           CpuDepth& fine) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (shared.count() > kCornersAlone)
   for (int32_t j = 0; j < shared.count(); ++j) {
     const int32_t i = shared.corner[j];
     if (fine.inverse_diagonal[i] == 0) continue;

@@ -29,6 +29,8 @@ struct Sample {
   std::vector<CellIntegrals> integrals = std::vector<CellIntegrals>(3);
   std::vector<CellCurvature> curvature = {{2, -1, 0.5f}, {3, 1, 0.25f}, {0, 0, 0.125f}};
   std::vector<uint32_t> passages = {0, 1u << 26, 1};
+  std::vector<CellSheet> sheets = {{1, 0, 1u << 26}, {1, 3, 0}};
+  std::vector<CellIntegrals> sheet_integrals = std::vector<CellIntegrals>(2);
 
   PreparedMesh mesh() {
     for (size_t c = 0; c < integrals.size(); ++c) {
@@ -51,6 +53,8 @@ struct Sample {
     mesh.integrals = integrals;
     mesh.curvature = curvature;
     mesh.passages = passages;
+    mesh.sheets = sheets;
+    mesh.sheet_integrals = sheet_integrals;
     return mesh;
   }
 };
@@ -109,6 +113,8 @@ TEST_F(PreparedFile, MapsBackEveryBit) {
   EXPECT_TRUE(same_bytes(back.integrals, mesh.integrals));
   EXPECT_TRUE(same_bytes(back.curvature, mesh.curvature));
   EXPECT_TRUE(same_bytes(back.passages, mesh.passages));
+  EXPECT_TRUE(same_bytes(back.sheets, mesh.sheets));
+  EXPECT_TRUE(same_bytes(back.sheet_integrals, mesh.sheet_integrals));
   EXPECT_EQ(back.frame.origin, mesh.frame.origin);
   EXPECT_EQ(back.frame.cell_size, mesh.frame.cell_size);
   EXPECT_EQ(back.frame.depth, mesh.frame.depth);
@@ -160,8 +166,9 @@ TEST_F(PreparedFile, AMissingFileIsNotFound) {
 }
 
 TEST_F(PreparedFile, AFlippedByteIsFoundAndItsSectionNamed) {
-  static constexpr const char* kSections[] = {"vertices", "triangles", "colours",   "evaluation",
-                                              "cells",    "integrals", "curvature", "passages"};
+  static constexpr const char* kSections[] = {
+      "vertices",  "triangles", "colours",  "evaluation", "cells",
+      "integrals", "curvature", "passages", "sheets",     "sheet integrals"};
   const std::string good = written(Sample().mesh());
   PreparedHeader header;
   std::memcpy(&header, good.data(), sizeof(header));
@@ -224,8 +231,25 @@ TEST_F(PreparedFile, CountsThatContradictEachOtherAreRefused) {
   expect_damage(status_of_lie([](Sample& s) { s.integrals.resize(4); }), "integrals: count is 4");
   expect_damage(status_of_lie([](Sample& s) { s.curvature.clear(); }), "curvature: count is 0");
   expect_damage(status_of_lie([](Sample& s) { s.passages.resize(2); }), "passages: count is 2");
+  expect_damage(status_of_lie([](Sample& s) { s.sheet_integrals.pop_back(); }),
+                "sheet integrals: count is 1");
   expect_damage(status_of_lie([](Sample& s) { s.vertices.pop_back(); }), "vertices: count is 3");
   expect_damage(status_of_lie([](Sample& s) { s.triangles.pop_back(); }), "triangles: count is 1");
+}
+
+TEST_F(PreparedFile, SheetsThatContradictTheirCellsAreRefused) {
+  expect_damage(status_of_lie([](Sample& s) { s.sheets[1].cell = 3; }),
+                "sheet 1 is of cell 3 of 3");
+  expect_damage(status_of_lie([](Sample& s) { s.sheets[0].cell = -1; }), "sheet 0 is of cell -1");
+  expect_damage(status_of_lie([](Sample& s) { s.sheets[1].component = 0; }),
+                "sheet 1 does not rise");
+  expect_damage(status_of_lie([](Sample& s) { s.sheets[1].passages = 2; }),
+                "sheet 1 has passages that its cell 1 has not");
+  expect_damage(status_of_lie([](Sample& s) {
+                  for (uint32_t i = 4; i < 12; ++i) s.sheets.push_back({1, i, 0});
+                  s.sheet_integrals.resize(s.sheets.size());
+                }),
+                "is one of more than 8 of cell 1");
 }
 
 TEST_F(PreparedFile, IndicesOutsideTheirArraysAreRefused) {
