@@ -117,20 +117,18 @@ __global__ void __launch_bounds__(kThreads, 6) product_kernel(Vectors v, bool re
   if (add_up(sums, v.products, &total)) choose_step(total, restart, *v.scalars);
 }
 
-// a p at a corner before advance() makes it p.
-__device__ Double3 step_of(const Vectors& v, int32_t corner) {
-  const Double3 step = triple(v.scalars->step), momentum = triple(v.scalars->momentum);
-  return step * (to_double(v.finest.x[corner]) + momentum * v.p[corner]);
-}
-
+// Of E a p, p being what advance() will make it.
 __device__ float squared_move(const Vectors& v, const VertexPlace& place) {
-  Double3 moved = {0, 0, 0};
+  const Double3 momentum = triple(v.scalars->momentum);
+  Double3 along = {0, 0, 0};
   for (int a = 0; a < 8; ++a) {
-    float weight = 1;
+    const int32_t i = v.finest.topology.cell_corners[place.cell].at[a];
+    double weight = 1;
     for (int axis = 0; axis < 3; ++axis)
       weight *= a >> axis & 1 ? place.local[axis] : 1 - place.local[axis];
-    moved = moved + double{weight} * step_of(v, v.finest.topology.cell_corners[place.cell].at[a]);
+    along = along + weight * (to_double(v.finest.x[i]) + momentum * v.p[i]);
   }
+  const Double3 moved = triple(v.scalars->step) * along;
   return static_cast<float>(sum_of(moved * moved));
 }
 
