@@ -13,32 +13,35 @@ struct StepSize {
 };
 
 /// How far the surface still is from the converged one, by its last steps. If each is ρ times as
-/// long as the one before, those to come add up to ρ/(1 − ρ) times the last one. The steps' lengths
-/// alone would say ρ badly, for they rise and fall, and the energy alone does not feel a crumb's
-/// few vertices: so ρ is the larger of what both say, and never small, because the first steps do
-/// what is easy.
+/// long as the one before, those to come add up to ρ/(1 − ρ) times the last one.
+///
+/// ρ is the larger of what the lengths and what rᵀz say: lengths rise and fall, and the energy does
+/// not feel a crumb's few vertices. It is never small, because the first steps do what is easy; and
+/// it is forgotten slowly, because what converges slowly shows up now and then only.
 class ConvergenceRate {
  public:
-  void restart() { count_ = 0; }
+  void restart() { *this = {}; }
 
-  void add(const StepSize& step) { latest_[count_++ % kSteps] = step; }
+  void add(const StepSize& step) {
+    latest_[count_++ % kSteps] = step;
+    const double now = std::clamp(factor_of_last_steps(), kFactorLeast, kFactorMost);
+    factor_ = std::max(now, kKept * factor_ + (1 - kKept) * now);
+  }
 
   /// The largest distance of a vertex after the last step, in the unit of `moved_max`. Needs: a
   /// step since the restart.
-  double distance() const { return now().moved_max * factor() / (1 - factor()); }
+  double distance() const { return last().moved_max * factor_ / (1 - factor_); }
 
  private:
-  const StepSize& now() const { return latest_[(count_ - 1) % kSteps]; }
+  const StepSize& last() const { return latest_[(count_ - 1) % kSteps]; }
 
-  // By what a step shrinks the next one; the least before two steps are known.
-  double factor() const {
+  double factor_of_last_steps() const {
     const int span = std::min(count_, kSteps) - 1;
     if (span == 0) return kFactorLeast;
     const StepSize& then = latest_[(count_ - 1 - span) % kSteps];
-    const double lengths = ratio(now().moved_max, then.moved_max);
-    const double squares = ratio(now().preconditioned_residual, then.preconditioned_residual);
-    const double shrunk = std::max(lengths, std::sqrt(squares));
-    return std::clamp(std::pow(shrunk, 1.0 / span), kFactorLeast, kFactorMost);
+    const double lengths = ratio(last().moved_max, then.moved_max);
+    const double squares = ratio(last().preconditioned_residual, then.preconditioned_residual);
+    return std::pow(std::max(lengths, std::sqrt(squares)), 1.0 / span);
   }
 
   // Rounding may leave negative numbers where nothing is left to do.
@@ -47,9 +50,11 @@ class ConvergenceRate {
   static constexpr int kSteps = 3;
   static constexpr double kFactorLeast = 2.0 / 3;  // at least twice the last step is to come
   static constexpr double kFactorMost = 0.95;      // slower is rounding, which has no end
+  static constexpr double kKept = 0.8;             // of a slower factor, from step to step
 
   std::array<StepSize, kSteps> latest_ = {};
   int count_ = 0;
+  double factor_ = kFactorLeast;  // ρ
 };
 
 }  // namespace burnish

@@ -30,10 +30,13 @@ TEST(ConvergenceRate, ExpectsTwiceTheLastStepWhateverTheFirstOnesGain) {
   EXPECT_DOUBLE_EQ(distance_after(9, 0.5, 0.5), 2);
 }
 
-TEST(ConvergenceRate, KnowsTheLastThreeStepsOnly) {
+// 4/5 of 0.9 and 1/5 of 2/3 are 64/75.
+TEST(ConvergenceRate, ForgetsSlowStepsSlowly) {
   ConvergenceRate rate;
-  for (double length : {100.0, 1.0, 0.8, 0.64}) rate.add({length, 0});
-  EXPECT_NEAR(rate.distance(), 4 * 0.64, 1e-12);
+  for (double length : {1.0, 0.9, 0.09}) rate.add({length, 0});
+  EXPECT_NEAR(rate.distance(), 0.09 * 64 / 11, 1e-12);
+  for (int i = 0; i < 60; ++i) rate.add({std::pow(0.5, i), 0});
+  EXPECT_NEAR(rate.distance() / std::pow(0.5, 59), 2, 1e-4);
 }
 
 TEST(ConvergenceRate, IsCappedWhereStepsNoLongerShrink) {
