@@ -15,8 +15,7 @@ struct Measures {
   double energy = 0;                   ///< ½uᵀSu − bᵀu, grid units
   double residual = 0;                 ///< ‖D^-½ r‖ / ‖D^-½ b‖, D the diagonal of S
   double preconditioned_residual = 0;  ///< rᵀz before the step, z the V-cycle's correction of r
-  double correction_max = 0;  ///< largest |E x| of the last V-cycle at a vertex, in cells: an
-                              ///< estimate of how far it was from the solution before the step
+  double moved_max = 0;  ///< largest |E a p| at a vertex, in cells: how far the step moved it
 };
 
 /// The one seam between the algorithms, written once, and the machines that run them.

@@ -6,41 +6,55 @@
 
 namespace burnish {
 
-/// By what factor a step reduces the error, from the preconditioned residuals rᵀz of the last
-/// steps, which estimate the squared error in the energy norm; and from it how much is still to
-/// come. Conjugate gradients reduce by ρ = (√κ − 1)/(√κ + 1), κ the condition number, and the
-/// V-cycle corrects of the slowest error no more than its κ-th part: slow modes hide behind small
-/// corrections.
+/// What one step of conjugate gradients tells of those to come.
+struct StepSize {
+  double moved_max = 0;                ///< the way of the vertex that it moved farthest
+  double preconditioned_residual = 0;  ///< rᵀz, the squared error's estimate in the energy norm
+};
+
+/// How far the surface still is from the converged one, by its last steps. If each is ρ times as
+/// long as the one before, those to come add up to ρ/(1 − ρ) times the last one.
+///
+/// ρ is the larger of what the lengths and what rᵀz say: lengths rise and fall, and the energy does
+/// not feel a crumb's few vertices. It is never small, because the first steps do what is easy; and
+/// it is forgotten slowly, because what converges slowly shows up now and then only.
 class ConvergenceRate {
  public:
-  void restart() { count_ = 0; }
+  void restart() { *this = {}; }
 
-  void add(double preconditioned_residual) { latest_[count_++ % kSteps] = preconditioned_residual; }
-
-  /// The largest error over the V-cycle's correction of it, at least 1.
-  double error_over_correction() const {
-    const double root = (1 + factor()) / (1 - factor());
-    return root * root;
+  void add(const StepSize& step) {
+    latest_[count_++ % kSteps] = step;
+    const double now = std::clamp(factor_of_last_steps(), kFactorLeast, kFactorMost);
+    factor_ = std::max(now, kKept * factor_ + (1 - kKept) * now);
   }
+
+  /// The largest distance of a vertex after the last step, in the unit of `moved_max`. Needs: a
+  /// step since the restart.
+  double distance() const { return last().moved_max * factor_ / (1 - factor_); }
 
  private:
-  // In [0, kFactorMax]; a cautious guess before enough steps are known.
-  double factor() const {
-    if (count_ < kStepsLeast) return kFactorGuess;
+  const StepSize& last() const { return latest_[(count_ - 1) % kSteps]; }
+
+  double factor_of_last_steps() const {
     const int span = std::min(count_, kSteps) - 1;
-    const double now = latest_[(count_ - 1) % kSteps];
-    const double then = latest_[(count_ - 1 - span) % kSteps];
-    if (!(then > 0)) return 0;  // nothing was left to do
-    return std::clamp(std::pow(std::max(now, 0.0) / then, 0.5 / span), 0.0, kFactorMax);
+    if (span == 0) return kFactorLeast;
+    const StepSize& then = latest_[(count_ - 1 - span) % kSteps];
+    const double lengths = ratio(last().moved_max, then.moved_max);
+    const double squares = ratio(last().preconditioned_residual, then.preconditioned_residual);
+    return std::pow(std::max(lengths, std::sqrt(squares)), 1.0 / span);
   }
 
-  static constexpr int kSteps = 9;
-  static constexpr int kStepsLeast = 3;
-  static constexpr double kFactorGuess = 0.5;
-  static constexpr double kFactorMax = 0.9;  // κ = 361: slower is noise that no vertex sees
+  // Rounding may leave negative numbers where nothing is left to do.
+  static double ratio(double now, double then) { return then > 0 ? std::max(now, 0.0) / then : 0; }
 
-  std::array<double, kSteps> latest_ = {};
+  static constexpr int kSteps = 3;
+  static constexpr double kFactorLeast = 2.0 / 3;  // at least twice the last step is to come
+  static constexpr double kFactorMost = 0.95;      // slower is rounding, which has no end
+  static constexpr double kKept = 0.8;             // of a slower factor, from step to step
+
+  std::array<StepSize, kSteps> latest_ = {};
   int count_ = 0;
+  double factor_ = kFactorLeast;  // ρ
 };
 
 }  // namespace burnish

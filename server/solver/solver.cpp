@@ -97,13 +97,13 @@ StepReport Solver::step() {
   restart_ = false;
 
   const Measures measures = backend_->measure();
-  rate_.add(measures.preconditioned_residual);
+  rate_.add({measures.moved_max, measures.preconditioned_residual});
   StepReport report;
   report.cycle = ++cycle_;
   report.energy = measures.energy;
   report.residual = measures.residual;
-  report.distance = measures.correction_max * rate_.error_over_correction() *
-                    prepared_->frame.cell_size / prepared_->statistics.diagonal();
+  report.distance =
+      rate_.distance() * prepared_->frame.cell_size / prepared_->statistics.diagonal();
   return report;
 }
 

@@ -77,7 +77,6 @@ void ConjugateGradients::update_direction(bool restart) {
     }
     return sum;
   });
-  correction_max_ = largest_correction();
   const Double4 momentum =
       restart ? Double4(Double4::Zero()) : quotient(-step_ * sums.second, z_dot_r_);
   z_dot_r_ = sums.first;
@@ -86,8 +85,9 @@ void ConjugateGradients::update_direction(bool restart) {
   for (int32_t i = 0; i < finest_.corner_count(); ++i) p_[i] = finest_.x[i] + gamma * p_[i];
 }
 
-double ConjugateGradients::largest_correction() const {
+double ConjugateGradients::largest_step() const {
   const auto& cell_corners = finest_.topology.grid.cell_corners;
+  const Float4 step = step_.cast<float>();
   float most = 0;
 #pragma omp parallel for schedule(static) reduction(max : most)
   for (size_t v = 0; v < evaluation_.size(); ++v) {
@@ -95,8 +95,8 @@ double ConjugateGradients::largest_correction() const {
     const auto weights = trilinear_weights(evaluation_[v].local);
     Float4 moved = Float4::Zero();
     for (int a = 0; a < kCornersPerCell; ++a)
-      moved += weights[a] * finest_.x[cell_corners[evaluation_[v].cell][a]];
-    most = std::max(most, moved.square().sum());
+      moved += weights[a] * p_[cell_corners[evaluation_[v].cell][a]];
+    most = std::max(most, (step * moved).square().sum());
   }
   return std::sqrt(static_cast<double>(most));
 }
@@ -118,6 +118,7 @@ void ConjugateGradients::advance() {
     u_[i] += step_ * p_[i].cast<double>();
     r_[i] -= step_ * q_[i];
   }
+  moved_max_ = largest_step();
 }
 
 Measures ConjugateGradients::measure() const {
@@ -146,7 +147,7 @@ Measures ConjugateGradients::measure() const {
   measures.energy = totals.energy;
   measures.residual = totals.constraint > 0 ? std::sqrt(totals.residual / totals.constraint) : 0.0;
   measures.preconditioned_residual = z_dot_r_.sum();
-  measures.correction_max = correction_max_;
+  measures.moved_max = moved_max_;
   return measures;
 }
 

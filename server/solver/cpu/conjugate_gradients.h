@@ -31,7 +31,7 @@ class ConjugateGradients {
   uint64_t byte_count() const;
 
  private:
-  double largest_correction() const;
+  double largest_step() const;
 
   CpuDepth& finest_;
   std::span<const EvaluationPoint> evaluation_;
@@ -40,7 +40,7 @@ class ConjugateGradients {
   std::vector<Float4> p_;  // any direction will do; q = S p is exact
   Double4 z_dot_r_ = Double4::Zero();
   Double4 step_ = Double4::Zero();  // a of the last advance()
-  double correction_max_ = 0;
+  double moved_max_ = 0;
 };
 
 }  // namespace burnish::cpu

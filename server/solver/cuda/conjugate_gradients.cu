@@ -117,28 +117,31 @@ __global__ void __launch_bounds__(kThreads, 6) product_kernel(Vectors v, bool re
   if (add_up(sums, v.products, &total)) choose_step(total, restart, *v.scalars);
 }
 
-__device__ float squared_correction(const Depth& finest, const VertexPlace& place) {
-  float4 moved = zero4();
+// Of E a p, p being what advance() will make it.
+__device__ float squared_move(const Vectors& v, const VertexPlace& place) {
+  const Double3 momentum = triple(v.scalars->momentum);
+  Double3 along = {0, 0, 0};
   for (int a = 0; a < 8; ++a) {
-    float weight = 1;
+    const int32_t i = v.finest.topology.cell_corners[place.cell].at[a];
+    double weight = 1;
     for (int axis = 0; axis < 3; ++axis)
       weight *= a >> axis & 1 ? place.local[axis] : 1 - place.local[axis];
-    moved = moved + weight * finest.x[finest.topology.cell_corners[place.cell].at[a]];
+    along = along + weight * (to_double(v.finest.x[i]) + momentum * v.p[i]);
   }
-  return moved.x * moved.x + moved.y * moved.y + moved.z * moved.z;
+  const Double3 moved = triple(v.scalars->step) * along;
+  return static_cast<float>(sum_of(moved * moved));
 }
 
 // Numbers that are not negative compare as their bits do, and a largest has no order.
-__global__ void largest_correction_kernel(Vectors v, const VertexPlace* places, int64_t count) {
+__global__ void largest_step_kernel(Vectors v, const VertexPlace* places, int64_t count) {
   await_previous();
   float most = 0;
   for (int64_t i = thread_index(); i < count; i += stride())
-    if (places[i].cell >= 0) most = fmaxf(most, squared_correction(v.finest, places[i]));
+    if (places[i].cell >= 0) most = fmaxf(most, squared_move(v, places[i]));
   for (int offset = 16; offset > 0; offset /= 2)
     most = fmaxf(most, __shfl_down_sync(0xffffffffu, most, offset));
   if (threadIdx.x % 32 == 0)
-    atomicMax(reinterpret_cast<unsigned*>(&v.scalars->correction_squared_max),
-              __float_as_uint(most));
+    atomicMax(reinterpret_cast<unsigned*>(&v.scalars->moved_squared_max), __float_as_uint(most));
 }
 
 // p, q, u and r after the step, and the parts of the measures.
@@ -166,7 +169,7 @@ __global__ void advance_kernel(Vectors v) {
   scalars.residual = total.at[1];
   scalars.constraint = total.at[2];
   *v.measured = scalars;
-  scalars.correction_squared_max = 0;
+  scalars.moved_squared_max = 0;
 }
 
 }  // namespace
@@ -214,16 +217,14 @@ void ConjugateGradients::rescale() {
 }
 
 void ConjugateGradients::update_direction(bool restart) {
-  branch_.fork();
-  launch_striding(branch_.stream(), largest_correction_kernel, vertex_count_, vectors_, evaluation_,
-                  vertex_count_);
   const Rows& rows = vectors_.finest.topology.rows;
   launch_products<float4>(stream_, product_kernel, rows, std::min(rows.group_count, kPartialsMax),
                           vectors_, restart);
-  branch_.join();
 }
 
 void ConjugateGradients::advance() {
+  launch_striding(stream_, largest_step_kernel, vertex_count_, vectors_, evaluation_,
+                  vertex_count_);
   launch_striding(stream_, advance_kernel, n_, vectors_);
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "server/solver/cuda/branch.h"
 #include "server/solver/cuda/device_memory.h"
 #include "server/solver/cuda/views.h"
 
@@ -22,8 +21,8 @@ class ConjugateGradients {
     double p_dot_q[3];
     double step[3];  ///< a of the last advance()
     double momentum[3];
-    double scale[3];  ///< a of the last rescale()
-    float correction_squared_max;
+    double scale[3];          ///< a of the last rescale()
+    float moved_squared_max;  ///< of |E a p| at a vertex
     double energy, residual, constraint;
   };
   /// What the kernels work on.
@@ -56,7 +55,6 @@ class ConjugateGradients {
 
  private:
   Stream& stream_;
-  Branch branch_{stream_};
   int64_t n_;
   const VertexPlace* evaluation_;
   int64_t vertex_count_;

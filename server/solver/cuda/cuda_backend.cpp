@@ -108,7 +108,7 @@ class CudaBackend final : public Backend {
     measures.energy = sums.energy;
     measures.residual = sums.constraint > 0 ? std::sqrt(sums.residual / sums.constraint) : 0.0;
     measures.preconditioned_residual = sums.z_dot_r[0] + sums.z_dot_r[1] + sums.z_dot_r[2];
-    measures.correction_max = std::sqrt(static_cast<double>(sums.correction_squared_max));
+    measures.moved_max = std::sqrt(static_cast<double>(sums.moved_squared_max));
     return measures;
   }
 
