@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "common/base/check.h"
 #include "common/base/disjoint_sets.h"
@@ -101,14 +102,14 @@ DisjointSets join_corners(std::span<const GridKey> cells, std::span<const CellCo
   for (size_t c = 0; c < cells.size(); ++c)
     for (int a = 0; a < kCornersPerCell; ++a) {
       const FromCell here = {coarse.parent_cell[c], place_in_parent(cells[c], a)};
-      FromCell& first = coarse.from[cell_corners[c][a]];
-      if (first.cell == kNone) first = here;
-      if (first.cell == here.cell) continue;
+      FromCell& last = coarse.from[cell_corners[c][a]];
+      const FromCell before = std::exchange(last, here);
+      if (before.cell == kNone || before.cell == here.cell) continue;
       // The same points in space, in the same order.
-      const PositiveWeights& of_first = positive_weights(first.place);
+      const PositiveWeights& of_before = positive_weights(before.place);
       const PositiveWeights& of_here = positive_weights(here.place);
       for (int i = 0; i < of_here.count; ++i)
-        joined.join(kCornersPerCell * first.cell + of_first.corner[i],
+        joined.join(kCornersPerCell * before.cell + of_before.corner[i],
                     kCornersPerCell * here.cell + of_here.corner[i]);
     }
   return joined;

@@ -10,7 +10,6 @@ namespace burnish {
 
 /// Prolongation P and restriction Pᵀ between a depth and the one above (coarser), trilinear.
 struct DepthTransfer {
-  using FromCell = burnish::FromCell;
   /// Corners of the finest depth in which several sheets meet: each is the mean of what its sheets'
   /// cells give, by their energy.
   struct SharedCorners {

@@ -11,7 +11,7 @@ namespace {
 constexpr double kFloat = 4, kDouble = 8, kIndex = 4, kRowStart = 8, kMask = 4;
 constexpr double kFloat4 = 16, kDouble4 = 32;  // three columns and one spare
 constexpr double kCellCorners = 8 * kIndex;    // of a cell; the cells of a corner likewise
-constexpr double kFromCell = sizeof(DepthTransfer::FromCell);
+constexpr double kFromCell = sizeof(FromCell);
 constexpr double kCombined = sizeof(CellMatrix);
 constexpr double kInverse = sizeof(cpu::CellInverse);
 constexpr double kIntegrals = (28 + 8 + 2 * 28) * kDouble;

@@ -6,7 +6,7 @@
 
 namespace burnish::cuda {
 
-static_assert(offsetof(FromCell, place) == offsetof(DepthTransfer::FromCell, place));
+static_assert(offsetof(FromCell, place) == offsetof(burnish::FromCell, place));
 
 DeviceTransfer::DeviceTransfer(Stream& stream, const DepthTransfer& transfer) {
   if (transfer.prolongation.empty()) return;

@@ -66,7 +66,7 @@ struct CellSquares {
   int64_t cells;
 };
 
-/// DepthTransfer::FromCell; of a shared corner the cell is -1.
+/// FromCell of coarse_grid.h; of a shared corner the cell is -1.
 struct FromCell {
   int32_t cell;
   uint8_t place;
