@@ -16,6 +16,20 @@ struct SheetAtCorner {
   int copy;
 };
 
+/// The cells at most two away from a corner, 4×4×4 of them, and which of their sheets were reached.
+struct Vicinity {
+  static constexpr int kSide = 4;
+  Vec3i least;
+  std::array<uint8_t, kSide* kSide* kSide> reached = {};  // a bit for each sheet of a cell
+
+  static bool holds(const Vec3i& at) {
+    return (at.array() >= 0).all() && (at.array() < kSide).all();
+  }
+  uint8_t& reached_at(const Vec3i& at) {
+    return reached[at.x() + kSide * (at.y() + kSide * at.z())];
+  }
+};
+
 /// All sheets around a corner.
 struct Around {
   std::array<SheetAtCorner, kCornersPerCell * kSheetsPerCellMax> sheets;
@@ -80,13 +94,17 @@ class SheetFinder {
     return i < 0 ? prepared_.integrals[found_.source[sheet]] : prepared_.sheet_integrals[i];
   }
 
+  // Whether a sheet has a passage at this slot, which would lead to the other one.
+  bool pass_to(int32_t sheet, int32_t other, int slot) const {
+    const CellSheet *one = of_several(sheet), *two = of_several(other);
+    if (one != nullptr && two != nullptr && one->component != two->component) return false;
+    return (passages(sheet) >> slot & 1) != 0;
+  }
+
   // A sheet's cell lies on the corner's side away from its own corner `side`.
   bool hang_together(const SheetAtCorner& a, const SheetAtCorner& b) const {
-    if (a.side == b.side) return false;
-    const CellSheet *of_a = of_several(a.sheet), *of_b = of_several(b.sheet);
-    if (of_a != nullptr && of_b != nullptr && of_a->component != of_b->component) return false;
-    return (passages(a.sheet) >> slot_between(b.side, a.side) & 1) != 0 &&
-           (passages(b.sheet) >> slot_between(a.side, b.side) & 1) != 0;
+    return a.side != b.side && pass_to(a.sheet, b.sheet, slot_between(b.side, a.side)) &&
+           pass_to(b.sheet, a.sheet, slot_between(a.side, b.side));
   }
 
   Around sheets_around(int32_t corner) const {
@@ -102,7 +120,47 @@ class SheetFinder {
     for (const SheetAtCorner& a : around)
       for (const SheetAtCorner& b : around)
         if (a.copy != b.copy && hang_together(a, b)) join(a.copy, b.copy, around);
+    for (int i = 1; i < around.count && around.copies > 1; ++i)
+      if (around.sheets[i].copy == i) join_what_is_near(corner, around.sheets[i], around);
     return around;
+  }
+
+  // Sheets that hang together by cells nearby are one: there the surface only bends around the
+  // corner.
+  void join_what_is_near(int32_t corner, const SheetAtCorner& from, Around& around) const {
+    Vicinity near = {morton_point(finest_.corners[corner].place) - Vec3i::Constant(2)};
+    struct Reached {
+      Vec3i at;
+      int32_t sheet;
+    };
+    std::vector<Reached> open;
+    const auto reach = [&](const Vec3i& at, int32_t cell, int32_t sheet) {
+      const auto bit = static_cast<uint8_t>(1u << (sheet - found_.first_of_cell[cell]));
+      if (near.reached_at(at) & bit) return;
+      near.reached_at(at) |= bit;
+      open.push_back({at, sheet});
+    };
+    const auto place_of = [&](int side) { return Vec3i(Vec3i::Constant(2) - corner_offset(side)); };
+    const auto cell_at = [&](int side) { return finest_.cells_of_corner[corner][side]; };
+    reach(place_of(from.side), cell_at(from.side), from.sheet);
+    while (!open.empty()) {
+      const Reached here = open.back();
+      open.pop_back();
+      for (uint32_t left = passages(here.sheet); left != 0; left &= left - 1) {
+        const int slot = __builtin_ctz(left);
+        const Vec3i at = here.at + Vec3i(slot % 3 - 1, slot / 3 % 3 - 1, slot / 9 - 1);
+        if (!Vicinity::holds(at)) continue;
+        const int32_t cell = finest_.find_cell(near.least + at);
+        if (cell == kNone) continue;
+        for (int32_t s = found_.first_of_cell[cell]; s < found_.first_of_cell[cell + 1]; ++s)
+          if (pass_to(s, here.sheet, kSlots - 1 - slot)) reach(at, cell, s);
+      }
+    }
+    for (const SheetAtCorner& other : around) {
+      const uint8_t reached = near.reached_at(place_of(other.side));
+      const int32_t bit = other.sheet - found_.first_of_cell[cell_at(other.side)];
+      if ((reached >> bit & 1) != 0 && other.copy != from.copy) join(other.copy, from.copy, around);
+    }
   }
 
   static void join(int a, int b, Around& around) {

@@ -117,29 +117,34 @@ __global__ void __launch_bounds__(kThreads, 6) product_kernel(Vectors v, bool re
   if (add_up(sums, v.products, &total)) choose_step(total, restart, *v.scalars);
 }
 
-// Of E a p, p being what advance() will make it.
-__device__ float squared_move(const Vectors& v, const VertexPlace& place) {
-  const Double3 momentum = triple(v.scalars->momentum);
-  Double3 along = {0, 0, 0};
-  for (int a = 0; a < 8; ++a) {
-    const int32_t i = v.finest.topology.cell_corners[place.cell].at[a];
-    double weight = 1;
-    for (int axis = 0; axis < 3; ++axis)
-      weight *= a >> axis & 1 ? place.local[axis] : 1 - place.local[axis];
-    along = along + weight * (to_double(v.finest.x[i]) + momentum * v.p[i]);
+// E z at every vertex.
+__global__ void evaluate_correction_kernel(Vectors v, const VertexPlace* places) {
+  await_previous();
+  for (int64_t i = thread_index(); i < v.vertex_count; i += stride()) {
+    const VertexPlace place = places[i];
+    float4 sum = zero4();
+    for (int a = 0; a < 8 && place.cell >= 0; ++a) {
+      float weight = 1;
+      for (int axis = 0; axis < 3; ++axis)
+        weight *= a >> axis & 1 ? place.local[axis] : 1 - place.local[axis];
+      sum = sum + weight * v.finest.x[v.finest.topology.cell_corners[place.cell].at[a]];
+    }
+    v.vertex_z[i] = sum;
   }
-  const Double3 moved = triple(v.scalars->step) * along;
-  return static_cast<float>(sum_of(moved * moved));
 }
 
-// Numbers that are not negative compare as their bits do, and a largest has no order.
-__global__ void largest_step_kernel(Vectors v, const VertexPlace* places, int64_t count) {
-  await_previous();
+// E p at every vertex after the step, and the largest E a p. Numbers that are not negative compare
+// as their bits do, and a largest has no order.
+__device__ void move_vertices(const Vectors& v, const Double3& step, const Double3& momentum) {
   float most = 0;
-  for (int64_t i = thread_index(); i < count; i += stride())
-    if (places[i].cell >= 0) most = fmaxf(most, squared_move(v, places[i]));
+  for (int64_t i = thread_index(); i < v.vertex_count; i += stride()) {
+    const Double3 p = to_double(v.vertex_z[i]) + momentum * to_double(v.vertex_p[i]);
+    const Double3 moved = step * p;
+    v.vertex_p[i] = to_float(p);
+    most = fmaxf(most, static_cast<float>(sum_of(moved * moved)));
+  }
   for (int offset = 16; offset > 0; offset /= 2)
-    most = fmaxf(most, __shfl_down_sync(0xffffffffu, most, offset));
+    most = fmaxf(most, __shfl_xor_sync(0xffffffffu, most, offset));
   if (threadIdx.x % 32 == 0)
     atomicMax(reinterpret_cast<unsigned*>(&v.scalars->moved_squared_max), __float_as_uint(most));
 }
@@ -162,12 +167,14 @@ __global__ void advance_kernel(Vectors v) {
     sums.at[1] += scale * sum_of(r * r);
     sums.at[2] += scale * sum_of(b * b);
   }
+  move_vertices(v, step, momentum);
   Sums<3> total;
   if (!add_up(sums, v.measures, &total)) return;
   Scalars& scalars = *v.scalars;
   scalars.energy = total.at[0];
   scalars.residual = total.at[1];
   scalars.constraint = total.at[2];
+  scalars.moved_squared_max = __ldcg(&scalars.moved_squared_max);
   *v.measured = scalars;
   scalars.moved_squared_max = 0;
 }
@@ -179,7 +186,6 @@ ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
     : stream_(stream),
       n_(finest.topology.corner_count),
       evaluation_(evaluation),
-      vertex_count_(static_cast<int64_t>(vertex_count)),
       row_sum_(stream, n_),
       u_(stream, n_),
       b_(stream, n_),
@@ -187,6 +193,8 @@ ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
       p_(stream, n_),
       q_(stream, n_),
       w_(stream, n_),
+      vertex_z_(stream, vertex_count),
+      vertex_p_(stream, vertex_count),
       product_sums_(stream, kPartialsMax),
       measure_sums_(stream, kPartialsMax),
       arrived_(stream, 2),
@@ -200,6 +208,9 @@ ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
                p_.data(),
                q_.data(),
                w_.data(),
+               static_cast<int64_t>(vertex_count),
+               vertex_z_.data(),
+               vertex_p_.data(),
                {product_sums_.data(), arrived_.data()},
                {measure_sums_.data(), arrived_.data() + 1},
                scalars_.data(),
@@ -217,14 +228,16 @@ void ConjugateGradients::rescale() {
 }
 
 void ConjugateGradients::update_direction(bool restart) {
+  branch_.fork();
+  launch_striding(branch_.stream(), evaluate_correction_kernel, vectors_.vertex_count, vectors_,
+                  evaluation_);
   const Rows& rows = vectors_.finest.topology.rows;
   launch_products<float4>(stream_, product_kernel, rows, std::min(rows.group_count, kPartialsMax),
                           vectors_, restart);
+  branch_.join();
 }
 
 void ConjugateGradients::advance() {
-  launch_striding(stream_, largest_step_kernel, vertex_count_, vectors_, evaluation_,
-                  vertex_count_);
   launch_striding(stream_, advance_kernel, n_, vectors_);
 }
 
@@ -233,8 +246,8 @@ ConjugateGradients::Scalars ConjugateGradients::measure() const {
 }
 
 uint64_t ConjugateGradients::byte_count() const {
-  return row_sum_.byte_count() + 6 * u_.byte_count() + product_sums_.byte_count() +
-         measure_sums_.byte_count() + scalars_.byte_count();
+  return row_sum_.byte_count() + 6 * u_.byte_count() + 2 * vertex_z_.byte_count() +
+         product_sums_.byte_count() + measure_sums_.byte_count() + scalars_.byte_count();
 }
 
 }  // namespace burnish::cuda

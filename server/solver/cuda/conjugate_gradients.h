@@ -1,5 +1,6 @@
 #pragma once
 
+#include "server/solver/cuda/branch.h"
 #include "server/solver/cuda/device_memory.h"
 #include "server/solver/cuda/views.h"
 
@@ -10,7 +11,8 @@ namespace burnish::cuda {
 ///
 /// A step has two passes over the depth. With z the V-cycle's correction, the first makes w = S z
 /// and all sums; what p and q = S p are follows from w, p·q from z·w and the directions being
-/// conjugate. The second makes p, q, u and r.
+/// conjugate. The second makes p, q, u and r, and E p of the vertices, which tells how far they
+/// move: E z is made beside the first.
 ///
 /// Whatever writes r writes it in float32 too, as the next cycle's f.
 class ConjugateGradients {
@@ -30,6 +32,8 @@ class ConjugateGradients {
     Depth finest;
     double* row_sum;  ///< of S
     Double3 *u, *b, *r, *p, *q, *w;
+    int64_t vertex_count;
+    float4 *vertex_z, *vertex_p;  ///< E z and E p, one per vertex
     Partials<9> products;
     Partials<3> measures;
     Scalars* scalars;
@@ -57,9 +61,10 @@ class ConjugateGradients {
   Stream& stream_;
   int64_t n_;
   const VertexPlace* evaluation_;
-  int64_t vertex_count_;
+  Branch branch_{stream_};
   DeviceArray<double> row_sum_;
   DeviceArray<Double3> u_, b_, r_, p_, q_, w_;
+  DeviceArray<float4> vertex_z_, vertex_p_;
   DeviceArray<Sums<9>> product_sums_;
   DeviceArray<Sums<3>> measure_sums_;
   DeviceArray<unsigned> arrived_;
