@@ -39,6 +39,9 @@ TriangleMesh sphere_with_debris(int level);
 /// Closed, open and tiny parts: spheres of three sizes and orientations, and a loose triangle.
 TriangleMesh several_components();
 
+/// Crumbs that float up to a cell and a half of depth 5 above a sphere, which shrinks beneath them.
+TriangleMesh crumbs_over_a_sphere();
+
 /// A cylinder of long thin triangles, twenty times as high as they are wide.
 TriangleMesh needles();
 

@@ -203,23 +203,8 @@ double distance_after(int steps, const TestSystem& system, const std::vector<Vec
   return distance / system.prepared->statistics.diagonal();
 }
 
-// Crumbs float half a cell to one and a half above a sphere that shrinks beneath them.
-TriangleMesh crumbs_over_a_sphere() {
-  TriangleMesh mesh = reference::bumpy_sphere(5);
-  for (int i = 0; i < 60; ++i) {
-    const double height = 2 * (i + 0.5) / 60 - 1, turn = 2.4 * i;
-    const double across = std::sqrt(1 - height * height);
-    const Vec3d at =
-        (1.2 + 0.001 * i) * Vec3d(across * std::cos(turn), across * std::sin(turn), height);
-    mesh = reference::joined(std::move(mesh),
-                             reference::mapped(reference::bumpy_sphere(1),
-                                               [&](Vec3d p) { return Vec3d(at + 0.03 * p); }));
-  }
-  return mesh;
-}
-
 TEST(Solver, CrumbsConvergeFasterWhenTheyAreKeptApart) {
-  TestSystem system(crumbs_over_a_sphere(), 5);
+  TestSystem system(reference::crumbs_over_a_sphere(), 5);
   system.fields.set_transfer_curve(TransferCurve(2));
   system.fields.set_gradient_scale(0);
   TestSystem together = system;
