@@ -50,13 +50,21 @@ std::vector<MixedCell> find_mixed_cells(const Components& components,
                                         std::span<const CellPiece> pieces,
                                         std::span<const MortonKey> cells) {
   const std::vector<size_t> starts = cell_starts(pieces);
+  const auto pieces_of = [&](size_t group) {
+    return pieces.subspan(starts[group], starts[group + 1] - starts[group]);
+  };
+  std::vector<char> is_mixed(starts.size() - 1);
+#pragma omp parallel for schedule(static)
+  for (size_t group = 0; group < is_mixed.size(); ++group)
+    is_mixed[group] = components.are_several(pieces_of(group));
   std::vector<MixedCell> mixed;
   size_t cell = 0;
-  for (size_t group = 0; group + 1 < starts.size(); ++group) {
-    const auto of_cell = pieces.subspan(starts[group], starts[group + 1] - starts[group]);
+  for (size_t group = 0; group < is_mixed.size(); ++group) {
+    if (!is_mixed[group]) continue;
+    const auto of_cell = pieces_of(group);
     while (cell < cells.size() && cells[cell] < of_cell.front().cell) ++cell;
     if (cell == cells.size()) break;
-    if (cells[cell] != of_cell.front().cell || !components.are_several(of_cell)) continue;
+    if (cells[cell] != of_cell.front().cell) continue;
     mixed.push_back({static_cast<int32_t>(cell), of_cell, components.all_of(of_cell)});
   }
   return mixed;

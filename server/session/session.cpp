@@ -5,9 +5,7 @@
 
 namespace burnish {
 
-// Well below the bars of ARCHITECTURE section 5 (1e-4 and 1e-5), for the estimate is not a bound.
-static constexpr double kSettledDistance = 3e-5;
-static constexpr double kExactDistance = 3e-7;
+static constexpr double kExactDistance = 3e-7;  // below its bar, 1e-5, likewise
 static constexpr int kCyclesMax = 500;
 
 struct Session::State {

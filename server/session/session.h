@@ -13,6 +13,10 @@
 
 namespace burnish {
 
+/// The estimated distance at which a session is called settled: well below the bar of ARCHITECTURE
+/// section 5, 1e-4, for the estimate is not a bound.
+inline constexpr double kSettledDistance = 3e-5;
+
 /// When a solve ends: after a fixed number of cycles, or when the estimated distance to the
 /// converged surface is below a bar.
 struct SolveOptions {

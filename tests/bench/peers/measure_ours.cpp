@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "server/prepare/prepare.h"
+#include "server/session/session.h"
 #include "server/solver/fields.h"
 #include "tests/bench/peers/stopwatch.h"
 

@@ -75,7 +75,7 @@ class Measurement {
       if (!answers_.contains(alpha))
         return failed_precondition("no direct solver answered this system");
       time.error = distance_between(moves, (1 - beta) * answers_.at(alpha), task_.diagonal);
-      if (time.error.max <= kSettledDistance || !kind_.is_iterative) return time;
+      if (time.error.max <= kSettledBar || !kind_.is_iterative) return time;
       tolerance /= 10;
     } while (tolerance >= kToleranceMin);
     return internal_error("does not settle at a relative residual of 1e-10");

@@ -78,7 +78,7 @@ void print_targets(const Row& ours, const Row& cholmod) {
                back_solve);
   print_target("beta 0 to 0.1 settles before its back-solve, ms",
                ours.edits[kSliderStep].total_ms(), back_solve);
-  print_target("what counts as settled is, distance", worst_error(ours).max, kSettledDistance);
+  print_target("what counts as settled is, distance", worst_error(ours).max, kSettledBar);
   const EditTime& metric = ours.edits[kMetricStep];
   const double refactor = cholmod.edits[kMetricStep].update_ms;
   print_target("metric edit settles in a tenth of its re-factorisation, ms", metric.total_ms(),

@@ -18,7 +18,7 @@ inline constexpr double kSliderStepBeta = 0.1;
 inline constexpr double kMetricStepFactor = 1.25;
 
 /// What counts as settled: the largest distance of a vertex over the bounding box's diagonal.
-inline constexpr double kSettledDistance = 1e-4;
+inline constexpr double kSettledBar = 1e-4;
 
 /// Over the vertices, in parts of the bounding box's diagonal.
 struct Distance {
