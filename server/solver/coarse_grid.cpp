@@ -44,8 +44,10 @@ class Parents {
       if (c == 0 || cells[c].place >> 3 != cells[c - 1].place >> 3) group_start.push_back(c);
     group_start.push_back(count());
 #pragma omp parallel for schedule(dynamic, 1024)
-    for (size_t g = 0; g < group_start.size() - 1; ++g)
-      join_group(group_start[g], group_start[g + 1]);
+    for (size_t g = 0; g < group_start.size() - 1; ++g) {
+      const int32_t begin = group_start[g], end = group_start[g + 1];
+      end - begin <= kPairedMax ? join_group(begin, end) : join_crowd(begin, end);
+    }
   }
 
   /// The parents, by place, then by their first child; and which is whose.
@@ -66,6 +68,21 @@ class Parents {
  private:
   int32_t count() const {
     return static_cast<int32_t>(cells_.size());
+  }
+
+  static constexpr int32_t kPairedMax = 32;  // children of one place whose pairs are looked at
+
+  // Where dust fills a place, by its corners.
+  void join_crowd(int32_t begin, int32_t end) {
+    std::vector<std::pair<int32_t, int32_t>> cell_at;  // corner and cell
+    for (int32_t c = begin; c < end; ++c)
+      for (int32_t corner : corners_[c]) cell_at.emplace_back(corner, c - begin);
+    std::ranges::sort(cell_at);
+    DisjointSets joined(end - begin);
+    for (size_t i = 1; i < cell_at.size(); ++i)
+      if (cell_at[i].first == cell_at[i - 1].first)
+        joined.join(cell_at[i].second, cell_at[i - 1].second);
+    for (int32_t c = begin; c < end; ++c) root_[c] = begin + joined.root(c - begin);
   }
 
   // Grows one parent after the other from its first child.

@@ -9,8 +9,8 @@ namespace burnish {
 
 namespace {
 
-// What is more broken than this is kept together: what hangs together nowhere has eight corners for
-// each cell, at all depths.
+// Where more corners than this have a second copy, sheets stay together at the finest depth, and
+// come apart only above it: what hangs together nowhere would have eight corners for each cell.
 constexpr int32_t kCornersPerExtraCopy = 8;
 constexpr int64_t kIrregularRowMax = 4096;  // entries
 
@@ -104,16 +104,42 @@ std::vector<HierarchyDepth> make_depths(const PreparedMesh& prepared, Sheets she
   SparseGrid finest = make_finest_grid(prepared.frame.depth, prepared.cells);
   if (sheets == Sheets::kTogether) return joined_depths(std::move(finest));
   const SheetCorners corners = find_sheet_corners(prepared, finest);
-  if (corners.copy_count - finest.corner_count() > finest.corner_count() / kCornersPerExtraCopy)
-    return joined_depths(std::move(finest));
+  if (corners.copy_count - finest.corner_count() > finest.corner_count() / kCornersPerExtraCopy) {
+    const SheetCorners whole = one_sheet_per_cell(finest);
+    return depths_apart(std::move(finest), whole);
+  }
   std::vector<HierarchyDepth> depths = depths_apart(std::move(finest), corners);
   depths[0].sheet_count = static_cast<int32_t>(prepared.sheets.size());
   return depths;
 }
 
-template <typename T>
-uint64_t bytes_of(const std::vector<T>& v) {
-  return v.capacity() * sizeof(T);
+template <typename... T>
+uint64_t bytes_of(const std::vector<T>&... vectors) {
+  return (... + (vectors.capacity() * sizeof(T)));
+}
+
+uint64_t bytes_of(const SparseGrid& grid) {
+  return bytes_of(grid.cells, grid.corners, grid.cell_corners, grid.cells_of_corner);
+}
+
+uint64_t bytes_of(const Stencil& stencil) {
+  const IrregularRows& rows = stencil.irregular;
+  const IrregularCells& cells = stencil.irregular_cells;
+  return bytes_of(stencil.corner_of_row, stencil.row_of_corner, stencil.row_start, stencil.column,
+                  stencil.mask) +
+         bytes_of(rows.corner, rows.sum_start, rows.source_start, rows.source) +
+         bytes_of(cells.cell, cells.entry);
+}
+
+uint64_t bytes_of(const DepthTransfer& transfer) {
+  const DepthTransfer::SharedCorners& shared = transfer.shared;
+  return bytes_of(transfer.prolongation, transfer.restriction_start, transfer.restriction_corner,
+                  transfer.restriction_weight) +
+         bytes_of(shared.corner, shared.start, shared.coarse_corner, shared.weight);
+}
+
+uint64_t bytes_of(const CellShares& shares) {
+  return bytes_of(shares.part, shares.target, shares.start, shares.share, shares.apart);
 }
 
 }  // namespace
@@ -134,17 +160,10 @@ std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared, Sh
 
 uint64_t Hierarchy::byte_count() const {
   uint64_t bytes = 0;
-  for (const HierarchyDepth& depth : depths) {
-    bytes += bytes_of(depth.grid.cells) + bytes_of(depth.grid.corners) +
-             bytes_of(depth.grid.cell_corners) + bytes_of(depth.grid.cells_of_corner) +
-             bytes_of(depth.stencil.corner_of_row) + bytes_of(depth.stencil.row_of_corner) +
-             bytes_of(depth.stencil.row_start) + bytes_of(depth.stencil.column) +
-             bytes_of(depth.stencil.mask) + bytes_of(depth.parent_cell) +
-             bytes_of(depth.child_start) + bytes_of(depth.child) +
-             bytes_of(depth.to_parent.prolongation) + bytes_of(depth.to_parent.restriction_start) +
-             bytes_of(depth.to_parent.restriction_corner) +
-             bytes_of(depth.to_parent.restriction_weight);
-  }
+  for (const HierarchyDepth& depth : depths)
+    bytes += bytes_of(depth.grid) + bytes_of(depth.stencil) + bytes_of(depth.to_parent) +
+             bytes_of(depth.shares) +
+             bytes_of(depth.ties, depth.parent_cell, depth.child_start, depth.child);
   return bytes;
 }
 

@@ -1,6 +1,7 @@
 #include "server/solver/sheet_corners.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "common/grid/stencil_slots.h"
 #include "server/solver/cell_matrix.h"
@@ -213,6 +214,18 @@ class SheetFinder {
 
 SheetCorners find_sheet_corners(const PreparedMesh& prepared, const SparseGrid& finest) {
   return SheetFinder(prepared, finest).take();
+}
+
+SheetCorners one_sheet_per_cell(const SparseGrid& finest) {
+  SheetCorners found;
+  found.first_of_cell.resize(finest.cells.size() + 1);
+  std::iota(found.first_of_cell.begin(), found.first_of_cell.end(), 0);
+  found.cell = finest.cells;
+  found.source.assign(found.first_of_cell.begin(), found.first_of_cell.end() - 1);
+  found.corners = finest.cell_corners;
+  found.copy_count = finest.corner_count();
+  found.start = {0};
+  return found;
 }
 
 }  // namespace burnish

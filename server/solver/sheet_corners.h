@@ -35,4 +35,7 @@ struct SheetCorners {
 
 SheetCorners find_sheet_corners(const PreparedMesh& prepared, const SparseGrid& finest);
 
+/// One sheet for each cell, and one copy of each corner.
+SheetCorners one_sheet_per_cell(const SparseGrid& finest);
+
 }  // namespace burnish
