@@ -52,7 +52,8 @@ inline constexpr int kCoarsestDepthMin = 2;
 enum class Sheets {
   /// A cell or corner for each sheet, as far as it does not hang together with the others nearby.
   /// Where sheets meet in a corner of the finest depth without hanging together, that takes their
-  /// mean, and ties couple their cells (the Galerkin product PᵀSP, as everywhere).
+  /// mean, and ties couple their cells (the Galerkin product PᵀSP, as everywhere). Of a soup, where
+  /// too many corners are such, sheets come apart only above the finest depth.
   kApart,
   /// One for all sheets of a piece of surface, of which any two cells are connected by cells that
   /// share a corner. Rows have at most 27 entries, and corners of one parity no entry with each

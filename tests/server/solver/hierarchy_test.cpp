@@ -165,7 +165,7 @@ TEST(Hierarchy, SheetsInOneCoarseCellHaveACornerEach) {
   EXPECT_TRUE(std::ranges::any_of(corners, [](const auto& entry) { return entry.second >= 2; }));
 }
 
-TEST(Hierarchy, ASoupOfLooseCellsIsKeptTogether) {
+TEST(Hierarchy, LooseCellsHaveNeitherTiesNorIrregularRows) {
   TriangleMesh confetti;
   for (int i = 0; i < 4096; ++i) {
     const Vec3d at = morton_point(static_cast<MortonKey>(i)).cast<double>() * 1.1;
