@@ -9,10 +9,11 @@ namespace burnish::cpu {
 /// Corners are worked through in blocks of this many, whole windows of a stencil's rows.
 inline constexpr int32_t kBlock = 2048;
 
-/// Runs `run_block(begin, end)` over [0, n), the blocks side by side.
+/// Runs `run_block(begin, end)` over [0, n), the blocks side by side. Each goes to the thread that
+/// is free: what else runs on a core then does not make the others wait.
 template <typename RunBlock>
 void for_each_block(int32_t n, RunBlock&& run_block) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(dynamic)
   for (int32_t begin = 0; begin < n; begin += kBlock) run_block(begin, std::min(n, begin + kBlock));
 }
 

@@ -150,7 +150,7 @@ Scratch<CellInverse> invert_cells(const CpuDepth& depth) {
   Scratch<CellInverse> inverses(cells);
   const Source source = {depth.topology.stencil, depth.topology.grid.cell_corners.data(),
                          depth.system.entry.data(), depth.inverse_diagonal.data()};
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(dynamic)
   for (int32_t begin = 0; begin < cells; begin += kCellsPerBlock)
     invert_range(source, begin, std::min(cells, begin + kCellsPerBlock), &inverses[begin]);
   invert_irregular_cells(source, inverses);

@@ -9,6 +9,7 @@ namespace burnish::cpu {
 namespace {
 
 constexpr int kCellsAlone = 1024;  // for fewer, threads take longer to wake
+constexpr int kCellsAtOnce = 256;  // to a thread
 
 BURNISH_DISPATCH void combine(const CellIntegrals& of, const CombineWeights& by, CellMatrix& out) {
   for (int p = 0; p < 28; ++p)
@@ -36,7 +37,7 @@ template <typename ChildOf>
 CombinedCells restrict_children(const HierarchyDepth& fine, const HierarchyDepth& coarse,
                                 ChildOf&& child_of) {
   CombinedCells cells(coarse);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(dynamic, kCellsAtOnce)
   for (int32_t parent = 0; parent < coarse.grid.cell_count(); ++parent) {
     RestrictedCell sum;
     for (int32_t i = coarse.child_start[parent]; i < coarse.child_start[parent + 1]; ++i) {
@@ -51,7 +52,7 @@ CombinedCells restrict_children(const HierarchyDepth& fine, const HierarchyDepth
 }  // namespace
 
 void combine_cells(const PreparedMesh& prepared, const Metric& metric, CombinedCells& cells) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(dynamic, kCellsAtOnce)
   for (size_t c = 0; c < prepared.integrals.size(); ++c)
     combine(prepared.integrals[c], weights_of(metric, static_cast<int32_t>(c)), cells[c]);
 }

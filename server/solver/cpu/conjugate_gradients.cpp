@@ -4,6 +4,7 @@
 
 #include "server/solver/cpu/blocks.h"
 #include "server/solver/cpu/row_products.h"
+#include "server/solver/cpu/vertex_values.h"
 
 namespace burnish::cpu {
 
@@ -35,7 +36,7 @@ ConjugateGradients::ConjugateGradients(CpuDepth& finest,
 }
 
 void ConjugateGradients::recompute_residual() {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(dynamic, kBlock)
   for (int32_t i = 0; i < finest_.corner_count(); ++i)
     if (finest_.inverse_diagonal[i] == 0) u_[i].setZero();
   for_each_block(finest_.corner_count(), [&](int32_t begin, int32_t end) {
@@ -55,7 +56,7 @@ void ConjugateGradients::rescale() {
     return sum;
   });
   const Double4 factor = quotient(sums.first, sums.second);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(dynamic, kBlock)
   for (int32_t i = 0; i < finest_.corner_count(); ++i) {
     u_[i] *= factor;
     r_[i] = b_[i] - factor * (b_[i] - r_[i]);
@@ -63,7 +64,7 @@ void ConjugateGradients::rescale() {
 }
 
 void ConjugateGradients::load_residual() {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(dynamic, kBlock)
   for (int32_t i = 0; i < finest_.corner_count(); ++i) finest_.f[i] = r_[i].cast<float>();
 }
 
@@ -81,23 +82,18 @@ void ConjugateGradients::update_direction(bool restart) {
       restart ? Double4(Double4::Zero()) : quotient(-step_ * sums.second, z_dot_r_);
   z_dot_r_ = sums.first;
   const Float4 gamma = momentum.cast<float>();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(dynamic, kBlock)
   for (int32_t i = 0; i < finest_.corner_count(); ++i) p_[i] = finest_.x[i] + gamma * p_[i];
 }
 
 double ConjugateGradients::largest_step() const {
-  const auto& cell_corners = finest_.topology.grid.cell_corners;
   const Float4 step = step_.cast<float>();
   float most = 0;
-#pragma omp parallel for schedule(static) reduction(max : most)
-  for (size_t v = 0; v < evaluation_.size(); ++v) {
-    if (evaluation_[v].cell == kNone) continue;
-    const auto weights = trilinear_weights(evaluation_[v].local);
-    Float4 moved = Float4::Zero();
-    for (int a = 0; a < kCornersPerCell; ++a)
-      moved += weights[a] * p_[cell_corners[evaluation_[v].cell][a]];
-    most = std::max(most, (step * moved).square().sum());
-  }
+#pragma omp parallel for schedule(dynamic) reduction(max : most)
+  for (size_t begin = 0; begin < evaluation_.size(); begin += kBlock)
+    visit_vertices(
+        finest_.topology.grid, evaluation_, p_, begin, std::min(begin + kBlock, evaluation_.size()),
+        [&](size_t, const Float4& along) { most = std::max(most, (step * along).square().sum()); });
   return std::sqrt(static_cast<double>(most));
 }
 
@@ -113,39 +109,31 @@ void ConjugateGradients::advance() {
     return sum;
   });
   step_ = quotient(sums.second, sums.first);
-#pragma omp parallel for schedule(static)
-  for (int32_t i = 0; i < finest_.corner_count(); ++i) {
-    u_[i] += step_ * p_[i].cast<double>();
-    r_[i] -= step_ * q_[i];
-  }
+  totals_ = ordered_sum<Totals>(finest_.corner_count(),
+                                [&](int32_t begin, int32_t end) { return move_along(begin, end); });
   moved_max_ = largest_step();
 }
 
+// u += a p and r −= a q, with the sums of measure() while the numbers are at hand.
+ConjugateGradients::Totals ConjugateGradients::move_along(int32_t begin, int32_t end) {
+  Totals sum;
+  for (int32_t i = begin; i < end; ++i) {
+    u_[i] += step_ * p_[i].cast<double>();
+    r_[i] -= step_ * q_[i];
+    const double scale = finest_.inverse_diagonal[i];
+    if (scale == 0) continue;
+    sum.energy -= 0.5 * (u_[i] * (b_[i] + r_[i])).sum();
+    sum.residual += scale * r_[i].square().sum();
+    sum.constraint += scale * b_[i].square().sum();
+  }
+  return sum;
+}
+
 Measures ConjugateGradients::measure() const {
-  struct Totals {
-    double energy = 0, residual = 0, constraint = 0;
-    Totals& operator+=(const Totals& other) {
-      energy += other.energy;
-      residual += other.residual;
-      constraint += other.constraint;
-      return *this;
-    }
-  };
-  const Totals totals =
-      ordered_sum<Totals>(finest_.corner_count(), [&](int32_t begin, int32_t end) {
-        Totals sum;
-        for (int32_t i = begin; i < end; ++i) {
-          const double scale = finest_.inverse_diagonal[i];
-          if (scale == 0) continue;
-          sum.energy -= 0.5 * (u_[i] * (b_[i] + r_[i])).sum();
-          sum.residual += scale * r_[i].square().sum();
-          sum.constraint += scale * b_[i].square().sum();
-        }
-        return sum;
-      });
   Measures measures;
-  measures.energy = totals.energy;
-  measures.residual = totals.constraint > 0 ? std::sqrt(totals.residual / totals.constraint) : 0.0;
+  measures.energy = totals_.energy;
+  measures.residual =
+      totals_.constraint > 0 ? std::sqrt(totals_.residual / totals_.constraint) : 0.0;
   measures.preconditioned_residual = z_dot_r_.sum();
   measures.moved_max = moved_max_;
   return measures;

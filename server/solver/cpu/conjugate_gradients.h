@@ -31,6 +31,17 @@ class ConjugateGradients {
   uint64_t byte_count() const;
 
  private:
+  struct Totals {
+    double energy = 0, residual = 0, constraint = 0;
+    Totals& operator+=(const Totals& other) {
+      energy += other.energy;
+      residual += other.residual;
+      constraint += other.constraint;
+      return *this;
+    }
+  };
+
+  Totals move_along(int32_t begin, int32_t end);
   double largest_step() const;
 
   CpuDepth& finest_;
@@ -40,6 +51,7 @@ class ConjugateGradients {
   std::vector<Float4> p_;  // any direction will do; q = S p is exact
   Double4 z_dot_r_ = Double4::Zero();
   Double4 step_ = Double4::Zero();  // a of the last advance()
+  Totals totals_;                   // and what it left
   double moved_max_ = 0;
 };
 

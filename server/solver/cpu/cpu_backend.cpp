@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "server/solver/cpu/assembly.h"
+#include "server/solver/cpu/blocks.h"
 #include "server/solver/cpu/coarsest.h"
 #include "server/solver/cpu/conjugate_gradients.h"
 #include "server/solver/cpu/constraint.h"
@@ -10,6 +11,7 @@
 #include "server/solver/cpu/row_products.h"
 #include "server/solver/cpu/smoother.h"
 #include "server/solver/cpu/transfer.h"
+#include "server/solver/cpu/vertex_values.h"
 
 namespace burnish {
 
@@ -26,16 +28,11 @@ double anisotropy_of(std::span<const double> ratio) {
 void evaluate_all(const SparseGrid& grid, std::span<const EvaluationPoint> points,
                   const std::vector<Double4>& u, std::vector<Vec3f>& moved) {
   moved.resize(points.size());
-#pragma omp parallel for schedule(static)
-  for (size_t v = 0; v < points.size(); ++v) {
-    Double4 sum = Double4::Zero();
-    if (points[v].cell != kNone) {
-      const auto weights = trilinear_weights(points[v].local);
-      const auto& corners = grid.cell_corners[points[v].cell];
-      for (int a = 0; a < kCornersPerCell; ++a) sum += double{weights[a]} * u[corners[a]];
-    }
-    moved[v] = sum.head<3>().matrix().cast<float>();
-  }
+#pragma omp parallel for schedule(dynamic)
+  for (size_t begin = 0; begin < points.size(); begin += kBlock)
+    visit_vertices(
+        grid, points, u, begin, std::min(begin + kBlock, points.size()),
+        [&](size_t v, const Double4& value) { moved[v] = value.head<3>().matrix().cast<float>(); });
 }
 
 class CpuBackend final : public Backend {
