@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "server/prepare/prepare.h"
-#include "server/session/session.h"
 #include "server/solver/fields.h"
 #include "tests/bench/peers/stopwatch.h"
 
@@ -65,7 +64,7 @@ class OurMeasurement {
       EditTime time;
       time.update_ms = from.alpha == to.alpha ? set_gradient_scale(to.beta) : set_metric(to);
       Result<SolveReport> report = SolveReport();
-      time.solve_ms = milliseconds([&] { report = solver_->solve(kSettledDistance, kStepsMax); });
+      time.solve_ms = milliseconds([&] { report = solver_->solve(kSettledBar, kStepsMax); });
       RETURN_IF_ERROR(report.status());
       time.iterations = report->cycles;
       time.error = error(vertex_moves(), (1 - to.beta) * answer(to.alpha));
