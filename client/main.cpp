@@ -5,6 +5,7 @@
 #include "client/app/window_command.h"
 #include "client/cli/command.h"
 #include "client/cli/commands.h"
+#include "common/base/wait_policy.h"
 #include "common/mesh/mesh_io.h"
 
 static char kWindow[] = "window";
@@ -21,6 +22,7 @@ static bool means_window(const CLI::App& app, const std::vector<char*>& words) {
 }
 
 int main(int argc, char** argv) {
+  burnish::sleep_while_waiting(argv);
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a quota is an error of the write
   CLI::App app("Burnish: smooths and sharpens scanned surfaces.", "burnish");
   app.set_version_flag("--version", "burnish " BURNISH_VERSION);

@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 
 #include "common/base/atomic_file.h"
+#include "common/base/wait_policy.h"
 #include "server/config/command_line.h"
 #include "server/main/daemon.h"
 #include "server/main/gauges.h"
@@ -158,6 +159,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
 }  // namespace burnish
 
 int main(int argc, char** argv) {
+  burnish::sleep_while_waiting(argv);
   // glibc gives nearly every thread a heap of its own, and what a session took stays in many of
   // them: fourteen sessions opened and closed in turn left 326 MB resident, with two heaps 131.
   mallopt(M_ARENA_MAX, 2);
