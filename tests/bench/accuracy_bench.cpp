@@ -4,8 +4,9 @@
 //     accuracy_bench [--json FILE] [--rows TEXT] [--soak] [SCAN[@DEPTH]]...
 //
 // SCAN is a mesh file or KIND:VERTICES of a generated scan; without any: every kind. The depth is
-// the scan's default unless given. --rows keeps the rows whose name holds TEXT. --soak leaves
-// converged sessions idle for 2,000 frames instead. Ends with 1 where a bar is missed.
+// the scan's default unless given, the backend CUDA where there is a device. --rows keeps the rows
+// whose name holds TEXT. --soak leaves converged sessions idle for 2,000 frames instead. Ends with 1
+// where a bar is missed.
 
 #include <cstdio>
 #include <fstream>
@@ -16,6 +17,7 @@
 #include "common/mesh/generate.h"
 #include "server/prepare/prepare.h"
 #include "server/session/session.h"
+#include "server/solver/cuda/cuda_backend.h"
 #include "tests/bench/accuracy_converged.h"
 #include "tests/bench/accuracy_runs.h"
 #include "tests/bench/accuracy_soak.h"
@@ -51,9 +53,10 @@ Result<Scan> open_scan(const std::string& text) {
   ASSIGN_OR_RETURN(scan.mesh, load_mesh(argument));
   ASSIGN_OR_RETURN(scan.prepared, prepare(scan.mesh, {.depth = depth_of(argument, scan.mesh)}));
   scan.hierarchy = make_hierarchy(*scan.prepared);
-  std::printf("%s, depth %d: %zu vertices, %d corners\n", scan.name.c_str(),
+  std::printf("%s, depth %d: %zu vertices, %d corners, on %s\n", scan.name.c_str(),
               scan.prepared->frame.depth, scan.mesh.vertices.size(),
-              scan.hierarchy->at(scan.hierarchy->finest).grid.corner_count());
+              scan.hierarchy->at(scan.hierarchy->finest).grid.corner_count(),
+              cuda_device().is_ok() ? "CUDA" : "the CPU");
   return scan;
 }
 
