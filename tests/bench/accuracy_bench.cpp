@@ -5,8 +5,8 @@
 //
 // SCAN is a mesh file or KIND:VERTICES of a generated scan; without any: every kind. The depth is
 // the scan's default unless given, the backend CUDA where there is a device. --rows keeps the rows
-// whose name holds TEXT. --soak leaves converged sessions idle for 2,000 frames instead. Ends with 1
-// where a bar is missed.
+// whose name holds TEXT. --soak leaves converged sessions idle for 2,000 frames instead. Ends with
+// 1 where a bar is missed.
 
 #include <cstdio>
 #include <fstream>

@@ -1,7 +1,6 @@
-// Figure 7 and Table 1: frames per second in the three states of the system, at three depths.
-// `figure7` has all smoothers by threads, and those of CUDA where there is a device; `ablation`
-// what each of the paper's steps adds, and ours beyond, side by side; `table1` the default on
-// either backend, with the speed-up of all threads over one and of CUDA over all threads.
+// Figure 7: frames per second in the three states of the system, at three depths. `figure7` has all
+// smoothers by threads, and those of CUDA where there is a device; `ablation` what each of the
+// paper's steps adds, and ours beyond, side by side.
 
 #include "server/solver/cuda/cuda_backend.h"
 #include "tests/bench/bench_main.h"
@@ -104,20 +103,8 @@ std::vector<BenchTable::Column> ablation_columns() {
   return columns;
 }
 
-std::vector<BenchTable::Column> table_1_columns() {
-  std::vector<BenchTable::Column> columns = {
-      {"scan", "", 18}, {"vertices", "%.0f"}, {"corners", "%.0f"}};
-  for (const std::string backend : {"cpu", "cuda"}) {
-    if (backend == "cuda" && !has_device()) continue;
-    for (const State& state : kStates)
-      columns.push_back({backend + "_" + state.name + "_fps", "%.1f"});
-    columns.push_back({backend + "_speed_up", "%.2f"});
-  }
-  return columns;
-}
-
 struct Tables {
-  BenchTable &figure_7, &ablation, &table_1;
+  BenchTable &figure_7, &ablation;
 };
 
 Status measure_all(const std::string& mesh, const BenchSystem& system,
@@ -156,37 +143,17 @@ void add_to_ablation(const BenchSystem& system, const BenchArguments& arguments,
   }
 }
 
-void add_to_table_1(const BenchSystem& system, const BenchArguments& arguments,
-                    const Frames& frames, BenchTable& table) {
-  std::vector<BenchTable::Value> row = {system.name,
-                                        static_cast<double>(system.prepared->vertices.size()),
-                                        static_cast<double>(system.corners())};
-  const auto add = [&](const FrameTimes& times, const FrameTimes& slower) {
-    for (const State& state : kStates) row.emplace_back(per_second(times.*state.time));
-    row.emplace_back(slower.solve / times.solve);
-  };
-  const auto times_of = [&](BackendKind backend, int threads) {
-    return frames.of(backend, SolverOptions().smoother, threads);
-  };
-  const FrameTimes on_cpu = times_of(BackendKind::kCpu, arguments.threads);
-  add(on_cpu, times_of(BackendKind::kCpu, 1));
-  if (has_device()) add(times_of(BackendKind::kCuda, arguments.threads), on_cpu);
-  table.add(row);
-}
-
 Status report_system(const std::string& mesh, const BenchSystem& system,
                      const BenchArguments& arguments, const Tables& tables) {
   Frames frames(system);
   RETURN_IF_ERROR(measure_all(mesh, system, arguments, frames, tables.figure_7));
   add_to_ablation(system, arguments, frames, tables.ablation);
-  add_to_table_1(system, arguments, frames, tables.table_1);
   return Status::ok();
 }
 
 Status run(const BenchArguments& arguments, BenchReport& report) {
   const Tables tables = {report.add_table("figure7", figure_7_columns()),
-                         report.add_table("ablation", ablation_columns()),
-                         report.add_table("table1", table_1_columns())};
+                         report.add_table("ablation", ablation_columns())};
   for (const ScanArgument& scan : arguments.scans) {
     ASSIGN_OR_RETURN(const TriangleMesh mesh, load_mesh(scan));
     const int finest = depth_of(scan, mesh);
