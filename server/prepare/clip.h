@@ -15,6 +15,15 @@ struct Polygon {
   std::array<Vec3d, kVerticesMax> vertices;
   int count = 0;
 
+  // Most have three or four: a copy of all twelve takes longer than the clipping.
+  Polygon() = default;
+  Polygon(const Polygon& other) { *this = other; }
+  Polygon& operator=(const Polygon& other) {
+    count = other.count;
+    std::copy_n(other.vertices.begin(), count, vertices.begin());
+    return *this;
+  }
+
   void push(const Vec3d& p) { vertices[count++] = p; }
 };
 
