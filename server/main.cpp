@@ -14,6 +14,7 @@
 #include "server/session/executor.h"
 #include "server/session/journal.h"
 #include "server/session/live_sessions.h"
+#include "server/session/stale_files.h"
 #include "server/solver/cuda/cuda_backend.h"
 #include "server/solver/device_probe.h"
 
@@ -122,6 +123,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   ASSIGN_OR_RETURN(const auto folder, DataFolder::open(config.data));
   if (config.device_memory_bytes_max > 0)
     set_cuda_memory_budget(static_cast<uint64_t>(config.device_memory_bytes_max));
+  remove_stale_files(*folder);
   MeshStore store(*folder, store_options(config));
   ASSIGN_OR_RETURN(const auto journal, Journal::open(folder->journal()));
   ASSIGN_OR_RETURN(const auto sessions,

@@ -24,7 +24,8 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
       curve_(kappa_range(opened_.scan), opened_.state.transfer_curve),
       tint_(*opened_.view),
       history_(std::move(opened_.history)),
-      edits_known_(opened_.session.edits) {
+      edits_known_(opened_.session.edits),
+      told_{edits_known_, opened_.state.gradient_scale, opened_.state.transfer_curve} {
   welcome_.session = opened_.session;
   welcome_.role = SessionRole::kEditor;  // until the server says
   LiveOptions options;
@@ -145,7 +146,8 @@ void Document::set_role(const std::string& user, SessionRole role) {
 
 bool Document::is_settled() const {
   return link_ == LinkState::kLive && unacknowledged_ == 0 && gesture_.empty() &&
-         facts_.frames > 0 && facts_.settled && facts_.edits >= edits_known_;
+         facts_.frames > 0 && facts_.settled && facts_.edits >= edits_known_ &&
+         told_.edits >= edits_known_ && !history_fetch_->running;
 }
 
 }  // namespace burnish

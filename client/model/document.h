@@ -101,7 +101,7 @@ class Document {
   /// Rises when update() changed what is drawn.
   uint64_t picture_changes() const { return picture_changes_; }
 
-  /// All that was asked for is done, and shown.
+  /// All that was asked for is done, and shown: the surface, the values and the history.
   bool is_settled() const;
   /// Why nothing more will come, if so.
   bool has_ended() const { return link_ == LinkState::kEnded; }
@@ -113,7 +113,7 @@ class Document {
 
   Status take_displacement(const Displacement& displacement, Renderer& renderer);
   void handle(const LiveEvent& event);
-  void follow_server(const HistoryChanged& change);
+  void follow_server();
   void show_begun_stroke();
   void forget_strokes();
   void add_dabs(const std::vector<Vec3d>& points);
@@ -152,6 +152,8 @@ class Document {
   size_t unacknowledged_ = 0;
   uint64_t picture_changes_ = 0;
   uint64_t edits_known_ = 0;  // of the session, on disk
+  HistoryChanged told_;       // the newest values of the session
+  bool is_told_taken_ = true;
   double shown_after_ms_ = 0;
 
   // Fetches run one at a time; `again` asks for one more.

@@ -14,6 +14,7 @@ Status Document::update(Renderer& renderer) {
   picture_changes_ += news.displacement.has_value();
   if (news.displacement) RETURN_IF_ERROR(take_displacement(*news.displacement, renderer));
   for (const LiveEvent& event : news.events) handle(event);
+  follow_server();
   if (tint_changed_.count > 0 || cell_values_changed_) ++picture_changes_;
   if (tint_changed_.count > 0)
     RETURN_IF_ERROR(renderer.upload_cell_tint(tint_.weights(), std::exchange(tint_changed_, {})));
@@ -79,21 +80,26 @@ void Document::handle(const LiveEvent& event) {
                  },
                  [&](const PreviewShown& shown) { shown_after_ms_ = shown.latency_ms; },
                  [&](const PeopleChanged& people) { people_ = people.people; },
-                 [&](const HistoryChanged& change) { follow_server(change); },
+                 [&](const HistoryChanged& change) {
+                   told_ = change;
+                   is_told_taken_ = false;
+                   edits_known_ = std::max(edits_known_, change.edits);
+                   refresh_history();
+                   refresh_cells();
+                 },
                  [&](const ProgressMade& progress) { progress_ = progress; },
              },
              event);
 }
 
-// Somebody's edit, or an undo. What this person is dragging stays as it is.
-void Document::follow_server(const HistoryChanged& change) {
-  edits_known_ = std::max(edits_known_, change.edits);
-  if (gesture_.empty() && unacknowledged_ == 0) {
-    beta_ = change.gradient_scale;
-    if (!(curve_.curve() == change.transfer_curve)) curve_.set_curve(change.transfer_curve);
-  }
-  refresh_history();
-  refresh_cells();
+// Somebody's edit, or an undo. What this person is dragging stays as it is; and what the server
+// tells after an edit may come after the answer to the next one.
+void Document::follow_server() {
+  const bool is_mine_newer = !gesture_.empty() || unacknowledged_ > 0;
+  if (is_told_taken_ || is_mine_newer || told_.edits < edits_known_) return;
+  is_told_taken_ = true;
+  beta_ = told_.gradient_scale;
+  if (!(curve_.curve() == told_.transfer_curve)) curve_.set_curve(told_.transfer_curve);
 }
 
 void Document::refresh_history() {

@@ -48,6 +48,7 @@ CornerBricks::CornerBricks(std::span<const GridKey> cells) {
   find_runs(cells);
   for (Run& run : runs_) add_corners(run, cells);
   merge();
+  order_corners();
 }
 
 void CornerBricks::find_runs(std::span<const GridKey> cells) {
@@ -72,28 +73,28 @@ void CornerBricks::add_corners(Run& run, std::span<const GridKey> cells) {
   }
 }
 
-// One brick for each key, and the index of its place's first corner.
+// One brick for each key.
 void CornerBricks::merge() {
   parallel_sort(bricks_.begin(), bricks_.end(),
                 [](const Brick& a, const Brick& b) { return a.key < b.key; });
   size_t kept = 0;
-  int32_t corners = 0, corners_before = 0;
+  int32_t corners = 0;
   for (size_t i = 0; i < bricks_.size();) {
     Brick brick = bricks_[i++];
     for (; i < bricks_.size() && bricks_[i].key == brick.key; ++i)
       brick.corners |= bricks_[i].corners;
-    if (kept == 0 || bricks_[kept - 1].key.place != brick.key.place) corners_before = corners;
-    brick.first = corners_before;
+    brick.first = corners;
     corners += __builtin_popcountll(brick.corners);
     bricks_[kept++] = brick;
   }
   bricks_.resize(kept);
-  corner_count_ = static_cast<size_t>(corners);
+  index_.resize(corners);
 }
 
-std::vector<GridKey> CornerBricks::corners() const {
-  std::vector<GridKey> corners;
-  corners.reserve(corner_count_);
+// Calls visit(brick, bit) for all corners as they rise. Where bricks of many components share a
+// place, a corner's neighbours in this order are of other bricks.
+template <typename Visit>
+void CornerBricks::for_each_corner(Visit&& visit) const {
   for (auto first = bricks_.begin(), last = first; first != bricks_.end(); first = last) {
     uint64_t of_all = 0;
     for (; last != bricks_.end() && last->key.place == first->key.place; ++last)
@@ -101,11 +102,26 @@ std::vector<GridKey> CornerBricks::corners() const {
     for (uint64_t left = of_all; left != 0; left &= left - 1) {
       const int bit = __builtin_ctzll(left);
       for (auto brick = first; brick != last; ++brick)
-        if (brick->corners >> bit & 1)
-          corners.push_back({brick->key.place << kBrickShift | static_cast<MortonKey>(bit),
-                             brick->key.component});
+        if (brick->corners >> bit & 1) visit(*brick, bit);
     }
   }
+}
+
+void CornerBricks::order_corners() {
+  int32_t next = 0;
+  for_each_corner([&](const Brick& brick, int bit) {
+    const uint64_t before = brick.corners & ((uint64_t{1} << bit) - 1);
+    index_[brick.first + __builtin_popcountll(before)] = next++;
+  });
+}
+
+std::vector<GridKey> CornerBricks::corners() const {
+  std::vector<GridKey> corners;
+  corners.reserve(index_.size());
+  for_each_corner([&](const Brick& brick, int bit) {
+    corners.push_back(
+        {brick.key.place << kBrickShift | static_cast<MortonKey>(bit), brick.key.component});
+  });
   return corners;
 }
 
@@ -116,14 +132,11 @@ void CornerBricks::number(const Run& run, const GridKey* cells,
   for (int above = 0; above < kCornersPerCell; ++above) {
     if ((run.bricks >> above & 1) == 0) continue;
     const GridKey key = brick_key(cells[run.first], above);
-    const auto is_before = [&](const Brick& brick) { return brick.key.place < key.place; };
-    const auto first = std::partition_point(bricks_.begin(), bricks_.end(), is_before);
-    int32_t next = first->first;
-    for (int bit = 0; bit < kCellsPerBrick; ++bit)
-      for (auto brick = first; brick != bricks_.end() && brick->key.place == key.place; ++brick) {
-        if (brick->key.component == key.component) index[above][bit] = next;
-        next += static_cast<int32_t>(brick->corners >> bit & 1);
-      }
+    const auto is_before = [&](const Brick& brick) { return brick.key < key; };
+    const Brick& brick = *std::partition_point(bricks_.begin(), bricks_.end(), is_before);
+    const int32_t* next = &index_[brick.first];
+    for (uint64_t left = brick.corners; left != 0; left &= left - 1)
+      index[above][__builtin_ctzll(left)] = *next++;
   }
   for (int32_t c = run.first; c < run.last; ++c)
     for (int a = 0; a < kCornersPerCell; ++a) {

@@ -33,16 +33,19 @@ class CornerBricks {
   struct Brick {
     GridKey key;       // of the brick
     uint64_t corners;  // bits in Morton order
-    int32_t first;     // the index of the first corner at this place, of any component
+    int32_t first;     // of its corners in index_
   };
 
   void find_runs(std::span<const GridKey> cells);
   void add_corners(Run& run, std::span<const GridKey> cells);
   void merge();
+  void order_corners();
+  template <typename Visit>
+  void for_each_corner(Visit&& visit) const;
 
   std::vector<Run> runs_;
-  std::vector<Brick> bricks_;  // strictly rising
-  size_t corner_count_ = 0;
+  std::vector<Brick> bricks_;   // strictly rising
+  std::vector<int32_t> index_;  // of every corner, by brick, then by bit
 };
 
 }  // namespace burnish

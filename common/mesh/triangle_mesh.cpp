@@ -50,7 +50,7 @@ static Status check_triangles(const TriangleMesh& mesh) {
   }
   if (twice_area > 0 && std::isfinite(twice_area)) return Status::ok();
   return invalid_argument("mesh has no area: all " + std::to_string(mesh.triangles.size()) +
-                          " triangles are degenerate");
+                          " triangles are degenerate, or smaller than 1e-77");
 }
 
 Status validate(const TriangleMesh& mesh) {

@@ -1,6 +1,7 @@
 #include "server/prepare/cell_pieces.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "common/base/process_memory.h"
@@ -31,7 +32,7 @@ struct CutTriangle {
   std::vector<CellColumn> columns;
 };
 
-// Calls visit(const CutTriangle&) for those with area.
+// Calls visit(const CutTriangle&) for those with area, as long as it returns true.
 template <typename Visit>
 static void for_each_triangle_of_block(std::span<const Triangle> triangles,
                                        std::span<const Vec3d> grid_positions, size_t block,
@@ -43,7 +44,7 @@ static void for_each_triangle_of_block(std::span<const Triangle> triangles,
     if (!has_area(cut.corners)) continue;
     cut.index = static_cast<uint32_t>(t);
     find_columns(cut.corners, cut.columns);
-    visit(cut);
+    if (!visit(cut)) return;
   }
 }
 
@@ -53,14 +54,29 @@ static uint64_t cell_count(const CutTriangle& triangle) {
   return count;
 }
 
-static Status check_memory(uint64_t pairs) {
-  const uint64_t bytes = 2 * pairs * sizeof(CellPiece);  // the sort works beside its input
+// Where the pieces of each block begin, and how many there are in all. Counting ends where there is
+// no memory for more: large triangles in a fine grid have more cells than could be counted to.
+static Result<std::vector<uint64_t>> count_pieces(std::span<const Triangle> triangles,
+                                                  std::span<const Vec3d> grid_positions) {
   const uint64_t available = available_memory_bytes();
-  if (bytes <= available) return Status::ok();
-  return resource_exhausted("cutting the mesh at this depth gives " + std::to_string(pairs) +
-                            " pieces, which take " + std::to_string(bytes >> 20) +
-                            " MiB; available are " + std::to_string(available >> 20) +
-                            " MiB; choose a smaller depth");
+  const uint64_t limit = available / (2 * sizeof(CellPiece));  // the sort works beside its input
+  const size_t blocks = (triangles.size() + kTrianglesPerBlock - 1) / kTrianglesPerBlock;
+  std::vector<uint64_t> start(blocks + 1, 0);
+  std::atomic<uint64_t> total{0};
+#pragma omp parallel for schedule(dynamic)
+  for (size_t block = 0; block < blocks; ++block)
+    for_each_triangle_of_block(triangles, grid_positions, block, [&](const CutTriangle& triangle) {
+      const uint64_t count = cell_count(triangle);
+      start[block + 1] += count;
+      return total.fetch_add(count, std::memory_order_relaxed) + count <= limit;
+    });
+  if (total > limit)
+    return resource_exhausted("cutting the mesh at this depth gives more than " +
+                              std::to_string(limit) + " pieces, for which the available " +
+                              std::to_string(available >> 20) +
+                              " MiB are too few; choose a smaller depth");
+  for (size_t block = 0; block < blocks; ++block) start[block + 1] += start[block];
+  return start;
 }
 
 // Puts the pieces in the order of one digit of their cells' keys; of one digit they keep theirs.
@@ -98,26 +114,19 @@ static void sort_by_cell(UnsetVector<CellPiece>& pieces) {
 Result<UnsetVector<CellPiece>> find_cell_pieces(std::span<const Triangle> triangles,
                                                 std::span<const Vec3d> grid_positions,
                                                 const Progress& progress) {
-  const size_t blocks = (triangles.size() + kTrianglesPerBlock - 1) / kTrianglesPerBlock;
-  std::vector<uint64_t> start(blocks + 1, 0);
-#pragma omp parallel for schedule(dynamic)
-  for (size_t block = 0; block < blocks; ++block)
-    for_each_triangle_of_block(triangles, grid_positions, block, [&](const CutTriangle& triangle) {
-      start[block + 1] += cell_count(triangle);
-    });
-  for (size_t block = 0; block < blocks; ++block) start[block + 1] += start[block];
+  ASSIGN_OR_RETURN(const std::vector<uint64_t> start, count_pieces(triangles, grid_positions));
   if (!report(progress, "grid", 0.4)) return cancelled("cancelled while cutting at the grid");
-  RETURN_IF_ERROR(check_memory(start.back()));
 
   UnsetVector<CellPiece> pieces(start.back());
 #pragma omp parallel for schedule(dynamic)
-  for (size_t block = 0; block < blocks; ++block) {
+  for (size_t block = 0; block < start.size() - 1; ++block) {
     uint64_t next = start[block];
     const auto add_pieces = [&](const CutTriangle& triangle) {
       for_each_cell_with_passages(triangle.corners, triangle.columns,
                                   [&](const Vec3i& cell, Passages passages) {
                                     pieces[next++] = {morton_key(cell), triangle.index, passages};
                                   });
+      return true;
     };
     for_each_triangle_of_block(triangles, grid_positions, block, add_pieces);
   }

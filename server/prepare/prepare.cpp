@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include "common/base/limits.h"
@@ -154,11 +155,18 @@ Status integrate_cells(const Surface& surface, std::span<const CellPiece> pieces
   }
   keep(arrays, holds_surface);
   close_one_sided_passages(arrays.cells, arrays.passages);
-  if (arrays.cells.empty())
-    return invalid_argument("all " + std::to_string(arrays.triangles.size()) +
-                            " triangles are too thin: none has an area above 1e-12 of its longest "
-                            "edge squared");
   return Status::ok();
+}
+
+// Either the triangles are at fault, or a vertex so far away that the rest is a point of the grid.
+Status check_surface_is_left(const PreparedArrays& arrays, const GridFrame& frame) {
+  if (!arrays.cells.empty()) return Status::ok();
+  std::ostringstream message;
+  message << "no surface is left in the grid of depth " << frame.depth << ", whose cells measure "
+          << frame.cell_size << ": all " << arrays.triangles.size()
+          << " triangles are too thin (an area below 1e-12 of the longest edge squared) or too "
+             "small for it (1e-7 of a cell)";
+  return invalid_argument(message.str());
 }
 
 void point_at(PreparedMesh& prepared, std::shared_ptr<PreparedArrays> arrays) {
@@ -214,6 +222,7 @@ Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
 
   const Surface surface = {arrays->triangles, positions, curvature, prepared->length_unit};
   RETURN_IF_ERROR(integrate_cells(surface, pieces, progress, *arrays));
+  RETURN_IF_ERROR(check_surface_is_left(*arrays, prepared->frame));
   if (statistics.components > 1) {
     ASSIGN_OR_RETURN(arrays->sheets,
                      find_cell_sheets(surface, pieces, arrays->cells, arrays->passages));

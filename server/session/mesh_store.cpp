@@ -225,6 +225,10 @@ Result<std::shared_ptr<const SharedMesh>> MeshStore::open_mesh(const std::string
   ASSIGN_OR_RETURN(mesh->prepared, map_or_rebuild(id, key, progress));
   ASSIGN_OR_RETURN(mesh->memory, memory_.take(kServer, predict_mesh_bytes(*mesh->prepared)));
   mesh->hierarchy = make_hierarchy(*mesh->prepared);
+  if (mesh->byte_count() > mesh->memory.amount()) {  // dust: specks have corners at all depths
+    mesh->memory = Quota::Share();
+    ASSIGN_OR_RETURN(mesh->memory, memory_.take(kServer, mesh->byte_count()));
+  }
   cache_.add({id, key}, mesh);
   return std::shared_ptr<const SharedMesh>(std::move(mesh));
 }

@@ -86,11 +86,15 @@ std::string original_file_name(MeshFormat format) {
   return "original." + std::string(mesh_format_name(format));
 }
 
-std::string prepared_file_name(const PreparedKey& key) {
+static std::string file_name_of_version(const PreparedKey& key, uint32_t version) {
   char name[96];
   std::snprintf(name, sizeof name, "depth%d-radius%.17g-format%u.prepared", key.depth,
-                key.curvature_radius, kPreparedFormatVersion);
+                key.curvature_radius, version);
   return name;
+}
+
+std::string prepared_file_name(const PreparedKey& key) {
+  return file_name_of_version(key, kPreparedFormatVersion);
 }
 
 std::optional<PreparedKey> parse_prepared_file_name(const std::string& name) {
@@ -99,6 +103,16 @@ std::optional<PreparedKey> parse_prepared_file_name(const std::string& name) {
     return std::nullopt;
   if (prepared_file_name(key) != name) return std::nullopt;
   return key;
+}
+
+std::optional<uint32_t> prepared_file_version(const std::string& name) {
+  PreparedKey key;
+  unsigned version = 0;
+  if (std::sscanf(name.c_str(), "depth%d-radius%lf-format%u", &key.depth, &key.curvature_radius,
+                  &version) != 3)
+    return std::nullopt;
+  if (file_name_of_version(key, version) != name) return std::nullopt;
+  return version;
 }
 
 static std::vector<PreparedInfo> list_prepared(const fs::path& folder) {

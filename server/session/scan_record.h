@@ -24,6 +24,9 @@ std::string prepared_file_name(const PreparedKey& key);
 /// The key in such a name; nothing for other names and other versions.
 std::optional<PreparedKey> parse_prepared_file_name(const std::string& name);
 
+/// The version in such a name; nothing for other names.
+std::optional<uint32_t> prepared_file_version(const std::string& name);
+
 /// Reads a scan's folder: info.json, and the prepared files by name.
 /// Fails: not_found, data_loss.
 Result<ScanInfo> read_scan_folder(const std::filesystem::path& folder);

@@ -124,6 +124,24 @@ TEST_F(WorkspaceService, BringsWhatWasEditedWhileTheServerWasDead) {
   EXPECT_EQ(owner_.history("work")->size(), 2u);
 }
 
+// Frames, values and history come by ways of their own, each as late as the link makes it.
+TEST_F(WorkspaceService, WhatIsSettledHasItsValuesAndItsHistory) {
+  Link link(server_.address, {.delay = milliseconds(50)});
+  ASSERT_TRUE(open_through(link.address()));
+  const auto is_settled = [this] { return document().is_settled(); };
+  for (const double beta : {0.25, 2.0}) {
+    document().preview_beta(beta);
+    document().commit_beta();
+  }
+  ASSERT_TRUE(until(is_settled));
+  EXPECT_EQ(document().history().size(), 2u);
+  EXPECT_EQ(document().beta(), 2);
+  document().undo();
+  ASSERT_TRUE(until(is_settled));
+  EXPECT_EQ(document().beta(), 0.25);
+  EXPECT_FALSE(document().history().back().enabled);
+}
+
 TEST_F(WorkspaceService, EditsGoOnWhileTheLinkStallsForTenSeconds) {
   Link link(server_.address, {.delay = milliseconds(1)});
   ASSERT_TRUE(open_through(link.address()));

@@ -33,8 +33,8 @@ TEST(CornerBricks, ListTheCornersOfAllCellsOnceAndInOrder) {
   EXPECT_EQ(corners, std::vector<GridKey>(expected.begin(), expected.end()));
 }
 
-TEST(CornerBricks, NumberTheCornersOfEveryCell) {
-  const std::vector<GridKey> cells = scattered_cells();
+// Numbers the cells' corners and looks each of them up in the list.
+void expect_numbered(const std::vector<GridKey>& cells) {
   const CornerBricks bricks(cells);
   const std::vector<GridKey> corners = bricks.corners();
   std::vector<std::array<int32_t, kCornersPerCell>> found(cells.size());
@@ -43,6 +43,17 @@ TEST(CornerBricks, NumberTheCornersOfEveryCell) {
     for (int a = 0; a < kCornersPerCell; ++a)
       ASSERT_EQ(corners.at(found[c][a]), corner_of(cells[c], a))
           << "cell " << c << ", corner " << a;
+}
+
+TEST(CornerBricks, NumberTheCornersOfEveryCell) {
+  expect_numbered(scattered_cells());
+}
+
+// Dust: what compared the components of a place with each other would not come to an end.
+TEST(CornerBricks, NumberTheCornersOfManyComponentsInOnePlace) {
+  std::vector<GridKey> cells;
+  for (int32_t component = 0; component < 200'000; ++component) cells.push_back({7, component});
+  expect_numbered(cells);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "common/mesh/generate.h"
+#include "server/prepare/cell_pieces.h"
 #include "tests/reference/awkward_meshes.h"
 
 namespace burnish {
@@ -168,6 +169,24 @@ TEST(Prepare, RefusesAMeshOfNeedlesWithoutArea) {
   ASSERT_FALSE(prepared.is_ok());
   EXPECT_EQ(prepared.status().code(), StatusCode::kInvalidArgument);
   EXPECT_THAT(prepared.status().message(), HasSubstr("all 1 triangles are too thin"));
+}
+
+TEST(Prepare, NamesTheCellInWhichAScanIsLostBesideAFarVertex) {
+  TriangleMesh mesh = make_icosphere(2, 1);
+  mesh.vertices.emplace_back(1e17, 0, 0);
+  mesh.triangles.push_back({0, 1, static_cast<uint32_t>(mesh.vertices.size() - 1)});
+  const auto prepared = prepare(mesh, at_depth(4));
+  EXPECT_EQ(prepared.status().code(), StatusCode::kInvalidArgument);
+  EXPECT_THAT(prepared.status().message(), HasSubstr("whose cells measure 6.9"));
+}
+
+// Counting the cells of all of them would not come to an end.
+TEST(Prepare, RefusesMorePiecesThanThereIsMemoryForBeforeAllAreCounted) {
+  const std::vector<Vec3d> triangle = {{0.5, 0, 0}, {0.5, 4096, 0}, {0.5, 0, 4096}};
+  const std::vector<Triangle> triangles(5'000'000, Triangle{0, 1, 2});
+  const auto pieces = find_cell_pieces(triangles, triangle, {});
+  EXPECT_EQ(pieces.status().code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(pieces.status().message(), HasSubstr("choose a smaller depth"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "server/prepare/prepared_mesh.h"
+#include "server/session/memory_need.h"
 #include "server/session/scan_record.h"
 #include "tests/server/session/test_library.h"
 
@@ -138,6 +139,28 @@ TEST(MeshStore, AMeshBeyondTheMemoryBudgetIsRefusedWithTheNumbers) {
   const auto mesh = library.store->open_mesh(scan.id, {5, 0}, {});
   EXPECT_EQ(mesh.status().code(), StatusCode::kResourceExhausted);
   EXPECT_THAT(mesh.status().message(), HasSubstr("limits.memory_bytes_max is 1000"));
+}
+
+// Specks far from each other have corners of their own at all depths: more than is predicted.
+TriangleMesh specks() {
+  TriangleMesh mesh;
+  for (int x = -4; x <= 4; ++x)
+    for (int y = -4; y <= 4; ++y)
+      for (int z = -4; z <= 4; ++z) {
+        const auto first = static_cast<uint32_t>(mesh.vertices.size());
+        for (int i = 0; i < 3; ++i)
+          mesh.vertices.push_back(Vec3d(x, y, z) / 4 + 1e-3 * Vec3d::Unit(i));
+        mesh.triangles.push_back({first, first + 1, first + 2});
+      }
+  return mesh;
+}
+
+TEST(MeshStore, AMeshOfDustCountsWithAllItsBytes) {
+  TestLibrary library;
+  const ScanInfo scan = library.import(mesh_file(specks()), "dust", {}, 8).value().scan;
+  const auto mesh = library.store->open_mesh(scan.id, {8, 0}, {}).value();
+  ASSERT_GT(mesh->byte_count(), predict_mesh_bytes(*mesh->prepared));
+  EXPECT_EQ(mesh->memory.amount(), mesh->byte_count());
 }
 
 TEST(MeshStore, ADamagedScanIsLeftOutOfTheList) {

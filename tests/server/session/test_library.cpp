@@ -29,12 +29,16 @@ size_t TestLibrary::staged_files() const {
   return static_cast<size_t>(std::distance(begin(files), end(files)));
 }
 
-std::string sphere_file(double radius, int level) {
+std::string mesh_file(const TriangleMesh& mesh) {
   const TemporaryFolder folder;
-  const auto path = folder / "sphere.ply";
-  const Status status = write_mesh(make_icosphere(level, radius), path);
+  const auto path = folder / "mesh.ply";
+  const Status status = write_mesh(mesh, path);
   BURNISH_CHECK(status.is_ok(), status.message());
   return content_of(path);
+}
+
+std::string sphere_file(double radius, int level) {
+  return mesh_file(make_icosphere(level, radius));
 }
 
 }  // namespace burnish

@@ -30,6 +30,9 @@ class TestLibrary {
   std::unique_ptr<MeshStore> store;
 };
 
+/// The bytes of a PLY file.
+std::string mesh_file(const TriangleMesh& mesh);
+
 /// A sphere as the bytes of a PLY file: at level 3, 642 vertices.
 std::string sphere_file(double radius = 1, int level = 3);
 

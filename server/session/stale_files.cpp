@@ -1,0 +1,73 @@
+#include "server/session/stale_files.h"
+
+#include <array>
+#include <fstream>
+#include <string>
+
+#include <spdlog/spdlog.h>
+
+#include "server/prepare/prepared_file.h"
+#include "server/session/scan_record.h"
+
+namespace burnish {
+
+namespace fs = std::filesystem;
+
+static bool is_scan_id(const std::string& name) {
+  return name.size() == 64 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+static bool begins_as_we_write(const fs::path& path) {
+  std::array<char, kPreparedMagic.size()> begin = {};
+  std::ifstream file(path, std::ios::binary);
+  return file.read(begin.data(), begin.size()) && begin == kPreparedMagic;
+}
+
+// As AtomicFile names it: "NAME.PID-NUMBER.tmp".
+static bool is_half_written(const std::string& name) {
+  static const std::string kPrepared = ".prepared", kEnd = ".tmp";
+  const size_t at = name.find(kPrepared + ".");
+  if (at == std::string::npos || !name.ends_with(kEnd)) return false;
+  const size_t begin = at + kPrepared.size() + 1;
+  const std::string numbers = name.substr(begin, name.size() - kEnd.size() - begin);
+  return numbers.find_first_not_of("0123456789-") == std::string::npos &&
+         prepared_file_version(name.substr(0, at + kPrepared.size()));
+}
+
+static bool is_stale(const fs::directory_entry& entry) {
+  if (entry.symlink_status().type() != fs::file_type::regular) return false;
+  const std::string name = entry.path().filename().string();
+  if (is_half_written(name)) return entry.file_size() == 0 || begins_as_we_write(entry.path());
+  const auto version = prepared_file_version(name);
+  return version && *version != kPreparedFormatVersion && begins_as_we_write(entry.path());
+}
+
+static void remove_of_scan(const fs::path& scan, RemovedFiles& removed) {
+  if (!fs::is_directory(scan / "prepared")) return;
+  for (const auto& entry : fs::directory_iterator(scan / "prepared")) {
+    if (!is_stale(entry)) continue;
+    const uint64_t bytes = entry.file_size();
+    if (!fs::remove(entry.path())) continue;
+    ++removed.count;
+    removed.bytes += bytes;
+  }
+}
+
+RemovedFiles remove_stale_files(const DataFolder& folder) {
+  RemovedFiles removed;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder.scans(), error)) {
+    if (!is_scan_id(entry.path().filename().string())) continue;
+    try {
+      remove_of_scan(entry.path(), removed);
+    } catch (const fs::filesystem_error& failure) {  // one folder's trouble is not the others'
+      spdlog::warn("stale prepared files stay: {}", failure.what());
+    }
+  }
+  if (removed.count > 0)
+    spdlog::info("removed {} prepared files that cannot be used any more, {} bytes", removed.count,
+                 removed.bytes);
+  return removed;
+}
+
+}  // namespace burnish
