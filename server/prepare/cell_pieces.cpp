@@ -64,12 +64,16 @@ static Result<std::vector<uint64_t>> count_pieces(std::span<const Triangle> tria
   std::vector<uint64_t> start(blocks + 1, 0);
   std::atomic<uint64_t> total{0};
 #pragma omp parallel for schedule(dynamic)
-  for (size_t block = 0; block < blocks; ++block)
-    for_each_triangle_of_block(triangles, grid_positions, block, [&](const CutTriangle& triangle) {
-      const uint64_t count = cell_count(triangle);
-      start[block + 1] += count;
-      return total.fetch_add(count, std::memory_order_relaxed) + count <= limit;
-    });
+  for (size_t block = 0; block < blocks; ++block) {
+    if (total > limit) continue;
+    uint64_t& count = start[block + 1];
+    const auto add_count = [&](const CutTriangle& triangle) {
+      count += cell_count(triangle);
+      return count <= limit;
+    };
+    for_each_triangle_of_block(triangles, grid_positions, block, add_count);
+    total += count;
+  }
   if (total > limit)
     return resource_exhausted("cutting the mesh at this depth gives more than " +
                               std::to_string(limit) + " pieces, for which the available " +

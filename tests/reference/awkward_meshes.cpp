@@ -165,6 +165,21 @@ TriangleMesh crumbs_over_a_sphere() {
   return mesh;
 }
 
+TriangleMesh shards_over_a_sphere() {
+  constexpr int kShards = 60;
+  TriangleMesh mesh = icosphere(4, 1);
+  for (int i = 0; i < kShards; ++i) {
+    const double height = 2 * (i + 0.5) / kShards - 1, turn = 2.4 * i;
+    const double across = std::sqrt(1 - height * height), radius = 1.09 + 0.001 * i;
+    const Vec3d at = radius * Vec3d(across * std::cos(turn), across * std::sin(turn), height);
+    const auto flat = [&](const Vec3d& p) {
+      return Vec3d(at + skew_turn() * p.cwiseProduct(Vec3d(0.02, 0.002, 0.0002)));
+    };
+    mesh = joined(std::move(mesh), mapped(icosphere(0, 1), flat));
+  }
+  return mesh;
+}
+
 TriangleMesh needles() {
   return mapped(open_cylinder(600, 4, 1, 3), [](const Vec3d& p) { return Vec3d(skew_turn() * p); });
 }

@@ -42,6 +42,10 @@ TriangleMesh several_components();
 /// Crumbs that float up to a cell and a half of depth 5 above a sphere, which shrinks beneath them.
 TriangleMesh crumbs_over_a_sphere();
 
+/// Flat crumbs of half a cell of depth 5 at most, ten times as long as wide and as wide as thick,
+/// of which some share a corner or two of their cells with the sphere's.
+TriangleMesh shards_over_a_sphere();
+
 /// A cylinder of long thin triangles, twenty times as high as they are wide.
 TriangleMesh needles();
 

@@ -7,7 +7,12 @@
 
 namespace burnish::cpu {
 
-static constexpr float kRegularisation = 1e-3f;  // on the unit diagonal of the scaled blocks
+// On the unit diagonal of the scaled blocks. At the finest depth as little as float32 allows, whose
+// rounding is a tenth of it: of a thin crumb that hangs by two corners the block's least eigenvalue
+// is far below, and what is added hides it from the smoother. At coarser depths less than 1e-3
+// would show the cycle more such functions than it can resolve: skins converge more slowly with it.
+static constexpr float kFinestRegularisation = 1e-5f;
+static constexpr float kCoarseRegularisation = 1e-3f;
 static constexpr int32_t kCellsPerBlock = 1024;
 static constexpr int32_t kCellsAhead = 32;
 static constexpr int kLanes = 16;  // cells that are inverted side by side
@@ -19,6 +24,7 @@ struct Source {
   const std::array<int32_t, kCornersPerCell>* cell_corners;
   const float* entry;
   const float* inverse_diagonal;
+  float regularisation;
 };
 
 using Lanes = float __attribute__((vector_size(4 * kLanes)));
@@ -94,11 +100,11 @@ struct Blocks {
   for (int a = 0; a < 8; ++a) out.diagonal[a] = -blocks.diagonal[a][lane];
 }
 
-[[gnu::always_inline]] static inline void invert(Blocks& blocks) {
+[[gnu::always_inline]] static inline void invert(Blocks& blocks, float regularisation) {
   for (int a = 0; a < kCornersPerCell; ++a) {
     for (int lane = 0; lane < kLanes; ++lane)
       blocks.scale[a][lane] = std::sqrt(blocks.scale[a][lane]);
-    blocks.diagonal[a] = Lanes{} + (1 + kRegularisation);
+    blocks.diagonal[a] = Lanes{} + (1 + regularisation);
   }
   scale_pairs(blocks);
   sweep(blocks);
@@ -114,7 +120,7 @@ BURNISH_DISPATCH static void invert_range(const Source& source, int32_t begin, i
       prefetch_cell(source, std::min(first + lane + kCellsAhead, end - 1));
       read_cell(source, std::min(first + lane, end - 1), lane, blocks);
     }
-    invert(blocks);
+    invert(blocks, source.regularisation);
     for (int lane = 0; lane < std::min(kLanes, end - first); ++lane)
       write_cell(blocks, lane, out[first + lane - begin]);
   }
@@ -139,7 +145,7 @@ static void invert_irregular_cells(const Source& source, Scratch<CellInverse>& i
     Blocks blocks;
     for (int lane = 0; lane < kLanes; ++lane)
       read_irregular_cell(source, std::min(first + lane, cells.count() - 1), lane, blocks);
-    invert(blocks);
+    invert(blocks, source.regularisation);
     for (int lane = 0; lane < std::min(kLanes, cells.count() - first); ++lane)
       write_cell(blocks, lane, inverses[cells.cell[first + lane]]);
   }
@@ -148,8 +154,10 @@ static void invert_irregular_cells(const Source& source, Scratch<CellInverse>& i
 Scratch<CellInverse> invert_cells(const CpuDepth& depth) {
   const int32_t cells = depth.topology.grid.cell_count();
   Scratch<CellInverse> inverses(cells);
+  const bool is_finest = depth.topology.child_start.empty();
   const Source source = {depth.topology.stencil, depth.topology.grid.cell_corners.data(),
-                         depth.system.entry.data(), depth.inverse_diagonal.data()};
+                         depth.system.entry.data(), depth.inverse_diagonal.data(),
+                         is_finest ? kFinestRegularisation : kCoarseRegularisation};
 #pragma omp parallel for schedule(dynamic)
   for (int32_t begin = 0; begin < cells; begin += kCellsPerBlock)
     invert_range(source, begin, std::min(cells, begin + kCellsPerBlock), &inverses[begin]);
