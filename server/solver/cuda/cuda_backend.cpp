@@ -27,6 +27,10 @@ namespace {
 
 constexpr int kMetricGraph = -1;  // beside the keys of run_recorded()
 
+// Of a new metric's kernels, many of which run beside each other: room for six blocks of those that
+// assemble rows.
+constexpr int kSharedBesideOthers = 58;
+
 class CudaBackend final : public Backend {
  public:
   CudaBackend(std::shared_ptr<const DeviceMesh> mesh, Smoother smoother)
@@ -68,7 +72,9 @@ class CudaBackend final : public Backend {
     stream_.synchronize();
     if (!stream_.is_ok()) return;
     alpha_.set({alpha1, alpha2});
+    stream_.share_memory(kSharedBesideOthers);
     run_on_device(kMetricGraph, [this] { assemble_all(); });
+    stream_.share_memory(Stream::kAsItSuits);
     residual_is_stale_ = true;
   }
 
