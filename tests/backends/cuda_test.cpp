@@ -232,7 +232,7 @@ TEST(SheetsApart, OfManyPiecesReachTheHostsDirectSolve) {
   const auto prepared = prepare(separate_pieces_and_a_tablet(), {.depth = 6}).value();
   const auto hierarchy = make_hierarchy(*prepared);
   const HierarchyDepth& coarsest = hierarchy->depths.front();
-  EXPECT_GT(coarsest.grid.corner_count(), 2048);
+  EXPECT_GT(coarsest.grid.corner_count(), 4096);
   EXPECT_GT(coarsest.stencil.irregular.count(), 0);
 }
 
