@@ -23,7 +23,7 @@ bool all_are(std::span<const float> beta, float one) {
 
 GradientScale::GradientScale(Stream& stream, size_t cells)
     : many_(stream, cells), now_(stream, cells), change_(stream, cells) {
-  view_ = {0, 0, 0, many_.data(), now_.data(), change_.data()};
+  view_ = {true, true, 0, 0, 0, 0, many_.data(), now_.data(), change_.data()};
 }
 
 void GradientScale::set(std::span<const float> beta) {
@@ -44,6 +44,9 @@ void GradientScale::set(std::span<const float> beta) {
 #pragma omp parallel for schedule(static) if (end - begin >= kParallelMin)
   for (int64_t chunk = begin; chunk < end; ++chunk)
     std::ranges::copy(chunk_of(beta, chunk), many_.data() + chunk * kChunk);
+  view_.was_uniform = view_.is_uniform;
+  view_.is_uniform = begin >= end;
+  view_.before = view_.one;
   view_.one = one;
   view_.begin = begin * kChunk;
   view_.end = end * kChunk;

@@ -12,8 +12,9 @@ struct Double3 {
   double x, y, z;
 };
 
-/// Eight indices, -1 where there is none: SparseGrid's cell_corners and cells_of_corner.
-struct Eight {
+/// Eight indices, -1 where there is none: SparseGrid's cell_corners and cells_of_corner. Aligned so
+/// that two loads bring them.
+struct alignas(16) Eight {
   int32_t at[8];
 };
 
@@ -51,11 +52,21 @@ struct CellGradients {
 
 /// β per cell as it was, and what it is to become.
 struct NewGradientScale {
+  bool was_uniform;  ///< `now` is not filled then: all cells have `before`
+  bool is_uniform;   ///< all cells are to have `one`
+  float before;
   float one;           ///< of the cells outside [begin, end)
   int64_t begin, end;  ///< where many are to be read; they may be the host's: each is read once
   const float* many;   ///< of every cell
   float* now;          ///< of every cell
   float* change;       ///< of every cell: working memory
+};
+
+/// The right-hand side for the displacement, `scale` times the numbers. Where all cells have the
+/// same β they are those of β − 1 = 1, and another β changes the scale alone.
+struct Constraint {
+  Double3* numbers;
+  double* scale;
 };
 
 /// Symmetric 8×8 matrices: off-diagonal pairs (28), and row sums or the diagonal (8).
