@@ -63,17 +63,21 @@ __global__ void constraint_kernel(Depth finest, CellGradients combined, NewGradi
   await_previous();
   if (corner == 0) *b.scale = beta.is_uniform ? static_cast<double>(beta.one) - 1 : 1;
   const bool is_free = finest.inverse_diagonal[corner] != 0;
-  float distance[8], change[8];  // of β from 1, or 1; and from what it was
+  float change[8];  // of β
   bool is_changed = kStale || beta.is_uniform || beta.was_uniform;
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
-    const bool is_there = is_free && cells.at[a] >= 0;
-    distance[a] = static_cast<float>(is_there);
-    if (is_there && !beta.is_uniform) distance[a] = beta.now[cells.at[a]] - 1;
-    change[a] = is_there && !kStale ? beta.change[cells.at[a]] : 0;
+    const bool is_there = !kStale && is_free && cells.at[a] >= 0;
+    change[a] = is_there ? beta.change[cells.at[a]] : 0;
     is_changed |= change[a] != 0;
   }
   if (!is_changed) return;
+  float distance[8];  // of β from 1; 1 where all have the same β
+#pragma unroll
+  for (int a = 0; a < 8; ++a) {
+    const bool is_there = is_free && cells.at[a] >= 0;
+    distance[a] = is_there && !beta.is_uniform ? beta.now[cells.at[a]] - 1 : float(is_there);
+  }
   Double3 sum = {0, 0, 0}, difference = {0, 0, 0};
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
