@@ -1,25 +1,10 @@
 #include "server/solver/cuda/gradient_scale.h"
 
 #include <algorithm>
-#include <cstring>
+
+#include "server/solver/cuda/uniform.h"
 
 namespace burnish::cuda {
-
-namespace {
-
-constexpr int64_t kChunk = 1024;
-constexpr int64_t kParallelMin = 256;  // chunks; of fewer one thread is done before others wake
-
-std::span<const float> chunk_of(std::span<const float> beta, int64_t chunk) {
-  return beta.subspan(chunk * kChunk, std::min(beta.size() - chunk * kChunk, size_t{kChunk}));
-}
-
-bool all_are(std::span<const float> beta, float one) {
-  return beta.front() == one &&
-         std::memcmp(&beta[0], &beta[0] + 1, beta.size_bytes() - sizeof(float)) == 0;
-}
-
-}  // namespace
 
 GradientScale::GradientScale(Stream& stream, size_t cells)
     : many_(stream, cells), now_(stream, cells), change_(stream, cells) {
