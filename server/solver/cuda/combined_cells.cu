@@ -2,6 +2,7 @@
 #include "server/solver/cuda/cell_shares.h"
 #include "server/solver/cuda/combined_cells.h"
 #include "server/solver/cuda/kernel.h"
+#include "server/solver/cuda/mass_places.h"
 
 namespace burnish::cuda {
 
@@ -41,11 +42,17 @@ struct ThreeIntegrals {
   double mass, stiffness1, stiffness2;
 };
 
+__constant__ constexpr MassPlaces kMassPlaces = mass_places();
+
 __device__ ThreeIntegrals integrals_of(const Integrals& integrals, int64_t cell, int number,
                                        bool is_pair) {
-  const double* at = integrals.numbers + number * integrals.cells + cell;
-  if (!is_pair) return {__ldg(at), 0, 0};
-  return {__ldg(at), __ldg(at + 36 * integrals.cells), __ldg(at + 64 * integrals.cells)};
+  constexpr int kFirstSum = Integrals::kMasses, kFirst = kFirstSum + Integrals::kRowSums;
+  const auto integral = [&](int n) {
+    return __ldg(integrals.numbers + n * integrals.cells + cell);
+  };
+  if (!is_pair) return {integral(kFirstSum + number - 28), 0, 0};
+  return {integral(kMassPlaces.of_pair[number]), integral(kFirst + number),
+          integral(kFirst + Integrals::kStiffnesses + number)};
 }
 
 __device__ double combine(const ThreeIntegrals& of, const CombineWeights& weights) {
@@ -235,7 +242,7 @@ __device__ void sum_children(const Topology& coarse, const Children& children,
   own_of(coarse_cells, parent, a) = sum[8];
 }
 
-__global__ void __launch_bounds__(kThreads, 6)
+__global__ void __launch_bounds__(kThreads, 5)
     combine_and_down_sample_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
                                    Topology fine, Topology coarse,
                                    CellSquares<float> coarse_cells) {

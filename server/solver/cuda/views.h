@@ -21,9 +21,11 @@ struct alignas(16) Eight {
 // Numbers of cells: all cells' first number, then all cells' second, and so on, so that threads of
 // neighbouring cells read neighbouring numbers. Number i of cell c stands at i * cells + c.
 
-/// CellIntegrals, without its gradients: mass (28), mass_row_sum (8), stiffness (2 × 28).
+/// CellIntegrals, without its gradients: the different masses (mass_places.h), mass_row_sum (8),
+/// stiffness (2 × 28).
 struct Integrals {
-  static constexpr int kNumbers = 92;
+  static constexpr int kMasses = 19, kRowSums = 8, kStiffnesses = 28;
+  static constexpr int kNumbers = kMasses + kRowSums + 2 * kStiffnesses;
   const double* numbers;
   int64_t cells;
 };
