@@ -144,8 +144,7 @@ class CudaBackend final : public Backend {
     coarsest_->on_device() ? graphs_.run(key, work) : work();
   }
 
-  // What all cells have in common is not read from memory of the host for each, which would take
-  // longer than all else that is read for a cell.
+  // What all cells have in common is neither copied for each nor read from memory of the host.
   void set_alpha(std::span<const float> alpha1, std::span<const float> alpha2) {
     if (alpha1.empty()) return;
     const UniformAlpha uniform = {is_uniform(alpha1) && is_uniform(alpha2), alpha1[0], alpha2[0]};

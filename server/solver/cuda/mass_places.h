@@ -18,7 +18,7 @@ struct MassPlaces {
 
 constexpr MassPlaces mass_places() {
   MassPlaces places;
-  int place_of_moment[27] = {};  // less one
+  int place_of_moment[27] = {};  // and one: 0 where there is none yet
   uint8_t count = 0;
   for (int a = 0; a < 8; ++a)
     for (int b = a + 1; b < 8; ++b) {
