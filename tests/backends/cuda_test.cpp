@@ -175,8 +175,14 @@ TEST_F(OnADevice, EditAfterEditEndsWhereTheCpuDoes) {
       return Stroke{{.radius = 0.3, .strength = 0.7, .beta = beta}, {mesh.vertices[vertex]}};
     };
     filtered.alpha(20).beta(0.3).after(1);
+    filtered.beta(0.6).after(1);
+    filtered.paint(dab(7, 2)).after(1);
+    EXPECT_TRUE(filtered.session().apply({"undo", Undo{}}).is_ok());  // one β for all again
+    filtered.after(1);
+    filtered.beta(0.4).after(1);
     filtered.paint(dab(7, 2)).after(1);
     filtered.beta(1.5).after(1);
+    filtered.curve(TransferCurve::parse("-20:5,20:500").value()).after(1);
     filtered.alpha(40).paint(dab(4000, 0)).after(1);
     filtered.paint(dab(7999, 1)).beta(0.5).after(1);
     return filtered.exact();
