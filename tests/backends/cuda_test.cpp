@@ -175,8 +175,14 @@ TEST_F(OnADevice, EditAfterEditEndsWhereTheCpuDoes) {
       return Stroke{{.radius = 0.3, .strength = 0.7, .beta = beta}, {mesh.vertices[vertex]}};
     };
     filtered.alpha(20).beta(0.3).after(1);
+    filtered.beta(0.6).after(1);
+    filtered.paint(dab(7, 2)).after(1);
+    EXPECT_TRUE(filtered.session().apply({"undo", Undo{}}).is_ok());  // one β for all again
+    filtered.after(1);
+    filtered.beta(0.4).after(1);
     filtered.paint(dab(7, 2)).after(1);
     filtered.beta(1.5).after(1);
+    filtered.curve(TransferCurve::parse("-20:5,20:500").value()).after(1);
     filtered.alpha(40).paint(dab(4000, 0)).after(1);
     filtered.paint(dab(7999, 1)).beta(0.5).after(1);
     return filtered.exact();
@@ -232,7 +238,7 @@ TEST(SheetsApart, OfManyPiecesReachTheHostsDirectSolve) {
   const auto prepared = prepare(separate_pieces_and_a_tablet(), {.depth = 6}).value();
   const auto hierarchy = make_hierarchy(*prepared);
   const HierarchyDepth& coarsest = hierarchy->depths.front();
-  EXPECT_GT(coarsest.grid.corner_count(), 2048);
+  EXPECT_GT(coarsest.grid.corner_count(), 4096);
   EXPECT_GT(coarsest.stencil.irregular.count(), 0);
 }
 

@@ -20,6 +20,7 @@ Branch::~Branch() {
 }
 
 void Branch::fork() {
+  stream_.share_memory(trunk_.shared_percent());
   put_after(stream_, trunk_, forked_);
 }
 

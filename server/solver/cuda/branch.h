@@ -13,7 +13,8 @@ class Branch {
   Branch(const Branch&) = delete;
   Branch& operator=(const Branch&) = delete;
 
-  /// What follows here comes after all that the trunk has been given so far.
+  /// What follows here comes after all that the trunk has been given so far, and shares memory as
+  /// the trunk does.
   void fork();
   Stream& stream() { return stream_; }
   /// What follows in the trunk comes after all that was given here; failures are the trunk's.

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "server/solver/cuda/device_memory.h"
+#include "server/solver/cuda/uniform.h"
 
 namespace burnish::cuda {
 
@@ -17,12 +18,11 @@ class CellFields {
 
   /// Needs: no kernel that reads them is under way.
   void set(const std::array<std::span<const float>, kCount>& values) {
-    constexpr size_t kChunk = 1024;
+    const auto chunks = static_cast<int64_t>(host_.size() / kCount + kChunk - 1) / kChunk;
 #pragma omp parallel for schedule(static)
-    for (size_t first = 0; first < host_.size() / kCount; first += kChunk)
+    for (int64_t chunk = 0; chunk < chunks; ++chunk)
       for (int n = 0; n < kCount; ++n)
-        std::copy_n(&values[n][first], std::min(kChunk, cells_ - first),
-                    host_.data() + n * cells_ + first);
+        std::ranges::copy(chunk_of(values[n], chunk), host_.data() + n * cells_ + chunk * kChunk);
   }
 
   const float* data(int n = 0) const {

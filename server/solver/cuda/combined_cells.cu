@@ -2,6 +2,7 @@
 #include "server/solver/cuda/cell_shares.h"
 #include "server/solver/cuda/combined_cells.h"
 #include "server/solver/cuda/kernel.h"
+#include "server/solver/cuda/mass_places.h"
 
 namespace burnish::cuda {
 
@@ -15,17 +16,24 @@ __device__ void keep_largest(float number, float* largest) {
     atomicMax(reinterpret_cast<unsigned*>(largest), __float_as_uint(number));
 }
 
-__device__ CombineWeights weights_of(const Metric& metric, float alpha1, float alpha2) {
-  return combine_weights(alpha1 * metric.scale, alpha2 * metric.scale);
+__device__ float2 alpha_of(const Metric& metric, int64_t cell) {
+  const UniformAlpha uniform = *metric.uniform;
+  if (uniform.is_uniform) return {uniform.alpha1, uniform.alpha2};
+  return {metric.alpha1[cell], metric.alpha2[cell]};
+}
+
+__device__ CombineWeights weights_of(const Metric& metric, float2 alpha) {
+  return combine_weights(alpha.x * metric.scale, alpha.y * metric.scale);
 }
 
 // The same, and what is kept of the metric. Each warp of a block calls it whole; cell < 0 for none.
 __device__ CombineWeights take_weights(const Metric& metric, int64_t cell) {
   const bool is_there = cell >= 0;
-  const float a1 = is_there ? metric.alpha1[cell] : 1, a2 = is_there ? metric.alpha2[cell] : 1;
+  const float2 alpha = is_there ? alpha_of(metric, cell) : float2{1, 1};
+  const float a1 = alpha.x, a2 = alpha.y;
   if (is_there) metric.ratio[cell] = a2 / a1;
   keep_largest(fmaxf(a1 / a2, a2 / a1), metric.anisotropy);
-  return weights_of(metric, a1, a2);
+  return weights_of(metric, alpha);
 }
 
 // A number's three integrals. Pairs come first, then row sums, which are the mass's alone. They
@@ -34,11 +42,17 @@ struct ThreeIntegrals {
   double mass, stiffness1, stiffness2;
 };
 
+__constant__ constexpr MassPlaces kMassPlaces = mass_places();
+
 __device__ ThreeIntegrals integrals_of(const Integrals& integrals, int64_t cell, int number,
                                        bool is_pair) {
-  const double* at = integrals.numbers + number * integrals.cells + cell;
-  if (!is_pair) return {__ldg(at), 0, 0};
-  return {__ldg(at), __ldg(at + 36 * integrals.cells), __ldg(at + 64 * integrals.cells)};
+  constexpr int kFirstSum = Integrals::kMasses, kFirst = kFirstSum + Integrals::kRowSums;
+  const auto integral = [&](int n) {
+    return __ldg(integrals.numbers + n * integrals.cells + cell);
+  };
+  if (!is_pair) return {integral(kFirstSum + number - 28), 0, 0};
+  return {integral(kMassPlaces.of_pair[number]), integral(kFirst + number),
+          integral(kFirst + Integrals::kStiffnesses + number)};
 }
 
 __device__ double combine(const ThreeIntegrals& of, const CombineWeights& weights) {
@@ -103,8 +117,7 @@ __global__ void combine_sheets_kernel(SheetIntegrals sheets, Metric metric, doub
   for (int n = 0; n < kEach; ++n)
     loaded[n] = integrals_of(sheets.integrals, sheet, number_of(n), n < kPairsOfEach);
   if (threadIdx.x < 32) {
-    const int32_t cell = sheets.cell[sheet];
-    weights[lane] = weights_of(metric, metric.alpha1[cell], metric.alpha2[cell]);
+    weights[lane] = weights_of(metric, alpha_of(metric, sheets.cell[sheet]));
   }
   __syncthreads();
 #pragma unroll
@@ -229,7 +242,7 @@ __device__ void sum_children(const Topology& coarse, const Children& children,
   own_of(coarse_cells, parent, a) = sum[8];
 }
 
-__global__ void __launch_bounds__(kThreads, 6)
+__global__ void __launch_bounds__(kThreads, 5)
     combine_and_down_sample_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
                                    Topology fine, Topology coarse,
                                    CellSquares<float> coarse_cells) {
@@ -270,7 +283,16 @@ __global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<f
   sum_children(coarse, children, read, coarse_cells);
 }
 
+__global__ void tell_alpha_kernel(UniformAlpha alpha, UniformAlpha* to) {
+  await_previous();
+  *to = alpha;
+}
+
 }  // namespace
+
+void tell_alpha(Stream& stream, const UniformAlpha& alpha, UniformAlpha* to) {
+  launch_blocks(stream, tell_alpha_kernel, dim3(1), dim3(1), 0, alpha, to);
+}
 
 void combine_integrals(Stream& stream, const Integrals& integrals, const Metric& metric,
                        const CellSquares<double>& combined) {

@@ -25,6 +25,10 @@ __device__ ExactMatrix exact_matrix(const Vectors& v) {
   return {v.finest.system.packed, v.finest.rest, v.row_sum};
 }
 
+__device__ Double3 constraint_of(const Vectors& v, int64_t i) {
+  return *v.b.scale * v.b.numbers[i];
+}
+
 // A column that has nothing left to do has a zero divisor and takes a zero step.
 __device__ double quotient(double dividend, double divisor) {
   return divisor > 0 ? dividend / divisor : 0;
@@ -38,7 +42,8 @@ __global__ void recompute_residual_kernel(Vectors v) {
   fill_tile(row, v.u, tile);
   if (i < 0) return;
   Double3 r = {0, 0, 0};
-  if (v.finest.inverse_diagonal[i] != 0) r = v.b[i] - product_of(row, exact_matrix(v), tile);
+  if (v.finest.inverse_diagonal[i] != 0)
+    r = constraint_of(v, i) - product_of(row, exact_matrix(v), tile);
   v.r[i] = r;
   v.finest.f[i] = to_float(r);
 }
@@ -55,8 +60,9 @@ __global__ void scale_sums_kernel(Vectors v) {
   await_previous();
   Sums<9> sums = {};
   for (int64_t i = thread_index(); i < v.finest.topology.corner_count; i += stride()) {
-    add(v.u[i] * v.b[i], sums.at);
-    add(v.u[i] * (v.b[i] - v.r[i]), sums.at + 3);
+    const Double3 u = v.u[i], b = constraint_of(v, i);
+    add(u * b, sums.at);
+    add(u * (b - v.r[i]), sums.at + 3);
   }
   Sums<9> total;
   if (!add_up(sums, v.products, &total)) return;
@@ -67,7 +73,8 @@ __global__ void rescale_kernel(Vectors v) {
   await_previous();
   const int64_t i = thread_index();
   if (i >= v.finest.topology.corner_count) return;
-  const Double3 scale = triple(v.scalars->scale), b = v.b[i], r = b - scale * (b - v.r[i]);
+  const Double3 scale = triple(v.scalars->scale), b = constraint_of(v, i),
+                r = b - scale * (b - v.r[i]);
   v.u[i] = scale * v.u[i];
   v.r[i] = r;
   v.finest.f[i] = to_float(r);
@@ -156,7 +163,7 @@ __global__ void advance_kernel(Vectors v) {
   const Double3 step = triple(v.scalars->step), momentum = triple(v.scalars->momentum);
   for (int64_t i = thread_index(); i < v.finest.topology.corner_count; i += stride()) {
     const Double3 p = to_double(v.finest.x[i]) + momentum * v.p[i], q = v.w[i] + momentum * v.q[i];
-    const Double3 b = v.b[i], u = v.u[i] + step * p, r = v.r[i] - step * q;
+    const Double3 b = constraint_of(v, i), u = v.u[i] + step * p, r = v.r[i] - step * q;
     v.p[i] = p;
     v.q[i] = q;
     v.u[i] = u;
@@ -187,6 +194,7 @@ ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
       n_(finest.topology.corner_count),
       evaluation_(evaluation),
       row_sum_(stream, n_),
+      constraint_scale_(stream, 1),
       u_(stream, n_),
       b_(stream, n_),
       r_(stream, n_),
@@ -203,11 +211,11 @@ ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
       vectors_{finest,
                row_sum_.data(),
                u_.data(),
-               b_.data(),
                r_.data(),
                p_.data(),
                q_.data(),
                w_.data(),
+               {b_.data(), constraint_scale_.data()},
                static_cast<int64_t>(vertex_count),
                vertex_z_.data(),
                vertex_p_.data(),

@@ -31,7 +31,8 @@ class ConjugateGradients {
   struct Vectors {
     Depth finest;
     double* row_sum;  ///< of S
-    Double3 *u, *b, *r, *p, *q, *w;
+    Double3 *u, *r, *p, *q, *w;
+    Constraint b;
     int64_t vertex_count;
     float4 *vertex_z, *vertex_p;  ///< E z and E p, one per vertex
     Partials<9> products;
@@ -44,7 +45,7 @@ class ConjugateGradients {
                      size_t vertex_count);
 
   double* row_sum() const { return vectors_.row_sum; }
-  Double3* constraint() const { return vectors_.b; }
+  const Constraint& constraint() const { return vectors_.b; }
   Double3* residual() const { return vectors_.r; }
   const DeviceArray<Double3>& displacement() const { return u_; }
 
@@ -62,7 +63,7 @@ class ConjugateGradients {
   int64_t n_;
   const VertexPlace* evaluation_;
   Branch branch_{stream_};
-  DeviceArray<double> row_sum_;
+  DeviceArray<double> row_sum_, constraint_scale_;
   DeviceArray<Double3> u_, b_, r_, p_, q_, w_;
   DeviceArray<float4> vertex_z_, vertex_p_;
   DeviceArray<Sums<9>> product_sums_;

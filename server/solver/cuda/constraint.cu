@@ -39,7 +39,7 @@ __global__ void take_kernel(NewGradientScale beta, int64_t cells) {
   if (cell >= cells) return;
   const bool is_of_many = cell >= beta.begin && cell < beta.end;
   const float next = is_of_many ? beta.many[cell] : beta.one;
-  beta.change[cell] = next - beta.now[cell];
+  beta.change[cell] = next - (beta.was_uniform ? beta.before : beta.now[cell]);
   beta.now[cell] = next;
 }
 
@@ -55,23 +55,29 @@ __device__ Double3 share_of(const CellGradients& combined, int64_t cell, int a) 
 // A cell that is not there counts as the first, times zero: its loads need not wait for a branch.
 template <bool kStale>
 __global__ void constraint_kernel(Depth finest, CellGradients combined, NewGradientScale beta,
-                                  Double3* b, Double3* r) {
+                                  Constraint b, Double3* r) {
   let_next_start();
   const int64_t corner = thread_index();
   if (corner >= finest.topology.corner_count) return;
   const Eight cells = finest.topology.cells_of_corner[corner];
   await_previous();
+  if (corner == 0) *b.scale = beta.is_uniform ? static_cast<double>(beta.one) - 1 : 1;
   const bool is_free = finest.inverse_diagonal[corner] != 0;
-  float distance[8], change[8];  // of β from 1 and from what it was
-  bool is_changed = kStale;
+  float change[8];  // of β
+  bool is_changed = kStale || beta.is_uniform || beta.was_uniform;
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
-    const bool is_there = is_free && cells.at[a] >= 0;
-    distance[a] = is_there ? beta.now[cells.at[a]] - 1 : 0;
+    const bool is_there = !kStale && is_free && cells.at[a] >= 0;
     change[a] = is_there ? beta.change[cells.at[a]] : 0;
     is_changed |= change[a] != 0;
   }
   if (!is_changed) return;
+  float distance[8];  // of β from 1; 1 where all have the same β
+#pragma unroll
+  for (int a = 0; a < 8; ++a) {
+    const bool is_there = is_free && cells.at[a] >= 0;
+    distance[a] = is_there && !beta.is_uniform ? beta.now[cells.at[a]] - 1 : float(is_there);
+  }
   Double3 sum = {0, 0, 0}, difference = {0, 0, 0};
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
@@ -79,11 +85,36 @@ __global__ void constraint_kernel(Depth finest, CellGradients combined, NewGradi
     sum = sum + distance[a] * share;
     difference = difference + change[a] * share;
   }
-  b[corner] = sum;
+  b.numbers[corner] = sum;
   if (kStale) return;
   const Double3 residual = r[corner] + difference;
   r[corner] = residual;
   finest.f[corner] = to_float(residual);
+}
+
+// All cells from one β to another: r and f alone. Numbers one after the other, whichever corner's
+// they are, so that threads side by side write side by side.
+__global__ void slide_kernel(Depth finest, NewGradientScale beta, Constraint b, Double3* r) {
+  __shared__ float written[3 * kThreads];
+  await_previous();
+  if (thread_index() == 0) *b.scale = static_cast<double>(beta.one) - 1;
+  const double change = static_cast<double>(beta.one) - static_cast<double>(beta.before);
+  const double* per_change = &b.numbers->x;
+  double* residual = &r->x;
+  const int64_t all = int64_t{3} * finest.topology.corner_count;
+#pragma unroll
+  for (int j = 0; j < 3; ++j) {
+    const auto at = static_cast<int>(threadIdx.x) + j * kThreads;
+    const int64_t i = int64_t{3 * kThreads} * blockIdx.x + at;
+    if (i >= all) break;
+    const double number = residual[i] + change * per_change[i];
+    residual[i] = number;
+    written[at] = static_cast<float>(number);
+  }
+  __syncthreads();
+  const float* of_corner = written + 3 * threadIdx.x;
+  if (thread_index() < finest.topology.corner_count)
+    finest.f[thread_index()] = {of_corner[0], of_corner[1], of_corner[2], 0};
 }
 
 }  // namespace
@@ -94,10 +125,14 @@ void combine_gradients(Stream& stream, const Gradients& gradients, const float* 
 }
 
 void assemble_constraint(Stream& stream, const Depth& finest, const CellGradients& combined,
-                         const NewGradientScale& beta, bool stale, Double3* b, Double3* r) {
-  launch(stream, take_kernel, combined.cells, beta, combined.cells);
-  launch(stream, stale ? constraint_kernel<true> : constraint_kernel<false>,
-         finest.topology.corner_count, finest, combined, beta, b, r);
+                         const NewGradientScale& beta, bool stale, const Constraint& b,
+                         Double3* r) {
+  const int64_t corners = finest.topology.corner_count;
+  if (beta.was_uniform && beta.is_uniform && !stale)
+    return launch(stream, slide_kernel, corners, finest, beta, b, r);
+  if (!beta.is_uniform || !stale) launch(stream, take_kernel, combined.cells, beta, combined.cells);
+  launch(stream, stale ? constraint_kernel<true> : constraint_kernel<false>, corners, finest,
+         combined, beta, b, r);
 }
 
 }  // namespace burnish::cuda

@@ -11,8 +11,9 @@ void combine_gradients(Stream& stream, const Gradients& gradients, const float* 
 
 /// b_I = Σ_c (β−1) combined_I, the right-hand side for the displacement: Eq. 4's constraint less
 /// S c°, with β as it is to be, which it is from then on; the residual r changes by as much, unless
-/// it is `stale` and to be recomputed anyway. Zero where pinned.
+/// it is `stale` after a new metric and to be recomputed anyway. Zero where pinned. Needs: b is as
+/// it was left here, unless `stale`.
 void assemble_constraint(Stream& stream, const Depth& finest, const CellGradients& combined,
-                         const NewGradientScale& beta, bool stale, Double3* b, Double3* r);
+                         const NewGradientScale& beta, bool stale, const Constraint& b, Double3* r);
 
 }  // namespace burnish::cuda

@@ -27,6 +27,10 @@ namespace {
 
 constexpr int kMetricGraph = -1;  // beside the keys of run_recorded()
 
+// Of a new metric's kernels, many of which run beside each other: room for six blocks of those that
+// assemble rows.
+constexpr int kSharedBesideOthers = 58;
+
 class CudaBackend final : public Backend {
  public:
   CudaBackend(std::shared_ptr<const DeviceMesh> mesh, Smoother smoother)
@@ -34,6 +38,7 @@ class CudaBackend final : public Backend {
         stream_(mesh_->device),
         coarse_offset_(mesh_->hierarchy->coarsest),
         alpha_(stream_, cells()),
+        uniform_alpha_(stream_, 1),
         beta_(stream_, cells()),
         ratio_(stream_, cells()),
         gradients_(stream_, CellGradients::kNumbers * cells()),
@@ -67,8 +72,10 @@ class CudaBackend final : public Backend {
   void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
     stream_.synchronize();
     if (!stream_.is_ok()) return;
-    alpha_.set({alpha1, alpha2});
+    set_alpha(alpha1, alpha2);
+    stream_.share_memory(kSharedBesideOthers);
     run_on_device(kMetricGraph, [this] { assemble_all(); });
+    stream_.share_memory(Stream::kAsItSuits);
     residual_is_stale_ = true;
   }
 
@@ -137,13 +144,21 @@ class CudaBackend final : public Backend {
     coarsest_->on_device() ? graphs_.run(key, work) : work();
   }
 
+  // What all cells have in common is neither copied for each nor read from memory of the host.
+  void set_alpha(std::span<const float> alpha1, std::span<const float> alpha2) {
+    if (alpha1.empty()) return;
+    const UniformAlpha uniform = {is_uniform(alpha1) && is_uniform(alpha2), alpha1[0], alpha2[0]};
+    if (!uniform.is_uniform) alpha_.set({alpha1, alpha2});
+    tell_alpha(stream_, uniform, uniform_alpha_.data());
+  }
+
   // The matrices of all depths. A depth's combined integrals come from those of the one below,
   // which is what the coarsest depth waits for; matrices and smoothers are made beside that. The
   // finest matrix does not wait for the shares, but its smoother, which overwrites what they read.
   void assemble_all() {
     const CellSquares<double> combined = {combined_.data(), finest().topology.cell_count};
-    const Metric metric = {alpha_.data(0), alpha_.data(1), mesh_->prepared->alpha_scale(),
-                           ratio_.data(), anisotropy_.data()};
+    const Metric metric = {uniform_alpha_.data(),          alpha_.data(0), alpha_.data(1),
+                           mesh_->prepared->alpha_scale(), ratio_.data(),  anisotropy_.data()};
     anisotropy_.clear(stream_);
     if (smoothers_.empty()) {
       combine_integrals(stream_, mesh_->integrals(), metric, combined);
@@ -206,7 +221,8 @@ class CudaBackend final : public Backend {
   Stream stream_;
   int coarse_offset_;
   Graphs graphs_{stream_};
-  CellFields<2> alpha_;  // α1, α2
+  CellFields<2> alpha_;  // α1, α2, unless uniform
+  DeviceArray<UniformAlpha> uniform_alpha_;
   GradientScale beta_;
   DeviceArray<float> ratio_;
   DeviceArray<float> gradients_;        // CellGradients

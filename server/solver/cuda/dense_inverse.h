@@ -9,7 +9,7 @@ namespace burnish::cuda {
 /// made and applied on the device.
 class DenseInverse {
  public:
-  static constexpr int32_t kCornersMax = 2048;  ///< twice 34 MB of double at most
+  static constexpr int32_t kCornersMax = 4096;  ///< twice 134 MB of double at most
 
   DenseInverse() = default;
   /// Needs: at most kCornersMax corners.

@@ -1,16 +1,17 @@
 #include "server/solver/cuda/device_mesh.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
 #include <mutex>
 
 #include "server/solver/cuda/long_rows.h"
+#include "server/solver/cuda/mass_places.h"
 #include "server/solver/cuda/row_groups.h"
 
 namespace burnish::cuda {
 
-static_assert(offsetof(CellIntegrals, mass) == 0 &&
-              offsetof(CellIntegrals, gradient) == Integrals::kNumbers * sizeof(double));
 static_assert(offsetof(VertexPlace, local) == offsetof(EvaluationPoint, local));
 
 static std::vector<uint8_t> octants(const SparseGrid& grid) {
@@ -84,13 +85,23 @@ uint64_t DeviceMesh::byte_count() const {
   return bytes;
 }
 
+static std::array<double, Integrals::kNumbers> numbers_of(const CellIntegrals& of) {
+  constexpr MassPlaces kPlaces = mass_places();
+  std::array<double, Integrals::kNumbers> numbers;
+  auto next = numbers.begin();
+  for (const uint8_t pair : kPlaces.first_pair) *next++ = of.mass[pair];
+  next = std::ranges::copy(of.mass_row_sum, next).out;
+  for (const auto& stiffness : of.stiffness) next = std::ranges::copy(stiffness, next).out;
+  return numbers;
+}
+
 static std::vector<double> numbers_of(std::span<const CellIntegrals> integrals) {
   const size_t cells = integrals.size();
   std::vector<double> numbers(Integrals::kNumbers * cells);
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < cells; ++c) {
-    const double* of_cell = integrals[c].mass.data();
-    for (int i = 0; i < Integrals::kNumbers; ++i) numbers[i * cells + c] = of_cell[i];
+    const auto of_cell = numbers_of(integrals[c]);
+    for (size_t i = 0; i < of_cell.size(); ++i) numbers[i * cells + c] = of_cell[i];
   }
   return numbers;
 }

@@ -1,29 +1,14 @@
 #include "server/solver/cuda/gradient_scale.h"
 
 #include <algorithm>
-#include <cstring>
+
+#include "server/solver/cuda/uniform.h"
 
 namespace burnish::cuda {
 
-namespace {
-
-constexpr int64_t kChunk = 1024;
-constexpr int64_t kParallelMin = 256;  // chunks; of fewer one thread is done before others wake
-
-std::span<const float> chunk_of(std::span<const float> beta, int64_t chunk) {
-  return beta.subspan(chunk * kChunk, std::min(beta.size() - chunk * kChunk, size_t{kChunk}));
-}
-
-bool all_are(std::span<const float> beta, float one) {
-  return beta.front() == one &&
-         std::memcmp(&beta[0], &beta[0] + 1, beta.size_bytes() - sizeof(float)) == 0;
-}
-
-}  // namespace
-
 GradientScale::GradientScale(Stream& stream, size_t cells)
     : many_(stream, cells), now_(stream, cells), change_(stream, cells) {
-  view_ = {0, 0, 0, many_.data(), now_.data(), change_.data()};
+  view_ = {true, true, 0, 0, 0, 0, many_.data(), now_.data(), change_.data()};
 }
 
 void GradientScale::set(std::span<const float> beta) {
@@ -44,6 +29,9 @@ void GradientScale::set(std::span<const float> beta) {
 #pragma omp parallel for schedule(static) if (end - begin >= kParallelMin)
   for (int64_t chunk = begin; chunk < end; ++chunk)
     std::ranges::copy(chunk_of(beta, chunk), many_.data() + chunk * kChunk);
+  view_.was_uniform = view_.is_uniform;
+  view_.is_uniform = begin >= end;
+  view_.before = view_.one;
   view_.one = one;
   view_.begin = begin * kChunk;
   view_.end = end * kChunk;

@@ -16,16 +16,23 @@ template <typename... Params, typename... Args>
 void launch_blocks(Stream& stream, void (*kernel)(Params...), dim3 blocks, dim3 threads,
                    size_t shared_bytes, Args... args) {
   if (!stream.is_ok()) return;
-  cudaLaunchAttribute early = {};
-  early.id = cudaLaunchAttributeProgrammaticStreamSerialization;
-  early.val.programmaticStreamSerializationAllowed = 1;
+  cudaLaunchAttribute attributes[2] = {};
   cudaLaunchConfig_t config = {};
   config.gridDim = blocks;
   config.blockDim = threads;
   config.dynamicSmemBytes = shared_bytes;
   config.stream = stream.get();
-  config.attrs = &early;
-  config.numAttrs = stream.starts_early() ? 1 : 0;
+  config.attrs = attributes;
+  if (stream.starts_early()) {
+    cudaLaunchAttribute& early = attributes[config.numAttrs++];
+    early.id = cudaLaunchAttributeProgrammaticStreamSerialization;
+    early.val.programmaticStreamSerializationAllowed = 1;
+  }
+  if (stream.shared_percent() != Stream::kAsItSuits) {
+    cudaLaunchAttribute& split = attributes[config.numAttrs++];
+    split.id = cudaLaunchAttributePreferredSharedMemoryCarveout;
+    split.val.sharedMemCarveout = static_cast<unsigned>(stream.shared_percent());
+  }
   stream.check(cudaLaunchKernelEx(&config, kernel, static_cast<Params>(args)...),
                "starting a kernel");
 }

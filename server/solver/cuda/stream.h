@@ -13,6 +13,8 @@ Status cuda_status(cudaError_t error, const char* what);
 /// more is queued: CUDA's errors stick, and later results would be of no use.
 class Stream {
  public:
+  static constexpr int kAsItSuits = -1;
+
   /// An urgent stream's kernels go before others', also in a graph.
   explicit Stream(int device, bool is_urgent = true);
   ~Stream();
@@ -30,6 +32,12 @@ class Stream {
   bool starts_early() const { return starts_early_; }
   const Status& status() const { return status_; }
 
+  /// How much of a multiprocessor's memory kernels find as shared memory, in percent; the rest is
+  /// first-level cache. As it is, each kernel has what suits it alone, for which a multiprocessor
+  /// must run empty: beside others it may find hardly any cache left.
+  void share_memory(int percent) { shared_percent_ = percent; }
+  int shared_percent() const { return shared_percent_; }
+
   /// Keeps a failure if it is the first. Returns is_ok().
   bool check(cudaError_t error, const char* what);
   bool check(const Status& status);
@@ -42,6 +50,7 @@ class Stream {
   int device_;
   cudaStream_t stream_ = nullptr;
   bool starts_early_ = false;
+  int shared_percent_ = kAsItSuits;
   Status status_;
 };
 

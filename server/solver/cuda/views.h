@@ -12,17 +12,20 @@ struct Double3 {
   double x, y, z;
 };
 
-/// Eight indices, -1 where there is none: SparseGrid's cell_corners and cells_of_corner.
-struct Eight {
+/// Eight indices, -1 where there is none: SparseGrid's cell_corners and cells_of_corner. Aligned so
+/// that two loads bring them.
+struct alignas(16) Eight {
   int32_t at[8];
 };
 
 // Numbers of cells: all cells' first number, then all cells' second, and so on, so that threads of
 // neighbouring cells read neighbouring numbers. Number i of cell c stands at i * cells + c.
 
-/// CellIntegrals, without its gradients: mass (28), mass_row_sum (8), stiffness (2 × 28).
+/// CellIntegrals, without its gradients: the different masses (mass_places.h), mass_row_sum (8),
+/// stiffness (2 × 28).
 struct Integrals {
-  static constexpr int kNumbers = 92;
+  static constexpr int kMasses = 19, kRowSums = 8, kStiffnesses = 28;
+  static constexpr int kNumbers = kMasses + kRowSums + 2 * kStiffnesses;
   const double* numbers;
   int64_t cells;
 };
@@ -51,11 +54,21 @@ struct CellGradients {
 
 /// β per cell as it was, and what it is to become.
 struct NewGradientScale {
+  bool was_uniform;  ///< `now` is not filled then: all cells have `before`
+  bool is_uniform;   ///< all cells are to have `one`
+  float before;
   float one;           ///< of the cells outside [begin, end)
   int64_t begin, end;  ///< where many are to be read; they may be the host's: each is read once
   const float* many;   ///< of every cell
   float* now;          ///< of every cell
   float* change;       ///< of every cell: working memory
+};
+
+/// The right-hand side for the displacement, `scale` times the numbers. Where all cells have the
+/// same β they are those of β − 1 = 1, and another β changes the scale alone.
+struct Constraint {
+  Double3* numbers;
+  double* scale;
 };
 
 /// Symmetric 8×8 matrices: off-diagonal pairs (28), and row sums or the diagonal (8).
