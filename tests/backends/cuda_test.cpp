@@ -137,7 +137,9 @@ double between_cpu_and_cuda(const TriangleMesh& mesh, Smoother smoother, int cyc
   return most / compute_statistics(mesh).diagonal();
 }
 
-// They differ by rounding; with Schwarz by where the estimate of λmax starts as well.
+// They differ by rounding; with Schwarz by where the estimate of λmax starts as well, and by how
+// much the finest depth's blocks are regularised, which shows where the grid is finer than the
+// triangles.
 TEST_F(OnADevice, FollowsTheCpuCycleByCycle) {
   std::map<std::string, TriangleMesh> meshes = {{"crossing spheres", crossing_spheres()},
                                                 {"crumbs", reference::crumbs_over_a_sphere()}};
@@ -146,7 +148,8 @@ TEST_F(OnADevice, FollowsTheCpuCycleByCycle) {
   for (const auto& [name, mesh] : meshes)
     for (const int cycles : {1, 2, 5}) {
       SCOPED_TRACE(name + " after " + std::to_string(cycles) + " cycles");
-      EXPECT_LE(between_cpu_and_cuda(mesh, Smoother::kSchwarz, cycles), 3e-4);
+      EXPECT_LE(between_cpu_and_cuda(mesh, Smoother::kSchwarz, cycles),
+                name == "tablet" ? 1e-3 : 3e-4);
       EXPECT_LE(between_cpu_and_cuda(mesh, Smoother::kGaussSeidel, cycles), 2e-5);
     }
 }
