@@ -53,6 +53,7 @@ class Backend {
   virtual void restrict_residual(int depth) = 0;   ///< f[depth−1] = Pᵀ (f − S x)
   virtual void prolong_correction(int depth) = 0;  ///< x[depth] += P x[depth−1]
   virtual void solve_coarsest() = 0;               ///< x = S⁻¹ f
+  virtual void clear_correction(int depth) = 0;    ///< x = 0
 
   // Conjugate gradients at the finest depth; each column has its own scalars.
   virtual void recompute_residual() = 0;  ///< r = b − S u

@@ -19,6 +19,9 @@ static double seconds_since(std::chrono::steady_clock::time_point start) {
 
 namespace {
 
+// How a step begins: nothing is displaced before a cold one.
+enum class Start { kGoesOn, kWarm, kCold };
+
 struct ChosenBackend {
   std::unique_ptr<Backend> backend;
   std::string reason;
@@ -87,9 +90,11 @@ StepReport Solver::step() {
   if (residual_is_stale_ || cycle_ % kRecomputeResidualEvery == 0) backend_->recompute_residual();
   if (rescale_) backend_->rescale();
   residual_is_stale_ = rescale_ = false;
-  backend_->run_recorded(restart_, [this] {
+  const Start start = !restart_ ? Start::kGoesOn : energy_ == 0 ? Start::kCold : Start::kWarm;
+  backend_->run_recorded(static_cast<int>(start), [&] {
     backend_->load_residual();
-    run_vcycle(*backend_, hierarchy_->coarsest, hierarchy_->finest);
+    const auto cycle = start == Start::kCold ? run_full_multigrid : run_vcycle;
+    cycle(*backend_, hierarchy_->coarsest, hierarchy_->finest);
     backend_->update_direction(restart_);
     backend_->advance();
   });
@@ -97,6 +102,7 @@ StepReport Solver::step() {
   restart_ = false;
 
   const Measures measures = backend_->measure();
+  energy_ = measures.energy;
   rate_.add({measures.moved_max, measures.preconditioned_residual});
   StepReport report;
   report.cycle = ++cycle_;

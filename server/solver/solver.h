@@ -101,6 +101,7 @@ class Solver {
   int threads_;
   ConvergenceRate rate_;
   int cycle_ = 0;
+  double energy_ = 0;  // after the last step; 0 where nothing is displaced
   bool restart_ = true;
   bool residual_is_stale_ = true;
   double gradient_scale_ = kBetaDefault;  // of the constraint

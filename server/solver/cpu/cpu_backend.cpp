@@ -85,6 +85,9 @@ class CpuBackend final : public Backend {
   }
   void prolong_correction(int depth) override { add_prolonged(at(depth - 1), at(depth)); }
   void solve_coarsest() override { coarsest_.solve(depths_.front()); }
+  void clear_correction(int depth) override {
+    std::ranges::fill(at(depth).x, Float4(Float4::Zero()));
+  }
 
   void recompute_residual() override { outer_->recompute_residual(); }
   void rescale() override { outer_->rescale(); }

@@ -99,6 +99,7 @@ class CudaBackend final : public Backend {
   }
   void prolong_correction(int depth) override { add_prolonged(stream_, at(depth - 1), at(depth)); }
   void solve_coarsest() override { coarsest_->solve(); }
+  void clear_correction(int depth) override { cuda::clear_correction(stream_, at(depth)); }
 
   void recompute_residual() override {
     outer_->recompute_residual();

@@ -184,6 +184,13 @@ void launch_with_listed(Stream& stream, Kernel* with_listed, Kernel* without, in
 
 }  // namespace
 
+void clear_correction(Stream& stream, const Depth& depth) {
+  if (stream.is_ok())
+    stream.check(
+        cudaMemsetAsync(depth.x, 0, depth.topology.corner_count * sizeof(float4), stream.get()),
+        "clearing a correction");
+}
+
 void compute_residual(Stream& stream, const Depth& depth) {
   const Rows& rows = depth.topology.rows;
   launch_products<float4>(stream, has_long(rows) ? residual_kernel<true> : residual_kernel<false>,

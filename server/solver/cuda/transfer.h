@@ -5,6 +5,9 @@
 
 namespace burnish::cuda {
 
+/// x = 0.
+void clear_correction(Stream& stream, const Depth& depth);
+
 /// r = f − S x, zero where pinned.
 void compute_residual(Stream& stream, const Depth& depth);
 
