@@ -201,6 +201,15 @@ TEST_P(Interactive, AColdIsotropicStartMeetsTheBars) {
   }
 }
 
+// A V-cycle alone leaves 8e-4.
+TEST_P(Interactive, AColdStartIsNearlyThereAfterOneFrame) {
+  const TriangleMesh mesh = bumpy();
+  const auto converged = exact(mesh, 6, 5, 0);
+  Filtered filtered = session(mesh, 6);
+  filtered.alpha(5).beta(0);
+  EXPECT_LE(vertex_distance(filtered.after(1), converged, filtered.diagonal()).max, 1e-4);
+}
+
 TEST_P(Interactive, AColdCurveOfContrastHundredMeetsTheBars) {
   const TriangleMesh mesh = bumpy();
   const auto converged = session(mesh, 6).curve(contrast_100()).beta(0).exact();
