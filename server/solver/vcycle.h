@@ -20,8 +20,9 @@ inline void run_vcycle(Backend& backend, int coarsest, int finest) {
 }
 
 /// x ≈ S⁻¹ f at the finest depth by full multigrid: each depth begins with what the one above
-/// found, which is where most of a cold start's error is, and takes one V-cycle. A third more than
-/// a V-cycle; not symmetric, and so for the first direction of conjugate gradients alone.
+/// found, which is where most of a cold start's error is, and takes one V-cycle. 1.6
+/// V-cycles by count of products; not symmetric, and so for the first direction of conjugate
+/// gradients alone.
 inline void run_full_multigrid(Backend& backend, int coarsest, int finest) {
   for (int depth = finest; depth > coarsest; --depth) {
     backend.clear_correction(depth);
