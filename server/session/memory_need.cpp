@@ -23,7 +23,9 @@ uint64_t predict_session_bytes(const Hierarchy& hierarchy) {
   uint64_t bytes = kCoarsestBytes;
   for (const HierarchyDepth& depth : hierarchy.depths)
     bytes += depth.grid.corners.size() * kSessionBytesPerCorner;
-  return bytes + hierarchy.at(hierarchy.finest).grid.cells.size() * kSessionBytesPerCell;
+  const HierarchyDepth& finest = hierarchy.at(hierarchy.finest);
+  return bytes + finest.grid.cells.size() * kSessionBytesPerCell +
+         finest.patches.entry_count() * sizeof(float);
 }
 
 // Either content may be asked for: the larger one counts.

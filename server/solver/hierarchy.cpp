@@ -108,7 +108,9 @@ std::vector<HierarchyDepth> make_depths(const PreparedMesh& prepared, Sheets she
     const SheetCorners whole = one_sheet_per_cell(finest);
     return depths_apart(std::move(finest), whole);
   }
+  Patches patches = find_patches(finest, corners);
   std::vector<HierarchyDepth> depths = depths_apart(std::move(finest), corners);
+  depths[0].patches = std::move(patches);
   depths[0].sheet_count = static_cast<int32_t>(prepared.sheets.size());
   return depths;
 }
@@ -138,6 +140,10 @@ uint64_t bytes_of(const DepthTransfer& transfer) {
          bytes_of(shared.corner, shared.start, shared.coarse_corner, shared.weight);
 }
 
+uint64_t bytes_of(const Patches& patches) {
+  return bytes_of(patches.start, patches.corner, patches.colour_start, patches.entry_start);
+}
+
 uint64_t bytes_of(const CellShares& shares) {
   return bytes_of(shares.part, shares.target, shares.start, shares.share, shares.apart);
 }
@@ -162,7 +168,7 @@ uint64_t Hierarchy::byte_count() const {
   uint64_t bytes = 0;
   for (const HierarchyDepth& depth : depths)
     bytes += bytes_of(depth.grid) + bytes_of(depth.stencil) + bytes_of(depth.to_parent) +
-             bytes_of(depth.shares) +
+             bytes_of(depth.shares) + bytes_of(depth.patches) +
              bytes_of(depth.ties, depth.parent_cell, depth.child_start, depth.child);
   return bytes;
 }

@@ -9,6 +9,7 @@
 #include "server/prepare/prepared_mesh.h"
 #include "server/solver/cell_shares.h"
 #include "server/solver/depth_transfer.h"
+#include "server/solver/patches.h"
 #include "server/solver/stencil.h"
 
 namespace burnish {
@@ -19,6 +20,7 @@ struct HierarchyDepth {
   Stencil stencil;
   std::vector<CellTie> ties;         ///< rising; none at the finest depth
   int32_t sheet_count = 0;           ///< PreparedMesh::sheets that are used; none at coarse depths
+  Patches patches;                   ///< none at coarse depths
   DepthTransfer to_parent;           ///< empty at the coarsest depth
   std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth
   // Where the numbers of cells and ties come from; empty at the finest depth.

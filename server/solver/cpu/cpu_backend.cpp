@@ -8,6 +8,7 @@
 #include "server/solver/cpu/conjugate_gradients.h"
 #include "server/solver/cpu/constraint.h"
 #include "server/solver/cpu/cpu_depth.h"
+#include "server/solver/cpu/patch_solver.h"
 #include "server/solver/cpu/row_products.h"
 #include "server/solver/cpu/smoother.h"
 #include "server/solver/cpu/transfer.h"
@@ -41,7 +42,8 @@ class CpuBackend final : public Backend {
              std::shared_ptr<const Hierarchy> hierarchy, Smoother smoother)
       : prepared_(std::move(prepared)),
         hierarchy_(std::move(hierarchy)),
-        ratio_(prepared_->cells.size(), 1) {
+        ratio_(prepared_->cells.size(), 1),
+        patches_(hierarchy_->depths.back()) {
     depths_.reserve(hierarchy_->depths.size());
     for (const HierarchyDepth& topology : hierarchy_->depths) {
       depths_.emplace_back(topology);
@@ -54,8 +56,9 @@ class CpuBackend final : public Backend {
   std::string_view name() const override { return "cpu"; }
 
   uint64_t byte_count() const override {
-    uint64_t bytes = outer_->byte_count() + coarsest_.byte_count() + bytes_of(ratio_) +
-                     bytes_of(beta_) + bytes_of(displacement_) + bytes_of(vertex_displacement_);
+    uint64_t bytes = outer_->byte_count() + coarsest_.byte_count() + patches_.byte_count() +
+                     bytes_of(ratio_) + bytes_of(beta_) + bytes_of(displacement_) +
+                     bytes_of(vertex_displacement_);
     for (const CpuDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother ? smoother->byte_count() : 0;
     return bytes;
@@ -68,6 +71,7 @@ class CpuBackend final : public Backend {
     const double anisotropy = anisotropy_of(ratio_);
     for (CpuDepth& depth : depths_) depth.anisotropy = static_cast<float>(anisotropy);
     for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
+    patches_.factor(depths_.back());
     coarsest_.factor(depths_.front());
   }
 
@@ -77,8 +81,14 @@ class CpuBackend final : public Backend {
     beta_.assign(beta.begin(), beta.end());
   }
 
-  void relax_from_zero(int depth) override { smoother(depth).relax_from_zero(at(depth)); }
-  void relax(int depth) override { smoother(depth).relax(at(depth)); }
+  void relax_from_zero(int depth) override {
+    smoother(depth).relax_from_zero(at(depth));
+    if (depth == hierarchy_->finest) patches_.relax_forwards(at(depth));
+  }
+  void relax(int depth) override {
+    if (depth == hierarchy_->finest) patches_.relax_backwards(at(depth));
+    smoother(depth).relax(at(depth));
+  }
   void restrict_residual(int depth) override {
     compute_residual(at(depth));
     restrict_to_coarse(at(depth), at(depth - 1));
@@ -124,6 +134,7 @@ class CpuBackend final : public Backend {
   std::vector<float> beta_;       // what the constraint holds; empty when the metric is newer
   std::vector<CpuDepth> depths_;  // from the coarsest
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
+  PatchSolver patches_;                                    // of the finest
   CoarsestSolver coarsest_;
   std::unique_ptr<ConjugateGradients> outer_;
   std::vector<Vec3f> displacement_, vertex_displacement_;  // empty until asked for

@@ -215,6 +215,16 @@ TEST(Solver, CrumbsConvergeFasterWhenTheyAreKeptApart) {
   EXPECT_LT(distance_after(10, system, converged), 0.01 * distance_after(10, together, converged));
 }
 
+// Seven times as far off where their patches are left out.
+TEST(Solver, CrumbsThatHangOnASurfaceFollowItInThreeSteps) {
+  TestSystem system(reference::crumbs_over_a_sphere(), 6);
+  system.fields.set_transfer_curve(TransferCurve(5));
+  system.fields.set_gradient_scale(0);
+  const auto solver = solver_of(system);
+  for (int i = 0; i < 200; ++i) solver->step();
+  EXPECT_LT(distance_after(3, system, solver->evaluate_vertices()), 1e-4);
+}
+
 TEST(Solver, ShardsThatHangByASliverConvergeAsTheRest) {
   TestSystem system(reference::shards_over_a_sphere(), 5);
   system.fields.set_transfer_curve(TransferCurve(5));
