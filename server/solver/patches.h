@@ -9,7 +9,7 @@
 namespace burnish {
 
 /// The corners that a patch has at most: room for its factor in a CUDA block's shared memory.
-inline constexpr int kPatchCornersMax = 126;
+inline constexpr int kPatchCornersMax = 120;
 
 /// Small pieces of the finest depth, each with what it hangs on: relaxed as a whole, because such a
 /// piece moves with next to no energy as long as the sheet that holds it gives way, and a coarse

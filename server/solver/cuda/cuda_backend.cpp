@@ -14,6 +14,7 @@
 #include "server/solver/cuda/device_mesh.h"
 #include "server/solver/cuda/gradient_scale.h"
 #include "server/solver/cuda/graphs.h"
+#include "server/solver/cuda/patch_solver.h"
 #include "server/solver/cuda/placement.h"
 #include "server/solver/cuda/readout.h"
 #include "server/solver/cuda/smoother.h"
@@ -54,6 +55,8 @@ class CudaBackend final : public Backend {
       smoothers_.push_back(
           make_smoother(smoother, stream_, mesh_->hierarchy->depths[i], depths_[i].view()));
     coarsest_.emplace(stream_, mesh_->hierarchy->depths.front(), depths_.front().view());
+    patches_.emplace(stream_, finest(), mesh_->hierarchy->depths.back().patches,
+                     mesh_->patches.view());
     outer_.emplace(stream_, finest(), mesh_->evaluation.data(), mesh_->evaluation.size());
   }
 
@@ -63,7 +66,8 @@ class CudaBackend final : public Backend {
   uint64_t byte_count() const override {
     uint64_t bytes = readout_.byte_count() + outer_->byte_count() + coarsest_->byte_count() +
                      ratio_.byte_count() + beta_.byte_count() + gradients_.byte_count() +
-                     combined_.byte_count() + coarse_combined_.byte_count();
+                     combined_.byte_count() + coarse_combined_.byte_count() +
+                     patches_->byte_count();
     for (const DeviceDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother->byte_count();
     return bytes;
@@ -91,8 +95,14 @@ class CudaBackend final : public Backend {
     run_on_device(key, work);
   }
 
-  void relax_from_zero(int depth) override { smoother(depth).relax_from_zero(); }
-  void relax(int depth) override { smoother(depth).relax(); }
+  void relax_from_zero(int depth) override {
+    smoother(depth).relax_from_zero();
+    if (depth == mesh_->hierarchy->finest) patches_->relax_forwards();
+  }
+  void relax(int depth) override {
+    if (depth == mesh_->hierarchy->finest) patches_->relax_backwards();
+    smoother(depth).relax();
+  }
   void restrict_residual(int depth) override {
     compute_residual(stream_, at(depth));
     restrict_to_coarse(stream_, at(depth), at(depth - 1));
@@ -182,6 +192,7 @@ class CudaBackend final : public Backend {
       }
       assemble_coarsest(cells);
     }
+    patches_->factor(smoothers_.empty() ? stream_ : smoothers_.back()->beside());
     combine_gradients(smoothers_.empty() ? stream_ : smoothers_.back()->beside(),
                       mesh_->gradients(), ratio_.data(), gradients());
     for (const auto& smoother : smoothers_) smoother->finish_set_up();
@@ -232,6 +243,7 @@ class CudaBackend final : public Backend {
   DeviceArray<float> pinned_below_, anisotropy_;
   std::vector<DeviceDepth> depths_;                        // from the coarsest
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
+  std::optional<PatchSolver> patches_;                     // of the finest
   std::optional<CoarsestSolver> coarsest_;
   std::optional<ConjugateGradients> outer_;
   Readout readout_{stream_};

@@ -80,7 +80,7 @@ uint64_t DeviceTopology::byte_count() const {
 
 uint64_t DeviceMesh::byte_count() const {
   uint64_t bytes = integral_numbers.byte_count() + gradient_numbers.byte_count() +
-                   evaluation.byte_count() + sheets.byte_count();
+                   evaluation.byte_count() + sheets.byte_count() + patches.byte_count();
   for (const DeviceTopology& depth : depths) bytes += depth.byte_count();
   return bytes;
 }
@@ -143,6 +143,7 @@ static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
   for (const HierarchyDepth& depth : hierarchy->depths) mesh->depths.emplace_back(stream, depth);
   mesh->integral_numbers = {stream, numbers_of(prepared->integrals)};
   mesh->sheets = {stream, *prepared, hierarchy->depths.back().sheet_count};
+  mesh->patches = {stream, hierarchy->depths.back().patches};
   mesh->gradient_numbers = {stream, gradients_of(*prepared)};
   mesh->evaluation = DeviceArray<VertexPlace>::copy_of(stream, prepared->evaluation);
   mesh->prepared = std::move(prepared);

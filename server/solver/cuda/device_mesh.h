@@ -6,6 +6,7 @@
 #include "server/prepare/prepared_mesh.h"
 #include "server/solver/cuda/device_irregular.h"
 #include "server/solver/cuda/device_memory.h"
+#include "server/solver/cuda/device_patches.h"
 #include "server/solver/cuda/device_shares.h"
 #include "server/solver/cuda/device_transfer.h"
 #include "server/solver/cuda/views.h"
@@ -58,6 +59,7 @@ struct DeviceMesh {
   std::vector<DeviceTopology> depths;  ///< from the coarsest
   DeviceArray<double> integral_numbers;
   DeviceSheets sheets;
+  DevicePatches patches;
   DeviceArray<float> gradient_numbers;
   DeviceArray<VertexPlace> evaluation;
 

@@ -165,6 +165,13 @@ struct Shares {
   const int32_t* apart;
 };
 
+/// Patches (patches.h).
+struct PatchList {
+  const int32_t* start;        ///< patches + 1, into `corner`
+  const int32_t* corner;       ///< rising within a patch
+  const int64_t* entry_start;  ///< patches + 1: of their lower triangles, by rows
+};
+
 /// One depth without any number that depends on the metric.
 struct Topology {
   int32_t corner_count;

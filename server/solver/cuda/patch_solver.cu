@@ -1,0 +1,209 @@
+#include <algorithm>
+
+#include "server/solver/cuda/patch_solver.h"
+#include "server/solver/cuda/products.h"
+
+namespace burnish::cuda {
+
+namespace {
+
+constexpr double kRegularisation = 1e-6;  // cpu/patch_solver.cpp says why
+constexpr int kWarps = kThreads / 32;
+static_assert(kPatchCornersMax <= kThreads, "a thread for each corner");
+
+struct Patch {
+  int count;
+  const int32_t* corner;
+  int64_t first_entry;
+};
+
+__device__ Patch patch_at(const PatchList& list, int32_t p) {
+  return {list.start[p + 1] - list.start[p], list.corner + list.start[p], list.entry_start[p]};
+}
+
+/// Where row i of a lower triangle begins.
+__host__ __device__ constexpr int row_of_triangle(int i) {
+  return i * (i + 1) / 2;
+}
+
+/// Visits (column, entry) of a row of S, to all digits that are there.
+template <typename Visit>
+__device__ void visit_row(const Depth& depth, int32_t corner, int first, int step, Visit&& visit) {
+  const Rows& rows = depth.topology.rows;
+  const Group group = group_of(rows, corner / rows.group_rows);
+  const int64_t begin = row_begin(rows, corner);
+  for (int k = first; k < __popc(rows.mask[corner]); k += step) {
+    const int64_t at = begin + kSliceRows * k;
+    const uint32_t packed = depth.system.packed[at];
+    visit(column_of(group, local_of(packed)), value_of(packed) + depth.rest[at]);
+  }
+}
+
+/// What the rows of a block of threads have in common.
+struct FactorRoom {
+  int32_t corner[kPatchCornersMax];
+  float scale[kPatchCornersMax];
+  double column[kPatchCornersMax];
+};
+
+__device__ int place_of(int32_t corner, const int32_t* corners, int count) {
+  int begin = 0, end = count;
+  while (begin < end) {
+    const int middle = (begin + end) / 2;
+    corners[middle] < corner ? begin = middle + 1 : end = middle;
+  }
+  return begin < count && corners[begin] == corner ? begin : -1;
+}
+
+// The lower triangle of the scaled, regularised block: a warp for each row.
+__device__ void fill(const Depth& depth, const Patch& patch, FactorRoom& room, double* triangle) {
+  const auto t = static_cast<int>(threadIdx.x), warp = t / 32, lane = t % 32;
+  if (t < patch.count) {
+    room.corner[t] = patch.corner[t];
+    room.scale[t] = sqrtf(depth.inverse_diagonal[patch.corner[t]]);
+  }
+  for (int k = t; k < row_of_triangle(patch.count); k += kThreads) triangle[k] = 0;
+  __syncthreads();
+  for (int i = warp; i < patch.count; i += kWarps) {
+    if (lane == 0) triangle[row_of_triangle(i) + i] = 1 + kRegularisation;
+    visit_row(depth, room.corner[i], lane, 32, [&](int32_t column, float entry) {
+      const int j = place_of(column, room.corner, patch.count);
+      if (j >= 0 && j < i)
+        triangle[row_of_triangle(i) + j] =
+            static_cast<double>(entry) * room.scale[i] * room.scale[j];
+    });
+  }
+  __syncthreads();
+}
+
+// Cholesky's factor in place, column by column. The regularisation keeps pivots above it but for
+// rounding.
+__device__ void factor_in_place(int count, FactorRoom& room, double* triangle) {
+  const auto t = static_cast<int>(threadIdx.x), warp = t / 32, lane = t % 32;
+  for (int p = 0; p < count; ++p) {
+    const double pivot = sqrt(fmax(triangle[row_of_triangle(p) + p], kRegularisation));
+    if (t >= p && t < count) room.column[t] = triangle[row_of_triangle(t) + p] / pivot;
+    __syncthreads();
+    if (t >= p && t < count) triangle[row_of_triangle(t) + p] = t == p ? pivot : room.column[t];
+    for (int i = p + 1 + warp; i < count; i += kWarps)
+      for (int j = p + 1 + lane; j <= i; j += 32)
+        triangle[row_of_triangle(i) + j] -= room.column[i] * room.column[j];
+    __syncthreads();
+  }
+}
+
+// The factor's inverse in place, row by row, a thread for each column: W_ij = −Σ_k L_ik W_kj /
+// L_ii.
+__device__ void invert_in_place(int count, double* triangle) {
+  const auto j = static_cast<int>(threadIdx.x);
+  for (int i = 0; i < count; ++i) {
+    const double* row = triangle + row_of_triangle(i);
+    double sum = j == i ? -1 : 0;
+    for (int k = j; k < i; ++k) sum += row[k] * triangle[row_of_triangle(k) + j];
+    const double entry = -sum / row[i];
+    __syncthreads();
+    if (j <= i) triangle[row_of_triangle(i) + j] = entry;
+    __syncthreads();
+  }
+}
+
+__global__ void factor_kernel(Depth depth, PatchList list, float* factor_inverse) {
+  extern __shared__ double triangle[];
+  __shared__ FactorRoom room;
+  await_previous();
+  const Patch patch = patch_at(list, static_cast<int32_t>(blockIdx.x));
+  fill(depth, patch, room, triangle);
+  factor_in_place(patch.count, room, triangle);
+  invert_in_place(patch.count, triangle);
+  const auto j = static_cast<int>(threadIdx.x);
+  for (int i = j; i < patch.count; ++i)
+    factor_inverse[patch.first_entry + row_of_triangle(i) + j] =
+        static_cast<float>(triangle[row_of_triangle(i) + j] * room.scale[j]);
+}
+
+__device__ float4 residual_at(const Depth& depth, int32_t corner) {
+  if (depth.inverse_diagonal[corner] == 0) return zero4();
+  float4 product = depth.system.diagonal[corner] * depth.x[corner];
+  visit_row(depth, corner, 0, 1,
+            [&](int32_t column, float entry) { product = product + entry * depth.x[column]; });
+  return depth.f[corner] - product;
+}
+
+__device__ float4 sum_of_warp(float4 value) {
+  for (int offset = 16; offset > 0; offset /= 2) {
+    value.x += __shfl_xor_sync(0xffffffffu, value.x, offset);
+    value.y += __shfl_xor_sync(0xffffffffu, value.y, offset);
+    value.z += __shfl_xor_sync(0xffffffffu, value.z, offset);
+  }
+  return value;
+}
+
+// x += WᵀW (f − S x) at the patch's corners: W by a warp for each row, Wᵀ by a thread for each.
+__global__ void relax_kernel(Depth depth, PatchList list, int32_t first, const float* entries) {
+  __shared__ float4 residual[kPatchCornersMax], middle[kPatchCornersMax];
+  let_next_start();
+  const Patch patch = patch_at(list, first + static_cast<int32_t>(blockIdx.x));
+  const float* w = entries + patch.first_entry;
+  const auto t = static_cast<int>(threadIdx.x), warp = t / 32, lane = t % 32;
+  const int32_t corner = t < patch.count ? patch.corner[t] : -1;
+  await_previous();
+  if (corner >= 0) residual[t] = residual_at(depth, corner);
+  __syncthreads();
+  for (int i = warp; i < patch.count; i += kWarps) {
+    float4 sum = zero4();
+    for (int j = lane; j <= i; j += 32) sum = sum + w[row_of_triangle(i) + j] * residual[j];
+    sum = sum_of_warp(sum);
+    if (lane == 0) middle[i] = sum;
+  }
+  __syncthreads();
+  if (corner < 0) return;
+  float4 correction = zero4();
+  for (int i = t; i < patch.count; ++i)
+    correction = correction + w[row_of_triangle(i) + t] * middle[i];
+  depth.x[corner] = depth.x[corner] + correction;
+}
+
+int largest_patch(const Patches& patches) {
+  int largest = 0;
+  for (int32_t p = 0; p < patches.count(); ++p)
+    largest = std::max(largest, patches.start[p + 1] - patches.start[p]);
+  return largest;
+}
+
+}  // namespace
+
+PatchSolver::PatchSolver(Stream& stream, const Depth& depth, const Patches& patches,
+                         const PatchList& list)
+    : stream_(stream),
+      depth_(depth),
+      patches_(patches),
+      list_(list),
+      factor_inverse_(stream, patches.entry_count()),
+      shared_bytes_(row_of_triangle(largest_patch(patches)) * sizeof(double)) {
+  if (patches.count() > 0)
+    stream.check(cudaFuncSetAttribute(factor_kernel, cudaFuncAttributeMaxDynamicSharedMemorySize,
+                                      row_of_triangle(kPatchCornersMax) * int{sizeof(double)}),
+                 "making room for patches");
+}
+
+void PatchSolver::factor(Stream& stream) {
+  if (patches_.count() > 0)
+    launch_blocks(stream, factor_kernel, dim3(patches_.count()), dim3(kThreads), shared_bytes_,
+                  depth_, list_, factor_inverse_.data());
+}
+
+void PatchSolver::relax_colour(int32_t colour) {
+  const int32_t first = patches_.colour_start[colour];
+  launch_blocks(stream_, relax_kernel, dim3(patches_.colour_start[colour + 1] - first),
+                dim3(kThreads), 0, depth_, list_, first, factor_inverse_.data());
+}
+
+void PatchSolver::relax_forwards() {
+  for (int32_t colour = 0; colour < patches_.colour_count(); ++colour) relax_colour(colour);
+}
+
+void PatchSolver::relax_backwards() {
+  for (int32_t colour = patches_.colour_count(); colour-- > 0;) relax_colour(colour);
+}
+
+}  // namespace burnish::cuda
