@@ -30,6 +30,14 @@ static std::vector<uint32_t> masks_of_packed(const Stencil& stencil) {
   return masks;
 }
 
+// A piece that hangs on another by a sliver has eigenvalues below what packing rounds off.
+static std::vector<uint8_t> groups_with_patches(const Patches& patches, const RowGroups& groups) {
+  if (patches.count() == 0) return {};
+  std::vector<uint8_t> has_patch(groups.halo_start.size() - 1);
+  for (const int32_t corner : patches.corner) has_patch[corner / groups.rows] = 1;
+  return has_patch;
+}
+
 DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth)
     : irregular_(stream, depth.stencil, depth.grid.cell_count()),
       shares_(stream, depth.shares),
@@ -41,6 +49,7 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth)
   local_ = {stream, groups.local};
   halo_start_ = {stream, groups.halo_start};
   halo_ = {stream, groups.halo};
+  is_exact_ = {stream, groups_with_patches(depth.patches, groups)};
   cell_corners_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cell_corners);
   cells_of_corner_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cells_of_corner);
   octant_ = {stream, octants(depth.grid)};
@@ -67,6 +76,7 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth)
   view_.child = child_.data();
   view_.irregular = irregular_.view();
   view_.shares = shares_.view();
+  view_.is_exact = is_exact_.data();
   transfer_.put_into(view_);
 }
 
@@ -74,8 +84,8 @@ uint64_t DeviceTopology::byte_count() const {
   return slice_start_.byte_count() + mask_.byte_count() + local_.byte_count() +
          halo_start_.byte_count() + halo_.byte_count() + child_start_.byte_count() +
          child_.byte_count() + cell_corners_.byte_count() + cells_of_corner_.byte_count() +
-         octant_.byte_count() + irregular_.byte_count() + shares_.byte_count() +
-         transfer_.byte_count();
+         octant_.byte_count() + is_exact_.byte_count() + irregular_.byte_count() +
+         shares_.byte_count() + transfer_.byte_count();
 }
 
 uint64_t DeviceMesh::byte_count() const {

@@ -28,7 +28,7 @@ class DeviceTopology {
   DeviceArray<uint16_t> local_;
   DeviceArray<int32_t> halo_start_, halo_, child_start_, child_;
   DeviceArray<Eight> cell_corners_, cells_of_corner_;
-  DeviceArray<uint8_t> octant_;
+  DeviceArray<uint8_t> octant_, is_exact_;
   DeviceIrregular irregular_;
   DeviceShares shares_;
   DeviceTransfer transfer_;

@@ -9,12 +9,28 @@ namespace {
 constexpr int kLanes = 4;  // threads for one coarse corner
 constexpr int kGatheredMax = (kRestrictionMax + kLanes - 1) / kLanes;
 
-template <bool kLong>
-__global__ void __launch_bounds__(kThreads, kLong ? 6 : 8) residual_kernel(Depth depth) {
+// What the packed entries of a row leave of it, times the tile.
+__device__ float4 rest_of_product(const Depth& depth, const FetchedRow& row, const float4* tile) {
+  float4 sum = zero4();
+#pragma unroll
+  for (int j = 0; j < kEntriesMax; ++j)
+    if (j < row.count)
+      sum = sum + depth.rest[row.begin + kSliceRows * j] * tile[local_of(row.packed[j])];
+  return sum;
+}
+
+enum class RowKind { kPacked, kLong, kExactInSomeGroups };
+
+template <RowKind kKind>
+__global__ void __launch_bounds__(kThreads, kKind == RowKind::kLong ? 6 : 8)
+    residual_kernel(Depth depth) {
   float4* tile = tile_of_block<float4>();
   let_next_start();
   const FetchedRow row = fetch_row(depth.topology.rows, depth.system.packed, blockIdx.x);
-  LongPart<kLong> beyond(depth.topology.rows.long_rows, depth.system.long_entries, row);
+  LongPart<kKind == RowKind::kLong> beyond(depth.topology.rows.long_rows, depth.system.long_entries,
+                                           row);
+  const bool is_exact =
+      kKind == RowKind::kExactInSomeGroups && depth.topology.is_exact[blockIdx.x] != 0;
   const int32_t i = row.corner;
   const bool is_free = i >= 0 && depth.inverse_diagonal[i] != 0;
   const float diagonal = is_free ? depth.system.diagonal[i] : 0;
@@ -24,7 +40,8 @@ __global__ void __launch_bounds__(kThreads, kLong ? 6 : 8) residual_kernel(Depth
   fill_tile(row, depth.x, tile);
   beyond.finish(depth.x);
   if (i < 0) return;
-  const float4 product = beyond.added_to(product_of(row, tile));
+  float4 product = beyond.added_to(product_of(row, tile));
+  if (is_exact) product = product + rest_of_product(depth, row, tile);
   depth.r[i] = is_free ? f - diagonal * tile[threadIdx.x] - product : zero4();
 }
 
@@ -193,8 +210,10 @@ void clear_correction(Stream& stream, const Depth& depth) {
 
 void compute_residual(Stream& stream, const Depth& depth) {
   const Rows& rows = depth.topology.rows;
-  launch_products<float4>(stream, has_long(rows) ? residual_kernel<true> : residual_kernel<false>,
-                          rows, rows.group_count, depth);
+  const auto kernel = has_long(rows)            ? residual_kernel<RowKind::kLong>
+                      : depth.topology.is_exact ? residual_kernel<RowKind::kExactInSomeGroups>
+                                                : residual_kernel<RowKind::kPacked>;
+  launch_products<float4>(stream, kernel, rows, rows.group_count, depth);
 }
 
 void restrict_to_coarse(Stream& stream, const Depth& fine, const Depth& coarse) {

@@ -190,7 +190,9 @@ struct Topology {
   ListedCorners shared;         ///< DepthTransfer::SharedCorners
   ListedCorners listed;         ///< coarse corners that are not packed
   Irregular irregular;
-  Shares shares;  ///< of this depth's numbers
+  Shares shares;            ///< of this depth's numbers
+  const uint8_t* is_exact;  ///< of each group of rows: whether residuals take S to all digits that
+                            ///< are there, as around patches; null where none does
 };
 
 /// A symmetric matrix on a depth's stencil: off-diagonal entries with their columns (packed.h).
