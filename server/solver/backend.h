@@ -7,6 +7,7 @@
 
 #include "common/base/status.h"
 #include "common/base/types.h"
+#include "server/solver/solver.h"
 
 namespace burnish {
 
@@ -44,8 +45,10 @@ class Backend {
   /// r is wrong until recompute_residual().
   virtual void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) = 0;
   /// b = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²), the constraint of the displacement, with the metric as
-  /// last set; r changes by as much.
-  virtual void set_constraint(std::span<const float> beta) = 0;
+  /// last set; r changes by as much. A backend that goes by β alone has the second of these; one
+  /// that has the first is told what β comes from, and whether the slider alone has moved.
+  virtual void set_constraint(const FieldsView& fields) { set_constraint(fields.beta); }
+  virtual void set_constraint(std::span<const float> beta) { (void)beta; }
 
   // The V-cycle.
   virtual void relax_from_zero(int depth) = 0;     ///< x = M f, M symmetric positive definite

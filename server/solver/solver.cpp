@@ -69,7 +69,7 @@ void Solver::set_metric(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();
   backend_->set_metric(fields.alpha1, fields.alpha2);
-  backend_->set_constraint(fields.beta);
+  backend_->set_constraint(fields);
   assemble_seconds_ += seconds_since(start);
   gradient_scale_ = fields.gradient_scale;
   restart_ = residual_is_stale_ = rescale_ = true;
@@ -78,7 +78,7 @@ void Solver::set_metric(const FieldsView& fields) {
 void Solver::set_gradient_scale(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();
-  backend_->set_constraint(fields.beta);
+  backend_->set_constraint(fields);
   assemble_seconds_ += seconds_since(start);
   rescale_ |= fields.gradient_scale != gradient_scale_;  // a stroke is no reason to move it all
   gradient_scale_ = fields.gradient_scale;

@@ -1,5 +1,6 @@
 #include "server/solver/cuda/constraint.h"
 #include "server/solver/cuda/kernel.h"
+#include "server/solver/cuda/uniform.h"
 
 namespace burnish::cuda {
 
@@ -33,14 +34,20 @@ __global__ void combine_gradients_kernel(Gradients gradients, const float* ratio
   }
 }
 
-__global__ void take_kernel(NewGradientScale beta, int64_t cells) {
+// Paint that is new, and the corners that it touches. Many threads mark a slice, all alike.
+__global__ void take_paint_kernel(NewGradientScale beta, Topology finest, uint8_t* is_touched) {
+  constexpr int kBlocks = kChunk / kThreads;  // of a chunk
   await_previous();
-  const int64_t cell = thread_index();
-  if (cell >= cells) return;
-  const bool is_of_many = cell >= beta.begin && cell < beta.end;
-  const float next = is_of_many ? beta.many[cell] : beta.one;
-  beta.change[cell] = next - (beta.was_uniform ? beta.before : beta.now[cell]);
-  beta.now[cell] = next;
+  const auto i = static_cast<int>(blockIdx.x / kBlocks);
+  const int64_t chunk = beta.changed.is_all ? i : beta.changed.chunk[i];
+  const int64_t cell = chunk * kChunk + blockIdx.x % kBlocks * kThreads + threadIdx.x;
+  if (cell >= finest.cell_count) return;
+  const Paint next = beta.from[cell], before = beta.paint[cell];
+  if (next.follow == before.follow && next.own == before.own) return;
+  beta.paint[cell] = next;
+  const Eight corners = finest.cell_corners[cell];
+#pragma unroll
+  for (int a = 0; a < 8; ++a) is_touched[corners.at[a] / kSliceRows] = 1;
 }
 
 __device__ Double3 share_of(const CellGradients& combined, int64_t cell, int a) {
@@ -52,54 +59,62 @@ __device__ Double3 share_of(const CellGradients& combined, int64_t cell, int a) 
   return a == 7 ? triple(21) + triple(24) : triple(3 * a);
 }
 
-// A cell that is not there counts as the first, times zero: its loads need not wait for a branch.
+// The slices that are touched, or all after a new metric. A cell that is not there counts as the
+// first, times zero: its loads need not wait for a branch.
 template <bool kStale>
-__global__ void constraint_kernel(Depth finest, CellGradients combined, NewGradientScale beta,
-                                  Constraint b, Double3* r) {
+__global__ void gather_kernel(Depth finest, CellGradients combined, const Paint* paint,
+                              double slider, Constraint b, Double3* r) {
   let_next_start();
-  const int64_t corner = thread_index();
-  if (corner >= finest.topology.corner_count) return;
-  const Eight cells = finest.topology.cells_of_corner[corner];
+  const int64_t count = finest.topology.corner_count;
+  const int64_t corner = min(thread_index(), count - 1), slice = thread_index() / kSliceRows;
+  if (slice * kSliceRows >= count) return;
+  Eight cells;
+  if (kStale) cells = finest.topology.cells_of_corner[corner];
   await_previous();
-  if (corner == 0) *b.scale = beta.is_uniform ? static_cast<double>(beta.one) - 1 : 1;
+  if (thread_index() == 0) *b.slider_less_one = slider - 1;
+  const bool is_touched = b.is_touched[slice] != 0, was_painted = b.is_painted[slice] != 0;
+  if (!kStale && !is_touched) return;
+  if (!kStale) cells = finest.topology.cells_of_corner[corner];
   const bool is_free = finest.inverse_diagonal[corner] != 0;
-  float change[8];  // of β
-  bool is_changed = kStale || beta.is_uniform || beta.was_uniform;
+  Paint of[8];
+  bool has_paint = false;
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
-    const bool is_there = !kStale && is_free && cells.at[a] >= 0;
-    change[a] = is_there ? beta.change[cells.at[a]] : 0;
-    is_changed |= change[a] != 0;
+    of[a] = is_touched || was_painted ? paint[max(cells.at[a], 0)] : kNoPaint;
+    if (!is_free || cells.at[a] < 0) of[a] = {0, 0};
+    has_paint |= is_free && cells.at[a] >= 0 && (of[a].follow != 1 || of[a].own != 0);
   }
-  if (!is_changed) return;
-  float distance[8];  // of β from 1; 1 where all have the same β
-#pragma unroll
-  for (int a = 0; a < 8; ++a) {
-    const bool is_there = is_free && cells.at[a] >= 0;
-    distance[a] = is_there && !beta.is_uniform ? beta.now[cells.at[a]] - 1 : float(is_there);
-  }
-  Double3 sum = {0, 0, 0}, difference = {0, 0, 0};
+  Double3 per_slider = {0, 0, 0}, own = {0, 0, 0};
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
     const Double3 share = share_of(combined, max(cells.at[a], 0), a);
-    sum = sum + distance[a] * share;
-    difference = difference + change[a] * share;
+    per_slider = per_slider + of[a].follow * share;
+    own = own + of[a].own * share;
   }
-  b.numbers[corner] = sum;
-  if (kStale) return;
-  const Double3 residual = r[corner] + difference;
-  r[corner] = residual;
-  finest.f[corner] = to_float(residual);
+  const bool is_painted = __any_sync(0xffffffffu, has_paint);  // and all have read the flags
+  if (thread_index() % kSliceRows == 0) {
+    b.is_touched[slice] = 0;
+    b.is_painted[slice] = is_painted;
+  }
+  if (thread_index() >= count) return;
+  if (!kStale) {
+    Double3 change = (slider - 1) * (per_slider - b.per_slider[corner]) + own;
+    if (was_painted) change = change - b.own[corner];
+    const Double3 residual = r[corner] + change;
+    r[corner] = residual;
+    finest.f[corner] = to_float(residual);
+  }
+  b.per_slider[corner] = per_slider;
+  if (is_painted) b.own[corner] = own;
 }
 
-// All cells from one β to another: r and f alone. Numbers one after the other, whichever corner's
-// they are, so that threads side by side write side by side.
-__global__ void slide_kernel(Depth finest, NewGradientScale beta, Constraint b, Double3* r) {
+// The slider from one place to another: r and f alone. Numbers one after the other, whichever
+// corner's they are, so that threads side by side write side by side.
+__global__ void slide_kernel(Depth finest, double before, double slider, Constraint b, Double3* r) {
   __shared__ float written[3 * kThreads];
   await_previous();
-  if (thread_index() == 0) *b.scale = static_cast<double>(beta.one) - 1;
-  const double change = static_cast<double>(beta.one) - static_cast<double>(beta.before);
-  const double* per_change = &b.numbers->x;
+  if (thread_index() == 0) *b.slider_less_one = slider - 1;
+  const double* per_slider = &b.per_slider->x;
   double* residual = &r->x;
   const int64_t all = int64_t{3} * finest.topology.corner_count;
 #pragma unroll
@@ -107,7 +122,7 @@ __global__ void slide_kernel(Depth finest, NewGradientScale beta, Constraint b, 
     const auto at = static_cast<int>(threadIdx.x) + j * kThreads;
     const int64_t i = int64_t{3 * kThreads} * blockIdx.x + at;
     if (i >= all) break;
-    const double number = residual[i] + change * per_change[i];
+    const double number = residual[i] + (slider - before) * per_slider[i];
     residual[i] = number;
     written[at] = static_cast<float>(number);
   }
@@ -128,11 +143,14 @@ void assemble_constraint(Stream& stream, const Depth& finest, const CellGradient
                          const NewGradientScale& beta, bool stale, const Constraint& b,
                          Double3* r) {
   const int64_t corners = finest.topology.corner_count;
-  if (beta.was_uniform && beta.is_uniform && !stale)
-    return launch(stream, slide_kernel, corners, finest, beta, b, r);
-  if (!beta.is_uniform || !stale) launch(stream, take_kernel, combined.cells, beta, combined.cells);
-  launch(stream, stale ? constraint_kernel<true> : constraint_kernel<false>, corners, finest,
-         combined, beta, b, r);
+  const bool is_painted = beta.changed.count > 0;
+  launch(stream, take_paint_kernel, beta.changed.count * kChunk, beta, finest.topology,
+         b.is_touched);
+  if (!stale && beta.slider != beta.slider_before)
+    launch(stream, slide_kernel, corners, finest, beta.slider_before, beta.slider, b, r);
+  if (stale || is_painted)
+    launch(stream, stale ? gather_kernel<true> : gather_kernel<false>, corners, finest, combined,
+           beta.paint, beta.slider, b, r);
 }
 
 }  // namespace burnish::cuda

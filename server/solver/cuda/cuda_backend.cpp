@@ -79,9 +79,9 @@ class CudaBackend final : public Backend {
     residual_is_stale_ = true;
   }
 
-  void set_constraint(std::span<const float> beta) override {
+  void set_constraint(const FieldsView& fields) override {
     if (!stream_.is_ok()) return;
-    beta_.set(beta);
+    beta_.set(fields);
     assemble_constraint(stream_, finest(), gradients(), beta_.view(), residual_is_stale_,
                         outer_->constraint(), outer_->residual());
     stream_.synchronize();

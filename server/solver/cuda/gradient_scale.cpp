@@ -6,35 +6,51 @@
 
 namespace burnish::cuda {
 
+static_assert(CellPaint::kStretch == kChunk);
+
 GradientScale::GradientScale(Stream& stream, size_t cells)
-    : many_(stream, cells), now_(stream, cells), change_(stream, cells) {
-  view_ = {true, true, 0, 0, 0, 0, many_.data(), now_.data(), change_.data()};
+    : from_(stream, cells),
+      paint_(stream, cells),
+      has_paint_((from_.size() + kChunk - 1) / kChunk, 0),
+      is_changed_(has_paint_.size(), 0) {
+  std::fill_n(from_.data(), from_.size(), kNoPaint);
+  if (from_.size() > 0) paint_.upload(stream, {from_.data(), from_.size()});
+  view_ = {kBetaDefault, kBetaDefault, from_.data(), paint_.data(), {}};
 }
 
-void GradientScale::set(std::span<const float> beta) {
-  const auto cells = static_cast<int64_t>(many_.size());
-  if (cells == 0) return;
-  const float one = beta.front();
-  const int64_t chunks = (cells + kChunk - 1) / kChunk;
-  int64_t begin = chunks, end = 0;  // of the chunks that have another number
-  // clang-format off
-#pragma omp parallel for schedule(static) reduction(min : begin) reduction(max : end) \
-    if (chunks >= kParallelMin)
-  // clang-format on
+void GradientScale::set(const FieldsView& fields) {
+  const CellPaint& paint = fields.paint;
+  const auto chunks = static_cast<int64_t>(has_paint_.size());
+#pragma omp parallel for schedule(static) if (chunks >= kParallelMin)
   for (int64_t chunk = 0; chunk < chunks; ++chunk) {
-    if (all_are(chunk_of(beta, chunk), one)) continue;
-    begin = std::min(begin, chunk);
-    end = std::max(end, chunk + 1);
+    is_changed_[chunk] = (has_paint_[chunk] || paint.is_painted[chunk]) && copy_chunk(paint, chunk);
+    has_paint_[chunk] = paint.is_painted[chunk];
   }
-#pragma omp parallel for schedule(static) if (end - begin >= kParallelMin)
-  for (int64_t chunk = begin; chunk < end; ++chunk)
-    std::ranges::copy(chunk_of(beta, chunk), many_.data() + chunk * kChunk);
-  view_.was_uniform = view_.is_uniform;
-  view_.is_uniform = begin >= end;
-  view_.before = view_.one;
-  view_.one = one;
-  view_.begin = begin * kChunk;
-  view_.end = end * kChunk;
+  list_changed();
+  view_.slider_before = view_.slider;
+  view_.slider = fields.gradient_scale;
+}
+
+// Returns whether anything there is new.
+bool GradientScale::copy_chunk(const CellPaint& paint, int64_t chunk) {
+  const std::span follow = chunk_of(paint.follow, chunk), own = chunk_of(paint.own, chunk);
+  Paint* to = from_.data() + chunk * kChunk;
+  bool is_new = false;
+  for (size_t c = 0; c < follow.size(); ++c) {
+    is_new |= to[c].follow != follow[c] || to[c].own != own[c];
+    to[c] = {follow[c], own[c]};
+  }
+  return is_new;
+}
+
+void GradientScale::list_changed() {
+  ChunkList& list = view_.changed;
+  list.count = 0;
+  const auto chunks = static_cast<int32_t>(is_changed_.size());
+  for (int32_t chunk = 0; chunk < chunks; ++chunk)
+    if (is_changed_[chunk] && list.count++ < ChunkList::kMax) list.chunk[list.count - 1] = chunk;
+  list.is_all = list.count > ChunkList::kMax;
+  if (list.is_all) list.count = chunks;
 }
 
 }  // namespace burnish::cuda

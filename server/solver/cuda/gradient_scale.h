@@ -1,27 +1,32 @@
 #pragma once
 
-#include <span>
+#include <vector>
 
 #include "server/solver/cuda/device_memory.h"
 #include "server/solver/cuda/views.h"
+#include "server/solver/solver.h"
 
 namespace burnish::cuda {
 
-/// β per cell on its way to the device. The slider moves all cells alike: what they have in common
-/// goes with the kernel, and only the others are read from memory of the host.
+/// β of the cells on its way to the device: the slider goes with the kernels, and only what has
+/// been painted since is read from memory of the host.
 class GradientScale {
  public:
-  /// Zero everywhere.
+  /// No paint, and the slider where it is at first.
   GradientScale(Stream& stream, size_t cells);
 
   /// Needs: no kernel that reads it is under way.
-  void set(std::span<const float> beta);
+  void set(const FieldsView& fields);
   const NewGradientScale& view() const { return view_; }
-  uint64_t byte_count() const { return now_.byte_count() + change_.byte_count(); }
+  uint64_t byte_count() const { return paint_.byte_count(); }
 
  private:
-  PinnedArray<float> many_;
-  DeviceArray<float> now_, change_;
+  bool copy_chunk(const CellPaint& paint, int64_t chunk);
+  void list_changed();
+
+  PinnedArray<Paint> from_;  // as of the last set()
+  DeviceArray<Paint> paint_;
+  std::vector<uint8_t> has_paint_, is_changed_;  // of each chunk
   NewGradientScale view_;
 };
 
