@@ -1,5 +1,6 @@
 // What a session costs on a GPU, and many of them: one table, medians.
-// Usage: device_bench cpu|cuda SCAN[@DEPTH]...      SCAN: a mesh file or KIND:VERTICES
+// Usage: device_bench cpu|cuda SCAN[@DEPTH]...      SCAN: a mesh file or
+// KIND:VERTICES[:STRETCH]
 
 #include <cstdio>
 #include <iostream>
@@ -98,20 +99,21 @@ void print_settlings(Session& session) {
                  }));
 }
 
-// Medians of what some calls keep the device busy for, from the first kernel to the last, after a
-// change that `prepare` makes.
+double median(std::vector<double> numbers) {
+  const auto middle = numbers.begin() + std::ssize(numbers) / 2;
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
+// The median of how long some calls keep the device busy, each after a change that `prepare` makes.
 template <typename Prepare, typename Work>
 void print_device_time(const char* what, Prepare&& prepare, Work&& work) {
   std::vector<double> times;
-  size_t kernels = 0;
   for (int i = 0; i < kTraces; ++i) {
     prepare(i);
-    const std::vector<TracedKernel> traced = trace_kernels(work);
-    times.push_back(microseconds_of(traced));
-    kernels = traced.size();
+    times.push_back(microseconds_of(trace_device(work)));
   }
-  std::nth_element(times.begin(), times.begin() + kTraces / 2, times.end());
-  std::printf("  %-44s %9.1f us, %zu kernels\n", what, times[kTraces / 2], kernels);
+  std::printf("  device busy: %-31s %9.1f us\n", what, median(times));
 }
 
 // A new metric's last kernel is the constraint's.
@@ -119,28 +121,23 @@ void print_metric_times(Solver& solver, Fields& fields) {
   std::vector<double> matrices, constraints;
   for (int i = 0; i < kTraces; ++i) {
     fields.set_transfer_curve(TransferCurve(i % 2 == 0 ? 20 : 20.1));
-    std::vector<TracedKernel> kernels = trace_kernels([&] { solver.set_metric(fields.view()); });
-    if (kernels.empty()) return;
-    const TracedKernel constraint = kernels.back();
-    kernels.pop_back();
-    matrices.push_back(microseconds_of(kernels));
-    constraints.push_back(microseconds_of({constraint}));
+    std::vector<TracedWork> works = trace_device([&] { solver.set_metric(fields.view()); });
+    constraints.push_back(microseconds_of({works.back()}));
+    works.pop_back();
+    matrices.push_back(microseconds_of(works));
   }
-  for (auto* times : {&matrices, &constraints}) {
-    std::nth_element(times->begin(), times->begin() + kTraces / 2, times->end());
-    std::printf("  %-44s %9.1f us\n",
-                times == &matrices ? "device: matrices and smoothers" : "device: constraint after",
-                (*times)[kTraces / 2]);
-  }
+  std::printf("  device busy: %-31s %9.1f us\n", "matrices and smoothers", median(matrices));
+  std::printf("  device busy: %-31s %9.1f us\n", "constraint, a new metric", median(constraints));
 }
 
-// Each change after a step, which leaves nothing of the constraint's in the caches.
+// Nothing without a trace. Each change after a step, which leaves nothing of the constraint's in
+// the caches.
 Status print_device_times(const BenchSystem& system) {
   ASSIGN_OR_RETURN(const auto solver, Solver::create(system.prepared, system.hierarchy,
                                                      {.backend = BackendKind::kCuda}));
   const PreparedMesh& prepared = *system.prepared;
   Fields fields(prepared);
-  solver->set_metric(fields.view());
+  if (trace_device([&] { solver->set_metric(fields.view()); }).empty()) return solver->status();
   print_metric_times(*solver, fields);
   const auto constraint = [&] { solver->set_gradient_scale(fields.view()); };
   const auto print = [&](const char* what, auto&& change) {
@@ -164,12 +161,12 @@ Status print_device_times(const BenchSystem& system) {
     stroke.brush.strength = 0.5;
     fields.paint(stroke);
   };
-  print("device: constraint, a slider", slide);
-  print("device: constraint, a dab", dab);
-  print("device: constraint, a slider beside paint", slide);
-  print("device: constraint, paint on all cells", paint_all);
-  print("device: constraint, a slider below it", slide);
-  print("device: constraint, a dab on it", dab);
+  print("constraint, a slider", slide);
+  print("constraint, a dab", dab);
+  print("constraint, a slider beside paint", slide);
+  print("constraint, paint on all cells", paint_all);
+  print("constraint, a slider below it", slide);
+  print("constraint, a dab on it", dab);
   return solver->status();
 }
 

@@ -36,76 +36,112 @@ __global__ void combine_gradients_kernel(Gradients gradients, const float* ratio
 
 // Paint that is new, and the corners that it touches. Many threads mark a slice, all alike.
 __global__ void take_paint_kernel(NewGradientScale beta, Topology finest, uint8_t* is_touched) {
-  constexpr int kBlocks = kChunk / kThreads;  // of a chunk
   await_previous();
-  const auto i = static_cast<int>(blockIdx.x / kBlocks);
-  const int64_t chunk = beta.changed.is_all ? i : beta.changed.chunk[i];
-  const int64_t cell = chunk * kChunk + blockIdx.x % kBlocks * kThreads + threadIdx.x;
+  const auto place = static_cast<int32_t>(thread_index()), i = place / int32_t{kChunk};
+  const int32_t chunk = beta.changed.is_all ? i : beta.changed.chunk[i];
+  const int64_t cell = chunk * kChunk + place % kChunk;
   if (cell >= finest.cell_count) return;
-  const Paint next = beta.from[cell], before = beta.paint[cell];
+  const Paint next = beta.from[place], before = beta.paint[cell];
+  const Eight corners = finest.cell_corners[cell];
   if (next.follow == before.follow && next.own == before.own) return;
   beta.paint[cell] = next;
-  const Eight corners = finest.cell_corners[cell];
 #pragma unroll
   for (int a = 0; a < 8; ++a) is_touched[corners.at[a] / kSliceRows] = 1;
 }
 
-__device__ Double3 share_of(const CellGradients& combined, int64_t cell, int a) {
-  const float* g = combined.numbers + cell;
-  const auto triple = [&](int first) {
-    return Double3{g[first * combined.cells], g[(first + 1) * combined.cells],
-                   g[(first + 2) * combined.cells]};
+// One axis of the shares of a corner's cells, and what the float of the last one leaves. A cell
+// that is not there counts as the first, to be taken zero times: its loads need not wait for a
+// branch.
+struct Shares {
+  float at[8];
+  float rest;
+};
+
+__device__ Shares shares_of(const CellGradients& combined, const Eight& cells, int axis) {
+  const auto number = [&](int n, int a) {
+    return combined.numbers[(n + axis) * combined.cells + max(cells.at[a], 0)];
   };
-  return a == 7 ? triple(21) + triple(24) : triple(3 * a);
+  Shares shares;
+#pragma unroll
+  for (int a = 0; a < 8; ++a) shares.at[a] = number(3 * a, a);
+  shares.rest = number(24, 7);
+  return shares;
 }
 
-// The slices that are touched, or all after a new metric. A cell that is not there counts as the
-// first, times zero: its loads need not wait for a branch.
-template <bool kStale>
-__global__ void gather_kernel(Depth finest, CellGradients combined, const Paint* paint,
-                              double slider, Constraint b, Double3* r) {
+__device__ double weighed(const Shares& shares, const float (&weight)[8]) {
+  double sum = weight[7] * static_cast<double>(shares.rest);
+#pragma unroll
+  for (int a = 0; a < 8; ++a) sum += weight[a] * static_cast<double>(shares.at[a]);
+  return sum;
+}
+
+// All corners after a new metric, as they are where nobody has painted. All loads of an axis are
+// under way at once.
+__global__ void gather_kernel(Depth finest, CellGradients combined, double slider_less_one,
+                              Constraint b) {
   let_next_start();
-  const int64_t count = finest.topology.corner_count;
-  const int64_t corner = min(thread_index(), count - 1), slice = thread_index() / kSliceRows;
-  if (slice * kSliceRows >= count) return;
-  Eight cells;
-  if (kStale) cells = finest.topology.cells_of_corner[corner];
+  const int64_t corner = thread_index();
+  if (corner >= finest.topology.corner_count) return;
+  const Eight cells = finest.topology.cells_of_corner[corner];
   await_previous();
-  if (thread_index() == 0) *b.slider_less_one = slider - 1;
-  const bool is_touched = b.is_touched[slice] != 0, was_painted = b.is_painted[slice] != 0;
-  if (!kStale && !is_touched) return;
-  if (!kStale) cells = finest.topology.cells_of_corner[corner];
+  if (corner == 0) *b.slider_less_one = slider_less_one;
   const bool is_free = finest.inverse_diagonal[corner] != 0;
-  Paint of[8];
+  float weight[8];
+#pragma unroll
+  for (int a = 0; a < 8; ++a) weight[a] = is_free && cells.at[a] >= 0;
+  double sum[3];
+#pragma unroll
+  for (int axis = 0; axis < 3; ++axis)
+    sum[axis] = weighed(shares_of(combined, cells, axis), weight);
+  b.per_slider[corner] = {sum[0], sum[1], sum[2]};
+}
+
+// The slices that are touched; where r is stale all with paint. A slice is a warp's.
+__global__ void gather_painted_kernel(Depth finest, CellGradients combined, const Paint* paint,
+                                      double slider_less_one, bool stale, Constraint b,
+                                      Double3* r) {
+  await_previous();
+  const int64_t i = thread_index(), slice = i / kSliceRows;
+  const int64_t corner = min(i, int64_t{finest.topology.corner_count} - 1);
+  if (slice > corner / kSliceRows) return;
+  const bool is_touched = b.is_touched[slice] != 0, was_painted = b.is_painted[slice] != 0;
+  if (!is_touched && !(stale && was_painted)) return;
+  const Eight cells = finest.topology.cells_of_corner[corner];
+  const bool is_free = finest.inverse_diagonal[corner] != 0;
   bool has_paint = false;
+  float follow[8], own[8];
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
-    of[a] = is_touched || was_painted ? paint[max(cells.at[a], 0)] : kNoPaint;
-    if (!is_free || cells.at[a] < 0) of[a] = {0, 0};
-    has_paint |= is_free && cells.at[a] >= 0 && (of[a].follow != 1 || of[a].own != 0);
+    const bool is_there = is_free && cells.at[a] >= 0;
+    const Paint of = paint[max(cells.at[a], 0)];
+    follow[a] = is_there ? of.follow : 0;
+    own[a] = is_there ? of.own : 0;
+    has_paint |= is_there && (of.follow != 1 || of.own != 0);
   }
-  Double3 per_slider = {0, 0, 0}, own = {0, 0, 0};
+  double of_slider[3], of_paint[3];
 #pragma unroll
-  for (int a = 0; a < 8; ++a) {
-    const Double3 share = share_of(combined, max(cells.at[a], 0), a);
-    per_slider = per_slider + of[a].follow * share;
-    own = own + of[a].own * share;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Shares shares = shares_of(combined, cells, axis);
+    of_slider[axis] = weighed(shares, follow);
+    of_paint[axis] = weighed(shares, own);
   }
-  const bool is_painted = __any_sync(0xffffffffu, has_paint);  // and all have read the flags
-  if (thread_index() % kSliceRows == 0) {
+  const bool is_painted = __any_sync(0xffffffffu, has_paint);  // all have read the flags
+  if (i % kSliceRows == 0) {
     b.is_touched[slice] = 0;
     b.is_painted[slice] = is_painted;
   }
-  if (thread_index() >= count) return;
-  if (!kStale) {
-    Double3 change = (slider - 1) * (per_slider - b.per_slider[corner]) + own;
+  if (i > corner) return;
+  const Double3 per_slider = {of_slider[0], of_slider[1], of_slider[2]};
+  const Double3 own_part = {of_paint[0], of_paint[1], of_paint[2]};
+  if (!stale) {
+    Double3 change = slider_less_one * (per_slider - b.per_slider[corner]) + own_part;
     if (was_painted) change = change - b.own[corner];
     const Double3 residual = r[corner] + change;
     r[corner] = residual;
     finest.f[corner] = to_float(residual);
   }
   b.per_slider[corner] = per_slider;
-  if (is_painted) b.own[corner] = own;
+  if (is_painted) b.own[corner] = own_part;
 }
 
 // The slider from one place to another: r and f alone. Numbers one after the other, whichever
@@ -143,14 +179,16 @@ void assemble_constraint(Stream& stream, const Depth& finest, const CellGradient
                          const NewGradientScale& beta, bool stale, const Constraint& b,
                          Double3* r) {
   const int64_t corners = finest.topology.corner_count;
-  const bool is_painted = beta.changed.count > 0;
+  const double slider_less_one = beta.slider - 1;
   launch(stream, take_paint_kernel, beta.changed.count * kChunk, beta, finest.topology,
          b.is_touched);
-  if (!stale && beta.slider != beta.slider_before)
+  if (stale)
+    launch(stream, gather_kernel, corners, finest, combined, slider_less_one, b);
+  else if (beta.slider != beta.slider_before)
     launch(stream, slide_kernel, corners, finest, beta.slider_before, beta.slider, b, r);
-  if (stale || is_painted)
-    launch(stream, stale ? gather_kernel<true> : gather_kernel<false>, corners, finest, combined,
-           beta.paint, beta.slider, b, r);
+  if (beta.changed.count > 0 || (stale && beta.is_painted))
+    launch(stream, gather_painted_kernel, corners, finest, combined, beta.paint, slider_less_one,
+           stale, b, r);
 }
 
 }  // namespace burnish::cuda

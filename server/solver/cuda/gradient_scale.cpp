@@ -8,14 +8,19 @@ namespace burnish::cuda {
 
 static_assert(CellPaint::kStretch == kChunk);
 
+static size_t chunk_count(size_t cells) {
+  return (cells + kChunk - 1) / kChunk;
+}
+
 GradientScale::GradientScale(Stream& stream, size_t cells)
-    : from_(stream, cells),
+    : host_(stream, cells),
+      changed_(stream, std::min(cells, size_t{ChunkList::kMax * kChunk})),
       paint_(stream, cells),
-      has_paint_((from_.size() + kChunk - 1) / kChunk, 0),
-      is_changed_(has_paint_.size(), 0) {
-  std::fill_n(from_.data(), from_.size(), kNoPaint);
-  if (from_.size() > 0) paint_.upload(stream, {from_.data(), from_.size()});
-  view_ = {kBetaDefault, kBetaDefault, from_.data(), paint_.data(), {}};
+      has_paint_(chunk_count(cells), 0),
+      is_changed_(chunk_count(cells), 0) {
+  std::fill_n(host_.data(), host_.size(), kNoPaint);
+  paint_.upload(stream, {host_.data(), host_.size()});
+  view_ = {kBetaDefault, kBetaDefault, false, paint_.data(), nullptr, {}};
 }
 
 void GradientScale::set(const FieldsView& fields) {
@@ -23,18 +28,20 @@ void GradientScale::set(const FieldsView& fields) {
   const auto chunks = static_cast<int64_t>(has_paint_.size());
 #pragma omp parallel for schedule(static) if (chunks >= kParallelMin)
   for (int64_t chunk = 0; chunk < chunks; ++chunk) {
-    is_changed_[chunk] = (has_paint_[chunk] || paint.is_painted[chunk]) && copy_chunk(paint, chunk);
+    is_changed_[chunk] = (has_paint_[chunk] || paint.is_painted[chunk]) && take(paint, chunk);
     has_paint_[chunk] = paint.is_painted[chunk];
   }
   list_changed();
+  gather_changed();
   view_.slider_before = view_.slider;
   view_.slider = fields.gradient_scale;
+  view_.is_painted = std::ranges::count(has_paint_, 0) < chunks;
 }
 
 // Returns whether anything there is new.
-bool GradientScale::copy_chunk(const CellPaint& paint, int64_t chunk) {
+bool GradientScale::take(const CellPaint& paint, int64_t chunk) {
   const std::span follow = chunk_of(paint.follow, chunk), own = chunk_of(paint.own, chunk);
-  Paint* to = from_.data() + chunk * kChunk;
+  Paint* to = host_.data() + chunk * kChunk;
   bool is_new = false;
   for (size_t c = 0; c < follow.size(); ++c) {
     is_new |= to[c].follow != follow[c] || to[c].own != own[c];
@@ -51,6 +58,15 @@ void GradientScale::list_changed() {
     if (is_changed_[chunk] && list.count++ < ChunkList::kMax) list.chunk[list.count - 1] = chunk;
   list.is_all = list.count > ChunkList::kMax;
   if (list.is_all) list.count = chunks;
+}
+
+// Of so few that they can be listed, one after the other, so that little is read from afar.
+void GradientScale::gather_changed() {
+  const ChunkList& list = view_.changed;
+  view_.from = list.is_all ? host_.data() : changed_.data();
+  Paint* to = changed_.data();
+  for (int32_t i = 0; i < list.count && !list.is_all; ++i)
+    to = std::ranges::copy(chunk_of<Paint>({host_.data(), host_.size()}, list.chunk[i]), to).out;
 }
 
 }  // namespace burnish::cuda

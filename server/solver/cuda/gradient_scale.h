@@ -8,8 +8,8 @@
 
 namespace burnish::cuda {
 
-/// β of the cells on its way to the device: the slider goes with the kernels, and only what has
-/// been painted since is read from memory of the host.
+/// β of the cells on its way to the device: the slider goes with the kernels, and of paint those
+/// chunks of cells alone are read from memory of the host where some is new.
 class GradientScale {
  public:
   /// No paint, and the slider where it is at first.
@@ -21,10 +21,11 @@ class GradientScale {
   uint64_t byte_count() const { return paint_.byte_count(); }
 
  private:
-  bool copy_chunk(const CellPaint& paint, int64_t chunk);
+  bool take(const CellPaint& paint, int64_t chunk);
   void list_changed();
+  void gather_changed();
 
-  PinnedArray<Paint> from_;  // as of the last set()
+  PinnedArray<Paint> host_, changed_;  // of all cells as of the last set(); of the listed chunks
   DeviceArray<Paint> paint_;
   std::vector<uint8_t> has_paint_, is_changed_;  // of each chunk
   NewGradientScale view_;

@@ -71,9 +71,10 @@ struct ChunkList {
 /// The slider as it was and as it is, and paint that is new in some chunks of cells.
 struct NewGradientScale {
   double slider_before, slider;
-  const Paint*
-      from;      ///< of every cell; may be the host's: of the changed chunks, each is read once
-  Paint* paint;  ///< of every cell, as it was until it is taken over
+  bool is_painted;    ///< whether any cell may have paint
+  Paint* paint;       ///< of every cell, as it was until it is taken over
+  const Paint* from;  ///< of the changed chunks' cells, one chunk after the other; may be
+                      ///< the host's: each is read once
   ChunkList changed;
 };
 
