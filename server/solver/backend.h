@@ -7,6 +7,7 @@
 
 #include "common/base/status.h"
 #include "common/base/types.h"
+#include "server/solver/fields_view.h"
 
 namespace burnish {
 
@@ -45,7 +46,7 @@ class Backend {
   virtual void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) = 0;
   /// b = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²), the constraint of the displacement, with the metric as
   /// last set; r changes by as much.
-  virtual void set_constraint(std::span<const float> beta) = 0;
+  virtual void set_constraint(const FieldsView& fields) = 0;
 
   // The V-cycle.
   virtual void relax_from_zero(int depth) = 0;     ///< x = M f, M symmetric positive definite
@@ -53,7 +54,7 @@ class Backend {
   virtual void restrict_residual(int depth) = 0;   ///< f[depth−1] = Pᵀ (f − S x)
   virtual void prolong_correction(int depth) = 0;  ///< x[depth] += P x[depth−1]
   virtual void solve_coarsest() = 0;               ///< x = S⁻¹ f
-  virtual void clear_correction(int depth) = 0;    ///< x = 0
+  virtual void restrict_from_zero(int depth) = 0;  ///< x = 0, f[depth−1] = Pᵀ f
 
   // Conjugate gradients at the finest depth; each column has its own scalars.
   virtual void recompute_residual() = 0;  ///< r = b − S u

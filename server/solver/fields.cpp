@@ -19,7 +19,9 @@ Fields::Fields(const PreparedMesh& prepared)
       may_have_paint_((prepared.cells.size() + kStretch - 1) / kStretch, 0),
       alpha1_(prepared.cells.size(), static_cast<float>(kAlphaDefault)),
       alpha2_(prepared.cells.size(), static_cast<float>(kAlphaDefault)),
-      beta_(prepared.cells.size(), static_cast<float>(kBetaDefault)) {}
+      beta_(prepared.cells.size(), static_cast<float>(kBetaDefault)),
+      follow_(prepared.cells.size(), 1),
+      own_(prepared.cells.size(), 0) {}
 
 void Fields::set_transfer_curve(const TransferCurve& curve) {
   curve_ = curve;
@@ -135,7 +137,10 @@ PaintedCells Fields::painted() const {
 void Fields::set_painted(const PaintedCells& painted) {
   std::fill(painted_beta_.begin(), painted_beta_.end(), 0.0f);
   std::fill(painted_weight_.begin(), painted_weight_.end(), 0.0f);
+  std::fill(follow_.begin(), follow_.end(), 1.0f);
+  std::fill(own_.begin(), own_.end(), 0.0f);
   std::fill(may_have_paint_.begin(), may_have_paint_.end(), uint8_t{0});
+  for (const auto& [c, cell] : overrides_) may_have_paint_[c / kStretch] = 1;
   for (size_t i = 0; i < painted.cells.size(); ++i) {
     painted_beta_[painted.cells[i]] = painted.beta[i];
     painted_weight_[painted.cells[i]] = painted.weight[i];
@@ -175,6 +180,7 @@ Status Fields::override_cells(const SetCellFields& change) {
     found.emplace_back(index, cell);
   }
   overrides_.insert(overrides_.end(), found.begin(), found.end());
+  for (const auto& [c, of_cell] : found) may_have_paint_[c / kStretch] = 1;
   metric_is_old_ = beta_is_old_ = true;
   return Status::ok();
 }
@@ -188,11 +194,11 @@ FieldsView Fields::view() const {
   if (metric_is_old_) update_metric();
   if (beta_is_old_) update_beta();
   metric_is_old_ = beta_is_old_ = false;
-  return {alpha1_, alpha2_, beta_, beta_slider_};
+  return {alpha1_, alpha2_, beta_, beta_slider_, {follow_, own_, may_have_paint_}};
 }
 
 uint64_t Fields::byte_count() const {
-  return 5 * beta_.size() * sizeof(float) + may_have_paint_.size() +
+  return 7 * beta_.size() * sizeof(float) + may_have_paint_.size() +
          overrides_.size() * sizeof(overrides_[0]);
 }
 
@@ -213,17 +219,25 @@ void Fields::update_metric() const {
 
 void Fields::update_beta() const {
 #pragma omp parallel for schedule(static) if (beta_.size() >= kParallelMin)
-  for (size_t stretch = 0; stretch < may_have_paint_.size(); ++stretch) {
-    const size_t begin = stretch * kStretch, end = std::min(begin + kStretch, beta_.size());
-    if (!may_have_paint_[stretch])
-      std::fill(&beta_[begin], &beta_[begin] + (end - begin), static_cast<float>(beta_slider_));
-    else
-      for (size_t c = begin; c < end; ++c) {
-        const double weight = painted_weight_[c];
-        beta_[c] = static_cast<float>((1 - weight) * beta_slider_ + weight * painted_beta_[c]);
-      }
+  for (size_t stretch = 0; stretch < may_have_paint_.size(); ++stretch) update_beta(stretch);
+  for (const auto& [c, cell] : overrides_) {
+    beta_[c] = static_cast<float>(cell.beta);
+    follow_[c] = 0;
+    own_[c] = static_cast<float>(cell.beta - 1);
   }
-  for (const auto& [c, cell] : overrides_) beta_[c] = static_cast<float>(cell.beta);
+}
+
+void Fields::update_beta(size_t stretch) const {
+  const size_t begin = stretch * kStretch, end = std::min(begin + kStretch, beta_.size());
+  if (!may_have_paint_[stretch])
+    return std::fill(&beta_[begin], &beta_[begin] + (end - begin),
+                     static_cast<float>(beta_slider_));
+  for (size_t c = begin; c < end; ++c) {
+    const double weight = painted_weight_[c], painted = painted_beta_[c];
+    beta_[c] = static_cast<float>((1 - weight) * beta_slider_ + weight * painted);
+    follow_[c] = static_cast<float>(1 - weight);
+    own_[c] = static_cast<float>(weight * (painted - 1));
+  }
 }
 
 }  // namespace burnish

@@ -6,7 +6,7 @@
 
 #include "common/edit/edit.h"
 #include "server/prepare/prepared_mesh.h"
-#include "server/solver/solver.h"
+#include "server/solver/fields_view.h"
 
 namespace burnish {
 
@@ -48,6 +48,7 @@ class Fields {
  private:
   void update_metric() const;
   void update_beta() const;
+  void update_beta(size_t stretch) const;
   /// The index of an active cell. Fails: invalid_argument.
   Result<int32_t> index_of(const Vec3i& cell) const;
 
@@ -56,12 +57,13 @@ class Fields {
   double beta_slider_ = kBetaDefault;
   std::vector<float> painted_beta_, painted_weight_;
   // Of each kStretch cells, so that painted() need not look at all: it is kept after many strokes.
-  static constexpr size_t kStretch = 1024;
+  // Cells of overrides count.
+  static constexpr size_t kStretch = CellPaint::kStretch;
   std::vector<uint8_t> may_have_paint_;
   std::vector<std::pair<int32_t, SetCellFields::Cell>> overrides_;  // by cell index, in order
 
   // What the above amounts to, as of the last view().
-  mutable std::vector<float> alpha1_, alpha2_, beta_;
+  mutable std::vector<float> alpha1_, alpha2_, beta_, follow_, own_;
   mutable bool metric_is_old_ = false;
   mutable bool beta_is_old_ = false;
 };

@@ -19,8 +19,10 @@ static double seconds_since(std::chrono::steady_clock::time_point start) {
 
 namespace {
 
-// How a step begins: nothing is displaced before a cold one.
-enum class Start { kGoesOn, kWarm, kCold };
+using Cycle = void (*)(Backend&, int coarsest, int finest);
+
+// By Solver::Start. What is new of a stroke is near it, of a metric everywhere.
+constexpr Cycle kCycles[] = {run_vcycle, run_vcycle, run_nested_iteration, run_full_multigrid};
 
 struct ChosenBackend {
   std::unique_ptr<Backend> backend;
@@ -69,20 +71,26 @@ void Solver::set_metric(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();
   backend_->set_metric(fields.alpha1, fields.alpha2);
-  backend_->set_constraint(fields.beta);
+  backend_->set_constraint(fields);
   assemble_seconds_ += seconds_since(start);
-  gradient_scale_ = fields.gradient_scale;
-  restart_ = residual_is_stale_ = rescale_ = true;
+  start_from(fields, kNewMetric);
+  residual_is_stale_ = rescale_ = true;
 }
 
 void Solver::set_gradient_scale(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();
-  backend_->set_constraint(fields.beta);
+  backend_->set_constraint(fields);
   assemble_seconds_ += seconds_since(start);
   rescale_ |= fields.gradient_scale != gradient_scale_;  // a stroke is no reason to move it all
+  start_from(fields, kNewConstraint);
+}
+
+// Where β was one but for paint, all else is where it was.
+void Solver::start_from(const FieldsView& fields, Start start) {
+  const bool is_cold = energy_ == 0 || (gradient_scale_ == 1 && fields.gradient_scale != 1);
+  start_ = std::max(start_, is_cold ? kCold : start);
   gradient_scale_ = fields.gradient_scale;
-  restart_ = true;
 }
 
 StepReport Solver::step() {
@@ -90,16 +98,15 @@ StepReport Solver::step() {
   if (residual_is_stale_ || cycle_ % kRecomputeResidualEvery == 0) backend_->recompute_residual();
   if (rescale_) backend_->rescale();
   residual_is_stale_ = rescale_ = false;
-  const Start start = !restart_ ? Start::kGoesOn : energy_ == 0 ? Start::kCold : Start::kWarm;
-  backend_->run_recorded(static_cast<int>(start), [&] {
+  const bool restarts = start_ != kGoesOn;
+  backend_->run_recorded(start_, [&] {
     backend_->load_residual();
-    const auto cycle = start == Start::kCold ? run_full_multigrid : run_vcycle;
-    cycle(*backend_, hierarchy_->coarsest, hierarchy_->finest);
-    backend_->update_direction(restart_);
+    kCycles[start_](*backend_, hierarchy_->coarsest, hierarchy_->finest);
+    backend_->update_direction(restarts);
     backend_->advance();
   });
-  if (restart_) rate_.restart();
-  restart_ = false;
+  if (restarts) rate_.restart();
+  start_ = kGoesOn;
 
   const Measures measures = backend_->measure();
   energy_ = measures.energy;

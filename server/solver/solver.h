@@ -12,6 +12,7 @@
 #include "common/edit/edit.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/solver/convergence_rate.h"
+#include "server/solver/fields_view.h"
 #include "server/solver/smoother_names.h"
 
 namespace burnish {
@@ -39,14 +40,6 @@ struct SolverOptions {
   BackendKind backend = BackendKind::kAuto;
   Smoother smoother = Smoother::kSchwarz;
   int threads = 0;  ///< 0: all cores
-};
-
-/// α1, α2 and β of every cell of the finest depth. Units: α in user units.
-struct FieldsView {
-  std::span<const float> alpha1;
-  std::span<const float> alpha2;
-  std::span<const float> beta;
-  double gradient_scale = kBetaDefault;  ///< the slider: β of every cell without paint of its own
 };
 
 class Backend;
@@ -94,6 +87,10 @@ class Solver {
   Solver(std::shared_ptr<const PreparedMesh> prepared, std::shared_ptr<const Hierarchy> hierarchy,
          std::unique_ptr<Backend> backend, std::string backend_reason, int threads);
 
+  /// How the next step starts, by rising distance; from kNewConstraint on along a new direction.
+  enum Start { kGoesOn, kNewConstraint, kNewMetric, kCold };
+  void start_from(const FieldsView& fields, Start start);
+
   std::shared_ptr<const PreparedMesh> prepared_;
   std::shared_ptr<const Hierarchy> hierarchy_;
   std::unique_ptr<Backend> backend_;
@@ -102,7 +99,7 @@ class Solver {
   ConvergenceRate rate_;
   int cycle_ = 0;
   double energy_ = 0;  // after the last step; 0 where nothing is displaced
-  bool restart_ = true;
+  Start start_ = kCold;
   bool residual_is_stale_ = true;
   double gradient_scale_ = kBetaDefault;  // of the constraint
   bool rescale_ = false;                  // before the next step

@@ -19,25 +19,28 @@ inline void run_vcycle(Backend& backend, int coarsest, int finest) {
   }
 }
 
-/// x ≈ S⁻¹ f at the finest depth by full multigrid: each depth begins with what the one above
-/// found, which is where most of a cold start's error is, and takes one V-cycle. 1.6
-/// V-cycles by count of products; not symmetric, and so for the first direction of conjugate
-/// gradients alone.
+inline void run_full_multigrid(Backend& backend, int coarsest, int finest);
+
+/// x ≈ S⁻¹ f at the finest depth from what full multigrid finds above it, relaxed once: where f is
+/// smooth, as after a new metric, it is nearer than a V-cycle comes and has half of its products.
+/// Not symmetric, and so for the first direction of conjugate gradients alone.
+inline void run_nested_iteration(Backend& backend, int coarsest, int finest) {
+  if (finest == coarsest) return backend.solve_coarsest();
+  backend.restrict_from_zero(finest);
+  run_full_multigrid(backend, coarsest, finest - 1);
+  backend.prolong_correction(finest);
+  backend.relax(finest);
+}
+
+/// The same with a correction after it, and so at all depths: where f is as far as it can be, from
+/// a cold start.
 inline void run_full_multigrid(Backend& backend, int coarsest, int finest) {
-  for (int depth = finest; depth > coarsest; --depth) {
-    backend.clear_correction(depth);
-    backend.restrict_residual(depth);
-  }
-  backend.solve_coarsest();
-  for (int depth = coarsest + 1; depth <= finest; ++depth) {
-    backend.clear_correction(depth);
-    backend.prolong_correction(depth);
-    backend.relax(depth);
-    backend.restrict_residual(depth);
-    run_vcycle(backend, coarsest, depth - 1);
-    backend.prolong_correction(depth);
-    backend.relax(depth);
-  }
+  run_nested_iteration(backend, coarsest, finest);
+  if (finest == coarsest) return;
+  backend.restrict_residual(finest);
+  run_vcycle(backend, coarsest, finest - 1);
+  backend.prolong_correction(finest);
+  backend.relax(finest);
 }
 
 }  // namespace burnish

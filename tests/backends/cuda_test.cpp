@@ -188,6 +188,10 @@ TEST_F(OnADevice, EditAfterEditEndsWhereTheCpuDoes) {
     filtered.curve(TransferCurve::parse("-20:5,20:500").value()).after(1);
     filtered.alpha(40).paint(dab(4000, 0)).after(1);
     filtered.paint(dab(7999, 1)).beta(0.5).after(1);
+    Stroke all = dab(100, 1.5);
+    all.brush.radius = 10;
+    filtered.paint(all).after(1);
+    filtered.beta(0.7).after(1);
     return filtered.exact();
   };
   const auto on_cpu = edited(BackendKind::kCpu), on_cuda = edited(BackendKind::kCuda);

@@ -1,5 +1,6 @@
 // What a session costs on a GPU, and many of them: one table, medians.
-// Usage: device_bench cpu|cuda SCAN[@DEPTH]...      SCAN: a mesh file or KIND:VERTICES
+// Usage: device_bench cpu|cuda SCAN[@DEPTH]...      SCAN: a mesh file or
+// KIND:VERTICES[:STRETCH]
 
 #include <cstdio>
 #include <iostream>
@@ -7,6 +8,8 @@
 #include <thread>
 
 #include "server/solver/cuda/cuda_backend.h"
+#include "server/solver/fields.h"
+#include "tests/bench/device_trace.h"
 #include "tests/bench/frames.h"
 #include "tests/bench/input.h"
 #include "tests/bench/timing.h"
@@ -16,6 +19,7 @@ namespace {
 
 constexpr double kCornersMax = 1e8;
 constexpr int kSettles = 5;
+constexpr int kTraces = 9;
 constexpr int kCyclesMax = 500;
 constexpr int kManySessions = 64;
 constexpr int64_t kCornersOfManyMax = 1'000'000;
@@ -95,6 +99,77 @@ void print_settlings(Session& session) {
                  }));
 }
 
+double median(std::vector<double> numbers) {
+  const auto middle = numbers.begin() + std::ssize(numbers) / 2;
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
+// The median of how long some calls keep the device busy, each after a change that `prepare` makes.
+template <typename Prepare, typename Work>
+void print_device_time(const char* what, Prepare&& prepare, Work&& work) {
+  std::vector<double> times;
+  for (int i = 0; i < kTraces; ++i) {
+    prepare(i);
+    times.push_back(microseconds_of(trace_device(work)));
+  }
+  std::printf("  device busy: %-31s %9.1f us\n", what, median(times));
+}
+
+// A new metric's last kernel is the constraint's.
+void print_metric_times(Solver& solver, Fields& fields) {
+  std::vector<double> matrices, constraints;
+  for (int i = 0; i < kTraces; ++i) {
+    fields.set_transfer_curve(TransferCurve(i % 2 == 0 ? 20 : 20.1));
+    std::vector<TracedWork> works = trace_device([&] { solver.set_metric(fields.view()); });
+    constraints.push_back(microseconds_of({works.back()}));
+    works.pop_back();
+    matrices.push_back(microseconds_of(works));
+  }
+  std::printf("  device busy: %-31s %9.1f us\n", "matrices and smoothers", median(matrices));
+  std::printf("  device busy: %-31s %9.1f us\n", "constraint, a new metric", median(constraints));
+}
+
+// Nothing without a trace. Each change after a step, which leaves nothing of the constraint's in
+// the caches.
+Status print_device_times(const BenchSystem& system) {
+  ASSIGN_OR_RETURN(const auto solver, Solver::create(system.prepared, system.hierarchy,
+                                                     {.backend = BackendKind::kCuda}));
+  const PreparedMesh& prepared = *system.prepared;
+  Fields fields(prepared);
+  if (trace_device([&] { solver->set_metric(fields.view()); }).empty()) return solver->status();
+  print_metric_times(*solver, fields);
+  const auto constraint = [&] { solver->set_gradient_scale(fields.view()); };
+  const auto print = [&](const char* what, auto&& change) {
+    print_device_time(
+        what,
+        [&](int i) {
+          solver->step();
+          change(i);
+        },
+        constraint);
+  };
+  const auto slide = [&](int i) { fields.set_gradient_scale(0.3 + 0.01 * i); };
+  const auto dab = [&](int i) {
+    Stroke stroke = stroke_on(prepared, 0.1 * i);
+    stroke.path = {prepared.vertices[prepared.vertices.size() / (kTraces + 1) * i]};
+    fields.paint(stroke);
+  };
+  const auto paint_all = [&](int i) {
+    Stroke stroke = stroke_on(prepared, 0.5 + 0.1 * i);
+    stroke.brush.radius = 2 * prepared.statistics.diagonal();
+    stroke.brush.strength = 0.5;
+    fields.paint(stroke);
+  };
+  print("constraint, a slider", slide);
+  print("constraint, a dab", dab);
+  print("constraint, a slider beside paint", slide);
+  print("constraint, paint on all cells", paint_all);
+  print("constraint, a slider below it", slide);
+  print("constraint, a dab on it", dab);
+  return solver->status();
+}
+
 // Each thread steps its share of the sessions, as a scheduler of so many threads would.
 double step_all(std::span<const std::unique_ptr<Session>> sessions, size_t threads) {
   return median_milliseconds(5, 2, [&] {
@@ -141,9 +216,9 @@ Status print_scan(const BenchSystem& system, BackendKind backend) {
   std::printf("\n");
   print_settlings(*session);
   RETURN_IF_ERROR(solver.status());
-  return system.corners() <= kCornersOfManyMax && backend == BackendKind::kCuda
-             ? print_many(system, backend)
-             : Status::ok();
+  if (backend == BackendKind::kCpu) return Status::ok();
+  if (system.corners() <= kCornersOfManyMax) RETURN_IF_ERROR(print_many(system, backend));
+  return print_device_times(system);
 }
 
 Status run(BackendKind backend, std::span<char*> names) {

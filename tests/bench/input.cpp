@@ -52,11 +52,20 @@ Result<TriangleMesh> load_mesh(const ScanArgument& scan) {
   const size_t colon = scan.scan.find(':');
   if (colon == std::string::npos) return read_mesh(scan.scan);
   GeneratedScan generated{.kind = scan.scan.substr(0, colon)};
-  const std::string_view count = std::string_view(scan.scan).substr(colon + 1);
+  std::string_view numbers = std::string_view(scan.scan).substr(colon + 1);
+  const std::string_view count = numbers.substr(0, numbers.find(':'));
   if (!parse_number(count, generated.vertices))
     return invalid_argument("'" + std::string(count) + "' of '" + scan.scan +
                             "' is no number of vertices");
-  return generate_scan(generated);
+  if (count.size() == numbers.size()) return generate_scan(generated);
+  numbers.remove_prefix(count.size() + 1);
+  double stretch = 0;
+  if (!parse_number(numbers, stretch) || !(stretch > 0))
+    return invalid_argument("'" + std::string(numbers) + "' of '" + scan.scan +
+                            "' is no stretch above 0");
+  ASSIGN_OR_RETURN(TriangleMesh mesh, generate_scan(generated));
+  for (Vec3d& vertex : mesh.vertices) vertex.z() *= stretch;
+  return mesh;
 }
 
 int depth_of(const ScanArgument& scan, const TriangleMesh& mesh) {

@@ -12,12 +12,13 @@
 namespace burnish {
 
 /// A scan as the command line names it: "SCAN" or "SCAN@DEPTH", SCAN being a mesh file or
-/// "KIND:VERTICES" of a generated scan.
+/// "KIND:VERTICES" of a generated scan, or "KIND:VERTICES:STRETCH" for one stretched along z, which
+/// has fewer corners.
 struct ScanArgument {
   std::string scan;
   int depth = 0;  ///< 0: default_depth()
 
-  std::string name() const;  ///< "blob:400000" or the file's name without folder and extension
+  std::string name() const;  ///< "blob:400000", or the file's name without folder and extension
 };
 
 /// Fails: invalid_argument naming a depth outside its limits.

@@ -75,10 +75,10 @@ class CpuBackend final : public Backend {
     coarsest_.factor(depths_.front());
   }
 
-  void set_constraint(std::span<const float> beta) override {
-    assemble_constraint(*prepared_, depths_.back(), ratio_, beta, beta_, outer_->constraint(),
-                        outer_->residual());
-    beta_.assign(beta.begin(), beta.end());
+  void set_constraint(const FieldsView& fields) override {
+    assemble_constraint(*prepared_, depths_.back(), ratio_, fields.beta, beta_,
+                        outer_->constraint(), outer_->residual());
+    beta_.assign(fields.beta.begin(), fields.beta.end());
   }
 
   void relax_from_zero(int depth) override {
@@ -91,12 +91,13 @@ class CpuBackend final : public Backend {
   }
   void restrict_residual(int depth) override {
     compute_residual(at(depth));
-    restrict_to_coarse(at(depth), at(depth - 1));
+    restrict_to_coarse(at(depth), at(depth).r, at(depth - 1));
   }
   void prolong_correction(int depth) override { add_prolonged(at(depth - 1), at(depth)); }
   void solve_coarsest() override { coarsest_.solve(depths_.front()); }
-  void clear_correction(int depth) override {
+  void restrict_from_zero(int depth) override {
     std::ranges::fill(at(depth).x, Float4(Float4::Zero()));
+    restrict_to_coarse(at(depth), at(depth).f, at(depth - 1));
   }
 
   void recompute_residual() override { outer_->recompute_residual(); }

@@ -14,6 +14,7 @@ namespace burnish::cpu {
 // has eigenvalues of 1e-5; of less than 1e-6 rounding grows over idle steps.
 static constexpr double kRegularisation = 1e-6;
 static constexpr double kRegularisationMax = 100;  // rows have 27 entries of at most about 1
+static constexpr int32_t kPatchesAlone = 16;       // for fewer, threads take longer to wake
 
 namespace {
 
@@ -42,8 +43,7 @@ PatchMatrix scaled_block(const CpuDepth& depth, std::span<const int32_t> corners
   return block;
 }
 
-// The lower triangular inverse of the factor of a scaled block.
-PatchMatrix inverse_factor(PatchMatrix block) {
+PatchMatrix cholesky_factor(PatchMatrix block) {
   block.diagonal().array() += kRegularisation;
   Eigen::LLT<PatchMatrix> factor(block);
   for (double more = 9 * kRegularisation; factor.info() != Eigen::Success; more *= 10) {
@@ -51,9 +51,7 @@ PatchMatrix inverse_factor(PatchMatrix block) {
     block.diagonal().array() += more;
     factor.compute(block);
   }
-  PatchMatrix inverse = PatchMatrix::Identity(block.rows(), block.cols());
-  factor.matrixL().solveInPlace(inverse);
-  return inverse;
+  return factor.matrixLLT();
 }
 
 Float4 residual_at(const CpuDepth& depth, int32_t corner) {
@@ -61,43 +59,55 @@ Float4 residual_at(const CpuDepth& depth, int32_t corner) {
   return depth.f[corner] - product_row(depth.topology.stencil, depth.system, depth.x, corner);
 }
 
+// x = (L Lᵀ)⁻¹ x, row by row, and back.
+void solve_factored(const float* entry, std::span<Float4> x) {
+  const float* row = entry;
+  for (size_t i = 0; i < x.size(); row += ++i) {
+    for (size_t j = 0; j < i; ++j) x[i] -= row[j] * x[j];
+    x[i] *= row[i];
+  }
+  for (size_t i = x.size(); i-- > 0;) {
+    row -= i + 1;
+    x[i] *= row[i];
+    for (size_t j = 0; j < i; ++j) x[j] -= row[j] * x[i];
+  }
+}
+
 }  // namespace
 
 PatchSolver::PatchSolver(const HierarchyDepth& topology)
-    : patches_(topology.patches), factor_inverse_(topology.patches.entry_count()) {}
+    : patches_(topology.patches), entry_(topology.patches.entry_count()) {}
 
 void PatchSolver::factor(const CpuDepth& depth) {
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (patches_.count() > 1)
   for (int32_t patch = 0; patch < patches_.count(); ++patch) factor(depth, patch);
 }
 
 void PatchSolver::factor(const CpuDepth& depth, int32_t patch) {
   const std::span<const int32_t> corners = corners_of(patches_, patch);
-  const PatchMatrix inverse = inverse_factor(scaled_block(depth, corners));
-  float* entry = factor_inverse_.data() + patches_.entry_start[patch];
-  for (size_t i = 0; i < corners.size(); ++i)
-    for (size_t j = 0; j <= i; ++j)
-      *entry++ = static_cast<float>(inverse(i, j) * std::sqrt(depth.inverse_diagonal[corners[j]]));
+  const PatchMatrix factor = cholesky_factor(scaled_block(depth, corners));
+  float* entry = entry_.data() + patches_.entry_start[patch];
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const double inverse_scale = std::sqrt(double{depth.system.diagonal[corners[i]]});
+    const bool is_free = depth.inverse_diagonal[corners[i]] > 0;
+    for (size_t j = 0; j < i; ++j) *entry++ = is_free ? factor(i, j) * inverse_scale : 0;
+    *entry++ = is_free ? 1 / (factor(i, i) * inverse_scale) : 0;
+  }
 }
 
-// x += WᵀW (f − S x) at the patch's corners.
+// x += S⁻¹ (f − S x) at the patch's corners.
 void PatchSolver::relax(CpuDepth& depth, int32_t patch) const {
   const std::span<const int32_t> corners = corners_of(patches_, patch);
-  std::array<Float4, kPatchCornersMax> residual, correction;
-  for (size_t i = 0; i < corners.size(); ++i) residual[i] = residual_at(depth, corners[i]);
-  std::fill_n(correction.begin(), corners.size(), Float4(Float4::Zero()));
-  const float* entry = factor_inverse_.data() + patches_.entry_start[patch];
-  for (size_t i = 0; i < corners.size(); entry += ++i) {
-    Float4 sum = Float4::Zero();
-    for (size_t j = 0; j <= i; ++j) sum += entry[j] * residual[j];
-    for (size_t j = 0; j <= i; ++j) correction[j] += entry[j] * sum;
-  }
+  std::array<Float4, kPatchCornersMax> room;
+  const std::span correction = std::span(room).first(corners.size());
+  for (size_t i = 0; i < corners.size(); ++i) correction[i] = residual_at(depth, corners[i]);
+  solve_factored(entry_.data() + patches_.entry_start[patch], correction);
   for (size_t i = 0; i < corners.size(); ++i) depth.x[corners[i]] += correction[i];
 }
 
 void PatchSolver::relax_colour(CpuDepth& depth, int32_t colour) const {
   const int32_t begin = patches_.colour_start[colour], end = patches_.colour_start[colour + 1];
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (end - begin > kPatchesAlone)
   for (int32_t patch = begin; patch < end; ++patch) relax(depth, patch);
 }
 

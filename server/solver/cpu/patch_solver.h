@@ -5,8 +5,8 @@
 namespace burnish::cpu {
 
 /// Solves a depth's patches one by one for what is left of the residual: Gauss-Seidel over patches,
-/// colour after colour. Each has the inverse W of the Cholesky factor of its block of S, so that
-/// S⁻¹ ≈ WᵀW stays positive definite in float32, whatever its condition number.
+/// colour after colour. Each has the Cholesky factor L of its block of S, so that what is solved
+/// stays positive definite in float32, whatever its condition number.
 class PatchSolver {
  public:
   explicit PatchSolver(const HierarchyDepth& topology);
@@ -14,7 +14,7 @@ class PatchSolver {
   void factor(const CpuDepth& depth);  ///< after a new matrix
   void relax_forwards(CpuDepth& depth) const;
   void relax_backwards(CpuDepth& depth) const;  ///< the transpose: the colours backwards
-  uint64_t byte_count() const { return bytes_of(factor_inverse_); }
+  uint64_t byte_count() const { return bytes_of(entry_); }
 
  private:
   void factor(const CpuDepth& depth, int32_t patch);
@@ -22,7 +22,7 @@ class PatchSolver {
   void relax_colour(CpuDepth& depth, int32_t colour) const;
 
   const Patches& patches_;
-  std::vector<float> factor_inverse_;  // W of every patch, its lower triangle by rows
+  std::vector<float> entry_;  // L of every patch by rows, its diagonal inverted: 0 where pinned
 };
 
 }  // namespace burnish::cpu

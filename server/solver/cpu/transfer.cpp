@@ -4,13 +4,13 @@
 
 namespace burnish::cpu {
 
-void restrict_to_coarse(const CpuDepth& fine, CpuDepth& coarse) {
+void restrict_to_coarse(const CpuDepth& fine, const std::vector<Float4>& r, CpuDepth& coarse) {
   const DepthTransfer& transfer = fine.topology.to_parent;
 #pragma omp parallel for schedule(dynamic, kBlock)
   for (int32_t i = 0; i < coarse.corner_count(); ++i) {
     Float4 sum = Float4::Zero();
     for (int64_t k = transfer.restriction_start[i]; k < transfer.restriction_start[i + 1]; ++k)
-      sum += transfer.restriction_weight[k] * fine.r[transfer.restriction_corner[k]];
+      sum += transfer.restriction_weight[k] * r[transfer.restriction_corner[k]];
     coarse.f[i] = coarse.inverse_diagonal[i] > 0 ? sum : Float4(Float4::Zero());
   }
 }

@@ -4,8 +4,8 @@
 
 namespace burnish::cpu {
 
-/// coarse.f = Pᵀ fine.r, zero where pinned.
-void restrict_to_coarse(const CpuDepth& fine, CpuDepth& coarse);
+/// coarse.f = Pᵀ r, zero where pinned. Shapes: one r per corner of `fine`.
+void restrict_to_coarse(const CpuDepth& fine, const std::vector<Float4>& r, CpuDepth& coarse);
 
 /// fine.x += P coarse.x, but not where pinned.
 void add_prolonged(const CpuDepth& coarse, CpuDepth& fine);

@@ -8,7 +8,7 @@ namespace burnish::cuda {
 /// is given between fork() and join(). Recorded in a graph it becomes a branch of it.
 class Branch {
  public:
-  explicit Branch(Stream& trunk);
+  explicit Branch(Stream& trunk, Stream::Urgency urgency = Stream::Urgency::kBeside);
   ~Branch();
   Branch(const Branch&) = delete;
   Branch& operator=(const Branch&) = delete;
@@ -22,7 +22,7 @@ class Branch {
 
  private:
   Stream& trunk_;
-  Stream stream_{trunk_.device(), false};
+  Stream stream_;
   cudaEvent_t forked_ = nullptr, joined_ = nullptr;
 };
 

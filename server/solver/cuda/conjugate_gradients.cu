@@ -26,7 +26,8 @@ __device__ ExactMatrix exact_matrix(const Vectors& v) {
 }
 
 __device__ Double3 constraint_of(const Vectors& v, int64_t i) {
-  return *v.b.scale * v.b.numbers[i];
+  const Double3 of_slider = *v.b.slider_less_one * v.b.per_slider[i];
+  return v.b.is_painted[i / kSliceRows] ? of_slider + v.b.own[i] : of_slider;
 }
 
 // A column that has nothing left to do has a zero divisor and takes a zero step.
@@ -188,15 +189,22 @@ __global__ void advance_kernel(Vectors v) {
 
 }  // namespace
 
+static size_t slice_count(int64_t corners) {
+  return (corners + kSliceRows - 1) / kSliceRows;
+}
+
 ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
                                        const VertexPlace* evaluation, size_t vertex_count)
     : stream_(stream),
       n_(finest.topology.corner_count),
       evaluation_(evaluation),
       row_sum_(stream, n_),
-      constraint_scale_(stream, 1),
+      slider_less_one_(stream, 1),
       u_(stream, n_),
-      b_(stream, n_),
+      b_per_slider_(stream, n_),
+      b_own_(stream, n_),
+      is_painted_(stream, slice_count(n_)),
+      is_touched_(stream, slice_count(n_)),
       r_(stream, n_),
       p_(stream, n_),
       q_(stream, n_),
@@ -215,7 +223,8 @@ ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
                p_.data(),
                q_.data(),
                w_.data(),
-               {b_.data(), constraint_scale_.data()},
+               {b_per_slider_.data(), b_own_.data(), slider_less_one_.data(), is_painted_.data(),
+                is_touched_.data()},
                static_cast<int64_t>(vertex_count),
                vertex_z_.data(),
                vertex_p_.data(),
@@ -254,7 +263,7 @@ ConjugateGradients::Scalars ConjugateGradients::measure() const {
 }
 
 uint64_t ConjugateGradients::byte_count() const {
-  return row_sum_.byte_count() + 6 * u_.byte_count() + 2 * vertex_z_.byte_count() +
+  return row_sum_.byte_count() + 7 * u_.byte_count() + 2 * vertex_z_.byte_count() +
          product_sums_.byte_count() + measure_sums_.byte_count() + scalars_.byte_count();
 }
 

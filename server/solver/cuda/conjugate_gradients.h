@@ -63,8 +63,9 @@ class ConjugateGradients {
   int64_t n_;
   const VertexPlace* evaluation_;
   Branch branch_{stream_};
-  DeviceArray<double> row_sum_, constraint_scale_;
-  DeviceArray<Double3> u_, b_, r_, p_, q_, w_;
+  DeviceArray<double> row_sum_, slider_less_one_;
+  DeviceArray<Double3> u_, b_per_slider_, b_own_, r_, p_, q_, w_;
+  DeviceArray<uint8_t> is_painted_, is_touched_;
   DeviceArray<float4> vertex_z_, vertex_p_;
   DeviceArray<Sums<9>> product_sums_;
   DeviceArray<Sums<3>> measure_sums_;

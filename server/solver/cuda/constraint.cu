@@ -1,5 +1,6 @@
 #include "server/solver/cuda/constraint.h"
 #include "server/solver/cuda/kernel.h"
+#include "server/solver/cuda/uniform.h"
 
 namespace burnish::cuda {
 
@@ -33,73 +34,123 @@ __global__ void combine_gradients_kernel(Gradients gradients, const float* ratio
   }
 }
 
-__global__ void take_kernel(NewGradientScale beta, int64_t cells) {
+// Paint that is new, and the corners that it touches. Many threads mark a slice, all alike.
+__global__ void take_paint_kernel(NewGradientScale beta, Topology finest, uint8_t* is_touched) {
   await_previous();
-  const int64_t cell = thread_index();
-  if (cell >= cells) return;
-  const bool is_of_many = cell >= beta.begin && cell < beta.end;
-  const float next = is_of_many ? beta.many[cell] : beta.one;
-  beta.change[cell] = next - (beta.was_uniform ? beta.before : beta.now[cell]);
-  beta.now[cell] = next;
+  const auto place = static_cast<int32_t>(thread_index()), i = place / int32_t{kChunk};
+  const int32_t chunk = beta.changed.is_all ? i : beta.changed.chunk[i];
+  const int64_t cell = chunk * kChunk + place % kChunk;
+  if (cell >= finest.cell_count) return;
+  const Paint next = beta.from[place], before = beta.paint[cell];
+  const Eight corners = finest.cell_corners[cell];
+  if (next.follow == before.follow && next.own == before.own) return;
+  beta.paint[cell] = next;
+#pragma unroll
+  for (int a = 0; a < 8; ++a) is_touched[corners.at[a] / kSliceRows] = 1;
 }
 
-__device__ Double3 share_of(const CellGradients& combined, int64_t cell, int a) {
-  const float* g = combined.numbers + cell;
-  const auto triple = [&](int first) {
-    return Double3{g[first * combined.cells], g[(first + 1) * combined.cells],
-                   g[(first + 2) * combined.cells]};
+// One axis of the shares of a corner's cells, and what the float of the last one leaves. A cell
+// that is not there counts as the first, to be taken zero times: its loads need not wait for a
+// branch.
+struct Shares {
+  float at[8];
+  float rest;
+};
+
+__device__ Shares shares_of(const CellGradients& combined, const Eight& cells, int axis) {
+  const auto number = [&](int n, int a) {
+    return combined.numbers[(n + axis) * combined.cells + max(cells.at[a], 0)];
   };
-  return a == 7 ? triple(21) + triple(24) : triple(3 * a);
+  Shares shares;
+#pragma unroll
+  for (int a = 0; a < 8; ++a) shares.at[a] = number(3 * a, a);
+  shares.rest = number(24, 7);
+  return shares;
 }
 
-// A cell that is not there counts as the first, times zero: its loads need not wait for a branch.
-template <bool kStale>
-__global__ void constraint_kernel(Depth finest, CellGradients combined, NewGradientScale beta,
-                                  Constraint b, Double3* r) {
+__device__ double weighed(const Shares& shares, const float (&weight)[8]) {
+  double sum = weight[7] * static_cast<double>(shares.rest);
+#pragma unroll
+  for (int a = 0; a < 8; ++a) sum += weight[a] * static_cast<double>(shares.at[a]);
+  return sum;
+}
+
+// All corners after a new metric, as they are where nobody has painted. All loads of an axis are
+// under way at once.
+__global__ void gather_kernel(Depth finest, CellGradients combined, double slider_less_one,
+                              Constraint b) {
   let_next_start();
   const int64_t corner = thread_index();
   if (corner >= finest.topology.corner_count) return;
   const Eight cells = finest.topology.cells_of_corner[corner];
   await_previous();
-  if (corner == 0) *b.scale = beta.is_uniform ? static_cast<double>(beta.one) - 1 : 1;
+  if (corner == 0) *b.slider_less_one = slider_less_one;
   const bool is_free = finest.inverse_diagonal[corner] != 0;
-  float change[8];  // of β
-  bool is_changed = kStale || beta.is_uniform || beta.was_uniform;
+  float weight[8];
 #pragma unroll
-  for (int a = 0; a < 8; ++a) {
-    const bool is_there = !kStale && is_free && cells.at[a] >= 0;
-    change[a] = is_there ? beta.change[cells.at[a]] : 0;
-    is_changed |= change[a] != 0;
-  }
-  if (!is_changed) return;
-  float distance[8];  // of β from 1; 1 where all have the same β
+  for (int a = 0; a < 8; ++a) weight[a] = is_free && cells.at[a] >= 0;
+  double sum[3];
+#pragma unroll
+  for (int axis = 0; axis < 3; ++axis)
+    sum[axis] = weighed(shares_of(combined, cells, axis), weight);
+  b.per_slider[corner] = {sum[0], sum[1], sum[2]};
+}
+
+// The slices that are touched; where r is stale all with paint. A slice is a warp's.
+__global__ void gather_painted_kernel(Depth finest, CellGradients combined, const Paint* paint,
+                                      double slider_less_one, bool stale, Constraint b,
+                                      Double3* r) {
+  await_previous();
+  const int64_t i = thread_index(), slice = i / kSliceRows;
+  const int64_t corner = min(i, int64_t{finest.topology.corner_count} - 1);
+  if (slice > corner / kSliceRows) return;
+  const bool is_touched = b.is_touched[slice] != 0, was_painted = b.is_painted[slice] != 0;
+  if (!is_touched && !(stale && was_painted)) return;
+  const Eight cells = finest.topology.cells_of_corner[corner];
+  const bool is_free = finest.inverse_diagonal[corner] != 0;
+  bool has_paint = false;
+  float follow[8], own[8];
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
     const bool is_there = is_free && cells.at[a] >= 0;
-    distance[a] = is_there && !beta.is_uniform ? beta.now[cells.at[a]] - 1 : float(is_there);
+    const Paint of = paint[max(cells.at[a], 0)];
+    follow[a] = is_there ? of.follow : 0;
+    own[a] = is_there ? of.own : 0;
+    has_paint |= is_there && (of.follow != 1 || of.own != 0);
   }
-  Double3 sum = {0, 0, 0}, difference = {0, 0, 0};
+  double of_slider[3], of_paint[3];
 #pragma unroll
-  for (int a = 0; a < 8; ++a) {
-    const Double3 share = share_of(combined, max(cells.at[a], 0), a);
-    sum = sum + distance[a] * share;
-    difference = difference + change[a] * share;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Shares shares = shares_of(combined, cells, axis);
+    of_slider[axis] = weighed(shares, follow);
+    of_paint[axis] = weighed(shares, own);
   }
-  b.numbers[corner] = sum;
-  if (kStale) return;
-  const Double3 residual = r[corner] + difference;
-  r[corner] = residual;
-  finest.f[corner] = to_float(residual);
+  const bool is_painted = __any_sync(0xffffffffu, has_paint);  // all have read the flags
+  if (i % kSliceRows == 0) {
+    b.is_touched[slice] = 0;
+    b.is_painted[slice] = is_painted;
+  }
+  if (i > corner) return;
+  const Double3 per_slider = {of_slider[0], of_slider[1], of_slider[2]};
+  const Double3 own_part = {of_paint[0], of_paint[1], of_paint[2]};
+  if (!stale) {
+    Double3 change = slider_less_one * (per_slider - b.per_slider[corner]) + own_part;
+    if (was_painted) change = change - b.own[corner];
+    const Double3 residual = r[corner] + change;
+    r[corner] = residual;
+    finest.f[corner] = to_float(residual);
+  }
+  b.per_slider[corner] = per_slider;
+  if (is_painted) b.own[corner] = own_part;
 }
 
-// All cells from one β to another: r and f alone. Numbers one after the other, whichever corner's
-// they are, so that threads side by side write side by side.
-__global__ void slide_kernel(Depth finest, NewGradientScale beta, Constraint b, Double3* r) {
+// The slider from one place to another: r and f alone. Numbers one after the other, whichever
+// corner's they are, so that threads side by side write side by side.
+__global__ void slide_kernel(Depth finest, double before, double slider, Constraint b, Double3* r) {
   __shared__ float written[3 * kThreads];
   await_previous();
-  if (thread_index() == 0) *b.scale = static_cast<double>(beta.one) - 1;
-  const double change = static_cast<double>(beta.one) - static_cast<double>(beta.before);
-  const double* per_change = &b.numbers->x;
+  if (thread_index() == 0) *b.slider_less_one = slider - 1;
+  const double* per_slider = &b.per_slider->x;
   double* residual = &r->x;
   const int64_t all = int64_t{3} * finest.topology.corner_count;
 #pragma unroll
@@ -107,7 +158,7 @@ __global__ void slide_kernel(Depth finest, NewGradientScale beta, Constraint b, 
     const auto at = static_cast<int>(threadIdx.x) + j * kThreads;
     const int64_t i = int64_t{3 * kThreads} * blockIdx.x + at;
     if (i >= all) break;
-    const double number = residual[i] + change * per_change[i];
+    const double number = residual[i] + (slider - before) * per_slider[i];
     residual[i] = number;
     written[at] = static_cast<float>(number);
   }
@@ -128,11 +179,16 @@ void assemble_constraint(Stream& stream, const Depth& finest, const CellGradient
                          const NewGradientScale& beta, bool stale, const Constraint& b,
                          Double3* r) {
   const int64_t corners = finest.topology.corner_count;
-  if (beta.was_uniform && beta.is_uniform && !stale)
-    return launch(stream, slide_kernel, corners, finest, beta, b, r);
-  if (!beta.is_uniform || !stale) launch(stream, take_kernel, combined.cells, beta, combined.cells);
-  launch(stream, stale ? constraint_kernel<true> : constraint_kernel<false>, corners, finest,
-         combined, beta, b, r);
+  const double slider_less_one = beta.slider - 1;
+  launch(stream, take_paint_kernel, beta.changed.count * kChunk, beta, finest.topology,
+         b.is_touched);
+  if (stale)
+    launch(stream, gather_kernel, corners, finest, combined, slider_less_one, b);
+  else if (beta.slider != beta.slider_before)
+    launch(stream, slide_kernel, corners, finest, beta.slider_before, beta.slider, b, r);
+  if (beta.changed.count > 0 || (stale && beta.is_painted))
+    launch(stream, gather_painted_kernel, corners, finest, combined, beta.paint, slider_less_one,
+           stale, b, r);
 }
 
 }  // namespace burnish::cuda

@@ -10,9 +10,10 @@ void combine_gradients(Stream& stream, const Gradients& gradients, const float* 
                        const CellGradients& combined);
 
 /// b_I = Σ_c (β−1) combined_I, the right-hand side for the displacement: Eq. 4's constraint less
-/// S c°, with β as it is to be, which it is from then on; the residual r changes by as much, unless
-/// it is `stale` after a new metric and to be recomputed anyway. Zero where pinned. Needs: b is as
-/// it was left here, unless `stale`.
+/// S c°, in what is the slider's of it and what is paint's own. The residual r changes by as much,
+/// unless it is `stale` after a new metric and to be recomputed anyway. Zero where pinned. A slider
+/// alone moves r by what b has per slider, whatever is painted; new paint gathers the slices of
+/// corners that it touches. Needs: b is as it was left here, unless `stale`.
 void assemble_constraint(Stream& stream, const Depth& finest, const CellGradients& combined,
                          const NewGradientScale& beta, bool stale, const Constraint& b, Double3* r);
 

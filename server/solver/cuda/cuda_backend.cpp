@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "server/solver/cuda/assembly.h"
+#include "server/solver/cuda/branch.h"
 #include "server/solver/cuda/cell_field.h"
 #include "server/solver/cuda/cell_shares.h"
 #include "server/solver/cuda/coarsest.h"
@@ -83,9 +84,9 @@ class CudaBackend final : public Backend {
     residual_is_stale_ = true;
   }
 
-  void set_constraint(std::span<const float> beta) override {
+  void set_constraint(const FieldsView& fields) override {
     if (!stream_.is_ok()) return;
-    beta_.set(beta);
+    beta_.set(fields);
     assemble_constraint(stream_, finest(), gradients(), beta_.view(), residual_is_stale_,
                         outer_->constraint(), outer_->residual());
     stream_.synchronize();
@@ -109,7 +110,9 @@ class CudaBackend final : public Backend {
   }
   void prolong_correction(int depth) override { add_prolonged(stream_, at(depth - 1), at(depth)); }
   void solve_coarsest() override { coarsest_->solve(); }
-  void clear_correction(int depth) override { cuda::clear_correction(stream_, at(depth)); }
+  void restrict_from_zero(int depth) override {
+    cuda::restrict_from_zero(stream_, at(depth), at(depth - 1));
+  }
 
   void recompute_residual() override {
     outer_->recompute_residual();
@@ -163,9 +166,10 @@ class CudaBackend final : public Backend {
     tell_alpha(stream_, uniform, uniform_alpha_.data());
   }
 
-  // The matrices of all depths. A depth's combined integrals come from those of the one below,
-  // which is what the coarsest depth waits for; matrices and smoothers are made beside that. The
-  // finest matrix does not wait for the shares, but its smoother, which overwrites what they read.
+  // The matrices of all depths, and what the constraint makes of the metric. A depth's combined
+  // integrals come from those of the one below, which is what the coarsest depth waits for;
+  // matrices and smoothers are made beside that. The finest matrix does not wait for the shares,
+  // but its smoother, which overwrites what they read.
   void assemble_all() {
     const CellSquares<double> combined = {combined_.data(), finest().topology.cell_count};
     const Metric metric = {uniform_alpha_.data(),          alpha_.data(0), alpha_.data(1),
@@ -192,9 +196,10 @@ class CudaBackend final : public Backend {
       }
       assemble_coarsest(cells);
     }
-    patches_->factor(smoothers_.empty() ? stream_ : smoothers_.back()->beside());
-    combine_gradients(smoothers_.empty() ? stream_ : smoothers_.back()->beside(),
-                      mesh_->gradients(), ratio_.data(), gradients());
+    if (!smoothers_.empty()) patches_->factor(smoothers_.back()->beside());
+    gradients_beside_.fork();
+    combine_gradients(gradients_beside_.stream(), mesh_->gradients(), ratio_.data(), gradients());
+    gradients_beside_.join();
     for (const auto& smoother : smoothers_) smoother->finish_set_up();
   }
 
@@ -232,6 +237,7 @@ class CudaBackend final : public Backend {
   std::shared_ptr<const DeviceMesh> mesh_;
   Stream stream_;
   int coarse_offset_;
+  Branch gradients_beside_{stream_, Stream::Urgency::kLast};  // no smoother waits for them
   Graphs graphs_{stream_};
   CellFields<2> alpha_;  // α1, α2, unless uniform
   DeviceArray<UniformAlpha> uniform_alpha_;

@@ -1,27 +1,33 @@
 #pragma once
 
-#include <span>
+#include <vector>
 
 #include "server/solver/cuda/device_memory.h"
 #include "server/solver/cuda/views.h"
+#include "server/solver/fields_view.h"
 
 namespace burnish::cuda {
 
-/// β per cell on its way to the device. The slider moves all cells alike: what they have in common
-/// goes with the kernel, and only the others are read from memory of the host.
+/// β of the cells on its way to the device: the slider goes with the kernels, and of paint those
+/// chunks of cells alone are read from memory of the host where some is new.
 class GradientScale {
  public:
-  /// Zero everywhere.
+  /// No paint, and the slider where it is at first.
   GradientScale(Stream& stream, size_t cells);
 
   /// Needs: no kernel that reads it is under way.
-  void set(std::span<const float> beta);
+  void set(const FieldsView& fields);
   const NewGradientScale& view() const { return view_; }
-  uint64_t byte_count() const { return now_.byte_count() + change_.byte_count(); }
+  uint64_t byte_count() const { return paint_.byte_count(); }
 
  private:
-  PinnedArray<float> many_;
-  DeviceArray<float> now_, change_;
+  bool take(const CellPaint& paint, int64_t chunk);
+  void list_changed();
+  void gather_changed();
+
+  PinnedArray<Paint> host_, changed_;  // of all cells as of the last set(); of the listed chunks
+  DeviceArray<Paint> paint_;
+  std::vector<uint8_t> has_paint_, is_changed_;  // of each chunk
   NewGradientScale view_;
 };
 

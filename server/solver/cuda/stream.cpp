@@ -9,11 +9,14 @@ Status cuda_status(cudaError_t error, const char* what) {
   return error == cudaErrorMemoryAllocation ? resource_exhausted(text) : internal_error(text);
 }
 
-Stream::Stream(int device, bool is_urgent) : device_(device) {
+Stream::Stream(int device, Urgency urgency) : device_(device) {
   use_device();
   int least = 0, greatest = 0;
   check(cudaDeviceGetStreamPriorityRange(&least, &greatest), "asking the device");
-  check(cudaStreamCreateWithPriority(&stream_, cudaStreamNonBlocking, is_urgent ? greatest : least),
+  const int priority = urgency == Urgency::kFirst    ? greatest
+                       : urgency == Urgency::kBeside ? (least + greatest) / 2
+                                                     : least;
+  check(cudaStreamCreateWithPriority(&stream_, cudaStreamNonBlocking, priority),
         "creating a stream");
   int major = 0;
   check(cudaDeviceGetAttribute(&major, cudaDevAttrComputeCapabilityMajor, device),

@@ -15,8 +15,9 @@ class Stream {
  public:
   static constexpr int kAsItSuits = -1;
 
-  /// An urgent stream's kernels go before others', also in a graph.
-  explicit Stream(int device, bool is_urgent = true);
+  /// Kernels of a more urgent stream go before others, also in a graph.
+  enum class Urgency { kFirst, kBeside, kLast };
+  explicit Stream(int device, Urgency urgency = Urgency::kFirst);
   ~Stream();
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;

@@ -201,13 +201,6 @@ void launch_with_listed(Stream& stream, Kernel* with_listed, Kernel* without, in
 
 }  // namespace
 
-void clear_correction(Stream& stream, const Depth& depth) {
-  if (stream.is_ok())
-    stream.check(
-        cudaMemsetAsync(depth.x, 0, depth.topology.corner_count * sizeof(float4), stream.get()),
-        "clearing a correction");
-}
-
 void compute_residual(Stream& stream, const Depth& depth) {
   const Rows& rows = depth.topology.rows;
   const auto kernel = has_long(rows)            ? residual_kernel<RowKind::kLong>
@@ -220,6 +213,16 @@ void restrict_to_coarse(Stream& stream, const Depth& fine, const Depth& coarse) 
   launch_with_listed(stream, restrict_kernel<true>, restrict_kernel<false>,
                      kLanes * int64_t{coarse.topology.corner_count}, fine.topology.listed, fine,
                      coarse);
+}
+
+void restrict_from_zero(Stream& stream, const Depth& fine, const Depth& coarse) {
+  if (stream.is_ok())
+    stream.check(
+        cudaMemsetAsync(fine.x, 0, fine.topology.corner_count * sizeof(float4), stream.get()),
+        "clearing a correction");
+  Depth with_residual = fine;
+  with_residual.r = fine.f;
+  restrict_to_coarse(stream, with_residual, coarse);
 }
 
 void add_prolonged(Stream& stream, const Depth& coarse, const Depth& fine) {

@@ -5,14 +5,14 @@
 
 namespace burnish::cuda {
 
-/// x = 0.
-void clear_correction(Stream& stream, const Depth& depth);
-
 /// r = f − S x, zero where pinned.
 void compute_residual(Stream& stream, const Depth& depth);
 
 /// coarse.f = Pᵀ fine.r, zero where pinned.
 void restrict_to_coarse(Stream& stream, const Depth& fine, const Depth& coarse);
+
+/// fine.x = 0, coarse.f = Pᵀ fine.f, zero where pinned.
+void restrict_from_zero(Stream& stream, const Depth& fine, const Depth& coarse);
 
 /// fine.x += P coarse.x, but not where pinned.
 void add_prolonged(Stream& stream, const Depth& coarse, const Depth& fine);

@@ -12,8 +12,9 @@ inline constexpr int64_t kChunk = 1024;
 inline constexpr int64_t kParallelMin = 256;  ///< chunks; of fewer one thread is done before others
                                               ///< wake
 
-inline std::span<const float> chunk_of(std::span<const float> field, int64_t chunk) {
-  const std::span<const float> rest = field.subspan(chunk * kChunk);
+template <typename T>
+std::span<const T> chunk_of(std::span<const T> field, int64_t chunk) {
+  const std::span<const T> rest = field.subspan(chunk * kChunk);
   return rest.first(std::min(rest.size(), size_t{kChunk}));
 }
 

@@ -52,23 +52,39 @@ struct CellGradients {
   int64_t cells;
 };
 
-/// β per cell as it was, and what it is to become.
-struct NewGradientScale {
-  bool was_uniform;  ///< `now` is not filled then: all cells have `before`
-  bool is_uniform;   ///< all cells are to have `one`
-  float before;
-  float one;           ///< of the cells outside [begin, end)
-  int64_t begin, end;  ///< where many are to be read; they may be the host's: each is read once
-  const float* many;   ///< of every cell
-  float* now;          ///< of every cell
-  float* change;       ///< of every cell: working memory
+inline constexpr int kSliceRows = 32;
+
+/// What a cell makes of the slider: its β is 1 + follow·(slider − 1) + own.
+struct alignas(8) Paint {
+  float follow, own;
+};
+inline constexpr Paint kNoPaint = {1, 0};
+
+/// Some chunks (uniform.h) of cells, or all: what a kernel is started with rather than reads.
+struct ChunkList {
+  static constexpr int kMax = 512;
+  int32_t count;
+  bool is_all;
+  int32_t chunk[kMax];
 };
 
-/// The right-hand side for the displacement, `scale` times the numbers. Where all cells have the
-/// same β they are those of β − 1 = 1, and another β changes the scale alone.
+/// The slider as it was and as it is, and paint that is new in some chunks of cells.
+struct NewGradientScale {
+  double slider_before, slider;
+  bool is_painted;    ///< whether any cell may have paint
+  Paint* paint;       ///< of every cell, as it was until it is taken over
+  const Paint* from;  ///< of the changed chunks' cells, one chunk after the other; may be
+                      ///< the host's: each is read once
+  ChunkList changed;
+};
+
+/// The right-hand side for the displacement: of corner I it is slider_less_one · per_slider[I], and
+/// own[I] as well where slice I / kSliceRows of the corners is painted.
 struct Constraint {
-  Double3* numbers;
-  double* scale;
+  Double3 *per_slider, *own;
+  double* slider_less_one;
+  uint8_t* is_painted;  ///< of each slice: whether any cell there has paint
+  uint8_t* is_touched;  ///< working memory: slices with cells whose paint is new
 };
 
 /// Symmetric 8×8 matrices: off-diagonal pairs (28), and row sums or the diagonal (8).
@@ -99,8 +115,6 @@ struct VertexPlace {
   int32_t cell;
   float local[3];
 };
-
-inline constexpr int kSliceRows = 32;
 
 /// What rows have beyond kEntriesMax entries (packed.h): see long_rows.h. Null where none has any.
 struct LongRows {

@@ -159,6 +159,45 @@ TEST_F(FieldsTest, OverridesHoldAgainstSliderPaintAndCurve) {
   EXPECT_EQ(view.alpha1[8], 80);
 }
 
+// β as the slider's part and paint's own have it; stretches that claim no paint have none.
+void expect_parts_make_beta(const FieldsView& view) {
+  for (size_t c = 0; c < view.beta.size(); ++c) {
+    const float follow = view.paint.follow[c], own = view.paint.own[c];
+    ASSERT_NEAR(view.beta[c], 1 + follow * (view.gradient_scale - 1) + own, 1e-6) << "cell " << c;
+    if (!view.paint.is_painted[c / CellPaint::kStretch]) {
+      ASSERT_EQ(follow, 1) << "cell " << c;
+      ASSERT_EQ(own, 0) << "cell " << c;
+    }
+  }
+}
+
+TEST_F(FieldsTest, WhatBetaComesFromMakesBetaAfterEveryEdit) {
+  const auto paint_of = [&] {
+    const CellPaint paint = fields_.view().paint;
+    return std::pair(copy(paint.follow), copy(paint.own));
+  };
+  const auto untouched = paint_of();
+  fields_.set_gradient_scale(0.5);
+  expect_parts_make_beta(fields_.view());
+  EXPECT_EQ(paint_of(), untouched);
+  fields_.paint(stroke(3));
+  expect_parts_make_beta(fields_.view());
+  const auto painted = paint_of();
+  EXPECT_NE(painted, untouched);
+  fields_.set_gradient_scale(2);
+  expect_parts_make_beta(fields_.view());
+  EXPECT_EQ(paint_of(), painted);  // a slider leaves them
+  ASSERT_TRUE(fields_.override_cells({{{cell(7), 3, 30, 0.1}}}).is_ok());
+  expect_parts_make_beta(fields_.view());
+  EXPECT_EQ(fields_.view().paint.follow[7], 0);
+  fields_.set_painted({});
+  expect_parts_make_beta(fields_.view());
+  EXPECT_EQ(fields_.view().paint.follow[7], 0);
+  fields_.clear_overrides();
+  expect_parts_make_beta(fields_.view());
+  EXPECT_EQ(paint_of(), untouched);
+}
+
 TEST_F(FieldsTest, AnInactiveCellIsRefusedByNameAndNothingChanges) {
   fields_.set_gradient_scale(0.5);
   for (const Vec3i& bad : {Vec3i(16, 15, 16), Vec3i(0, 0, 32), Vec3i(-1, 0, 0)}) {

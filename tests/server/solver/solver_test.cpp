@@ -144,7 +144,7 @@ TEST(Solver, KeepsPinnedCornersInPlace) {
   const auto backend = make_cpu_backend(system.prepared, system.hierarchy, Smoother::kSchwarz);
   const FieldsView view = system.fields.view();
   backend->set_metric(view.alpha1, view.alpha2);
-  backend->set_constraint(view.beta);
+  backend->set_constraint(view);
   backend->recompute_residual();
   for (int i = 0; i < 5; ++i) {
     backend->load_residual();

@@ -66,7 +66,7 @@ struct Cycle {
     for (size_t i = depths.size() - 1; i > 0; --i) {
       smoothers[i]->relax_from_zero(depths[i]);
       compute_residual(depths[i]);
-      restrict_to_coarse(depths[i], depths[i - 1]);
+      restrict_to_coarse(depths[i], depths[i].r, depths[i - 1]);
     }
     coarsest.solve(depths.front());
     for (size_t i = 1; i < depths.size(); ++i) {
