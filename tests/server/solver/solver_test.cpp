@@ -203,6 +203,24 @@ double distance_after(int steps, const TestSystem& system, const std::vector<Vec
   return distance / system.prepared->statistics.diagonal();
 }
 
+// A V-cycle leaves six times as much.
+TEST(Solver, ANewMetricIsNearItsEndAfterOneStep) {
+  const TriangleMesh mesh = generate_scan({.kind = "blob", .vertices = 20000}).value();
+  TestSystem system(mesh, 7);
+  system.fields.set_gradient_scale(0);
+  system.fields.set_transfer_curve(TransferCurve(5));
+  const auto solver = solver_of(system);
+  ASSERT_TRUE(solver->solve(1e-8, 100)->converged);
+  system.fields.set_transfer_curve(TransferCurve(6.25));
+  solver->set_metric(system.fields.view());
+  solver->step();
+  const std::vector<Vec3d> after_one = solver->evaluate_vertices();
+  ASSERT_TRUE(solver->solve(1e-8, 100)->converged);
+  const auto distance = reference::vertex_distance(after_one, solver->evaluate_vertices(),
+                                                   reference::box_diagonal(mesh));
+  EXPECT_LT(distance.max, 1e-4);
+}
+
 TEST(Solver, CrumbsConvergeFasterWhenTheyAreKeptApart) {
   TestSystem system(reference::crumbs_over_a_sphere(), 5);
   system.fields.set_transfer_curve(TransferCurve(2));
