@@ -22,8 +22,9 @@ inline void run_vcycle(Backend& backend, int coarsest, int finest) {
 inline void run_full_multigrid(Backend& backend, int coarsest, int finest);
 
 /// x ≈ S⁻¹ f at the finest depth from what full multigrid finds above it, relaxed once: where f is
-/// smooth, as after a new metric, it is nearer than a V-cycle comes and has half of its products.
-/// Not symmetric, and so for the first direction of conjugate gradients alone.
+/// smooth, as after a small change of the metric, it is nearer than a V-cycle comes, and has half
+/// of its products at the finest depth. Not symmetric, and so for the first direction of conjugate
+/// gradients alone.
 inline void run_nested_iteration(Backend& backend, int coarsest, int finest) {
   if (finest == coarsest) return backend.solve_coarsest();
   backend.restrict_from_zero(finest);

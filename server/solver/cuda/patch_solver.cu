@@ -39,7 +39,7 @@ __device__ void visit_row(const Depth& depth, int32_t corner, int first, int ste
   }
 }
 
-/// What the rows of a block of threads have in common.
+/// What the threads of a patch share beside its triangle.
 struct FactorRoom {
   int32_t corner[kPatchCornersMax];
   float scale[kPatchCornersMax];
