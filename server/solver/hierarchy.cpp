@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "server/solver/coarse_grid.h"
+#include "server/solver/crumbs.h"
 #include "server/solver/sheet_corners.h"
+#include "server/solver/stronger_cycle.h"
 
 namespace burnish {
 
@@ -108,7 +110,7 @@ std::vector<HierarchyDepth> make_depths(const PreparedMesh& prepared, Sheets she
     const SheetCorners whole = one_sheet_per_cell(finest);
     return depths_apart(std::move(finest), whole);
   }
-  Patches patches = find_patches(finest, corners);
+  Patches patches = make_patches(finest, find_crumbs(finest, corners));
   std::vector<HierarchyDepth> depths = depths_apart(std::move(finest), corners);
   depths[0].patches = std::move(patches);
   depths[0].sheet_count = static_cast<int32_t>(prepared.sheets.size());
@@ -161,6 +163,7 @@ std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared, Sh
   hierarchy->finest = prepared.frame.depth;
   hierarchy->depths.assign(std::make_move_iterator(from_finest.rbegin()),
                            std::make_move_iterator(from_finest.rend()));
+  strengthen_cycle(prepared, hierarchy);
   return hierarchy;
 }
 

@@ -21,6 +21,7 @@ struct HierarchyDepth {
   std::vector<CellTie> ties;         ///< rising; none at the finest depth
   int32_t sheet_count = 0;           ///< PreparedMesh::sheets that are used; none at coarse depths
   Patches patches;                   ///< none at coarse depths
+  bool is_corrected_twice = false;   ///< see vcycle.h
   DepthTransfer to_parent;           ///< empty at the coarsest depth
   std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth
   // Where the numbers of cells and ties come from; empty at the finest depth.

@@ -1,23 +1,20 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "common/grid/sparse_grid.h"
-#include "server/solver/sheet_corners.h"
 
 namespace burnish {
 
 /// The corners that a patch has at most: room for its factor in a CUDA block's shared memory.
 inline constexpr int kPatchCornersMax = 120;
 
-/// Small pieces of the finest depth, each with what it hangs on: relaxed as a whole, because such a
-/// piece moves with next to no energy as long as the sheet that holds it gives way, and a coarse
-/// function that moves the one and bends the other just so there is none.
+/// Small parts of the finest depth that are relaxed as a whole, because the smoother's cells and
+/// the coarse functions between them are slow there: crumbs.h and slow_spots.h say where.
 ///
-/// A piece is what hangs together by copies of corners; a patch has a piece's corners and those of
-/// all cells around the corners that it shares with others, or without these where they are too
-/// many. Patches of a colour have no cell in common: none reads what another writes.
+/// Patches of a colour have no cell in common: none reads what another writes.
 struct Patches {
   std::vector<int32_t> start = {0};         ///< patches + 1, into `corner`
   std::vector<int32_t> corner;              ///< rising within a patch
@@ -27,10 +24,12 @@ struct Patches {
   int32_t count() const { return static_cast<int32_t>(start.size() - 1); }
   int32_t colour_count() const { return static_cast<int32_t>(colour_start.size() - 1); }
   int64_t entry_count() const { return entry_start.back(); }
+  std::vector<std::vector<int32_t>> corner_sets() const;  ///< one per patch
 };
 
-/// No patch for a piece of more corners than a patch may have, nor for what comes after the limits
-/// on all patches' entries (16 a corner of the depth) and on colours (64) are reached.
-Patches find_patches(const SparseGrid& finest, const SheetCorners& sheets);
+/// A patch for each of these sets of corners, but for those that come after the limits on all
+/// patches' entries (24 a corner of the depth) and on colours (64) are reached.
+/// Shapes: at most kPatchCornersMax corners a set, rising.
+Patches make_patches(const SparseGrid& finest, std::span<const std::vector<int32_t>> sets);
 
 }  // namespace burnish

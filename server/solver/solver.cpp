@@ -19,7 +19,7 @@ static double seconds_since(std::chrono::steady_clock::time_point start) {
 
 namespace {
 
-using Cycle = void (*)(Backend&, int coarsest, int finest);
+using Cycle = void (*)(Backend&, const Hierarchy&, int depth);
 
 // By Solver::Start. What is new of a stroke is near it, of a metric everywhere.
 constexpr Cycle kCycles[] = {run_vcycle, run_vcycle, run_nested_iteration, run_full_multigrid};
@@ -101,7 +101,7 @@ StepReport Solver::step() {
   const bool restarts = start_ != kGoesOn;
   backend_->run_recorded(start_, [&] {
     backend_->load_residual();
-    kCycles[start_](*backend_, hierarchy_->coarsest, hierarchy_->finest);
+    kCycles[start_](*backend_, *hierarchy_, hierarchy_->finest);
     backend_->update_direction(restarts);
     backend_->advance();
   });

@@ -180,6 +180,13 @@ TriangleMesh shards_over_a_sphere() {
   return mesh;
 }
 
+TriangleMesh spiked_sphere() {
+  constexpr size_t kVerticesPerSpike = 97;
+  TriangleMesh mesh = bumpy_sphere(5);
+  for (size_t v = 0; v < mesh.vertices.size(); v += kVerticesPerSpike) mesh.vertices[v] *= 1.4;
+  return mesh;
+}
+
 TriangleMesh needles() {
   return mapped(open_cylinder(600, 4, 1, 3), [](const Vec3d& p) { return Vec3d(skew_turn() * p); });
 }
@@ -201,6 +208,7 @@ std::vector<std::pair<std::string, TriangleMesh>> awkward_meshes() {
           {"zero-area triangles and unreferenced vertices", sphere_with_debris(4)},
           {"several components", several_components()},
           {"crumbs", crumbs_over_a_sphere()},
+          {"spikes", spiked_sphere()},
           {"far from the origin", mapped(bumpy_sphere(4), far_away)}};
 }
 

@@ -46,6 +46,10 @@ TriangleMesh crumbs_over_a_sphere();
 /// of which some share a corner or two of their cells with the sphere's.
 TriangleMesh shards_over_a_sphere();
 
+/// A sphere with a hundred spikes of one vertex each, eight cells of depth 5 high: they taper to
+/// less than a cell, so that the sheet bends back close to itself.
+TriangleMesh spiked_sphere();
+
 /// A cylinder of long thin triangles, twenty times as high as they are wide.
 TriangleMesh needles();
 

@@ -69,7 +69,7 @@ TEST(Patches, OfAColourShareNoCell) {
 
 TEST(Patches, HaveNoMoreEntriesThanTheirShareOfTheMatrix) {
   EXPECT_LE(finest_of(crumbs()).patches.entry_count(),
-            16 * finest_of(crumbs()).grid.corner_count());
+            24 * finest_of(crumbs()).grid.corner_count());
 }
 
 }  // namespace
