@@ -22,6 +22,8 @@ struct HierarchyDepth {
   int32_t sheet_count = 0;           ///< PreparedMesh::sheets that are used; none at coarse depths
   Patches patches;                   ///< none at coarse depths
   bool is_corrected_twice = false;   ///< see vcycle.h
+  bool has_weak_parts = false;       ///< parts that move with so little energy that 14 bits of S
+                                     ///< hide it, and not only around patches
   DepthTransfer to_parent;           ///< empty at the coarsest depth
   std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth
   // Where the numbers of cells and ties come from; empty at the finest depth.

@@ -38,8 +38,11 @@ void strengthen_cycle(const PreparedMesh& prepared, const std::shared_ptr<Hierar
   const int last = hierarchy->finest - 1;
   if (last <= hierarchy->coarsest || !has_many_sheets(hierarchy->at(last))) return;
   const int first = std::max(last - kDepthsCorrectedTwice, hierarchy->coarsest) + 1;
-  for (int depth = first; depth <= last; ++depth)
-    hierarchy->depths[depth - hierarchy->coarsest].is_corrected_twice = true;
+  for (int depth = first; depth <= hierarchy->finest; ++depth) {
+    HierarchyDepth& one = hierarchy->depths[depth - hierarchy->coarsest];
+    one.is_corrected_twice = depth <= last;
+    one.has_weak_parts = true;
+  }
   add_patches(prepared, hierarchy);
 }
 

@@ -50,7 +50,8 @@ class CudaBackend final : public Backend {
         anisotropy_(stream_, 1) {
     for (const DeviceTopology& topology : mesh_->depths) {
       const bool is_inner = !depths_.empty() && depths_.size() + 1 < mesh_->depths.size();
-      depths_.emplace_back(stream_, topology.view(), !is_inner);
+      depths_.emplace_back(stream_, topology.view(),
+                           !is_inner || topology.view().is_exact != nullptr);
     }
     for (size_t i = 1; i < depths_.size(); ++i)
       smoothers_.push_back(

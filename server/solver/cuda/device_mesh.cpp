@@ -30,12 +30,15 @@ static std::vector<uint32_t> masks_of_packed(const Stencil& stencil) {
   return masks;
 }
 
-// A piece that hangs on another by a sliver has eigenvalues below what packing rounds off.
-static std::vector<uint8_t> groups_with_patches(const Patches& patches, const RowGroups& groups) {
-  if (patches.count() == 0) return {};
-  std::vector<uint8_t> has_patch(groups.halo_start.size() - 1);
-  for (const int32_t corner : patches.corner) has_patch[corner / groups.rows] = 1;
-  return has_patch;
+// A piece that hangs on another by a sliver has eigenvalues below what packing rounds off. None
+// where no group has such a piece.
+static std::vector<uint8_t> groups_with_weak_parts(const HierarchyDepth& depth,
+                                                   const RowGroups& groups) {
+  const Patches& patches = depth.patches;
+  if (patches.count() == 0 && !depth.has_weak_parts) return {};
+  std::vector<uint8_t> has_weak(groups.halo_start.size() - 1, depth.has_weak_parts);
+  for (const int32_t corner : patches.corner) has_weak[corner / groups.rows] = 1;
+  return has_weak;
 }
 
 DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth)
@@ -49,7 +52,7 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth)
   local_ = {stream, groups.local};
   halo_start_ = {stream, groups.halo_start};
   halo_ = {stream, groups.halo};
-  is_exact_ = {stream, groups_with_patches(depth.patches, groups)};
+  is_exact_ = {stream, groups_with_weak_parts(depth, groups)};
   cell_corners_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cell_corners);
   cells_of_corner_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cells_of_corner);
   octant_ = {stream, octants(depth.grid)};

@@ -19,18 +19,13 @@ __device__ float4 rest_of_product(const Depth& depth, const FetchedRow& row, con
   return sum;
 }
 
-enum class RowKind { kPacked, kLong, kExactInSomeGroups };
-
-template <RowKind kKind>
-__global__ void __launch_bounds__(kThreads, kKind == RowKind::kLong ? 6 : 8)
-    residual_kernel(Depth depth) {
+template <bool kLong, bool kExactInSomeGroups>
+__global__ void __launch_bounds__(kThreads, kLong ? 6 : 8) residual_kernel(Depth depth) {
   float4* tile = tile_of_block<float4>();
   let_next_start();
   const FetchedRow row = fetch_row(depth.topology.rows, depth.system.packed, blockIdx.x);
-  LongPart<kKind == RowKind::kLong> beyond(depth.topology.rows.long_rows, depth.system.long_entries,
-                                           row);
-  const bool is_exact =
-      kKind == RowKind::kExactInSomeGroups && depth.topology.is_exact[blockIdx.x] != 0;
+  LongPart<kLong> beyond(depth.topology.rows.long_rows, depth.system.long_entries, row);
+  const bool is_exact = kExactInSomeGroups && depth.topology.is_exact[blockIdx.x] != 0;
   const int32_t i = row.corner;
   const bool is_free = i >= 0 && depth.inverse_diagonal[i] != 0;
   const float diagonal = is_free ? depth.system.diagonal[i] : 0;
@@ -203,9 +198,10 @@ void launch_with_listed(Stream& stream, Kernel* with_listed, Kernel* without, in
 
 void compute_residual(Stream& stream, const Depth& depth) {
   const Rows& rows = depth.topology.rows;
-  const auto kernel = has_long(rows)            ? residual_kernel<RowKind::kLong>
-                      : depth.topology.is_exact ? residual_kernel<RowKind::kExactInSomeGroups>
-                                                : residual_kernel<RowKind::kPacked>;
+  const bool is_exact = depth.topology.is_exact != nullptr;
+  const auto kernel =
+      has_long(rows) ? (is_exact ? residual_kernel<true, true> : residual_kernel<true, false>)
+                     : (is_exact ? residual_kernel<false, true> : residual_kernel<false, false>);
   launch_products<float4>(stream, kernel, rows, rows.group_count, depth);
 }
 

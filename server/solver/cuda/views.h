@@ -220,7 +220,8 @@ struct Matrix {
 struct Depth {
   Topology topology;
   Matrix system;  ///< S
-  float* rest;  ///< what S's packed entries leave of its entries; null between finest and coarsest
+  float* rest;    ///< what S's packed entries leave of its entries; at the finest and coarsest
+                  ///< depths and where is_exact, else null
   float* inverse_diagonal;  ///< 0 where pinned
   float4* x;
   float4* f;
