@@ -121,12 +121,17 @@ __global__ void factor_kernel(Depth depth, PatchList list, float* factor_inverse
         static_cast<float>(triangle[row_of_triangle(i) + j] * room.scale[j]);
 }
 
-__device__ float4 residual_at(const Depth& depth, int32_t corner) {
-  if (depth.inverse_diagonal[corner] == 0) return zero4();
-  float4 product = depth.system.diagonal[corner] * depth.x[corner];
-  visit_row(depth, corner, 0, 1,
+// Some of the threads of a block share each corner: one alone would wait for its loads one after
+// the other, and colours come one after the other too.
+constexpr int kQuarters = 4;
+constexpr int kRelaxThreads = kQuarters * kThreads;
+
+// The part that one quarter takes of S x at a corner.
+__device__ float4 part_of_product(const Depth& depth, int32_t corner, int quarter) {
+  float4 product = quarter == 0 ? depth.system.diagonal[corner] * depth.x[corner] : zero4();
+  visit_row(depth, corner, quarter, kQuarters,
             [&](int32_t column, float entry) { product = product + entry * depth.x[column]; });
-  return depth.f[corner] - product;
+  return product;
 }
 
 __device__ float4 sum_of_warp(float4 value) {
@@ -138,29 +143,42 @@ __device__ float4 sum_of_warp(float4 value) {
   return value;
 }
 
-// x += WᵀW (f − S x) at the patch's corners: W by a warp for each row, Wᵀ by a thread for each.
-__global__ void relax_kernel(Depth depth, PatchList list, int32_t first, const float* entries) {
-  __shared__ float4 residual[kPatchCornersMax], middle[kPatchCornersMax];
+__device__ float4 sum_of_quarters(const float4 (&part)[kQuarters][kThreads], int t) {
+  return (part[0][t] + part[1][t]) + (part[2][t] + part[3][t]);
+}
+
+// x += WᵀW (f − S x) at the patch's corners: W by a warp for each row, Wᵀ by quarters of rows for
+// each column.
+__global__ void __launch_bounds__(kRelaxThreads)
+    relax_kernel(Depth depth, PatchList list, int32_t first, const float* entries) {
+  __shared__ float4 part[kQuarters][kThreads], residual[kThreads], middle[kThreads];
   let_next_start();
   const Patch patch = patch_at(list, first + static_cast<int32_t>(blockIdx.x));
   const float* w = entries + patch.first_entry;
-  const auto t = static_cast<int>(threadIdx.x), warp = t / 32, lane = t % 32;
+  const auto thread = static_cast<int>(threadIdx.x), warp = thread / 32, lane = thread % 32;
+  const int t = thread % kThreads, quarter = thread / kThreads;
   const int32_t corner = t < patch.count ? patch.corner[t] : -1;
+  const bool is_free = corner >= 0 && depth.inverse_diagonal[corner] != 0;
   await_previous();
-  if (corner >= 0) residual[t] = residual_at(depth, corner);
+  if (is_free) part[quarter][t] = part_of_product(depth, corner, quarter);
   __syncthreads();
-  for (int i = warp; i < patch.count; i += kWarps) {
+  if (quarter == 0)
+    residual[t] = is_free ? depth.f[corner] + -1 * sum_of_quarters(part, t) : zero4();
+  __syncthreads();
+  for (int i = warp; i < patch.count; i += kRelaxThreads / 32) {
     float4 sum = zero4();
     for (int j = lane; j <= i; j += 32) sum = sum + w[row_of_triangle(i) + j] * residual[j];
     sum = sum_of_warp(sum);
     if (lane == 0) middle[i] = sum;
   }
   __syncthreads();
-  if (corner < 0) return;
-  float4 correction = zero4();
-  for (int i = t; i < patch.count; ++i)
-    correction = correction + w[row_of_triangle(i) + t] * middle[i];
-  depth.x[corner] = depth.x[corner] + correction;
+  float4 sum = zero4();
+#pragma unroll 4
+  for (int i = quarter; i < patch.count; i += kQuarters)
+    if (i >= t) sum = sum + w[row_of_triangle(i) + t] * middle[i];
+  part[quarter][t] = sum;
+  __syncthreads();
+  if (quarter == 0 && corner >= 0) depth.x[corner] = depth.x[corner] + sum_of_quarters(part, t);
 }
 
 int largest_patch(const Patches& patches) {
@@ -195,7 +213,7 @@ void PatchSolver::factor(Stream& stream) {
 void PatchSolver::relax_colour(int32_t colour) {
   const int32_t first = patches_.colour_start[colour];
   launch_blocks(stream_, relax_kernel, dim3(patches_.colour_start[colour + 1] - first),
-                dim3(kThreads), 0, depth_, list_, first, factor_inverse_.data());
+                dim3(kRelaxThreads), 0, depth_, list_, first, factor_inverse_.data());
 }
 
 void PatchSolver::relax_forwards() {
