@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <utility>
 
+#include "server/solver/corner_sets.h"
 #include "server/solver/patches.h"
 
 namespace burnish {
@@ -11,11 +13,6 @@ namespace burnish {
 namespace {
 
 using Corners = std::vector<int32_t>;
-
-void sort_once(Corners& corners) {
-  std::ranges::sort(corners);
-  corners.erase(std::ranges::unique(corners).begin(), corners.end());
-}
 
 class CrumbFinder {
  public:
@@ -84,16 +81,13 @@ class CrumbFinder {
     sort_once(*piece);
     Corners with_ring = *piece;
     for (const int32_t corner : *piece)
-      if (is_shared(corner)) add_cells_around(corner, with_ring);
+      if (is_shared(corner))
+        for_each_cell_around(finest_, std::span(&corner, 1), [&](int32_t cell) {
+          const auto& corners = finest_.cell_corners[cell];
+          with_ring.insert(with_ring.end(), corners.begin(), corners.end());
+        });
     sort_once(with_ring);
     return with_ring.size() <= kPatchCornersMax ? with_ring : piece;
-  }
-
-  void add_cells_around(int32_t corner, Corners& corners) const {
-    for (const int32_t cell : finest_.cells_of_corner[corner])
-      if (cell != kNone)
-        corners.insert(corners.end(), finest_.cell_corners[cell].begin(),
-                       finest_.cell_corners[cell].end());
   }
 
   const SparseGrid& finest_;

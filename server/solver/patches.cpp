@@ -3,6 +3,8 @@
 #include <array>
 #include <bit>
 
+#include "server/solver/corner_sets.h"
+
 namespace burnish {
 
 namespace {
@@ -23,21 +25,14 @@ class Colours {
 
   int take(const Corners& patch) {
     uint64_t taken = 0;
-    for_each_cell(patch, [&](int32_t cell) { taken |= of_cell_[cell]; });
+    for_each_cell_around(finest_, patch, [&](int32_t cell) { taken |= of_cell_[cell]; });
     const int colour = std::countr_one(taken);
     if (colour < kColoursMax)
-      for_each_cell(patch, [&](int32_t cell) { of_cell_[cell] |= 1ull << colour; });
+      for_each_cell_around(finest_, patch, [&](int32_t cell) { of_cell_[cell] |= 1ull << colour; });
     return colour;
   }
 
  private:
-  template <typename Visit>
-  void for_each_cell(const Corners& patch, Visit&& visit) const {
-    for (const int32_t corner : patch)
-      for (const int32_t cell : finest_.cells_of_corner[corner])
-        if (cell != kNone) visit(cell);
-  }
-
   const SparseGrid& finest_;
   std::vector<uint64_t> of_cell_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "server/solver/corner_sets.h"
 #include "server/solver/fields.h"
 #include "server/solver/hierarchy.h"
 #include "server/solver/solver.h"
@@ -20,11 +21,6 @@ constexpr int kRingsMax = 4;
 constexpr size_t kSpotsMax = 512;  // a trial: what the worst of them hide shows in the next
 
 using Corners = std::vector<int32_t>;
-
-void sort_once(std::vector<int32_t>& numbers) {
-  std::ranges::sort(numbers);
-  numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
-}
 
 std::vector<Vec3f> displacement_after(Solver& solver, int steps) {
   for (int i = 0; i < steps; ++i) solver.step();
@@ -57,13 +53,6 @@ std::vector<SlowCell> find_slow_cells(const std::shared_ptr<const PreparedMesh>&
   }
   std::ranges::stable_sort(slow, std::ranges::greater(), &SlowCell::move);
   return slow;
-}
-
-template <typename Visit>
-void for_each_cell_around(const SparseGrid& grid, const Corners& corners, Visit&& visit) {
-  for (const int32_t corner : corners)
-    for (const int32_t cell : grid.cells_of_corner[corner])
-      if (cell != kNone) visit(cell);
 }
 
 Corners corners_of(const SparseGrid& grid, int32_t cell) {
