@@ -62,23 +62,27 @@ __global__ void __launch_bounds__(kThreads, 6)
   if (probe != nullptr) fill_tile(group, probe, tile);
   if (corner < 0) return;
   const GatheredRow<Real> row = gather_row(cells, depth.topology.cells_of_corner[corner]);
-  Real sum = row.own;
-#pragma unroll
-  for (int s = 0; s < kSlots; ++s) sum -= row.by_slot[s];
-  const auto diagonal = static_cast<float>(sum);
+  const auto diagonal = static_cast<float>(row.diagonal);
   depth.system.diagonal[corner] = diagonal;
   depth.inverse_diagonal[corner] = diagonal > *pinned_below ? 1 / diagonal : 0;
   if (row_sum != nullptr) row_sum[corner] = row.own;
   float4 product = zero4();
   if (probe != nullptr) product = diagonal * tile[threadIdx.x];
   const Rows& rows = depth.topology.rows;
-  if (depth.rest != nullptr) {
-    const auto rest_of = [](Real value) {
-      return static_cast<float>(value - value_of(pack(static_cast<float>(value), 0)));
-    };
-    store_row(rows, corner, row, room, rest_of,
-              [&](int64_t k, float value, uint32_t) { depth.rest[k] = value; });
-  }
+  const auto rest_of = [](Real value) {
+    return value - value_of(pack(static_cast<float>(value), 0));
+  };
+  if (depth.rest != nullptr)
+    store_row(
+        rows, corner, row, room, [&](Real value) { return static_cast<float>(rest_of(value)); },
+        [&](int64_t k, float rest, uint32_t) { depth.rest[k] = rest; });
+  if (depth.remainder != nullptr)
+    store_row(
+        rows, corner, row, room,
+        [&](Real value) {
+          return static_cast<float>(rest_of(value) - static_cast<float>(rest_of(value)));
+        },
+        [&](int64_t k, float remainder, uint32_t) { depth.remainder[k] = remainder; });
   const auto as_float = [](Real value) { return static_cast<float>(value); };
   store_row(rows, corner, row, room, as_float, [&](int64_t k, float value, uint32_t local) {
     const uint32_t packed = pack(value, local);

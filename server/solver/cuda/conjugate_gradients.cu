@@ -22,7 +22,7 @@ __device__ Double3 triple(const double* numbers) {
 }
 
 __device__ ExactMatrix exact_matrix(const Vectors& v) {
-  return {v.finest.system.packed, v.finest.rest, v.row_sum};
+  return {v.finest.system.packed, v.finest.rest, v.finest.remainder, v.row_sum};
 }
 
 __device__ Double3 constraint_of(const Vectors& v, int64_t i) {
@@ -35,6 +35,7 @@ __device__ double quotient(double dividend, double divisor) {
   return divisor > 0 ? dividend / divisor : 0;
 }
 
+template <bool kRemainder>
 __global__ void recompute_residual_kernel(Vectors v) {
   Double3* tile = tile_of_block<Double3>();
   await_previous();
@@ -44,7 +45,7 @@ __global__ void recompute_residual_kernel(Vectors v) {
   if (i < 0) return;
   Double3 r = {0, 0, 0};
   if (v.finest.inverse_diagonal[i] != 0)
-    r = constraint_of(v, i) - product_of(row, exact_matrix(v), tile);
+    r = constraint_of(v, i) - product_of<kRemainder>(row, exact_matrix(v), tile);
   v.r[i] = r;
   v.finest.f[i] = to_float(r);
 }
@@ -81,23 +82,26 @@ __global__ void rescale_kernel(Vectors v) {
   v.finest.f[i] = to_float(r);
 }
 
-// With p = z + m p' conjugate to p', p·q = z·w + m z·q'. The residual is orthogonal to p', hence
-// p·r = z·r.
+// What p = z + m p' will have with q and r, from the sums that p' had itself. That p is conjugate
+// to p', and r orthogonal to it, would do with fewer; but it is so to rounding only, and a step
+// that goes by it stops being the one of least energy where nothing but rounding is left to
+// correct.
 __device__ void choose_step(const Sums<9>& products, bool restart, Scalars& scalars) {
   for (int n = 0; n < 3; ++n) {
     const double z_dot_r = products.at[n], z_dot_q = products.at[3 + n],
-                 z_dot_w = products.at[6 + n];
-    const double momentum = restart ? 0 : quotient(-z_dot_q, scalars.p_dot_q[n]);
-    const double p_dot_q = z_dot_w + momentum * z_dot_q;
+                 z_dot_w = products.at[6 + n], last_p_dot_q = scalars.p_dot_q[n];
+    const double momentum = restart ? 0 : quotient(-z_dot_q, last_p_dot_q);
+    const double p_dot_q = z_dot_w + momentum * (2 * z_dot_q + momentum * last_p_dot_q);
     const bool is_sound = p_dot_q > 0;  // else nothing but rounding is left of it
     scalars.momentum[n] = is_sound ? momentum : 0;
-    scalars.p_dot_q[n] = is_sound ? p_dot_q : z_dot_w;
     scalars.z_dot_r[n] = z_dot_r;
-    scalars.step[n] = quotient(z_dot_r, scalars.p_dot_q[n]);
+    scalars.step[n] =
+        quotient(z_dot_r + scalars.momentum[n] * scalars.p_dot_r[n], is_sound ? p_dot_q : z_dot_w);
   }
 }
 
 // w = S z, z·r, z·q and z·w.
+template <bool kRemainder>
 __global__ void __launch_bounds__(kThreads, 6) product_kernel(Vectors v, bool restart) {
   float4* tile = tile_of_block<float4>();
   let_next_start();
@@ -113,7 +117,7 @@ __global__ void __launch_bounds__(kThreads, 6) product_kernel(Vectors v, bool re
     if (i >= 0) {
       const Double3 z = to_double(tile[threadIdx.x]);
       Double3 w = {0, 0, 0};
-      if (is_free) w = product_of(row, exact_matrix(v), tile);
+      if (is_free) w = product_of<kRemainder>(row, exact_matrix(v), tile);
       v.w[i] = w;
       add(z * v.r[i], sums.at);
       add(z * v.q[i], sums.at + 3);
@@ -157,10 +161,10 @@ __device__ void move_vertices(const Vectors& v, const Double3& step, const Doubl
     atomicMax(reinterpret_cast<unsigned*>(&v.scalars->moved_squared_max), __float_as_uint(most));
 }
 
-// p, q, u and r after the step, and the parts of the measures.
+// p, q, u and r after the step, what the next step needs of p, and the parts of the measures.
 __global__ void advance_kernel(Vectors v) {
   await_previous();
-  Sums<3> sums = {};
+  Sums<9> sums = {};
   const Double3 step = triple(v.scalars->step), momentum = triple(v.scalars->momentum);
   for (int64_t i = thread_index(); i < v.finest.topology.corner_count; i += stride()) {
     const Double3 p = to_double(v.finest.x[i]) + momentum * v.p[i], q = v.w[i] + momentum * v.q[i];
@@ -174,14 +178,20 @@ __global__ void advance_kernel(Vectors v) {
     sums.at[0] -= 0.5 * sum_of(u * (b + r));
     sums.at[1] += scale * sum_of(r * r);
     sums.at[2] += scale * sum_of(b * b);
+    add(p * q, sums.at + 3);
+    add(p * r, sums.at + 6);
   }
   move_vertices(v, step, momentum);
-  Sums<3> total;
+  Sums<9> total;
   if (!add_up(sums, v.measures, &total)) return;
   Scalars& scalars = *v.scalars;
   scalars.energy = total.at[0];
   scalars.residual = total.at[1];
   scalars.constraint = total.at[2];
+  for (int n = 0; n < 3; ++n) {
+    scalars.p_dot_q[n] = total.at[3 + n];
+    scalars.p_dot_r[n] = total.at[6 + n];
+  }
   scalars.moved_squared_max = __ldcg(&scalars.moved_squared_max);
   *v.measured = scalars;
   scalars.moved_squared_max = 0;
@@ -236,7 +246,9 @@ ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
 void ConjugateGradients::recompute_residual() {
   launch(stream_, pin_kernel, n_, vectors_);
   const Rows& rows = vectors_.finest.topology.rows;
-  launch_products<Double3>(stream_, recompute_residual_kernel, rows, rows.group_count, vectors_);
+  const auto kernel = vectors_.finest.remainder != nullptr ? recompute_residual_kernel<true>
+                                                           : recompute_residual_kernel<false>;
+  launch_products<Double3>(stream_, kernel, rows, rows.group_count, vectors_);
 }
 
 void ConjugateGradients::rescale() {
@@ -249,8 +261,10 @@ void ConjugateGradients::update_direction(bool restart) {
   launch_striding(branch_.stream(), evaluate_correction_kernel, vectors_.vertex_count, vectors_,
                   evaluation_);
   const Rows& rows = vectors_.finest.topology.rows;
-  launch_products<float4>(stream_, product_kernel, rows, std::min(rows.group_count, kPartialsMax),
-                          vectors_, restart);
+  const auto kernel =
+      vectors_.finest.remainder != nullptr ? product_kernel<true> : product_kernel<false>;
+  launch_products<float4>(stream_, kernel, rows, std::min(rows.group_count, kPartialsMax), vectors_,
+                          restart);
   branch_.join();
 }
 

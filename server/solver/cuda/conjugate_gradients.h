@@ -10,9 +10,9 @@ namespace burnish::cuda {
 /// sums stay on the device; only measure() waits for them.
 ///
 /// A step has two passes over the depth. With z the V-cycle's correction, the first makes w = S z
-/// and all sums; what p and q = S p are follows from w, p·q from z·w and the directions being
-/// conjugate. The second makes p, q, u and r, and E p of the vertices, which tells how far they
-/// move: E z is made beside the first.
+/// and its sums; what p, q = S p and p·q are follows from these and the last p's. The second makes
+/// p, q, u and r with their sums, and E p of the vertices, which tells how far they move: E z is
+/// made beside the first.
 ///
 /// Whatever writes r writes it in float32 too, as the next cycle's f.
 class ConjugateGradients {
@@ -20,8 +20,8 @@ class ConjugateGradients {
   /// What one step hands to the next, per column.
   struct Scalars {
     double z_dot_r[3];
-    double p_dot_q[3];
-    double step[3];  ///< a of the last advance()
+    double p_dot_q[3], p_dot_r[3];  ///< after the last advance()
+    double step[3];                 ///< a of the last advance()
     double momentum[3];
     double scale[3];          ///< a of the last rescale()
     float moved_squared_max;  ///< of |E a p| at a vertex
@@ -36,7 +36,7 @@ class ConjugateGradients {
     int64_t vertex_count;
     float4 *vertex_z, *vertex_p;  ///< E z and E p, one per vertex
     Partials<9> products;
-    Partials<3> measures;
+    Partials<9> measures;
     Scalars* scalars;
     Scalars* measured;  ///< the same on the host, after advance()
   };
@@ -67,8 +67,7 @@ class ConjugateGradients {
   DeviceArray<Double3> u_, b_per_slider_, b_own_, r_, p_, q_, w_;
   DeviceArray<uint8_t> is_painted_, is_touched_;
   DeviceArray<float4> vertex_z_, vertex_p_;
-  DeviceArray<Sums<9>> product_sums_;
-  DeviceArray<Sums<3>> measure_sums_;
+  DeviceArray<Sums<9>> product_sums_, measure_sums_;
   DeviceArray<unsigned> arrived_;
   DeviceArray<Scalars> scalars_;
   PinnedArray<Scalars> measured_;

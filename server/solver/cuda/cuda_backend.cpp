@@ -48,11 +48,8 @@ class CudaBackend final : public Backend {
         coarse_combined_(stream_, numbers_of_coarse_depths()),
         pinned_below_(stream_, mesh_->depths.size()),
         anisotropy_(stream_, 1) {
-    for (const DeviceTopology& topology : mesh_->depths) {
-      const bool is_inner = !depths_.empty() && depths_.size() + 1 < mesh_->depths.size();
-      depths_.emplace_back(stream_, topology.view(),
-                           !is_inner || topology.view().is_exact != nullptr);
-    }
+    for (const DeviceTopology& topology : mesh_->depths)
+      depths_.emplace_back(stream_, topology.view(), digits_of_next_depth());
     for (size_t i = 1; i < depths_.size(); ++i)
       smoothers_.push_back(
           make_smoother(smoother, stream_, mesh_->hierarchy->depths[i], depths_[i].view()));
@@ -142,6 +139,16 @@ class CudaBackend final : public Backend {
   }
 
  private:
+  // Functions with hardly any energy are where parts are weak; in products of the finest depth what
+  // packed entries and rests leave would be more than that.
+  DeviceDepth::Digits digits_of_next_depth() const {
+    using enum DeviceDepth::Digits;
+    const bool is_finest = depths_.size() + 1 == mesh_->depths.size();
+    const bool is_exact = mesh_->depths[depths_.size()].view().is_exact != nullptr;
+    if (is_finest) return is_exact ? kOfADouble : kOfAFloat;
+    return depths_.empty() || is_exact ? kOfAFloat : kPacked;
+  }
+
   const Depth& at(int depth) const { return depths_[depth - coarse_offset_].view(); }
   const Depth& finest() const { return depths_.back().view(); }
   DepthSmoother& smoother(int depth) { return *smoothers_[depth - coarse_offset_ - 1]; }

@@ -2,24 +2,29 @@
 
 namespace burnish::cuda {
 
-DeviceDepth::DeviceDepth(Stream& stream, const Topology& topology, bool with_rest)
+DeviceDepth::DeviceDepth(Stream& stream, const Topology& topology, Digits digits)
     : packed_(stream, topology.entry_count),
-      rest_(stream, with_rest ? topology.entry_count : 0),
+      rest_(stream, digits >= Digits::kOfAFloat ? topology.entry_count : 0),
+      remainder_(stream, digits >= Digits::kOfADouble ? topology.entry_count : 0),
       long_entries_(stream, topology.rows.long_rows.entry_count),
       diagonal_(stream, topology.corner_count),
       inverse_diagonal_(stream, topology.corner_count),
       x_(stream, topology.corner_count),
       f_(stream, topology.corner_count),
       r_(stream, topology.corner_count),
-      view_{topology,     {packed_.data(), diagonal_.data(), long_entries_.data()},
-            rest_.data(), inverse_diagonal_.data(),
-            x_.data(),    f_.data(),
+      view_{topology,
+            {packed_.data(), diagonal_.data(), long_entries_.data()},
+            rest_.data(),
+            remainder_.data(),
+            inverse_diagonal_.data(),
+            x_.data(),
+            f_.data(),
             r_.data()} {}
 
 uint64_t DeviceDepth::byte_count() const {
-  return packed_.byte_count() + rest_.byte_count() + long_entries_.byte_count() +
-         diagonal_.byte_count() + inverse_diagonal_.byte_count() + x_.byte_count() +
-         f_.byte_count() + r_.byte_count();
+  return packed_.byte_count() + rest_.byte_count() + remainder_.byte_count() +
+         long_entries_.byte_count() + diagonal_.byte_count() + inverse_diagonal_.byte_count() +
+         x_.byte_count() + f_.byte_count() + r_.byte_count();
 }
 
 }  // namespace burnish::cuda

@@ -8,15 +8,16 @@ namespace burnish::cuda {
 /// Owns one session's numbers at one depth.
 class DeviceDepth {
  public:
-  /// With S to all digits of a float, or as it is in products alone.
-  DeviceDepth(Stream& stream, const Topology& topology, bool with_rest);
+  /// What it has of S.
+  enum class Digits { kPacked, kOfAFloat, kOfADouble };
+  DeviceDepth(Stream& stream, const Topology& topology, Digits digits);
 
   const Depth& view() const { return view_; }
   uint64_t byte_count() const;
 
  private:
   DeviceArray<uint32_t> packed_;
-  DeviceArray<float> rest_, long_entries_, diagonal_, inverse_diagonal_;
+  DeviceArray<float> rest_, remainder_, long_entries_, diagonal_, inverse_diagonal_;
   DeviceArray<float4> x_, f_, r_;
   Depth view_;
 };

@@ -11,6 +11,9 @@ template <typename Real>
 struct GatheredRow {
   Real by_slot[kSlots];
   Real own;
+  /// The row sum less the others. In double: at corners of little weight the others may be much
+  /// larger than it, and a cycle that goes by what float32 leaves of it does not converge.
+  double diagonal;
 };
 
 /// The cells of a corner; none of no corner, which is -1.
@@ -37,12 +40,15 @@ __device__ GatheredRow<Real> gather_row(const CellSquares<Real>& cells, const Ei
     const int32_t cell = is_there ? cells_here.at[a] : 0;
     const Real own = own_of(cells, cell, a);
     row.own += is_there ? own : 0;
+    double diagonal = own;
 #pragma unroll
     for (int b = 0; b < 8; ++b) {
       if (b == a) continue;
       const Real pair = pair_of(cells, cell, pair_index(a, b));
       row.by_slot[slot_between(a, b)] += is_there ? pair : 0;
+      diagonal -= pair;
     }
+    row.diagonal += is_there ? diagonal : 0;
   }
   return row;
 }

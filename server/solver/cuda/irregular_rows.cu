@@ -65,9 +65,9 @@ class ListedSum {
     fetch();
   }
 
-  /// Of the numbers before `number_count` only.
-  __device__ float of(const float* numbers, int32_t number_count) {
-    float total = sum_of_fetched(numbers, number_count);
+  /// Of the numbers before `number_count` only. In double: diagonals need it (gather_rows.h).
+  __device__ double of(const float* numbers, int32_t number_count) {
+    double total = sum_of_fetched(numbers, number_count);
     while (next_ < end_) {
       fetch();
       total += sum_of_fetched(numbers, number_count);
@@ -83,8 +83,8 @@ class ListedSum {
     for (int j = 0; j < kAhead; ++j, next_ += step_) place_[j] = next_ < end_ ? source_[next_] : -1;
   }
 
-  __device__ float sum_of_fetched(const float* numbers, int32_t number_count) const {
-    float total = 0;
+  __device__ double sum_of_fetched(const float* numbers, int32_t number_count) const {
+    double total = 0;
 #pragma unroll
     for (int j = 0; j < kAhead; ++j)
       total += place_[j] >= 0 && place_[j] < number_count ? numbers[place_[j]] : 0;
@@ -97,7 +97,8 @@ class ListedSum {
   int32_t place_[kAhead];
 };
 
-__device__ float sum_of_warp(float number) {
+template <typename Real>
+__device__ Real sum_of_warp(Real number) {
   for (int offset = 16; offset > 0; offset /= 2)
     number += __shfl_xor_sync(0xffffffffu, number, offset);
   return number;
@@ -117,20 +118,21 @@ __global__ void assemble_rows_kernel(Depth depth, const float* numbers, const fl
   const auto lane = static_cast<int>(threadIdx.x % 32);
   const auto all = static_cast<int32_t>(topology.number_count);
   ListedSum own(topology.irregular, row.first_sum + row.count, lane, 32);
-  float sum = 0;
+  double sum = 0;
   float4 product = zero4();
   for (int p = lane; p < row.count; p += 32) {
     ListedSum listed(topology.irregular, row.first_sum + p, 0, 1);
     const Place place = place_of(topology.rows, row.corner, p);
     if (p == lane) await_previous();
-    const float entry = listed.of(numbers, all);
-    const float stored = store(depth.system, place, entry);
-    if (depth.rest != nullptr && place.is_packed) depth.rest[place.at] = entry - stored;
+    const double entry = listed.of(numbers, all);
+    const float stored = store(depth.system, place, static_cast<float>(entry));
+    if (depth.rest != nullptr && place.is_packed)
+      depth.rest[place.at] = static_cast<float>(entry - stored);
     if (probe != nullptr) product = product + stored * probe[place.column];
     sum -= entry;
   }
   await_previous();
-  const float diagonal = sum_of_warp(sum + own.of(numbers, all));
+  const auto diagonal = static_cast<float>(sum_of_warp(sum + own.of(numbers, all)));
   product = sum_of_warp(product);
   if (lane != 0) return;
   depth.system.diagonal[row.corner] = diagonal;
@@ -174,12 +176,13 @@ __global__ void inverse_rows_kernel(Depth depth, CellSquares<float> inverses, Ma
     if (p == lane) await_previous();
     const float scale =
         sqrtf(depth.inverse_diagonal[row.corner]) * sqrtf(depth.inverse_diagonal[place.column]);
-    const float stored = store(inverse, place, listed.of(inverses.numbers, of_cells) * scale);
+    const auto sum = static_cast<float>(listed.of(inverses.numbers, of_cells));
+    const float stored = store(inverse, place, sum * scale);
     product = product + stored * vector[place.column];
   }
   await_previous();
-  const float diagonal =
-      sum_of_warp(own.of(inverses.numbers, of_cells)) * depth.inverse_diagonal[row.corner];
+  const auto own_sum = static_cast<float>(sum_of_warp(own.of(inverses.numbers, of_cells)));
+  const float diagonal = own_sum * depth.inverse_diagonal[row.corner];
   product = sum_of_warp(product);
   if (lane != 0) return;
   inverse.diagonal[row.corner] = diagonal;

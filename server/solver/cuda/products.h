@@ -136,16 +136,16 @@ __device__ inline Double3 exactly(Double3 a) {
   return a;
 }
 
-/// S of the finest depth to twice the digits of a float: packed entries, what they leave, and row
-/// sums.
+/// S of the finest depth to 38 bits: packed entries, what they leave, and row sums. With what both
+/// leave, to all of double's.
 struct ExactMatrix {
   const uint32_t* packed;
-  const float* rest;
+  const float *rest, *remainder;
   const double* row_sum;
 };
 
 /// The row times the tile as Σ_j S_ij (x_j − x_i) + m_i x_i, which loses nothing for smooth x.
-template <typename Vector>
+template <bool kRemainder, typename Vector>
 __device__ Double3 product_of(const FetchedRow& row, const ExactMatrix& matrix,
                               const Vector* tile) {
   constexpr int kChunk = 9;
@@ -154,14 +154,18 @@ __device__ Double3 product_of(const FetchedRow& row, const ExactMatrix& matrix,
 #pragma unroll
   for (int first = 0; first < kEntriesMax; first += kChunk) {
     if (first >= row.count) break;
-    float rest[kChunk];
-#pragma unroll
-    for (int j = first; j < first + kChunk && j < kEntriesMax; ++j)
-      rest[j - first] = j < row.count ? matrix.rest[row.begin + kSliceRows * j] : 0;
+    float rest[kChunk], remainder[kChunk];
 #pragma unroll
     for (int j = first; j < first + kChunk && j < kEntriesMax; ++j) {
-      const double entry =
+      const int64_t at = row.begin + kSliceRows * j;
+      rest[j - first] = j < row.count ? matrix.rest[at] : 0;
+      if (kRemainder) remainder[j - first] = j < row.count ? matrix.remainder[at] : 0;
+    }
+#pragma unroll
+    for (int j = first; j < first + kChunk && j < kEntriesMax; ++j) {
+      double entry =
           static_cast<double>(value_of(row.packed[j])) + static_cast<double>(rest[j - first]);
+      if (kRemainder) entry += static_cast<double>(remainder[j - first]);
       sum = sum + entry * (exactly(tile[local_of(row.packed[j])]) - here);
     }
   }

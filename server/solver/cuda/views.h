@@ -219,9 +219,10 @@ struct Matrix {
 /// One session's numbers at one depth.
 struct Depth {
   Topology topology;
-  Matrix system;  ///< S
-  float* rest;    ///< what S's packed entries leave of its entries; at the finest and coarsest
-                  ///< depths and where is_exact, else null
+  Matrix system;     ///< S
+  float* rest;       ///< what S's packed entries leave of its entries; at the finest and coarsest
+                     ///< depths and where is_exact, else null
+  float* remainder;  ///< what both leave; at the finest depth where is_exact, else null
   float* inverse_diagonal;  ///< 0 where pinned
   float4* x;
   float4* f;
