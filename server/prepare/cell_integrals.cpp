@@ -87,10 +87,21 @@ BURNISH_DISPATCH static void expand(const CellMoments<double>& moments, CellInte
   }
 }
 
+// What the cell as a solid would add to ∫ β_j β_k along each axis, half of it to each table.
+static void add_cell_stiffness(double area, CellMoments<double>& moments) {
+  constexpr double kWhole[3] = {1.0 / 3, 1.0 / 6, 1.0 / 3};  // ∫ β over [0, 1]
+  for (auto& of_table : moments.along)
+    for (auto& of_axis : of_table)
+      for (int i = 0; i < 9; ++i)
+        of_axis[i] += 0.5 * kCellStiffness * area * kWhole[i % 3] * kWhole[i / 3];
+}
+
 CellIntegrals CellIntegrator::integrals() {
   if (waiting_ > 0) flush();
+  CellMoments<double> moments = sum_of_lanes(moments_);
+  add_cell_stiffness(area_, moments);
   CellIntegrals out;
-  expand(sum_of_lanes(moments_), out);
+  expand(moments, out);
   return out;
 }
 
