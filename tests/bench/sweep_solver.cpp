@@ -21,8 +21,9 @@ SweepSolver::SweepSolver(const BenchSystem& system, const FieldsView& fields,
   cpu::assemble(prepared, fields.alpha1, fields.alpha2, depths_, &outer_->matrix());
   for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
   coarsest_.factor(depths_.front());
-  cpu::assemble_constraint(prepared, depths_.back(), cpu::ratios_of(fields.alpha1, fields.alpha2),
-                           fields.beta, {}, outer_->constraint(), outer_->residual());
+  cpu::Constraint constraint(prepared, depths_.back());
+  constraint.set_ratio(cpu::ratios_of(fields.alpha1, fields.alpha2));
+  constraint.assemble(fields, outer_->constraint(), outer_->residual());
   outer_->recompute_residual();
 }
 

@@ -1,25 +1,24 @@
 #include "server/solver/cpu/constraint.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "common/base/dispatch.h"
 #include "server/solver/cpu/scratch.h"
 
 namespace burnish::cpu {
 
-namespace {
-
 // With fewer changed cells than this part of all, their corners are summed one by one: a cell's
 // share is then computed for each of its corners anew.
-constexpr size_t kFewCellsDivisor = 8;
+static constexpr int64_t kFewCellsDivisor = 8;
+
+namespace {
 
 using Gradient = std::array<double, 21>;
-/// A cell's share of b, by local corner and axis.
-using CellConstraint = std::array<double, 24>;
 
 // The last corner's share is minus the sum of the others', since Σ_a ∇B_a = 0.
 BURNISH_DISPATCH void combine(const std::array<Gradient, 2>& gradient, double first, double second,
-                              CellConstraint& out) {
+                              std::array<double, 24>& out) {
   for (int i = 0; i < 21; ++i) out[i] = first * gradient[0][i] + second * gradient[1][i];
   for (int axis = 0; axis < 3; ++axis) {
     double others = 0;
@@ -36,86 +35,121 @@ std::vector<double> ratios_of(std::span<const float> alpha1, std::span<const flo
   return ratios;
 }
 
-namespace {
+Constraint::Constraint(const PreparedMesh& prepared, const CpuDepth& finest)
+    : prepared_(prepared),
+      finest_(finest),
+      ratio_(prepared.cells.size(), 1),
+      per_slider_(finest.corner_count(), Double4::Zero()),
+      paint_(prepared.cells.size()),
+      has_paint_((prepared.cells.size() + CellPaint::kStretch - 1) / CellPaint::kStretch, 0),
+      is_changed_(prepared.cells.size(), 0) {}
 
-struct Inputs {
-  const PreparedMesh& prepared;
-  const CpuDepth& finest;
-  std::span<const double> ratio;
-  std::span<const float> beta;
-
-  void share(int32_t cell, CellConstraint& out) const {
-    const double change = beta[cell] - 1.0;
-    if (change == 0)
-      out.fill(0);
-    else
-      combine(prepared.integrals[cell].gradient, change * ratio[cell], change / ratio[cell], out);
-  }
-};
-
-// Sums what `share_of` says of the cells around a corner.
-template <typename ShareOf>
-void sum_corner(const CpuDepth& finest, int32_t corner, ShareOf&& share_of, Double4& b,
-                Double4& r) {
-  double sum[3] = {};
-  for (int a = 0; a < kCornersPerCell; ++a) {
-    const int32_t cell = finest.topology.grid.cells_of_corner[corner][a];
-    if (cell == kNone) continue;
-    const CellConstraint& share = share_of(cell);
-    for (int axis = 0; axis < 3; ++axis) sum[axis] += share[3 * a + axis];
-  }
-  Double4 constraint(sum[0], sum[1], sum[2], 0);
-  if (finest.inverse_diagonal[corner] == 0) constraint.setZero();
-  r += constraint - b;
-  b = constraint;
+void Constraint::set_ratio(std::vector<double> ratio) {
+  ratio_ = std::move(ratio);
+  ratio_is_new_ = true;
 }
 
-void assemble_all(const Inputs& in, std::vector<Double4>& b, std::vector<Double4>& r) {
-  Scratch<CellConstraint> shares(in.beta.size());
-#pragma omp parallel for schedule(static)
-  for (size_t cell = 0; cell < in.beta.size(); ++cell)
-    in.share(static_cast<int32_t>(cell), shares[cell]);
-  const auto share_of = [&](int32_t cell) -> const CellConstraint& { return shares[cell]; };
-#pragma omp parallel for schedule(static)
-  for (int32_t corner = 0; corner < in.finest.corner_count(); ++corner)
-    sum_corner(in.finest, corner, share_of, b[corner], r[corner]);
+void Constraint::assemble(const FieldsView& fields, std::vector<Double4>& b,
+                          std::vector<Double4>& r) {
+  const int64_t changed = take(fields.paint);
+  const double by = fields.gradient_scale - std::exchange(slider_, fields.gradient_scale);
+  const auto few = static_cast<int64_t>(paint_.size()) / kFewCellsDivisor;
+  if (std::exchange(ratio_is_new_, false) || changed > few) return sum_all(b, r);
+  if (by != 0) slide(by, b, r);
+  if (changed > 0) sum_changed(b, r);
 }
 
-// Only the corners of cells whose β changed.
-void assemble_changed(const Inputs& in, std::span<const float> before, std::vector<Double4>& b,
-                      std::vector<Double4>& r) {
-  const auto changed = [&](int32_t cell) { return cell != kNone && in.beta[cell] != before[cell]; };
-#pragma omp parallel for schedule(static)
-  for (int32_t corner = 0; corner < in.finest.corner_count(); ++corner) {
-    if (std::ranges::none_of(in.finest.topology.grid.cells_of_corner[corner], changed)) continue;
-    CellConstraint share;
-    const auto share_of = [&](int32_t cell) -> const CellConstraint& {
-      in.share(cell, share);
-      return share;
-    };
-    sum_corner(in.finest, corner, share_of, b[corner], r[corner]);
-  }
-}
-
-int64_t count_changed(std::span<const float> beta, std::span<const float> before) {
+// Returns how many cells have another paint.
+int64_t Constraint::take(const CellPaint& paint) {
   int64_t changed = 0;
 #pragma omp parallel for schedule(static) reduction(+ : changed)
-  for (size_t cell = 0; cell < beta.size(); ++cell) changed += beta[cell] != before[cell];
+  for (size_t stretch = 0; stretch < has_paint_.size(); ++stretch)
+    changed += take_stretch(paint, stretch);
+  is_painted_ = std::ranges::count(has_paint_, 0) < std::ssize(has_paint_);
   return changed;
 }
 
-}  // namespace
+int64_t Constraint::take_stretch(const CellPaint& paint, size_t stretch) {
+  const size_t begin = stretch * CellPaint::kStretch;
+  const size_t end = std::min(begin + CellPaint::kStretch, paint_.size());
+  std::fill(&is_changed_[begin], &is_changed_[begin] + (end - begin), uint8_t{0});
+  if (!has_paint_[stretch] && !paint.is_painted[stretch]) return 0;
+  has_paint_[stretch] = paint.is_painted[stretch];
+  int64_t changed = 0;
+  for (size_t c = begin; c < end; ++c) {
+    const Paint next = {paint.follow[c], paint.own[c]};
+    is_changed_[c] = next != paint_[c];
+    changed += is_changed_[c];
+    paint_[c] = next;
+  }
+  return changed;
+}
 
-void assemble_constraint(const PreparedMesh& prepared, const CpuDepth& finest,
-                         std::span<const double> ratio, std::span<const float> beta,
-                         std::span<const float> before, std::vector<Double4>& b,
-                         std::vector<Double4>& r) {
-  const Inputs in = {prepared, finest, ratio, beta};
-  const auto few = static_cast<int64_t>(beta.size() / kFewCellsDivisor);
-  if (!before.empty() && count_changed(beta, before) < few)
-    assemble_changed(in, before, b, r);
-  else
-    assemble_all(in, b, r);
+void Constraint::share(int32_t cell, CellShare& out) const {
+  combine(prepared_.integrals[cell].gradient, ratio_[cell], 1 / ratio_[cell], out);
+}
+
+// Without paint not by steps: b is nothing again where β is one again.
+void Constraint::slide(double by, std::vector<Double4>& b, std::vector<Double4>& r) const {
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < per_slider_.size(); ++i) {
+    const Double4 before = b[i];
+    b[i] = is_painted_ ? Double4(before + by * per_slider_[i]) : (slider_ - 1) * per_slider_[i];
+    r[i] += b[i] - before;
+  }
+}
+
+// Sums what `share_of` says of the cells around a corner.
+template <typename ShareOf>
+void Constraint::sum_corner(int32_t corner, ShareOf&& share_of, Double4& b, Double4& r) {
+  double of_slider[3] = {}, of_paint[3] = {};
+  for (int a = 0; a < kCornersPerCell; ++a) {
+    const int32_t cell = finest_.topology.grid.cells_of_corner[corner][a];
+    if (cell == kNone) continue;
+    const double* share = &share_of(cell)[3 * a];
+    const Paint paint = is_painted_ ? paint_[cell] : Paint();
+    for (int axis = 0; axis < 3; ++axis) {
+      of_slider[axis] += paint.follow * share[axis];
+      of_paint[axis] += paint.own * share[axis];
+    }
+  }
+  Double4 per_slider(of_slider[0], of_slider[1], of_slider[2], 0);
+  Double4 own(of_paint[0], of_paint[1], of_paint[2], 0);
+  if (finest_.inverse_diagonal[corner] == 0) per_slider = own = Double4::Zero();
+  per_slider_[corner] = per_slider;
+  const Double4 before = std::exchange(b, (slider_ - 1) * per_slider + own);
+  r += b - before;
+}
+
+void Constraint::sum_all(std::vector<Double4>& b, std::vector<Double4>& r) {
+  Scratch<CellShare> shares(ratio_.size());
+#pragma omp parallel for schedule(static)
+  for (size_t cell = 0; cell < ratio_.size(); ++cell)
+    share(static_cast<int32_t>(cell), shares[cell]);
+  const auto share_of = [&](int32_t cell) -> const CellShare& { return shares[cell]; };
+#pragma omp parallel for schedule(static)
+  for (int32_t corner = 0; corner < finest_.corner_count(); ++corner)
+    sum_corner(corner, share_of, b[corner], r[corner]);
+}
+
+// Only the corners of cells whose paint is new.
+void Constraint::sum_changed(std::vector<Double4>& b, std::vector<Double4>& r) {
+  const auto is_changed = [&](int32_t cell) { return cell != kNone && is_changed_[cell] != 0; };
+#pragma omp parallel for schedule(static)
+  for (int32_t corner = 0; corner < finest_.corner_count(); ++corner) {
+    if (std::ranges::none_of(finest_.topology.grid.cells_of_corner[corner], is_changed)) continue;
+    CellShare room;
+    const auto share_of = [&](int32_t cell) -> const CellShare& {
+      share(cell, room);
+      return room;
+    };
+    sum_corner(corner, share_of, b[corner], r[corner]);
+  }
+}
+
+uint64_t Constraint::byte_count() const {
+  return bytes_of(ratio_) + bytes_of(per_slider_) + bytes_of(paint_) + bytes_of(has_paint_) +
+         bytes_of(is_changed_);
 }
 
 }  // namespace burnish::cpu

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "server/prepare/prepared_mesh.h"
 #include "server/solver/cpu/cpu_depth.h"
+#include "server/solver/fields_view.h"
 
 namespace burnish::cpu {
 
@@ -11,12 +14,50 @@ namespace burnish::cpu {
 std::vector<double> ratios_of(std::span<const float> alpha1, std::span<const float> alpha2);
 
 /// b_I = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²)_I, the right-hand side for the displacement: Eq. 4's
-/// constraint less S c°; the residual r changes by as much. `ratio` is α2/α1. `before` is the β
-/// that b was assembled from with the same ratio, or empty: what a dab leaves alone is not summed
-/// again. Shapes: fields per cell, b and r per corner. Zero where pinned.
-void assemble_constraint(const PreparedMesh& prepared, const CpuDepth& finest,
-                         std::span<const double> ratio, std::span<const float> beta,
-                         std::span<const float> before, std::vector<Double4>& b,
-                         std::vector<Double4>& r);
+/// constraint less S c°. What of b follows the slider is kept: of a slider that moves nothing is
+/// summed again, of a dab what is at its corners.
+class Constraint {
+ public:
+  /// No paint, and β one everywhere. Both live longer.
+  Constraint(const PreparedMesh& prepared, const CpuDepth& finest);
+
+  /// `ratio`: α2/α1 of every cell, with which assemble() sums all anew.
+  void set_ratio(std::vector<double> ratio);
+  std::span<const double> ratio() const { return ratio_; }
+
+  /// b as the fields have it; the residual r changes by as much. Needs: b as it was left the last
+  /// time. Shapes: one per corner. Zero where pinned.
+  void assemble(const FieldsView& fields, std::vector<Double4>& b, std::vector<Double4>& r);
+  uint64_t byte_count() const;
+
+ private:
+  /// β = 1 + follow·(slider − 1) + own.
+  struct Paint {
+    float follow = 1, own = 0;
+    bool operator==(const Paint&) const = default;
+  };
+  /// A cell's share of b for β − 1 = 1, by local corner and axis.
+  using CellShare = std::array<double, 24>;
+
+  int64_t take(const CellPaint& paint);
+  int64_t take_stretch(const CellPaint& paint, size_t stretch);
+  void share(int32_t cell, CellShare& out) const;
+  void slide(double by, std::vector<Double4>& b, std::vector<Double4>& r) const;
+  void sum_all(std::vector<Double4>& b, std::vector<Double4>& r);
+  void sum_changed(std::vector<Double4>& b, std::vector<Double4>& r);
+  template <typename ShareOf>
+  void sum_corner(int32_t corner, ShareOf&& share_of, Double4& b, Double4& r);
+
+  const PreparedMesh& prepared_;
+  const CpuDepth& finest_;
+  std::vector<double> ratio_;
+  bool ratio_is_new_ = true;
+  double slider_ = 1;
+  std::vector<Double4> per_slider_;  // of each corner: b's change as the slider goes up by one
+  std::vector<Paint> paint_;
+  std::vector<uint8_t> has_paint_;   // of each stretch of cells, whether any may have some
+  std::vector<uint8_t> is_changed_;  // of each cell, whether its paint is new
+  bool is_painted_ = false;
+};
 
 }  // namespace burnish::cpu

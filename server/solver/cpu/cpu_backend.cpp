@@ -42,7 +42,6 @@ class CpuBackend final : public Backend {
              std::shared_ptr<const Hierarchy> hierarchy, Smoother smoother)
       : prepared_(std::move(prepared)),
         hierarchy_(std::move(hierarchy)),
-        ratio_(prepared_->cells.size(), 1),
         patches_(hierarchy_->depths.back()) {
     depths_.reserve(hierarchy_->depths.size());
     for (const HierarchyDepth& topology : hierarchy_->depths) {
@@ -50,6 +49,7 @@ class CpuBackend final : public Backend {
       const bool coarsest = depths_.size() == 1;
       smoothers_.push_back(coarsest ? nullptr : make_smoother(smoother, topology));
     }
+    constraint_ = std::make_unique<Constraint>(*prepared_, depths_.back());
     outer_ = std::make_unique<ConjugateGradients>(depths_.back(), prepared_->evaluation);
   }
 
@@ -57,7 +57,7 @@ class CpuBackend final : public Backend {
 
   uint64_t byte_count() const override {
     uint64_t bytes = outer_->byte_count() + coarsest_.byte_count() + patches_.byte_count() +
-                     bytes_of(ratio_) + bytes_of(beta_) + bytes_of(displacement_) +
+                     constraint_->byte_count() + bytes_of(displacement_) +
                      bytes_of(vertex_displacement_);
     for (const CpuDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother ? smoother->byte_count() : 0;
@@ -66,9 +66,8 @@ class CpuBackend final : public Backend {
 
   void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
     assemble(*prepared_, alpha1, alpha2, depths_, &outer_->matrix());
-    ratio_ = ratios_of(alpha1, alpha2);
-    beta_.clear();
-    const double anisotropy = anisotropy_of(ratio_);
+    constraint_->set_ratio(ratios_of(alpha1, alpha2));
+    const double anisotropy = anisotropy_of(constraint_->ratio());
     for (CpuDepth& depth : depths_) depth.anisotropy = static_cast<float>(anisotropy);
     for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
     patches_.factor(depths_.back());
@@ -76,9 +75,7 @@ class CpuBackend final : public Backend {
   }
 
   void set_constraint(const FieldsView& fields) override {
-    assemble_constraint(*prepared_, depths_.back(), ratio_, fields.beta, beta_,
-                        outer_->constraint(), outer_->residual());
-    beta_.assign(fields.beta.begin(), fields.beta.end());
+    constraint_->assemble(fields, outer_->constraint(), outer_->residual());
   }
 
   void relax_from_zero(int depth) override {
@@ -131,12 +128,11 @@ class CpuBackend final : public Backend {
 
   std::shared_ptr<const PreparedMesh> prepared_;
   std::shared_ptr<const Hierarchy> hierarchy_;
-  std::vector<double> ratio_;     // α2/α1 of every cell
-  std::vector<float> beta_;       // what the constraint holds; empty when the metric is newer
-  std::vector<CpuDepth> depths_;  // from the coarsest
+  std::vector<CpuDepth> depths_;                           // from the coarsest
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
   PatchSolver patches_;                                    // of the finest
   CoarsestSolver coarsest_;
+  std::unique_ptr<Constraint> constraint_;
   std::unique_ptr<ConjugateGradients> outer_;
   std::vector<Vec3f> displacement_, vertex_displacement_;  // empty until asked for
 };

@@ -9,12 +9,34 @@
 namespace burnish::cpu {
 namespace {
 
-std::vector<Double4> constraint_of(const TestSystem& system, const CpuDepth& finest) {
-  const FieldsView view = system.fields.view();
-  std::vector<Double4> b(finest.corner_count(), Double4::Zero()), r = b;
-  assemble_constraint(*system.prepared, finest, ratios_of(view.alpha1, view.alpha2), view.beta, {},
-                      b, r);
-  return b;
+using Vector = std::vector<Double4>;
+
+/// A constraint of the system's metric, and the vectors that it is assembled into.
+struct Assembled {
+  Assembled(const TestSystem& system, const CpuDepth& finest, const Double4& before,
+            const Double4& residual)
+      : constraint(*system.prepared, finest),
+        b(finest.corner_count(), before),
+        r(b.size(), residual) {
+    const FieldsView view = system.fields.view();
+    constraint.set_ratio(ratios_of(view.alpha1, view.alpha2));
+    constraint.assemble(view, b, r);
+  }
+  Assembled(const TestSystem& system, const CpuDepth& finest)
+      : Assembled(system, finest, Double4::Zero(), Double4::Zero()) {}
+
+  Constraint constraint;
+  Vector b, r;
+};
+
+Vector constraint_of(const TestSystem& system, const CpuDepth& finest) {
+  return Assembled(system, finest).b;
+}
+
+double largest(const Vector& b) {
+  double most = 0;
+  for (const Double4& at : b) most = std::max(most, at.abs().maxCoeff());
+  return most;
 }
 
 TEST(Constraint, IsNothingWhereBetaIsOne) {
@@ -28,13 +50,10 @@ TEST(Constraint, TakesTheResidualAlong) {
   TestSystem system(reference::bumpy_sphere(3), 5);
   system.fields.set_gradient_scale(0);
   const auto depths = system.assembled();
-  const FieldsView view = system.fields.view();
   const Double4 before(1, 2, 3, 0), residual(0.5, 0.25, 0.125, 0);
-  std::vector<Double4> b(depths.back().corner_count(), before), r(b.size(), residual);
-  assemble_constraint(*system.prepared, depths.back(), ratios_of(view.alpha1, view.alpha2),
-                      view.beta, {}, b, r);
-  for (size_t i = 0; i < b.size(); ++i)
-    ASSERT_LT((r[i] - residual - (b[i] - before)).abs().maxCoeff(), 1e-12);
+  const Assembled assembled(system, depths.back(), before, residual);
+  for (size_t i = 0; i < assembled.b.size(); ++i)
+    ASSERT_LT((assembled.r[i] - residual - (assembled.b[i] - before)).abs().maxCoeff(), 1e-12);
 }
 
 TEST(Constraint, AfterADabIsBitForBitWhatAFullSumGives) {
@@ -42,25 +61,61 @@ TEST(Constraint, AfterADabIsBitForBitWhatAFullSumGives) {
   system.fields.set_transfer_curve(test_curve(100));
   system.fields.set_gradient_scale(0.5);
   const auto depths = system.assembled();
-  const std::vector<double> ratio =
-      ratios_of(system.fields.view().alpha1, system.fields.view().alpha2);
-  std::vector<Double4> b = constraint_of(system, depths.back()), r(b.size(), Double4::Zero());
-  const std::vector<Double4> undabbed = b;
-  const FieldsView view = system.fields.view();
-  const std::vector<float> before(view.beta.begin(), view.beta.end());
+  Assembled dabbed(system, depths.back());
+  const Vector undabbed = dabbed.b;
+  dabbed.r.assign(undabbed.size(), Double4::Zero());
 
   system.fields.paint({{.radius = 0.3, .strength = 1, .beta = 2}, {system.prepared->vertices[0]}});
-  assemble_constraint(*system.prepared, depths.back(), ratio, system.fields.view().beta, before, b,
-                      r);
-  const std::vector<Double4> full = constraint_of(system, depths.back());
+  dabbed.constraint.assemble(system.fields.view(), dabbed.b, dabbed.r);
+  const Vector full = constraint_of(system, depths.back());
   size_t changed = 0;
-  for (size_t i = 0; i < b.size(); ++i) {
-    ASSERT_TRUE((b[i] == full[i]).all());
-    ASSERT_TRUE((r[i] == b[i] - undabbed[i]).all());
-    changed += (b[i] != undabbed[i]).any();
+  for (size_t i = 0; i < full.size(); ++i) {
+    ASSERT_TRUE((dabbed.b[i] == full[i]).all());
+    ASSERT_TRUE((dabbed.r[i] == dabbed.b[i] - undabbed[i]).all());
+    changed += (dabbed.b[i] != undabbed[i]).any();
   }
   EXPECT_GT(changed, 0u);
-  EXPECT_LT(changed, b.size() / 2);
+  EXPECT_LT(changed, full.size() / 2);
+}
+
+// Edits one after the other, each of which leaves something alone that the next may need.
+TEST(Constraint, AfterSlidersAndPaintInTurnIsWhatAFullSumGives) {
+  TestSystem system(reference::bumpy_sphere(3), 5);
+  system.fields.set_transfer_curve(test_curve(100));
+  const auto depths = system.assembled();
+  Assembled edited(system, depths.back());
+  const auto expect_sound = [&](const char* edit) {
+    edited.constraint.assemble(system.fields.view(), edited.b, edited.r);
+    const Vector full = constraint_of(system, depths.back());
+    const double least = 1e-14 * largest(full);
+    for (size_t i = 0; i < full.size(); ++i) {
+      ASSERT_LE((edited.b[i] - full[i]).abs().maxCoeff(), least) << edit;
+      ASSERT_LE((edited.r[i] - edited.b[i]).abs().maxCoeff(), 10 * least) << edit;
+    }
+  };
+  const Vec3d at(system.prepared->vertices[0]), there(system.prepared->vertices[40]);
+  system.fields.set_gradient_scale(0);
+  expect_sound("slider");
+  system.fields.paint({{.radius = 0.3, .strength = 0.5, .beta = 2}, {at}});
+  expect_sound("paint");
+  system.fields.set_gradient_scale(1.5);
+  expect_sound("slider beside paint");
+  system.fields.set_gradient_scale(3);
+  system.fields.paint({{.radius = 0.3, .strength = 0.7, .beta = 0}, {there}});
+  expect_sound("both");
+  system.fields.set_painted({});
+  expect_sound("no paint");
+}
+
+TEST(Constraint, OfASliderThatComesBackToOneIsNothingAgain) {
+  TestSystem system(reference::bumpy_sphere(3), 5);
+  const auto depths = system.assembled();
+  Assembled edited(system, depths.back());
+  for (const double beta : {0.3, 2.7, 1.0}) {
+    system.fields.set_gradient_scale(beta);
+    edited.constraint.assemble(system.fields.view(), edited.b, edited.r);
+  }
+  EXPECT_EQ(largest(edited.b), 0);
 }
 
 TEST(Constraint, SumsToZeroOverTheCorners) {
