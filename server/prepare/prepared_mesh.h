@@ -107,6 +107,6 @@ Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::
 Result<std::shared_ptr<const PreparedMesh>> map_prepared_mesh(const std::filesystem::path& path);
 
 /// Bumped whenever the form of the file changes, or its numbers by more than rounding.
-inline constexpr uint32_t kPreparedFormatVersion = 2;
+inline constexpr uint32_t kPreparedFormatVersion = 3;
 
 }  // namespace burnish
