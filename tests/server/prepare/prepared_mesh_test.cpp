@@ -199,7 +199,8 @@ TEST_F(PreparedFile, AnyOtherLengthIsRefused) {
 }
 
 TEST_F(PreparedFile, AnotherVersionOrAnotherKindOfFileIsRefused) {
-  expect_damage(status_of_header([](PreparedHeader& h) { ++h.version; }), "format version is 3");
+  expect_damage(status_of_header([](PreparedHeader& h) { ++h.version; }),
+                "format version is " + std::to_string(kPreparedFormatVersion + 1));
   expect_damage(map_status("ply\n" + std::string(2000, ' ')), "no prepared mesh");
 }
 
