@@ -40,13 +40,15 @@ Constraint::Constraint(const PreparedMesh& prepared, const CpuDepth& finest)
       finest_(finest),
       ratio_(prepared.cells.size(), 1),
       per_slider_(finest.corner_count(), Double4::Zero()),
+      is_pinned_(finest.corner_count(), 0),
       paint_(prepared.cells.size()),
       has_paint_((prepared.cells.size() + CellPaint::kStretch - 1) / CellPaint::kStretch, 0),
       is_changed_(prepared.cells.size(), 0) {}
 
 void Constraint::set_ratio(std::vector<double> ratio) {
+  ratio_is_new_ |= ratio != ratio_;
   ratio_ = std::move(ratio);
-  ratio_is_new_ = true;
+  pins_are_new_ = true;
 }
 
 void Constraint::assemble(const FieldsView& fields, std::vector<Double4>& b,
@@ -54,9 +56,10 @@ void Constraint::assemble(const FieldsView& fields, std::vector<Double4>& b,
   const int64_t changed = take(fields.paint);
   const double by = fields.gradient_scale - std::exchange(slider_, fields.gradient_scale);
   const auto few = static_cast<int64_t>(paint_.size()) / kFewCellsDivisor;
+  const bool pins_are_new = std::exchange(pins_are_new_, false);
   if (std::exchange(ratio_is_new_, false) || changed > few) return sum_all(b, r);
   if (by != 0) slide(by, b, r);
-  if (changed > 0) sum_changed(b, r);
+  if (changed > 0 || pins_are_new) sum_changed(b, r);
 }
 
 // Returns how many cells have another paint.
@@ -115,7 +118,8 @@ void Constraint::sum_corner(int32_t corner, ShareOf&& share_of, Double4& b, Doub
   }
   Double4 per_slider(of_slider[0], of_slider[1], of_slider[2], 0);
   Double4 own(of_paint[0], of_paint[1], of_paint[2], 0);
-  if (finest_.inverse_diagonal[corner] == 0) per_slider = own = Double4::Zero();
+  is_pinned_[corner] = finest_.inverse_diagonal[corner] == 0;
+  if (is_pinned_[corner]) per_slider = own = Double4::Zero();
   per_slider_[corner] = per_slider;
   const Double4 before = std::exchange(b, (slider_ - 1) * per_slider + own);
   r += b - before;
@@ -132,12 +136,18 @@ void Constraint::sum_all(std::vector<Double4>& b, std::vector<Double4>& r) {
     sum_corner(corner, share_of, b[corner], r[corner]);
 }
 
-// Only the corners of cells whose paint is new.
+bool Constraint::is_pin_new(int32_t corner) const {
+  return is_pinned_[corner] != (finest_.inverse_diagonal[corner] == 0);
+}
+
+// Only the corners of cells whose paint is new, and those that are pinned or free since.
 void Constraint::sum_changed(std::vector<Double4>& b, std::vector<Double4>& r) {
   const auto is_changed = [&](int32_t cell) { return cell != kNone && is_changed_[cell] != 0; };
 #pragma omp parallel for schedule(static)
   for (int32_t corner = 0; corner < finest_.corner_count(); ++corner) {
-    if (std::ranges::none_of(finest_.topology.grid.cells_of_corner[corner], is_changed)) continue;
+    if (!is_pin_new(corner) &&
+        std::ranges::none_of(finest_.topology.grid.cells_of_corner[corner], is_changed))
+      continue;
     CellShare room;
     const auto share_of = [&](int32_t cell) -> const CellShare& {
       share(cell, room);
@@ -148,7 +158,7 @@ void Constraint::sum_changed(std::vector<Double4>& b, std::vector<Double4>& r) {
 }
 
 uint64_t Constraint::byte_count() const {
-  return bytes_of(ratio_) + bytes_of(per_slider_) + bytes_of(paint_) + bytes_of(has_paint_) +
+  return bytes_of(ratio_) + bytes_of(per_slider_) + bytes_of(is_pinned_) + bytes_of(paint_) + bytes_of(has_paint_) +
          bytes_of(is_changed_);
 }
 

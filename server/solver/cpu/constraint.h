@@ -15,13 +15,14 @@ std::vector<double> ratios_of(std::span<const float> alpha1, std::span<const flo
 
 /// b_I = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²)_I, the right-hand side for the displacement: Eq. 4's
 /// constraint less S c°. What of b follows the slider is kept: of a slider that moves nothing is
-/// summed again, of a dab what is at its corners.
+/// summed again, of a dab what is at its corners, of a new metric with the same ratios of α, as one
+/// α for another, what is at corners that are pinned no more.
 class Constraint {
  public:
   /// No paint, and β one everywhere. Both live longer.
   Constraint(const PreparedMesh& prepared, const CpuDepth& finest);
 
-  /// `ratio`: α2/α1 of every cell, with which assemble() sums all anew.
+  /// After a new metric. `ratio`: α2/α1 of every cell; with another assemble() sums all anew.
   void set_ratio(std::vector<double> ratio);
   std::span<const double> ratio() const { return ratio_; }
 
@@ -44,6 +45,7 @@ class Constraint {
   void share(int32_t cell, CellShare& out) const;
   void slide(double by, std::vector<Double4>& b, std::vector<Double4>& r) const;
   void sum_all(std::vector<Double4>& b, std::vector<Double4>& r);
+  bool is_pin_new(int32_t corner) const;
   void sum_changed(std::vector<Double4>& b, std::vector<Double4>& r);
   template <typename ShareOf>
   void sum_corner(int32_t corner, ShareOf&& share_of, Double4& b, Double4& r);
@@ -51,9 +53,10 @@ class Constraint {
   const PreparedMesh& prepared_;
   const CpuDepth& finest_;
   std::vector<double> ratio_;
-  bool ratio_is_new_ = true;
+  bool ratio_is_new_ = true, pins_are_new_ = false;
   double slider_ = 1;
   std::vector<Double4> per_slider_;  // of each corner: b's change as the slider goes up by one
+  std::vector<uint8_t> is_pinned_;   // of each corner, when it was summed
   std::vector<Paint> paint_;
   std::vector<uint8_t> has_paint_;   // of each stretch of cells, whether any may have some
   std::vector<uint8_t> is_changed_;  // of each cell, whether its paint is new

@@ -11,7 +11,7 @@
 namespace burnish::cpu {
 
 static constexpr int kIterationsFirst = 15;
-static constexpr int kIterationsNext = 2;
+static constexpr int kIterationsNext = 1;
 
 static double dot(const std::vector<Float4>& x, const std::vector<Float4>& y) {
   return ordered_sum<double>(static_cast<int32_t>(x.size()), [&](int32_t begin, int32_t end) {

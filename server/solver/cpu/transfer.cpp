@@ -38,8 +38,10 @@ void add_prolonged(const CpuDepth& coarse, CpuDepth& fine) {
     if (from.cell == kNone) continue;
     const auto& weights = weights_of_place[from.place];
     const auto& corners = coarse.topology.grid.cell_corners[from.cell];
-    for (int a = 0; a < kCornersPerCell; ++a)
-      if (weights[a] > 0) fine.x[i] += weights[a] * coarse.x[corners[a]];
+    Float4 sum = fine.x[i];
+#pragma GCC unroll 8
+    for (int a = 0; a < kCornersPerCell; ++a) sum += weights[a] * coarse.x[corners[a]];
+    fine.x[i] = sum;
   }
   add_prolonged(transfer.shared, coarse, fine);
 }

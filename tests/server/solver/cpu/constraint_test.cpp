@@ -107,6 +107,27 @@ TEST(Constraint, AfterSlidersAndPaintInTurnIsWhatAFullSumGives) {
   expect_sound("no paint");
 }
 
+// One α for another leaves b as it is, but for corners that have become pinned or free by it.
+TEST(Constraint, AfterANewMetricWithTheSameRatiosIsBitForBitWhatAFullSumGives) {
+  TestSystem system(reference::bumpy_sphere(3), 5);
+  system.fields.set_transfer_curve(TransferCurve(1));
+  system.fields.set_gradient_scale(0.5);
+  system.fields.paint({{.radius = 0.3, .strength = 1, .beta = 2}, {system.prepared->vertices[0]}});
+  auto depths = system.assembled();
+  std::vector<float>& inverse_diagonal = depths.back().inverse_diagonal;
+  for (size_t i = 0; i < inverse_diagonal.size(); i += 10) inverse_diagonal[i] = 0;
+  Assembled edited(system, depths.back());
+
+  system.fields.set_transfer_curve(TransferCurve(50));
+  inverse_diagonal = system.assembled().back().inverse_diagonal;
+  for (size_t i = 5; i < inverse_diagonal.size(); i += 10) inverse_diagonal[i] = 0;
+  const FieldsView view = system.fields.view();
+  edited.constraint.set_ratio(ratios_of(view.alpha1, view.alpha2));
+  edited.constraint.assemble(view, edited.b, edited.r);
+  const Vector full = constraint_of(system, depths.back());
+  for (size_t i = 0; i < full.size(); ++i) ASSERT_TRUE((edited.b[i] == full[i]).all()) << i;
+}
+
 TEST(Constraint, OfASliderThatComesBackToOneIsNothingAgain) {
   TestSystem system(reference::bumpy_sphere(3), 5);
   const auto depths = system.assembled();
