@@ -1,6 +1,9 @@
 #include "server/solver/slow_spots.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
 
 #include "server/solver/corner_sets.h"
 #include "server/solver/fields.h"
@@ -11,10 +14,15 @@ namespace burnish {
 
 namespace {
 
-// Where all is well the trial is within a few millionths of the diagonal by then.
-constexpr int kStepsToSettle = 8;
-constexpr int kStepsToMove = 8;
-constexpr double kSlowMove = 1e-6;  // of the diagonal: a tenth of the strictest bar after ten steps
+/// How far a vertex may be from where the trial ends.
+struct Milestone {
+  int steps;
+  double distance;  // of the diagonal
+};
+// Where all is well the trial is well within these: a fifth and a tenth of the strictest bars, of
+// a cold start after five and ten steps.
+constexpr Milestone kMilestones[] = {{5, 2e-5}, {8, 1e-6}};
+constexpr int kStepsOfTrial = 16;
 // At small ones the whole surface moves, and spots do not stand out.
 constexpr double kAlpha = 50;
 constexpr int kRingsMax = 4;
@@ -22,36 +30,57 @@ constexpr size_t kSpotsMax = 512;  // a trial: what the worst of them hide shows
 
 using Corners = std::vector<int32_t>;
 
-std::vector<Vec3f> displacement_after(Solver& solver, int steps) {
-  for (int i = 0; i < steps; ++i) solver.step();
-  const auto moved = solver.vertex_displacement();
-  return {moved.begin(), moved.end()};
-}
+class Trial {
+ public:
+  explicit Trial(std::unique_ptr<Solver> solver) : solver_(std::move(solver)) {}
 
-struct SlowCell {
-  float move;  // of a vertex in it, in cells
-  int32_t cell;
+  std::vector<Vec3f> displacement_after(int steps) {
+    while (steps_ < steps) {
+      solver_->step();
+      ++steps_;
+    }
+    const auto moved = solver_->vertex_displacement();
+    return {moved.begin(), moved.end()};
+  }
+
+ private:
+  std::unique_ptr<Solver> solver_;
+  int steps_ = 0;
 };
 
-// Cells of vertices that move, the slowest first. A cell may be there more than once.
-std::vector<SlowCell> find_slow_cells(const std::shared_ptr<const PreparedMesh>& prepared,
-                                      const std::shared_ptr<const Hierarchy>& hierarchy) {
+Trial start_trial(const std::shared_ptr<const PreparedMesh>& prepared,
+                  const std::shared_ptr<const Hierarchy>& hierarchy) {
   Fields fields(*prepared);
   fields.set_transfer_curve(TransferCurve(kAlpha));
   fields.set_gradient_scale(0);
-  const auto solver = Solver::create(prepared, hierarchy, {.backend = BackendKind::kCpu}).value();
+  auto solver = Solver::create(prepared, hierarchy, {.backend = BackendKind::kCpu}).value();
   solver->set_metric(fields.view());
-  const std::vector<Vec3f> settled = displacement_after(*solver, kStepsToSettle);
-  const std::vector<Vec3f> later = displacement_after(*solver, kStepsToMove);
+  return Trial(std::move(solver));
+}
+
+struct SlowCell {
+  double late;  // how many times as far off as it may be a vertex in it is, at the worst milestone
+  int32_t cell;
+};
+
+// Cells of vertices that miss a milestone, the slowest first. A cell may be there more than once.
+std::vector<SlowCell> find_slow_cells(const std::shared_ptr<const PreparedMesh>& prepared,
+                                      const std::shared_ptr<const Hierarchy>& hierarchy) {
+  Trial trial = start_trial(prepared, hierarchy);
+  std::array<std::vector<Vec3f>, std::size(kMilestones)> passed;
+  for (size_t i = 0; i < passed.size(); ++i)
+    passed[i] = trial.displacement_after(kMilestones[i].steps);
+  const std::vector<Vec3f> ends = trial.displacement_after(kStepsOfTrial);
 
   const double diagonal = prepared->statistics.diagonal() / prepared->frame.cell_size;
-  const auto least = static_cast<float>(kSlowMove * diagonal);
   std::vector<SlowCell> slow;
-  for (size_t v = 0; v < settled.size(); ++v) {
-    const float move = (later[v] - settled[v]).norm();
-    if (move > least) slow.push_back({move, prepared->evaluation[v].cell});
+  for (size_t v = 0; v < ends.size(); ++v) {
+    double late = 0;
+    for (size_t i = 0; i < passed.size(); ++i)
+      late = std::max(late, (ends[v] - passed[i][v]).norm() / (kMilestones[i].distance * diagonal));
+    if (late > 1) slow.push_back({late, prepared->evaluation[v].cell});
   }
-  std::ranges::stable_sort(slow, std::ranges::greater(), &SlowCell::move);
+  std::ranges::stable_sort(slow, std::ranges::greater(), &SlowCell::late);
   return slow;
 }
 

@@ -9,7 +9,7 @@ namespace burnish {
 
 namespace {
 
-constexpr int32_t kRowsPerIrregularRow = 16;
+constexpr int32_t kRowsPerIrregularRow = 24;
 constexpr int kDepthsCorrectedTwice = 2;  // further up it gains nothing more
 constexpr int kTrialsMax = 3;
 constexpr int32_t kTrialCornersMax = 4'000'000;  // a trial needs the memory of a session on the CPU
