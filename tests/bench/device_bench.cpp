@@ -105,6 +105,10 @@ double median(std::vector<double> numbers) {
   return *middle;
 }
 
+void print_microseconds(const char* what, std::vector<double> times) {
+  std::printf("  device busy: %-31s %9.1f us\n", what, median(std::move(times)));
+}
+
 // The median of how long some calls keep the device busy, each after a change that `prepare` makes.
 template <typename Prepare, typename Work>
 void print_device_time(const char* what, Prepare&& prepare, Work&& work) {
@@ -113,21 +117,28 @@ void print_device_time(const char* what, Prepare&& prepare, Work&& work) {
     prepare(i);
     times.push_back(microseconds_of(trace_device(work)));
   }
-  std::printf("  device busy: %-31s %9.1f us\n", what, median(times));
+  print_microseconds(what, times);
 }
 
-// A new metric's last kernel is the constraint's.
+// One α for another leaves the constraint as it is; of another curve it is the last kernel.
 void print_metric_times(Solver& solver, Fields& fields) {
-  std::vector<double> matrices, constraints;
+  const auto trace = [&](const TransferCurve& curve) {
+    fields.set_transfer_curve(curve);
+    return trace_device([&] { solver.set_metric(fields.view()); });
+  };
+  std::vector<double> of_alpha, of_curve, constraints;
+  for (int i = 0; i < kTraces; ++i)
+    of_alpha.push_back(microseconds_of(trace(TransferCurve(i % 2 == 0 ? 20 : 20.1))));
   for (int i = 0; i < kTraces; ++i) {
-    fields.set_transfer_curve(TransferCurve(i % 2 == 0 ? 20 : 20.1));
-    std::vector<TracedWork> works = trace_device([&] { solver.set_metric(fields.view()); });
+    std::vector<TracedWork> works =
+        trace(TransferCurve::parse(i % 2 == 0 ? "-20:5,20:500" : "-20:5,20:450").value());
     constraints.push_back(microseconds_of({works.back()}));
     works.pop_back();
-    matrices.push_back(microseconds_of(works));
+    of_curve.push_back(microseconds_of(works));
   }
-  std::printf("  device busy: %-31s %9.1f us\n", "matrices and smoothers", median(matrices));
-  std::printf("  device busy: %-31s %9.1f us\n", "constraint, a new metric", median(constraints));
+  print_microseconds("matrices, another alpha", of_alpha);
+  print_microseconds("matrices, another curve", of_curve);
+  print_microseconds("constraint, another curve", constraints);
 }
 
 // Nothing without a trace. Each change after a step, which leaves nothing of the constraint's in

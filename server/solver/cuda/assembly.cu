@@ -72,10 +72,10 @@ __global__ void __launch_bounds__(kThreads, 6)
   const auto rest_of = [](Real value) {
     return value - value_of(pack(static_cast<float>(value), 0));
   };
-  if (depth.rest != nullptr)
+  if (depth.system.rest != nullptr)
     store_row(
         rows, corner, row, room, [&](Real value) { return static_cast<float>(rest_of(value)); },
-        [&](int64_t k, float rest, uint32_t) { depth.rest[k] = rest; });
+        [&](int64_t k, float rest, uint32_t) { depth.system.rest[k] = rest; });
   if (depth.remainder != nullptr)
     store_row(
         rows, corner, row, room,

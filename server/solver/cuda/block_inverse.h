@@ -7,20 +7,21 @@
 
 namespace burnish::cuda {
 
-// On the unit diagonal of the scaled blocks. More than on the CPU at the finest depth: entries of
-// 14 bits are off by half of this in a block's norm.
-inline constexpr float kBlockRegularisation = 1e-3f;
+// On the unit diagonal of the scaled blocks. Packed entries are off by half of the first in a
+// block's norm; with their rests as little will do as on the CPU.
+inline constexpr float kRegularisation = 1e-3f;
+inline constexpr float kRegularisationWithRests = 1e-5f;
 
 /// The block of the diagonally scaled S, entry_of(a, b) being S's between corners a and b, a < b.
 template <typename EntryOf>
-__device__ void read_scaled_block(const Depth& depth, const Eight& corners, EntryOf&& entry_of,
-                                  float (&block)[8][8]) {
+__device__ void read_scaled_block(const Depth& depth, const Eight& corners, float regularisation,
+                                  EntryOf&& entry_of, float (&block)[8][8]) {
   float scale[8];
 #pragma unroll
   for (int a = 0; a < 8; ++a) scale[a] = sqrtf(depth.inverse_diagonal[corners.at[a]]);
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
-    block[a][a] = 1 + kBlockRegularisation;
+    block[a][a] = 1 + regularisation;
 #pragma unroll
     for (int b = a + 1; b < 8; ++b)
       block[a][b] = block[b][a] = entry_of(a, b) * scale[a] * scale[b];

@@ -9,8 +9,8 @@ namespace burnish::cuda {
 
 namespace {
 
-// Of the entries the packed part will do: it is off by 5e-4 in a block's norm at the most, half of
-// the regularisation. Of irregular cells it reads some others: their inverses come after.
+// Of irregular cells it reads some other entries: their inverses come after.
+template <bool kRests>
 __global__ void invert_cells_kernel(Depth depth, CellSquares<float> inverses) {
   await_previous();
   const int64_t cell = thread_index();
@@ -19,9 +19,10 @@ __global__ void invert_cells_kernel(Depth depth, CellSquares<float> inverses) {
   float block[8][8];
   const auto entry_of = [&](int a, int b) {
     const int64_t k = entry_position(depth.topology.rows, corners.at[a], slot_between(a, b));
-    return value_of(depth.system.packed[k]);
+    return value_of(depth.system.packed[k]) + (kRests ? depth.system.rest[k] : 0);
   };
-  read_scaled_block(depth, corners, entry_of, block);
+  read_scaled_block(depth, corners, kRests ? kRegularisationWithRests : kRegularisation, entry_of,
+                    block);
   invert(block);
   store_block(block, cell, inverses);
 }
@@ -59,9 +60,14 @@ __global__ void assemble_inverse_kernel(Depth depth, CellSquares<float> inverses
       const auto itself = [](float value) { return value; };
       store_row(rows, corner, row, room, itself, [&](int64_t k, float value, uint32_t local) {
         const float4 there = tile[local];
-        const uint32_t packed = pack(value * here.w * there.w, local);
+        float entry = value * here.w * there.w;
+        const uint32_t packed = pack(entry, local);
         inverse.packed[k] = packed;
-        next = next + value_of(packed) * there;
+        if (inverse.rest != nullptr)
+          inverse.rest[k] = entry - value_of(packed);
+        else
+          entry = value_of(packed);
+        next = next + entry * there;
       });
     }
     replace(power, corner, next, here.w != 0 ? here : zero4(), power.spectrum->normalise, sums);
@@ -71,8 +77,10 @@ __global__ void assemble_inverse_kernel(Depth depth, CellSquares<float> inverses
 
 }  // namespace
 
-void invert_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses) {
-  launch(stream, invert_cells_kernel, depth.topology.cell_count, depth, inverses);
+void invert_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
+                  bool with_rests) {
+  launch(stream, with_rests ? invert_cells_kernel<true> : invert_cells_kernel<false>,
+         depth.topology.cell_count, depth, inverses);
   invert_irregular_cells(stream, depth, inverses);
 }
 

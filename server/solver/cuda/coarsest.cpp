@@ -26,7 +26,7 @@ void CoarsestSolver::read_matrix() {
   std::vector<uint32_t> packed(starts.back());
   std::vector<float> rest(starts.back());
   download(stream_, depth_.system.packed, std::span(packed));
-  download(stream_, depth_.rest, std::span(rest));
+  download(stream_, depth_.system.rest, std::span(rest));
   std::vector<float> tails(depth_.topology.rows.long_rows.entry_count);
   download(stream_, depth_.system.long_entries, std::span(tails));
   download(stream_, depth_.system.diagonal, std::span(host_->system.diagonal));

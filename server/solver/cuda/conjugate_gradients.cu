@@ -22,10 +22,11 @@ __device__ Double3 triple(const double* numbers) {
 }
 
 __device__ ExactMatrix exact_matrix(const Vectors& v) {
-  return {v.finest.system.packed, v.finest.rest, v.finest.remainder, v.row_sum};
+  return {v.finest.system.packed, v.finest.system.rest, v.finest.remainder, v.row_sum};
 }
 
 __device__ Double3 constraint_of(const Vectors& v, int64_t i) {
+  if (v.finest.inverse_diagonal[i] == 0) return {0, 0, 0};
   const Double3 of_slider = *v.b.slider_less_one * v.b.per_slider[i];
   return v.b.is_painted[i / kSliceRows] ? of_slider + v.b.own[i] : of_slider;
 }

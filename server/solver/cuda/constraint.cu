@@ -1,3 +1,5 @@
+#include <type_traits>
+
 #include "server/solver/cuda/constraint.h"
 #include "server/solver/cuda/kernel.h"
 #include "server/solver/cuda/uniform.h"
@@ -6,24 +8,36 @@ namespace burnish::cuda {
 
 namespace {
 
+// A cell's share of b for one axis, with rests as they are and as a float where these will do.
+template <bool kRests>
+using Share = std::conditional_t<kRests, double, float>;
+
 // A cell's shares must add up to zero, since Σ_a ∇B_a = 0: a sum that is off by rounding would push
 // the surface as a whole. Hence what the last one's floats leave is kept too.
+template <bool kRests>
 __global__ void combine_gradients_kernel(Gradients gradients, const float* ratio,
                                          CellGradients combined) {
   await_previous();
   const int64_t cell = thread_index();
   if (cell >= combined.cells) return;
-  const float weight1 = ratio[cell], weight2 = 1 / weight1;
+  const Share<kRests> weight1 = ratio[cell], weight2 = 1 / weight1;
   const auto gradient = [&](int number) {
-    return __ldg(gradients.numbers + number * gradients.cells + cell);
+    const int64_t at = number * gradients.cells + cell;
+    Share<kRests> gradient = __ldg(gradients.numbers + at);
+    if constexpr (kRests) gradient += __ldg(gradients.rests + at);
+    return gradient;
   };
   double last[3] = {};
 #pragma unroll
   for (int a = 0; a < 7; ++a)
 #pragma unroll
     for (int axis = 0; axis < 3; ++axis) {
-      const float share = weight1 * gradient(6 * a + axis) + weight2 * gradient(6 * a + 3 + axis);
-      combined.numbers[(3 * a + axis) * combined.cells + cell] = share;
+      const Share<kRests> share =
+          weight1 * gradient(6 * a + axis) + weight2 * gradient(6 * a + 3 + axis);
+      const auto number = static_cast<float>(share);
+      const int64_t at = (3 * a + axis) * combined.cells + cell;
+      combined.numbers[at] = number;
+      if constexpr (kRests) combined.rests[at] = static_cast<float>(share - number);
       last[axis] -= share;
     }
 #pragma unroll
@@ -52,67 +66,74 @@ __global__ void take_paint_kernel(NewGradientScale beta, Topology finest, uint8_
 // One axis of the shares of a corner's cells, and what the float of the last one leaves. A cell
 // that is not there counts as the first, to be taken zero times: its loads need not wait for a
 // branch.
+template <bool kRests>
 struct Shares {
-  float at[8];
+  Share<kRests> at[8];
   float rest;
 };
 
-__device__ Shares shares_of(const CellGradients& combined, const Eight& cells, int axis) {
-  const auto number = [&](int n, int a) {
-    return combined.numbers[(n + axis) * combined.cells + max(cells.at[a], 0)];
+template <bool kRests>
+__device__ Shares<kRests> shares_of(const CellGradients& combined, const Eight& cells, int axis) {
+  const auto place = [&](int n, int a) {
+    return (n + axis) * combined.cells + max(cells.at[a], 0);
   };
-  Shares shares;
+  Shares<kRests> shares;
 #pragma unroll
-  for (int a = 0; a < 8; ++a) shares.at[a] = number(3 * a, a);
-  shares.rest = number(24, 7);
+  for (int a = 0; a < 8; ++a) shares.at[a] = combined.numbers[place(3 * a, a)];
+  if constexpr (kRests)
+#pragma unroll
+    for (int a = 0; a < 7; ++a) shares.at[a] += combined.rests[place(3 * a, a)];
+  shares.rest = combined.numbers[place(24, 7)];
   return shares;
 }
 
-__device__ double weighed(const Shares& shares, const float (&weight)[8]) {
+template <bool kRests>
+__device__ double weighed(const Shares<kRests>& shares, const float (&weight)[8]) {
   double sum = weight[7] * static_cast<double>(shares.rest);
 #pragma unroll
   for (int a = 0; a < 8; ++a) sum += weight[a] * static_cast<double>(shares.at[a]);
   return sum;
 }
 
-// All corners after a new metric, as they are where nobody has painted. All loads of an axis are
+// All corners after new gradients, as they are where nobody has painted. All loads of an axis are
 // under way at once.
-__global__ void gather_kernel(Depth finest, CellGradients combined, double slider_less_one,
-                              Constraint b) {
+template <bool kRests>
+__global__ void __launch_bounds__(kThreads, 9)
+    gather_kernel(Depth finest, CellGradients combined, double slider_less_one, Constraint b) {
   let_next_start();
   const int64_t corner = thread_index();
   if (corner >= finest.topology.corner_count) return;
   const Eight cells = finest.topology.cells_of_corner[corner];
   await_previous();
   if (corner == 0) *b.slider_less_one = slider_less_one;
-  const bool is_free = finest.inverse_diagonal[corner] != 0;
-  float weight[8];
+  float weight[8];  // 1, or 0 where no cell is: as numbers, that no load waits for a condition
 #pragma unroll
-  for (int a = 0; a < 8; ++a) weight[a] = is_free && cells.at[a] >= 0;
+  for (int a = 0; a < 8; ++a) weight[a] = static_cast<float>(min(cells.at[a], 0) + 1);
   double sum[3];
 #pragma unroll
   for (int axis = 0; axis < 3; ++axis)
-    sum[axis] = weighed(shares_of(combined, cells, axis), weight);
+    sum[axis] = weighed(shares_of<kRests>(combined, cells, axis), weight);
   b.per_slider[corner] = {sum[0], sum[1], sum[2]};
 }
 
-// The slices that are touched; where r is stale all with paint. A slice is a warp's.
+// The slices that are touched; after new gradients all with paint, and r is left to be computed
+// anew. A slice is a warp's.
+template <bool kRests>
 __global__ void gather_painted_kernel(Depth finest, CellGradients combined, const Paint* paint,
-                                      double slider_less_one, bool stale, Constraint b,
+                                      double slider_less_one, bool gradients_are_new, Constraint b,
                                       Double3* r) {
   await_previous();
   const int64_t i = thread_index(), slice = i / kSliceRows;
   const int64_t corner = min(i, int64_t{finest.topology.corner_count} - 1);
   if (slice > corner / kSliceRows) return;
   const bool is_touched = b.is_touched[slice] != 0, was_painted = b.is_painted[slice] != 0;
-  if (!is_touched && !(stale && was_painted)) return;
+  if (!is_touched && !(gradients_are_new && was_painted)) return;
   const Eight cells = finest.topology.cells_of_corner[corner];
-  const bool is_free = finest.inverse_diagonal[corner] != 0;
   bool has_paint = false;
   float follow[8], own[8];
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
-    const bool is_there = is_free && cells.at[a] >= 0;
+    const bool is_there = cells.at[a] >= 0;
     const Paint of = paint[max(cells.at[a], 0)];
     follow[a] = is_there ? of.follow : 0;
     own[a] = is_there ? of.own : 0;
@@ -121,7 +142,7 @@ __global__ void gather_painted_kernel(Depth finest, CellGradients combined, cons
   double of_slider[3], of_paint[3];
 #pragma unroll
   for (int axis = 0; axis < 3; ++axis) {
-    const Shares shares = shares_of(combined, cells, axis);
+    const Shares shares = shares_of<kRests>(combined, cells, axis);
     of_slider[axis] = weighed(shares, follow);
     of_paint[axis] = weighed(shares, own);
   }
@@ -133,7 +154,7 @@ __global__ void gather_painted_kernel(Depth finest, CellGradients combined, cons
   if (i > corner) return;
   const Double3 per_slider = {of_slider[0], of_slider[1], of_slider[2]};
   const Double3 own_part = {of_paint[0], of_paint[1], of_paint[2]};
-  if (!stale) {
+  if (!gradients_are_new && finest.inverse_diagonal[corner] != 0) {
     Double3 change = slider_less_one * (per_slider - b.per_slider[corner]) + own_part;
     if (was_painted) change = change - b.own[corner];
     const Double3 residual = r[corner] + change;
@@ -158,7 +179,8 @@ __global__ void slide_kernel(Depth finest, double before, double slider, Constra
     const auto at = static_cast<int>(threadIdx.x) + j * kThreads;
     const int64_t i = int64_t{3 * kThreads} * blockIdx.x + at;
     if (i >= all) break;
-    const double number = residual[i] + (slider - before) * per_slider[i];
+    const bool is_free = finest.inverse_diagonal[int64_t{kThreads} * blockIdx.x + at / 3] != 0;
+    const double number = is_free ? residual[i] + (slider - before) * per_slider[i] : 0;
     residual[i] = number;
     written[at] = static_cast<float>(number);
   }
@@ -172,23 +194,27 @@ __global__ void slide_kernel(Depth finest, double before, double slider, Constra
 
 void combine_gradients(Stream& stream, const Gradients& gradients, const float* ratio,
                        const CellGradients& combined) {
-  launch(stream, combine_gradients_kernel, combined.cells, gradients, ratio, combined);
+  const bool rests = combined.rests != nullptr;
+  launch(stream, rests ? combine_gradients_kernel<true> : combine_gradients_kernel<false>,
+         combined.cells, gradients, ratio, combined);
 }
 
 void assemble_constraint(Stream& stream, const Depth& finest, const CellGradients& combined,
-                         const NewGradientScale& beta, bool stale, const Constraint& b,
+                         const NewGradientScale& beta, bool gradients_are_new, const Constraint& b,
                          Double3* r) {
   const int64_t corners = finest.topology.corner_count;
   const double slider_less_one = beta.slider - 1;
+  const bool rests = combined.rests != nullptr;
   launch(stream, take_paint_kernel, beta.changed.count * kChunk, beta, finest.topology,
          b.is_touched);
-  if (stale)
-    launch(stream, gather_kernel, corners, finest, combined, slider_less_one, b);
+  if (gradients_are_new)
+    launch(stream, rests ? gather_kernel<true> : gather_kernel<false>, corners, finest, combined,
+           slider_less_one, b);
   else if (beta.slider != beta.slider_before)
     launch(stream, slide_kernel, corners, finest, beta.slider_before, beta.slider, b, r);
-  if (beta.changed.count > 0 || (stale && beta.is_painted))
-    launch(stream, gather_painted_kernel, corners, finest, combined, beta.paint, slider_less_one,
-           stale, b, r);
+  if (beta.changed.count > 0 || (gradients_are_new && beta.is_painted))
+    launch(stream, rests ? gather_painted_kernel<true> : gather_painted_kernel<false>, corners,
+           finest, combined, beta.paint, slider_less_one, gradients_are_new, b, r);
 }
 
 }  // namespace burnish::cuda

@@ -11,10 +11,12 @@ void combine_gradients(Stream& stream, const Gradients& gradients, const float* 
 
 /// b_I = Σ_c (β−1) combined_I, the right-hand side for the displacement: Eq. 4's constraint less
 /// S c°, in what is the slider's of it and what is paint's own. The residual r changes by as much,
-/// unless it is `stale` after a new metric and to be recomputed anyway. Zero where pinned. A slider
-/// alone moves r by what b has per slider, whatever is painted; new paint gathers the slices of
-/// corners that it touches. Needs: b is as it was left here, unless `stale`.
+/// unless gradients are new, which only a new metric makes them: then it is to be recomputed
+/// anyway. A slider alone moves r by what b has per slider, whatever is painted; new paint gathers
+/// the slices of corners that it touches. Needs: b is as it was left here, unless gradients are
+/// new.
 void assemble_constraint(Stream& stream, const Depth& finest, const CellGradients& combined,
-                         const NewGradientScale& beta, bool stale, const Constraint& b, Double3* r);
+                         const NewGradientScale& beta, bool gradients_are_new, const Constraint& b,
+                         Double3* r);
 
 }  // namespace burnish::cuda

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "server/solver/cuda/assembly.h"
 #include "server/solver/cuda/branch.h"
@@ -27,7 +29,9 @@ namespace cuda {
 
 namespace {
 
-constexpr int kMetricGraph = -1;  // beside the keys of run_recorded()
+// Beside the keys of run_recorded().
+constexpr int kMetricGraph = -1;
+constexpr int kSameRatiosGraph = -2;
 
 // Of a new metric's kernels, many of which run beside each other: room for six blocks of those that
 // assemble rows.
@@ -44,6 +48,7 @@ class CudaBackend final : public Backend {
         beta_(stream_, cells()),
         ratio_(stream_, cells()),
         gradients_(stream_, CellGradients::kNumbers * cells()),
+        gradient_rests_(stream_, has_weak_parts() ? CellGradients::kRests * cells() : 0),
         combined_(stream_, mesh_->hierarchy->depths.back().number_count()),
         coarse_combined_(stream_, numbers_of_coarse_depths()),
         pinned_below_(stream_, mesh_->depths.size()),
@@ -65,8 +70,8 @@ class CudaBackend final : public Backend {
   uint64_t byte_count() const override {
     uint64_t bytes = readout_.byte_count() + outer_->byte_count() + coarsest_->byte_count() +
                      ratio_.byte_count() + beta_.byte_count() + gradients_.byte_count() +
-                     combined_.byte_count() + coarse_combined_.byte_count() +
-                     patches_->byte_count();
+                     gradient_rests_.byte_count() + combined_.byte_count() +
+                     coarse_combined_.byte_count() + patches_->byte_count();
     for (const DeviceDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother->byte_count();
     return bytes;
@@ -75,18 +80,22 @@ class CudaBackend final : public Backend {
   void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
     stream_.synchronize();
     if (!stream_.is_ok()) return;
-    set_alpha(alpha1, alpha2);
+    const bool same_ratios = set_alpha(alpha1, alpha2);
     stream_.share_memory(kSharedBesideOthers);
-    run_on_device(kMetricGraph, [this] { assemble_all(); });
+    if (same_ratios)
+      run_on_device(kSameRatiosGraph, [this] { assemble_matrices(); });
+    else
+      run_on_device(kMetricGraph, [this] { assemble_all(); });
     stream_.share_memory(Stream::kAsItSuits);
-    residual_is_stale_ = true;
+    gradients_are_new_ |= !same_ratios;
   }
 
   void set_constraint(const FieldsView& fields) override {
     if (!stream_.is_ok()) return;
     beta_.set(fields);
-    assemble_constraint(stream_, finest(), gradients(), beta_.view(), residual_is_stale_,
-                        outer_->constraint(), outer_->residual());
+    assemble_constraint(stream_, finest(), gradients(), beta_.view(),
+                        std::exchange(gradients_are_new_, false), outer_->constraint(),
+                        outer_->residual());
     stream_.synchronize();
   }
 
@@ -112,10 +121,7 @@ class CudaBackend final : public Backend {
     cuda::restrict_from_zero(stream_, at(depth), at(depth - 1));
   }
 
-  void recompute_residual() override {
-    outer_->recompute_residual();
-    residual_is_stale_ = false;
-  }
+  void recompute_residual() override { outer_->recompute_residual(); }
   void rescale() override { outer_->rescale(); }
   void load_residual() override {}  // f goes with r
   void update_direction(bool restart) override { outer_->update_direction(restart); }
@@ -160,25 +166,44 @@ class CudaBackend final : public Backend {
       numbers += mesh_->hierarchy->depths[i].number_count();
     return numbers;
   }
-  CellGradients gradients() const { return {gradients_.data(), finest().topology.cell_count}; }
+  bool has_weak_parts() const { return mesh_->hierarchy->depths.back().has_weak_parts; }
+  CellGradients gradients() const {
+    return {gradients_.data(), gradient_rests_.data(), finest().topology.cell_count};
+  }
 
   void run_on_device(int key, const std::function<void()>& work) {
     coarsest_->on_device() ? graphs_.run(key, work) : work();
   }
 
   // What all cells have in common is neither copied for each nor read from memory of the host.
-  void set_alpha(std::span<const float> alpha1, std::span<const float> alpha2) {
-    if (alpha1.empty()) return;
+  // Returns whether ratios of α are known to be as before, as after one α for another.
+  bool set_alpha(std::span<const float> alpha1, std::span<const float> alpha2) {
+    if (alpha1.empty()) return false;
     const UniformAlpha uniform = {is_uniform(alpha1) && is_uniform(alpha2), alpha1[0], alpha2[0]};
     if (!uniform.is_uniform) alpha_.set({alpha1, alpha2});
     tell_alpha(stream_, uniform, uniform_alpha_.data());
+    std::optional<float> ratio;
+    if (uniform.is_uniform) ratio = alpha2[0] / alpha1[0];
+    return std::exchange(ratio_of_all_, ratio) == ratio && ratio.has_value();
   }
 
-  // The matrices of all depths, and what the constraint makes of the metric. A depth's combined
-  // integrals come from those of the one below, which is what the coarsest depth waits for;
-  // matrices and smoothers are made beside that. The finest matrix does not wait for the shares,
-  // but its smoother, which overwrites what they read.
+  // What the constraint makes of the metric comes last: no matrix waits for it.
   void assemble_all() {
+    start_matrices();
+    gradients_beside_.fork();
+    combine_gradients(gradients_beside_.stream(), mesh_->gradients(), ratio_.data(), gradients());
+    gradients_beside_.join();
+    finish_matrices();
+  }
+  void assemble_matrices() {
+    start_matrices();
+    finish_matrices();
+  }
+
+  // The matrices of all depths. A depth's combined integrals come from those of the one below,
+  // which is what the coarsest depth waits for; matrices and smoothers are made beside that. The
+  // finest matrix does not wait for the shares, but its smoother, which overwrites what they read.
+  void start_matrices() {
     const CellSquares<double> combined = {combined_.data(), finest().topology.cell_count};
     const Metric metric = {uniform_alpha_.data(),          alpha_.data(0), alpha_.data(1),
                            mesh_->prepared->alpha_scale(), ratio_.data(),  anisotropy_.data()};
@@ -205,9 +230,9 @@ class CudaBackend final : public Backend {
       assemble_coarsest(cells);
     }
     if (!smoothers_.empty()) patches_->factor(smoothers_.back()->beside());
-    gradients_beside_.fork();
-    combine_gradients(gradients_beside_.stream(), mesh_->gradients(), ratio_.data(), gradients());
-    gradients_beside_.join();
+  }
+
+  void finish_matrices() {
     for (const auto& smoother : smoothers_) smoother->finish_set_up();
   }
 
@@ -245,13 +270,14 @@ class CudaBackend final : public Backend {
   std::shared_ptr<const DeviceMesh> mesh_;
   Stream stream_;
   int coarse_offset_;
-  Branch gradients_beside_{stream_, Stream::Urgency::kLast};  // no smoother waits for them
+  Branch gradients_beside_{stream_, Stream::Urgency::kLast};
   Graphs graphs_{stream_};
   CellFields<2> alpha_;  // α1, α2, unless uniform
   DeviceArray<UniformAlpha> uniform_alpha_;
+  std::optional<float> ratio_of_all_;  // α2/α1, where all cells have one
   GradientScale beta_;
   DeviceArray<float> ratio_;
-  DeviceArray<float> gradients_;        // CellGradients
+  DeviceArray<float> gradients_, gradient_rests_;  // CellGradients
   DeviceArray<double> combined_;        // numbers of the finest depth: CellSquares, then sheets
   DeviceArray<float> coarse_combined_;  // of the others, from the finest: CellSquares, then ties
   DeviceArray<float> pinned_below_, anisotropy_;
@@ -261,7 +287,7 @@ class CudaBackend final : public Backend {
   std::optional<CoarsestSolver> coarsest_;
   std::optional<ConjugateGradients> outer_;
   Readout readout_{stream_};
-  bool residual_is_stale_ = true;  // since the last set_metric()
+  bool gradients_are_new_ = true;  // since the last set_constraint()
 };
 
 }  // namespace

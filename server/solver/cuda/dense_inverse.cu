@@ -34,7 +34,7 @@ __global__ void fill_kernel(int64_t n, Depth depth, double* square) {
     const int64_t k = row_begin(rows, row) + lane * kSliceRows;
     const uint32_t packed = depth.system.packed[k];
     store(column_of(group_of(rows, row / rows.group_rows), local_of(packed)),
-          value_of(packed) + depth.rest[k]);
+          value_of(packed) + depth.system.rest[k]);
   }
   if (rows.long_rows.start == nullptr) return;
   for (int32_t k = rows.long_rows.start[row] + lane; k < rows.long_rows.start[row + 1]; k += 32)

@@ -12,14 +12,11 @@ DeviceDepth::DeviceDepth(Stream& stream, const Topology& topology, Digits digits
       x_(stream, topology.corner_count),
       f_(stream, topology.corner_count),
       r_(stream, topology.corner_count),
-      view_{topology,
-            {packed_.data(), diagonal_.data(), long_entries_.data()},
-            rest_.data(),
-            remainder_.data(),
-            inverse_diagonal_.data(),
-            x_.data(),
-            f_.data(),
-            r_.data()} {}
+      view_{
+          topology,          {packed_.data(), diagonal_.data(), long_entries_.data(), rest_.data()},
+          remainder_.data(), inverse_diagonal_.data(),
+          x_.data(),         f_.data(),
+          r_.data()} {}
 
 uint64_t DeviceDepth::byte_count() const {
   return packed_.byte_count() + rest_.byte_count() + remainder_.byte_count() +

@@ -93,7 +93,8 @@ uint64_t DeviceTopology::byte_count() const {
 
 uint64_t DeviceMesh::byte_count() const {
   uint64_t bytes = integral_numbers.byte_count() + gradient_numbers.byte_count() +
-                   evaluation.byte_count() + sheets.byte_count() + patches.byte_count();
+                   gradient_rests.byte_count() + evaluation.byte_count() + sheets.byte_count() +
+                   patches.byte_count();
   for (const DeviceTopology& depth : depths) bytes += depth.byte_count();
   return bytes;
 }
@@ -126,25 +127,27 @@ DeviceSheets::DeviceSheets(Stream& stream, const PreparedMesh& prepared, int32_t
   numbers_ = {stream, numbers_of(prepared.sheet_integrals.first(count))};
 }
 
-static std::vector<float> gradients_of(const PreparedMesh& prepared) {
+// `float_of(number)` of every gradient's numbers, those of the last corner left out.
+template <typename FloatOf>
+static std::vector<float> gradients_of(const PreparedMesh& prepared, FloatOf&& float_of) {
   const size_t cells = prepared.integrals.size();
   std::vector<float> numbers(Gradients::kNumbers * cells);
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < cells; ++c)
-    for (int i = 0; i < 2; ++i)
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto number = [&](int k) -> float& {
-          return numbers[(k + 3 * i + axis) * cells + c];
-        };
-        double last = 0;
-        for (int a = 0; a < 7; ++a) {
-          number(6 * a) = static_cast<float>(prepared.integrals[c].gradient[i][3 * a + axis]);
-          last -= number(6 * a);
-        }
-        number(42) = static_cast<float>(last);
-        number(48) = static_cast<float>(last - number(42));
-      }
+    for (int a = 0; a < 7; ++a)
+      for (int i = 0; i < 2; ++i)
+        for (int axis = 0; axis < 3; ++axis)
+          numbers[(6 * a + 3 * i + axis) * cells + c] =
+              float_of(prepared.integrals[c].gradient[i][3 * a + axis]);
   return numbers;
+}
+
+static void copy_gradients(Stream& stream, const PreparedMesh& prepared, bool with_rests,
+                           DeviceMesh& mesh) {
+  const auto as_float = [](double number) { return static_cast<float>(number); };
+  const auto rest = [&](double number) { return as_float(number - as_float(number)); };
+  mesh.gradient_numbers = {stream, gradients_of(prepared, as_float)};
+  if (with_rests) mesh.gradient_rests = {stream, gradients_of(prepared, rest)};
 }
 
 static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
@@ -157,7 +160,7 @@ static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
   mesh->integral_numbers = {stream, numbers_of(prepared->integrals)};
   mesh->sheets = {stream, *prepared, hierarchy->depths.back().sheet_count};
   mesh->patches = {stream, hierarchy->depths.back().patches};
-  mesh->gradient_numbers = {stream, gradients_of(*prepared)};
+  copy_gradients(stream, *prepared, hierarchy->depths.back().has_weak_parts, *mesh);
   mesh->evaluation = DeviceArray<VertexPlace>::copy_of(stream, prepared->evaluation);
   mesh->prepared = std::move(prepared);
   mesh->hierarchy = std::move(hierarchy);

@@ -126,8 +126,8 @@ __global__ void assemble_rows_kernel(Depth depth, const float* numbers, const fl
     if (p == lane) await_previous();
     const double entry = listed.of(numbers, all);
     const float stored = store(depth.system, place, static_cast<float>(entry));
-    if (depth.rest != nullptr && place.is_packed)
-      depth.rest[place.at] = static_cast<float>(entry - stored);
+    if (depth.system.rest != nullptr && place.is_packed)
+      depth.system.rest[place.at] = static_cast<float>(entry - stored);
     if (probe != nullptr) product = product + stored * probe[place.column];
     sum -= entry;
   }
@@ -153,7 +153,7 @@ __global__ void invert_irregular_kernel(Depth depth, CellSquares<float> inverses
   const auto entry_of = [&](int a, int b) {
     return entry_at(depth, corners.at[a], entries.at[pair_index(a, b)]);
   };
-  read_scaled_block(depth, corners, entry_of, block);
+  read_scaled_block(depth, corners, kRegularisation, entry_of, block);
   invert(block);
   store_block(block, cell, inverses);
 }

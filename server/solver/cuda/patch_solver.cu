@@ -35,7 +35,7 @@ __device__ void visit_row(const Depth& depth, int32_t corner, int first, int ste
   for (int k = first; k < __popc(rows.mask[corner]); k += step) {
     const int64_t at = begin + kSliceRows * k;
     const uint32_t packed = depth.system.packed[at];
-    visit(column_of(group, local_of(packed)), value_of(packed) + depth.rest[at]);
+    visit(column_of(group, local_of(packed)), value_of(packed) + depth.system.rest[at]);
   }
 }
 

@@ -129,6 +129,16 @@ __device__ inline float4 product_of(const FetchedRow& row, const float4* tile) {
   return sum;
 }
 
+/// What the row's packed entries leave of it, times the tile.
+__device__ inline float4 rest_of_product(const float* rest, const FetchedRow& row,
+                                         const float4* tile) {
+  float4 sum = zero4();
+#pragma unroll
+  for (int j = 0; j < kEntriesMax; ++j)
+    if (j < row.count) sum = sum + rest[row.begin + kSliceRows * j] * tile[local_of(row.packed[j])];
+  return sum;
+}
+
 __device__ inline Double3 exactly(float4 a) {
   return to_double(a);
 }

@@ -15,7 +15,7 @@ constexpr int kIterationsFirst = 15;  // one beside each new matrix after the fi
 enum class Step { kFromZero, kSecondFromZero, kFirst, kSecond };
 
 // d = momentum·d + length·M⁻¹ source; x += d, or x = d from zero, where d need not be kept.
-template <Step kStep, bool kLong>
+template <Step kStep, bool kLong, bool kRests>
 __global__ void __launch_bounds__(kThreads, kLong ? 6 : 8)
     step_kernel(Depth depth, Matrix inverse, const float4* source, const Spectrum* spectrum,
                 float4* direction) {
@@ -37,10 +37,19 @@ __global__ void __launch_bounds__(kThreads, kLong ? 6 : 8)
   fill_tile(row, source, tile);
   beyond.finish(source);
   if (i < 0) return;
-  float4 d = length * (diagonal * tile[threadIdx.x] + beyond.added_to(product_of(row, tile)));
+  float4 product = diagonal * tile[threadIdx.x] + beyond.added_to(product_of(row, tile));
+  if (kRests) product = product + rest_of_product(inverse.rest, row, tile);
+  float4 d = length * product;
   if (kIsSecond) d = momentum * last + d;
   if (kStep == Step::kFirst) direction[i] = d;
   depth.x[i] = x + d;
+}
+
+// Rests are where no row is long, at the finest depth.
+template <Step kStep>
+auto* kernel_of(const Rows& rows, const Matrix& inverse) {
+  if (inverse.rest != nullptr) return step_kernel<kStep, false, true>;
+  return has_long(rows) ? step_kernel<kStep, true, false> : step_kernel<kStep, false, false>;
 }
 
 __device__ float noise(uint32_t seed) {
@@ -75,7 +84,10 @@ __global__ void power_kernel(Depth depth, Matrix inverse, PowerStep power) {
   if (const int32_t i = row.corner; i >= 0) {
     // What is there is the residual −S x.
     const float4 product = -1 * tile[threadIdx.x];
-    const float4 next = inverse.diagonal[i] * product + -1 * beyond.added_to(product_of(row, tile));
+    float4 off_diagonal = beyond.added_to(product_of(row, tile));
+    if (inverse.rest != nullptr)
+      off_diagonal = off_diagonal + rest_of_product(inverse.rest, row, tile);
+    const float4 next = inverse.diagonal[i] * product + -1 * off_diagonal;
     replace(power, i, next, product, power.spectrum->normalise, sums);
   }
   update_spectrum(power, sums);
@@ -83,18 +95,19 @@ __global__ void power_kernel(Depth depth, Matrix inverse, PowerStep power) {
 
 }  // namespace
 
-Schwarz::Schwarz(Stream& stream, const Depth& depth)
+Schwarz::Schwarz(Stream& stream, const Depth& depth, bool with_rests)
     : stream_(stream),
       depth_(depth),
       packed_(stream, depth.topology.entry_count),
       long_entries_(stream, depth.topology.rows.long_rows.entry_count),
+      rest_(stream, with_rests ? depth.topology.entry_count : 0),
       diagonal_(stream, depth.topology.corner_count),
       direction_(stream, depth.topology.corner_count),
       eigenvector_(stream, depth.topology.corner_count),
       sums_(stream, depth.topology.rows.group_count),
       arrived_(stream, 1),
       spectrum_(stream, 1),
-      inverse_{packed_.data(), diagonal_.data(), long_entries_.data()} {}
+      inverse_{packed_.data(), diagonal_.data(), long_entries_.data(), rest_.data()} {}
 
 Stream& Schwarz::fork() {
   branch_.fork();
@@ -104,7 +117,7 @@ Stream& Schwarz::fork() {
 void Schwarz::set_up(const CellSquares<float>& inverses, const float* anisotropy) {
   const PowerStep power = {
       eigenvector_.data(), depth_.r, anisotropy, spectrum_.data(), {sums_.data(), arrived_.data()}};
-  invert_cells(branch_.stream(), depth_, inverses);
+  invert_cells(branch_.stream(), depth_, inverses, inverse_.rest != nullptr);
   assemble_inverse(branch_.stream(), depth_, inverses, inverse_, power, direction_.data());
   if (first_) start_estimate(power);
   first_ = false;
@@ -135,27 +148,24 @@ void Schwarz::step(Kernel kernel, const float4* source) {
 }
 
 void Schwarz::relax_from_zero() {
-  const bool is_long = has_long(depth_.topology.rows);
-  step(is_long ? step_kernel<Step::kFromZero, true> : step_kernel<Step::kFromZero, false>,
-       depth_.f);
+  const Rows& rows = depth_.topology.rows;
+  step(kernel_of<Step::kFromZero>(rows, inverse_), depth_.f);
   compute_residual(stream_, depth_);
-  step(is_long ? step_kernel<Step::kSecondFromZero, true>
-               : step_kernel<Step::kSecondFromZero, false>,
-       depth_.r);
+  step(kernel_of<Step::kSecondFromZero>(rows, inverse_), depth_.r);
 }
 
 void Schwarz::relax() {
-  const bool is_long = has_long(depth_.topology.rows);
+  const Rows& rows = depth_.topology.rows;
   compute_residual(stream_, depth_);
-  step(is_long ? step_kernel<Step::kFirst, true> : step_kernel<Step::kFirst, false>, depth_.r);
+  step(kernel_of<Step::kFirst>(rows, inverse_), depth_.r);
   compute_residual(stream_, depth_);
-  step(is_long ? step_kernel<Step::kSecond, true> : step_kernel<Step::kSecond, false>, depth_.r);
+  step(kernel_of<Step::kSecond>(rows, inverse_), depth_.r);
 }
 
 uint64_t Schwarz::byte_count() const {
-  return packed_.byte_count() + long_entries_.byte_count() + diagonal_.byte_count() +
-         direction_.byte_count() + eigenvector_.byte_count() + sums_.byte_count() +
-         spectrum_.byte_count();
+  return packed_.byte_count() + long_entries_.byte_count() + rest_.byte_count() +
+         diagonal_.byte_count() + direction_.byte_count() + eigenvector_.byte_count() +
+         sums_.byte_count() + spectrum_.byte_count();
 }
 
 }  // namespace burnish::cuda

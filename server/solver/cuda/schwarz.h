@@ -13,7 +13,9 @@ namespace burnish::cuda {
 /// relax_from_zero().
 class Schwarz final : public DepthSmoother {
  public:
-  Schwarz(Stream& stream, const Depth& depth);
+  /// With rests M⁻¹ has all digits of a float, and next to no regularisation. Needs for that: rests
+  /// of S, and no irregular row.
+  Schwarz(Stream& stream, const Depth& depth, bool with_rests);
 
   Stream& fork() override;
   Stream& beside() override { return branch_.stream(); }
@@ -33,7 +35,7 @@ class Schwarz final : public DepthSmoother {
   Branch branch_{stream_};
   Depth depth_;
   DeviceArray<uint32_t> packed_;  // M⁻¹
-  DeviceArray<float> long_entries_, diagonal_;
+  DeviceArray<float> long_entries_, rest_, diagonal_;
   DeviceArray<float4> direction_, eigenvector_;
   DeviceArray<Sums<2>> sums_;
   DeviceArray<unsigned> arrived_;

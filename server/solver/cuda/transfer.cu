@@ -9,16 +9,6 @@ namespace {
 constexpr int kLanes = 4;  // threads for one coarse corner
 constexpr int kGatheredMax = (kRestrictionMax + kLanes - 1) / kLanes;
 
-// What the packed entries of a row leave of it, times the tile.
-__device__ float4 rest_of_product(const Depth& depth, const FetchedRow& row, const float4* tile) {
-  float4 sum = zero4();
-#pragma unroll
-  for (int j = 0; j < kEntriesMax; ++j)
-    if (j < row.count)
-      sum = sum + depth.rest[row.begin + kSliceRows * j] * tile[local_of(row.packed[j])];
-  return sum;
-}
-
 template <bool kLong, bool kExactInSomeGroups>
 __global__ void __launch_bounds__(kThreads, kLong ? 6 : 8) residual_kernel(Depth depth) {
   float4* tile = tile_of_block<float4>();
@@ -36,7 +26,7 @@ __global__ void __launch_bounds__(kThreads, kLong ? 6 : 8) residual_kernel(Depth
   beyond.finish(depth.x);
   if (i < 0) return;
   float4 product = beyond.added_to(product_of(row, tile));
-  if (is_exact) product = product + rest_of_product(depth, row, tile);
+  if (is_exact) product = product + rest_of_product(depth.system.rest, row, tile);
   depth.r[i] = is_free ? f - diagonal * tile[threadIdx.x] - product : zero4();
 }
 

@@ -36,19 +36,22 @@ struct SheetIntegrals {
   const int32_t* cell;  ///< of every sheet
 };
 
-/// CellIntegrals::gradient: for each corner a = 0..7 and direction i the three axes. That of a = 7
-/// is minus the sum of the others; what its floats leave of it follows as another 2 × 3 numbers.
+/// CellIntegrals::gradient: for each corner a = 0..6 and direction i the three axes; that of a = 7
+/// is minus the sum of the others. Floats, and what they leave where parts are weak: on cells with
+/// next to no surface that is enough to move such parts by 1e-4 of the diagonal.
 struct Gradients {
-  static constexpr int kNumbers = 54;
+  static constexpr int kNumbers = 42;
   const float* numbers;
+  const float* rests;  ///< null where floats will do
   int64_t cells;
 };
 
 /// The same of a session's metric, both directions in one: three axes for each corner, and what the
 /// floats of a = 7 leave.
 struct CellGradients {
-  static constexpr int kNumbers = 27;
+  static constexpr int kNumbers = 27, kRests = 21;
   float* numbers;
+  float* rests;  ///< of a = 0..6; null where floats will do
   int64_t cells;
 };
 
@@ -79,7 +82,8 @@ struct NewGradientScale {
 };
 
 /// The right-hand side for the displacement: of corner I it is slider_less_one · per_slider[I], and
-/// own[I] as well where slice I / kSliceRows of the corners is painted.
+/// own[I] as well where slice I / kSliceRows of the corners is painted. Where I is pinned it counts
+/// as zero; which corners are is the metric's to say, and these numbers outlive it.
 struct Constraint {
   Double3 *per_slider, *own;
   double* slider_less_one;
@@ -214,15 +218,14 @@ struct Matrix {
   uint32_t* packed;
   float* diagonal;
   float* long_entries;  ///< as they are, of LongRows::column; null where there are none
+  float* rest;          ///< what the packed entries leave of each; null where that will do
 };
 
 /// One session's numbers at one depth.
 struct Depth {
   Topology topology;
-  Matrix system;     ///< S
-  float* rest;       ///< what S's packed entries leave of its entries; at the finest and coarsest
-                     ///< depths and where is_exact, else null
-  float* remainder;  ///< what both leave; at the finest depth where is_exact, else null
+  Matrix system;     ///< S, with rests at the finest and coarsest depths and where is_exact
+  float* remainder;  ///< what rests leave as well; at the finest depth where is_exact, else null
   float* inverse_diagonal;  ///< 0 where pinned
   float4* x;
   float4* f;
