@@ -9,13 +9,16 @@ namespace burnish {
 
 namespace {
 
-constexpr int32_t kRowsPerIrregularRow = 24;
-constexpr int kDepthsCorrectedTwice = 2;  // further up it gains nothing more
+// Shares of irregular rows at the depth above the finest.
+constexpr double kSomeSheets = 1.0 / 40;
+constexpr double kManySheets = 1.0 / 24;
+constexpr int32_t kSmallScanCorners = 150'000;  // whose trial takes half a second
+constexpr int kDepthsCorrectedTwice = 2;        // further up it gains nothing more
 constexpr int kTrialsMax = 3;
 constexpr int32_t kTrialCornersMax = 4'000'000;  // a trial needs the memory of a session on the CPU
 
-bool has_many_sheets(const HierarchyDepth& depth) {
-  return depth.stencil.irregular.count() > depth.grid.corner_count() / kRowsPerIrregularRow;
+double share_of_irregular_rows(const HierarchyDepth& depth) {
+  return static_cast<double>(depth.stencil.irregular.count()) / depth.grid.corner_count();
 }
 
 // With patches where one trial was slow, the next one shows what else is.
@@ -36,7 +39,10 @@ void add_patches(const PreparedMesh& prepared, const std::shared_ptr<Hierarchy>&
 
 void strengthen_cycle(const PreparedMesh& prepared, const std::shared_ptr<Hierarchy>& hierarchy) {
   const int last = hierarchy->finest - 1;
-  if (last <= hierarchy->coarsest || !has_many_sheets(hierarchy->at(last))) return;
+  if (last <= hierarchy->coarsest) return;
+  const bool is_small = hierarchy->depths.back().grid.corner_count() < kSmallScanCorners;
+  const double least = is_small ? kSomeSheets : kManySheets;
+  if (share_of_irregular_rows(hierarchy->at(last)) <= least) return;
   const int first = std::max(last - kDepthsCorrectedTwice, hierarchy->coarsest) + 1;
   for (int depth = first; depth <= hierarchy->finest; ++depth) {
     HierarchyDepth& one = hierarchy->depths[depth - hierarchy->coarsest];

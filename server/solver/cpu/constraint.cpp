@@ -158,8 +158,8 @@ void Constraint::sum_changed(std::vector<Double4>& b, std::vector<Double4>& r) {
 }
 
 uint64_t Constraint::byte_count() const {
-  return bytes_of(ratio_) + bytes_of(per_slider_) + bytes_of(is_pinned_) + bytes_of(paint_) + bytes_of(has_paint_) +
-         bytes_of(is_changed_);
+  return bytes_of(ratio_) + bytes_of(per_slider_) + bytes_of(is_pinned_) + bytes_of(paint_) +
+         bytes_of(has_paint_) + bytes_of(is_changed_);
 }
 
 }  // namespace burnish::cpu
