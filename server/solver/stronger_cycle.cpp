@@ -15,6 +15,7 @@ constexpr double kManySheets = 1.0 / 24;
 constexpr int32_t kSmallScanCorners = 150'000;  // whose trial takes half a second
 constexpr int kDepthsCorrectedTwice = 2;        // further up it gains nothing more
 constexpr int kTrialsMax = 3;
+constexpr size_t kFewSpots = 16;  // after so few the next trial would find hardly any
 constexpr int32_t kTrialCornersMax = 4'000'000;  // a trial needs the memory of a session on the CPU
 
 double share_of_irregular_rows(const HierarchyDepth& depth) {
@@ -32,6 +33,7 @@ void add_patches(const PreparedMesh& prepared, const std::shared_ptr<Hierarchy>&
     std::vector<std::vector<int32_t>> sets = finest.patches.corner_sets();
     std::ranges::move(spots, std::back_inserter(sets));
     finest.patches = make_patches(finest.grid, sets);
+    if (spots.size() < kFewSpots) return;
   }
 }
 
