@@ -38,6 +38,7 @@ void add_prolonged(const CpuDepth& coarse, CpuDepth& fine) {
     if (from.cell == kNone) continue;
     const auto& weights = weights_of_place[from.place];
     const auto& corners = coarse.topology.grid.cell_corners[from.cell];
+    // Those that weigh nothing as well: which they are a processor cannot guess.
     Float4 sum = fine.x[i];
 #pragma GCC unroll 8
     for (int a = 0; a < kCornersPerCell; ++a) sum += weights[a] * coarse.x[corners[a]];
