@@ -127,6 +127,14 @@ TEST_F(OnADevice, BetaOneGivesTheInputBack) {
   EXPECT_EQ(filtered.alpha(20).after(20), mesh.vertices);
 }
 
+// Of any vertex, over the diagonal.
+double largest_distance(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
+                        const TriangleMesh& mesh) {
+  double most = 0;
+  for (size_t v = 0; v < a.size(); ++v) most = std::max(most, (a[v] - b[v]).norm());
+  return most / compute_statistics(mesh).diagonal();
+}
+
 // The largest distance between the two after so many cycles, over the diagonal: cycle by cycle, so
 // that neither hides behind the other's convergence. One cycle is 4e-2 off the solution.
 double between_cpu_and_cuda(const TriangleMesh& mesh, Smoother smoother, int cycles) {
@@ -134,10 +142,7 @@ double between_cpu_and_cuda(const TriangleMesh& mesh, Smoother smoother, int cyc
     Filtered filtered(mesh, 7, {.backend = backend, .smoother = smoother});
     return filtered.curve(TransferCurve::parse("-20:5,20:500").value()).beta(0).after(cycles);
   };
-  const auto on_cpu = after(BackendKind::kCpu), on_cuda = after(BackendKind::kCuda);
-  double most = 0;
-  for (size_t v = 0; v < on_cpu.size(); ++v) most = std::max(most, (on_cpu[v] - on_cuda[v]).norm());
-  return most / compute_statistics(mesh).diagonal();
+  return largest_distance(after(BackendKind::kCpu), after(BackendKind::kCuda), mesh);
 }
 
 // They differ by rounding; with Schwarz by where the estimate of λmax starts as well, and, but
@@ -176,14 +181,6 @@ TEST(SheetsApart, OfCrumbsHaveWeakPartsAtOneDepth) {
     EXPECT_EQ(make_hierarchy(*prepared)->depths.back().has_weak_parts,
               depth == kDepthWithWeakParts);
   }
-}
-
-// Of any vertex, over the diagonal.
-double largest_distance(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
-                        const TriangleMesh& mesh) {
-  double most = 0;
-  for (size_t v = 0; v < a.size(); ++v) most = std::max(most, (a[v] - b[v]).norm());
-  return most / compute_statistics(mesh).diagonal();
 }
 
 // The constraint goes on from what it was: a slip there would stay.
