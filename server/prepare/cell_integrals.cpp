@@ -76,14 +76,6 @@ BURNISH_DISPATCH static void expand(const CellMoments<double>& moments, CellInte
         out.stiffness[table][pair] =
             stiffness_of(moments.along[table], moments.across[table], a, b);
     }
-    if (i == 7) continue;
-    for (int table = 0; table < 2; ++table)
-      for (int r = 0; r < 3; ++r) {
-        double sum = 0;
-        for (int s = 0; s < 3; ++s)
-          sum += sign(a[s]) * moments.slope[table][r][s][a[kBeside[s][0]] + 2 * a[kBeside[s][1]]];
-        out.gradient[table][3 * i + r] = sum;
-      }
   }
 }
 

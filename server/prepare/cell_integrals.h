@@ -14,8 +14,8 @@ namespace burnish {
 class CellIntegrator {
  public:
   /// Adds one convex planar piece. v1 and v2 are the principal directions on it; where it has none
-  /// (`umbilic`: flat or spherical) each of ℓ¹, ℓ² and of the gradients takes half of both, so that
-  /// nothing depends on an arbitrary choice.
+  /// (`umbilic`: flat or spherical) each of ℓ¹ and ℓ² takes half of both, so that nothing depends
+  /// on an arbitrary choice.
   void add(const Polygon& piece, const Vec3d& v1, const Vec3d& v2, bool umbilic);
 
   double area() const { return area_; }

@@ -41,17 +41,10 @@ static constexpr int kStride[3] = {1, 3, 9};
       product[j + 3 * k] = line[0] + 2 * line[along] + line[2 * along];
     }
   for (int table = 0; table < 2; ++table) {
-    // The two directions and the normal are orthonormal: n nᵀ = 1 − D¹ − D².
+    // The two directions and the normal are orthonormal: n nᵀ = 1 − v₁v₁ᵀ − v₂v₂ᵀ.
     const Double8 across = 1 - t.tensor[0][r] - t.tensor[1][r];
     const Double8 stiffness = t.tensor[table][r] + 0.5 * kNormalStiffness * across;
     for (int i = 0; i < 9; ++i) sums.along[table][r][i] += stiffness * product[i];
-  }
-  for (int i = 0; i < 4; ++i) {
-    const Double8* square = product + (i & 1) + 3 * (i >> 1);
-    const Double8 slope = (square[0] + square[1]) + (square[3] + square[4]);
-    for (int table = 0; table < 2; ++table)
-      for (int of = 0; of < 3; ++of)
-        sums.slope[table][of][r][i] += t.tensor[table][of == r ? r : 6 - of - r] * slope;
   }
 }
 

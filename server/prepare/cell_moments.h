@@ -10,15 +10,14 @@ inline constexpr int kBeside[3][2] = {{1, 2}, {0, 2}, {0, 1}};
 /// What the integrals of one cell are put together from. Along an axis a trilinear basis function
 /// is h₀ = 1 − x or h₁ = x, and a product of two is β₀ = (1 − x)², β₁ = x(1 − x) or β₂ = x²: all is
 /// said by the 27 integrals of β_i(x) β_j(y) β_k(z), as h₀ = β₀ + β₁, h₁ = β₁ + β₂ and
-/// 1 = β₀ + 2β₁ + β₂. Those of derivatives are summed with the tensors of the pieces of surface:
-/// D for the gradients, S for the stiffness, two of each, ℓ¹'s and ℓ²'s.
+/// 1 = β₀ + 2β₁ + β₂. Those of derivatives are summed with a tensor S of the piece of surface, or
+/// rather two of them, ℓ¹'s and ℓ²'s.
 /// T: a number, or several that are still to be added up.
 template <typename T>
 struct CellMoments {
   T mass[27] = {};        ///< ∫ β_i β_j β_k at i + 3j + 9k
   T along[2][3][9] = {};  ///< [axis r]: Σ S_rr ∫ β_j β_k at j + 3k, over the axes beside r
   T across[2][3][2][2][3] = {};  ///< [axis t][u][v][k]: Σ S_rs ∫ h_u h_v β_k with r, s beside t
-  T slope[2][3][3][4] = {};      ///< [axis r][axis s]: Σ D_rs ∫ h_u h_v at u + 2v, beside s
 };
 
 /// Eight plane triangles inside a cell, a triangle in each lane; lanes with no area count nothing.
@@ -27,7 +26,7 @@ struct TriangleBatch {
 
   Double8 corner[3][3] = {};  ///< [corner][axis], relative to the cell's least corner
   Double8 area = {};
-  Double8 tensor[2][6] = {};  ///< D: xx, yy, zz, yz, xz, xy
+  Double8 tensor[2][6] = {};  ///< v vᵀ: xx, yy, zz, yz, xz, xy
 };
 
 /// sums += the moments of the triangles.

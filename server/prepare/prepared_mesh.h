@@ -20,15 +20,14 @@ namespace burnish {
 /// Pairs (a, b), a < b, of local corners are ordered (0,1), (0,2), ..., (0,7), (1,2), ...: see
 /// pair_index(). Diagonals are not stored: they follow from the row sums (of ℓ: zero), which keeps
 /// constants exact. In double: on flat pieces whole combinations of corners have no energy at all,
-/// and float32 tables would give them a negative one.
+/// and float32 tables would give them a negative one. The gradients ∫ ⟨v_i, ∇B_a⟩ v_i are no table
+/// of their own: stiffness times the corners' places (gradient_of() in solver/cell_matrix.h).
 struct CellIntegrals {
   std::array<double, 28> mass;                      ///< ρ_ab
   std::array<double, 8> mass_row_sum;               ///< Σ_b ρ_ab = ∫ B_a
   std::array<std::array<double, 28>, 2> stiffness;  ///< ℓ¹_ab, ℓ²_ab
-  std::array<std::array<double, 21>, 2> gradient;  ///< ∫ ⟨v_i, ∇B_a⟩ v_i for a = 0..6; a = 7
-                                                   ///< is minus their sum
 };
-static_assert(sizeof(CellIntegrals) == 1072);
+static_assert(sizeof(CellIntegrals) == 736);
 
 /// Area-weighted means over a cell, user units (κ·L), and the clipped area in grid units.
 struct CellCurvature {
@@ -107,6 +106,6 @@ Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::
 Result<std::shared_ptr<const PreparedMesh>> map_prepared_mesh(const std::filesystem::path& path);
 
 /// Bumped whenever the form of the file changes, or its numbers by more than rounding.
-inline constexpr uint32_t kPreparedFormatVersion = 3;
+inline constexpr uint32_t kPreparedFormatVersion = 4;
 
 }  // namespace burnish

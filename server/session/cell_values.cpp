@@ -2,10 +2,6 @@
 
 namespace burnish {
 
-static std::vector<float> copy(std::span<const float> values) {
-  return {values.begin(), values.end()};
-}
-
 static std::vector<float> curvatures(const Session& session, float CellCurvature::*kappa) {
   std::vector<float> values;
   values.reserve(session.prepared().curvature.size());
@@ -15,12 +11,14 @@ static std::vector<float> curvatures(const Session& session, float CellCurvature
 
 std::vector<float> cell_values(const Session& session, CellValue value) {
   switch (value) {
-    case CellValue::kBeta:
-      return copy(session.fields().view().beta);
+    case CellValue::kBeta: {
+      const std::span<const float> beta = session.fields().view().beta;
+      return {beta.begin(), beta.end()};
+    }
     case CellValue::kAlpha1:
-      return copy(session.fields().view().alpha1);
+      return session.fields().alphas().alpha1;
     case CellValue::kAlpha2:
-      return copy(session.fields().view().alpha2);
+      return session.fields().alphas().alpha2;
     case CellValue::kKappa1:
       return curvatures(session, &CellCurvature::kappa1);
     case CellValue::kKappa2:

@@ -40,10 +40,10 @@ class Backend {
     work();
   }
 
-  // The system. Shapes: one entry per cell of the finest depth. Units: α in user units.
+  // The system.
   /// The matrices of all depths (section 5.2), smoothers and the coarsest factorisation. Afterwards
   /// r is wrong until recompute_residual().
-  virtual void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) = 0;
+  virtual void set_metric(const MetricView& metric) = 0;
   /// b = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²), the constraint of the displacement, with the metric as
   /// last set; r changes by as much.
   virtual void set_constraint(const FieldsView& fields) = 0;

@@ -11,6 +11,18 @@ inline constexpr int pair_index(int a, int b) {
   return low * 7 - low * (low - 1) / 2 + (high - low - 1);
 }
 
+/// One axis of ∫ ⟨v, ∇B_a⟩ v over a cell, v being the direction of its stiffness ℓ: Σ_b ℓ_ab x_b,
+/// as Σ_b x_b B_b is the place x itself. With rows that add up to zero it is the pairs of a with
+/// the corners opposite along the axis that count. `pair(p)`: ℓ's, at pair_index().
+template <typename Pair>
+constexpr double gradient_of(Pair&& pair, int a, int axis) {
+  double sum = 0;
+#pragma GCC unroll 8
+  for (int step = 1; step < 8; ++step)
+    if ((step >> axis & 1) != 0) sum += pair(pair_index(a, a ^ step));
+  return (a >> axis & 1) != 0 ? -sum : sum;
+}
+
 /// A cell's symmetric 8×8 share of a system matrix, as off-diagonal pairs and row sums. The
 /// diagonal is the row sum less the off-diagonals; keeping the sums apart keeps the mass term,
 /// which is many orders below the stiffness at small α.

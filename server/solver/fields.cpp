@@ -17,15 +17,12 @@ Fields::Fields(const PreparedMesh& prepared)
       painted_beta_(prepared.cells.size(), 0),
       painted_weight_(prepared.cells.size(), 0),
       may_have_paint_((prepared.cells.size() + kStretch - 1) / kStretch, 0),
-      alpha1_(prepared.cells.size(), static_cast<float>(kAlphaDefault)),
-      alpha2_(prepared.cells.size(), static_cast<float>(kAlphaDefault)),
       beta_(prepared.cells.size(), static_cast<float>(kBetaDefault)),
       follow_(prepared.cells.size(), 1),
       own_(prepared.cells.size(), 0) {}
 
 void Fields::set_transfer_curve(const TransferCurve& curve) {
   curve_ = curve;
-  metric_is_old_ = true;
 }
 
 void Fields::set_gradient_scale(double beta) {
@@ -140,7 +137,7 @@ void Fields::set_painted(const PaintedCells& painted) {
   std::fill(follow_.begin(), follow_.end(), 1.0f);
   std::fill(own_.begin(), own_.end(), 0.0f);
   std::fill(may_have_paint_.begin(), may_have_paint_.end(), uint8_t{0});
-  for (const auto& [c, cell] : overrides_) may_have_paint_[c / kStretch] = 1;
+  for (const OwnFields& own : overrides_) may_have_paint_[own.cell / kStretch] = 1;
   for (size_t i = 0; i < painted.cells.size(); ++i) {
     painted_beta_[painted.cells[i]] = painted.beta[i];
     painted_weight_[painted.cells[i]] = painted.weight[i];
@@ -173,57 +170,52 @@ Status Fields::check(const SetCellFields& change) const {
 }
 
 Status Fields::override_cells(const SetCellFields& change) {
-  std::vector<std::pair<int32_t, SetCellFields::Cell>> found;
-  found.reserve(change.cells.size());
+  std::vector<OwnFields> all = overrides_;
   for (const SetCellFields::Cell& cell : change.cells) {
     ASSIGN_OR_RETURN(const int32_t index, index_of(cell.cell));
-    found.emplace_back(index, cell);
+    all.push_back({index, static_cast<float>(cell.alpha1), static_cast<float>(cell.alpha2),
+                   static_cast<float>(cell.beta)});
   }
-  overrides_.insert(overrides_.end(), found.begin(), found.end());
-  for (const auto& [c, of_cell] : found) may_have_paint_[c / kStretch] = 1;
-  metric_is_old_ = beta_is_old_ = true;
+  std::ranges::stable_sort(all, {}, &OwnFields::cell);
+  overrides_.clear();
+  for (const OwnFields& own : all) {
+    if (!overrides_.empty() && overrides_.back().cell == own.cell) overrides_.pop_back();
+    overrides_.push_back(own);
+    may_have_paint_[own.cell / kStretch] = 1;
+  }
+  beta_is_old_ = true;
   return Status::ok();
 }
 
 void Fields::clear_overrides() {
   overrides_.clear();
-  metric_is_old_ = beta_is_old_ = true;
+  beta_is_old_ = true;
 }
 
 FieldsView Fields::view() const {
-  if (metric_is_old_) update_metric();
   if (beta_is_old_) update_beta();
-  metric_is_old_ = beta_is_old_ = false;
-  return {alpha1_, alpha2_, beta_, beta_slider_, {follow_, own_, may_have_paint_}};
+  beta_is_old_ = false;
+  return {{&curve_, overrides_}, beta_, beta_slider_, {follow_, own_, may_have_paint_}};
+}
+
+CellAlphas Fields::alphas() const {
+  CellAlphas alphas;
+  evaluate(view().metric, prepared_, alphas);
+  return alphas;
 }
 
 uint64_t Fields::byte_count() const {
-  return 7 * beta_.size() * sizeof(float) + may_have_paint_.size() +
+  return 5 * beta_.size() * sizeof(float) + may_have_paint_.size() +
          overrides_.size() * sizeof(overrides_[0]);
-}
-
-void Fields::update_metric() const {
-  const bool is_constant = curve_.is_constant();
-  const auto alpha = [&](double kappa) { return static_cast<float>(curve_.alpha(kappa)); };
-  const float one = alpha(0);
-#pragma omp parallel for schedule(static)
-  for (int64_t c = 0; c < static_cast<int64_t>(alpha1_.size()); ++c) {
-    alpha1_[c] = is_constant ? one : alpha(prepared_.curvature[c].kappa1);
-    alpha2_[c] = is_constant ? one : alpha(prepared_.curvature[c].kappa2);
-  }
-  for (const auto& [c, cell] : overrides_) {
-    alpha1_[c] = static_cast<float>(cell.alpha1);
-    alpha2_[c] = static_cast<float>(cell.alpha2);
-  }
 }
 
 void Fields::update_beta() const {
 #pragma omp parallel for schedule(static) if (beta_.size() >= kParallelMin)
   for (size_t stretch = 0; stretch < may_have_paint_.size(); ++stretch) update_beta(stretch);
-  for (const auto& [c, cell] : overrides_) {
-    beta_[c] = static_cast<float>(cell.beta);
-    follow_[c] = 0;
-    own_[c] = static_cast<float>(cell.beta - 1);
+  for (const OwnFields& own : overrides_) {
+    beta_[own.cell] = own.beta;
+    follow_[own.cell] = 0;
+    own_[own.cell] = own.beta - 1;
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "common/edit/edit.h"
 #include "server/prepare/prepared_mesh.h"
+#include "server/solver/alphas.h"
 #include "server/solver/fields_view.h"
 
 namespace burnish {
@@ -17,9 +18,9 @@ struct PaintedCells {
   bool operator==(const PaintedCells&) const = default;
 };
 
-/// α1, α2 and β per cell (section 4.3), and what they come from: slider, paint, curve, overrides.
-/// Setting one of these is cheap; the cells are computed by the next view(), once for all changes.
-/// Shapes: one entry per cell of the finest depth. Units: α in user units.
+/// The metric and β per cell (section 4.3), and what they come from: slider, paint, curve,
+/// overrides. Setting one of these is cheap; β of the cells is computed by the next view(), once
+/// for all changes. Shapes: one entry per cell of the finest depth. Units: α in user units.
 class Fields {
  public:
   /// The defaults everywhere: α = 50, β = 1.
@@ -41,12 +42,12 @@ class Fields {
   void set_painted(const PaintedCells& painted);
 
   FieldsView view() const;
+  CellAlphas alphas() const;  ///< what view().metric amounts to
   const TransferCurve& transfer_curve() const { return curve_; }
   double gradient_scale() const { return beta_slider_; }
   uint64_t byte_count() const;
 
  private:
-  void update_metric() const;
   void update_beta() const;
   void update_beta(size_t stretch) const;
   /// The index of an active cell. Fails: invalid_argument.
@@ -60,11 +61,10 @@ class Fields {
   // Cells of overrides count.
   static constexpr size_t kStretch = CellPaint::kStretch;
   std::vector<uint8_t> may_have_paint_;
-  std::vector<std::pair<int32_t, SetCellFields::Cell>> overrides_;  // by cell index, in order
+  std::vector<OwnFields> overrides_;  // by rising cell, each once
 
-  // What the above amounts to, as of the last view().
-  mutable std::vector<float> alpha1_, alpha2_, beta_, follow_, own_;
-  mutable bool metric_is_old_ = false;
+  // What slider, paint and overrides amount to, as of the last view().
+  mutable std::vector<float> beta_, follow_, own_;
   mutable bool beta_is_old_ = false;
 };
 

@@ -8,6 +8,20 @@
 
 namespace burnish {
 
+/// Fields of a cell that follows neither curve nor slider.
+struct OwnFields {
+  int32_t cell;
+  float alpha1, alpha2, beta;
+};
+
+/// What α1 and α2 of the finest depth's cells come from: alphas.h. Units: α in user units.
+struct MetricView {
+  const TransferCurve* curve;      ///< of κ1 and κ2 of each cell
+  std::span<const OwnFields> own;  ///< of some cells, each once, by rising cell
+  /// Whether all cells have one α.
+  bool is_uniform() const { return own.empty() && curve->is_constant(); }
+};
+
 /// What β of a cell comes from: β = 1 + follow·(slider − 1) + own.
 struct CellPaint {
   static constexpr size_t kStretch = 1024;
@@ -15,10 +29,9 @@ struct CellPaint {
   std::span<const uint8_t> is_painted;  ///< of each kStretch cells, whether any may have paint
 };
 
-/// α1, α2 and β of every cell of the finest depth. Units: α in user units.
+/// The metric and β of every cell of the finest depth.
 struct FieldsView {
-  std::span<const float> alpha1;
-  std::span<const float> alpha2;
+  MetricView metric;
   std::span<const float> beta;
   double gradient_scale = kBetaDefault;  ///< the slider: β of every cell without paint of its own
   CellPaint paint;

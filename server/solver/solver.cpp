@@ -70,7 +70,7 @@ Solver::~Solver() = default;
 void Solver::set_metric(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();
-  backend_->set_metric(fields.alpha1, fields.alpha2);
+  backend_->set_metric(fields.metric);
   backend_->set_constraint(fields);
   assemble_seconds_ += seconds_since(start);
   start_from(fields, kNewMetric);

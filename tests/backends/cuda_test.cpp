@@ -214,6 +214,30 @@ TEST_F(OnADevice, EditAfterEditEndsWhereTheCpuDoes) {
   EXPECT_LE(largest_distance(edited(BackendKind::kCpu), edited(BackendKind::kCuda), mesh), 2e-6);
 }
 
+// α of the cells is worked out on the device: of a curve of several points, and of cells that have
+// their own, over two edits.
+TEST_F(OnADevice, CellsOfTheirOwnAndACurveOfManyPointsEndWhereTheCpuDoes) {
+  const TriangleMesh mesh = generate_scan({.kind = "blob", .vertices = 8000}).value();
+  const auto edited = [&](int depth, BackendKind backend) {
+    Filtered filtered(mesh, depth, {.backend = backend});
+    filtered.curve(TransferCurve::parse("-20:5,-2:40,0:8,1:60,25:500").value()).beta(0).after(1);
+    const std::span<const MortonKey> cells = filtered.session().prepared().cells;
+    for (const double alpha : {3.0, 200.0}) {
+      SetCellFields own;
+      for (size_t c = 0; c < cells.size(); c += alpha == 3 ? 7 : 5)
+        own.cells.push_back({morton_point(cells[c]), alpha, 2 * alpha, 0.5});
+      EXPECT_TRUE(filtered.session().apply({"own", own}).is_ok());
+      filtered.after(1);
+    }
+    return filtered.exact();
+  };
+  for (const int depth : {4, 6})
+    EXPECT_LE(
+        largest_distance(edited(depth, BackendKind::kCpu), edited(depth, BackendKind::kCuda), mesh),
+        2e-6)
+        << depth;
+}
+
 TriangleMesh separate_pieces() {
   TriangleMesh mesh;
   const TriangleMesh piece = generate_scan({.kind = "icosphere", .vertices = 12}).value();

@@ -105,10 +105,6 @@ double median(std::vector<double> numbers) {
   return *middle;
 }
 
-void print_microseconds(const char* what, std::vector<double> times) {
-  std::printf("  device busy: %-31s %9.1f us\n", what, median(std::move(times)));
-}
-
 // The median of how long some calls keep the device busy, each after a change that `prepare` makes.
 template <typename Prepare, typename Work>
 void print_device_time(const char* what, Prepare&& prepare, Work&& work) {
@@ -117,28 +113,20 @@ void print_device_time(const char* what, Prepare&& prepare, Work&& work) {
     prepare(i);
     times.push_back(microseconds_of(trace_device(work)));
   }
-  print_microseconds(what, times);
+  std::printf("  device busy: %-39s %9.1f us\n", what, median(std::move(times)));
 }
 
-// One α for another leaves the constraint as it is; of another curve it is the last kernel.
+// One α for another leaves the constraint as it is. Of another curve what it has per slider is
+// gathered beside the matrices.
 void print_metric_times(Solver& solver, Fields& fields) {
-  const auto trace = [&](const TransferCurve& curve) {
-    fields.set_transfer_curve(curve);
-    return trace_device([&] { solver.set_metric(fields.view()); });
+  const auto print = [&](const char* what, const TransferCurve& one, const TransferCurve& other) {
+    print_device_time(
+        what, [&](int i) { fields.set_transfer_curve(i % 2 == 0 ? one : other); },
+        [&] { solver.set_metric(fields.view()); });
   };
-  std::vector<double> of_alpha, of_curve, constraints;
-  for (int i = 0; i < kTraces; ++i)
-    of_alpha.push_back(microseconds_of(trace(TransferCurve(i % 2 == 0 ? 20 : 20.1))));
-  for (int i = 0; i < kTraces; ++i) {
-    std::vector<TracedWork> works =
-        trace(TransferCurve::parse(i % 2 == 0 ? "-20:5,20:500" : "-20:5,20:450").value());
-    constraints.push_back(microseconds_of({works.back()}));
-    works.pop_back();
-    of_curve.push_back(microseconds_of(works));
-  }
-  print_microseconds("matrices, another alpha", of_alpha);
-  print_microseconds("matrices, another curve", of_curve);
-  print_microseconds("constraint, another curve", constraints);
+  print("matrices, another alpha", TransferCurve(20), TransferCurve(20.1));
+  print("matrices and constraint, another curve", TransferCurve::parse("-20:5,20:500").value(),
+        TransferCurve::parse("-20:5,20:450").value());
 }
 
 // Nothing without a trace. Each change after a step, which leaves nothing of the constraint's in

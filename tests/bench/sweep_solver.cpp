@@ -18,11 +18,13 @@ SweepSolver::SweepSolver(const BenchSystem& system, const FieldsView& fields,
   }
   outer_ = std::make_unique<cpu::ConjugateGradients>(depths_.back(), prepared.evaluation);
 
-  cpu::assemble(prepared, fields.alpha1, fields.alpha2, depths_, &outer_->matrix());
+  CellAlphas alphas;
+  evaluate(fields.metric, prepared, alphas);
+  cpu::assemble(prepared, alphas, depths_, &outer_->matrix());
   for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
   coarsest_.factor(depths_.front());
   cpu::Constraint constraint(prepared, depths_.back());
-  constraint.set_ratio(cpu::ratios_of(fields.alpha1, fields.alpha2));
+  constraint.set_ratio(cpu::ratios_of(alphas));
   constraint.assemble(fields, outer_->constraint(), outer_->residual());
   outer_->recompute_residual();
 }

@@ -24,14 +24,15 @@ static void append_header(std::string& text, const PreparedMesh& prepared) {
 
 Status write_fields_file(const Session& session, const std::filesystem::path& path) {
   const PreparedMesh& prepared = session.prepared();
-  const FieldsView fields = session.fields().view();
+  const CellAlphas alphas = session.fields().alphas();
+  const std::span<const float> beta = session.fields().view().beta;
   std::string text;
   append_header(text, prepared);
   for (size_t c = 0; c < prepared.cells.size(); ++c) {
     const Vec3i cell = morton_point(prepared.cells[c]);
     append(text, "%d %d %d %.9g %.9g %.9g %.9g %.9g\n", cell.x(), cell.y(), cell.z(),
-           static_cast<double>(fields.alpha1[c]), static_cast<double>(fields.alpha2[c]),
-           static_cast<double>(fields.beta[c]), static_cast<double>(prepared.curvature[c].kappa1),
+           static_cast<double>(alphas.alpha1[c]), static_cast<double>(alphas.alpha2[c]),
+           static_cast<double>(beta[c]), static_cast<double>(prepared.curvature[c].kappa1),
            static_cast<double>(prepared.curvature[c].kappa2));
   }
   return write_file(path, text);

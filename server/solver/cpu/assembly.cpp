@@ -80,9 +80,9 @@ void assemble_depth(const CombinedCells& cells, CpuDepth& depth, ExactMatrix* ex
 
 }  // namespace
 
-void assemble(const PreparedMesh& prepared, std::span<const float> alpha1,
-              std::span<const float> alpha2, std::span<CpuDepth> depths, ExactMatrix* exact) {
-  const Metric metric = {alpha1, alpha2, prepared.alpha_scale()};
+void assemble(const PreparedMesh& prepared, const CellAlphas& alphas, std::span<CpuDepth> depths,
+              ExactMatrix* exact) {
+  const Metric metric = {alphas.alpha1, alphas.alpha2, prepared.alpha_scale()};
   CombinedCells cells(depths.back().topology);
   if (depths.size() == 1) combine_cells(prepared, metric, cells);
   for (size_t d = depths.size() - 1; d > 0; --d) {

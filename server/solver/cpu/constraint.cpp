@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/base/dispatch.h"
+#include "server/solver/cell_matrix.h"
 #include "server/solver/cpu/scratch.h"
 
 namespace burnish::cpu {
@@ -14,24 +15,27 @@ static constexpr int64_t kFewCellsDivisor = 8;
 
 namespace {
 
-using Gradient = std::array<double, 21>;
-
 // The last corner's share is minus the sum of the others', since Σ_a ∇B_a = 0.
-BURNISH_DISPATCH void combine(const std::array<Gradient, 2>& gradient, double first, double second,
+BURNISH_DISPATCH void combine(const CellIntegrals& of, double first, double second,
                               std::array<double, 24>& out) {
-  for (int i = 0; i < 21; ++i) out[i] = first * gradient[0][i] + second * gradient[1][i];
+  std::array<double, 28> pair;
+  for (int p = 0; p < 28; ++p) pair[p] = first * of.stiffness[0][p] + second * of.stiffness[1][p];
+#pragma GCC unroll 3
   for (int axis = 0; axis < 3; ++axis) {
     double others = 0;
-    for (int a = 0; a < 7; ++a) others += out[3 * a + axis];
+#pragma GCC unroll 7
+    for (int a = 0; a < 7; ++a)
+      others += out[3 * a + axis] = gradient_of([&](int p) { return pair[p]; }, a, axis);
     out[21 + axis] = -others;
   }
 }
 
 }  // namespace
 
-std::vector<double> ratios_of(std::span<const float> alpha1, std::span<const float> alpha2) {
-  std::vector<double> ratios(alpha1.size());
-  for (size_t c = 0; c < ratios.size(); ++c) ratios[c] = static_cast<double>(alpha2[c]) / alpha1[c];
+std::vector<double> ratios_of(const CellAlphas& alphas) {
+  std::vector<double> ratios(alphas.alpha1.size());
+  for (size_t c = 0; c < ratios.size(); ++c)
+    ratios[c] = static_cast<double>(alphas.alpha2[c]) / alphas.alpha1[c];
   return ratios;
 }
 
@@ -89,7 +93,7 @@ int64_t Constraint::take_stretch(const CellPaint& paint, size_t stretch) {
 }
 
 void Constraint::share(int32_t cell, CellShare& out) const {
-  combine(prepared_.integrals[cell].gradient, ratio_[cell], 1 / ratio_[cell], out);
+  combine(prepared_.integrals[cell], ratio_[cell], 1 / ratio_[cell], out);
 }
 
 // Without paint not by steps: b is nothing again where β is one again.

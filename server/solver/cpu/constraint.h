@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "server/prepare/prepared_mesh.h"
+#include "server/solver/alphas.h"
 #include "server/solver/cpu/cpu_depth.h"
-#include "server/solver/fields_view.h"
 
 namespace burnish::cpu {
 
 /// α2/α1 of every cell.
-std::vector<double> ratios_of(std::span<const float> alpha1, std::span<const float> alpha2);
+std::vector<double> ratios_of(const CellAlphas& alphas);
 
 /// b_I = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²)_I, the right-hand side for the displacement: Eq. 4's
 /// constraint less S c°. What of b follows the slider is kept: of a slider that moves nothing is

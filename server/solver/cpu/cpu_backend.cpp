@@ -57,16 +57,18 @@ class CpuBackend final : public Backend {
 
   uint64_t byte_count() const override {
     uint64_t bytes = outer_->byte_count() + coarsest_.byte_count() + patches_.byte_count() +
-                     constraint_->byte_count() + bytes_of(displacement_) +
+                     constraint_->byte_count() + bytes_of(alphas_.alpha1) +
+                     bytes_of(alphas_.alpha2) + bytes_of(displacement_) +
                      bytes_of(vertex_displacement_);
     for (const CpuDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother ? smoother->byte_count() : 0;
     return bytes;
   }
 
-  void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
-    assemble(*prepared_, alpha1, alpha2, depths_, &outer_->matrix());
-    constraint_->set_ratio(ratios_of(alpha1, alpha2));
+  void set_metric(const MetricView& metric) override {
+    evaluate(metric, *prepared_, alphas_);
+    assemble(*prepared_, alphas_, depths_, &outer_->matrix());
+    constraint_->set_ratio(ratios_of(alphas_));
     const double anisotropy = anisotropy_of(constraint_->ratio());
     for (CpuDepth& depth : depths_) depth.anisotropy = static_cast<float>(anisotropy);
     for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
@@ -128,6 +130,7 @@ class CpuBackend final : public Backend {
 
   std::shared_ptr<const PreparedMesh> prepared_;
   std::shared_ptr<const Hierarchy> hierarchy_;
+  CellAlphas alphas_;
   std::vector<CpuDepth> depths_;                           // from the coarsest
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
   PatchSolver patches_;                                    // of the finest

@@ -1,4 +1,6 @@
 #include "server/solver/cell_matrix.h"
+#include "server/solver/cuda/cell_alpha.h"
+#include "server/solver/cuda/cell_gradients.h"
 #include "server/solver/cuda/cell_shares.h"
 #include "server/solver/cuda/combined_cells.h"
 #include "server/solver/cuda/kernel.h"
@@ -16,23 +18,14 @@ __device__ void keep_largest(float number, float* largest) {
     atomicMax(reinterpret_cast<unsigned*>(largest), __float_as_uint(number));
 }
 
-__device__ float2 alpha_of(const Metric& metric, int64_t cell) {
-  const UniformAlpha uniform = *metric.uniform;
-  if (uniform.is_uniform) return {uniform.alpha1, uniform.alpha2};
-  return {metric.alpha1[cell], metric.alpha2[cell]};
-}
-
 __device__ CombineWeights weights_of(const Metric& metric, float2 alpha) {
   return combine_weights(alpha.x * metric.scale, alpha.y * metric.scale);
 }
 
 // The same, and what is kept of the metric. Each warp of a block calls it whole; cell < 0 for none.
 __device__ CombineWeights take_weights(const Metric& metric, int64_t cell) {
-  const bool is_there = cell >= 0;
-  const float2 alpha = is_there ? alpha_of(metric, cell) : float2{1, 1};
-  const float a1 = alpha.x, a2 = alpha.y;
-  if (is_there) metric.ratio[cell] = a2 / a1;
-  keep_largest(fmaxf(a1 / a2, a2 / a1), metric.anisotropy);
+  const float2 alpha = cell >= 0 ? alpha_of(*metric.alpha, metric.curvature, cell) : float2{1, 1};
+  keep_largest(fmaxf(alpha.x / alpha.y, alpha.y / alpha.x), metric.anisotropy);
   return weights_of(metric, alpha);
 }
 
@@ -55,22 +48,12 @@ __device__ ThreeIntegrals integrals_of(const Integrals& integrals, int64_t cell,
           integral(kFirst + Integrals::kStiffnesses + number)};
 }
 
-__device__ double combine(const ThreeIntegrals& of, const CombineWeights& weights) {
-  return weights.mass * of.mass +
-         (weights.stiffness1 * of.stiffness1 + weights.stiffness2 * of.stiffness2);
+__device__ double stiffness_of(const ThreeIntegrals& of, const CombineWeights& weights) {
+  return weights.stiffness1 * of.stiffness1 + weights.stiffness2 * of.stiffness2;
 }
 
-__global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined) {
-  await_previous();
-  const int64_t cell = thread_index() < combined.cells ? thread_index() : -1;
-  const CombineWeights weights = take_weights(metric, cell);
-  if (cell < 0) return;
-#pragma unroll 7
-  for (int pair = 0; pair < 28; ++pair)
-    pair_of(combined, cell, pair) = combine(integrals_of(integrals, cell, pair, true), weights);
-#pragma unroll
-  for (int a = 0; a < 8; ++a)
-    own_of(combined, cell, a) = combine(integrals_of(integrals, cell, 28 + a, false), weights);
+__device__ double combine(const ThreeIntegrals& of, const CombineWeights& weights) {
+  return weights.mass * of.mass + stiffness_of(of, weights);
 }
 
 // A cell's numbers are shared out among the warps of a block: so many each, one after the other.
@@ -82,25 +65,40 @@ __device__ int number_of(int n) {
   return n * kWarps + static_cast<int>(threadIdx.x / 32);
 }
 
-// 32 cells a block. Beside the kernel that combines all other cells, none of whose numbers this one
-// needs or touches: what it waits for is that it ends after it.
-__global__ void combine_apart_kernel(Integrals integrals, Metric metric,
-                                     CellSquares<double> combined, Shares shares) {
+enum class Gradients { kNone, kFloats, kWithRests };
+
+// 32 cells a block: those that are listed, or all. It may run beside the kernel that combines all
+// other cells, none of whose numbers it needs or touches: what it waits for is that it ends after
+// it.
+template <Gradients kGradients>
+__global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
+                               const int32_t* list, int64_t count) {
+  constexpr bool kAny = kGradients != Gradients::kNone;
   __shared__ CombineWeights weights[32];
+  __shared__ double stiffness[kAny ? 28 : 1][32 + 1];  // one more: banks
   let_next_start();
-  const auto lane = static_cast<int32_t>(threadIdx.x % 32);
-  const int32_t i = static_cast<int32_t>(blockIdx.x) * 32 + lane;
-  const int64_t cell = shares.apart[min(i, shares.apart_count - 1)];
+  const auto lane = static_cast<int>(threadIdx.x % 32);
+  const int64_t i = int64_t{blockIdx.x} * 32 + lane, there = min(i, count - 1);
+  const int64_t cell = list != nullptr ? list[there] : there;
   ThreeIntegrals loaded[kEach];
 #pragma unroll
   for (int n = 0; n < kEach; ++n)
     loaded[n] = integrals_of(integrals, cell, number_of(n), n < kPairsOfEach);
-  if (threadIdx.x < 32) weights[lane] = take_weights(metric, i < shares.apart_count ? cell : -1);
+  if (threadIdx.x < 32) weights[lane] = take_weights(metric, i < count ? cell : -1);
   __syncthreads();
 #pragma unroll
-  for (int n = 0; n < kEach; ++n)
-    if (i < shares.apart_count)
+  for (int n = 0; n < kEach; ++n) {
+    if (i < count)
       combined.numbers[number_of(n) * combined.cells + cell] = combine(loaded[n], weights[lane]);
+    if (kAny && n < kPairsOfEach)
+      stiffness[number_of(n)][lane] = stiffness_of(loaded[n], weights[lane]);
+  }
+  if (kAny) {
+    __syncthreads();
+    const auto of_pair = [&](int pair) { return stiffness[pair][lane]; };
+    if (threadIdx.x < 32 && i < count)
+      write_gradients<kGradients == Gradients::kWithRests>(of_pair, cell, metric.gradients);
+  }
   await_previous();
 }
 
@@ -117,7 +115,8 @@ __global__ void combine_sheets_kernel(SheetIntegrals sheets, Metric metric, doub
   for (int n = 0; n < kEach; ++n)
     loaded[n] = integrals_of(sheets.integrals, sheet, number_of(n), n < kPairsOfEach);
   if (threadIdx.x < 32) {
-    weights[lane] = weights_of(metric, alpha_of(metric, sheets.cell[sheet]));
+    weights[lane] =
+        weights_of(metric, alpha_of(*metric.alpha, metric.curvature, sheets.cell[sheet]));
   }
   __syncthreads();
 #pragma unroll
@@ -136,6 +135,7 @@ __global__ void combine_sheets_kernel(SheetIntegrals sheets, Metric metric, doub
 // The children of a block's parents, each read once.
 constexpr int kParents = kThreads / 8;
 constexpr int kChildren = 8 * kParents;
+constexpr int kRounds = kChildren / 32;
 struct Children {
   const int32_t* cell;
   int count;
@@ -154,25 +154,27 @@ struct ChildNumbers {
   float numbers[CellSquares<float>::kNumbers][kChildren + 1];  // one more: banks
 };
 
-// load(cell, number, is_pair) is what a number is made of by make(i, cell, number, loaded), i being
-// the child's. A thread loads all that it has of a child at once; after its first loads it calls
-// prepare(), as every thread does.
-template <typename Load, typename Prepare, typename Make>
+// In rounds of 32 children. load(cell, number, is_pair) is what a number is made of by make(round,
+// cell, n, loaded), n being the number's among those of the thread, which loads all that it has of
+// a child at once; after its first loads it calls prepare(), as every thread does.
+template <int kUnroll, typename Load, typename Prepare, typename Make>
 __device__ void read_children(const Children& children, const uint8_t* octant, Load&& load,
                               Prepare&& prepare, Make&& make, ChildNumbers& read) {
   for (int i = static_cast<int>(threadIdx.x); i < children.count; i += kThreads)
     read.octant[i] = octant[children.cell[i]];
-  for (int first = 0; first < children.count; first += 32) {
-    const int i = first + static_cast<int>(threadIdx.x % 32);
+#pragma unroll kUnroll
+  for (int round = 0; round < kRounds; ++round) {
+    if (32 * round >= children.count) break;
+    const int i = 32 * round + static_cast<int>(threadIdx.x % 32);
     const int64_t cell = children.cell[min(i, children.count - 1)];
     decltype(load(cell, 0, true)) loaded[kEach];
 #pragma unroll
     for (int n = 0; n < kEach; ++n) loaded[n] = load(cell, number_of(n), n < kPairsOfEach);
-    if (first == 0) prepare();
+    if (round == 0) prepare();
     if (i >= children.count) continue;
 #pragma unroll
     for (int n = 0; n < kEach; ++n)
-      read.numbers[number_of(n)][i] = static_cast<float>(make(i, cell, number_of(n), loaded[n]));
+      read.numbers[number_of(n)][i] = static_cast<float>(make(round, cell, n, loaded[n]));
   }
   __syncthreads();
 }
@@ -242,6 +244,9 @@ __device__ void sum_children(const Topology& coarse, const Children& children,
   own_of(coarse_cells, parent, a) = sum[8];
 }
 
+// What of stiffness gradients are made of waits in registers until the shared memory is free: with
+// room of its own fewer blocks would be under way.
+template <bool kGradients>
 __global__ void __launch_bounds__(kThreads, 5)
     combine_and_down_sample_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
                                    Topology fine, Topology coarse,
@@ -251,20 +256,33 @@ __global__ void __launch_bounds__(kThreads, 5)
   let_next_start();
   const Children children = children_of_block(coarse);
   await_previous();
-  // The host's memory is far: what is here is loaded meanwhile.
-  const auto fetch_weights = [&] {
-    const auto t = static_cast<int>(threadIdx.x);
+  const auto t = static_cast<int>(threadIdx.x);
+  const auto make_weights = [&] {
     weights[t] = take_weights(metric, t < children.count ? children.cell[t] : -1);
     __syncthreads();
   };
   const auto load = [&](int64_t cell, int number, bool is_pair) {
     return integrals_of(integrals, cell, number, is_pair);
   };
-  const auto make = [&](int i, int64_t cell, int number, const ThreeIntegrals& loaded) {
-    return combined.numbers[number * combined.cells + cell] = combine(loaded, weights[i]);
+  float stiffness[kRounds][kPairsOfEach] = {};
+  const auto make = [&](int round, int64_t cell, int n, const ThreeIntegrals& loaded) {
+    const CombineWeights& by = weights[32 * round + t % 32];
+    if (kGradients && n < kPairsOfEach)
+      stiffness[round][n] = static_cast<float>(stiffness_of(loaded, by));
+    return combined.numbers[number_of(n) * combined.cells + cell] = combine(loaded, by);
   };
-  read_children(children, fine.octant, load, fetch_weights, make, read);
+  read_children<kGradients ? kRounds : 1>(children, fine.octant, load, make_weights, make, read);
   sum_children(coarse, children, read, coarse_cells);
+  if (!kGradients) return;
+  __syncthreads();
+#pragma unroll
+  for (int round = 0; round < kRounds; ++round)
+#pragma unroll
+    for (int n = 0; n < kPairsOfEach; ++n)
+      read.numbers[number_of(n)][32 * round + t % 32] = stiffness[round][n];
+  __syncthreads();
+  const auto of_pair = [&](int pair) { return read.numbers[pair][t]; };
+  if (t < children.count) write_gradients<false>(of_pair, children.cell[t], metric.gradients);
 }
 static_assert(kChildren == kThreads);
 
@@ -278,35 +296,56 @@ __global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<f
     return fine_cells.numbers[number * fine_cells.cells + cell];
   };
   const auto keep = [](int, int64_t, int, float loaded) { return loaded; };
-  read_children(
+  read_children<1>(
       children, fine.octant, load, [] {}, keep, read);
   sum_children(coarse, children, read, coarse_cells);
 }
 
-__global__ void tell_alpha_kernel(UniformAlpha alpha, UniformAlpha* to) {
+__global__ void tell_alpha_kernel(AlphaSource alpha, AlphaSource* to) {
   await_previous();
   *to = alpha;
 }
 
 }  // namespace
 
-void tell_alpha(Stream& stream, const UniformAlpha& alpha, UniformAlpha* to) {
+void tell_alpha(Stream& stream, const AlphaSource& alpha, AlphaSource* to) {
   launch_blocks(stream, tell_alpha_kernel, dim3(1), dim3(1), 0, alpha, to);
+}
+
+static Gradients gradients_of(const Metric& metric) {
+  if (metric.gradients.numbers == nullptr) return Gradients::kNone;
+  return metric.gradients.rests == nullptr ? Gradients::kFloats : Gradients::kWithRests;
+}
+
+// With `list` null: all cells.
+static void combine(Stream& stream, const Integrals& integrals, const Metric& metric,
+                    const CellSquares<double>& combined, const int32_t* list, int64_t count) {
+  auto* kernel = combine_kernel<Gradients::kNone>;
+  if (gradients_of(metric) == Gradients::kFloats) kernel = combine_kernel<Gradients::kFloats>;
+  if (gradients_of(metric) == Gradients::kWithRests) kernel = combine_kernel<Gradients::kWithRests>;
+  launch(stream, kernel, kWarps * count, integrals, metric, combined, list, count);
 }
 
 void combine_integrals(Stream& stream, const Integrals& integrals, const Metric& metric,
                        const CellSquares<double>& combined) {
-  launch(stream, combine_kernel, combined.cells, integrals, metric, combined);
+  combine(stream, integrals, metric, combined, nullptr, combined.cells);
 }
 
 void combine_integrals(Stream& stream, const Integrals& integrals, const SheetIntegrals& sheets,
                        const Metric& metric, const CellSquares<double>& combined,
                        const Topology& fine, const Topology& coarse,
                        const CellSquares<float>& coarse_cells) {
-  launch(stream, combine_and_down_sample_kernel, 8 * coarse_cells.cells, integrals, metric,
-         combined, fine, coarse, coarse_cells);
-  launch(stream, combine_apart_kernel, int64_t{kWarps} * coarse.shares.apart_count, integrals,
-         metric, combined, coarse.shares);
+  const Gradients gradients = gradients_of(metric);
+  launch(stream,
+         gradients == Gradients::kFloats ? combine_and_down_sample_kernel<true>
+                                         : combine_and_down_sample_kernel<false>,
+         8 * coarse_cells.cells, integrals, metric, combined, fine, coarse, coarse_cells);
+  // Rests need doubles, which take more shared memory than that kernel has: all cells are combined
+  // once more, to the same.
+  if (gradients == Gradients::kWithRests)
+    combine(stream, integrals, metric, combined, nullptr, combined.cells);
+  else
+    combine(stream, integrals, metric, combined, coarse.shares.apart, coarse.shares.apart_count);
   launch(stream, combine_sheets_kernel, kWarps * sheets.integrals.cells, sheets, metric,
          combined.numbers + combined.kNumbers * combined.cells);
 }

@@ -5,24 +5,17 @@
 
 namespace burnish::cuda {
 
-/// Whether all cells have the same α, and which.
-struct UniformAlpha {
-  bool is_uniform;
-  float alpha1, alpha2;
-};
-
 /// A session's metric and what is kept of it.
 struct Metric {
-  const UniformAlpha* uniform;
-  const float *alpha1, *alpha2;  ///< of every cell unless uniform; may be the host's: each is read
-                                 ///< once, but for cells of several sheets
-  double scale;                  ///< of α to grid units
-  float* ratio;                  ///< out: α2/α1 of every cell
-  float* anisotropy;             ///< out: the largest ratio, either way round, of any cell
+  const AlphaSource* alpha;
+  const Curvature* curvature;  ///< of every cell
+  double scale;                ///< of α to grid units
+  float* anisotropy;        ///< out: the largest ratio of α1 and α2, either way round, of a cell
+  CellGradients gradients;  ///< out, unless its numbers are null
 };
 
 /// *to = alpha, for kernels of a graph: a copy would take ten times as long to start.
-void tell_alpha(Stream& stream, const UniformAlpha& alpha, UniformAlpha* to);
+void tell_alpha(Stream& stream, const AlphaSource& alpha, AlphaSource* to);
 
 /// Combined integrals of the finest depth.
 void combine_integrals(Stream& stream, const Integrals& integrals, const Metric& metric,

@@ -1,8 +1,8 @@
 #include <type_traits>
 
+#include "server/solver/cuda/chunks.h"
 #include "server/solver/cuda/constraint.h"
 #include "server/solver/cuda/kernel.h"
-#include "server/solver/cuda/uniform.h"
 
 namespace burnish::cuda {
 
@@ -11,42 +11,6 @@ namespace {
 // A cell's share of b for one axis: with rests, or a float where these will do.
 template <bool kRests>
 using Share = std::conditional_t<kRests, double, float>;
-
-// A cell's shares must add up to zero, since Σ_a ∇B_a = 0: a sum that is off by rounding would push
-// the surface as a whole. Hence what the last one's floats leave is kept too.
-template <bool kRests>
-__global__ void combine_gradients_kernel(Gradients gradients, const float* ratio,
-                                         CellGradients combined) {
-  await_previous();
-  const int64_t cell = thread_index();
-  if (cell >= combined.cells) return;
-  const Share<kRests> weight1 = ratio[cell], weight2 = 1 / weight1;
-  const auto gradient = [&](int number) {
-    const int64_t at = number * gradients.cells + cell;
-    Share<kRests> gradient = __ldg(gradients.numbers + at);
-    if constexpr (kRests) gradient += __ldg(gradients.rests + at);
-    return gradient;
-  };
-  double last[3] = {};
-#pragma unroll
-  for (int a = 0; a < 7; ++a)
-#pragma unroll
-    for (int axis = 0; axis < 3; ++axis) {
-      const Share<kRests> share =
-          weight1 * gradient(6 * a + axis) + weight2 * gradient(6 * a + 3 + axis);
-      const auto number = static_cast<float>(share);
-      const int64_t at = (3 * a + axis) * combined.cells + cell;
-      combined.numbers[at] = number;
-      if constexpr (kRests) combined.rests[at] = static_cast<float>(share - number);
-      last[axis] -= share;
-    }
-#pragma unroll
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto share = static_cast<float>(last[axis]);
-    combined.numbers[(21 + axis) * combined.cells + cell] = share;
-    combined.numbers[(24 + axis) * combined.cells + cell] = static_cast<float>(last[axis] - share);
-  }
-}
 
 // Paint that is new, and the corners that it touches. Many threads mark a slice, all alike.
 __global__ void take_paint_kernel(NewGradientScale beta, Topology finest, uint8_t* is_touched) {
@@ -95,18 +59,16 @@ __device__ double weighed(const Shares<kRests>& shares, const float (&weight)[8]
   return sum;
 }
 
-// All corners after new gradients, as they are where nobody has painted. All loads of an axis are
-// under way at once, which wants the registers that nine blocks leave: the compiler's own choice
-// takes a fifth longer.
+// All corners as they are where nobody has painted. All loads of an axis are under way at once,
+// which wants the registers that nine blocks leave: the compiler's own choice takes a fifth longer.
 template <bool kRests>
 __global__ void __launch_bounds__(kThreads, 9)
-    gather_kernel(Depth finest, CellGradients combined, double slider_less_one, Constraint b) {
+    gather_kernel(Topology finest, CellGradients combined, Double3* per_slider) {
   let_next_start();
   const int64_t corner = thread_index();
-  if (corner >= finest.topology.corner_count) return;
-  const Eight cells = finest.topology.cells_of_corner[corner];
+  if (corner >= finest.corner_count) return;
+  const Eight cells = finest.cells_of_corner[corner];
   await_previous();
-  if (corner == 0) *b.slider_less_one = slider_less_one;
   float weight[8];  // 1, or 0 where no cell is
 #pragma unroll
   for (int a = 0; a < 8; ++a) weight[a] = static_cast<float>(min(cells.at[a], 0) + 1);
@@ -114,7 +76,12 @@ __global__ void __launch_bounds__(kThreads, 9)
 #pragma unroll
   for (int axis = 0; axis < 3; ++axis)
     sum[axis] = weighed(shares_of<kRests>(combined, cells, axis), weight);
-  b.per_slider[corner] = {sum[0], sum[1], sum[2]};
+  per_slider[corner] = {sum[0], sum[1], sum[2]};
+}
+
+__global__ void tell_slider_kernel(double less_one, double* to) {
+  await_previous();
+  *to = less_one;
 }
 
 // The slices that are touched; after new gradients all with paint, and r is left to be computed
@@ -193,11 +160,11 @@ __global__ void slide_kernel(Depth finest, double before, double slider, Constra
 
 }  // namespace
 
-void combine_gradients(Stream& stream, const Gradients& gradients, const float* ratio,
-                       const CellGradients& combined) {
+void gather_gradients(Stream& stream, const Topology& finest, const CellGradients& combined,
+                      Double3* per_slider) {
   const bool rests = combined.rests != nullptr;
-  launch(stream, rests ? combine_gradients_kernel<true> : combine_gradients_kernel<false>,
-         combined.cells, gradients, ratio, combined);
+  launch(stream, rests ? gather_kernel<true> : gather_kernel<false>, finest.corner_count, finest,
+         combined, per_slider);
 }
 
 void assemble_constraint(Stream& stream, const Depth& finest, const CellGradients& combined,
@@ -209,8 +176,8 @@ void assemble_constraint(Stream& stream, const Depth& finest, const CellGradient
   launch(stream, take_paint_kernel, beta.changed.count * kChunk, beta, finest.topology,
          b.is_touched);
   if (gradients_are_new)
-    launch(stream, rests ? gather_kernel<true> : gather_kernel<false>, corners, finest, combined,
-           slider_less_one, b);
+    launch_blocks(stream, tell_slider_kernel, dim3(1), dim3(1), 0, slider_less_one,
+                  b.slider_less_one);
   else if (beta.slider != beta.slider_before)
     launch(stream, slide_kernel, corners, finest, beta.slider_before, beta.slider, b, r);
   if (beta.changed.count > 0 || (gradients_are_new && beta.is_painted))

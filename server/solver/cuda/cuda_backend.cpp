@@ -7,12 +7,12 @@
 
 #include "server/solver/cuda/assembly.h"
 #include "server/solver/cuda/branch.h"
-#include "server/solver/cuda/cell_field.h"
 #include "server/solver/cuda/cell_shares.h"
 #include "server/solver/cuda/coarsest.h"
 #include "server/solver/cuda/combined_cells.h"
 #include "server/solver/cuda/conjugate_gradients.h"
 #include "server/solver/cuda/constraint.h"
+#include "server/solver/cuda/device_alpha.h"
 #include "server/solver/cuda/device_depth.h"
 #include "server/solver/cuda/device_mesh.h"
 #include "server/solver/cuda/gradient_scale.h"
@@ -43,10 +43,8 @@ class CudaBackend final : public Backend {
       : mesh_(std::move(mesh)),
         stream_(mesh_->device),
         coarse_offset_(mesh_->hierarchy->coarsest),
-        alpha_(stream_, cells()),
-        uniform_alpha_(stream_, 1),
+        alpha_(stream_),
         beta_(stream_, cells()),
-        ratio_(stream_, cells()),
         gradients_(stream_, CellGradients::kNumbers * cells()),
         gradient_rests_(stream_, has_weak_parts() ? CellGradients::kRests * cells() : 0),
         combined_(stream_, mesh_->hierarchy->depths.back().number_count()),
@@ -69,7 +67,7 @@ class CudaBackend final : public Backend {
 
   uint64_t byte_count() const override {
     uint64_t bytes = readout_.byte_count() + outer_->byte_count() + coarsest_->byte_count() +
-                     ratio_.byte_count() + beta_.byte_count() + gradients_.byte_count() +
+                     alpha_.byte_count() + beta_.byte_count() + gradients_.byte_count() +
                      gradient_rests_.byte_count() + combined_.byte_count() +
                      coarse_combined_.byte_count() + patches_->byte_count();
     for (const DeviceDepth& depth : depths_) bytes += depth.byte_count();
@@ -77,10 +75,12 @@ class CudaBackend final : public Backend {
     return bytes;
   }
 
-  void set_metric(std::span<const float> alpha1, std::span<const float> alpha2) override {
+  void set_metric(const MetricView& metric) override {
     stream_.synchronize();
     if (!stream_.is_ok()) return;
-    const bool same_ratios = set_alpha(alpha1, alpha2);
+    alpha_.set(stream_, metric);
+    const bool same_ratios =
+        std::exchange(all_have_one_alpha_, metric.is_uniform()) && metric.is_uniform();
     stream_.share_memory(kSharedBesideOthers);
     if (same_ratios)
       run_on_device(kSameRatiosGraph, [this] { assemble_matrices(); });
@@ -175,38 +175,27 @@ class CudaBackend final : public Backend {
     coarsest_->on_device() ? graphs_.run(key, work) : work();
   }
 
-  // What all cells have in common is neither copied for each nor read from memory of the host.
-  // Returns whether ratios of α are known to be as before, as after one α for another.
-  bool set_alpha(std::span<const float> alpha1, std::span<const float> alpha2) {
-    if (alpha1.empty()) return false;
-    const UniformAlpha uniform = {is_uniform(alpha1) && is_uniform(alpha2), alpha1[0], alpha2[0]};
-    if (!uniform.is_uniform) alpha_.set({alpha1, alpha2});
-    tell_alpha(stream_, uniform, uniform_alpha_.data());
-    std::optional<float> ratio;
-    if (uniform.is_uniform) ratio = alpha2[0] / alpha1[0];
-    return std::exchange(ratio_of_all_, ratio) == ratio && ratio.has_value();
-  }
-
   // What the constraint makes of the metric comes last: no matrix waits for it.
   void assemble_all() {
-    start_matrices();
+    start_matrices(gradients());
     gradients_beside_.fork();
-    combine_gradients(gradients_beside_.stream(), mesh_->gradients(), ratio_.data(), gradients());
+    gather_gradients(gradients_beside_.stream(), finest().topology, gradients(),
+                     outer_->constraint().per_slider);
     gradients_beside_.join();
     finish_matrices();
   }
   void assemble_matrices() {
-    start_matrices();
+    start_matrices({});
     finish_matrices();
   }
 
   // The matrices of all depths. A depth's combined integrals come from those of the one below,
   // which is what the coarsest depth waits for; matrices and smoothers are made beside that. The
   // finest matrix does not wait for the shares, but its smoother, which overwrites what they read.
-  void start_matrices() {
+  void start_matrices(const CellGradients& gradients) {
     const CellSquares<double> combined = {combined_.data(), finest().topology.cell_count};
-    const Metric metric = {uniform_alpha_.data(),          alpha_.data(0), alpha_.data(1),
-                           mesh_->prepared->alpha_scale(), ratio_.data(),  anisotropy_.data()};
+    const Metric metric = {alpha_.data(), mesh_->curvature.data(), mesh_->prepared->alpha_scale(),
+                           anisotropy_.data(), gradients};
     anisotropy_.clear(stream_);
     if (smoothers_.empty()) {
       combine_integrals(stream_, mesh_->integrals(), metric, combined);
@@ -272,11 +261,9 @@ class CudaBackend final : public Backend {
   int coarse_offset_;
   Branch gradients_beside_{stream_, Stream::Urgency::kLast};
   Graphs graphs_{stream_};
-  CellFields<2> alpha_;  // α1, α2, unless uniform
-  DeviceArray<UniformAlpha> uniform_alpha_;
-  std::optional<float> ratio_of_all_;  // α2/α1, where all cells have one
+  DeviceAlpha alpha_;
+  bool all_have_one_alpha_ = false;  // and with it one ratio of α1 and α2
   GradientScale beta_;
-  DeviceArray<float> ratio_;
   DeviceArray<float> gradients_, gradient_rests_;  // CellGradients
   DeviceArray<double> combined_;        // numbers of the finest depth: CellSquares, then sheets
   DeviceArray<float> coarse_combined_;  // of the others, from the finest: CellSquares, then ties

@@ -92,9 +92,8 @@ uint64_t DeviceTopology::byte_count() const {
 }
 
 uint64_t DeviceMesh::byte_count() const {
-  uint64_t bytes = integral_numbers.byte_count() + gradient_numbers.byte_count() +
-                   gradient_rests.byte_count() + evaluation.byte_count() + sheets.byte_count() +
-                   patches.byte_count();
+  uint64_t bytes = integral_numbers.byte_count() + curvature.byte_count() +
+                   evaluation.byte_count() + sheets.byte_count() + patches.byte_count();
   for (const DeviceTopology& depth : depths) bytes += depth.byte_count();
   return bytes;
 }
@@ -127,27 +126,11 @@ DeviceSheets::DeviceSheets(Stream& stream, const PreparedMesh& prepared, int32_t
   numbers_ = {stream, numbers_of(prepared.sheet_integrals.first(count))};
 }
 
-// `float_of(number)` of every gradient's numbers, those of the last corner left out.
-template <typename FloatOf>
-static std::vector<float> gradients_of(const PreparedMesh& prepared, FloatOf&& float_of) {
-  const size_t cells = prepared.integrals.size();
-  std::vector<float> numbers(Gradients::kNumbers * cells);
-#pragma omp parallel for schedule(static)
-  for (size_t c = 0; c < cells; ++c)
-    for (int a = 0; a < 7; ++a)
-      for (int i = 0; i < 2; ++i)
-        for (int axis = 0; axis < 3; ++axis)
-          numbers[(6 * a + 3 * i + axis) * cells + c] =
-              float_of(prepared.integrals[c].gradient[i][3 * a + axis]);
-  return numbers;
-}
-
-static void copy_gradients(Stream& stream, const PreparedMesh& prepared, bool with_rests,
-                           DeviceMesh& mesh) {
-  const auto as_float = [](double number) { return static_cast<float>(number); };
-  const auto rest = [&](double number) { return as_float(number - as_float(number)); };
-  mesh.gradient_numbers = {stream, gradients_of(prepared, as_float)};
-  if (with_rests) mesh.gradient_rests = {stream, gradients_of(prepared, rest)};
+static std::vector<Curvature> curvatures(std::span<const CellCurvature> of_cells) {
+  std::vector<Curvature> curvatures;
+  curvatures.reserve(of_cells.size());
+  for (const CellCurvature& of : of_cells) curvatures.push_back({of.kappa1, of.kappa2});
+  return curvatures;
 }
 
 static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
@@ -160,7 +143,7 @@ static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(
   mesh->integral_numbers = {stream, numbers_of(prepared->integrals)};
   mesh->sheets = {stream, *prepared, hierarchy->depths.back().sheet_count};
   mesh->patches = {stream, hierarchy->depths.back().patches};
-  copy_gradients(stream, *prepared, hierarchy->depths.back().has_weak_parts, *mesh);
+  mesh->curvature = {stream, curvatures(prepared->curvature)};
   mesh->evaluation = DeviceArray<VertexPlace>::copy_of(stream, prepared->evaluation);
   mesh->prepared = std::move(prepared);
   mesh->hierarchy = std::move(hierarchy);

@@ -60,12 +60,11 @@ struct DeviceMesh {
   DeviceArray<double> integral_numbers;
   DeviceSheets sheets;
   DevicePatches patches;
-  DeviceArray<float> gradient_numbers, gradient_rests;
+  DeviceArray<Curvature> curvature;
   DeviceArray<VertexPlace> evaluation;
 
   int64_t cells() const { return depths.back().view().cell_count; }
   Integrals integrals() const { return {integral_numbers.data(), cells()}; }
-  Gradients gradients() const { return {gradient_numbers.data(), gradient_rests.data(), cells()}; }
   uint64_t byte_count() const;
 };
 

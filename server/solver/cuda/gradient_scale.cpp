@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "server/solver/cuda/uniform.h"
+#include "server/solver/cuda/chunks.h"
 
 namespace burnish::cuda {
 

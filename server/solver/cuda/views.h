@@ -21,8 +21,7 @@ struct alignas(16) Eight {
 // Numbers of cells: all cells' first number, then all cells' second, and so on, so that threads of
 // neighbouring cells read neighbouring numbers. Number i of cell c stands at i * cells + c.
 
-/// CellIntegrals, without its gradients: the different masses (mass_places.h), mass_row_sum (8),
-/// stiffness (2 × 28).
+/// CellIntegrals: the different masses (mass_places.h), mass_row_sum (8), stiffness (2 × 28).
 struct Integrals {
   static constexpr int kMasses = 19, kRowSums = 8, kStiffnesses = 28;
   static constexpr int kNumbers = kMasses + kRowSums + 2 * kStiffnesses;
@@ -36,18 +35,9 @@ struct SheetIntegrals {
   const int32_t* cell;  ///< of every sheet
 };
 
-/// CellIntegrals::gradient: for each corner a = 0..6 and direction i the three axes; that of a = 7
-/// is minus the sum of the others. Floats, and what they leave where parts are weak: on cells with
-/// next to no surface that is enough to move such parts by 1e-4 of the diagonal.
-struct Gradients {
-  static constexpr int kNumbers = 42;
-  const float* numbers;
-  const float* rests;  ///< null where floats will do
-  int64_t cells;
-};
-
-/// The same of a session's metric, both directions in one: three axes for each corner, and what the
-/// floats of a = 7 leave.
+/// What β−1 is multiplied by in each cell, α2/α1 g¹ + α1/α2 g²: for each corner three axes, and
+/// what the floats of a = 7 leave. Where parts are weak also what all others leave: on cells with
+/// next to no surface floats are enough to move such parts by 1e-4 of the diagonal.
 struct CellGradients {
   static constexpr int kNumbers = 27, kRests = 21;
   float* numbers;
@@ -57,13 +47,33 @@ struct CellGradients {
 
 inline constexpr int kSliceRows = 32;
 
+/// A cell's two principal curvatures. Units: user units.
+struct Curvature {
+  float kappa1, kappa2;
+};
+
+/// OwnFields of a cell.
+struct OwnAlpha {
+  int32_t cell;
+  float alpha1, alpha2;
+};
+
+/// MetricView: what kernels work α of the cells out from.
+struct AlphaSource {
+  static constexpr int kPointsMax = 64;
+  int32_t point_count;  ///< of the curve; with one of them and no `own` all cells have its α
+  int32_t own_count;
+  const OwnAlpha* own;  ///< by rising cell
+  double kappa[kPointsMax], log_alpha[kPointsMax];
+};
+
 /// What a cell makes of the slider: its β is 1 + follow·(slider − 1) + own.
 struct alignas(8) Paint {
   float follow, own;
 };
 inline constexpr Paint kNoPaint = {1, 0};
 
-/// Some chunks (uniform.h) of cells, or all: what a kernel is started with rather than reads.
+/// Some chunks (chunks.h) of cells, or all: what a kernel is started with rather than reads.
 struct ChunkList {
   static constexpr int kMax = 512;
   int32_t count;

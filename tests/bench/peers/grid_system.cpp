@@ -59,19 +59,6 @@ class CellEntries {
   std::array<std::array<std::ptrdiff_t, kCornersPerCell>, kCornersPerCell> at_;
 };
 
-/// ∫ ⟨v_i, ∇B_a⟩ v_i over both directions; that of the last corner is minus the sum of the others.
-Vec3d gradient_of(const CellIntegrals& cell, int a) {
-  Vec3d sum = Vec3d::Zero();
-  for (const auto& direction : cell.gradient) {
-    const Eigen::Map<const Eigen::Matrix<double, 3, 7>> of_corner(direction.data());
-    if (a < 7)
-      sum += of_corner.col(a);
-    else
-      sum -= of_corner.rowwise().sum();
-  }
-  return sum;
-}
-
 class GridSystem final : public LinearSystem {
  public:
   GridSystem(const PreparedMesh& prepared, const Hierarchy& hierarchy)
@@ -85,10 +72,11 @@ class GridSystem final : public LinearSystem {
       const CellEntries entries(mass_, corners);
       entries.add(
           mass_, [&](int p) { return cell.mass[p]; }, [&](int a) { return cell.mass_row_sum[a]; });
-      entries.add(
-          stiffness_, [&](int p) { return cell.stiffness[0][p] + cell.stiffness[1][p]; },
-          [](int) { return 0; });
-      for (int a = 0; a < kCornersPerCell; ++a) gradient_.row(corners[a]) += gradient_of(cell, a);
+      const auto stiffness = [&](int p) { return cell.stiffness[0][p] + cell.stiffness[1][p]; };
+      entries.add(stiffness_, stiffness, [](int) { return 0; });
+      for (int a = 0; a < kCornersPerCell; ++a)
+        for (int axis = 0; axis < 3; ++axis)
+          gradient_(corners[a], axis) += gradient_of(stiffness, a, axis);
     }
   }
 

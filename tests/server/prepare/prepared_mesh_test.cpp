@@ -35,7 +35,7 @@ struct Sample {
   PreparedMesh mesh() {
     for (size_t c = 0; c < integrals.size(); ++c) {
       integrals[c].mass.fill(1.5f + static_cast<float>(c));
-      integrals[c].gradient[1].fill(-0.5f);
+      integrals[c].stiffness[1].fill(-0.5f);
     }
     PreparedMesh mesh;
     mesh.frame = {Vec3d(-1, -2, -3), 0.125, 4};

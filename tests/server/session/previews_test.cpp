@@ -20,14 +20,13 @@ std::shared_ptr<const PreparedMesh> prepared_sphere() {
 
 /// What a solver would see.
 struct Cells {
-  explicit Cells(const Fields& fields) {
-    const FieldsView view = fields.view();
-    alpha1.assign(view.alpha1.begin(), view.alpha1.end());
-    alpha2.assign(view.alpha2.begin(), view.alpha2.end());
-    beta.assign(view.beta.begin(), view.beta.end());
+  explicit Cells(const Fields& fields) : alphas(fields.alphas()) {
+    const std::span<const float> of_cells = fields.view().beta;
+    beta.assign(of_cells.begin(), of_cells.end());
   }
   bool operator==(const Cells&) const = default;
-  std::vector<float> alpha1, alpha2, beta;
+  CellAlphas alphas;
+  std::vector<float> beta;
 };
 
 class PreviewsTest : public testing::Test {

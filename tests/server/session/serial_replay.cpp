@@ -142,8 +142,8 @@ SerialReplay::Cells SerialReplay::cells(const std::vector<Item>& items,
           if (candidate.cell == place) own = &candidate;
     }
     const double w = cell.weight;
-    result.alpha1.push_back(static_cast<float>(own ? own->alpha1 : cell.alpha1));
-    result.alpha2.push_back(static_cast<float>(own ? own->alpha2 : cell.alpha2));
+    result.alphas.alpha1.push_back(static_cast<float>(own ? own->alpha1 : cell.alpha1));
+    result.alphas.alpha2.push_back(static_cast<float>(own ? own->alpha2 : cell.alpha2));
     result.beta.push_back(static_cast<float>(own ? own->beta : (1 - w) * slider + w * cell.paint));
   }
   return result;

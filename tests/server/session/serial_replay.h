@@ -30,7 +30,8 @@ class SerialReplay {
   std::vector<Item> items() const { return items(edits_.size()); }
 
   struct Cells {
-    std::vector<float> alpha1, alpha2, beta;
+    CellAlphas alphas;
+    std::vector<float> beta;
   };
   static Cells cells(const std::vector<Item>& items, const PreparedMesh& prepared);
 

@@ -239,10 +239,8 @@ void Simulator::compare() {
       EXPECT_EQ(entries[i].made_by->author, expected[i].author);
       EXPECT_EQ(entries[i].enabled, expected[i].on) << "entry " << entries[i].number;
     }
-    const FieldsView fields = session.fields().view();
-    EXPECT_TRUE(std::equal(cells.alpha1.begin(), cells.alpha1.end(), fields.alpha1.begin()));
-    EXPECT_TRUE(std::equal(cells.alpha2.begin(), cells.alpha2.end(), fields.alpha2.begin()));
-    EXPECT_TRUE(std::equal(cells.beta.begin(), cells.beta.end(), fields.beta.begin()));
+    EXPECT_EQ(cells.alphas, session.fields().alphas());
+    EXPECT_TRUE(std::ranges::equal(cells.beta, session.fields().view().beta));
     return Status::ok();
   };
   EXPECT_TRUE(manager_->visit(session_, {}, compare_with).is_ok());

@@ -40,19 +40,20 @@ class FieldsTest : public testing::Test {
 };
 
 TEST_F(FieldsTest, BeginAtTheDefaults) {
-  EXPECT_EQ(fields_.view().alpha1.size(), prepared_->cells.size());
-  EXPECT_THAT(fields_.view().alpha1, Each(50));
-  EXPECT_THAT(fields_.view().alpha2, Each(50));
+  EXPECT_EQ(fields_.alphas().alpha1.size(), prepared_->cells.size());
+  EXPECT_THAT(fields_.alphas().alpha1, Each(50));
+  EXPECT_THAT(fields_.alphas().alpha2, Each(50));
   EXPECT_THAT(fields_.view().beta, Each(1));
 }
 
 TEST_F(FieldsTest, TakeTheCurveAtEachCellsCurvatures) {
   const TransferCurve curve = *TransferCurve::create({{-5, 400}, {5, 4}});
   fields_.set_transfer_curve(curve);
+  const CellAlphas alphas = fields_.alphas();
   for (size_t c = 0; c < prepared_->cells.size(); ++c) {
     const CellCurvature& of_cell = prepared_->curvature[c];
-    ASSERT_EQ(fields_.view().alpha1[c], static_cast<float>(curve.alpha(of_cell.kappa1)));
-    ASSERT_EQ(fields_.view().alpha2[c], static_cast<float>(curve.alpha(of_cell.kappa2)));
+    ASSERT_EQ(alphas.alpha1[c], static_cast<float>(curve.alpha(of_cell.kappa1)));
+    ASSERT_EQ(alphas.alpha2[c], static_cast<float>(curve.alpha(of_cell.kappa2)));
   }
 }
 
@@ -151,12 +152,13 @@ TEST_F(FieldsTest, OverridesHoldAgainstSliderPaintAndCurve) {
   fields_.paint(stroke(3));
   fields_.set_transfer_curve(TransferCurve(80));
   const FieldsView view = fields_.view();
-  EXPECT_EQ(view.alpha1[7], 3);
-  EXPECT_EQ(view.alpha2[7], 30);
+  const CellAlphas alphas = fields_.alphas();
+  EXPECT_EQ(alphas.alpha1[7], 3);
+  EXPECT_EQ(alphas.alpha2[7], 30);
   EXPECT_EQ(view.beta[7], 0.1f);
-  EXPECT_EQ(view.alpha1[9], 6);
+  EXPECT_EQ(alphas.alpha1[9], 6);
   EXPECT_EQ(view.beta[9], 7);
-  EXPECT_EQ(view.alpha1[8], 80);
+  EXPECT_EQ(alphas.alpha1[8], 80);
 }
 
 // β as the slider's part and paint's own have it; stretches that claim no paint have none.
@@ -206,7 +208,7 @@ TEST_F(FieldsTest, AnInactiveCellIsRefusedByNameAndNothingChanges) {
     EXPECT_THAT(status.message(),
                 HasSubstr("cell " + std::to_string(bad.x()) + " " + std::to_string(bad.y()) + " " +
                           std::to_string(bad.z())));
-    EXPECT_THAT(fields_.view().alpha1, Each(50));
+    EXPECT_THAT(fields_.alphas().alpha1, Each(50));
     EXPECT_THAT(fields_.view().beta, Each(0.5f));
   }
   fields_.set_gradient_scale(1);  // brings no refused override back

@@ -143,7 +143,7 @@ TEST(Solver, KeepsPinnedCornersInPlace) {
   const auto depths = system.assembled();
   const auto backend = make_cpu_backend(system.prepared, system.hierarchy, Smoother::kSchwarz);
   const FieldsView view = system.fields.view();
-  backend->set_metric(view.alpha1, view.alpha2);
+  backend->set_metric(view.metric);
   backend->set_constraint(view);
   backend->recompute_residual();
   for (int i = 0; i < 5; ++i) {

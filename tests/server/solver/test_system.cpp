@@ -19,8 +19,7 @@ std::vector<cpu::CpuDepth> TestSystem::assembled(cpu::ExactMatrix* exact) const 
   std::vector<cpu::CpuDepth> depths;
   depths.reserve(hierarchy->depths.size());
   for (const HierarchyDepth& topology : hierarchy->depths) depths.emplace_back(topology);
-  const FieldsView view = fields.view();
-  cpu::assemble(*prepared, view.alpha1, view.alpha2, depths, exact);
+  cpu::assemble(*prepared, fields.alphas(), depths, exact);
   return depths;
 }
 

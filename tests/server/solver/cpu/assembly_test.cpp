@@ -25,13 +25,13 @@ TEST(Assembly, RowSumsAreThoseOfTheMass) {
   system.fields.set_transfer_curve(test_curve(100));
   ExactMatrix exact(system.hierarchy->depths.back().stencil);
   const CpuDepth finest = std::move(system.assembled(&exact).back());
-  const FieldsView view = system.fields.view();
+  const CellAlphas alphas = system.fields.alphas();
   const double scale = system.prepared->alpha_scale();
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(finest.corner_count());
   for (size_t c = 0; c < system.prepared->cells.size(); ++c)
     for (int a = 0; a < kCornersPerCell; ++a)
       expected[finest.topology.grid.cell_corners[c][a]] +=
-          scale * scale * view.alpha1[c] * view.alpha2[c] *
+          scale * scale * alphas.alpha1[c] * alphas.alpha2[c] *
           system.prepared->integrals[c].mass_row_sum[a];
   for (int32_t i = 0; i < finest.corner_count(); ++i)
     ASSERT_NEAR(exact.row_sum[i], expected[i], 1e-12 * expected[i]);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "server/solver/cell_matrix.h"
 #include "tests/reference/reference.h"
 #include "tests/reference/shapes.h"
 #include "tests/server/solver/test_system.h"
@@ -18,9 +19,8 @@ struct Assembled {
       : constraint(*system.prepared, finest),
         b(finest.corner_count(), before),
         r(b.size(), residual) {
-    const FieldsView view = system.fields.view();
-    constraint.set_ratio(ratios_of(view.alpha1, view.alpha2));
-    constraint.assemble(view, b, r);
+    constraint.set_ratio(ratios_of(system.fields.alphas()));
+    constraint.assemble(system.fields.view(), b, r);
   }
   Assembled(const TestSystem& system, const CpuDepth& finest)
       : Assembled(system, finest, Double4::Zero(), Double4::Zero()) {}
@@ -37,6 +37,20 @@ double largest(const Vector& b) {
   double most = 0;
   for (const Double4& at : b) most = std::max(most, at.abs().maxCoeff());
   return most;
+}
+
+// Σ_b ℓ_ab x_b with the diagonal that makes rows of ℓ add up to zero.
+TEST(Constraint, GradientsAreStiffnessTimesTheCornersPlaces) {
+  const TestSystem system(reference::bumpy_sphere(2), 4);
+  for (const auto& of : system.prepared->integrals.front().stiffness)
+    for (int a = 0; a < kCornersPerCell; ++a)
+      for (int axis = 0; axis < 3; ++axis) {
+        double expected = 0;
+        for (int b = 0; b < kCornersPerCell; ++b)
+          if (b != a)
+            expected += of[pair_index(a, b)] * (corner_offset(b) - corner_offset(a))[axis];
+        EXPECT_NEAR(gradient_of([&](int pair) { return of[pair]; }, a, axis), expected, 1e-15);
+      }
 }
 
 TEST(Constraint, IsNothingWhereBetaIsOne) {
@@ -122,7 +136,7 @@ TEST(Constraint, AfterANewMetricWithTheSameRatiosIsBitForBitWhatAFullSumGives) {
   inverse_diagonal = system.assembled().back().inverse_diagonal;
   for (size_t i = 5; i < inverse_diagonal.size(); i += 10) inverse_diagonal[i] = 0;
   const FieldsView view = system.fields.view();
-  edited.constraint.set_ratio(ratios_of(view.alpha1, view.alpha2));
+  edited.constraint.set_ratio(ratios_of(system.fields.alphas()));
   edited.constraint.assemble(view, edited.b, edited.r);
   const Vector full = constraint_of(system, depths.back());
   for (size_t i = 0; i < full.size(); ++i) ASSERT_TRUE((edited.b[i] == full[i]).all()) << i;
