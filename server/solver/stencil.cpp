@@ -119,6 +119,7 @@ Stencil make_stencil(const SparseGrid& grid, std::span<const CellTie> ties) {
   stencil.irregular = find_irregular_rows(grid, ties, stencil.mask, columns);
   order_rows(lengths_of(stencil, columns), stencil);
   fill_columns(grid, columns, stencil);
+  stencil.tiles = make_row_tiles(stencil);
   stencil.irregular_cells = find_irregular_cells(grid, stencil);
   return stencil;
 }

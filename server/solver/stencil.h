@@ -32,6 +32,23 @@ struct IrregularCells {
   int32_t count() const { return static_cast<int32_t>(cell.size()); }
 };
 
+/// Where the columns of a stencil stand in a tile: the corners of kRows rows, and behind them the
+/// others that have an entry in one of the rows. A product that copies a vector's numbers there
+/// first finds them all in the cache nearest to the processor, by indices of half the size.
+struct RowTiles {
+  static constexpr int32_t kRows = 512;
+  static constexpr int32_t kWidthMax = 1 << 16;
+
+  std::vector<uint16_t> local;      ///< one per Stencil::column
+  std::vector<int64_t> halo_start;  ///< tiles + 1, into `halo`
+  std::vector<int32_t> halo;        ///< rising within a tile
+  std::vector<uint8_t> is_wide;     ///< of each tile: wider than kWidthMax, and without halo or
+                                    ///< local then, as irregular rows could have it
+  int32_t width_max = 0;            ///< of the others, corners and halo
+
+  int32_t count() const { return static_cast<int32_t>(is_wide.size()); }
+};
+
 /// Which corners have a matrix entry with which others, itself left out: the off-diagonal pattern
 /// of every matrix of one depth, in compressed rows.
 ///
@@ -48,6 +65,7 @@ struct Stencil {
   std::vector<int32_t> column;     ///< in slot order within a row, rising in an irregular one
   std::vector<uint32_t> mask;      ///< bit s of mask[I]: slot s of corner I is present; 0 for an
                                    ///< irregular row
+  RowTiles tiles;
   IrregularRows irregular;
   IrregularCells irregular_cells;
 
@@ -88,6 +106,11 @@ constexpr int32_t number_of_cell(int32_t cell, int number) {
 constexpr int32_t number_of_tie(int32_t cells, int32_t tie, int first_corner, int second_corner) {
   return kNumbersPerCell * cells + kNumbersPerTie * tie + 8 * first_corner + second_corner;
 }
+
+static_assert(RowTiles::kRows % Stencil::kRowWindow == 0);
+
+/// Tiles of rows whose columns are there, none wider than `width_max`.
+RowTiles make_row_tiles(const Stencil& stencil, int32_t width_max = RowTiles::kWidthMax);
 
 /// Corners are neighbours that share a cell or are tied.
 Stencil make_stencil(const SparseGrid& grid, std::span<const CellTie> ties);

@@ -6,7 +6,7 @@
 
 namespace burnish::cpu {
 
-/// Corners are worked through in blocks of this many, whole windows of a stencil's rows.
+/// Corners are worked through in blocks of this many, whole tiles of a stencil's rows.
 inline constexpr int32_t kBlock = 2048;
 
 /// Runs `run_block(begin, end)` over [0, n), the blocks side by side. Each goes to the thread that

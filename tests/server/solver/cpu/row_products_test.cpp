@@ -1,0 +1,111 @@
+#include "server/solver/cpu/row_products.h"
+
+#include <gtest/gtest.h>
+
+#include "server/solver/cpu/assembly.h"
+#include "tests/reference/shapes.h"
+#include "tests/server/solver/test_system.h"
+
+namespace burnish::cpu {
+namespace {
+
+Float4 wave(int32_t i) {
+  const auto at = static_cast<float>(i % 97);
+  return {at, 1 - at, at * at, 0};
+}
+
+// Of the finest depth, with tiles of at most such a width.
+struct Products {
+  Products(const TestSystem& system, int32_t width_max) {
+    Hierarchy hierarchy = *system.hierarchy;
+    Stencil& stencil = hierarchy.depths.back().stencil;
+    stencil.tiles = make_row_tiles(stencil, width_max);
+    wide = std::ranges::count(stencil.tiles.is_wide, 1);
+    tiles = stencil.tiles.count();
+    std::vector<CpuDepth> depths;
+    depths.reserve(hierarchy.depths.size());
+    for (const HierarchyDepth& topology : hierarchy.depths) depths.emplace_back(topology);
+    ExactMatrix exact(stencil);
+    assemble(*system.prepared, system.fields.alphas(), depths, &exact);
+
+    CpuDepth& finest = depths.back();
+    std::vector<Double4> p(finest.corner_count());
+    for (int32_t i = 0; i < finest.corner_count(); ++i) {
+      finest.x[i] = wave(i);
+      finest.f[i] = wave(i + 31);
+      p[i] = wave(i).cast<double>();
+    }
+    compute_residual(finest);
+    residual = finest.r;
+    of_floats.resize(p.size());
+    of_doubles.resize(p.size());
+    exact_product(finest, exact, finest.x, of_floats, 0, finest.corner_count());
+    exact_product(finest, exact, p, of_doubles, 0, finest.corner_count());
+    expected.resize(p.size());
+    for (int32_t i = 0; i < finest.corner_count(); ++i)
+      expected[i] = finest.inverse_diagonal[i] == 0
+                        ? Float4(Float4::Zero())
+                        : Float4(finest.f[i] - product_row(stencil, finest.system, finest.x, i));
+  }
+
+  int64_t wide, tiles;
+  std::vector<Float4> residual, expected;
+  std::vector<Double4> of_floats, of_doubles;
+};
+
+template <typename Vector>
+double distance(const Vector& a, const Vector& b) {
+  double most = 0;
+  for (size_t i = 0; i < a.size(); ++i)
+    most = std::max(most, static_cast<double>((a[i] - b[i]).abs().maxCoeff()));
+  return most;
+}
+
+class RowProducts : public testing::Test {
+ protected:
+  TestSystem system_{reference::bumpy_sphere(5), 6};
+};
+
+TEST_F(RowProducts, AreThoseOfRowsOneByOne) {
+  const Products products(system_, RowTiles::kWidthMax);
+  EXPECT_EQ(products.wide, 0);
+  EXPECT_GT(products.tiles, 4);
+  double largest = 0;
+  for (const Float4& at : products.expected)
+    largest = std::max(largest, static_cast<double>(at.abs().maxCoeff()));
+  EXPECT_LT(distance(products.residual, products.expected), 1e-5 * largest);
+  EXPECT_EQ(distance(products.of_floats, products.of_doubles), 0);
+}
+
+TEST_F(RowProducts, AreTheSameBitsWhereTilesAreTooWide) {
+  const Products narrow(system_, RowTiles::kWidthMax);
+  for (const int32_t width_max : {0, 700}) {
+    const Products products(system_, width_max);
+    EXPECT_GT(products.wide, 0) << width_max;
+    EXPECT_EQ(products.wide == products.tiles, width_max == 0);
+    EXPECT_EQ(distance(products.residual, narrow.residual), 0);
+    EXPECT_EQ(distance(products.of_floats, narrow.of_floats), 0);
+    EXPECT_EQ(distance(products.of_doubles, narrow.of_doubles), 0);
+  }
+}
+
+TEST_F(RowProducts, TilesHaveEachColumnWhereTheySay) {
+  for (const HierarchyDepth& depth : system_.hierarchy->depths) {
+    const Stencil& stencil = depth.stencil;
+    const RowTiles& tiles = stencil.tiles;
+    const int32_t n = depth.grid.corner_count();
+    for (int32_t row = 0; row < n; ++row) {
+      const int32_t tile = row / RowTiles::kRows, first = tile * RowTiles::kRows;
+      const int32_t rows = std::min(n - first, RowTiles::kRows);
+      for (int64_t k = stencil.row_start[row]; k < stencil.row_start[row + 1]; ++k) {
+        const int32_t local = tiles.local[k];
+        ASSERT_LT(local, tiles.width_max);
+        ASSERT_EQ(stencil.column[k],
+                  local < rows ? first + local : tiles.halo[tiles.halo_start[tile] + local - rows]);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace burnish::cpu
