@@ -47,6 +47,7 @@ struct CpuDepth {
 
   const HierarchyDepth& topology;
   float anisotropy = 1;                 ///< the largest ratio of α1 and α2 of any cell
+  bool is_spectrum_new = true;          ///< whether λmax may have moved since it was estimated
   StencilMatrix system;                 ///< S
   std::vector<float> inverse_diagonal;  ///< 0 where pinned
   std::vector<Float4> x, f;             ///< correction and right-hand side of the cycle

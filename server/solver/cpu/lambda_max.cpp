@@ -40,6 +40,7 @@ void LambdaMax::set_start(const std::vector<float>& inverse_diagonal) {
 }
 
 float LambdaMax::estimate(CpuDepth& depth, Bounds bounds, const std::function<void()>& apply) {
+  if (started_ && !depth.is_spectrum_new) return latest_;
   if (!started_) set_start(depth.inverse_diagonal);
   const int iterations = started_ ? kIterationsNext : kIterationsFirst;
   started_ = true;
@@ -58,8 +59,9 @@ float LambdaMax::estimate(CpuDepth& depth, Bounds bounds, const std::function<vo
     return static_cast<float>(bounds.most);
   }
   scale_all(eigenvector_, static_cast<float>(1 / std::sqrt(after)));
-  return static_cast<float>(
-      std::clamp(after / before * kLambdaMaxMargin, bounds.least, bounds.most));
+  latest_ =
+      static_cast<float>(std::clamp(after / before * kLambdaMaxMargin, bounds.least, bounds.most));
+  return latest_;
 }
 
 }  // namespace burnish::cpu

@@ -20,7 +20,8 @@ class LambdaMax {
  public:
   explicit LambdaMax(size_t corner_count) : eigenvector_(corner_count) {}
 
-  /// With a margin, so that it is not below. `apply` sets depth.x = −M⁻¹ depth.r. Changes x, f, r.
+  /// With a margin, so that it is not below; the last one while depth.is_spectrum_new is false.
+  /// `apply` sets depth.x = −M⁻¹ depth.r. Changes x, f, r.
   float estimate(CpuDepth& depth, Bounds bounds, const std::function<void()>& apply);
   uint64_t byte_count() const { return bytes_of(eigenvector_); }
 
@@ -29,6 +30,7 @@ class LambdaMax {
 
   std::vector<Float4> eigenvector_;
   bool started_ = false;
+  float latest_ = 0;
 };
 
 }  // namespace burnish::cpu

@@ -100,6 +100,26 @@ TEST(Solver, HoldsTheSurfaceAsTheReferenceDoesWhereAlphaIsVeryLarge) {
   }
 }
 
+// Of small steps of α the largest eigenvalue is not estimated each time.
+TEST(Solver, AfterADragOfAlphaConvergesAsAFreshOne) {
+  TestSystem system(reference::bumpy_sphere(5), 6);
+  system.fields.set_gradient_scale(0);
+  system.fields.set_transfer_curve(TransferCurve(1));
+  const auto dragged = solver_of(system, Smoother::kSchwarz, 1);
+  for (double alpha = 1; alpha < 900; alpha *= 1.2) {
+    system.fields.set_transfer_curve(TransferCurve(alpha));
+    dragged->set_metric(system.fields.view());
+    dragged->step();
+  }
+  system.fields.set_transfer_curve(TransferCurve(1000));
+  dragged->set_metric(system.fields.view());
+  const auto fresh = solver_of(system, Smoother::kSchwarz, 1);
+  const SolveReport after_drag = dragged->solve(1e-8, 100).value();
+  const SolveReport from_cold = fresh->solve(1e-8, 100).value();
+  EXPECT_TRUE(after_drag.converged);
+  EXPECT_LE(after_drag.cycles, from_cold.cycles + 1);
+}
+
 /// All that a session ever asks of a solver, and every number that it gives back on the way.
 struct Life {
   std::vector<double> numbers;

@@ -130,6 +130,14 @@ TEST_P(SmootherTest, TheVCycleIsSymmetricAndPositive) {
   EXPECT_NEAR(dot(x, vy), dot(y, vx), rounding(GetParam(), 1e-4) * scale);
 }
 
+TEST_P(SmootherTest, RelaxesAlikeWhereTheSpectrumIsKnownFromBefore) {
+  const Vector f = noise(cycle_.finest(), 4), before = cycle_.relaxed_from_zero(f);
+  cycle_.finest().is_spectrum_new = false;
+  cycle_.smoothers.back()->set_up(cycle_.finest());
+  const Vector after = cycle_.relaxed_from_zero(f);
+  for (size_t i = 0; i < f.size(); ++i) ASSERT_TRUE((after[i] == before[i]).all()) << i;
+}
+
 TEST_P(SmootherTest, LeavesPinnedCornersAtZero) {
   int pinned = 0;
   for (int32_t i = 0; i < cycle_.finest().corner_count(); i += 5, ++pinned)
