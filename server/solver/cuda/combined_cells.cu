@@ -68,8 +68,8 @@ __device__ int number_of(int n) {
 enum class Gradients { kNone, kFloats, kWithRests };
 
 // 32 cells a block: those that are listed, or all. It may run beside the kernel that combines all
-// other cells, none of whose numbers it needs or touches: what it waits for is that it ends after
-// it.
+// other cells, none of whose numbers it needs, and which writes the same where both write: what it
+// waits for is that it ends after it.
 template <Gradients kGradients>
 __global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
                                const int32_t* list, int64_t count) {
