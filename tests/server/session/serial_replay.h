@@ -6,6 +6,7 @@
 
 #include "common/edit/edit.h"
 #include "server/prepare/prepared_mesh.h"
+#include "server/solver/alphas.h"
 
 namespace burnish {
 
