@@ -23,9 +23,11 @@ namespace burnish {
 //   colours      Rgba8                   4   0 or v
 //   evaluation   EvaluationPoint        16   v
 //   cells        MortonKey               8   c, strictly rising
-//   integrals    CellIntegrals         1072   c
+//   integrals    CellIntegrals          736   c
 //   curvature    CellCurvature          12   c
 //   passages     uint32_t                4   c
+//   sheets       CellSheet              12   s, by cell, then by component
+//   and theirs   CellIntegrals          736   s
 //
 // Checksums are XXH3-64 without a seed. The table repeats what follows from the counts (element
 // sizes, offsets), and a reader refuses a file in which any of it differs. Beyond the checksums,
