@@ -19,6 +19,14 @@ Tile tile_of(const Stencil& stencil, int32_t number) {
   return {begin, std::min(begin + RowTiles::kRows, static_cast<int32_t>(stencil.mask.size()))};
 }
 
+void find_rows(const Stencil& stencil, const Tile& tile, std::vector<RowTiles::Row>& rows) {
+  for (int32_t row = tile.begin; row < tile.end; ++row) {
+    const int64_t length = stencil.row_start[row + 1] - stencil.row_start[row];
+    rows[row] = {static_cast<uint16_t>(stencil.corner_of_row[row] - tile.begin),
+                 static_cast<uint16_t>(length / Stencil::kRowPadding)};
+  }
+}
+
 std::vector<int32_t> halo_of(const Stencil& stencil, const Tile& tile) {
   std::vector<int32_t> halo;
   for (int64_t k = stencil.row_start[tile.begin]; k < stencil.row_start[tile.end]; ++k)
@@ -45,6 +53,7 @@ RowTiles make_row_tiles(const Stencil& stencil, int32_t width_max) {
   const auto n = static_cast<int32_t>(stencil.mask.size());
   const int32_t count = (n + RowTiles::kRows - 1) / RowTiles::kRows;
   RowTiles tiles;
+  tiles.row.resize(n);
   tiles.local.resize(stencil.column.size());
   tiles.is_wide.resize(count);
   std::vector<std::vector<int32_t>> halos(count);
@@ -52,6 +61,7 @@ RowTiles make_row_tiles(const Stencil& stencil, int32_t width_max) {
 #pragma omp parallel for schedule(dynamic, 16) reduction(max : widest)
   for (int32_t number = 0; number < count; ++number) {
     const Tile tile = tile_of(stencil, number);
+    find_rows(stencil, tile, tiles.row);
     std::vector<int32_t> halo = halo_of(stencil, tile);
     const auto width = tile.rows() + static_cast<int32_t>(halo.size());
     tiles.is_wide[number] = width > width_max;

@@ -39,6 +39,13 @@ struct RowTiles {
   static constexpr int32_t kRows = 512;
   static constexpr int32_t kWidthMax = 1 << 16;
 
+  /// A row among those of its tile.
+  struct Row {
+    uint16_t place;   ///< of its corner
+    uint16_t groups;  ///< of Stencil::kRowPadding entries
+  };
+
+  std::vector<Row> row;
   std::vector<uint16_t> local;      ///< one per Stencil::column
   std::vector<int64_t> halo_start;  ///< tiles + 1, into `halo`
   std::vector<int32_t> halo;        ///< rising within a tile

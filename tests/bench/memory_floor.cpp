@@ -9,30 +9,31 @@ namespace {
 
 // The elements that the loops of server/solver/cpu read and write.
 constexpr double kFloat = 4, kDouble = 8, kIndex = 4, kRowStart = 8, kMask = 4;
-constexpr double kFloat4 = 16, kDouble4 = 32;  // three columns and one spare
-constexpr double kCellCorners = 8 * kIndex;    // of a cell; the cells of a corner likewise
+constexpr double kFloat4 = 16, kDouble3 = 24;  // three columns; in float a spare as well
+constexpr double kLocal = 2, kTileRow = sizeof(RowTiles::Row);
+constexpr double kCellCorners = 8 * kIndex;  // of a cell; the cells of a corner likewise
 constexpr double kFromCell = sizeof(FromCell);
 constexpr double kCombined = sizeof(CellMatrix);
 constexpr double kInverse = sizeof(cpu::CellInverse);
-constexpr double kIntegrals = (28 + 8 + 2 * 28) * kDouble;
-constexpr double kGradients = 2 * 21 * kDouble, kConstraint = 3 * 8 * kDouble;
-constexpr int kPowerIterations = 2;  // for the largest eigenvalue, after the first matrix
+constexpr double kIntegrals = sizeof(CellIntegrals);
 
 struct Counts {
   explicit Counts(const HierarchyDepth& depth)
       : corners(depth.grid.corner_count()),
         cells(depth.grid.cell_count()),
         entries(static_cast<double>(depth.stencil.column.size())),
+        halo(static_cast<double>(depth.stencil.tiles.halo.size())),
         restricted(static_cast<double>(depth.to_parent.restriction_corner.size())) {}
 
   double corners, cells;
   double entries;     ///< of the stencil with its padding, diagonals apart
+  double halo;        ///< of the tiles
   double restricted;  ///< entries of Pᵀ to the coarser depth
 };
 
 // A matrix once through, with numbers of `value` bytes.
 double rows_bytes(const Counts& at, double value) {
-  return at.entries * (value + kIndex) + at.corners * (kIndex + kRowStart + value);
+  return at.entries * (value + kLocal) + at.halo * kIndex + at.corners * (kTileRow + value);
 }
 
 // r = f − S x.
@@ -40,14 +41,15 @@ double residual_bytes(const Counts& at) {
   return rows_bytes(at, kFloat) + at.corners * (kFloat + 3 * kFloat4);
 }
 
-// One step of the Chebyshev iteration: so many vectors are read or written.
-double step_bytes(const Counts& at, int vectors) {
+// x = length·M⁻¹ r + kept·x: so many vectors are read or written.
+double relax_bytes(const Counts& at, int vectors) {
   return rows_bytes(at, kFloat) + at.corners * vectors * kFloat4;
 }
 
 double vcycle_bytes(const Counts& fine, const Counts& coarse) {
-  const double before = step_bytes(fine, 2) + residual_bytes(fine) + step_bytes(fine, 3);
-  const double after = 2 * (residual_bytes(fine) + step_bytes(fine, 4));
+  const double before = relax_bytes(fine, 2) + residual_bytes(fine) + relax_bytes(fine, 3);
+  const double after =
+      2 * (residual_bytes(fine) + relax_bytes(fine, 3)) + fine.corners * kFloat4;  // r kept once
   const double restriction = residual_bytes(fine) + fine.corners * kFloat4 +
                              fine.restricted * (kIndex + kFloat) +
                              coarse.corners * (kRowStart + kFloat + kFloat4);
@@ -58,21 +60,26 @@ double vcycle_bytes(const Counts& fine, const Counts& coarse) {
 
 // The outer iteration: u, r, b and q are in double, p is not.
 double outer_bytes(const Counts& at, double vertices) {
-  const double load = kDouble4 + kFloat4;
-  const double direction_sums = kFloat4 + 2 * kDouble4;
+  const double load = kDouble3 + kFloat4;
+  const double direction_sums = 2 * kFloat4 + kDouble3;
   const double direction = 3 * kFloat4;
-  const double product = kFloat + kFloat4 + 2 * kDouble4;  // besides the rows: p, r, q written
-  const double advance = kFloat4 + 5 * kDouble4;
-  const double measure = kFloat + 3 * kDouble4;
+  const double product = kFloat + kFloat4 + 2 * kDouble3;  // besides the rows: p, r, q written
+  const double advance = kFloat4 + 5 * kDouble3;
+  const double measure = kFloat + kDouble3;
   const double correction =
       vertices * sizeof(EvaluationPoint) + at.cells * kCellCorners + at.corners * kFloat4;
   return rows_bytes(at, kDouble) + correction +
          at.corners * (load + direction_sums + direction + product + advance + measure);
 }
 
-double constraint_bytes(const Counts& at) {
-  return at.cells * (3 * kFloat + kGradients + 2 * kConstraint) +
-         at.corners * (kCellCorners + kFloat + 4 * kDouble4);  // b and r read and written
+// A slider moves b and r by what was kept.
+double slide_bytes(const Counts& at) {
+  return at.corners * 5 * kDouble3;
+}
+
+// Another α for all leaves the constraint as it is but where corners are pinned.
+double pins_bytes(const Counts& at) {
+  return at.corners * (kCellCorners + kFloat + 1);
 }
 
 double assembly_bytes(const Counts& at, bool exact) {
@@ -86,9 +93,7 @@ double schwarz_set_up_bytes(const Counts& at) {
                         at.corners * (kIndex + kRowStart + kMask + kFloat);
   const double gather = at.cells * kInverse + at.entries * kFloat +
                         at.corners * (kIndex + kRowStart + kCellCorners + kMask + kFloat);
-  const double power = kPowerIterations * (residual_bytes(at) + step_bytes(at, 2)) +
-                       at.corners * 7 * kFloat4;  // two dot products, cleared, normalised
-  return invert + gather + power;
+  return invert + gather;  // λmax is kept
 }
 
 }  // namespace
@@ -98,8 +103,8 @@ MemoryFloor memory_floor(const BenchSystem& system) {
   const Counts finest(hierarchy.at(hierarchy.finest));
   MemoryFloor floor;
   floor.step = outer_bytes(finest, static_cast<double>(system.prepared->vertices.size()));
-  floor.rhs = constraint_bytes(finest);
-  floor.matrix = floor.rhs + finest.cells * (kIntegrals + 2 * kFloat + kCombined);
+  floor.rhs = slide_bytes(finest);
+  floor.matrix = pins_bytes(finest) + finest.cells * (kIntegrals + 2 * kFloat + kCombined);
   for (int depth = hierarchy.finest; depth > hierarchy.coarsest; --depth) {
     const Counts fine(hierarchy.at(depth)), coarse(hierarchy.at(depth - 1));
     const bool is_finest = depth == hierarchy.finest;

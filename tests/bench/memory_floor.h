@@ -11,8 +11,8 @@ namespace burnish {
 /// are joined or numbers made smaller. Units: bytes.
 struct MemoryFloor {
   double step = 0;
-  double rhs = 0;     ///< Solver::set_gradient_scale()
-  double matrix = 0;  ///< Solver::set_metric(), the new constraint included
+  double rhs = 0;     ///< Solver::set_gradient_scale() of another slider
+  double matrix = 0;  ///< Solver::set_metric() of nearly the same α everywhere
 };
 
 MemoryFloor memory_floor(const BenchSystem& system);

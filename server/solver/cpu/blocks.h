@@ -13,7 +13,7 @@ inline constexpr int32_t kBlock = 2048;
 /// is free: what else runs on a core then does not make the others wait.
 template <typename RunBlock>
 void for_each_block(int32_t n, RunBlock&& run_block) {
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) if (n > kBlock)
   for (int32_t begin = 0; begin < n; begin += kBlock) run_block(begin, std::min(n, begin + kBlock));
 }
 

@@ -11,8 +11,8 @@ namespace burnish::cpu {
 namespace {
 
 struct Sums {
-  Double4 first = Double4::Zero();
-  Double4 second = Double4::Zero();
+  Double3 first = Double3::Zero();
+  Double3 second = Double3::Zero();
 
   Sums& operator+=(const Sums& other) {
     first += other.first;
@@ -22,8 +22,16 @@ struct Sums {
 };
 
 // A column that has nothing left to do has a zero divisor and takes a zero step.
-Double4 quotient(const Double4& dividend, const Double4& divisor) {
-  return (divisor > 0).select(dividend / divisor, Double4::Zero());
+Double3 quotient(const Double3& dividend, const Double3& divisor) {
+  return (divisor > 0).select(dividend / divisor, Double3::Zero());
+}
+
+Double3 columns(const Float4& v) {
+  return v.head<3>().cast<double>();
+}
+
+Float4 with_spare(const Double3& v) {
+  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0};
 }
 
 }  // namespace
@@ -31,7 +39,7 @@ Double4 quotient(const Double4& dividend, const Double4& divisor) {
 ConjugateGradients::ConjugateGradients(CpuDepth& finest,
                                        std::span<const EvaluationPoint> evaluation)
     : finest_(finest), evaluation_(evaluation), matrix_(finest.topology.stencil) {
-  for (auto* vector : {&u_, &b_, &r_, &q_}) vector->assign(finest.corner_count(), Double4::Zero());
+  for (auto* vector : {&u_, &b_, &r_, &q_}) vector->assign(finest.corner_count(), Double3::Zero());
   p_.assign(finest.corner_count(), Float4::Zero());
 }
 
@@ -55,7 +63,7 @@ void ConjugateGradients::rescale() {
     }
     return sum;
   });
-  const Double4 factor = quotient(sums.first, sums.second);
+  const Double3 factor = quotient(sums.first, sums.second);
 #pragma omp parallel for schedule(dynamic, kBlock)
   for (int32_t i = 0; i < finest_.corner_count(); ++i) {
     u_[i] *= factor;
@@ -65,29 +73,29 @@ void ConjugateGradients::rescale() {
 
 void ConjugateGradients::load_residual() {
 #pragma omp parallel for schedule(dynamic, kBlock)
-  for (int32_t i = 0; i < finest_.corner_count(); ++i) finest_.f[i] = r_[i].cast<float>();
+  for (int32_t i = 0; i < finest_.corner_count(); ++i) finest_.f[i] = with_spare(r_[i]);
 }
 
 void ConjugateGradients::update_direction(bool restart) {
   const Sums sums = ordered_sum<Sums>(finest_.corner_count(), [&](int32_t begin, int32_t end) {
     Sums sum;
     for (int32_t i = begin; i < end; ++i) {
-      const Float4 z = finest_.x[i];
-      sum.first += z.cast<double>() * r_[i];
-      sum.second += z.cast<double>() * q_[i];
+      const Double3 z = columns(finest_.x[i]);
+      sum.first += z * columns(finest_.f[i]);  // r as the cycle saw it
+      sum.second += z * q_[i];
     }
     return sum;
   });
-  const Double4 momentum =
-      restart ? Double4(Double4::Zero()) : quotient(-step_ * sums.second, z_dot_r_);
+  const Double3 momentum =
+      restart ? Double3(Double3::Zero()) : quotient(-step_ * sums.second, z_dot_r_);
   z_dot_r_ = sums.first;
-  const Float4 gamma = momentum.cast<float>();
+  const Float4 gamma = with_spare(momentum);
 #pragma omp parallel for schedule(dynamic, kBlock)
   for (int32_t i = 0; i < finest_.corner_count(); ++i) p_[i] = finest_.x[i] + gamma * p_[i];
 }
 
 double ConjugateGradients::largest_step() const {
-  const Float4 step = step_.cast<float>();
+  const Float4 step = with_spare(step_);
   float most = 0;
 #pragma omp parallel for schedule(dynamic) reduction(max : most)
   for (size_t begin = 0; begin < evaluation_.size(); begin += kBlock)
@@ -102,7 +110,7 @@ void ConjugateGradients::advance() {
     exact_product(finest_, matrix_, p_, q_, begin, end);
     Sums sum;
     for (int32_t i = begin; i < end; ++i) {
-      const Double4 p = p_[i].cast<double>();
+      const Double3 p = columns(p_[i]);
       sum.first += p * q_[i];
       sum.second += p * r_[i];
     }
@@ -118,7 +126,7 @@ void ConjugateGradients::advance() {
 ConjugateGradients::Totals ConjugateGradients::move_along(int32_t begin, int32_t end) {
   Totals sum;
   for (int32_t i = begin; i < end; ++i) {
-    u_[i] += step_ * p_[i].cast<double>();
+    u_[i] += step_ * columns(p_[i]);
     r_[i] -= step_ * q_[i];
     const double scale = finest_.inverse_diagonal[i];
     if (scale == 0) continue;

@@ -18,9 +18,9 @@ class ConjugateGradients {
   ConjugateGradients(CpuDepth& finest, std::span<const EvaluationPoint> evaluation);
 
   ExactMatrix& matrix() { return matrix_; }
-  std::vector<Double4>& constraint() { return b_; }
-  std::vector<Double4>& residual() { return r_; }
-  const std::vector<Double4>& displacement() const { return u_; }
+  std::vector<Double3>& constraint() { return b_; }
+  std::vector<Double3>& residual() { return r_; }
+  const std::vector<Double3>& displacement() const { return u_; }
 
   void recompute_residual();
   void rescale();
@@ -47,10 +47,10 @@ class ConjugateGradients {
   CpuDepth& finest_;
   std::span<const EvaluationPoint> evaluation_;
   ExactMatrix matrix_;
-  std::vector<Double4> u_, b_, r_, q_;
+  std::vector<Double3> u_, b_, r_, q_;
   std::vector<Float4> p_;  // any direction will do; q = S p is exact
-  Double4 z_dot_r_ = Double4::Zero();
-  Double4 step_ = Double4::Zero();  // a of the last advance()
+  Double3 z_dot_r_ = Double3::Zero();
+  Double3 step_ = Double3::Zero();  // a of the last advance()
   Totals totals_;                   // and what it left
   double moved_max_ = 0;
 };

@@ -43,7 +43,7 @@ Constraint::Constraint(const PreparedMesh& prepared, const CpuDepth& finest)
     : prepared_(prepared),
       finest_(finest),
       ratio_(prepared.cells.size(), 1),
-      per_slider_(finest.corner_count(), Double4::Zero()),
+      per_slider_(finest.corner_count(), Double3::Zero()),
       is_pinned_(finest.corner_count(), 0),
       paint_(prepared.cells.size()),
       has_paint_((prepared.cells.size() + CellPaint::kStretch - 1) / CellPaint::kStretch, 0),
@@ -55,8 +55,8 @@ void Constraint::set_ratio(std::vector<double> ratio) {
   pins_are_new_ = true;
 }
 
-void Constraint::assemble(const FieldsView& fields, std::vector<Double4>& b,
-                          std::vector<Double4>& r) {
+void Constraint::assemble(const FieldsView& fields, std::vector<Double3>& b,
+                          std::vector<Double3>& r) {
   const int64_t changed = take(fields.paint);
   const double by = fields.gradient_scale - std::exchange(slider_, fields.gradient_scale);
   const auto few = static_cast<int64_t>(paint_.size()) / kFewCellsDivisor;
@@ -97,18 +97,18 @@ void Constraint::share(int32_t cell, CellShare& out) const {
 }
 
 // Without paint not by steps: b is nothing again where β is one again.
-void Constraint::slide(double by, std::vector<Double4>& b, std::vector<Double4>& r) const {
+void Constraint::slide(double by, std::vector<Double3>& b, std::vector<Double3>& r) const {
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < per_slider_.size(); ++i) {
-    const Double4 before = b[i];
-    b[i] = is_painted_ ? Double4(before + by * per_slider_[i]) : (slider_ - 1) * per_slider_[i];
+    const Double3 before = b[i];
+    b[i] = is_painted_ ? Double3(before + by * per_slider_[i]) : (slider_ - 1) * per_slider_[i];
     r[i] += b[i] - before;
   }
 }
 
 // Sums what `share_of` says of the cells around a corner.
 template <typename ShareOf>
-void Constraint::sum_corner(int32_t corner, ShareOf&& share_of, Double4& b, Double4& r) {
+void Constraint::sum_corner(int32_t corner, ShareOf&& share_of, Double3& b, Double3& r) {
   double of_slider[3] = {}, of_paint[3] = {};
   for (int a = 0; a < kCornersPerCell; ++a) {
     const int32_t cell = finest_.topology.grid.cells_of_corner[corner][a];
@@ -120,16 +120,16 @@ void Constraint::sum_corner(int32_t corner, ShareOf&& share_of, Double4& b, Doub
       of_paint[axis] += paint.own * share[axis];
     }
   }
-  Double4 per_slider(of_slider[0], of_slider[1], of_slider[2], 0);
-  Double4 own(of_paint[0], of_paint[1], of_paint[2], 0);
+  Double3 per_slider(of_slider[0], of_slider[1], of_slider[2]);
+  Double3 own(of_paint[0], of_paint[1], of_paint[2]);
   is_pinned_[corner] = finest_.inverse_diagonal[corner] == 0;
-  if (is_pinned_[corner]) per_slider = own = Double4::Zero();
+  if (is_pinned_[corner]) per_slider = own = Double3::Zero();
   per_slider_[corner] = per_slider;
-  const Double4 before = std::exchange(b, (slider_ - 1) * per_slider + own);
+  const Double3 before = std::exchange(b, (slider_ - 1) * per_slider + own);
   r += b - before;
 }
 
-void Constraint::sum_all(std::vector<Double4>& b, std::vector<Double4>& r) {
+void Constraint::sum_all(std::vector<Double3>& b, std::vector<Double3>& r) {
   Scratch<CellShare> shares(ratio_.size());
 #pragma omp parallel for schedule(static)
   for (size_t cell = 0; cell < ratio_.size(); ++cell)
@@ -145,7 +145,7 @@ bool Constraint::is_pin_new(int32_t corner) const {
 }
 
 // Only the corners of cells whose paint is new, and those that are pinned or free since.
-void Constraint::sum_changed(std::vector<Double4>& b, std::vector<Double4>& r) {
+void Constraint::sum_changed(std::vector<Double3>& b, std::vector<Double3>& r) {
   const auto is_changed = [&](int32_t cell) { return cell != kNone && is_changed_[cell] != 0; };
 #pragma omp parallel for schedule(static)
   for (int32_t corner = 0; corner < finest_.corner_count(); ++corner) {

@@ -28,7 +28,7 @@ class Constraint {
 
   /// b as the fields have it; the residual r changes by as much. Needs: b as it was left the last
   /// time. Shapes: one per corner. Zero where pinned.
-  void assemble(const FieldsView& fields, std::vector<Double4>& b, std::vector<Double4>& r);
+  void assemble(const FieldsView& fields, std::vector<Double3>& b, std::vector<Double3>& r);
   uint64_t byte_count() const;
 
  private:
@@ -43,19 +43,19 @@ class Constraint {
   int64_t take(const CellPaint& paint);
   int64_t take_stretch(const CellPaint& paint, size_t stretch);
   void share(int32_t cell, CellShare& out) const;
-  void slide(double by, std::vector<Double4>& b, std::vector<Double4>& r) const;
-  void sum_all(std::vector<Double4>& b, std::vector<Double4>& r);
+  void slide(double by, std::vector<Double3>& b, std::vector<Double3>& r) const;
+  void sum_all(std::vector<Double3>& b, std::vector<Double3>& r);
   bool is_pin_new(int32_t corner) const;
-  void sum_changed(std::vector<Double4>& b, std::vector<Double4>& r);
+  void sum_changed(std::vector<Double3>& b, std::vector<Double3>& r);
   template <typename ShareOf>
-  void sum_corner(int32_t corner, ShareOf&& share_of, Double4& b, Double4& r);
+  void sum_corner(int32_t corner, ShareOf&& share_of, Double3& b, Double3& r);
 
   const PreparedMesh& prepared_;
   const CpuDepth& finest_;
   std::vector<double> ratio_;
   bool ratio_is_new_ = true, pins_are_new_ = false;
   double slider_ = 1;
-  std::vector<Double4> per_slider_;  // of each corner: b's change as the slider goes up by one
+  std::vector<Double3> per_slider_;  // of each corner: b's change as the slider goes up by one
   std::vector<uint8_t> is_pinned_;   // of each corner, when it was summed
   std::vector<Paint> paint_;
   std::vector<uint8_t> has_paint_;   // of each stretch of cells, whether any may have some

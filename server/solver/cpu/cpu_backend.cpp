@@ -27,13 +27,13 @@ double anisotropy_of(std::span<const double> ratio) {
 }
 
 void evaluate_all(const SparseGrid& grid, std::span<const EvaluationPoint> points,
-                  const std::vector<Double4>& u, std::vector<Vec3f>& moved) {
+                  const std::vector<Double3>& u, std::vector<Vec3f>& moved) {
   moved.resize(points.size());
 #pragma omp parallel for schedule(dynamic)
   for (size_t begin = 0; begin < points.size(); begin += kBlock)
     visit_vertices(
         grid, points, u, begin, std::min(begin + kBlock, points.size()),
-        [&](size_t v, const Double4& value) { moved[v] = value.head<3>().matrix().cast<float>(); });
+        [&](size_t v, const Double3& value) { moved[v] = value.matrix().cast<float>(); });
 }
 
 class CpuBackend final : public Backend {
@@ -111,10 +111,10 @@ class CpuBackend final : public Backend {
   Measures measure() const override { return outer_->measure(); }
 
   std::span<const Vec3f> displacement() override {
-    const std::vector<Double4>& u = outer_->displacement();
+    const std::vector<Double3>& u = outer_->displacement();
     displacement_.resize(u.size());
 #pragma omp parallel for schedule(static)
-    for (size_t i = 0; i < u.size(); ++i) displacement_[i] = u[i].head<3>().matrix().cast<float>();
+    for (size_t i = 0; i < u.size(); ++i) displacement_[i] = u[i].matrix().cast<float>();
     return displacement_;
   }
 

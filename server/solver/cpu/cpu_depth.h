@@ -10,9 +10,9 @@
 
 namespace burnish::cpu {
 
-/// Three columns and one spare, so that a corner is one SSE register.
+/// Three columns; in float a spare as well, so that a corner is one SSE register.
 using Float4 = Eigen::Array4f;
-using Double4 = Eigen::Array4d;
+using Double3 = Eigen::Array3d;
 
 template <typename T>
 uint64_t bytes_of(const std::vector<T>& v) {

@@ -45,40 +45,34 @@ void sum_inverses(const HierarchyDepth& topology, const Scratch<CellInverse>& ce
 class Schwarz final : public DepthSmoother {
  public:
   explicit Schwarz(const HierarchyDepth& topology)
-      : inverse_(topology.stencil),
-        direction_(topology.grid.corners.size()),
-        lambda_max_(topology.grid.corners.size()) {}
+      : inverse_(topology.stencil), lambda_max_(topology.grid.corners.size()) {}
 
   void set_up(CpuDepth& depth) override {
     sum_inverses(depth.topology, invert_cells(depth), inverse_);
-    const auto apply = [&] {
-      relax_along(depth, inverse_, {.source = depth.r, .step = {0, -1}, .from_zero = true});
-    };
+    const auto apply = [&] { relax_by(depth, inverse_, depth.r, -1, 0); };
     const Bounds bounds = {lambda_max_least(depth.anisotropy), kLambdaMaxBound};
     steps_ = chebyshev_steps<kDegree>(lambda_max_.estimate(depth, bounds, apply), kSchwarzRange);
   }
 
-  // After the first step from zero x is d itself, and degree two ends with the next.
+  // After the first step from zero x is d itself.
   void relax_from_zero(CpuDepth& depth) override {
-    relax_along(depth, inverse_, {.source = depth.f, .step = steps_[0], .from_zero = true});
+    relax_by(depth, inverse_, depth.f, steps_[0].length, 0);
     compute_residual(depth);
-    relax_along(depth, inverse_, {.source = depth.r, .step = steps_[1], .last_d = &depth.x});
+    relax_by(depth, inverse_, depth.r, steps_[1].length, 1 + steps_[1].momentum);
   }
 
+  // The second d is M⁻¹ of what both residuals come to.
   void relax(CpuDepth& depth) override {
-    compute_residual(depth);
-    relax_along(depth, inverse_, {.source = depth.r, .step = steps_[0], .d = &direction_});
-    compute_residual(depth);
-    relax_along(depth, inverse_, {.source = depth.r, .step = steps_[1], .last_d = &direction_});
+    compute_residual(depth, steps_[0].length);
+    relax_by(depth, inverse_, depth.r, 1, 1);
+    compute_residual(depth, steps_[1].length, steps_[1].momentum);
+    relax_by(depth, inverse_, depth.r, 1, 1);
   }
 
-  uint64_t byte_count() const override {
-    return inverse_.byte_count() + bytes_of(direction_) + lambda_max_.byte_count();
-  }
+  uint64_t byte_count() const override { return inverse_.byte_count() + lambda_max_.byte_count(); }
 
  private:
   StencilMatrix inverse_;  // M⁻¹
-  std::vector<Float4> direction_;
   LambdaMax lambda_max_;
   std::array<ChebyshevStep, kDegree> steps_;
 };

@@ -10,12 +10,12 @@
 namespace burnish::cpu {
 namespace {
 
-using Vector = std::vector<Double4>;
+using Vector = std::vector<Double3>;
 
 /// A constraint of the system's metric, and the vectors that it is assembled into.
 struct Assembled {
-  Assembled(const TestSystem& system, const CpuDepth& finest, const Double4& before,
-            const Double4& residual)
+  Assembled(const TestSystem& system, const CpuDepth& finest, const Double3& before,
+            const Double3& residual)
       : constraint(*system.prepared, finest),
         b(finest.corner_count(), before),
         r(b.size(), residual) {
@@ -23,7 +23,7 @@ struct Assembled {
     constraint.assemble(system.fields.view(), b, r);
   }
   Assembled(const TestSystem& system, const CpuDepth& finest)
-      : Assembled(system, finest, Double4::Zero(), Double4::Zero()) {}
+      : Assembled(system, finest, Double3::Zero(), Double3::Zero()) {}
 
   Constraint constraint;
   Vector b, r;
@@ -35,7 +35,7 @@ Vector constraint_of(const TestSystem& system, const CpuDepth& finest) {
 
 double largest(const Vector& b) {
   double most = 0;
-  for (const Double4& at : b) most = std::max(most, at.abs().maxCoeff());
+  for (const Double3& at : b) most = std::max(most, at.abs().maxCoeff());
   return most;
 }
 
@@ -57,14 +57,14 @@ TEST(Constraint, IsNothingWhereBetaIsOne) {
   TestSystem system(reference::bumpy_sphere(3), 5);
   system.fields.set_transfer_curve(test_curve(100));
   const auto depths = system.assembled();
-  for (const Double4& b : constraint_of(system, depths.back())) EXPECT_EQ(b.abs().maxCoeff(), 0);
+  for (const Double3& b : constraint_of(system, depths.back())) EXPECT_EQ(b.abs().maxCoeff(), 0);
 }
 
 TEST(Constraint, TakesTheResidualAlong) {
   TestSystem system(reference::bumpy_sphere(3), 5);
   system.fields.set_gradient_scale(0);
   const auto depths = system.assembled();
-  const Double4 before(1, 2, 3, 0), residual(0.5, 0.25, 0.125, 0);
+  const Double3 before(1, 2, 3), residual(0.5, 0.25, 0.125);
   const Assembled assembled(system, depths.back(), before, residual);
   for (size_t i = 0; i < assembled.b.size(); ++i)
     ASSERT_LT((assembled.r[i] - residual - (assembled.b[i] - before)).abs().maxCoeff(), 1e-12);
@@ -77,7 +77,7 @@ TEST(Constraint, AfterADabIsBitForBitWhatAFullSumGives) {
   const auto depths = system.assembled();
   Assembled dabbed(system, depths.back());
   const Vector undabbed = dabbed.b;
-  dabbed.r.assign(undabbed.size(), Double4::Zero());
+  dabbed.r.assign(undabbed.size(), Double3::Zero());
 
   system.fields.paint({{.radius = 0.3, .strength = 1, .beta = 2}, {system.prepared->vertices[0]}});
   dabbed.constraint.assemble(system.fields.view(), dabbed.b, dabbed.r);
@@ -157,8 +157,8 @@ TEST(Constraint, SumsToZeroOverTheCorners) {
   TestSystem system(reference::bumpy_sphere(3), 5);
   system.fields.set_gradient_scale(0);
   const auto depths = system.assembled();
-  Double4 sum = Double4::Zero(), size = Double4::Zero();
-  for (const Double4& b : constraint_of(system, depths.back())) {
+  Double3 sum = Double3::Zero(), size = Double3::Zero();
+  for (const Double3& b : constraint_of(system, depths.back())) {
     sum += b;
     size += b.abs();
   }
@@ -171,7 +171,7 @@ TEST(Constraint, IsTheReferencesAppliedToTheCornerPositions) {
   system.fields.set_transfer_curve(test_curve(30));
   system.fields.set_gradient_scale(2.5);
   const auto depths = system.assembled();
-  const std::vector<Double4> found = constraint_of(system, depths.back());
+  const std::vector<Double3> found = constraint_of(system, depths.back());
 
   const reference::System expected_system = reference::build(mesh, 5);
   const Eigen::MatrixXd expected = reference::constraint(

@@ -1,5 +1,7 @@
 #include "server/solver/cpu/row_products.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "server/solver/cpu/assembly.h"
@@ -29,11 +31,11 @@ struct Products {
     assemble(*system.prepared, system.fields.alphas(), depths, &exact);
 
     CpuDepth& finest = depths.back();
-    std::vector<Double4> p(finest.corner_count());
+    std::vector<Double3> p(finest.corner_count());
     for (int32_t i = 0; i < finest.corner_count(); ++i) {
       finest.x[i] = wave(i);
       finest.f[i] = wave(i + 31);
-      p[i] = wave(i).cast<double>();
+      p[i] = wave(i).head<3>().cast<double>();
     }
     compute_residual(finest);
     residual = finest.r;
@@ -50,7 +52,7 @@ struct Products {
 
   int64_t wide, tiles;
   std::vector<Float4> residual, expected;
-  std::vector<Double4> of_floats, of_doubles;
+  std::vector<Double3> of_floats, of_doubles;
 };
 
 template <typename Vector>
@@ -59,6 +61,11 @@ double distance(const Vector& a, const Vector& b) {
   for (size_t i = 0; i < a.size(); ++i)
     most = std::max(most, static_cast<double>((a[i] - b[i]).abs().maxCoeff()));
   return most;
+}
+
+std::vector<Float4> scaled(std::vector<Float4> v, float factor) {
+  for (Float4& at : v) at *= factor;
+  return v;
 }
 
 class RowProducts : public testing::Test {
@@ -89,7 +96,7 @@ TEST_F(RowProducts, AreTheSameBitsWhereTilesAreTooWide) {
   }
 }
 
-TEST_F(RowProducts, TilesHaveEachColumnWhereTheySay) {
+TEST_F(RowProducts, TilesHaveEachRowAndColumnWhereTheySay) {
   for (const HierarchyDepth& depth : system_.hierarchy->depths) {
     const Stencil& stencil = depth.stencil;
     const RowTiles& tiles = stencil.tiles;
@@ -97,6 +104,9 @@ TEST_F(RowProducts, TilesHaveEachColumnWhereTheySay) {
     for (int32_t row = 0; row < n; ++row) {
       const int32_t tile = row / RowTiles::kRows, first = tile * RowTiles::kRows;
       const int32_t rows = std::min(n - first, RowTiles::kRows);
+      ASSERT_EQ(first + tiles.row[row].place, stencil.corner_of_row[row]);
+      ASSERT_EQ(stencil.row_start[row] + Stencil::kRowPadding * tiles.row[row].groups,
+                stencil.row_start[row + 1]);
       for (int64_t k = stencil.row_start[row]; k < stencil.row_start[row + 1]; ++k) {
         const int32_t local = tiles.local[k];
         ASSERT_LT(local, tiles.width_max);
@@ -105,6 +115,22 @@ TEST_F(RowProducts, TilesHaveEachColumnWhereTheySay) {
       }
     }
   }
+}
+
+TEST_F(RowProducts, KeepAsMuchAsTheyAreTold) {
+  std::vector<CpuDepth> depths;
+  for (const HierarchyDepth& topology : system_.hierarchy->depths) depths.emplace_back(topology);
+  assemble(*system_.prepared, system_.fields.alphas(), depths, nullptr);
+  CpuDepth& finest = depths.back();
+  for (int32_t i = 0; i < finest.corner_count(); ++i) finest.x[i] = finest.f[i] = wave(i);
+  compute_residual(finest);
+  const std::vector<Float4> residual = finest.r;
+  compute_residual(finest, 0.5F, 0.25F);
+  EXPECT_EQ(distance(finest.r, scaled(residual, 0.75F)), 0);
+
+  finest.r.assign(finest.r.size(), Float4::Constant(std::numeric_limits<float>::quiet_NaN()));
+  compute_residual(finest);
+  EXPECT_EQ(distance(finest.r, residual), 0);
 }
 
 }  // namespace
