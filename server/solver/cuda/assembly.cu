@@ -2,6 +2,7 @@
 
 #include "server/solver/cuda/assembly.h"
 #include "server/solver/cuda/gather_rows.h"
+#include "server/solver/cuda/gradient_shares.h"
 #include "server/solver/cuda/irregular_rows.h"
 #include "server/solver/cuda/products.h"
 
@@ -49,9 +50,11 @@ __global__ void pinned_below_kernel(Topology topology, CellSquares<Real> cells,
   if (a == 0 && rank == sampled / 2) *pinned_below = is_sample ? kPinnedBelow * mine : 0;
 }
 
-template <typename Real>
+enum class Gradients { kNone, kFloats, kWithRests };
+
+template <typename Real, Gradients kGradients>
 __global__ void __launch_bounds__(kThreads, 6)
-    assemble_kernel(CellSquares<Real> cells, Depth depth, double* row_sum, const float4* probe,
+    assemble_kernel(CellSquares<Real> cells, Depth depth, BesideMatrix beside, const float4* probe,
                     const float* pinned_below) {
   __shared__ RowRoom room;
   float4* tile = tile_of_block<float4>();
@@ -65,7 +68,7 @@ __global__ void __launch_bounds__(kThreads, 6)
   const auto diagonal = static_cast<float>(row.diagonal);
   depth.system.diagonal[corner] = diagonal;
   depth.inverse_diagonal[corner] = diagonal > *pinned_below ? 1 / diagonal : 0;
-  if (row_sum != nullptr) row_sum[corner] = row.own;
+  if (beside.row_sum != nullptr) beside.row_sum[corner] = row.own;
   float4 product = zero4();
   if (probe != nullptr) product = diagonal * tile[threadIdx.x];
   const Rows& rows = depth.topology.rows;
@@ -90,25 +93,37 @@ __global__ void __launch_bounds__(kThreads, 6)
     if (probe != nullptr) product = product + value_of(packed) * tile[local];
   });
   if (probe != nullptr) depth.r[corner] = product;
+  if constexpr (kGradients != Gradients::kNone)
+    beside.per_slider[corner] = sum_shares<kGradients == Gradients::kWithRests>(
+        beside.gradients, depth.topology.cells_of_corner[corner]);
+}
+
+template <typename Real>
+auto choose_kernel(const BesideMatrix& beside) {
+  if constexpr (std::is_same_v<Real, double>) {
+    if (beside.gradients.rests != nullptr) return assemble_kernel<Real, Gradients::kWithRests>;
+    if (beside.gradients.numbers != nullptr) return assemble_kernel<Real, Gradients::kFloats>;
+  }
+  return assemble_kernel<Real, Gradients::kNone>;
 }
 
 }  // namespace
 
 template <typename Real>
-void assemble(Stream& stream, const CellSquares<Real>& cells, const Depth& depth, double* row_sum,
-              const float4* probe, float* pinned_below) {
+void assemble(Stream& stream, const CellSquares<Real>& cells, const Depth& depth,
+              const BesideMatrix& beside, const float4* probe, float* pinned_below) {
   launch_blocks(stream, pinned_below_kernel<Real>, dim3(1), dim3(8 * kMedianSamples), 0,
                 depth.topology, cells, pinned_below);
   const Rows& rows = depth.topology.rows;
-  launch_products<float4>(stream, assemble_kernel<Real>, rows, rows.group_count, cells, depth,
-                          row_sum, probe, pinned_below);
+  launch_products<float4>(stream, choose_kernel<Real>(beside), rows, rows.group_count, cells, depth,
+                          beside, probe, pinned_below);
   if constexpr (std::is_same_v<Real, float>)  // the finest depth, in double, is regular
     assemble_irregular_rows(stream, cells, depth, probe, pinned_below);
 }
 
-template void assemble(Stream&, const CellSquares<double>&, const Depth&, double*, const float4*,
-                       float*);
-template void assemble(Stream&, const CellSquares<float>&, const Depth&, double*, const float4*,
-                       float*);
+template void assemble(Stream&, const CellSquares<double>&, const Depth&, const BesideMatrix&,
+                       const float4*, float*);
+template void assemble(Stream&, const CellSquares<float>&, const Depth&, const BesideMatrix&,
+                       const float4*, float*);
 
 }  // namespace burnish::cuda

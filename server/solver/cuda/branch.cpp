@@ -8,8 +8,7 @@ static void put_after(Stream& later, Stream& earlier, cudaEvent_t event) {
   later.check(cudaStreamWaitEvent(later.get(), event), "waiting for a stream");
 }
 
-Branch::Branch(Stream& trunk, Stream::Urgency urgency)
-    : trunk_(trunk), stream_(trunk.device(), urgency) {
+Branch::Branch(Stream& trunk) : trunk_(trunk), stream_(trunk.device(), Stream::Urgency::kBeside) {
   for (cudaEvent_t* event : {&forked_, &joined_})
     stream_.check(cudaEventCreateWithFlags(event, cudaEventDisableTiming), "creating an event");
   trunk_.check(stream_.status());

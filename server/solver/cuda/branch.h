@@ -8,7 +8,7 @@ namespace burnish::cuda {
 /// is given between fork() and join(). Recorded in a graph it becomes a branch of it.
 class Branch {
  public:
-  explicit Branch(Stream& trunk, Stream::Urgency urgency = Stream::Urgency::kBeside);
+  explicit Branch(Stream& trunk);
   ~Branch();
   Branch(const Branch&) = delete;
   Branch& operator=(const Branch&) = delete;

@@ -1,16 +1,11 @@
-#include <type_traits>
-
 #include "server/solver/cuda/chunks.h"
 #include "server/solver/cuda/constraint.h"
+#include "server/solver/cuda/gradient_shares.h"
 #include "server/solver/cuda/kernel.h"
 
 namespace burnish::cuda {
 
 namespace {
-
-// A cell's share of b for one axis: with rests, or a float where these will do.
-template <bool kRests>
-using Share = std::conditional_t<kRests, double, float>;
 
 // Paint that is new, and the corners that it touches. Many threads mark a slice, all alike.
 __global__ void take_paint_kernel(NewGradientScale beta, Topology finest, uint8_t* is_touched) {
@@ -25,58 +20,6 @@ __global__ void take_paint_kernel(NewGradientScale beta, Topology finest, uint8_
   beta.paint[cell] = next;
 #pragma unroll
   for (int a = 0; a < 8; ++a) is_touched[corners.at[a] / kSliceRows] = 1;
-}
-
-// One axis of the shares of a corner's cells, and what the float of the last one leaves. A cell
-// that is not there counts as the first, to be taken zero times: its loads need not wait for a
-// branch.
-template <bool kRests>
-struct Shares {
-  Share<kRests> at[8];
-  float rest;
-};
-
-template <bool kRests>
-__device__ Shares<kRests> shares_of(const CellGradients& combined, const Eight& cells, int axis) {
-  const auto place = [&](int n, int a) {
-    return (n + axis) * combined.cells + max(cells.at[a], 0);
-  };
-  Shares<kRests> shares;
-#pragma unroll
-  for (int a = 0; a < 8; ++a) shares.at[a] = combined.numbers[place(3 * a, a)];
-  if constexpr (kRests)
-#pragma unroll
-    for (int a = 0; a < 7; ++a) shares.at[a] += combined.rests[place(3 * a, a)];
-  shares.rest = combined.numbers[place(24, 7)];
-  return shares;
-}
-
-template <bool kRests>
-__device__ double weighed(const Shares<kRests>& shares, const float (&weight)[8]) {
-  double sum = weight[7] * static_cast<double>(shares.rest);
-#pragma unroll
-  for (int a = 0; a < 8; ++a) sum += weight[a] * static_cast<double>(shares.at[a]);
-  return sum;
-}
-
-// All corners as they are where nobody has painted. All loads of an axis are under way at once,
-// which wants the registers that nine blocks leave: the compiler's own choice takes a fifth longer.
-template <bool kRests>
-__global__ void __launch_bounds__(kThreads, 9)
-    gather_kernel(Topology finest, CellGradients combined, Double3* per_slider) {
-  let_next_start();
-  const int64_t corner = thread_index();
-  if (corner >= finest.corner_count) return;
-  const Eight cells = finest.cells_of_corner[corner];
-  await_previous();
-  float weight[8];  // 1, or 0 where no cell is
-#pragma unroll
-  for (int a = 0; a < 8; ++a) weight[a] = static_cast<float>(min(cells.at[a], 0) + 1);
-  double sum[3];
-#pragma unroll
-  for (int axis = 0; axis < 3; ++axis)
-    sum[axis] = weighed(shares_of<kRests>(combined, cells, axis), weight);
-  per_slider[corner] = {sum[0], sum[1], sum[2]};
 }
 
 __global__ void tell_slider_kernel(double less_one, double* to) {
@@ -110,7 +53,7 @@ __global__ void gather_painted_kernel(Depth finest, CellGradients combined, cons
   double of_slider[3], of_paint[3];
 #pragma unroll
   for (int axis = 0; axis < 3; ++axis) {
-    const Shares shares = shares_of<kRests>(combined, cells, axis);
+    const AxisShares shares = shares_of<kRests>(combined, cells, axis);
     of_slider[axis] = weighed(shares, follow);
     of_paint[axis] = weighed(shares, own);
   }
@@ -159,13 +102,6 @@ __global__ void slide_kernel(Depth finest, double before, double slider, Constra
 }
 
 }  // namespace
-
-void gather_gradients(Stream& stream, const Topology& finest, const CellGradients& combined,
-                      Double3* per_slider) {
-  const bool rests = combined.rests != nullptr;
-  launch(stream, rests ? gather_kernel<true> : gather_kernel<false>, finest.corner_count, finest,
-         combined, per_slider);
-}
 
 void assemble_constraint(Stream& stream, const Depth& finest, const CellGradients& combined,
                          const NewGradientScale& beta, bool gradients_are_new, const Constraint& b,

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "server/solver/cuda/assembly.h"
-#include "server/solver/cuda/branch.h"
 #include "server/solver/cuda/cell_shares.h"
 #include "server/solver/cuda/coarsest.h"
 #include "server/solver/cuda/combined_cells.h"
@@ -83,9 +82,9 @@ class CudaBackend final : public Backend {
         std::exchange(all_have_one_alpha_, metric.is_uniform()) && metric.is_uniform();
     stream_.share_memory(kSharedBesideOthers);
     if (same_ratios)
-      run_on_device(kSameRatiosGraph, [this] { assemble_matrices(); });
+      run_on_device(kSameRatiosGraph, [this] { assemble_matrices({}); });
     else
-      run_on_device(kMetricGraph, [this] { assemble_all(); });
+      run_on_device(kMetricGraph, [this] { assemble_matrices(gradients()); });
     stream_.share_memory(Stream::kAsItSuits);
     gradients_are_new_ |= !same_ratios;
   }
@@ -175,36 +174,23 @@ class CudaBackend final : public Backend {
     coarsest_->on_device() ? graphs_.run(key, work) : work();
   }
 
-  // What the constraint makes of the metric comes last: no matrix waits for it.
-  void assemble_all() {
-    start_matrices(gradients());
-    gradients_beside_.fork();
-    gather_gradients(gradients_beside_.stream(), finest().topology, gradients(),
-                     outer_->constraint().per_slider);
-    gradients_beside_.join();
-    finish_matrices();
-  }
-  void assemble_matrices() {
-    start_matrices({});
-    finish_matrices();
-  }
-
   // The matrices of all depths. A depth's combined integrals come from those of the one below,
   // which is what the coarsest depth waits for; matrices and smoothers are made beside that. The
   // finest matrix does not wait for the shares, but its smoother, which overwrites what they read.
-  void start_matrices(const CellGradients& gradients) {
+  void assemble_matrices(const CellGradients& gradients) {
     const CellSquares<double> combined = {combined_.data(), finest().topology.cell_count};
     const Metric metric = {alpha_.data(), mesh_->curvature.data(), mesh_->prepared->alpha_scale(),
                            anisotropy_.data(), gradients};
+    const BesideMatrix beside = {outer_->row_sum(), gradients, outer_->constraint().per_slider};
     anisotropy_.clear(stream_);
     if (smoothers_.empty()) {
       combine_integrals(stream_, mesh_->integrals(), metric, combined);
-      assemble_coarsest(combined);
+      assemble_coarsest(combined, beside);
     } else {
       CellSquares<float> cells = {coarse_combined_.data(), topology(1).cell_count};
       combine_integrals(stream_, mesh_->integrals(), mesh_->sheets.view(), metric, combined,
                         topology(0), topology(1), cells);
-      start_matrix(0, combined);
+      start_matrix(0, combined, beside);
       add_shares(stream_, topology(1).shares, combined, cells);
       smoothers_.back()->fork();
       start_smoother(0, combined);
@@ -212,16 +198,13 @@ class CudaBackend final : public Backend {
         const CellSquares<float> coarse = {cells.numbers + topology(above - 1).number_count,
                                            topology(above).cell_count};
         down_sample(stream_, topology(above - 1), topology(above), cells, coarse);
-        start_matrix(above - 1, cells);
+        start_matrix(above - 1, cells, {});
         start_smoother(above - 1, cells);
         cells = coarse;
       }
-      assemble_coarsest(cells);
+      assemble_coarsest(cells, {});
     }
     if (!smoothers_.empty()) patches_->factor(smoothers_.back()->beside());
-  }
-
-  void finish_matrices() {
     for (const auto& smoother : smoothers_) smoother->finish_set_up();
   }
 
@@ -233,10 +216,9 @@ class CudaBackend final : public Backend {
 
   // From the depth's combined integrals, beside what else the stream does.
   template <typename Real>
-  void start_matrix(size_t above, const CellSquares<Real>& cells) {
+  void start_matrix(size_t above, const CellSquares<Real>& cells, const BesideMatrix& beside) {
     DepthSmoother& smoother = smoother_above(above);
-    double* row_sum = above == 0 ? outer_->row_sum() : nullptr;
-    assemble(smoother.fork(), cells, view(above), row_sum, smoother.probe(),
+    assemble(smoother.fork(), cells, view(above), beside, smoother.probe(),
              pinned_below_.data() + above);
   }
 
@@ -247,11 +229,9 @@ class CudaBackend final : public Backend {
                                  anisotropy_.data());
   }
 
-  // Only the finest depth's product is to double's digits.
   template <typename Real>
-  void assemble_coarsest(const CellSquares<Real>& cells) {
-    double* row_sum = smoothers_.empty() ? outer_->row_sum() : nullptr;
-    assemble(stream_, cells, depths_[0].view(), row_sum, nullptr,
+  void assemble_coarsest(const CellSquares<Real>& cells, const BesideMatrix& beside) {
+    assemble(stream_, cells, depths_[0].view(), beside, nullptr,
              pinned_below_.data() + smoothers_.size());
     coarsest_->factor();
   }
@@ -259,7 +239,6 @@ class CudaBackend final : public Backend {
   std::shared_ptr<const DeviceMesh> mesh_;
   Stream stream_;
   int coarse_offset_;
-  Branch gradients_beside_{stream_, Stream::Urgency::kLast};
   Graphs graphs_{stream_};
   DeviceAlpha alpha_;
   bool all_have_one_alpha_ = false;  // and with it one ratio of α1 and α2

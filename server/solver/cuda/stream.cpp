@@ -13,9 +13,7 @@ Stream::Stream(int device, Urgency urgency) : device_(device) {
   use_device();
   int least = 0, greatest = 0;
   check(cudaDeviceGetStreamPriorityRange(&least, &greatest), "asking the device");
-  const int priority = urgency == Urgency::kFirst    ? greatest
-                       : urgency == Urgency::kBeside ? (least + greatest) / 2
-                                                     : least;
+  const int priority = urgency == Urgency::kFirst ? greatest : least;
   check(cudaStreamCreateWithPriority(&stream_, cudaStreamNonBlocking, priority),
         "creating a stream");
   int major = 0;

@@ -16,7 +16,7 @@ class Stream {
   static constexpr int kAsItSuits = -1;
 
   /// Kernels of a more urgent stream go before others, also in a graph.
-  enum class Urgency { kFirst, kBeside, kLast };
+  enum class Urgency { kFirst, kBeside };
   explicit Stream(int device, Urgency urgency = Urgency::kFirst);
   ~Stream();
   Stream(const Stream&) = delete;
