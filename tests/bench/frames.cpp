@@ -1,14 +1,18 @@
 #include "tests/bench/frames.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
+#include "tests/bench/clock.h"
 #include "tests/bench/timing.h"
 
 namespace burnish {
 
 static constexpr int kFrames = 9;
 static constexpr int kWarmUp = 1;
-static constexpr double kDabRadius = 0.03;  // of the diagonal
+static constexpr int kLightFrames = Solver::kLightSteps;  // after the first one
+static constexpr double kDabRadius = 0.03;                // of the diagonal
 
 // Hardly different, but another: a curve that a session has already is no edit.
 static TransferCurve nudged(const TransferCurve& curve) {
@@ -21,29 +25,36 @@ FrameTimes measure_frames(Session& session, const TransferCurve& curve) {
   must_apply(session, SetTransferCurve{curve});
   must_apply(session, SetGradientScale{0});
   FrameTimes times;
-  times.solve = median_milliseconds(kFrames, 2 * kWarmUp, [&] { session.step(); });
+  std::vector<double> gigahertz;
+  const auto median_of = [&](int frames, int warm_up, auto&& frame) {
+    gigahertz.push_back(core_gigahertz());
+    return median_milliseconds(frames, warm_up, frame);
+  };
+  times.solve = median_of(kLightFrames, kWarmUp, [&] { session.step(); });
+  times.whole = median_of(kFrames, kWarmUp, [&] { session.step(); });
   double beta = 0;
-  times.rhs = median_milliseconds(kFrames, kWarmUp, [&] {
+  times.rhs = median_of(kFrames, kWarmUp, [&] {
     must_apply(session, SetGradientScale{beta += 0.01});
     session.step();
   });
   const PreparedMesh& prepared = session.prepared();
   const Brush brush = {.radius = kDabRadius * prepared.statistics.diagonal(), .strength = 0.5};
   size_t vertex = 0;
-  times.dab = median_milliseconds(kFrames, kWarmUp, [&] {
+  times.dab = median_of(kFrames, kWarmUp, [&] {
     vertex = (vertex + prepared.vertices.size() / kFrames) % prepared.vertices.size();
     must_apply(session, Stroke{brush, {prepared.vertices[vertex]}});
     session.step();
   });
   TransferCurve now = nudged(curve), next = curve;
-  times.matrix = median_milliseconds(kFrames, kWarmUp, [&] {
+  times.matrix = median_of(kFrames, kWarmUp, [&] {
     must_apply(session, SetTransferCurve{now});
     session.step();
     std::swap(now, next);
   });
   must_apply(session, SetTransferCurve{curve});
-  times.evaluate =
-      median_milliseconds(kFrames, kWarmUp, [&] { session.solver().evaluate_vertices(); });
+  times.evaluate = median_of(kFrames, kWarmUp, [&] { session.solver().evaluate_vertices(); });
+  std::ranges::nth_element(gigahertz, gigahertz.begin() + gigahertz.size() / 2);
+  times.gigahertz = gigahertz[gigahertz.size() / 2];
   return times;
 }
 

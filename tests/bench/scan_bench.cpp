@@ -67,8 +67,9 @@ Status report_scan(const ScanArgument& scan, const BenchArguments& arguments, Be
     must_apply(*session, SetGradientScale{0});
     SolveReport settled;
     const double settle = milliseconds([&] { settled = session->solve({}).value(); });
-    tables.frames.add({name, curve_name, times.solve, times.rhs, times.dab, times.matrix,
-                       times.evaluate, static_cast<double>(settled.cycles), settle});
+    tables.frames.add({name, curve_name, times.solve, times.whole, times.rhs, times.dab,
+                       times.matrix, times.evaluate, static_cast<double>(settled.cycles), settle,
+                       times.gigahertz});
   }
   report_memory(system, *session, tables.memory);
   return Status::ok();
@@ -89,12 +90,14 @@ Status run(const BenchArguments& arguments, BenchReport& report) {
       report.add_table("frames", {{"scan", "", 18},
                                   {"curve", "", 12},
                                   {"solve_ms", "%.1f"},
+                                  {"whole_ms", "%.1f"},
                                   {"rhs_ms", "%.1f"},
                                   {"dab_ms", "%.1f"},
                                   {"matrix_ms", "%.1f"},
                                   {"evaluate_ms", "%.1f"},
                                   {"settle_cycles", "%.0f"},
-                                  {"settle_ms", "%.0f"}})};
+                                  {"settle_ms", "%.0f"},
+                                  {"ghz", "%.1f"}})};
   for (const ScanArgument& scan : arguments.scans)
     RETURN_IF_ERROR(report_scan(scan, arguments, report, tables));
   return Status::ok();

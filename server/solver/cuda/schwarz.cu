@@ -148,10 +148,13 @@ void Schwarz::step(Kernel kernel, const float4* source) {
 }
 
 void Schwarz::relax_from_zero() {
-  const Rows& rows = depth_.topology.rows;
-  step(kernel_of<Step::kFromZero>(rows, inverse_), depth_.f);
+  relax_once_from_zero();
   compute_residual(stream_, depth_);
-  step(kernel_of<Step::kSecondFromZero>(rows, inverse_), depth_.r);
+  step(kernel_of<Step::kSecondFromZero>(depth_.topology.rows, inverse_), depth_.r);
+}
+
+void Schwarz::relax_once_from_zero() {
+  step(kernel_of<Step::kFromZero>(depth_.topology.rows, inverse_), depth_.f);
 }
 
 void Schwarz::relax() {

@@ -30,7 +30,9 @@ class DepthSmoother {
   virtual void finish_set_up() = 0;
 
   virtual void relax_from_zero() = 0;  ///< x from zero
-  virtual void relax() = 0;            ///< x further
+  /// The first step of that, where it has several.
+  virtual void relax_once_from_zero() { relax_from_zero(); }
+  virtual void relax() = 0;  ///< x further
   virtual uint64_t byte_count() const = 0;
 };
 
