@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 
 #include "common/base/dispatch.h"
 #include "server/solver/cpu/blocks.h"
@@ -11,6 +12,9 @@ namespace burnish::cpu {
 namespace {
 
 #define BURNISH_INLINE __attribute__((always_inline))
+
+constexpr int32_t kRowsAtOnce = 4;  // as a cache line has that many corners' numbers
+constexpr int kToWrite = 1;
 
 // A corner's three columns and a spare, as the compiler's own registers.
 using Lanes = float __attribute__((vector_size(16)));
@@ -64,16 +68,20 @@ struct Room {
         sum(std::make_unique_for_overwrite<Sum[]>(RowTiles::kRows)) {}
 };
 
-// Copies a tile's numbers, and asks for what the next one will copy from elsewhere.
+// Where in x a tile finds its numbers of other tiles' corners.
+std::span<const int32_t> halo_of(const RowTiles& tiles, int32_t tile) {
+  if (tile >= tiles.count()) return {};
+  return {tiles.halo.data() + tiles.halo_start[tile],
+          tiles.halo.data() + tiles.halo_start[tile + 1]};
+}
+
+// Copies a tile's numbers.
 template <typename Number, typename Vector>
-[[gnu::always_inline]] inline void fill(Number* room, const Vector* x, const RowTiles& tiles,
-                                        int32_t tile, int32_t first, int32_t last) {
+[[gnu::always_inline]] inline void fill(Number* room, const Vector* x,
+                                        std::span<const int32_t> halo, int32_t first,
+                                        int32_t last) {
   for (int32_t i = first; i < last; ++i) load(x[i], *room++);
-  const int64_t begin = tiles.halo_start[tile], end = tiles.halo_start[tile + 1];
-  const int32_t* halo = tiles.halo.data();
-  for (int64_t h = begin; h < end; ++h) load(x[halo[h]], *room++);
-  const int64_t next_end = tiles.halo_start[std::min(tile + 2, tiles.count())];
-  for (int64_t h = end; h < next_end; ++h) __builtin_prefetch(x + halo[h]);
+  for (const int32_t i : halo) load(x[i], *room++);
 }
 
 // A vector's number at the column of entry k.
@@ -85,30 +93,40 @@ struct AtColumn {
 };
 
 // Sums a tile's rows into the room: sum_row(begin, end, x at the row's corner, x at columns, sum)
-// has a row's entries. What rows further on need is asked for: a processor's own foresight ends at
-// each page.
-template <typename T, typename Vector, typename Number, typename Sum, typename SumRow>
+// has a row's entries. What comes later is asked for meanwhile, a few lines at a time, as a
+// processor's own foresight ends at each page: the entries of rows further on, what the next tile
+// will copy from elsewhere, and by ask_for(corner) what is done with the sums.
+template <typename T, typename Vector, typename Number, typename Sum, typename SumRow,
+          typename AskFor>
 [[gnu::always_inline]] inline void sum_rows(const Rows<T>& a, const Vector* x,
                                             Room<Number, Sum>& room, int32_t first, int32_t last,
-                                            SumRow&& sum_row) {
+                                            SumRow&& sum_row, AskFor&& ask_for) {
   constexpr int64_t kEntriesAhead = 768;
+  constexpr size_t kHaloAhead = 2 * kRowsAtOnce;
   const RowTiles& tiles = a.tiles;
   const int32_t tile = first / RowTiles::kRows;
   const auto sum_all = [&](const auto* here, const auto& at) BURNISH_INLINE {
+    std::span<const int32_t> next_halo = halo_of(tiles, tile + 1);
     int64_t k = a.start[first];
-    for (int32_t row = first; row < last; ++row) {
-      __builtin_prefetch(a.entry + k + kEntriesAhead);
-      __builtin_prefetch(tiles.local.data() + k + kEntriesAhead);
-      const auto [place, groups] = tiles.row[row];
-      const int64_t end = k + int64_t{groups} * Stencil::kRowPadding;
-      sum_row(k, end, here[place], at, room.sum[place]);
-      k = end;
+    for (int32_t begin = first; begin < last; begin += kRowsAtOnce) {
+      ask_for(begin);
+      const size_t ahead = std::min(kHaloAhead, next_halo.size());
+      for (const int32_t i : next_halo.first(ahead)) __builtin_prefetch(x + i);
+      next_halo = next_halo.subspan(ahead);
+      for (int32_t row = begin; row < std::min(begin + kRowsAtOnce, last); ++row) {
+        __builtin_prefetch(a.entry + k + kEntriesAhead);
+        __builtin_prefetch(tiles.local.data() + k + kEntriesAhead);
+        const auto [place, groups] = tiles.row[row];
+        const int64_t end = k + int64_t{groups} * Stencil::kRowPadding;
+        sum_row(k, end, here[place], at, room.sum[place]);
+        k = end;
+      }
     }
   };
   if (tiles.is_wide[tile] != 0) {
     sum_all(x + first, AtColumn<Vector, int32_t>{x, a.column});
   } else {
-    fill(room.x.get(), x, tiles, tile, first, last);
+    fill(room.x.get(), x, halo_of(tiles, tile), first, last);
     sum_all(room.x.get(), AtColumn<Number, uint16_t>{room.x.get(), tiles.local.data()});
   }
 }
@@ -131,16 +149,18 @@ template <typename At>
         __builtin_shufflevector(first, first, 4, 5, 6, 7);
 }
 
-// Calls finish(corner, A x there) for the corners of whole tiles.
-template <typename Finish>
+// Calls finish(corner, A x there) for the corners of whole tiles, and ask_for(corner) before.
+template <typename AskFor, typename Finish>
 [[gnu::always_inline]] inline void multiply(const Rows<float>& a, const Lanes* x,
                                             Room<Lanes, Lanes>& room, int32_t begin, int32_t end,
-                                            Finish&& finish) {
+                                            AskFor&& ask_for, Finish&& finish) {
   for (int32_t first = begin; first < end; first += RowTiles::kRows) {
     const int32_t last = std::min(end, first + RowTiles::kRows);
-    sum_rows(a, x, room, first, last,
-             [&](int64_t k, int64_t row_end, const Lanes&, const auto& at, Lanes& sum)
-                 BURNISH_INLINE { sum_row(a.entry, k, row_end, at, sum); });
+    sum_rows(
+        a, x, room, first, last,
+        [&](int64_t k, int64_t row_end, const Lanes&, const auto& at, Lanes& sum)
+            BURNISH_INLINE { sum_row(a.entry, k, row_end, at, sum); },
+        ask_for);
     for (int32_t i = first; i < last; ++i) finish(i, a.diagonal[i] * x[i] + room.sum[i - first]);
   }
 }
@@ -149,21 +169,30 @@ BURNISH_DISPATCH void residual_block(const Rows<float>& s, const float* inverse_
                                      const Lanes* f, const Lanes* x, float length, float kept,
                                      Room<Lanes, Lanes>& room, Lanes* r, int32_t begin,
                                      int32_t end) {
-  multiply(s, x, room, begin, end, [&](int32_t i, const Lanes& product) BURNISH_INLINE {
-    Lanes next = length * (f[i] - product);
-    if (kept != 0) next += kept * r[i];
-    r[i] = inverse_diagonal[i] == 0 ? Lanes{} : next;
-  });
+  multiply(
+      s, x, room, begin, end,
+      [&](int32_t i) BURNISH_INLINE {
+        __builtin_prefetch(f + i);
+        __builtin_prefetch(r + i, kToWrite);
+      },
+      [&](int32_t i, const Lanes& product) BURNISH_INLINE {
+        Lanes next = length * (f[i] - product);
+        if (kept != 0) next += kept * r[i];
+        r[i] = inverse_diagonal[i] == 0 ? Lanes{} : next;
+      });
 }
 
 BURNISH_DISPATCH void relax_block(const Rows<float>& a, const Lanes* source, float length,
                                   float kept, Room<Lanes, Lanes>& room, Lanes* x, int32_t begin,
                                   int32_t end) {
-  multiply(a, source, room, begin, end, [&](int32_t i, const Lanes& product) BURNISH_INLINE {
-    Lanes next = length * product;
-    if (kept != 0) next += kept * x[i];
-    x[i] = next;
-  });
+  multiply(
+      a, source, room, begin, end,
+      [&](int32_t i) BURNISH_INLINE { __builtin_prefetch(x + i, kToWrite); },
+      [&](int32_t i, const Lanes& product) BURNISH_INLINE {
+        Lanes next = length * product;
+        if (kept != 0) next += kept * x[i];
+        x[i] = next;
+      });
 }
 
 // Σ_J S_IJ (p_J − p_I) of a row.
@@ -188,9 +217,14 @@ template <typename Vector, typename Number>
                                               Double3* q, int32_t begin, int32_t end) {
   for (int32_t first = begin; first < end; first += RowTiles::kRows) {
     const int32_t last = std::min(end, first + RowTiles::kRows);
-    sum_rows(s, p, room, first, last,
-             [&](int64_t k, int64_t row_end, const auto& here, const auto& at, DoubleLanes& sum)
-                 BURNISH_INLINE { sum_row(s.entry, k, row_end, here, at, sum); });
+    sum_rows(
+        s, p, room, first, last,
+        [&](int64_t k, int64_t row_end, const auto& here, const auto& at, DoubleLanes& sum)
+            BURNISH_INLINE { sum_row(s.entry, k, row_end, here, at, sum); },
+        [&](int32_t i) BURNISH_INLINE {
+          __builtin_prefetch(q + i, kToWrite);
+          __builtin_prefetch(q + i + kRowsAtOnce / 2, kToWrite);
+        });
     for (int32_t i = first; i < last; ++i) {
       DoubleLanes here;
       load(p[i], here);
