@@ -165,12 +165,13 @@ std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared, Sh
   hierarchy->finest = prepared.frame.depth;
   hierarchy->depths.assign(std::make_move_iterator(from_finest.rbegin()),
                            std::make_move_iterator(from_finest.rend()));
+  hierarchy->points = sort_by_cell(prepared.evaluation, hierarchy->depths.back().grid.cell_count());
   strengthen_cycle(prepared, hierarchy);
   return hierarchy;
 }
 
 uint64_t Hierarchy::byte_count() const {
-  uint64_t bytes = 0;
+  uint64_t bytes = bytes_of(points.start, points.local);
   for (const HierarchyDepth& depth : depths)
     bytes += bytes_of(depth.grid) + bytes_of(depth.stencil) + bytes_of(depth.to_parent) +
              bytes_of(depth.shares) + bytes_of(depth.patches) +

@@ -10,6 +10,7 @@
 #include "server/solver/cell_shares.h"
 #include "server/solver/depth_transfer.h"
 #include "server/solver/patches.h"
+#include "server/solver/points_by_cell.h"
 #include "server/solver/stencil.h"
 
 namespace burnish {
@@ -43,6 +44,7 @@ struct Hierarchy {
   int coarsest = 0;  ///< solved directly
   int finest = 0;
   std::vector<HierarchyDepth> depths;  ///< depths[d - coarsest]
+  PointsByCell points;                 ///< the vertices, by cells of the finest depth
 
   const HierarchyDepth& at(int depth) const { return depths[depth - coarsest]; }
   uint64_t byte_count() const;

@@ -12,6 +12,7 @@ constexpr double kFloat = 4, kDouble = 8, kIndex = 4, kRowStart = 8, kMask = 4;
 constexpr double kFloat4 = 16, kDouble3 = 24;  // three columns; in float a spare as well
 constexpr double kLocal = 2, kTileRow = sizeof(RowTiles::Row);
 constexpr double kCellCorners = 8 * kIndex;  // of a cell; the cells of a corner likewise
+constexpr double kLocalPoint = 3 * kFloat;   // of a vertex in its cell
 constexpr double kFromCell = sizeof(FromCell);
 constexpr double kCombined = sizeof(CellMatrix);
 constexpr double kInverse = sizeof(cpu::CellInverse);
@@ -67,7 +68,7 @@ double outer_bytes(const Counts& at, double vertices) {
   const double advance = kFloat4 + 5 * kDouble3;
   const double measure = kFloat + kDouble3;
   const double correction =
-      vertices * sizeof(EvaluationPoint) + at.cells * kCellCorners + at.corners * kFloat4;
+      vertices * kLocalPoint + at.cells * (kCellCorners + kIndex) + at.corners * kFloat4;
   return rows_bytes(at, kDouble) + correction +
          at.corners * (load + direction_sums + direction + product + advance + measure);
 }

@@ -16,7 +16,7 @@ SweepSolver::SweepSolver(const BenchSystem& system, const FieldsView& fields,
     const bool coarsest = depths_.size() == 1;
     smoothers_.push_back(coarsest ? nullptr : cpu::make_slices(topology, sweeps));
   }
-  outer_ = std::make_unique<cpu::ConjugateGradients>(depths_.back(), prepared.evaluation);
+  outer_ = std::make_unique<cpu::ConjugateGradients>(depths_.back(), system.hierarchy->points);
 
   CellAlphas alphas;
   evaluate(fields.metric, prepared, alphas);

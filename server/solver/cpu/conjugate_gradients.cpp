@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "server/solver/cpu/blocks.h"
+#include "server/solver/cpu/largest_move.h"
 #include "server/solver/cpu/row_products.h"
-#include "server/solver/cpu/vertex_values.h"
 
 namespace burnish::cpu {
 
@@ -36,9 +36,8 @@ Float4 with_spare(const Double3& v) {
 
 }  // namespace
 
-ConjugateGradients::ConjugateGradients(CpuDepth& finest,
-                                       std::span<const EvaluationPoint> evaluation)
-    : finest_(finest), evaluation_(evaluation), matrix_(finest.topology.stencil) {
+ConjugateGradients::ConjugateGradients(CpuDepth& finest, const PointsByCell& points)
+    : finest_(finest), points_(points), matrix_(finest.topology.stencil) {
   for (auto* vector : {&u_, &b_, &r_, &q_}) vector->assign(finest.corner_count(), Double3::Zero());
   p_.assign(finest.corner_count(), Float4::Zero());
 }
@@ -94,17 +93,6 @@ void ConjugateGradients::update_direction(bool restart) {
   for (int32_t i = 0; i < finest_.corner_count(); ++i) p_[i] = finest_.x[i] + gamma * p_[i];
 }
 
-double ConjugateGradients::largest_step() const {
-  const Float4 step = with_spare(step_);
-  float most = 0;
-#pragma omp parallel for schedule(dynamic) reduction(max : most)
-  for (size_t begin = 0; begin < evaluation_.size(); begin += kBlock)
-    visit_vertices(
-        finest_.topology.grid, evaluation_, p_, begin, std::min(begin + kBlock, evaluation_.size()),
-        [&](size_t, const Float4& along) { most = std::max(most, (step * along).square().sum()); });
-  return std::sqrt(static_cast<double>(most));
-}
-
 void ConjugateGradients::advance() {
   const Sums sums = ordered_sum<Sums>(finest_.corner_count(), [&](int32_t begin, int32_t end) {
     exact_product(finest_, matrix_, p_, q_, begin, end);
@@ -119,7 +107,7 @@ void ConjugateGradients::advance() {
   step_ = quotient(sums.second, sums.first);
   totals_ = ordered_sum<Totals>(finest_.corner_count(),
                                 [&](int32_t begin, int32_t end) { return move_along(begin, end); });
-  moved_max_ = largest_step();
+  moved_max_ = largest_move(finest_.topology.grid, points_, p_, with_spare(step_));
 }
 
 // u += a p and r −= a q, with the sums of measure() while the numbers are at hand.

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "server/solver/backend.h"
 #include "server/solver/cpu/cpu_depth.h"
+#include "server/solver/points_by_cell.h"
 
 namespace burnish::cpu {
 
@@ -15,7 +15,7 @@ namespace burnish::cpu {
 /// to its rounding; z_{k+1}·(r_{k+1} − r_k) is −a z_{k+1}·q_k, so that no old residual is kept.
 class ConjugateGradients {
  public:
-  ConjugateGradients(CpuDepth& finest, std::span<const EvaluationPoint> evaluation);
+  ConjugateGradients(CpuDepth& finest, const PointsByCell& points);
 
   ExactMatrix& matrix() { return matrix_; }
   std::vector<Double3>& constraint() { return b_; }
@@ -42,10 +42,9 @@ class ConjugateGradients {
   };
 
   Totals move_along(int32_t begin, int32_t end);
-  double largest_step() const;
 
   CpuDepth& finest_;
-  std::span<const EvaluationPoint> evaluation_;
+  const PointsByCell& points_;
   ExactMatrix matrix_;
   std::vector<Double3> u_, b_, r_, q_;
   std::vector<Float4> p_;  // any direction will do; q = S p is exact

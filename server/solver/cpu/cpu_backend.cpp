@@ -50,7 +50,7 @@ class CpuBackend final : public Backend {
       smoothers_.push_back(coarsest ? nullptr : make_smoother(smoother, topology));
     }
     constraint_ = std::make_unique<Constraint>(*prepared_, depths_.back());
-    outer_ = std::make_unique<ConjugateGradients>(depths_.back(), prepared_->evaluation);
+    outer_ = std::make_unique<ConjugateGradients>(depths_.back(), hierarchy_->points);
   }
 
   std::string_view name() const override { return "cpu"; }
