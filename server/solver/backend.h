@@ -49,9 +49,7 @@ class Backend {
   virtual void set_constraint(const FieldsView& fields) = 0;
 
   // The V-cycle.
-  virtual void relax_from_zero(int depth) = 0;  ///< x = M f, M symmetric positive definite
-  /// The first step of that, where it has several.
-  virtual void relax_once_from_zero(int depth) = 0;
+  virtual void relax_from_zero(int depth) = 0;     ///< x = M f, M symmetric positive definite
   virtual void relax(int depth) = 0;               ///< x += Mᵀ (f − S x)
   virtual void restrict_residual(int depth) = 0;   ///< f[depth−1] = Pᵀ (f − S x)
   virtual void prolong_correction(int depth) = 0;  ///< x[depth] += P x[depth−1]

@@ -1,6 +1,5 @@
 #include "server/solver/solver.h"
 
-#include <algorithm>
 #include <chrono>
 
 #include "common/base/parallel.h"
@@ -23,8 +22,7 @@ namespace {
 using Cycle = void (*)(Backend&, const Hierarchy&, int depth);
 
 // By Solver::Start. What is new of a stroke is near it, of a metric everywhere.
-constexpr Cycle kCycles[] = {run_vcycle, run_light_vcycle, run_vcycle, run_nested_iteration,
-                             run_full_multigrid};
+constexpr Cycle kCycles[] = {run_vcycle, run_vcycle, run_nested_iteration, run_full_multigrid};
 
 struct ChosenBackend {
   std::unique_ptr<Backend> backend;
@@ -73,8 +71,6 @@ void Solver::set_metric(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();
   backend_->set_metric(fields.metric);
-  light_cycles_do_ = fields.metric.is_uniform() &&
-                     std::ranges::none_of(hierarchy_->depths, &HierarchyDepth::is_corrected_twice);
   backend_->set_constraint(fields);
   assemble_seconds_ += seconds_since(start);
   start_from(fields, kNewMetric);
@@ -102,7 +98,7 @@ StepReport Solver::step() {
   if (residual_is_stale_ || cycle_ % kRecomputeResidualEvery == 0) backend_->recompute_residual();
   if (rescale_) backend_->rescale();
   residual_is_stale_ = rescale_ = false;
-  const bool restarts = start_ >= kNewConstraint;
+  const bool restarts = start_ != kGoesOn;
   backend_->run_recorded(start_, [&] {
     backend_->load_residual();
     kCycles[start_](*backend_, *hierarchy_, hierarchy_->finest);
@@ -110,7 +106,7 @@ StepReport Solver::step() {
     backend_->advance();
   });
   if (restarts) rate_.restart();
-  go_on();
+  start_ = kGoesOn;
 
   const Measures measures = backend_->measure();
   energy_ = measures.energy;
@@ -122,15 +118,6 @@ StepReport Solver::step() {
   report.distance =
       rate_.distance() * prepared_->frame.cell_size / prepared_->statistics.diagonal();
   return report;
-}
-
-// After a stroke light cycles leave a third more, with curves they take longer to settle; and as
-// conjugate gradients count on a symmetric cycle, more of them in a row delay exports.
-void Solver::go_on() {
-  const bool has_restarted = start_ >= kNewConstraint;
-  if (has_restarted) light_steps_ = start_ >= kNewMetric && light_cycles_do_ ? kLightSteps : 0;
-  start_ = light_steps_ > 0 ? kGoesOnLightly : kGoesOn;
-  light_steps_ = std::max(0, light_steps_ - 1);
 }
 
 Result<SolveReport> Solver::solve(double distance_max, int cycles_max, const Progress& progress) {

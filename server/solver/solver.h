@@ -61,10 +61,6 @@ class Solver {
   /// A new constraint only: β changed.
   void set_gradient_scale(const FieldsView& fields);
 
-  /// Steps with a light cycle (vcycle.h), a fifth shorter, that follow the first one after a new
-  /// metric or from a cold start, where α is one for all and the cycle is not strengthened.
-  static constexpr int kLightSteps = 5;
-
   /// One iteration of conjugate gradients preconditioned by one V-cycle. Needs: set_metric().
   StepReport step();
 
@@ -92,9 +88,8 @@ class Solver {
          std::unique_ptr<Backend> backend, std::string backend_reason, int threads);
 
   /// How the next step starts, by rising distance; from kNewConstraint on along a new direction.
-  enum Start { kGoesOn, kGoesOnLightly, kNewConstraint, kNewMetric, kCold };
+  enum Start { kGoesOn, kNewConstraint, kNewMetric, kCold };
   void start_from(const FieldsView& fields, Start start);
-  void go_on();
 
   std::shared_ptr<const PreparedMesh> prepared_;
   std::shared_ptr<const Hierarchy> hierarchy_;
@@ -105,8 +100,6 @@ class Solver {
   int cycle_ = 0;
   double energy_ = 0;  // after the last step; 0 where nothing is displaced
   Start start_ = kCold;
-  bool light_cycles_do_ = false;  // with this metric; see vcycle.h
-  int light_steps_ = 0;           // to come
   bool residual_is_stale_ = true;
   double gradient_scale_ = kBetaDefault;  // of the constraint
   bool rescale_ = false;                  // before the next step

@@ -7,8 +7,7 @@ namespace burnish {
 
 /// The part of the cycle below that goes by the depths above one: x of that depth is corrected by
 /// what they make of its residual, and relaxed.
-inline void correct_from_above(Backend& backend, const Hierarchy& hierarchy, int depth,
-                               void (*run_above)(Backend&, const Hierarchy&, int depth));
+inline void correct_from_above(Backend& backend, const Hierarchy& hierarchy, int depth);
 
 /// One V-cycle from a zero correction: x ≈ S⁻¹ f at this depth; a W-cycle as far as depths are
 /// corrected twice. Symmetric, because relax() is the transpose of relax_from_zero(), and at coarse
@@ -17,24 +16,13 @@ inline void correct_from_above(Backend& backend, const Hierarchy& hierarchy, int
 inline void run_vcycle(Backend& backend, const Hierarchy& hierarchy, int depth) {
   if (depth == hierarchy.coarsest) return backend.solve_coarsest();
   backend.relax_from_zero(depth);
-  correct_from_above(backend, hierarchy, depth, run_vcycle);
-  if (hierarchy.at(depth).is_corrected_twice)
-    correct_from_above(backend, hierarchy, depth, run_vcycle);
+  correct_from_above(backend, hierarchy, depth);
+  if (hierarchy.at(depth).is_corrected_twice) correct_from_above(backend, hierarchy, depth);
 }
 
-/// A V-cycle that relaxes once before it goes up and no depth is corrected twice: two of eight
-/// products less. Not symmetric; conjugate gradients bear that for some steps, and take longer to
-/// become exact.
-inline void run_light_vcycle(Backend& backend, const Hierarchy& hierarchy, int depth) {
-  if (depth == hierarchy.coarsest) return backend.solve_coarsest();
-  backend.relax_once_from_zero(depth);
-  correct_from_above(backend, hierarchy, depth, run_light_vcycle);
-}
-
-inline void correct_from_above(Backend& backend, const Hierarchy& hierarchy, int depth,
-                               void (*run_above)(Backend&, const Hierarchy&, int depth)) {
+inline void correct_from_above(Backend& backend, const Hierarchy& hierarchy, int depth) {
   backend.restrict_residual(depth);
-  run_above(backend, hierarchy, depth - 1);
+  run_vcycle(backend, hierarchy, depth - 1);
   backend.prolong_correction(depth);
   backend.relax(depth);
 }
@@ -57,7 +45,7 @@ inline void run_nested_iteration(Backend& backend, const Hierarchy& hierarchy, i
 /// a cold start.
 inline void run_full_multigrid(Backend& backend, const Hierarchy& hierarchy, int depth) {
   run_nested_iteration(backend, hierarchy, depth);
-  if (depth > hierarchy.coarsest) correct_from_above(backend, hierarchy, depth, run_vcycle);
+  if (depth > hierarchy.coarsest) correct_from_above(backend, hierarchy, depth);
 }
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// What a step with a whole cycle, a new constraint and a new matrix cost by the number of corners,
-// beside the time that memory alone would take at the bandwidth of the same run.
+// What a step, a new constraint and a new matrix cost by the number of corners, beside the time
+// that memory alone would take at the bandwidth of the same run.
 
 #include "common/base/parallel.h"
 #include "server/solver/fields.h"
@@ -43,8 +43,7 @@ Status report_threads(const BenchSystem& system, int threads, const BenchReport&
     fields.set_gradient_scale(beta += 0.01);
     solver->set_gradient_scale(fields.view());
   });
-  const double step =
-      median_milliseconds(kRepeats, 1 + Solver::kLightSteps, [&] { solver->step(); });
+  const double step = median_milliseconds(kRepeats, 1, [&] { solver->step(); });
   const MemoryFloor floor = memory_floor(system);
   const double per_ms = triad_of(report, threads) * 1e6;  // bytes
   table.add({system.name, static_cast<double>(system.corners()), static_cast<double>(threads), step,

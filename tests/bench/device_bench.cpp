@@ -204,8 +204,8 @@ Status print_scan(const BenchSystem& system, BackendKind backend) {
   std::printf("%s on %s: %d corners, %zu cells, %zu vertices\n", system.name.c_str(),
               std::string(solver.backend_name()).c_str(), system.corners(),
               system.prepared->cells.size(), system.prepared->vertices.size());
-  std::printf("  frame, ms: solve %.3f, with a whole cycle %.3f, rhs %.3f, dab %.3f, matrix %.3f\n",
-              times.solve, times.whole, times.rhs, times.dab, times.matrix);
+  std::printf("  frame, ms: solve %.3f, rhs %.3f, dab %.3f, matrix %.3f\n", times.solve, times.rhs,
+              times.dab, times.matrix);
   std::printf("  read out, ms: corners %.3f, vertices evaluated %.3f\n", corners, vertices);
   std::printf("  bytes a corner: %.0f of the session",
               double(solver.byte_count()) / system.corners());

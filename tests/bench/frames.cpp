@@ -11,8 +11,7 @@ namespace burnish {
 
 static constexpr int kFrames = 9;
 static constexpr int kWarmUp = 1;
-static constexpr int kLightFrames = Solver::kLightSteps;  // after the first one
-static constexpr double kDabRadius = 0.03;                // of the diagonal
+static constexpr double kDabRadius = 0.03;  // of the diagonal
 
 // Hardly different, but another: a curve that a session has already is no edit.
 static TransferCurve nudged(const TransferCurve& curve) {
@@ -30,8 +29,7 @@ FrameTimes measure_frames(Session& session, const TransferCurve& curve) {
     gigahertz.push_back(core_gigahertz());
     return median_milliseconds(frames, warm_up, frame);
   };
-  times.solve = median_of(kLightFrames, kWarmUp, [&] { session.step(); });
-  times.whole = median_of(kFrames, kWarmUp, [&] { session.step(); });
+  times.solve = median_of(kFrames, 2 * kWarmUp, [&] { session.step(); });
   double beta = 0;
   times.rhs = median_of(kFrames, kWarmUp, [&] {
     must_apply(session, SetGradientScale{beta += 0.01});

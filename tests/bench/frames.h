@@ -7,8 +7,7 @@ namespace burnish {
 
 /// Milliseconds of one frame in each state of the system (section 7.2, Table 1), medians.
 struct FrameTimes {
-  double solve = 0;      ///< no edit: one cycle, as those after a cold start
-  double whole = 0;      ///< no edit: one cycle, as those after a stroke; see Solver::kLightSteps
+  double solve = 0;      ///< no edit: one cycle
   double rhs = 0;        ///< a new β: constraint and one cycle
   double dab = 0;        ///< a new β in a small ball: constraint of what it touches and one cycle
   double matrix = 0;     ///< a new curve: matrices, constraint and one cycle

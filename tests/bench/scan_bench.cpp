@@ -67,8 +67,8 @@ Status report_scan(const ScanArgument& scan, const BenchArguments& arguments, Be
     must_apply(*session, SetGradientScale{0});
     SolveReport settled;
     const double settle = milliseconds([&] { settled = session->solve({}).value(); });
-    tables.frames.add({name, curve_name, times.solve, times.whole, times.rhs, times.dab,
-                       times.matrix, times.evaluate, static_cast<double>(settled.cycles), settle,
+    tables.frames.add({name, curve_name, times.solve, times.rhs, times.dab, times.matrix,
+                       times.evaluate, static_cast<double>(settled.cycles), settle,
                        times.gigahertz});
   }
   report_memory(system, *session, tables.memory);
@@ -90,7 +90,6 @@ Status run(const BenchArguments& arguments, BenchReport& report) {
       report.add_table("frames", {{"scan", "", 18},
                                   {"curve", "", 12},
                                   {"solve_ms", "%.1f"},
-                                  {"whole_ms", "%.1f"},
                                   {"rhs_ms", "%.1f"},
                                   {"dab_ms", "%.1f"},
                                   {"matrix_ms", "%.1f"},

@@ -88,10 +88,6 @@ class CpuBackend final : public Backend {
     smoother(depth).relax_from_zero(at(depth));
     if (depth == hierarchy_->finest) patches_.relax_forwards(at(depth));
   }
-  void relax_once_from_zero(int depth) override {
-    smoother(depth).relax_once_from_zero(at(depth));
-    if (depth == hierarchy_->finest) patches_.relax_forwards(at(depth));
-  }
   void relax(int depth) override {
     if (depth == hierarchy_->finest) patches_.relax_backwards(at(depth));
     smoother(depth).relax(at(depth));

@@ -56,13 +56,9 @@ class Schwarz final : public DepthSmoother {
 
   // After the first step from zero x is d itself.
   void relax_from_zero(CpuDepth& depth) override {
-    relax_once_from_zero(depth);
+    relax_by(depth, inverse_, depth.f, steps_[0].length, 0);
     compute_residual(depth);
     relax_by(depth, inverse_, depth.r, steps_[1].length, 1 + steps_[1].momentum);
-  }
-
-  void relax_once_from_zero(CpuDepth& depth) override {
-    relax_by(depth, inverse_, depth.f, steps_[0].length, 0);
   }
 
   // The second d is M⁻¹ of what both residuals come to.

@@ -15,9 +15,7 @@ class DepthSmoother {
   virtual ~DepthSmoother() = default;
   virtual void set_up(CpuDepth& depth) = 0;  ///< after a new matrix; leaves x, f, r changed
   virtual void relax_from_zero(CpuDepth& depth) = 0;  ///< x from zero
-  /// The first step of that, where it has several.
-  virtual void relax_once_from_zero(CpuDepth& depth) { relax_from_zero(depth); }
-  virtual void relax(CpuDepth& depth) = 0;  ///< x further
+  virtual void relax(CpuDepth& depth) = 0;            ///< x further
   virtual uint64_t byte_count() const = 0;
 };
 

@@ -106,10 +106,6 @@ class CudaBackend final : public Backend {
     smoother(depth).relax_from_zero();
     if (depth == mesh_->hierarchy->finest) patches_->relax_forwards();
   }
-  void relax_once_from_zero(int depth) override {
-    smoother(depth).relax_once_from_zero();
-    if (depth == mesh_->hierarchy->finest) patches_->relax_forwards();
-  }
   void relax(int depth) override {
     if (depth == mesh_->hierarchy->finest) patches_->relax_backwards();
     smoother(depth).relax();

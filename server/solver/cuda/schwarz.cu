@@ -148,13 +148,10 @@ void Schwarz::step(Kernel kernel, const float4* source) {
 }
 
 void Schwarz::relax_from_zero() {
-  relax_once_from_zero();
+  const Rows& rows = depth_.topology.rows;
+  step(kernel_of<Step::kFromZero>(rows, inverse_), depth_.f);
   compute_residual(stream_, depth_);
-  step(kernel_of<Step::kSecondFromZero>(depth_.topology.rows, inverse_), depth_.r);
-}
-
-void Schwarz::relax_once_from_zero() {
-  step(kernel_of<Step::kFromZero>(depth_.topology.rows, inverse_), depth_.f);
+  step(kernel_of<Step::kSecondFromZero>(rows, inverse_), depth_.r);
 }
 
 void Schwarz::relax() {

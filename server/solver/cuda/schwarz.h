@@ -23,7 +23,6 @@ class Schwarz final : public DepthSmoother {
   void set_up(const CellSquares<float>& inverses, const float* anisotropy) override;
   void finish_set_up() override { branch_.join(); }
   void relax_from_zero() override;
-  void relax_once_from_zero() override;
   void relax() override;
   uint64_t byte_count() const override;
 

@@ -30,9 +30,7 @@ class DepthSmoother {
   virtual void finish_set_up() = 0;
 
   virtual void relax_from_zero() = 0;  ///< x from zero
-  /// The first step of that, where it has several.
-  virtual void relax_once_from_zero() { relax_from_zero(); }
-  virtual void relax() = 0;  ///< x further
+  virtual void relax() = 0;            ///< x further
   virtual uint64_t byte_count() const = 0;
 };
 
