@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "tests/bench/clock.h"
 #include "tests/bench/timing.h"
@@ -24,10 +23,11 @@ FrameTimes measure_frames(Session& session, const TransferCurve& curve) {
   must_apply(session, SetTransferCurve{curve});
   must_apply(session, SetGradientScale{0});
   FrameTimes times;
-  std::vector<double> gigahertz;
+  times.gigahertz = core_gigahertz();
   const auto median_of = [&](int frames, int warm_up, auto&& frame) {
-    gigahertz.push_back(core_gigahertz());
-    return median_milliseconds(frames, warm_up, frame);
+    const double median = median_milliseconds(frames, warm_up, frame);
+    times.gigahertz = std::min(times.gigahertz, core_gigahertz());
+    return median;
   };
   times.solve = median_of(kFrames, 2 * kWarmUp, [&] { session.step(); });
   double beta = 0;
@@ -51,8 +51,6 @@ FrameTimes measure_frames(Session& session, const TransferCurve& curve) {
   });
   must_apply(session, SetTransferCurve{curve});
   times.evaluate = median_of(kFrames, kWarmUp, [&] { session.solver().evaluate_vertices(); });
-  std::ranges::nth_element(gigahertz, gigahertz.begin() + gigahertz.size() / 2);
-  times.gigahertz = gigahertz[gigahertz.size() / 2];
   return times;
 }
 

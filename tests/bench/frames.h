@@ -12,7 +12,7 @@ struct FrameTimes {
   double dab = 0;        ///< a new β in a small ball: constraint of what it touches and one cycle
   double matrix = 0;     ///< a new curve: matrices, constraint and one cycle
   double evaluate = 0;   ///< all vertices, where the client does not do it
-  double gigahertz = 0;  ///< of the cores meanwhile: the median of core_gigahertz() between states
+  double gigahertz = 0;  ///< of the cores: the lowest of core_gigahertz() between the states
 };
 
 /// Leaves the session with `curve` and β near 0.
