@@ -69,7 +69,8 @@ struct Room {
 };
 
 // Where in x a tile finds its numbers of other tiles' corners.
-std::span<const int32_t> halo_of(const RowTiles& tiles, int32_t tile) {
+[[gnu::always_inline]] inline std::span<const int32_t> halo_of(const RowTiles& tiles,
+                                                               int32_t tile) {
   if (tile >= tiles.count()) return {};
   return {tiles.halo.data() + tiles.halo_start[tile],
           tiles.halo.data() + tiles.halo_start[tile + 1]};
