@@ -56,12 +56,12 @@ class Backend {
   virtual void solve_coarsest() = 0;               ///< x = S⁻¹ f
   virtual void restrict_from_zero(int depth) = 0;  ///< x = 0, f[depth−1] = Pᵀ f
 
-  // Conjugate gradients at the finest depth; each column has its own scalars.
+  // Conjugate gradients at the finest depth; each column has its own scalars. Whatever changes r
+  // leaves f = r there, and the V-cycle of the finest depth starts from it.
   virtual void recompute_residual() = 0;  ///< r = b − S u
   /// u *= a, r as follows, with the a that brings the energy lowest. Needs: r is right. Where β is
   /// one for all cells, u is β−1 times something: a slider's new value needs nothing else.
   virtual void rescale() = 0;
-  virtual void load_residual() = 0;                 ///< f = r
   virtual void update_direction(bool restart) = 0;  ///< p = x + γ p; γ = 0 on a restart
   virtual void advance() = 0;                       ///< u += a p, r −= a S p
 

@@ -100,7 +100,6 @@ StepReport Solver::step() {
   residual_is_stale_ = rescale_ = false;
   const bool restarts = start_ != kGoesOn;
   backend_->run_recorded(start_, [&] {
-    backend_->load_residual();
     kCycles[start_](*backend_, *hierarchy_, hierarchy_->finest);
     backend_->update_direction(restarts);
     backend_->advance();

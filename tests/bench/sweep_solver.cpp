@@ -30,7 +30,6 @@ SweepSolver::SweepSolver(const BenchSystem& system, const FieldsView& fields,
 }
 
 void SweepSolver::iterate(CycleShape shape) {
-  outer_->load_residual();
   cycle(depths_.size() - 1, shape, true);
   outer_->update_direction(first_ || shape == CycleShape::kW);
   outer_->advance();

@@ -48,7 +48,7 @@ void ConjugateGradients::recompute_residual() {
     if (finest_.inverse_diagonal[i] == 0) u_[i].setZero();
   for_each_block(finest_.corner_count(), [&](int32_t begin, int32_t end) {
     exact_product(finest_, matrix_, u_, r_, begin, end);
-    for (int32_t i = begin; i < end; ++i) r_[i] = b_[i] - r_[i];
+    for (int32_t i = begin; i < end; ++i) finest_.f[i] = with_spare(r_[i] = b_[i] - r_[i]);
   });
 }
 
@@ -67,6 +67,7 @@ void ConjugateGradients::rescale() {
   for (int32_t i = 0; i < finest_.corner_count(); ++i) {
     u_[i] *= factor;
     r_[i] = b_[i] - factor * (b_[i] - r_[i]);
+    finest_.f[i] = with_spare(r_[i]);
   }
 }
 
@@ -80,7 +81,7 @@ void ConjugateGradients::update_direction(bool restart) {
     Sums sum;
     for (int32_t i = begin; i < end; ++i) {
       const Double3 z = columns(finest_.x[i]);
-      sum.first += z * columns(finest_.f[i]);  // r as the cycle saw it
+      sum.first += z * columns(finest_.f[i]);
       sum.second += z * q_[i];
     }
     return sum;
@@ -110,12 +111,13 @@ void ConjugateGradients::advance() {
   moved_max_ = largest_move(finest_.topology.grid, points_, p_, with_spare(step_));
 }
 
-// u += a p and r −= a q, with the sums of measure() while the numbers are at hand.
+// u += a p and r −= a q, f with it, with the sums of measure() while the numbers are at hand.
 ConjugateGradients::Totals ConjugateGradients::move_along(int32_t begin, int32_t end) {
   Totals sum;
   for (int32_t i = begin; i < end; ++i) {
     u_[i] += step_ * columns(p_[i]);
     r_[i] -= step_ * q_[i];
+    finest_.f[i] = with_spare(r_[i]);
     const double scale = finest_.inverse_diagonal[i];
     if (scale == 0) continue;
     sum.energy -= 0.5 * (u_[i] * (b_[i] + r_[i])).sum();

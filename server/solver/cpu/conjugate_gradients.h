@@ -24,6 +24,7 @@ class ConjugateGradients {
 
   void recompute_residual();
   void rescale();
+  /// f = r, after r was changed from outside. The others keep it so.
   void load_residual();
   void update_direction(bool restart);
   void advance();

@@ -82,6 +82,7 @@ class CpuBackend final : public Backend {
 
   void set_constraint(const FieldsView& fields) override {
     constraint_->assemble(fields, outer_->constraint(), outer_->residual());
+    outer_->load_residual();
   }
 
   void relax_from_zero(int depth) override {
@@ -105,7 +106,6 @@ class CpuBackend final : public Backend {
 
   void recompute_residual() override { outer_->recompute_residual(); }
   void rescale() override { outer_->rescale(); }
-  void load_residual() override { outer_->load_residual(); }
   void update_direction(bool restart) override { outer_->update_direction(restart); }
   void advance() override { outer_->advance(); }
   Measures measure() const override { return outer_->measure(); }

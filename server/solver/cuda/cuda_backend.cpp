@@ -122,7 +122,6 @@ class CudaBackend final : public Backend {
 
   void recompute_residual() override { outer_->recompute_residual(); }
   void rescale() override { outer_->rescale(); }
-  void load_residual() override {}  // f goes with r
   void update_direction(bool restart) override { outer_->update_direction(restart); }
   void advance() override { outer_->advance(); }
 
