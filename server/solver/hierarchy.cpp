@@ -132,7 +132,7 @@ uint64_t bytes_of(const Stencil& stencil) {
   const RowTiles& tiles = stencil.tiles;
   return bytes_of(stencil.corner_of_row, stencil.row_of_corner, stencil.row_start, stencil.column,
                   stencil.mask) +
-         bytes_of(tiles.row, tiles.local, tiles.halo_start, tiles.halo, tiles.is_wide) +
+         bytes_of(tiles.row, tiles.twice_local, tiles.halo_start, tiles.halo, tiles.is_wide) +
          bytes_of(rows.corner, rows.sum_start, rows.source_start, rows.source) +
          bytes_of(cells.cell, cells.entry);
 }

@@ -37,13 +37,13 @@ std::vector<int32_t> halo_of(const Stencil& stencil, const Tile& tile) {
 }
 
 void find_local(const Stencil& stencil, const Tile& tile, const std::vector<int32_t>& halo,
-                std::vector<uint16_t>& local) {
+                std::vector<uint16_t>& twice_local) {
   for (int64_t k = stencil.row_start[tile.begin]; k < stencil.row_start[tile.end]; ++k) {
     const int32_t column = stencil.column[k];
     const int64_t place =
         tile.has(column) ? column - tile.begin
                          : tile.rows() + (std::ranges::lower_bound(halo, column) - halo.begin());
-    local[k] = static_cast<uint16_t>(place);
+    twice_local[k] = static_cast<uint16_t>(2 * place);
   }
 }
 
@@ -54,7 +54,7 @@ RowTiles make_row_tiles(const Stencil& stencil, int32_t width_max) {
   const int32_t count = (n + RowTiles::kRows - 1) / RowTiles::kRows;
   RowTiles tiles;
   tiles.row.resize(n);
-  tiles.local.resize(stencil.column.size());
+  tiles.twice_local.resize(stencil.column.size());
   tiles.is_wide.resize(count);
   std::vector<std::vector<int32_t>> halos(count);
   int32_t widest = 0;
@@ -67,7 +67,7 @@ RowTiles make_row_tiles(const Stencil& stencil, int32_t width_max) {
     tiles.is_wide[number] = width > width_max;
     if (width > width_max) continue;
     widest = std::max(widest, width);
-    find_local(stencil, tile, halo, tiles.local);
+    find_local(stencil, tile, halo, tiles.twice_local);
     halos[number] = std::move(halo);
   }
   tiles.width_max = widest;

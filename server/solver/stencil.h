@@ -37,7 +37,7 @@ struct IrregularCells {
 /// first finds them all in the cache nearest to the processor, by indices of half the size.
 struct RowTiles {
   static constexpr int32_t kRows = 512;
-  static constexpr int32_t kWidthMax = 1 << 16;
+  static constexpr int32_t kWidthMax = 1 << 15;
 
   /// A row among those of its tile.
   struct Row {
@@ -46,12 +46,12 @@ struct RowTiles {
   };
 
   std::vector<Row> row;
-  std::vector<uint16_t> local;      ///< one per Stencil::column
-  std::vector<int64_t> halo_start;  ///< tiles + 1, into `halo`
-  std::vector<int32_t> halo;        ///< rising within a tile
-  std::vector<uint8_t> is_wide;     ///< of each tile: wider than kWidthMax, and without halo or
-                                    ///< local then, as irregular rows could have it
-  int32_t width_max = 0;            ///< of the others, corners and halo
+  std::vector<uint16_t> twice_local;  ///< two times the place of each Stencil::column
+  std::vector<int64_t> halo_start;    ///< tiles + 1, into `halo`
+  std::vector<int32_t> halo;          ///< rising within a tile
+  std::vector<uint8_t> is_wide;       ///< of each tile: wider than kWidthMax, and without halo or
+                                      ///< place then, as irregular rows could have it
+  int32_t width_max = 0;              ///< of the others, corners and halo
 
   int32_t count() const { return static_cast<int32_t>(is_wide.size()); }
 };

@@ -14,7 +14,6 @@ namespace {
 #define BURNISH_INLINE __attribute__((always_inline))
 
 constexpr int32_t kRowsAtOnce = 4;  // as a cache line has that many corners' numbers
-constexpr int kToWrite = 1;
 
 // A corner's three columns and a spare, as the compiler's own registers.
 using Lanes = float __attribute__((vector_size(16)));
@@ -38,6 +37,19 @@ Lanes* lanes(std::vector<Float4>& v) {
 }
 [[gnu::always_inline]] inline void load(const Double3& from, DoubleLanes& to) {
   to = DoubleLanes{from[0], from[1], from[2], 0};
+}
+
+enum class Use { kRead, kWrite };
+
+// Asks for `count` numbers that are needed in a while: into the second cache, as what a thread has
+// at hand of a tile fills the first.
+template <Use kUse = Use::kRead, typename Number>
+[[gnu::always_inline]] inline void ask(const Number* numbers, size_t count = kRowsAtOnce) {
+  constexpr size_t kCacheLine = 64;
+  constexpr int kSecondCache = 2;
+  const auto* first = reinterpret_cast<const char*>(numbers);
+  for (size_t i = 0; i < count * sizeof(Number); i += kCacheLine)
+    __builtin_prefetch(first + i, kUse == Use::kWrite, kSecondCache);
 }
 
 template <typename T>
@@ -86,23 +98,36 @@ template <typename Number, typename Vector>
 }
 
 // A vector's number at the column of entry k.
-template <typename Vector, typename Index>
+template <typename Vector>
 struct AtColumn {
   const Vector* x;
-  const Index* column;
+  const int32_t* column;
   [[gnu::always_inline]] const Vector& operator()(int64_t k) const { return x[column[k]]; }
 };
 
+// The same in a tile's room: of four floats it needs no arithmetic, as a processor multiplies an
+// index by eight.
+template <typename Number>
+struct AtPlace {
+  const Number* x;
+  const uint16_t* twice;
+  [[gnu::always_inline]] const Number& operator()(int64_t k) const {
+    constexpr size_t kHalf = sizeof(Number) / 2;
+    return *reinterpret_cast<const Number*>(reinterpret_cast<const char*>(x) + kHalf * twice[k]);
+  }
+};
+
 // Sums a tile's rows into the room: sum_row(begin, end, x at the row's corner, x at columns, sum)
-// has a row's entries. What comes later is asked for meanwhile, a few lines at a time, as a
-// processor's own foresight ends at each page: the entries of rows further on, what the next tile
-// will copy from elsewhere, and by ask_for(corner) what is done with the sums.
+// has a row's entries. What comes later is asked for meanwhile, as a processor's own foresight ends
+// at each page: the entries of rows further on, what the next tile will copy, and by
+// ask_for(corner) what is done with the sums of kRowsAtOnce corners.
 template <typename T, typename Vector, typename Number, typename Sum, typename SumRow,
           typename AskFor>
 [[gnu::always_inline]] inline void sum_rows(const Rows<T>& a, const Vector* x,
                                             Room<Number, Sum>& room, int32_t first, int32_t last,
                                             SumRow&& sum_row, AskFor&& ask_for) {
   constexpr int64_t kEntriesAhead = 768;
+  constexpr int64_t kLongestRow = kSlots;
   constexpr size_t kHaloAhead = 2 * kRowsAtOnce;
   const RowTiles& tiles = a.tiles;
   const int32_t tile = first / RowTiles::kRows;
@@ -111,12 +136,14 @@ template <typename T, typename Vector, typename Number, typename Sum, typename S
     int64_t k = a.start[first];
     for (int32_t begin = first; begin < last; begin += kRowsAtOnce) {
       ask_for(begin);
+      ask(a.diagonal + begin);
+      ask(x + begin + RowTiles::kRows);
       const size_t ahead = std::min(kHaloAhead, next_halo.size());
-      for (const int32_t i : next_halo.first(ahead)) __builtin_prefetch(x + i);
+      for (const int32_t i : next_halo.first(ahead)) ask(x + i, 1);
       next_halo = next_halo.subspan(ahead);
       for (int32_t row = begin; row < std::min(begin + kRowsAtOnce, last); ++row) {
-        __builtin_prefetch(a.entry + k + kEntriesAhead);
-        __builtin_prefetch(tiles.local.data() + k + kEntriesAhead);
+        ask(a.entry + k + kEntriesAhead, kLongestRow);
+        ask(tiles.twice_local.data() + k + kEntriesAhead, kLongestRow);
         const auto [place, groups] = tiles.row[row];
         const int64_t end = k + int64_t{groups} * Stencil::kRowPadding;
         sum_row(k, end, here[place], at, room.sum[place]);
@@ -125,10 +152,10 @@ template <typename T, typename Vector, typename Number, typename Sum, typename S
     }
   };
   if (tiles.is_wide[tile] != 0) {
-    sum_all(x + first, AtColumn<Vector, int32_t>{x, a.column});
+    sum_all(x + first, AtColumn<Vector>{x, a.column});
   } else {
     fill(room.x.get(), x, halo_of(tiles, tile), first, last);
-    sum_all(room.x.get(), AtColumn<Number, uint16_t>{room.x.get(), tiles.local.data()});
+    sum_all(room.x.get(), AtPlace<Number>{room.x.get(), tiles.twice_local.data()});
   }
 }
 
@@ -173,8 +200,9 @@ BURNISH_DISPATCH void residual_block(const Rows<float>& s, const float* inverse_
   multiply(
       s, x, room, begin, end,
       [&](int32_t i) BURNISH_INLINE {
-        __builtin_prefetch(f + i);
-        __builtin_prefetch(r + i, kToWrite);
+        ask(inverse_diagonal + i);
+        ask(f + i);
+        ask<Use::kWrite>(r + i);
       },
       [&](int32_t i, const Lanes& product) BURNISH_INLINE {
         Lanes next = length * (f[i] - product);
@@ -187,8 +215,7 @@ BURNISH_DISPATCH void relax_block(const Rows<float>& a, const Lanes* source, flo
                                   float kept, Room<Lanes, Lanes>& room, Lanes* x, int32_t begin,
                                   int32_t end) {
   multiply(
-      a, source, room, begin, end,
-      [&](int32_t i) BURNISH_INLINE { __builtin_prefetch(x + i, kToWrite); },
+      a, source, room, begin, end, [&](int32_t i) BURNISH_INLINE { ask<Use::kWrite>(x + i); },
       [&](int32_t i, const Lanes& product) BURNISH_INLINE {
         Lanes next = length * product;
         if (kept != 0) next += kept * x[i];
@@ -223,8 +250,8 @@ template <typename Vector, typename Number>
         [&](int64_t k, int64_t row_end, const auto& here, const auto& at, DoubleLanes& sum)
             BURNISH_INLINE { sum_row(s.entry, k, row_end, here, at, sum); },
         [&](int32_t i) BURNISH_INLINE {
-          __builtin_prefetch(q + i, kToWrite);
-          __builtin_prefetch(q + i + kRowsAtOnce / 2, kToWrite);
+          ask(inverse_diagonal + i);
+          ask<Use::kWrite>(q + i);
         });
     for (int32_t i = first; i < last; ++i) {
       DoubleLanes here;

@@ -108,7 +108,8 @@ TEST_F(RowProducts, TilesHaveEachRowAndColumnWhereTheySay) {
       ASSERT_EQ(stencil.row_start[row] + Stencil::kRowPadding * tiles.row[row].groups,
                 stencil.row_start[row + 1]);
       for (int64_t k = stencil.row_start[row]; k < stencil.row_start[row + 1]; ++k) {
-        const int32_t local = tiles.local[k];
+        ASSERT_EQ(tiles.twice_local[k] % 2, 0);
+        const int32_t local = tiles.twice_local[k] / 2;
         ASSERT_LT(local, tiles.width_max);
         ASSERT_EQ(stencil.column[k],
                   local < rows ? first + local : tiles.halo[tiles.halo_start[tile] + local - rows]);
