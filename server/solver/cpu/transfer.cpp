@@ -6,7 +6,7 @@ namespace burnish::cpu {
 
 void restrict_to_coarse(const CpuDepth& fine, const std::vector<Float4>& r, CpuDepth& coarse) {
   const DepthTransfer& transfer = fine.topology.to_parent;
-#pragma omp parallel for schedule(dynamic, kBlock)
+#pragma omp parallel for schedule(dynamic, kBlock) if (coarse.corner_count() > kBlock)
   for (int32_t i = 0; i < coarse.corner_count(); ++i) {
     Float4 sum = Float4::Zero();
     for (int64_t k = transfer.restriction_start[i]; k < transfer.restriction_start[i + 1]; ++k)
@@ -31,7 +31,7 @@ static void add_prolonged(const DepthTransfer::SharedCorners& shared, const CpuD
 void add_prolonged(const CpuDepth& coarse, CpuDepth& fine) {
   const auto& weights_of_place = half_way_weights();
   const DepthTransfer& transfer = fine.topology.to_parent;
-#pragma omp parallel for schedule(dynamic, kBlock)
+#pragma omp parallel for schedule(dynamic, kBlock) if (fine.corner_count() > kBlock)
   for (int32_t i = 0; i < fine.corner_count(); ++i) {
     if (fine.inverse_diagonal[i] == 0) continue;
     const FromCell from = transfer.prolongation[i];
