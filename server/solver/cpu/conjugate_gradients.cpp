@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "server/solver/cpu/blocks.h"
+#include "server/solver/cpu/exact_product.h"
 #include "server/solver/cpu/largest_move.h"
-#include "server/solver/cpu/row_products.h"
 
 namespace burnish::cpu {
 

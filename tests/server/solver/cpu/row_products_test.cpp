@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "server/solver/cpu/assembly.h"
+#include "server/solver/cpu/exact_product.h"
 #include "tests/reference/shapes.h"
 #include "tests/server/solver/test_system.h"
 
