@@ -50,7 +50,7 @@ struct RowTiles {
   std::vector<int64_t> halo_start;    ///< tiles + 1, into `halo`
   std::vector<int32_t> halo;          ///< rising within a tile
   std::vector<uint8_t> is_wide;       ///< of each tile: wider than kWidthMax, and without halo or
-                                      ///< place then, as irregular rows could have it
+                                      ///< places then, as irregular rows could have it
   int32_t width_max = 0;              ///< of the others, corners and halo
 
   int32_t count() const { return static_cast<int32_t>(is_wide.size()); }

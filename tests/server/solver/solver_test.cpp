@@ -185,6 +185,26 @@ TEST(Solver, KeepsPinnedCornersInPlace) {
   EXPECT_GT(moved, 1000);
 }
 
+TEST(Solver, TheCycleStartsFromTheResidualThatAConstraintLeft) {
+  TestSystem system(reference::bumpy_sphere(3), 5);
+  const auto backend = make_cpu_backend(system.prepared, system.hierarchy, Smoother::kSchwarz);
+  backend->set_metric(system.fields.view().metric);
+  backend->set_constraint(system.fields.view());
+  backend->recompute_residual();
+  system.fields.set_gradient_scale(0);
+  backend->set_constraint(system.fields.view());
+  const auto step = [&] {
+    run_vcycle(*backend, *system.hierarchy, system.hierarchy->finest);
+    backend->update_direction(true);
+    backend->advance();
+    return backend->measure();
+  };
+  const Measures first = step(), second = step();
+  EXPECT_LT(first.energy, 0);
+  EXPECT_LT(second.energy, first.energy);
+  EXPECT_LT(second.preconditioned_residual, 0.1 * first.preconditioned_residual);
+}
+
 TEST(Solver, ConvergesToTheSameSurfaceFromAnyStart) {
   const TriangleMesh mesh = reference::bumpy_sphere(4);
   TestSystem system(mesh, 6);
