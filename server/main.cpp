@@ -144,7 +144,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   DaemonOptions options;
   options.drain_time = std::chrono::seconds(config.drain_seconds);
   options.tend = [&](bool in_any_case) {
-    live.end_silent();
+    live.end_unwelcome();
     if (config.idle_spill_seconds > 0)
       sessions->spill_idle(std::chrono::seconds(config.idle_spill_seconds));
     reload(files.certificates.get(), in_any_case, "certificates");

@@ -28,16 +28,6 @@ SessionRole SessionRoles::of(const std::string& user) const {
   return others == roles_.end() ? SessionRole::kViewer : others->second;
 }
 
-Status SessionRoles::require(const std::string& user, SessionRole least,
-                             const std::string& what) const {
-  const SessionRole role = of(user);
-  if (role >= least) return Status::ok();
-  return {StatusCode::kPermissionDenied,
-          what + " needs the role " + session_role_name(least) + "; " +
-              (user.empty() ? "somebody without a name" : "'" + user + "'") + " is " +
-              session_role_name(role) + " of this session"};
-}
-
 Status SessionRoles::set(const std::string& user, SessionRole role) {
   std::map<std::string, SessionRole> changed = roles_;
   changed[user] = role;

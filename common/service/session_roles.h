@@ -30,9 +30,6 @@ class SessionRoles {
 
   SessionRole of(const std::string& user) const;
 
-  /// Fails: permission_denied naming the user, the role, and the one that `what` needs.
-  Status require(const std::string& user, SessionRole least, const std::string& what) const;
-
   /// Fails: failed_precondition when nobody would be left as an owner.
   Status set(const std::string& user, SessionRole role);
 

@@ -43,6 +43,8 @@ struct CallContext {
   CallExecutor executor;
   CallGuard& guard;
   std::string user = {};                            ///< who calls; empty: nobody was asked
+  Caller caller = {};                               ///< of a call that lasts, at sessions
+  std::function<Status()> may_stay = {};            ///< likewise; empty: for ever
   std::shared_ptr<const Quota::Share> stream = {};  ///< his share of the streams, while they last
 };
 

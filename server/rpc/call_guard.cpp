@@ -58,16 +58,42 @@ Result<Identity> CallGuard::admit(const grpc::CallbackServerContext& context) co
   return identity.is_ok() ? std::move(identity) : refuse(context, identity.status());
 }
 
-Result<std::string> CallGuard::caller_of(const grpc::CallbackServerContext& context) const {
+/// What the server lets an identity be in any session. Editors own what they make.
+static Caller bounded(const Identity& identity) {
+  Caller caller(identity.user);
+  if (identity.user.empty()) return caller;
+  caller.owns_server = identity.role == Role::kOwner;
+  if (identity.role < Role::kEditor) caller.most = SessionRole::kViewer;
+  return caller;
+}
+
+Result<Caller> CallGuard::caller_of(const grpc::CallbackServerContext& context) const {
   ASSIGN_OR_RETURN(const Identity identity,
                    guard_.identify(proof_of(context, *context.auth_context())));
+  Caller caller = bounded(identity);
   const auto header = context.client_metadata().find(kUserHeader);
-  if (header == context.client_metadata().end()) return identity.user;
+  if (header == context.client_metadata().end()) return caller;
   std::string name(view(header->second));
   RETURN_IF_ERROR(check_name("the user's name", name));
-  if (identity.user.empty() || identity.user == name) return name;
-  return refuse(context, {StatusCode::kPermissionDenied,
-                          "user " + identity.user + " calls himself '" + name + "'"});
+  if (!identity.user.empty() && identity.user != name)
+    return refuse(context, {StatusCode::kPermissionDenied,
+                            "user " + identity.user + " calls himself '" + name + "'"});
+  caller.user = std::move(name);
+  return caller;
+}
+
+std::function<Status()> CallGuard::may_stay(const grpc::CallbackServerContext& context,
+                                            const Identity& identity) const {
+  if (identity.user.empty()) return {};
+  const auto connection = context.auth_context();  // owns what the proof shows of a certificate
+  const Proof shown = proof_of(context, *connection);
+  return [this, identity, token = std::string(shown.authorization),
+          certificate = std::string(shown.certificate_common_name)]() -> Status {
+    const auto now = guard_.identify({token, certificate});
+    if (now.is_ok() && now.value() == identity) return Status::ok();
+    return {StatusCode::kPermissionDenied,
+            "what user " + identity.user + " may do on this server has changed"};
+  };
 }
 
 Result<CallGuard::Stream> CallGuard::admit_stream(const grpc::CallbackServerContext& context) {

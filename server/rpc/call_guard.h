@@ -1,7 +1,10 @@
 #pragma once
 
+#include <functional>
+
 #include <grpcpp/grpcpp.h>
 
+#include "server/session/caller.h"
 #include "server/session/quota.h"
 #include "server/trust/guard.h"
 
@@ -18,10 +21,15 @@ class CallGuard {
   /// Fails as Guard::check().
   Result<Identity> admit(const grpc::CallbackServerContext& context) const;
 
-  /// Whose edits a call makes: the user by token or certificate, or where nobody is asked for
-  /// those the name that the client gives, which may be "".
-  /// Fails: invalid_argument; permission_denied for a name that is another's.
-  Result<std::string> caller_of(const grpc::CallbackServerContext& context) const;
+  /// Who works at sessions by this call: the user by token or certificate, with what the server
+  /// lets them do; or where nobody is asked for those, the name that the client gives, which may
+  /// be "". Fails: invalid_argument; permission_denied for a name that is another's.
+  Result<Caller> caller_of(const grpc::CallbackServerContext& context) const;
+
+  /// For calls that last: tells whether the caller would still be let in, as who they were then.
+  /// Outlives the call's context. Empty where nobody is asked who they are.
+  std::function<Status()> may_stay(const grpc::CallbackServerContext& context,
+                                   const Identity& identity) const;
 
   /// The same as admit() for a call that lasts; the share is the user's part of the limit.
   struct Stream {

@@ -16,6 +16,8 @@ EditCall::EditCall(const CallContext& calls, grpc::CallbackServerContext& contex
 
 void EditCall::OnReadDone(bool ok) {
   if (!ok) return end_of_requests();
+  const Status stays = calls_.may_stay ? calls_.may_stay() : Status::ok();
+  if (!stays.is_ok()) return writer_.end(stays);
   const Status parsed = parse(received_, request_);
   if (!parsed.is_ok()) return writer_.end(parsed);
   if (!client_) return take_greeting();
@@ -44,9 +46,8 @@ void EditCall::end_of_requests() {
 void EditCall::take_greeting() {
   if (!request_.has_greeting())
     return refuse(invalid_argument("a live session begins with a greeting"));
-  // Here, for on the executor the call may have ended, and its context gone.
-  calls_.executor.post([call = self(), user = calls_.guard.caller_of(context_)] {
-    const auto client = call->join(user);
+  calls_.executor.post([call = self()] {
+    const auto client = call->join();
     if (client.is_ok()) return call->take_place(client.value());
     spdlog::info("live session {}: {}", call->request_.greeting().session(),
                  client.status().to_string());
@@ -54,8 +55,7 @@ void EditCall::take_greeting() {
   });
 }
 
-Result<LiveClient> EditCall::join(const Result<std::string>& user) {
-  RETURN_IF_ERROR(user.status());
+Result<LiveClient> EditCall::join() {
   ASSIGN_OR_RETURN(const LiveGreeting greeting, from_wire(request_.greeting()));
   const Progress progress = [this](std::string_view phase, double fraction) {
     writer_.report_progress(phase, fraction);
@@ -71,7 +71,8 @@ Result<LiveClient> EditCall::join(const Result<std::string>& user) {
   wiring.on_dead = [weak = std::weak_ptr(self())] {
     if (const auto call = weak.lock()) call->cut();
   };
-  return calls_.live.join(greeting, user.value(), std::move(wiring), progress);
+  wiring.may_stay = calls_.may_stay;
+  return calls_.live.join(greeting, calls_.caller, std::move(wiring), progress);
 }
 
 void EditCall::take_place(const LiveClient& client) {
@@ -134,7 +135,10 @@ void EditCall::take_preview(const v1::Preview& message) {
   const Status status = piece.is_ok()
                             ? client_->session->preview(connection, std::move(piece).value())
                             : piece.status();
-  if (!status.is_ok()) client_->subscriber->refuse_unexpected({{message.edit_id()}, status});
+  if (status.is_ok()) return;
+  EditsRefused refused{{}, status};
+  if (message.edit_id().size() <= kEditIdBytesMax) refused.edit_ids.push_back(message.edit_id());
+  client_->subscriber->refuse_unexpected(std::move(refused));
 }
 
 // Whoever does not take its answers, or sends edits faster than they are done, is not read.

@@ -28,7 +28,7 @@ class EditCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::By
  private:
   void write(const v1::ServerMessage& message);
   void take_greeting();
-  Result<LiveClient> join(const Result<std::string>& user);
+  Result<LiveClient> join();
   void take_place(const LiveClient& client);
   void cut();
 

@@ -19,8 +19,8 @@ grpc::ServerUnaryReactor* EditingService::OpenSession(grpc::CallbackServerContex
                                                       v1::OpenSessionResponse* response) {
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const SessionWish wish, from_wire(*request));
-    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
-    ASSIGN_OR_RETURN(const OpenedSession opened, calls_.sessions.open(wish, user, progress));
+    ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
+    ASSIGN_OR_RETURN(const OpenedSession opened, calls_.sessions.open(wish, caller, progress));
     *response->mutable_session() = to_wire(opened.session);
     response->set_attached(opened.attached);
     return Status::ok();
@@ -41,8 +41,8 @@ grpc::ServerUnaryReactor* EditingService::CloseSession(grpc::CallbackServerConte
                                                        const v1::CloseSessionRequest* request,
                                                        v1::CloseSessionResponse*) {
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
-    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
-    return calls_.sessions.close(request->session(), user, progress);
+    ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
+    return calls_.sessions.close(request->session(), caller, progress);
   });
 }
 
@@ -50,8 +50,8 @@ grpc::ServerUnaryReactor* EditingService::DeleteSession(grpc::CallbackServerCont
                                                         const v1::DeleteSessionRequest* request,
                                                         v1::DeleteSessionResponse*) {
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
-    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
-    return calls_.sessions.remove(request->session(), user, progress);
+    ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
+    return calls_.sessions.remove(request->session(), caller, progress);
   });
 }
 
@@ -60,9 +60,9 @@ grpc::ServerUnaryReactor* EditingService::Apply(grpc::CallbackServerContext* con
                                                 v1::ApplyResponse* response) {
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const auto edits, edits_from_wire(request->edits()));
-    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
+    ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
     ASSIGN_OR_RETURN(const ApplyOutcome outcome,
-                     calls_.sessions.apply(request->session(), user, edits, progress));
+                     calls_.sessions.apply(request->session(), caller, edits, progress));
     *response = to_wire(outcome);
     return Status::ok();
   });
@@ -70,15 +70,16 @@ grpc::ServerUnaryReactor* EditingService::Apply(grpc::CallbackServerContext* con
 
 grpc::ServerReadReactor<grpc::ByteBuffer>* EditingService::UploadCellFields(
     grpc::CallbackServerContext* context, grpc::ByteBuffer* response) {
-  return start_call<UploadCellFieldsCall>(calls_, context, *context, *response);
+  return start_call<UploadCellFieldsCall>(calls_, context, *response);
 }
 
 grpc::ServerUnaryReactor* EditingService::GetHistory(grpc::CallbackServerContext* context,
                                                      const v1::GetHistoryRequest* request,
                                                      v1::GetHistoryResponse* response) {
-  return answer(calls_, context, [this, request, response](const Progress& progress) -> Status {
+  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const HistoryWish wish, from_wire(*request));
-    ASSIGN_OR_RETURN(const HistoryPage page, calls_.sessions.history(wish, progress));
+    ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
+    ASSIGN_OR_RETURN(const HistoryPage page, calls_.sessions.history(wish, caller, progress));
     *response = to_wire(page);
     return Status::ok();
   });
@@ -89,8 +90,8 @@ grpc::ServerUnaryReactor* EditingService::ForkSession(grpc::CallbackServerContex
                                                       v1::ForkSessionResponse* response) {
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const ForkWish wish, from_wire(*request));
-    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
-    ASSIGN_OR_RETURN(const SessionInfo session, calls_.sessions.fork(wish, user, progress));
+    ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
+    ASSIGN_OR_RETURN(const SessionInfo session, calls_.sessions.fork(wish, caller, progress));
     *response->mutable_session() = to_wire(session);
     return Status::ok();
   });
@@ -113,16 +114,18 @@ grpc::ServerUnaryReactor* EditingService::SetRole(grpc::CallbackServerContext* c
   return answer(calls_, context, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const SessionRole role, from_wire(request->role()));
     if (!request->user().empty()) RETURN_IF_ERROR(check_name("the user's name", request->user()));
-    ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(*context));
-    return calls_.sessions.set_role(request->session(), user, request->user(), role, progress);
+    ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
+    return calls_.sessions.set_role(request->session(), caller, request->user(), role, progress);
   });
 }
 
 grpc::ServerUnaryReactor* EditingService::GetState(grpc::CallbackServerContext* context,
                                                    const v1::GetStateRequest* request,
                                                    v1::SessionState* response) {
-  return answer(calls_, context, [this, request, response](const Progress& progress) -> Status {
-    ASSIGN_OR_RETURN(const SessionState state, calls_.sessions.state(request->session(), progress));
+  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+    ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
+    ASSIGN_OR_RETURN(const SessionState state,
+                     calls_.sessions.state(request->session(), caller, progress));
     *response = to_wire(state);
     return Status::ok();
   });

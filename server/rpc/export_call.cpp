@@ -28,7 +28,7 @@ Status ExportCall::solve() {
     return report_progress(phase, fraction);
   };
   ASSIGN_OR_RETURN(file_,
-                   calls_.sessions.export_mesh(request_.session(), wish,
+                   calls_.sessions.export_mesh(request_.session(), wish, calls_.caller,
                                                give_way_to(calls_.live.scheduler(), progress)));
   return Status::ok();
 }

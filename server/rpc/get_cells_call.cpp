@@ -24,10 +24,11 @@ void GetCellsCall::begin() {
 Status GetCellsCall::take_values() {
   ASSIGN_OR_RETURN(const CellValue value, from_wire(request_.value()));
   const Progress progress = [this](std::string_view, double) { return !cancelled_; };
-  return calls_.sessions.visit(request_.session(), progress, [&](Session& session) {
+  const auto take = [&](Session& session) {
     values_ = cell_values(session, value);
     return Status::ok();
-  });
+  };
+  return calls_.sessions.visit(request_.session(), calls_.caller, take, progress);
 }
 
 void GetCellsCall::OnWriteDone(bool ok) {

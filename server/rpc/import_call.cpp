@@ -64,6 +64,8 @@ Status ImportCall::take_chunk(const v1::Chunk& chunk) {
 void ImportCall::end_of_requests() {
   if (cancelled_) return end(cancelled("the client has gone"));
   if (!upload_) return end(invalid_argument("an import begins with its header"));
+  const Status stays = calls_.may_stay ? calls_.may_stay() : Status::ok();
+  if (!stays.is_ok()) return end(stays);
   end(calls_.store.import(*upload_, header_, give_way_to(calls_.live.scheduler(), progress())));
 }
 

@@ -48,9 +48,9 @@ Status UploadCellFieldsCall::apply() {
                      std::to_string(announced_cells_) + " cells");
   const Edit edit{edit_id_, std::move(change_)};
   const Progress progress = [this](std::string_view, double) { return !cancelled_; };
-  ASSIGN_OR_RETURN(const std::string user, calls_.guard.caller_of(context_));
+  if (calls_.may_stay) RETURN_IF_ERROR(calls_.may_stay());
   ASSIGN_OR_RETURN(const ApplyOutcome outcome,
-                   calls_.sessions.apply(session_, user, {&edit, 1}, progress));
+                   calls_.sessions.apply(session_, calls_.caller, {&edit, 1}, progress));
   serialize(to_wire(outcome), response_);
   return Status::ok();
 }

@@ -12,9 +12,8 @@ namespace burnish {
 class UploadCellFieldsCall final : public grpc::ServerReadReactor<grpc::ByteBuffer>,
                                    public SelfOwned<UploadCellFieldsCall> {
  public:
-  UploadCellFieldsCall(const CallContext& calls, const grpc::CallbackServerContext& context,
-                       grpc::ByteBuffer& response)
-      : calls_(calls), context_(context), response_(response) {}
+  UploadCellFieldsCall(const CallContext& calls, grpc::ByteBuffer& response)
+      : calls_(calls), response_(response) {}
 
   void begin() { StartRead(&received_); }
 
@@ -28,7 +27,6 @@ class UploadCellFieldsCall final : public grpc::ServerReadReactor<grpc::ByteBuff
   Status apply();
 
   const CallContext calls_;
-  const grpc::CallbackServerContext& context_;
   grpc::ByteBuffer& response_;
   std::atomic<bool> cancelled_{false};
   grpc::ByteBuffer received_;

@@ -19,8 +19,8 @@ WatchCall::WatchCall(const CallContext& calls, grpc::CallbackServerContext& cont
               [this](grpc::Status status) { Finish(std::move(status)); }) {}
 
 void WatchCall::begin() {
-  calls_.executor.post([call = self(), user = calls_.guard.caller_of(context_)] {
-    const auto client = call->join(user);
+  calls_.executor.post([call = self()] {
+    const auto client = call->join();
     if (client.is_ok()) return call->take_place(client.value());
     spdlog::info("watching {}: {}", call->request_.greeting().session(),
                  client.status().to_string());
@@ -28,8 +28,7 @@ void WatchCall::begin() {
   });
 }
 
-Result<LiveClient> WatchCall::join(const Result<std::string>& user) {
-  RETURN_IF_ERROR(user.status());
+Result<LiveClient> WatchCall::join() {
   ASSIGN_OR_RETURN(LiveGreeting greeting, from_wire(request_.greeting()));
   greeting.may_be_silent = true;
   const Progress progress = [this](std::string_view phase, double fraction) {
@@ -40,11 +39,17 @@ Result<LiveClient> WatchCall::join(const Result<std::string>& user) {
   wiring.on_message = [weak = std::weak_ptr(self())] {
     if (const auto call = weak.lock()) call->writer_.pump();
   };
-  return calls_.live.join(greeting, user.value(), std::move(wiring), progress);
+  wiring.on_dead = [weak = std::weak_ptr(self())] {
+    if (const auto call = weak.lock()) call->cut();
+  };
+  wiring.may_stay = calls_.may_stay;
+  return calls_.live.join(greeting, calls_.caller, std::move(wiring), progress);
 }
 
-static void grant_key_frame(const LiveClient& client) {
-  client.subscriber->grant({.frames = 1, .key_frame = true});
+// It never says what it holds, so that every frame is a key frame; and none is made of a surface
+// that it has been sent.
+static void grant_frame(const LiveClient& client) {
+  client.subscriber->grant({.frames = 1});
 }
 
 void WatchCall::take_place(const LiveClient& client) {
@@ -54,7 +59,7 @@ void WatchCall::take_place(const LiveClient& client) {
     client_ = client;
   }
   writer_.begin(client);
-  grant_key_frame(client);
+  grant_frame(client);
 }
 
 void WatchCall::OnWriteDone(bool ok) {
@@ -70,13 +75,18 @@ void WatchCall::grant_later() {
   next_frame_.Set(std::chrono::system_clock::now() + kFrameInterval,
                   [weak = std::weak_ptr(self())](bool is_time) {
                     const auto call = weak.lock();
-                    if (is_time && call) grant_key_frame(*call->client_);
+                    if (is_time && call) grant_frame(*call->client_);
                   });
 }
 
 void WatchCall::OnCancel() {
   cancelled_ = true;
   writer_.end(cancelled("the client has gone"));
+}
+
+void WatchCall::cut() {
+  const std::lock_guard lock(mutex_);
+  if (!done_) context_.TryCancel();
 }
 
 void WatchCall::OnDone() {

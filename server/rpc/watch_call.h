@@ -28,9 +28,10 @@ class WatchCall final : public grpc::ServerWriteReactor<v1::ServerMessage>,
   void OnDone() override;
 
  private:
-  Result<LiveClient> join(const Result<std::string>& user);
+  Result<LiveClient> join();
   void take_place(const LiveClient& client);
   void grant_later();
+  void cut();
 
   const CallContext calls_;
   grpc::CallbackServerContext& context_;

@@ -7,28 +7,34 @@ namespace burnish {
 EditedFields::EditedFields(const PreparedMesh& prepared)
     : fields_(prepared), strokes_done_{begin_series(prepared)} {}
 
-Result<std::vector<uint64_t>> EditedFields::apply(std::span<const AuthoredEdit> edits,
-                                                  const Progress& progress) {
-  const auto apply_one = [&](const AuthoredEdit& edit) -> Result<uint64_t> {
+Result<std::vector<uint64_t>> EditedFields::record(std::span<const AuthoredEdit> edits) {
+  const auto record_one = [&](const AuthoredEdit& edit) -> Result<uint64_t> {
     RETURN_IF_ERROR(validate(edit.edit));
     if (const auto* cells = std::get_if<SetCellFields>(&edit.edit.change))
       RETURN_IF_ERROR(fields_.check(*cells));
     return history_.apply(edit);
   };
   std::vector<uint64_t> numbers;
-  Status status;
   for (const AuthoredEdit& edit : edits) {
-    const Result<uint64_t> number = apply_one(edit);
-    status = number.status().with_context("edit " + edit.edit.id);
-    if (!status.is_ok()) break;
+    const Result<uint64_t> number = record_one(edit);
+    if (!number.is_ok()) {
+      for (size_t i = 0; i < numbers.size(); ++i) history_.take_back();
+      return number.status().with_context("edit " + edit.edit.id);
+    }
     numbers.push_back(number.value());
   }
-  if (status.is_ok()) {
-    status = replay(progress);
-    if (status.is_ok()) return numbers;
-  }
+  is_behind_ |= !numbers.empty();
+  return numbers;
+}
+
+Result<std::vector<uint64_t>> EditedFields::apply(std::span<const AuthoredEdit> edits,
+                                                  const Progress& progress) {
+  ASSIGN_OR_RETURN(std::vector<uint64_t> numbers, record(edits));
+  const Status status = catch_up(progress);
+  if (status.is_ok()) return numbers;
   for (size_t i = 0; i < numbers.size(); ++i) history_.take_back();
-  (void)replay({});
+  is_behind_ = true;
+  (void)catch_up({});
   return status;
 }
 
@@ -47,7 +53,8 @@ EditedFields::Counting EditedFields::counting() const {
   return counting;
 }
 
-Status EditedFields::replay(const Progress& progress) {
+Status EditedFields::catch_up(const Progress& progress) {
+  if (!is_behind_) return Status::ok();
   const Counting wanted = counting();
   RETURN_IF_ERROR(replay_strokes(wanted, progress));
   replay_cells(wanted);
@@ -59,6 +66,7 @@ Status EditedFields::replay(const Progress& progress) {
     fields_.set_transfer_curve(wanted.curve.curve);
     changes_.metric = true;
   }
+  is_behind_ = false;
   return Status::ok();
 }
 
@@ -82,12 +90,28 @@ Status EditedFields::replay_strokes(const Counting& wanted, const Progress& prog
   std::vector<uint64_t> series = {strokes_done_.front()};
   for (const History::Entry* entry : wanted.strokes)
     series.push_back(extend_series(series.back(), entry->stroke_hash));
-  if (series == strokes_done_) return Status::ok();
+  if (series == strokes_done_ && !begun_) return Status::ok();
   changes_.beta = true;
 
+  go_back_to_shared(series);
+  for (size_t i = strokes_done_.size() - 1; i < wanted.strokes.size(); ++i) {
+    const auto& stroke = std::get<Stroke>(wanted.strokes[i]->made_by->edit.change);
+    const double done = double(i) / double(wanted.strokes.size());
+    RETURN_IF_ERROR(paint(stroke, series[i + 1], progress, done));
+    ++painted_strokes_;
+    strokes_done_.push_back(series[i + 1]);
+    keep_checkpoint(wanted.strokes.size());
+  }
+  return Status::ok();
+}
+
+/// Takes the strokes out of the fields that do not lead to `series`, by the nearest checkpoint.
+void EditedFields::go_back_to_shared(const std::vector<uint64_t>& series) {
   const auto [fork, unused] =
       std::mismatch(strokes_done_.begin(), strokes_done_.end(), series.begin(), series.end());
-  const bool goes_on = fork == strokes_done_.end();
+  const bool goes_on =
+      fork == strokes_done_.end() && (!begun_ || (strokes_done_.size() < series.size() &&
+                                                  series[strokes_done_.size()] == begun_->series));
   const size_t shared = goes_on ? strokes_done_.size() - 1 : 0;
   if (const PaintCheckpoint* nearest = checkpoints_.find(series, shared)) {
     fields_.set_painted(nearest->painted);
@@ -95,15 +119,30 @@ Status EditedFields::replay_strokes(const Counting& wanted, const Progress& prog
   } else if (!goes_on) {
     fields_.set_painted({});
     strokes_done_.resize(1);
+  } else {
+    return;
   }
-  for (size_t i = strokes_done_.size() - 1; i < wanted.strokes.size(); ++i) {
-    if (!report(progress, "replaying strokes", double(i) / double(wanted.strokes.size())))
-      return cancelled("the replay was cancelled");
-    fields_.paint(std::get<Stroke>(wanted.strokes[i]->made_by->edit.change));
-    ++painted_strokes_;
-    strokes_done_.push_back(series[i + 1]);
-    keep_checkpoint(wanted.strokes.size());
+  begun_.reset();
+}
+
+/// Paints what the fields do not have of the stroke, some cells between two questions. Each cell
+/// sees all dabs at once, so that pauses leave no trace in its paint.
+Status EditedFields::paint(const Stroke& stroke, uint64_t series, const Progress& progress,
+                           double done) {
+  static constexpr size_t kDabsTimesCells = 1 << 22;  // some milliseconds
+  if (!begun_) {
+    begun_.emplace(series, dab_centres(stroke));
+    begun_->cells = fields_.cells_near(stroke.brush, begun_->centres);
   }
+  const size_t cells_at_once = std::max(kDabsTimesCells / begun_->centres.size(), size_t{1});
+  do {
+    if (!report(progress, "replaying strokes", done)) return cancelled("the replay was cancelled");
+    const auto left = std::span(begun_->cells).subspan(begun_->painted_cells);
+    const auto now = left.first(std::min(left.size(), cells_at_once));
+    fields_.paint(stroke.brush, begun_->centres, now);
+    begun_->painted_cells += now.size();
+  } while (begun_->painted_cells < begun_->cells.size());
+  begun_.reset();
   return Status::ok();
 }
 

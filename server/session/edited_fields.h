@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace burnish {
 /// The history of a session and the fields that it makes. Every change, whether a new edit, an
 /// undo, a late join, a recovery or a fork, comes about in the same way: the history first, then
 /// a replay of those entries that are on and not yet in the fields. The fields depend on the order
-/// of the edits alone, not on how they came in batches.
+/// of the edits alone, not on how they came in batches, nor on where a replay paused.
 class EditedFields {
  public:
   /// Needs: prepared outlives this.
@@ -33,9 +34,19 @@ class EditedFields {
     }
   };
 
-  /// Applies all edits or none. Returns the number that History::apply gives for each.
+  /// Takes all edits or none into the history, which is quick; the fields are behind until they
+  /// catch up. Returns the number that History::apply gives for each.
   /// Needs: ids that the history does not know. Fails: as validate() and History::apply() do, and
-  /// for a cell that is not active, naming the edit; cancelled.
+  /// for a cell that is not active, naming the edit.
+  Result<std::vector<uint64_t>> record(std::span<const AuthoredEdit> edits);
+
+  /// Whether the history has something that the fields do not have yet.
+  bool is_behind() const { return is_behind_; }
+
+  /// Brings the fields up to the history. Fails: cancelled; the next call goes on from there.
+  Status catch_up(const Progress& progress = {});
+
+  /// Both: all edits or none. Fails: as both; cancelled.
   Result<std::vector<uint64_t>> apply(std::span<const AuthoredEdit> edits,
                                       const Progress& progress = {});
 
@@ -67,10 +78,19 @@ class EditedFields {
     std::vector<const History::Entry*> cells;
   };
 
+  /// A stroke that a replay is in.
+  struct Begun {
+    uint64_t series;  ///< with this stroke at its end
+    std::vector<Vec3d> centres;
+    std::vector<int64_t> cells;  ///< that the stroke may reach
+    size_t painted_cells = 0;
+  };
+
   Counting counting() const;
-  Status replay(const Progress& progress);
   void replay_cells(const Counting& counting);
   Status replay_strokes(const Counting& counting, const Progress& progress);
+  void go_back_to_shared(const std::vector<uint64_t>& series);
+  Status paint(const Stroke& stroke, uint64_t series, const Progress& progress, double done);
   void keep_checkpoint(uint64_t newest);
 
   History history_;
@@ -78,6 +98,8 @@ class EditedFields {
   Changes changes_{true, true};
   std::vector<uint64_t> cells_done_;    // entries whose cells the fields have, in order
   std::vector<uint64_t> strokes_done_;  // the series of the strokes that the fields have
+  std::optional<Begun> begun_;          // one more stroke, some of whose cells the fields have
+  bool is_behind_ = false;
   PaintCheckpoints checkpoints_;
   std::vector<PaintCheckpoint> kept_;
   uint64_t painted_strokes_ = 0;

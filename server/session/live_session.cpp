@@ -16,6 +16,15 @@ static double ms_between(steady_clock::time_point begin, steady_clock::time_poin
   return std::chrono::duration<double, std::milli>(end - begin).count();
 }
 
+/// A replay's part of a turn: many long strokes take many turns, and others have theirs in between.
+/// The first question is always answered yes, so that every slice gets on.
+static Progress for_a_slice() {
+  static constexpr auto kSlice = std::chrono::milliseconds(10);
+  return [end = steady_clock::now() + kSlice, first = true](std::string_view, double) mutable {
+    return std::exchange(first, false) || steady_clock::now() < end;
+  };
+}
+
 LiveSession::LiveSession(SessionManager& manager, Scheduler& scheduler,
                          std::shared_ptr<SessionEntry> entry, SessionRoles roles)
     : manager_(manager),
@@ -28,30 +37,54 @@ void LiveSession::wake() {
 }
 
 bool LiveSession::turn() {
-  if (is_over()) return false;
-  auto turn = manager_.try_turn(entry_, [weak = weak_from_this()] {
-    if (const auto self = weak.lock()) self->wake();
-  });
+  if (is_over()) {
+    place_.reset();
+    return false;
+  }
+  if (is_coming_back_) return false;
+  if (!place_)
+    place_.emplace(entry_->mutex, [weak = weak_from_this()] {
+      if (const auto self = weak.lock()) self->wake();
+    });
+  auto turn = manager_.try_turn(entry_, *place_);
   Status status = turn.status();
   bool more = false;
   if (status.is_ok()) {
     if (!turn.value()) return false;  // somebody else is at it: woken again once it is free
     SessionTurn& at = *turn.value();
-    for (EditMessage& message : take_edits()) apply(at, std::move(message));
-    show_gestures(at);
-    status = relax(at);
-    // Also an edit that moves nothing gets its frame, for clients wait for it; and an export may
-    // have relaxed the surface further.
-    const Seen now{at.edits(), at.last().cycle};
-    if (std::exchange(seen_, now) != now) ++version_;
-    tell_state(at);
-    if (status.is_ok()) status = send_frames(at);
-    more = !at.session().is_settled(at.last()) || queued_edits() > 0;
+    if (!at.is_in_memory()) return bring_back(at), false;
+    status = work(at, more);
   }
   if (status.is_ok()) return more;
-  spdlog::error("session {}: {}", entry_->record.id, status.to_string());
   fail(status);
   return false;
+}
+
+void LiveSession::bring_back(SessionTurn& at) {
+  is_coming_back_ = true;
+  at.bring_back_later([weak = weak_from_this()](const Status& status) {
+    const auto self = weak.lock();
+    if (!self) return;
+    self->is_coming_back_ = false;
+    status.is_ok() ? self->wake() : self->fail(status);
+  });
+}
+
+/// One turn's work at the session. `more`: there is more to do.
+Status LiveSession::work(SessionTurn& at, bool& more) {
+  for (EditMessage& message : take_edits()) apply(at, std::move(message));
+  more = true;
+  if (at.is_solving() || !at.catch_up(for_a_slice())) return Status::ok();
+  show_gestures(at);
+  const Status relaxed = relax(at);
+  // Also an edit that moves nothing gets its frame, for clients wait for it; and an export may
+  // have relaxed the surface further.
+  const Seen now{at.edits(), at.last().cycle};
+  if (std::exchange(seen_, now) != now) ++version_;
+  tell_state(at);
+  RETURN_IF_ERROR(relaxed);
+  more = !at.session().is_settled(at.last()) || queued_edits() > 0;
+  return send_frames(at);
 }
 
 /// Whether nobody is here whom a turn would do any good: who is told to go waits for answers alone.
@@ -118,7 +151,7 @@ void LiveSession::tell_state(SessionTurn& at) {
   bool roles_changed = false, history_changed = false;
   {
     const std::lock_guard lock(mutex_);
-    roles_changed = roles_.by_user() != at.roles().by_user();
+    roles_changed = std::exchange(roles_version_, at.roles_version()) != at.roles_version();
     if (roles_changed) roles_ = at.roles();
     history_changed = history_ != history;
     history_ = history;
@@ -176,17 +209,20 @@ void LiveSession::close(const Farewell& farewell) {
 
 // Also what waits is answered, for a farewell comes after the last answer.
 void LiveSession::fail(const Status& why) {
+  spdlog::error("session {}: {}", entry_->record.id, why.to_string());
   const bool come_back = why.code() != StatusCode::kNotFound;
   close({why.message(), come_back});
   refuse_waiting(come_back ? unavailable(why.message()) : why);
 }
 
-void LiveSession::end_silent(steady_clock::duration time) {
+void LiveSession::end_unwelcome(steady_clock::duration silence_max) {
   static constexpr auto kTimeToTakeIt = std::chrono::seconds(5);
   for (const auto& subscriber : subscribers()) {
-    if (!subscriber->is_silent(time)) continue;
+    const auto stays = subscriber->may_stay();
+    if (!stays.is_ok()) subscriber->dismiss(stays.message(), kTimeToTakeIt);
+    if (!subscriber->is_silent(silence_max)) continue;
     subscriber->close(Farewell{"nothing was heard from this client for too long", true});
-    if (subscriber->is_silent(time + kTimeToTakeIt)) subscriber->cut();
+    if (subscriber->is_silent(silence_max + kTimeToTakeIt)) subscriber->cut();
   }
 }
 

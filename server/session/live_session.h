@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <deque>
 #include <map>
@@ -46,11 +47,14 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   /// Closes all subscribers.
   void close(const Farewell& farewell);
 
-  /// Closes those that have been silent for so long, and cuts off those that do not take that.
-  void end_silent(std::chrono::steady_clock::duration time);
+  /// Closes those that have been silent for so long and those that may not stay, and cuts off those
+  /// that do not take that.
+  void end_unwelcome(std::chrono::steady_clock::duration silence_max);
 
   bool turn() override;
 
+  /// Whether its turns wait for the session to come to memory.
+  bool is_coming_back() const { return is_coming_back_; }
   size_t queued_edits() const;
   uint64_t credits() const;
   uint64_t client_bytes() const;  ///< what is held of frames for its clients
@@ -68,6 +72,8 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   };
 
   bool is_over() const;
+  void bring_back(SessionTurn& at);
+  Status work(SessionTurn& at, bool& more);
   void fail(const Status& why);
 
   std::vector<EditMessage> take_edits();
@@ -87,6 +93,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   const LiveObject live_{LiveKind::kLiveSession};
 
   // Of turn() alone.
+  std::optional<FairMutex::Place> place_;  // in the line for the session
   /// What makes a new surface.
   struct Seen {
     uint64_t edits = 0;
@@ -98,6 +105,9 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   uint64_t life_ = 0;  // of the session that the gestures are shown in
   double assemble_ms_ = 0;
   double solve_ms_ = 0;
+  uint64_t roles_version_ = 0;  // of roles_
+
+  std::atomic<bool> is_coming_back_{false};  // the session, to memory
 
   mutable std::mutex mutex_;  // of what follows
   std::map<uint64_t, Seat> seats_;

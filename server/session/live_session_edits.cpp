@@ -86,7 +86,7 @@ void LiveSession::apply(SessionTurn& at, EditMessage message) {
     }
   };
   const auto outcome =
-      at.submit(from->user, message.edits, [pending, finish](const Status& on_disk) {
+      at.submit(from->caller, message.edits, [pending, finish](const Status& on_disk) {
         pending->on_disk = on_disk;
         finish();
       });
@@ -102,8 +102,8 @@ Status LiveSession::preview(uint64_t connection, PreviewPiece piece) {
     const auto seat = seats_.find(connection);
     if (seat == seats_.end()) return Status::ok();
     ++seat->second.previews;
-    const std::string& user = seat->second.subscriber->user;
-    RETURN_IF_ERROR(roles_.require(user, SessionRole::kEditor, "editing"));
+    const Caller& caller = seat->second.subscriber->caller;
+    RETURN_IF_ERROR(require_role(roles_, caller, SessionRole::kEditor, "editing"));
     const auto mine = gestures_.find(connection);
     const bool goes_on = mine != gestures_.end() && mine->second.edit_id == piece.edit_id &&
                          mine->second.change.index() == piece.change.index();
@@ -115,7 +115,7 @@ Status LiveSession::preview(uint64_t connection, PreviewPiece piece) {
       stroke->path.insert(stroke->path.begin(), begun.path.begin(), begun.path.end());
     }
     RETURN_IF_ERROR(check_piece(piece).with_context("preview " + piece.edit_id));
-    gestures_[connection] = {user, std::move(piece.edit_id), std::move(piece.change)};
+    gestures_[connection] = {caller.user, std::move(piece.edit_id), std::move(piece.change)};
     changed_gestures_.insert(connection);
   }
   wake();

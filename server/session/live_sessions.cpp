@@ -27,10 +27,10 @@ static Status going_down() {
   return unavailable("the server is going down; come back to its next life");
 }
 
-Result<LiveClient> LiveSessions::join(const LiveGreeting& greeting, const std::string& user,
+Result<LiveClient> LiveSessions::join(const LiveGreeting& greeting, const Caller& caller,
                                       SubscriberWiring wiring, const Progress& progress) {
   ASSIGN_OR_RETURN(const SessionManager::Attached attached,
-                   manager_.attach(greeting.session, progress));
+                   manager_.attach(greeting.session, caller, progress));
   ASSIGN_OR_RETURN(auto target, targets_.find_or_make(attached.mesh, greeting.triangles_max,
                                                       greeting.content, progress));
   auto memory = manager_.memory().take(kServer, predict_client_bytes(*target->layout));
@@ -45,11 +45,12 @@ Result<LiveClient> LiveSessions::join(const LiveGreeting& greeting, const std::s
     if (const auto live = weak.lock()) live->wake();
   };
   wiring.may_be_silent = greeting.may_be_silent;
-  const uint64_t connection = attached.entry->presence.join(user);
-  auto subscriber = std::make_shared<Subscriber>(
-      connection, user, std::move(target), std::move(memory).value(), encoders_, std::move(wiring));
+  const uint64_t connection = attached.entry->presence.join(caller.user);
+  auto subscriber =
+      std::make_shared<Subscriber>(connection, caller, std::move(target), std::move(memory).value(),
+                                   encoders_, std::move(wiring));
   session->join(subscriber);
-  return LiveClient{session, std::move(subscriber), attached.info, attached.roles.of(user),
+  return LiveClient{session, std::move(subscriber), attached.info, role_in(attached.roles, caller),
                     attached.backend};
 }
 
@@ -68,13 +69,13 @@ void LiveSessions::drain() {
   for (const auto& [id, session] : sessions) session->close({going_down().message(), true});
 }
 
-void LiveSessions::end_silent() {
+void LiveSessions::end_unwelcome() {
   std::map<std::string, std::shared_ptr<LiveSession>> sessions;
   {
     const std::lock_guard lock(mutex_);
     sessions = sessions_;
   }
-  for (const auto& [id, session] : sessions) session->end_silent(kSilenceMax);
+  for (const auto& [id, session] : sessions) session->end_unwelcome(kSilenceMax);
 }
 
 LiveSessions::Usage LiveSessions::usage() const {

@@ -36,15 +36,16 @@ class LiveSessions final : public SessionListener {
 
   /// Brings the session back if need be, and joins. `wiring` of the client: on_message and on_dead.
   /// Whoever joins leaves. Fails: not_found, resource_exhausted, unavailable (draining), cancelled.
-  Result<LiveClient> join(const LiveGreeting& greeting, const std::string& user,
+  Result<LiveClient> join(const LiveGreeting& greeting, const Caller& caller,
                           SubscriberWiring wiring, const Progress& progress);
   void leave(const LiveClient& client);
 
   /// From now on nobody joins, and who is there is told to come back later.
   void drain();
 
-  /// Ends the clients that have said nothing for kSilenceMax. To be called every second or so.
-  void end_silent();
+  /// Ends the clients that have said nothing for kSilenceMax, and those that may not stay. To be
+  /// called every second or so.
+  void end_unwelcome();
 
   static constexpr std::chrono::seconds kSilenceMax{30};
 

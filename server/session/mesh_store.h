@@ -10,6 +10,7 @@
 #include "common/service/scan_info.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/session/data_folder.h"
+#include "server/session/fair_mutex.h"
 #include "server/session/mesh_cache.h"
 #include "server/session/quota.h"
 #include "server/session/upload.h"
@@ -97,8 +98,8 @@ class MeshStore {
   ViewCache views_;
   Quota memory_;
   Quota uploads_;
-  std::timed_mutex preparing_;    // one at a time: it uses all cores and much memory
-  std::timed_mutex making_view_;  // one at a time: the next may want the same
+  FairMutex preparing_;    // one at a time: it uses all cores and much memory
+  FairMutex making_view_;  // one at a time: the next may want the same
 };
 
 /// The key with its depth chosen: 0 becomes the scan's default depth.

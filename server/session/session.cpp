@@ -56,10 +56,12 @@ Previews& Session::previews() {
 }
 
 bool Session::is_changed() const {
-  return state_->edited.changes().any() || state_->previews.is_changed();
+  const EditedFields& edited = state_->edited;
+  return edited.is_behind() || edited.changes().any() || state_->previews.is_changed();
 }
 
 void Session::update() {
+  (void)state_->edited.catch_up();  // nobody cancels it
   EditedFields::Changes changes = state_->edited.take_changes();
   const Fields& shown = state_->previews.over(state_->edited.fields(), changes);
   state_->update_solver(shown, changes);
@@ -81,12 +83,14 @@ bool Session::is_exact(const StepReport& last) const {
 }
 
 Result<SolveReport> Session::solve(const SolveOptions& options, const Progress& progress) {
+  RETURN_IF_ERROR(state_->edited.catch_up(progress));
   EditedFields::Changes changes = state_->edited.take_changes();
   changes |= state_->previews.set_aside();
   state_->update_solver(state_->edited.fields(), changes);
   const bool is_counted = options.cycles > 0;
   const double distance_max = options.exact ? kExactDistance : kSettledDistance;
-  auto solved = state_->solver->solve(is_counted ? 0 : distance_max,
+  // No distance is below -1: as many cycles as were asked for.
+  auto solved = state_->solver->solve(is_counted ? -1 : distance_max,
                                       is_counted ? options.cycles : kCyclesMax, progress);
   if (solved.is_ok()) state_->cycles_since_change += solved.value().cycles;
   return solved;

@@ -39,57 +39,60 @@ static std::vector<uint64_t> at_their_places(std::span<const Edit> edits,
   return entries;
 }
 
-Result<ApplyOutcome> SessionManager::submit(const std::string& reference, const std::string& user,
+Result<ApplyOutcome> SessionManager::submit(const std::string& reference, const Caller& caller,
                                             std::span<const Edit> edits, const Progress& progress,
                                             GroupCommit::Done on_disk) {
-  ASSIGN_OR_RETURN(const Held held, use(reference, progress));
-  return submit_held(held.entry, user, edits, progress, std::move(on_disk));
+  ASSIGN_OR_RETURN(const Held held, use(reference, caller, progress));
+  return submit_held(held.entry, caller, edits, std::move(on_disk));
 }
 
 Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEntry>& held,
-                                                 const std::string& user,
-                                                 std::span<const Edit> edits,
-                                                 const Progress& progress,
+                                                 const Caller& caller, std::span<const Edit> edits,
                                                  GroupCommit::Done on_disk) {
   for (const Edit& edit : edits) RETURN_IF_ERROR(validate(edit).with_context("edit " + edit.id));
   SessionEntry& entry = *held;
-  RETURN_IF_ERROR(entry.roles.require(user, SessionRole::kEditor, "editing"));
+  RETURN_IF_ERROR(require_role(entry.roles, caller, SessionRole::kEditor, "editing"));
   EditedFields& edited = entry.session->edited();
 
-  std::vector<AuthoredEdit> fresh = new_edits(edited.history(), user, edits);
+  std::vector<AuthoredEdit> fresh = new_edits(edited.history(), caller.user, edits);
   const uint64_t first = edited.history().size() + 1;
-  ASSIGN_OR_RETURN(const std::vector<uint64_t> numbers, edited.apply(fresh, progress));
-  entry.edits = edited.history().size();
+  ASSIGN_OR_RETURN(const std::vector<uint64_t> numbers, edited.record(fresh));
+  const uint64_t size = edited.history().size();
+  if (!entry.ahead_of_journal) entry.edits = size;
   ApplyOutcome outcome{static_cast<uint32_t>(fresh.size()),
-                       static_cast<uint32_t>(edits.size() - fresh.size()), entry.edits,
+                       static_cast<uint32_t>(edits.size() - fresh.size()), size,
                        at_their_places(edits, fresh, numbers)};
   const bool is_changed = !fresh.empty();
-  // Also without new edits: a known one may still be on its way to the disk.
-  journal_.append(entry.record.id, first, std::move(fresh),
-                  [this, shared = held, on_disk = std::move(on_disk)](const Status& status) {
-                    if (!status.is_ok()) {
-                      shared->ahead_of_journal = true;
-                      tell_changed(*shared);
-                    }
-                    on_disk(status);
-                  });
-  keep_paint(entry);
+  // Also without new edits: a known one may still be on its way to the disk. The journal may
+  // outlive this manager, so that nothing here may be its own.
+  journal_.append(
+      entry.record.id, first, std::move(fresh),
+      [listener = listener_, shared = held, first,
+       on_disk = std::move(on_disk)](const Status& status) {
+        if (!status.is_ok()) {
+          shared->ahead_of_journal = true;
+          shared->edits = std::min<uint64_t>(shared->edits, first - 1);
+          listener->tell([&](SessionListener& to) { to.on_session_changed(shared->record.id); });
+        }
+        on_disk(status);
+      });
   if (is_changed) tell_changed(entry);
   return outcome;
 }
 
-Result<ApplyOutcome> SessionManager::apply(const std::string& reference, const std::string& user,
+Result<ApplyOutcome> SessionManager::apply(const std::string& reference, const Caller& caller,
                                            std::span<const Edit> edits, const Progress& progress) {
   const auto written = std::make_shared<std::promise<Status>>();
   ASSIGN_OR_RETURN(const ApplyOutcome outcome,
-                   submit(reference, user, edits, progress,
+                   submit(reference, caller, edits, progress,
                           [written](const Status& status) { written->set_value(status); }));
   RETURN_IF_ERROR(written->get_future().get());
   return outcome;
 }
 
-Result<HistoryPage> SessionManager::history(const HistoryWish& wish, const Progress& progress) {
-  ASSIGN_OR_RETURN(const Held held, use(wish.session, progress));
+Result<HistoryPage> SessionManager::history(const HistoryWish& wish, const Caller& caller,
+                                            const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, use(wish.session, caller, progress));
   const auto& entries = held.entry->session->edited().history().entries();
   auto entry = std::upper_bound(
       entries.begin(), entries.end(), wish.after,
@@ -110,22 +113,38 @@ Result<SessionPeople> SessionManager::people(const std::string& reference,
   return SessionPeople{held.entry->roles, held.entry->presence.list()};
 }
 
-Status SessionManager::set_role(const std::string& reference, const std::string& user,
+// A role counts at once; when it cannot be written, what the journal has counts again.
+Status SessionManager::set_role(const std::string& reference, const Caller& caller,
                                 const std::string& subject, SessionRole role,
                                 const Progress& progress) {
-  ASSIGN_OR_RETURN(const Held held, lock(reference, progress));
-  RETURN_IF_ERROR(held.entry->roles.require(user, SessionRole::kOwner, "giving roles"));
-  SessionRoles changed = held.entry->roles;
+  ASSIGN_OR_RETURN(Held held, lock(reference, progress));
+  SessionEntry& entry = *held.entry;
+  const auto take = [&](SessionRoles roles) {
+    entry.roles = std::move(roles);
+    ++entry.roles_version;
+    tell_changed(entry);
+  };
+  RETURN_IF_ERROR(require_role(entry.roles, caller, SessionRole::kOwner, "giving roles"));
+  SessionRoles changed = entry.roles;
   RETURN_IF_ERROR(changed.set(subject, role));
-  RETURN_IF_ERROR(journal_.set_role(held.entry->record.id, subject, role));
-  held.entry->roles = std::move(changed);
-  tell_changed(*held.entry);
-  return Status::ok();
+  if (changed.by_user().size() > kSessionRolesMax)
+    return resource_exhausted("the session has roles for " + std::to_string(kSessionRolesMax) +
+                              " people, which is the limit");
+  take(std::move(changed));
+  held.lock.unlock();
+  const Status written = journal_.set_role(entry.record.id, subject, role);
+  if (written.is_ok()) return written;
+  auto kept = journal_.roles(entry.record.id);
+  held.lock.lock();
+  if (kept.is_ok()) take(std::move(kept).value());
+  return written;
 }
 
-Status SessionManager::visit(const std::string& reference, const Progress& progress,
-                             const std::function<Status(Session&)>& work) {
-  ASSIGN_OR_RETURN(const Held held, use(reference, progress));
+Status SessionManager::visit(const std::string& reference, const Caller& caller,
+                             const std::function<Status(Session&)>& work,
+                             const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, use(reference, caller, progress));
+  RETURN_IF_ERROR(catch_up(*held.entry, progress));
   return work(*held.entry->session);
 }
 

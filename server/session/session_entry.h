@@ -24,11 +24,16 @@ struct SessionEntry {
   }
 
   void leave_memory() {
-    session.reset();
+    forget_state();
     mesh.reset();
     memory = {};
     by_user = {};
     session_bytes = 0;
+  }
+
+  /// What replay makes again goes; what it needs for that stays.
+  void forget_state() {
+    session.reset();
     last = {};
     in_memory = false;
   }
@@ -36,6 +41,7 @@ struct SessionEntry {
   const SessionRecord record;
   std::atomic<uint64_t> edits{0};
   std::atomic<bool> in_memory{false};
+  std::atomic<bool> in_journal{false};  // else it is being made, and nobody has been told of it
   std::atomic<uint64_t> session_bytes{0};
   /// The session in memory has seen edits that could not be written: it is to be replayed.
   std::atomic<bool> ahead_of_journal{false};
@@ -44,7 +50,9 @@ struct SessionEntry {
 
   FairMutex mutex;  // of what follows
   bool deleted = false;
+  bool solving = false;  // somebody has lent the mutex in the middle of a solve
   SessionRoles roles;
+  uint64_t roles_version = 0;
   std::shared_ptr<const SharedMesh> mesh;
   Quota::Share memory;               // what the session takes of the server's
   Quota::Share by_user;              // of whoever opened it

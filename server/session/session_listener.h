@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
+#include <shared_mutex>
 #include <string>
 
 #include "common/base/status.h"
@@ -21,6 +23,27 @@ class SessionListener {
 
   /// What is held for the session's clients.
   virtual uint64_t client_bytes(const std::string& id) const = 0;
+};
+
+/// Where a listener is found for as long as it is there. It outlives those that speak to it: the
+/// journal may tell of a commit when sessions are gone. Thread-safe.
+class ListenerSlot {
+ public:
+  /// Null takes the last one out; when this returns, nobody speaks to that one any more.
+  void set(SessionListener* listener) {
+    const std::unique_lock lock(mutex_);
+    listener_ = listener;
+  }
+
+  template <typename Tell>
+  void tell(const Tell& tell) const {
+    const std::shared_lock lock(mutex_);
+    if (listener_) tell(*listener_);
+  }
+
+ private:
+  mutable std::shared_mutex mutex_;
+  SessionListener* listener_ = nullptr;
 };
 
 }  // namespace burnish

@@ -23,11 +23,11 @@ static constexpr size_t kAnswersMax = 64;     // that the client has not taken
 static constexpr size_t kUnansweredMax = 64;  // messages of edits
 static constexpr size_t kUnansweredBytesMax = size_t{16} << 20;
 
-Subscriber::Subscriber(uint64_t own_connection, std::string own_user,
+Subscriber::Subscriber(uint64_t own_connection, Caller own_caller,
                        std::shared_ptr<const FrameTarget> own_target, Quota::Share memory,
                        Executor& encoders, SubscriberWiring wiring)
     : connection(own_connection),
-      user(std::move(own_user)),
+      caller(std::move(own_caller)),
       target(std::move(own_target)),
       memory_(std::move(memory)),
       encoders_(encoders),
@@ -84,6 +84,16 @@ void Subscriber::heard() {
 bool Subscriber::is_silent(steady_clock::duration time) const {
   const std::lock_guard lock(mutex_);
   return !wiring_.may_be_silent && unanswered_ == 0 && steady_clock::now() - last_heard_ > time;
+}
+
+void Subscriber::dismiss(const std::string& why, steady_clock::duration time) {
+  close(Farewell{why, false});
+  {
+    const std::lock_guard lock(mutex_);
+    if (!dismissed_) dismissed_ = steady_clock::now();
+    if (steady_clock::now() - *dismissed_ < time) return;
+  }
+  cut();
 }
 
 bool Subscriber::may_send() const {

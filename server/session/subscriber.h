@@ -11,6 +11,7 @@
 
 #include "common/frame_codec/frame_encoder.h"
 #include "server/metrics/live_objects.h"
+#include "server/session/caller.h"
 #include "server/session/executor.h"
 #include "server/session/frame_target.h"
 #include "server/session/live_messages.h"
@@ -30,6 +31,8 @@ struct SubscriberWiring {
   std::function<void()> on_dead;     ///< nothing more can be told: the connection is to be cut
   std::function<void()> on_wish;     ///< wants_frame() may have become true
   bool may_be_silent = false;
+  /// Whether the client would be let in again; empty: it would. Asked from time to time.
+  std::function<Status()> may_stay;
 };
 
 /// One client of a live session, as the server sees it: its credits and its encoder, and what there
@@ -39,11 +42,11 @@ struct SubscriberWiring {
 class Subscriber : public std::enable_shared_from_this<Subscriber> {
  public:
   /// `memory`: what its frames may take of the server's. Needs: `encoders` outlives it.
-  Subscriber(uint64_t connection, std::string user, std::shared_ptr<const FrameTarget> target,
+  Subscriber(uint64_t connection, Caller caller, std::shared_ptr<const FrameTarget> target,
              Quota::Share memory, Executor& encoders, SubscriberWiring wiring);
 
   const uint64_t connection;
-  const std::string user;
+  const Caller caller;
   const std::shared_ptr<const FrameTarget> target;
 
   // What the client says.
@@ -53,7 +56,15 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
 
   /// Whether it has said nothing for so long, though it could have.
   bool is_silent(std::chrono::steady_clock::duration time) const;
-  void cut() const { wiring_.on_dead(); }
+  void cut() const {
+    if (wiring_.on_dead) wiring_.on_dead();
+  }
+
+  /// Fails: why the client has to go.
+  Status may_stay() const { return wiring_.may_stay ? wiring_.may_stay() : Status::ok(); }
+
+  /// Closes, and cuts off whoever has not taken that after so long.
+  void dismiss(const std::string& why, std::chrono::steady_clock::duration time);
 
   /// Whether more may be read from this client: it takes its answers, and does not send edits
   /// faster than they are done.
@@ -129,6 +140,7 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   std::chrono::steady_clock::time_point frame_beat_;  // that the frame under way has seen
   std::chrono::steady_clock::time_point last_heard_ = std::chrono::steady_clock::now();
   std::optional<Farewell> farewell_;
+  std::optional<std::chrono::steady_clock::time_point> dismissed_;
   bool closed_ = false;
 };
 

@@ -90,14 +90,18 @@ class CellsInBox {
 
 }  // namespace
 
-void Fields::paint(const Brush& brush, std::span<const Vec3d> centres) {
+std::vector<int64_t> Fields::cells_near(const Brush& brush, std::span<const Vec3d> centres) const {
+  return CellsInBox(prepared_.cells, prepared_.frame, box_of(centres, brush.radius)).found();
+}
+
+void Fields::paint(const Brush& brush, std::span<const Vec3d> centres,
+                   std::span<const int64_t> cells) {
   const Box box = box_of(centres, brush.radius);
-  const CellsInBox near(prepared_.cells, prepared_.frame, box);
-  for (const int64_t c : near.found()) may_have_paint_[c / kStretch] = 1;
-  const size_t found = near.found().size();
-#pragma omp parallel for schedule(dynamic, 256) if (found * centres.size() >= kPaintParallelMin)
-  for (size_t i = 0; i < found; ++i) {
-    const int64_t c = near.found()[i];
+  for (const int64_t c : cells) may_have_paint_[c / kStretch] = 1;
+  const bool is_long = cells.size() * centres.size() >= kPaintParallelMin;
+#pragma omp parallel for schedule(dynamic, 256) if (is_long)
+  for (size_t i = 0; i < cells.size(); ++i) {
+    const int64_t c = cells[i];
     const Vec3i cell = morton_point(prepared_.cells[c]);
     const Vec3d middle = prepared_.frame.to_file(cell.cast<double>() + Vec3d::Constant(0.5));
     if (!box.contains(middle)) continue;
@@ -109,6 +113,7 @@ void Fields::paint(const Brush& brush, std::span<const Vec3d> centres) {
       const double under = covered * (1 - weight);
       covered = under + weight;
       beta = (beta * under + brush.beta * weight) / covered;
+      if (covered == 1 && beta == brush.beta) break;  // what follows paints the same over it
     }
     painted_beta_[c] = static_cast<float>(beta);
     painted_weight_[c] = static_cast<float>(covered);

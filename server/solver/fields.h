@@ -30,7 +30,13 @@ class Fields {
   void set_gradient_scale(double beta);
   void paint(const Stroke& stroke) { paint(stroke.brush, dab_centres(stroke)); }
   /// Some dabs of a stroke. Shapes: at least one centre, file units.
-  void paint(const Brush& brush, std::span<const Vec3d> centres);
+  void paint(const Brush& brush, std::span<const Vec3d> centres) {
+    paint(brush, centres, cells_near(brush, centres));
+  }
+  /// The same of some of the cells near them, for whoever paints in pieces.
+  void paint(const Brush& brush, std::span<const Vec3d> centres, std::span<const int64_t> cells);
+  /// The cells that these dabs may reach, and few others; rising.
+  std::vector<int64_t> cells_near(const Brush& brush, std::span<const Vec3d> centres) const;
   /// Fails: invalid_argument naming the first cell that is not active; then nothing is changed.
   Status override_cells(const SetCellFields& change);
   /// What override_cells() would fail with.

@@ -15,6 +15,7 @@ namespace burnish {
 struct Identity {
   std::string user;  ///< empty: nobody was asked
   Role role = Role::kOwner;
+  bool operator==(const Identity&) const = default;
 };
 
 /// What a call shows of its caller.

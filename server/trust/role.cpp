@@ -24,15 +24,16 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
     {"/burnish.v1.Editing/GetPeople", Role::kViewer},
     {"/burnish.v1.Editing/GetCells", Role::kViewer},
     {"/burnish.v1.Editing/Watch", Role::kViewer},
-    {"/burnish.v1.Editing/Edit", Role::kViewer},  // its edits need the session's own roles
+    {"/burnish.v1.Editing/Edit", Role::kViewer},  // whose edits are refused as in any session
     {"/burnish.v1.Editing/Export", Role::kViewer},
     {"/burnish.v1.Editing/OpenSession", Role::kEditor},
+    // These three need the session's own roles beside it.
     {"/burnish.v1.Editing/CloseSession", Role::kEditor},
+    {"/burnish.v1.Editing/DeleteSession", Role::kEditor},
+    {"/burnish.v1.Editing/SetRole", Role::kEditor},
     {"/burnish.v1.Editing/Apply", Role::kEditor},
     {"/burnish.v1.Editing/UploadCellFields", Role::kEditor},
     {"/burnish.v1.Editing/ForkSession", Role::kEditor},
-    {"/burnish.v1.Editing/SetRole", Role::kEditor},  // and the session's own roles beside it
-    {"/burnish.v1.Editing/DeleteSession", Role::kOwner},
 };
 
 std::string_view role_name(Role role) {

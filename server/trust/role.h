@@ -13,7 +13,7 @@ enum class Role {
   kAnyone,  ///< no role at all
   kViewer,  ///< looks
   kEditor,  ///< imports, opens and edits
-  kOwner,   ///< deletes
+  kOwner,   ///< deletes scans, and owns every session
 };
 
 std::string_view role_name(Role role);

@@ -11,15 +11,23 @@ namespace {
 
 class EditedFieldsTest : public testing::Test {
  protected:
-  static std::shared_ptr<const PreparedMesh> prepared_sphere() {
+  static std::shared_ptr<const PreparedMesh> prepared_sphere(int depth = 4) {
     PrepareOptions options;
-    options.depth = 4;
+    options.depth = depth;
     return *prepare(make_icosphere(2, 1), options);
   }
 
   static Stroke stroke(int i) {
     return {{0.4, 0.6, 0.01 * i, FallOff::kSmooth},
             {Vec3d(std::cos(0.3 * i), std::sin(0.3 * i), 0)}};
+  }
+
+  /// Painted in several pieces: it has so many dabs.
+  static Stroke long_stroke(int i) {
+    Stroke stroke{{0.8, 0.3, 0.1 * i, FallOff::kSmooth}, {}};
+    for (int turn = 0; turn < 400; ++turn)
+      stroke.path.emplace_back(1 - 2 * (turn % 2), 0.1 * i, 0.4);
+    return stroke;
   }
 
   AuthoredEdit authored(decltype(Edit::change) change) {
@@ -135,6 +143,28 @@ TEST_F(EditedFieldsTest, AFailedBatchChangesNothing) {
   EXPECT_THAT(outcome.status().message(), testing::HasSubstr("edit " + batch.back().edit.id));
   EXPECT_EQ(beta(edited), before);
   EXPECT_EQ(edited.history().size(), 1u);
+}
+
+TEST_F(EditedFieldsTest, AReplayThatPausesAnywhereGivesTheSameFields) {
+  const auto prepared = prepared_sphere(6);
+  EditedFields at_once(*prepared), in_pieces(*prepared);
+  const std::vector<AuthoredEdit> edits = {authored(long_stroke(1)), authored(long_stroke(2)),
+                                           authored(Undo{}), authored(long_stroke(3)),
+                                           authored(SetGradientScale{0.5})};
+  ASSERT_TRUE(at_once.apply(edits).is_ok());
+  int pauses = 0;
+  const auto one_piece = [&](int pieces) {
+    return [pieces](std::string_view, double) mutable { return pieces-- > 0; };
+  };
+  for (size_t i = 0; i < edits.size(); ++i) {
+    ASSERT_TRUE(in_pieces.record({&edits[i], 1}).is_ok());
+    // New edits come before the last ones are painted, an undo of a stroke half painted among them.
+    pauses += in_pieces.catch_up(one_piece(3)).is_ok() ? 0 : 1;
+  }
+  while (!in_pieces.catch_up(one_piece(1)).is_ok()) ++pauses;
+  EXPECT_GT(pauses, 5);
+  EXPECT_FALSE(in_pieces.is_behind());
+  EXPECT_EQ(beta(in_pieces), beta(at_once));
 }
 
 TEST_F(EditedFieldsTest, ACancelledReplayChangesNothing) {

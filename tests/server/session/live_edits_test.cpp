@@ -86,7 +86,7 @@ TEST_F(LiveEdits, ACancelledExportLeavesNothingUnsolved) {
   ASSERT_TRUE(manager_->apply("work", "ann", std::vector<Edit>{{"a", stroke()}}, {}).is_ok());
   int reports = 0;
   const auto cancelled_at_once = [&](std::string_view, double) { return ++reports < 2; };
-  EXPECT_FALSE(manager_->export_mesh("work", {}, cancelled_at_once).is_ok());
+  EXPECT_FALSE(manager_->export_mesh("work", {}, {}, cancelled_at_once).is_ok());
   auto ann = guest();
   ann.settle();
   EXPECT_GT(ann.all<LiveFrame>().back().facts.report.cycle, 2);
@@ -126,6 +126,24 @@ TEST_F(LiveEdits, SomebodyElseAtTheSessionHoldsUpOnlyItsOwnTurns) {
   EXPECT_EQ(live_->scheduler().waiting(), 1u);
   ann.run();
   EXPECT_EQ(ann.all<EditsAcknowledged>().size(), 1u);
+}
+
+TEST_F(LiveEdits, EditsAreAnsweredWhileAnExportSolves) {
+  live_.reset();
+  live_ = std::make_unique<LiveSessions>(*manager_, 1);
+  auto ann = guest();
+  bool is_sent = false;
+  const auto until_answered = [&](std::string_view, double) {
+    if (!std::exchange(is_sent, true)) ann.edit({{"a", SetGradientScale{0.5}}});
+    ann.take_all();
+    return ann.all<EditsAcknowledged>().empty();
+  };
+  const auto exported = manager_->export_mesh(
+      "work", {.format = MeshFormat::kObj, .cycles = 10'000}, {}, until_answered);
+  EXPECT_EQ(exported.status().code(), StatusCode::kCancelled);
+  EXPECT_EQ(ann.all<EditsAcknowledged>().size(), 1u);
+  EXPECT_EQ(manager_->state("work", {}).value().gradient_scale, 0.5);
+  ann.leave();
 }
 
 }  // namespace

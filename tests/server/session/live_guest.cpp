@@ -23,21 +23,25 @@ struct LiveGuest::Bell {
   }
 };
 
-static LiveClient join(LiveSessions& sessions, const LiveGreeting& greeting,
-                       const std::string& user, std::function<void()> on_message) {
-  auto client = sessions.join(greeting, user, {std::move(on_message), [] {}}, {});
+static LiveClient join(LiveSessions& sessions, const LiveGreeting& greeting, const Caller& caller,
+                       SubscriberWiring wiring) {
+  auto client = sessions.join(greeting, caller, std::move(wiring), {});
   BURNISH_CHECK(client.is_ok(), client.status().message());
   return std::move(client).value();
 }
 
-LiveGuest::LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const std::string& user)
-    : LiveGuest(sessions, greeting, user, std::make_shared<Bell>()) {}
+LiveGuest::LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const Caller& caller,
+                     const MayStay& may_stay)
+    : LiveGuest(sessions, greeting, caller, may_stay, std::make_shared<Bell>()) {}
 
-LiveGuest::LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const std::string& user,
-                     std::shared_ptr<Bell> bell)
+LiveGuest::LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const Caller& caller,
+                     const MayStay& may_stay, std::shared_ptr<Bell> bell)
     : sessions_(sessions),
       bell_(std::move(bell)),
-      client_(join(sessions, greeting, user, [bell = bell_] { bell->ring(); })),
+      client_(join(sessions, greeting, caller,
+                   {.on_message = [bell = bell_] { bell->ring(); },
+                    .on_dead = [] {},
+                    .may_stay = may_stay})),
       role(client_.role),
       decoder(client_.subscriber->target->layout) {}
 
@@ -66,7 +70,8 @@ void LiveGuest::run() {
   do {
     while (sessions_.scheduler().run_one()) take_all();
     take_all();
-  } while (bell_->wait(kAnswerTime));
+  } while (bell_->wait(kAnswerTime) || session().is_coming_back() ||
+           sessions_.scheduler().waiting() > 0);
   take_all();
 }
 

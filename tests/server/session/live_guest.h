@@ -15,7 +15,9 @@ namespace burnish {
 /// it takes itself, where the sessions have no solver threads.
 class LiveGuest {
  public:
-  LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const std::string& user);
+  using MayStay = std::function<Status()>;
+  LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const Caller& caller,
+            const MayStay& may_stay = {});
   ~LiveGuest() { leave(); }
   void leave();
 
@@ -48,8 +50,8 @@ class LiveGuest {
 
  private:
   struct Bell;
-  LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const std::string& user,
-            std::shared_ptr<Bell> bell);
+  LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const Caller& caller,
+            const MayStay& may_stay, std::shared_ptr<Bell> bell);
   LiveSessions& sessions_;
   std::shared_ptr<Bell> bell_;
   LiveClient client_;

@@ -79,15 +79,45 @@ TEST_F(LivePeople, ADrainingServerLetsNobodyIn) {
 TEST_F(LivePeople, WhoIsSilentIsSentAwayAndWatchersMayBe) {
   auto ann = guest(), eve = guest("eve", {"work", 0, {}, true});
   ann.run();
-  ann.session().end_silent(std::chrono::hours(1));
+  ann.session().end_unwelcome(std::chrono::hours(1));
   ann.run();
   EXPECT_FALSE(ann.finished);
-  ann.session().end_silent(std::chrono::seconds(0));
+  ann.session().end_unwelcome(std::chrono::seconds(0));
   ann.run();
   eve.run();
   ASSERT_EQ(ann.all<Farewell>().size(), 1u);
   EXPECT_TRUE(ann.finished);
   EXPECT_TRUE(eve.all<Farewell>().empty());
+}
+
+TEST_F(LivePeople, AViewerOfTheServerIsOneInEverySession) {
+  Caller vera("vera");
+  vera.most = SessionRole::kViewer;
+  auto guest = LiveGuest(*live_, {"work"}, vera);
+  EXPECT_EQ(guest.role, SessionRole::kViewer);
+  guest.edit({{"a", SetGradientScale{0}}});
+  guest.run();
+  ASSERT_EQ(guest.all<EditsRefused>().size(), 1u);
+  EXPECT_EQ(guest.all<EditsRefused>()[0].status.code(), StatusCode::kPermissionDenied);
+  EXPECT_EQ(guest.session().preview(guest.connection(), {"drag", SetGradientScale{0}}).code(),
+            StatusCode::kPermissionDenied);
+  EXPECT_EQ(manager_->list()[0].edits, 0u);
+}
+
+TEST_F(LivePeople, WhoMayNotStayIsSentAwayForGood) {
+  Status stays;
+  auto eve = LiveGuest(*live_, {"work", 0, {}, true}, "eve", [&] { return stays; });
+  eve.run();
+  eve.session().end_unwelcome(std::chrono::hours(1));
+  eve.run();
+  EXPECT_FALSE(eve.finished);
+  stays = {StatusCode::kPermissionDenied, "eve has left"};
+  eve.session().end_unwelcome(std::chrono::hours(1));
+  eve.run();
+  ASSERT_EQ(eve.all<Farewell>().size(), 1u);
+  EXPECT_EQ(eve.all<Farewell>()[0].reason, "eve has left");
+  EXPECT_FALSE(eve.all<Farewell>()[0].come_back);
+  EXPECT_TRUE(eve.finished);
 }
 
 TEST_F(LivePeople, WhoDoesNotTakeItsAnswersIsNotReadOn) {

@@ -1,5 +1,8 @@
 #include "server/session/session_manager.h"
 
+#include <future>
+#include <thread>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -143,10 +146,101 @@ TEST_F(SessionManagerTest, ASessionThatCannotBeOpenedIsNotKept) {
   EXPECT_TRUE(manager_->list().empty());
 }
 
+TEST_F(SessionManagerTest, ANameThatCouldBeAnIdIsRefused) {
+  ASSERT_TRUE(open("one").is_ok());
+  const std::string id = manager_->list()[0].id;
+  for (const std::string& name : {id, std::string("0123456789ABCDEF")}) {
+    const Status refused = open(name).status();
+    EXPECT_EQ(refused.code(), StatusCode::kInvalidArgument);
+    EXPECT_THAT(refused.message(), HasSubstr("session name '" + name + "'"));
+    EXPECT_EQ(manager_->fork({"one", name, 0, ""}, user_).status().code(),
+              StatusCode::kInvalidArgument);
+  }
+  EXPECT_TRUE(open("0123456789abcde").is_ok());
+}
+
+TEST_F(SessionManagerTest, AnIdMeansItsSessionWhateverOthersAreCalled) {
+  ASSERT_TRUE(open("one").is_ok());
+  const SessionInfo one = manager_->list()[0];
+  // A journal of an older program may have such a name.
+  const SessionRecord forged{"f00", one.id, one.scan_id, one.key, 0};
+  ASSERT_TRUE(journal_->create_session(forged, {}).is_ok());
+  start();
+  ASSERT_TRUE(apply(one.id, {{"a", SetGradientScale{0.5}}}).is_ok());
+  EXPECT_EQ(manager_->state("one", {}).value().gradient_scale, 0.5);
+  EXPECT_EQ(manager_->state("f00", {}).value().gradient_scale, 1);
+}
+
+TEST_F(SessionManagerTest, WhoGivesUpOpeningTakesNothingFromWhoWaits) {
+  // The first opener gives up once the second one waits for what it makes.
+  std::promise<void> waits;
+  std::thread second;
+  Result<OpenedSession> opened = internal_error("not opened");
+  const Progress tell_that_it_waits = [&, told = false](std::string_view phase, double) mutable {
+    if (phase == "waiting for the session" && !std::exchange(told, true)) waits.set_value();
+    return true;
+  };
+  const auto give_up = [&](std::string_view, double) {
+    if (!second.joinable()) {
+      second = std::thread([&] {
+        opened = manager_->open({"ball", "team", {6, 0}}, "bob", tell_that_it_waits);
+      });
+      waits.get_future().wait();
+    }
+    return false;
+  };
+  EXPECT_EQ(manager_->open({"ball", "team", {6, 0}}, "ann", give_up).status().code(),
+            StatusCode::kCancelled);
+  ASSERT_TRUE(second.joinable());
+  second.join();
+  ASSERT_TRUE(opened.is_ok()) << opened.status().message();
+  EXPECT_FALSE(opened.value().attached);
+  ASSERT_TRUE(apply("team", {{"a", SetGradientScale{0.5}}}).is_ok());
+  start();
+  ASSERT_EQ(manager_->list().size(), 1u);
+  EXPECT_EQ(manager_->list()[0].edits, 1u);
+}
+
+TEST_F(SessionManagerTest, SessionsAreListedWhileTheDiskHoldsUpANewOne) {
+  ASSERT_TRUE(open("one").is_ok());
+  std::promise<void> disk;
+  journal_->append(manager_->list()[0].id, 1, {}, [&](const Status&) { disk.get_future().wait(); });
+  std::thread opener([&] { EXPECT_TRUE(open("two").is_ok()); });
+  std::thread forker([&] { EXPECT_TRUE(manager_->fork({"one", "three", 0, ""}, "").is_ok()); });
+  EXPECT_EQ(manager_->list().size(), 1u);
+  disk.set_value();
+  opener.join();
+  forker.join();
+  EXPECT_EQ(manager_->list().size(), 3u);
+}
+
+TEST_F(SessionManagerTest, EditsThatCouldNotBeWrittenAreNotCounted) {
+  ASSERT_TRUE(open("one").is_ok());
+  ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0.5}}}).is_ok());
+  const std::string id = manager_->list()[0].id;
+  ASSERT_TRUE(journal_->append(id, 2, {{"eve", 0, {"x", SetGradientScale{2}}}}).is_ok());
+  EXPECT_FALSE(apply("one", {{"b", SetGradientScale{0.25}}}).is_ok());
+  ASSERT_TRUE(manager_->close("one", user_).is_ok());
+  EXPECT_EQ(manager_->list()[0].edits, 1u);
+}
+
+TEST_F(SessionManagerTest, WhoBringsASessionBackIsChargedForIt) {
+  options_.sessions_per_user = 1;
+  start();
+  for (const char* name : {"1", "2"}) ASSERT_TRUE(open(name).is_ok());
+  start();
+  EXPECT_TRUE(manager_->state("1", "vera").is_ok());
+  EXPECT_TRUE(manager_->state("1", "vera").is_ok());
+  const Status refused = manager_->state("2", "vera").status();
+  EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(refused.message(), HasSubstr("user vera has 1 sessions open"));
+  EXPECT_TRUE(manager_->state("2", "bert").is_ok());
+}
+
 TEST_F(SessionManagerTest, ACancelledExportLeavesNoFile) {
   ASSERT_TRUE(open("one").is_ok());
   ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0}}}).is_ok());
-  const auto cancelled = manager_->export_mesh("one", {MeshFormat::kPly, true, 0},
+  const auto cancelled = manager_->export_mesh("one", {MeshFormat::kPly, true, 0}, {},
                                                [](std::string_view, double) { return false; });
   EXPECT_EQ(cancelled.status().code(), StatusCode::kCancelled);
   EXPECT_EQ(library_.staged_files(), 0u);

@@ -108,6 +108,45 @@ TEST_F(SessionPeopleTest, OnlyAnOwnerGivesRolesAndDeletes) {
   EXPECT_TRUE(manager_->remove("work", "bob", {}).is_ok());
 }
 
+/// Vera, whom the server lets look and no more, and otto, who owns it.
+static Caller vera() {
+  Caller caller("vera");
+  caller.most = SessionRole::kViewer;
+  return caller;
+}
+static Caller otto() {
+  Caller caller("otto");
+  caller.owns_server = true;
+  return caller;
+}
+
+TEST_F(SessionPeopleTest, AViewerOfTheServerEditsNowhere) {
+  const Edit edit{"1", SetGradientScale{0.5}};
+  const Status refused = manager_->apply("work", vera(), {&edit, 1}).status();
+  EXPECT_EQ(refused.code(), StatusCode::kPermissionDenied);
+  EXPECT_EQ(refused.message(), "editing needs the role editor; 'vera' is viewer of this server");
+  ASSERT_TRUE(manager_->set_role("work", "ann", "vera", SessionRole::kOwner).is_ok());
+  EXPECT_FALSE(manager_->apply("work", vera(), {&edit, 1}).is_ok());
+  EXPECT_FALSE(manager_->close("work", vera()).is_ok());
+  EXPECT_FALSE(manager_->remove("work", vera()).is_ok());
+}
+
+TEST_F(SessionPeopleTest, TheServersOwnerIsOwnerEverywhere) {
+  ASSERT_TRUE(manager_->set_role("work", "ann", "otto", SessionRole::kViewer).is_ok());
+  EXPECT_TRUE(manager_->set_role("work", otto(), "bob", SessionRole::kOwner).is_ok());
+  EXPECT_TRUE(manager_->close("work", otto()).is_ok());
+  EXPECT_TRUE(manager_->remove("work", otto()).is_ok());
+}
+
+TEST_F(SessionPeopleTest, RolesAreForSoManyPeople) {
+  for (size_t i = 2; i < kSessionRolesMax; ++i)
+    ASSERT_TRUE(manager_->set_role("work", "ann", std::to_string(i), SessionRole::kViewer).is_ok());
+  const Status refused = manager_->set_role("work", "ann", "one more", SessionRole::kViewer);
+  EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(refused.message(), HasSubstr("256"));
+  EXPECT_TRUE(manager_->set_role("work", "ann", "5", SessionRole::kEditor).is_ok());
+}
+
 TEST_F(SessionPeopleTest, TheHistoryTellsWhoDidWhatAndIsReadInPages) {
   ASSERT_TRUE(apply("ann", SetGradientScale{0.25}).is_ok());
   ASSERT_TRUE(apply("bob", SetCheckpoint{"quarter"}).is_ok());
