@@ -4,6 +4,7 @@
 #include <thread>
 
 #include <spdlog/spdlog.h>
+#include <sys/stat.h>
 
 #include "common/base/atomic_file.h"
 #include "common/base/wait_policy.h"
@@ -72,6 +73,7 @@ ServerOptions server_options(const ServerConfig& config, const TrustFiles& files
   ServerOptions options;
   options.listen = config.listen;
   options.socket = config.socket;
+  options.socket_user_only = config.socket_user_only;
   options.certificates = files.certificates.get();
   options.client_certificate_required = config.tls_client_certificate_required;
   options.users = files.users.get();
@@ -116,7 +118,7 @@ Result<std::unique_ptr<MetricsExporter>> start_metrics(const std::string& listen
   return exporter;
 }
 
-/// Serves until a signal ends it.
+/// Serves until a signal ends it, or too long without use.
 Status serve(const CommandLine& line, const sigset_t& signals) {
   const ServerConfig& config = line.config;
   ASSIGN_OR_RETURN(const TrustFiles files, open_trust_files(config));
@@ -143,6 +145,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
                sessions->list().size());
   DaemonOptions options;
   options.drain_time = std::chrono::seconds(config.drain_seconds);
+  options.idle_max = std::chrono::seconds(config.idle_exit_seconds);
   options.tend = [&](bool in_any_case) {
     live.end_unwelcome();
     if (config.idle_spill_seconds > 0)
@@ -161,6 +164,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
 }  // namespace burnish
 
 int main(int argc, char** argv) {
+  umask(S_IRWXG | S_IRWXO);  // scans and edits are for this user alone
   burnish::sleep_while_waiting(argv);
   // glibc gives nearly every thread a heap of its own, and what a session took stays in many of
   // them: fourteen sessions opened and closed in turn left 326 MB resident, with two heaps 131.

@@ -18,7 +18,8 @@ static constexpr double kIdleSeconds = 0.5;
 static volatile std::sig_atomic_t ended_by_signal = 0;
 
 Status App::run(AppOptions options, Preferences preferences) {
-  for (int number : {SIGINT, SIGTERM})  // in order: a private server ends with the window
+  for (int number :
+       {SIGINT, SIGTERM, SIGHUP})  // in order: what is not saved may still be, or is told
     std::signal(number, [](int) { ended_by_signal = 1; });
   Bindings bindings;
   for (const auto& [action, key] : preferences.keys) RETURN_IF_ERROR(bindings.bind(action, key));
@@ -69,22 +70,38 @@ void App::open_what_was_asked() {
   }
   if (!options_.server.empty()) {
     workspace.connect(options_.server);
-  } else if (!options_.scan.empty()) {
+  } else if (!options_.scan.empty() || !options_.session.empty()) {
     workspace.connect_privately();
   }
 }
 
 Status App::loop() {
   int pictures = kPicturesAfterEvent;
-  while (!window_->should_close() && !ended_by_signal) {
+  for (;;) {
     window_->wait(pictures > 0 ? 0 : kIdleSeconds);
     const bool timed_out = !window_->take_dirty() && !news_.exchange(false);
     pictures = timed_out ? std::max(pictures, 1) : kPicturesAfterEvent;
     RETURN_IF_ERROR(workspace_->update());
+    if (may_close()) break;
     RETURN_IF_ERROR(draw());
     --pictures;
   }
-  return Status::ok();
+  if (leave_step_ == Leaving::Step::kLeave) return Status::ok();
+  return failed_precondition(unsaved_text(workspace_->unsaved_edits()) + ", and lost");
+}
+
+bool App::may_close() {
+  using Step = Leaving::Step;
+  const auto now = std::chrono::steady_clock::now();
+  if (window_->take_close_request() || ended_by_signal) leaving_.begin(Leaving::What::kWindow, now);
+  leave_step_ =
+      leaving_.update(workspace_->unsaved_edits(), workspace_->link() == LinkState::kLive, now);
+  if (ended_by_signal) return leave_step_ != Step::kSave;  // nobody answers questions
+  if (leave_step_ != Step::kLeave) return false;
+  if (leaving_.what() == Leaving::What::kWindow) return true;
+  leaving_.stay();
+  workspace_->close_document();
+  return false;
 }
 
 WindowEvents App::make_events() {
@@ -138,6 +155,10 @@ Eigen::Vector2d App::in_picture(const Eigen::Vector2d& pixel) const {
 
 void App::handle_key(const std::string& key) {
   const auto action = bindings_.action_of(key);
+  if (leave_step_ == Leaving::Step::kAsk || leave_step_ == Leaving::Step::kWait) {
+    if (action == Action::kCancel) leaving_.stay();
+    return;
+  }
   if (action) do_action(*action);
 }
 

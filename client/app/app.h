@@ -15,16 +15,17 @@
 #include "client/app/view_panel.h"
 #include "client/app/window.h"
 #include "client/gl/gl_renderer.h"
+#include "client/model/leaving.h"
 #include "client/model/workspace.h"
 
 namespace burnish {
 
 struct AppOptions {
-  std::filesystem::path scan;    ///< to import and open; empty: none
-  std::string server;            ///< empty: the private one when there is a scan, else nothing
-  std::string session;           ///< to join, or the new one's name
-  ImageSize size;                ///< of the window; 0x0: as it was
-  double scale = 0;              ///< 0: as configured, else as the screen says
+  std::filesystem::path scan;  ///< to import and open; empty: none
+  std::string server;   ///< empty: the private one when there is something to open, else nothing
+  std::string session;  ///< to join, or the new one's name
+  ImageSize size;       ///< of the window; 0x0: as it was
+  double scale = 0;     ///< 0: as configured, else as the screen says
   std::filesystem::path record;  ///< where to write a script of what is done; empty: nowhere
   WorkspaceOptions workspace;
 };
@@ -32,8 +33,8 @@ struct AppOptions {
 /// The window: events in, pictures out, around a Workspace.
 class App {
  public:
-  /// Runs until the window is closed. Fails: unavailable (no display or driver), and as the
-  /// renderer does.
+  /// Runs until the window is closed. Fails: unavailable (no display or driver),
+  /// failed_precondition (ended by a signal before all edits were saved), and as the renderer does.
   static Status run(AppOptions options, Preferences preferences);
 
  private:
@@ -41,6 +42,7 @@ class App {
       : options_(std::move(options)), bindings_(std::move(bindings)) {}
   Status start(Preferences preferences);
   Status loop();
+  bool may_close();
   void open_what_was_asked();
   WindowEvents make_events();
   void handle_key(const std::string& key);
@@ -77,6 +79,8 @@ class App {
   Hud hud_;
   Toasts toasts_;
   ExportDialog export_dialog_;
+  Leaving leaving_;
+  Leaving::Step leave_step_ = Leaving::Step::kStay;
   bool shows_hud_ = true;
   bool shows_log_ = false;
   bool shows_help_ = false;

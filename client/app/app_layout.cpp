@@ -2,6 +2,7 @@
 
 #include "client/app/app.h"
 #include "client/app/key_help.h"
+#include "client/app/leave_question.h"
 #include "client/app/theme.h"
 
 namespace burnish {
@@ -71,7 +72,8 @@ void App::draw_menu_bar() {
   if (ImGui::BeginMenu("File")) {
     item("Export…", Action::kExport, is_open);
     item("Save picture", Action::kScreenshot, is_open);
-    if (ImGui::MenuItem("Close session", nullptr, false, is_open)) workspace.close_document();
+    if (ImGui::MenuItem("Close session", nullptr, false, is_open))
+      leaving_.begin(Leaving::What::kSession, std::chrono::steady_clock::now());
     ImGui::Separator();
     if (ImGui::MenuItem("Quit")) window_->close();
     ImGui::EndMenu();
@@ -175,6 +177,7 @@ void App::draw_overlays() {
   if (shows_log_) draw_message_log(workspace_->log, shows_log_);
   if (shows_help_) draw_key_help(bindings_, shows_help_);
   if (workspace_->document()) export_dialog_.draw(*workspace_);
+  draw_leave_question(*workspace_, leave_step_, leaving_);
 }
 
 }  // namespace burnish

@@ -60,8 +60,10 @@ Window::~Window() {
   glfwTerminate();
 }
 
-bool Window::should_close() const {
-  return glfwWindowShouldClose(window_);
+bool Window::take_close_request() {
+  const bool is_wanted = glfwWindowShouldClose(window_);
+  glfwSetWindowShouldClose(window_, GLFW_FALSE);
+  return is_wanted;
 }
 
 void Window::close() {

@@ -39,7 +39,8 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  bool should_close() const;
+  /// True when somebody wants it closed since the last call, be it the user or close().
+  bool take_close_request();
   void close();
   /// From the screen, at once; what it holds lives on.
   void hide();

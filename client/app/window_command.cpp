@@ -26,7 +26,7 @@ Status run(const Options& given) {
   app.workspace.timeout =
       std::chrono::milliseconds(static_cast<int64_t>(given.server.timeout_seconds * 1000));
   app.workspace.preferences = given.config.empty() ? preferences_path() : given.config;
-  app.workspace.private_data = given.data.empty() ? private_data_folder() : given.data;
+  app.workspace.private_server.data = given.data.empty() ? private_data_folder() : given.data;
   ASSIGN_OR_RETURN(Preferences preferences, read_preferences(app.workspace.preferences));
   if (!given.server.user.empty()) preferences.user = given.server.user;
   app.record = given.record;

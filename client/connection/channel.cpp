@@ -1,6 +1,7 @@
 #include "client/connection/channel.h"
 
 #include <cerrno>
+#include <climits>
 #include <fstream>
 #include <sstream>
 
@@ -91,11 +92,30 @@ grpc::ChannelArguments channel_arguments(Sharing sharing) {
   arguments.SetInt(GRPC_ARG_HTTP2_MAX_PINGS_WITHOUT_DATA, 0);
   // A web proxy of the environment knows nothing of this server.
   arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
+  // A server that ends without users must see that we are there.
+  arguments.SetInt(GRPC_ARG_CLIENT_IDLE_TIMEOUT_MS, INT_MAX);
   if (sharing == Sharing::kOwn) arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
   return arguments;
 }
 
 }  // namespace
+
+std::string grpc_target(const std::string& server) {
+  static constexpr std::string_view kScheme = "unix:", kHex = "0123456789ABCDEF";
+  static constexpr std::string_view kAsTheyAre =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~/";
+  if (!server.starts_with(kScheme)) return server;
+  std::string target(kScheme);
+  for (const char c : std::string_view(server).substr(kScheme.size())) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (kAsTheyAre.find(c) != std::string_view::npos) {
+      target += c;
+    } else {
+      target += {'%', kHex[byte >> 4], kHex[byte & 15]};
+    }
+  }
+  return target;
+}
 
 Result<std::shared_ptr<grpc::Channel>> make_channel(const std::string& server,
                                                     const ConnectionTrust& trust, Sharing sharing) {
@@ -104,7 +124,7 @@ Result<std::shared_ptr<grpc::Channel>> make_channel(const std::string& server,
   std::vector<std::unique_ptr<grpc::experimental::ClientInterceptorFactoryInterface>> senders;
   if (!trust.token.empty()) senders.push_back(std::make_unique<TokenSenderFactory>(trust.token));
   return grpc::experimental::CreateCustomChannelWithInterceptors(
-      server, credentials, channel_arguments(sharing), std::move(senders));
+      grpc_target(server), credentials, channel_arguments(sharing), std::move(senders));
 }
 
 }  // namespace burnish

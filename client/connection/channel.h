@@ -13,6 +13,9 @@ enum class Sharing {
   kOwn,     ///< nothing else travels on this one
 };
 
+/// What gRPC calls a server: the path of unix:PATH is percent-encoded, all else stays.
+std::string grpc_target(const std::string& server);
+
 /// A channel that has not connected yet; every call on it carries the token.
 /// Fails: as errno says (files), failed_precondition (a token in plain text), invalid_argument.
 Result<std::shared_ptr<grpc::Channel>> make_channel(const std::string& server,

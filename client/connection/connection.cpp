@@ -59,6 +59,16 @@ void Connection::set_user(std::string user) {
   state_->user = std::move(user);
 }
 
+void Connection::set_starter(Starter starter) {
+  state_->starter = std::move(starter);
+}
+
+void Connection::bring_back(const Progress& progress) {
+  if (!state_->starter || !state_->starter(progress).is_ok()) return;
+  grpc::experimental::ChannelResetConnectionBackoff(state_->channel.get());
+  state_->channel->WaitForConnected(std::chrono::system_clock::now() + state_->timeout);
+}
+
 Result<std::vector<ScanInfo>> Connection::list_scans() {
   grpc::ClientContext context;
   state_->set_deadline(context);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -31,9 +32,9 @@ struct ConnectionTrust {
 /// keepalive finds the server gone.
 class Connection {
  public:
-  /// Fails: unavailable when nobody answers at `server` (HOST:PORT, or unix:PATH) within
-  /// `timeout`, or the certificates do not please either side; invalid_argument and as errno says
-  /// for wrong files; failed_precondition when a token would travel in plain text.
+  /// Fails: unavailable when nobody answers at `server` (HOST:PORT, or unix:PATH as it is)
+  /// within `timeout`, or the certificates do not please either side; invalid_argument and as errno
+  /// says for wrong files; failed_precondition when a token would travel in plain text.
   static Result<Connection> open(const std::string& server, std::chrono::milliseconds timeout,
                                  const ConnectionTrust& trust = {});
   Connection(Connection&&) noexcept;
@@ -43,6 +44,15 @@ class Connection {
 
   /// Who edits, where the server cannot know better: the author of edits, and the holder of roles.
   void set_user(std::string user);
+
+  /// Starts the server where it does not run. From any thread; ends soon when progress says so.
+  using Starter = std::function<Status(const Progress&)>;
+  /// For a server that may end at any time and is started on demand. Live sessions call it before
+  /// each try to come back.
+  void set_starter(Starter starter);
+  /// Has the server started again if need be, and waits until it is connected. What fails is told
+  /// by the next call. Does nothing without a starter.
+  void bring_back(const Progress& progress = {});
 
   /// Uploads a mesh file and has it prepared. Fails: as reading the file does, or as the server
   /// says; cancelled.

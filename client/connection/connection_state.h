@@ -16,6 +16,7 @@ struct Connection::State {
   std::string server;
   ConnectionTrust trust;
   std::string user;
+  Connection::Starter starter;  ///< may be empty
   std::chrono::milliseconds timeout;
   std::shared_ptr<grpc::Channel> channel;
   std::unique_ptr<v1::Library::Stub> library;

@@ -46,10 +46,12 @@ static bool is_worth_another_try(StatusCode code) {
 }
 
 SessionLink::Worker::Worker(const std::string& server, const ConnectionTrust& trust,
-                            const std::string& user, LiveOptions options)
+                            const std::string& user, Connection::Starter starter,
+                            LiveOptions options)
     : server_(server),
       trust_(trust),
       user_(user),
+      starter_(std::move(starter)),
       options_(std::move(options)),
       receiver_(options_.view),
       outbox_(greeting_of(options_)),
@@ -82,7 +84,18 @@ void SessionLink::Worker::run() {
   }
 }
 
+// Whatever keeps it from starting may be over at the next try: edits wait for that.
+Status SessionLink::Worker::start_server() {
+  if (!starter_) return Status::ok();
+  const Status started = starter_([this](std::string_view, double) {
+    const std::lock_guard lock(mutex_);
+    return !stopping_;
+  });
+  return started.is_ok() ? started : unavailable(started.message());
+}
+
 Status SessionLink::Worker::converse() {
+  RETURN_IF_ERROR(start_server());
   // A channel of its own for each try: no back-off but ours, and certificates as they are now.
   ASSIGN_OR_RETURN(auto channel, make_channel(server_, trust_, Sharing::kOwn));
   {

@@ -22,8 +22,9 @@ class SessionLink::Worker {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
+  /// `starter` may be empty.
   Worker(const std::string& server, const ConnectionTrust& trust, const std::string& user,
-         LiveOptions options);
+         Connection::Starter starter, LiveOptions options);
   ~Worker();
 
   Status apply(std::vector<Edit> edits);
@@ -35,6 +36,7 @@ class SessionLink::Worker {
 
  private:
   void run();
+  Status start_server();
   Status converse();
   Status speak_and_listen(LiveStream& stream);
   bool must_leave(Time now);
@@ -64,6 +66,7 @@ class SessionLink::Worker {
   const std::string server_;
   const ConnectionTrust trust_;
   const std::string user_;
+  const Connection::Starter starter_;
   const LiveOptions options_;
   const std::shared_ptr<Wakeup> wakeup_ = std::make_shared<Wakeup>();
 

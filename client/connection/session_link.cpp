@@ -23,7 +23,8 @@ static Status check(const std::vector<Edit>& edits) {
 
 SessionLink::SessionLink(const Connection& connection, LiveOptions options)
     : worker_(std::make_unique<Worker>(connection.state_->server, connection.state_->trust,
-                                       connection.state_->user, std::move(options))) {}
+                                       connection.state_->user, connection.state_->starter,
+                                       std::move(options))) {}
 
 SessionLink::~SessionLink() = default;
 

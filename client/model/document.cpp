@@ -137,6 +137,7 @@ void Document::forget_strokes() {
 void Document::set_role(const std::string& user, SessionRole role) {
   tasks_.start([connection = opened_.connection, session = opened_.session.id, user, role,
                 &log = log_](std::stop_token) -> Tasks::Completion {
+    connection->bring_back();
     const Status status = connection->set_role(session, user, role);
     return [status, &log] {
       if (!status.is_ok()) log.failure("role", status);

@@ -48,8 +48,8 @@ struct Overloaded : Handlers... {
 void Document::handle(const LiveEvent& event) {
   std::visit(Overloaded{
                  [&](const LinkChanged& change) {
-                   link_reason_ = change.reason;
-                   if (change.state == LinkState::kLost)
+                   const bool is_new = std::exchange(link_reason_, change.reason) != change.reason;
+                   if (change.state == LinkState::kLost && is_new)
                      log_.warning("connection lost: " + change.reason);
                    if (change.state == LinkState::kEnded) {
                      log_.add(Severity::kError, "session ended: " + change.reason);
@@ -110,6 +110,7 @@ void Document::refresh_history() {
   history_fetch_->running = true;
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
                 session = opened_.session.id, wake = wake_](std::stop_token) -> Tasks::Completion {
+    connection->bring_back();
     auto history = connection->history(session);
     wake();
     return [this, alive, history = std::move(history)] {
@@ -140,6 +141,7 @@ void Document::refresh_cells() {
   cells_fetch_->running = true;
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
                 session = opened_.session.id, wake = wake_](std::stop_token) -> Tasks::Completion {
+    connection->bring_back();
     auto cells = connection->cells(session, CellValue::kBeta);
     if (cells.is_ok())
       for (float& value : *cells) value = signed_part_of_beta(value);
@@ -161,6 +163,7 @@ void Document::fetch_curvature() {
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
                 session = opened_.session.id, range = curve_.kappa_range(),
                 wake = wake_](std::stop_token) -> Tasks::Completion {
+    connection->bring_back();
     auto stronger = connection->cells(session, CellValue::kKappa1);
     const auto other = connection->cells(session, CellValue::kKappa2);
     const Status status = stronger.is_ok() ? other.status() : stronger.status();

@@ -10,6 +10,7 @@ Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
   opened.server = connection->server();
   opened.connection = connection;
   opened.triangles_max = triangles_max;
+  connection->bring_back(progress);
   RETURN_IF_ERROR(connection->prepare_scan(wish.scan, wish.key, progress).status());
   ASSIGN_OR_RETURN(const OpenedSession session, connection->open_session(wish));
   opened.session = session.session;

@@ -6,6 +6,7 @@
 
 #include <toml++/toml.h>
 
+#include "client/model/private_folder.h"
 #include "common/base/atomic_file.h"
 #include "common/base/limits.h"
 
@@ -112,11 +113,11 @@ Status write_preferences(const Preferences& preferences, const std::filesystem::
   if (path.empty()) return Status::ok();
   std::error_code error;
   const auto folder = std::filesystem::absolute(path).parent_path();
-  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::exists(folder, error)) RETURN_IF_ERROR(make_private_folder(folder));
   if (error) return errno_status("cannot make " + folder.string(), error.value());
   std::ostringstream text;
   text << to_toml(preferences) << "\n";
-  return write_file(path, text.str());
+  return write_file(path, text.str(), FileAccess::kUserOnly);
 }
 
 void remember(Preferences& preferences, const RecentSession& session) {

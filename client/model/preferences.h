@@ -43,7 +43,7 @@ std::filesystem::path private_data_folder();
 /// Defaults where there is no file. Fails: invalid_argument naming the file and what is wrong.
 Result<Preferences> read_preferences(const std::filesystem::path& path);
 
-/// Makes the folder. Fails: as errno says.
+/// Makes the folder. Both are for this user alone. Fails: as errno says.
 Status write_preferences(const Preferences& preferences, const std::filesystem::path& path);
 
 /// Puts an entry first; forgets the oldest.

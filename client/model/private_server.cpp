@@ -1,29 +1,34 @@
 #include "client/model/private_server.h"
 
 #include <cerrno>
-#include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
-#include <sstream>
+#include <optional>
 #include <thread>
 #include <unistd.h>
-#include <vector>
 
-#include <sys/wait.h>
+#include <sys/file.h>
 
-#include "common/base/atomic_file.h"
+#include "client/model/detached_program.h"
+#include "client/model/private_folder.h"
+#include "client/model/user_socket.h"
 
 namespace burnish {
 
-static constexpr auto kPoll = std::chrono::milliseconds(20);
+namespace fs = std::filesystem;
+using std::chrono::steady_clock;
 
-static std::filesystem::path server_program() {
+static constexpr auto kPoll = std::chrono::milliseconds(20);
+// One that ends may still finish calls.
+static constexpr std::chrono::seconds kPatience{20};
+
+static fs::path server_program() {
   std::error_code error;
-  const auto here = std::filesystem::read_symlink("/proc/self/exe", error);
-  return here.parent_path() / "burnish-server";
+  return fs::read_symlink("/proc/self/exe", error).parent_path() / "burnish-server";
 }
 
-static std::string last_line(const std::filesystem::path& log) {
+static std::string last_line(const fs::path& log) {
   std::ifstream file(log);
   std::string line, last;
   while (std::getline(file, line))
@@ -31,73 +36,108 @@ static std::string last_line(const std::filesystem::path& log) {
   return last;
 }
 
-// 0 where there is none.
-static int read_port(const std::filesystem::path& file) {
-  int port = 0;
-  std::ifstream(file) >> port;
-  return port;
-}
-
-static std::string loopback(int port) {
-  return "127.0.0.1:" + std::to_string(port);
-}
-
-// It outlives this program only when that is killed; its edits are on disk, and it can be asked to
-// end by its number in the log.
-static pid_t spawn(const std::vector<std::string>& words, const std::filesystem::path& log) {
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  const std::string log_name = log.string();
-  const pid_t pid = fork();
-  if (pid != 0) return pid;
-  const int output = open(log_name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  dup2(output, STDOUT_FILENO);
-  dup2(output, STDERR_FILENO);
-  setpgid(0, 0);  // Ctrl+C at a terminal is for the window, which then ends us in order
-  execv(arguments[0], arguments.data());
-  _exit(127);
-}
-
-Result<std::unique_ptr<PrivateServer>> PrivateServer::start(const std::filesystem::path& data,
-                                                            const Progress& progress) {
-  if (data.empty()) return not_found("there is no home folder for a private server's scans");
-  const std::filesystem::path program = server_program();
-  if (access(program.c_str(), X_OK) != 0)
-    return not_found("no " + program.string() + ": name a server with --server");
+/// The same for everybody who means the same folder.
+static fs::path full_path(const fs::path& data) {
   std::error_code error;
-  std::filesystem::create_directories(data, error);
-  if (error) return errno_status("cannot make " + data.string(), error.value());
-  const auto port_file = data / "window-port", log = data / "window-server.log";
-  const int others_port = read_port(port_file);
-  std::filesystem::remove(port_file, error);
-  const pid_t pid = spawn({program.string(), "--listen", "127.0.0.1:0", "--data", data.string(),
-                           "--port-file", port_file.string()},
-                          log);
-  if (pid < 0) return errno_status("cannot start " + program.string(), errno);
-  auto server = std::unique_ptr<PrivateServer>(new PrivateServer(pid, ""));
+  const fs::path full = fs::weakly_canonical(fs::absolute(data), error);
+  return error ? fs::absolute(data).lexically_normal() : full;
+}
+
+// FNV-1a: two folders with long paths have two sockets.
+static std::string short_name(const fs::path& path) {
+  uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : path.native()) hash = (hash ^ static_cast<uint8_t>(c)) * 0x100000001b3;
+  return "window-" + std::to_string(hash) + ".sock";
+}
+
+static fs::path short_folder() {
+  const char* runtime = std::getenv("XDG_RUNTIME_DIR");
+  if (runtime && *runtime == '/') {
+    fs::path folder = fs::path(runtime) / "burnish";
+    if (folder.native().size() < kSocketPathBytesMax / 2) return folder;
+  }
+  return "/tmp/burnish-" + std::to_string(geteuid());
+}
+
+fs::path private_socket(const fs::path& data) {
+  const fs::path full = full_path(data);
+  fs::path inside = full / "window.sock";
+  if (inside.native().size() <= kSocketPathBytesMax) return inside;
+  return short_folder() / short_name(full);
+}
+
+/// flock() on a file, which is made where it is missing; given back with the object.
+class FileLock {
+ public:
+  explicit FileLock(const fs::path& path)
+      : fd_(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600)) {}
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+  ~FileLock() {
+    if (fd_ >= 0) close(fd_);
+  }
+  bool is_open() const { return fd_ >= 0; }
+  bool try_take() const { return fd_ >= 0 && flock(fd_, LOCK_EX | LOCK_NB) == 0; }
+
+ private:
+  int fd_;
+};
+
+/// A server has the folder, be it at its start, at its end, or one that listens elsewhere.
+static bool is_taken(const fs::path& data) {
+  return !FileLock(data / "lock").try_take();
+}
+
+static Result<DetachedProgram> start_server(const PrivateServerOptions& options,
+                                            const fs::path& data, const fs::path& socket) {
+  std::error_code ignored;
+  fs::remove(data / "window-port", ignored);  // of older versions, which listened on a port
+  const fs::path log = data / "window-server.log";
+  fs::rename(log, data / "window-server.old.log", ignored);  // it may say why the last one ended
+  return DetachedProgram::start(
+      {server_program().string(), "--listen", "", "--socket", socket.string(), "--socket-user-only",
+       "--data", data.string(), "--idle-exit", std::to_string(options.idle_exit.count())},
+      log);
+}
+
+/// Waits for the server at `socket`, which this starts once nobody else starts it.
+static Status wait_for_server(const PrivateServerOptions& options, const fs::path& data,
+                              const fs::path& socket, const Progress& progress) {
+  const FileLock starting(data / "window-start.lock");
+  if (!starting.is_open())
+    return errno_status("cannot open " + (data / "window-start.lock").string(), errno);
+  std::optional<DetachedProgram> server;
+  bool may_start = false;
+  const auto deadline = steady_clock::now() + kPatience;
   while (report(progress, "starting a private server", 0)) {
-    if (const int port = read_port(port_file)) {
-      server->address_ = loopback(port);
-      return server;
+    ASSIGN_OR_RETURN(const bool answers, user_listens(socket));
+    if (answers) return Status::ok();
+    may_start = may_start || starting.try_take();
+    if (server && server->has_ended())
+      return unavailable("the private server ended: " + last_line(data / "window-server.log"));
+    if (may_start && !server && !is_taken(data)) {
+      ASSIGN_OR_RETURN(DetachedProgram started, start_server(options, data, socket));
+      server.emplace(std::move(started));
     }
-    if (waitpid(pid, nullptr, WNOHANG) == pid) {
-      server->pid_ = 0;
-      if (others_port == 0) return unavailable("the private server ended: " + last_line(log));
-      // The folder is in use: by the server of another window, which serves this one as well.
-      RETURN_IF_ERROR(write_file(port_file, std::to_string(others_port) + "\n"));
-      server->address_ = loopback(others_port);
-      return server;
-    }
+    if (!server && steady_clock::now() > deadline)
+      return unavailable("another burnish-server uses the folder " + data.string() +
+                         ", and it does not listen on " + socket.string());
     std::this_thread::sleep_for(kPoll);
   }
   return cancelled("starting a private server was cancelled");
 }
 
-PrivateServer::~PrivateServer() {
-  if (pid_ == 0) return;
-  kill(pid_, SIGTERM);
-  waitpid(pid_, nullptr, 0);
+Result<std::string> find_private_server(const PrivateServerOptions& options,
+                                        const Progress& progress) {
+  if (options.data.empty())
+    return not_found("there is no home folder for a private server's scans");
+  if (access(server_program().c_str(), X_OK) != 0)
+    return not_found("no " + server_program().string() + ": name a server with --server");
+  RETURN_IF_ERROR(make_private_folder(options.data));
+  const fs::path data = full_path(options.data), socket = private_socket(data);
+  if (socket.parent_path() != data) RETURN_IF_ERROR(make_private_folder(socket.parent_path()));
+  RETURN_IF_ERROR(wait_for_server(options, data, socket, progress));
+  return "unix:" + socket.string();
 }
 
 }  // namespace burnish

@@ -48,26 +48,33 @@ void Workspace::connect(const std::string& server) {
   });
 }
 
-void Workspace::connect_privately() {
-  if (private_server_) {
-    connect(private_server_->address());
-    library_.is_private = true;
-    return;
+Result<Connection> open_private_connection(const PrivateServerOptions& options,
+                                           std::chrono::milliseconds timeout,
+                                           const Progress& progress) {
+  constexpr int kTries = 3;  // it may have ended for want of users just now
+  for (int tries = 1;; ++tries) {
+    ASSIGN_OR_RETURN(const std::string address, find_private_server(options, progress));
+    auto opened = Connection::open(address, timeout);
+    if (opened.is_ok())
+      opened->set_starter([options](const Progress& while_starting) {
+        return find_private_server(options, while_starting).status();
+      });
+    if (opened.is_ok() || tries == kTries) return opened;
   }
+}
+
+void Workspace::connect_privately() {
   library_ = {.state = Library::State::kConnecting, .server = "", .is_private = true};
-  start_activity("Starting a private server", [this](const Progress& progress) {
-    using Started = Result<std::unique_ptr<PrivateServer>>;
-    auto started = std::make_shared<Started>(PrivateServer::start(options_.private_data, progress));
-    return [this, started] {
-      if (!started->is_ok()) {
-        library_.state = Library::State::kFailed;
-        library_.problem = started->status().message();
-        return log.failure("private server", started->status());
-      }
-      private_server_ = std::move(**started);
-      connect_privately();
-    };
-  });
+  connection_.reset();
+  start_activity(
+      "Starting a private server", [this, user = preferences.user](const Progress& progress) {
+        auto opened = std::make_shared<Result<Connection>>(
+            open_private_connection(options_.private_server, options_.timeout, progress));
+        if (opened->is_ok()) (*opened)->set_user(user);
+        return [this, opened] {
+          if (library_.is_private) take_connection(std::move(*opened));
+        };
+      });
 }
 
 void Workspace::take_connection(Result<Connection> connection) {
@@ -92,6 +99,7 @@ bool Workspace::need_connection(const std::string& what) {
 void Workspace::refresh_library() {
   if (!connection_) return;
   tasks_.start([this, connection = connection_](std::stop_token) -> Tasks::Completion {
+    connection->bring_back();
     auto scans = connection->list_scans();
     auto sessions = connection->list_sessions();
     wake();
@@ -110,6 +118,7 @@ void Workspace::import_scan(const std::filesystem::path& file) {
   const auto connection = connection_;
   start_activity("Importing " + file.filename().string(),
                  [this, connection, file](const Progress& progress) {
+                   connection->bring_back(progress);
                    auto outcome = connection->import_scan(file, file.stem().string(), {}, progress);
                    return [this, file, outcome = std::move(outcome)] {
                      if (!outcome.is_ok())
@@ -124,6 +133,7 @@ void Workspace::import_scan(const std::filesystem::path& file) {
 void Workspace::delete_scan(const std::string& id) {
   if (!need_connection("delete")) return;
   tasks_.start([this, connection = connection_, id](std::stop_token) -> Tasks::Completion {
+    connection->bring_back();
     const Status status = connection->delete_scan(id).status();
     wake();
     return [this, status] {

@@ -17,8 +17,8 @@
 namespace burnish {
 
 struct WorkspaceOptions {
-  std::filesystem::path preferences;   ///< empty: nothing is remembered
-  std::filesystem::path private_data;  ///< of the private server
+  std::filesystem::path preferences;  ///< empty: nothing is remembered
+  PrivateServerOptions private_server;
   ConnectionTrust trust;
   std::chrono::milliseconds timeout{10'000};
   uint64_t triangles_max = 0;  ///< of what is drawn; 0: all
@@ -78,6 +78,10 @@ class Workspace {
   const std::vector<std::shared_ptr<Activity>>& activities() const { return activities_; }
   /// Nothing is under way.
   bool is_idle() const { return tasks_.is_idle(); }
+  /// Edits of the open session that its server does not have on disk.
+  size_t unsaved_edits() const { return document_ ? document_->unacknowledged() : 0; }
+  /// Of the open session; kEnded without one.
+  LinkState link() const { return document_ ? document_->link() : LinkState::kEnded; }
   bool is_opening() const { return opening_; }
   uint64_t exports_done() const { return exports_done_; }
 
@@ -91,12 +95,12 @@ class Workspace {
   void take_connection(Result<Connection> connection);
   void open_in_background(SessionWish wish);
   void show(OpenedDocument opened);
+  void leave_document();
   bool need_connection(const std::string& what);
   void wake() const { options_.wake(); }
 
   Renderer& renderer_;
   WorkspaceOptions options_;
-  std::unique_ptr<PrivateServer> private_server_;
   std::shared_ptr<Connection> connection_;
   Library library_;
   std::function<void()> when_connected_;
@@ -106,6 +110,15 @@ class Workspace {
   std::unique_ptr<Document> document_;
   Tasks tasks_;  // last: its threads end before what they report to
 };
+
+/// Connects to this user's server on this computer, which is started where it does not run, now and
+/// whenever it has ended. Fails: as find_private_server() and Connection::open() do.
+Result<Connection> open_private_connection(const PrivateServerOptions& options,
+                                           std::chrono::milliseconds timeout,
+                                           const Progress& progress);
+
+/// "3 edits are not saved"; says one edit as one should.
+std::string unsaved_text(size_t edits);
 
 /// Fetches all that a document needs. Fails: as the server says; cancelled.
 Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,

@@ -26,6 +26,7 @@ void Workspace::join(const SessionInfo& session) {
 void Workspace::join_by_name(const std::string& session) {
   if (!need_connection("join")) return;
   tasks_.start([this, connection = connection_, session](std::stop_token) -> Tasks::Completion {
+    connection->bring_back();
     const auto sessions = connection->list_sessions();
     wake();
     return [this, session, sessions] {
@@ -47,8 +48,7 @@ void Workspace::reopen(const RecentSession& recent) {
 }
 
 void Workspace::show(OpenedDocument opened) {
-  save_preferences();
-  document_.reset();
+  leave_document();
   auto document =
       std::make_unique<Document>(std::move(opened), tasks_, log, recorder, options_.wake);
   const Status shown = document->show(renderer_);
@@ -68,9 +68,19 @@ void Workspace::show(OpenedDocument opened) {
   save_preferences();
 }
 
-void Workspace::close_document() {
+std::string unsaved_text(size_t edits) {
+  return edits == 1 ? "1 edit is not saved" : std::to_string(edits) + " edits are not saved";
+}
+
+void Workspace::leave_document() {
   save_preferences();
+  if (unsaved_edits() > 0)
+    log.warning(document_->session().name + ": " + unsaved_text(unsaved_edits()) + ", and lost");
   document_.reset();
+}
+
+void Workspace::close_document() {
+  leave_document();
   refresh_library();
 }
 
@@ -84,6 +94,7 @@ void Workspace::export_mesh(const std::filesystem::path& file, bool exact) {
                  [this, file, wish = ExportWish{.format = *format, .exact = exact},
                   connection = document_->opened().connection,
                   session = document_->session().id](const Progress& progress) {
+                   connection->bring_back(progress);
                    const auto outcome = connection->export_mesh(session, wish, file, progress);
                    return [this, file, outcome] {
                      if (!outcome.is_ok()) return log.failure("export", outcome.status());
@@ -99,7 +110,8 @@ void Workspace::fork(const std::string& name, const std::string& checkpoint) {
   start_activity("Forking", [this, connection = connection_,
                              wish = ForkWish{.source = document_->session().id,
                                              .name = name,
-                                             .checkpoint = checkpoint}](const Progress&) {
+                                             .checkpoint = checkpoint}](const Progress& progress) {
+    connection->bring_back(progress);
     const auto forked = connection->fork_session(wish);
     return [this, forked] {
       if (!forked.is_ok()) return log.failure("fork", forked.status());

@@ -124,6 +124,7 @@ Status ScriptRunner::run_edit(const ScriptLine& line) {
     document.restore_checkpoint(line.rest());
   } else {
     const std::string name = line.rest();
+    RETURN_IF_ERROR(save_edits());
     workspace_->fork(name, "");
     return update_until([&] { return workspace_->document()->session().name == name; }, "forking");
   }

@@ -24,7 +24,7 @@ Status ScriptRunner::run(const std::vector<ScriptLine>& script, const std::strin
     if (!status.is_ok())
       return status.with_context(name + ":" + std::to_string(line.number) + ": " + line.command);
   }
-  return Status::ok();
+  return save_edits().with_context(name);
 }
 
 Status ScriptRunner::connect() {
@@ -46,9 +46,10 @@ Status ScriptRunner::update() {
   return Status::ok();
 }
 
-Status ScriptRunner::update_until(const std::function<bool()>& done, const std::string& what) {
+Status ScriptRunner::update_until(const std::function<bool()>& done, const std::string& what,
+                                  std::chrono::milliseconds patience) {
   constexpr auto kPictureInterval = std::chrono::milliseconds(10);
-  const auto deadline = std::chrono::steady_clock::now() + options_.patience;
+  const auto deadline = std::chrono::steady_clock::now() + patience;
   for (;;) {
     RETURN_IF_ERROR(update());
     if (done()) return Status::ok();
@@ -81,7 +82,18 @@ Status ScriptRunner::run_line(const ScriptLine& line) {
   return update();
 }
 
+// A server that is there acknowledges at once.
+Status ScriptRunner::save_edits() {
+  const auto is_over = [this] {
+    return workspace_->unsaved_edits() == 0 || workspace_->link() == LinkState::kEnded;
+  };
+  const Status saved = update_until(is_over, "saving", options_.workspace.timeout);
+  const size_t unsaved = workspace_->unsaved_edits();
+  return unsaved == 0 ? saved : failed_precondition(unsaved_text(unsaved) + ", and lost");
+}
+
 Status ScriptRunner::run_session(const ScriptLine& line) {
+  RETURN_IF_ERROR(save_edits());
   if (line.command == "close") {
     workspace_->close_document();
     return update();

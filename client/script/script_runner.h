@@ -22,13 +22,15 @@ class ScriptRunner {
  public:
   ScriptRunner(Renderer& renderer, ScriptOptions options);
 
-  /// Stops at the first command that fails. Fails: naming the line; deadline_exceeded.
+  /// Stops at the first command that fails. Fails: naming the line; deadline_exceeded;
+  /// failed_precondition when edits could not be saved before a session was left.
   Status run(const std::vector<ScriptLine>& script, const std::string& name);
 
   Workspace& workspace() { return *workspace_; }
 
  private:
   Status connect();
+  Status save_edits();
   Status run_line(const ScriptLine& line);
   Status run_session(const ScriptLine& line);
   Status run_edit(const ScriptLine& line);
@@ -39,7 +41,11 @@ class ScriptRunner {
   void print_state() const;
 
   /// Updates until this is so. Fails: deadline_exceeded; with what the log says of a failure.
-  Status update_until(const std::function<bool()>& done, const std::string& what);
+  Status update_until(const std::function<bool()>& done, const std::string& what) {
+    return update_until(done, what, options_.patience);
+  }
+  Status update_until(const std::function<bool()>& done, const std::string& what,
+                      std::chrono::milliseconds patience);
   Status update();
 
   Renderer& renderer_;

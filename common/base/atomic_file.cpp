@@ -32,17 +32,19 @@ static fs::path next_temporary_path(const fs::path& path) {
   return path.string() + "." + std::to_string(getpid()) + "-" + std::to_string(counter++) + ".tmp";
 }
 
-Result<AtomicFile> AtomicFile::create(const fs::path& path) {
+Result<AtomicFile> AtomicFile::create(const fs::path& path, FileAccess access) {
   AtomicFile file;
   ASSIGN_OR_RETURN(file.path_, writable_target(path));
+  const mode_t mode = access == FileAccess::kUserOnly ? 0600 : 0666;
   fs::path temporary;
   do {  // a leftover of a killed process may hold the name
     temporary = next_temporary_path(file.path_);
-    file.fd_ = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    file.fd_ = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
   } while (file.fd_ < 0 && errno == EEXIST);
   if (file.fd_ < 0) return errno_status("cannot create " + temporary.string(), errno);
   file.temporary_path_ = std::move(temporary);
 
+  if (access == FileAccess::kUserOnly) return file;
   struct stat existing;
   if (stat(file.path_.c_str(), &existing) == 0 && fchmod(file.fd_, existing.st_mode & 07777) != 0)
     return errno_status("cannot copy the permissions of " + path.string(), errno);
@@ -107,8 +109,8 @@ Status AtomicFile::commit() {
   return sync_folder(folder.empty() ? fs::path(".") : folder);
 }
 
-Status write_file(const std::filesystem::path& path, std::string_view text) {
-  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
+Status write_file(const std::filesystem::path& path, std::string_view text, FileAccess access) {
+  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path, access));
   RETURN_IF_ERROR(file.write(text));
   return file.commit();
 }

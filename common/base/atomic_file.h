@@ -9,16 +9,22 @@
 
 namespace burnish {
 
+/// Who may read a file that is written.
+enum class FileAccess {
+  kAsUsual,   ///< as the user's umask says; a replaced file keeps its permissions
+  kUserOnly,  ///< 0600, also where the replaced file was open to others
+};
+
 /// A file that appears whole or not at all, also across a power cut: bytes go to a temporary file
 /// beside the target; commit() syncs it, renames it into place and syncs the folder. Until then,
-/// and after any failure, what was at the path stays as it was. A replaced file keeps its
-/// permissions; a link is followed.
+/// and after any failure, what was at the path stays as it was. A link is followed.
 /// Not buffered: hand over large pieces.
 class AtomicFile {
  public:
   /// Fails: not_found (no such folder), permission_denied, invalid_argument (the path is a
   /// directory or a device), resource_exhausted.
-  static Result<AtomicFile> create(const std::filesystem::path& path);
+  static Result<AtomicFile> create(const std::filesystem::path& path,
+                                   FileAccess access = FileAccess::kAsUsual);
 
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&& other) noexcept;
@@ -43,6 +49,7 @@ class AtomicFile {
 };
 
 /// All of a small file at once. Fails: as AtomicFile does.
-Status write_file(const std::filesystem::path& path, std::string_view text);
+Status write_file(const std::filesystem::path& path, std::string_view text,
+                  FileAccess access = FileAccess::kAsUsual);
 
 }  // namespace burnish

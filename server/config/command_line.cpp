@@ -15,8 +15,9 @@ struct Flags {
   std::string port_file;
   std::optional<std::string> listen, socket, data, backend, log_level, log_format, users,
       certificate, key, client_ca, metrics;
-  std::optional<int64_t> threads;
+  std::optional<int64_t> threads, idle_exit;
   bool insecure = false;
+  bool socket_user_only = false;
 };
 
 void add_flags(CLI::App& app, Flags& flags) {
@@ -26,6 +27,8 @@ void add_flags(CLI::App& app, Flags& flags) {
                  "Address, default 127.0.0.1:7411; port 0 takes a free one")
       ->type_name("HOST:PORT");
   app.add_option("--socket", flags.socket, "Listen on this Unix socket as well");
+  app.add_flag("--socket-user-only", flags.socket_user_only,
+               "The socket is for the server's own user, not for its group");
   app.add_option("--port-file", flags.port_file, "Write the chosen port into this file");
   app.add_option("--data", flags.data, "Folder with everything that is kept, default burnish-data")
       ->type_name("FOLDER");
@@ -40,6 +43,9 @@ void add_flags(CLI::App& app, Flags& flags) {
   app.add_option("--tls-client-ca", flags.client_ca, "Clients need a certificate of this CA (PEM)");
   app.add_option("--metrics", flags.metrics, "Serve Prometheus metrics here")
       ->type_name("HOST:PORT");
+  app.add_option("--idle-exit", flags.idle_exit,
+                 "End after so long without a connection; 0, the default: never")
+      ->type_name("SECONDS");
   app.add_flag("--insecure", flags.insecure,
                "Serve other machines in plain text, or without asking who they are");
 }
@@ -55,6 +61,7 @@ Result<CommandLine> read(const Flags& flags) {
   set(flags.socket, config.socket);
   set(flags.data, config.data);
   set(flags.threads, config.threads);
+  set(flags.idle_exit, config.idle_exit_seconds);
   set(flags.log_level, config.log_level);
   set(flags.log_format, config.log_format);
   set(flags.users, config.users);
@@ -66,6 +73,7 @@ Result<CommandLine> read(const Flags& flags) {
     ASSIGN_OR_RETURN(config.backend, parse_backend(*flags.backend));
   }
   config.insecure |= flags.insecure;
+  config.socket_user_only |= flags.socket_user_only;
   RETURN_IF_ERROR(validate(config));
   line.port_file = flags.port_file;
   return line;

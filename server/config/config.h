@@ -14,15 +14,17 @@ namespace burnish {
 struct ServerConfig {
   std::string listen = "127.0.0.1:7411";        ///< HOST:PORT, port 0 a free one; empty: no TCP
   std::filesystem::path socket;                 ///< a Unix socket to listen on as well
+  bool socket_user_only = false;                ///< its mode: 0600, else 0660
   std::filesystem::path data = "burnish-data";  ///< the folder with everything that is kept
   int64_t threads = 0;                          ///< of the solver; 0: all cores
   int64_t workers = 16;                         ///< calls at work at once
   BackendKind backend = BackendKind::kAuto;
   std::string log_level = "info";
   std::string log_format = "text";
-  int64_t drain_seconds = 10;   ///< for running calls once the server is told to end
-  bool insecure = false;        ///< plaintext, or no users, beyond this machine
-  std::filesystem::path users;  ///< who may do what; empty: nobody is asked
+  int64_t drain_seconds = 10;     ///< for running calls once the server is told to end
+  int64_t idle_exit_seconds = 0;  ///< without a connection, until the server ends; 0: never
+  bool insecure = false;          ///< plaintext, or no users, beyond this machine
+  std::filesystem::path users;    ///< who may do what; empty: nobody is asked
 
   std::filesystem::path tls_certificate;
   std::filesystem::path tls_key;

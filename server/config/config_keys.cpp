@@ -11,6 +11,7 @@ std::span<const ConfigKey> config_keys() {
   static const std::vector<ConfigKey> keys = {
       {"listen", &C::listen},
       {"socket", &C::socket},
+      {"socket_user_only", &C::socket_user_only},
       {"data", &C::data},
       {"threads", &C::threads, 0, 1024},
       {"workers", &C::workers, 1, 1024},
@@ -18,6 +19,7 @@ std::span<const ConfigKey> config_keys() {
       {"log_level", &C::log_level, 0, 0, {"trace", "debug", "info", "warn", "error", "off"}},
       {"log_format", &C::log_format, 0, 0, {"text", "json"}},
       {"drain_seconds", &C::drain_seconds, 0, 3600},
+      {"idle_exit_seconds", &C::idle_exit_seconds, 0, 1'000'000'000},
       {"insecure", &C::insecure},
       {"users", &C::users},
       {"tls.certificate", &C::tls_certificate},

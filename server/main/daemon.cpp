@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include "server/metrics/metrics.h"
+#include "server/process/idle_end.h"
 #include "server/process/service_manager.h"
 
 namespace burnish {
@@ -47,11 +48,11 @@ static void end_at_next_signal(const sigset_t& signals) {
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
 }
 
-static void drain(Server& server, int signal, const sigset_t& signals,
+static void drain(Server& server, const std::string& why, const sigset_t& signals,
                   const DaemonOptions& options) {
   notify_service_manager("STOPPING=1");
-  spdlog::info("{}: draining, {} calls are running and have {} s", strsignal(signal),
-               server.running_calls(), options.drain_time.count());
+  spdlog::info("{}: draining, {} calls are running and have {} s", why, server.running_calls(),
+               options.drain_time.count());
   end_at_next_signal(signals);
   server.drain(options.drain_time);
 }
@@ -60,11 +61,17 @@ Status watch_over(Server& server, const DeviceWatch& device, const sigset_t& sig
                   const DaemonOptions& options) {
   const auto watchdog = watchdog_interval();
   auto last_sign = steady_clock::now();
+  IdleEnd idle_end(options.idle_max, last_sign);
   notify_service_manager("READY=1");
   for (;;) {
     const int signal = wait_for_signal(signals);
     if (signal == SIGTERM || signal == SIGINT) {
-      drain(server, signal, signals, options);
+      drain(server, strsignal(signal), signals, options);
+      return Status::ok();
+    }
+    if (idle_end.is_over(server.is_in_use(), steady_clock::now())) {
+      drain(server, "unused for " + std::to_string(options.idle_max.count()) + " s", signals,
+            options);
       return Status::ok();
     }
     options.tend(signal == SIGHUP);

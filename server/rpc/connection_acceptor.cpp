@@ -75,7 +75,9 @@ void ConnectionAcceptor::accept_from(Door& door) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));  // out of descriptors or memory
     return;
   }
-  if (!has_room()) {
+  std::unique_lock lock(mutex_);
+  if (connections_.size() >= connections_max_) forget_closed();
+  if (connections_.size() >= connections_max_) {
     spdlog::warn(
         "refused the connection of {}: {} connections are open, limits.connections_max "
         "is {}",
@@ -88,17 +90,22 @@ void ConnectionAcceptor::accept_from(Door& door) {
   const int on = 1;
   setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
   connections_.push_back({fd, socket_inode(fd)});
+  lock.unlock();
   grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters connection;
   connection.listener_fd = door.socket.fd();
   connection.fd = fd;
   door.receiver->HandleNewConnection(&connection);
 }
 
-bool ConnectionAcceptor::has_room() {
-  if (connections_.size() < connections_max_) return true;
+size_t ConnectionAcceptor::open_connections() {
+  const std::lock_guard lock(mutex_);
+  forget_closed();
+  return connections_.size();
+}
+
+void ConnectionAcceptor::forget_closed() {
   std::erase_if(connections_,
                 [](const Connection& known) { return socket_inode(known.fd) != known.inode; });
-  return connections_.size() < connections_max_;
 }
 
 }  // namespace burnish

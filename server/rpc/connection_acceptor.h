@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -25,6 +26,9 @@ class ConnectionAcceptor {
   /// Needs: the gRPC server runs.
   void start();
 
+  /// That clients and gRPC still hold.
+  size_t open_connections();
+
   /// Stops listening; connections that are there stay. Idempotent.
   void stop();
 
@@ -42,10 +46,11 @@ class ConnectionAcceptor {
 
   void run();
   void accept_from(Door& door);
-  bool has_room();
+  void forget_closed();  // needs the lock
 
   const size_t connections_max_;
   std::vector<Door> doors_;
+  std::mutex mutex_;  // of connections_
   std::vector<Connection> connections_;
   int wake_ = -1;
   std::thread thread_;

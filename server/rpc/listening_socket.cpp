@@ -90,7 +90,8 @@ Result<ListeningSocket> ListeningSocket::tcp(const std::string& address) {
                          {});
 }
 
-Result<ListeningSocket> ListeningSocket::unix_domain(const std::filesystem::path& path) {
+Result<ListeningSocket> ListeningSocket::unix_domain(const std::filesystem::path& path,
+                                                     SocketAccess access) {
   const std::string name = "unix:" + path.string();
   sockaddr_un address = {};
   address.sun_family = AF_UNIX;
@@ -99,8 +100,9 @@ Result<ListeningSocket> ListeningSocket::unix_domain(const std::filesystem::path
   RETURN_IF_ERROR(remove_stale(path, address));
   const int fd = socket(AF_UNIX, kSocketFlags, 0);
   // Nobody can connect between bind() and listen(): the mode is right before anybody can.
+  const mode_t mode = access == SocketAccess::kUser ? 0600 : 0660;
   const bool done = bind(fd, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0 &&
-                    chmod(path.c_str(), 0660) == 0 && listen(fd, kBacklog) == 0;
+                    chmod(path.c_str(), mode) == 0 && listen(fd, kBacklog) == 0;
   if (done) return ListeningSocket(fd, 0, name, path);
   const std::string why = std::strerror(errno);
   ::close(fd);

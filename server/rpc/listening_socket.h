@@ -7,15 +7,20 @@
 
 namespace burnish {
 
+/// Who may connect to a Unix socket.
+enum class SocketAccess { kGroup, kUser };
+
 /// A socket that waits for connections; closed with the object, and a Unix socket's name with it.
 class ListeningSocket {
  public:
   /// HOST:PORT; port 0 takes a free one. Fails: unavailable when the address cannot be bound.
   static Result<ListeningSocket> tcp(const std::string& address);
 
-  /// Takes the place of a socket that nobody listens on; its mode becomes 0660.
-  /// Fails: unavailable when somebody does listen there, or no socket can be made there.
-  static Result<ListeningSocket> unix_domain(const std::filesystem::path& path);
+  /// Takes the place of a socket that nobody listens on; its mode becomes 0660, or 0600 for the
+  /// user alone. Fails: unavailable when somebody does listen there, or no socket can be made
+  /// there.
+  static Result<ListeningSocket> unix_domain(const std::filesystem::path& path,
+                                             SocketAccess access = SocketAccess::kGroup);
 
   ListeningSocket(ListeningSocket&& other) noexcept;
   ~ListeningSocket();

@@ -102,7 +102,10 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, Mesh
                   : plaintext_credentials(state->counts));
   }
   if (!options.socket.empty()) {
-    ASSIGN_OR_RETURN(ListeningSocket socket, ListeningSocket::unix_domain(options.socket));
+    ASSIGN_OR_RETURN(
+        ListeningSocket socket,
+        ListeningSocket::unix_domain(
+            options.socket, options.socket_user_only ? SocketAccess::kUser : SocketAccess::kGroup));
     open_door(std::move(socket), plaintext_credentials(state->counts));
   }
   set_limits(builder);
@@ -139,6 +142,10 @@ void Server::set_serving(bool serving) {
 
 int64_t Server::running_calls() const {
   return state_->counts->running;
+}
+
+bool Server::is_in_use() const {
+  return running_calls() > 0 || state_->acceptor.open_connections() > 0;
 }
 
 uint64_t Server::take_cut_off_calls() {

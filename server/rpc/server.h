@@ -18,8 +18,9 @@ class MeshStore;
 class SessionManager;
 
 struct ServerOptions {
-  std::string listen;            ///< HOST:PORT, port 0 a free one; empty: no TCP
-  std::filesystem::path socket;  ///< a Unix socket as well; empty: none
+  std::string listen;             ///< HOST:PORT, port 0 a free one; empty: no TCP
+  std::filesystem::path socket;   ///< a Unix socket as well; empty: none
+  bool socket_user_only = false;  ///< its mode: 0600, else 0660
   const Reloaded<Certificates>* certificates = nullptr;  ///< null: TCP in plain text
   bool client_certificate_required = true;               ///< where the certificates have a CA
   const Reloaded<UserTable>* users = nullptr;            ///< null: nobody is asked who he is
@@ -47,6 +48,9 @@ class Server {
 
   /// Calls of our services under way.
   int64_t running_calls() const;
+
+  /// Somebody is connected, or a call of our services is under way.
+  bool is_in_use() const;
 
   /// Calls that have ended before their first message was whole since the last time: the message
   /// was above the receive limit, or its client has gone. To be asked every half second or so;

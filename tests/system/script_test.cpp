@@ -1,3 +1,4 @@
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -84,6 +85,32 @@ TEST(Script, WhatIsRecordedDoesTheSameAgain) {
   ASSERT_EQ(again.exit_code, 0) << again.output;
   EXPECT_NE(again.output.find("beta 0.25, curve -5:10,5:100, 6 entries"), std::string::npos)
       << again.output;
+}
+
+TEST(Script, AnEditThatCouldNotBeSavedIsAFailure) {
+  ServerProcess server;
+  ASSERT_EQ(server.burnish({"import", write_sphere(server.folder), "--name", "ball"}).exit_code, 0);
+  ASSERT_EQ(server.burnish({"open", "ball", "--session", "work"}).exit_code, 0);
+  server.kill();
+  setenv("LD_PRELOAD", DIE_AT_LIBRARY, 1);
+  setenv("BURNISH_DIE_AT", "before sync", 1);
+  setenv("BURNISH_DIE_COUNT", "1", 1);
+  server.start();
+  unsetenv("LD_PRELOAD");
+  server.process->signal(SIGUSR1);
+  const CommandOutcome outcome = run_script(server, "join work\nbeta 0.5\n", {"--timeout", "3"});
+  EXPECT_EQ(server.process->wait(kPatience), 128 + SIGKILL);
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.output;
+  EXPECT_NE(outcome.output.find("1 edit is not saved, and lost"), std::string::npos)
+      << outcome.output;
+}
+
+TEST(Script, ItsLastEditIsSavedThoughItDoesNotWait) {
+  ServerProcess server;
+  const std::string sphere = write_sphere(server.folder);
+  ASSERT_EQ(run_script(server, "open " + sphere + "\nbeta 0.5\n").exit_code, 0);
+  const CommandOutcome sessions = server.burnish({"sessions", "--json"});
+  EXPECT_NE(sessions.output.find("\"edits\": 1,"), std::string::npos) << sessions.output;
 }
 
 TEST(Script, AWrongLineIsNamedBeforeAnythingIsDone) {

@@ -21,6 +21,7 @@ constexpr ImageSize kScreen{1280, 720};
 constexpr int kPictureX = 660, kPictureY = 380, kReach = 120;
 constexpr int kBetaY = 119, kBetaMiddleX = 107, kBetaLeftX = 30;
 constexpr int kPlotX = 200, kPlotY = 290;
+constexpr int kQuestionY = 345, kButtonsY = 394, kWaitX = 530, kDiscardX = 630;
 constexpr int kColourX = 1160, kColourY = 71, kBetaColourY = 119;
 
 class WindowTest : public testing::Test {
@@ -125,6 +126,26 @@ class WindowTest : public testing::Test {
   }
   bool until_it_is(const Image& picture, double within) {
     return eventually([&] { return difference(picture, settle()) < within; });
+  }
+
+  // The question what becomes of unsaved edits lies over the middle; its panels are darker than
+  // anything that is drawn there.
+  bool window_asks() {
+    const Image image = screen_->capture();
+    int dark = 0;
+    for (int x = 500; x < 780; ++x) {
+      const uint8_t* rgb = image.pixel(x, kQuestionY);
+      dark += rgb[0] < 40 && rgb[1] < 42 && rgb[2] < 48;
+    }
+    return dark > 200;
+  }
+
+  // A stroke that the server, which is gone, cannot save.
+  void paint_without_a_server() {
+    open_window();
+    server_->listen = server_->address;
+    server_->kill();
+    screen_->drag(kPictureX - 60, kPictureY, kPictureX + 60, kPictureY);
   }
 
   // The start page says so in green.
@@ -259,7 +280,39 @@ TEST_F(WindowTest, SurvivesAServerThatDiesMidStrokeAndAWindowOfNoSize) {
   }));
   EXPECT_FALSE(window_->wait(std::chrono::milliseconds(0)).has_value()) << window_->output();
   window_->signal(SIGTERM);
+  EXPECT_EQ(window_->wait(kPatience), 1);
+  EXPECT_NE(window_->output().find("1 edit is not saved, and lost"), std::string::npos)
+      << window_->output();
+}
+
+TEST_F(WindowTest, AsksBeforeItClosesOverUnsavedEditsAndWaitsForThemIfAsked) {
+  paint_without_a_server();
+  screen_->close_window();
+  ASSERT_TRUE(eventually([&] { return window_asks(); })) << window_->output();
+  screen_->key({"Escape"});
+  EXPECT_TRUE(eventually([&] { return !window_asks(); }));
+  EXPECT_FALSE(window_->wait(std::chrono::milliseconds(0)).has_value()) << window_->output();
+
+  screen_->close_window();
+  ASSERT_TRUE(eventually([&] { return window_asks(); }));
+  screen_->drag(kWaitX, kButtonsY, kWaitX, kButtonsY);
+  server_->start();
   EXPECT_EQ(window_->wait(kPatience), 0) << window_->output();
+  connection_ = std::make_unique<Connection>(
+      std::move(Connection::open(server_->address, kPatience)).value());
+  EXPECT_EQ(history().size(), 1u);
+}
+
+TEST_F(WindowTest, ClosesOverUnsavedEditsThatAreDiscarded) {
+  paint_without_a_server();
+  screen_->close_window();
+  ASSERT_TRUE(eventually([&] { return window_asks(); })) << window_->output();
+  screen_->drag(kDiscardX, kButtonsY, kDiscardX, kButtonsY);
+  EXPECT_EQ(window_->wait(kPatience), 0) << window_->output();
+  server_->start();
+  connection_ = std::make_unique<Connection>(
+      std::move(Connection::open(server_->address, kPatience)).value());
+  EXPECT_TRUE(history().empty());
 }
 
 }  // namespace

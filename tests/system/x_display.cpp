@@ -82,6 +82,17 @@ void XDisplay::resize_window(const ImageSize& size) {
   flush();
 }
 
+void XDisplay::close_window() {
+  XEvent event = {};
+  event.xclient.type = ClientMessage;
+  event.xclient.window = window_;
+  event.xclient.message_type = XInternAtom(display_, "WM_PROTOCOLS", False);
+  event.xclient.format = 32;
+  event.xclient.data.l[0] = static_cast<long>(XInternAtom(display_, "WM_DELETE_WINDOW", False));
+  XSendEvent(display_, window_, False, NoEventMask, &event);
+  flush();
+}
+
 void XDisplay::flush() {
   XSync(display_, False);
   std::this_thread::sleep_for(kHumanPause);

@@ -31,6 +31,8 @@ class XDisplay {
   /// A window is to be seen.
   bool has_window();
   void resize_window(const ImageSize& size);
+  /// As its close button does.
+  void close_window();
 
   void move(int x, int y);
   void press(int button);

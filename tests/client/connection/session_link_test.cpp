@@ -1,9 +1,10 @@
+#include "client/connection/session_link.h"
+
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "client/connection/session_link.h"
 #include "tests/client/connection/fake_editing.h"
 #include "tests/common/frame_codec/small_scan.h"
 
@@ -138,6 +139,23 @@ TEST_F(LiveSessions, LoseNoEditWhenTheServerIsGoneBeforeItsAnswer) {
   EXPECT_EQ(server_.seen().repeated, 1);
   EXPECT_THAT(server_.seen().applied, ElementsAre("a", "b"));
   EXPECT_TRUE(until_shown());
+}
+
+TEST_F(LiveSessions, HaveAServerThatEndedStartedAgainHoweverOftenThatFails) {
+  std::atomic<int> tries = 0;
+  connection_.emplace(Connection::open(server_.address(), milliseconds(10'000)).value());
+  connection_->set_starter([&](const Progress& progress) {
+    EXPECT_TRUE(report(progress, "", 0));
+    if (++tries == 2) return not_found("no such program");
+    if (tries == 3) server_.start();
+    return Status::ok();
+  });
+  session_ = std::make_unique<SessionLink>(*connection_, options_);
+  ASSERT_TRUE(until_live());
+  server_.stop();
+  ASSERT_TRUE(session_->apply(slider("a")).is_ok());
+  EXPECT_TRUE(session_->wait_until_acknowledged(milliseconds(20'000)));
+  EXPECT_EQ(tries, 3);
 }
 
 TEST_F(LiveSessions, ShowTheWholeSurfaceAnewAfterTheyCameBack) {

@@ -32,6 +32,17 @@ TEST(Preferences, WhatIsWrittenIsReadAgain) {
   EXPECT_EQ(read->recent[0].session, "wall");
 }
 
+TEST(Preferences, AreForTheirUserAlone) {
+  const TemporaryFolder folder;
+  const auto path = folder / "config/window.toml";
+  ASSERT_TRUE(write_preferences({}, path).is_ok());
+  EXPECT_EQ(std::filesystem::status(path.parent_path()).permissions(),
+            std::filesystem::perms(0700));
+  std::filesystem::permissions(path, std::filesystem::perms(0644));  // of older versions
+  ASSERT_TRUE(write_preferences({}, path).is_ok());
+  EXPECT_EQ(std::filesystem::status(path).permissions(), std::filesystem::perms(0600));
+}
+
 TEST(Preferences, WithoutAFileThereAreDefaults) {
   const TemporaryFolder folder;
   const auto read = read_preferences(folder / "none.toml");

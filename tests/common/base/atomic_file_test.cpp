@@ -49,6 +49,13 @@ TEST(AtomicFile, ReplacesAFileAndKeepsItsPermissions) {
   EXPECT_EQ(fs::status(folder / "a").permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
+TEST(AtomicFile, ForItsUserAloneIsClosedAlsoWhereTheOldOneWasNot) {
+  TemporaryFolder folder;
+  fs::permissions(folder.write("a", "old"), fs::perms(0644));
+  ASSERT_TRUE(write_file(folder / "a", "new", FileAccess::kUserOnly).is_ok());
+  EXPECT_EQ(fs::status(folder / "a").permissions(), fs::perms(0600));
+}
+
 TEST(AtomicFile, FollowsALink) {
   TemporaryFolder folder;
   folder.write("target", "old");

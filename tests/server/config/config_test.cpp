@@ -38,6 +38,8 @@ TEST(ConfigFile, EveryKeyIsRead) {
       backend = "cpu"
       log_level = "debug"
       insecure = true
+      idle_exit_seconds = 60
+      socket_user_only = true
       [limits]
       sessions_max = 7
       upload_bytes_max = 1000
@@ -55,6 +57,8 @@ TEST(ConfigFile, EveryKeyIsRead) {
   EXPECT_EQ(config.backend, BackendKind::kCpu);
   EXPECT_EQ(config.log_level, "debug");
   EXPECT_TRUE(config.insecure);
+  EXPECT_EQ(config.idle_exit_seconds, 60);
+  EXPECT_TRUE(config.socket_user_only);
   EXPECT_EQ(config.sessions_max, 7);
   EXPECT_EQ(config.upload_bytes_max, 1000);
   EXPECT_EQ(config.tls_certificate, "c.pem");
@@ -177,6 +181,18 @@ TEST(CommandLine, FlagsGoBeforeTheFileAndTheFileBeforeTheDefaults) {
   EXPECT_EQ(line->config.threads, 2);
   EXPECT_EQ(line->config.log_level, "warn");
   EXPECT_EQ(line->config.workers, ServerConfig().workers);
+}
+
+TEST(CommandLine, AServerForOneUserListensOnItsSocketAlone) {
+  int exit_code = 0;
+  const auto line = parse(exit_code, "--listen", "", "--socket", "/tmp/s", "--socket-user-only",
+                          "--idle-exit", "60");
+  ASSERT_TRUE(line);
+  EXPECT_EQ(line->config.listen, "");
+  EXPECT_TRUE(line->config.socket_user_only);
+  EXPECT_EQ(line->config.idle_exit_seconds, 60);
+  EXPECT_FALSE(parse(exit_code, "--idle-exit", "-1"));
+  EXPECT_EQ(exit_code, 2);
 }
 
 TEST(CommandLine, HelpEndsWith0AndNonsenseWith2) {

@@ -1,6 +1,7 @@
 #include "server/main/daemon.h"
 
 #include <future>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <grpcpp/generic/generic_stub.h>
@@ -59,7 +60,8 @@ TEST(Daemon, AFailedDeviceEndsItWithEveryServiceNotServing) {
   const DeviceWatch device(
       [&works] { return works ? Status::ok() : internal_error("illegal address"); });
   auto end = std::async(std::launch::async, [&] {
-    return watch_over(*test.server, device, signals, {std::chrono::seconds(1), [](bool) {}});
+    return watch_over(*test.server, device, signals,
+                      {.drain_time = std::chrono::seconds(1), .tend = [](bool) {}});
   });
   EXPECT_EQ(health(*test.server, "burnish.v1.Library"), "\x08\x01");
   EXPECT_EQ(end.wait_for(milliseconds(300)), std::future_status::timeout);
@@ -69,6 +71,35 @@ TEST(Daemon, AFailedDeviceEndsItWithEveryServiceNotServing) {
   EXPECT_EQ(status.message(), "the solver's device has failed: illegal address");
   for (const char* service : {"", "burnish.v1.Library", "burnish.v1.Editing"})
     EXPECT_EQ(health(*test.server, service), "\x08\x02") << service;
+}
+
+TEST(Daemon, EndsByItselfOnceNobodyIsConnectedForAWhile) {
+  const sigset_t signals = block_signals();
+  TestServer test;
+  const DeviceWatch device([] { return Status::ok(); });
+  EXPECT_FALSE(test.server->is_in_use());
+  EXPECT_EQ(health(*test.server, ""), "\x08\x01");  // its channel is gone by its return
+  DaemonOptions options;
+  options.idle_max = std::chrono::seconds(1);
+  options.tend = [](bool) {};
+  EXPECT_TRUE(watch_over(*test.server, device, signals, options).is_ok());
+}
+
+TEST(Server, IsInUseWhileSomebodyIsConnected) {
+  TestServer test;
+  const auto becomes = [&](bool in_use) {
+    for (int i = 0; i < 10'000 && test.server->is_in_use() != in_use; ++i)
+      std::this_thread::sleep_for(milliseconds(2));
+    return test.server->is_in_use() == in_use;
+  };
+  {
+    const auto channel =
+        grpc::CreateChannel(test.server->address(), grpc::InsecureChannelCredentials());
+    ASSERT_TRUE(
+        channel->WaitForConnected(std::chrono::system_clock::now() + std::chrono::seconds(60)));
+    EXPECT_TRUE(becomes(true));
+  }
+  EXPECT_TRUE(becomes(false));
 }
 
 }  // namespace

@@ -44,6 +44,13 @@ TEST(ListeningSocket, AUnixSocketIsForItsGroupAndGoesWithItsServer) {
   EXPECT_FALSE(fs::exists(folder / "s"));
 }
 
+TEST(ListeningSocket, AUnixSocketForItsUserAloneIsClosedToTheGroup) {
+  const TemporaryFolder folder;
+  const auto socket = ListeningSocket::unix_domain(folder / "s", SocketAccess::kUser);
+  ASSERT_TRUE(socket.is_ok()) << socket.status().message();
+  EXPECT_EQ(fs::status(folder / "s").permissions(), fs::perms(0600));
+}
+
 TEST(ListeningSocket, AStaleUnixSocketIsReplacedAndAnyOtherFileIsNot) {
   const TemporaryFolder folder;
   const auto name = folder / "s", kept = folder / "kept";
