@@ -1,8 +1,8 @@
 #include "server/config/config.h"
 
 #include <charconv>
-#include <unistd.h>
 
+#include "common/base/process_memory.h"
 #include "server/config/config_keys.h"
 
 namespace burnish {
@@ -87,8 +87,7 @@ Result<BackendKind> parse_backend(const std::string& text) {
 
 uint64_t resolved_memory_bytes_max(const ServerConfig& config) {
   if (config.memory_bytes_max > 0) return static_cast<uint64_t>(config.memory_bytes_max);
-  return static_cast<uint64_t>(sysconf(_SC_PHYS_PAGES)) *
-         static_cast<uint64_t>(sysconf(_SC_PAGESIZE)) / 2;
+  return machine_memory_bytes() / 2;
 }
 
 }  // namespace burnish

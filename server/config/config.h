@@ -39,7 +39,7 @@ struct ServerConfig {
   int64_t connections_max = 256;
   int64_t upload_bytes_max = int64_t{8} << 30;
   int64_t upload_bytes_per_user = int64_t{16} << 30;  ///< uploads under way
-  int64_t memory_bytes_max = 0;         ///< of meshes, sessions, clients; 0: half the machine's
+  int64_t memory_bytes_max = 0;         ///< of meshes, sessions, clients; 0: half of what there is
   int64_t device_memory_bytes_max = 0;  ///< of the same on a GPU; 0: all that it has
 };
 
@@ -54,7 +54,7 @@ bool is_loopback(const std::string& listen);
 /// Fails: invalid_argument with the choices auto, cpu, cuda.
 Result<BackendKind> parse_backend(const std::string& text);
 
-/// memory_bytes_max with its default filled in.
+/// memory_bytes_max with its default filled in: half of machine_memory_bytes().
 uint64_t resolved_memory_bytes_max(const ServerConfig& config);
 
 }  // namespace burnish
