@@ -1,7 +1,5 @@
 #include "server/rpc/edit_call.h"
 
-#include <spdlog/spdlog.h>
-
 #include "common/service/scan_info.h"
 #include "server/rpc/live_wire.h"
 #include "server/rpc/message_bytes.h"
@@ -45,17 +43,17 @@ void EditCall::take_greeting() {
   if (!request_.has_greeting())
     return refuse(invalid_argument("a live session begins with a greeting"));
   // Here, for on the executor the call may have ended, and its context gone.
-  calls_.executor.post([call = self(), user = calls_.guard.caller_of(context_)] {
+  const auto join = [call = self(), user = calls_.guard.caller_of(context_)] {
     const auto client = call->join(user);
     if (client.is_ok()) return call->take_place(client.value());
-    spdlog::info("live session {}: {}", call->request_.greeting().session(),
-                 client.status().to_string());
     call->writer_.end(client.status());
-  });
+  };
+  calls_.executor.post(join, [call = self()](const Status& why) { call->writer_.end(why); });
 }
 
 Result<LiveClient> EditCall::join(const Result<std::string>& user) {
   RETURN_IF_ERROR(user.status());
+  RETURN_IF_ERROR(check_references(request_));
   ASSIGN_OR_RETURN(const LiveGreeting greeting, from_wire(request_.greeting()));
   const Progress progress = [this](std::string_view phase, double fraction) {
     writer_.report_progress(phase, fraction);

@@ -5,6 +5,7 @@
 #include "burnish/v1/editing.grpc.pb.h"
 #include "server/rpc/call_context.h"
 #include "server/rpc/self_owned.h"
+#include "server/rpc/silence_limit.h"
 
 namespace burnish {
 
@@ -14,15 +15,20 @@ class UploadCellFieldsCall final : public grpc::ServerReadReactor<grpc::ByteBuff
  public:
   UploadCellFieldsCall(const CallContext& calls, const grpc::CallbackServerContext& context,
                        grpc::ByteBuffer& response)
-      : calls_(calls), context_(context), response_(response) {}
+      : calls_(calls), context_(context), response_(response), silence_(calls.upload_silence_max) {}
 
-  void begin() { StartRead(&received_); }
+  void begin();
 
   void OnReadDone(bool ok) override;
   void OnCancel() override { cancelled_ = true; }
-  void OnDone() override { release(); }
+  void OnDone() override {
+    silence_.stop();
+    release();
+  }
 
  private:
+  void read_next();
+  void end(const Status& status) { Finish(to_grpc(status)); }
   Status take_request();
   Status take_header(const v1::CellFieldsHeader& header);
   Status apply();
@@ -31,6 +37,7 @@ class UploadCellFieldsCall final : public grpc::ServerReadReactor<grpc::ByteBuff
   const grpc::CallbackServerContext& context_;
   grpc::ByteBuffer& response_;
   std::atomic<bool> cancelled_{false};
+  SilenceLimit silence_;
   grpc::ByteBuffer received_;
   v1::UploadCellFieldsRequest request_;  // what was received
   bool has_header_ = false;
