@@ -117,8 +117,13 @@ std::string ConnectionAcceptor::refusal(const std::string& host) {
 }
 
 void ConnectionAcceptor::forget_closed() {
-  std::erase_if(connections_, [](const auto& known) {
-    return socket_inode(known.second.fd) != known.second.inode;
+  std::erase_if(connections_, [](const auto& entry) {
+    const auto& [peer, connection] = entry;
+    if (socket_inode(connection.fd) == connection.inode) return false;
+    // The one line that names who was refused by his headers: gRPC does not tell the peer then.
+    if (!connection.is_known && may_log(LineKind::kConnection))
+      spdlog::info("connection of {} ended: none of its calls was let in", peer);
+    return true;
   });
 }
 

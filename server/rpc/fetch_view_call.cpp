@@ -48,7 +48,8 @@ void FetchViewCall::OnWriteDone(bool ok) {
   events_.on_write_done(ok);
   // Also after a mere progress event: what is pushed behind a failed write is never written.
   if (!ok) return end(cancelled("the client has gone"));
-  if (!was_progress) send_next();
+  if (was_progress) return;
+  run_guarded([this] { send_next(); }, [this](const Status& status) { end(status); });
 }
 
 void FetchViewCall::send_next() {

@@ -35,7 +35,7 @@ Status GetCellsCall::take_values() {
 void GetCellsCall::OnWriteDone(bool ok) {
   events_.on_write_done(ok);
   if (!ok) return end(cancelled("the client has gone"));
-  send_next();
+  run_guarded([this] { send_next(); }, [this](const Status& status) { end(status); });
 }
 
 void GetCellsCall::send_next() {
