@@ -140,9 +140,11 @@ void ConnectionAcceptor::note_call(const std::string& peer) {
 }
 
 void ConnectionAcceptor::close_silent() {
+  const auto now = steady_clock::now();
+  if (now - last_sweep_ < std::chrono::milliseconds(kSweepMs)) return;
+  last_sweep_ = now;
   const std::lock_guard lock(mutex_);
   forget_closed();
-  const auto now = steady_clock::now();
   for (auto& [peer, connection] : connections_) {
     if (connection.is_known || now - connection.since < limits_.silence_max) continue;
     if (may_log(LineKind::kConnection))

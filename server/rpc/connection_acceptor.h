@@ -69,6 +69,7 @@ class ConnectionAcceptor {
   std::vector<Door> doors_;
   std::mutex mutex_;  // of connections_
   Connections connections_;
+  std::chrono::steady_clock::time_point last_sweep_;
   int wake_ = -1;
   std::thread thread_;
 };

@@ -22,6 +22,7 @@ using std::chrono::steady_clock;
 static constexpr int kReceiveBytesMax = 16 << 20;
 static constexpr size_t kTransportBytesMax = size_t{512} << 20;  // buffers of all connections
 static constexpr int kStreamsPerConnectionMax = 64;
+static constexpr int kReflectionThreadsMax = 8;  // gRPC's own: each stream of anybody holds one
 static constexpr int kHandshakeTimeMsMax = 10'000;
 static constexpr int kConnectionIdleMsMax = 300'000;  // without a call; clients connect again
 static constexpr int kKeepaliveTimeMs = 30'000;
@@ -57,6 +58,7 @@ struct Server::State {
 static void set_limits(grpc::ServerBuilder& builder) {
   grpc::ResourceQuota quota("burnish");
   quota.Resize(kTransportBytesMax);
+  quota.SetMaxThreads(kReflectionThreadsMax);
   // gRPC unpacks a message before it asks for its size: 3 MB on the wire were 3 GB in memory. No
   // client of ours compresses.
   for (const auto packed : {GRPC_COMPRESS_DEFLATE, GRPC_COMPRESS_GZIP})
