@@ -12,8 +12,8 @@
 #include "server/main/daemon.h"
 #include "server/main/gauges.h"
 #include "server/process/log_setup.h"
-#include "server/session/executor.h"
 #include "server/session/journal.h"
+#include "server/session/lanes.h"
 #include "server/session/live_sessions.h"
 #include "server/session/stale_files.h"
 #include "server/solver/cuda/cuda_backend.h"
@@ -77,9 +77,18 @@ ServerOptions server_options(const ServerConfig& config, const TrustFiles& files
   options.certificates = files.certificates.get();
   options.client_certificate_required = config.tls_client_certificate_required;
   options.users = files.users.get();
-  options.connections_max = static_cast<size_t>(config.connections_max);
+  options.connections = {static_cast<size_t>(config.connections_max),
+                         static_cast<size_t>(config.connections_per_peer),
+                         std::chrono::seconds(config.silent_connection_seconds)};
   options.streams_per_user = static_cast<uint64_t>(config.streams_per_user);
+  options.upload_silence_max = std::chrono::seconds(config.silent_upload_seconds);
   return options;
+}
+
+Lanes::Limits lane_limits(const ServerConfig& config) {
+  return {static_cast<int>(config.workers), static_cast<int>(config.workers_per_user),
+          static_cast<uint64_t>(config.requests_per_user),
+          static_cast<uint64_t>(config.request_bytes_per_user)};
 }
 
 MeshStoreOptions store_options(const ServerConfig& config) {
@@ -131,9 +140,9 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   ASSIGN_OR_RETURN(const auto sessions,
                    SessionManager::create(*folder, store, *journal, session_options(config)));
   LiveSessions live(*sessions, kSolverThreads);
-  Executor executor(static_cast<int>(config.workers));
+  Lanes lanes(lane_limits(config));
   ASSIGN_OR_RETURN(const auto server,
-                   Server::start(server_options(config, files), store, *sessions, live, executor));
+                   Server::start(server_options(config, files), store, *sessions, live, lanes));
   ASSIGN_OR_RETURN(const auto exporter, start_metrics(config.metrics_listen, [&] {
                      return read_gauges(*server, store, *sessions, live, files.certificates.get());
                    }));

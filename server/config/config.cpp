@@ -1,8 +1,11 @@
 #include "server/config/config.h"
 
 #include <charconv>
-#include <unistd.h>
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
+
+#include "common/base/process_memory.h"
 #include "server/config/config_keys.h"
 
 namespace burnish {
@@ -59,10 +62,23 @@ static Status check_exposure(const ServerConfig& config) {
   return Status::ok();
 }
 
+static Status check_metrics_exposure(const ServerConfig& config) {
+  if (config.metrics_listen.empty() || config.insecure || is_loopback(config.metrics_listen))
+    return Status::ok();
+  return failed_precondition("metrics.listen = '" + config.metrics_listen +
+                             "' is reachable from other machines, in plain text and for whoever "
+                             "asks; name a loopback address, or say --insecure if that is meant");
+}
+
 bool is_loopback(const std::string& listen) {
   std::string host = listen.substr(0, listen.rfind(':'));
   if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
-  return host == "localhost" || host == "::1" || host.starts_with("127.");
+  in_addr ipv4;
+  in6_addr ipv6;
+  if (inet_pton(AF_INET, host.c_str(), &ipv4) == 1)
+    return ntohl(ipv4.s_addr) >> 24 == IN_LOOPBACKNET;
+  if (inet_pton(AF_INET6, host.c_str(), &ipv6) == 1) return IN6_IS_ADDR_LOOPBACK(&ipv6);
+  return host == "localhost";
 }
 
 Status validate(const ServerConfig& config) {
@@ -75,6 +91,7 @@ Status validate(const ServerConfig& config) {
     RETURN_IF_ERROR(check_address("metrics.listen", config.metrics_listen));
   RETURN_IF_ERROR(check_socket(config.socket));
   RETURN_IF_ERROR(check_tls(config));
+  RETURN_IF_ERROR(check_metrics_exposure(config));
   return check_exposure(config);
 }
 
@@ -87,8 +104,7 @@ Result<BackendKind> parse_backend(const std::string& text) {
 
 uint64_t resolved_memory_bytes_max(const ServerConfig& config) {
   if (config.memory_bytes_max > 0) return static_cast<uint64_t>(config.memory_bytes_max);
-  return static_cast<uint64_t>(sysconf(_SC_PHYS_PAGES)) *
-         static_cast<uint64_t>(sysconf(_SC_PAGESIZE)) / 2;
+  return machine_memory_bytes() / 2;
 }
 
 }  // namespace burnish

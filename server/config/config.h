@@ -17,13 +17,14 @@ struct ServerConfig {
   bool socket_user_only = false;                ///< its mode: 0600, else 0660
   std::filesystem::path data = "burnish-data";  ///< the folder with everything that is kept
   int64_t threads = 0;                          ///< of the solver; 0: all cores
-  int64_t workers = 16;                         ///< calls at work at once
+  int64_t workers = 16;          ///< long calls at work at once, and as many that wait
+  int64_t workers_per_user = 4;  ///< of them, for one user
   BackendKind backend = BackendKind::kAuto;
   std::string log_level = "info";
   std::string log_format = "text";
   int64_t drain_seconds = 10;     ///< for running calls once the server is told to end
   int64_t idle_exit_seconds = 0;  ///< without a connection, until the server ends; 0: never
-  bool insecure = false;          ///< plaintext, or no users, beyond this machine
+  bool insecure = false;          ///< plaintext, no users, or metrics beyond this machine
   std::filesystem::path users;    ///< who may do what; empty: nobody is asked
 
   std::filesystem::path tls_certificate;
@@ -36,27 +37,32 @@ struct ServerConfig {
   int64_t idle_spill_seconds = 600;  ///< until an unused session leaves memory; 0: never
 
   int64_t sessions_max = 64;
-  int64_t sessions_per_user = 16;  ///< in memory
-  int64_t streams_per_user = 64;   ///< streaming calls under way
+  int64_t sessions_per_user = 16;                      ///< in memory
+  int64_t streams_per_user = 64;                       ///< streaming calls under way
+  int64_t requests_per_user = 1024;                    ///< waiting for a worker
+  int64_t request_bytes_per_user = int64_t{64} << 20;  ///< of requests that wait or are at work
   int64_t connections_max = 256;
+  int64_t connections_per_peer = 64;       ///< of one address
+  int64_t silent_connection_seconds = 30;  ///< until one of its calls is let in
+  int64_t silent_upload_seconds = 30;      ///< between two parts of a file
   int64_t upload_bytes_max = int64_t{8} << 30;
   int64_t upload_bytes_per_user = int64_t{16} << 30;  ///< uploads under way
-  int64_t memory_bytes_max = 0;         ///< of meshes, sessions, clients; 0: half the machine's
+  int64_t memory_bytes_max = 0;         ///< of meshes, sessions, clients; 0: half of what there is
   int64_t device_memory_bytes_max = 0;  ///< of the same on a GPU; 0: all that it has
 };
 
 /// Fails: invalid_argument naming the key, its value and its limits, or keys that do not fit each
 /// other; failed_precondition when other machines could connect in plain text, or without being
-/// asked who they are, and `insecure` is not set.
+/// asked who they are, or read the metrics, and `insecure` is not set.
 Status validate(const ServerConfig& config);
 
-/// True for 127.0.0.0/8, ::1 and localhost.
+/// True for the addresses 127.0.0.0/8 and ::1, and for localhost; `listen` is HOST:PORT.
 bool is_loopback(const std::string& listen);
 
 /// Fails: invalid_argument with the choices auto, cpu, cuda.
 Result<BackendKind> parse_backend(const std::string& text);
 
-/// memory_bytes_max with its default filled in.
+/// memory_bytes_max with its default filled in: half of machine_memory_bytes().
 uint64_t resolved_memory_bytes_max(const ServerConfig& config);
 
 }  // namespace burnish

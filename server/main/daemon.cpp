@@ -6,6 +6,7 @@
 
 #include "server/metrics/metrics.h"
 #include "server/process/idle_end.h"
+#include "server/process/line_limiter.h"
 #include "server/process/service_manager.h"
 
 namespace burnish {
@@ -76,6 +77,7 @@ Status watch_over(Server& server, const DeviceWatch& device, const sigset_t& sig
     }
     options.tend(signal == SIGHUP);
     count_cut_off_calls(server);
+    log_left_out_lines();
     const Status status = device.status();
     if (!status.is_ok()) {
       server.set_serving(false);

@@ -5,10 +5,32 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include "common/base/text.h"
 #include "server/process/log_context.h"
 
 namespace burnish {
 namespace {
+
+constexpr size_t kMessageBytesMax = 1000;
+
+// Names and references come from clients, and so do the bytes of some lines: whoever writes one
+// need not think of it.
+std::string message_of(const spdlog::details::log_msg& message) {
+  return one_line({message.payload.data(), message.payload.size()}, kMessageBytesMax);
+}
+
+/// "%!" in a pattern: the message.
+class MessageFlag final : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, const std::tm&,
+              spdlog::memory_buf_t& line) override {
+    const std::string text = message_of(message);
+    line.append(text.data(), text.data() + text.size());
+  }
+  std::unique_ptr<custom_flag_formatter> clone() const override {
+    return std::make_unique<MessageFlag>();
+  }
+};
 
 /// "%*" in a pattern: " [request]", or nothing.
 class RequestFlag final : public spdlog::custom_flag_formatter {
@@ -35,10 +57,8 @@ class JsonFormatter final : public spdlog::formatter {
     json["time"] = std::string(time.data(), time.size());
     json["level"] = std::string(level.data(), level.size());
     if (!LogContext::current().empty()) json["request"] = LogContext::current();
-    json["message"] = std::string(message.payload.data(), message.payload.size());
-    // Names of scans come from clients: bytes that are no UTF-8 are replaced, never thrown about.
-    const std::string text =
-        json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    json["message"] = message_of(message);
+    const std::string text = json.dump() + "\n";
     line.append(text.data(), text.data() + text.size());
   }
   std::unique_ptr<spdlog::formatter> clone() const override {
@@ -57,7 +77,8 @@ std::unique_ptr<spdlog::formatter> make_json_formatter() {
 
 std::unique_ptr<spdlog::formatter> make_text_formatter() {
   auto formatter = std::make_unique<spdlog::pattern_formatter>();
-  formatter->add_flag<RequestFlag>('*').set_pattern("[%Y-%m-%d %H:%M:%S.%e] [%^%l%$] %v%*");
+  formatter->add_flag<RequestFlag>('*').add_flag<MessageFlag>('!').set_pattern(
+      "[%Y-%m-%d %H:%M:%S.%e] [%^%l%$] %!%*");
   return formatter;
 }
 

@@ -3,36 +3,16 @@
 #include <grpcpp/grpcpp.h>
 
 #include "common/base/progress.h"
-#include "common/wire/status_wire.h"
-#include "server/process/log_context.h"
+#include "server/rpc/call_executor.h"
 #include "server/rpc/call_guard.h"
 #include "server/rpc/call_observer.h"
-#include "server/session/executor.h"
+#include "server/rpc/references.h"
+#include "server/rpc/to_grpc.h"
 #include "server/session/live_sessions.h"
 #include "server/session/mesh_store.h"
 #include "server/session/session_manager.h"
 
 namespace burnish {
-
-/// The executor for one call: its work logs under the call's request id.
-class CallExecutor {
- public:
-  explicit CallExecutor(Executor& executor, std::string request_id = {})
-      : executor_(&executor), request_id_(std::move(request_id)) {}
-
-  CallExecutor for_request(std::string request_id) const {
-    return CallExecutor(*executor_, std::move(request_id));
-  }
-
-  void post(std::function<void()> work) const {
-    const LogContext context(request_id_);
-    executor_->post(std::move(work));
-  }
-
- private:
-  Executor* executor_;
-  std::string request_id_;
-};
 
 /// What every call works with. Reactions run on gRPC's threads and must not block: they post their
 /// work to the executor.
@@ -42,35 +22,34 @@ struct CallContext {
   LiveSessions& live;
   CallExecutor executor;
   CallGuard& guard;
+  std::chrono::seconds upload_silence_max;          ///< of who has announced more
   std::string user = {};                            ///< who calls; empty: nobody was asked
   Caller caller = {};                               ///< of a call that lasts, at sessions
   std::function<Status()> may_stay = {};            ///< likewise; empty: for ever
   std::shared_ptr<const Quota::Share> stream = {};  ///< his share of the streams, while they last
 };
 
-inline grpc::Status to_grpc(const Status& status) {
-  if (status.is_ok()) return grpc::Status::OK;
-  return {static_cast<grpc::StatusCode>(status_code_to_wire(status.code())), status.message()};
-}
-
-/// Lets the call in, runs `work(progress)` on the executor and ends the unary call with its Status.
-/// `progress` says stop once the client has gone. The request and the response live until then.
-template <typename Work>
+/// Runs `work(progress)` in the call's lane and ends the unary call with its Status, or with why it
+/// could not run. `progress` says stop once the client has gone. The request and the response live
+/// until then.
+template <typename Request, typename Work>
 grpc::ServerUnaryReactor* answer(const CallContext& calls, grpc::CallbackServerContext* context,
-                                 Work work) {
+                                 const Request& request, Work work) {
   grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
-  const Status admitted = calls.guard.admit(*context).status();
-  if (!admitted.is_ok()) {
-    reactor->Finish(to_grpc(admitted));
+  const auto end = [reactor](const Status& status) { reactor->Finish(to_grpc(status)); };
+  const auto caller = calls.guard.identify(*context);
+  const Status status = caller.is_ok() ? check_references(request) : caller.status();
+  if (!status.is_ok()) {
+    end(status);
     return reactor;
   }
-  const auto run = [reactor, context, work = std::move(work)] {
+  const auto run = [end, context, work = std::move(work)] {
     const Progress progress = [context](std::string_view, double) {
       return !context->IsCancelled();
     };
-    reactor->Finish(to_grpc(work(progress)));
+    end(work(progress));
   };
-  calls.executor.for_request(request_id_of(*context)).post(run);
+  calls.executor.for_call(*context, caller.value().user).post(run, end, request.SpaceUsedLong());
   return reactor;
 }
 

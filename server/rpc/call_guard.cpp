@@ -1,12 +1,11 @@
 #include "server/rpc/call_guard.h"
 
 #include <grpc/grpc_security_constants.h>
-#include <spdlog/spdlog.h>
 
 #include "common/service/scan_info.h"
-#include "server/metrics/metrics.h"
 #include "server/process/log_context.h"
 #include "server/rpc/call_observer.h"
+#include "server/rpc/refusals.h"
 
 namespace burnish {
 namespace {
@@ -27,34 +26,17 @@ Proof proof_of(const grpc::CallbackServerContext& context, const grpc::AuthConte
   return proof;
 }
 
-Refusal reason_of(StatusCode code) {
-  switch (code) {
-    case StatusCode::kPermissionDenied:
-      return Refusal::kPermission;
-    case StatusCode::kUnimplemented:
-      return Refusal::kUnknownRpc;
-    case StatusCode::kUnavailable:
-      return Refusal::kDraining;
-    case StatusCode::kResourceExhausted:
-      return Refusal::kLimit;
-    default:
-      return Refusal::kUnauthenticated;
-  }
-}
-
 Status refuse(const grpc::CallbackServerContext& context, const Status& status) {
   const LogContext request(request_id_of(context));
-  spdlog::warn("refused {} from {}: {}", method_of(context), context.peer(),
-               one_line(status.to_string()));
-  metrics().count_refusal(reason_of(status.code()));
+  report_refusal(method_of(context), context.peer(), status);
   return status;
 }
 
 }  // namespace
 
-Result<Identity> CallGuard::admit(const grpc::CallbackServerContext& context) const {
+Result<Identity> CallGuard::identify(const grpc::CallbackServerContext& context) const {
   const auto connection = context.auth_context();
-  auto identity = guard_.check(method_of(context), proof_of(context, *connection));
+  auto identity = guard_.identify(proof_of(context, *connection));
   return identity.is_ok() ? std::move(identity) : refuse(context, identity.status());
 }
 
@@ -98,7 +80,7 @@ std::function<Status()> CallGuard::may_stay(const grpc::CallbackServerContext& c
 
 Result<CallGuard::Stream> CallGuard::admit_stream(const grpc::CallbackServerContext& context) {
   Stream stream;
-  ASSIGN_OR_RETURN(stream.identity, admit(context));
+  ASSIGN_OR_RETURN(stream.identity, identify(context));
   if (stream.identity.user.empty()) return stream;
   auto share = streams_.take("user " + stream.identity.user, 1);
   if (!share.is_ok()) return refuse(context, share.status());

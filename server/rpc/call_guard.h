@@ -10,16 +10,16 @@
 
 namespace burnish {
 
-/// Lets calls in or turns them away: who calls, may he, and how many streams has he already.
-/// Every refusal is logged with peer, method and reason, and counted. Thread-safe.
+/// Who makes a call that Admission has let in, and how many streams has he already. Every refusal
+/// is logged with peer, method and reason, and counted. Thread-safe.
 class CallGuard {
  public:
   /// Needs: `guard` outlives it.
   CallGuard(const Guard& guard, uint64_t streams_per_user)
       : guard_(guard), streams_("streams", "limits.streams_per_user", streams_per_user) {}
 
-  /// Fails as Guard::check().
-  Result<Identity> admit(const grpc::CallbackServerContext& context) const;
+  /// Fails as Guard::identify(): the users may have changed since the call was let in.
+  Result<Identity> identify(const grpc::CallbackServerContext& context) const;
 
   /// Who works at sessions by this call: the user by token or certificate, with what the server
   /// lets them do; or where nobody is asked for those, the name that the client gives, which may
@@ -31,7 +31,7 @@ class CallGuard {
   std::function<Status()> may_stay(const grpc::CallbackServerContext& context,
                                    const Identity& identity) const;
 
-  /// The same as admit() for a call that lasts; the share is the user's part of the limit.
+  /// The same as identify() for a call that lasts; the share is the user's part of the limit.
   struct Stream {
     Identity identity;
     Quota::Share share;

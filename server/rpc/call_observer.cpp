@@ -8,8 +8,10 @@
 #include <spdlog/spdlog.h>
 
 #include "server/metrics/metrics.h"
+#include "server/process/line_limiter.h"
 #include "server/process/log_context.h"
 #include "server/session/data_folder.h"
+#include "server/trust/role.h"
 
 namespace burnish {
 namespace {
@@ -132,17 +134,22 @@ class CallObserver final : public grpc::experimental::Interceptor {
 
   void report() {
     const double seconds = std::chrono::duration<double>(steady_clock::now() - start_).count();
-    record_.method = method_;
+    // Each label is kept for ever: no client makes them up.
+    record_.method = least_role(method_) ? std::string_view(method_) : "unknown";
     record_.code = code_name(status_->error_code());
     record_.seconds = seconds;
     metrics().count_call(record_);
     if (is_malformed_) metrics().count_refusal(Refusal::kMalformed);
     if (is_cut_off_) metrics().count_refusal(Refusal::kCutOff);
+    if (!spdlog::should_log(level()) || !may_log(LineKind::kEndedCall)) return;
     const LogContext context(request_id_);
-    spdlog::log(status_->ok() ? spdlog::level::debug : spdlog::level::info,
-                "{} from {}: {}{} after {:.1f} ms{}{}", method_, peer_, record_.code,
+    spdlog::log(level(), "{} from {}: {}{} after {:.1f} ms{}{}", method_, peer_, record_.code,
                 is_cut_off_ ? ", cut off (cancelled, or a message above the limit)" : "",
-                seconds * 1000, status_->ok() ? "" : ": ", one_line(status_->error_message()));
+                seconds * 1000, status_->ok() ? "" : ": ", status_->error_message());
+  }
+
+  spdlog::level::level_enum level() const {
+    return status_->ok() ? spdlog::level::debug : spdlog::level::info;
   }
 
   ServerRpcInfo& info_;
@@ -171,6 +178,7 @@ std::string value_of(const grpc::CallbackServerContext& context, const char* key
 }  // namespace
 
 grpc::experimental::Interceptor* CallObserverFactory::CreateServerInterceptor(ServerRpcInfo* info) {
+  on_call_(info->server_context()->peer());
   return new CallObserver(*info, counts_);
 }
 
@@ -180,12 +188,6 @@ std::string method_of(const grpc::CallbackServerContext& context) {
 
 std::string request_id_of(const grpc::CallbackServerContext& context) {
   return value_of(context, kRequestIdKey);
-}
-
-std::string one_line(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  return text;
 }
 
 }  // namespace burnish

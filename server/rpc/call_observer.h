@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -12,7 +13,7 @@
 
 namespace burnish {
 
-/// How many calls the server has seen. A call arrives with its headers; it starts once its first
+/// How many calls the server has let in. A call arrives with its headers; it starts once its first
 /// message is whole, where it has exactly one.
 struct CallCounts {
   std::atomic<uint64_t> arrived{0};
@@ -24,20 +25,21 @@ struct CallCounts {
 /// ended, and gives a message that is none the status it deserves.
 class CallObserverFactory final : public grpc::experimental::ServerInterceptorFactoryInterface {
  public:
-  explicit CallObserverFactory(std::shared_ptr<CallCounts> counts) : counts_(std::move(counts)) {}
+  /// `on_call` hears the peer of each call, e.g. "ipv4:127.0.0.1:5000".
+  CallObserverFactory(std::shared_ptr<CallCounts> counts,
+                      std::function<void(const std::string& peer)> on_call)
+      : counts_(std::move(counts)), on_call_(std::move(on_call)) {}
 
   grpc::experimental::Interceptor* CreateServerInterceptor(
       grpc::experimental::ServerRpcInfo* info) override;
 
  private:
   const std::shared_ptr<CallCounts> counts_;
+  const std::function<void(const std::string& peer)> on_call_;
 };
 
 /// What the observer has written into a call's metadata: clients cannot, for it erases theirs.
 std::string method_of(const grpc::CallbackServerContext& context);
 std::string request_id_of(const grpc::CallbackServerContext& context);
-
-/// Text from outside as one line of a log: control characters become '?'.
-std::string one_line(std::string text);
 
 }  // namespace burnish

@@ -1,9 +1,8 @@
 #include "server/rpc/connection_acceptor.h"
 
+#include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
-#include <netdb.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -15,21 +14,16 @@
 #include <sys/stat.h>
 
 #include "server/metrics/metrics.h"
+#include "server/process/line_limiter.h"
+#include "server/rpc/peer_name.h"
 
 namespace burnish {
-namespace {
 
-std::string peer_of(int fd) {
-  sockaddr_storage address = {};
-  socklen_t length = sizeof(address);
-  getpeername(fd, reinterpret_cast<sockaddr*>(&address), &length);
-  char host[NI_MAXHOST], port[NI_MAXSERV];
-  if (address.ss_family == AF_UNIX ||
-      getnameinfo(reinterpret_cast<const sockaddr*>(&address), length, host, sizeof(host), port,
-                  sizeof(port), NI_NUMERICHOST | NI_NUMERICSERV) != 0)
-    return "a local socket";
-  return std::string(host) + ":" + port;
-}
+using std::chrono::steady_clock;
+
+static constexpr int kSweepMs = 1000;
+
+namespace {
 
 uint64_t socket_inode(int fd) {
   struct stat found = {};
@@ -60,10 +54,11 @@ void ConnectionAcceptor::run() {
   std::vector<pollfd> waits = {{wake_, POLLIN, 0}};
   for (const Door& door : doors_) waits.push_back({door.socket.fd(), POLLIN, 0});
   for (;;) {
-    if (poll(waits.data(), waits.size(), -1) < 0) continue;
+    const int ready = poll(waits.data(), waits.size(), has_unknown() ? kSweepMs : -1);
     if (waits[0].revents != 0) return;
-    for (size_t i = 0; i < doors_.size(); ++i)
+    for (size_t i = 0; ready > 0 && i < doors_.size(); ++i)
       if (waits[i + 1].revents != 0) accept_from(doors_[i]);
+    close_silent();
   }
 }
 
@@ -75,22 +70,23 @@ void ConnectionAcceptor::accept_from(Door& door) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));  // out of descriptors or memory
     return;
   }
-  std::unique_lock lock(mutex_);
-  if (connections_.size() >= connections_max_) forget_closed();
-  if (connections_.size() >= connections_max_) {
-    spdlog::warn(
-        "refused the connection of {}: {} connections are open, limits.connections_max "
-        "is {}",
-        peer_of(fd), connections_.size(), connections_max_);
+  const Peer peer = peer_of_socket(fd);
+  const std::string why = refusal(peer.host);
+  if (!why.empty()) {
+    if (may_log(LineKind::kConnection))
+      spdlog::warn("refused the connection of {}: {}", peer.name, why);
     metrics().count_refusal(Refusal::kConnections);
     close(fd);
     return;
   }
-  spdlog::debug("connection of {} to {}", peer_of(fd), door.socket.address());
+  spdlog::debug("connection of {} to {}", peer.name, door.socket.address());
   const int on = 1;
   setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
-  connections_.push_back({fd, socket_inode(fd)});
-  lock.unlock();
+  {
+    const std::lock_guard lock(mutex_);
+    connections_[peer.name] = {fd, socket_inode(fd), peer.host, steady_clock::now(),
+                               peer.host.empty()};
+  }
   grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters connection;
   connection.listener_fd = door.socket.fd();
   connection.fd = fd;
@@ -103,9 +99,69 @@ size_t ConnectionAcceptor::open_connections() {
   return connections_.size();
 }
 
+/// Why a connection of this host has no place; empty: it has.
+std::string ConnectionAcceptor::refusal(const std::string& host) {
+  const std::lock_guard lock(mutex_);
+  const auto of_host = [&] {
+    return static_cast<size_t>(std::ranges::count_if(
+        connections_, [&](const auto& known) { return known.second.host == host; }));
+  };
+  const auto is_full = [&] { return connections_.size() >= limits_.connections_max; };
+  const auto has_its_share = [&] {
+    return !host.empty() && of_host() >= limits_.connections_per_peer;
+  };
+  if (is_full() || has_its_share()) forget_closed();
+  if (is_full())
+    return std::to_string(connections_.size()) +
+           " connections are open, limits.connections_max is " +
+           std::to_string(limits_.connections_max);
+  if (has_its_share())
+    return host + " has " + std::to_string(of_host()) +
+           " connections open, limits.connections_per_peer is " +
+           std::to_string(limits_.connections_per_peer);
+  return {};
+}
+
 void ConnectionAcceptor::forget_closed() {
-  std::erase_if(connections_,
-                [](const Connection& known) { return socket_inode(known.fd) != known.inode; });
+  std::erase_if(connections_, [](const auto& entry) {
+    const auto& [peer, connection] = entry;
+    if (socket_inode(connection.fd) == connection.inode) return false;
+    // The one line that names who was refused by his headers: gRPC does not tell the peer then.
+    if (!connection.is_known && may_log(LineKind::kConnection))
+      spdlog::info("connection of {} ended: none of its calls was let in", peer);
+    return true;
+  });
+}
+
+bool ConnectionAcceptor::has_unknown() {
+  const std::lock_guard lock(mutex_);
+  return std::ranges::any_of(connections_,
+                             [](const auto& known) { return !known.second.is_known; });
+}
+
+void ConnectionAcceptor::note_call(const std::string& peer) {
+  const std::lock_guard lock(mutex_);
+  const auto found = connections_.find(peer);
+  if (found != connections_.end()) found->second.is_known = true;
+}
+
+void ConnectionAcceptor::close_silent() {
+  const auto now = steady_clock::now();
+  if (now - last_sweep_ < std::chrono::milliseconds(kSweepMs)) return;
+  last_sweep_ = now;
+  const std::lock_guard lock(mutex_);
+  forget_closed();
+  for (auto& [peer, connection] : connections_) {
+    if (connection.is_known || now - connection.since < limits_.silence_max) continue;
+    if (may_log(LineKind::kConnection))
+      spdlog::warn("closed the connection of {}: none of its calls was let in within {} s", peer,
+                   limits_.silence_max.count());
+    metrics().count_refusal(Refusal::kConnections);
+    // gRPC owns the descriptor, and closes it when it reads the end. Were it another socket since
+    // the last line, it could only be one of the metrics, whose client would ask again.
+    shutdown(connection.fd, SHUT_RDWR);
+    connection.is_known = true;
+  }
 }
 
 }  // namespace burnish

@@ -1,13 +1,17 @@
 #include "server/rpc/credentials.h"
 
 #include <mutex>
+#include <span>
 #include <string_view>
 
 #include <grpc/grpc_security.h>
+#include <grpc/grpc_security_constants.h>
 #include <grpc/support/log.h>
 #include <spdlog/spdlog.h>
 
 #include "server/metrics/metrics.h"
+#include "server/process/line_limiter.h"
+#include "server/rpc/to_grpc.h"
 
 namespace burnish {
 namespace {
@@ -16,21 +20,43 @@ namespace {
 /// certificate fetcher, and a look at the calls of plaintext connections.
 class Credentials : public grpc::ServerCredentials {
  public:
-  Credentials(grpc_server_credentials* credentials, std::shared_ptr<CallCounts> counts)
-      : credentials_(credentials), counts_(std::move(counts)) {
-    grpc_server_credentials_set_auth_metadata_processor(credentials_,
-                                                        {&count, [](void*) {}, counts_.get()});
+  Credentials(grpc_server_credentials* credentials, std::shared_ptr<const Admission> admission)
+      : credentials_(credentials) {
+    grpc_server_credentials_set_auth_metadata_processor(
+        credentials_, {&admit, [](void* state) { delete static_cast<State*>(state); },
+                       new State(std::move(admission))});
   }
   ~Credentials() override { grpc_server_credentials_release(credentials_); }
 
   void SetAuthMetadataProcessor(const std::shared_ptr<grpc::AuthMetadataProcessor>&) override {}
 
  private:
-  // Every call's headers come here. Who may call is decided where the peer is known: CallGuard.
-  static void count(void* state, grpc_auth_context*, const grpc_metadata*, size_t,
-                    grpc_process_auth_metadata_done_cb done, void* call) {
-    ++static_cast<CallCounts*>(state)->arrived;
-    done(call, nullptr, 0, nullptr, 0, GRPC_STATUS_OK, nullptr);
+  using State = std::shared_ptr<const Admission>;  // gRPC's, for as long as connections live
+
+  // Every call's headers come here, ":path" among them, before its first message is read.
+  static void admit(void* state, grpc_auth_context* connection, const grpc_metadata* headers,
+                    size_t count, grpc_process_auth_metadata_done_cb done, void* call) {
+    std::string_view method;
+    Proof proof;
+    for (const grpc_metadata& header : std::span(headers, count)) {
+      if (view(header.key) == ":path") method = view(header.value);
+      if (view(header.key) == "authorization") proof.authorization = view(header.value);
+    }
+    proof.certificate_common_name = common_name(connection);
+    const Status status = (*static_cast<State*>(state))->admit(method, proof);
+    const grpc::Status told = to_grpc(status);
+    done(call, nullptr, 0, nullptr, 0, static_cast<grpc_status_code>(told.error_code()),
+         told.ok() ? nullptr : told.error_message().c_str());
+  }
+
+  static std::string_view view(const grpc_slice& slice) {
+    return {reinterpret_cast<const char*>(GRPC_SLICE_START_PTR(slice)), GRPC_SLICE_LENGTH(slice)};
+  }
+
+  static std::string_view common_name(const grpc_auth_context* connection) {
+    auto names = grpc_auth_context_find_properties_by_name(connection, GRPC_X509_CN_PROPERTY_NAME);
+    const grpc_auth_property* name = grpc_auth_property_iterator_next(&names);
+    return name ? std::string_view(name->value, name->value_length) : std::string_view();
   }
 
   int AddPortToServer(const std::string& address, grpc_server* server) override {
@@ -38,7 +64,6 @@ class Credentials : public grpc::ServerCredentials {
   }
 
   grpc_server_credentials* credentials_;
-  const std::shared_ptr<CallCounts> counts_;
 };
 
 /// Gives gRPC the certificates at its first handshake and whenever they have changed.
@@ -72,11 +97,11 @@ class Fetcher {
 class TlsCredentials final : public Credentials {
  public:
   TlsCredentials(std::unique_ptr<Fetcher> fetcher, grpc_ssl_client_certificate_request_type request,
-                 std::shared_ptr<CallCounts> counts)
+                 std::shared_ptr<const Admission> admission)
       : Credentials(grpc_ssl_server_credentials_create_with_options(
                         grpc_ssl_server_credentials_create_options_using_config_fetcher(
                             request, &Fetcher::fetch, fetcher.get())),
-                    std::move(counts)),
+                    std::move(admission)),
         fetcher_(std::move(fetcher)) {}
 
  private:
@@ -87,29 +112,30 @@ void log_for_grpc(gpr_log_func_args* line) {
   const std::string_view message(line->message);
   if (message.find("andshake failed") != std::string_view::npos) {
     metrics().count_refusal(Refusal::kHandshake);
-    spdlog::warn("refused a connection: {}", one_line(std::string(message)));
-  } else {
-    spdlog::error("gRPC: {}", one_line(std::string(message)));
+    if (may_log(LineKind::kConnection)) spdlog::warn("refused a connection: {}", message);
+  } else if (may_log(LineKind::kTransport)) {
+    spdlog::error("gRPC: {}", message);
   }
 }
 
 }  // namespace
 
-std::shared_ptr<grpc::ServerCredentials> tls_credentials(const Reloaded<Certificates>& certificates,
-                                                         bool client_certificate_required,
-                                                         std::shared_ptr<CallCounts> counts) {
+std::shared_ptr<grpc::ServerCredentials> tls_credentials(
+    const Reloaded<Certificates>& certificates, bool client_certificate_required,
+    std::shared_ptr<const Admission> admission) {
   auto request = GRPC_SSL_DONT_REQUEST_CLIENT_CERTIFICATE;
   if (!certificates.get()->client_ca.empty())
     request = client_certificate_required
                   ? GRPC_SSL_REQUEST_AND_REQUIRE_CLIENT_CERTIFICATE_AND_VERIFY
                   : GRPC_SSL_REQUEST_CLIENT_CERTIFICATE_AND_VERIFY;
   return std::make_shared<TlsCredentials>(std::make_unique<Fetcher>(certificates), request,
-                                          std::move(counts));
+                                          std::move(admission));
 }
 
-std::shared_ptr<grpc::ServerCredentials> plaintext_credentials(std::shared_ptr<CallCounts> counts) {
+std::shared_ptr<grpc::ServerCredentials> plaintext_credentials(
+    std::shared_ptr<const Admission> admission) {
   return std::make_shared<Credentials>(grpc_insecure_server_credentials_create(),
-                                       std::move(counts));
+                                       std::move(admission));
 }
 
 void adopt_grpc_log() {

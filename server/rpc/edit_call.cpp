@@ -1,7 +1,5 @@
 #include "server/rpc/edit_call.h"
 
-#include <spdlog/spdlog.h>
-
 #include "common/service/scan_info.h"
 #include "server/rpc/live_wire.h"
 #include "server/rpc/message_bytes.h"
@@ -46,16 +44,16 @@ void EditCall::end_of_requests() {
 void EditCall::take_greeting() {
   if (!request_.has_greeting())
     return refuse(invalid_argument("a live session begins with a greeting"));
-  calls_.executor.post([call = self()] {
+  const auto join = [call = self()] {
     const auto client = call->join();
     if (client.is_ok()) return call->take_place(client.value());
-    spdlog::info("live session {}: {}", call->request_.greeting().session(),
-                 client.status().to_string());
     call->writer_.end(client.status());
-  });
+  };
+  calls_.executor.post(join, [call = self()](const Status& why) { call->writer_.end(why); });
 }
 
 Result<LiveClient> EditCall::join() {
+  RETURN_IF_ERROR(check_references(request_));
   ASSIGN_OR_RETURN(const LiveGreeting greeting, from_wire(request_.greeting()));
   const Progress progress = [this](std::string_view phase, double fraction) {
     writer_.report_progress(phase, fraction);

@@ -17,7 +17,7 @@ namespace burnish {
 grpc::ServerUnaryReactor* EditingService::OpenSession(grpc::CallbackServerContext* context,
                                                       const v1::OpenSessionRequest* request,
                                                       v1::OpenSessionResponse* response) {
-  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+  return answer(calls_, context, *request, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const SessionWish wish, from_wire(*request));
     ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
     ASSIGN_OR_RETURN(const OpenedSession opened, calls_.sessions.open(wish, caller, progress));
@@ -28,9 +28,9 @@ grpc::ServerUnaryReactor* EditingService::OpenSession(grpc::CallbackServerContex
 }
 
 grpc::ServerUnaryReactor* EditingService::ListSessions(grpc::CallbackServerContext* context,
-                                                       const v1::ListSessionsRequest*,
+                                                       const v1::ListSessionsRequest* request,
                                                        v1::ListSessionsResponse* response) {
-  return answer(calls_, context, [this, response](const Progress&) {
+  return answer(calls_, context, *request, [this, response](const Progress&) {
     for (const SessionInfo& session : calls_.sessions.list())
       *response->add_sessions() = to_wire(session);
     return Status::ok();
@@ -40,7 +40,7 @@ grpc::ServerUnaryReactor* EditingService::ListSessions(grpc::CallbackServerConte
 grpc::ServerUnaryReactor* EditingService::CloseSession(grpc::CallbackServerContext* context,
                                                        const v1::CloseSessionRequest* request,
                                                        v1::CloseSessionResponse*) {
-  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+  return answer(calls_, context, *request, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
     return calls_.sessions.close(request->session(), caller, progress);
   });
@@ -49,7 +49,7 @@ grpc::ServerUnaryReactor* EditingService::CloseSession(grpc::CallbackServerConte
 grpc::ServerUnaryReactor* EditingService::DeleteSession(grpc::CallbackServerContext* context,
                                                         const v1::DeleteSessionRequest* request,
                                                         v1::DeleteSessionResponse*) {
-  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+  return answer(calls_, context, *request, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
     return calls_.sessions.remove(request->session(), caller, progress);
   });
@@ -58,7 +58,7 @@ grpc::ServerUnaryReactor* EditingService::DeleteSession(grpc::CallbackServerCont
 grpc::ServerUnaryReactor* EditingService::Apply(grpc::CallbackServerContext* context,
                                                 const v1::ApplyRequest* request,
                                                 v1::ApplyResponse* response) {
-  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+  return answer(calls_, context, *request, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const auto edits, edits_from_wire(request->edits()));
     ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
     ASSIGN_OR_RETURN(const ApplyOutcome outcome,
@@ -76,7 +76,7 @@ grpc::ServerReadReactor<grpc::ByteBuffer>* EditingService::UploadCellFields(
 grpc::ServerUnaryReactor* EditingService::GetHistory(grpc::CallbackServerContext* context,
                                                      const v1::GetHistoryRequest* request,
                                                      v1::GetHistoryResponse* response) {
-  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+  return answer(calls_, context, *request, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const HistoryWish wish, from_wire(*request));
     ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
     ASSIGN_OR_RETURN(const HistoryPage page, calls_.sessions.history(wish, caller, progress));
@@ -88,7 +88,7 @@ grpc::ServerUnaryReactor* EditingService::GetHistory(grpc::CallbackServerContext
 grpc::ServerUnaryReactor* EditingService::ForkSession(grpc::CallbackServerContext* context,
                                                       const v1::ForkSessionRequest* request,
                                                       v1::ForkSessionResponse* response) {
-  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+  return answer(calls_, context, *request, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const ForkWish wish, from_wire(*request));
     ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
     ASSIGN_OR_RETURN(const SessionInfo session, calls_.sessions.fork(wish, caller, progress));
@@ -100,18 +100,19 @@ grpc::ServerUnaryReactor* EditingService::ForkSession(grpc::CallbackServerContex
 grpc::ServerUnaryReactor* EditingService::GetPeople(grpc::CallbackServerContext* context,
                                                     const v1::GetPeopleRequest* request,
                                                     v1::People* response) {
-  return answer(calls_, context, [this, request, response](const Progress& progress) -> Status {
-    ASSIGN_OR_RETURN(const SessionPeople people,
-                     calls_.sessions.people(request->session(), progress));
-    *response = to_wire(people);
-    return Status::ok();
-  });
+  return answer(calls_, context, *request,
+                [this, request, response](const Progress& progress) -> Status {
+                  ASSIGN_OR_RETURN(const SessionPeople people,
+                                   calls_.sessions.people(request->session(), progress));
+                  *response = to_wire(people);
+                  return Status::ok();
+                });
 }
 
 grpc::ServerUnaryReactor* EditingService::SetRole(grpc::CallbackServerContext* context,
                                                   const v1::SetRoleRequest* request,
                                                   v1::SetRoleResponse*) {
-  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+  return answer(calls_, context, *request, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const SessionRole role, from_wire(request->role()));
     if (!request->user().empty()) RETURN_IF_ERROR(check_name("the user's name", request->user()));
     ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
@@ -122,7 +123,7 @@ grpc::ServerUnaryReactor* EditingService::SetRole(grpc::CallbackServerContext* c
 grpc::ServerUnaryReactor* EditingService::GetState(grpc::CallbackServerContext* context,
                                                    const v1::GetStateRequest* request,
                                                    v1::SessionState* response) {
-  return answer(calls_, context, [=, this](const Progress& progress) -> Status {
+  return answer(calls_, context, *request, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
     ASSIGN_OR_RETURN(const SessionState state,
                      calls_.sessions.state(request->session(), caller, progress));

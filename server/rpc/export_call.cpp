@@ -1,7 +1,5 @@
 #include "server/rpc/export_call.h"
 
-#include <spdlog/spdlog.h>
-
 #include "common/wire/format_wire.h"
 #include "common/wire/session_wire.h"
 
@@ -14,12 +12,13 @@ ExportCall::ExportCall(const CallContext& calls, const v1::ExportRequest& reques
               [this](grpc::Status status) { Finish(std::move(status)); }) {}
 
 void ExportCall::begin() {
-  calls_.executor.post([call = self()] {
-    const Status status = call->solve();
-    if (status.is_ok()) return call->send_next();
-    spdlog::info("export of {}: {}", call->request_.session(), status.to_string());
-    call->events_.close(to_grpc(status));
-  });
+  calls_.executor.post(
+      [call = self()] {
+        const Status status = call->solve();
+        if (!status.is_ok()) return call->end(status);
+        call->send_next();
+      },
+      [call = self()](const Status& status) { call->end(status); });
 }
 
 Status ExportCall::solve() {
@@ -37,14 +36,16 @@ void ExportCall::OnWriteDone(bool ok) {
   const bool was_chunk = events_.written().has_chunk();
   events_.on_write_done(ok);
   // Also after a mere progress event: what is pushed behind a failed write is never written.
-  if (!ok) return events_.close(to_grpc(cancelled("the client has gone")));
+  if (!ok) return end(cancelled("the client has gone"));
   if (!was_chunk) return;
-  calls_.executor.post([call = self()] { call->send_next(); });
+  calls_.executor.post(
+      Lane::kSession, [call = self()] { call->send_next(); },
+      [call = self()](const Status& status) { call->end(status); });
 }
 
 void ExportCall::send_next() {
   const auto piece = file_->read(sent_bytes_);
-  if (!piece.is_ok()) return events_.close(to_grpc(piece.status()));
+  if (!piece.is_ok()) return end(piece.status());
   v1::ExportEvent event;
   if (piece.value().empty()) {
     *event.mutable_summary() = to_wire(file_->summary());

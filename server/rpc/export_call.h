@@ -26,6 +26,7 @@ class ExportCall final : public grpc::ServerWriteReactor<v1::ExportEvent>,
  private:
   Status solve();
   void send_next();
+  void end(const Status& status) { events_.close(to_grpc(status)); }
   bool report_progress(std::string_view phase, double fraction);
 
   const CallContext calls_;

@@ -13,11 +13,13 @@ FetchViewCall::FetchViewCall(const CallContext& calls, const v1::FetchViewReques
               [this](grpc::Status status) { Finish(std::move(status)); }) {}
 
 void FetchViewCall::begin() {
-  calls_.executor.post([call = self()] {
-    const Status status = call->open();
-    if (!status.is_ok()) return call->events_.close(to_grpc(status));
-    call->send_header();
-  });
+  calls_.executor.post(
+      [call = self()] {
+        const Status status = call->open();
+        if (!status.is_ok()) return call->end(status);
+        call->send_header();
+      },
+      [call = self()](const Status& status) { call->end(status); });
 }
 
 Status FetchViewCall::open() {
@@ -45,8 +47,9 @@ void FetchViewCall::OnWriteDone(bool ok) {
   const bool was_progress = events_.written().has_progress();
   events_.on_write_done(ok);
   // Also after a mere progress event: what is pushed behind a failed write is never written.
-  if (!ok) return events_.close(to_grpc(cancelled("the client has gone")));
-  if (!was_progress) send_next();
+  if (!ok) return end(cancelled("the client has gone"));
+  if (was_progress) return;
+  run_guarded([this] { send_next(); }, [this](const Status& status) { end(status); });
 }
 
 void FetchViewCall::send_next() {

@@ -27,6 +27,7 @@ class FetchViewCall final : public grpc::ServerWriteReactor<v1::FetchViewEvent>,
   Status open();
   void send_header();
   void send_next();
+  void end(const Status& status) { events_.close(to_grpc(status)); }
   bool report_progress(std::string_view phase, double fraction);
 
   const CallContext calls_;

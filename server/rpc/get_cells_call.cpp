@@ -14,11 +14,13 @@ GetCellsCall::GetCellsCall(const CallContext& calls, const v1::GetCellsRequest& 
               [this](grpc::Status status) { Finish(std::move(status)); }) {}
 
 void GetCellsCall::begin() {
-  calls_.executor.post([call = self()] {
-    const Status status = call->take_values();
-    if (!status.is_ok()) return call->events_.close(to_grpc(status));
-    call->send_next();
-  });
+  calls_.executor.post(
+      [call = self()] {
+        const Status status = call->take_values();
+        if (!status.is_ok()) return call->end(status);
+        call->send_next();
+      },
+      [call = self()](const Status& status) { call->end(status); });
 }
 
 Status GetCellsCall::take_values() {
@@ -33,8 +35,8 @@ Status GetCellsCall::take_values() {
 
 void GetCellsCall::OnWriteDone(bool ok) {
   events_.on_write_done(ok);
-  if (!ok) return events_.close(to_grpc(cancelled("the client has gone")));
-  send_next();
+  if (!ok) return end(cancelled("the client has gone"));
+  run_guarded([this] { send_next(); }, [this](const Status& status) { end(status); });
 }
 
 void GetCellsCall::send_next() {

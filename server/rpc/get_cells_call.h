@@ -25,6 +25,7 @@ class GetCellsCall final : public grpc::ServerWriteReactor<v1::Chunk>,
  private:
   Status take_values();
   void send_next();
+  void end(const Status& status) { events_.close(to_grpc(status)); }
 
   const CallContext calls_;
   const v1::GetCellsRequest request_;

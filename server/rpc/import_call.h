@@ -7,27 +7,36 @@
 #include "server/rpc/call_context.h"
 #include "server/rpc/event_queue.h"
 #include "server/rpc/self_owned.h"
+#include "server/rpc/silence_limit.h"
 
 namespace burnish {
 
 /// Library.Import: header, chunks, then the work of the store. One message is read at a time, and
-/// the next only after the last is on its way to disk.
+/// the next only after the last is on its way to disk. Whoever announces a file and sends nothing
+/// for too long is turned away.
 class ImportCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>,
                          public SelfOwned<ImportCall> {
  public:
   explicit ImportCall(const CallContext& calls);
 
-  void begin() { StartRead(&received_); }
+  void begin();
 
   void OnReadDone(bool ok) override;
   void OnWriteDone(bool ok) override { events_.on_write_done(ok); }
   void OnCancel() override { cancelled_ = true; }
-  void OnDone() override { release(); }
+  void OnDone() override {
+    silence_.stop();
+    release();
+  }
 
  private:
+  void read_next();
+  std::function<void(const Status&)> failing();
   Status take_request();
   Status take_header(const v1::ImportHeader& message);
   Status take_chunk(const v1::Chunk& chunk);
+  void look_for_known();
+  void ask_for_chunks();
   void write(const v1::ImportEvent& event);
   void end_of_requests();
   void end(const Result<ImportOutcome>& outcome);
@@ -39,7 +48,7 @@ class ImportCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   v1::ImportRequest request_;  // what was received
   ImportHeader header_;
   std::unique_ptr<Upload> upload_;
-  bool ended_ = false;
+  SilenceLimit silence_;
   EventQueue<v1::ImportEvent> events_;
 };
 

@@ -17,9 +17,9 @@ grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* LibraryService::Imp
 }
 
 grpc::ServerUnaryReactor* LibraryService::ListScans(grpc::CallbackServerContext* context,
-                                                    const v1::ListScansRequest*,
+                                                    const v1::ListScansRequest* request,
                                                     v1::ListScansResponse* response) {
-  return answer(calls_, context, [this, response](const Progress&) {
+  return answer(calls_, context, *request, [this, response](const Progress&) {
     for (const ScanInfo& scan : calls_.store.list()) *response->add_scans() = to_wire(scan);
     return Status::ok();
   });
@@ -28,7 +28,7 @@ grpc::ServerUnaryReactor* LibraryService::ListScans(grpc::CallbackServerContext*
 grpc::ServerUnaryReactor* LibraryService::DescribeScan(grpc::CallbackServerContext* context,
                                                        const v1::DescribeScanRequest* request,
                                                        v1::ScanDescription* response) {
-  return answer(calls_, context, [this, request, response](const Progress&) -> Status {
+  return answer(calls_, context, *request, [this, request, response](const Progress&) -> Status {
     ASSIGN_OR_RETURN(const PreparedKey key, prepared_key_from_wire(request->depth(), 0));
     ASSIGN_OR_RETURN(const ScanDescription description,
                      calls_.store.describe(request->scan(), key.depth));
@@ -50,7 +50,7 @@ grpc::ServerWriteReactor<v1::FetchViewEvent>* LibraryService::FetchView(
 grpc::ServerUnaryReactor* LibraryService::DeleteScan(grpc::CallbackServerContext* context,
                                                      const v1::DeleteScanRequest* request,
                                                      v1::DeleteScanResponse* response) {
-  return answer(calls_, context, [this, request, response](const Progress&) -> Status {
+  return answer(calls_, context, *request, [this, request, response](const Progress&) -> Status {
     ASSIGN_OR_RETURN(const std::string id, calls_.sessions.delete_scan(request->scan()));
     spdlog::info("scan {} deleted", short_id(id));
     response->set_id(id);

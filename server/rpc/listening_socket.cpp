@@ -70,11 +70,15 @@ Status remove_stale(const std::filesystem::path& path, const sockaddr_un& addres
   if (!S_ISSOCK(found.st_mode))
     return cannot_listen("unix:" + path.string(), "there is a file that is no socket");
   const int fd = socket(AF_UNIX, kSocketFlags, 0);
-  const bool answered =
-      connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0 ||
-      errno == EAGAIN;
+  const int error =
+      connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0 ? 0 : errno;
   ::close(fd);
-  if (answered) return cannot_listen("unix:" + path.string(), "another server listens there");
+  if (error == 0 || error == EAGAIN)
+    return cannot_listen("unix:" + path.string(), "another server listens there");
+  if (error != ECONNREFUSED)  // not to be told whether it is in use
+    return cannot_listen(
+        "unix:" + path.string(),
+        std::string("there is a socket that is not ours: ") + std::strerror(error));
   unlink(path.c_str());
   return Status::ok();
 }

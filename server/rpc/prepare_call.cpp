@@ -12,15 +12,17 @@ PrepareCall::PrepareCall(const CallContext& calls, const v1::PrepareScanRequest&
               [this](grpc::Status status) { Finish(std::move(status)); }) {}
 
 void PrepareCall::begin() {
-  calls_.executor.post([call = self()] {
-    const auto scan = call->prepare();
-    if (scan.is_ok()) {
-      v1::PrepareEvent event;
-      *event.mutable_done() = to_wire(scan.value());
-      call->events_.push(std::move(event));
-    }
-    call->events_.close(to_grpc(scan.status()));
-  });
+  calls_.executor.post(
+      [call = self()] {
+        const auto scan = call->prepare();
+        if (scan.is_ok()) {
+          v1::PrepareEvent event;
+          *event.mutable_done() = to_wire(scan.value());
+          call->events_.push(std::move(event));
+        }
+        call->end(scan.status());
+      },
+      [call = self()](const Status& status) { call->end(status); });
 }
 
 Result<ScanInfo> PrepareCall::prepare() {

@@ -23,6 +23,7 @@ class PrepareCall final : public grpc::ServerWriteReactor<v1::PrepareEvent>,
 
  private:
   Result<ScanInfo> prepare();
+  void end(const Status& status) { events_.close(to_grpc(status)); }
   bool report_progress(std::string_view phase, double fraction);
 
   const CallContext calls_;

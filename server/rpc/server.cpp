@@ -8,7 +8,7 @@
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/resource_quota.h>
 
-#include "server/rpc/connection_acceptor.h"
+#include "server/rpc/admission.h"
 #include "server/rpc/credentials.h"
 #include "server/rpc/cut_off_calls.h"
 #include "server/rpc/editing_service.h"
@@ -22,7 +22,9 @@ using std::chrono::steady_clock;
 static constexpr int kReceiveBytesMax = 16 << 20;
 static constexpr size_t kTransportBytesMax = size_t{512} << 20;  // buffers of all connections
 static constexpr int kStreamsPerConnectionMax = 64;
+static constexpr int kReflectionThreadsMax = 8;  // gRPC's own: each stream of anybody holds one
 static constexpr int kHandshakeTimeMsMax = 10'000;
+static constexpr int kConnectionIdleMsMax = 300'000;  // without a call; clients connect again
 static constexpr int kKeepaliveTimeMs = 30'000;
 static constexpr int kKeepaliveTimeoutMs = 10'000;
 static constexpr int kPingIntervalMsMin = 10'000;
@@ -30,19 +32,21 @@ static constexpr auto kDrainPoll = milliseconds(10);
 
 struct Server::State {
   State(const ServerOptions& options, MeshStore& store, SessionManager& sessions,
-        LiveSessions& live_sessions, Executor& executor)
-      : guard(options.users),
-        call_guard(guard, options.streams_per_user),
+        LiveSessions& live_sessions, Lanes& lanes)
+      : guard(std::make_shared<Guard>(options.users)),
+        call_guard(*guard, options.streams_per_user),
         live(live_sessions),
-        library({store, sessions, live, CallExecutor(executor), call_guard}),
-        editing({store, sessions, live, CallExecutor(executor), call_guard}),
-        acceptor(options.connections_max) {}
+        calls{store, sessions, live, CallExecutor(lanes), call_guard, options.upload_silence_max},
+        library(calls),
+        editing(calls),
+        acceptor(options.connections) {}
 
-  Guard guard;
+  const std::shared_ptr<Guard> guard;
   CallGuard call_guard;
   std::shared_ptr<CallCounts> counts = std::make_shared<CallCounts>();
   CutOffCalls cut_off;
   LiveSessions& live;
+  const CallContext calls;
   LibraryService library;
   EditingService editing;
   std::unique_ptr<grpc::Server> server;
@@ -54,9 +58,15 @@ struct Server::State {
 static void set_limits(grpc::ServerBuilder& builder) {
   grpc::ResourceQuota quota("burnish");
   quota.Resize(kTransportBytesMax);
+  quota.SetMaxThreads(kReflectionThreadsMax);
+  // gRPC unpacks a message before it asks for its size: 3 MB on the wire were 3 GB in memory. No
+  // client of ours compresses.
+  for (const auto packed : {GRPC_COMPRESS_DEFLATE, GRPC_COMPRESS_GZIP})
+    builder.SetCompressionAlgorithmSupportStatus(packed, false);
   builder.SetResourceQuota(quota);
   builder.SetMaxReceiveMessageSize(kReceiveBytesMax);
   builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, kStreamsPerConnectionMax);
+  builder.AddChannelArgument(GRPC_ARG_MAX_CONNECTION_IDLE_MS, kConnectionIdleMsMax);
   builder.AddChannelArgument(GRPC_ARG_SERVER_HANDSHAKE_TIMEOUT_MS, kHandshakeTimeMsMax);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, kKeepaliveTimeMs);
   builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kKeepaliveTimeoutMs);
@@ -65,9 +75,11 @@ static void set_limits(grpc::ServerBuilder& builder) {
                              kPingIntervalMsMin);
 }
 
-static void observe_calls(grpc::ServerBuilder& builder, const std::shared_ptr<CallCounts>& counts) {
+static void observe_calls(grpc::ServerBuilder& builder, const std::shared_ptr<CallCounts>& counts,
+                          ConnectionAcceptor& acceptor) {
   std::vector<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>> observers;
-  observers.push_back(std::make_unique<CallObserverFactory>(counts));
+  observers.push_back(std::make_unique<CallObserverFactory>(
+      counts, [&acceptor](const std::string& peer) { acceptor.note_call(peer); }));
   builder.experimental().SetInterceptorCreators(std::move(observers));
 }
 
@@ -79,12 +91,13 @@ static void keep_grpc() {
 
 Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, MeshStore& store,
                                               SessionManager& sessions, LiveSessions& live,
-                                              Executor& executor) {
+                                              Lanes& lanes) {
   adopt_grpc_log();
   keep_grpc();
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
-  auto state = std::make_unique<State>(options, store, sessions, live, executor);
+  auto state = std::make_unique<State>(options, store, sessions, live, lanes);
+  const auto admission = std::make_shared<const Admission>(state->guard, state->counts);
   grpc::ServerBuilder builder;
   const auto open_door = [&](ListeningSocket socket, std::shared_ptr<grpc::ServerCredentials> how) {
     if (state->address.empty()) state->address = socket.address();
@@ -96,20 +109,19 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, Mesh
   if (!options.listen.empty()) {
     ASSIGN_OR_RETURN(ListeningSocket socket, ListeningSocket::tcp(options.listen));
     open_door(std::move(socket),
-              options.certificates
-                  ? tls_credentials(*options.certificates, options.client_certificate_required,
-                                    state->counts)
-                  : plaintext_credentials(state->counts));
+              options.certificates ? tls_credentials(*options.certificates,
+                                                     options.client_certificate_required, admission)
+                                   : plaintext_credentials(admission));
   }
   if (!options.socket.empty()) {
     ASSIGN_OR_RETURN(
         ListeningSocket socket,
         ListeningSocket::unix_domain(
             options.socket, options.socket_user_only ? SocketAccess::kUser : SocketAccess::kGroup));
-    open_door(std::move(socket), plaintext_credentials(state->counts));
+    open_door(std::move(socket), plaintext_credentials(admission));
   }
   set_limits(builder);
-  observe_calls(builder, state->counts);
+  observe_calls(builder, state->counts, state->acceptor);
   builder.RegisterService(&state->library);
   builder.RegisterService(&state->editing);
   state->server = builder.BuildAndStart();
@@ -155,7 +167,7 @@ uint64_t Server::take_cut_off_calls() {
 
 void Server::drain(milliseconds time) {
   set_serving(false);
-  state_->guard.close();
+  state_->guard->close();
   state_->live.drain();
   // Whoever probes still gets an answer meanwhile: it says NOT_SERVING.
   const auto deadline = steady_clock::now() + time;

@@ -6,13 +6,14 @@
 #include <string>
 
 #include "common/base/status.h"
+#include "server/rpc/connection_acceptor.h"
 #include "server/trust/certificates.h"
 #include "server/trust/reloaded.h"
 #include "server/trust/users.h"
 
 namespace burnish {
 
-class Executor;
+class Lanes;
 class LiveSessions;
 class MeshStore;
 class SessionManager;
@@ -24,19 +25,20 @@ struct ServerOptions {
   const Reloaded<Certificates>* certificates = nullptr;  ///< null: TCP in plain text
   bool client_certificate_required = true;               ///< where the certificates have a CA
   const Reloaded<UserTable>* users = nullptr;            ///< null: nobody is asked who he is
-  size_t connections_max = 256;
+  ConnectionLimits connections;
   uint64_t streams_per_user = 64;
+  std::chrono::seconds upload_silence_max{30};  ///< of who has announced more to send
 };
 
 /// The listening service: Library, Editing, health and reflection.
 class Server {
  public:
   /// Listens and serves at once.
-  /// Needs: store, sessions, live, executor and what the options point to outlive the server.
+  /// Needs: store, sessions, live, lanes and what the options point to outlive the server.
   /// Fails: unavailable when an address cannot be bound.
   static Result<std::unique_ptr<Server>> start(const ServerOptions& options, MeshStore& store,
                                                SessionManager& sessions, LiveSessions& live,
-                                               Executor& executor);
+                                               Lanes& lanes);
   ~Server();
 
   /// HOST:PORT with the port that was chosen, else unix:PATH.

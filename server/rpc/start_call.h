@@ -31,12 +31,15 @@ ReactorOf<Call>* start_call(const CallContext& calls, grpc::CallbackServerContex
                             Arguments&&... arguments) {
   auto admitted = calls.guard.admit_stream(*context);
   if (!admitted.is_ok()) return new RefusedCall<ReactorOf<Call>>(to_grpc(admitted.status()));
+  Status named;
+  ((named = named.is_ok() ? check_references(arguments) : named), ...);
+  if (!named.is_ok()) return new RefusedCall<ReactorOf<Call>>(to_grpc(named));
   auto caller = calls.guard.caller_of(*context);
   if (!caller.is_ok()) return new RefusedCall<ReactorOf<Call>>(to_grpc(caller.status()));
   CallContext own = calls;
   own.caller = std::move(caller).value();
   own.may_stay = calls.guard.may_stay(*context, admitted.value().identity);
-  own.executor = calls.executor.for_request(request_id_of(*context));
+  own.executor = calls.executor.for_call(*context, admitted.value().identity.user);
   own.user = admitted.value().identity.user;
   own.stream = std::make_shared<const Quota::Share>(std::move(admitted.value().share));
   return Call::start(own, std::forward<Arguments>(arguments)...);

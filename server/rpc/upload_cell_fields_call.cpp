@@ -6,13 +6,26 @@
 
 namespace burnish {
 
+void UploadCellFieldsCall::begin() {
+  silence_.start(self(), [this](const Status& status) { end(status); });
+  read_next();
+}
+
+void UploadCellFieldsCall::read_next() {
+  silence_.wait();
+  StartRead(&received_);
+}
+
 void UploadCellFieldsCall::OnReadDone(bool ok) {
-  calls_.executor.post([call = self(), ok] {
-    if (!ok) return call->Finish(to_grpc(call->apply()));
+  if (!silence_.heard()) return;
+  const auto take = [call = self(), ok] {
+    if (!ok) return call->end(call->apply());
     const Status status = call->take_request();
-    if (!status.is_ok()) return call->Finish(to_grpc(status));
-    call->StartRead(&call->received_);
-  });
+    if (!status.is_ok()) return call->end(status);
+    call->read_next();
+  };
+  calls_.executor.post(
+      take, [call = self()](const Status& status) { call->end(status); }, received_.Length());
 }
 
 Status UploadCellFieldsCall::take_request() {
@@ -28,6 +41,7 @@ Status UploadCellFieldsCall::take_request() {
 
 Status UploadCellFieldsCall::take_header(const v1::CellFieldsHeader& header) {
   if (has_header_) return malformed(invalid_argument("an upload of cell fields has one header"));
+  RETURN_IF_ERROR(check_references(header));
   RETURN_IF_ERROR(check_edit_id(header.edit_id()));
   if (header.cells() > kCellFieldsPerEditMax)
     return resource_exhausted("the edit sets " + std::to_string(header.cells()) +

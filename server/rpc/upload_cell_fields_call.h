@@ -5,6 +5,7 @@
 #include "burnish/v1/editing.grpc.pb.h"
 #include "server/rpc/call_context.h"
 #include "server/rpc/self_owned.h"
+#include "server/rpc/silence_limit.h"
 
 namespace burnish {
 
@@ -13,15 +14,20 @@ class UploadCellFieldsCall final : public grpc::ServerReadReactor<grpc::ByteBuff
                                    public SelfOwned<UploadCellFieldsCall> {
  public:
   UploadCellFieldsCall(const CallContext& calls, grpc::ByteBuffer& response)
-      : calls_(calls), response_(response) {}
+      : calls_(calls), response_(response), silence_(calls.upload_silence_max) {}
 
-  void begin() { StartRead(&received_); }
+  void begin();
 
   void OnReadDone(bool ok) override;
   void OnCancel() override { cancelled_ = true; }
-  void OnDone() override { release(); }
+  void OnDone() override {
+    silence_.stop();
+    release();
+  }
 
  private:
+  void read_next();
+  void end(const Status& status) { Finish(to_grpc(status)); }
   Status take_request();
   Status take_header(const v1::CellFieldsHeader& header);
   Status apply();
@@ -29,6 +35,7 @@ class UploadCellFieldsCall final : public grpc::ServerReadReactor<grpc::ByteBuff
   const CallContext calls_;
   grpc::ByteBuffer& response_;
   std::atomic<bool> cancelled_{false};
+  SilenceLimit silence_;
   grpc::ByteBuffer received_;
   v1::UploadCellFieldsRequest request_;  // what was received
   bool has_header_ = false;

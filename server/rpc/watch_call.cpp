@@ -2,8 +2,6 @@
 
 #include <chrono>
 
-#include <spdlog/spdlog.h>
-
 #include "server/rpc/live_wire.h"
 
 namespace burnish {
@@ -19,13 +17,12 @@ WatchCall::WatchCall(const CallContext& calls, grpc::CallbackServerContext& cont
               [this](grpc::Status status) { Finish(std::move(status)); }) {}
 
 void WatchCall::begin() {
-  calls_.executor.post([call = self()] {
+  const auto join = [call = self()] {
     const auto client = call->join();
     if (client.is_ok()) return call->take_place(client.value());
-    spdlog::info("watching {}: {}", call->request_.greeting().session(),
-                 client.status().to_string());
     call->writer_.end(client.status());
-  });
+  };
+  calls_.executor.post(join, [call = self()](const Status& why) { call->writer_.end(why); });
 }
 
 Result<LiveClient> WatchCall::join() {

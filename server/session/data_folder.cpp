@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <sys/file.h>
+#include <sys/stat.h>
 
 namespace burnish {
 
@@ -20,7 +21,9 @@ static Status make_folder(const fs::path& path) {
 
 static Result<int> take_lock(const fs::path& folder) {
   const fs::path path = folder / "lock";
-  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  // Who can open it can lock it, and keep the server from starting; older versions made it 0644.
+  if (file >= 0) (void)::fchmod(file, 0600);
   if (file < 0) return errno_status("cannot open " + path.string(), errno);
   if (::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
   const int error = errno;

@@ -37,6 +37,12 @@ void LiveSession::wake() {
 }
 
 bool LiveSession::turn() {
+  bool more = false;
+  run_guarded([&] { more = take_turn(); }, [&](const Status& why) { fail(why); });
+  return more;
+}
+
+bool LiveSession::take_turn() {
   if (is_over()) {
     place_.reset();
     return false;

@@ -72,6 +72,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   };
 
   bool is_over() const;
+  bool take_turn();
   void bring_back(SessionTurn& at);
   Status work(SessionTurn& at, bool& more);
   void fail(const Status& why);

@@ -174,7 +174,7 @@ class SessionManager {
 
   Status bring_back(SessionEntry& entry, const Caller& caller, const Progress& progress);
   void bring_back_later(const std::shared_ptr<SessionEntry>& entry,
-                        std::function<void(const Status&)> came_back);
+                        const std::function<void(const Status&)>& came_back);
   Status catch_up(SessionEntry& entry, const Progress& progress);
   Result<ApplyOutcome> submit_held(const std::shared_ptr<SessionEntry>& held, const Caller& caller,
                                    std::span<const Edit> edits, GroupCommit::Done on_disk);

@@ -30,8 +30,8 @@ class SessionTurn {
 
   /// Begins to bring the session back once this turn is over; `came_back` is told how that went,
   /// from another thread.
-  void bring_back_later(std::function<void(const Status&)> came_back) {
-    manager_->bring_back_later(entry_, std::move(came_back));
+  void bring_back_later(const std::function<void(const Status&)>& came_back) {
+    manager_->bring_back_later(entry_, came_back);
   }
 
   /// Brings the fields up to the history until `progress` says stop. False: there is more to do.

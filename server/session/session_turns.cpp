@@ -42,8 +42,8 @@ Result<std::optional<SessionTurn>> SessionManager::try_turn(
 }
 
 void SessionManager::bring_back_later(const std::shared_ptr<SessionEntry>& entry,
-                                      std::function<void(const Status&)> came_back) {
-  background_.post([this, entry, came_back = std::move(came_back)] {
+                                      const std::function<void(const Status&)>& came_back) {
+  const auto work = [this, entry, came_back] {
     const Progress go_on = [this](std::string_view, double) { return !ending_; };
     const auto come_back = [&]() -> Status {
       ASSIGN_OR_RETURN(const Held held, lock(entry, go_on));
@@ -51,7 +51,8 @@ void SessionManager::bring_back_later(const std::shared_ptr<SessionEntry>& entry
       return bring_back(*entry, {}, go_on).with_context("session " + entry->record.name);
     };
     came_back(come_back());
-  });
+  };
+  background_.post({.work = work, .on_failure = came_back});
 }
 
 void SessionManager::spill_idle(std::chrono::seconds idle_time) {

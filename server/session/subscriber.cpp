@@ -189,12 +189,15 @@ void Subscriber::show(Shot shot) {
     shot.facts.client_time_us = client_time_us_;
     frame_beat_ = last_beat_;
   }
-  encoders_.post([self = shared_from_this(), shot = std::move(shot)]() mutable {
-    self->encode(std::move(shot));
-  });
+  const auto self = shared_from_this();
+  encoders_.post({.work = [self, shot = std::move(shot)] { self->encode(shot); },
+                  .on_failure =
+                      [self](const Status& why) {
+                        self->close(Farewell{"no frame could be made: " + why.message(), true});
+                      }});
 }
 
-void Subscriber::encode(Shot shot) {
+void Subscriber::encode(const Shot& shot) {
   FrameCredit unseen;
   {
     const std::lock_guard lock(mutex_);

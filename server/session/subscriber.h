@@ -106,7 +106,7 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
 
  private:
   void answer(LiveMessage message, size_t bytes);
-  void encode(Shot shot);
+  void encode(const Shot& shot);
   void on_message() const;
   void on_wish() const;
 

@@ -9,6 +9,8 @@
 #include <openssl/pem.h>
 #include <openssl/x509.h>
 
+#include "server/trust/file_mode.h"
+
 namespace burnish {
 namespace {
 
@@ -57,6 +59,7 @@ Status check_key(const std::string& pem, const CertificateFiles& files, X509& ce
 }  // namespace
 
 Result<Certificates> read_certificates(const CertificateFiles& files) {
+  RETURN_IF_ERROR(refuse_mode(files.key, S_IROTH | S_IWOTH, "read or written"));
   Certificates read;
   ASSIGN_OR_RETURN(read.certificate, read_file(files.certificate));
   ASSIGN_OR_RETURN(read.key, read_file(files.key));

@@ -23,7 +23,8 @@ struct Certificates {
 };
 
 /// Reads the files and checks that the key is the certificate's.
-/// Fails: as errno says; invalid_argument naming the file that is not what it should be.
+/// Fails: as errno says; failed_precondition when everybody can read the key; invalid_argument
+/// naming the file that is not what it should be.
 Result<Certificates> read_certificates(const CertificateFiles& files);
 
 }  // namespace burnish

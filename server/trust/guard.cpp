@@ -1,5 +1,8 @@
 #include "server/trust/guard.h"
 
+#include <optional>
+#include <strings.h>
+
 namespace burnish {
 
 static Identity identity_of(const User& user) {
@@ -8,6 +11,14 @@ static Identity identity_of(const User& user) {
 
 static Status unauthenticated(const std::string& message) {
   return {StatusCode::kUnauthenticated, message};
+}
+
+/// The token of "Bearer TOKEN"; the scheme's name may have any case (RFC 9110, section 11.1).
+static std::optional<std::string_view> bearer_token(std::string_view authorization) {
+  static constexpr std::string_view kScheme = "bearer ";
+  const bool is_bearer = authorization.size() >= kScheme.size() &&
+                         strncasecmp(authorization.data(), kScheme.data(), kScheme.size()) == 0;
+  return is_bearer ? std::optional(authorization.substr(kScheme.size())) : std::nullopt;
 }
 
 Result<Identity> Guard::check(std::string_view method, const Proof& proof) const {
@@ -23,13 +34,12 @@ Result<Identity> Guard::check(std::string_view method, const Proof& proof) const
 }
 
 Result<Identity> Guard::identify(const Proof& proof) const {
-  static constexpr std::string_view kScheme = "Bearer ";
   if (users_ == nullptr) return Identity{};
   const auto table = users_->get();
   if (!proof.authorization.empty()) {
-    if (!proof.authorization.starts_with(kScheme))
-      return unauthenticated("the authorization is no bearer token");
-    const User* user = table->find_token(proof.authorization.substr(kScheme.size()));
+    const auto token = bearer_token(proof.authorization);
+    if (!token) return unauthenticated("the authorization is no bearer token");
+    const User* user = table->find_token(*token);
     return user ? Result<Identity>(identity_of(*user))
                 : unauthenticated("the token is not known here");
   }

@@ -49,7 +49,8 @@ TokenHash hash_token(std::string_view token);
 ///     token_sha256 = "9f86d0..."    # 64 hexadecimal digits; and, or:
 ///     certificate = "anna"          # common name of the client certificate
 ///
-/// Fails: not_found; invalid_argument naming file, line, key and value.
+/// Fails: not_found; failed_precondition when everybody can write the file; invalid_argument naming
+/// file, line, key and value.
 Result<UserTable> read_users_file(const std::filesystem::path& path);
 
 }  // namespace burnish

@@ -4,6 +4,7 @@
 
 #include <toml++/toml.h>
 
+#include "server/trust/file_mode.h"
 #include "server/trust/users.h"
 
 namespace burnish {
@@ -103,6 +104,7 @@ Result<UserTable> read_users(const toml::table& root, const std::string& file) {
 }  // namespace
 
 Result<UserTable> read_users_file(const std::filesystem::path& path) try {
+  RETURN_IF_ERROR(refuse_mode(path, S_IWOTH, "written"));
   std::ifstream file(path);
   if (!file) return not_found("cannot read the users in " + path.string());
   std::ostringstream text;

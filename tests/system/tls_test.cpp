@@ -17,10 +17,17 @@ using testing::HasSubstr;
 
 class TlsTest : public testing::Test {
  protected:
+  /// A private key, for its owner alone.
+  std::filesystem::path write_key(const std::string& name, const std::string& pem) const {
+    const auto path = folder_.write(name, pem);
+    std::filesystem::permissions(path, std::filesystem::perms(0600));
+    return path;
+  }
+
   /// Puts the server's certificate where it looks for it.
   void install(const TestCa& ca, int days = 30) {
     const TestCa::Issued issued = ca.issue("server", days);
-    folder_.write("new.key", issued.key);
+    write_key("new.key", issued.key);
     folder_.write("new.pem", issued.certificate);
     std::filesystem::rename(folder_ / "new.key", folder_ / "server.key");
     std::filesystem::rename(folder_ / "new.pem", folder_ / "server.pem");
@@ -147,7 +154,7 @@ TEST_F(TlsTest, ClientsWithoutAGoodCertificateAreRefusedLoggedAndCounted) {
 
 TEST_F(TlsTest, AKeyThatIsNotTheCertificatesStopsTheStart) {
   install(ca_);
-  folder_.write("server.key", ca_.issue("other").key);
+  write_key("server.key", ca_.issue("other").key);
   Process server(
       {BURNISH_SERVER_BINARY, "--listen", "127.0.0.1:0", "--data", (folder_ / "data").string(),
        "--tls-certificate", (folder_ / "server.pem").string(), "--tls-key",
@@ -155,6 +162,19 @@ TEST_F(TlsTest, AKeyThatIsNotTheCertificatesStopsTheStart) {
       folder_ / "log");
   EXPECT_EQ(server.wait(kPatience), 1);
   EXPECT_THAT(server.output(), HasSubstr("is not the key of"));
+}
+
+TEST_F(TlsTest, AKeyThatEverybodyReadsStopsTheStartWithItsMode) {
+  install(ca_);
+  std::filesystem::permissions(folder_ / "server.key", std::filesystem::perms(0644));
+  Process server(
+      {BURNISH_SERVER_BINARY, "--listen", "127.0.0.1:0", "--data", (folder_ / "data").string(),
+       "--tls-certificate", (folder_ / "server.pem").string(), "--tls-key",
+       (folder_ / "server.key").string()},
+      folder_ / "log");
+  EXPECT_EQ(server.wait(kPatience), 1);
+  EXPECT_THAT(server.output(), HasSubstr("server.key can be read or written by everybody: its "
+                                         "mode is 0644"));
 }
 
 TEST(UnixSocket, ServesBesideTcp) {

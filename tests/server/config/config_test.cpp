@@ -152,8 +152,20 @@ TEST(Config, PlaintextBeyondThisMachineNeedsSayingSo) {
   EXPECT_TRUE(validate(config).is_ok());
   for (const char* loopback : {"127.0.0.1:1", "[::1]:1", "localhost:1", "127.3.4.5:1"})
     EXPECT_TRUE(is_loopback(loopback)) << loopback;
-  for (const char* other : {"0.0.0.0:1", "[::]:1", "10.0.0.1:1", "example.org:1"})
+  for (const char* other : {"0.0.0.0:1", "[::]:1", "10.0.0.1:1", "example.org:1", "127.evil.com:1",
+                            "127.0.0.1.evil.com:1", "127.1:1", "localhost.evil.com:1"})
     EXPECT_FALSE(is_loopback(other)) << other;
+}
+
+TEST(Config, MetricsBeyondThisMachineNeedSayingSo) {
+  ServerConfig config;
+  config.metrics_listen = "127.0.0.1:9464";
+  EXPECT_TRUE(validate(config).is_ok());
+  config.metrics_listen = "0.0.0.0:9464";
+  EXPECT_EQ(validate(config).code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(validate(config).message(), HasSubstr("metrics.listen = '0.0.0.0:9464'"));
+  config.insecure = true;
+  EXPECT_TRUE(validate(config).is_ok());
 }
 
 TEST(Config, KeysThatDoNotFitEachOtherAreRefused) {

@@ -8,8 +8,8 @@
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
-#include "server/session/executor.h"
 #include "server/session/journal.h"
+#include "server/session/lanes.h"
 #include "server/session/live_sessions.h"
 #include "server/session/session_manager.h"
 #include "tests/common/temporary_folder.h"
@@ -28,9 +28,9 @@ struct TestServer {
   std::unique_ptr<SessionManager> sessions =
       std::move(SessionManager::create(*folder, store, *journal, {})).value();
   LiveSessions live{*sessions, 1};
-  Executor executor{2};
+  Lanes lanes{{}};
   std::unique_ptr<Server> server =
-      std::move(Server::start({"127.0.0.1:0", {}}, store, *sessions, live, executor)).value();
+      std::move(Server::start({"127.0.0.1:0", {}}, store, *sessions, live, lanes)).value();
 };
 
 /// What grpc.health.v1 says of a service: "\x08\x01" is SERVING, "\x08\x02" is NOT_SERVING.

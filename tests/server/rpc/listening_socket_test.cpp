@@ -1,7 +1,12 @@
 #include "server/rpc/listening_socket.h"
 
+#include <cstring>
+#include <unistd.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 
 #include "tests/common/temporary_folder.h"
 
@@ -49,6 +54,20 @@ TEST(ListeningSocket, AUnixSocketForItsUserAloneIsClosedToTheGroup) {
   const auto socket = ListeningSocket::unix_domain(folder / "s", SocketAccess::kUser);
   ASSERT_TRUE(socket.is_ok()) << socket.status().message();
   EXPECT_EQ(fs::status(folder / "s").permissions(), fs::perms(0600));
+}
+
+TEST(ListeningSocket, ASocketThatCannotBeAskedIsLeftAlone) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "s";
+  const int other = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);  // no stream connects to it
+  sockaddr_un address = {};
+  address.sun_family = AF_UNIX;
+  std::strncpy(address.sun_path, path.c_str(), sizeof(address.sun_path) - 1);
+  ASSERT_EQ(bind(other, reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+  EXPECT_THAT(ListeningSocket::unix_domain(path).status().message(),
+              HasSubstr("there is a socket that is not ours"));
+  EXPECT_TRUE(fs::exists(path));
+  close(other);
 }
 
 TEST(ListeningSocket, AStaleUnixSocketIsReplacedAndAnyOtherFileIsNot) {

@@ -32,6 +32,17 @@ TEST(DataFolder, OpeningEmptiesStaging) {
   EXPECT_TRUE(std::filesystem::exists(root / "data/staging"));
 }
 
+TEST(DataFolder, NobodyElseCanOpenItsLock) {
+  const TemporaryFolder root;
+  std::filesystem::create_directories(root / "data");
+  root.write("data/lock", "");
+  std::filesystem::permissions(root / "data/lock", std::filesystem::perms(0644));  // an older one
+  const auto folder = DataFolder::open(root / "data");
+  ASSERT_TRUE(folder.is_ok());
+  EXPECT_EQ(std::filesystem::status(root / "data/lock").permissions(),
+            std::filesystem::perms(0600));
+}
+
 TEST(DataFolder, AFileInItsPlaceIsRefused) {
   const TemporaryFolder root;
   root.write("data", "a file");

@@ -15,7 +15,10 @@ using testing::HasSubstr;
 class CertificatesTest : public testing::Test {
  protected:
   CertificateFiles write(const TestCa::Issued& issued) const {
-    return {folder_.write("c.pem", issued.certificate), folder_.write("k.pem", issued.key), {}};
+    const CertificateFiles files{
+        folder_.write("c.pem", issued.certificate), folder_.write("k.pem", issued.key), {}};
+    std::filesystem::permissions(files.key, std::filesystem::perms(0640));
+    return files;
   }
 
   TestCa ca_{"test"};
@@ -27,6 +30,16 @@ TEST_F(CertificatesTest, AreReadWithTheirEnd) {
   ASSERT_TRUE(read.is_ok()) << read.status().message();
   EXPECT_NEAR(static_cast<double>(read.value().expires_unix_seconds),
               static_cast<double>(std::time(nullptr) + 30 * 86'400), 300);
+}
+
+TEST_F(CertificatesTest, AKeyThatEverybodyReadsIsRefusedWithItsMode) {
+  const CertificateFiles files = write(ca_.issue("server"));
+  EXPECT_TRUE(read_certificates(files).is_ok());  // its group may
+  std::filesystem::permissions(files.key, std::filesystem::perms(0644));
+  const Status status = read_certificates(files).status();
+  EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(status.message(), HasSubstr("k.pem can be read or written by everybody: its mode is "
+                                          "0644"));
 }
 
 TEST_F(CertificatesTest, AKeyOfAnotherCertificateIsRefusedByName) {

@@ -38,6 +38,12 @@ TEST_F(GuardTest, ATokenGivesItsUsersRole) {
             "user vera is viewer; /burnish.v1.Editing/Apply needs the role editor");
 }
 
+TEST_F(GuardTest, TheSchemesNameMayHaveAnyCase) {
+  for (const char* header : {"bearer see", "BEARER see", "bEaReR see"})
+    EXPECT_TRUE(check(kList, {header, ""}).is_ok()) << header;
+  EXPECT_EQ(check(kList, {"bearer", ""}).code(), StatusCode::kUnauthenticated);
+}
+
 TEST_F(GuardTest, ACertificateGivesItsUsersRole) {
   EXPECT_TRUE(check(kDelete, {"", "otto"}).is_ok());
   EXPECT_EQ(check(kList, {"", "nobody"}).code(), StatusCode::kUnauthenticated);

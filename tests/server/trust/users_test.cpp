@@ -67,5 +67,16 @@ TEST(Users, TheExampleIsAccepted) {
   EXPECT_EQ(table.value().users().size(), 2u);
 }
 
+TEST(Users, AFileThatEverybodyWritesIsRefusedWithItsMode) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("users.toml", user("anna", kToken));
+  EXPECT_TRUE(read_users_file(path).is_ok());
+  std::filesystem::permissions(path, std::filesystem::perms(0666));
+  const Status status = read_users_file(path).status();
+  EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(status.message(),
+              HasSubstr("users.toml can be written by everybody: its mode is 0666"));
+}
+
 }  // namespace
 }  // namespace burnish

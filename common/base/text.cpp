@@ -1,0 +1,56 @@
+#include "common/base/text.h"
+
+#include <array>
+
+namespace burnish {
+
+std::optional<char32_t> take_character(std::string_view& text) {
+  const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  const size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  // The least code point of each length: whatever is less has a shorter form, and is no UTF-8.
+  static constexpr std::array<char32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
+  bool is_utf8 = (first < 0x80 || (first >= 0xc2 && first <= 0xf4)) && length <= text.size();
+  char32_t code = length == 1 ? first : first & (0x7fu >> length);
+  for (size_t i = 1; is_utf8 && i < length; ++i) {
+    is_utf8 = (byte(i) & 0xc0) == 0x80;
+    code = code << 6 | (byte(i) & 0x3fu);
+  }
+  const bool is_surrogate = code >= 0xd800 && code <= 0xdfff;
+  is_utf8 = is_utf8 && code >= kLeast[length] && code <= 0x10ffff && !is_surrogate;
+  text.remove_prefix(is_utf8 ? length : 1);
+  return is_utf8 ? std::optional(code) : std::nullopt;
+}
+
+bool is_control(char32_t c) {
+  const bool is_line_end = c == 0x2028 || c == 0x2029;
+  const bool turns_direction = (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069) ||
+                               c == 0x200e || c == 0x200f || c == 0x061c;
+  return c < 0x20 || (c >= 0x7f && c < 0xa0) || is_line_end || turns_direction;
+}
+
+/// `text` with what `is_wanted` refuses as '?', up to `bytes_max` bytes.
+template <typename IsWanted>
+static std::string cleaned(std::string_view text, size_t bytes_max, IsWanted is_wanted) {
+  std::string clean;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view before = rest;
+    const auto character = take_character(rest);
+    const std::string_view bytes = before.substr(0, before.size() - rest.size());
+    const bool wanted = character && is_wanted(*character);
+    if (clean.size() + (wanted ? bytes.size() : 1) > bytes_max)
+      return clean + "... (" + std::to_string(before.size()) + " bytes more)";
+    clean += wanted ? bytes : "?";
+  }
+  return clean;
+}
+
+std::string shortened(std::string_view text, size_t bytes_max) {
+  return cleaned(text, bytes_max, [](char32_t) { return true; });
+}
+
+std::string one_line(std::string_view text, size_t bytes_max) {
+  return cleaned(text, bytes_max, [](char32_t c) { return !is_control(c); });
+}
+
+}  // namespace burnish

@@ -1,0 +1,26 @@
+#include "server/rpc/call_lanes.h"
+
+#include <utility>
+
+namespace burnish {
+
+// What is in no table waits for a session, as most calls do.
+static constexpr std::pair<std::string_view, Lane> kLanes[] = {
+    {"/burnish.v1.Library/ListScans", Lane::kShort},
+    {"/burnish.v1.Library/DescribeScan", Lane::kShort},
+    {"/burnish.v1.Editing/ListSessions", Lane::kShort},
+
+    {"/burnish.v1.Library/PrepareScan", Lane::kLong},
+    {"/burnish.v1.Library/FetchView", Lane::kLong},
+    {"/burnish.v1.Editing/OpenSession", Lane::kLong},
+    {"/burnish.v1.Editing/ForkSession", Lane::kLong},
+    {"/burnish.v1.Editing/Export", Lane::kLong},
+};
+
+Lane lane_of(std::string_view method) {
+  for (const auto& [known, lane] : kLanes)
+    if (known == method) return lane;
+  return Lane::kSession;
+}
+
+}  // namespace burnish

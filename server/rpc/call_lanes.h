@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string_view>
+
+#include "server/session/lanes.h"
+
+namespace burnish {
+
+/// Where an RPC's work runs, e.g. that of "/burnish.v1.Library/ListScans".
+Lane lane_of(std::string_view method);
+
+}  // namespace burnish

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "common/base/status.h"
+#include "common/service/scan_info.h"
+
+namespace burnish {
+
+/// Checks what a request names: its session and its scan. A new session's name may be missing, and
+/// is checked where it is read. Fails: invalid_argument naming the field and its limit.
+template <typename Request>
+Status check_references(const Request& request) {
+  if constexpr (requires { check_name("", request.session()); })
+    RETURN_IF_ERROR(check_name("the session's name or id", request.session()));
+  if constexpr (requires { check_name("", request.scan()); })
+    RETURN_IF_ERROR(check_name("the scan's name or id", request.scan()));
+  if constexpr (requires { request.greeting().session(); })
+    RETURN_IF_ERROR(check_references(request.greeting()));
+  return Status::ok();
+}
+
+}  // namespace burnish

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// Logs and counts that a call is turned away. `peer` may be empty: gRPC does not tell it for a
+/// call of which it has only the headers.
+void report_refusal(std::string_view method, std::string_view peer, const Status& why);
+
+}  // namespace burnish

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <grpcpp/grpcpp.h>
+
+#include "common/base/status.h"
+#include "common/base/text.h"
+#include "common/wire/status_wire.h"
+
+namespace burnish {
+
+/// A status is a header, and clients take 8 kB of them: many let in no longer ones.
+inline constexpr size_t kStatusBytesMax = 1000;
+
+inline grpc::Status to_grpc(const Status& status) {
+  if (status.is_ok()) return grpc::Status::OK;
+  return {static_cast<grpc::StatusCode>(status_code_to_wire(status.code())),
+          shortened(status.message(), kStatusBytesMax)};
+}
+
+}  // namespace burnish

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include <sys/stat.h>
+
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// Fails: failed_precondition "k.pem can be read by everybody: its mode is 0644, ..." when the
+/// file's mode has one of `bits` (S_IROTH, S_IWOTH), which mean `what`. A file that is not there
+/// passes.
+Status refuse_mode(const std::filesystem::path& path, mode_t bits, const char* what);
+
+}  // namespace burnish

@@ -1,0 +1,39 @@
+#include "common/base/text.h"
+
+#include <gtest/gtest.h>
+
+namespace burnish {
+namespace {
+
+TEST(OneLine, OrdinaryTextOfAnyScriptStays) {
+  const std::string text = "scan \"M\u00fcller\" \u6f22\u5b57 \U0001f600";
+  EXPECT_EQ(one_line(text, 1000), text);
+}
+
+TEST(OneLine, WhatATerminalObeysBecomesAQuestionMark) {
+  EXPECT_EQ(one_line("a\nb\x1b[31m\x7f", 1000), "a?b?[31m?");
+  EXPECT_EQ(one_line("\u0085 \u009b \u2028 \u2029 \u202e \u2066 \u200f", 1000), "? ? ? ? ? ? ?");
+}
+
+TEST(OneLine, BytesThatAreNoUtf8BecomeQuestionMarks) {
+  EXPECT_EQ(one_line("M\xfcller", 1000), "M?ller");
+  EXPECT_EQ(one_line("\xc3", 1000), "?");                 // cut off
+  EXPECT_EQ(one_line("\xc0\xaf", 1000), "??");            // a longer form than needed
+  EXPECT_EQ(one_line("\xed\xa0\x80", 1000), "???");       // half of a pair
+  EXPECT_EQ(one_line("\xf5\x80\x80\x80", 1000), "????");  // beyond the last character
+  EXPECT_EQ(one_line("\xe2\x82", 1000), "??");
+}
+
+TEST(OneLine, WhatIsTooLongIsCutBetweenCharactersAndSaysSo) {
+  EXPECT_EQ(one_line("aaaa\u00fcbbb", 5), "aaaa... (5 bytes more)");
+  EXPECT_LT(one_line(std::string(15'000'000, 'x'), 1000).size(), 1100u);
+}
+
+TEST(Shortened, LinesStayAndTheRestIsUtf8) {
+  EXPECT_EQ(shortened("a\nb\xff", 1000), "a\nb?");
+  EXPECT_EQ(shortened("abc", 3), "abc");
+  EXPECT_EQ(shortened("abcd", 3), "abc... (1 bytes more)");
+}
+
+}  // namespace
+}  // namespace burnish

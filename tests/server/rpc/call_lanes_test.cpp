@@ -1,0 +1,24 @@
+#include "server/rpc/call_lanes.h"
+
+#include <gtest/gtest.h>
+
+#include "server/trust/role.h"
+
+namespace burnish {
+namespace {
+
+TEST(CallLanes, ListsAreShortAndWhatComputesIsLong) {
+  for (const char* method : {"/burnish.v1.Library/ListScans", "/burnish.v1.Editing/ListSessions",
+                             "/burnish.v1.Library/DescribeScan"})
+    EXPECT_EQ(lane_of(method), Lane::kShort) << method;
+  for (const char* method : {"/burnish.v1.Library/FetchView", "/burnish.v1.Library/PrepareScan",
+                             "/burnish.v1.Editing/Export", "/burnish.v1.Editing/OpenSession",
+                             "/burnish.v1.Editing/ForkSession"}) {
+    EXPECT_EQ(lane_of(method), Lane::kLong) << method;
+    EXPECT_TRUE(least_role(method)) << method;
+  }
+  EXPECT_EQ(lane_of("/burnish.v1.Editing/Apply"), Lane::kSession);
+}
+
+}  // namespace
+}  // namespace burnish
