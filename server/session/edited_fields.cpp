@@ -10,9 +10,7 @@ EditedFields::EditedFields(const PreparedMesh& prepared)
 Result<std::vector<uint64_t>> EditedFields::apply(std::span<const AuthoredEdit> edits,
                                                   const Progress& progress) {
   const auto apply_one = [&](const AuthoredEdit& edit) -> Result<uint64_t> {
-    RETURN_IF_ERROR(validate(edit.edit));
-    if (const auto* cells = std::get_if<SetCellFields>(&edit.edit.change))
-      RETURN_IF_ERROR(fields_.check(*cells));
+    RETURN_IF_ERROR(check(edit.edit));
     return history_.apply(edit);
   };
   std::vector<uint64_t> numbers;
@@ -30,6 +28,25 @@ Result<std::vector<uint64_t>> EditedFields::apply(std::span<const AuthoredEdit> 
   for (size_t i = 0; i < numbers.size(); ++i) history_.take_back();
   (void)replay({});
   return status;
+}
+
+Result<uint64_t> EditedFields::restore(std::span<const AuthoredEdit> edits,
+                                       const Progress& progress) {
+  uint64_t skipped = 0;
+  for (const AuthoredEdit& edit : edits) {
+    AuthoredEdit kept = edit;
+    const Status status = check(edit.edit);
+    if (!status.is_ok()) kept.edit.change = Damaged{status.message()};
+    if (!history_.restore(std::move(kept))) ++skipped;
+  }
+  RETURN_IF_ERROR(replay(progress));
+  return skipped;
+}
+
+Status EditedFields::check(const Edit& edit) const {
+  RETURN_IF_ERROR(validate(edit));
+  const auto* cells = std::get_if<SetCellFields>(&edit.change);
+  return cells ? fields_.check(*cells) : Status::ok();
 }
 
 EditedFields::Counting EditedFields::counting() const {

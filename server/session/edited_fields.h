@@ -39,6 +39,11 @@ class EditedFields {
   Result<std::vector<uint64_t>> apply(std::span<const AuthoredEdit> edits,
                                       const Progress& progress = {});
 
+  /// Takes edits that a session has had before, into an object that has none. What is damaged, or
+  /// is refused by now, is skipped and keeps its number. Returns how many have no effect any more.
+  /// Fails: cancelled; then this object is of no use.
+  Result<uint64_t> restore(std::span<const AuthoredEdit> edits, const Progress& progress = {});
+
   /// What has changed since the last take_changes().
   const Changes& changes() const { return changes_; }
   Changes take_changes() { return std::exchange(changes_, {}); }
@@ -67,6 +72,7 @@ class EditedFields {
     std::vector<const History::Entry*> cells;
   };
 
+  Status check(const Edit& edit) const;
   Counting counting() const;
   Status replay(const Progress& progress);
   void replay_cells(const Counting& counting);

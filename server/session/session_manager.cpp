@@ -83,7 +83,13 @@ Status SessionManager::bring_back(SessionEntry& entry, const Progress& progress)
   ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));
   ASSIGN_OR_RETURN(auto kept, journal_.paint(record.id, mesh->prepared->cells.size()));
   for (PaintCheckpoint& paint : kept) session->edited().offer(std::move(paint));
-  RETURN_IF_ERROR(session->edited().apply(edits, progress).status().with_context("replay"));
+  const auto skipped = session->edited().restore(edits, progress);
+  RETURN_IF_ERROR(skipped.status().with_context("replay"));
+  if (skipped.value() > 0)
+    spdlog::warn(
+        "session {}: {} of its {} edits are damaged and have no effect; its history says "
+        "which",
+        record.id, skipped.value(), edits.size());
   entry.mesh = mesh;
   entry.session_bytes = memory.amount();
   entry.memory = std::move(memory);
