@@ -1,5 +1,7 @@
 #include "server/session/journal.h"
 
+#include <future>
+#include <map>
 #include <optional>
 
 #include <spdlog/spdlog.h>
@@ -9,13 +11,52 @@
 
 namespace burnish {
 
+/// What the end of the write-ahead log has lost becomes edits that are missing: their numbers were
+/// given to somebody. Returns where each session ends.
+static Result<std::map<std::string, uint64_t>> compare_ends(Database& database,
+                                                            const JournalEnds& seen) {
+  ASSIGN_OR_RETURN(Transaction transaction, Transaction::begin(database));
+  ASSIGN_OR_RETURN(const auto sessions, read_sessions(database));
+  std::map<std::string, uint64_t> ends;
+  for (const SessionRecord& session : sessions) {
+    ASSIGN_OR_RETURN(ends[session.id], last_number(database, session.id));
+  }
+  for (const auto& [id, number] : seen.read()) {
+    const auto end = ends.find(id);
+    if (end == ends.end()) {
+      spdlog::error("session {} of {} edits is missing in the journal", id, number);
+    } else if (end->second < number) {
+      spdlog::error("session {}: the journal ends at edit {}, it was at {} when last seen", id,
+                    end->second, number);
+      RETURN_IF_ERROR(set_last_number(database, id, number));
+      end->second = number;
+    }
+  }
+  RETURN_IF_ERROR(transaction.commit());
+  return ends;
+}
+
 Result<std::unique_ptr<Journal>> Journal::open(const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(Database database, Database::open(path));
   RETURN_IF_ERROR(make_journal_schema(database).with_context(path.string()));
-  return std::unique_ptr<Journal>(new Journal(std::move(database)));
+  ASSIGN_OR_RETURN(const auto users, read_users_of_damaged_roles(database));
+  for (const std::string& user : users)
+    spdlog::error("a role of user '{}' in the journal is damaged", user);
+  auto ends_path = path;
+  auto ends = std::make_unique<JournalEnds>(ends_path.replace_extension(".ends"));
+  const auto now = compare_ends(database, *ends);
+  RETURN_IF_ERROR(now.status().with_context(path.string()));
+  ends->begin(*now);
+  return std::unique_ptr<Journal>(new Journal(std::move(database), std::move(ends)));
 }
 
 namespace {
+
+Result<int64_t> free_pages(Database& database) {
+  ASSIGN_OR_RETURN(Statement query, database.prepare("PRAGMA freelist_count"));
+  RETURN_IF_ERROR(query.run());
+  return query.integer(0);
+}
 
 Status insert_paint(Database& database, const std::string& session_id, int64_t series,
                     int64_t strokes, const std::string& bytes) {
@@ -54,13 +95,31 @@ Status Journal::create_session(const SessionRecord& record, const SessionRoles& 
 }
 
 Status Journal::remove_session(const std::string& id) {
-  return commit_.write(
-      [&](Database& database) { return run(database, "DELETE FROM sessions WHERE id = ?", id); });
+  RETURN_IF_ERROR(commit_.write(
+      [&](Database& database) { return run(database, "DELETE FROM sessions WHERE id = ?", id); }));
+  ends_->forget(id);
+  shrink();
+  return Status::ok();
+}
+
+void Journal::shrink() {
+  const auto left = std::make_shared<int64_t>(0);
+  commit_.post_background(
+      [left](Database& database) -> Status {
+        ASSIGN_OR_RETURN(const int64_t before, free_pages(database));
+        RETURN_IF_ERROR(database.execute("PRAGMA incremental_vacuum(256)"));
+        ASSIGN_OR_RETURN(const int64_t after, free_pages(database));
+        *left = after < before ? after : 0;  // an old journal cannot shrink
+        return Status::ok();
+      },
+      [this, left](const Status& status) {
+        if (status.is_ok() && *left > 0 && !ending_) shrink();
+      });
 }
 
 Status Journal::fork_session(const std::string& source_id, uint64_t edits,
                              const SessionRecord& record, const SessionRoles& roles) {
-  return commit_.write([&](Database& database) -> Status {
+  const Status status = commit_.write([&](Database& database) -> Status {
     ASSIGN_OR_RETURN(std::vector<AuthoredEdit> copied, read_edits(database, source_id));
     if (copied.size() < edits)
       return data_loss("the session's edits end at " + std::to_string(copied.size()) + ", not at " +
@@ -74,19 +133,27 @@ Status Journal::fork_session(const std::string& source_id, uint64_t edits,
                " ORDER BY sequence",
                record.id, source_id);
   });
+  if (status.is_ok()) ends_->note(record.id, edits);
+  return status;
 }
 
 void Journal::append(const std::string& session_id, uint64_t first, std::vector<AuthoredEdit> edits,
                      GroupCommit::Done done) {
+  const uint64_t last = first + edits.size() - 1;
   commit_.post([session_id, first, edits = std::move(edits)](
                    Database& database) { return insert_edits(database, session_id, first, edits); },
-               std::move(done));
+               [this, session_id, last, done = std::move(done)](const Status& status) {
+                 if (status.is_ok()) ends_->note(session_id, last);
+                 done(status);
+               });
 }
 
 Status Journal::append(const std::string& session_id, uint64_t first,
                        std::vector<AuthoredEdit> edits) {
-  return commit_.write(
-      [&](Database& database) { return insert_edits(database, session_id, first, edits); });
+  std::promise<Status> written;
+  append(session_id, first, std::move(edits),
+         [&](const Status& status) { written.set_value(status); });
+  return written.get_future().get();
 }
 
 Result<std::vector<AuthoredEdit>> Journal::edits(const std::string& session_id) {
@@ -108,7 +175,10 @@ Result<uint64_t> Journal::checkpoint(const std::string& session_id, const std::s
 }
 
 Result<SessionRoles> Journal::roles(const std::string& session_id) {
-  return read<SessionRoles>([&](Database& database) { return read_roles(database, session_id); });
+  return read<SessionRoles>([&](Database& database) -> Result<SessionRoles> {
+    ASSIGN_OR_RETURN(const auto damaged, read_users_of_damaged_roles(database));
+    return read_roles(database, session_id, damaged);
+  });
 }
 
 Status Journal::set_role(const std::string& session_id, const std::string& user, SessionRole role) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "common/service/scan_info.h"
 #include "common/service/session_roles.h"
 #include "server/session/group_commit.h"
+#include "server/session/journal_ends.h"
 #include "server/session/paint_checkpoints.h"
 
 namespace burnish {
@@ -30,12 +32,13 @@ struct SessionRecord {
 /// it is read. Thread-safe; writes share commits.
 class Journal {
  public:
+  /// Beside it stands PATH with the extension .ends, see journal_ends.h.
   /// Fails: data_loss when the file is damaged or from a newer program; as SQLite says.
   static Result<std::unique_ptr<Journal>> open(const std::filesystem::path& path);
 
   /// Writes what it was given, and returns when every `done` has: whatever they use must outlive
   /// the journal.
-  ~Journal() = default;
+  ~Journal() { ending_ = true; }
 
   /// By name. Damaged ones are marked and logged.
   Result<std::vector<SessionRecord>> sessions();
@@ -82,11 +85,17 @@ class Journal {
   uint64_t commits() const { return commit_.commits(); }
 
  private:
-  explicit Journal(Database database) : commit_(std::move(database)) {}
+  Journal(Database database, std::unique_ptr<JournalEnds> ends)
+      : ends_(std::move(ends)), commit_(std::move(database)) {}
 
   template <typename T>
   Result<T> read(const std::function<Result<T>(Database&)>& work);
 
+  /// Gives the disk back what removed sessions took, a megabyte a commit.
+  void shrink();
+
+  std::atomic<bool> ending_{false};
+  std::unique_ptr<JournalEnds> ends_;  // outlives the commits
   GroupCommit commit_;
 };
 

@@ -121,8 +121,12 @@ Status insert_edits(Database& database, const std::string& session_id, uint64_t 
                      std::to_string(first) + ": some could not be written");
   if (edits.empty()) return Status::ok();
   RETURN_IF_ERROR(insert_all(database, session_id, first, edits));
+  return set_last_number(database, session_id, last + edits.size());
+}
+
+Status set_last_number(Database& database, const std::string& session_id, uint64_t number) {
   return run(database, "INSERT OR REPLACE INTO ends VALUES (?1, ?2, row_checksum(?1, ?2))",
-             session_id, static_cast<int64_t>(last + edits.size()));
+             session_id, static_cast<int64_t>(number));
 }
 
 Result<std::vector<AuthoredEdit>> read_edits(Database& database, const std::string& session_id) {

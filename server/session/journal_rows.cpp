@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include <spdlog/spdlog.h>
+
 #include "common/base/utf8.h"
 
 namespace burnish {
@@ -57,11 +59,24 @@ Status insert_role(Database& database, const std::string& session_id, const std:
              session_id, user, static_cast<int64_t>(role));
 }
 
-Result<SessionRoles> read_roles(Database& database, const std::string& session_id) {
+Result<std::set<std::string>> read_users_of_damaged_roles(Database& database) {
+  std::set<std::string> users;
+  const auto take = [&](const Statement& row) {
+    users.insert(to_valid_utf8(row.text(0)));
+    return Status::ok();
+  };
+  RETURN_IF_ERROR(read_rows(database,
+                            "SELECT user FROM roles"
+                            " WHERE checksum <> row_checksum(session_id, user, role)",
+                            take));
+  return users;
+}
+
+Result<SessionRoles> read_roles(Database& database, const std::string& session_id,
+                                const std::set<std::string>& users_of_damaged) {
   std::map<std::string, SessionRole> roles;
   const auto take = [&](const Statement& row) {
-    const bool is_good = row.integer(2) != 0;
-    const auto role = is_good ? static_cast<SessionRole>(row.integer(1)) : SessionRole::kViewer;
+    const auto role = static_cast<SessionRole>(row.integer(1));
     const std::string user = row.text(0);
     // A role that was given since to the name as it is shown now counts before the old one.
     if (is_valid_utf8(user)) {
@@ -72,9 +87,12 @@ Result<SessionRoles> read_roles(Database& database, const std::string& session_i
     return Status::ok();
   };
   RETURN_IF_ERROR(read_rows(database,
-                            "SELECT user, role, checksum = row_checksum(session_id, user, role)"
-                            " FROM roles WHERE session_id = ?",
+                            "SELECT user, role FROM roles WHERE session_id = ?"
+                            " AND checksum = row_checksum(session_id, user, role)",
                             take, session_id));
+  for (const std::string& user : users_of_damaged) roles.try_emplace(user, SessionRole::kViewer);
+  if (roles.try_emplace("", SessionRole::kViewer).second)
+    spdlog::error("session {}: roles are missing in the journal", session_id);
   return SessionRoles(std::move(roles));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,12 @@ Result<std::vector<SessionRecord>> read_sessions(Database& database);
 Status insert_role(Database& database, const std::string& session_id, const std::string& user,
                    SessionRole role);
 
-/// A damaged role is the least that there is.
-Result<SessionRoles> read_roles(Database& database, const std::string& session_id);
+/// Of all sessions: a damaged row does not say for sure whose it is.
+Result<std::set<std::string>> read_users_of_damaged_roles(Database& database);
+
+/// Who may have had a role that is damaged, and everybody where that role is gone, has the least.
+Result<SessionRoles> read_roles(Database& database, const std::string& session_id,
+                                const std::set<std::string>& users_of_damaged);
 
 /// The number of the session's last edit, whether that can be read or not; 0: it has none.
 Result<uint64_t> last_number(Database& database, const std::string& session_id);
@@ -30,6 +35,9 @@ Result<uint64_t> last_number(Database& database, const std::string& session_id);
 /// last edit). A damaged edit keeps its number, and stays damaged.
 Status insert_edits(Database& database, const std::string& session_id, uint64_t first,
                     const std::vector<AuthoredEdit>& edits);
+
+/// Says that the session's last edit has this number, whatever is there of it.
+Status set_last_number(Database& database, const std::string& session_id, uint64_t number);
 
 /// All edits by number; what is damaged or gone is a Damaged one. Puts the index right where that
 /// was at fault. Fails: data_loss when the session's own row is damaged; as SQLite says.

@@ -4,6 +4,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "common/service/content_hash.h"
 #include "server/metrics/metrics.h"
 #include "server/session/memory_need.h"
 #include "server/session/session_held.h"
@@ -74,13 +75,13 @@ Status SessionManager::bring_back(SessionEntry& entry, const Progress& progress)
   if (entry.ahead_of_journal.exchange(false)) entry.leave_memory();
   if (entry.session) return Status::ok();
   const SessionRecord& record = entry.record;
+  ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));  // which also checks the record
   ASSIGN_OR_RETURN(const auto mesh, store_.open_mesh(record.scan_id, record.key, progress));
   ASSIGN_OR_RETURN(Quota::Share memory,
                    store_.memory().take(kServer, predict_session_bytes(*mesh->hierarchy)));
   ASSIGN_OR_RETURN(auto session, Session::open(mesh->prepared, mesh->hierarchy, options_.solver));
   spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),
                session->solver().backend_reason());
-  ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));
   ASSIGN_OR_RETURN(auto kept, journal_.paint(record.id, mesh->prepared->cells.size()));
   for (PaintCheckpoint& paint : kept) session->edited().offer(std::move(paint));
   const auto skipped = session->edited().restore(edits, progress);
@@ -172,18 +173,19 @@ SessionManager::Usage SessionManager::usage() const {
   return usage;
 }
 
-static Result<uint64_t> end_of_fork(const ForkWish& wish, const History& history) {
-  if (!wish.checkpoint.empty()) return history.checkpoint(wish.checkpoint);
-  if (wish.number <= history.size()) return wish.number == 0 ? history.size() : wish.number;
-  return not_found("the session has " + std::to_string(history.size()) + " edits, none is number " +
+static Result<uint64_t> end_of_fork(const ForkWish& wish, Journal& journal,
+                                    const std::string& source_id) {
+  if (!wish.checkpoint.empty()) return journal.checkpoint(source_id, wish.checkpoint);
+  ASSIGN_OR_RETURN(const uint64_t edits, journal.edit_count(source_id));
+  if (wish.number <= edits) return wish.number == 0 ? edits : wish.number;
+  return not_found("the session has " + std::to_string(edits) + " edits, none is number " +
                    std::to_string(wish.number));
 }
 
 Result<SessionInfo> SessionManager::fork(const ForkWish& wish, const std::string& user,
                                          const Progress& progress) {
-  ASSIGN_OR_RETURN(const Held held, use(wish.source, progress));
-  ASSIGN_OR_RETURN(const uint64_t edits,
-                   end_of_fork(wish, held.entry->session->edited().history()));
+  ASSIGN_OR_RETURN(const Held held, lock(wish.source, progress));
+  ASSIGN_OR_RETURN(const uint64_t edits, end_of_fork(wish, journal_, held.entry->record.id));
   SessionRecord record = held.entry->record;
   record.id = random_name();
   record.name = wish.name.empty() ? record.name + "-" + record.id.substr(0, 6) : wish.name;
@@ -291,13 +293,16 @@ Result<std::unique_ptr<ExportFile>> SessionManager::export_mesh(const std::strin
 
 Result<std::string> SessionManager::delete_scan(const std::string& reference) {
   const std::lock_guard lock(mutex_);  // no session can be opened over the scan meanwhile
-  ASSIGN_OR_RETURN(const ScanInfo scan, store_.find(reference));
+  const auto found = store_.find(reference);
+  // A damaged scan is in no list: it answers to its full id alone.
+  if (!found.is_ok() && !is_content_hash(reference)) return found.status();
+  const std::string id = found.is_ok() ? found->id : reference;
   for (const auto& [name, entry] : sessions_)
-    if (entry->record.scan_id == scan.id)
-      return failed_precondition("scan " + scan.name + " is edited by session " + name +
-                                 "; delete that first");
-  RETURN_IF_ERROR(store_.remove(scan.id));
-  return scan.id;
+    if (entry->record.scan_id == id)
+      return failed_precondition("scan " + (found.is_ok() ? found->name : short_id(id)) +
+                                 " is edited by session " + name + "; delete that first");
+  RETURN_IF_ERROR(store_.remove(id));
+  return id;
 }
 
 }  // namespace burnish
