@@ -88,7 +88,7 @@ Told read_journal(const std::filesystem::path& path) {
 
 TEST(JournalFlips, AFlippedBitIsHarmlessOrTold) {
   const char* wanted = std::getenv("BURNISH_FLIPS");
-  const int flips = wanted ? std::atoi(wanted) : 200;
+  const int flips = wanted ? std::atoi(wanted) : 100;
   const auto level = spdlog::get_level();
   spdlog::set_level(spdlog::level::off);
   const TemporaryFolder folder;
