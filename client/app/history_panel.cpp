@@ -49,8 +49,10 @@ static void draw_entry(const HistoryEntry& entry, Document& document) {
     ImGui::TextColored(theme::kAccent, "%s", entry.summary.c_str());
   } else {
     bool is_on = entry.enabled;
+    ImGui::BeginDisabled(entry.kind == EditKind::kDamaged);
     if (ImGui::Checkbox("##on", &is_on) && !document.is_viewer())
       document.switch_entry(entry.number, is_on);
+    ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Text, entry.enabled ? theme::kText : theme::kFaint);
     ImGui::TextWrapped("%s", entry.summary.c_str());

@@ -43,6 +43,7 @@ struct LineOf {
   }
   void operator()(const SetCheckpoint& change) const { line << "checkpoint " << change.name; }
   void operator()(const RestoreCheckpoint& change) const { line << "restore " << change.name; }
+  void operator()(const Damaged&) const {}
 };
 
 }  // namespace

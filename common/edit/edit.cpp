@@ -62,13 +62,17 @@ static Status validate_change(const RestoreCheckpoint& change) {
   return check_checkpoint_name(change.name);
 }
 
+static Status validate_change(const Damaged& change) {
+  return data_loss(change.reason);
+}
+
 Status validate(const Edit& edit) {
   return std::visit([](const auto& change) { return validate_change(change); }, edit.change);
 }
 
 const char* edit_kind_name(EditKind kind) {
-  static constexpr std::array kNames = {"slider", "curve",  "stroke",     "cells",  "undo",
-                                        "redo",   "switch", "checkpoint", "restore"};
+  static constexpr std::array kNames = {"slider", "curve",  "stroke",     "cells",   "undo",
+                                        "redo",   "switch", "checkpoint", "restore", "damaged"};
   return kNames[static_cast<size_t>(kind)];
 }
 
@@ -109,6 +113,7 @@ struct Summary {
   }
   std::string operator()(const SetCheckpoint& change) const { return change.name; }
   std::string operator()(const RestoreCheckpoint& change) const { return "restore " + change.name; }
+  std::string operator()(const Damaged& change) const { return "skipped: " + change.reason; }
 };
 
 }  // namespace

@@ -56,11 +56,17 @@ struct RestoreCheckpoint {
   std::string name;
 };
 
+/// Stands where a stored edit was that cannot be read any more: it keeps the edit's number, its
+/// author's undo counts it, and it changes nothing. Nobody can send one.
+struct Damaged {
+  std::string reason;
+};
+
 /// One change of a session. The id is the client's choice: applying an id twice is harmless.
 struct Edit {
   std::string id;
   std::variant<SetGradientScale, SetTransferCurve, Stroke, SetCellFields, Undo, Redo, SwitchEntry,
-               SetCheckpoint, RestoreCheckpoint>
+               SetCheckpoint, RestoreCheckpoint, Damaged>
       change;
 };
 
@@ -75,6 +81,7 @@ enum class EditKind {
   kSwitchEntry,
   kSetCheckpoint,
   kRestoreCheckpoint,
+  kDamaged,
 };
 
 inline EditKind kind_of(const Edit& edit) {
@@ -86,7 +93,8 @@ inline bool makes_fields(EditKind kind) {
   return kind <= EditKind::kCellFields;
 }
 
-/// "slider", "curve", "stroke", "cells", "undo", "redo", "switch", "checkpoint", "restore".
+/// "slider", "curve", "stroke", "cells", "undo", "redo", "switch", "checkpoint", "restore",
+/// "damaged".
 const char* edit_kind_name(EditKind kind);
 
 /// What the edit does, in a few words: "beta 0.25", "stroke of 12 points, radius 0.5, beta 2".
@@ -102,6 +110,7 @@ struct AuthoredEdit {
 inline constexpr size_t kCheckpointNameBytesMax = 200;
 
 /// What can be wrong without knowing the mesh or the history: every value against its limit.
+/// Fails: invalid_argument; data_loss for a damaged edit.
 Status validate(const Edit& edit);
 
 }  // namespace burnish

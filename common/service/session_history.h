@@ -14,7 +14,7 @@ struct HistoryEntry {
   std::string edit_id;
   std::string author;
   int64_t unix_ms = 0;
-  EditKind kind = EditKind::kGradientScale;  ///< one that makes fields, or kSetCheckpoint
+  EditKind kind = EditKind::kGradientScale;  ///< makes fields, or kSetCheckpoint, kDamaged
   std::string summary;
   bool enabled = true;
 };

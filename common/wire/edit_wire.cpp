@@ -87,6 +87,7 @@ struct ChangeWriter {
   void operator()(const RestoreCheckpoint& change) const {
     message.mutable_restore_checkpoint()->set_name(change.name);
   }
+  void operator()(const Damaged&) const {}  // no message carries one
 };
 
 Status read_change(const v1::Edit& message, Edit& edit) {

@@ -8,12 +8,13 @@
 
 namespace burnish {
 
-static constexpr std::array<std::pair<EditKind, v1::EntryKind>, 5> kKinds = {{
+static constexpr std::array<std::pair<EditKind, v1::EntryKind>, 6> kKinds = {{
     {EditKind::kGradientScale, v1::ENTRY_KIND_GRADIENT_SCALE},
     {EditKind::kTransferCurve, v1::ENTRY_KIND_TRANSFER_CURVE},
     {EditKind::kStroke, v1::ENTRY_KIND_STROKE},
     {EditKind::kCellFields, v1::ENTRY_KIND_CELL_FIELDS},
     {EditKind::kSetCheckpoint, v1::ENTRY_KIND_CHECKPOINT},
+    {EditKind::kDamaged, v1::ENTRY_KIND_DAMAGED},
 }};
 
 static v1::EntryKind kind_to_wire(EditKind kind) {

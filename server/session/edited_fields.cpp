@@ -9,9 +9,7 @@ EditedFields::EditedFields(const PreparedMesh& prepared)
 
 Result<std::vector<uint64_t>> EditedFields::record(std::span<const AuthoredEdit> edits) {
   const auto record_one = [&](const AuthoredEdit& edit) -> Result<uint64_t> {
-    RETURN_IF_ERROR(validate(edit.edit));
-    if (const auto* cells = std::get_if<SetCellFields>(&edit.edit.change))
-      RETURN_IF_ERROR(fields_.check(*cells));
+    RETURN_IF_ERROR(check(edit.edit));
     return history_.apply(edit);
   };
   std::vector<uint64_t> numbers;
@@ -36,6 +34,24 @@ Result<std::vector<uint64_t>> EditedFields::apply(std::span<const AuthoredEdit> 
   is_behind_ = true;
   (void)catch_up({});
   return status;
+}
+
+uint64_t EditedFields::restore(std::span<const AuthoredEdit> edits) {
+  uint64_t skipped = 0;
+  for (const AuthoredEdit& edit : edits) {
+    AuthoredEdit kept = edit;
+    const Status status = check(edit.edit);
+    if (!status.is_ok()) kept.edit.change = Damaged{status.message()};
+    if (!history_.restore(std::move(kept))) ++skipped;
+  }
+  is_behind_ |= !edits.empty();
+  return skipped;
+}
+
+Status EditedFields::check(const Edit& edit) const {
+  RETURN_IF_ERROR(validate(edit));
+  const auto* cells = std::get_if<SetCellFields>(&edit.change);
+  return cells ? fields_.check(*cells) : Status::ok();
 }
 
 EditedFields::Counting EditedFields::counting() const {

@@ -50,6 +50,11 @@ class EditedFields {
   Result<std::vector<uint64_t>> apply(std::span<const AuthoredEdit> edits,
                                       const Progress& progress = {});
 
+  /// Takes edits that a session has had before into the history, which has none yet. What is
+  /// damaged, or is refused by now, is skipped and keeps its number. Returns how many have no
+  /// effect any more.
+  uint64_t restore(std::span<const AuthoredEdit> edits);
+
   /// What has changed since the last take_changes().
   const Changes& changes() const { return changes_; }
   Changes take_changes() { return std::exchange(changes_, {}); }
@@ -86,6 +91,7 @@ class EditedFields {
     size_t painted_cells = 0;
   };
 
+  Status check(const Edit& edit) const;
   Counting counting() const;
   void replay_cells(const Counting& counting);
   Status replay_strokes(const Counting& counting, const Progress& progress);

@@ -1,5 +1,6 @@
 #include "server/session/group_commit.h"
 
+#include <algorithm>
 #include <future>
 
 namespace burnish {
@@ -16,12 +17,20 @@ GroupCommit::~GroupCommit() {
   thread_.join();
 }
 
-void GroupCommit::post(Work work, Done done) {
+void GroupCommit::enqueue(Item item) {
   {
     const std::lock_guard lock(mutex_);
-    queue_.push_back({std::move(work), std::move(done), {}});
+    queue_.push_back(std::move(item));
   }
   wake_.notify_one();
+}
+
+void GroupCommit::post(Work work, Done done) {
+  enqueue({std::move(work), std::move(done), false, {}});
+}
+
+void GroupCommit::post_background(Work work, Done done) {
+  enqueue({std::move(work), std::move(done), true, {}});
 }
 
 Status GroupCommit::write(const Work& work) {
@@ -31,35 +40,52 @@ Status GroupCommit::write(const Work& work) {
 }
 
 Status GroupCommit::read(const Work& work) {
-  (void)write([](Database&) { return Status::ok(); });
+  std::promise<void> reached;  // in the background: behind all that was posted before
+  post_background([](Database&) { return Status::ok(); },
+                  [&](const Status&) { reached.set_value(); });
+  reached.get_future().get();
   const std::lock_guard lock(database_mutex_);
   return work(database_);
 }
 
 void GroupCommit::run() {
   for (;;) {
-    std::deque<Item> items;
+    std::vector<Item> items;
     {
       std::unique_lock lock(mutex_);
       wake_.wait(lock, [this] { return ending_ || !queue_.empty(); });
       if (queue_.empty()) return;
       items = std::exchange(queue_, {});
     }
-    commit(items);
-    for (const Item& item : items) item.done(item.status);
+    const auto background = std::stable_partition(
+        items.begin(), items.end(), [](const Item& item) { return !item.is_background; });
+    for (const std::span<Item> part :
+         {std::span(items.begin(), background), std::span(background, items.end())}) {
+      if (part.empty()) continue;
+      commit(part);
+      for (const Item& item : part) item.done(item.status);
+    }
   }
 }
 
-void GroupCommit::commit(std::deque<Item>& items) {
-  const std::lock_guard lock(database_mutex_);
-  const Status status = commit_all(items);
+void GroupCommit::commit(std::span<Item> items) {
+  Status status;
+  {
+    const std::lock_guard lock(database_mutex_);
+    status = commit_all(items);
+  }
   ++commits_;
   if (status.is_ok()) return;
+  // One large item may have filled the disk: the others may fit without it.
+  if (status.code() == StatusCode::kResourceExhausted && items.size() > 1) {
+    for (Item& item : items) commit({&item, 1});
+    return;
+  }
   for (Item& item : items)
     if (item.status.is_ok()) item.status = status;
 }
 
-Status GroupCommit::commit_all(std::deque<Item>& items) {
+Status GroupCommit::commit_all(std::span<Item> items) {
   ASSIGN_OR_RETURN(Transaction transaction, Transaction::begin(database_));
   for (Item& item : items) {
     RETURN_IF_ERROR(database_.execute("SAVEPOINT item"));

@@ -12,7 +12,7 @@ static std::string id_key(const std::string& author, const std::string& edit_id)
 }
 
 static bool can_be_switched(const History::Entry& entry) {
-  return makes_fields(kind_of(entry.made_by->edit));
+  return kind_of(entry.made_by->edit) != EditKind::kSetCheckpoint;
 }
 
 bool History::knows(const std::string& author, const std::string& edit_id) const {
@@ -20,7 +20,27 @@ bool History::knows(const std::string& author, const std::string& edit_id) const
 }
 
 Result<uint64_t> History::apply(AuthoredEdit edit) {
-  Step step{std::make_shared<const AuthoredEdit>(std::move(edit)), {}, {}};
+  RETURN_IF_ERROR(check_switch(edit.edit));
+  return enter({std::make_shared<const AuthoredEdit>(std::move(edit)), {}, {}});
+}
+
+Status History::check_switch(const Edit& edit) const {
+  const auto* change = std::get_if<SwitchEntry>(&edit.change);
+  const Entry* entry = change ? find(change->entry) : nullptr;
+  if (!entry || !entry->is_damaged() || !change->enabled) return Status::ok();
+  return invalid_argument("entry " + std::to_string(change->entry) + " is damaged: it stays off");
+}
+
+bool History::restore(AuthoredEdit edit) {
+  const bool is_damaged = kind_of(edit.edit) == EditKind::kDamaged;
+  const auto shared = std::make_shared<const AuthoredEdit>(std::move(edit));
+  if (enter({shared, {}, {}}).is_ok()) return !is_damaged;
+  ids_.insert(id_key(shared->author, shared->edit.id));
+  steps_.push_back({shared, {}, {}});
+  return false;
+}
+
+Result<uint64_t> History::enter(Step step) {
   ASSIGN_OR_RETURN(const uint64_t number,
                    std::visit([&](const auto& change) { return apply_change(change, step); },
                               step.edit->edit.change));
@@ -34,7 +54,7 @@ void History::take_back() {
   steps_.pop_back();
   const AuthoredEdit& edit = *step.edit;
   Author& author = authors_[edit.author];
-  if (kind_of(edit.edit) == EditKind::kUndo) author.undone.pop_back();
+  if (kind_of(edit.edit) == EditKind::kUndo && !step.switched.empty()) author.undone.pop_back();
   author.undone.insert(author.undone.end(), step.not_redoable.begin(), step.not_redoable.end());
   for (const uint64_t number : step.switched) toggle(number);
   if (const auto* change = std::get_if<SetCheckpoint>(&edit.edit.change))
@@ -119,7 +139,7 @@ Result<uint64_t> History::apply_change(const RestoreCheckpoint& change, Step& st
 }
 
 void History::toggle(uint64_t number) {
-  Entry& entry = *find(number);
+  Entry& entry = entries_[static_cast<size_t>(find(number) - entries_.data())];
   entry.enabled = !entry.enabled;
   std::set<uint64_t>& enabled = authors_[entry.made_by->author].enabled;
   if (entry.enabled) {
@@ -129,7 +149,7 @@ void History::toggle(uint64_t number) {
   }
 }
 
-History::Entry* History::find(uint64_t number) {
+const History::Entry* History::find(uint64_t number) const {
   const auto found =
       std::lower_bound(entries_.begin(), entries_.end(), number,
                        [](const Entry& entry, uint64_t n) { return entry.number < n; });

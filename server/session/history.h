@@ -16,13 +16,19 @@ namespace burnish {
 /// What the edits of a session amount to: the list of its entries, each on or off. An entry is an
 /// edit that makes fields, or a checkpoint; undo, redo, switches and restored checkpoints only
 /// change which entries are on. The same edits in the same order give the same history.
+///
+/// A damaged edit is an entry that is never on. Undo, redo and switches of before it was damaged
+/// count it as though it were good, so that they go on to mean the entries that they meant.
 class History {
  public:
   struct Entry {
     uint64_t number;  ///< of the edit that made it, counted from 1 over all edits of the session
     std::shared_ptr<const AuthoredEdit> made_by;
-    bool enabled = true;
+    bool enabled = true;       ///< also of a damaged one: whether undo would switch it off
     uint64_t stroke_hash = 0;  ///< of a stroke's content, see paint_checkpoints.h
+
+    bool is_damaged() const { return kind_of(made_by->edit) == EditKind::kDamaged; }
+    bool is_on() const { return enabled && !is_damaged(); }
   };
 
   /// Edits so far; the next one's number is one more.
@@ -33,8 +39,12 @@ class History {
   /// Returns the number of the entry that the edit made or switched, 0 for a restored checkpoint.
   /// Needs: an id that the author has not used. A failed edit changes nothing.
   /// Fails: failed_precondition (nothing to undo or redo), not_found (no such entry or checkpoint),
-  /// invalid_argument (a checkpoint cannot be switched).
+  /// invalid_argument (a checkpoint cannot be switched, nor a damaged entry be switched on).
   Result<uint64_t> apply(AuthoredEdit edit);
+
+  /// Takes an edit that a history has had before. Returns false when it has no effect any more,
+  /// because it is damaged or needs one that is; its number is taken all the same.
+  bool restore(AuthoredEdit edit);
 
   /// Forgets the last edit as though it had never been.
   void take_back();
@@ -57,6 +67,9 @@ class History {
     std::vector<uint64_t> undone;  // entries, the last undone last
   };
 
+  Result<uint64_t> enter(Step step);
+  Status check_switch(const Edit& edit) const;
+
   // Each returns what apply() does.
   template <typename MakesFields>
   Result<uint64_t> apply_change(const MakesFields&, Step& step) {
@@ -70,7 +83,7 @@ class History {
 
   uint64_t add_entry(Step& step);
   void toggle(uint64_t number);
-  Entry* find(uint64_t number);
+  const Entry* find(uint64_t number) const;
 
   std::vector<Step> steps_;  // by number - 1
   std::vector<Entry> entries_;

@@ -45,6 +45,25 @@ static constexpr std::array kSteps = {
     UNIQUE (session_id, series)
   );
   PRAGMA user_version = 2;
+)sql",
+    // Rows get checksums, and sessions the number of their last edit: a row that was changed,
+    // swapped or lost is found. `checksum` x'' is of a row that is known to be damaged.
+    R"sql(
+  ALTER TABLE sessions ADD COLUMN checksum BLOB NOT NULL DEFAULT x'';
+  ALTER TABLE edits ADD COLUMN checksum BLOB NOT NULL DEFAULT x'';
+  ALTER TABLE roles ADD COLUMN checksum BLOB NOT NULL DEFAULT x'';
+  UPDATE sessions SET checksum =
+    row_checksum(id, name, scan_id, depth, curvature_radius, created_unix_seconds);
+  UPDATE edits SET checksum = row_checksum(session_id, number, author, id, unix_ms, bytes);
+  UPDATE roles SET checksum = row_checksum(session_id, user, role);
+  CREATE TABLE ends (
+    session_id BLOB PRIMARY KEY REFERENCES sessions(id) ON DELETE CASCADE,
+    number INTEGER NOT NULL, checksum BLOB NOT NULL
+  ) WITHOUT ROWID;
+  INSERT INTO ends SELECT id, number, row_checksum(id, number) FROM (
+    SELECT id, IFNULL((SELECT MAX(number) FROM edits WHERE session_id = sessions.id), 0) AS number
+    FROM sessions);
+  PRAGMA user_version = 3;
 )sql"};
 
 Status make_journal_schema(Database& database) {

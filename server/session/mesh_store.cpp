@@ -12,6 +12,7 @@
 #include "server/prepare/prepare.h"
 #include "server/session/cancellable_lock.h"
 #include "server/session/memory_need.h"
+#include "server/session/scan_files.h"
 #include "server/session/scan_record.h"
 
 namespace burnish {
@@ -111,9 +112,12 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
   {
     ASSIGN_OR_RETURN(const auto lock,
                      lock_or_cancel(preparing_, "waiting for another scan", progress));
-    if (!fs::exists(scan_folder(id))) return import_new(upload, id, header, progress);
+    const auto known = read_scan_folder(scan_folder(id));
+    if (!known.is_ok()) return import_new(upload, id, header, progress);
+    if (!check_original(scan_folder(id), *known).is_ok())
+      RETURN_IF_ERROR(replace_original(scan_folder(id), *known, upload.path()));
   }
-  return import_known(id, header.key, progress);
+  return prepare_known(id, header.key, progress);
 }
 
 Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& id,
@@ -135,7 +139,7 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
   RETURN_IF_ERROR(write_prepared_mesh(*prepared, staging.path() / "prepared" / prepared_name));
   RETURN_IF_ERROR(write_file(staging.path() / "info.json", scan_to_json(scan)));
   RETURN_IF_ERROR(sync_folder(staging.path()));
-  RETURN_IF_ERROR(move_path(staging.path(), scan_folder(id)));
+  RETURN_IF_ERROR(put_scan_in_place(staging.path(), scan_folder(id)));
   RETURN_IF_ERROR(sync_folder(folder_.scans()));
   ASSIGN_OR_RETURN(ScanInfo stored, read_scan_folder(scan_folder(id)));
   return ImportOutcome{std::move(stored), false};
@@ -143,6 +147,14 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
 
 Result<ImportOutcome> MeshStore::import_known(const std::string& id, const PreparedKey& key,
                                               const Progress& progress) {
+  const auto scan = read_scan_folder(scan_folder(id));
+  const Status status = scan.is_ok() ? check_original(scan_folder(id), *scan) : scan.status();
+  if (!status.is_ok()) return not_found("the library needs the bytes: " + status.message());
+  return prepare_known(id, key, progress);
+}
+
+Result<ImportOutcome> MeshStore::prepare_known(const std::string& id, const PreparedKey& key,
+                                               const Progress& progress) {
   ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(scan_folder(id)));
   RETURN_IF_ERROR(prepare_scan(id, resolve(key, scan), progress));
   ASSIGN_OR_RETURN(ScanInfo now, read_scan_folder(scan_folder(id)));
@@ -250,6 +262,7 @@ Status MeshStore::rebuild(const std::string& id, const PreparedKey& key, const P
   const fs::path folder = scan_folder(id);
   ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(folder));
   if (!report(progress, "reading", 0)) return cancelled("preparing was cancelled");
+  RETURN_IF_ERROR(check_original(folder, scan));
   ASSIGN_OR_RETURN(const TriangleMesh mesh,
                    read_original(folder / original_file_name(scan.format), scan.format, scan.name));
   ASSIGN_OR_RETURN(const auto prepared,
@@ -258,6 +271,9 @@ Status MeshStore::rebuild(const std::string& id, const PreparedKey& key, const P
 }
 
 Status MeshStore::remove(const std::string& id) {
+  std::error_code error;
+  if (!is_content_hash(id) || !fs::exists(scan_folder(id), error))
+    return not_found("no scan has the id '" + id + "'");
   const StagingFolder bin(folder_.staging_path(".deleted"));
   RETURN_IF_ERROR(move_path(scan_folder(id), bin.path()));
   return sync_folder(folder_.scans());

@@ -39,12 +39,14 @@ class MeshStore {
                                                const std::string& user = {});
 
   /// Reads, checks, prepares and keeps the uploaded file; bytes that are known already only get
-  /// the prepared mesh that was asked for. Fails: invalid_argument (no good mesh), data_loss
-  /// (bytes other than announced), resource_exhausted (disk), cancelled; then nothing is kept.
+  /// the prepared mesh that was asked for, and replace what is damaged of the scan. Fails:
+  /// invalid_argument (no good mesh), data_loss (bytes other than announced), resource_exhausted
+  /// (disk), cancelled; then nothing is kept.
   Result<ImportOutcome> import(Upload& upload, const ImportHeader& header,
                                const Progress& progress);
 
-  /// The outcome of importing bytes with this hash, if the library has them; else not_found.
+  /// The outcome of importing bytes with this hash, if the library has them; not_found if it has
+  /// not, or only damaged ones.
   Result<ImportOutcome> import_known(const std::string& id, const PreparedKey& key,
                                      const Progress& progress);
 
@@ -78,13 +80,15 @@ class MeshStore {
   Quota& memory() { return memory_; }
   uint64_t mesh_bytes() const { return cache_.byte_count(); }
 
-  /// Needs: no session edits it.
+  /// Also a damaged one. Needs: no session edits it. Fails: not_found.
   Status remove(const std::string& id);
 
  private:
   std::filesystem::path scan_folder(const std::string& id) const { return folder_.scans() / id; }
   Result<ImportOutcome> import_new(Upload& upload, const std::string& id,
                                    const ImportHeader& header, const Progress& progress);
+  Result<ImportOutcome> prepare_known(const std::string& id, const PreparedKey& key,
+                                      const Progress& progress);
   Result<std::shared_ptr<const PreparedMesh>> map_or_rebuild(const std::string& id,
                                                              const PreparedKey& key,
                                                              const Progress& progress);

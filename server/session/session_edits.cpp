@@ -101,7 +101,7 @@ Result<HistoryPage> SessionManager::history(const HistoryWish& wish, const Calle
   for (; entry != entries.end() && page.entries.size() < wish.count; ++entry) {
     const AuthoredEdit& made_by = *entry->made_by;
     page.entries.push_back({entry->number, made_by.edit.id, made_by.author, made_by.unix_ms,
-                            kind_of(made_by.edit), summary(made_by.edit), entry->enabled});
+                            kind_of(made_by.edit), summary(made_by.edit), entry->is_on()});
   }
   page.complete = entry == entries.end();
   return page;

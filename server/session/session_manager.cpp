@@ -4,6 +4,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "common/service/content_hash.h"
 #include "server/session/memory_need.h"
 #include "server/session/session_held.h"
 
@@ -80,6 +81,7 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
   if (by_user.amount() == 0 && !caller.user.empty()) {
     ASSIGN_OR_RETURN(by_user, by_user_.take("user " + caller.user, 1));
   }
+  ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));  // which also checks the record
   std::shared_ptr<const SharedMesh> mesh = std::move(entry.mesh);
   if (!mesh) {
     ASSIGN_OR_RETURN(mesh, store_.open_mesh(record.scan_id, record.key, progress));
@@ -91,10 +93,13 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
   ASSIGN_OR_RETURN(auto session, Session::open(mesh->prepared, mesh->hierarchy, options_.solver));
   spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),
                session->solver().backend_reason());
-  ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));
   ASSIGN_OR_RETURN(auto kept, journal_.paint(record.id, mesh->prepared->cells.size()));
   for (PaintCheckpoint& paint : kept) session->edited().offer(std::move(paint));
-  RETURN_IF_ERROR(session->edited().record(edits).status().with_context("replay"));
+  const uint64_t skipped = session->edited().restore(edits);
+  if (skipped > 0)
+    spdlog::warn(
+        "session {}: {} of its {} edits are damaged and have no effect; its history says which",
+        record.id, skipped, edits.size());
   entry.mesh = std::move(mesh);
   entry.session_bytes = memory.amount();
   entry.memory = std::move(memory);
@@ -190,22 +195,25 @@ Result<SessionState> SessionManager::state(const std::string& reference, const C
 }
 
 Result<std::string> SessionManager::delete_scan(const std::string& reference) {
-  ASSIGN_OR_RETURN(const ScanInfo scan, store_.find(reference));
+  const auto found = store_.find(reference);
+  // A damaged scan is in no list: it answers to its full id alone.
+  if (!found.is_ok() && !is_content_hash(reference)) return found.status();
+  const std::string id = found.is_ok() ? found->id : reference;
+  const std::string name = found.is_ok() ? found->name : short_id(id);
   {
     const std::lock_guard lock(mutex_);
-    for (const auto& [name, entry] : by_name_)
-      if (entry->record.scan_id == scan.id)
-        return failed_precondition("scan " + scan.name + " is edited by session " + name +
+    for (const auto& [session, entry] : by_name_)
+      if (entry->record.scan_id == id)
+        return failed_precondition("scan " + name + " is edited by session " + session +
                                    "; delete that first");
     // From here on no session can be opened over it.
-    if (!scans_going_.insert(scan.id).second)
-      return not_found("scan " + scan.name + " is being deleted");
+    if (!scans_going_.insert(id).second) return not_found("scan " + name + " is being deleted");
   }
-  const Status removed = store_.remove(scan.id);
+  const Status removed = store_.remove(id);
   const std::lock_guard lock(mutex_);
-  scans_going_.erase(scan.id);
+  scans_going_.erase(id);
   RETURN_IF_ERROR(removed);
-  return scan.id;
+  return id;
 }
 
 }  // namespace burnish

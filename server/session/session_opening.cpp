@@ -43,7 +43,9 @@ Status is_another(const SessionRecord& there, const SessionRecord& wanted) {
                         " at " + describe(wanted.key));
 }
 
-Result<uint64_t> end_of_fork(const ForkWish& wish, uint64_t edits) {
+Result<uint64_t> end_of_fork(const ForkWish& wish, Journal& journal, const std::string& source_id) {
+  if (!wish.checkpoint.empty()) return journal.checkpoint(source_id, wish.checkpoint);
+  ASSIGN_OR_RETURN(const uint64_t edits, journal.edit_count(source_id));
   if (wish.number <= edits) return wish.number == 0 ? edits : wish.number;
   return not_found("the session has " + std::to_string(edits) + " edits, none is number " +
                    std::to_string(wish.number));
@@ -119,19 +121,12 @@ Result<SessionInfo> SessionManager::fork(const ForkWish& wish, const Caller& cal
                                          const Progress& progress) {
   RETURN_IF_ERROR(check_is_no_id(wish.name));
   SessionRecord record;
-  uint64_t edits = 0;
   {
-    // Checkpoints are found in the history of a session in memory.
-    ASSIGN_OR_RETURN(const Held source, wish.checkpoint.empty()
-                                            ? lock(wish.source, progress)
-                                            : use(wish.source, caller, progress));
+    ASSIGN_OR_RETURN(const Held source, lock(wish.source, progress));
     record = source.entry->record;
-    ASSIGN_OR_RETURN(edits,
-                     wish.checkpoint.empty()
-                         ? end_of_fork(wish, source.entry->edits)
-                         : source.entry->session->edited().history().checkpoint(wish.checkpoint));
   }
   const std::string source_id = record.id;
+  ASSIGN_OR_RETURN(const uint64_t edits, end_of_fork(wish, journal_, source_id));
   record.id = random_name();
   record.name = wish.name.empty() ? record.name + "-" + record.id.substr(0, 6) : wish.name;
   record.created_unix_seconds = unix_seconds_now();

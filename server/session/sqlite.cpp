@@ -5,6 +5,7 @@
 #include <sqlite3.h>
 
 #include "server/metrics/metrics.h"
+#include "server/session/sqlite_checksum.h"
 
 namespace burnish {
 
@@ -48,6 +49,11 @@ void Statement::bind_one(double value) {
   sqlite3_bind_double(statement_.get(), ++bound_, value);
 }
 
+void Statement::reset() {
+  sqlite3_reset(statement_.get());
+  bound_ = 0;
+}
+
 Result<bool> Statement::step() {
   const int code = sqlite3_step(statement_.get());
   if (code == SQLITE_ROW) return true;
@@ -81,9 +87,15 @@ Result<Database> Database::open(const std::filesystem::path& path) {
       sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
   result.database_.reset(opened);
   if (code != SQLITE_OK) return sqlite_status(opened, code).with_context(path.string());
+  // Counts for a new file only, and only before anything is in it.
+  RETURN_IF_ERROR(result.execute("PRAGMA auto_vacuum=INCREMENTAL").with_context(path.string()));
   RETURN_IF_ERROR(result.execute("PRAGMA journal_mode=WAL").with_context(path.string()));
   RETURN_IF_ERROR(result.execute("PRAGMA synchronous=FULL"));
   RETURN_IF_ERROR(result.execute("PRAGMA foreign_keys=ON"));
+  RETURN_IF_ERROR(result.execute("PRAGMA cell_size_check=ON"));
+  // Debian's default overwrites what is deleted: deleting would need as much disk as it frees.
+  RETURN_IF_ERROR(result.execute("PRAGMA secure_delete=OFF"));
+  if (!add_row_checksum(opened)) return sqlite_status(opened, sqlite3_errcode(opened));
   return result;
 }
 

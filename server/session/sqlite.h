@@ -23,6 +23,9 @@ class Statement {
     return *this;
   }
 
+  /// Back to the beginning, to be bound anew.
+  void reset();
+
   /// True: a row is there to read. False: done. Fails as SQLite says.
   Result<bool> step();
 
@@ -48,7 +51,8 @@ class Statement {
   int bound_ = 0;
 };
 
-/// A connection that waits until what it commits is on disk: WAL mode, synchronous=FULL.
+/// A connection that waits until what it commits is on disk: WAL mode, synchronous=FULL. Its
+/// statements may call row_checksum(), see sqlite_checksum.h.
 class Database {
  public:
   /// Fails: data_loss (damaged), resource_exhausted (disk full), as SQLite says.

@@ -12,7 +12,7 @@ TEST(HistoryWire, APageComesBackUnchanged) {
   HistoryPage page;
   page.complete = false;
   for (const EditKind kind : {EditKind::kGradientScale, EditKind::kTransferCurve, EditKind::kStroke,
-                              EditKind::kCellFields, EditKind::kSetCheckpoint})
+                              EditKind::kCellFields, EditKind::kSetCheckpoint, EditKind::kDamaged})
     page.entries.push_back({page.entries.size() + 1, "id", "ann", 123, kind, "what", false});
   const HistoryPage back = from_wire(to_wire(page)).value();
   EXPECT_FALSE(back.complete);

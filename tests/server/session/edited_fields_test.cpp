@@ -191,5 +191,28 @@ TEST(PaintedBytes, DamageIsSeen) {
   EXPECT_FALSE(painted_from_bytes(bytes.substr(0, bytes.size() - 1), 10).is_ok());
 }
 
+TEST_F(EditedFieldsTest, RestoringSkipsWhatIsDamagedAndWhatIsRefusedByNow) {
+  std::vector<AuthoredEdit> edits = {authored(stroke(1)), authored(stroke(2)),
+                                     authored(SetCellFields{{{Vec3i(-9, -9, -9), 1, 1, 1}}}),
+                                     authored(SetGradientScale{0.5})};
+  edits[1].edit.change = Damaged{"a hole"};
+  EditedFields restored(*prepared_);
+  EXPECT_EQ(restored.restore(edits), 2u);
+  ASSERT_TRUE(restored.catch_up().is_ok());
+  EXPECT_EQ(restored.history().size(), 4u);
+  EXPECT_TRUE(restored.history().entries()[1].is_damaged());
+  EXPECT_TRUE(restored.history().entries()[2].is_damaged());
+
+  EditedFields expected(*prepared_);
+  ASSERT_TRUE(apply(expected, stroke(1)).is_ok());
+  ASSERT_TRUE(apply(expected, SetGradientScale{0.5}).is_ok());
+  EXPECT_EQ(beta(restored), beta(expected));
+}
+
+TEST_F(EditedFieldsTest, ADamagedEditCannotBeApplied) {
+  EditedFields edited(*prepared_);
+  EXPECT_EQ(apply(edited, Damaged{"a hole"}).code(), StatusCode::kDataLoss);
+}
+
 }  // namespace
 }  // namespace burnish

@@ -128,5 +128,36 @@ TEST_F(HistoryTest, WhatIsTakenBackLeavesNoTrace) {
   EXPECT_EQ(undo("bob"), 2u);
 }
 
+TEST_F(HistoryTest, ADamagedEntryKeepsItsNumberAndStaysOff) {
+  edit("ann");
+  EXPECT_FALSE(history_.restore({"ann", 0, {"", Damaged{"a hole"}}}));
+  EXPECT_EQ(edit("ann"), 3u);
+  EXPECT_FALSE(history_.entries()[1].is_on());
+  EXPECT_TRUE(history_.entries()[2].is_on());
+  const Status status = apply("bob", SwitchEntry{2, true}).status();
+  EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+  EXPECT_THAT(status.message(), HasSubstr("entry 2 is damaged"));
+}
+
+TEST_F(HistoryTest, WhatUndidADamagedEntryUndoesNothingElse) {
+  edit("ann");
+  history_.restore({"ann", 0, {"", Damaged{"a hole"}}});
+  EXPECT_TRUE(history_.restore({"ann", 0, {"u", Undo{}}}));
+  EXPECT_TRUE(history_.restore({"bob", 0, {"s", SwitchEntry{2, true}}}));
+  EXPECT_TRUE(history_.entries()[0].is_on());
+  EXPECT_FALSE(history_.entries()[1].is_on());
+}
+
+TEST_F(HistoryTest, WhatNeededADamagedEditHasNoEffect) {
+  edit("ann");
+  history_.restore({"ann", 0, {"", Damaged{"was an undo"}}});
+  EXPECT_FALSE(history_.restore({"ann", 0, {"r", Redo{}}}));
+  EXPECT_FALSE(history_.restore({"ann", 0, {"c", RestoreCheckpoint{"gone"}}}));
+  EXPECT_EQ(history_.size(), 4u);
+  EXPECT_TRUE(history_.knows("ann", "r"));
+  EXPECT_EQ(edit("ann"), 5u);
+  EXPECT_TRUE(history_.entries()[0].is_on());
+}
+
 }  // namespace
 }  // namespace burnish

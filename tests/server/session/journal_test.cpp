@@ -123,6 +123,18 @@ TEST_F(JournalTest, RemovingASessionForgetsItsEdits) {
   EXPECT_TRUE(journal_->edits("id-a").value().empty());
 }
 
+TEST_F(JournalTest, RemovingASessionGivesItsDiskBack) {
+  ASSERT_TRUE(journal_->create_session(record("b"), {}).is_ok());
+  SetCellFields large;
+  large.cells.assign(100'000, {Vec3i(1, 2, 3), 1, 1, 1});
+  ASSERT_TRUE(journal_->append("id-b", 1, {{"ann", 0, {"x", large}}}).is_ok());
+  ASSERT_TRUE(journal_->remove_session("id-b").is_ok());
+  // Each of these waits for a step of giving back, of which there are a few.
+  for (int step = 0; step < 50; ++step) ASSERT_TRUE(journal_->edit_count("id-a").is_ok());
+  journal_.reset();
+  EXPECT_LT(std::filesystem::file_size(folder_ / "j.sqlite"), 300'000u);
+}
+
 TEST_F(JournalTest, EditsOfNoSessionAreRefused) {
   EXPECT_FALSE(journal_->append("nobody", 1, some_edits()).is_ok());
 }
