@@ -144,7 +144,10 @@ class Churn : public testing::Test {
     return counts;
   }
 
-  ServerProcess server_{{"--metrics", "127.0.0.1:0"}};
+  TemporaryFolder folder_;
+  ServerProcess server_{
+      {"--metrics", "127.0.0.1:0", "--config",
+       folder_.write("server.toml", "[limits]\nconnections_per_peer = 256\n").string()}};
   int metrics_port_ = 0;
 };
 
