@@ -106,9 +106,10 @@ class LiveSession:
         self._requests = queue.SimpleQueue()
         self._call = client.call(client.editing.Edit, iter(self._requests.get, None))
         self._decoded = []
-        self._view = view
+        self.view = view
         self.headers = []  # of the frames that were decoded
         self.frame = None  # the newest message
+        self.is_shown = False  # whether that could be decoded
         self.send(greeting=editing_pb2.Greeting(session=session.id, content=content,
                                                 triangles_max=triangles_max))
         self.welcome = self.receive("welcome")
@@ -138,26 +139,26 @@ class LiveSession:
     def preview(self, edit_id, **change):
         self.send(preview=editing_pb2.Preview(edit_id=edit_id, **change))
 
-    def receive_frame(self, is_wanted=lambda frame: True):
+    def receive_frame(self, is_wanted, **credit):
         """Grants a credit for each frame until one is wanted."""
         while True:
-            self.grant()
+            self.grant(**credit)
             frame = self.receive("frame")
-            if is_wanted(frame):
+            if self.is_shown and is_wanted(frame):
                 return frame
 
-    def settle(self, edits=0, previews=0):
+    def settle(self, edits=0, previews=0, **credit):
         """Until the surface with so many edits and previews is at rest."""
         return self.receive_frame(lambda frame: (
             frame.state == editing_pb2.SOLVE_STATE_SETTLED and frame.edits >= edits and
-            frame.previews >= previews))
+            frame.previews >= previews), **credit)
 
     def positions(self):
         """Of the view's vertices, as the newest frame has them."""
         if self.layout.content == wire.VERTICES:
-            return self._view.positions(self.decoder.displacements(len(self._view.homes)))
-        at_corners = self.decoder.displacements(len(self._view.corners))
-        return self._view.positions(self._view.interpolate(at_corners))
+            return self.view.positions(self.decoder.displacements(len(self.view.homes)))
+        at_corners = self.decoder.displacements(len(self.view.corners))
+        return self.view.positions(self.view.interpolate(at_corners))
 
     def leave(self):
         """Closes this side. Returns the rest of the messages, and how the call ended."""
@@ -171,17 +172,15 @@ class LiveSession:
 
     def _take(self, frame):
         self.frame = frame
-        if not frame.data:
-            return
         try:
-            self.headers.append(self.decoder.decode(frame.data))
+            if frame.data:
+                self.headers.append(self.decoder.decode(frame.data))
+                self._decoded.append(self.headers[-1].sequence)
+            self.is_shown = True
         except wire.MissingReference:
-            self._refuse(frame.data)
-        else:
-            self._decoded.append(self.headers[-1].sequence)
-
-    def _refuse(self, data):
-        self.send(credit=editing_pb2.Credit(refused=[wire.read_frame_header(data).sequence]))
+            self.is_shown = False
+            sequence = wire.read_frame_header(frame.data).sequence
+            self.send(credit=editing_pb2.Credit(refused=[sequence]))
 
 
 edit_ids = (f"python-{number}" for number in itertools.count())

@@ -295,6 +295,10 @@ class FrameDecoder:
         displacements[self.layout.source] = self.state / 256
         return displacements
 
+    def forget(self):
+        """As if nothing had come."""
+        self._held = {}
+
     def _reference_of(self, frame):
         if not frame.reference:
             return np.zeros_like(self.state)
