@@ -79,6 +79,13 @@ class Client:
         request = editing_pb2.ApplyRequest(session=session.id, edits=edits)
         return self.call(self.editing.Apply, request)
 
+    def upload_cells(self, session, edit_id, cells, announced=None):
+        header = editing_pb2.CellFieldsHeader(
+            session=session.id, edit_id=edit_id, cells=len(cells) if announced is None else announced)
+        return self.call(self.editing.UploadCellFields, iter([
+            editing_pb2.UploadCellFieldsRequest(header=header),
+            editing_pb2.UploadCellFieldsRequest(cells=editing_pb2.SetCellFields(cells=cells))]))
+
     def export(self, session, **until):
         """The file, and its summary."""
         request = editing_pb2.ExportRequest(session=session.id, format=common_pb2.MESH_FORMAT_PLY,

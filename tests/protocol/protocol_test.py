@@ -125,6 +125,10 @@ class Files(Served):
         self.assertFails(grpc.StatusCode.DATA_LOSS, lambda: self.client.import_scan(
             "damaged", self.ply, DEPTH, damage=damage))
 
+    def test_a_file_that_is_not_what_was_announced_is_data_loss(self):
+        self.assertFails(grpc.StatusCode.DATA_LOSS, lambda: self.client.import_scan(
+            "another", self.ply, DEPTH, sha256="0" * 64))
+
     def test_a_view_holds_the_scans_vertices_to_a_millionth_of_a_cell(self):
         view = self.client.fetch_view(self.open())
         np.testing.assert_array_equal(view.triangles, self.triangles)
@@ -141,14 +145,21 @@ class Files(Served):
         session = self.open()
         view = self.client.fetch_view(session)
         i, j, k = wire.morton_point(view.cells[7:8])[0].tolist()
-        self.client.apply(session, client.edit(cell_fields=editing_pb2.SetCellFields(cells=[
-            editing_pb2.CellField(i=i, j=j, k=k, alpha1=50, alpha2=50, beta=0.5)])))
+        cell = editing_pb2.CellField(i=i, j=j, k=k, alpha1=50, alpha2=50, beta=0.5)
+        self.assertEqual(self.client.upload_cells(session, "upload", [cell]).applied, 1)
+        self.assertEqual(self.client.upload_cells(session, "upload", [cell]).known, 1)
         request = editing_pb2.GetCellsRequest(session=session.id,
                                               value=editing_pb2.CELL_VALUE_BETA)
         data = client.join_chunks(self.client.call(self.client.editing.GetCells, request))
         expected = np.ones(len(view.cells), np.float32)
         expected[7] = 0.5
         np.testing.assert_array_equal(np.frombuffer(data, "<f4"), expected)
+
+
+    def test_an_upload_that_ends_early_is_data_loss(self):
+        session = self.open()
+        self.assertFails(grpc.StatusCode.DATA_LOSS, lambda: self.client.upload_cells(
+            session, "upload", [], announced=1))
 
 
 class Calls(Served):
