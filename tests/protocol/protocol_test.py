@@ -265,6 +265,25 @@ class Live(Served):
         self.assertGreater(moved, 8 * STEP)
         self.assertLess(off, STEP / 2 + 1e-5)
 
+    def test_moving_frames_of_both_contents_are_as_near_as_their_steps(self):
+        session = self.open()
+        both = [self.join(session, content) for content in CONTENTS.values()]
+        for frame_bytes, step_shift, change in (
+                (0, 2, client.slider(0.2)), (1000, 6, client.curve((-3, 2), (3, 150)))):
+            for live in both:
+                live.settle()
+                live.grant(frame_bytes=frame_bytes)
+                live.send(heartbeat=editing_pb2.Heartbeat())
+                live.receive("heartbeat")  # so the server has the credit, too
+            both[0].send(apply=editing_pb2.ApplyEdits(edits=[change]))
+            frames = [live.receive("frame") for live in both]
+            self.assertEqual(frames[0].cycles, frames[1].cycles)
+            self.assertEqual([live.headers[-1].step_shift for live in both], [step_shift] * 2)
+            off = np.abs(both[0].positions() - both[1].positions()).max() / both[0].view.cell_size
+            step = 2**step_shift * STEP
+            self.assertLess(off, (step + STEP / 2) + (step / 2 + STEP / 2))
+            self.assertGreater(off, STEP)
+
     def test_small_frames_are_coarser_and_end_exact(self):
         session = self.open()
         live = self.join(session)
