@@ -1,6 +1,5 @@
 """A client of Burnish, written from docs/protocol.md and the comments in proto/ alone."""
 
-import itertools
 import queue
 import zlib
 
@@ -8,6 +7,7 @@ import grpc
 
 import wire
 from burnish.v1 import common_pb2, editing_pb2, editing_pb2_grpc, library_pb2, library_pb2_grpc
+from view import read_view
 
 PATIENCE_S = 120  # how long a call may take before it counts as hanging
 CHUNK_BYTES = 1 << 20
@@ -73,15 +73,15 @@ class Client:
         header = next(event.header for event in events if event.HasField("header"))
         data = join_chunks(event.chunk for event in events if event.HasField("chunk"))
         wire.require(len(data) == header.size_bytes, "the view is cut off")
-        return wire.read_view(data)
+        return read_view(data)
 
     def apply(self, session, *edits):
         request = editing_pb2.ApplyRequest(session=session.id, edits=edits)
         return self.call(self.editing.Apply, request)
 
     def upload_cells(self, session, edit_id, cells, announced=None):
-        header = editing_pb2.CellFieldsHeader(
-            session=session.id, edit_id=edit_id, cells=len(cells) if announced is None else announced)
+        count = len(cells) if announced is None else announced
+        header = editing_pb2.CellFieldsHeader(session=session.id, edit_id=edit_id, cells=count)
         return self.call(self.editing.UploadCellFields, iter([
             editing_pb2.UploadCellFieldsRequest(header=header),
             editing_pb2.UploadCellFieldsRequest(cells=editing_pb2.SetCellFields(cells=cells))]))
@@ -104,110 +104,3 @@ class Client:
             if response.complete:
                 return
             after = response.entries[-1].number
-
-
-class LiveSession:
-    """One stream of Edit. Frames are decoded as they come, and named in the next credit."""
-
-    def __init__(self, client, session, view, content, triangles_max=0):
-        self._requests = queue.SimpleQueue()
-        self._call = client.call(client.editing.Edit, iter(self._requests.get, None))
-        self._decoded = []
-        self.view = view
-        self.headers = []  # of the frames that were decoded
-        self.frame = None  # the newest message
-        self.is_shown = False  # whether that could be decoded
-        self.send(greeting=editing_pb2.Greeting(session=session.id, content=content,
-                                                triangles_max=triangles_max))
-        self.welcome = self.receive("welcome")
-        self.layout = wire.Layout(view, self.welcome.content - 1)
-        self.decoder = wire.FrameDecoder(self.layout)
-
-    def send(self, **message):
-        self._requests.put(editing_pb2.ClientMessage(**message))
-
-    def receive(self, kind):
-        """The next message of this kind."""
-        for message in self._call:
-            if message.HasField("frame"):
-                self._take(message.frame)
-            if message.WhichOneof("message") == kind:
-                return getattr(message, kind)
-        raise EOFError(f"the stream ended without a {kind}")
-
-    def grant(self, frames=1, **credit):
-        self.send(credit=editing_pb2.Credit(frames=frames, decoded=self._decoded, **credit))
-        self._decoded = []
-
-    def apply(self, *edits):
-        self.send(apply=editing_pb2.ApplyEdits(edits=edits))
-        return self.receive("acknowledged").outcome
-
-    def preview(self, edit_id, **change):
-        self.send(preview=editing_pb2.Preview(edit_id=edit_id, **change))
-
-    def receive_frame(self, is_wanted, **credit):
-        """Grants a credit for each frame until one is wanted."""
-        while True:
-            self.grant(**credit)
-            frame = self.receive("frame")
-            if self.is_shown and is_wanted(frame):
-                return frame
-
-    def settle(self, edits=0, previews=0, **credit):
-        """Until the surface with so many edits and previews is at rest."""
-        return self.receive_frame(lambda frame: (
-            frame.state == editing_pb2.SOLVE_STATE_SETTLED and frame.edits >= edits and
-            frame.previews >= previews), **credit)
-
-    def positions(self):
-        """Of the view's vertices, as the newest frame has them."""
-        if self.layout.content == wire.VERTICES:
-            return self.view.positions(self.decoder.displacements(len(self.view.homes)))
-        at_corners = self.decoder.displacements(len(self.view.corners))
-        return self.view.positions(self.view.interpolate(at_corners))
-
-    def leave(self):
-        """Closes this side. Returns the rest of the messages, and how the call ended."""
-        self._requests.put(None)
-        rest = list(self._call)
-        return rest, self._call.code()
-
-    def cancel(self):
-        self._requests.put(None)
-        self._call.cancel()
-
-    def _take(self, frame):
-        self.frame = frame
-        try:
-            if frame.data:
-                self.headers.append(self.decoder.decode(frame.data))
-                self._decoded.append(self.headers[-1].sequence)
-            self.is_shown = True
-        except wire.MissingReference:
-            self.is_shown = False
-            sequence = wire.read_frame_header(frame.data).sequence
-            self.send(credit=editing_pb2.Credit(refused=[sequence]))
-
-
-edit_ids = (f"python-{number}" for number in itertools.count())
-
-
-def edit(**change):
-    return editing_pb2.Edit(id=next(edit_ids), **change)
-
-
-def slider(beta):
-    return edit(gradient_scale=editing_pb2.SetGradientScale(beta=beta))
-
-
-def curve(*points):
-    points = [editing_pb2.CurvePoint(kappa=kappa, alpha=alpha) for kappa, alpha in points]
-    return edit(transfer_curve=editing_pb2.SetTransferCurve(points=points))
-
-
-def stroke(path, radius, beta):
-    brush = editing_pb2.Brush(radius=radius, strength=0.8, beta=beta,
-                              fall_off=editing_pb2.FALL_OFF_SMOOTH)
-    points = [common_pb2.Point(x=x, y=y, z=z) for x, y, z in path]
-    return edit(stroke=editing_pb2.Stroke(brush=brush, path=points))

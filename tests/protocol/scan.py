@@ -39,7 +39,8 @@ def split(vertices, triangles):
 def write_ply(vertices, triangles):
     header = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(vertices)}\n"
               "property double x\nproperty double y\nproperty double z\n"
-              f"element face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header\n")
+              f"element face {len(triangles)}\n"
+              "property list uchar int vertex_indices\nend_header\n")
     faces = np.zeros(len(triangles), FACE)
     faces["count"], faces["vertices"] = 3, triangles
     return header.encode() + vertices.astype("<f8").tobytes() + faces.tobytes()
