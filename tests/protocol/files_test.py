@@ -42,6 +42,21 @@ class Files(Served):
         self.assertEqual(view.homes[-1], -1)
         np.testing.assert_array_equal(view.strays, self.vertices[-1:])
 
+    def test_a_view_has_the_scans_colours(self):
+        corners = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)])
+        faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+        text = ["ply", "format ascii 1.0", "element vertex 4",
+                *(f"property {kind} {name}" for kind, names in (
+                    ("double", "x y z"), ("uchar", "red green blue")) for name in names.split()),
+                "element face 4", "property list uchar int vertex_indices", "end_header",
+                *("%d %d %d %d %d %d" % (*corner, *(200 * corner + 5)) for corner in corners),
+                *("3 %d %d %d" % face for face in faces), ""]
+        events = self.client.import_scan("coloured", "\n".join(text).encode(), 4)
+        view = self.client.fetch_view(
+            editing_pb2.SessionInfo(scan_id=events[-1].done.scan.id, depth=4))
+        np.testing.assert_array_equal(view.colours[:, :3], 200 * corners + 5)
+        np.testing.assert_array_equal(view.colours[:, 3], 255)
+
     def test_a_depth_that_nobody_prepared_is_a_failed_precondition(self):
         self.assertFails(grpc.StatusCode.FAILED_PRECONDITION, lambda: self.client.fetch_view(
             editing_pb2.SessionInfo(scan_id=self.scan.id, depth=5)))
