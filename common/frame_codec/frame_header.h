@@ -41,7 +41,7 @@ namespace burnish {
 //     40  u32      number of tiles sent
 //     44  u32      bytes of the body before compression
 //     48  u64      0
-//     56  u64      checksum: XXH3 of all bytes of the frame but these eight
+//     56  u64      checksum: XXH3 of the body, seeded with the XXH3 of the 56 bytes before
 //
 // A reference is named by number and checksum, so that a frame of another stream with the same
 // number is never taken for it.
@@ -60,6 +60,8 @@ namespace burnish {
 // its prediction from earlier values of the same tile and axis, k[a] + k[b] - k[c], in zigzag form
 // (0, -1, 1, -2, ... become 0, 1, 2, 3, ...). Which a, b, c belong to a value is part of the
 // layout: of coefficients the neighbours in the grid, of vertices the one before.
+//
+// docs/protocol.md says it for clients in other languages, the layout and its fingerprint as well.
 //
 // tests/bench/codec_bench measures this beside zstd alone, byte planes, and meshoptimizer's vertex
 // codec with zstd, which took 1.3 to 3.5 times the bytes on coefficients, but for one still frame.

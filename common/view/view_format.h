@@ -30,7 +30,7 @@ namespace burnish {
 //     56  u64      triangles of the whole scan
 //     64  u64[6]   elements of each section
 //    112  u64[6]   bytes of each section as it lies in the file
-//    160  u64      checksum: XXH3 of all bytes of the file but these eight
+//    160  u64      checksum: XXH3 of the sections, seeded with the XXH3 of the 160 bytes before
 //
 // Sections, one behind the other, each one zstd frame:
 //
@@ -38,13 +38,15 @@ namespace burnish {
 //    cells      Morton key                u64        the one before
 //    triangles  three vertices            3 × u32    the same corner of the triangle before
 //    homes      a vertex's cell, or -1    u32        the one before
-//    locals     where in the cell         3 × f32    none
+//    locals     x, y, z in the cell       3 × f32    none
 //    strays     position of a -1 vertex   3 × f64    none
 //    colours    red, green, blue, alpha   u32        none
 //
 // Differences are taken modulo 2^bits and zigzag coded (0, -1, 1, -2, ... become 0, 1, 2, 3, ...);
 // the first counts from zero. A section's words are stored as byte planes: the lowest byte of all,
 // then the next, and so on. So the bytes that hardly change lie together, for zstd to find.
+//
+// docs/protocol.md says it for clients in other languages.
 
 inline constexpr uint8_t kViewFormatVersion = 1;
 inline constexpr size_t kViewHeaderBytes = 168;

@@ -1,0 +1,106 @@
+"""A client of Burnish, written from docs/protocol.md and the comments in proto/ alone."""
+
+import queue
+import zlib
+
+import grpc
+
+import wire
+from burnish.v1 import common_pb2, editing_pb2, editing_pb2_grpc, library_pb2, library_pb2_grpc
+from view import read_view
+
+PATIENCE_S = 120  # how long a call may take before it counts as hanging
+CHUNK_BYTES = 1 << 20
+
+
+def join_chunks(chunks):
+    data = b""
+    for chunk in chunks:
+        wire.require(chunk.offset == len(data), "a gap between chunks")
+        wire.require(chunk.crc32 == zlib.crc32(chunk.data), "a damaged chunk")
+        data += chunk.data
+    return data
+
+
+class Client:
+    """`address`: HOST:PORT, or unix:PATH."""
+
+    def __init__(self, address, user=None, token=None):
+        self.channel = grpc.insecure_channel(
+            address, options=[("grpc.max_receive_message_length", 64 << 20)])
+        self.library = library_pb2_grpc.LibraryStub(self.channel)
+        self.editing = editing_pb2_grpc.EditingStub(self.channel)
+        self.metadata = []
+        if user is not None:
+            self.metadata.append(("burnish-user-bin", user.encode()))
+        if token is not None:
+            self.metadata.append(("authorization", "Bearer " + token))
+
+    def close(self):
+        self.channel.close()
+
+    def call(self, method, request):
+        """Of an RPC that takes one message: its answer, or the stream of its answers."""
+        return method(request, metadata=self.metadata, timeout=PATIENCE_S)
+
+    def import_scan(self, name, ply, depth=0, sha256="", damage=lambda chunk: None):
+        """Returns the events. `damage` may change the chunks."""
+        requests = queue.SimpleQueue()
+        requests.put(library_pb2.ImportRequest(header=library_pb2.ImportHeader(
+            name=name, format=common_pb2.MESH_FORMAT_PLY, size_bytes=len(ply), sha256=sha256,
+            depth=depth)))
+        events = self.call(self.library.Import, iter(requests.get, None))
+        first = next(events)
+        if first.WhichOneof("event") == "received":
+            for offset in range(0, len(ply), CHUNK_BYTES):
+                piece = ply[offset:offset + CHUNK_BYTES]
+                chunk = common_pb2.Chunk(offset=offset, data=piece, crc32=zlib.crc32(piece))
+                damage(chunk)
+                requests.put(library_pb2.ImportRequest(chunk=chunk))
+        requests.put(None)
+        return [first, *events]
+
+    def open_session(self, scan, name, depth):
+        request = editing_pb2.OpenSessionRequest(scan=scan, name=name, depth=depth)
+        return self.call(self.editing.OpenSession, request).session
+
+    def fetch_view(self, session, triangles_max=0):
+        """What the frames of a session are of."""
+        request = library_pb2.FetchViewRequest(
+            scan=session.scan_id, depth=session.depth, curvature_radius=session.curvature_radius,
+            triangles_max=triangles_max)
+        events = list(self.call(self.library.FetchView, request))
+        header = next(event.header for event in events if event.HasField("header"))
+        data = join_chunks(event.chunk for event in events if event.HasField("chunk"))
+        wire.require(len(data) == header.size_bytes, "the view is cut off")
+        return read_view(data)
+
+    def apply(self, session, *edits):
+        request = editing_pb2.ApplyRequest(session=session.id, edits=edits)
+        return self.call(self.editing.Apply, request)
+
+    def upload_cells(self, session, edit_id, cells, announced=None):
+        count = len(cells) if announced is None else announced
+        header = editing_pb2.CellFieldsHeader(session=session.id, edit_id=edit_id, cells=count)
+        return self.call(self.editing.UploadCellFields, iter([
+            editing_pb2.UploadCellFieldsRequest(header=header),
+            editing_pb2.UploadCellFieldsRequest(cells=editing_pb2.SetCellFields(cells=cells))]))
+
+    def export(self, session, **until):
+        """The file, and its summary."""
+        request = editing_pb2.ExportRequest(session=session.id, format=common_pb2.MESH_FORMAT_PLY,
+                                            **until)
+        events = list(self.call(self.editing.Export, request))
+        return (join_chunks(event.chunk for event in events if event.HasField("chunk")),
+                events[-1].summary)
+
+    def history(self, session, page):
+        """All entries, `page` at a time."""
+        after = 0
+        while True:
+            request = editing_pb2.GetHistoryRequest(session=session.id, after=after, count=page)
+            response = self.call(self.editing.GetHistory, request)
+            yield from response.entries
+            if response.complete:
+                return
+            after = response.entries[-1].number

@@ -1,0 +1,59 @@
+"""The examples of docs/protocol.md."""
+
+import pathlib
+import re
+import unittest
+
+import numpy as np
+
+from frame import FrameDecoder, MissingReference, read_frame_header
+from layout import COEFFICIENTS, Layout
+from view import read_view
+from wire import Damaged, morton_point
+
+PAGE = pathlib.Path(__file__).parents[2] / "docs" / "protocol.md"
+
+
+def examples(kind):
+    """The bytes that the page shows."""
+    blocks = re.findall(rf"```{kind}\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.S)
+    return [bytes.fromhex(block) for block in blocks]
+
+
+class Page(unittest.TestCase):
+    def setUp(self):
+        self.view = read_view(*examples("view"))
+        self.decoder = FrameDecoder(Layout(self.view, COEFFICIENTS))
+
+    def test_the_view_says_what_the_page_says(self):
+        np.testing.assert_array_equal(self.view.positions(), [
+            (-0.375, -0.75, -1.125), (-0.125, -0.75, -1.375), (-0.25, -0.5, -1.25), (1, 2, 3)])
+        self.assertEqual(morton_point(self.view.cells).tolist(), [[1, 2, 3]])
+        self.assertEqual(self.view.triangles.tolist(), [[0, 1, 2]])
+
+    def test_the_frames_say_what_the_page_says(self):
+        key, delta = examples("frame")
+        self.assertEqual(self.decoder.layout.fingerprint, 0x9da72cf5a4875830)
+        self.assertEqual(self.decoder.decode(key).reference, 0)
+        expected = np.array([(64, 0, -value) for value in range(8)])
+        np.testing.assert_array_equal(self.decoder.state, expected)
+        self.assertEqual(self.decoder.decode(delta).reference, 1)
+        expected[0, 0] += 8
+        np.testing.assert_array_equal(self.decoder.state, expected)
+
+    def test_a_flipped_bit_is_found(self):
+        for data, read in [(*examples("view"), read_view),
+                           (examples("frame")[0], read_frame_header)]:
+            for byte in range(len(data)):
+                flipped = bytearray(data)
+                flipped[byte] ^= 1 << byte % 8
+                with self.assertRaises(Damaged, msg=f"byte {byte}"):
+                    read(bytes(flipped))
+
+    def test_a_frame_without_its_reference_is_told_from_a_damaged_one(self):
+        with self.assertRaises(MissingReference):
+            self.decoder.decode(examples("frame")[1])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,55 @@
+"""What the tests share: a server, and a scan on it."""
+
+import unittest
+
+import grpc
+
+import scan
+from burnish.v1 import editing_pb2
+from client import Client
+from live import LiveSession
+from server_process import ServerProcess
+
+DEPTH = 6
+
+
+class Served(unittest.TestCase):
+    """With a server, and a scan on it."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.server = ServerProcess()
+        cls.addClassCleanup(cls.server.close)
+        cls.client = cls.connect("Zoë")
+        cls.vertices, cls.triangles = scan.bumpy_sphere()
+        cls.ply = scan.write_ply(cls.vertices, cls.triangles)
+        cls.events = cls.client.import_scan("sphere", cls.ply, DEPTH)
+        cls.scan = cls.events[-1].done.scan
+
+    @classmethod
+    def connect(cls, user=None):
+        made = Client(f"unix:{cls.server.socket}", user)
+        cls.addClassCleanup(made.close)
+        return made
+
+    def open(self, name=None):
+        """A session of this test's own."""
+        session = self.client.open_session(self.scan.id, name or self.id(), DEPTH)
+        self.addCleanup(self.delete, session)
+        return session
+
+    def delete(self, session):
+        if self.server.is_alive():
+            request = editing_pb2.DeleteSessionRequest(session=session.id)
+            self.client.call(self.client.editing.DeleteSession, request)
+
+    def join(self, session, content=editing_pb2.FRAME_CONTENT_UNSPECIFIED, triangles_max=0):
+        view = self.client.fetch_view(session, triangles_max)
+        live = LiveSession(self.client, session, view, content, triangles_max)
+        self.addCleanup(live.cancel)
+        return live
+
+    def assertFails(self, code, call):
+        with self.assertRaises(grpc.RpcError) as failed:
+            call()
+        self.assertEqual(failed.exception.code(), code, failed.exception.details())
