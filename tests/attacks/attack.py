@@ -28,6 +28,7 @@ class Attack:
     users = True  # whether the server asks who calls
     config = ""  # more of server.toml
     flags = ()  # of burnish-server
+    descriptors_max = 1024  # files and sockets that the server may have open
     scan_rows = 24  # of the sphere that everybody edits
     witness_session = "others"  # "": the witness only asks for the scans
     needs_proxy = False  # known to be open where nothing stands before the server
@@ -105,7 +106,7 @@ def run(kind, binary, long, behind_proxy):
     attack = kind(long)
     seen = Seen(kind.__name__, kind.finding, needs_proxy=kind.needs_proxy and not behind_proxy)
     start = ProxiedServer if behind_proxy else Server
-    server = start(binary, kind.users, kind.config, kind.flags)
+    server = start(binary, kind.users, kind.config, kind.flags, kind.descriptors_max)
     try:
         attack.owner = Client(server, "olga" if kind.users else None)
         scan = scans.sphere(kind.scan_rows)

@@ -5,10 +5,14 @@ import struct
 import time
 import zlib
 
+import grpc
+
 from attack import MIB, Attack
+from client import Client
 from http2 import (CANCEL, CONTINUATION, END_HEADERS, FRAME_BYTES_MAX, HEADERS, RST_STREAM,
                    Http2, grpc_headers, grpc_message, frame, hpack,
                    hpack_integer)
+from server import token_of
 
 APPLY = "/burnish.v1.Editing/Apply"
 LIST_SCANS = "/burnish.v1.Library/ListScans"
@@ -167,3 +171,48 @@ class CallsOutsideTheProtocolEndNothing(Attack):
             stranger.listen(0.002)
             stranger.close()
         return "%d frames" % tried
+
+
+class SchemeOfTheTokenIsTakenInAnyCase(Attack):
+    """RFC 6750: "bearer" and "BEARER" are Bearer."""
+    finding = "low"
+    witness_session = ""
+
+    def attack(self, server):
+        client, codes = Client(server), []
+        for scheme in ("Bearer", "bearer", "BEARER"):
+            client.metadata = [("authorization", scheme + " " + token_of("vera"))]
+            codes.append(client.code("ListScans"))
+        if codes != ["OK"] * 3:
+            self.hole(", ".join(codes))
+        return ", ".join(codes)
+
+
+class ServerOutOfDescriptorsTellsNoLies(Attack):
+    """Connections take every descriptor that the server may have."""
+    finding = "low"
+    descriptors_max = 80
+    witness_session = ""
+
+    def attack(self, server):
+        asking = Client(server, "alice")
+        asking.ask("ListScans")
+        silent = [Http2(server, source="127.0.0.%d" % (2 + number // 40), greet=False)
+                  for number in range(120)]
+        time.sleep(0.5)
+        said = []
+        for _ in range(20):
+            try:
+                scans = len(asking.ask("ListScans").scans)
+                said.append("%d scans" % scans)
+                if scans != 1:
+                    self.hole("ListScans: OK, %d scans of 1" % scans)
+                    break
+            except grpc.RpcError as error:
+                said.append(error.code().name)
+        opened = asking.code("OpenSession", scan="scan", name="new")
+        if opened in ("NOT_FOUND", "INVALID_ARGUMENT"):
+            self.hole("OpenSession of a scan that is there: " + opened)
+        for connection in silent:
+            connection.close()
+        return "ListScans: %s; OpenSession: %s" % (", ".join(sorted(set(said))), opened)

@@ -55,7 +55,7 @@ class ProxiedServer(Server):
             file.write(config)
         with open(os.path.join(self.folder, "haproxy.log"), "ab") as log:
             self.proxy = subprocess.Popen([HAPROXY, "-db", "-f", path], stdout=log, stderr=log,
-                                          pass_fds=[listening.fileno()], preexec_fn=guard_child)
+                                          pass_fds=[listening.fileno()], preexec_fn=lambda: guard_child(8192))
         listening.close()
 
     def stop(self):

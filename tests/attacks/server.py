@@ -29,11 +29,12 @@ def users_file(names):
                      for name in names)
 
 
-def guard_child():
-    """Ends the server with the suite, and keeps it from taking the machine with it."""
+def guard_child(descriptors_max=1024):
+    """Ends the child with the suite, and keeps it from taking the machine with it."""
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
     resource.setrlimit(resource.RLIMIT_AS, (ADDRESS_SPACE_BYTES_MAX,) * 2)
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    resource.setrlimit(resource.RLIMIT_NOFILE, (descriptors_max, descriptors_max))
 
 
 class Server:
@@ -41,7 +42,8 @@ class Server:
 
     ca = None  # PEM of who signed its certificate, where it speaks TLS
 
-    def __init__(self, binary, users, config="", flags=()):
+    def __init__(self, binary, users, config="", flags=(), descriptors_max=1024):
+        self.descriptors_max = descriptors_max
         self.binary, self.flags, self.users = binary, list(flags), users
         self._folder = tempfile.TemporaryDirectory(prefix="burnish-attack-")
         self.folder = self._folder.name
@@ -72,7 +74,7 @@ class Server:
             begin = log.tell()
             self.process = subprocess.Popen([self.binary, "--config", self._config, *self.flags],
                                             stdout=log, stderr=log, stdin=subprocess.DEVNULL,
-                                            preexec_fn=guard_child)
+                                            preexec_fn=lambda: guard_child(self.descriptors_max))
         self.address = self.announced(rb"listening on (\S+)", begin)
 
     def announced(self, pattern, begin):

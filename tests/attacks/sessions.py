@@ -144,3 +144,32 @@ class IdleWatcherGetsNoFrames(Attack):
         if frames > 10:  # some may be on their way, and one may follow that is exact
             self.hole("%d frames, %d bytes, of a surface that does not move" % (frames, size))
         return "%d frames after the settled one" % frames
+
+
+class StreamsAtRestAreNotCut(Attack):
+    """No attack, but what a defence must not do: a stream that says something every 10 s, and a watcher
+    of a surface that does not move, go on."""
+
+    def attack(self, server):
+        Client(server, "alice").ask("OpenSession", scan="scan", name="rest")
+        live = Live(Client(server, "alice"), "rest", timeout=200)
+        live.next("welcome")
+        messages = Client(server, "vera").read("Watch", greeting=dict(session="rest"), timeout=200)
+        next(messages)
+        end = time.monotonic() + self.size(2, 75)
+        while time.monotonic() < end:
+            live.say(heartbeat=dict(client_time_us=1))
+            live.next("heartbeat")
+            time.sleep(min(10, max(0, end - time.monotonic())))
+        live.slide("late", 0.25)
+        live.next("acknowledged")
+        changed = any(message.HasField("history") and message.history.gradient_scale == 0.25
+                      for message in messages)
+        if not changed:
+            self.hole("the watcher was cut off")
+        return "both heard of an edit after %d s" % self.size(2, 75)
+
+    def check(self, server):
+        state = self.owner.ask("GetState", session="rest")
+        if state.gradient_scale != 0.25:
+            self.hole("the edit after the rest did not arrive")
