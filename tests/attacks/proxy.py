@@ -35,7 +35,7 @@ class ProxiedServer(Server):
         self.address = "localhost:%d" % self.port
 
     def start_proxy(self):
-        """The configuration as it is installed, but for where its files and sockets are."""
+        """The configuration as it is installed, but for its user, and where files and sockets are."""
         tls = os.path.join(self.folder, "tls")
         subprocess.run([os.path.join(ROOT, "deploy/make-certificates"), tls, "localhost"], check=True,
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -50,6 +50,7 @@ class ProxiedServer(Server):
         config = replace_once(r"^  bind :7411 ssl crt \S+", "  bind fd@%d ssl crt %s/proxy.pem"
                               % (listening.fileno(), tls), config)
         config = replace_once(r"^  server burnish \S+", "  server burnish unix@" + self.socket, config)
+        config = replace_once(r"^  user haproxy\n  group burnish\n", "", config)
         path = os.path.join(self.folder, "haproxy.cfg")
         with open(path, "w") as file:
             file.write(config)
