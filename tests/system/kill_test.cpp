@@ -1,9 +1,11 @@
-// kill -9 under editing load: nothing that was acknowledged is lost or counted twice, everybody
+// kill -9 under editing load, while others open sessions and give up, ask for names that are ids,
+// and idle sessions leave memory: nothing that was acknowledged is lost or counted twice, everybody
 // comes back, and no file is damaged. BURNISH_KILL_ROUNDS=N kills N times instead of 5;
 // BURNISH_KILL_VERTICES=N edits a generated scan of that size.
 
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <thread>
@@ -17,6 +19,7 @@
 #include "server/session/sqlite.h"
 #include "tests/system/environment.h"
 #include "tests/system/restless_editor.h"
+#include "tests/system/restless_openers.h"
 #include "tests/system/server_process.h"
 
 namespace burnish {
@@ -33,6 +36,7 @@ constexpr int kEditors = 5;  // dealt to the sessions in turn
 struct Return {
   double listening_s, back_s;  // since the start of the new process
   size_t edits;                // of all sessions, that the history has
+  size_t races;                // two opened one new session, and the second was told so
 };
 
 double seconds_since(Clock::time_point then) {
@@ -43,6 +47,7 @@ double seconds_since(Clock::time_point then) {
 class KilledServer {
  public:
   KilledServer(int vertices, uint32_t seed) : random_(seed) {
+    spill_soon();
     const TriangleMesh mesh =
         generate_scan({"tablet", static_cast<uint64_t>(vertices), seed}).value();
     const fs::path scan = server_.folder / "scan.ply";
@@ -60,14 +65,17 @@ class KilledServer {
           std::make_unique<RestlessEditor>(place, "user" + std::to_string(i), random_()));
     }
     server_.listen = server_.address;
+    openers_ = std::make_unique<RestlessOpeners>(server_.address, "scan", random_());
     other_scan_ = write_sphere(server_.folder, 5);
     wait_until_back();
   }
 
   Return round() {
     const auto import = server_.start_burnish({"import", other_scan_, "--name", "other"});
+    openers_->start();
     edit_for(milliseconds(random_() % 500));
     kill();
+    openers_->stop();
     Clock::time_point begin = Clock::now();
     server_.start();
     const double listening_s = seconds_since(begin);
@@ -78,11 +86,14 @@ class KilledServer {
       server_.start();
     }
     wait_until_back();
-    Return taken{listening_s, seconds_since(begin), 0};
+    Return taken{listening_s, seconds_since(begin), 0, 0};
     for_each_editor([](RestlessEditor& editor) { ASSERT_TRUE(editor.wait_until_answered()); });
     check_histories();
+    EXPECT_THAT(openers_->broken_promises(), testing::IsEmpty());
     check_scans();
     for_each_editor([&](const RestlessEditor& editor) { taken.edits += editor.applied(); });
+    taken.edits += openers_->acknowledged();
+    taken.races = openers_->told();
     return taken;
   }
 
@@ -136,6 +147,15 @@ class KilledServer {
   }
 
  private:
+  /// Sessions that nobody is in leave memory after a second.
+  void spill_soon() {
+    std::ofstream(server_.folder / "server.toml")
+        << "[sessions]\nidle_spill_seconds = 1\n[limits]\nsessions_max = 10000\n";
+    server_.flags = {"--config", (server_.folder / "server.toml").string()};
+    server_.kill();
+    server_.start();
+  }
+
   Connection connect() { return Connection::open(server_.address, kPatience).value(); }
 
   template <typename What>
@@ -232,6 +252,7 @@ class KilledServer {
 
   std::mt19937 random_;
   ServerProcess server_;
+  std::unique_ptr<RestlessOpeners> openers_;
   std::string other_scan_;
   std::map<std::string, std::vector<std::unique_ptr<RestlessEditor>>> editors_;
 };
@@ -240,7 +261,7 @@ TEST(KilledServer, LosesAndDoublesNoAcknowledgedEditAndComesBack) {
   const int rounds = number_from_environment("BURNISH_KILL_ROUNDS", 5);
   const int vertices = number_from_environment("BURNISH_KILL_VERTICES", 2000);
   std::vector<double> listening, back;
-  size_t edits = 0;
+  size_t edits = 0, races = 0;
   std::unique_ptr<KilledServer> server;
   for (int i = 0; i < rounds && !HasFailure(); ++i) {
     if (i % kRoundsPerServer == 0) server = std::make_unique<KilledServer>(vertices, 1 + i);
@@ -250,15 +271,18 @@ TEST(KilledServer, LosesAndDoublesNoAcknowledgedEditAndComesBack) {
     if (i < rounds - 1 && (i + 1) % kRoundsPerServer != 0) continue;
     server->check_fields();
     edits += taken.edits;
+    races += taken.races;
   }
   EXPECT_GT(edits, 0u);
+  EXPECT_GT(races, 0u);
   const auto print = [](const char* what, std::vector<double> seconds) {
     std::sort(seconds.begin(), seconds.end());
     std::cout << what << " after " << seconds[seconds.size() / 2] << " s (median), "
               << seconds.back() << " s (longest)\n";
   };
   std::cout << back.size() << " rounds, " << vertices << " vertices, " << kEditors << " editors in "
-            << kSessions.size() << " sessions, " << edits << " edits, each of them there once\n";
+            << kSessions.size() << " sessions, " << edits << " edits, each of them there once, "
+            << races << " sessions opened by two at once\n";
   print("listening", listening);
   print("everybody back and shown a frame", back);
 }

@@ -1,0 +1,138 @@
+"""A burnish-server of the suite's own, on a free loopback port, that ends with the suite."""
+
+import ctypes
+import hashlib
+import os
+import re
+import resource
+import signal
+import subprocess
+import tempfile
+import time
+
+START_S_MAX = 20
+ADDRESS_SPACE_BYTES_MAX = 16 << 30  # the second guard; the first is the witness, which looks at RSS
+PR_SET_PDEATHSIG = 1
+
+# Who the server knows when it asks who calls. A token is the word "token-" and the name.
+ROLES = {"olga": "owner", "alice": "editor", "bert": "editor", "mallory": "editor",
+         "walt": "editor", "vera": "viewer"}
+
+
+def token_of(user):
+    return "token-" + user
+
+
+def users_file(names):
+    entry = '[[user]]\nname = "%s"\nrole = "%s"\ntoken_sha256 = "%s"\n'
+    return "\n".join(entry % (name, ROLES[name], hashlib.sha256(token_of(name).encode()).hexdigest())
+                     for name in names)
+
+
+def guard_child(descriptors_max=1024):
+    """Ends the child with the suite, and keeps it from taking the machine with it."""
+    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    resource.setrlimit(resource.RLIMIT_AS, (ADDRESS_SPACE_BYTES_MAX,) * 2)
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    resource.setrlimit(resource.RLIMIT_NOFILE, (descriptors_max, descriptors_max))
+
+
+class Server:
+    """`config` is TOML below the keys that every server of the suite has."""
+
+    ca = None  # PEM of who signed its certificate, where it speaks TLS
+
+    def __init__(self, binary, users, config="", flags=(), descriptors_max=1024):
+        self.descriptors_max = descriptors_max
+        self.binary, self.flags, self.users = binary, list(flags), users
+        self._folder = tempfile.TemporaryDirectory(prefix="burnish-attack-")
+        self.folder = self._folder.name
+        self.log = os.path.join(self.folder, "server.log")
+        keys = self.listen_keys() + 'backend = "cpu"\ndata = "%s"\n' % self.data
+        if users:
+            self.write_users(ROLES)
+            keys += 'users = "%s"\n' % self._users
+        with open(self._config, "w") as file:
+            file.write(keys + config)
+        self.start()
+
+    def listen_keys(self):
+        return 'listen = "127.0.0.1:0"\n'
+
+    data = property(lambda self: os.path.join(self.folder, "data"))
+    _users = property(lambda self: os.path.join(self.folder, "users.toml"))
+    _config = property(lambda self: os.path.join(self.folder, "server.toml"))
+    pid = property(lambda self: self.process.pid)
+
+    def write_users(self, names):
+        with open(self._users + ".new", "w") as file:
+            file.write(users_file(names))
+        os.replace(self._users + ".new", self._users)
+
+    def start(self):
+        with open(self.log, "ab") as log:
+            begin = log.tell()
+            self.process = subprocess.Popen([self.binary, "--config", self._config, *self.flags],
+                                            stdout=log, stderr=log, stdin=subprocess.DEVNULL,
+                                            preexec_fn=lambda: guard_child(self.descriptors_max))
+        self.address = self.announced(rb"listening on (\S+)", begin)
+
+    def announced(self, pattern, begin):
+        end = time.monotonic() + START_S_MAX
+        while time.monotonic() < end:
+            with open(self.log, "rb") as log:
+                log.seek(begin)
+                found = re.search(pattern, log.read())
+            if found:
+                return found.group(1).decode()
+            if not self.is_alive():
+                break
+            time.sleep(0.01)
+        raise RuntimeError("the server did not start: " + self.log_text()[-2000:])
+
+    def is_alive(self):
+        return self.process.poll() is None
+
+    def restart(self):
+        self.process.terminate()
+        self.process.wait(START_S_MAX)
+        self.start()
+
+    def stop(self):
+        if self.is_alive():
+            self.process.kill()
+        self.process.wait()
+        self._folder.cleanup()
+
+    def log_text(self):
+        with open(self.log, "rb") as log:
+            return log.read().decode("latin-1")
+
+    def log_bytes(self):
+        return os.path.getsize(self.log)
+
+    def data_bytes(self):
+        """What the data folder takes on the disk; what goes meanwhile counts nothing."""
+        total = 0
+        for folder, _, files in os.walk(self.data):
+            for name in files:
+                try:
+                    total += os.stat(os.path.join(folder, name)).st_blocks * 512
+                except FileNotFoundError:
+                    pass
+        return total
+
+    def end_in_words(self):
+        code = self.process.poll()
+        if code is None:
+            return "alive"
+        return signal.Signals(-code).name if code < 0 else "exit %d" % code
+
+
+def rss_bytes(pid):
+    """Resident memory, 0 once the process is gone."""
+    try:
+        with open("/proc/%d/statm" % pid) as file:
+            return int(file.read().split()[1]) * resource.getpagesize()
+    except (FileNotFoundError, ProcessLookupError):
+        return 0

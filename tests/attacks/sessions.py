@@ -1,0 +1,175 @@
+"""Sessions and live streams that a user may open, turned against other users."""
+
+import threading
+import time
+
+import grpc
+
+from attack import Attack
+from client import Client, Live, end_of, outcome_of
+
+
+class OpenerWhoGivesUpTakesNobodysEdits(Attack):
+    """Two open one new session; the first gives up while it is brought back."""
+    finding = "C3"
+    users = False
+    scan_rows = 60
+    growth_mib_max = 500  # prepared meshes stay
+
+    def attack(self, server):
+        told, lost = 0, 0
+        for round_number in range(self.size(4, 12)):
+            session = "team-%d" % round_number
+            # another radius each time, so that there is something to wait for
+            wish = dict(scan="scan", name=session, depth=7,
+                        curvature_radius=0.01 + 0.001 * round_number)
+            first, second = Client(server), Client(server)
+            opening = first.start("OpenSession", **wish)
+            if not self.wait_for(second, session, opening):
+                continue
+            edit = second.start("Apply", session=session, edits=[dict(id="e", gradient_scale={})])
+            joining = second.start("OpenSession", **wish) if round_number % 2 else None
+            time.sleep(0.05)
+            opening.cancel()
+            told += outcome_of(edit) == "OK" or (joining is not None and outcome_of(joining) == "OK")
+            lost += self.is_lost(second, session, outcome_of(edit) == "OK", joining)
+        if lost:
+            self.hole("%d of %d sessions that others had been told of are gone" % (lost, told))
+        if not told:
+            return "no round in which the second had an answer"
+        return "%d rounds in which the second was told of success" % told
+
+    @staticmethod
+    def wait_for(client, session, opening):
+        while not opening.done():
+            if any(known.name == session for known in client.ask("ListSessions").sessions):
+                return True
+        return False
+
+    @staticmethod
+    def is_lost(client, session, edit_is_acknowledged, joining):
+        attached = joining is not None and outcome_of(joining) == "OK"
+        if not edit_is_acknowledged and not attached:
+            return False
+        try:
+            entries = client.ask("GetHistory", session=session).entries
+        except grpc.RpcError:
+            return True
+        return edit_is_acknowledged and [entry.edit_id for entry in entries] != ["e"]
+
+
+class LargeStrokesStopNobodyElse(Attack):
+    """Strokes back and forth between two points, wider than the scan: every dab touches each cell."""
+    finding = "H5"
+    scan_rows = 100
+    answer_s_max = 3
+
+    def attack(self, server):
+        mallory = Client(server, "mallory")
+        mallory.ask("OpenSession", scan="scan", name="painted")
+        live = Live(mallory, "painted")
+        live.next("welcome")
+        path = [dict(x=0, y=0, z=1), dict(x=0, y=0.5, z=0.87)] * 1900
+        stroke = dict(brush=dict(radius=4, strength=0.5, beta=0.5, fall_off=1), path=path)
+        live.say(apply=dict(edits=[dict(id="s%d" % number, stroke=stroke)
+                                   for number in range(self.size(12, 64))]))
+        answer = live.next("acknowledged", "refused")
+        live.close()
+        return answer.WhichOneof("message") + " " + answer.refused.message[:100]
+
+
+class ExportsStarveNoLiveStream(Attack):
+    """Viewers export the session in which the witness edits, in a loop."""
+    finding = "H7"
+    users = False
+    scan_rows = 200
+    witness_session = "shared"
+
+    def attack(self, server):
+        self.outcomes, self.end = [], time.monotonic() + self.size(6, 30)
+        loops = [threading.Thread(target=self.export, args=(server,)) for _ in range(6)]
+        for loop in loops:
+            loop.start()
+        for loop in loops:
+            loop.join()
+        return "%d exports: %s" % (len(self.outcomes), ", ".join(sorted(set(self.outcomes))))
+
+    def export(self, server):
+        client = Client(server, "viewer")
+        while time.monotonic() < self.end and server.is_alive():
+            self.outcomes.append(end_of(client.read("Export", session="shared", format=1,
+                                                     exact=True)))
+
+
+class PreviewsWithLongIdsAreNotKept(Attack):
+    finding = "H8"
+
+    def attack(self, server):
+        Client(server, "alice").ask("OpenSession", scan="scan", name="work")
+        live = Live(Client(server, "vera"), "work", timeout=20)
+        live.next("welcome")
+        before = server.log_bytes()
+        previews = self.size(20, 70)
+        for number in range(previews):
+            live.say(preview=dict(edit_id="x" * (15 << 20), gradient_scale=dict(beta=1)))
+            while live._waiting.qsize() > 1 and live.answers.is_active():
+                time.sleep(0.01)
+        time.sleep(1)
+        live.close()
+        if server.log_bytes() - before > 1 << 20:
+            self.hole("%d MiB of log" % ((server.log_bytes() - before) >> 20))
+        return "%d previews of 15 MiB sent, no answer read" % previews
+
+
+class IdleWatcherGetsNoFrames(Attack):
+    finding = "M9"
+    answer_s_max = 4
+    witness_session = "others"
+
+    def attack(self, server):
+        Client(server, "alice").ask("OpenSession", scan="scan", name="idle")
+        vera = Client(server, "vera")
+        messages = vera.read("Watch", greeting=dict(session="idle"), timeout=self.size(4, 30))
+        settled = frames = size = 0
+        try:
+            for message in messages:
+                if not message.HasField("frame"):
+                    continue
+                if settled:
+                    frames += 1
+                    size += len(message.frame.data)
+                settled = settled or message.frame.state == 2
+        except grpc.RpcError:
+            pass
+        if frames > 10:  # some may be on their way, and one may follow that is exact
+            self.hole("%d frames, %d bytes, of a surface that does not move" % (frames, size))
+        return "%d frames after the settled one" % frames
+
+
+class StreamsAtRestAreNotCut(Attack):
+    """No attack, but what a defence must not do: a stream that says something every 10 s, and a watcher
+    of a surface that does not move, go on."""
+
+    def attack(self, server):
+        Client(server, "alice").ask("OpenSession", scan="scan", name="rest")
+        live = Live(Client(server, "alice"), "rest", timeout=200)
+        live.next("welcome")
+        messages = Client(server, "vera").read("Watch", greeting=dict(session="rest"), timeout=200)
+        next(messages)
+        end = time.monotonic() + self.size(2, 75)
+        while time.monotonic() < end:
+            live.say(heartbeat=dict(client_time_us=1))
+            live.next("heartbeat")
+            time.sleep(min(10, max(0, end - time.monotonic())))
+        live.slide("late", 0.25)
+        live.next("acknowledged")
+        changed = any(message.HasField("history") and message.history.gradient_scale == 0.25
+                      for message in messages)
+        if not changed:
+            self.hole("the watcher was cut off")
+        return "both heard of an edit after %d s" % self.size(2, 75)
+
+    def check(self, server):
+        state = self.owner.ask("GetState", session="rest")
+        if state.gradient_scale != 0.25:
+            self.hole("the edit after the rest did not arrive")

@@ -1,0 +1,171 @@
+#include "tests/fuzz/readers.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <unistd.h>
+#include <vector>
+#include <xxhash.h>
+
+#include <sys/mman.h>
+
+#include "client/cli/cell_field_file.h"
+#include "client/cli/stroke_file.h"
+#include "client/model/preferences.h"
+#include "client/script/script.h"
+#include "common/base/check.h"
+#include "common/edit/transfer_curve.h"
+#include "common/view/view.h"
+#include "common/view/view_format.h"
+#include "common/wire/edit_bytes.h"
+#include "server/config/config_file.h"
+#include "server/prepare/prepared_file.h"
+#include "server/session/paint_checkpoints.h"
+#include "server/session/scan_record.h"
+#include "server/trust/users.h"
+
+namespace burnish {
+namespace {
+
+constexpr uint64_t kViewMemoryBytes = uint64_t{64} << 20;
+constexpr size_t kPaintedCells = 1000;
+
+std::string_view text_of(std::span<const uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// A file in memory, for readers that take a path.
+class MemoryFile {
+ public:
+  explicit MemoryFile(std::span<const uint8_t> bytes) : fd_(memfd_create("fuzzed", MFD_CLOEXEC)) {
+    BURNISH_CHECK(::write(fd_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()),
+                  "the file in memory cannot be written");
+  }
+  ~MemoryFile() { ::close(fd_); }
+  std::string path() const { return "/proc/self/fd/" + std::to_string(fd_); }
+
+ private:
+  const int fd_;
+};
+
+bool read_curve(std::span<const uint8_t> bytes) {
+  const auto curve = TransferCurve::parse(text_of(bytes));
+  if (!curve.is_ok()) return false;
+  const auto again = TransferCurve::parse(curve->to_string());
+  BURNISH_CHECK(again.is_ok() && *again == *curve, "a curve does not read back");
+  return true;
+}
+
+bool read_strokes(std::span<const uint8_t> bytes) {
+  return parse_strokes(text_of(bytes), "fuzzed").is_ok();
+}
+
+bool read_cell_fields(std::span<const uint8_t> bytes) {
+  return parse_cell_fields(text_of(bytes), "fuzzed").is_ok();
+}
+
+bool read_fuzzed_script(std::span<const uint8_t> bytes) {
+  return parse_script(text_of(bytes), "fuzzed").is_ok();
+}
+
+bool read_fuzzed_preferences(std::span<const uint8_t> bytes) {
+  return read_preferences(MemoryFile(bytes).path()).is_ok();
+}
+
+bool read_users(std::span<const uint8_t> bytes) {
+  return read_users_file(MemoryFile(bytes).path()).is_ok();
+}
+
+bool read_config(std::span<const uint8_t> bytes) {
+  ServerConfig config;
+  return read_config_text(text_of(bytes), "fuzzed", config).is_ok() && validate(config).is_ok();
+}
+
+bool read_scan_record(std::span<const uint8_t> bytes) {
+  return scan_from_json(std::string(text_of(bytes))).is_ok();
+}
+
+bool read_edit(std::span<const uint8_t> bytes) {
+  const auto edit = edit_from_bytes(text_of(bytes));
+  if (!edit.is_ok()) return false;
+  const std::string kept = edit_to_bytes(*edit);
+  const auto again = edit_from_bytes(kept);
+  BURNISH_CHECK(again.is_ok() && edit_to_bytes(*again) == kept, "an edit does not read back");
+  return true;
+}
+
+/// The first eight bytes are the hash of the rest; here they are made so.
+bool read_painted(std::span<const uint8_t> bytes) {
+  const std::string_view body = text_of(bytes);
+  const uint64_t hash = XXH3_64bits(body.data(), body.size());
+  std::string sealed(reinterpret_cast<const char*>(&hash), sizeof hash);
+  sealed += body;
+  (void)painted_from_bytes(body, kPaintedCells);
+  const auto painted = painted_from_bytes(sealed, kPaintedCells);
+  if (!painted.is_ok()) return false;
+  BURNISH_CHECK(painted_to_bytes(*painted) == sealed, "paint does not read back");
+  return true;
+}
+
+/// With its checksum made right.
+bool read_fuzzed_view(std::span<const uint8_t> bytes) {
+  std::vector<uint8_t> sealed(bytes.begin(), bytes.end());
+  if (sealed.size() >= kViewHeaderBytes) {
+    const size_t at = kViewHeaderBytes - sizeof(uint64_t);
+    const uint64_t of_header = XXH3_64bits(sealed.data(), at);
+    const uint64_t checksum = XXH3_64bits_withSeed(sealed.data() + kViewHeaderBytes,
+                                                   sealed.size() - kViewHeaderBytes, of_header);
+    std::memcpy(sealed.data() + at, &checksum, sizeof checksum);
+  }
+  return read_view(sealed, kViewMemoryBytes).is_ok();
+}
+
+/// Makes the checksums of the sections that lie within the file right, and the header's.
+void seal_prepared(std::span<uint8_t> file) {
+  if (file.size() < sizeof(PreparedHeader)) return;
+  PreparedHeader header;
+  std::memcpy(&header, file.data(), sizeof header);
+  for (SectionEntry& section : header.sections) {
+    const uint64_t size = section.count * section.element_bytes;
+    const bool is_inside = section.offset <= file.size() && size <= file.size() - section.offset;
+    if (is_inside) section.checksum = prepared_checksum(file.subspan(section.offset, size));
+  }
+  header.checksum = header_checksum(header);
+  std::memcpy(file.data(), &header, sizeof header);
+}
+
+bool read_prepared(std::span<const uint8_t> bytes) {
+  std::vector<uint8_t> sealed(bytes.begin(), bytes.end());
+  seal_prepared(sealed);
+  return map_prepared_mesh(MemoryFile(sealed).path()).is_ok();
+}
+
+constexpr FuzzedReader kReaders[] = {
+    {"cell_fields", read_cell_fields},
+    {"config", read_config},
+    {"curve", read_curve},
+    {"edit", read_edit},
+    {"live", read_live_messages},
+    {"painted", read_painted},
+    {"preferences", read_fuzzed_preferences},
+    {"prepared", read_prepared},
+    {"scan_record", read_scan_record},
+    {"script", read_fuzzed_script},
+    {"strokes", read_strokes},
+    {"users", read_users},
+    {"view", read_fuzzed_view},
+};
+
+}  // namespace
+
+std::span<const FuzzedReader> fuzzed_readers() {
+  return kReaders;
+}
+
+const FuzzedReader& fuzzed_reader(std::string_view name) {
+  const auto found = std::ranges::find(kReaders, name, &FuzzedReader::name);
+  BURNISH_CHECK(found != std::end(kReaders), std::string(name));
+  return *found;
+}
+
+}  // namespace burnish

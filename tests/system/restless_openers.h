@@ -1,0 +1,55 @@
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <random>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "burnish/v1/editing.grpc.pb.h"
+
+namespace burnish {
+
+/// Opens sessions without a pause, as nobody should: two at once open the same new session and the
+/// first gives up when it likes; others ask for names that are ids; and somebody edits by Apply.
+/// Keeps a book of what the server has acknowledged.
+class RestlessOpeners {
+ public:
+  /// Opens the session of the Apply loop.
+  RestlessOpeners(std::string address, std::string scan, uint32_t seed);
+  ~RestlessOpeners() { stop(); }
+
+  /// Opens and edits in a thread of its own until stop(), whatever becomes of the server.
+  void start();
+  void stop();
+
+  /// What the server has not kept of what it has said, in words. Needs: stopped, a server.
+  std::vector<std::string> broken_promises() const;
+
+  /// Sessions that two have opened at once and one was told of, and acknowledged edits.
+  size_t told() const { return told_.size(); }
+  size_t acknowledged() const;
+
+ private:
+  using Stub = v1::Editing::Stub;
+  void run(Stub& stub);
+  void race(Stub& stub);
+  void join(Stub& stub, const std::string& session);
+  void forge(Stub& stub);
+  bool apply(Stub& stub, const std::string& session, const std::string& edit_id);
+
+  const std::string address_, scan_;
+  std::mt19937 random_;
+  std::thread thread_;
+  std::atomic<bool> stopping_{false};
+
+  int races_ = 0, edits_ = 0;
+  std::set<std::string> told_;                                    // sessions
+  std::map<std::string, std::vector<std::string>> acknowledged_;  // edits by session
+  std::vector<std::string> wrongly_opened_;
+};
+
+}  // namespace burnish
