@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "common/base/limits.h"
+#include "common/base/text.h"
 
 namespace burnish {
 
@@ -25,6 +26,7 @@ Result<ConnectionTrust> ServerOption::full_trust() const {
 }
 
 Result<Connection> ServerOption::connect() const {
+  if (!user.empty()) RETURN_IF_ERROR(check_name("the user's name", user));
   ASSIGN_OR_RETURN(const ConnectionTrust all, full_trust());
   const auto timeout = std::chrono::milliseconds(int64_t(timeout_seconds * 1000));
   ASSIGN_OR_RETURN(Connection connection, Connection::open(server, timeout, all));

@@ -12,7 +12,7 @@ namespace {
 
 using grpc::experimental::InterceptionHookPoints;
 
-constexpr int kReceiveBytesMax = 16 << 20;
+constexpr int kReceiveBytesMax = 64 << 20;  // a key frame of a very large scan
 constexpr int kKeepaliveTimeMs = 20'000;
 constexpr int kKeepaliveTimeoutMs = 10'000;
 

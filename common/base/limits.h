@@ -30,6 +30,7 @@ inline constexpr double kCurveKappaMagnitudeMax = 1e9;  // user units (kappa * L
 
 inline constexpr size_t kStrokeDabsMax = 4096;
 inline constexpr size_t kEditsPerFrameMax = 64;
+inline constexpr size_t kNameBytesMax = 200;     // of scans, sessions, users, checkpoints
 inline constexpr size_t kSessionRolesMax = 256;  // people with a role of their own
 inline constexpr size_t kCellFieldsPerEditMax = size_t{1} << 22;
 

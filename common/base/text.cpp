@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "common/base/limits.h"
+
 namespace burnish {
 
 std::optional<char32_t> take_character(std::string_view& text) {
@@ -27,6 +29,45 @@ bool is_control(char32_t c) {
   const bool turns_direction = (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069) ||
                                c == 0x200e || c == 0x200f || c == 0x061c;
   return c < 0x20 || (c >= 0x7f && c < 0xa0) || is_line_end || turns_direction;
+}
+
+bool is_valid_utf8(std::string_view text) {
+  while (!text.empty())
+    if (!take_character(text)) return false;
+  return true;
+}
+
+std::string to_valid_utf8(std::string_view text) {
+  if (is_valid_utf8(text)) return std::string(text);
+  static constexpr char kHex[] = "0123456789abcdef";
+  std::string valid;
+  while (!text.empty()) {
+    const std::string_view before = text;
+    const auto character = take_character(text);
+    const auto byte = static_cast<unsigned char>(before[0]);
+    if (!character) {
+      valid += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
+    } else if (character == U'\\') {
+      valid += "\\\\";
+    } else {
+      valid += before.substr(0, before.size() - text.size());
+    }
+  }
+  return valid;
+}
+
+Status check_name(std::string_view what, std::string_view name) {
+  const std::string subject(what);
+  if (name.empty()) return invalid_argument(subject + " is empty");
+  if (name.size() > kNameBytesMax)
+    return invalid_argument(subject + " has " + std::to_string(name.size()) +
+                            " bytes, the limit is " + std::to_string(kNameBytesMax));
+  while (!name.empty()) {
+    const auto character = take_character(name);
+    if (!character) return invalid_argument(subject + " is not valid UTF-8");
+    if (is_control(*character)) return invalid_argument(subject + " has control characters");
+  }
+  return Status::ok();
 }
 
 /// `text` with what `is_wanted` refuses as '?', up to `bytes_max` bytes.

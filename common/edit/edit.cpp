@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "common/base/text.h"
+
 namespace burnish {
 
 static Status validate_change(const SetGradientScale& change) {
@@ -44,22 +46,12 @@ static Status validate_change(const SwitchEntry& change) {
   return change.entry > 0 ? Status::ok() : invalid_argument("entries are numbered from 1");
 }
 
-static Status check_checkpoint_name(const std::string& name) {
-  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  if (!name.empty() && name.size() <= kCheckpointNameBytesMax &&
-      std::none_of(name.begin(), name.end(), is_control))
-    return Status::ok();
-  return invalid_argument(
-      "a checkpoint's name has 1 to " + std::to_string(kCheckpointNameBytesMax) +
-      " bytes and no control characters; this one has " + std::to_string(name.size()) + " bytes");
-}
-
 static Status validate_change(const SetCheckpoint& change) {
-  return check_checkpoint_name(change.name);
+  return check_name("the checkpoint's name", change.name);
 }
 
 static Status validate_change(const RestoreCheckpoint& change) {
-  return check_checkpoint_name(change.name);
+  return check_name("the checkpoint's name", change.name);
 }
 
 static Status validate_change(const Damaged& change) {

@@ -107,8 +107,6 @@ struct AuthoredEdit {
   Edit edit;
 };
 
-inline constexpr size_t kCheckpointNameBytesMax = 200;
-
 /// What can be wrong without knowing the mesh or the history: every value against its limit.
 /// Fails: invalid_argument; data_loss for a damaged edit.
 Status validate(const Edit& edit);

@@ -1,21 +1,6 @@
 #include "common/service/scan_info.h"
 
-#include <algorithm>
-
 namespace burnish {
-
-Status check_name(std::string_view what, std::string_view name) {
-  const std::string subject(what);
-  if (name.empty()) return invalid_argument(subject + " is empty");
-  if (name.size() > kNameBytesMax)
-    return invalid_argument(subject + " has " + std::to_string(name.size()) +
-                            " bytes, the limit is " + std::to_string(kNameBytesMax));
-  const bool printable = std::all_of(name.begin(), name.end(), [](char c) {
-    return static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
-  });
-  if (!printable) return invalid_argument(subject + " has control characters");
-  return Status::ok();
-}
 
 std::string_view mesh_format_name(MeshFormat format) {
   switch (format) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/base/status.h"
+#include "common/base/text.h"
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/statistics.h"
 
@@ -76,12 +77,7 @@ struct ImportOutcome {
   bool already_present = false;
 };
 
-inline constexpr size_t kNameBytesMax = 200;
 inline constexpr size_t kEditIdBytesMax = 64;
-
-/// Names of scans and sessions: 1 to kNameBytesMax bytes, no control characters.
-/// Fails: invalid_argument beginning with `what`.
-Status check_name(std::string_view what, std::string_view name);
 
 /// "ply", "obj", "stl", "off".
 std::string_view mesh_format_name(MeshFormat format);

@@ -13,6 +13,10 @@ EditCall::EditCall(const CallContext& calls, grpc::CallbackServerContext& contex
               [this](grpc::Status status) { Finish(std::move(status)); }) {}
 
 void EditCall::OnReadDone(bool ok) {
+  run_guarded([&] { take_message(ok); }, [this](const Status& why) { writer_.end(why); });
+}
+
+void EditCall::take_message(bool ok) {
   if (!ok) return end_of_requests();
   const Status stays = calls_.may_stay ? calls_.may_stay() : Status::ok();
   if (!stays.is_ok()) return writer_.end(stays);

@@ -27,6 +27,7 @@ class EditCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::By
 
  private:
   void write(const v1::ServerMessage& message);
+  void take_message(bool ok);
   void take_greeting();
   Result<LiveClient> join();
   void take_place(const LiveClient& client);

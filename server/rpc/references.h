@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/base/status.h"
-#include "common/service/scan_info.h"
+#include "common/base/text.h"
 
 namespace burnish {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "common/base/utf8.h"
+#include "common/base/text.h"
 #include "common/wire/edit_bytes.h"
 #include "server/session/journal_rows.h"
 

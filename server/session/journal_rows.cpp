@@ -5,7 +5,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "common/base/utf8.h"
+#include "common/base/text.h"
 
 namespace burnish {
 

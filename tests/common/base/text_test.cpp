@@ -35,5 +35,17 @@ TEST(Shortened, LinesStayAndTheRestIsUtf8) {
   EXPECT_EQ(shortened("abcd", 3), "abc... (1 bytes more)");
 }
 
+TEST(CheckName, RefusesWhatIsNotUtf8AndWhatIsNotShownAsItStands) {
+  EXPECT_TRUE(check_name("it", "M\xc3\xbcller \xe2\x80\x94 5").is_ok());
+  EXPECT_EQ(check_name("the user's name", "M\xfcller").message(),
+            "the user's name is not valid UTF-8");
+  for (const char* name : {"a\nb", "a\x7f", "a\xc2\x85", "a\xc2\x9b", "a\xe2\x80\xae"})
+    EXPECT_EQ(check_name("it", name).message(), "it has control characters");
+  EXPECT_EQ(check_name("it", "").message(), "it is empty");
+  EXPECT_EQ(check_name("it", std::string(201, 'a')).message(),
+            "it has 201 bytes, the limit is 200");
+  EXPECT_TRUE(check_name("it", std::string(200, 'a')).is_ok());
+}
+
 }  // namespace
 }  // namespace burnish

@@ -1,4 +1,4 @@
-#include "common/base/utf8.h"
+#include "common/base/text.h"
 
 #include <random>
 
