@@ -23,8 +23,7 @@ namespace burnish {
 
 namespace {
 
-constexpr size_t kCellsPerBatch = 1 << 15;   // between two looks at the cancel flag
-constexpr double kCurvatureRadiusMax = 0.2;  // of L
+constexpr size_t kCellsPerBatch = 1 << 15;  // between two looks at the cancel flag
 
 /// What the spans of a freshly prepared mesh point into.
 struct PreparedArrays {
@@ -135,9 +134,12 @@ Status ask_for_depth(const Scan& scan, int depth, PreparationBudget& budget) {
 
 // Why nothing was prepared at this depth, and at which it would have been.
 Status refusal(const Scan& scan, const PreparationCounts& counts, const Status& reason,
-               PreparationBudget& budget) {
+               PreparationBudget& budget, const Progress& progress) {
   int depth = counts.depth - 1;
-  while (depth >= kDepthMin && !ask_for_depth(scan, depth, budget).is_ok()) --depth;
+  while (depth >= kDepthMin && !ask_for_depth(scan, depth, budget).is_ok()) {
+    if (!report(progress, "looking for a depth that fits", 0)) return cancelled("cancelled");
+    --depth;
+  }
   return resource_exhausted(
       to_string(predict_preparation(counts)) + ": " + reason.message() +
       (depth >= kDepthMin ? "; depth " + std::to_string(depth) + " fits" : "; no depth fits"));
@@ -315,7 +317,7 @@ Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
   Admission admission{budget, scan.counts(depth)};
   auto prepared = prepare_scan(scan, admission, options, progress, clock);
   if (prepared.status().code() != StatusCode::kResourceExhausted) return prepared;
-  return refusal(scan, admission.counts, prepared.status(), budget);
+  return refusal(scan, admission.counts, prepared.status(), budget, progress);
 } catch (const std::bad_alloc&) {
   return resource_exhausted("preparing a scan of " + std::to_string(mesh.triangles.size()) +
                             " triangles: no memory could be had; choose a smaller depth");

@@ -6,21 +6,27 @@
 #include <unistd.h>
 
 #include <sys/file.h>
+#include <sys/stat.h>
 
 namespace burnish {
 
 namespace fs = std::filesystem;
 
+// Scans and edits are nobody else's, whatever the umask. A folder that is there keeps its mode.
 static Status make_folder(const fs::path& path) {
+  const fs::path folder = path.has_filename() ? path : path.parent_path();
   std::error_code error;
-  fs::create_directories(path, error);
-  return error ? errno_status("cannot make the folder " + path.string(), error.value())
-               : Status::ok();
+  if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), error);
+  if (error) return errno_status("cannot make " + folder.parent_path().string(), error.value());
+  if (::mkdir(folder.c_str(), 0700) == 0) return Status::ok();
+  const int failure = errno;
+  if (failure == EEXIST && fs::is_directory(folder, error)) return Status::ok();
+  return errno_status("cannot make the folder " + folder.string(), failure);
 }
 
 static Result<int> take_lock(const fs::path& folder) {
   const fs::path path = folder / "lock";
-  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (file < 0) return errno_status("cannot open " + path.string(), errno);
   if (::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
   const int error = errno;

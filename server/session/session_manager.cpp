@@ -1,5 +1,6 @@
 #include "server/session/session_manager.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include <spdlog/spdlog.h>
@@ -24,7 +25,9 @@ std::string describe(const PreparedKey& key) {
 
 }  // namespace
 
-SessionManager::~SessionManager() = default;
+SessionManager::~SessionManager() {
+  store_.set_wanted(nullptr);
+}
 
 Result<std::unique_ptr<SessionManager>> SessionManager::create(
     const DataFolder& folder, MeshStore& store, Journal& journal,
@@ -37,7 +40,18 @@ Result<std::unique_ptr<SessionManager>> SessionManager::create(
     ASSIGN_OR_RETURN(entry->roles, journal.roles(record.id));
     manager->sessions_[record.name] = std::move(entry);
   }
+  store.set_wanted([&manager = *manager](const std::string& scan_id, const PreparedKey& key) {
+    return manager.is_edited(scan_id, key);
+  });
   return manager;
+}
+
+bool SessionManager::is_edited(const std::string& scan_id, const PreparedKey& key) const {
+  const std::lock_guard lock(mutex_);
+  return std::ranges::any_of(sessions_, [&](const auto& session) {
+    const SessionRecord& record = session.second->record;
+    return record.scan_id == scan_id && record.key == key;
+  });
 }
 
 std::shared_ptr<SessionEntry> SessionManager::find(const std::string& reference) const {
@@ -75,12 +89,13 @@ Status SessionManager::bring_back(SessionEntry& entry, const Progress& progress)
   if (entry.session) return Status::ok();
   const SessionRecord& record = entry.record;
   ASSIGN_OR_RETURN(const auto mesh, store_.open_mesh(record.scan_id, record.key, progress));
-  ASSIGN_OR_RETURN(Quota::Share memory,
-                   store_.memory().take(kServer, predict_session_bytes(*mesh->hierarchy)));
+  ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));
+  uint64_t bytes = predict_session_bytes(*mesh->hierarchy);
+  for (const AuthoredEdit& edit : edits) bytes += bytes_in_history(edit);
+  ASSIGN_OR_RETURN(Quota::Share memory, store_.memory().take(kServer, bytes));
   ASSIGN_OR_RETURN(auto session, Session::open(mesh->prepared, mesh->hierarchy, options_.solver));
   spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),
                session->solver().backend_reason());
-  ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));
   ASSIGN_OR_RETURN(auto kept, journal_.paint(record.id, mesh->prepared->cells.size()));
   for (PaintCheckpoint& paint : kept) session->edited().offer(std::move(paint));
   RETURN_IF_ERROR(session->edited().apply(edits, progress).status().with_context("replay"));

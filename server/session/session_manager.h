@@ -147,6 +147,7 @@ class SessionManager {
         options_(options),
         by_user_("sessions open", "limits.sessions_per_user", options.sessions_per_user) {}
 
+  bool is_edited(const std::string& scan_id, const PreparedKey& key) const;
   std::shared_ptr<SessionEntry> find(const std::string& reference) const;
   Result<std::shared_ptr<SessionEntry>> find_or_create(const SessionWish& wish,
                                                        const std::string& user, bool& created);

@@ -37,7 +37,7 @@ TEST_P(MemoryNeed, OfFramesIsNoLessThanTheirLayoutAndPoints) {
   const auto shared = std::make_shared<const SharedMesh>(prepared, make_hierarchy(*prepared));
   Quota memory("bytes", "max", UINT64_MAX);
   FrameTargets targets(memory);
-  for (const uint64_t triangles_max : {0, 500})
+  for (const uint64_t triangles_max : {0, 2000})
     for (const FrameContent content : {FrameContent::kCoefficients, FrameContent::kVertices}) {
       const auto target = targets.find_or_make(shared, triangles_max, content, {}).value();
       const uint64_t taken =
