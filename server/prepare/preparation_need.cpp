@@ -14,8 +14,8 @@ namespace burnish {
 
 namespace {
 
-constexpr uint64_t kBytesInAnyCase = 2 << 20;  // threads' buffers, digits of the sort
-constexpr uint64_t kHeapLostDivisor = 32;      // what the heap loses between blocks
+constexpr uint64_t kBytesInAnyCase = 4 << 20;  // threads' buffers, digits of the sort
+constexpr uint64_t kHeapLostDivisor = 16;      // what the heap loses between blocks
 constexpr uint64_t kCellBytes =
     sizeof(MortonKey) + sizeof(CellIntegrals) + sizeof(CellCurvature) + sizeof(Passages);
 constexpr uint64_t kSheetBytes = sizeof(CellSheet) + sizeof(CellIntegrals);
