@@ -135,7 +135,8 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   if (config.device_memory_bytes_max > 0)
     set_cuda_memory_budget(static_cast<uint64_t>(config.device_memory_bytes_max));
   remove_stale_files(*folder);
-  MeshStore store(*folder, store_options(config));
+  ASSIGN_OR_RETURN(const auto opened_store, MeshStore::open(*folder, store_options(config)));
+  MeshStore& store = *opened_store;
   ASSIGN_OR_RETURN(const auto journal, Journal::open(folder->journal()));
   ASSIGN_OR_RETURN(const auto sessions,
                    SessionManager::create(*folder, store, *journal, session_options(config)));

@@ -13,7 +13,13 @@ inline constexpr int kDefaultDepthMax = 9;
 
 inline constexpr uint64_t kTrianglesMax = uint64_t{1} << 31;
 inline constexpr uint64_t kVerticesMax = uint64_t{1} << 31;
+inline constexpr uint64_t kReadingBytesPerFileByte = 12;  // of memory, while a mesh file is read
 inline constexpr double kCoordinateMagnitudeMax = 1e18;  // file units; squares stay finite in float
+
+inline constexpr double kCurvatureRadiusMin = 1e-4;  // of L; below it averages nothing: 0
+inline constexpr double kCurvatureRadiusMax = 0.2;
+inline constexpr size_t kPreparedPerScanMax = 16;
+inline constexpr uint64_t kDiskReserveBytes = uint64_t{256} << 20;  // for the journal
 
 inline constexpr double kAlphaMin = 0.01;  // user units (alpha * L)
 inline constexpr double kAlphaMax = 1e5;

@@ -1,5 +1,7 @@
 #include "common/evaluation/proxy.h"
 
+#include <algorithm>
+#include <bit>
 #include <meshoptimizer.h>
 
 #include "common/base/check.h"
@@ -63,6 +65,13 @@ Proxy make_proxy(const DetailedMesh& mesh, size_t triangles_max) {
   if (mesh.triangles.size() > triangles_max)
     indices = simplify(indices, float_positions(mesh.vertices), triangles_max * 3);
   return of_indices(indices, mesh.evaluation);
+}
+
+uint64_t rounded_triangles_max(uint64_t triangles_max) {
+  constexpr uint64_t kLeast = 1000;
+  if (triangles_max == 0) return 0;
+  const int dropped_bits = std::max(static_cast<int>(std::bit_width(triangles_max)) - 2, 0);
+  return std::max(triangles_max >> dropped_bits << dropped_bits, kLeast);
 }
 
 }  // namespace burnish

@@ -30,4 +30,9 @@ struct Proxy {
 /// Needs: triangles_max > 0. Cost: about a second per million triangles.
 Proxy make_proxy(const DetailedMesh& mesh, size_t triangles_max);
 
+/// What a client's wish for at most so many triangles counts as, so that close wishes share one
+/// proxy: two significant bits of it, rounded down, and no less than 1000. 0, the whole scan,
+/// stays.
+uint64_t rounded_triangles_max(uint64_t triangles_max);
+
 }  // namespace burnish

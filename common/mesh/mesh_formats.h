@@ -13,7 +13,8 @@
 /// Readers take a whole file's bytes and its name for the messages, and leave validate() to their
 /// caller. Polygons become fans around their first corner; faces that repeat a vertex are kept;
 /// faces of fewer than three corners are refused. Every count is checked against the bytes that
-/// are left before memory is taken for it, so that memory stays a small multiple of the file.
+/// are left before memory is taken for it, and what polygons unfold to against the file's size, so
+/// that memory stays below kReadingBytesPerFileByte times the file.
 /// Elements are numbered from 0 in messages, lines and bytes as editors do (from 1 and from 0).
 namespace burnish {
 

@@ -14,7 +14,9 @@ namespace burnish {
 class ObjReader {
  public:
   ObjReader(std::span<const uint8_t> bytes, const std::string& name)
-      : scanner_(bytes, name, {.hash_comments = true, .backslash_continues = true}), name_(name) {}
+      : scanner_(bytes, name, {.hash_comments = true, .backslash_continues = true}),
+        name_(name),
+        file_bytes_(bytes.size()) {}
 
   Result<TriangleMesh> read() {
     while (scanner_.next_line()) {
@@ -57,6 +59,8 @@ class ObjReader {
     if (corners_.size() < 3)
       return scanner_.error(corner_count_complaint(faces_, static_cast<int64_t>(corners_.size())));
     append_fan(corners_, mesh_.triangles);
+    if (unfolds_too_far(mesh_.triangles, file_bytes_))
+      return scanner_.error(unfolding_complaint(mesh_.triangles, file_bytes_));
     ++faces_;
     return Status::ok();
   }
@@ -102,6 +106,7 @@ class ObjReader {
 
   TextScanner scanner_;
   std::string name_;
+  uint64_t file_bytes_;
   TriangleMesh mesh_;
   TextColours colours_;
   std::vector<uint32_t> corners_;

@@ -15,7 +15,7 @@ namespace burnish {
 class OffReader {
  public:
   OffReader(std::span<const uint8_t> bytes, const std::string& name)
-      : scanner_(bytes, name, {.hash_comments = true}) {}
+      : scanner_(bytes, name, {.hash_comments = true}), file_bytes_(bytes.size()) {}
 
   Result<TriangleMesh> read() {
     RETURN_IF_ERROR(read_magic());
@@ -100,6 +100,8 @@ class OffReader {
     corners_.clear();
     for (int64_t i = 0; i < count; ++i) RETURN_IF_ERROR(read_corner(f, i, count));
     append_fan(corners_, mesh_.triangles);
+    if (unfolds_too_far(mesh_.triangles, file_bytes_))
+      return scanner_.error(unfolding_complaint(mesh_.triangles, file_bytes_));
     return Status::ok();
   }
 
@@ -124,6 +126,7 @@ class OffReader {
   }
 
   TextScanner scanner_;
+  uint64_t file_bytes_;
   TriangleMesh mesh_;
   TextColours colours_;
   std::vector<uint32_t> corners_;

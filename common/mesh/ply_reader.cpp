@@ -28,8 +28,9 @@ uint8_t colour_byte(double value, PlyType type) {
 template <typename Source>
 class PlyBodyReader {
  public:
-  PlyBodyReader(Source source, const PlyHeader& header, const PlyLayout& layout)
-      : source_(std::move(source)), header_(header), layout_(layout) {
+  PlyBodyReader(Source source, uint64_t file_bytes, const PlyHeader& header,
+                const PlyLayout& layout)
+      : source_(std::move(source)), file_bytes_(file_bytes), header_(header), layout_(layout) {
     mesh_.has_double_positions = layout.has_double_positions;
   }
 
@@ -104,7 +105,7 @@ class PlyBodyReader {
       corner = static_cast<uint32_t>(index);
     }
     append_fan(corners_, mesh_.triangles);
-    return Status::ok();
+    return check_unfolding();
   }
 
   Status read_strip(const PlyElement& element, uint64_t s, const PlyProperty& list) {
@@ -120,8 +121,14 @@ class PlyBodyReader {
       }
       if (!is_vertex(index)) return index_error(element, s, index);
       strip.append(static_cast<uint32_t>(index), mesh_.triangles);
+      RETURN_IF_ERROR(check_unfolding());
     }
     return Status::ok();
+  }
+
+  Status check_unfolding() const {
+    if (!unfolds_too_far(mesh_.triangles, file_bytes_)) return Status::ok();
+    return source_.error(unfolding_complaint(mesh_.triangles, file_bytes_));
   }
 
   Status skip(const PlyElement& element, uint64_t number, const PlyProperty& property) {
@@ -163,6 +170,7 @@ class PlyBodyReader {
   }
 
   Source source_;
+  const uint64_t file_bytes_;
   const PlyHeader& header_;
   const PlyLayout& layout_;
   TriangleMesh mesh_;
@@ -172,7 +180,7 @@ class PlyBodyReader {
 template <typename Source>
 Result<TriangleMesh> read_body(std::span<const uint8_t> bytes, const PlyHeader& header,
                                const PlyLayout& layout, const std::string& name) {
-  return PlyBodyReader<Source>(Source(bytes, header, name), header, layout).read();
+  return PlyBodyReader<Source>(Source(bytes, header, name), bytes.size(), header, layout).read();
 }
 
 }  // namespace

@@ -34,6 +34,23 @@ class TriangleStrip {
   uint32_t b_ = 0;  // the last
 };
 
+/// Polygons and strips unfold to more bytes of triangles than the file has for them. Of scans they
+/// never come near this; a file of polygons around few vertices could fill the memory.
+inline constexpr uint64_t kUnfoldedBytesPerFileByte = 4;
+inline constexpr uint64_t kUnfoldedBytesInAnyCase = 1 << 20;
+
+inline bool unfolds_too_far(const std::vector<Triangle>& triangles, uint64_t file_bytes) {
+  return triangles.size() * sizeof(Triangle) >
+         kUnfoldedBytesInAnyCase + kUnfoldedBytesPerFileByte * file_bytes;
+}
+
+inline std::string unfolding_complaint(const std::vector<Triangle>& triangles,
+                                       uint64_t file_bytes) {
+  return "the polygons so far are " + std::to_string(triangles.size()) +
+         " triangles, which take more than " + std::to_string(kUnfoldedBytesPerFileByte) +
+         " times the " + std::to_string(file_bytes) + " bytes of the file";
+}
+
 /// "face 3 has 2 corners; a face needs at least 3".
 inline std::string corner_count_complaint(uint64_t face, int64_t corners) {
   return "face " + std::to_string(face) + " has " + std::to_string(corners) +

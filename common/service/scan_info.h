@@ -86,8 +86,9 @@ std::string_view mesh_format_name(MeshFormat format);
 Result<MeshFormat> mesh_format_of_name(std::string_view name);
 
 /// The first digits of an id, enough for people.
+inline constexpr size_t kShortIdDigits = 12;
 inline std::string short_id(std::string_view id) {
-  return std::string(id.substr(0, 12));
+  return std::string(id.substr(0, kShortIdDigits));
 }
 
 }  // namespace burnish

@@ -59,10 +59,11 @@ Result<PreparedKey> prepared_key_from_wire(int depth, double curvature_radius) {
     return invalid_argument("depth " + std::to_string(depth) + " is outside " +
                             std::to_string(kDepthMin) + ".." + std::to_string(kDepthMax) +
                             " and not 0 (chosen by the server)");
-  if (!(curvature_radius >= 0 && curvature_radius <= 1))
+  if (!(curvature_radius >= 0 && curvature_radius <= kCurvatureRadiusMax))
     return invalid_argument("curvature radius " + std::to_string(curvature_radius) +
-                            " is outside 0..1 of sqrt(area)");
-  return PreparedKey{depth, curvature_radius};
+                            " is outside 0.." + std::to_string(kCurvatureRadiusMax) +
+                            " of sqrt(area)");
+  return PreparedKey{depth, curvature_radius < kCurvatureRadiusMin ? 0.0 : curvature_radius};
 }
 
 }  // namespace burnish

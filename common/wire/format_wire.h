@@ -20,7 +20,8 @@ void set_chunk(uint64_t offset, std::string_view piece, v1::Chunk& chunk);
 v1::Point to_wire(const Vec3d& point);
 Vec3d from_wire(const v1::Point& point);
 
-/// A depth (0 allowed) and an averaging radius as they come in a request.
+/// A depth (0 allowed) and an averaging radius as they come in a request; a radius below
+/// kCurvatureRadiusMin averages nothing and counts as 0.
 /// Fails: invalid_argument naming the value and its limits.
 Result<PreparedKey> prepared_key_from_wire(int depth, double curvature_radius);
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <utility>
 
-#include "common/base/process_memory.h"
+#include "common/base/parallel.h"
 #include "server/prepare/clip.h"
 
 namespace burnish {
@@ -54,33 +55,53 @@ static uint64_t cell_count(const CutTriangle& triangle) {
   return count;
 }
 
-// Where the pieces of each block begin, and how many there are in all. Counting ends where there is
-// no memory for more: large triangles in a fine grid have more cells than could be counted to.
-static Result<std::vector<uint64_t>> count_pieces(std::span<const Triangle> triangles,
-                                                  std::span<const Vec3d> grid_positions) {
-  const uint64_t available = available_memory_bytes();
-  const uint64_t limit = available / (2 * sizeof(CellPiece));  // the sort works beside its input
+Result<PieceCount> count_cell_pieces(std::span<const Triangle> triangles,
+                                     std::span<const Vec3d> grid_positions, uint64_t pieces_max) {
   const size_t blocks = (triangles.size() + kTrianglesPerBlock - 1) / kTrianglesPerBlock;
   std::vector<uint64_t> start(blocks + 1, 0);
   std::atomic<uint64_t> total{0};
+  ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic)
   for (size_t block = 0; block < blocks; ++block) {
-    if (total > limit) continue;
+    if (total > pieces_max) continue;
     uint64_t& count = start[block + 1];
     const auto add_count = [&](const CutTriangle& triangle) {
       count += cell_count(triangle);
-      return count <= limit;
+      return count <= pieces_max;
     };
-    for_each_triangle_of_block(triangles, grid_positions, block, add_count);
-    total += count;
+    failure.run([&] {
+      for_each_triangle_of_block(triangles, grid_positions, block, add_count);
+      total += count;
+    });
   }
-  if (total > limit)
-    return resource_exhausted("cutting the mesh at this depth gives more than " +
-                              std::to_string(limit) + " pieces, for which the available " +
-                              std::to_string(available >> 20) +
-                              " MiB are too few; choose a smaller depth");
+  failure.rethrow();
+  if (total > pieces_max)
+    return resource_exhausted("cutting the scan at this depth gives more than " +
+                              std::to_string(pieces_max) + " pieces");
   for (size_t block = 0; block < blocks; ++block) start[block + 1] += start[block];
-  return start;
+  return PieceCount{std::move(start)};
+}
+
+// Calls visit(place, cell, passages, triangle) for every pair, from several threads.
+template <typename Visit>
+static void for_each_piece(std::span<const Triangle> triangles,
+                           std::span<const Vec3d> grid_positions, const PieceCount& count,
+                           Visit&& visit) {
+  ParallelFailure failure;
+#pragma omp parallel for schedule(dynamic)
+  for (size_t block = 0; block < count.start.size() - 1; ++block) {
+    uint64_t next = count.start[block];
+    const auto visit_pieces = [&](const CutTriangle& triangle) {
+      for_each_cell_with_passages(triangle.corners, triangle.columns,
+                                  [&](const Vec3i& cell, Passages passages) {
+                                    visit(next++, morton_key(cell), passages, triangle.index);
+                                  });
+      return true;
+    };
+    failure.run(
+        [&] { for_each_triangle_of_block(triangles, grid_positions, block, visit_pieces); });
+  }
+  failure.rethrow();
 }
 
 // Puts the pieces in the order of one digit of their cells' keys; of one digit they keep theirs.
@@ -117,30 +138,36 @@ static void sort_by_cell(UnsetVector<CellPiece>& pieces) {
 
 Result<UnsetVector<CellPiece>> find_cell_pieces(std::span<const Triangle> triangles,
                                                 std::span<const Vec3d> grid_positions,
-                                                const Progress& progress) {
-  ASSIGN_OR_RETURN(const std::vector<uint64_t> start, count_pieces(triangles, grid_positions));
-  if (!report(progress, "grid", 0.4)) return cancelled("cancelled while cutting at the grid");
-
-  UnsetVector<CellPiece> pieces(start.back());
-#pragma omp parallel for schedule(dynamic)
-  for (size_t block = 0; block < start.size() - 1; ++block) {
-    uint64_t next = start[block];
-    const auto add_pieces = [&](const CutTriangle& triangle) {
-      for_each_cell_with_passages(triangle.corners, triangle.columns,
-                                  [&](const Vec3i& cell, Passages passages) {
-                                    pieces[next++] = {morton_key(cell), triangle.index, passages};
-                                  });
-      return true;
-    };
-    for_each_triangle_of_block(triangles, grid_positions, block, add_pieces);
-  }
+                                                const PieceCount& count, const Progress& progress) {
+  UnsetVector<CellPiece> pieces(count.total());
+  for_each_piece(triangles, grid_positions, count,
+                 [&](uint64_t place, MortonKey cell, Passages passages, uint32_t triangle) {
+                   pieces[place] = {cell, triangle, passages};
+                 });
   if (!report(progress, "grid", 0.7)) return cancelled("cancelled while cutting at the grid");
   sort_by_cell(pieces);
   return pieces;
 }
 
+uint64_t count_cells(std::span<const Triangle> triangles, std::span<const Vec3d> grid_positions,
+                     const PieceCount& count) {
+  UnsetVector<MortonKey> cells(count.total());
+  for_each_piece(triangles, grid_positions, count,
+                 [&](uint64_t place, MortonKey cell, Passages, uint32_t) { cells[place] = cell; });
+  parallel_sort(cells.begin(), cells.end(), std::less<>());
+  return static_cast<uint64_t>(std::unique(cells.begin(), cells.end()) - cells.begin());
+}
+
+uint64_t count_cells(std::span<const CellPiece> pieces) {
+  uint64_t cells = 0;
+  for (size_t i = 0; i < pieces.size(); ++i)
+    cells += i == 0 || pieces[i].cell != pieces[i - 1].cell;
+  return cells;
+}
+
 std::vector<size_t> cell_starts(std::span<const CellPiece> pieces) {
   std::vector<size_t> starts;
+  starts.reserve(count_cells(pieces) + 1);
   for (size_t i = 0; i < pieces.size(); ++i)
     if (i == 0 || pieces[i].cell != pieces[i - 1].cell) starts.push_back(i);
   starts.push_back(pieces.size());

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "common/base/process_memory.h"
 #include "common/mesh/components.h"
 
 namespace burnish {
@@ -77,31 +76,27 @@ bool are_of_a_soup(const std::vector<MixedCell>& mixed, size_t cells) {
          });
 }
 
-Status check_memory(size_t sheets) {
-  const uint64_t bytes = sheets * (sizeof(CellIntegrals) + sizeof(CellSheet));
-  const uint64_t available = available_memory_bytes();
-  if (bytes <= available) return Status::ok();
-  return resource_exhausted(std::to_string(sheets) + " sheets of cells need " +
-                            std::to_string(bytes >> 20) + " MiB of integrals; available are " +
-                            std::to_string(available >> 20) + " MiB; choose a smaller depth");
-}
-
 }  // namespace
 
 Result<CellSheets> find_cell_sheets(const Surface& surface, std::span<const CellPiece> pieces,
                                     std::span<const MortonKey> cells,
-                                    std::span<const Passages> passages) {
+                                    std::span<const Passages> passages,
+                                    const std::function<Status(size_t sheets)>& admit) {
   CellSheets found;
   const Components components(surface);
   const std::vector<MixedCell> mixed = find_mixed_cells(components, pieces, cells);
   if (are_of_a_soup(mixed, cells.size())) return found;
+  size_t sheets = 0;
+  for (const MixedCell& cell : mixed) sheets += cell.components.size();
+  RETURN_IF_ERROR(admit(sheets));
   std::vector<const MixedCell*> cell_of_sheet;
+  cell_of_sheet.reserve(sheets);
+  found.sheets.reserve(sheets);
   for (const MixedCell& cell : mixed)
     for (uint32_t component : cell.components) {
       found.sheets.push_back({cell.cell, component, 0});
       cell_of_sheet.push_back(&cell);
     }
-  RETURN_IF_ERROR(check_memory(found.sheets.size()));
   found.integrals.resize(found.sheets.size());
 #pragma omp parallel for schedule(dynamic, 64)
   for (size_t s = 0; s < found.sheets.size(); ++s) {

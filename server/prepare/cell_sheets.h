@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,9 +19,10 @@ struct CellSheets {
 /// None where more than one cell in four has several, or a cell more than kSheetsPerCellMax: such a
 /// scan is a soup, whose components say nothing.
 /// Shapes: `cells` strictly rising, with their passages; pieces by cell, also of cells left out.
-/// Fails: resource_exhausted.
+/// Fails: as `admit` does, which is asked for so many sheets before they take memory.
 Result<CellSheets> find_cell_sheets(const Surface& surface, std::span<const CellPiece> pieces,
                                     std::span<const MortonKey> cells,
-                                    std::span<const Passages> passages);
+                                    std::span<const Passages> passages,
+                                    const std::function<Status(size_t sheets)>& admit);
 
 }  // namespace burnish

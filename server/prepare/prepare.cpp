@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <new>
 #include <sstream>
 #include <utility>
 
@@ -22,8 +23,7 @@ namespace burnish {
 
 namespace {
 
-constexpr size_t kCellsPerBatch = 1 << 15;   // between two looks at the cancel flag
-constexpr double kCurvatureRadiusMax = 0.2;  // of L
+constexpr size_t kCellsPerBatch = 1 << 15;  // between two looks at the cancel flag
 
 /// What the spans of a freshly prepared mesh point into.
 struct PreparedArrays {
@@ -76,14 +76,73 @@ std::vector<Vec3d> snapped_positions(const TriangleMesh& mesh, const GridFrame& 
   return positions;
 }
 
-Status check_cell_memory(size_t cells) {
-  const uint64_t bytes = cells * (sizeof(CellIntegrals) + sizeof(CellCurvature) + sizeof(Passages) +
-                                  sizeof(MortonKey));
-  const uint64_t available = available_memory_bytes();
-  if (bytes <= available) return Status::ok();
-  return resource_exhausted(std::to_string(cells) + " cells need " + std::to_string(bytes >> 20) +
-                            " MiB of integrals; available are " + std::to_string(available >> 20) +
-                            " MiB; choose a smaller depth");
+/// What a preparation has counted, and whom it asks with that.
+struct Admission {
+  PreparationBudget& budget;
+  PreparationCounts counts;
+
+  Status ask() const { return budget.ask(predict_preparation(counts)); }
+
+  /// How many pieces may be counted before the budget cannot have room for them.
+  uint64_t pieces_max() const {
+    const uint64_t before = predict_preparation(counts).memory_bytes;
+    const uint64_t limit = budget.memory_bytes_max();
+    return limit < before ? 0 : (limit - before) / (2 * sizeof(CellPiece));  // as the sort takes
+  }
+
+  Result<PieceCount> count_pieces(const TriangleMesh& mesh, std::span<const Vec3d> positions) {
+    const uint64_t limit = pieces_max();
+    auto count = count_cell_pieces(mesh.triangles, positions, limit);
+    counts.pieces = count.is_ok() ? count->total() : limit + 1;
+    if (count.is_ok()) RETURN_IF_ERROR(ask());
+    return count;
+  }
+};
+
+PreparationCounts counts_of(const TriangleMesh& mesh, int depth) {
+  PreparationCounts counts;
+  counts.depth = depth;
+  counts.vertices = mesh.vertices.size();
+  counts.triangles = mesh.triangles.size();
+  counts.has_colours = !mesh.colours.empty();
+  return counts;
+}
+
+/// What does not depend on the depth.
+struct Scan {
+  const TriangleMesh& mesh;
+  MeshStatistics statistics;
+
+  GridFrame frame(int depth) const {
+    return make_grid_frame(statistics.box_min, statistics.box_max, depth);
+  }
+  PreparationCounts counts(int depth) const {
+    PreparationCounts counts = counts_of(mesh, depth);
+    counts.has_several_components = statistics.components > 1;
+    return counts;
+  }
+};
+
+// As far as cells tell: of sheets only a preparation knows.
+Status ask_for_depth(const Scan& scan, int depth, PreparationBudget& budget) {
+  Admission admission{budget, scan.counts(depth)};
+  const std::vector<Vec3d> positions = snapped_positions(scan.mesh, scan.frame(depth));
+  ASSIGN_OR_RETURN(const PieceCount count, admission.count_pieces(scan.mesh, positions));
+  admission.counts.cells = count_cells(scan.mesh.triangles, positions, count);
+  return admission.ask();
+}
+
+// Why nothing was prepared at this depth, and at which it would have been.
+Status refusal(const Scan& scan, const PreparationCounts& counts, const Status& reason,
+               PreparationBudget& budget, const Progress& progress) {
+  int depth = counts.depth - 1;
+  while (depth >= kDepthMin && !ask_for_depth(scan, depth, budget).is_ok()) {
+    if (!report(progress, "looking for a depth that fits", 0)) return cancelled("cancelled");
+    --depth;
+  }
+  return resource_exhausted(
+      to_string(predict_preparation(counts)) + ": " + reason.message() +
+      (depth >= kDepthMin ? "; depth " + std::to_string(depth) + " fits" : "; no depth fits"));
 }
 
 /// Integrates over the pieces of one cell; false if no area is left in it.
@@ -134,7 +193,6 @@ Status integrate_cells(const Surface& surface, std::span<const CellPiece> pieces
                        const Progress& progress, PreparedArrays& arrays) {
   const std::vector<size_t> starts = cell_starts(pieces);
   const size_t cell_count = starts.size() - 1;
-  RETURN_IF_ERROR(check_cell_memory(cell_count));
   arrays.cells.resize(cell_count);
   arrays.integrals.resize(cell_count);
   arrays.curvature.resize(cell_count);
@@ -183,59 +241,86 @@ void point_at(PreparedMesh& prepared, std::shared_ptr<PreparedArrays> arrays) {
   prepared.storage = std::move(arrays);
 }
 
-}  // namespace
-
-Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
-                                                    const PrepareOptions& options,
-                                                    const Progress& progress,
-                                                    PrepareReport* phases) {
-  RETURN_IF_ERROR(check_options(options));
-  use_threads(options.threads);
-  PhaseClock clock(phases);
-
+Result<std::shared_ptr<const PreparedMesh>> prepare_scan(const Scan& scan, Admission& admission,
+                                                         const PrepareOptions& options,
+                                                         const Progress& progress,
+                                                         PhaseClock& clock) {
+  const TriangleMesh& mesh = scan.mesh;
   auto prepared = std::make_shared<PreparedMesh>();
-  prepared->statistics = compute_statistics(mesh);
-  const MeshStatistics& statistics = prepared->statistics;
-  const int depth = options.depth != 0 ? options.depth
-                                       : default_depth(statistics.box_min, statistics.box_max,
-                                                       statistics.mean_edge_length);
-  prepared->frame = make_grid_frame(statistics.box_min, statistics.box_max, depth);
-  prepared->length_unit = std::sqrt(statistics.area);
+  prepared->statistics = scan.statistics;
+  prepared->frame = scan.frame(admission.counts.depth);
+  prepared->length_unit = std::sqrt(scan.statistics.area);
   prepared->curvature_radius = options.curvature_radius;
   prepared->has_double_positions = mesh.has_double_positions;
-  auto arrays = std::make_shared<PreparedArrays>();
-  arrays->vertices = mesh.vertices;
-  arrays->triangles = mesh.triangles;
-  arrays->colours = mesh.colours;
-  clock.end("statistics");
   if (!report(progress, "grid", 0)) return cancelled("cancelled before cutting at the grid");
 
   const std::vector<Vec3d> positions = snapped_positions(mesh, prepared->frame);
+  ASSIGN_OR_RETURN(const PieceCount count, admission.count_pieces(mesh, positions));
+  if (!report(progress, "grid", 0.4)) return cancelled("cancelled while cutting at the grid");
   ASSIGN_OR_RETURN(const UnsetVector<CellPiece> pieces,
-                   find_cell_pieces(mesh.triangles, positions, progress));
+                   find_cell_pieces(mesh.triangles, positions, count, progress));
+  admission.counts.cells = count_cells(pieces);
+  RETURN_IF_ERROR(admission.ask());
   clock.end("grid");
   if (!report(progress, "curvature", 0)) return cancelled("cancelled before the curvature");
 
   const UnsetVector<TriangleCurvature> curvature =
-      compute_curvature(mesh, statistics, options.curvature_radius * prepared->length_unit);
+      compute_curvature(mesh, scan.statistics, options.curvature_radius * prepared->length_unit);
   clock.end("curvature");
 
+  auto arrays = std::make_shared<PreparedArrays>();
+  arrays->vertices = mesh.vertices;
+  arrays->triangles = mesh.triangles;
+  arrays->colours = mesh.colours;
   const Surface surface = {arrays->triangles, positions, curvature, prepared->length_unit};
   RETURN_IF_ERROR(integrate_cells(surface, pieces, progress, *arrays));
   RETURN_IF_ERROR(check_surface_is_left(*arrays, prepared->frame));
-  if (statistics.components > 1) {
+  if (scan.statistics.components > 1) {
+    const auto admit = [&](size_t sheets) {
+      admission.counts.sheets = sheets;
+      return admission.ask();
+    };
     ASSIGN_OR_RETURN(arrays->sheets,
-                     find_cell_sheets(surface, pieces, arrays->cells, arrays->passages));
+                     find_cell_sheets(surface, pieces, arrays->cells, arrays->passages, admit));
   }
   clock.end("integrals");
 
-  arrays->evaluation =
-      make_evaluation(mesh, prepared->frame, SparseGrid{depth, finest_keys(arrays->cells)});
+  arrays->evaluation = make_evaluation(
+      mesh, prepared->frame, SparseGrid{prepared->frame.depth, finest_keys(arrays->cells)});
   prepared->histogram = make_histogram(arrays->curvature);
   point_at(*prepared, std::move(arrays));
   clock.end("evaluation");
   if (!report(progress, "evaluation", 1)) return cancelled("cancelled at the end");
   return std::shared_ptr<const PreparedMesh>(std::move(prepared));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
+                                                    const PrepareOptions& options,
+                                                    const Progress& progress,
+                                                    PrepareReport* phases) try {
+  RETURN_IF_ERROR(check_options(options));
+  use_threads(options.threads);
+  PhaseClock clock(phases);
+  MachineBudget machine;
+  PreparationBudget& budget = options.budget != nullptr ? *options.budget : machine;
+  const PreparationNeed least = predict_preparation(counts_of(mesh, options.depth));
+  RETURN_IF_ERROR(budget.ask(least).with_context(to_string(least)));
+
+  const Scan scan = {mesh, compute_statistics(mesh)};
+  const MeshStatistics& statistics = scan.statistics;
+  const int depth = options.depth != 0 ? options.depth
+                                       : default_depth(statistics.box_min, statistics.box_max,
+                                                       statistics.mean_edge_length);
+  clock.end("statistics");
+  Admission admission{budget, scan.counts(depth)};
+  auto prepared = prepare_scan(scan, admission, options, progress, clock);
+  if (prepared.status().code() != StatusCode::kResourceExhausted) return prepared;
+  return refusal(scan, admission.counts, prepared.status(), budget, progress);
+} catch (const std::bad_alloc&) {
+  return resource_exhausted("preparing a scan of " + std::to_string(mesh.triangles.size()) +
+                            " triangles: no memory could be had; choose a smaller depth");
 }
 
 }  // namespace burnish

@@ -135,14 +135,35 @@ static PreparedMesh mesh_over(const PreparedHeader& header, std::span<const uint
   return mesh;
 }
 
-Result<PreparedMesh> parse_prepared_file(std::span<const uint8_t> file) {
-  if (file.size() < sizeof(PreparedHeader))
-    return data_loss("length of the file is " + std::to_string(file.size()) +
+Result<PreparedHeader> parse_prepared_header(std::span<const uint8_t> beginning,
+                                             uint64_t file_bytes) {
+  if (beginning.size() < sizeof(PreparedHeader))
+    return data_loss("length of the file is " + std::to_string(file_bytes) +
                      ", the header alone takes " + std::to_string(sizeof(PreparedHeader)));
   PreparedHeader header;
-  std::memcpy(&header, file.data(), sizeof(header));
-  RETURN_IF_ERROR(check_header(header, file.size()));
+  std::memcpy(&header, beginning.data(), sizeof(header));
+  RETURN_IF_ERROR(check_header(header, file_bytes));
   RETURN_IF_ERROR(check_scalars(header));
+  return header;
+}
+
+PreparedSummary summary_of(const PreparedHeader& header) {
+  const auto count = [&](PreparedSection id) {
+    return header.sections[static_cast<int>(id)].count;
+  };
+  PreparedSummary summary;
+  summary.length_unit = header.length_unit;
+  summary.cell_size = header.cell_size;
+  summary.histogram = {header.histogram_range, header.histogram_area};
+  summary.vertices = count(PreparedSection::kVertices);
+  summary.cells = count(PreparedSection::kCells);
+  for (const SectionEntry& entry : header.sections)
+    summary.byte_count += entry.count * entry.element_bytes;
+  return summary;
+}
+
+Result<PreparedMesh> parse_prepared_file(std::span<const uint8_t> file) {
+  ASSIGN_OR_RETURN(const PreparedHeader header, parse_prepared_header(file, file.size()));
   RETURN_IF_ERROR(check_section_checksums(header, file));
   PreparedMesh mesh = mesh_over(header, file);
   RETURN_IF_ERROR(check_contents(mesh));

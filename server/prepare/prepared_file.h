@@ -99,6 +99,13 @@ PreparedHeader make_prepared_header(const PreparedMesh& prepared);
 uint64_t prepared_checksum(std::span<const uint8_t> bytes);
 uint64_t header_checksum(const PreparedHeader& header);
 
+/// Reads the first bytes of a file that has so many.
+/// Fails: data_loss naming what is wrong with the header.
+Result<PreparedHeader> parse_prepared_header(std::span<const uint8_t> beginning,
+                                             uint64_t file_bytes);
+
+PreparedSummary summary_of(const PreparedHeader& header);
+
 /// Reads a whole file's bytes; the mesh's spans point into them and its storage is left empty.
 /// Needs: bytes aligned to 64. Fails: data_loss naming the section and what is wrong.
 Result<PreparedMesh> parse_prepared_file(std::span<const uint8_t> file);

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "common/base/atomic_file.h"
-#include "common/base/mapped_file.h"
+#include "common/base/file_content.h"
 #include "server/prepare/prepared_file.h"
 
 namespace burnish {
@@ -29,13 +29,25 @@ Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::
   return file.commit();
 }
 
-Result<std::shared_ptr<const PreparedMesh>> map_prepared_mesh(const std::filesystem::path& path) {
-  ASSIGN_OR_RETURN(MappedFile opened, MappedFile::open(path));
-  const auto file = std::make_shared<const MappedFile>(std::move(opened));
+static std::string name_of(const std::filesystem::path& path) {
+  return "prepared mesh " + path.string();
+}
+
+Result<std::shared_ptr<const PreparedMesh>> read_prepared_mesh(const std::filesystem::path& path) {
+  ASSIGN_OR_RETURN(FileContent read, FileContent::read(path));
+  const auto file = std::make_shared<const FileContent>(std::move(read));
   Result<PreparedMesh> mesh = parse_prepared_file(file->bytes());
-  if (!mesh.is_ok()) return mesh.status().with_context("prepared mesh " + path.string());
+  if (!mesh.is_ok()) return mesh.status().with_context(name_of(path));
   mesh->storage = file;
   return std::make_shared<const PreparedMesh>(std::move(mesh).value());
+}
+
+Result<PreparedSummary> read_prepared_summary(const std::filesystem::path& path) {
+  ASSIGN_OR_RETURN(const FileContent head,
+                   FileContent::read_beginning(path, sizeof(PreparedHeader)));
+  const auto header = parse_prepared_header(head.bytes(), head.file_bytes());
+  if (!header.is_ok()) return header.status().with_context(name_of(path));
+  return summary_of(*header);
 }
 
 }  // namespace burnish

@@ -64,7 +64,7 @@ struct PrepareReport {
 };
 
 /// Everything about a scan at one depth that no edit changes; immutable and shared by sessions.
-/// The spans point into storage that the object owns: vectors, or a memory-mapped file.
+/// The spans point into storage that the object owns: vectors, or a file's content.
 class PreparedMesh {
  public:
   GridFrame frame;
@@ -101,9 +101,24 @@ class PreparedMesh {
 /// Writes the prepared mesh to `path` by way of a synced temporary file.
 Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::path& path);
 
-/// Maps a prepared file; pages are shared by every process that maps it.
-/// Fails: not_found; data_loss naming the section when the version, a size or a checksum is wrong.
-Result<std::shared_ptr<const PreparedMesh>> map_prepared_mesh(const std::filesystem::path& path);
+/// Reads a prepared file into memory of our own: a mapped one would end the process when somebody
+/// shortens the file, and the checksums touch every page in any case.
+/// Fails: not_found; data_loss naming the section when the version, a size or a checksum is wrong;
+/// resource_exhausted where there is no memory for it.
+Result<std::shared_ptr<const PreparedMesh>> read_prepared_mesh(const std::filesystem::path& path);
+
+/// What the head of a prepared file says of it.
+struct PreparedSummary {
+  double length_unit = 1;
+  double cell_size = 1;
+  CurvatureHistogram histogram;
+  uint64_t vertices = 0;
+  uint64_t cells = 0;
+  uint64_t byte_count = 0;  ///< of the mesh in memory
+};
+
+/// Reads the head alone. Fails: as read_prepared_mesh(), but for what the sections hold.
+Result<PreparedSummary> read_prepared_summary(const std::filesystem::path& path);
 
 /// Bumped whenever the form of the file changes, or its numbers by more than rounding.
 inline constexpr uint32_t kPreparedFormatVersion = 4;

@@ -46,12 +46,26 @@ Status UploadCellFieldsCall::take_header(const v1::CellFieldsHeader& header) {
   if (header.cells() > kCellFieldsPerEditMax)
     return resource_exhausted("the edit sets " + std::to_string(header.cells()) +
                               " cells, the limit is " + std::to_string(kCellFieldsPerEditMax));
+  RETURN_IF_ERROR(check_cell_count(header));
   has_header_ = true;
   session_ = header.session();
   edit_id_ = header.edit_id();
   announced_cells_ = header.cells();
   change_.cells.reserve(announced_cells_);
   return Status::ok();
+}
+
+// More cells than the session has would wait in memory for a refusal.
+Status UploadCellFieldsCall::check_cell_count(const v1::CellFieldsHeader& header) {
+  constexpr uint64_t kFewCells = 4096;
+  if (header.cells() <= kFewCells) return Status::ok();
+  const Progress progress = [this](std::string_view, double) { return !cancelled_; };
+  return calls_.sessions.visit(header.session(), progress, [&](Session& session) {
+    const uint64_t cells = session.prepared().cells.size();
+    if (header.cells() <= cells) return Status::ok();
+    return invalid_argument("the edit sets " + std::to_string(header.cells()) + " cells, session " +
+                            header.session() + " has " + std::to_string(cells));
+  });
 }
 
 Status UploadCellFieldsCall::apply() {

@@ -30,6 +30,7 @@ class UploadCellFieldsCall final : public grpc::ServerReadReactor<grpc::ByteBuff
   void end(const Status& status) { Finish(to_grpc(status)); }
   Status take_request();
   Status take_header(const v1::CellFieldsHeader& header);
+  Status check_cell_count(const v1::CellFieldsHeader& header);
   Status apply();
 
   const CallContext calls_;

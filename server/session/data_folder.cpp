@@ -12,11 +12,16 @@ namespace burnish {
 
 namespace fs = std::filesystem;
 
+// Scans and edits are nobody else's, whatever the umask. A folder that is there keeps its mode.
 static Status make_folder(const fs::path& path) {
+  const fs::path folder = path.has_filename() ? path : path.parent_path();
   std::error_code error;
-  fs::create_directories(path, error);
-  return error ? errno_status("cannot make the folder " + path.string(), error.value())
-               : Status::ok();
+  if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), error);
+  if (error) return errno_status("cannot make " + folder.parent_path().string(), error.value());
+  if (::mkdir(folder.c_str(), 0700) == 0) return Status::ok();
+  const int failure = errno;
+  if (failure == EEXIST && fs::is_directory(folder, error)) return Status::ok();
+  return errno_status("cannot make the folder " + folder.string(), failure);
 }
 
 static Result<int> take_lock(const fs::path& folder) {

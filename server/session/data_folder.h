@@ -16,8 +16,8 @@ namespace burnish {
 ///     staging/         what is not finished; emptied at start
 class DataFolder {
  public:
-  /// Makes the folder where it is missing, takes the lock and empties staging/.
-  /// Fails: failed_precondition when another server holds it; as errno says.
+  /// Makes the folder where it is missing, for its owner alone, takes the lock and empties
+  /// staging/. Fails: failed_precondition when another server holds it; as errno says.
   static Result<std::unique_ptr<DataFolder>> open(const std::filesystem::path& path);
   ~DataFolder();
 

@@ -55,6 +55,13 @@ class EditedFields {
   /// effect any more.
   uint64_t restore(std::span<const AuthoredEdit> edits);
 
+  /// What the mesh has against an edit that is new: apply() takes what older histories hold.
+  /// Fails: invalid_argument for a cell that is not active or set twice.
+  Status check_new(const Edit& edit) const {
+    const auto* cells = std::get_if<SetCellFields>(&edit.change);
+    return cells ? fields_.check_new(*cells) : Status::ok();
+  }
+
   /// What has changed since the last take_changes().
   const Changes& changes() const { return changes_; }
   Changes take_changes() { return std::exchange(changes_, {}); }
@@ -70,7 +77,7 @@ class EditedFields {
 
   const History& history() const { return history_; }
   const Fields& fields() const { return fields_; }
-  uint64_t byte_count() const { return checkpoints_.byte_count(); }
+  uint64_t byte_count() const { return checkpoints_.byte_count() + history_.byte_count(); }
   /// Strokes painted since this was made, by which a test sees how long replays are.
   uint64_t painted_strokes() const { return painted_strokes_; }
 

@@ -1,5 +1,6 @@
 #include "server/session/frame_target.h"
 
+#include "common/base/out_of_memory.h"
 #include "common/evaluation/proxy.h"
 #include "server/session/cancellable_lock.h"
 #include "server/session/memory_need.h"
@@ -23,6 +24,7 @@ Result<std::shared_ptr<const FrameTarget>> FrameTargets::find_or_make(
     const std::shared_ptr<const SharedMesh>& mesh, uint64_t triangles_max, WantedContent content,
     const Progress& progress) {
   const PreparedMesh& prepared = *mesh->prepared;
+  triangles_max = rounded_triangles_max(triangles_max);  // as the view was made
   if (triangles_max >= prepared.triangles.size()) triangles_max = 0;
   ASSIGN_OR_RETURN(const auto lock,
                    lock_or_cancel(mutex_, "waiting for another client's frames", progress));
@@ -36,13 +38,17 @@ Result<std::shared_ptr<const FrameTarget>> FrameTargets::find_or_make(
   ASSIGN_OR_RETURN(
       target->memory,
       memory_.take(kServer, predict_target_bytes(prepared, *mesh->hierarchy, triangles_max)));
-  if (triangles_max > 0) {
-    ASSIGN_OR_RETURN(const auto meanwhile, memory_.take(kServer, predict_proxy_bytes(prepared)));
-    target->proxy_points =
-        make_proxy({prepared.vertices, prepared.triangles, prepared.evaluation}, triangles_max)
-            .evaluation;
-  }
-  target->layout = std::make_shared<const FrameLayout>(make_layout(target->frame_mesh(), content));
+  RETURN_IF_ERROR(with_memory_for("laying out frames", [&]() -> Status {
+    if (triangles_max > 0) {
+      ASSIGN_OR_RETURN(const auto meanwhile, memory_.take(kServer, predict_proxy_bytes(prepared)));
+      target->proxy_points =
+          make_proxy({prepared.vertices, prepared.triangles, prepared.evaluation}, triangles_max)
+              .evaluation;
+    }
+    target->layout =
+        std::make_shared<const FrameLayout>(make_layout(target->frame_mesh(), content));
+    return Status::ok();
+  }));
   known = target;
   return std::shared_ptr<const FrameTarget>(std::move(target));
 }

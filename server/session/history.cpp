@@ -15,6 +15,39 @@ static bool can_be_switched(const History::Entry& entry) {
   return kind_of(entry.made_by->edit) != EditKind::kSetCheckpoint;
 }
 
+namespace {
+
+constexpr uint64_t kBytesOfAnyEdit = 640;  // the edit itself, its step, entry, id and their nodes
+
+/// What a change takes beside its own struct.
+struct BytesBeside {
+  uint64_t operator()(const SetTransferCurve& change) const {
+    return change.curve.points().size() * (sizeof(TransferCurve::Point) + sizeof(double));
+  }
+  uint64_t operator()(const Stroke& change) const { return change.path.capacity() * sizeof(Vec3d); }
+  uint64_t operator()(const SetCellFields& change) const {
+    return change.cells.capacity() * sizeof(SetCellFields::Cell);
+  }
+  uint64_t operator()(const SetCheckpoint& change) const { return 2 * change.name.size(); }
+  uint64_t operator()(const RestoreCheckpoint& change) const { return change.name.size(); }
+  template <typename Change>
+  uint64_t operator()(const Change&) const {
+    return 0;
+  }
+};
+
+}  // namespace
+
+uint64_t bytes_in_history(const AuthoredEdit& edit) {
+  return kBytesOfAnyEdit + 3 * (edit.author.size() + edit.edit.id.size()) +
+         std::visit(BytesBeside{}, edit.edit.change);
+}
+
+uint64_t History::byte_count(const Step& step) {
+  return bytes_in_history(*step.edit) +
+         (step.switched.size() + step.not_redoable.size()) * sizeof(uint64_t);
+}
+
 bool History::knows(const std::string& author, const std::string& edit_id) const {
   return ids_.contains(id_key(author, edit_id));
 }
@@ -45,6 +78,7 @@ Result<uint64_t> History::enter(Step step) {
                    std::visit([&](const auto& change) { return apply_change(change, step); },
                               step.edit->edit.change));
   ids_.insert(id_key(step.edit->author, step.edit->edit.id));
+  byte_count_ += byte_count(step);
   steps_.push_back(std::move(step));
   return number;
 }
@@ -52,6 +86,7 @@ Result<uint64_t> History::enter(Step step) {
 void History::take_back() {
   const Step step = std::move(steps_.back());
   steps_.pop_back();
+  byte_count_ -= byte_count(step);
   const AuthoredEdit& edit = *step.edit;
   Author& author = authors_[edit.author];
   if (kind_of(edit.edit) == EditKind::kUndo && !step.switched.empty()) author.undone.pop_back();

@@ -49,6 +49,9 @@ class History {
   /// Forgets the last edit as though it had never been.
   void take_back();
 
+  /// What the edits take in memory, see bytes_in_history().
+  uint64_t byte_count() const { return byte_count_; }
+
   /// By number.
   const std::vector<Entry>& entries() const { return entries_; }
 
@@ -81,6 +84,7 @@ class History {
   Result<uint64_t> apply_change(const SetCheckpoint& change, Step& step);
   Result<uint64_t> apply_change(const RestoreCheckpoint& change, Step& step);
 
+  static uint64_t byte_count(const Step& step);
   uint64_t add_entry(Step& step);
   void toggle(uint64_t number);
   const Entry* find(uint64_t number) const;
@@ -90,6 +94,11 @@ class History {
   std::map<std::string, Author> authors_;
   std::map<std::string, std::vector<uint64_t>> checkpoints_;  // every use of the name
   std::unordered_set<std::string> ids_;
+  uint64_t byte_count_ = 0;
 };
+
+/// What an edit takes in memory as a part of a history.
+/// Accuracy: no less than it takes, but for what undo and checkpoints switch.
+uint64_t bytes_in_history(const AuthoredEdit& edit);
 
 }  // namespace burnish

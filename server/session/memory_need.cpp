@@ -6,20 +6,11 @@
 
 namespace burnish {
 
-// Measured on real scans and rounded up: a cell of the finest depth brings some two corners, and
-// the coarser depths a third of that again (ARCHITECTURE section 7 has the figures).
-static constexpr uint64_t kHierarchyBytesPerCell = 704;
-static constexpr uint64_t kHierarchyBytesPerVertex = 12;  // PointsByCell
-static constexpr uint64_t kSessionBytesPerCorner = 700;   // of any depth
-static constexpr uint64_t kSessionBytesPerCell = 60;      // fields, paint, a gesture's copy
+static constexpr uint64_t kSessionBytesPerCorner = 700;  // of any depth
+static constexpr uint64_t kSessionBytesPerCell = 60;     // fields, paint, a gesture's copy
 static constexpr uint64_t kLayoutBytesPerValue = 12;
 static constexpr uint64_t kFrameInTheMaking = 36;    // a value: its sample, two drafts, its bytes
 static constexpr uint64_t kCoarsestBytes = 6 << 20;  // the direct solver of the coarsest depth
-
-uint64_t predict_mesh_bytes(const PreparedMesh& prepared) {
-  return prepared.byte_count() + prepared.cells.size() * kHierarchyBytesPerCell +
-         prepared.vertices.size() * kHierarchyBytesPerVertex;
-}
 
 uint64_t predict_session_bytes(const Hierarchy& hierarchy) {
   uint64_t bytes = kCoarsestBytes;

@@ -4,12 +4,10 @@
 
 #include "common/frame_codec/frame_layout.h"
 #include "server/prepare/prepared_mesh.h"
+#include "server/session/opening_need.h"
 #include "server/solver/hierarchy.h"
 
 namespace burnish {
-
-/// Bytes that a prepared mesh and its hierarchy will take together, before the hierarchy is made.
-uint64_t predict_mesh_bytes(const PreparedMesh& prepared);
 
 /// Bytes that one session over the mesh will take for itself, before its solver is made, with the
 /// copy of its fields that a gesture works on.

@@ -21,7 +21,9 @@ struct SharedMesh {
   Quota::Share memory;
   LiveObject live{LiveKind::kMesh};
 
-  uint64_t byte_count() const { return prepared->byte_count() + hierarchy->byte_count(); }
+  uint64_t byte_count() const {  ///< needs a hierarchy
+    return prepared->byte_count() + hierarchy->byte_count();
+  }
 };
 
 /// The shared meshes in memory. Sessions own them together; the cache only finds them again.

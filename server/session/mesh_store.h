@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -13,6 +14,7 @@
 #include "server/session/fair_mutex.h"
 #include "server/session/mesh_cache.h"
 #include "server/session/quota.h"
+#include "server/session/scan_index.h"
 #include "server/session/upload.h"
 #include "server/session/view_cache.h"
 
@@ -30,8 +32,11 @@ struct MeshStoreOptions {
 /// prepared files can always be rebuilt from the original. Thread-safe.
 class MeshStore {
  public:
-  /// Needs: `folder` outlives the store.
-  MeshStore(const DataFolder& folder, const MeshStoreOptions& options);
+  /// Reads what the library holds. Needs: `folder` outlives the store.
+  /// Fails: as errno says, where that cannot be read.
+  static Result<std::unique_ptr<MeshStore>> open(const DataFolder& folder,
+                                                 const MeshStoreOptions& options);
+  ~MeshStore();
 
   /// Fails: resource_exhausted above upload_bytes_max, and when the user's uploads under way are
   /// above upload_bytes_per_user together.
@@ -40,8 +45,7 @@ class MeshStore {
 
   /// Reads, checks, prepares and keeps the uploaded file; bytes that are known already only get
   /// the prepared mesh that was asked for, and replace what is damaged of the scan. Fails:
-  /// invalid_argument (no good mesh), data_loss (bytes other than announced), resource_exhausted
-  /// (disk), cancelled; then nothing is kept.
+  /// invalid_argument (no good mesh), data_loss (bytes other than announced), resource_exhausted (disk), cancelled; then nothing is kept.
   Result<ImportOutcome> import(Upload& upload, const ImportHeader& header,
                                const Progress& progress);
 
@@ -50,33 +54,42 @@ class MeshStore {
   Result<ImportOutcome> import_known(const std::string& id, const PreparedKey& key,
                                      const Progress& progress);
 
-  /// By name, then id. Damaged folders are logged and left out.
-  std::vector<ScanInfo> list() const;
+  /// By name, then id, from memory. Damaged folders were logged at the start and left out.
+  std::vector<ScanInfo> list() const { return index_.list(); }
 
-  /// By name, id, or the beginning of one id.
+  /// By name, id, or the beginning of one id, from memory.
   /// Fails: not_found; invalid_argument when several scans answer to it.
-  Result<ScanInfo> find(const std::string& reference) const;
+  Result<ScanInfo> find(const std::string& reference) const { return index_.find(reference); }
 
   /// Describes the prepared mesh of `depth`, or the deepest there is for 0.
   Result<ScanDescription> describe(const std::string& reference, int depth) const;
 
-  /// Makes the prepared file when it is missing or damaged. Needs: a resolved key.
+  /// Makes the prepared file when it is missing or its head is damaged. Needs: a resolved key.
+  /// Fails: resource_exhausted, before anything is taken, where memory_bytes_max or the disk has no
+  /// room for it, naming the deepest depth that fits; not_found; cancelled.
   Status prepare_scan(const std::string& id, const PreparedKey& key, const Progress& progress);
 
-  /// The mesh for a session: shared with others, else mapped, else prepared now. The caller holds
+  /// The mesh for a session: shared with others, else read, else prepared now. The caller holds
   /// it for as long as it uses it. Needs: a resolved key.
-  /// Fails: resource_exhausted when memory_bytes_max has no room; not_found; cancelled.
+  /// Fails: resource_exhausted when memory_bytes_max or the disk has no room, or no memory could be
+  /// had; not_found; cancelled. Then nothing is held.
   Result<std::shared_ptr<const SharedMesh>> open_mesh(const std::string& id, const PreparedKey& key,
                                                       const Progress& progress);
 
   /// What a client draws a prepared mesh from, made now or kept from the last time.
-  /// triangles_max: 0 for the whole scan. Needs: a resolved key. Fails: failed_precondition when
-  /// nobody has prepared that depth; not_found; resource_exhausted; cancelled.
+  /// triangles_max: 0 for the whole scan, see rounded_triangles_max(). Needs: a resolved key.
+  /// Fails: failed_precondition when nobody has prepared that depth; not_found; resource_exhausted;
+  /// cancelled.
   Result<std::shared_ptr<const PackedView>> open_view(const std::string& id, const PreparedKey& key,
                                                       uint64_t triangles_max,
                                                       const Progress& progress);
 
-  /// The budget of meshes, sessions and their clients together, and what meshes take of it.
+  /// Whether somebody may want a prepared mesh again soon. Of the others only kPreparedPerScanMax
+  /// a scan are kept. Null: nobody. Needs: it outlives the calls.
+  using IsWanted = std::function<bool(const std::string& id, const PreparedKey& key)>;
+  void set_wanted(IsWanted is_wanted);
+
+  /// The budget of meshes, sessions, their clients and views together, and what meshes take of it.
   Quota& memory() { return memory_; }
   uint64_t mesh_bytes() const { return cache_.byte_count(); }
 
@@ -84,24 +97,35 @@ class MeshStore {
   Status remove(const std::string& id);
 
  private:
+  MeshStore(const DataFolder& folder, const MeshStoreOptions& options);
+
   std::filesystem::path scan_folder(const std::string& id) const { return folder_.scans() / id; }
+  std::filesystem::path prepared_path(const std::string& id, const PreparedKey& key) const;
   Result<ImportOutcome> import_new(Upload& upload, const std::string& id,
                                    const ImportHeader& header, const Progress& progress);
   Result<ImportOutcome> prepare_known(const std::string& id, const PreparedKey& key,
                                       const Progress& progress);
-  Result<std::shared_ptr<const PreparedMesh>> map_or_rebuild(const std::string& id,
-                                                             const PreparedKey& key,
-                                                             const Progress& progress);
-  Result<std::shared_ptr<const PreparedMesh>> find_prepared(const std::string& id,
-                                                            const PreparedKey& key);
+  Status read_again(const std::string& id);
+  Status make_prepared(const std::string& id, const PreparedKey& key, const Progress& progress);
   Status rebuild(const std::string& id, const PreparedKey& key, const Progress& progress);
+  Status make_room(const std::string& id, const PreparedKey& key);
+  bool is_in_use(const std::string& id, const PreparedKey& key);
+  enum class Charged { kMeshAlone, kWithHierarchy };
+  Result<std::shared_ptr<SharedMesh>> read_charged(const std::string& id, const PreparedKey& key,
+                                                   Charged what);
+  Result<std::shared_ptr<const SharedMesh>> find_prepared(const std::string& id,
+                                                          const PreparedKey& key);
 
   const DataFolder& folder_;
   const MeshStoreOptions options_;
-  MeshCache cache_;
-  ViewCache views_;
+  ScanIndex index_;
+  std::mutex folders_mutex_;  // a folder does not go between being read and being listed
   Quota memory_;
   Quota uploads_;
+  MeshCache cache_;
+  ViewCache views_;
+  std::mutex wanted_mutex_;
+  IsWanted is_wanted_;
   FairMutex preparing_;    // one at a time: it uses all cores and much memory
   FairMutex making_view_;  // one at a time: the next may want the same
 };

@@ -1,5 +1,6 @@
 #include "server/session/quota.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace burnish {
@@ -10,6 +11,47 @@ struct Quota::State {
   const uint64_t max;
   std::mutex mutex;
   std::map<std::string, uint64_t> taken;  // nobody is kept with nothing
+  std::function<void(uint64_t)> reserve;
+
+  // How much is missing for `more`.
+  uint64_t add(const std::string& holder, uint64_t more) {
+    const std::lock_guard lock(mutex);
+    const uint64_t has = of(holder);
+    if (more > max - std::min(has, max)) return more - (max - std::min(has, max));
+    if (more > 0) taken[holder] = has + more;
+    return 0;
+  }
+
+  Status take(const std::string& holder, uint64_t more) {
+    uint64_t missing = add(holder, more);
+    if (missing > 0 && more <= max) {
+      if (const auto give_back = reserve_now()) give_back(missing);
+      missing = add(holder, more);
+    }
+    if (missing == 0) return Status::ok();
+    const std::lock_guard lock(mutex);
+    return resource_exhausted(holder + " has " + std::to_string(of(holder)) + " " + what +
+                              " and asks for " + std::to_string(more) + " more; " + key + " is " +
+                              std::to_string(max));
+  }
+
+  void give_back(const std::string& holder, uint64_t amount) {
+    if (amount == 0) return;
+    const std::lock_guard lock(mutex);
+    const auto entry = taken.find(holder);
+    entry->second -= amount;
+    if (entry->second == 0) taken.erase(entry);
+  }
+
+ private:
+  uint64_t of(const std::string& holder) const {
+    const auto found = taken.find(holder);
+    return found == taken.end() ? 0 : found->second;
+  }
+  std::function<void(uint64_t)> reserve_now() {
+    const std::lock_guard lock(mutex);
+    return reserve;
+  }
 };
 
 Quota::Share::Share(Share&& other) noexcept
@@ -30,27 +72,42 @@ Quota::Share::~Share() {
 }
 
 void Quota::Share::give_back() {
-  if (!state_) return;
-  const std::lock_guard lock(state_->mutex);
-  const auto entry = state_->taken.find(holder_);
-  entry->second -= amount_;
-  if (entry->second == 0) state_->taken.erase(entry);
+  if (state_) state_->give_back(holder_, amount_);
+}
+
+Status Quota::Share::resize(uint64_t amount) {
+  BURNISH_CHECK(state_ != nullptr, "a share of nothing cannot grow");
+  if (amount > amount_) {
+    RETURN_IF_ERROR(state_->take(holder_, amount - amount_));
+  } else {
+    state_->give_back(holder_, amount_ - amount);
+  }
+  amount_ = amount;
+  return Status::ok();
+}
+
+void Quota::Share::absorb(Share&& other) {
+  if (!state_) {
+    *this = std::move(other);
+    return;
+  }
+  BURNISH_CHECK(!other.state_ || (other.state_ == state_ && other.holder_ == holder_),
+                "shares of two holders are not one");
+  amount_ += std::exchange(other.amount_, 0);
 }
 
 Quota::Quota(std::string what, std::string key, uint64_t max)
-    : state_(new State{std::move(what), std::move(key), max, {}, {}}) {}
+    : state_(new State{std::move(what), std::move(key), max, {}, {}, {}}) {}
 
 Result<Quota::Share> Quota::take(const std::string& holder, uint64_t amount) {
-  if (amount == 0) return Share();
+  Share share(state_, holder, 0);  // its memory first: what is taken must have an owner
+  RETURN_IF_ERROR(share.resize(amount));
+  return share;
+}
+
+void Quota::set_reserve(std::function<void(uint64_t)> give_back) {
   const std::lock_guard lock(state_->mutex);
-  const auto found = state_->taken.find(holder);
-  const uint64_t has = found == state_->taken.end() ? 0 : found->second;
-  if (amount > state_->max || has > state_->max - amount)
-    return resource_exhausted(holder + " has " + std::to_string(has) + " " + state_->what +
-                              " and asks for " + std::to_string(amount) + " more; " + state_->key +
-                              " is " + std::to_string(state_->max));
-  state_->taken[holder] = has + amount;
-  return Share(state_, holder, amount);
+  state_->reserve = std::move(give_back);
 }
 
 uint64_t Quota::taken() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -30,6 +31,13 @@ class Quota {
 
     uint64_t amount() const { return amount_; }
 
+    /// Takes more, or gives some back. Needs: a share that take() gave.
+    /// Fails: as take(); then it is as it was.
+    Status resize(uint64_t amount);
+
+    /// Makes what another share of the same holder has a part of this one.
+    void absorb(Share&& other);
+
    private:
     friend class Quota;
     Share(std::shared_ptr<State> state, std::string holder, uint64_t amount)
@@ -47,6 +55,10 @@ class Quota {
   /// Fails: resource_exhausted "user anna has 8 streams and asks for 1 more;
   /// limits.streams_per_user is 8".
   Result<Share> take(const std::string& holder, uint64_t amount);
+
+  /// Called, without a lock, when so much is missing; what it gives back is then asked for again.
+  /// Null: nobody is.
+  void set_reserve(std::function<void(uint64_t missing)> give_back);
 
   /// Of all holders together.
   uint64_t taken() const;

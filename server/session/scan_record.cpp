@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
 
 #include <nlohmann/json.hpp>
 
+#include "common/base/file_content.h"
 #include "server/prepare/prepared_mesh.h"
 
 namespace burnish {
@@ -115,27 +114,33 @@ std::optional<uint32_t> prepared_file_version(const std::string& name) {
   return version;
 }
 
-static std::vector<PreparedInfo> list_prepared(const fs::path& folder) {
+static Result<std::vector<PreparedInfo>> list_prepared(const fs::path& folder) {
   std::vector<PreparedInfo> found;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const auto key = parse_prepared_file_name(entry.path().filename().string());
-    if (key) found.push_back({*key, entry.file_size(error)});
+  fs::directory_iterator entry(folder, error);
+  if (error == std::errc::no_such_file_or_directory) return found;
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const auto key = parse_prepared_file_name(entry->path().filename().string());
+    std::error_code gone;
+    const uint64_t bytes = key ? entry->file_size(gone) : 0;
+    if (key && !gone) found.push_back({*key, bytes});
   }
+  if (error) return errno_status("cannot list " + folder.string(), error.value());
   std::sort(found.begin(), found.end(),
             [](const PreparedInfo& a, const PreparedInfo& b) { return a.key < b.key; });
   return found;
 }
 
 Result<ScanInfo> read_scan_folder(const fs::path& folder) {
-  std::ifstream file(folder / "info.json");
-  if (!file) return not_found("no scan in " + folder.string());
-  std::ostringstream text;
-  text << file.rdbuf();
-  ASSIGN_OR_RETURN(ScanInfo scan, scan_from_json(text.str()));
+  const auto text = FileContent::read(folder / "info.json");
+  if (text.status().code() == StatusCode::kNotFound)
+    return not_found("no scan in " + folder.string());
+  RETURN_IF_ERROR(text.status());
+  const auto bytes = text.value().bytes();
+  ASSIGN_OR_RETURN(ScanInfo scan, scan_from_json({bytes.begin(), bytes.end()}));
   if (scan.id != folder.filename().string())
     return data_loss("info.json in " + folder.string() + " is of another scan");
-  scan.prepared = list_prepared(folder / "prepared");
+  ASSIGN_OR_RETURN(scan.prepared, list_prepared(folder / "prepared"));
   return scan;
 }
 

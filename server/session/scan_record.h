@@ -28,7 +28,7 @@ std::optional<PreparedKey> parse_prepared_file_name(const std::string& name);
 std::optional<uint32_t> prepared_file_version(const std::string& name);
 
 /// Reads a scan's folder: info.json, and the prepared files by name.
-/// Fails: not_found, data_loss.
+/// Fails: not_found, data_loss; as errno says, where they cannot be read.
 Result<ScanInfo> read_scan_folder(const std::filesystem::path& folder);
 
 }  // namespace burnish

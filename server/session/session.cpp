@@ -1,5 +1,6 @@
 #include "server/session/session.h"
 
+#include "common/base/out_of_memory.h"
 #include "server/metrics/live_objects.h"
 #include "server/solver/hierarchy.h"
 
@@ -31,9 +32,12 @@ struct Session::State {
 Result<std::unique_ptr<Session>> Session::open(std::shared_ptr<const PreparedMesh> prepared,
                                                std::shared_ptr<const Hierarchy> hierarchy,
                                                const SolverOptions& options) {
-  ASSIGN_OR_RETURN(auto solver, Solver::create(prepared, std::move(hierarchy), options));
-  return std::unique_ptr<Session>(
-      new Session(std::make_unique<State>(std::move(prepared), std::move(solver))));
+  using Opened = Result<std::unique_ptr<Session>>;
+  return with_memory_for("opening a session", [&]() -> Opened {
+    ASSIGN_OR_RETURN(auto solver, Solver::create(prepared, std::move(hierarchy), options));
+    return std::unique_ptr<Session>(
+        new Session(std::make_unique<State>(std::move(prepared), std::move(solver))));
+  });
 }
 
 Session::Session(std::unique_ptr<State> state) : state_(std::move(state)) {}

@@ -28,7 +28,7 @@ struct SolveOptions {
 /// Not thread-safe: its owner serialises calls.
 class Session {
  public:
-  /// Fails: failed_precondition (no such backend here).
+  /// Fails: failed_precondition (no such backend here); resource_exhausted (no memory).
   static Result<std::unique_ptr<Session>> open(std::shared_ptr<const PreparedMesh> prepared,
                                                std::shared_ptr<const Hierarchy> hierarchy,
                                                const SolverOptions& options);

@@ -6,6 +6,7 @@
 #include <set>
 #include <string_view>
 
+#include "server/session/memory_need.h"
 #include "server/session/session_held.h"
 
 namespace burnish {
@@ -39,6 +40,16 @@ static std::vector<uint64_t> at_their_places(std::span<const Edit> edits,
   return entries;
 }
 
+// What the edits of a session take counts with the session.
+static Status charge_for(std::span<const AuthoredEdit> more, SessionEntry& entry) {
+  uint64_t bytes = predict_session_bytes(*entry.mesh->hierarchy) +
+                   entry.session->edited().history().byte_count();
+  for (const AuthoredEdit& edit : more) bytes += bytes_in_history(edit);
+  RETURN_IF_ERROR(entry.memory.resize(bytes));
+  entry.session_bytes = bytes;
+  return Status::ok();
+}
+
 Result<ApplyOutcome> SessionManager::submit(const std::string& reference, const Caller& caller,
                                             std::span<const Edit> edits, const Progress& progress,
                                             GroupCommit::Done on_disk) {
@@ -55,6 +66,9 @@ Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEn
   EditedFields& edited = entry.session->edited();
 
   std::vector<AuthoredEdit> fresh = new_edits(edited.history(), caller.user, edits);
+  for (const AuthoredEdit& edit : fresh)
+    RETURN_IF_ERROR(edited.check_new(edit.edit).with_context("edit " + edit.edit.id));
+  RETURN_IF_ERROR(charge_for(fresh, entry));
   const uint64_t first = edited.history().size() + 1;
   ASSIGN_OR_RETURN(const std::vector<uint64_t> numbers, edited.record(fresh));
   const uint64_t size = edited.history().size();

@@ -1,5 +1,6 @@
 #include "server/session/session_manager.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include <spdlog/spdlog.h>
@@ -12,6 +13,7 @@ namespace burnish {
 
 SessionManager::~SessionManager() {
   ending_ = true;
+  store_.set_wanted(nullptr);
 }
 
 Result<std::unique_ptr<SessionManager>> SessionManager::create(
@@ -27,7 +29,18 @@ Result<std::unique_ptr<SessionManager>> SessionManager::create(
     manager->sessions_[record.id] = entry;
     manager->by_name_[record.name] = std::move(entry);
   }
+  store.set_wanted([&manager = *manager](const std::string& scan_id, const PreparedKey& key) {
+    return manager.is_edited(scan_id, key);
+  });
   return manager;
+}
+
+bool SessionManager::is_edited(const std::string& scan_id, const PreparedKey& key) const {
+  const std::lock_guard lock(mutex_);
+  return std::ranges::any_of(sessions_, [&](const auto& session) {
+    const SessionRecord& record = session.second->record;
+    return record.scan_id == scan_id && record.key == key;
+  });
 }
 
 // Ids come first: an old journal may have names that look like one.
@@ -86,9 +99,12 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
   if (!mesh) {
     ASSIGN_OR_RETURN(mesh, store_.open_mesh(record.scan_id, record.key, progress));
   }
+  uint64_t bytes = predict_session_bytes(*mesh->hierarchy);
+  for (const AuthoredEdit& edit : edits) bytes += bytes_in_history(edit);
   if (memory.amount() == 0) {
-    ASSIGN_OR_RETURN(memory,
-                     store_.memory().take(kServer, predict_session_bytes(*mesh->hierarchy)));
+    ASSIGN_OR_RETURN(memory, store_.memory().take(kServer, bytes));
+  } else {
+    RETURN_IF_ERROR(memory.resize(bytes));
   }
   ASSIGN_OR_RETURN(auto session, Session::open(mesh->prepared, mesh->hierarchy, options_.solver));
   spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),

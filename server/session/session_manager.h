@@ -159,6 +159,7 @@ class SessionManager {
         options_(options),
         by_user_("sessions open", "limits.sessions_per_user", options.sessions_per_user) {}
 
+  bool is_edited(const std::string& scan_id, const PreparedKey& key) const;
   std::shared_ptr<SessionEntry> find(const std::string& reference) const;
   Result<Held> lock(const std::string& reference, const Progress& progress) const;
   Result<Held> lock(std::shared_ptr<SessionEntry> entry, const Progress& progress) const;

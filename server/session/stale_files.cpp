@@ -34,35 +34,41 @@ static bool is_half_written(const std::string& name) {
          prepared_file_version(name.substr(0, at + kPrepared.size()));
 }
 
-static bool is_stale(const fs::directory_entry& entry) {
-  if (entry.symlink_status().type() != fs::file_type::regular) return false;
+static bool is_stale(const fs::directory_entry& entry, uint64_t bytes) {
   const std::string name = entry.path().filename().string();
-  if (is_half_written(name)) return entry.file_size() == 0 || begins_as_we_write(entry.path());
+  if (is_half_written(name)) return bytes == 0 || begins_as_we_write(entry.path());
   const auto version = prepared_file_version(name);
   return version && *version != kPreparedFormatVersion && begins_as_we_write(entry.path());
 }
 
-static void remove_of_scan(const fs::path& scan, RemovedFiles& removed) {
-  if (!fs::is_directory(scan / "prepared")) return;
-  for (const auto& entry : fs::directory_iterator(scan / "prepared")) {
-    if (!is_stale(entry)) continue;
-    const uint64_t bytes = entry.file_size();
-    if (!fs::remove(entry.path())) continue;
-    ++removed.count;
-    removed.bytes += bytes;
-  }
+static void remove_if_stale(const fs::directory_entry& entry, RemovedFiles& removed) {
+  std::error_code error;
+  if (entry.symlink_status(error).type() != fs::file_type::regular) return;
+  const uint64_t bytes = entry.file_size(error);
+  if (error || !is_stale(entry, bytes) || !fs::remove(entry.path(), error)) return;
+  ++removed.count;
+  removed.bytes += bytes;
+}
+
+static std::error_code remove_of_scan(const fs::path& scan, RemovedFiles& removed) {
+  std::error_code error;
+  fs::directory_iterator entry(scan / "prepared", error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    remove_if_stale(*entry, removed);
+  const bool has_none =
+      error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory;
+  return has_none ? std::error_code() : error;
 }
 
 RemovedFiles remove_stale_files(const DataFolder& folder) {
   RemovedFiles removed;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder.scans(), error)) {
-    if (!is_scan_id(entry.path().filename().string())) continue;
-    try {
-      remove_of_scan(entry.path(), removed);
-    } catch (const fs::filesystem_error& failure) {  // one folder's trouble is not the others'
-      spdlog::warn("stale prepared files stay: {}", failure.what());
-    }
+  fs::directory_iterator scan(folder.scans(), error);
+  for (; !error && scan != fs::directory_iterator(); scan.increment(error)) {
+    if (!is_scan_id(scan->path().filename().string())) continue;
+    const std::error_code failure = remove_of_scan(scan->path(), removed);
+    if (failure)  // one folder's trouble is not the others'
+      spdlog::warn("stale prepared files of {} stay: {}", scan->path().string(), failure.message());
   }
   if (removed.count > 0)
     spdlog::info("removed {} prepared files that cannot be used any more, {} bytes", removed.count,

@@ -24,6 +24,29 @@ void ViewCache::add(const Key& key, std::shared_ptr<const PackedView> view) {
   bytes_ += bytes;
 }
 
+void ViewCache::give_back(uint64_t bytes) {
+  std::list<Kept> gone;  // ends behind the lock: with a view goes its share of a quota
+  const std::lock_guard lock(mutex_);
+  uint64_t freed = 0;
+  for (auto it = kept_.end(); it != kept_.begin() && freed < bytes;) {
+    --it;
+    if (it->view.use_count() > 1) continue;
+    freed += it->view->bytes.size();
+    const auto dropped = it++;
+    gone.splice(gone.end(), kept_, dropped);
+  }
+  bytes_ -= freed;
+}
+
+void ViewCache::forget(const std::string& scan_id) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(kept_, [&](const Kept& kept) {
+    if (kept.key.scan_id != scan_id) return false;
+    bytes_ -= kept.view->bytes.size();
+    return true;
+  });
+}
+
 uint64_t ViewCache::byte_count() const {
   const std::lock_guard lock(mutex_);
   return bytes_;

@@ -30,6 +30,13 @@ class ViewCache {
   void add(const Key& key, std::shared_ptr<const PackedView> view);
   uint64_t byte_count() const;
 
+  /// Forgets views that nobody holds beside the cache, the longest unused first, until so many
+  /// bytes are free or no more can be.
+  void give_back(uint64_t bytes);
+
+  /// Forgets the views of a scan.
+  void forget(const std::string& scan_id);
+
  private:
   struct Kept {
     Key key;

@@ -43,11 +43,16 @@ class Parents {
     for (int32_t c = 0; c < count(); ++c)
       if (c == 0 || cells[c].place >> 3 != cells[c - 1].place >> 3) group_start.push_back(c);
     group_start.push_back(count());
+    ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic, 1024)
     for (size_t g = 0; g < group_start.size() - 1; ++g) {
       const int32_t begin = group_start[g], end = group_start[g + 1];
-      end - begin <= kPairedMax ? join_group(begin, end) : join_crowd(begin, end);
+      if (end - begin <= kPairedMax)
+        join_group(begin, end);
+      else
+        failure.run([&] { join_crowd(begin, end); });
     }
+    failure.rethrow();
   }
 
   /// The parents, by place, then by their first child; and which is whose.

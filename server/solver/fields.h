@@ -41,6 +41,9 @@ class Fields {
   Status override_cells(const SetCellFields& change);
   /// What override_cells() would fail with.
   Status check(const SetCellFields& change) const;
+  /// The same, and for a cell that it sets twice or more cells than there are: for changes that are
+  /// new. Fails: invalid_argument naming the first such cell.
+  Status check_new(const SetCellFields& change) const;
   void clear_overrides();
 
   PaintedCells painted() const;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/base/parallel.h"
 #include "server/solver/stencil.h"
 
 namespace burnish {
@@ -58,18 +59,22 @@ RowTiles make_row_tiles(const Stencil& stencil, int32_t width_max) {
   tiles.is_wide.resize(count);
   std::vector<std::vector<int32_t>> halos(count);
   int32_t widest = 0;
+  ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic, 16) reduction(max : widest)
   for (int32_t number = 0; number < count; ++number) {
-    const Tile tile = tile_of(stencil, number);
-    find_rows(stencil, tile, tiles.row);
-    std::vector<int32_t> halo = halo_of(stencil, tile);
-    const auto width = tile.rows() + static_cast<int32_t>(halo.size());
-    tiles.is_wide[number] = width > width_max;
-    if (width > width_max) continue;
-    widest = std::max(widest, width);
-    find_local(stencil, tile, halo, tiles.twice_local);
-    halos[number] = std::move(halo);
+    failure.run([&] {
+      const Tile tile = tile_of(stencil, number);
+      find_rows(stencil, tile, tiles.row);
+      std::vector<int32_t> halo = halo_of(stencil, tile);
+      const auto width = tile.rows() + static_cast<int32_t>(halo.size());
+      tiles.is_wide[number] = width > width_max;
+      if (width > width_max) return;
+      widest = std::max(widest, width);
+      find_local(stencil, tile, halo, tiles.twice_local);
+      halos[number] = std::move(halo);
+    });
   }
+  failure.rethrow();
   tiles.width_max = widest;
   tiles.halo_start = {0};
   for (const std::vector<int32_t>& halo : halos) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "common/base/process_memory.h"
 #include "common/mesh/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/common/temporary_folder.h"
@@ -153,6 +154,18 @@ TEST_F(FilterCommand, AFullDiskLeavesWhatWasThere) {
 TEST_F(FilterCommand, AnOutputThatCannotBeWrittenIsRefusedBeforeTheWork) {
   EXPECT_EQ(burnish({"filter", in(), path("out.off")}), 1);
   EXPECT_THAT(output_, HasSubstr("OFF is read only"));
+}
+
+TEST_F(FilterCommand, ADepthBeyondTheMachinesMemoryIsRefusedWithWhatItTakes) {
+  if (available_memory_bytes() > uint64_t{50} << 30) GTEST_SKIP() << "this machine can do it";
+  TriangleMesh square;
+  square.vertices = {{0, 0, 0}, {1, 0, 0.2}, {1, 1, 0.1}, {0, 1, 0.3}};
+  square.triangles = {{0, 1, 2}, {0, 2, 3}};
+  ASSERT_TRUE(write_mesh(square, path("square.ply")).is_ok());
+  EXPECT_EQ(burnish({"filter", path("square.ply"), out(), "--depth", "12"}), 1);
+  EXPECT_THAT(output_, HasSubstr("preparing 2 triangles at depth 12 takes"));
+  EXPECT_THAT(output_, HasSubstr(" fits"));
+  EXPECT_FALSE(std::filesystem::exists(out()));
 }
 
 }  // namespace

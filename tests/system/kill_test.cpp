@@ -230,7 +230,7 @@ class KilledServer {
     for (const ScanInfo& scan : scans) {
       const fs::path prepared = server_.folder / "data" / "scans" / scan.id / "prepared";
       for (const auto& file : fs::directory_iterator(prepared)) {
-        const auto mesh = map_prepared_mesh(file.path());
+        const auto mesh = read_prepared_mesh(file.path());
         EXPECT_TRUE(mesh.is_ok()) << mesh.status().message();
       }
       const bool is_whole = scan.name != "other" || connection.delete_scan(scan.id).is_ok();

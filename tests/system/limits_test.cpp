@@ -7,7 +7,9 @@
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
+#include "burnish/v1/editing.pb.h"
 #include "burnish/v1/library.grpc.pb.h"
+#include "common/mesh/mesh_io.h"
 #include "server/trust/users.h"
 #include "tests/server/metrics/http_get.h"
 #include "tests/system/server_process.h"
@@ -125,6 +127,70 @@ TEST_F(LimitsTest, ASessionIsAdmittedByItsBytes) {
   EXPECT_THAT(refused.output, HasSubstr("limits.memory_bytes_max is 12000000"));
   EXPECT_EQ(server->burnish({"close", "one"}).exit_code, 0);
   EXPECT_EQ(open("two").exit_code, 0);
+}
+
+/// Two triangles: a few hundred bytes, and gigabytes of cells at the larger depths.
+std::string write_square(const TemporaryFolder& folder) {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0.2}, {1, 1, 0.1}, {0, 1, 0.3}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const auto path = folder / "square.ply";
+  EXPECT_TRUE(write_mesh(mesh, path).is_ok());
+  return path.string();
+}
+
+TEST_F(LimitsTest, ADepthBeyondTheMemoryIsRefusedBeforeAnythingIsTaken) {
+  const auto server = start("memory_bytes_max = 536870912");
+  const CommandOutcome refused =
+      server->burnish({"import", write_square(folder_), "--depth", "11", "--name", "square"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("preparing 2 triangles at depth 11 takes"));
+  EXPECT_THAT(refused.output, HasSubstr("limits.memory_bytes_max is 536870912"));
+  EXPECT_THAT(refused.output, HasSubstr("; depth 8 fits"));
+  EXPECT_EQ(server->scans(), 0u);
+  EXPECT_EQ(server->staged(), 0u);
+  EXPECT_LT(metric(http_get_metrics(std::stoi(server->announced("metrics on port "))),
+                   "burnish_resident_bytes"),
+            3e8);
+}
+
+TEST_F(LimitsTest, AServerThatCannotHaveTheMemoryForAPreparationLivesOn) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer takes all addresses for itself";
+#endif
+  const auto server = start("memory_bytes_max = 100000000000");
+  server->kill();
+  server->start({.file_bytes_max = {}, .address_bytes_max = uint64_t{2} << 30});
+  ASSERT_EQ(server->burnish({"import", write_square(folder_), "--depth", "7", "--name", "square"})
+                .exit_code,
+            0);
+  for (int i = 0; i < 3; ++i) {
+    const CommandOutcome refused =
+        server->burnish({"open", "square", "--depth", "11", "--session", "deep"});
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_THAT(refused.output, HasSubstr("no memory could be had"));
+  }
+  const CommandOutcome opened =
+      server->burnish({"open", "square", "--depth", "7", "--session", "work"});
+  EXPECT_EQ(opened.exit_code, 0) << opened.output;
+}
+
+TEST_F(LimitsTest, AnUploadOfMoreCellsThanThereAreIsRefusedAtItsHeader) {
+  const auto server = start("");
+  ASSERT_EQ(server->burnish({"import", write_sphere(folder_), "--depth", "4", "--name", "ball"})
+                .exit_code,
+            0);
+  ASSERT_EQ(server->burnish({"open", "ball", "--depth", "4", "--session", "work"}).exit_code, 0);
+  v1::UploadCellFieldsRequest header;
+  header.mutable_header()->set_session("work");
+  header.mutable_header()->set_edit_id("cells");
+  header.mutable_header()->set_cells(4'000'000);
+  const grpc::Status status =
+      call(wire_channel(server->address),
+           {"/burnish.v1.Editing/UploadCellFields", {header.SerializeAsString()}, "abc"})
+          .status;
+  EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT);
+  EXPECT_THAT(status.error_message(), HasSubstr("sets 4000000 cells, session work has "));
 }
 
 TEST_F(LimitsTest, ConnectionsBeyondTheLimitAreClosedAndComeBackLater) {

@@ -26,6 +26,10 @@ static constexpr auto kPollInterval = milliseconds(10);
     const rlimit limit = {*limits.file_bytes_max, *limits.file_bytes_max};
     setrlimit(RLIMIT_FSIZE, &limit);
   }
+  if (limits.address_bytes_max) {
+    const rlimit limit = {*limits.address_bytes_max, *limits.address_bytes_max};
+    setrlimit(RLIMIT_AS, &limit);
+  }
   execv(argv[0], argv.data());
   _exit(127);
 }

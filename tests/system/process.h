@@ -14,7 +14,8 @@ namespace burnish {
 class Process {
  public:
   struct Limits {
-    std::optional<uint64_t> file_bytes_max;  ///< RLIMIT_FSIZE: the nearest thing to a full disk
+    std::optional<uint64_t> file_bytes_max;     ///< RLIMIT_FSIZE: the nearest thing to a full disk
+    std::optional<uint64_t> address_bytes_max;  ///< RLIMIT_AS: as on a machine with little memory
   };
 
   /// Starts `words[0]` with the rest as arguments. Its output goes to `output`.

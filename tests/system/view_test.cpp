@@ -41,9 +41,9 @@ TEST_F(Views, OfAScanAreTheScan) {
 }
 
 TEST_F(Views, OfAProxyHaveNoMoreTrianglesThanAskedFor) {
-  const View view = connection_.fetch_view({"ball", {5, 0}, 500}, {}).value();
+  const View view = connection_.fetch_view({"ball", {5, 0}, 2000}, {}).value();
   EXPECT_TRUE(view.is_proxy());
-  EXPECT_LE(view.triangles.size(), 500u);
+  EXPECT_LE(view.triangles.size(), 2000u);
   EXPECT_EQ(view.scan_vertices, 2562u);
 }
 

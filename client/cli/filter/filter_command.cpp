@@ -10,9 +10,11 @@
 #include "client/cli/filter/filter_report.h"
 #include "client/cli/progress_printer.h"
 #include "client/cli/stroke_file.h"
+#include "common/base/out_of_memory.h"
 #include "common/base/parallel.h"
 #include "common/mesh/mesh_io.h"
 #include "server/prepare/prepare.h"
+#include "server/session/opening_need.h"
 #include "server/session/session.h"
 #include "server/solver/hierarchy.h"
 
@@ -32,6 +34,19 @@ struct FilterOptions {
   double beta = kBetaDefault;
   std::optional<TransferCurve> curve;
   std::string paint_file, cell_field_file, fields_file, report_file;
+};
+
+/// What this machine has: for the preparation, and then for the mesh with its session.
+class FilterBudget final : public MachineBudget {
+ public:
+  Status ask(const PreparationNeed& need) override {
+    RETURN_IF_ERROR(MachineBudget::ask(need));
+    const uint64_t bytes = predict_opened_bytes(need);
+    if (bytes <= memory_bytes_max()) return Status::ok();
+    return resource_exhausted("solving takes " + std::to_string(bytes >> 20) +
+                              " MiB; the machine has " + std::to_string(memory_bytes_max() >> 20) +
+                              " MiB available");
+  }
 };
 
 class Stopwatch {
@@ -92,13 +107,20 @@ Status filter(const FilterOptions& options) {
   FilterRun run;
   ProgressPrinter printer;
 
+  FilterBudget budget;
+  PrepareOptions prepare_options = options.prepare;
+  prepare_options.budget = &budget;
   const Stopwatch reading;
   ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(options.in));
   run.read_seconds = reading.seconds();
   ASSIGN_OR_RETURN(const auto prepared,
-                   prepare(mesh, options.prepare, printer.progress(), &run.prepare));
+                   prepare(mesh, prepare_options, printer.progress(), &run.prepare));
   const Stopwatch connecting;
-  const auto hierarchy = make_hierarchy(*prepared);
+  std::shared_ptr<const Hierarchy> hierarchy;
+  RETURN_IF_ERROR(with_memory_for("the hierarchy", [&] {
+    hierarchy = make_hierarchy(*prepared);
+    return Status::ok();
+  }));
   run.hierarchy_seconds = connecting.seconds();
   run.hierarchy_bytes = hierarchy->byte_count();
   run.corners = hierarchy->at(hierarchy->finest).grid.corner_count();

@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 
 #include "common/base/check.h"
+#include "common/base/parallel.h"
 
 namespace burnish::cpu {
 
@@ -79,8 +80,11 @@ PatchSolver::PatchSolver(const HierarchyDepth& topology)
     : patches_(topology.patches), entry_(topology.patches.entry_count()) {}
 
 void PatchSolver::factor(const CpuDepth& depth) {
+  ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic) if (patches_.count() > 1)
-  for (int32_t patch = 0; patch < patches_.count(); ++patch) factor(depth, patch);
+  for (int32_t patch = 0; patch < patches_.count(); ++patch)
+    failure.run([&] { factor(depth, patch); });
+  failure.rethrow();
 }
 
 void PatchSolver::factor(const CpuDepth& depth, int32_t patch) {

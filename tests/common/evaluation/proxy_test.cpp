@@ -83,5 +83,15 @@ TEST(Proxy, VerticesWithoutTrianglesAreLeftOut) {
   EXPECT_EQ(proxy.source.size(), mesh.vertices.size() - 1);
 }
 
+TEST(RoundedTrianglesMax, HasTwoBitsAndIsNoLessThanAThousand) {
+  EXPECT_EQ(rounded_triangles_max(0), 0u);
+  EXPECT_EQ(rounded_triangles_max(1), 1000u);
+  EXPECT_EQ(rounded_triangles_max(1535), 1024u);
+  EXPECT_EQ(rounded_triangles_max(1536), 1536u);
+  EXPECT_EQ(rounded_triangles_max(100'000), 98'304u);
+  EXPECT_EQ(rounded_triangles_max(100'059), 98'304u);
+  EXPECT_EQ(rounded_triangles_max(UINT64_MAX), uint64_t{3} << 62);
+}
+
 }  // namespace
 }  // namespace burnish

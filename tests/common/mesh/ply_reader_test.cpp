@@ -98,6 +98,19 @@ TEST(PlyReader, PolygonsBecomeFansAndRepeatedVerticesStay) {
   EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}, Triangle{1, 1, 2}));
 }
 
+TEST(PlyReader, PolygonsThatUnfoldToFarMoreThanTheFileAreRefused) {
+  constexpr int kFaces = 1000;
+  std::string file = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" +
+                     std::string(kXyz) + "element face " + std::to_string(kFaces) +
+                     "\nproperty list uchar uchar vertex_indices\nend_header\n" +
+                     bytes_of(0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 1.F, 1.F, 0.F);
+  for (int face = 0; face < kFaces; ++face) {
+    file += bytes_of(uint8_t{255});
+    for (int corner = 0; corner < 255; ++corner) file += static_cast<char>(corner % 3);
+  }
+  EXPECT_THAT(refusal(kPly, file), HasSubstr("triangles, which take more than 4 times the"));
+}
+
 TEST(PlyReader, StripsAlternateRestartAtMinusOneAndDropTheirJoints) {
   const std::string start = "ply\nformat ascii 1.0\nelement vertex 4\n" + std::string(kXyz) +
                             "element tristrips 1\nproperty list int int vertex_indices\n"

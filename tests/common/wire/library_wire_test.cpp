@@ -1,5 +1,6 @@
 #include "common/wire/library_wire.h"
 
+#include <cmath>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -57,6 +58,10 @@ TEST(LibraryWire, DepthAndCurvatureRadiusHaveLimits) {
   EXPECT_THAT(prepared_key_from_wire(3, 0).status().message(), HasSubstr("depth 3"));
   EXPECT_THAT(prepared_key_from_wire(13, 0).status().message(), HasSubstr("4..12"));
   EXPECT_THAT(prepared_key_from_wire(7, -1).status().message(), HasSubstr("curvature radius"));
+  EXPECT_FALSE(prepared_key_from_wire(7, 0.3).is_ok());
+  for (const double nothing : {-0.0, 1e-300, 1e-320, 9e-5})
+    EXPECT_FALSE(std::signbit(prepared_key_from_wire(7, nothing).value().curvature_radius));
+  EXPECT_EQ(prepared_key_from_wire(7, 1e-300).value(), (PreparedKey{7, 0}));
   EXPECT_FALSE(prepared_key_from_wire(7, std::numeric_limits<double>::quiet_NaN()).is_ok());
 }
 

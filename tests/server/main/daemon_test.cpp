@@ -23,7 +23,8 @@ using std::chrono::milliseconds;
 struct TestServer {
   TemporaryFolder root;
   std::unique_ptr<DataFolder> folder = std::move(DataFolder::open(root / "data")).value();
-  MeshStore store{*folder, {}};
+  std::unique_ptr<MeshStore> opened_store = std::move(MeshStore::open(*folder, {})).value();
+  MeshStore& store = *opened_store;
   std::unique_ptr<Journal> journal = std::move(Journal::open(folder->journal())).value();
   std::unique_ptr<SessionManager> sessions =
       std::move(SessionManager::create(*folder, store, *journal, {})).value();

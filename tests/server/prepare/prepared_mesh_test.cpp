@@ -67,7 +67,7 @@ bool same_bytes(std::span<const T> a, std::span<const T> b) {
 class PreparedFile : public testing::Test {
  protected:
   Status map_status(const std::string& content) {
-    return map_prepared_mesh(folder_.write("scan.prepared", content)).status();
+    return read_prepared_mesh(folder_.write("scan.prepared", content)).status();
   }
   std::string written(const PreparedMesh& mesh) {
     EXPECT_TRUE(write_prepared_mesh(mesh, folder_ / "written").is_ok());
@@ -102,7 +102,7 @@ TEST_F(PreparedFile, MapsBackEveryBit) {
   Sample sample;
   const PreparedMesh mesh = sample.mesh();
   ASSERT_TRUE(write_prepared_mesh(mesh, folder_ / "file").is_ok());
-  const auto mapped = map_prepared_mesh(folder_ / "file");
+  const auto mapped = read_prepared_mesh(folder_ / "file");
   ASSERT_TRUE(mapped.is_ok()) << mapped.status().message();
   const PreparedMesh& back = **mapped;
   EXPECT_TRUE(same_bytes(back.vertices, mesh.vertices));
@@ -130,7 +130,7 @@ TEST_F(PreparedFile, MapsBackTheStatistics) {
   Sample sample;
   const MeshStatistics wanted = sample.mesh().statistics;
   ASSERT_TRUE(write_prepared_mesh(sample.mesh(), folder_ / "file").is_ok());
-  const auto mapped = map_prepared_mesh(folder_ / "file");
+  const auto mapped = read_prepared_mesh(folder_ / "file");
   ASSERT_TRUE(mapped.is_ok());
   const MeshStatistics& back = (*mapped)->statistics;
   EXPECT_EQ(back.vertices, wanted.vertices);
@@ -162,7 +162,7 @@ TEST_F(PreparedFile, TheSameMeshGivesTheSameFile) {
 }
 
 TEST_F(PreparedFile, AMissingFileIsNotFound) {
-  EXPECT_EQ(map_prepared_mesh(folder_ / "nothing").status().code(), StatusCode::kNotFound);
+  EXPECT_EQ(read_prepared_mesh(folder_ / "nothing").status().code(), StatusCode::kNotFound);
 }
 
 TEST_F(PreparedFile, AFlippedByteIsFoundAndItsSectionNamed) {
@@ -295,7 +295,7 @@ TEST_F(PreparedFile, AFailedWriteLeavesTheOldFile) {
 TEST_F(PreparedFile, AMappedMeshOutlivesTheFilesName) {
   Sample sample;
   ASSERT_TRUE(write_prepared_mesh(sample.mesh(), folder_ / "file").is_ok());
-  const auto mapped = map_prepared_mesh(folder_ / "file");
+  const auto mapped = read_prepared_mesh(folder_ / "file");
   std::filesystem::remove(folder_ / "file");
   ASSERT_TRUE(mapped.is_ok());
   EXPECT_EQ((*mapped)->cells.back(), 4095u);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "tests/common/temporary_folder.h"
 
@@ -15,6 +16,17 @@ TEST(DataFolder, ASecondOwnerIsRefusedByName) {
   const auto second = DataFolder::open(root / "data");
   EXPECT_EQ(second.status().code(), StatusCode::kFailedPrecondition);
   EXPECT_THAT(second.status().message(), testing::HasSubstr((root / "data").string()));
+}
+
+TEST(DataFolder, IsForItsOwnerAloneWhateverTheUmask) {
+  const TemporaryFolder root;
+  const mode_t umask_before = ::umask(0);
+  const auto folder = DataFolder::open(root / "data");
+  ::umask(umask_before);
+  ASSERT_TRUE(folder.is_ok());
+  for (const char* name : {"data", "data/scans", "data/staging"})
+    EXPECT_EQ(std::filesystem::status(root / name).permissions(), std::filesystem::perms::owner_all)
+        << name;
 }
 
 TEST(DataFolder, TheLockGoesWithItsOwner) {

@@ -108,6 +108,19 @@ TEST_F(HistoryTest, IdsAreEachAuthorsOwn) {
   EXPECT_FALSE(history_.knows("bob", "x"));
 }
 
+TEST_F(HistoryTest, CountsTheBytesOfItsEditsAndNoneOfThoseTakenBack) {
+  EXPECT_EQ(history_.byte_count(), 0u);
+  SetCellFields cells;
+  cells.cells.resize(1000);
+  ASSERT_TRUE(apply("ann", cells).is_ok());
+  EXPECT_GE(history_.byte_count(), 1000 * sizeof(SetCellFields::Cell));
+  const uint64_t before = history_.byte_count();
+  ASSERT_TRUE(apply("ann", Stroke{{}, std::vector<Vec3d>(500)}).is_ok());
+  EXPECT_GE(history_.byte_count(), before + 500 * sizeof(Vec3d));
+  history_.take_back();
+  EXPECT_EQ(history_.byte_count(), before);
+}
+
 TEST_F(HistoryTest, WhatIsTakenBackLeavesNoTrace) {
   edit("ann");
   edit("bob");

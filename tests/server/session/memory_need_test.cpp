@@ -37,7 +37,7 @@ TEST_P(MemoryNeed, OfFramesIsNoLessThanTheirLayoutAndPoints) {
   const auto shared = std::make_shared<const SharedMesh>(prepared, make_hierarchy(*prepared));
   Quota memory("bytes", "max", UINT64_MAX);
   FrameTargets targets(memory);
-  for (const uint64_t triangles_max : {0, 500})
+  for (const uint64_t triangles_max : {0, 2000})
     for (const FrameContent content : {FrameContent::kCoefficients, FrameContent::kVertices}) {
       const auto target = targets.find_or_make(shared, triangles_max, content, {}).value();
       const uint64_t taken =
@@ -61,6 +61,31 @@ TEST_P(MemoryNeed, OfAClientIsNoLessThanItsEncoderHoldsAndLessThanTwiceThat) {
   }
   EXPECT_GE(predict_client_bytes(*target->layout), encoder.byte_count());
   EXPECT_LE(predict_client_bytes(*target->layout), 2 * encoder.byte_count());
+}
+
+/// Keeps what a preparation needed.
+class RecordingBudget final : public PreparationBudget {
+ public:
+  uint64_t memory_bytes_max() const override { return UINT64_MAX / 2; }
+  Status ask(const PreparationNeed& need) override {
+    last = need;
+    return Status::ok();
+  }
+  PreparationNeed last;
+};
+
+TEST(OpenedMemoryNeed, RefusesNobodyWhoCouldOpenASession) {
+  for (const char* kind : {"blob", "sheet", "tablet", "soup", "fan", "part"})
+    for (const int depth : {5, 7}) {
+      RecordingBudget budget;
+      const TriangleMesh mesh = generate_scan({kind, 20000, 1}).value();
+      const auto prepared = prepare(mesh, {depth, 0, 0, &budget}, {}).value();
+      const auto hierarchy = make_hierarchy(*prepared);
+      const uint64_t predicted = predict_opened_bytes(budget.last);
+      const uint64_t admitted = predict_mesh_bytes(*prepared) + predict_session_bytes(*hierarchy);
+      EXPECT_LE(predicted, admitted) << kind << " at depth " << depth;
+      EXPECT_GE(2 * predicted, admitted - (6 << 20)) << kind << " at depth " << depth;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Depths, MemoryNeed, testing::Values(4, 6, 8));

@@ -1,10 +1,12 @@
 #include "server/session/mesh_store.h"
 
+#include <algorithm>
 #include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/base/limits.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/session/memory_need.h"
 #include "server/session/scan_record.h"
@@ -112,14 +114,15 @@ TEST(MeshStore, APreparedFileOfAnotherVersionIsMadeAgain) {
   const auto expect_made_again = [&] {
     ASSERT_TRUE(library.store->open_mesh(scan.id, {5, 0}, {}).is_ok());
     EXPECT_EQ(fs::file_size(path), size);
-    EXPECT_TRUE(map_prepared_mesh(path).is_ok());
+    EXPECT_TRUE(read_prepared_mesh(path).is_ok());
   };
   fs::rename(path, path.parent_path() / "depth5-radius0-format1.prepared");
+  library.restart();
   EXPECT_TRUE(library.store->find("ball").value().prepared.empty());
   expect_made_again();
 
   std::fstream(path, std::ios::in | std::ios::out | std::ios::binary).seekp(8).put(1);
-  EXPECT_THAT(map_prepared_mesh(path).status().message(), HasSubstr("format version is 1"));
+  EXPECT_THAT(read_prepared_mesh(path).status().message(), HasSubstr("format version is 1"));
   expect_made_again();
 }
 
@@ -132,10 +135,9 @@ TEST(MeshStore, SessionsShareOneMesh) {
 }
 
 TEST(MeshStore, AMeshBeyondTheMemoryBudgetIsRefusedWithTheNumbers) {
-  MeshStoreOptions options;
-  options.memory_bytes_max = 1000;
-  TestLibrary library(options);
+  TestLibrary library;
   const ScanInfo scan = library.import(sphere_file(), "ball").value().scan;
+  library.restart({.memory_bytes_max = 1000});
   const auto mesh = library.store->open_mesh(scan.id, {5, 0}, {});
   EXPECT_EQ(mesh.status().code(), StatusCode::kResourceExhausted);
   EXPECT_THAT(mesh.status().message(), HasSubstr("limits.memory_bytes_max is 1000"));
@@ -167,6 +169,7 @@ TEST(MeshStore, ADamagedScanIsLeftOutOfTheList) {
   TestLibrary library;
   const ScanInfo scan = library.import(sphere_file(), "ball").value().scan;
   std::ofstream(library.folder->scans() / scan.id / "info.json") << "{\"id\": 3}";
+  library.restart();
   EXPECT_TRUE(library.store->list().empty());
 }
 
@@ -176,6 +179,91 @@ TEST(MeshStore, ARemovedScanIsGone) {
   ASSERT_TRUE(library.store->remove(scan.id).is_ok());
   EXPECT_TRUE(library.store->list().empty());
   EXPECT_FALSE(fs::exists(library.folder->scans() / scan.id));
+}
+
+/// A square of two triangles, a few hundred bytes, whose cells at depth 11 take gigabytes.
+std::string square_file() {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0.2}, {1, 1, 0.1}, {0, 1, 0.3}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh_file(mesh);
+}
+
+constexpr uint64_t kLittleMemory = uint64_t{64} << 20;
+
+void expect_refusal_at_depth_11(const Status& status) {
+  EXPECT_EQ(status.code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(status.message(), HasSubstr("at depth 11 takes more than"));
+  EXPECT_THAT(status.message(), HasSubstr("; depth 7 fits"));
+}
+
+TEST(MeshStore, ADepthThatTheMemoryHasNoRoomForIsRefusedBeforeItIsPrepared) {
+  TestLibrary library({.memory_bytes_max = kLittleMemory});
+  expect_refusal_at_depth_11(library.import(square_file(), "square", {}, 11).status());
+  EXPECT_EQ(library.staged_files(), 0u);
+  const ScanInfo scan = library.import(square_file(), "square", {}, 7).value().scan;
+  expect_refusal_at_depth_11(library.store->prepare_scan(scan.id, {11, 0}, {}));
+  expect_refusal_at_depth_11(library.store->open_mesh(scan.id, {11, 0}, {}).status());
+  EXPECT_FALSE(
+      fs::exists(library.folder->scans() / scan.id / "prepared" / prepared_file_name({11, 0})));
+  EXPECT_EQ(library.store->memory().taken(), 0u);
+  EXPECT_TRUE(library.store->open_mesh(scan.id, {7, 0}, {}).is_ok());
+}
+
+TEST(MeshStore, AMeshFileThatIsTooLargeToReadIsRefused) {
+  TestLibrary library({.memory_bytes_max = 100'000});
+  const auto outcome = library.import(sphere_file(), "ball");
+  EXPECT_EQ(outcome.status().code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(outcome.status().message(), HasSubstr("reading "));
+  EXPECT_THAT(outcome.status().message(), HasSubstr("limits.memory_bytes_max is 100000"));
+}
+
+TEST(MeshStore, OnlySoManyPreparedMeshesOfAScanAreKeptAndThoseInUseStay) {
+  TestLibrary library;
+  const ScanInfo scan = library.import(sphere_file(), "ball").value().scan;
+  const auto in_use = library.store->open_mesh(scan.id, {5, 0}, {}).value();
+  const PreparedKey wanted{4, 0.1};
+  library.store->set_wanted([&](const std::string& id, const PreparedKey& key) {
+    return id == scan.id && key == wanted;
+  });
+  ASSERT_TRUE(library.store->prepare_scan(scan.id, wanted, {}).is_ok());
+  for (int i = 1; i <= 20; ++i)
+    ASSERT_TRUE(library.store->prepare_scan(scan.id, {4, 0.001 * i}, {}).is_ok());
+  const auto have = library.store->find("ball").value().prepared;
+  EXPECT_EQ(have.size(), kPreparedPerScanMax);
+  const auto has = [&](const PreparedKey& key) {
+    return std::ranges::find(have, key, &PreparedInfo::key) != have.end();
+  };
+  EXPECT_TRUE(has({5, 0}));
+  EXPECT_TRUE(has(wanted));
+  EXPECT_TRUE(has({4, 0.02}));
+  EXPECT_FALSE(has({4, 0.001}));
+}
+
+TEST(MeshStore, AFileThatIsCutWhileItsMeshIsInUseHarmsNobody) {
+  TestLibrary library;
+  const ScanInfo scan = library.import(sphere_file(), "ball").value().scan;
+  const auto mesh = library.store->open_mesh(scan.id, {5, 0}, {}).value();
+  fs::resize_file(prepared_path(library, scan), 0);
+  double sum = 0;
+  for (const CellIntegrals& integrals : mesh->prepared->integrals) sum += integrals.mass_row_sum[0];
+  EXPECT_GT(sum, 0);
+}
+
+TEST(MeshStore, ListsAndFindsWithoutTheDisk) {
+  TestLibrary library;
+  const ScanInfo scan = library.import(sphere_file(), "ball").value().scan;
+  fs::rename(library.folder->scans(), library.root / "elsewhere");
+  EXPECT_EQ(library.store->list().size(), 1u);
+  EXPECT_EQ(library.store->find("ball").value().id, scan.id);
+}
+
+TEST(MeshStore, ALibraryThatCannotBeReadIsNotAnEmptyOne) {
+  TestLibrary library;
+  fs::remove_all(library.folder->scans());
+  const auto store = MeshStore::open(*library.folder, {});
+  EXPECT_EQ(store.status().code(), StatusCode::kNotFound);
+  EXPECT_THAT(store.status().message(), HasSubstr("cannot list the scans"));
 }
 
 TEST(ScanRecord, PreparedFileNamesCarryTheKey) {

@@ -37,6 +37,34 @@ TEST(Quota, MoreThanTheWholeIsRefusedAndNothingIsFree) {
   EXPECT_TRUE(quota.take("a", 0).is_ok());
 }
 
+TEST(Quota, AShareGrowsAndShrinksWithinTheWhole) {
+  Quota quota("bytes", "k", 10);
+  Quota::Share share = std::move(quota.take("a", 2)).value();
+  EXPECT_TRUE(share.resize(10).is_ok());
+  EXPECT_EQ(quota.taken(), 10u);
+  EXPECT_FALSE(share.resize(11).is_ok());
+  EXPECT_EQ(share.amount(), 10u);
+  EXPECT_TRUE(share.resize(3).is_ok());
+  EXPECT_EQ(quota.taken(), 3u);
+  EXPECT_TRUE(share.resize(0).is_ok());
+  EXPECT_EQ(quota.taken(), 0u);
+}
+
+TEST(Quota, WhatIsInReserveIsGivenBackFirst) {
+  Quota quota("bytes", "k", 10);
+  Quota::Share kept = std::move(quota.take("a", 6)).value();
+  uint64_t asked = 0;
+  quota.set_reserve([&](uint64_t missing) {
+    asked = missing;
+    kept = {};
+  });
+  EXPECT_TRUE(quota.take("a", 9).is_ok());
+  EXPECT_EQ(asked, 5u);
+  kept = std::move(quota.take("a", 6)).value();
+  EXPECT_FALSE(quota.take("a", 11).is_ok());
+  EXPECT_EQ(kept.amount(), 6u) << "nothing is given back for what could never be had";
+}
+
 TEST(Quota, SharesOutliveIt) {
   Quota::Share share;
   {

@@ -97,6 +97,41 @@ TEST_F(SessionManagerTest, AFailedEditInABatchUndoesTheWholeBatch) {
   EXPECT_EQ(state.session.edits, 1u);
 }
 
+TEST_F(SessionManagerTest, ACellThatAnEditSetsTwiceIsRefusedAndNotStored) {
+  ASSERT_TRUE(open("one").is_ok());
+  const auto mesh = library_.store->open_mesh(scan_id_, {5, 0}, {}).value();
+  const Vec3i cell = morton_point(mesh->prepared->cells[0]);
+  const auto setting = [&](size_t times) {
+    return Edit{"cells", SetCellFields{std::vector<SetCellFields::Cell>(times, {cell, 5, 5, 2})}};
+  };
+  EXPECT_THAT(apply("one", {setting(2)}).status().message(), HasSubstr("twice"));
+  EXPECT_THAT(apply("one", {setting(mesh->prepared->cells.size() + 1)}).status().message(),
+              HasSubstr("cells of " + std::to_string(mesh->prepared->cells.size())));
+  EXPECT_EQ(journal_->edit_count(manager_->list()[0].id).value(), 0u);
+  EXPECT_TRUE(apply("one", {setting(1)}).is_ok());
+}
+
+TEST_F(SessionManagerTest, EditsCountInTheMemoryOfTheirSession) {
+  ASSERT_TRUE(open("one").is_ok());
+  const uint64_t before = manager_->usage().session_bytes;
+  const Stroke stroke{{.radius = 10}, std::vector<Vec3d>(4000, Vec3d(1, 0, 0))};
+  ASSERT_TRUE(apply("one", {{"a", stroke}, {"b", stroke}}).is_ok());
+  EXPECT_GE(manager_->usage().session_bytes, before + 2 * 4000 * sizeof(Vec3d));
+  start();
+  ASSERT_TRUE(open("one").is_ok());
+  EXPECT_GE(manager_->usage().session_bytes, before + 2 * 4000 * sizeof(Vec3d));
+}
+
+TEST_F(SessionManagerTest, AnEditForWhichThereIsNoMemoryIsRefused) {
+  ASSERT_TRUE(open("one").is_ok());
+  Quota& memory = manager_->memory();
+  const auto rest = memory.take(kServer, memory.max() - memory.taken() - 10'000);
+  const Stroke stroke{{.radius = 10}, std::vector<Vec3d>(4000, Vec3d(1, 0, 0))};
+  const Status status = apply("one", {{"a", stroke}}).status();
+  EXPECT_EQ(status.code(), StatusCode::kResourceExhausted);
+  EXPECT_TRUE(apply("one", {{"b", SetGradientScale{0.5}}}).is_ok());
+}
+
 TEST_F(SessionManagerTest, ARestartedServerBringsBackTheSameSurface) {
   ASSERT_TRUE(open("one").is_ok());
   const Stroke stroke{{0.5, 1, 2, FallOff::kSmooth}, {Vec3d(0, 0, 1), Vec3d(0, 0.3, 0.95)}};

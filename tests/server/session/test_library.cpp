@@ -13,7 +13,7 @@ void TestLibrary::restart() {
   store.reset();
   folder.reset();
   folder = std::move(DataFolder::open(root / "data")).value();
-  store = std::make_unique<MeshStore>(*folder, options);
+  store = std::move(MeshStore::open(*folder, options)).value();
 }
 
 Result<ImportOutcome> TestLibrary::import(const std::string& bytes, const std::string& name,

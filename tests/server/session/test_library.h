@@ -20,6 +20,10 @@ class TestLibrary {
 
   /// Closes and opens everything again, as a new server would.
   void restart();
+  void restart(const MeshStoreOptions& other) {
+    options = other;
+    restart();
+  }
 
   /// Names in the staging folder.
   size_t staged_files() const;

@@ -54,11 +54,35 @@ TEST(MeshStoreView, GivesTheFrameLayoutOfThePreparedMesh) {
 
 TEST(MeshStoreView, IsMadeOnceForAllClients) {
   TestLibrary library;
-  const ScanInfo scan = library.import(sphere_file(), "ball").value().scan;
-  const auto first = library.store->open_view(scan.id, {5, 0}, 300, {}).value();
-  EXPECT_EQ(library.store->open_view(scan.id, {5, 0}, 300, {}).value(), first);
-  EXPECT_LE(first->triangles, 300u);
-  EXPECT_EQ(first->scan_triangles, 1280u);
+  const ScanInfo scan = library.import(sphere_file(1, 4), "ball").value().scan;
+  const auto first = library.store->open_view(scan.id, {5, 0}, 2000, {}).value();
+  EXPECT_EQ(library.store->open_view(scan.id, {5, 0}, 2000, {}).value(), first);
+  EXPECT_LE(first->triangles, 2000u);
+  EXPECT_EQ(first->scan_triangles, 5120u);
+}
+
+TEST(MeshStoreView, OfCloseWishesIsOne) {
+  TestLibrary library;
+  const ScanInfo scan = library.import(sphere_file(1, 4), "ball").value().scan;
+  const auto first = library.store->open_view(scan.id, {5, 0}, 2048, {}).value();
+  for (uint64_t more = 1; more < 60; ++more)
+    EXPECT_EQ(library.store->open_view(scan.id, {5, 0}, 2048 + more, {}).value(), first);
+  EXPECT_NE(library.store->open_view(scan.id, {5, 0}, 4096, {}).value(), first);
+}
+
+TEST(MeshStoreView, CountsInTheMemoryAndGivesWayWhenOthersNeedIt) {
+  TestLibrary library;
+  const ScanInfo scan = library.import(sphere_file(1, 4), "ball").value().scan;
+  Quota& memory = library.store->memory();
+  ASSERT_EQ(memory.taken(), 0u);
+  uint64_t bytes = library.store->open_view(scan.id, {5, 0}, 0, {}).value()->bytes.size();
+  EXPECT_GE(memory.taken(), bytes);
+  EXPECT_TRUE(memory.take(kServer, memory.max()).is_ok());
+  EXPECT_EQ(memory.taken(), 0u);
+
+  const auto held = library.store->open_view(scan.id, {5, 0}, 0, {}).value();
+  EXPECT_FALSE(memory.take(kServer, memory.max()).is_ok()) << "somebody is being sent it";
+  EXPECT_GE(memory.taken(), bytes);
 }
 
 TEST(MeshStoreView, OfADepthThatNobodyPreparedIsRefused) {
@@ -70,10 +94,9 @@ TEST(MeshStoreView, OfADepthThatNobodyPreparedIsRefused) {
 }
 
 TEST(MeshStoreView, CanBeCancelledAndHasToFitTheMemory) {
-  MeshStoreOptions options;
-  options.memory_bytes_max = 1000;
-  TestLibrary library(options);
+  TestLibrary library;
   const ScanInfo scan = library.import(sphere_file(), "ball").value().scan;
+  library.restart({.memory_bytes_max = 1000});
   const Progress cancel = [](std::string_view, double) { return false; };
   EXPECT_EQ(library.store->open_view(scan.id, {5, 0}, 0, cancel).status().code(),
             StatusCode::kCancelled);

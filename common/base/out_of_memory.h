@@ -1,0 +1,23 @@
+#pragma once
+
+#include <new>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// Runs `work`, which returns a Status or a Result: memory that it cannot have becomes
+/// resource_exhausted "`what`: no memory could be had".
+template <typename Work>
+auto with_memory_for(std::string_view what, Work&& work) -> decltype(work()) {
+  try {
+    return std::forward<Work>(work)();
+  } catch (const std::bad_alloc&) {
+    return resource_exhausted(std::string(what) + ": no memory could be had");
+  }
+}
+
+}  // namespace burnish
