@@ -72,7 +72,7 @@ class LargeStrokesStopNobodyElse(Attack):
         path = [dict(x=0, y=0, z=1), dict(x=0, y=0.5, z=0.87)] * 1900
         stroke = dict(brush=dict(radius=4, strength=0.5, beta=0.5, fall_off=1), path=path)
         live.say(apply=dict(edits=[dict(id="s%d" % number, stroke=stroke)
-                                   for number in range(self.size(12, 64))]))
+                                   for number in range(self.size(16, 64))]))
         answer = live.next("acknowledged", "refused")
         live.close()
         return answer.WhichOneof("message") + " " + answer.refused.message[:100]
@@ -84,6 +84,7 @@ class ExportsStarveNoLiveStream(Attack):
     users = False
     scan_rows = 200
     witness_session = "shared"
+    answer_s_max = 3
 
     def attack(self, server):
         self.outcomes, self.end = [], time.monotonic() + self.size(6, 30)
@@ -198,6 +199,7 @@ class RolesOfASessionHaveALimit(Attack):
 class MovesOfABrushFloodNobody(Attack):
     is_known = True
     users = False
+    answer_s_max = 3
     witness_session = "shared"
 
     def attack(self, server):
