@@ -98,8 +98,9 @@ class ExportsStarveNoLiveStream(Attack):
     def export(self, server):
         client = Client(server, "viewer")
         while time.monotonic() < self.end and server.is_alive():
-            self.outcomes.append(end_of(client.read("Export", session="shared", format=1,
-                                                     exact=True)))
+            left = max(1, self.end - time.monotonic())
+            self.outcomes.append(end_of(client.read("Export", left, session="shared", format=1,
+                                                    exact=True)))
 
 
 class PreviewsWithLongIdsAreNotKept(Attack):
