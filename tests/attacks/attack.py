@@ -32,6 +32,7 @@ class Attack:
     scan_rows = 24  # of the sphere that everybody edits
     witness_session = "others"  # "": the witness only asks for the scans
     needs_proxy = False  # known to be open where nothing stands before the server
+    is_known = False  # found, and not repaired yet
     fresh_connections = False  # the witness connects anew for each question
     growth_mib_max = 150  # of resident memory
     answer_s_max = 4  # the longest that another user may wait
@@ -65,13 +66,9 @@ class Seen:
     got: str = ""
     witness: dict = field(default_factory=dict)
     holes: list = field(default_factory=list)
-    needs_proxy: bool = False
+    otherwise: str = "broken"  # what a hole is called
 
-    @property
-    def verdict(self):
-        if not self.holes:
-            return "held"
-        return "proxy" if self.needs_proxy else "broken"
+    verdict = property(lambda self: self.otherwise if self.holes else "held")
 
 
 def _start_witness(attack, server):
@@ -104,7 +101,9 @@ def _common_holes(attack, server, seen):
 
 def run(kind, binary, long, behind_proxy):
     attack = kind(long)
-    seen = Seen(kind.__name__, kind.finding, needs_proxy=kind.needs_proxy and not behind_proxy)
+    seen = Seen(kind.__name__, kind.finding)
+    if kind.is_known or (kind.needs_proxy and not behind_proxy):
+        seen.otherwise = "known" if kind.is_known else "proxy"
     start = ProxiedServer if behind_proxy else Server
     server = start(binary, kind.users, kind.config, kind.flags, kind.descriptors_max)
     try:

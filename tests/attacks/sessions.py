@@ -72,7 +72,7 @@ class LargeStrokesStopNobodyElse(Attack):
         path = [dict(x=0, y=0, z=1), dict(x=0, y=0.5, z=0.87)] * 1900
         stroke = dict(brush=dict(radius=4, strength=0.5, beta=0.5, fall_off=1), path=path)
         live.say(apply=dict(edits=[dict(id="s%d" % number, stroke=stroke)
-                                   for number in range(self.size(12, 64))]))
+                                   for number in range(self.size(16, 64))]))
         answer = live.next("acknowledged", "refused")
         live.close()
         return answer.WhichOneof("message") + " " + answer.refused.message[:100]
@@ -84,6 +84,7 @@ class ExportsStarveNoLiveStream(Attack):
     users = False
     scan_rows = 200
     witness_session = "shared"
+    answer_s_max = 3
 
     def attack(self, server):
         self.outcomes, self.end = [], time.monotonic() + self.size(6, 30)
@@ -97,8 +98,9 @@ class ExportsStarveNoLiveStream(Attack):
     def export(self, server):
         client = Client(server, "viewer")
         while time.monotonic() < self.end and server.is_alive():
-            self.outcomes.append(end_of(client.read("Export", session="shared", format=1,
-                                                     exact=True)))
+            left = max(1, self.end - time.monotonic())
+            self.outcomes.append(end_of(client.read("Export", left, session="shared", format=1,
+                                                    exact=True)))
 
 
 class PreviewsWithLongIdsAreNotKept(Attack):
@@ -173,3 +175,66 @@ class StreamsAtRestAreNotCut(Attack):
         state = self.owner.ask("GetState", session="rest")
         if state.gradient_scale != 0.25:
             self.hole("the edit after the rest did not arrive")
+
+
+class RolesOfASessionHaveALimit(Attack):
+    """Each person with a role is in each message about people, to everybody in the session."""
+    is_known = True
+    users = False
+    witness_session = "shared"
+    growth_mib_max = 100
+
+    def attack(self, server):
+        client, codes = Client(server, "mallory"), []
+        for begin in range(0, self.size(1100, 30_000), 100):
+            calls = [client.start("SetRole", session="shared", role=2,
+                                  user="%05d" % number + "x" * 190)
+                     for number in range(begin, begin + 100)]
+            codes += [outcome_of(call) for call in calls]
+        roles = len(client.ask("GetPeople", session="shared").roles)
+        if roles > 1000:
+            self.hole("%d people have roles in one session" % roles)
+        return "%d roles; %s" % (roles, ", ".join(sorted(set(codes))))
+
+
+class MovesOfABrushFloodNobody(Attack):
+    is_known = True
+    users = False
+    answer_s_max = 3
+    witness_session = "shared"
+
+    def attack(self, server):
+        streams = [Live(Client(server, "m%d" % number), "shared", timeout=30) for number in range(8)]
+        for stream in streams:
+            stream.next("welcome")
+        end, moves = time.monotonic() + self.size(4, 20), 0
+        while time.monotonic() < end:
+            for stream in streams:
+                if stream._waiting.qsize() < 100:
+                    for _ in range(50):
+                        stream.say(move_brush=dict(ring=dict(centre=dict(x=moves % 7), radius=0.1)))
+                        moves += 1
+            time.sleep(0.001)
+        for stream in streams:
+            stream.close()
+        return "%d moves on 8 streams, no answer read" % moves
+
+
+class ForksHoldUpNobody(Attack):
+    """Copies of a session with many edits, one after the other."""
+    users = False
+
+    def attack(self, server):
+        client = Client(server, "mallory")
+        client.ask("OpenSession", scan="scan", name="long")
+        path = [dict(x=0, y=0, z=1)] * 3000
+        for number in range(self.size(10, 60)):
+            stroke = dict(brush=dict(radius=0.01, strength=0.5, beta=0.5, fall_off=1), path=path)
+            client.ask("Apply", session="long", edits=[
+                dict(id="s%d-%d" % (number, part), stroke=stroke) for part in range(8)])
+        end, codes = time.monotonic() + self.size(4, 20), []
+        while time.monotonic() < end:
+            calls = [client.start("ForkSession", session="long", name="fork-%d-%d" % (len(codes), n))
+                     for n in range(8)]
+            codes += [outcome_of(call) for call in calls]
+        return "%d forks: %s" % (len(codes), ", ".join(sorted(set(codes))))
