@@ -45,7 +45,8 @@ class MeshStore {
 
   /// Reads, checks, prepares and keeps the uploaded file; bytes that are known already only get
   /// the prepared mesh that was asked for, and replace what is damaged of the scan. Fails:
-  /// invalid_argument (no good mesh), data_loss (bytes other than announced), resource_exhausted (disk), cancelled; then nothing is kept.
+  /// invalid_argument (no good mesh), data_loss (bytes other than announced), resource_exhausted
+  /// (disk), cancelled; then nothing is kept.
   Result<ImportOutcome> import(Upload& upload, const ImportHeader& header,
                                const Progress& progress);
 
