@@ -73,7 +73,7 @@ void add_prepared_options(CLI::App& command, PreparedKey& key) {
   command
       .add_option("--curvature-radius", key.curvature_radius,
                   "Average curvature over this radius, as a fraction of sqrt(area)")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(CLI::Range(0.0, kCurvatureRadiusMax));
 }
 
 }  // namespace burnish

@@ -60,12 +60,13 @@ Status UploadCellFieldsCall::check_cell_count(const v1::CellFieldsHeader& header
   constexpr uint64_t kFewCells = 4096;
   if (header.cells() <= kFewCells) return Status::ok();
   const Progress progress = [this](std::string_view, double) { return !cancelled_; };
-  return calls_.sessions.visit(header.session(), progress, [&](Session& session) {
+  const auto check = [&](Session& session) {
     const uint64_t cells = session.prepared().cells.size();
     if (header.cells() <= cells) return Status::ok();
     return invalid_argument("the edit sets " + std::to_string(header.cells()) + " cells, session " +
                             header.session() + " has " + std::to_string(cells));
-  });
+  };
+  return calls_.sessions.visit(header.session(), calls_.caller, check, progress);
 }
 
 Status UploadCellFieldsCall::apply() {

@@ -122,8 +122,8 @@ Result<std::shared_ptr<const SharedMesh>> MeshStore::open_mesh(const std::string
     read = read_charged(id, key, Charged::kWithHierarchy);
   }
   ASSIGN_OR_RETURN(const auto mesh, std::move(read));
-  RETURN_IF_ERROR(with_memory_for("the hierarchy of scan " + short_id(id), [&] {
-    mesh->hierarchy = make_hierarchy(*mesh->prepared);
+  RETURN_IF_ERROR(with_memory_for("the hierarchy of scan " + short_id(id), [&]() -> Status {
+    ASSIGN_OR_RETURN(mesh->hierarchy, make_hierarchy(*mesh->prepared, progress));
     return Status::ok();
   }));
   // Dust has more than predicted: specks have corners at all depths.

@@ -154,11 +154,20 @@ uint64_t bytes_of(const CellShares& shares) {
 
 }  // namespace
 
-std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared, Sheets sheets) {
+Result<std::shared_ptr<const Hierarchy>> make_hierarchy(const PreparedMesh& prepared,
+                                                        const Progress& progress, Sheets sheets) {
+  const auto goes_on = [&](double fraction) {
+    return report(progress, "connecting cells", fraction);
+  };
+  static const char kCancelled[] = "cancelled while connecting cells";
+  if (!goes_on(0)) return cancelled(kCancelled);
   std::vector<HierarchyDepth> from_finest = make_depths(prepared, sheets);
-  for (HierarchyDepth& depth : from_finest) add_stencil(depth);
+  for (HierarchyDepth& depth : from_finest) {
+    if (!goes_on(0.5)) return cancelled(kCancelled);
+    add_stencil(depth);
+  }
   if (sheets == Sheets::kApart && std::ranges::any_of(from_finest, has_endless_rows))
-    return make_hierarchy(prepared, Sheets::kTogether);
+    return make_hierarchy(prepared, progress, Sheets::kTogether);
 
   auto hierarchy = std::make_shared<Hierarchy>();
   hierarchy->coarsest = from_finest.back().grid.depth;
@@ -166,8 +175,8 @@ std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared, Sh
   hierarchy->depths.assign(std::make_move_iterator(from_finest.rbegin()),
                            std::make_move_iterator(from_finest.rend()));
   hierarchy->points = sort_by_cell(prepared.evaluation, hierarchy->depths.back().grid.cell_count());
-  strengthen_cycle(prepared, hierarchy);
-  return hierarchy;
+  RETURN_IF_ERROR(strengthen_cycle(prepared, hierarchy, progress));
+  return std::shared_ptr<const Hierarchy>(std::move(hierarchy));
 }
 
 uint64_t Hierarchy::byte_count() const {

@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "common/base/progress.h"
+#include "common/base/status.h"
 #include "common/grid/sparse_grid.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/solver/cell_shares.h"
@@ -68,7 +70,15 @@ enum class Sheets {
   kTogether,
 };
 
-std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared,
-                                                Sheets sheets = Sheets::kApart);
+/// Fails: cancelled.
+Result<std::shared_ptr<const Hierarchy>> make_hierarchy(const PreparedMesh& prepared,
+                                                        const Progress& progress,
+                                                        Sheets sheets = Sheets::kApart);
+
+/// The same for whoever cannot be cancelled.
+inline std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared,
+                                                       Sheets sheets = Sheets::kApart) {
+  return make_hierarchy(prepared, Progress(), sheets).value();
+}
 
 }  // namespace burnish

@@ -34,13 +34,14 @@ class Trial {
  public:
   explicit Trial(std::unique_ptr<Solver> solver) : solver_(std::move(solver)) {}
 
-  std::vector<Vec3f> displacement_after(int steps) {
-    while (steps_ < steps) {
+  Result<std::vector<Vec3f>> displacement_after(int steps, const Progress& progress) {
+    for (; steps_ < steps; ++steps_) {
+      if (!report(progress, "looking for slow spots", double(steps_) / kStepsOfTrial))
+        return cancelled("cancelled while looking for slow spots");
       solver_->step();
-      ++steps_;
     }
     const auto moved = solver_->vertex_displacement();
-    return {moved.begin(), moved.end()};
+    return std::vector<Vec3f>(moved.begin(), moved.end());
   }
 
  private:
@@ -64,13 +65,16 @@ struct SlowCell {
 };
 
 // Cells of vertices that miss a milestone, the slowest first. A cell may be there more than once.
-std::vector<SlowCell> find_slow_cells(const std::shared_ptr<const PreparedMesh>& prepared,
-                                      const std::shared_ptr<const Hierarchy>& hierarchy) {
+Result<std::vector<SlowCell>> find_slow_cells(const std::shared_ptr<const PreparedMesh>& prepared,
+                                              const std::shared_ptr<const Hierarchy>& hierarchy,
+                                              const Progress& progress) {
   Trial trial = start_trial(prepared, hierarchy);
   std::array<std::vector<Vec3f>, std::size(kMilestones)> passed;
-  for (size_t i = 0; i < passed.size(); ++i)
-    passed[i] = trial.displacement_after(kMilestones[i].steps);
-  const std::vector<Vec3f> ends = trial.displacement_after(kStepsOfTrial);
+  for (size_t i = 0; i < passed.size(); ++i) {
+    ASSIGN_OR_RETURN(passed[i], trial.displacement_after(kMilestones[i].steps, progress));
+  }
+  ASSIGN_OR_RETURN(const std::vector<Vec3f> ends,
+                   trial.displacement_after(kStepsOfTrial, progress));
 
   const double diagonal = prepared->statistics.diagonal() / prepared->frame.cell_size;
   std::vector<SlowCell> slow;
@@ -108,12 +112,15 @@ Corners spot_around(const SparseGrid& grid, int32_t cell) {
 
 }  // namespace
 
-std::vector<Corners> find_slow_spots(std::shared_ptr<const PreparedMesh> prepared,
-                                     std::shared_ptr<const Hierarchy> hierarchy) {
+Result<std::vector<Corners>> find_slow_spots(std::shared_ptr<const PreparedMesh> prepared,
+                                             std::shared_ptr<const Hierarchy> hierarchy,
+                                             const Progress& progress) {
+  ASSIGN_OR_RETURN(const std::vector<SlowCell> cells,
+                   find_slow_cells(prepared, hierarchy, progress));
   const SparseGrid& grid = hierarchy->at(hierarchy->finest).grid;
   std::vector<char> is_near(grid.cells.size());
   std::vector<Corners> spots;
-  for (const SlowCell& slow : find_slow_cells(prepared, hierarchy)) {
+  for (const SlowCell& slow : cells) {
     if (is_near[slow.cell]) continue;
     if (spots.size() == kSpotsMax) break;
     spots.push_back(spot_around(grid, slow.cell));

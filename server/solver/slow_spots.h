@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "common/base/progress.h"
+#include "common/base/status.h"
 #include "server/prepare/prepared_mesh.h"
 
 namespace burnish {
@@ -16,8 +18,9 @@ struct Hierarchy;
 /// energy.
 ///
 /// Returns sets of corners, rising, the slowest spot's first: of a spot's cell and of rings of
-/// cells around it, as far as they have at most kPatchCornersMax.
-std::vector<std::vector<int32_t>> find_slow_spots(std::shared_ptr<const PreparedMesh> prepared,
-                                                  std::shared_ptr<const Hierarchy> hierarchy);
+/// cells around it, as far as they have at most kPatchCornersMax. Fails: cancelled.
+Result<std::vector<std::vector<int32_t>>> find_slow_spots(
+    std::shared_ptr<const PreparedMesh> prepared, std::shared_ptr<const Hierarchy> hierarchy,
+    const Progress& progress = {});
 
 }  // namespace burnish

@@ -23,35 +23,39 @@ double share_of_irregular_rows(const HierarchyDepth& depth) {
 }
 
 // With patches where one trial was slow, the next one shows what else is.
-void add_patches(const PreparedMesh& prepared, const std::shared_ptr<Hierarchy>& hierarchy) {
+Status add_patches(const PreparedMesh& prepared, const std::shared_ptr<Hierarchy>& hierarchy,
+                   const Progress& progress) {
   HierarchyDepth& finest = hierarchy->depths.back();
-  if (finest.grid.corner_count() > kTrialCornersMax) return;
+  if (finest.grid.corner_count() > kTrialCornersMax) return Status::ok();
   const std::shared_ptr<const PreparedMesh> not_owned(std::shared_ptr<void>(), &prepared);
   for (int trial = 0; trial < kTrialsMax; ++trial) {
-    std::vector<std::vector<int32_t>> spots = find_slow_spots(not_owned, hierarchy);
-    if (spots.empty()) return;
+    ASSIGN_OR_RETURN(std::vector<std::vector<int32_t>> spots,
+                     find_slow_spots(not_owned, hierarchy, progress));
+    if (spots.empty()) break;
     std::vector<std::vector<int32_t>> sets = finest.patches.corner_sets();
     std::ranges::move(spots, std::back_inserter(sets));
     finest.patches = make_patches(finest.grid, sets);
-    if (spots.size() < kFewSpots) return;
+    if (spots.size() < kFewSpots) break;
   }
+  return Status::ok();
 }
 
 }  // namespace
 
-void strengthen_cycle(const PreparedMesh& prepared, const std::shared_ptr<Hierarchy>& hierarchy) {
+Status strengthen_cycle(const PreparedMesh& prepared, const std::shared_ptr<Hierarchy>& hierarchy,
+                        const Progress& progress) {
   const int last = hierarchy->finest - 1;
-  if (last <= hierarchy->coarsest) return;
+  if (last <= hierarchy->coarsest) return Status::ok();
   const bool is_small = hierarchy->depths.back().grid.corner_count() < kSmallScanCorners;
   const double least = is_small ? kSomeSheets : kManySheets;
-  if (share_of_irregular_rows(hierarchy->at(last)) <= least) return;
+  if (share_of_irregular_rows(hierarchy->at(last)) <= least) return Status::ok();
   const int first = std::max(last - kDepthsCorrectedTwice, hierarchy->coarsest) + 1;
   for (int depth = first; depth <= hierarchy->finest; ++depth) {
     HierarchyDepth& one = hierarchy->depths[depth - hierarchy->coarsest];
     one.is_corrected_twice = depth <= last;
     one.has_weak_parts = true;
   }
-  add_patches(prepared, hierarchy);
+  return add_patches(prepared, hierarchy, progress);
 }
 
 }  // namespace burnish

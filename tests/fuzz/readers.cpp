@@ -8,6 +8,7 @@
 #include <xxhash.h>
 
 #include <sys/mman.h>
+#include <sys/stat.h>
 
 #include "client/cli/cell_field_file.h"
 #include "client/cli/stroke_file.h"
@@ -38,6 +39,7 @@ std::string_view text_of(std::span<const uint8_t> bytes) {
 class MemoryFile {
  public:
   explicit MemoryFile(std::span<const uint8_t> bytes) : fd_(memfd_create("fuzzed", MFD_CLOEXEC)) {
+    BURNISH_CHECK(::fchmod(fd_, 0600) == 0, "the file in memory cannot be closed to others");
     BURNISH_CHECK(::write(fd_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()),
                   "the file in memory cannot be written");
   }
@@ -144,7 +146,7 @@ void seal_prepared(std::span<uint8_t> file) {
 bool read_prepared(std::span<const uint8_t> bytes) {
   std::vector<uint8_t> sealed(bytes.begin(), bytes.end());
   seal_prepared(sealed);
-  return map_prepared_mesh(MemoryFile(sealed).path()).is_ok();
+  return read_prepared_mesh(MemoryFile(sealed).path()).is_ok();
 }
 
 constexpr FuzzedReader kReaders[] = {

@@ -88,14 +88,19 @@ TEST(Workflow, ImportingTheSameBytesTwiceSaysSo) {
 
 TEST(Workflow, CellFieldsOfManyCellsTravelInParts) {
   ServerProcess server;
-  done(server, {"import", write_sphere(server.folder), "--depth", "4", "--name", "ball"});
-  done(server, {"open", "ball", "--depth", "4", "--session", "work"});
+  done(server, {"import", write_sphere(server.folder), "--depth", "8", "--name", "ball"});
+  done(server, {"open", "ball", "--depth", "8", "--session", "work"});
   std::string cells;
   for (int i = 0; i < 70'000; ++i) cells += "0 0 0 5 5 1\n";
-  const CommandOutcome outcome = server.burnish(
-      {"edit", "work", "--cell-field", server.folder.write("cells.txt", cells).string()});
+  const std::string file = server.folder.write("cells.txt", cells).string();
+  const CommandOutcome outcome = server.burnish({"edit", "work", "--cell-field", file});
   EXPECT_EQ(outcome.exit_code, 1);  // the cube's least cell is empty: the server saw the cells
   EXPECT_THAT(outcome.output, HasSubstr("cell 0 0 0"));
+
+  done(server, {"open", "ball", "--depth", "4", "--session", "coarse"});
+  const CommandOutcome beyond = server.burnish({"edit", "coarse", "--cell-field", file});
+  EXPECT_EQ(beyond.exit_code, 1);
+  EXPECT_THAT(beyond.output, HasSubstr("the edit sets 70000 cells, session coarse has"));
 }
 
 TEST(Workflow, AKilledServerLosesNoAcknowledgedEdit) {

@@ -65,7 +65,7 @@ TEST(Edit, KindsAreNamedInTheOrderOfTheChanges) {
 
 TEST(Edit, ACheckpointHasAShortPrintableName) {
   EXPECT_TRUE(check(SetCheckpoint{"before lunch"}).is_ok());
-  EXPECT_THAT(check(SetCheckpoint{""}).message(), HasSubstr("has 0 bytes"));
+  EXPECT_THAT(check(SetCheckpoint{""}).message(), HasSubstr("is empty"));
   EXPECT_THAT(check(RestoreCheckpoint{std::string(201, 'x')}).message(), HasSubstr("201 bytes"));
   EXPECT_FALSE(check(SetCheckpoint{"a\nb"}).is_ok());
   EXPECT_FALSE(check(SwitchEntry{0, true}).is_ok());

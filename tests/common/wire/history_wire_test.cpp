@@ -16,8 +16,8 @@ TEST(HistoryWire, APageComesBackUnchanged) {
     page.entries.push_back({page.entries.size() + 1, "id", "ann", 123, kind, "what", false});
   const HistoryPage back = from_wire(to_wire(page)).value();
   EXPECT_FALSE(back.complete);
-  ASSERT_EQ(back.entries.size(), 5u);
-  for (size_t i = 0; i < 5; ++i) {
+  ASSERT_EQ(back.entries.size(), 6u);
+  for (size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(back.entries[i].number, i + 1);
     EXPECT_EQ(back.entries[i].kind, page.entries[i].kind);
     EXPECT_EQ(back.entries[i].author, "ann");

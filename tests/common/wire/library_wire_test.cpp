@@ -75,8 +75,8 @@ TEST(LibraryWire, ADescriptionComesBackUnchanged) {
   scan.has_colours = true;
   scan.statistics.vertices = 5;
   scan.statistics.box_max = Vec3d(1, 2, 3);
-  scan.prepared = {{{7, 0.25}, 99}};
-  description.prepared = PreparedDescription{{7, 0.25}, 1.5, 0.01, 1234, 5678, 40, {0.5f, 0.25f}};
+  scan.prepared = {{{7, 0.125}, 99}};
+  description.prepared = PreparedDescription{{7, 0.125}, 1.5, 0.01, 1234, 5678, 40, {0.5f, 0.25f}};
   const auto back = from_wire(to_wire(description));
   ASSERT_TRUE(back.is_ok());
   EXPECT_EQ(to_wire(back.value()).SerializeAsString(), to_wire(description).SerializeAsString());

@@ -70,6 +70,7 @@ TEST_F(ScanDamageTest, WhatWasPreparedFromADamagedOriginalIsMadeAgain) {
 TEST_F(ScanDamageTest, AnImportOfTheSameFileReplacesADamagedInfo) {
   ASSERT_TRUE(library_.store->prepare_scan(scan_.id, {6, 0}, {}).is_ok());
   fs::resize_file(file("info.json"), 20);
+  library_.restart();
   EXPECT_TRUE(library_.store->list().empty());
   EXPECT_EQ(library_.store->import_known(scan_.id, {5, 0}, {}).status().code(),
             StatusCode::kNotFound);

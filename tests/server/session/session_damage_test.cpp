@@ -104,6 +104,7 @@ TEST_F(SessionDamageTest, ASessionWhoseRecordIsDamagedSaysSo) {
 
 TEST_F(SessionDamageTest, ADamagedScanIsDeletedByItsFullId) {
   std::filesystem::resize_file(library_.folder->scans() / scan_id_ / "info.json", 20);
+  start();
   EXPECT_EQ(manager_->delete_scan(scan_id_).status().code(), StatusCode::kFailedPrecondition);
   ASSERT_TRUE(manager_->remove("one", "ann", {}).is_ok());
   EXPECT_EQ(manager_->delete_scan(scan_id_.substr(0, 20)).status().code(), StatusCode::kNotFound);

@@ -256,5 +256,20 @@ TEST_P(HierarchyTest, CellsWithAnIrregularCornerKnowTheirEntries) {
   }
 }
 
+TEST(Hierarchy, ConnectingCellsCanBeCancelledFromTheFirstReportToTheLast) {
+  const TestSystem system(reference::two_near_sheets(40, 0.04), 6);
+  int reports = 0;
+  ASSERT_TRUE(make_hierarchy(*system.prepared, [&](std::string_view, double) {
+                return ++reports > 0;
+              }).is_ok());
+  EXPECT_GT(reports, 2);
+  for (const int last : {0, 1, reports / 2, reports - 1}) {
+    int seen = 0;
+    const auto stopped =
+        make_hierarchy(*system.prepared, [&](std::string_view, double) { return seen++ < last; });
+    EXPECT_EQ(stopped.status().code(), StatusCode::kCancelled);
+  }
+}
+
 }  // namespace
 }  // namespace burnish

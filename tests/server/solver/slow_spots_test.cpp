@@ -17,7 +17,7 @@ class SlowSpots : public testing::Test {
   SlowSpots() : system_(reference::spiked_sphere(), 6) {
     auto without_patches = std::make_shared<Hierarchy>(*system_.hierarchy);
     without_patches->depths.back().patches = {};
-    spots_ = find_slow_spots(system_.prepared, without_patches);
+    spots_ = find_slow_spots(system_.prepared, without_patches).value();
   }
 
   const SparseGrid& grid() { return system_.hierarchy->depths.back().grid; }
@@ -41,7 +41,7 @@ TEST_F(SlowSpots, AreSmallSetsOfCornersOfWholeCells) {
 }
 
 TEST_F(SlowSpots, AreNoMoreOncePatchesAreThere) {
-  EXPECT_LT(find_slow_spots(system_.prepared, system_.hierarchy).size(), spots_.size() / 10);
+  EXPECT_LT(find_slow_spots(system_.prepared, system_.hierarchy).value().size(), spots_.size() / 10);
 }
 
 }  // namespace
