@@ -65,8 +65,13 @@ void Connection::set_starter(Starter starter) {
 
 void Connection::bring_back(const Progress& progress) {
   if (!state_->starter || !state_->starter(progress).is_ok()) return;
-  grpc::experimental::ChannelResetConnectionBackoff(state_->channel.get());
-  state_->channel->WaitForConnected(std::chrono::system_clock::now() + state_->timeout);
+  // gRPC may not have seen yet that the last server's socket has no other end: a call tells it.
+  static constexpr int kTriesMax = 3;
+  for (int tries = 0; tries < kTriesMax; ++tries) {
+    grpc::experimental::ChannelResetConnectionBackoff(state_->channel.get());
+    state_->channel->WaitForConnected(std::chrono::system_clock::now() + state_->timeout);
+    if (list_sessions().status().code() != StatusCode::kUnavailable) return;
+  }
 }
 
 Result<std::vector<ScanInfo>> Connection::list_scans() {

@@ -242,7 +242,7 @@ TEST_F(PrivateWorkspace, AScanIsImportedThoughTheServerHasJustDied) {
   ASSERT_TRUE(until([this] { return workspace_.is_idle(); }));
   data_.kill_server();
   workspace_.import_scan(write_sphere(data_.folder));
-  ASSERT_TRUE(until([this] { return workspace_.document() && document().is_settled(); }));
+  ASSERT_TRUE(until([this] { return workspace_.document() && document().is_settled(); })) << errors();
   EXPECT_EQ(errors(), "");
 }
 
