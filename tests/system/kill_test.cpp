@@ -275,7 +275,9 @@ TEST(KilledServer, LosesAndDoublesNoAcknowledgedEditAndComesBack) {
   }
   EXPECT_GT(edits, 0u);
   // In a few rounds it may happen that none of them wins.
-  if (rounds >= kRoundsPerServer) EXPECT_GT(races, 0u);
+  if (rounds >= kRoundsPerServer) {
+    EXPECT_GT(races, 0u);
+  }
   const auto print = [](const char* what, std::vector<double> seconds) {
     std::sort(seconds.begin(), seconds.end());
     std::cout << what << " after " << seconds[seconds.size() / 2] << " s (median), "
