@@ -125,6 +125,7 @@ TEST_F(LiveSessions, TellOfEditsOnceTheyAreOnDiskAndOnceTheyAreShown) {
 TEST_F(LiveSessions, LoseNoEditWhenTheServerIsGoneBeforeItsAnswer) {
   server_.set_faults({.answer_no_edits = true});
   connect();
+  ASSERT_TRUE(until_live());  // else there is no link to lose
   ASSERT_TRUE(session_->apply(slider("a")).is_ok());
   ASSERT_TRUE(until([this] { return server_.seen().applied.size() == 1; }));
   server_.stop();
