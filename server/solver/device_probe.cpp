@@ -4,11 +4,15 @@
 
 namespace burnish {
 
+bool has_device(BackendKind backend) {
+  if (backend == BackendKind::kCpu || !cuda_compiled()) return false;
+  // It is asked once: a device that fails later must not look like none.
+  static const bool is_there = cuda_device().is_ok();
+  return is_there;
+}
+
 Status probe_device(BackendKind backend) {
-  if (backend == BackendKind::kCpu || !cuda_compiled()) return Status::ok();
-  // Whether there is a device is asked once: a device that fails later must not look like none.
-  static const bool has_device = cuda_device().is_ok();
-  return has_device ? probe_cuda_device() : Status::ok();
+  return has_device(backend) ? probe_cuda_device() : Status::ok();
 }
 
 }  // namespace burnish

@@ -10,4 +10,7 @@ namespace burnish {
 /// then on for the process's life: such errors stick.
 Status probe_device(BackendKind backend);
 
+/// Whether sessions of this backend may be on a device that can fail; the processors are none.
+bool has_device(BackendKind backend);
+
 }  // namespace burnish
