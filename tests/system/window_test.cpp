@@ -159,6 +159,8 @@ class WindowTest : public testing::Test {
   }
 
   std::vector<HistoryEntry> history() {
+    // After a new start gRPC may still believe in the connection to the last server.
+    EXPECT_TRUE(eventually([&] { return connection_->history("desk").is_ok(); }));
     return connection_->history("desk").value();
   }
 
