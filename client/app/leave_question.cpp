@@ -14,7 +14,7 @@ static const char* reason(LinkState link) {
       return "The server has not answered yet.";
     case LinkState::kConnecting:
     case LinkState::kLost:
-      return "The connection is lost. They are saved when it is back.";
+      return "The connection is lost. Edits are saved when it is back.";
     case LinkState::kEnded:
       break;
   }

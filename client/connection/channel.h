@@ -13,7 +13,8 @@ enum class Sharing {
   kOwn,     ///< nothing else travels on this one
 };
 
-/// What gRPC calls a server: the path of unix:PATH is percent-encoded, all else stays.
+/// Returns the target that gRPC knows a server by: the path of unix:PATH percent-encoded, all else
+/// as it is.
 std::string grpc_target(const std::string& server);
 
 /// A channel that has not connected yet; every call on it carries the token.

@@ -50,8 +50,8 @@ class Connection {
   /// For a server that may end at any time and is started on demand. Live sessions call it before
   /// each try to come back.
   void set_starter(Starter starter);
-  /// Has the server started again if need be, and waits until it is connected. What fails is told
-  /// by the next call. Does nothing without a starter.
+  /// Has the server started again if need be, and waits until it is connected. The next call tells
+  /// of a failure. Does nothing without a starter.
   void bring_back(const Progress& progress = {});
 
   /// Uploads a mesh file and has it prepared. Fails: as reading the file does, or as the server

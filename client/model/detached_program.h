@@ -13,7 +13,7 @@ namespace burnish {
 class DetachedProgram {
  public:
   /// Starts `words[0]` with the rest as arguments; both outputs go to `log`, which is written anew.
-  /// What it makes is for this user alone (umask 077). Its folder is the root, so paths are
+  /// Files that it makes are for this user alone (umask 077). Its folder is the root, so paths are
   /// absolute. Fails: as errno says, but a program that cannot be run ends by itself.
   static Result<DetachedProgram> start(const std::vector<std::string>& words,
                                        const std::filesystem::path& log);

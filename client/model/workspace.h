@@ -80,7 +80,7 @@ class Workspace {
   bool is_idle() const { return tasks_.is_idle(); }
   /// Edits of the open session that its server does not have on disk.
   size_t unsaved_edits() const { return document_ ? document_->unacknowledged() : 0; }
-  /// Of the open session; kEnded without one.
+  /// The link of the open session; kEnded without one.
   LinkState link() const { return document_ ? document_->link() : LinkState::kEnded; }
   bool is_opening() const { return opening_; }
   uint64_t exports_done() const { return exports_done_; }

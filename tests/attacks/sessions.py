@@ -14,7 +14,7 @@ class OpenerWhoGivesUpTakesNobodysEdits(Attack):
     finding = "C3"
     users = False
     scan_rows = 60
-    growth_mib_max = 1500  # the sessions are there, and stay
+    growth_mib_max = 1000  # the sessions are there, and stay
 
     def attack(self, server):
         told, lost = 0, 0

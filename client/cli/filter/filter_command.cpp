@@ -36,7 +36,7 @@ struct FilterOptions {
   std::string paint_file, cell_field_file, fields_file, report_file;
 };
 
-/// What this machine has: for the preparation, and then for the mesh with its session.
+/// Has what this machine has: for the preparation, and then for the mesh with its session.
 class FilterBudget final : public MachineBudget {
  public:
   Status ask(const PreparationNeed& need) override {
