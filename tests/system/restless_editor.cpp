@@ -47,17 +47,29 @@ Edit RestlessEditor::next_edit() {
 
 void RestlessEditor::edit() {
   sent_.push_back(next_edit());
+  losses_when_sent_[sent_.back().id] = losses_;
   const Status status = link_->apply({sent_.back()});
   BURNISH_CHECK(status.is_ok(), status.message());
+}
+
+void RestlessEditor::take_answer(const std::vector<std::string>& ids,
+                                 std::set<std::string>& answered) {
+  for (const std::string& id : ids) {
+    answered.insert(id);
+    losses_when_answered_[id] = losses_;
+  }
 }
 
 void RestlessEditor::listen() {
   const LiveNews news = link_->take();
   for (const LiveEvent& event : news.events) {
-    if (const auto* answer = std::get_if<AcknowledgedEdits>(&event))
-      acknowledged_.insert(answer->edit_ids.begin(), answer->edit_ids.end());
+    if (const auto* answer = std::get_if<AcknowledgedEdits>(&event)) {
+      take_answer(answer->edit_ids, acknowledged_);
+      if (answer->outcome.known > 0)
+        known_.insert(answer->edit_ids.begin(), answer->edit_ids.end());
+    }
     if (const auto* answer = std::get_if<RefusedEdits>(&event))
-      refused_.insert(answer->edit_ids.begin(), answer->edit_ids.end());
+      take_answer(answer->edit_ids, refused_);
     if (std::holds_alternative<Welcomed>(event)) {
       welcomed_ = true;
       frames_then_ = frames_;
@@ -79,6 +91,7 @@ bool RestlessEditor::wait_until_answered() {
 void RestlessEditor::lose_server() {
   listen();
   welcomed_ = false;
+  ++losses_;
 }
 
 /// The author's own undo, as a plain list: nobody else can switch these entries.
@@ -115,9 +128,33 @@ struct RestlessEditor::Book {
   }
 };
 
+/// A refusal is not on disk. When the server dies before it tells of one, the edit is sent again
+/// and judged again, behind those later edits that the server had on disk.
+bool RestlessEditor::is_behind(const Edit& edit, const Edit& later) const {
+  return !known_.count(edit.id) && known_.count(later.id) &&
+         losses_when_sent_.at(later.id) < losses_when_answered_.at(edit.id);
+}
+
+/// The order in which the server judged the edits.
+std::vector<size_t> RestlessEditor::recorded_order() const {
+  std::vector<size_t> order;
+  std::map<size_t, std::vector<size_t>> waiting;  // by the edit that they are behind
+  for (size_t i = 0; i < sent_.size(); ++i) {
+    size_t place = i;
+    for (size_t later = i + 1; later < sent_.size(); ++later)
+      if (is_behind(sent_[i], sent_[later])) place = later;
+    waiting[place].push_back(i);
+  }
+  for (const auto& [place, edits] : waiting) {
+    order.push_back(place);  // the last of them: it waits for nothing
+    order.insert(order.end(), edits.begin(), edits.end() - 1);
+  }
+  return order;
+}
+
 RestlessEditor::Book RestlessEditor::keep_book() const {
   Book book;
-  for (const Edit& edit : sent_) book.write(edit);
+  for (const size_t edit : recorded_order()) book.write(sent_[edit]);
   return book;
 }
 

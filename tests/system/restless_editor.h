@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <random>
 #include <set>
@@ -39,8 +40,9 @@ class RestlessEditor {
   /// What the history has to say of this author: ids of the entries in order, true for those that
   /// are on, had each edit that was not refused counted exactly once.
   std::vector<std::pair<std::string, bool>> expected_entries() const;
-  /// Undo and redo that must be refused: there was nothing to undo.
+  /// The edits that the server refused.
   const std::set<std::string>& refused() const { return refused_; }
+  /// Undo and redo that must be refused: there was nothing to undo.
   std::set<std::string> expected_refusals() const;
 
   size_t applied() const { return sent_.size() - refused_.size(); }
@@ -49,6 +51,9 @@ class RestlessEditor {
  private:
   struct Book;
   Edit next_edit();
+  void take_answer(const std::vector<std::string>& ids, std::set<std::string>& answered);
+  bool is_behind(const Edit& edit, const Edit& later) const;
+  std::vector<size_t> recorded_order() const;
   Book keep_book() const;
 
   const EditorPlace place_;
@@ -59,6 +64,9 @@ class RestlessEditor {
 
   std::vector<Edit> sent_;
   std::set<std::string> acknowledged_, refused_;
+  std::set<std::string> known_;  // acknowledged by a later server than the one that recorded them
+  int losses_ = 0;               // of the server, so far
+  std::map<std::string, int> losses_when_sent_, losses_when_answered_;
   bool welcomed_ = false;
   uint64_t frames_ = 0, frames_then_ = 0;
 };
