@@ -205,6 +205,19 @@ class KilledServer {
     EXPECT_EQ(check.text(0), "ok");
   }
 
+  /// By author, in the order of their numbers.
+  std::map<std::string, std::vector<std::string>> recorded_edits(const std::string& session) {
+    Database journal = Database::open(server_.folder / "data" / "journal.sqlite").value();
+    Statement edits = journal
+                          .prepare("SELECT author, edits.id FROM edits JOIN sessions ON "
+                                   "sessions.id = session_id WHERE name = ? ORDER BY number")
+                          .value();
+    edits.bind(session);
+    std::map<std::string, std::vector<std::string>> recorded;
+    while (edits.step().value()) recorded[edits.text(0)].push_back(edits.text(1));
+    return recorded;
+  }
+
   void check_histories() {
     Connection connection = connect();
     for (auto& [session, editors] : editors_) {
@@ -212,10 +225,13 @@ class KilledServer {
       const std::vector<HistoryEntry> history = connection.history(session).value();
       for (const HistoryEntry& entry : history)
         found[entry.author].emplace_back(entry.edit_id, entry.enabled);
+      auto recorded = recorded_edits(session);
       uint64_t applied = 0;
       for (const auto& editor : editors) {
-        EXPECT_EQ(found[editor->user()], editor->expected_entries()) << editor->user();
-        EXPECT_EQ(editor->refused(), editor->expected_refusals()) << editor->user();
+        const std::vector<std::string>& his = recorded[editor->user()];
+        EXPECT_EQ(his.size(), editor->applied()) << editor->user();
+        EXPECT_EQ(found[editor->user()], editor->expected_entries(his)) << editor->user();
+        EXPECT_EQ(editor->refused(), editor->expected_refusals(his)) << editor->user();
         applied += editor->applied();
       }
       EXPECT_EQ(connection.state(session).value().session.edits, applied) << session;

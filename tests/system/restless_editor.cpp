@@ -63,11 +63,8 @@ void RestlessEditor::take_answer(const std::vector<std::string>& ids,
 void RestlessEditor::listen() {
   const LiveNews news = link_->take();
   for (const LiveEvent& event : news.events) {
-    if (const auto* answer = std::get_if<AcknowledgedEdits>(&event)) {
+    if (const auto* answer = std::get_if<AcknowledgedEdits>(&event))
       take_answer(answer->edit_ids, acknowledged_);
-      if (answer->outcome.known > 0)
-        known_.insert(answer->edit_ids.begin(), answer->edit_ids.end());
-    }
     if (const auto* answer = std::get_if<RefusedEdits>(&event))
       take_answer(answer->edit_ids, refused_);
     if (std::holds_alternative<Welcomed>(event)) {
@@ -129,41 +126,46 @@ struct RestlessEditor::Book {
 };
 
 /// A refusal is not on disk. When the server dies before it tells of one, the edit is sent again
-/// and judged again, behind those later edits that the server had on disk.
-bool RestlessEditor::is_behind(const Edit& edit, const Edit& later) const {
-  return !known_.count(edit.id) && known_.count(later.id) &&
-         losses_when_sent_.at(later.id) < losses_when_answered_.at(edit.id);
+/// and judged again, behind those later edits that are on disk: nobody knows where.
+bool RestlessEditor::is_certain(const std::string& edit_id) const {
+  return losses_when_sent_.at(edit_id) == losses_when_answered_.at(edit_id);
 }
 
-/// The order in which the server judged the edits.
-std::vector<size_t> RestlessEditor::recorded_order() const {
-  std::vector<size_t> order;
-  std::map<size_t, std::vector<size_t>> waiting;  // by the edit that they are behind
+/// The recorded edits in their order, and each refused one behind all that was sent before it.
+RestlessEditor::Book RestlessEditor::keep_book(const std::vector<std::string>& recorded) const {
+  std::map<std::string, size_t> rank;
+  for (const std::string& id : recorded) rank.emplace(id, rank.size() + 1);
+  std::map<std::pair<size_t, size_t>, const Edit*> judged;
+  size_t last = 0;
   for (size_t i = 0; i < sent_.size(); ++i) {
-    size_t place = i;
-    for (size_t later = i + 1; later < sent_.size(); ++later)
-      if (is_behind(sent_[i], sent_[later])) place = later;
-    waiting[place].push_back(i);
+    const auto place = rank.find(sent_[i].id);
+    if (place != rank.end()) {
+      judged[{place->second, 0}] = &sent_[i];
+      last = std::max(last, place->second);
+    } else if (is_certain(sent_[i].id)) {
+      judged[{last, i + 1}] = &sent_[i];
+    }
   }
-  for (const auto& [place, edits] : waiting) {
-    order.push_back(place);  // the last of them: it waits for nothing
-    order.insert(order.end(), edits.begin(), edits.end() - 1);
-  }
-  return order;
-}
-
-RestlessEditor::Book RestlessEditor::keep_book() const {
   Book book;
-  for (const size_t edit : recorded_order()) book.write(sent_[edit]);
+  for (const auto& [place, edit] : judged) book.write(*edit);
   return book;
 }
 
-std::vector<std::pair<std::string, bool>> RestlessEditor::expected_entries() const {
-  return keep_book().entries;
+std::vector<std::pair<std::string, bool>> RestlessEditor::expected_entries(
+    const std::vector<std::string>& recorded) const {
+  return keep_book(recorded).entries;
 }
 
-std::set<std::string> RestlessEditor::expected_refusals() const {
-  return keep_book().refusals;
+std::set<std::string> RestlessEditor::expected_refusals(
+    const std::vector<std::string>& recorded) const {
+  return keep_book(recorded).refusals;
+}
+
+std::set<std::string> RestlessEditor::refused() const {
+  std::set<std::string> refused;
+  for (const std::string& id : refused_)
+    if (is_certain(id)) refused.insert(id);
+  return refused;
 }
 
 }  // namespace burnish

@@ -37,13 +37,14 @@ class RestlessEditor {
   void lose_server();
   bool is_back() const { return welcomed_ && frames_ > frames_then_; }
 
-  /// What the history has to say of this author: ids of the entries in order, true for those that
-  /// are on, had each edit that was not refused counted exactly once.
-  std::vector<std::pair<std::string, bool>> expected_entries() const;
-  /// The edits that the server refused.
-  const std::set<std::string>& refused() const { return refused_; }
-  /// Undo and redo that must be refused: there was nothing to undo.
-  std::set<std::string> expected_refusals() const;
+  /// What the history has to say of this author, when the server recorded these of his edits in
+  /// this order: ids of the entries in order, true for those that are on.
+  std::vector<std::pair<std::string, bool>> expected_entries(
+      const std::vector<std::string>& recorded) const;
+
+  /// Those of the answered edits that must have been refused: there was nothing to undo or redo.
+  std::set<std::string> expected_refusals(const std::vector<std::string>& recorded) const;
+  std::set<std::string> refused() const;
 
   size_t applied() const { return sent_.size() - refused_.size(); }
   const std::string& user() const { return user_; }
@@ -52,9 +53,8 @@ class RestlessEditor {
   struct Book;
   Edit next_edit();
   void take_answer(const std::vector<std::string>& ids, std::set<std::string>& answered);
-  bool is_behind(const Edit& edit, const Edit& later) const;
-  std::vector<size_t> recorded_order() const;
-  Book keep_book() const;
+  bool is_certain(const std::string& edit_id) const;
+  Book keep_book(const std::vector<std::string>& recorded) const;
 
   const EditorPlace place_;
   const std::string user_;
@@ -64,8 +64,7 @@ class RestlessEditor {
 
   std::vector<Edit> sent_;
   std::set<std::string> acknowledged_, refused_;
-  std::set<std::string> known_;  // acknowledged by a later server than the one that recorded them
-  int losses_ = 0;               // of the server, so far
+  int losses_ = 0;  // of the server, so far
   std::map<std::string, int> losses_when_sent_, losses_when_answered_;
   bool welcomed_ = false;
   uint64_t frames_ = 0, frames_then_ = 0;
