@@ -7,7 +7,7 @@
 #include "client/app/theme.h"
 #include "client/gl/capabilities.h"
 #include "client/model/document_actions.h"
-#include "client/png_writer.h"
+#include "client/scene/png_writer.h"
 
 namespace burnish {
 

@@ -2,10 +2,10 @@
 
 #include <iostream>
 
-#include "client/cli/text_lines.h"
 #include "client/gl/context_egl.h"
-#include "client/null_renderer.h"
+#include "client/scene/null_renderer.h"
 #include "client/script/script_runner.h"
+#include "common/base/text_lines.h"
 
 namespace burnish {
 

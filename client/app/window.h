@@ -8,9 +8,9 @@
 
 #include <Eigen/Core>
 
-#include "client/image.h"
 #include "client/model/pointer_queue.h"
 #include "client/model/viewport.h"
+#include "client/scene/image.h"
 #include "common/base/status.h"
 
 struct GLFWwindow;

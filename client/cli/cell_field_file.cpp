@@ -1,6 +1,6 @@
 #include "client/cli/cell_field_file.h"
 
-#include "client/cli/text_lines.h"
+#include "common/base/text_lines.h"
 
 namespace burnish {
 

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "client/cli/commands.h"
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 
 namespace burnish {

@@ -5,7 +5,7 @@
 #include "client/cli/command.h"
 #include "client/cli/commands.h"
 #include "client/gl/picture.h"
-#include "client/png_writer.h"
+#include "client/scene/png_writer.h"
 #include "common/mesh/mesh_io.h"
 
 namespace burnish {

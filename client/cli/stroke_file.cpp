@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "client/cli/text_lines.h"
+#include "common/base/text_lines.h"
 
 namespace burnish {
 

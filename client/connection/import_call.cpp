@@ -1,7 +1,7 @@
 #include "client/connection/connection_state.h"
 #include "common/base/mapped_file.h"
-#include "common/service/chunk.h"
-#include "common/service/content_hash.h"
+#include "common/transfer/chunk.h"
+#include "common/transfer/content_hash.h"
 #include "common/wire/format_wire.h"
 #include "common/wire/library_wire.h"
 

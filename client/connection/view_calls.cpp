@@ -1,7 +1,7 @@
 #include <cstring>
 
 #include "client/connection/connection_state.h"
-#include "common/service/chunk.h"
+#include "common/transfer/chunk.h"
 #include "common/wire/library_wire.h"
 #include "common/wire/session_wire.h"
 

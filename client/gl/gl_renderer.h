@@ -8,7 +8,7 @@
 #include "client/gl/picture_target.h"
 #include "client/gl/shader_program.h"
 #include "client/gl/surface_buffers.h"
-#include "client/renderer.h"
+#include "client/scene/renderer.h"
 
 namespace burnish {
 

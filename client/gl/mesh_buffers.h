@@ -2,7 +2,7 @@
 
 #include <epoxy/gl.h>
 
-#include "client/view_mesh.h"
+#include "client/scene/view_mesh.h"
 #include "common/base/status.h"
 
 namespace burnish {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "client/gl/shader_program.h"
-#include "client/renderer.h"
+#include "client/scene/renderer.h"
 
 namespace burnish {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <epoxy/gl.h>
 
-#include "client/image.h"
+#include "client/scene/image.h"
 #include "common/base/status.h"
 
 namespace burnish {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "client/gl/texture_buffer.h"
-#include "client/renderer.h"
+#include "client/scene/renderer.h"
 
 namespace burnish {
 

@@ -6,7 +6,7 @@
 
 #include <epoxy/gl.h>
 
-#include "client/renderer.h"
+#include "client/scene/renderer.h"
 #include "common/base/status.h"
 
 namespace burnish {

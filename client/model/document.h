@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "client/connection/session_link.h"
-#include "client/displaced_surface.h"
 #include "client/model/message_log.h"
 #include "client/model/recorder.h"
 #include "client/model/tasks.h"
-#include "client/renderer.h"
+#include "client/scene/displaced_surface.h"
+#include "client/scene/renderer.h"
 #include "client/tools/brush_tool.h"
 #include "client/tools/cell_tint.h"
 #include "client/tools/curve_editor.h"

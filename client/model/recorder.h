@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-#include "client/camera.h"
+#include "client/scene/camera.h"
 #include "common/edit/edit.h"
 
 namespace burnish {

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "client/camera.h"
 #include "client/model/document.h"
-#include "client/renderer.h"
+#include "client/scene/camera.h"
+#include "client/scene/renderer.h"
 
 namespace burnish {
 

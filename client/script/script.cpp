@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "client/cli/text_lines.h"
+#include "common/base/text_lines.h"
 
 namespace burnish {
 namespace {

@@ -1,5 +1,5 @@
-#include "client/cli/text_lines.h"
 #include "client/script/script_runner.h"
+#include "common/base/text_lines.h"
 
 namespace burnish {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "client/png_writer.h"
+#include "client/scene/png_writer.h"
 
 namespace burnish {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "client/renderer.h"
+#include "client/scene/renderer.h"
 #include "common/edit/brush.h"
 #include "common/view/view.h"
 

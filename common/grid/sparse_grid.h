@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "common/base/types.h"
+#include "common/grid/cell_corners.h"
 #include "common/grid/morton.h"
 
 namespace burnish {
 
 /// Local corner a of a cell sits at offset (a & 1, (a >> 1) & 1, a >> 2): x fastest.
-inline constexpr int kCornersPerCell = 8;
 inline Vec3i corner_offset(int a) {
   return {a & 1, (a >> 1) & 1, a >> 2};
 }

@@ -1,7 +1,7 @@
 #include "common/wire/format_wire.h"
 
 #include "common/base/limits.h"
-#include "common/service/chunk.h"
+#include "common/transfer/chunk.h"
 
 namespace burnish {
 

@@ -1,6 +1,6 @@
 #include "common/wire/library_wire.h"
 
-#include "common/service/content_hash.h"
+#include "common/transfer/content_hash.h"
 #include "common/wire/format_wire.h"
 
 namespace burnish {

@@ -2,11 +2,11 @@
 
 #include <vector>
 
+#include "server/library/mesh_store.h"
+#include "server/live/live_sessions.h"
+#include "server/manager/session_manager.h"
 #include "server/metrics/prometheus/exporter.h"
 #include "server/rpc/server.h"
-#include "server/session/live_sessions.h"
-#include "server/session/mesh_store.h"
-#include "server/session/session_manager.h"
 
 namespace burnish {
 

@@ -9,9 +9,9 @@ namespace burnish {
 /// What must be gone when nobody uses the server any more.
 enum class LiveKind { kCall, kMesh, kSession, kUpload, kExport, kLiveSession, kStream };
 
-inline constexpr std::array kLiveKinds = {LiveKind::kCall, LiveKind::kMesh, LiveKind::kSession,
-                                          LiveKind::kUpload, LiveKind::kExport,
-                                          LiveKind::kLiveSession, LiveKind::kStream};
+inline constexpr std::array kLiveKinds = {
+    LiveKind::kCall,   LiveKind::kMesh,        LiveKind::kSession, LiveKind::kUpload,
+    LiveKind::kExport, LiveKind::kLiveSession, LiveKind::kStream};
 
 /// "call", "mesh", ...
 std::string_view live_kind_name(LiveKind kind);

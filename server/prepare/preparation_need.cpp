@@ -88,7 +88,8 @@ std::string to_string(const PreparationNeed& need) {
   return text;
 }
 
-MachineBudget::MachineBudget() : bytes_max_(std::min(available_memory_bytes(), machine_memory_bytes())) {}
+MachineBudget::MachineBudget()
+    : bytes_max_(std::min(available_memory_bytes(), machine_memory_bytes())) {}
 
 Status MachineBudget::ask(const PreparationNeed& need) {
   if (need.memory_bytes <= bytes_max_) return Status::ok();

@@ -10,6 +10,7 @@
 
 #include "common/base/status.h"
 #include "common/evaluation/evaluation.h"
+#include "common/grid/cell_corners.h"
 #include "common/grid/grid.h"
 #include "common/mesh/statistics.h"
 #include "common/mesh/triangle_mesh.h"
@@ -23,9 +24,9 @@ namespace burnish {
 /// and float32 tables would give them a negative one. The gradients ∫ ⟨v_i, ∇B_a⟩ v_i are no table
 /// of their own: stiffness times the corners' places (gradient_of() in solver/cell_matrix.h).
 struct CellIntegrals {
-  std::array<double, 28> mass;                      ///< ρ_ab
-  std::array<double, 8> mass_row_sum;               ///< Σ_b ρ_ab = ∫ B_a
-  std::array<std::array<double, 28>, 2> stiffness;  ///< ℓ¹_ab, ℓ²_ab
+  std::array<double, kPairsPerCell> mass;                      ///< ρ_ab
+  std::array<double, 8> mass_row_sum;                          ///< Σ_b ρ_ab = ∫ B_a
+  std::array<std::array<double, kPairsPerCell>, 2> stiffness;  ///< ℓ¹_ab, ℓ²_ab
 };
 static_assert(sizeof(CellIntegrals) == 736);
 

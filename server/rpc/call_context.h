@@ -3,14 +3,14 @@
 #include <grpcpp/grpcpp.h>
 
 #include "common/base/progress.h"
+#include "server/library/mesh_store.h"
+#include "server/live/live_sessions.h"
+#include "server/manager/session_manager.h"
 #include "server/rpc/call_executor.h"
 #include "server/rpc/call_guard.h"
 #include "server/rpc/call_observer.h"
 #include "server/rpc/references.h"
 #include "server/rpc/to_grpc.h"
-#include "server/session/live_sessions.h"
-#include "server/session/mesh_store.h"
-#include "server/session/session_manager.h"
 
 namespace burnish {
 

@@ -3,7 +3,7 @@
 #include <grpcpp/grpcpp.h>
 
 #include "server/process/log_context.h"
-#include "server/session/lanes.h"
+#include "server/scheduling/lanes.h"
 
 namespace burnish {
 

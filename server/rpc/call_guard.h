@@ -4,8 +4,8 @@
 
 #include <grpcpp/grpcpp.h>
 
-#include "server/session/caller.h"
-#include "server/session/quota.h"
+#include "server/manager/caller.h"
+#include "server/memory/quota.h"
 #include "server/trust/guard.h"
 
 namespace burnish {

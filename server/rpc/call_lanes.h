@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "server/session/lanes.h"
+#include "server/scheduling/lanes.h"
 
 namespace burnish {
 

@@ -7,10 +7,10 @@
 #include <google/protobuf/message_lite.h>
 #include <spdlog/spdlog.h>
 
+#include "server/library/data_folder.h"
 #include "server/metrics/metrics.h"
 #include "server/process/line_limiter.h"
 #include "server/process/log_context.h"
-#include "server/session/data_folder.h"
 #include "server/trust/role.h"
 
 namespace burnish {

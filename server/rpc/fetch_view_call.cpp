@@ -1,6 +1,6 @@
 #include "server/rpc/fetch_view_call.h"
 
-#include "common/service/chunk.h"
+#include "common/transfer/chunk.h"
 #include "common/wire/format_wire.h"
 #include "common/wire/library_wire.h"
 

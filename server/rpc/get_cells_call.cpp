@@ -1,9 +1,9 @@
 #include "server/rpc/get_cells_call.h"
 
-#include "common/service/chunk.h"
+#include "common/transfer/chunk.h"
 #include "common/wire/format_wire.h"
 #include "common/wire/session_wire.h"
-#include "server/session/cell_values.h"
+#include "server/manager/cell_values.h"
 
 namespace burnish {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "burnish/v1/editing.pb.h"
-#include "server/session/live_sessions.h"
+#include "server/live/live_sessions.h"
 
 namespace burnish {
 

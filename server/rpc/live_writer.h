@@ -9,7 +9,7 @@
 #include <grpcpp/grpcpp.h>
 
 #include "burnish/v1/editing.pb.h"
-#include "server/session/live_sessions.h"
+#include "server/live/live_sessions.h"
 
 namespace burnish {
 

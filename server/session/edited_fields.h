@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "common/base/progress.h"
+#include "server/fields/fields.h"
+#include "server/fields/paint_checkpoints.h"
 #include "server/session/history.h"
-#include "server/session/paint_checkpoints.h"
-#include "server/solver/fields.h"
 
 namespace burnish {
 

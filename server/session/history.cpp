@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "server/session/paint_checkpoints.h"
+#include "server/fields/paint_checkpoints.h"
 
 namespace burnish {
 

@@ -2,7 +2,6 @@
 
 #include "common/base/out_of_memory.h"
 #include "server/metrics/live_objects.h"
-#include "server/solver/hierarchy.h"
 
 namespace burnish {
 
@@ -29,14 +28,12 @@ struct Session::State {
   LiveObject live{LiveKind::kSession};
 };
 
-Result<std::unique_ptr<Session>> Session::open(std::shared_ptr<const PreparedMesh> prepared,
-                                               std::shared_ptr<const Hierarchy> hierarchy,
-                                               const SolverOptions& options) {
+Result<std::unique_ptr<Session>> Session::open(const Multigrid& on, const SolverOptions& options) {
   using Opened = Result<std::unique_ptr<Session>>;
   return with_memory_for("opening a session", [&]() -> Opened {
-    ASSIGN_OR_RETURN(auto solver, Solver::create(prepared, std::move(hierarchy), options));
+    ASSIGN_OR_RETURN(auto solver, Solver::create(on, options));
     return std::unique_ptr<Session>(
-        new Session(std::make_unique<State>(std::move(prepared), std::move(solver))));
+        new Session(std::make_unique<State>(on.prepared, std::move(solver))));
   });
 }
 

@@ -29,9 +29,7 @@ struct SolveOptions {
 class Session {
  public:
   /// Fails: failed_precondition (no such backend here); resource_exhausted (no memory).
-  static Result<std::unique_ptr<Session>> open(std::shared_ptr<const PreparedMesh> prepared,
-                                               std::shared_ptr<const Hierarchy> hierarchy,
-                                               const SolverOptions& options);
+  static Result<std::unique_ptr<Session>> open(const Multigrid& on, const SolverOptions& options);
   ~Session();
 
   /// Edits in, all of a batch or none; the solver sees them at the next step, as new matrices or

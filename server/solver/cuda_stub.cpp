@@ -30,8 +30,7 @@ Status probe_cuda_device() {
   return not_in_this_build();
 }
 
-Result<std::unique_ptr<Backend>> make_cuda_backend(std::shared_ptr<const PreparedMesh>,
-                                                   std::shared_ptr<const Hierarchy>, Smoother) {
+Result<std::unique_ptr<Backend>> make_cuda_backend(Multigrid, Smoother) {
   return not_in_this_build();
 }
 

@@ -3,11 +3,10 @@
 #include <chrono>
 
 #include "common/base/parallel.h"
-#include "server/solver/backend.h"
 #include "server/solver/cpu/cpu_backend.h"
 #include "server/solver/cuda/cuda_backend.h"
-#include "server/solver/hierarchy.h"
-#include "server/solver/vcycle.h"
+#include "server/solver/cycle/backend.h"
+#include "server/solver/cycle/vcycle.h"
 
 namespace burnish {
 
@@ -19,7 +18,7 @@ static double seconds_since(std::chrono::steady_clock::time_point start) {
 
 namespace {
 
-using Cycle = void (*)(Backend&, const Hierarchy&, int depth);
+using Cycle = void (*)(Backend&, const Multigrid&, int depth);
 
 // By Solver::Start. What is new of a stroke is near it, of a metric everywhere.
 constexpr Cycle kCycles[] = {run_vcycle, run_vcycle, run_nested_iteration, run_full_multigrid};
@@ -29,15 +28,12 @@ struct ChosenBackend {
   std::string reason;
 };
 
-Result<ChosenBackend> choose_backend(const std::shared_ptr<const PreparedMesh>& prepared,
-                                     const std::shared_ptr<const Hierarchy>& hierarchy,
-                                     const SolverOptions& options) {
+Result<ChosenBackend> choose_backend(const Multigrid& on, const SolverOptions& options) {
   const auto on_cpu = [&](std::string reason) {
-    return ChosenBackend{make_cpu_backend(prepared, hierarchy, options.smoother),
-                         std::move(reason)};
+    return ChosenBackend{make_cpu_backend(on, options.smoother), std::move(reason)};
   };
   if (options.backend == BackendKind::kCpu) return on_cpu("asked for");
-  auto cuda = make_cuda_backend(prepared, hierarchy, options.smoother);
+  auto cuda = make_cuda_backend(on, options.smoother);
   if (cuda.is_ok()) return ChosenBackend{std::move(cuda).value(), cuda_device().value()};
   if (options.backend == BackendKind::kAuto) return on_cpu(cuda.status().message());
   return cuda.status().with_context("backend cuda");
@@ -45,22 +41,19 @@ Result<ChosenBackend> choose_backend(const std::shared_ptr<const PreparedMesh>& 
 
 }  // namespace
 
-Result<std::unique_ptr<Solver>> Solver::create(std::shared_ptr<const PreparedMesh> prepared,
-                                               std::shared_ptr<const Hierarchy> hierarchy,
-                                               const SolverOptions& options) {
+Result<std::unique_ptr<Solver>> Solver::create(Multigrid on, const SolverOptions& options) {
   use_threads(options.threads);
-  if (goes_by_colours(options.smoother)) hierarchy = make_hierarchy(*prepared, Sheets::kTogether);
-  ASSIGN_OR_RETURN(ChosenBackend chosen, choose_backend(prepared, hierarchy, options));
-  return std::unique_ptr<Solver>(new Solver(std::move(prepared), std::move(hierarchy),
-                                            std::move(chosen.backend), std::move(chosen.reason),
-                                            options.threads));
+  if (goes_by_colours(options.smoother))
+    on = {on.prepared, make_hierarchy(*on.prepared, Sheets::kTogether),
+          std::make_shared<CyclePlan>()};
+  ASSIGN_OR_RETURN(ChosenBackend chosen, choose_backend(on, options));
+  return std::unique_ptr<Solver>(new Solver(std::move(on), std::move(chosen.backend),
+                                            std::move(chosen.reason), options.threads));
 }
 
-Solver::Solver(std::shared_ptr<const PreparedMesh> prepared,
-               std::shared_ptr<const Hierarchy> hierarchy, std::unique_ptr<Backend> backend,
-               std::string backend_reason, int threads)
-    : prepared_(std::move(prepared)),
-      hierarchy_(std::move(hierarchy)),
+Solver::Solver(Multigrid on, std::unique_ptr<Backend> backend, std::string backend_reason,
+               int threads)
+    : on_(std::move(on)),
       backend_(std::move(backend)),
       backend_reason_(std::move(backend_reason)),
       threads_(threads) {}
@@ -100,7 +93,7 @@ StepReport Solver::step() {
   residual_is_stale_ = rescale_ = false;
   const bool restarts = start_ != kGoesOn;
   backend_->run_recorded(start_, [&] {
-    kCycles[start_](*backend_, *hierarchy_, hierarchy_->finest);
+    kCycles[start_](*backend_, on_, on_.hierarchy->finest);
     backend_->update_direction(restarts);
     backend_->advance();
   });
@@ -115,7 +108,7 @@ StepReport Solver::step() {
   report.energy = measures.energy;
   report.residual = measures.residual;
   report.distance =
-      rate_.distance() * prepared_->frame.cell_size / prepared_->statistics.diagonal();
+      rate_.distance() * on_.prepared->frame.cell_size / on_.prepared->statistics.diagonal();
   return report;
 }
 
@@ -147,10 +140,10 @@ std::span<const Vec3f> Solver::vertex_displacement() const {
 
 std::vector<Vec3d> Solver::evaluate_vertices() const {
   const std::span<const Vec3f> moved = vertex_displacement();
-  std::vector<Vec3d> positions(prepared_->vertices.begin(), prepared_->vertices.end());
+  std::vector<Vec3d> positions(on_.prepared->vertices.begin(), on_.prepared->vertices.end());
 #pragma omp parallel for schedule(static)
   for (size_t v = 0; v < positions.size(); ++v)
-    positions[v] += prepared_->frame.cell_size * moved[v].cast<double>();
+    positions[v] += on_.prepared->frame.cell_size * moved[v].cast<double>();
   return positions;
 }
 

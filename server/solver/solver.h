@@ -10,10 +10,10 @@
 #include "common/base/progress.h"
 #include "common/base/status.h"
 #include "common/edit/edit.h"
-#include "server/prepare/prepared_mesh.h"
-#include "server/solver/convergence_rate.h"
-#include "server/solver/fields_view.h"
-#include "server/solver/smoother_names.h"
+#include "server/fields/fields_view.h"
+#include "server/solver/cycle/convergence_rate.h"
+#include "server/solver/cycle/multigrid.h"
+#include "server/solver/cycle/smoother_names.h"
 
 namespace burnish {
 
@@ -43,7 +43,6 @@ struct SolverOptions {
 };
 
 class Backend;
-struct Hierarchy;
 
 /// The screened Poisson system of one session: S u = b for the displacement u of every corner,
 /// warm-started from step to step. Source: sections 4 and 5.2.
@@ -51,9 +50,7 @@ class Solver {
  public:
   /// kAuto takes CUDA where it works, else the CPU. Fails: failed_precondition when the backend is
   /// not in this build or finds no device; unimplemented, resource_exhausted: see cuda_backend.h.
-  static Result<std::unique_ptr<Solver>> create(std::shared_ptr<const PreparedMesh> prepared,
-                                                std::shared_ptr<const Hierarchy> hierarchy,
-                                                const SolverOptions& options);
+  static Result<std::unique_ptr<Solver>> create(Multigrid on, const SolverOptions& options);
   ~Solver();
 
   /// New matrices at all depths and a new constraint: α1, α2 changed, and perhaps β.
@@ -76,7 +73,7 @@ class Solver {
   /// Displaced positions E(c° + u) in file units, one per vertex.
   std::vector<Vec3d> evaluate_vertices() const;
 
-  uint64_t byte_count() const;            ///< of this session; prepared mesh and hierarchy apart
+  uint64_t byte_count() const;            ///< of this session; the multigrid apart
   std::string_view backend_name() const;  ///< "cpu", "cuda"
   /// Why it is that backend: "NVIDIA H200, 143156 MiB", "asked for", "no CUDA device: ...".
   const std::string& backend_reason() const { return backend_reason_; }
@@ -84,15 +81,13 @@ class Solver {
   Status status() const;
 
  private:
-  Solver(std::shared_ptr<const PreparedMesh> prepared, std::shared_ptr<const Hierarchy> hierarchy,
-         std::unique_ptr<Backend> backend, std::string backend_reason, int threads);
+  Solver(Multigrid on, std::unique_ptr<Backend> backend, std::string backend_reason, int threads);
 
   /// How the next step starts, by rising distance; from kNewConstraint on along a new direction.
   enum Start { kGoesOn, kNewConstraint, kNewMetric, kCold };
   void start_from(const FieldsView& fields, Start start);
 
-  std::shared_ptr<const PreparedMesh> prepared_;
-  std::shared_ptr<const Hierarchy> hierarchy_;
+  Multigrid on_;
   std::unique_ptr<Backend> backend_;
   std::string backend_reason_;
   int threads_;

@@ -6,10 +6,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
+#include "server/fields/fields.h"
 #include "server/prepare/prepare.h"
 #include "server/solver/cuda/cuda_backend.h"
-#include "server/solver/fields.h"
+#include "server/solver/tuning/plan_cycle.h"
 #include "tests/backends/fault.h"
 #include "tests/backends/filtered.h"
 #include "tests/reference/awkward_meshes.h"
@@ -26,8 +27,7 @@ std::shared_ptr<const PreparedMesh> small_scan() {
 }
 
 Result<std::unique_ptr<Solver>> open_solver(const SolverOptions& options) {
-  const auto prepared = small_scan();
-  return Solver::create(prepared, make_hierarchy(*prepared), options);
+  return Solver::create(make_multigrid(small_scan()).value(), options);
 }
 
 TEST(CudaBackend, WithoutADeviceTheErrorSaysWhatIsMissing) {
@@ -178,7 +178,7 @@ TEST(SheetsApart, OfCrumbsHaveAllThatSlotsCannotSay) {
 TEST(SheetsApart, OfCrumbsHaveWeakPartsAtOneDepth) {
   for (const int depth : {kDepthWithWeakParts, 6}) {
     const auto prepared = prepare(reference::crumbs_over_a_sphere(), {.depth = depth}).value();
-    EXPECT_EQ(make_hierarchy(*prepared)->depths.back().has_weak_parts,
+    EXPECT_EQ(make_multigrid(prepared).value().plan->has_weak_parts(depth),
               depth == kDepthWithWeakParts);
   }
 }

@@ -4,12 +4,13 @@
 
 #include "server/prepare/prepare.h"
 #include "server/solver/cuda/cuda_backend.h"
+#include "server/solver/tuning/plan_cycle.h"
 
 namespace burnish {
 
 Filtered::Filtered(const TriangleMesh& mesh, int depth, const SolverOptions& options) {
   const auto prepared = prepare(mesh, {.depth = depth}).value();
-  session_ = Session::open(prepared, make_hierarchy(*prepared), options).value();
+  session_ = Session::open(make_multigrid(prepared).value(), options).value();
 }
 
 static void must(const Status& status) {

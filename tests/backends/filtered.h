@@ -7,7 +7,7 @@
 #include "common/edit/edit.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/session/session.h"
-#include "server/solver/hierarchy.h"
+#include "server/solver/hierarchy/hierarchy.h"
 
 namespace burnish {
 

@@ -1,12 +1,12 @@
 // In builds with CUDA; no device is needed.
 
-#include "server/solver/cuda/packed_restriction.h"
+#include "server/solver/cuda/mesh/packed_restriction.h"
 
 #include <utility>
 
 #include <gtest/gtest.h>
 
-#include "server/solver/cuda/packed.h"
+#include "server/solver/cuda/device/packed.h"
 
 namespace burnish::cuda {
 namespace {

@@ -1,12 +1,12 @@
 // In builds with CUDA; no device is needed.
 
-#include "server/solver/cuda/row_groups.h"
+#include "server/solver/cuda/mesh/row_groups.h"
 
 #include <gtest/gtest.h>
 
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "server/prepare/prepare.h"
-#include "server/solver/cuda/long_rows.h"
+#include "server/solver/cuda/mesh/long_rows.h"
 
 namespace burnish::cuda {
 namespace {

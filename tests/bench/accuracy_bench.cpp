@@ -14,10 +14,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "server/prepare/prepare.h"
 #include "server/session/session.h"
 #include "server/solver/cuda/cuda_backend.h"
+#include "server/solver/tuning/plan_cycle.h"
 #include "tests/bench/accuracy_converged.h"
 #include "tests/bench/accuracy_runs.h"
 #include "tests/bench/accuracy_soak.h"
@@ -39,11 +40,9 @@ struct Options {
   std::vector<std::string> scans;
 };
 
-struct Scan {
+struct Scan : Multigrid {
   std::string name;
   TriangleMesh mesh;
-  std::shared_ptr<const PreparedMesh> prepared;
-  std::shared_ptr<const Hierarchy> hierarchy;
 };
 
 Result<Scan> open_scan(const std::string& text) {
@@ -51,8 +50,9 @@ Result<Scan> open_scan(const std::string& text) {
   Scan scan;
   scan.name = argument.name();
   ASSIGN_OR_RETURN(scan.mesh, load_mesh(argument));
-  ASSIGN_OR_RETURN(scan.prepared, prepare(scan.mesh, {.depth = depth_of(argument, scan.mesh)}));
-  scan.hierarchy = make_hierarchy(*scan.prepared);
+  ASSIGN_OR_RETURN(const auto prepared,
+                   prepare(scan.mesh, {.depth = depth_of(argument, scan.mesh)}));
+  ASSIGN_OR_RETURN(static_cast<Multigrid&>(scan), make_multigrid(prepared));
   std::printf("%s, depth %d: %zu vertices, %d corners, on %s\n", scan.name.c_str(),
               scan.prepared->frame.depth, scan.mesh.vertices.size(),
               scan.hierarchy->at(scan.hierarchy->finest).grid.corner_count(),
@@ -115,7 +115,7 @@ bool report(const AccuracyRun& run, const AccuracyStop& stop, int frames,
 }
 
 int measure(const Scan& scan, const AccuracyRun& run, Converged& converged, ordered_json& rows) {
-  Live live{Session::open(scan.prepared, scan.hierarchy, {}).value()};
+  Live live{Session::open(scan, {}).value()};
   if (!run.settled_with.empty()) {
     live.apply(run.settled_with);
     live.go_to({.kind = Kind::kSettled});
@@ -133,7 +133,7 @@ int measure(const Scan& scan, const AccuracyRun& run, Converged& converged, orde
 }
 
 int bench(const Scan& scan, const Options& options, ordered_json& out) {
-  Converged converged(scan.mesh, scan.prepared, scan.hierarchy);
+  Converged converged(scan.mesh, scan);
   int missed = 0;
   for (const AccuracyRun& run : accuracy_runs(*scan.prepared))
     if (run.name.find(options.rows) != std::string::npos)
@@ -167,7 +167,7 @@ Result<int> run(const Options& options) {
   for (const std::string& argument : options.scans) {
     ASSIGN_OR_RETURN(const Scan scan, open_scan(argument));
     ordered_json out = {{"scan", scan.name}, {"depth", scan.prepared->frame.depth}};
-    missed += options.soak ? soak(scan.prepared, scan.hierarchy, out) : bench(scan, options, out);
+    missed += options.soak ? soak(scan, out) : bench(scan, options, out);
     report["scans"].push_back(std::move(out));
   }
   std::printf("%d rows missed\n", missed);

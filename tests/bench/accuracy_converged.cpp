@@ -128,11 +128,9 @@ struct Converged::Independent {
 #endif
 };
 
-Converged::Converged(const TriangleMesh& mesh, std::shared_ptr<const PreparedMesh> prepared,
-                     std::shared_ptr<const Hierarchy> hierarchy)
-    : prepared_(std::move(prepared)), hierarchy_(std::move(hierarchy)) {
-  if (hierarchy_->at(hierarchy_->finest).grid.corner_count() <= kIndependentCornersMax)
-    independent_ = std::make_unique<Independent>(mesh, *prepared_);
+Converged::Converged(const TriangleMesh& mesh, Multigrid on) : on_(std::move(on)) {
+  if (on_.hierarchy->at(on_.hierarchy->finest).grid.corner_count() <= kIndependentCornersMax)
+    independent_ = std::make_unique<Independent>(mesh, *on_.prepared);
 }
 
 Converged::~Converged() = default;
@@ -142,7 +140,7 @@ ConvergedSurface Converged::of(const Session& session) {
 }
 
 ConvergedSurface Converged::own(const Session& session) const {
-  const auto solver = Solver::create(prepared_, hierarchy_, {}).value();
+  const auto solver = Solver::create(on_, {}).value();
   solver->set_metric(session.fields().view());
   const SolveReport report = solver->solve(kOwnDistance, kOwnCyclesMax).value();
   return {solver->evaluate_vertices(), "own", report.last.distance};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "server/session/session.h"
-#include "server/solver/hierarchy.h"
+#include "server/solver/cycle/multigrid.h"
 
 namespace burnish {
 
@@ -22,8 +22,7 @@ struct ConvergedSurface {
 /// 1e-12, takes its place.
 class Converged {
  public:
-  Converged(const TriangleMesh& mesh, std::shared_ptr<const PreparedMesh> prepared,
-            std::shared_ptr<const Hierarchy> hierarchy);
+  Converged(const TriangleMesh& mesh, Multigrid on);
   ~Converged();
 
   /// The surface for the session's curve and its β of every cell as it is now.
@@ -34,8 +33,7 @@ class Converged {
   struct Independent;
   ConvergedSurface own(const Session& session) const;
 
-  std::shared_ptr<const PreparedMesh> prepared_;
-  std::shared_ptr<const Hierarchy> hierarchy_;
+  Multigrid on_;
   std::unique_ptr<Independent> independent_;
 };
 

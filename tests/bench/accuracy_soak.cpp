@@ -55,9 +55,8 @@ bool soak_one(Session& session, const std::string& name, const TransferCurve& cu
 
 }  // namespace
 
-int soak(std::shared_ptr<const PreparedMesh> prepared, std::shared_ptr<const Hierarchy> hierarchy,
-         nlohmann::ordered_json& out) {
-  const auto session = Session::open(std::move(prepared), std::move(hierarchy), {}).value();
+int soak(const Multigrid& on, nlohmann::ordered_json& out) {
+  const auto session = Session::open(on, {}).value();
   BURNISH_CHECK(session->apply({"beta", SetGradientScale{0}}).is_ok(), "0 is within limits");
   int missed = 0;
   missed += soak_one(*session, "alpha 1", TransferCurve(1), out["rows"]);

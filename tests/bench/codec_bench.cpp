@@ -21,11 +21,11 @@
 #include "common/evaluation/proxy.h"
 #include "common/frame_codec/frame_decoder.h"
 #include "common/frame_codec/frame_encoder.h"
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "server/prepare/prepare.h"
 #include "server/session/session.h"
-#include "server/solver/hierarchy.h"
+#include "server/solver/tuning/plan_cycle.h"
 #include "tests/bench/codec_alternatives.h"
 
 namespace burnish {
@@ -197,9 +197,9 @@ void report_client(const std::string& name, const FrameLayout& client_layout, co
 
 ordered_json run(const std::string& scan, int depth) {
   const auto prepared = prepare(load(scan), {.depth = depth}).value();
-  const auto hierarchy = make_hierarchy(*prepared);
-  const SparseGrid& grid = hierarchy->at(hierarchy->finest).grid;
-  const auto session = Session::open(prepared, hierarchy, {}).value();
+  const Multigrid multigrid = make_multigrid(prepared).value();
+  const SparseGrid& grid = multigrid.hierarchy->depths.back().grid;
+  const auto session = Session::open(multigrid, {}).value();
   const std::vector<Scene> scenes = Scenes(*session).play();
   std::printf("%s, depth %d: %zu vertices, %d corners; median of %d, one core, milliseconds\n",
               scan.c_str(), depth, prepared->vertices.size(), grid.corner_count(), kRepeats);

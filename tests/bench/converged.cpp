@@ -23,8 +23,7 @@ static VertexDistance distance_between(std::span<const Vec3d> a, std::span<const
 }
 
 Result<Converged> Converged::solve(const BenchSystem& system, const FieldsView& fields) {
-  ASSIGN_OR_RETURN(const auto solver, Solver::create(system.prepared, system.hierarchy,
-                                                     {.backend = BackendKind::kCpu}));
+  ASSIGN_OR_RETURN(const auto solver, Solver::create(system, {.backend = BackendKind::kCpu}));
   solver->set_metric(fields);
   ASSIGN_OR_RETURN(const SolveReport solved, solver->solve(kDistance, kCyclesMax));
   solver->set_metric(fields);  // the next step starts from the residual, computed anew

@@ -2,7 +2,7 @@
 // that memory alone would take at the bandwidth of the same run.
 
 #include "common/base/parallel.h"
-#include "server/solver/fields.h"
+#include "server/fields/fields.h"
 #include "server/solver/solver.h"
 #include "tests/bench/bench_main.h"
 #include "tests/bench/memory_floor.h"
@@ -32,8 +32,7 @@ std::vector<BenchTable::Column> columns() {
 Status report_threads(const BenchSystem& system, int threads, const BenchReport& report,
                       BenchTable& table) {
   ASSIGN_OR_RETURN(const auto solver,
-                   Solver::create(system.prepared, system.hierarchy,
-                                  {.backend = BackendKind::kCpu, .threads = threads}));
+                   Solver::create(system, {.backend = BackendKind::kCpu, .threads = threads}));
   Fields fields(*system.prepared);
   fields.set_gradient_scale(0);
   const double matrix =

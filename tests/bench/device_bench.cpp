@@ -7,8 +7,8 @@
 #include <span>
 #include <thread>
 
+#include "server/fields/fields.h"
 #include "server/solver/cuda/cuda_backend.h"
-#include "server/solver/fields.h"
 #include "tests/bench/device_trace.h"
 #include "tests/bench/frames.h"
 #include "tests/bench/input.h"
@@ -25,7 +25,7 @@ constexpr int kManySessions = 64;
 constexpr int64_t kCornersOfManyMax = 1'000'000;
 
 Result<std::unique_ptr<Session>> open_session(const BenchSystem& system, BackendKind backend) {
-  return Session::open(system.prepared, system.hierarchy, {.backend = backend});
+  return Session::open(system, {.backend = backend});
 }
 
 TransferCurve contrast_100() {
@@ -132,8 +132,7 @@ void print_metric_times(Solver& solver, Fields& fields) {
 // Nothing without a trace. Each change after a step, which leaves nothing of the constraint's in
 // the caches.
 Status print_device_times(const BenchSystem& system) {
-  ASSIGN_OR_RETURN(const auto solver, Solver::create(system.prepared, system.hierarchy,
-                                                     {.backend = BackendKind::kCuda}));
+  ASSIGN_OR_RETURN(const auto solver, Solver::create(system, {.backend = BackendKind::kCuda}));
   const PreparedMesh& prepared = *system.prepared;
   Fields fields(prepared);
   if (trace_device([&] { solver->set_metric(fields.view()); }).empty()) return solver->status();

@@ -7,13 +7,13 @@
 
 #include <epoxy/gl.h>
 
-#include "client/displaced_surface.h"
 #include "client/gl/context_egl.h"
 #include "client/gl/gl_renderer.h"
+#include "client/scene/displaced_surface.h"
 #include "client/tools/cell_tint.h"
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "tests/bench/timing.h"
-#include "tests/client/gridded_sphere.h"
+#include "tests/client/scene/gridded_sphere.h"
 
 namespace burnish {
 namespace {

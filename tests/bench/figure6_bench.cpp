@@ -2,7 +2,7 @@
 // systems of three depths; serial, parallel, and parallel with temporal blocking.
 
 #include "common/base/parallel.h"
-#include "server/solver/fields.h"
+#include "server/fields/fields.h"
 #include "tests/bench/bench_main.h"
 #include "tests/bench/sweep_solver.h"
 #include "tests/bench/timing.h"

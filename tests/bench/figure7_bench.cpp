@@ -54,8 +54,7 @@ class Frames {
   explicit Frames(const BenchSystem& system) : system_(system) {}
 
   Result<FrameTimes> measure(const SolverOptions& options) {
-    ASSIGN_OR_RETURN(const auto session,
-                     Session::open(system_.prepared, system_.hierarchy, options));
+    ASSIGN_OR_RETURN(const auto session, Session::open(system_, options));
     measured_.emplace_back(options, measure_frames(*session, TransferCurve(kAlphaDefault)));
     RETURN_IF_ERROR(session->solver().status());
     return measured_.back().second;

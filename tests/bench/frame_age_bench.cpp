@@ -14,7 +14,7 @@
 
 #include "client/cli/bench/load_client.h"
 #include "client/cli/bench/load_report.h"
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/system/link.h"
 #include "tests/system/server_process.h"

@@ -5,11 +5,12 @@
 #include <filesystem>
 
 #include "common/base/process_memory.h"
+#include "common/generate/generate.h"
 #include "common/grid/grid.h"
-#include "common/mesh/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/statistics.h"
 #include "server/prepare/prepare.h"
+#include "server/solver/tuning/plan_cycle.h"
 #include "tests/bench/report.h"
 
 namespace burnish {
@@ -95,10 +96,11 @@ Status check_size(const std::string& name, const TriangleMesh& mesh, int depth,
 
 Result<BenchSystem> make_system(const ScanArgument& scan, const TriangleMesh& mesh, int depth,
                                 double corners_max) {
-  BenchSystem system{.name = scan.name() + "@" + std::to_string(depth)};
+  BenchSystem system;
+  system.name = scan.name() + "@" + std::to_string(depth);
   RETURN_IF_ERROR(check_size(system.name, mesh, depth, corners_max));
-  ASSIGN_OR_RETURN(system.prepared, prepare(mesh, {.depth = depth}));
-  system.hierarchy = make_hierarchy(*system.prepared);
+  ASSIGN_OR_RETURN(const auto prepared, prepare(mesh, {.depth = depth}));
+  ASSIGN_OR_RETURN(static_cast<Multigrid&>(system), make_multigrid(prepared));
   return system;
 }
 

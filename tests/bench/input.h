@@ -6,8 +6,7 @@
 #include <string_view>
 
 #include "common/mesh/triangle_mesh.h"
-#include "server/prepare/prepared_mesh.h"
-#include "server/solver/hierarchy.h"
+#include "server/solver/cycle/multigrid.h"
 
 namespace burnish {
 
@@ -28,10 +27,8 @@ Result<ScanArgument> parse_scan(std::string_view text);
 Result<TriangleMesh> load_mesh(const ScanArgument& scan);
 
 /// A mesh at one depth, ready for any number of solvers.
-struct BenchSystem {
+struct BenchSystem : Multigrid {
   std::string name;  ///< of the scan, and "@DEPTH"
-  std::shared_ptr<const PreparedMesh> prepared;
-  std::shared_ptr<const Hierarchy> hierarchy;
 
   int depth() const { return hierarchy->finest; }
   int32_t corners() const { return hierarchy->at(hierarchy->finest).grid.corner_count(); }

@@ -1,7 +1,7 @@
 #include "tests/bench/memory_floor.h"
 
-#include "server/solver/cell_matrix.h"
-#include "server/solver/cpu/cell_inverse.h"
+#include "server/solver/cpu/smoothers/cell_inverse.h"
+#include "server/solver/hierarchy/cell_matrix.h"
 
 namespace burnish {
 

@@ -2,6 +2,7 @@
 
 #include "common/base/process_memory.h"
 #include "server/prepare/prepare.h"
+#include "server/solver/tuning/plan_cycle.h"
 #include "tests/bench/bench_main.h"
 #include "tests/bench/frames.h"
 #include "tests/bench/timing.h"
@@ -29,13 +30,15 @@ std::vector<Curve> curves() {
 // The one program that times preparation itself.
 BenchSystem prepare_timed(const std::string& name, const TriangleMesh& mesh, int depth,
                           BenchTable& table) {
-  BenchSystem system{.name = name};
+  BenchSystem system;
+  system.name = name;
   PrepareReport phases;
   const double total =
       milliseconds([&] { system.prepared = prepare(mesh, {.depth = depth}, {}, &phases).value(); });
   for (const auto& phase : phases.phases)
     table.add({name, phase.name, phase.seconds, static_cast<double>(phase.peak_bytes >> 20)});
-  const double connect = milliseconds([&] { system.hierarchy = make_hierarchy(*system.prepared); });
+  const double connect = milliseconds(
+      [&] { static_cast<Multigrid&>(system) = make_multigrid(system.prepared).value(); });
   table.add({name, "prepare", total * 1e-3, static_cast<double>(peak_resident_bytes() >> 20)});
   table.add({name, "hierarchy", connect * 1e-3, static_cast<double>(peak_resident_bytes() >> 20)});
   return system;
@@ -61,7 +64,7 @@ Status report_scan(const ScanArgument& scan, const BenchArguments& arguments, Be
     return Status::ok();
   }
   const BenchSystem system = prepare_timed(name, mesh, depth, tables.preparation);
-  ASSIGN_OR_RETURN(const auto session, Session::open(system.prepared, system.hierarchy, {}));
+  ASSIGN_OR_RETURN(const auto session, Session::open(system, {}));
   for (const auto& [curve_name, curve] : curves()) {
     const FrameTimes times = measure_frames(*session, curve);
     must_apply(*session, SetGradientScale{0});

@@ -70,7 +70,7 @@ void warm_up(Solver& solver, Case what, const PreparedMesh& prepared) {
 
 Status report_smoother(const BenchSystem& system, const Case& what, const SolverOptions& options,
                        const Converged& converged, BenchTable& table) {
-  ASSIGN_OR_RETURN(const auto solver, Solver::create(system.prepared, system.hierarchy, options));
+  ASSIGN_OR_RETURN(const auto solver, Solver::create(system, options));
   warm_up(*solver, what, *system.prepared);
   const Fields fields = fields_of(what, *system.prepared);
   const double matrix = milliseconds([&] { solver->set_metric(fields.view()); });

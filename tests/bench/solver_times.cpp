@@ -6,7 +6,7 @@
 #include <iostream>
 #include <span>
 
-#include "server/solver/fields.h"
+#include "server/fields/fields.h"
 #include "server/solver/solver.h"
 #include "tests/bench/input.h"
 #include "tests/bench/timing.h"
@@ -32,7 +32,7 @@ Result<SolverOptions> parse_options(std::string_view text) {
 }
 
 Status print_times(const BenchSystem& system, const SolverOptions& options) {
-  ASSIGN_OR_RETURN(auto solver, Solver::create(system.prepared, system.hierarchy, options));
+  ASSIGN_OR_RETURN(auto solver, Solver::create(system, options));
   Fields fields(*system.prepared);
   fields.set_transfer_curve(TransferCurve(20));
   fields.set_gradient_scale(0.3);

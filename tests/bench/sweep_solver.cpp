@@ -1,9 +1,9 @@
 #include "tests/bench/sweep_solver.h"
 
-#include "server/solver/cpu/assembly.h"
-#include "server/solver/cpu/constraint.h"
-#include "server/solver/cpu/row_products.h"
-#include "server/solver/cpu/transfer.h"
+#include "server/solver/cpu/assembly/assembly.h"
+#include "server/solver/cpu/assembly/constraint.h"
+#include "server/solver/cpu/products/products.h"
+#include "server/solver/cpu/products/transfer.h"
 
 namespace burnish {
 

@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "server/solver/cpu/coarsest.h"
-#include "server/solver/cpu/conjugate_gradients.h"
 #include "server/solver/cpu/cpu_depth.h"
-#include "server/solver/cpu/smoother.h"
+#include "server/solver/cpu/krylov/conjugate_gradients.h"
+#include "server/solver/cpu/products/coarsest.h"
+#include "server/solver/cpu/smoothers/smoother.h"
 #include "server/solver/solver.h"
 #include "tests/bench/input.h"
 

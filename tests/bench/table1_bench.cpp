@@ -39,8 +39,8 @@ void add_paper(BenchTable& table) {
 }
 
 Result<FrameTimes> measure(const BenchSystem& system, BackendKind backend, int threads) {
-  ASSIGN_OR_RETURN(const auto session, Session::open(system.prepared, system.hierarchy,
-                                                     {.backend = backend, .threads = threads}));
+  ASSIGN_OR_RETURN(const auto session,
+                   Session::open(system, {.backend = backend, .threads = threads}));
   const FrameTimes times = measure_frames(*session, TransferCurve(kAlphaDefault));
   RETURN_IF_ERROR(session->solver().status());
   return times;

@@ -4,7 +4,7 @@
 #include <google/protobuf/stubs/logging.h>
 
 #include "common/base/check.h"
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "server/prepare/prepare.h"
 #include "server/rpc/live_wire.h"
 #include "server/session/previews.h"

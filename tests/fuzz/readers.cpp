@@ -20,9 +20,9 @@
 #include "common/view/view_format.h"
 #include "common/wire/edit_bytes.h"
 #include "server/config/config_file.h"
+#include "server/fields/paint_checkpoints.h"
+#include "server/library/scan_record.h"
 #include "server/prepare/prepared_file.h"
-#include "server/session/paint_checkpoints.h"
-#include "server/session/scan_record.h"
 #include "server/trust/users.h"
 
 namespace burnish {

@@ -8,7 +8,7 @@
 
 #include "burnish/v1/editing.grpc.pb.h"
 #include "burnish/v1/library.grpc.pb.h"
-#include "common/service/chunk.h"
+#include "common/transfer/chunk.h"
 #include "tests/system/server_process.h"
 
 namespace burnish {

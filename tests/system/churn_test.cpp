@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "burnish/v1/library.pb.h"
-#include "common/service/chunk.h"
+#include "common/transfer/chunk.h"
 #include "tests/server/metrics/http_get.h"
 #include "tests/system/environment.h"
 #include "tests/system/live_stream.h"

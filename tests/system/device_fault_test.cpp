@@ -21,7 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr int kExitDeviceFailed = 3;  // server/main.cpp
+constexpr int kExitDeviceFailed = 3;  // server/main/main.cpp
 
 enum class Health { kServing, kNotServing, kNone };
 

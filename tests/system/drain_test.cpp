@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "burnish/v1/library.grpc.pb.h"
-#include "common/service/chunk.h"
+#include "common/transfer/chunk.h"
 #include "tests/system/server_process.h"
 #include "tests/system/wire_call.h"
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/base/process_memory.h"
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/system/process.h"

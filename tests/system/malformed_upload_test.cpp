@@ -5,7 +5,7 @@
 
 #include "burnish/v1/editing.pb.h"
 #include "burnish/v1/library.pb.h"
-#include "common/service/chunk.h"
+#include "common/transfer/chunk.h"
 #include "tests/server/metrics/http_get.h"
 #include "tests/system/server_process.h"
 #include "tests/system/wire_call.h"

@@ -19,7 +19,7 @@
 
 #include "client/connection/connection.h"
 #include "client/model/user_socket.h"
-#include "client/null_renderer.h"
+#include "client/scene/null_renderer.h"
 #include "tests/system/private_data.h"
 #include "tests/system/workspace_pictures.h"
 
@@ -242,7 +242,8 @@ TEST_F(PrivateWorkspace, AScanIsImportedThoughTheServerHasJustDied) {
   ASSERT_TRUE(until([this] { return workspace_.is_idle(); }));
   data_.kill_server();
   workspace_.import_scan(write_sphere(data_.folder));
-  ASSERT_TRUE(until([this] { return workspace_.document() && document().is_settled(); })) << errors();
+  ASSERT_TRUE(until([this] { return workspace_.document() && document().is_settled(); }))
+      << errors();
   EXPECT_EQ(errors(), "");
 }
 

@@ -3,7 +3,7 @@
 #include <csignal>
 
 #include "common/base/check.h"
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 
 namespace burnish {

@@ -1,10 +1,11 @@
+#include "client/connection/session_link.h"
+
 #include <csignal>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "client/connection/session_link.h"
 #include "common/base/limits.h"
 #include "tests/system/server_process.h"
 

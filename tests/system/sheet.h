@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "client/image.h"
+#include "client/scene/image.h"
 
 namespace burnish {
 

@@ -40,7 +40,9 @@ TEST_P(WaitPolicy, WhatTheUserHasSetStays) {
 
 INSTANTIATE_TEST_SUITE_P(Programs, WaitPolicy,
                          testing::Values(BURNISH_BINARY, BURNISH_SERVER_BINARY),
-                         [](const auto& program) { return program.index == 0 ? "burnish" : "server"; });
+                         [](const auto& program) {
+                           return program.index == 0 ? "burnish" : "server";
+                         });
 
 }  // namespace
 }  // namespace burnish

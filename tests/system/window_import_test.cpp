@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "client/null_renderer.h"
-#include "common/mesh/generate.h"
+#include "client/scene/null_renderer.h"
+#include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/system/link.h"
 #include "tests/system/server_process.h"

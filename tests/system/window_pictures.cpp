@@ -6,12 +6,12 @@
 #include <thread>
 #include <unistd.h>
 
-#include "client/camera.h"
 #include "client/connection/connection.h"
 #include "client/connection/session_link.h"
-#include "client/png_writer.h"
+#include "client/scene/camera.h"
+#include "client/scene/png_writer.h"
 #include "common/base/check.h"
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/system/server_process.h"
 #include "tests/system/sheet.h"

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "client/connection/connection.h"
-#include "client/image.h"
-#include "common/mesh/generate.h"
+#include "client/scene/image.h"
+#include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/system/link.h"
 #include "tests/system/server_process.h"

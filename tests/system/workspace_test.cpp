@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "client/null_renderer.h"
+#include "client/scene/null_renderer.h"
 #include "tests/system/link.h"
 #include "tests/system/server_process.h"
 #include "tests/system/workspace_pictures.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "client/image.h"
+#include "client/scene/image.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/system/process.h"
 

@@ -13,10 +13,10 @@
 #include "common/base/out_of_memory.h"
 #include "common/base/parallel.h"
 #include "common/mesh/mesh_io.h"
+#include "server/memory/opening_need.h"
 #include "server/prepare/prepare.h"
-#include "server/session/opening_need.h"
 #include "server/session/session.h"
-#include "server/solver/hierarchy.h"
+#include "server/solver/tuning/plan_cycle.h"
 
 namespace burnish {
 
@@ -116,16 +116,17 @@ Status filter(const FilterOptions& options) {
   ASSIGN_OR_RETURN(const auto prepared,
                    prepare(mesh, prepare_options, printer.progress(), &run.prepare));
   const Stopwatch connecting;
-  std::shared_ptr<const Hierarchy> hierarchy;
-  RETURN_IF_ERROR(with_memory_for("the hierarchy", [&] {
-    hierarchy = make_hierarchy(*prepared);
+  Multigrid multigrid;
+  RETURN_IF_ERROR(with_memory_for("the hierarchy", [&]() -> Status {
+    ASSIGN_OR_RETURN(multigrid, make_multigrid(prepared, printer.progress()));
     return Status::ok();
   }));
+  const Hierarchy& hierarchy = *multigrid.hierarchy;
   run.hierarchy_seconds = connecting.seconds();
-  run.hierarchy_bytes = hierarchy->byte_count();
-  run.corners = hierarchy->at(hierarchy->finest).grid.corner_count();
+  run.hierarchy_bytes = hierarchy.byte_count();
+  run.corners = hierarchy.at(hierarchy.finest).grid.corner_count();
 
-  ASSIGN_OR_RETURN(const auto session, Session::open(prepared, hierarchy, options.solver));
+  ASSIGN_OR_RETURN(const auto session, Session::open(multigrid, options.solver));
   RETURN_IF_ERROR(apply_edits(options, edits, *session));
   if (!options.fields_file.empty())
     RETURN_IF_ERROR(write_fields_file(*session, options.fields_file));

@@ -70,8 +70,8 @@ PrometheusFigures::PrometheusFigures(prometheus::Registry& registry)
           decades(1e-12, 1));
   measure(Measure::kFrameAssembleSeconds, "burnish_frame_assemble_seconds",
           "Matrices and constraint of one turn of a live session", seconds());
-  measure(Measure::kFrameSolveSeconds, "burnish_frame_solve_seconds",
-          "One cycle of a live session", seconds());
+  measure(Measure::kFrameSolveSeconds, "burnish_frame_solve_seconds", "One cycle of a live session",
+          seconds());
   measure(Measure::kFrameEncodeSeconds, "burnish_frame_encode_seconds",
           "Encoding of one client's frame", seconds());
   measure(Measure::kFrameBytes, "burnish_frame_bytes", "Bytes of the frames that were made",

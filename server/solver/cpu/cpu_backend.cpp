@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
-#include "server/solver/cpu/assembly.h"
+#include "server/solver/cpu/assembly/assembly.h"
+#include "server/solver/cpu/assembly/constraint.h"
 #include "server/solver/cpu/blocks.h"
-#include "server/solver/cpu/coarsest.h"
-#include "server/solver/cpu/conjugate_gradients.h"
-#include "server/solver/cpu/constraint.h"
 #include "server/solver/cpu/cpu_depth.h"
-#include "server/solver/cpu/patch_solver.h"
-#include "server/solver/cpu/row_products.h"
-#include "server/solver/cpu/smoother.h"
-#include "server/solver/cpu/transfer.h"
-#include "server/solver/cpu/vertex_values.h"
+#include "server/solver/cpu/krylov/conjugate_gradients.h"
+#include "server/solver/cpu/products/coarsest.h"
+#include "server/solver/cpu/products/products.h"
+#include "server/solver/cpu/products/transfer.h"
+#include "server/solver/cpu/readout.h"
+#include "server/solver/cpu/smoothers/patch_solver.h"
+#include "server/solver/cpu/smoothers/smoother.h"
 
 namespace burnish {
 
@@ -38,19 +38,15 @@ void evaluate_all(const SparseGrid& grid, std::span<const EvaluationPoint> point
 
 class CpuBackend final : public Backend {
  public:
-  CpuBackend(std::shared_ptr<const PreparedMesh> prepared,
-             std::shared_ptr<const Hierarchy> hierarchy, Smoother smoother)
-      : prepared_(std::move(prepared)),
-        hierarchy_(std::move(hierarchy)),
-        patches_(hierarchy_->depths.back()) {
-    depths_.reserve(hierarchy_->depths.size());
-    for (const HierarchyDepth& topology : hierarchy_->depths) {
+  CpuBackend(Multigrid on, Smoother smoother) : on_(std::move(on)), patches_(on_.plan->patches) {
+    depths_.reserve(on_.hierarchy->depths.size());
+    for (const HierarchyDepth& topology : on_.hierarchy->depths) {
       depths_.emplace_back(topology);
       const bool coarsest = depths_.size() == 1;
       smoothers_.push_back(coarsest ? nullptr : make_smoother(smoother, topology));
     }
-    constraint_ = std::make_unique<Constraint>(*prepared_, depths_.back());
-    outer_ = std::make_unique<ConjugateGradients>(depths_.back(), hierarchy_->points);
+    constraint_ = std::make_unique<Constraint>(*on_.prepared, depths_.back());
+    outer_ = std::make_unique<ConjugateGradients>(depths_.back(), on_.hierarchy->points);
   }
 
   std::string_view name() const override { return "cpu"; }
@@ -66,8 +62,8 @@ class CpuBackend final : public Backend {
   }
 
   void set_metric(const MetricView& metric) override {
-    evaluate(metric, *prepared_, alphas_);
-    assemble(*prepared_, alphas_, depths_, &outer_->matrix());
+    evaluate(metric, *on_.prepared, alphas_);
+    assemble(*on_.prepared, alphas_, depths_, &outer_->matrix());
     constraint_->set_ratio(ratios_of(alphas_));
     const double anisotropy = anisotropy_of(constraint_->ratio());
     const bool is_spectrum_new = take_spectrum(metric);
@@ -87,10 +83,10 @@ class CpuBackend final : public Backend {
 
   void relax_from_zero(int depth) override {
     smoother(depth).relax_from_zero(at(depth));
-    if (depth == hierarchy_->finest) patches_.relax_forwards(at(depth));
+    if (depth == on_.hierarchy->finest) patches_.relax_forwards(at(depth));
   }
   void relax(int depth) override {
-    if (depth == hierarchy_->finest) patches_.relax_backwards(at(depth));
+    if (depth == on_.hierarchy->finest) patches_.relax_backwards(at(depth));
     smoother(depth).relax(at(depth));
   }
   void restrict_residual(int depth) override {
@@ -119,7 +115,7 @@ class CpuBackend final : public Backend {
   }
 
   std::span<const Vec3f> vertex_displacement() override {
-    evaluate_all(hierarchy_->at(hierarchy_->finest).grid, prepared_->evaluation,
+    evaluate_all(on_.hierarchy->at(on_.hierarchy->finest).grid, on_.prepared->evaluation,
                  outer_->displacement(), vertex_displacement_);
     return vertex_displacement_;
   }
@@ -137,14 +133,13 @@ class CpuBackend final : public Backend {
   }
 
   CpuDepth& at(int depth) {
-    return depths_[depth - hierarchy_->coarsest];
+    return depths_[depth - on_.hierarchy->coarsest];
   }
   DepthSmoother& smoother(int depth) {
-    return *smoothers_[depth - hierarchy_->coarsest];
+    return *smoothers_[depth - on_.hierarchy->coarsest];
   }
 
-  std::shared_ptr<const PreparedMesh> prepared_;
-  std::shared_ptr<const Hierarchy> hierarchy_;
+  Multigrid on_;
   CellAlphas alphas_;
   double alpha_of_spectrum_ = 0;  // that of all cells when λmax was estimated; 0: they differed
   std::vector<CpuDepth> depths_;  // from the coarsest
@@ -160,10 +155,8 @@ class CpuBackend final : public Backend {
 
 }  // namespace cpu
 
-std::unique_ptr<Backend> make_cpu_backend(std::shared_ptr<const PreparedMesh> prepared,
-                                          std::shared_ptr<const Hierarchy> hierarchy,
-                                          Smoother smoother) {
-  return std::make_unique<cpu::CpuBackend>(std::move(prepared), std::move(hierarchy), smoother);
+std::unique_ptr<Backend> make_cpu_backend(Multigrid on, Smoother smoother) {
+  return std::make_unique<cpu::CpuBackend>(std::move(on), smoother);
 }
 
 }  // namespace burnish

@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "server/solver/cell_matrix.h"
-#include "server/solver/hierarchy.h"
+#include "server/solver/hierarchy/cell_matrix.h"
+#include "server/solver/hierarchy/hierarchy.h"
 
 namespace burnish::cpu {
 
@@ -57,7 +57,7 @@ struct CpuDepth {
   uint64_t byte_count() const;
 };
 
-/// (A x)_I: for smoothers that go from corner to corner; row_products.h has the fast loops.
+/// (A x)_I: for smoothers that go from corner to corner; products.h has the fast loops.
 inline Float4 product_row(const Stencil& stencil, const StencilMatrix& matrix,
                           const std::vector<Float4>& x, int32_t corner) {
   Float4 sum = matrix.diagonal[corner] * x[corner];

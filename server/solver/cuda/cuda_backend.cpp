@@ -5,22 +5,22 @@
 #include <optional>
 #include <utility>
 
-#include "server/solver/cuda/assembly.h"
-#include "server/solver/cuda/cell_shares.h"
-#include "server/solver/cuda/coarsest.h"
-#include "server/solver/cuda/combined_cells.h"
-#include "server/solver/cuda/conjugate_gradients.h"
-#include "server/solver/cuda/constraint.h"
-#include "server/solver/cuda/device_alpha.h"
+#include "server/solver/cuda/assembly/assembly.h"
+#include "server/solver/cuda/assembly/cell_shares.h"
+#include "server/solver/cuda/assembly/combined_cells.h"
+#include "server/solver/cuda/assembly/constraint.h"
+#include "server/solver/cuda/assembly/device_alpha.h"
+#include "server/solver/cuda/assembly/gradient_scale.h"
+#include "server/solver/cuda/device/graphs.h"
+#include "server/solver/cuda/device/placement.h"
 #include "server/solver/cuda/device_depth.h"
-#include "server/solver/cuda/device_mesh.h"
-#include "server/solver/cuda/gradient_scale.h"
-#include "server/solver/cuda/graphs.h"
-#include "server/solver/cuda/patch_solver.h"
-#include "server/solver/cuda/placement.h"
+#include "server/solver/cuda/krylov/conjugate_gradients.h"
+#include "server/solver/cuda/mesh/device_mesh.h"
+#include "server/solver/cuda/products/coarsest.h"
+#include "server/solver/cuda/products/transfer.h"
 #include "server/solver/cuda/readout.h"
-#include "server/solver/cuda/smoother.h"
-#include "server/solver/cuda/transfer.h"
+#include "server/solver/cuda/smoothers/patch_solver.h"
+#include "server/solver/cuda/smoothers/smoother.h"
 
 namespace burnish {
 
@@ -41,23 +41,23 @@ class CudaBackend final : public Backend {
   CudaBackend(std::shared_ptr<const DeviceMesh> mesh, Smoother smoother)
       : mesh_(std::move(mesh)),
         stream_(mesh_->device),
-        coarse_offset_(mesh_->hierarchy->coarsest),
+        coarse_offset_(mesh_->on.hierarchy->coarsest),
         alpha_(stream_),
         beta_(stream_, cells()),
         gradients_(stream_, CellGradients::kNumbers * cells()),
         gradient_rests_(stream_, has_weak_parts() ? CellGradients::kRests * cells() : 0),
-        combined_(stream_, mesh_->hierarchy->depths.back().number_count()),
+        combined_(stream_, mesh_->on.hierarchy->depths.back().number_count()),
         coarse_combined_(stream_, numbers_of_coarse_depths()),
         pinned_below_(stream_, mesh_->depths.size()),
         anisotropy_(stream_, 1) {
     for (const DeviceTopology& topology : mesh_->depths)
       depths_.emplace_back(stream_, topology.view(), digits_of_next_depth());
     for (size_t i = 1; i < depths_.size(); ++i)
-      smoothers_.push_back(
-          make_smoother(smoother, stream_, mesh_->hierarchy->depths[i], depths_[i].view()));
-    coarsest_.emplace(stream_, mesh_->hierarchy->depths.front(), depths_.front().view());
-    patches_.emplace(stream_, finest(), mesh_->hierarchy->depths.back().patches,
-                     mesh_->patches.view());
+      smoothers_.push_back(make_smoother(smoother, stream_, mesh_->on.hierarchy->depths[i],
+                                         depths_[i].view(),
+                                         mesh_->on.plan->has_weak_parts(coarse_offset_ + i)));
+    coarsest_.emplace(stream_, mesh_->on.hierarchy->depths.front(), depths_.front().view());
+    patches_.emplace(stream_, finest(), mesh_->on.plan->patches, mesh_->patches.view());
     outer_.emplace(stream_, finest(), mesh_->evaluation.data(), mesh_->evaluation.size());
   }
 
@@ -104,10 +104,10 @@ class CudaBackend final : public Backend {
 
   void relax_from_zero(int depth) override {
     smoother(depth).relax_from_zero();
-    if (depth == mesh_->hierarchy->finest) patches_->relax_forwards();
+    if (depth == mesh_->on.hierarchy->finest) patches_->relax_forwards();
   }
   void relax(int depth) override {
-    if (depth == mesh_->hierarchy->finest) patches_->relax_backwards();
+    if (depth == mesh_->on.hierarchy->finest) patches_->relax_backwards();
     smoother(depth).relax();
   }
   void restrict_residual(int depth) override {
@@ -157,14 +157,16 @@ class CudaBackend final : public Backend {
   const Depth& finest() const { return depths_.back().view(); }
   DepthSmoother& smoother(int depth) { return *smoothers_[depth - coarse_offset_ - 1]; }
 
-  size_t cells() const { return mesh_->prepared->cells.size(); }
+  size_t cells() const { return mesh_->on.prepared->cells.size(); }
   size_t numbers_of_coarse_depths() const {
     size_t numbers = 0;
     for (size_t i = 0; i + 1 < mesh_->depths.size(); ++i)
-      numbers += mesh_->hierarchy->depths[i].number_count();
+      numbers += mesh_->on.hierarchy->depths[i].number_count();
     return numbers;
   }
-  bool has_weak_parts() const { return mesh_->hierarchy->depths.back().has_weak_parts; }
+  bool has_weak_parts() const {
+    return mesh_->on.plan->has_weak_parts(mesh_->on.hierarchy->finest);
+  }
   CellGradients gradients() const {
     return {gradients_.data(), gradient_rests_.data(), finest().topology.cell_count};
   }
@@ -178,8 +180,8 @@ class CudaBackend final : public Backend {
   // finest matrix does not wait for the shares, but its smoother, which overwrites what they read.
   void assemble_matrices(const CellGradients& gradients) {
     const CellSquares<double> combined = {combined_.data(), finest().topology.cell_count};
-    const Metric metric = {alpha_.data(), mesh_->curvature.data(), mesh_->prepared->alpha_scale(),
-                           anisotropy_.data(), gradients};
+    const Metric metric = {alpha_.data(), mesh_->curvature.data(),
+                           mesh_->on.prepared->alpha_scale(), anisotropy_.data(), gradients};
     const BesideMatrix beside = {outer_->row_sum(), gradients, outer_->constraint().per_slider};
     anisotropy_.clear(stream_);
     if (smoothers_.empty()) {
@@ -268,13 +270,11 @@ static Status must_have(Smoother smoother) {
                        all + " only");
 }
 
-Result<std::unique_ptr<Backend>> make_cuda_backend(std::shared_ptr<const PreparedMesh> prepared,
-                                                   std::shared_ptr<const Hierarchy> hierarchy,
-                                                   Smoother smoother) {
+Result<std::unique_ptr<Backend>> make_cuda_backend(Multigrid on, Smoother smoother) {
   RETURN_IF_ERROR(cuda_device().status());
   RETURN_IF_ERROR(must_have(smoother));
   const int device = least_loaded(cuda_memory_by_device());
-  ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh(device, std::move(prepared), std::move(hierarchy)));
+  ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh(device, std::move(on)));
   std::unique_ptr<Backend> backend = std::make_unique<cuda::CudaBackend>(std::move(mesh), smoother);
   RETURN_IF_ERROR(backend->status());
   return backend;

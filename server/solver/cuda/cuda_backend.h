@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "common/base/status.h"
-#include "server/solver/backend.h"
-#include "server/solver/hierarchy.h"
-#include "server/solver/solver.h"
+#include "server/solver/cycle/backend.h"
+#include "server/solver/cycle/multigrid.h"
+#include "server/solver/cycle/smoother_names.h"
 
 namespace burnish {
 
@@ -32,8 +32,6 @@ inline constexpr Smoother kCudaSmoothers[] = {Smoother::kSchwarz, Smoother::kGau
 /// The CUDA backend on the device that holds the least: float32 V-cycle, double outer iteration; on
 /// one device the same input gives the same bits. Fails: failed_precondition (no device),
 /// unimplemented (smoother), resource_exhausted (device memory, with the numbers).
-Result<std::unique_ptr<Backend>> make_cuda_backend(std::shared_ptr<const PreparedMesh> prepared,
-                                                   std::shared_ptr<const Hierarchy> hierarchy,
-                                                   Smoother smoother);
+Result<std::unique_ptr<Backend>> make_cuda_backend(Multigrid on, Smoother smoother);
 
 }  // namespace burnish

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "server/solver/cuda/device_memory.h"
-#include "server/solver/cuda/views.h"
+#include "server/solver/cuda/device/device_memory.h"
+#include "server/solver/cuda/device/views.h"
 
 namespace burnish::cuda {
 

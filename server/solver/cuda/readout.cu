@@ -1,4 +1,4 @@
-#include "server/solver/cuda/kernel.h"
+#include "server/solver/cuda/device/kernel.h"
 #include "server/solver/cuda/readout.h"
 
 namespace burnish::cuda {

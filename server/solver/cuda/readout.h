@@ -3,8 +3,8 @@
 #include <span>
 
 #include "common/base/types.h"
-#include "server/solver/cuda/device_memory.h"
-#include "server/solver/cuda/views.h"
+#include "server/solver/cuda/device/device_memory.h"
+#include "server/solver/cuda/device/views.h"
 
 namespace burnish::cuda {
 

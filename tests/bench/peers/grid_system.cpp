@@ -2,7 +2,7 @@
 #include <numeric>
 
 #include "common/evaluation/evaluation.h"
-#include "server/solver/cell_matrix.h"
+#include "server/solver/hierarchy/cell_matrix.h"
 #include "tests/bench/peers/linear_system.h"
 
 namespace burnish::bench {

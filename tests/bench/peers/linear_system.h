@@ -4,7 +4,7 @@
 
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/prepared_mesh.h"
-#include "server/solver/hierarchy.h"
+#include "server/solver/hierarchy/hierarchy.h"
 #include "tests/bench/peers/peer.h"
 
 namespace burnish::bench {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <sstream>
 
+#include "server/fields/fields.h"
 #include "server/prepare/prepare.h"
-#include "server/solver/fields.h"
+#include "server/solver/tuning/plan_cycle.h"
 #include "tests/bench/peers/stopwatch.h"
 
 namespace burnish::bench {
@@ -129,7 +130,8 @@ Result<PreparedScan> prepare_scan(const TriangleMesh& mesh, int depth) {
   scan.setup_ms =
       milliseconds([&] { prepared = prepare(mesh, {.depth = depth}, {}, &scan.report); });
   ASSIGN_OR_RETURN(scan.prepared, std::move(prepared));
-  const double ms = milliseconds([&] { scan.hierarchy = make_hierarchy(*scan.prepared); });
+  const double ms =
+      milliseconds([&] { static_cast<Multigrid&>(scan) = make_multigrid(scan.prepared).value(); });
   scan.report.phases.push_back({"hierarchy", ms * 1e-3});
   scan.setup_ms += ms;
   return scan;
@@ -137,8 +139,7 @@ Result<PreparedScan> prepare_scan(const TriangleMesh& mesh, int depth) {
 
 Result<std::vector<Row>> measure_ours(const PreparedScan& scan, BackendKind backend,
                                       std::span<const double> alphas, const Answers& answers) {
-  ASSIGN_OR_RETURN(auto solver,
-                   Solver::create(scan.prepared, scan.hierarchy, {.backend = backend}));
+  ASSIGN_OR_RETURN(auto solver, Solver::create(scan, {.backend = backend}));
   OurMeasurement measurement(scan, std::move(solver), answers);
   std::vector<Row> rows;
   for (const double alpha : alphas) {

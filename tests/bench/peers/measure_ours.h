@@ -3,16 +3,13 @@
 #include <span>
 
 #include "common/mesh/triangle_mesh.h"
-#include "server/prepare/prepared_mesh.h"
-#include "server/solver/hierarchy.h"
+#include "server/solver/cycle/multigrid.h"
 #include "server/solver/solver.h"
 #include "tests/bench/peers/row.h"
 
 namespace burnish::bench {
 
-struct PreparedScan {
-  std::shared_ptr<const PreparedMesh> prepared;
-  std::shared_ptr<const Hierarchy> hierarchy;
+struct PreparedScan : Multigrid {
   PrepareReport report;
   double setup_ms = 0;  ///< of both
 };

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "client/displaced_surface.h"
 #include "client/gl/context_egl.h"
 #include "client/gl/gl_renderer.h"
-#include "client/null_renderer.h"
-#include "tests/client/gridded_sphere.h"
+#include "client/scene/displaced_surface.h"
+#include "client/scene/null_renderer.h"
+#include "tests/client/scene/gridded_sphere.h"
 
 namespace burnish {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "client/gl/context_egl.h"
 #include "client/gl/picture.h"
-#include "tests/client/sphere.h"
+#include "tests/client/scene/sphere.h"
 
 namespace burnish {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/client/gridded_sphere.h"
+#include "tests/client/scene/gridded_sphere.h"
 
 namespace burnish {
 namespace {

@@ -1,8 +1,8 @@
-#include "common/base/text.h"
-
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "common/base/text.h"
 
 namespace burnish {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 
 namespace burnish {
 namespace {

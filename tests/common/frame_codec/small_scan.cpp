@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "common/mesh/statistics.h"
 
 namespace burnish {

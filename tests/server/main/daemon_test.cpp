@@ -8,10 +8,10 @@
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
-#include "server/session/journal.h"
-#include "server/session/lanes.h"
-#include "server/session/live_sessions.h"
-#include "server/session/session_manager.h"
+#include "server/journal/journal.h"
+#include "server/live/live_sessions.h"
+#include "server/manager/session_manager.h"
+#include "server/scheduling/lanes.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "server/prepare/prepare.h"
 #include "tests/reference/awkward_meshes.h"
 #include "tests/server/prepare/test_meshes.h"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/base/process_memory.h"
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "server/prepare/prepare.h"
 #include "server/prepare/prepared_file.h"
 

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "server/prepare/cell_pieces.h"
 #include "tests/reference/awkward_meshes.h"
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "server/prepare/prepare.h"
 
 namespace burnish {

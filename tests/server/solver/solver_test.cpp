@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/mesh/generate.h"
+#include "common/generate/generate.h"
 #include "server/solver/cpu/cpu_backend.h"
-#include "server/solver/vcycle.h"
+#include "server/solver/cycle/vcycle.h"
 #include "tests/reference/awkward_meshes.h"
 #include "tests/reference/compare.h"
 #include "tests/reference/reference.h"
@@ -21,7 +21,7 @@ std::unique_ptr<Solver> solver_of(const TestSystem& system, Smoother smoother = 
   options.backend = BackendKind::kCpu;
   options.smoother = smoother;
   options.threads = threads;
-  auto solver = std::move(Solver::create(system.prepared, system.hierarchy, options)).value();
+  auto solver = std::move(Solver::create(system, options)).value();
   solver->set_metric(system.fields.view());
   return solver;
 }
@@ -161,13 +161,13 @@ TEST(Solver, KeepsPinnedCornersInPlace) {
   TestSystem system(reference::bumpy_sphere(4), 6);
   system.fields.set_gradient_scale(0);
   const auto depths = system.assembled();
-  const auto backend = make_cpu_backend(system.prepared, system.hierarchy, Smoother::kSchwarz);
+  const auto backend = make_cpu_backend(system, Smoother::kSchwarz);
   const FieldsView view = system.fields.view();
   backend->set_metric(view.metric);
   backend->set_constraint(view);
   backend->recompute_residual();
   for (int i = 0; i < 5; ++i) {
-    run_vcycle(*backend, *system.hierarchy, system.hierarchy->finest);
+    run_vcycle(*backend, system, system.hierarchy->finest);
     backend->update_direction(i == 0);
     backend->advance();
   }
@@ -187,14 +187,14 @@ TEST(Solver, KeepsPinnedCornersInPlace) {
 
 TEST(Solver, TheCycleStartsFromTheResidualThatAConstraintLeft) {
   TestSystem system(reference::bumpy_sphere(3), 5);
-  const auto backend = make_cpu_backend(system.prepared, system.hierarchy, Smoother::kSchwarz);
+  const auto backend = make_cpu_backend(system, Smoother::kSchwarz);
   backend->set_metric(system.fields.view().metric);
   backend->set_constraint(system.fields.view());
   backend->recompute_residual();
   system.fields.set_gradient_scale(0);
   backend->set_constraint(system.fields.view());
   const auto step = [&] {
-    run_vcycle(*backend, *system.hierarchy, system.hierarchy->finest);
+    run_vcycle(*backend, system, system.hierarchy->finest);
     backend->update_direction(true);
     backend->advance();
     return backend->measure();
@@ -266,6 +266,7 @@ TEST(Solver, CrumbsConvergeFasterWhenTheyAreKeptApart) {
   system.fields.set_gradient_scale(0);
   TestSystem together = system;
   together.hierarchy = make_hierarchy(*system.prepared, Sheets::kTogether);
+  together.plan = std::make_shared<CyclePlan>();
   const auto solver = solver_of(system);
   for (int i = 0; i < 200; ++i) solver->step();
   const std::vector<Vec3d> converged = solver->evaluate_vertices();

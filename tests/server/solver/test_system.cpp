@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "server/solver/cpu/assembly.h"
+#include "server/solver/cpu/assembly/assembly.h"
+#include "server/solver/tuning/plan_cycle.h"
 
 namespace burnish {
 
@@ -13,7 +14,7 @@ static std::shared_ptr<const PreparedMesh> prepared_at(const TriangleMesh& mesh,
 }
 
 TestSystem::TestSystem(const TriangleMesh& mesh, int depth)
-    : prepared(prepared_at(mesh, depth)), hierarchy(make_hierarchy(*prepared)), fields(*prepared) {}
+    : Multigrid(make_multigrid(prepared_at(mesh, depth)).value()), fields(*prepared) {}
 
 std::vector<cpu::CpuDepth> TestSystem::assembled(cpu::ExactMatrix* exact) const {
   std::vector<cpu::CpuDepth> depths;

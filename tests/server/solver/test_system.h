@@ -2,21 +2,19 @@
 
 #include <Eigen/Sparse>
 
+#include "server/fields/fields.h"
 #include "server/prepare/prepare.h"
 #include "server/solver/cpu/cpu_depth.h"
-#include "server/solver/fields.h"
-#include "server/solver/hierarchy.h"
+#include "server/solver/cycle/multigrid.h"
 
 namespace burnish {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// A mesh prepared at a depth, with its hierarchy and fields.
-struct TestSystem {
+/// A mesh prepared at a depth, with its hierarchy, plan and fields.
+struct TestSystem : Multigrid {
   TestSystem(const TriangleMesh& mesh, int depth);
 
-  std::shared_ptr<const PreparedMesh> prepared;
-  std::shared_ptr<const Hierarchy> hierarchy;
   Fields fields;
 
   /// The matrices of all depths from the coarsest, as the CPU backend makes them of the fields.

@@ -1,0 +1,56 @@
+#include "common/base/text_lines.h"
+
+#include <charconv>
+
+#include "common/base/mapped_file.h"
+
+namespace burnish {
+
+static std::vector<std::string_view> split_words(std::string_view line) {
+  static constexpr std::string_view kSpace = " \t\r";
+  std::vector<std::string_view> words;
+  for (size_t at = line.find_first_not_of(kSpace); at != std::string_view::npos;) {
+    const size_t end = std::min(line.find_first_of(kSpace, at), line.size());
+    words.push_back(line.substr(at, end - at));
+    at = line.find_first_not_of(kSpace, end);
+  }
+  return words;
+}
+
+std::vector<TextLine> split_lines(std::string_view text) {
+  std::vector<TextLine> lines;
+  for (size_t number = 1, begin = 0; begin < text.size(); ++number) {
+    const size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = text.substr(begin, end - begin);
+    TextLine split{number, split_words(line.substr(0, line.find('#')))};
+    if (!split.words.empty()) lines.push_back(std::move(split));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+std::string place(const std::string& name, const TextLine& line) {
+  return name + ":" + std::to_string(line.number);
+}
+
+template <typename Number>
+static Result<Number> parse(std::string_view word, const char* kind) {
+  Number value{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error == std::errc() && end == word.data() + word.size()) return value;
+  return invalid_argument("'" + std::string(word) + "' is not " + kind);
+}
+
+Result<double> parse_real(std::string_view word) {
+  return parse<double>(word, "a number");
+}
+Result<int> parse_integer(std::string_view word) {
+  return parse<int>(word, "an integer");
+}
+
+Result<std::string> read_text_file(const std::filesystem::path& path) {
+  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
+  return std::string(file.bytes().begin(), file.bytes().end());
+}
+
+}  // namespace burnish

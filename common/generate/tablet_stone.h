@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/base/types.h"
+#include "common/generate/tablet_plan.h"
+
+namespace burnish {
+
+/// A place on the tablet: a ray from the middle of the face to its rim, down the fracture face and
+/// round to the underside.
+struct StonePlace {
+  Eigen::Vector2d towards = {1, 0};  ///< on the boundary of the square [-1, 1]²
+  double on_face = 0;                ///< 0 in the middle, 1 at the rim and past it
+  double past_rim = 0;               ///< 0 on the face, 1 at the end of the underside
+};
+
+/// A broken marble slab of about 600 × 440 × 48 mm: its face up in the plane z = 0, weathered and
+/// engraved; its flanks fractured.
+class TabletStone {
+ public:
+  explicit TabletStone(uint64_t seed);
+
+  Vec3d point(const StonePlace& place) const;
+
+ private:
+  Eigen::Vector2d rim_towards(const Eigen::Vector2d& towards) const;
+  double fracture(const Vec3d& p) const;
+  double face_height(const Eigen::Vector2d& p, double to_rim) const;
+  Eigen::Vector2d on_plan(const Eigen::Vector2d& p) const;
+
+  uint64_t seed_;
+  std::vector<Eigen::Vector2d> outline_;  ///< counter-clockwise, star-shaped around the origin
+  std::vector<Groove> plan_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace burnish {
+
+inline constexpr int kCornersPerCell = 8;
+inline constexpr int kPairsPerCell = 28;  ///< of different corners
+
+}  // namespace burnish

@@ -1,0 +1,48 @@
+#include "common/transfer/content_hash.h"
+
+#include <algorithm>
+
+#include <openssl/evp.h>
+
+#include "common/base/check.h"
+
+namespace burnish {
+
+struct ContentHash::Context {
+  Context() : digest(EVP_MD_CTX_new()) {
+    BURNISH_CHECK(digest && EVP_DigestInit_ex(digest, EVP_sha256(), nullptr) == 1,
+                  "SHA-256 is in every OpenSSL");
+  }
+  ~Context() { EVP_MD_CTX_free(digest); }
+  EVP_MD_CTX* digest;
+};
+
+ContentHash::ContentHash() : context_(std::make_unique<Context>()) {}
+ContentHash::~ContentHash() = default;
+ContentHash::ContentHash(ContentHash&&) noexcept = default;
+ContentHash& ContentHash::operator=(ContentHash&&) noexcept = default;
+
+void ContentHash::update(std::string_view bytes) {
+  EVP_DigestUpdate(context_->digest, bytes.data(), bytes.size());
+}
+
+std::string ContentHash::finish() {
+  unsigned char bytes[EVP_MAX_MD_SIZE];
+  unsigned int size = 0;
+  EVP_DigestFinal_ex(context_->digest, bytes, &size);
+  static constexpr char kHex[] = "0123456789abcdef";
+  std::string text;
+  for (unsigned int i = 0; i < size; ++i) {
+    text += kHex[bytes[i] >> 4];
+    text += kHex[bytes[i] & 15];
+  }
+  return text;
+}
+
+bool is_content_hash(std::string_view text) {
+  return text.size() == ContentHash::kDigits && std::all_of(text.begin(), text.end(), [](char c) {
+           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
+         });
+}
+
+}  // namespace burnish

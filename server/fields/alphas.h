@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "server/fields/fields_view.h"
+#include "server/prepare/prepared_mesh.h"
+
+namespace burnish {
+
+/// α1 and α2 of every cell of the finest depth (section 4.3). Units: user units.
+struct CellAlphas {
+  std::vector<float> alpha1, alpha2;
+  bool operator==(const CellAlphas&) const = default;
+};
+
+/// What a metric amounts to.
+void evaluate(const MetricView& metric, const PreparedMesh& prepared, CellAlphas& alphas);
+
+}  // namespace burnish

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/edit/edit.h"
+#include "server/fields/alphas.h"
+#include "server/fields/fields_view.h"
+#include "server/prepare/prepared_mesh.h"
+
+namespace burnish {
+
+/// Painted β and its weight, of the cells that have paint.
+struct PaintedCells {
+  std::vector<int32_t> cells;  ///< indices, rising
+  std::vector<float> beta, weight;
+  bool operator==(const PaintedCells&) const = default;
+};
+
+/// The metric and β per cell (section 4.3), and what they come from: slider, paint, curve,
+/// overrides. Setting one of these is cheap; β of the cells is computed by the next view(), once
+/// for all changes. Shapes: one entry per cell of the finest depth. Units: α in user units.
+class Fields {
+ public:
+  /// The defaults everywhere: α = 50, β = 1.
+  explicit Fields(const PreparedMesh& prepared);
+
+  void set_transfer_curve(const TransferCurve& curve);
+  void set_gradient_scale(double beta);
+  void paint(const Stroke& stroke) { paint(stroke.brush, dab_centres(stroke)); }
+  /// Some dabs of a stroke. Shapes: at least one centre, file units.
+  void paint(const Brush& brush, std::span<const Vec3d> centres) {
+    paint(brush, centres, cells_near(brush, centres));
+  }
+  /// The same of some of the cells near them, for whoever paints in pieces.
+  void paint(const Brush& brush, std::span<const Vec3d> centres, std::span<const int64_t> cells);
+  /// The cells that these dabs may reach, and few others; rising.
+  std::vector<int64_t> cells_near(const Brush& brush, std::span<const Vec3d> centres) const;
+  /// Fails: invalid_argument naming the first cell that is not active; then nothing is changed.
+  Status override_cells(const SetCellFields& change);
+  /// What override_cells() would fail with.
+  Status check(const SetCellFields& change) const;
+  /// The same, and for a cell that it sets twice or more cells than there are: for changes that are
+  /// new. Fails: invalid_argument naming the first such cell.
+  Status check_new(const SetCellFields& change) const;
+  void clear_overrides();
+
+  PaintedCells painted() const;
+  /// Replaces all paint. Needs: paint of the same prepared mesh.
+  void set_painted(const PaintedCells& painted);
+
+  FieldsView view() const;
+  CellAlphas alphas() const;  ///< what view().metric amounts to
+  const TransferCurve& transfer_curve() const { return curve_; }
+  double gradient_scale() const { return beta_slider_; }
+  uint64_t byte_count() const;
+
+ private:
+  void update_beta() const;
+  void update_beta(size_t stretch) const;
+  /// The index of an active cell. Fails: invalid_argument.
+  Result<int32_t> index_of(const Vec3i& cell) const;
+
+  const PreparedMesh& prepared_;  // outlives the fields
+  TransferCurve curve_{kAlphaDefault};
+  double beta_slider_ = kBetaDefault;
+  std::vector<float> painted_beta_, painted_weight_;
+  // Of each kStretch cells, so that painted() need not look at all: it is kept after many strokes.
+  // Cells of overrides count.
+  static constexpr size_t kStretch = CellPaint::kStretch;
+  std::vector<uint8_t> may_have_paint_;
+  std::vector<OwnFields> overrides_;  // by rising cell, each once
+
+  // What slider, paint and overrides amount to, as of the last view().
+  mutable std::vector<float> beta_, follow_, own_;
+  mutable bool beta_is_old_ = false;
+};
+
+}  // namespace burnish

@@ -1,0 +1,100 @@
+#include "server/journal/group_commit.h"
+
+#include <algorithm>
+#include <future>
+
+namespace burnish {
+
+GroupCommit::GroupCommit(Database database)
+    : database_(std::move(database)), thread_([this] { run(); }) {}
+
+GroupCommit::~GroupCommit() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void GroupCommit::enqueue(Item item) {
+  {
+    const std::lock_guard lock(mutex_);
+    queue_.push_back(std::move(item));
+  }
+  wake_.notify_one();
+}
+
+void GroupCommit::post(Work work, Done done) {
+  enqueue({std::move(work), std::move(done), false, {}});
+}
+
+void GroupCommit::post_background(Work work, Done done) {
+  enqueue({std::move(work), std::move(done), true, {}});
+}
+
+Status GroupCommit::write(const Work& work) {
+  std::promise<Status> written;
+  post(work, [&](const Status& status) { written.set_value(status); });
+  return written.get_future().get();
+}
+
+Status GroupCommit::read(const Work& work) {
+  std::promise<void> reached;  // in the background: behind all that was posted before
+  post_background([](Database&) { return Status::ok(); },
+                  [&](const Status&) { reached.set_value(); });
+  reached.get_future().get();
+  const std::lock_guard lock(database_mutex_);
+  return work(database_);
+}
+
+void GroupCommit::run() {
+  for (;;) {
+    std::vector<Item> items;
+    {
+      std::unique_lock lock(mutex_);
+      wake_.wait(lock, [this] { return ending_ || !queue_.empty(); });
+      if (queue_.empty()) return;
+      items = std::exchange(queue_, {});
+    }
+    const auto background = std::stable_partition(
+        items.begin(), items.end(), [](const Item& item) { return !item.is_background; });
+    for (const std::span<Item> part :
+         {std::span(items.begin(), background), std::span(background, items.end())}) {
+      if (part.empty()) continue;
+      commit(part);
+      for (const Item& item : part) item.done(item.status);
+    }
+  }
+}
+
+void GroupCommit::commit(std::span<Item> items) {
+  Status status;
+  {
+    const std::lock_guard lock(database_mutex_);
+    status = commit_all(items);
+  }
+  ++commits_;
+  if (status.is_ok()) return;
+  // One large item may have filled the disk: the others may fit without it.
+  if (status.code() == StatusCode::kResourceExhausted && items.size() > 1) {
+    for (Item& item : items) commit({&item, 1});
+    return;
+  }
+  for (Item& item : items)
+    if (item.status.is_ok()) item.status = status;
+}
+
+Status GroupCommit::commit_all(std::span<Item> items) {
+  ASSIGN_OR_RETURN(Transaction transaction, Transaction::begin(database_));
+  for (Item& item : items) {
+    RETURN_IF_ERROR(database_.execute("SAVEPOINT item"));
+    item.status = item.work(database_);
+    // After some errors, a full disk among them, SQLite has rolled everything back by itself.
+    if (!item.status.is_ok() && !database_.execute("ROLLBACK TO item").is_ok()) return item.status;
+    RETURN_IF_ERROR(database_.execute("RELEASE item"));
+  }
+  return transaction.commit();
+}
+
+}  // namespace burnish

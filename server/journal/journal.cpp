@@ -1,0 +1,223 @@
+#include "server/journal/journal.h"
+
+#include <future>
+#include <map>
+#include <optional>
+
+#include <spdlog/spdlog.h>
+
+#include "server/journal/journal_rows.h"
+#include "server/journal/journal_schema.h"
+
+namespace burnish {
+
+/// What the end of the write-ahead log has lost becomes edits that are missing: their numbers were
+/// given to somebody. Returns where each session ends.
+static Result<std::map<std::string, uint64_t>> compare_ends(Database& database,
+                                                            const JournalEnds& seen) {
+  ASSIGN_OR_RETURN(Transaction transaction, Transaction::begin(database));
+  ASSIGN_OR_RETURN(const auto sessions, read_sessions(database));
+  std::map<std::string, uint64_t> ends;
+  for (const SessionRecord& session : sessions) {
+    ASSIGN_OR_RETURN(ends[session.id], last_number(database, session.id));
+  }
+  for (const auto& [id, number] : seen.read()) {
+    const auto end = ends.find(id);
+    if (end == ends.end()) {
+      spdlog::error("session {} of {} edits is missing in the journal", id, number);
+    } else if (end->second < number) {
+      spdlog::error("session {}: the journal ends at edit {}, it was at {} when last seen", id,
+                    end->second, number);
+      RETURN_IF_ERROR(set_last_number(database, id, number));
+      end->second = number;
+    }
+  }
+  RETURN_IF_ERROR(transaction.commit());
+  return ends;
+}
+
+Result<std::unique_ptr<Journal>> Journal::open(const std::filesystem::path& path) {
+  ASSIGN_OR_RETURN(Database database, Database::open(path));
+  RETURN_IF_ERROR(make_journal_schema(database).with_context(path.string()));
+  ASSIGN_OR_RETURN(const auto users, read_users_of_damaged_roles(database));
+  for (const std::string& user : users)
+    spdlog::error("a role of user '{}' in the journal is damaged", user);
+  auto ends_path = path;
+  auto ends = std::make_unique<JournalEnds>(ends_path.replace_extension(".ends"));
+  const auto now = compare_ends(database, *ends);
+  RETURN_IF_ERROR(now.status().with_context(path.string()));
+  ends->begin(*now);
+  return std::unique_ptr<Journal>(new Journal(std::move(database), std::move(ends)));
+}
+
+namespace {
+
+Result<int64_t> free_pages(Database& database) {
+  ASSIGN_OR_RETURN(Statement query, database.prepare("PRAGMA freelist_count"));
+  RETURN_IF_ERROR(query.run());
+  return query.integer(0);
+}
+
+Status insert_paint(Database& database, const std::string& session_id, int64_t series,
+                    int64_t strokes, const std::string& bytes) {
+  RETURN_IF_ERROR(run(database,
+                      "INSERT OR REPLACE INTO paint (session_id, series, strokes, bytes)"
+                      " VALUES (?, ?, ?, ?)",
+                      session_id, series, strokes, bytes));
+  return run(database,
+             "DELETE FROM paint WHERE session_id = ?1 AND sequence NOT IN"
+             " (SELECT sequence FROM paint WHERE session_id = ?1 ORDER BY sequence DESC LIMIT 8)",
+             session_id);
+}
+
+}  // namespace
+
+template <typename T>
+Result<T> Journal::read(const std::function<Result<T>(Database&)>& work) {
+  std::optional<Result<T>> result;
+  RETURN_IF_ERROR(commit_.read([&](Database& database) {
+    result = work(database);
+    return Status::ok();
+  }));
+  return std::move(*result);
+}
+
+Result<std::vector<SessionRecord>> Journal::sessions() {
+  ASSIGN_OR_RETURN(auto records, read<std::vector<SessionRecord>>(read_sessions));
+  for (const SessionRecord& record : records)
+    if (record.is_damaged)
+      spdlog::error("session {} ({}): its row in the journal is damaged", record.id, record.name);
+  return records;
+}
+
+Status Journal::create_session(const SessionRecord& record, const SessionRoles& roles) {
+  return commit_.write([&](Database& database) { return insert_session(database, record, roles); });
+}
+
+Status Journal::remove_session(const std::string& id) {
+  RETURN_IF_ERROR(commit_.write(
+      [&](Database& database) { return run(database, "DELETE FROM sessions WHERE id = ?", id); }));
+  ends_->forget(id);
+  shrink();
+  return Status::ok();
+}
+
+void Journal::shrink() {
+  const auto left = std::make_shared<int64_t>(0);
+  commit_.post_background(
+      [left](Database& database) -> Status {
+        ASSIGN_OR_RETURN(const int64_t before, free_pages(database));
+        RETURN_IF_ERROR(database.execute("PRAGMA incremental_vacuum(256)"));
+        ASSIGN_OR_RETURN(const int64_t after, free_pages(database));
+        *left = after < before ? after : 0;  // an old journal cannot shrink
+        return Status::ok();
+      },
+      [this, left](const Status& status) {
+        if (status.is_ok() && *left > 0 && !ending_) shrink();
+      });
+}
+
+Status Journal::fork_session(const std::string& source_id, uint64_t edits,
+                             const SessionRecord& record, const SessionRoles& roles) {
+  const Status status = commit_.write([&](Database& database) -> Status {
+    ASSIGN_OR_RETURN(std::vector<AuthoredEdit> copied, read_edits(database, source_id));
+    if (copied.size() < edits)
+      return data_loss("the session's edits end at " + std::to_string(copied.size()) + ", not at " +
+                       std::to_string(edits) + ": some could not be written");
+    copied.resize(edits);
+    RETURN_IF_ERROR(insert_session(database, record, roles));
+    RETURN_IF_ERROR(insert_edits(database, record.id, 1, copied));
+    return run(database,
+               "INSERT INTO paint (session_id, series, strokes, bytes)"
+               " SELECT ?, series, strokes, bytes FROM paint WHERE session_id = ?"
+               " ORDER BY sequence",
+               record.id, source_id);
+  });
+  if (status.is_ok()) ends_->note(record.id, edits);
+  return status;
+}
+
+void Journal::append(const std::string& session_id, uint64_t first, std::vector<AuthoredEdit> edits,
+                     GroupCommit::Done done) {
+  const uint64_t last = first + edits.size() - 1;
+  commit_.post([session_id, first, edits = std::move(edits)](
+                   Database& database) { return insert_edits(database, session_id, first, edits); },
+               [this, session_id, last, done = std::move(done)](const Status& status) {
+                 if (status.is_ok()) ends_->note(session_id, last);
+                 done(status);
+               });
+}
+
+Status Journal::append(const std::string& session_id, uint64_t first,
+                       std::vector<AuthoredEdit> edits) {
+  std::promise<Status> written;
+  append(session_id, first, std::move(edits),
+         [&](const Status& status) { written.set_value(status); });
+  return written.get_future().get();
+}
+
+Result<std::vector<AuthoredEdit>> Journal::edits(const std::string& session_id) {
+  return read<std::vector<AuthoredEdit>>(
+      [&](Database& database) { return read_edits(database, session_id); });
+}
+
+Result<uint64_t> Journal::edit_count(const std::string& session_id) {
+  return read<uint64_t>([&](Database& database) { return last_number(database, session_id); });
+}
+
+Result<uint64_t> Journal::checkpoint(const std::string& session_id, const std::string& name) {
+  ASSIGN_OR_RETURN(const auto edits, this->edits(session_id));
+  for (size_t number = edits.size(); number > 0; --number) {
+    const auto* change = std::get_if<SetCheckpoint>(&edits[number - 1].edit.change);
+    if (change && change->name == name) return uint64_t{number};
+  }
+  return not_found("no checkpoint has the name '" + name + "'");
+}
+
+Result<SessionRoles> Journal::roles(const std::string& session_id) {
+  return read<SessionRoles>([&](Database& database) -> Result<SessionRoles> {
+    ASSIGN_OR_RETURN(const auto damaged, read_users_of_damaged_roles(database));
+    return read_roles(database, session_id, damaged);
+  });
+}
+
+Status Journal::set_role(const std::string& session_id, const std::string& user, SessionRole role) {
+  return commit_.write(
+      [&](Database& database) { return insert_role(database, session_id, user, role); });
+}
+
+void Journal::keep_paint(const std::string& session_id, const PaintCheckpoint& paint) {
+  commit_.post_background(
+      [session_id, series = static_cast<int64_t>(paint.series),
+       strokes = static_cast<int64_t>(paint.strokes),
+       bytes = painted_to_bytes(paint.painted)](Database& database) {
+        return insert_paint(database, session_id, series, strokes, bytes);
+      },
+      [session_id](const Status& status) {
+        if (!status.is_ok())
+          spdlog::warn("session {}: its paint is not kept: {}", session_id, status.message());
+      });
+}
+
+Result<std::vector<PaintCheckpoint>> Journal::paint(const std::string& session_id,
+                                                    size_t cell_count) {
+  std::vector<PaintCheckpoint> kept;
+  const auto take = [&](const Statement& row) {
+    auto painted = painted_from_bytes(row.text(2), cell_count);
+    if (painted.is_ok()) {
+      kept.push_back({static_cast<uint64_t>(row.integer(0)), static_cast<uint64_t>(row.integer(1)),
+                      std::move(*painted)});
+    } else {
+      spdlog::warn("session {}: {}", session_id, painted.status().message());
+    }
+    return Status::ok();
+  };
+  RETURN_IF_ERROR(commit_.read([&](Database& database) {
+    return read_rows(
+        database, "SELECT series, strokes, bytes FROM paint WHERE session_id = ? ORDER BY sequence",
+        take, session_id);
+  }));
+  return kept;
+}
+
+}  // namespace burnish

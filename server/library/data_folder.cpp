@@ -1,0 +1,85 @@
+#include "server/library/data_folder.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <random>
+#include <unistd.h>
+
+#include <sys/file.h>
+#include <sys/stat.h>
+
+namespace burnish {
+
+namespace fs = std::filesystem;
+
+// Scans and edits are nobody else's, whatever the umask. A folder that is there keeps its mode.
+static Status make_folder(const fs::path& path) {
+  const fs::path folder = path.has_filename() ? path : path.parent_path();
+  std::error_code error;
+  if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), error);
+  if (error) return errno_status("cannot make " + folder.parent_path().string(), error.value());
+  if (::mkdir(folder.c_str(), 0700) == 0) return Status::ok();
+  const int failure = errno;
+  if (failure == EEXIST && fs::is_directory(folder, error)) return Status::ok();
+  return errno_status("cannot make the folder " + folder.string(), failure);
+}
+
+static Result<int> take_lock(const fs::path& folder) {
+  const fs::path path = folder / "lock";
+  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  // Who can open it can lock it, and keep the server from starting; older versions made it 0644.
+  if (file >= 0) (void)::fchmod(file, 0600);
+  if (file < 0) return errno_status("cannot open " + path.string(), errno);
+  if (::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
+  const int error = errno;
+  ::close(file);
+  if (error == EWOULDBLOCK)
+    return failed_precondition("another burnish-server uses the data folder " + folder.string());
+  return errno_status("cannot lock " + path.string(), error);
+}
+
+static Status empty_staging(const fs::path& staging) {
+  std::error_code error;
+  fs::remove_all(staging, error);
+  if (error) return errno_status("cannot empty " + staging.string(), error.value());
+  return make_folder(staging);
+}
+
+Result<std::unique_ptr<DataFolder>> DataFolder::open(const fs::path& path) {
+  RETURN_IF_ERROR(make_folder(path));
+  ASSIGN_OR_RETURN(const int lock, take_lock(path));
+  std::unique_ptr<DataFolder> folder(new DataFolder(path, lock));
+  RETURN_IF_ERROR(make_folder(folder->scans()));
+  RETURN_IF_ERROR(empty_staging(path / "staging"));
+  return folder;
+}
+
+DataFolder::~DataFolder() {
+  ::close(lock_);
+}
+
+fs::path DataFolder::staging_path(const std::string& suffix) const {
+  return path_ / "staging" / (random_name() + suffix);
+}
+
+Status sync_folder(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return errno_status("cannot open " + folder.string(), errno);
+  const Status status =
+      ::fsync(file) == 0 ? Status::ok() : errno_status("cannot sync " + folder.string(), errno);
+  ::close(file);
+  return status;
+}
+
+std::string random_name() {
+  std::random_device device;
+  static constexpr char kHex[] = "0123456789abcdef";
+  std::string name;
+  for (int i = 0; i < 2; ++i) {
+    uint32_t bits = device();
+    for (int digit = 0; digit < 8; ++digit, bits >>= 4) name += kHex[bits & 15];
+  }
+  return name;
+}
+
+}  // namespace burnish

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "common/service/scan_info.h"
+#include "server/memory/quota.h"
+#include "server/metrics/live_objects.h"
+#include "server/scheduling/fair_mutex.h"
+#include "server/solver/cycle/multigrid.h"
+
+namespace burnish {
+
+/// What all sessions of one prepared mesh share.
+struct SharedMesh : Multigrid {
+  Quota::Share memory;
+  LiveObject live{LiveKind::kMesh};
+};
+
+/// The shared meshes in memory. Sessions own them together; the cache only finds them again.
+/// Thread-safe.
+class MeshCache {
+ public:
+  using Key = std::pair<std::string, PreparedKey>;  ///< scan id, which prepared mesh
+
+  /// The mesh if somebody holds it, else null.
+  std::shared_ptr<const SharedMesh> find(const Key& key);
+
+  void add(const Key& key, const std::shared_ptr<const SharedMesh>& mesh);
+
+  /// What whoever makes the mesh holds meanwhile, so that others wait for it.
+  std::shared_ptr<FairMutex> making(const Key& key);
+
+  /// Of the meshes that somebody holds.
+  uint64_t byte_count() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<Key, std::weak_ptr<const SharedMesh>> meshes_;
+  std::map<Key, std::weak_ptr<FairMutex>> making_;
+};
+
+}  // namespace burnish

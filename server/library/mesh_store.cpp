@@ -1,0 +1,224 @@
+#include "server/library/mesh_store.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include <spdlog/spdlog.h>
+
+#include "common/base/atomic_file.h"
+#include "common/grid/grid.h"
+#include "server/library/read_original.h"
+#include "server/library/scan_files.h"
+#include "server/library/scan_record.h"
+#include "server/memory/library_budget.h"
+#include "server/prepare/prepare.h"
+#include "server/scheduling/cancellable_lock.h"
+
+namespace burnish {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder that goes away with this object unless it was moved.
+class StagingFolder {
+ public:
+  explicit StagingFolder(fs::path path) : path_(std::move(path)) {}
+  ~StagingFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+Status move_path(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  return error ? errno_status("cannot move " + from.string() + " to " + to.string(), error.value())
+               : Status::ok();
+}
+
+Status make_folders(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (!error) fs::permissions(path.parent_path(), fs::perms::owner_all, error);
+  return error ? errno_status("cannot make the folder " + path.string(), error.value())
+               : Status::ok();
+}
+
+int64_t unix_seconds_now() {
+  return std::chrono::duration_cast<std::chrono::seconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+ScanInfo make_scan_info(const std::string& id, const ImportHeader& header,
+                        const PreparedMesh& prepared) {
+  const MeshStatistics& s = prepared.statistics;
+  ScanInfo scan;
+  scan.id = id;
+  scan.name = header.name;
+  scan.format = header.format;
+  scan.size_bytes = header.size_bytes;
+  scan.imported_unix_seconds = unix_seconds_now();
+  scan.default_depth = default_depth(s.box_min, s.box_max, s.mean_edge_length);
+  scan.has_colours = !prepared.colours.empty();
+  scan.statistics = s;
+  return scan;
+}
+
+}  // namespace
+
+PreparedKey resolve(const PreparedKey& key, const ScanInfo& scan) {
+  return {key.depth == 0 ? scan.default_depth : key.depth, key.curvature_radius};
+}
+
+MeshStore::MeshStore(const DataFolder& folder, const MeshStoreOptions& options)
+    : folder_(folder),
+      options_(options),
+      memory_("bytes of meshes and sessions", "limits.memory_bytes_max", options.memory_bytes_max),
+      uploads_("bytes of uploads under way", "limits.upload_bytes_per_user",
+               options.upload_bytes_per_user),
+      views_(options.view_bytes_max) {
+  memory_.set_reserve([this](uint64_t missing) { views_.give_back(missing); });
+}
+
+MeshStore::~MeshStore() {
+  memory_.set_reserve(nullptr);  // shares may outlive the store
+}
+
+Result<std::unique_ptr<MeshStore>> MeshStore::open(const DataFolder& folder,
+                                                   const MeshStoreOptions& options) {
+  std::unique_ptr<MeshStore> store(new MeshStore(folder, options));
+  RETURN_IF_ERROR(store->index_.read(folder.scans()));
+  return store;
+}
+
+fs::path MeshStore::prepared_path(const std::string& id, const PreparedKey& key) const {
+  return scan_folder(id) / "prepared" / prepared_file_name(key);
+}
+
+Status MeshStore::read_again(const std::string& id) {
+  const std::lock_guard lock(folders_mutex_);
+  ASSIGN_OR_RETURN(ScanInfo scan, read_scan_folder(scan_folder(id)));
+  index_.put(std::move(scan));
+  return Status::ok();
+}
+
+Result<std::unique_ptr<Upload>> MeshStore::begin_upload(const ImportHeader& header,
+                                                        const std::string& user) {
+  if (header.size_bytes > options_.upload_bytes_max)
+    return resource_exhausted("the file has " + std::to_string(header.size_bytes) +
+                              " bytes; upload_bytes_max is " +
+                              std::to_string(options_.upload_bytes_max));
+  Quota::Share share;
+  if (!user.empty()) {
+    ASSIGN_OR_RETURN(share, uploads_.take("user " + user, header.size_bytes));
+  }
+  return Upload::create(folder_.staging_path(".upload"), header.size_bytes, std::move(share));
+}
+
+Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& header,
+                                        const Progress& progress) {
+  ASSIGN_OR_RETURN(const std::string id, upload.finish());
+  if (!header.sha256.empty() && header.sha256 != id)
+    return data_loss("the bytes that came have SHA-256 " + id + ", announced was " + header.sha256);
+  {
+    ASSIGN_OR_RETURN(const auto lock,
+                     lock_or_cancel(preparing_, "waiting for another scan", progress));
+    const auto known = read_scan_folder(scan_folder(id));
+    const StatusCode code = known.status().code();
+    if (code == StatusCode::kNotFound || code == StatusCode::kDataLoss)
+      return import_new(upload, id, header, progress);
+    RETURN_IF_ERROR(known.status());
+    if (!check_original(scan_folder(id), *known).is_ok())
+      RETURN_IF_ERROR(replace_original(scan_folder(id), *known, upload.path()));
+  }
+  return prepare_known(id, header.key, progress);
+}
+
+Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& id,
+                                            const ImportHeader& header, const Progress& progress) {
+  const StagingFolder staging(folder_.staging_path(".scan"));
+  RETURN_IF_ERROR(make_folders(staging.path() / "prepared"));
+  const fs::path original = staging.path() / original_file_name(header.format);
+  RETURN_IF_ERROR(move_path(upload.path(), original));
+
+  if (!report(progress, "reading", 0)) return cancelled("the import was cancelled");
+  LibraryBudget budget(memory_, folder_.scans());
+  RETURN_IF_ERROR(budget.ask_to_read(header.size_bytes));
+  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_original(original, header.format, header.name));
+  ASSIGN_OR_RETURN(
+      const auto prepared,
+      prepare(mesh, {header.key.depth, header.key.curvature_radius, options_.threads, &budget},
+              progress));
+  const ScanInfo scan = make_scan_info(id, header, *prepared);
+  const std::string prepared_name = prepared_file_name(resolve(header.key, scan));
+
+  if (!report(progress, "storing", 0)) return cancelled("the import was cancelled");
+  RETURN_IF_ERROR(write_prepared_mesh(*prepared, staging.path() / "prepared" / prepared_name));
+  RETURN_IF_ERROR(write_file(staging.path() / "info.json", scan_to_json(scan)));
+  RETURN_IF_ERROR(sync_folder(staging.path()));
+  RETURN_IF_ERROR(put_scan_in_place(staging.path(), scan_folder(id)));
+  RETURN_IF_ERROR(sync_folder(folder_.scans()));
+  RETURN_IF_ERROR(read_again(id));
+  ASSIGN_OR_RETURN(ScanInfo stored, find(id));
+  return ImportOutcome{std::move(stored), false};
+}
+
+Result<ImportOutcome> MeshStore::import_known(const std::string& id, const PreparedKey& key,
+                                              const Progress& progress) {
+  const auto scan = read_scan_folder(scan_folder(id));
+  const Status status = scan.is_ok() ? check_original(scan_folder(id), *scan) : scan.status();
+  if (!status.is_ok()) return not_found("the library needs the bytes: " + status.message());
+  return prepare_known(id, key, progress);
+}
+
+Result<ImportOutcome> MeshStore::prepare_known(const std::string& id, const PreparedKey& key,
+                                               const Progress& progress) {
+  ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(scan_folder(id)));
+  RETURN_IF_ERROR(prepare_scan(id, resolve(key, scan), progress));
+  RETURN_IF_ERROR(read_again(id));
+  ASSIGN_OR_RETURN(ScanInfo now, find(id));
+  return ImportOutcome{std::move(now), true};
+}
+
+Result<ScanDescription> MeshStore::describe(const std::string& reference, int depth) const {
+  ScanDescription description;
+  ASSIGN_OR_RETURN(description.scan, find(reference));
+  const auto& have = description.scan.prepared;
+  const auto chosen = std::find_if(have.rbegin(), have.rend(), [&](const PreparedInfo& p) {
+    return depth == 0 || p.key.depth == depth;
+  });
+  if (chosen == have.rend()) return description;
+  ASSIGN_OR_RETURN(const PreparedSummary prepared,
+                   read_prepared_summary(prepared_path(description.scan.id, chosen->key)));
+  const CurvatureHistogram& histogram = prepared.histogram;
+  description.prepared = PreparedDescription{chosen->key,
+                                             prepared.length_unit,
+                                             prepared.cell_size,
+                                             prepared.cells,
+                                             prepared.byte_count,
+                                             histogram.range,
+                                             {histogram.area.begin(), histogram.area.end()}};
+  return description;
+}
+
+Status MeshStore::remove(const std::string& id) {
+  std::error_code error;
+  if (!is_content_hash(id) || !fs::exists(scan_folder(id), error))
+    return not_found("no scan has the id '" + id + "'");
+  const StagingFolder bin(folder_.staging_path(".deleted"));
+  {
+    const std::lock_guard lock(folders_mutex_);
+    RETURN_IF_ERROR(move_path(scan_folder(id), bin.path()));
+    index_.erase(id);
+  }
+  views_.forget(id);
+  return sync_folder(folder_.scans());
+}
+
+}  // namespace burnish

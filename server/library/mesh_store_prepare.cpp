@@ -1,0 +1,155 @@
+// What MeshStore does to have a prepared mesh on disk, and in memory for sessions.
+
+#include <algorithm>
+
+#include <spdlog/spdlog.h>
+
+#include "common/base/limits.h"
+#include "common/base/out_of_memory.h"
+#include "server/library/mesh_store.h"
+#include "server/library/read_original.h"
+#include "server/library/scan_files.h"
+#include "server/library/scan_record.h"
+#include "server/memory/library_budget.h"
+#include "server/memory/memory_need.h"
+#include "server/prepare/prepare.h"
+#include "server/scheduling/cancellable_lock.h"
+#include "server/solver/tuning/plan_cycle.h"
+
+namespace burnish {
+
+namespace fs = std::filesystem;
+
+// A missing or damaged prepared file is made again; every other failure stays one.
+static bool can_be_made_again(const Status& status) {
+  return status.code() == StatusCode::kNotFound || status.code() == StatusCode::kDataLoss;
+}
+
+Status MeshStore::prepare_scan(const std::string& id, const PreparedKey& key,
+                               const Progress& progress) {
+  ASSIGN_OR_RETURN(const auto lock,
+                   lock_or_cancel(preparing_, "waiting for another scan", progress));
+  return make_prepared(id, key, progress);
+}
+
+Status MeshStore::make_prepared(const std::string& id, const PreparedKey& key,
+                                const Progress& progress) {
+  const Status status = read_prepared_summary(prepared_path(id, key)).status();
+  if (status.is_ok() || !can_be_made_again(status)) return status;
+  if (status.code() == StatusCode::kDataLoss) spdlog::warn("preparing again: {}", status.message());
+  return rebuild(id, key, progress);
+}
+
+Status MeshStore::rebuild(const std::string& id, const PreparedKey& key, const Progress& progress) {
+  const fs::path folder = scan_folder(id);
+  ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(folder));
+  if (!report(progress, "reading", 0)) return cancelled("preparing was cancelled");
+  RETURN_IF_ERROR(check_original(folder, scan));
+  LibraryBudget budget(memory_, folder_.scans());
+  RETURN_IF_ERROR(budget.ask_to_read(scan.size_bytes));
+  ASSIGN_OR_RETURN(const TriangleMesh mesh,
+                   read_original(folder / original_file_name(scan.format), scan.format, scan.name));
+  ASSIGN_OR_RETURN(
+      const auto prepared,
+      prepare(mesh, {key.depth, key.curvature_radius, options_.threads, &budget}, progress));
+  RETURN_IF_ERROR(make_room(id, key));
+  RETURN_IF_ERROR(write_prepared_mesh(*prepared, prepared_path(id, key)));
+  return read_again(id);
+}
+
+// Prepared files may always be made again: beyond the limit the one that was opened longest ago
+// gives way. Nothing refers to a file that is being made again.
+Status MeshStore::make_room(const std::string& id, const PreparedKey& key) {
+  ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(scan_folder(id)));
+  std::vector<std::pair<fs::file_time_type, fs::path>> idle;
+  size_t count = 0;
+  for (const PreparedInfo& have : scan.prepared) {
+    if (have.key == key) continue;
+    ++count;
+    std::error_code error;
+    const fs::path path = prepared_path(id, have.key);
+    const fs::file_time_type opened = fs::last_write_time(path, error);
+    if (!error && !is_in_use(id, have.key)) idle.emplace_back(opened, path);
+  }
+  std::sort(idle.begin(), idle.end());
+  for (const auto& [opened, path] : idle) {
+    if (count < kPreparedPerScanMax) break;
+    std::error_code error;
+    if (fs::remove(path, error)) --count;
+  }
+  if (count < kPreparedPerScanMax) return Status::ok();
+  return resource_exhausted("scan " + scan.name + " has " + std::to_string(count) +
+                            " prepared meshes that sessions use; the limit is " +
+                            std::to_string(kPreparedPerScanMax));
+}
+
+void MeshStore::set_wanted(IsWanted is_wanted) {
+  const std::lock_guard lock(wanted_mutex_);
+  is_wanted_ = std::move(is_wanted);
+}
+
+bool MeshStore::is_in_use(const std::string& id, const PreparedKey& key) {
+  if (cache_.find({id, key})) return true;
+  const std::lock_guard lock(wanted_mutex_);
+  return is_wanted_ && is_wanted_(id, key);
+}
+
+Result<std::shared_ptr<SharedMesh>> MeshStore::read_charged(const std::string& id,
+                                                            const PreparedKey& key, Charged what) {
+  const fs::path path = prepared_path(id, key);
+  ASSIGN_OR_RETURN(const PreparedSummary summary, read_prepared_summary(path));
+  auto mesh = std::make_shared<SharedMesh>();
+  const uint64_t bytes =
+      what == Charged::kMeshAlone ? summary.byte_count : predict_mesh_bytes(summary);
+  ASSIGN_OR_RETURN(mesh->memory, memory_.take(kServer, bytes));
+  ASSIGN_OR_RETURN(mesh->prepared, read_prepared_mesh(path));
+  std::error_code ignored;  // the time of a prepared file says when it was last opened
+  fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
+  return mesh;
+}
+
+Result<std::shared_ptr<SharedMesh>> MeshStore::read_with_hierarchy(const std::string& id,
+                                                                   const PreparedKey& key,
+                                                                   const Progress& progress) {
+  ASSIGN_OR_RETURN(const auto lock,
+                   lock_or_cancel(preparing_, "waiting for another scan", progress));
+  RETURN_IF_ERROR(make_prepared(id, key, progress));
+  auto read = read_charged(id, key, Charged::kWithHierarchy);
+  if (can_be_made_again(read.status())) {
+    spdlog::warn("preparing again: {}", read.status().message());
+    RETURN_IF_ERROR(rebuild(id, key, progress));
+    read = read_charged(id, key, Charged::kWithHierarchy);
+  }
+  ASSIGN_OR_RETURN(auto mesh, std::move(read));
+  RETURN_IF_ERROR(with_memory_for("the hierarchy of scan " + short_id(id), [&]() -> Status {
+    ASSIGN_OR_RETURN(mesh->hierarchy, make_hierarchy(*mesh->prepared, progress));
+    return Status::ok();
+  }));
+  return mesh;
+}
+
+// The trials of a plan take seconds, and other scans go on meanwhile.
+Result<std::shared_ptr<const SharedMesh>> MeshStore::open_mesh(const std::string& id,
+                                                               const PreparedKey& key,
+                                                               const Progress& progress) {
+  if (auto shared = cache_.find({id, key})) return shared;
+  const std::shared_ptr<FairMutex> making = cache_.making({id, key});
+  ASSIGN_OR_RETURN(const auto lock,
+                   lock_or_cancel(*making, "waiting for who opens the scan too", progress));
+  if (auto shared = cache_.find({id, key})) return shared;
+  ASSIGN_OR_RETURN(const auto mesh, read_with_hierarchy(id, key, progress));
+  mesh->plan = std::make_shared<CyclePlan>();
+  // A trial is a session for a while.
+  ASSIGN_OR_RETURN(const Quota::Share trial, memory_.take(kServer, predict_session_bytes(*mesh)));
+  RETURN_IF_ERROR(with_memory_for("the cycle of scan " + short_id(id), [&]() -> Status {
+    ASSIGN_OR_RETURN(mesh->plan, plan_cycle(mesh->prepared, mesh->hierarchy, progress));
+    return Status::ok();
+  }));
+  // Dust has more than predicted: specks have corners at all depths.
+  if (mesh->byte_count() > mesh->memory.amount())
+    RETURN_IF_ERROR(mesh->memory.resize(mesh->byte_count()));
+  cache_.add({id, key}, mesh);
+  return std::shared_ptr<const SharedMesh>(mesh);
+}
+
+}  // namespace burnish

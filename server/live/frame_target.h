@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "common/base/progress.h"
+#include "common/frame_codec/frame_layout.h"
+#include "server/library/mesh_cache.h"
+#include "server/memory/quota.h"
+#include "server/scheduling/fair_mutex.h"
+
+namespace burnish {
+
+/// What a client draws, and so what its frames are of. Shared by clients that draw the same.
+struct FrameTarget {
+  std::shared_ptr<const SharedMesh> mesh;
+  std::vector<EvaluationPoint> proxy_points;  ///< empty: of the whole scan
+  std::shared_ptr<const FrameLayout> layout;
+  Quota::Share memory;  ///< what it takes of the server's
+
+  FrameMesh frame_mesh() const;
+};
+
+/// The content of frames that a client asks for; nothing: whichever is likely smaller.
+using WantedContent = std::optional<FrameContent>;
+
+/// The targets in use. Clients own them together; this only finds them again. Thread-safe.
+class FrameTargets {
+ public:
+  /// Needs: `memory` outlives it.
+  explicit FrameTargets(Quota& memory) : memory_(memory) {}
+
+  /// The whole scan where triangles_max is 0 or the scan has no more, else a proxy: as FetchView
+  /// gives it. Cost of the first use: see make_proxy() and the layouts. Fails: cancelled;
+  /// resource_exhausted where the memory has no room for it.
+  Result<std::shared_ptr<const FrameTarget>> find_or_make(
+      const std::shared_ptr<const SharedMesh>& mesh, uint64_t triangles_max, WantedContent content,
+      const Progress& progress);
+
+ private:
+  using Key = std::tuple<const SharedMesh*, uint64_t, WantedContent>;
+
+  Quota& memory_;
+  FairMutex mutex_;  // also while one is made: the next may want the same
+  std::map<Key, std::weak_ptr<const FrameTarget>> targets_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,259 @@
+#include "server/live/live_session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include <spdlog/spdlog.h>
+
+#include "server/metrics/metrics.h"
+
+namespace burnish {
+
+using std::chrono::steady_clock;
+
+static double ms_between(steady_clock::time_point begin, steady_clock::time_point end) {
+  return std::chrono::duration<double, std::milli>(end - begin).count();
+}
+
+/// A replay's part of a turn: many long strokes take many turns, and others have theirs in between.
+/// The first question is always answered yes, so that every slice gets on.
+static Progress for_a_slice() {
+  static constexpr auto kSlice = std::chrono::milliseconds(10);
+  return [end = steady_clock::now() + kSlice, first = true](std::string_view, double) mutable {
+    return std::exchange(first, false) || steady_clock::now() < end;
+  };
+}
+
+LiveSession::LiveSession(SessionManager& manager, Scheduler& scheduler,
+                         std::shared_ptr<SessionEntry> entry, SessionRoles roles)
+    : manager_(manager),
+      scheduler_(scheduler),
+      entry_(std::move(entry)),
+      roles_(std::move(roles)) {}
+
+void LiveSession::wake() {
+  scheduler_.wake(shared_from_this());
+}
+
+bool LiveSession::turn() {
+  bool more = false;
+  run_guarded([&] { more = take_turn(); }, [&](const Status& why) { fail(why); });
+  return more;
+}
+
+bool LiveSession::take_turn() {
+  if (is_over()) {
+    place_.reset();
+    return false;
+  }
+  if (is_coming_back_) return false;
+  if (!place_)
+    place_.emplace(entry_->mutex, [weak = weak_from_this()] {
+      if (const auto self = weak.lock()) self->wake();
+    });
+  auto turn = manager_.try_turn(entry_, *place_);
+  Status status = turn.status();
+  bool more = false;
+  if (status.is_ok()) {
+    if (!turn.value()) return false;  // somebody else is at it: woken again once it is free
+    SessionTurn& at = *turn.value();
+    if (!at.is_in_memory()) return bring_back(at), false;
+    status = work(at, more);
+  }
+  if (status.is_ok()) return more;
+  fail(status);
+  return false;
+}
+
+void LiveSession::bring_back(SessionTurn& at) {
+  is_coming_back_ = true;
+  at.bring_back_later([weak = weak_from_this()](const Status& status) {
+    const auto self = weak.lock();
+    if (!self) return;
+    self->is_coming_back_ = false;
+    status.is_ok() ? self->wake() : self->fail(status);
+  });
+}
+
+/// One turn's work at the session. `more`: there is more to do.
+Status LiveSession::work(SessionTurn& at, bool& more) {
+  for (EditMessage& message : take_edits()) apply(at, std::move(message));
+  more = true;
+  if (at.is_solving() || !at.catch_up(for_a_slice())) return Status::ok();
+  show_gestures(at);
+  const Status relaxed = relax(at);
+  // Also an edit that moves nothing gets its frame, for clients wait for it; and an export may
+  // have relaxed the surface further.
+  const Seen now{at.edits(), at.last().cycle};
+  if (std::exchange(seen_, now) != now) ++version_;
+  tell_state(at);
+  RETURN_IF_ERROR(relaxed);
+  more = !at.session().is_settled(at.last()) || queued_edits() > 0;
+  return send_frames(at);
+}
+
+/// Whether nobody is here whom a turn would do any good: who is told to go waits for answers alone.
+bool LiveSession::is_over() const {
+  const std::lock_guard lock(mutex_);
+  if (seats_.empty()) return true;
+  return edits_.empty() && std::ranges::all_of(seats_, [](const auto& seat) {
+           return seat.second.subscriber->is_closed();
+         });
+}
+
+Status LiveSession::relax(SessionTurn& at) {
+  Session& session = at.session();
+  if (session.is_settled(at.last())) return Status::ok();
+  const auto start = steady_clock::now();
+  const bool is_assembled = session.is_changed();
+  if (is_assembled) session.update();
+  const auto assembled = steady_clock::now();
+  at.last() = session.step();
+  RETURN_IF_ERROR(session.solver().status());
+  assemble_ms_ = is_assembled ? ms_between(start, assembled) : 0;
+  solve_ms_ = ms_between(assembled, steady_clock::now());
+  if (is_assembled) metrics().observe(Measure::kFrameAssembleSeconds, assemble_ms_ / 1e3);
+  metrics().observe(Measure::kFrameSolveSeconds, solve_ms_ / 1e3);
+  return Status::ok();
+}
+
+Status LiveSession::send_frames(SessionTurn& at) {
+  Session& session = at.session();
+  const bool settled = session.is_settled(at.last());
+  std::vector<Seat> wanting;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [connection, seat] : seats_)
+      if (seat.subscriber->wants_frame(version_, settled)) wanting.push_back(seat);
+  }
+  if (wanting.empty()) return Status::ok();
+  const std::span<const Vec3f> displacement = session.solver().displacement();
+  std::map<const FrameTarget*, std::shared_ptr<const FrameSample>> samples;
+  for (const Seat& seat : wanting) {
+    const FrameTarget& target = *seat.subscriber->target;
+    auto& sample = samples[&target];
+    if (!sample) {
+      ASSIGN_OR_RETURN(FrameSample made, sample_displacement<Vec3f>(
+                                             *target.layout, target.frame_mesh(), displacement));
+      sample = std::make_shared<const FrameSample>(std::move(made));
+    }
+    seat.subscriber->show({sample,
+                           version_,
+                           {.settled = settled,
+                            .exact = session.is_exact(at.last()),
+                            .report = at.last(),
+                            .edits = at.edits(),
+                            .assemble_ms = assemble_ms_,
+                            .solve_ms = solve_ms_,
+                            .previews = seat.previews_taken}});
+  }
+  return Status::ok();
+}
+
+void LiveSession::tell_state(SessionTurn& at) {
+  const Fields& fields = at.session().fields();
+  const HistoryState history{at.edits(), fields.gradient_scale(), fields.transfer_curve()};
+  bool roles_changed = false, history_changed = false;
+  {
+    const std::lock_guard lock(mutex_);
+    roles_changed = std::exchange(roles_version_, at.roles_version()) != at.roles_version();
+    if (roles_changed) roles_ = at.roles();
+    history_changed = history_ != history;
+    history_ = history;
+  }
+  if (roles_changed) tell_people();
+  if (!history_changed) return;
+  for (const auto& subscriber : subscribers()) subscriber->tell(history);
+}
+
+void LiveSession::join(const std::shared_ptr<Subscriber>& subscriber) {
+  std::optional<HistoryState> history;
+  {
+    const std::lock_guard lock(mutex_);
+    seats_[subscriber->connection] = {subscriber};
+    history = history_;
+  }
+  if (history) subscriber->tell(*history);
+  tell_people();
+  wake();
+}
+
+bool LiveSession::leave(uint64_t connection) {
+  entry_->presence.leave(connection);
+  bool is_empty = false;
+  {
+    const std::lock_guard lock(mutex_);
+    seats_.erase(connection);
+    if (gestures_.erase(connection) > 0) changed_gestures_.insert(connection);
+    is_empty = seats_.empty();
+  }
+  tell_people();
+  wake();
+  return is_empty;
+}
+
+void LiveSession::move_brush(uint64_t connection, const std::optional<BrushRing>& ring) {
+  const uint64_t before = entry_->presence.version();
+  entry_->presence.move_brush(connection, ring);
+  if (entry_->presence.version() != before) tell_people();
+}
+
+void LiveSession::tell_people() {
+  auto people = std::make_shared<SessionPeople>();
+  people->present = entry_->presence.list();
+  {
+    const std::lock_guard lock(mutex_);
+    people->roles = roles_;
+  }
+  for (const auto& subscriber : subscribers()) subscriber->tell(people);
+}
+
+void LiveSession::close(const Farewell& farewell) {
+  for (const auto& subscriber : subscribers()) subscriber->close(farewell);
+}
+
+// Also what waits is answered, for a farewell comes after the last answer.
+void LiveSession::fail(const Status& why) {
+  spdlog::error("session {}: {}", entry_->record.id, why.to_string());
+  const bool come_back = why.code() != StatusCode::kNotFound;
+  close({why.message(), come_back});
+  refuse_waiting(come_back ? unavailable(why.message()) : why);
+}
+
+void LiveSession::end_unwelcome(steady_clock::duration silence_max) {
+  static constexpr auto kTimeToTakeIt = std::chrono::seconds(5);
+  for (const auto& subscriber : subscribers()) {
+    const auto stays = subscriber->may_stay();
+    if (!stays.is_ok()) subscriber->dismiss(stays.message(), kTimeToTakeIt);
+    if (!subscriber->is_silent(silence_max)) continue;
+    subscriber->close(Farewell{"nothing was heard from this client for too long", true});
+    if (subscriber->is_silent(silence_max + kTimeToTakeIt)) subscriber->cut();
+  }
+}
+
+uint64_t LiveSession::credits() const {
+  uint64_t sum = 0;
+  for (const auto& subscriber : subscribers()) sum += subscriber->credits();
+  return sum;
+}
+
+uint64_t LiveSession::client_bytes() const {
+  uint64_t sum = 0;
+  for (const auto& subscriber : subscribers()) sum += subscriber->byte_count();
+  return sum;
+}
+
+size_t LiveSession::queued_edits() const {
+  const std::lock_guard lock(mutex_);
+  return edits_.size();
+}
+
+std::vector<std::shared_ptr<Subscriber>> LiveSession::subscribers() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::shared_ptr<Subscriber>> all;
+  for (const auto& [connection, seat] : seats_) all.push_back(seat.subscriber);
+  return all;
+}
+
+}  // namespace burnish

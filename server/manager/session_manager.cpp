@@ -1,0 +1,235 @@
+#include "server/manager/session_manager.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include <spdlog/spdlog.h>
+
+#include "common/transfer/content_hash.h"
+#include "server/manager/session_manager_held.h"
+#include "server/memory/memory_need.h"
+
+namespace burnish {
+
+SessionManager::~SessionManager() {
+  ending_ = true;
+  store_.set_wanted(nullptr);
+}
+
+Result<std::unique_ptr<SessionManager>> SessionManager::create(
+    const DataFolder& folder, MeshStore& store, Journal& journal,
+    const SessionManagerOptions& options) {
+  std::unique_ptr<SessionManager> manager(new SessionManager(folder, store, journal, options));
+  ASSIGN_OR_RETURN(const auto records, journal.sessions());
+  for (const SessionRecord& record : records) {
+    auto entry = std::make_shared<SessionEntry>(record);
+    ASSIGN_OR_RETURN(entry->edits, journal.edit_count(record.id));
+    ASSIGN_OR_RETURN(entry->roles, journal.roles(record.id));
+    entry->in_journal = true;
+    manager->sessions_[record.id] = entry;
+    manager->by_name_[record.name] = std::move(entry);
+  }
+  store.set_wanted([&manager = *manager](const std::string& scan_id, const PreparedKey& key) {
+    return manager.is_edited(scan_id, key);
+  });
+  return manager;
+}
+
+bool SessionManager::is_edited(const std::string& scan_id, const PreparedKey& key) const {
+  const std::lock_guard lock(mutex_);
+  return std::ranges::any_of(sessions_, [&](const auto& session) {
+    const SessionRecord& record = session.second->record;
+    return record.scan_id == scan_id && record.key == key;
+  });
+}
+
+// Ids come first: an old journal may have names that look like one.
+std::shared_ptr<SessionEntry> SessionManager::find(const std::string& reference) const {
+  const std::lock_guard lock(mutex_);
+  for (const auto* map : {&sessions_, &by_name_}) {
+    const auto found = map->find(reference);
+    if (found != map->end()) return found->second;
+  }
+  return nullptr;
+}
+
+static Status no_such_session(const std::string& reference) {
+  return not_found("no session has the name or id '" + reference + "'");
+}
+
+Result<SessionManager::Held> SessionManager::lock(std::shared_ptr<SessionEntry> entry,
+                                                  const Progress& progress) const {
+  Held held{std::move(entry), {}};
+  ASSIGN_OR_RETURN(held.lock,
+                   lock_or_cancel(held.entry->mutex, "waiting for the session", progress));
+  held.entry->last_use = std::chrono::steady_clock::now();
+  return held;
+}
+
+Result<SessionManager::Held> SessionManager::lock(const std::string& reference,
+                                                  const Progress& progress) const {
+  std::shared_ptr<SessionEntry> entry = find(reference);
+  if (!entry) return no_such_session(reference);
+  ASSIGN_OR_RETURN(Held held, lock(std::move(entry), progress));
+  if (held.entry->deleted) return no_such_session(reference);
+  return held;
+}
+
+Result<SessionManager::Held> SessionManager::use(const std::string& reference, const Caller& caller,
+                                                 const Progress& progress) {
+  ASSIGN_OR_RETURN(Held held, lock(reference, progress));
+  RETURN_IF_ERROR(
+      bring_back(*held.entry, caller, progress).with_context("session " + held.entry->record.name));
+  return held;
+}
+
+// A session in memory counts for the user who brought it there.
+Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
+                                  const Progress& progress) {
+  if (entry.ahead_of_journal.exchange(false)) entry.forget_state();
+  if (entry.session) return Status::ok();
+  entry.session_bytes = 0;
+  const SessionRecord& record = entry.record;
+  Quota::Share by_user = std::move(entry.by_user), memory = std::move(entry.memory);
+  if (by_user.amount() == 0 && !caller.user.empty()) {
+    ASSIGN_OR_RETURN(by_user, by_user_.take("user " + caller.user, 1));
+  }
+  ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));  // which also checks the record
+  std::shared_ptr<const SharedMesh> mesh = std::move(entry.mesh);
+  if (!mesh) {
+    ASSIGN_OR_RETURN(mesh, store_.open_mesh(record.scan_id, record.key, progress));
+  }
+  uint64_t bytes = predict_session_bytes(*mesh);
+  for (const AuthoredEdit& edit : edits) bytes += bytes_in_history(edit);
+  if (memory.amount() == 0) {
+    ASSIGN_OR_RETURN(memory, store_.memory().take(kServer, bytes));
+  } else {
+    RETURN_IF_ERROR(memory.resize(bytes));
+  }
+  ASSIGN_OR_RETURN(auto session, Session::open(*mesh, options_.solver));
+  spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),
+               session->solver().backend_reason());
+  ASSIGN_OR_RETURN(auto kept, journal_.paint(record.id, mesh->prepared->cells.size()));
+  for (PaintCheckpoint& paint : kept) session->edited().offer(std::move(paint));
+  const uint64_t skipped = session->edited().restore(edits);
+  if (skipped > 0)
+    spdlog::warn(
+        "session {}: {} of its {} edits are damaged and have no effect; its history says which",
+        record.id, skipped, edits.size());
+  entry.mesh = std::move(mesh);
+  entry.session_bytes = memory.amount();
+  entry.memory = std::move(memory);
+  entry.by_user = std::move(by_user);
+  entry.session = std::move(session);
+  entry.edits = edits.size();
+  ++entry.life;
+  entry.in_memory = true;
+  return Status::ok();
+}
+
+Status SessionManager::catch_up(SessionEntry& entry, const Progress& progress) {
+  const Status status = entry.session->edited().catch_up(progress);
+  keep_paint(entry);
+  return status;
+}
+
+void SessionManager::keep_paint(SessionEntry& entry) {
+  for (const PaintCheckpoint& paint : entry.session->edited().take_kept())
+    journal_.keep_paint(entry.record.id, paint);
+}
+
+SessionManager::Usage SessionManager::usage() const {
+  const std::lock_guard lock(mutex_);
+  Usage usage;
+  for (const auto& [id, entry] : sessions_) {
+    usage.in_memory += entry->in_memory ? 1 : 0;
+    usage.session_bytes += entry->session_bytes;
+  }
+  return usage;
+}
+
+std::vector<SessionInfo> SessionManager::list() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<SessionInfo> sessions;
+  for (const auto& [name, entry] : by_name_)
+    if (entry->in_journal) sessions.push_back(entry->info());
+  return sessions;
+}
+
+static std::string named(const Caller& caller) {
+  return caller.user.empty() ? "somebody without a name" : caller.user;
+}
+
+Status SessionManager::close(const std::string& reference, const Caller& caller,
+                             const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, lock(reference, progress));
+  RETURN_IF_ERROR(
+      require_role(held.entry->roles, caller, SessionRole::kOwner, "closing the session"));
+  held.entry->leave_memory();
+  tell_left(*held.entry, failed_precondition("the session was closed by " + named(caller)));
+  return Status::ok();
+}
+
+// The session stays locked while the disk writes: whoever wants it has to know how that ends.
+Status SessionManager::remove(const std::string& reference, const Caller& caller,
+                              const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, lock(reference, progress));
+  RETURN_IF_ERROR(
+      require_role(held.entry->roles, caller, SessionRole::kOwner, "deleting the session"));
+  RETURN_IF_ERROR(journal_.remove_session(held.entry->record.id));
+  give_up(*held.entry);
+  tell_left(*held.entry, not_found("the session was deleted by " + named(caller)));
+  return Status::ok();
+}
+
+// Needs: the entry is locked.
+void SessionManager::give_up(SessionEntry& entry) {
+  entry.leave_memory();
+  entry.deleted = true;
+  const std::lock_guard lock(mutex_);
+  by_name_.erase(entry.record.name);
+  sessions_.erase(entry.record.id);
+}
+
+Result<SessionState> SessionManager::state(const std::string& reference, const Caller& caller,
+                                           const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, use(reference, caller, progress));
+  RETURN_IF_ERROR(catch_up(*held.entry, progress));
+  const SessionEntry& entry = *held.entry;
+  const Fields& fields = entry.session->fields();
+  const Solver& solver = entry.session->solver();
+  const uint64_t memory_bytes = entry.session->byte_count() + client_bytes(entry);
+  return SessionState{entry.info(),
+                      fields.gradient_scale(),
+                      fields.transfer_curve(),
+                      entry.last.cycle,
+                      entry.last.energy,
+                      entry.last.residual,
+                      entry.last.distance,
+                      memory_bytes,
+                      std::string(solver.backend_name())};
+}
+
+Result<std::string> SessionManager::delete_scan(const std::string& reference) {
+  const auto found = store_.find(reference);
+  // A damaged scan is in no list: it answers to its full id alone.
+  if (!found.is_ok() && !is_content_hash(reference)) return found.status();
+  const std::string id = found.is_ok() ? found->id : reference;
+  const std::string name = found.is_ok() ? found->name : short_id(id);
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [session, entry] : by_name_)
+      if (entry->record.scan_id == id)
+        return failed_precondition("scan " + name + " is edited by session " + session +
+                                   "; delete that first");
+    // From here on no session can be opened over it.
+    if (!scans_going_.insert(id).second) return not_found("scan " + name + " is being deleted");
+  }
+  const Status removed = store_.remove(id);
+  const std::lock_guard lock(mutex_);
+  scans_going_.erase(id);
+  RETURN_IF_ERROR(removed);
+  return id;
+}
+
+}  // namespace burnish

@@ -1,0 +1,171 @@
+// What SessionManager does with the edits and the people of one session.
+
+#include <algorithm>
+#include <chrono>
+#include <future>
+#include <set>
+#include <string_view>
+
+#include "server/manager/session_manager_held.h"
+#include "server/memory/memory_need.h"
+
+namespace burnish {
+
+static int64_t unix_ms_now() {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+/// Those that the user has not sent before, each once.
+static std::vector<AuthoredEdit> new_edits(const History& history, const std::string& user,
+                                           std::span<const Edit> edits) {
+  std::vector<AuthoredEdit> fresh;
+  std::set<std::string_view> ids;
+  const int64_t now = unix_ms_now();
+  for (const Edit& edit : edits)
+    if (!history.knows(user, edit.id) && ids.insert(edit.id).second)
+      fresh.push_back({user, now, edit});
+  return fresh;
+}
+
+/// `numbers` of the fresh edits, each at the place of its edit; 0 for the others.
+static std::vector<uint64_t> at_their_places(std::span<const Edit> edits,
+                                             const std::vector<AuthoredEdit>& fresh,
+                                             const std::vector<uint64_t>& numbers) {
+  std::vector<uint64_t> entries(edits.size(), 0);
+  size_t next = 0;
+  for (size_t i = 0; i < edits.size() && next < fresh.size(); ++i)
+    if (edits[i].id == fresh[next].edit.id) entries[i] = numbers[next++];
+  return entries;
+}
+
+// What the edits of a session take counts with the session.
+static Status charge_for(std::span<const AuthoredEdit> more, SessionEntry& entry) {
+  uint64_t bytes =
+      predict_session_bytes(*entry.mesh) + entry.session->edited().history().byte_count();
+  for (const AuthoredEdit& edit : more) bytes += bytes_in_history(edit);
+  RETURN_IF_ERROR(entry.memory.resize(bytes));
+  entry.session_bytes = bytes;
+  return Status::ok();
+}
+
+Result<ApplyOutcome> SessionManager::submit(const std::string& reference, const Caller& caller,
+                                            std::span<const Edit> edits, const Progress& progress,
+                                            GroupCommit::Done on_disk) {
+  ASSIGN_OR_RETURN(const Held held, use(reference, caller, progress));
+  return submit_held(held.entry, caller, edits, std::move(on_disk));
+}
+
+Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEntry>& held,
+                                                 const Caller& caller, std::span<const Edit> edits,
+                                                 GroupCommit::Done on_disk) {
+  for (const Edit& edit : edits) RETURN_IF_ERROR(validate(edit).with_context("edit " + edit.id));
+  SessionEntry& entry = *held;
+  RETURN_IF_ERROR(require_role(entry.roles, caller, SessionRole::kEditor, "editing"));
+  EditedFields& edited = entry.session->edited();
+
+  std::vector<AuthoredEdit> fresh = new_edits(edited.history(), caller.user, edits);
+  for (const AuthoredEdit& edit : fresh)
+    RETURN_IF_ERROR(edited.check_new(edit.edit).with_context("edit " + edit.edit.id));
+  RETURN_IF_ERROR(charge_for(fresh, entry));
+  const uint64_t first = edited.history().size() + 1;
+  ASSIGN_OR_RETURN(const std::vector<uint64_t> numbers, edited.record(fresh));
+  const uint64_t size = edited.history().size();
+  if (!entry.ahead_of_journal) entry.edits = size;
+  ApplyOutcome outcome{static_cast<uint32_t>(fresh.size()),
+                       static_cast<uint32_t>(edits.size() - fresh.size()), size,
+                       at_their_places(edits, fresh, numbers)};
+  const bool is_changed = !fresh.empty();
+  // Also without new edits: a known one may still be on its way to the disk. The journal may
+  // outlive this manager, so that nothing here may be its own.
+  journal_.append(
+      entry.record.id, first, std::move(fresh),
+      [listener = listener_, shared = held, first,
+       on_disk = std::move(on_disk)](const Status& status) {
+        if (!status.is_ok()) {
+          shared->ahead_of_journal = true;
+          shared->edits = std::min<uint64_t>(shared->edits, first - 1);
+          listener->tell([&](SessionListener& to) { to.on_session_changed(shared->record.id); });
+        }
+        on_disk(status);
+      });
+  if (is_changed) tell_changed(entry);
+  return outcome;
+}
+
+Result<ApplyOutcome> SessionManager::apply(const std::string& reference, const Caller& caller,
+                                           std::span<const Edit> edits, const Progress& progress) {
+  const auto written = std::make_shared<std::promise<Status>>();
+  ASSIGN_OR_RETURN(const ApplyOutcome outcome,
+                   submit(reference, caller, edits, progress,
+                          [written](const Status& status) { written->set_value(status); }));
+  RETURN_IF_ERROR(written->get_future().get());
+  return outcome;
+}
+
+Result<HistoryPage> SessionManager::history(const HistoryWish& wish, const Caller& caller,
+                                            const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, use(wish.session, caller, progress));
+  const auto& entries = held.entry->session->edited().history().entries();
+  auto entry = std::upper_bound(
+      entries.begin(), entries.end(), wish.after,
+      [](uint64_t number, const History::Entry& other) { return number < other.number; });
+  HistoryPage page;
+  for (; entry != entries.end() && page.entries.size() < wish.count; ++entry) {
+    const AuthoredEdit& made_by = *entry->made_by;
+    page.entries.push_back({entry->number, made_by.edit.id, made_by.author, made_by.unix_ms,
+                            kind_of(made_by.edit), summary(made_by.edit), entry->is_on()});
+  }
+  page.complete = entry == entries.end();
+  return page;
+}
+
+Result<SessionPeople> SessionManager::people(const std::string& reference,
+                                             const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, lock(reference, progress));
+  return SessionPeople{held.entry->roles, held.entry->presence.list()};
+}
+
+// A role counts at once; when it cannot be written, what the journal has counts again.
+Status SessionManager::set_role(const std::string& reference, const Caller& caller,
+                                const std::string& subject, SessionRole role,
+                                const Progress& progress) {
+  ASSIGN_OR_RETURN(Held held, lock(reference, progress));
+  SessionEntry& entry = *held.entry;
+  const auto take = [&](SessionRoles roles) {
+    entry.roles = std::move(roles);
+    ++entry.roles_version;
+    tell_changed(entry);
+  };
+  RETURN_IF_ERROR(require_role(entry.roles, caller, SessionRole::kOwner, "giving roles"));
+  SessionRoles changed = entry.roles;
+  RETURN_IF_ERROR(changed.set(subject, role));
+  if (changed.by_user().size() > kSessionRolesMax)
+    return resource_exhausted("the session has roles for " + std::to_string(kSessionRolesMax) +
+                              " people, which is the limit");
+  take(std::move(changed));
+  held.lock.unlock();
+  const Status written = journal_.set_role(entry.record.id, subject, role);
+  if (written.is_ok()) return written;
+  auto kept = journal_.roles(entry.record.id);
+  held.lock.lock();
+  if (kept.is_ok()) take(std::move(kept).value());
+  return written;
+}
+
+Status SessionManager::visit(const std::string& reference, const Caller& caller,
+                             const std::function<Status(Session&)>& work,
+                             const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, use(reference, caller, progress));
+  RETURN_IF_ERROR(catch_up(*held.entry, progress));
+  return work(*held.entry->session);
+}
+
+Result<std::shared_ptr<Presence>> SessionManager::presence(const std::string& reference) const {
+  const std::shared_ptr<SessionEntry> entry = find(reference);
+  if (!entry) return not_found("no session has the name or id '" + reference + "'");
+  return std::shared_ptr<Presence>(entry, &entry->presence);
+}
+
+}  // namespace burnish

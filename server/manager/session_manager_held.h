@@ -1,0 +1,14 @@
+#pragma once
+
+#include "server/manager/session_entry.h"
+#include "server/manager/session_manager.h"
+#include "server/scheduling/cancellable_lock.h"
+
+namespace burnish {
+
+struct SessionManager::Held {
+  std::shared_ptr<SessionEntry> entry;
+  std::unique_lock<FairMutex> lock;
+};
+
+}  // namespace burnish

@@ -1,0 +1,150 @@
+// How SessionManager makes sessions. A new one takes its name first, in an entry that stays locked;
+// others of that name wait there. It is written down once it has opened, and nobody hears of it
+// before: whoever gives up takes nothing away from anybody.
+
+#include <algorithm>
+#include <chrono>
+
+#include "server/manager/session_manager_held.h"
+
+namespace burnish {
+
+/// What there is of a name: a session, or an entry to make one in.
+struct SessionManager::Reserved {
+  std::shared_ptr<SessionEntry> found;
+  Held made;
+};
+
+namespace {
+
+constexpr size_t kIdDigits = 16;
+
+int64_t unix_seconds_now() {
+  return std::chrono::duration_cast<std::chrono::seconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+std::string describe(const PreparedKey& key) {
+  return "depth " + std::to_string(key.depth);
+}
+
+/// Fails: invalid_argument for what could be the id of a session.
+Status check_is_no_id(const std::string& name) {
+  const auto is_digit = [](unsigned char c) { return std::isxdigit(c) != 0; };
+  if (name.size() != kIdDigits || !std::ranges::all_of(name, is_digit)) return Status::ok();
+  return invalid_argument("session name '" + name + "' is " + std::to_string(kIdDigits) +
+                          " hexadecimal digits, as ids are; choose another");
+}
+
+Status is_another(const SessionRecord& there, const SessionRecord& wanted) {
+  return already_exists("session " + there.name + " edits scan " + short_id(there.scan_id) +
+                        " at " + describe(there.key) + ", not scan " + short_id(wanted.scan_id) +
+                        " at " + describe(wanted.key));
+}
+
+Result<uint64_t> end_of_fork(const ForkWish& wish, Journal& journal, const std::string& source_id) {
+  if (!wish.checkpoint.empty()) return journal.checkpoint(source_id, wish.checkpoint);
+  ASSIGN_OR_RETURN(const uint64_t edits, journal.edit_count(source_id));
+  if (wish.number <= edits) return wish.number == 0 ? edits : wish.number;
+  return not_found("the session has " + std::to_string(edits) + " edits, none is number " +
+                   std::to_string(wish.number));
+}
+
+}  // namespace
+
+Status SessionManager::check_room() const {
+  if (sessions_.size() < options_.sessions_max) return Status::ok();
+  return resource_exhausted("the server has " + std::to_string(sessions_.size()) +
+                            " sessions, sessions_max is " + std::to_string(options_.sessions_max) +
+                            "; delete one");
+}
+
+Result<SessionManager::Held> SessionManager::reserve(SessionRecord record, const Caller& caller) {
+  RETURN_IF_ERROR(check_room());
+  if (scans_going_.contains(record.scan_id))
+    return not_found("scan " + short_id(record.scan_id) + " is being deleted");
+  auto entry = std::make_shared<SessionEntry>(std::move(record));
+  entry->roles = SessionRoles::of_new_session(caller.user);
+  Held held{entry, std::unique_lock(entry->mutex)};  // nobody else knows it
+  by_name_[entry->record.name] = entry;
+  sessions_[entry->record.id] = entry;
+  return held;
+}
+
+Result<SessionManager::Reserved> SessionManager::find_or_reserve(const SessionWish& wish,
+                                                                 const Caller& caller) {
+  ASSIGN_OR_RETURN(const ScanInfo scan, store_.find(wish.scan));
+  SessionRecord record{random_name(), wish.name, scan.id, resolve(wish.key, scan),
+                       unix_seconds_now()};
+  if (record.name.empty()) record.name = "session-" + record.id.substr(0, 6);
+
+  const std::lock_guard lock(mutex_);
+  const auto found = by_name_.find(record.name);
+  if (found == by_name_.end()) {
+    ASSIGN_OR_RETURN(Held made, reserve(std::move(record), caller));
+    return Reserved{nullptr, std::move(made)};
+  }
+  const SessionRecord& there = found->second->record;
+  if (there.scan_id != record.scan_id || there.key != record.key) return is_another(there, record);
+  return Reserved{found->second, {}};
+}
+
+Result<OpenedSession> SessionManager::open(const SessionWish& wish, const Caller& caller,
+                                           const Progress& progress) {
+  RETURN_IF_ERROR(check_is_no_id(wish.name));
+  for (;;) {
+    ASSIGN_OR_RETURN(Reserved reserved, find_or_reserve(wish, caller));
+    if (!reserved.found) {
+      SessionEntry& entry = *reserved.made.entry;
+      const Status made = make(entry, caller, progress);
+      if (made.is_ok()) return OpenedSession{entry.info(), false};
+      give_up(entry);
+      return made;
+    }
+    ASSIGN_OR_RETURN(const Held held, lock(std::move(reserved.found), progress));
+    if (held.entry->deleted) continue;  // whoever was making it has given up: the name is free
+    RETURN_IF_ERROR(bring_back(*held.entry, caller, progress)
+                        .with_context("session " + held.entry->record.name));
+    return OpenedSession{held.entry->info(), true};
+  }
+}
+
+Status SessionManager::make(SessionEntry& entry, const Caller& caller, const Progress& progress) {
+  RETURN_IF_ERROR(bring_back(entry, caller, progress).with_context("session " + entry.record.name));
+  RETURN_IF_ERROR(journal_.create_session(entry.record, entry.roles));
+  entry.in_journal = true;
+  return Status::ok();
+}
+
+Result<SessionInfo> SessionManager::fork(const ForkWish& wish, const Caller& caller,
+                                         const Progress& progress) {
+  RETURN_IF_ERROR(check_is_no_id(wish.name));
+  SessionRecord record;
+  {
+    ASSIGN_OR_RETURN(const Held source, lock(wish.source, progress));
+    record = source.entry->record;
+  }
+  const std::string source_id = record.id;
+  ASSIGN_OR_RETURN(const uint64_t edits, end_of_fork(wish, journal_, source_id));
+  record.id = random_name();
+  record.name = wish.name.empty() ? record.name + "-" + record.id.substr(0, 6) : wish.name;
+  record.created_unix_seconds = unix_seconds_now();
+
+  std::unique_lock map(mutex_);
+  if (by_name_.contains(record.name))
+    return already_exists("a session " + record.name + " is there already");
+  ASSIGN_OR_RETURN(const Held made, reserve(std::move(record), caller));
+  map.unlock();
+  SessionEntry& entry = *made.entry;
+  const Status forked = journal_.fork_session(source_id, edits, entry.record, entry.roles);
+  if (!forked.is_ok()) {
+    give_up(entry);
+    return forked;
+  }
+  entry.edits = edits;
+  entry.in_journal = true;
+  return entry.info();
+}
+
+}  // namespace burnish

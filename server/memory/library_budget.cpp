@@ -1,0 +1,52 @@
+#include "server/memory/library_budget.h"
+
+#include <algorithm>
+
+#include "common/base/limits.h"
+#include "common/base/process_memory.h"
+#include "common/mesh/mesh_io.h"
+#include "server/memory/memory_need.h"
+
+namespace burnish {
+
+LibraryBudget::LibraryBudget(Quota& memory, std::filesystem::path folder)
+    : memory_(memory),
+      folder_(std::move(folder)),
+      bytes_max_(std::min({memory.max(), available_memory_bytes(), machine_memory_bytes()})) {}
+
+Status LibraryBudget::take(uint64_t bytes) {
+  if (bytes > bytes_max_ && bytes_max_ < memory_.max())
+    return resource_exhausted("the machine has " + std::to_string(bytes_max_) +
+                              " bytes of memory available");
+  if (share_.amount() > 0) return share_.resize(bytes);
+  ASSIGN_OR_RETURN(share_, memory_.take(kServer, bytes));
+  return Status::ok();
+}
+
+Status LibraryBudget::ask_to_read(uint64_t file_bytes) {
+  return take(file_bytes * kReadingBytesPerFileByte)
+      .with_context("reading " + std::to_string(file_bytes) + " bytes");
+}
+
+Status LibraryBudget::ask(const PreparationNeed& need) {
+  const uint64_t opened = predict_opened_bytes(need);
+  if (opened > memory_.max())
+    return resource_exhausted("a session at that depth takes " + std::to_string(opened) +
+                              " bytes; limits.memory_bytes_max is " +
+                              std::to_string(memory_.max()));
+  RETURN_IF_ERROR(check_disk_space(folder_, need.file_bytes));
+  return take(need.memory_bytes);
+}
+
+Status check_disk_space(const std::filesystem::path& folder, uint64_t bytes) {
+  std::error_code error;
+  const std::filesystem::space_info space = std::filesystem::space(folder, error);
+  if (error) return errno_status("cannot ask for free space in " + folder.string(), error.value());
+  const uint64_t usable = space.available - std::min(space.available, kDiskReserveBytes);
+  if (bytes <= usable) return Status::ok();
+  return resource_exhausted("the disk of the data folder has " + std::to_string(space.available) +
+                            " bytes free, of which " + std::to_string(kDiskReserveBytes) +
+                            " are kept for the journal");
+}
+
+}  // namespace burnish

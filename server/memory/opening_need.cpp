@@ -1,0 +1,29 @@
+#include "server/memory/opening_need.h"
+
+namespace burnish {
+
+// Measured on real scans and rounded up: a cell of the finest depth brings some two corners, and
+// the coarser depths a third of that again (ARCHITECTURE section 7 has the figures).
+static constexpr uint64_t kHierarchyBytesPerCell = 704;
+static constexpr uint64_t kHierarchyBytesPerVertex = 12;  // PointsByCell
+static constexpr uint64_t kSessionBytesPerCellMin = 900;  // with the fewest corners that occur
+
+static uint64_t mesh_bytes(uint64_t byte_count, uint64_t cells, uint64_t vertices) {
+  return byte_count + cells * kHierarchyBytesPerCell + vertices * kHierarchyBytesPerVertex;
+}
+
+uint64_t predict_mesh_bytes(const PreparedMesh& prepared) {
+  return mesh_bytes(prepared.byte_count(), prepared.cells.size(), prepared.vertices.size());
+}
+
+uint64_t predict_mesh_bytes(const PreparedSummary& prepared) {
+  return mesh_bytes(prepared.byte_count, prepared.cells, prepared.vertices);
+}
+
+uint64_t predict_opened_bytes(const PreparationNeed& need) {
+  const PreparationCounts& counts = need.counts;
+  return mesh_bytes(need.file_bytes, counts.cells, counts.vertices) +
+         counts.cells * kSessionBytesPerCellMin;
+}
+
+}  // namespace burnish

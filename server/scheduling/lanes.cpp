@@ -1,0 +1,38 @@
+#include "server/scheduling/lanes.h"
+
+#include <algorithm>
+
+namespace burnish {
+
+static constexpr int kShortWorkers = 4;
+static constexpr int kShortWorkersPerUser = 2;
+/// So many users may wait with all that each of them may have.
+static constexpr uint64_t kFullUsersMax = 8;
+
+static Executor::Limits limits_of(const Lanes::Limits& limits, int workers, int per_user) {
+  return {.threads = workers,
+          .threads_per_holder = std::min(workers, per_user),
+          .waiting_per_holder = limits.requests_per_user,
+          .bytes_per_holder = limits.request_bytes_per_user,
+          .waiting_max = limits.requests_per_user * kFullUsersMax,
+          .bytes_max = limits.request_bytes_per_user * kFullUsersMax};
+}
+
+Lanes::Lanes(const Limits& limits)
+    : short_(limits_of(limits, kShortWorkers, kShortWorkersPerUser)),
+      session_(limits_of(limits, limits.workers, limits.workers_per_user)),
+      long_(limits_of(limits, limits.workers, limits.workers_per_user)) {}
+
+Executor& Lanes::operator[](Lane lane) {
+  switch (lane) {
+    case Lane::kShort:
+      return short_;
+    case Lane::kSession:
+      return session_;
+    case Lane::kLong:
+      break;
+  }
+  return long_;
+}
+
+}  // namespace burnish

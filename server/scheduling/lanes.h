@@ -1,0 +1,34 @@
+#pragma once
+
+#include "server/scheduling/executor.h"
+
+namespace burnish {
+
+/// What a request's work waits for. Each kind has workers of its own, so that none waits for
+/// another that takes longer.
+enum class Lane {
+  kShort,    ///< memory and small files: lists, descriptions
+  kSession,  ///< a session that somebody else may be at, or the disk: edits, state, chunks
+  kLong,     ///< the solver, preparing, whole files: seconds to minutes
+};
+
+/// The workers of all requests.
+class Lanes {
+ public:
+  /// For kLong, and as many for kSession, which mostly sleep.
+  struct Limits {
+    int workers = 16;
+    int workers_per_user = 4;
+    uint64_t requests_per_user = 1024;  ///< waiting, in each lane
+    uint64_t request_bytes_per_user = uint64_t{64} << 20;
+  };
+
+  explicit Lanes(const Limits& limits);
+
+  Executor& operator[](Lane lane);
+
+ private:
+  Executor short_, session_, long_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,106 @@
+#include "server/solver/cpu/assembly/cell_shares.h"
+
+#include <utility>
+
+#include "common/base/dispatch.h"
+
+namespace burnish::cpu {
+
+namespace {
+
+constexpr size_t kTargetsAlone = 128;  // for fewer, threads take longer to wake
+
+/// An 8×8 matrix by rows.
+struct Square {
+  Double8 row[8] = {};
+};
+
+Square square_of(const CellMatrix& cell) {
+  Square k;
+  for (int a = 0; a < 8; ++a) {
+    double diagonal = cell.row_sum[a];
+    for (int b = 0; b < 8; ++b) {
+      if (b == a) continue;
+      k.row[a][b] = cell.pair[pair_index(a, b)];
+      diagonal -= k.row[a][b];
+    }
+    k.row[a][a] = diagonal;
+  }
+  return k;
+}
+
+Square square_of(const double* tie, bool is_transposed) {
+  Square k;
+  for (int v = 0; v < 8; ++v)
+    for (int w = 0; w < 8; ++w) k.row[v][w] = is_transposed ? tie[8 * w + v] : tie[8 * v + w];
+  return k;
+}
+
+// What corner a of a part takes of the coarse cell's corners.
+void find_weights(const CellPart& part, int a, Double8& weights) {
+  const auto& half_way = half_way_weights()[part.place[a]];
+  for (int v = 0; v < 8; ++v) weights[v] = double{part.weight[a]} * half_way[v];
+}
+
+// sum += Lᵀ N R. Most parts have few corners.
+BURNISH_DISPATCH void add_product(const CellPart& left, const Square& n, const CellPart& right,
+                                  Square& sum) {
+  Square nr;
+  for (int b = 0; b < 8; ++b) {
+    if (right.weight[b] == 0) continue;
+    Double8 r;
+    find_weights(right, b, r);
+    for (int a = 0; a < 8; ++a) nr.row[a] += n.row[a][b] * r;
+  }
+  for (int a = 0; a < 8; ++a) {
+    if (left.weight[a] == 0) continue;
+    Double8 l;
+    find_weights(left, a, l);
+    for (int v = 0; v < 8; ++v) sum.row[v] += l[v] * nr.row[a];
+  }
+}
+
+void add_to_cell(const Square& sum, CellMatrix& cell) {
+  for (int v = 0; v < 8; ++v)
+    for (int w = 0; w < 8; ++w) {
+      cell.row_sum[v] += sum.row[v][w];
+      if (w > v) cell.pair[pair_index(v, w)] += sum.row[v][w];
+    }
+}
+
+void write_tie(const Square& sum, double* tie) {
+  for (int v = 0; v < 8; ++v)
+    for (int w = 0; w < 8; ++w) tie[8 * v + w] = sum.row[v][w];
+}
+
+}  // namespace
+
+void write_square(const CellMatrix& cell, double* square) {
+  write_tie(square_of(cell), square);
+}
+
+void add_shares(const HierarchyDepth& fine, const HierarchyDepth& coarse,
+                const CombinedCells& fine_cells, CombinedCells& coarse_cells) {
+  const CellShares& shares = coarse.shares;
+  const int32_t fine_count = fine.grid.cell_count(), coarse_count = coarse.grid.cell_count();
+#pragma omp parallel for schedule(dynamic, 64) if (shares.target.size() > kTargetsAlone)
+  for (size_t i = 0; i < shares.target.size(); ++i) {
+    Square sum;
+    for (int32_t k = shares.start[i]; k < shares.start[i + 1]; ++k) {
+      const CellShare& share = shares.share[k];
+      const int32_t tie = share.source - fine_count;
+      const Square of_source =
+          tie < 0 ? square_of(fine_cells[share.source])
+                  : square_of(fine_cells.numbers() + number_of_tie(fine_count, tie, 0, 0),
+                              share.is_transposed != 0);
+      add_product(shares.part[share.left], of_source, shares.part[share.right], sum);
+    }
+    if (const int32_t target = shares.target[i]; target < coarse_count)
+      add_to_cell(sum, coarse_cells[target]);
+    else
+      write_tie(sum,
+                coarse_cells.numbers() + number_of_tie(coarse_count, target - coarse_count, 0, 0));
+  }
+}
+
+}  // namespace burnish::cpu

@@ -1,0 +1,83 @@
+#include "server/solver/cpu/assembly/combined_cells.h"
+
+#include "common/base/dispatch.h"
+#include "server/solver/cpu/assembly/cell_shares.h"
+#include "server/solver/cpu/assembly/children.h"
+
+namespace burnish::cpu {
+
+namespace {
+
+constexpr int kCellsAlone = 1024;  // for fewer, threads take longer to wake
+constexpr int kCellsAtOnce = 256;  // to a thread
+
+BURNISH_DISPATCH void combine(const CellIntegrals& of, const CombineWeights& by, CellMatrix& out) {
+  for (int p = 0; p < kPairsPerCell; ++p)
+    out.pair[p] = by.mass * of.mass[p] +
+                  (by.stiffness1 * of.stiffness[0][p] + by.stiffness2 * of.stiffness[1][p]);
+  for (int a = 0; a < 8; ++a) out.row_sum[a] = by.mass * of.mass_row_sum[a];
+}
+
+CombineWeights weights_of(const Metric& metric, int32_t cell) {
+  return combine_weights(metric.alpha1[cell] * metric.scale, metric.alpha2[cell] * metric.scale);
+}
+
+void combine_sheets(const PreparedMesh& prepared, const Metric& metric,
+                    const HierarchyDepth& finest, CombinedCells& cells) {
+#pragma omp parallel for schedule(static)
+  for (int32_t s = 0; s < finest.sheet_count; ++s) {
+    CellMatrix sheet;
+    combine(prepared.sheet_integrals[s], weights_of(metric, prepared.sheets[s].cell), sheet);
+    write_square(sheet, cells.numbers() + number_of_tie(finest.grid.cell_count(), s, 0, 0));
+  }
+}
+
+// `child_of(cell)` gives the cells of the finer depth, each once.
+template <typename ChildOf>
+CombinedCells restrict_children(const HierarchyDepth& fine, const HierarchyDepth& coarse,
+                                ChildOf&& child_of) {
+  CombinedCells cells(coarse);
+#pragma omp parallel for schedule(dynamic, kCellsAtOnce)
+  for (int32_t parent = 0; parent < coarse.grid.cell_count(); ++parent) {
+    RestrictedCell sum;
+    for (int32_t i = coarse.child_start[parent]; i < coarse.child_start[parent + 1]; ++i) {
+      const int32_t child = coarse.child[i];
+      add_restricted(child_of(child), static_cast<int>(fine.grid.cells[child].place & 7), sum);
+    }
+    cells[parent] = sum.packed();
+  }
+  return cells;
+}
+
+}  // namespace
+
+void combine_cells(const PreparedMesh& prepared, const Metric& metric, CombinedCells& cells) {
+#pragma omp parallel for schedule(dynamic, kCellsAtOnce)
+  for (size_t c = 0; c < prepared.integrals.size(); ++c)
+    combine(prepared.integrals[c], weights_of(metric, static_cast<int32_t>(c)), cells[c]);
+}
+
+CombinedCells combine_and_down_sample(const PreparedMesh& prepared, const Metric& metric,
+                                      const HierarchyDepth& fine, const HierarchyDepth& coarse,
+                                      CombinedCells& fine_cells) {
+  CombinedCells cells = restrict_children(fine, coarse, [&](int32_t c) -> const CellMatrix& {
+    combine(prepared.integrals[c], weights_of(metric, c), fine_cells[c]);
+    return fine_cells[c];
+  });
+#pragma omp parallel for schedule(static) if (coarse.shares.apart.size() > kCellsAlone)
+  for (const int32_t c : coarse.shares.apart)
+    combine(prepared.integrals[c], weights_of(metric, c), fine_cells[c]);
+  combine_sheets(prepared, metric, fine, fine_cells);
+  add_shares(fine, coarse, fine_cells, cells);
+  return cells;
+}
+
+CombinedCells down_sample(const HierarchyDepth& fine, const HierarchyDepth& coarse,
+                          const CombinedCells& fine_cells) {
+  CombinedCells cells = restrict_children(
+      fine, coarse, [&](int32_t c) -> const CellMatrix& { return fine_cells[c]; });
+  add_shares(fine, coarse, fine_cells, cells);
+  return cells;
+}
+
+}  // namespace burnish::cpu

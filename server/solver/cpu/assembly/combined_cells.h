@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+
+#include "server/prepare/prepared_mesh.h"
+#include "server/solver/cpu/scratch.h"
+#include "server/solver/hierarchy/cell_matrix.h"
+#include "server/solver/hierarchy/hierarchy.h"
+
+namespace burnish::cpu {
+
+/// The numbers of a depth's cells and ties (stencil.h), combined for one metric.
+class CombinedCells {
+ public:
+  explicit CombinedCells(const HierarchyDepth& depth)
+      : cells_((depth.number_count() + kNumbersPerCell - 1) / kNumbersPerCell) {}
+
+  CellMatrix& operator[](size_t cell) { return cells_[cell]; }
+  const CellMatrix& operator[](size_t cell) const { return cells_[cell]; }
+  double* numbers() { return cells_[0].pair.data(); }
+  const double* numbers() const { return cells_[0].pair.data(); }
+
+ private:
+  static_assert(sizeof(CellMatrix) == kNumbersPerCell * sizeof(double));
+  Scratch<CellMatrix> cells_;
+};
+
+/// α1 and α2 of every cell of the finest depth. Units: grid, once multiplied by `scale`.
+struct Metric {
+  std::span<const float> alpha1, alpha2;
+  double scale;
+};
+
+/// Those of the finest depth, and of the one above it if there is one: combined while they are
+/// restricted.
+void combine_cells(const PreparedMesh& prepared, const Metric& metric, CombinedCells& cells);
+CombinedCells combine_and_down_sample(const PreparedMesh& prepared, const Metric& metric,
+                                      const HierarchyDepth& fine, const HierarchyDepth& coarse,
+                                      CombinedCells& fine_cells);
+
+/// Those of the depth above: Σ Pᵀ K P over its cells' children, and over all shares.
+CombinedCells down_sample(const HierarchyDepth& fine, const HierarchyDepth& coarse,
+                          const CombinedCells& fine_cells);
+
+}  // namespace burnish::cpu

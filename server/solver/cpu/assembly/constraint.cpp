@@ -1,0 +1,169 @@
+#include "server/solver/cpu/assembly/constraint.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/base/dispatch.h"
+#include "server/solver/cpu/scratch.h"
+#include "server/solver/hierarchy/cell_matrix.h"
+
+namespace burnish::cpu {
+
+// With fewer changed cells than this part of all, their corners are summed one by one: a cell's
+// share is then computed for each of its corners anew.
+static constexpr int64_t kFewCellsDivisor = 8;
+
+namespace {
+
+// The last corner's share is minus the sum of the others', since Σ_a ∇B_a = 0.
+BURNISH_DISPATCH void combine(const CellIntegrals& of, double first, double second,
+                              std::array<double, 24>& out) {
+  std::array<double, kPairsPerCell> pair;
+  for (int p = 0; p < kPairsPerCell; ++p) pair[p] = first * of.stiffness[0][p] + second * of.stiffness[1][p];
+#pragma GCC unroll 3
+  for (int axis = 0; axis < 3; ++axis) {
+    double others = 0;
+#pragma GCC unroll 7
+    for (int a = 0; a < 7; ++a)
+      others += out[3 * a + axis] = gradient_of([&](int p) { return pair[p]; }, a, axis);
+    out[21 + axis] = -others;
+  }
+}
+
+}  // namespace
+
+std::vector<double> ratios_of(const CellAlphas& alphas) {
+  std::vector<double> ratios(alphas.alpha1.size());
+  for (size_t c = 0; c < ratios.size(); ++c)
+    ratios[c] = static_cast<double>(alphas.alpha2[c]) / alphas.alpha1[c];
+  return ratios;
+}
+
+Constraint::Constraint(const PreparedMesh& prepared, const CpuDepth& finest)
+    : prepared_(prepared),
+      finest_(finest),
+      ratio_(prepared.cells.size(), 1),
+      per_slider_(finest.corner_count(), Double3::Zero()),
+      is_pinned_(finest.corner_count(), 0),
+      paint_(prepared.cells.size()),
+      has_paint_((prepared.cells.size() + CellPaint::kStretch - 1) / CellPaint::kStretch, 0),
+      is_changed_(prepared.cells.size(), 0) {}
+
+void Constraint::set_ratio(std::vector<double> ratio) {
+  ratio_is_new_ |= ratio != ratio_;
+  ratio_ = std::move(ratio);
+  pins_are_new_ = true;
+}
+
+void Constraint::assemble(const FieldsView& fields, std::vector<Double3>& b,
+                          std::vector<Double3>& r) {
+  const int64_t changed = take(fields.paint);
+  const double by = fields.gradient_scale - std::exchange(slider_, fields.gradient_scale);
+  const auto few = static_cast<int64_t>(paint_.size()) / kFewCellsDivisor;
+  const bool pins_are_new = std::exchange(pins_are_new_, false);
+  if (std::exchange(ratio_is_new_, false) || changed > few) return sum_all(b, r);
+  if (by != 0) slide(by, b, r);
+  if (changed > 0 || pins_are_new) sum_changed(b, r);
+}
+
+// Returns how many cells have another paint.
+int64_t Constraint::take(const CellPaint& paint) {
+  int64_t changed = 0;
+#pragma omp parallel for schedule(static) reduction(+ : changed)
+  for (size_t stretch = 0; stretch < has_paint_.size(); ++stretch)
+    changed += take_stretch(paint, stretch);
+  is_painted_ = std::ranges::count(has_paint_, 0) < std::ssize(has_paint_);
+  return changed;
+}
+
+int64_t Constraint::take_stretch(const CellPaint& paint, size_t stretch) {
+  const size_t begin = stretch * CellPaint::kStretch;
+  const size_t end = std::min(begin + CellPaint::kStretch, paint_.size());
+  std::fill(&is_changed_[begin], &is_changed_[begin] + (end - begin), uint8_t{0});
+  if (!has_paint_[stretch] && !paint.is_painted[stretch]) return 0;
+  has_paint_[stretch] = paint.is_painted[stretch];
+  int64_t changed = 0;
+  for (size_t c = begin; c < end; ++c) {
+    const Paint next = {paint.follow[c], paint.own[c]};
+    is_changed_[c] = next != paint_[c];
+    changed += is_changed_[c];
+    paint_[c] = next;
+  }
+  return changed;
+}
+
+void Constraint::share(int32_t cell, CellShare& out) const {
+  combine(prepared_.integrals[cell], ratio_[cell], 1 / ratio_[cell], out);
+}
+
+// Without paint not by steps: b is nothing again where β is one again.
+void Constraint::slide(double by, std::vector<Double3>& b, std::vector<Double3>& r) const {
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < per_slider_.size(); ++i) {
+    const Double3 before = b[i];
+    b[i] = is_painted_ ? Double3(before + by * per_slider_[i]) : (slider_ - 1) * per_slider_[i];
+    r[i] += b[i] - before;
+  }
+}
+
+// Sums what `share_of` says of the cells around a corner.
+template <typename ShareOf>
+void Constraint::sum_corner(int32_t corner, ShareOf&& share_of, Double3& b, Double3& r) {
+  double of_slider[3] = {}, of_paint[3] = {};
+  for (int a = 0; a < kCornersPerCell; ++a) {
+    const int32_t cell = finest_.topology.grid.cells_of_corner[corner][a];
+    if (cell == kNone) continue;
+    const double* share = &share_of(cell)[3 * a];
+    const Paint paint = is_painted_ ? paint_[cell] : Paint();
+    for (int axis = 0; axis < 3; ++axis) {
+      of_slider[axis] += paint.follow * share[axis];
+      of_paint[axis] += paint.own * share[axis];
+    }
+  }
+  Double3 per_slider(of_slider[0], of_slider[1], of_slider[2]);
+  Double3 own(of_paint[0], of_paint[1], of_paint[2]);
+  is_pinned_[corner] = finest_.inverse_diagonal[corner] == 0;
+  if (is_pinned_[corner]) per_slider = own = Double3::Zero();
+  per_slider_[corner] = per_slider;
+  const Double3 before = std::exchange(b, (slider_ - 1) * per_slider + own);
+  r += b - before;
+}
+
+void Constraint::sum_all(std::vector<Double3>& b, std::vector<Double3>& r) {
+  Scratch<CellShare> shares(ratio_.size());
+#pragma omp parallel for schedule(static)
+  for (size_t cell = 0; cell < ratio_.size(); ++cell)
+    share(static_cast<int32_t>(cell), shares[cell]);
+  const auto share_of = [&](int32_t cell) -> const CellShare& { return shares[cell]; };
+#pragma omp parallel for schedule(static)
+  for (int32_t corner = 0; corner < finest_.corner_count(); ++corner)
+    sum_corner(corner, share_of, b[corner], r[corner]);
+}
+
+bool Constraint::is_pin_new(int32_t corner) const {
+  return is_pinned_[corner] != (finest_.inverse_diagonal[corner] == 0);
+}
+
+// Only the corners of cells whose paint is new, and those that are pinned or free since.
+void Constraint::sum_changed(std::vector<Double3>& b, std::vector<Double3>& r) {
+  const auto is_changed = [&](int32_t cell) { return cell != kNone && is_changed_[cell] != 0; };
+#pragma omp parallel for schedule(static)
+  for (int32_t corner = 0; corner < finest_.corner_count(); ++corner) {
+    if (!is_pin_new(corner) &&
+        std::ranges::none_of(finest_.topology.grid.cells_of_corner[corner], is_changed))
+      continue;
+    CellShare room;
+    const auto share_of = [&](int32_t cell) -> const CellShare& {
+      share(cell, room);
+      return room;
+    };
+    sum_corner(corner, share_of, b[corner], r[corner]);
+  }
+}
+
+uint64_t Constraint::byte_count() const {
+  return bytes_of(ratio_) + bytes_of(per_slider_) + bytes_of(is_pinned_) + bytes_of(paint_) +
+         bytes_of(has_paint_) + bytes_of(is_changed_);
+}
+
+}  // namespace burnish::cpu

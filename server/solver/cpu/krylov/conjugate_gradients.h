@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "server/solver/cpu/cpu_depth.h"
+#include "server/solver/cycle/backend.h"
+#include "server/solver/hierarchy/points_by_cell.h"
+
+namespace burnish::cpu {
+
+/// The outer iteration's matrix, vectors and steps, all in double: what float32 loses at small α
+/// and on flat pieces it loses here, so here it is not used.
+///
+/// Flexible (Polak-Ribière) directions, because the V-cycle runs in float32 and is symmetric only
+/// to its rounding; z_{k+1}·(r_{k+1} − r_k) is −a z_{k+1}·q_k, so that no old residual is kept.
+class ConjugateGradients {
+ public:
+  ConjugateGradients(CpuDepth& finest, const PointsByCell& points);
+
+  ExactMatrix& matrix() { return matrix_; }
+  std::vector<Double3>& constraint() { return b_; }
+  std::vector<Double3>& residual() { return r_; }
+  const std::vector<Double3>& displacement() const { return u_; }
+
+  void recompute_residual();
+  void rescale();
+  /// f = r, after r was changed from outside. The others keep it so.
+  void load_residual();
+  void update_direction(bool restart);
+  void advance();
+  Measures measure() const;
+  uint64_t byte_count() const;
+
+ private:
+  struct Totals {
+    double energy = 0, residual = 0, constraint = 0;
+    Totals& operator+=(const Totals& other) {
+      energy += other.energy;
+      residual += other.residual;
+      constraint += other.constraint;
+      return *this;
+    }
+  };
+
+  Totals move_along(int32_t begin, int32_t end);
+
+  CpuDepth& finest_;
+  const PointsByCell& points_;
+  ExactMatrix matrix_;
+  std::vector<Double3> u_, b_, r_, q_;
+  std::vector<Float4> p_;  // any direction will do; q = S p is exact
+  Double3 z_dot_r_ = Double3::Zero();
+  Double3 step_ = Double3::Zero();  // a of the last advance()
+  Totals totals_;                   // and what it left
+  double moved_max_ = 0;
+};
+
+}  // namespace burnish::cpu

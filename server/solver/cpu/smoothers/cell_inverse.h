@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+
+#include "server/solver/cpu/cpu_depth.h"
+#include "server/solver/cpu/scratch.h"
+
+namespace burnish::cpu {
+
+/// D^-½ (B_c + reg)⁻¹ D^-½ of one cell, zero at pinned corners; B_c is the 8×8 block of the
+/// diagonally scaled S at the cell's corners, D the diagonal of S. The pairs are packed as
+/// pair_index() says.
+struct CellInverse {
+  std::array<float, kPairsPerCell> pair;
+  std::array<float, 8> diagonal;
+};
+
+/// The inverse blocks of all cells.
+Scratch<CellInverse> invert_cells(const CpuDepth& depth);
+
+}  // namespace burnish::cpu

@@ -1,0 +1,67 @@
+#include "server/solver/cpu/smoothers/spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "server/solver/cpu/blocks.h"
+#include "server/solver/cpu/products/products.h"
+#include "server/solver/cycle/schwarz_bounds.h"
+
+namespace burnish::cpu {
+
+static constexpr int kIterationsFirst = 15;
+static constexpr int kIterationsNext = 1;
+
+static double dot(const std::vector<Float4>& x, const std::vector<Float4>& y) {
+  return ordered_sum<double>(static_cast<int32_t>(x.size()), [&](int32_t begin, int32_t end) {
+    double sum = 0;
+    for (int32_t i = begin; i < end; ++i) sum += (x[i] * y[i]).cast<double>().sum();
+    return sum;
+  });
+}
+
+static void set_all(std::vector<Float4>& x, const Float4& value) {
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < x.size(); ++i) x[i] = value;
+}
+
+static void scale_all(std::vector<Float4>& x, float factor) {
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < x.size(); ++i) x[i] *= factor;
+}
+
+// Three columns of noise that leave no eigenvector out.
+void LambdaMax::set_start(const std::vector<float>& inverse_diagonal) {
+  std::minstd_rand noise(1);
+  const auto next = [&] { return static_cast<float>(noise()) / std::minstd_rand::max() - 0.5f; };
+  for (size_t i = 0; i < eigenvector_.size(); ++i)
+    eigenvector_[i] = std::sqrt(inverse_diagonal[i]) * Float4(next(), next(), next(), 0);
+}
+
+float LambdaMax::estimate(CpuDepth& depth, Bounds bounds, const std::function<void()>& apply) {
+  if (started_ && !depth.is_spectrum_new) return latest_;
+  if (!started_) set_start(depth.inverse_diagonal);
+  const int iterations = started_ ? kIterationsNext : kIterationsFirst;
+  started_ = true;
+  depth.x.swap(eigenvector_);
+  set_all(depth.f, Float4::Zero());
+  double before = 0;
+  for (int i = 0; i < iterations; ++i) {
+    compute_residual(depth);  // −S x
+    if (i + 1 == iterations) before = -dot(depth.x, depth.r);
+    apply();  // x = M⁻¹S x
+  }
+  const double after = -dot(depth.x, depth.r);
+  depth.x.swap(eigenvector_);
+  if (!(before > 0 && after > 0)) {  // nothing but pinned corners
+    started_ = false;
+    return static_cast<float>(bounds.most);
+  }
+  scale_all(eigenvector_, static_cast<float>(1 / std::sqrt(after)));
+  latest_ =
+      static_cast<float>(std::clamp(after / before * kLambdaMaxMargin, bounds.least, bounds.most));
+  return latest_;
+}
+
+}  // namespace burnish::cpu

@@ -1,0 +1,129 @@
+#include <type_traits>
+
+#include "server/solver/cuda/assembly/assembly.h"
+#include "server/solver/cuda/assembly/gather_rows.h"
+#include "server/solver/cuda/assembly/gradient_shares.h"
+#include "server/solver/cuda/assembly/irregular_rows.h"
+#include "server/solver/cuda/products/products.h"
+
+namespace burnish::cuda {
+
+namespace {
+
+constexpr float kPinnedBelow = 1e-12f;  // of the median diagonal
+constexpr int kMedianSamples = 64;
+
+// A cell's share of a diagonal.
+template <typename Real>
+__device__ Real diagonal_of(const CellSquares<Real>& cells, int64_t cell, int a) {
+  Real diagonal = own_of(cells, cell, a);
+#pragma unroll
+  for (int step = 1; step < 8; ++step) diagonal -= pair_of(cells, cell, pair_index(a, a ^ step));
+  return diagonal;
+}
+
+// The median of an even sample, by one block with eight threads for each: the number that half of
+// the others precede. Irregular rows are no part of it.
+template <typename Real>
+__global__ void pinned_below_kernel(Topology topology, CellSquares<Real> cells,
+                                    float* pinned_below) {
+  __shared__ float sample[kMedianSamples];
+  let_next_start();
+  const int stride = max(1, topology.corner_count / kMedianSamples);
+  const int count = min(kMedianSamples, topology.corner_count / stride);
+  const auto t = static_cast<int>(threadIdx.x / 8), a = static_cast<int>(threadIdx.x % 8);
+  const int32_t cell = t < count ? topology.cells_of_corner[t * stride].at[a] : -1;
+  await_previous();
+  auto diagonal = cell >= 0 ? static_cast<float>(diagonal_of(cells, cell, a)) : 0.0f;
+  for (int offset = 4; offset > 0; offset /= 2)
+    diagonal += __shfl_xor_sync(0xffffffffu, diagonal, offset);
+  const bool is_sample =
+      (__ballot_sync(0xffffffffu, cell >= 0) >> threadIdx.x % 32 / 8 * 8 & 0xffu) != 0;
+  const float mine = is_sample ? diagonal : __int_as_float(0x7f800000);  // infinity
+  sample[t] = mine;
+  const int sampled = __syncthreads_count(is_sample) / 8;
+  int rank = 0;
+#pragma unroll
+  for (int k = a; k < kMedianSamples; k += 8)
+    rank += static_cast<int>(sample[k] < mine || (sample[k] == mine && k < t));
+  for (int offset = 4; offset > 0; offset /= 2) rank += __shfl_xor_sync(0xffffffffu, rank, offset);
+  if (a == 0 && rank == sampled / 2) *pinned_below = is_sample ? kPinnedBelow * mine : 0;
+}
+
+enum class Gradients { kNone, kFloats, kWithRests };
+
+template <typename Real, Gradients kGradients>
+__global__ void __launch_bounds__(kThreads, 6)
+    assemble_kernel(CellSquares<Real> cells, Depth depth, BesideMatrix beside, const float4* probe,
+                    const float* pinned_below) {
+  __shared__ RowRoom room;
+  float4* tile = tile_of_block<float4>();
+  let_next_start();
+  const Group group = group_of(depth.topology.rows, blockIdx.x);
+  const int32_t corner = row_of(group);
+  await_previous();
+  if (probe != nullptr) fill_tile(group, probe, tile);
+  if (corner < 0) return;
+  const GatheredRow<Real> row = gather_row(cells, depth.topology.cells_of_corner[corner]);
+  const auto diagonal = static_cast<float>(row.diagonal);
+  depth.system.diagonal[corner] = diagonal;
+  depth.inverse_diagonal[corner] = diagonal > *pinned_below ? 1 / diagonal : 0;
+  if (beside.row_sum != nullptr) beside.row_sum[corner] = row.own;
+  float4 product = zero4();
+  if (probe != nullptr) product = diagonal * tile[threadIdx.x];
+  const Rows& rows = depth.topology.rows;
+  const auto rest_of = [](Real value) {
+    return value - value_of(pack(static_cast<float>(value), 0));
+  };
+  if (depth.system.rest != nullptr)
+    store_row(
+        rows, corner, row, room, [&](Real value) { return static_cast<float>(rest_of(value)); },
+        [&](int64_t k, float rest, uint32_t) { depth.system.rest[k] = rest; });
+  if (depth.remainder != nullptr)
+    store_row(
+        rows, corner, row, room,
+        [&](Real value) {
+          return static_cast<float>(rest_of(value) - static_cast<float>(rest_of(value)));
+        },
+        [&](int64_t k, float remainder, uint32_t) { depth.remainder[k] = remainder; });
+  const auto as_float = [](Real value) { return static_cast<float>(value); };
+  store_row(rows, corner, row, room, as_float, [&](int64_t k, float value, uint32_t local) {
+    const uint32_t packed = pack(value, local);
+    depth.system.packed[k] = packed;
+    if (probe != nullptr) product = product + value_of(packed) * tile[local];
+  });
+  if (probe != nullptr) depth.r[corner] = product;
+  if constexpr (kGradients != Gradients::kNone)
+    beside.per_slider[corner] = sum_shares<kGradients == Gradients::kWithRests>(
+        beside.gradients, depth.topology.cells_of_corner[corner]);
+}
+
+template <typename Real>
+auto choose_kernel(const BesideMatrix& beside) {
+  if constexpr (std::is_same_v<Real, double>) {
+    if (beside.gradients.rests != nullptr) return assemble_kernel<Real, Gradients::kWithRests>;
+    if (beside.gradients.numbers != nullptr) return assemble_kernel<Real, Gradients::kFloats>;
+  }
+  return assemble_kernel<Real, Gradients::kNone>;
+}
+
+}  // namespace
+
+template <typename Real>
+void assemble(Stream& stream, const CellSquares<Real>& cells, const Depth& depth,
+              const BesideMatrix& beside, const float4* probe, float* pinned_below) {
+  launch_blocks(stream, pinned_below_kernel<Real>, dim3(1), dim3(8 * kMedianSamples), 0,
+                depth.topology, cells, pinned_below);
+  const Rows& rows = depth.topology.rows;
+  launch_products<float4>(stream, choose_kernel<Real>(beside), rows, rows.group_count, cells, depth,
+                          beside, probe, pinned_below);
+  if constexpr (std::is_same_v<Real, float>)  // the finest depth, in double, is regular
+    assemble_irregular_rows(stream, cells, depth, probe, pinned_below);
+}
+
+template void assemble(Stream&, const CellSquares<double>&, const Depth&, const BesideMatrix&,
+                       const float4*, float*);
+template void assemble(Stream&, const CellSquares<float>&, const Depth&, const BesideMatrix&,
+                       const float4*, float*);
+
+}  // namespace burnish::cuda

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "server/solver/cuda/device/views.h"
+#include "server/solver/hierarchy/cell_matrix.h"
+
+namespace burnish::cuda {
+
+/// One axis of a cell's gradients. They must add up to zero, since Σ_a ∇B_a = 0: a sum that is off
+/// by rounding would push the surface as a whole. Hence what the last one's floats leave is kept
+/// too.
+template <int kAxis, bool kRests, typename Pair>
+__device__ void write_axis(Pair&& stiffness_of_pair, int64_t cell, const CellGradients& to) {
+  double last = 0;
+#pragma unroll
+  for (int a = 0; a < 7; ++a) {
+    const int64_t at = (3 * a + kAxis) * to.cells + cell;
+    const double share = gradient_of(stiffness_of_pair, a, kAxis);
+    const auto number = static_cast<float>(share);
+    to.numbers[at] = number;
+    last -= number;
+    if (!kRests) continue;
+    const auto rest = static_cast<float>(share - number);
+    to.rests[at] = rest;
+    last -= rest;
+  }
+  const auto number = static_cast<float>(last);
+  to.numbers[(21 + kAxis) * to.cells + cell] = number;
+  to.numbers[(24 + kAxis) * to.cells + cell] = static_cast<float>(last - number);
+}
+
+/// `stiffness_of_pair(p)`: the combined stiffness of the cell's pairs.
+template <bool kRests, typename Pair>
+__device__ void write_gradients(Pair&& stiffness_of_pair, int64_t cell, const CellGradients& to) {
+  write_axis<0, kRests>(stiffness_of_pair, cell, to);
+  write_axis<1, kRests>(stiffness_of_pair, cell, to);
+  write_axis<2, kRests>(stiffness_of_pair, cell, to);
+}
+
+}  // namespace burnish::cuda

@@ -1,0 +1,132 @@
+#pragma once
+
+#include "server/solver/cuda/device/kernel.h"
+#include "server/solver/hierarchy/cell_matrix.h"
+
+// Σ Pᵀ K P over the children of coarse cells, read once through a block's shared memory.
+
+namespace burnish::cuda {
+
+/// A cell's numbers are shared out among the warps of a block: so many each, one after the other.
+inline constexpr int kWarps = kThreads / 32;
+inline constexpr int kEach = CellSquares<float>::kNumbers / kWarps;
+inline constexpr int kPairsOfEach = kPairsPerCell / kWarps;
+
+__device__ inline int number_of(int n) {
+  return n * kWarps + static_cast<int>(threadIdx.x / 32);
+}
+
+/// The children of a block's parents, each read once.
+inline constexpr int kParents = kThreads / 8;
+inline constexpr int kChildren = 8 * kParents;
+inline constexpr int kRounds = kChildren / 32;
+struct Children {
+  const int32_t* cell;
+  int count;
+  int32_t before;  // of all children
+};
+
+__device__ inline Children children_of_block(const Topology& coarse) {
+  const int32_t parent = static_cast<int32_t>(blockIdx.x) * kParents;
+  const int32_t first = coarse.child_start[parent];
+  const int32_t end = coarse.child_start[min(parent + kParents, coarse.cell_count)];
+  return {coarse.child + first, end - first, first};
+}
+
+struct ChildNumbers {
+  int octant[kChildren];
+  float numbers[CellSquares<float>::kNumbers][kChildren + 1];  // one more: banks
+};
+
+/// In rounds of 32 children. load(cell, number, is_pair) is what a number is made of by make(round,
+/// cell, n, loaded), n being the number's among those of the thread, which loads all that it has of
+/// a child at once; after its first loads it calls prepare(), as every thread does.
+template <int kUnroll, typename Load, typename Prepare, typename Make>
+__device__ void read_children(const Children& children, const uint8_t* octant, Load&& load,
+                              Prepare&& prepare, Make&& make, ChildNumbers& read) {
+  for (int i = static_cast<int>(threadIdx.x); i < children.count; i += kThreads)
+    read.octant[i] = octant[children.cell[i]];
+#pragma unroll kUnroll
+  for (int round = 0; round < kRounds; ++round) {
+    if (32 * round >= children.count) break;
+    const int i = 32 * round + static_cast<int>(threadIdx.x % 32);
+    const int64_t cell = children.cell[min(i, children.count - 1)];
+    decltype(load(cell, 0, true)) loaded[kEach];
+#pragma unroll
+    for (int n = 0; n < kEach; ++n) loaded[n] = load(cell, number_of(n), n < kPairsOfEach);
+    if (round == 0) prepare();
+    if (i >= children.count) continue;
+#pragma unroll
+    for (int n = 0; n < kEach; ++n)
+      read.numbers[number_of(n)][i] = static_cast<float>(make(round, cell, n, loaded[n]));
+  }
+  __syncthreads();
+}
+
+/// Row a of K; its last number is the row sum.
+__device__ inline void read_row(const ChildNumbers& children, int i, int a, float (&row)[9]) {
+  row[8] = children.numbers[kPairsPerCell + a][i];
+  float diagonal = row[8];
+#pragma unroll
+  for (int b = 0; b < 8; ++b) {
+    row[b] = a == b ? 0 : children.numbers[pair_index(a, b)][i];
+    diagonal -= row[b];
+  }
+#pragma unroll
+  for (int b = 0; b < 8; ++b)
+    if (a == b) row[b] = diagonal;
+}
+
+/// K P within a row. Along each axis the child's corner in the parent's middle shares itself out by
+/// halves.
+__device__ inline void restrict_columns(int octant, float (&row)[9]) {
+#pragma unroll
+  for (int bit = 1; bit < 8; bit *= 2)
+#pragma unroll
+    for (int b = 0; b < 8; ++b) {
+      if (b & bit) continue;
+      float &low = row[b], &high = row[b | bit];
+      const float half = 0.5f * (octant & bit ? low : high);
+      low = octant & bit ? half : low + half;
+      high = octant & bit ? high + half : half;
+    }
+}
+
+/// Pᵀ from the left, among the eight neighbouring threads that hold a row each.
+__device__ inline void restrict_rows(int octant, int a, unsigned group, float (&row)[9]) {
+#pragma unroll
+  for (int bit = 1; bit < 8; bit *= 2) {
+    const bool in_middle = ((a ^ octant) & bit) != 0;
+#pragma unroll
+    for (int b = 0; b < 9; ++b) {
+      const float other = __shfl_xor_sync(group, row[b], bit);
+      row[b] = in_middle ? 0.5f * row[b] : row[b] + 0.5f * other;
+    }
+  }
+}
+
+/// Eight threads per coarse cell, each with a row.
+__device__ inline void sum_children(const Topology& coarse, const Children& children,
+                                    const ChildNumbers& read,
+                                    const CellSquares<float>& coarse_cells) {
+  const int64_t parent = thread_index() / 8;
+  if (parent >= coarse_cells.cells) return;
+  const int a = static_cast<int>(threadIdx.x % 8);
+  const unsigned group = 0xffu << (threadIdx.x % 32 / 8 * 8);
+  float sum[9] = {};
+  for (int32_t k = coarse.child_start[parent]; k < coarse.child_start[parent + 1]; ++k) {
+    const int i = k - children.before;
+    float row[9];
+    read_row(read, i, a, row);
+    restrict_columns(read.octant[i], row);
+    restrict_rows(read.octant[i], a, group, row);
+#pragma unroll
+    for (int b = 0; b < 9; ++b) sum[b] += row[b];
+  }
+#pragma unroll
+  for (int b = 0; b < 8; ++b)
+    if (b > a) pair_of(coarse_cells, parent, pair_index(a, b)) = sum[b];
+  own_of(coarse_cells, parent, a) = sum[8];
+}
+
+}  // namespace burnish::cuda

@@ -1,0 +1,240 @@
+#include "server/solver/cuda/assembly/cell_alpha.h"
+#include "server/solver/cuda/assembly/cell_gradients.h"
+#include "server/solver/cuda/assembly/cell_shares.h"
+#include "server/solver/cuda/assembly/children.h"
+#include "server/solver/cuda/assembly/combined_cells.h"
+#include "server/solver/cuda/device/kernel.h"
+#include "server/solver/cuda/mesh/mass_places.h"
+#include "server/solver/hierarchy/cell_matrix.h"
+
+namespace burnish::cuda {
+
+namespace {
+
+// Numbers that are at least one compare as their bits do, and a largest has no order.
+__device__ void keep_largest(float number, float* largest) {
+  for (int offset = 16; offset > 0; offset /= 2)
+    number = fmaxf(number, __shfl_xor_sync(0xffffffffu, number, offset));
+  if (threadIdx.x % 32 == 0)
+    atomicMax(reinterpret_cast<unsigned*>(largest), __float_as_uint(number));
+}
+
+__device__ CombineWeights weights_of(const Metric& metric, float2 alpha) {
+  return combine_weights(alpha.x * metric.scale, alpha.y * metric.scale);
+}
+
+// The same, and what is kept of the metric. Each warp of a block calls it whole; cell < 0 for none.
+__device__ CombineWeights take_weights(const Metric& metric, int64_t cell) {
+  const float2 alpha = cell >= 0 ? alpha_of(*metric.alpha, metric.curvature, cell) : float2{1, 1};
+  keep_largest(fmaxf(alpha.x / alpha.y, alpha.y / alpha.x), metric.anisotropy);
+  return weights_of(metric, alpha);
+}
+
+// A number's three integrals. Pairs come first, then row sums, which are the mass's alone. They
+// never change: such loads need not wait for the stores before.
+struct ThreeIntegrals {
+  double mass, stiffness1, stiffness2;
+};
+
+__constant__ constexpr MassPlaces kMassPlaces = mass_places();
+
+__device__ ThreeIntegrals integrals_of(const Integrals& integrals, int64_t cell, int number,
+                                       bool is_pair) {
+  constexpr int kFirstSum = Integrals::kMasses, kFirst = kFirstSum + Integrals::kRowSums;
+  const auto integral = [&](int n) {
+    return __ldg(integrals.numbers + n * integrals.cells + cell);
+  };
+  if (!is_pair) return {integral(kFirstSum + number - kPairsPerCell), 0, 0};
+  return {integral(kMassPlaces.of_pair[number]), integral(kFirst + number),
+          integral(kFirst + Integrals::kStiffnesses + number)};
+}
+
+__device__ double stiffness_of(const ThreeIntegrals& of, const CombineWeights& weights) {
+  return weights.stiffness1 * of.stiffness1 + weights.stiffness2 * of.stiffness2;
+}
+
+__device__ double combine(const ThreeIntegrals& of, const CombineWeights& weights) {
+  return weights.mass * of.mass + stiffness_of(of, weights);
+}
+
+enum class Gradients { kNone, kFloats, kWithRests };
+
+// 32 cells a block: those that are listed, or all. It may run beside the kernel that combines all
+// other cells, none of whose numbers it needs, and which writes the same where both write: what it
+// waits for is that it ends after it.
+template <Gradients kGradients>
+__global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
+                               const int32_t* list, int64_t count) {
+  constexpr bool kAny = kGradients != Gradients::kNone;
+  __shared__ CombineWeights weights[32];
+  __shared__ double stiffness[kAny ? kPairsPerCell : 1][32 + 1];  // one more: banks
+  let_next_start();
+  const auto lane = static_cast<int>(threadIdx.x % 32);
+  const int64_t i = int64_t{blockIdx.x} * 32 + lane, there = min(i, count - 1);
+  const int64_t cell = list != nullptr ? list[there] : there;
+  ThreeIntegrals loaded[kEach];
+#pragma unroll
+  for (int n = 0; n < kEach; ++n)
+    loaded[n] = integrals_of(integrals, cell, number_of(n), n < kPairsOfEach);
+  if (threadIdx.x < 32) weights[lane] = take_weights(metric, i < count ? cell : -1);
+  __syncthreads();
+#pragma unroll
+  for (int n = 0; n < kEach; ++n) {
+    if (i < count)
+      combined.numbers[number_of(n) * combined.cells + cell] = combine(loaded[n], weights[lane]);
+    if (kAny && n < kPairsOfEach)
+      stiffness[number_of(n)][lane] = stiffness_of(loaded[n], weights[lane]);
+  }
+  if (kAny) {
+    __syncthreads();
+    const auto of_pair = [&](int pair) { return stiffness[pair][lane]; };
+    if (threadIdx.x < 32 && i < count)
+      write_gradients<kGradients == Gradients::kWithRests>(of_pair, cell, metric.gradients);
+  }
+  await_previous();
+}
+
+// The same of sheets, as 8×8 matrices one after the other.
+__global__ void combine_sheets_kernel(SheetIntegrals sheets, Metric metric, double* squares) {
+  __shared__ CombineWeights weights[32];
+  __shared__ double numbers[CellSquares<double>::kNumbers][32 + 1];
+  let_next_start();
+  const auto lane = static_cast<int32_t>(threadIdx.x % 32);
+  const int64_t first = int64_t{blockIdx.x} * 32;
+  const int64_t sheet = min(first + lane, sheets.integrals.cells - 1);
+  ThreeIntegrals loaded[kEach];
+#pragma unroll
+  for (int n = 0; n < kEach; ++n)
+    loaded[n] = integrals_of(sheets.integrals, sheet, number_of(n), n < kPairsOfEach);
+  if (threadIdx.x < 32) {
+    weights[lane] =
+        weights_of(metric, alpha_of(*metric.alpha, metric.curvature, sheets.cell[sheet]));
+  }
+  __syncthreads();
+#pragma unroll
+  for (int n = 0; n < kEach; ++n) numbers[number_of(n)][lane] = combine(loaded[n], weights[lane]);
+  __syncthreads();
+  const auto count = static_cast<int>(min(int64_t{32}, sheets.integrals.cells - first));
+  for (auto k = static_cast<int>(threadIdx.x); k < 64 * count; k += kThreads) {
+    const int i = k / 64, a = k / 8 % 8, b = k % 8;
+    double number = numbers[a == b ? kPairsPerCell + a : pair_index(a, b)][i];
+    for (int step = 1; a == b && step < 8; ++step) number -= numbers[pair_index(a, a ^ step)][i];
+    squares[64 * first + k] = number;
+  }
+  await_previous();
+}
+
+// What of stiffness gradients are made of waits in registers until the shared memory is free: with
+// room of its own fewer blocks would be under way.
+template <bool kGradients>
+__global__ void __launch_bounds__(kThreads, 5)
+    combine_and_down_sample_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
+                                   Topology fine, Topology coarse,
+                                   CellSquares<float> coarse_cells) {
+  __shared__ ChildNumbers read;
+  __shared__ CombineWeights weights[kChildren];
+  let_next_start();
+  const Children children = children_of_block(coarse);
+  await_previous();
+  const auto t = static_cast<int>(threadIdx.x);
+  const auto make_weights = [&] {
+    weights[t] = take_weights(metric, t < children.count ? children.cell[t] : -1);
+    __syncthreads();
+  };
+  const auto load = [&](int64_t cell, int number, bool is_pair) {
+    return integrals_of(integrals, cell, number, is_pair);
+  };
+  float stiffness[kRounds][kPairsOfEach] = {};
+  const auto make = [&](int round, int64_t cell, int n, const ThreeIntegrals& loaded) {
+    const CombineWeights& by = weights[32 * round + t % 32];
+    if (kGradients && n < kPairsOfEach)
+      stiffness[round][n] = static_cast<float>(stiffness_of(loaded, by));
+    return combined.numbers[number_of(n) * combined.cells + cell] = combine(loaded, by);
+  };
+  read_children<kGradients ? kRounds : 1>(children, fine.octant, load, make_weights, make, read);
+  sum_children(coarse, children, read, coarse_cells);
+  if (!kGradients) return;
+  __syncthreads();
+#pragma unroll
+  for (int round = 0; round < kRounds; ++round)
+#pragma unroll
+    for (int n = 0; n < kPairsOfEach; ++n)
+      read.numbers[number_of(n)][32 * round + t % 32] = stiffness[round][n];
+  __syncthreads();
+  const auto of_pair = [&](int pair) { return read.numbers[pair][t]; };
+  if (t < children.count) write_gradients<false>(of_pair, children.cell[t], metric.gradients);
+}
+static_assert(kChildren == kThreads);
+
+__global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<float> fine_cells,
+                                   CellSquares<float> coarse_cells) {
+  __shared__ ChildNumbers read;
+  let_next_start();
+  const Children children = children_of_block(coarse);
+  await_previous();
+  const auto load = [&](int64_t cell, int number, bool) {
+    return fine_cells.numbers[number * fine_cells.cells + cell];
+  };
+  const auto keep = [](int, int64_t, int, float loaded) { return loaded; };
+  read_children<1>(
+      children, fine.octant, load, [] {}, keep, read);
+  sum_children(coarse, children, read, coarse_cells);
+}
+
+__global__ void tell_alpha_kernel(AlphaSource alpha, AlphaSource* to) {
+  await_previous();
+  *to = alpha;
+}
+
+}  // namespace
+
+void tell_alpha(Stream& stream, const AlphaSource& alpha, AlphaSource* to) {
+  launch_blocks(stream, tell_alpha_kernel, dim3(1), dim3(1), 0, alpha, to);
+}
+
+static Gradients gradients_of(const Metric& metric) {
+  if (metric.gradients.numbers == nullptr) return Gradients::kNone;
+  return metric.gradients.rests == nullptr ? Gradients::kFloats : Gradients::kWithRests;
+}
+
+// With `list` null: all cells.
+static void combine(Stream& stream, const Integrals& integrals, const Metric& metric,
+                    const CellSquares<double>& combined, const int32_t* list, int64_t count) {
+  auto* kernel = combine_kernel<Gradients::kNone>;
+  if (gradients_of(metric) == Gradients::kFloats) kernel = combine_kernel<Gradients::kFloats>;
+  if (gradients_of(metric) == Gradients::kWithRests) kernel = combine_kernel<Gradients::kWithRests>;
+  launch(stream, kernel, kWarps * count, integrals, metric, combined, list, count);
+}
+
+void combine_integrals(Stream& stream, const Integrals& integrals, const Metric& metric,
+                       const CellSquares<double>& combined) {
+  combine(stream, integrals, metric, combined, nullptr, combined.cells);
+}
+
+void combine_integrals(Stream& stream, const Integrals& integrals, const SheetIntegrals& sheets,
+                       const Metric& metric, const CellSquares<double>& combined,
+                       const Topology& fine, const Topology& coarse,
+                       const CellSquares<float>& coarse_cells) {
+  const Gradients gradients = gradients_of(metric);
+  launch(stream,
+         gradients == Gradients::kFloats ? combine_and_down_sample_kernel<true>
+                                         : combine_and_down_sample_kernel<false>,
+         8 * coarse_cells.cells, integrals, metric, combined, fine, coarse, coarse_cells);
+  // Rests need doubles, which take more shared memory than that kernel has: all cells are combined
+  // once more, to the same.
+  if (gradients == Gradients::kWithRests)
+    combine(stream, integrals, metric, combined, nullptr, combined.cells);
+  else
+    combine(stream, integrals, metric, combined, coarse.shares.apart, coarse.shares.apart_count);
+  launch(stream, combine_sheets_kernel, kWarps * sheets.integrals.cells, sheets, metric,
+         combined.numbers + combined.kNumbers * combined.cells);
+}
+
+void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,
+                 const CellSquares<float>& fine_cells, const CellSquares<float>& coarse_cells) {
+  launch(stream, down_sample_kernel, 8 * coarse_cells.cells, fine, coarse, fine_cells,
+         coarse_cells);
+  add_shares(stream, coarse.shares, fine_cells, coarse_cells);
+}
+
+}  // namespace burnish::cuda

@@ -1,0 +1,89 @@
+#pragma once
+
+#include "common/grid/stencil_slots.h"
+#include "server/solver/cuda/device/kernel.h"
+#include "server/solver/hierarchy/cell_matrix.h"
+
+namespace burnish::cuda {
+
+/// A row of the stencil: the sum over the corner's cells, always in the same order.
+template <typename Real>
+struct GatheredRow {
+  Real by_slot[kSlots];
+  Real own;
+  /// The row sum less the others. In double: at corners of little weight the others may be much
+  /// larger than it, and a cycle that goes by what float32 leaves of it does not converge.
+  double diagonal;
+};
+
+/// The cells of a corner; none of no corner, which is -1.
+__device__ inline Eight cells_around(const Topology& topology, int32_t corner) {
+  if (corner >= 0) return topology.cells_of_corner[corner];
+  return {-1, -1, -1, -1, -1, -1, -1, -1};
+}
+
+/// Whether a corner has cells by side: those of irregular rows have not.
+__device__ inline bool is_regular(const Eight& cells) {
+  int all = cells.at[0];  // negative while all are
+#pragma unroll
+  for (int a = 1; a < 8; ++a) all &= cells.at[a];
+  return all >= 0;
+}
+
+// A cell that is not there counts as the first, times zero: its loads need not wait for a branch.
+template <typename Real>
+__device__ GatheredRow<Real> gather_row(const CellSquares<Real>& cells, const Eight& cells_here) {
+  GatheredRow<Real> row = {};
+#pragma unroll
+  for (int a = 0; a < 8; ++a) {
+    const bool is_there = cells_here.at[a] >= 0;
+    const int32_t cell = is_there ? cells_here.at[a] : 0;
+    const Real own = own_of(cells, cell, a);
+    row.own += is_there ? own : 0;
+    double diagonal = own;
+#pragma unroll
+    for (int b = 0; b < 8; ++b) {
+      if (b == a) continue;
+      const Real pair = pair_of(cells, cell, pair_index(a, b));
+      row.by_slot[slot_between(a, b)] += is_there ? pair : 0;
+      diagonal -= pair;
+    }
+    row.diagonal += is_there ? diagonal : 0;
+  }
+  return row;
+}
+
+/// Room of a block for the rows that it stores.
+struct RowRoom {
+  float by_slot[kSlots][kThreads];
+};
+
+/// Calls store(k, value, local) for the present slots of a row, k being the entry's place, `local`
+/// that of its column in the group's tile, and value value_of(number of the slot); then with zeros
+/// to the end of its slice, because a sector of memory that is written in part is read first. The
+/// row goes through shared memory, so that all rows of a slice store their first entries, then
+/// their second.
+template <typename Real, typename ValueOf, typename Store>
+__device__ void store_row(const Rows& rows, int32_t corner, const GatheredRow<Real>& row,
+                          RowRoom& room, ValueOf&& value_of, Store&& store) {
+#pragma unroll
+  for (int slot = 0; slot < kSlots; ++slot)
+    room.by_slot[slot][threadIdx.x] = value_of(row.by_slot[slot]);
+  const int64_t begin = row_begin(rows, corner);
+  const auto longest = static_cast<int>(
+      (rows.slice_start[corner / kSliceRows + 1] - rows.slice_start[corner / kSliceRows]) /
+      kSliceRows);
+  uint32_t mask = rows.mask[corner];
+  uint16_t local[kSlots - 1];  // all at once: one after the other they would take most of the time
+#pragma unroll
+  for (int j = 0; j < kSlots - 1; ++j)
+    local[j] = j < longest ? rows.local[begin + kSliceRows * j] : 0;
+#pragma unroll
+  for (int j = 0; j < kSlots - 1; ++j, mask &= mask - 1)
+    if (j < longest) {
+      const int slot = mask != 0 ? __ffs(static_cast<int>(mask)) - 1 : kSelfSlot;  // that is 0
+      store(begin + kSliceRows * j, room.by_slot[slot][threadIdx.x], uint32_t{local[j]});
+    }
+}
+
+}  // namespace burnish::cuda

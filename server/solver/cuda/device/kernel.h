@@ -1,0 +1,138 @@
+#pragma once
+
+// What the .cu files share: vectors of three columns, rows, and how a kernel is started.
+
+#include "server/solver/cuda/device/stream.h"
+#include "server/solver/cuda/device/views.h"
+
+namespace burnish::cuda {
+
+inline constexpr int kThreads = 128;
+
+/// Starts blocks of threads with so much shared memory beside what they declare. Where the device
+/// can, they come up while the kernel before still runs, and wait in await_previous(): much of a
+/// small depth's time would else be the starting of kernels.
+template <typename... Params, typename... Args>
+void launch_blocks(Stream& stream, void (*kernel)(Params...), dim3 blocks, dim3 threads,
+                   size_t shared_bytes, Args... args) {
+  if (!stream.is_ok()) return;
+  cudaLaunchAttribute attributes[2] = {};
+  cudaLaunchConfig_t config = {};
+  config.gridDim = blocks;
+  config.blockDim = threads;
+  config.dynamicSmemBytes = shared_bytes;
+  config.stream = stream.get();
+  config.attrs = attributes;
+  if (stream.starts_early()) {
+    cudaLaunchAttribute& early = attributes[config.numAttrs++];
+    early.id = cudaLaunchAttributeProgrammaticStreamSerialization;
+    early.val.programmaticStreamSerializationAllowed = 1;
+  }
+  if (stream.shared_percent() != Stream::kAsItSuits) {
+    cudaLaunchAttribute& split = attributes[config.numAttrs++];
+    split.id = cudaLaunchAttributePreferredSharedMemoryCarveout;
+    split.val.sharedMemCarveout = static_cast<unsigned>(stream.shared_percent());
+  }
+  stream.check(cudaLaunchKernelEx(&config, kernel, static_cast<Params>(args)...),
+               "starting a kernel");
+}
+
+/// How many blocks have a thread for each of `count` items.
+inline unsigned block_count(int64_t count) {
+  return static_cast<unsigned>((count + kThreads - 1) / kThreads);
+}
+
+/// Starts one thread for each of `count` items.
+template <typename... Params, typename... Args>
+void launch(Stream& stream, void (*kernel)(Params...), int64_t count, Args... args) {
+  if (count > 0)
+    launch_blocks(stream, kernel, dim3(block_count(count)), dim3(kThreads), 0, args...);
+}
+
+/// Lets the kernel after this one come up. The first statement of a kernel that has something to do
+/// before await_previous().
+__device__ inline void let_next_start() {
+#if __CUDA_ARCH__ >= 900
+  cudaTriggerProgrammaticLaunchCompletion();
+#endif
+}
+
+/// What the kernels before have written is there afterwards. Before, a kernel may read what none of
+/// those has written that it was not kept from by a host that waits, another graph, a copy or a
+/// memset: the mesh, and within a cycle the matrices.
+__device__ inline void await_previous() {
+  let_next_start();
+#if __CUDA_ARCH__ >= 900
+  cudaGridDependencySynchronize();
+#endif
+}
+
+/// The same, but the next kernel comes up only then: of a long chain no more than two are on the
+/// device, where all that wait would else keep other work from it.
+__device__ inline void await_previous_alone() {
+#if __CUDA_ARCH__ >= 900
+  cudaGridDependencySynchronize();
+#endif
+  let_next_start();
+}
+
+__device__ inline int64_t thread_index() {
+  return static_cast<int64_t>(blockIdx.x) * blockDim.x + threadIdx.x;
+}
+
+__device__ inline float4 operator+(float4 a, float4 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z, 0};
+}
+__device__ inline float4 operator-(float4 a, float4 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z, 0};
+}
+__device__ inline float4 operator*(float s, float4 a) {
+  return {s * a.x, s * a.y, s * a.z, 0};
+}
+__device__ inline float4 zero4() {
+  return {0, 0, 0, 0};
+}
+
+__device__ inline Double3 operator+(Double3 a, Double3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+__device__ inline Double3 operator-(Double3 a, Double3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+__device__ inline Double3 operator*(double s, Double3 a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+__device__ inline Double3 operator*(Double3 a, Double3 b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+__device__ inline Double3 to_double(float4 a) {
+  return {a.x, a.y, a.z};
+}
+__device__ inline float4 to_float(Double3 a) {
+  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z), 0};
+}
+__device__ inline double sum_of(Double3 a) {
+  return a.x + a.y + a.z;
+}
+
+template <typename Real>
+__device__ Real& pair_of(const CellSquares<Real>& squares, int64_t cell, int pair) {
+  return squares.numbers[pair * squares.cells + cell];
+}
+template <typename Real>
+__device__ Real& own_of(const CellSquares<Real>& squares, int64_t cell, int corner) {
+  return squares.numbers[(kPairsPerCell + corner) * squares.cells + cell];
+}
+
+__device__ inline int64_t row_begin(const Rows& rows, int32_t i) {
+  return rows.slice_start[i / kSliceRows] + i % kSliceRows;
+}
+__device__ inline int64_t row_end(const Rows& rows, int32_t i, int64_t begin) {
+  return begin + kSliceRows * __popc(rows.mask[i]);
+}
+/// Where slot s of row i stands. Needs: the slot is present.
+__device__ inline int64_t entry_position(const Rows& rows, int32_t i, int slot) {
+  return row_begin(rows, i) + kSliceRows * __popc(rows.mask[i] & ((1u << slot) - 1));
+}
+
+}  // namespace burnish::cuda

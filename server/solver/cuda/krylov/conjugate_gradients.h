@@ -1,0 +1,77 @@
+#pragma once
+
+#include "server/solver/cuda/device/branch.h"
+#include "server/solver/cuda/device/device_memory.h"
+#include "server/solver/cuda/device/views.h"
+
+namespace burnish::cuda {
+
+/// Flexible conjugate gradients in double, as on the CPU: see cpu/conjugate_gradients.h. Steps and
+/// sums stay on the device; only measure() waits for them.
+///
+/// A step has two passes over the depth. With z the V-cycle's correction, the first makes w = S z
+/// and its sums; what p, q = S p and p·q are follows from these and the last p's. The second makes
+/// p, q, u and r with their sums, and E p of the vertices, which tells how far they move: E z is
+/// made beside the first.
+///
+/// Whatever writes r writes it in float32 too, as the next cycle's f.
+class ConjugateGradients {
+ public:
+  /// What one step hands to the next, per column.
+  struct Scalars {
+    double z_dot_r[3];
+    double p_dot_q[3], p_dot_r[3];  ///< after the last advance()
+    double step[3];                 ///< a of the last advance()
+    double momentum[3];
+    double scale[3];          ///< a of the last rescale()
+    float moved_squared_max;  ///< of |E a p| at a vertex
+    double energy, residual, constraint;
+  };
+  /// What the kernels work on.
+  struct Vectors {
+    Depth finest;
+    double* row_sum;  ///< of S
+    Double3 *u, *r, *p, *q, *w;
+    Constraint b;
+    int64_t vertex_count;
+    float4 *vertex_z, *vertex_p;  ///< E z and E p, one per vertex
+    Partials<9> products;
+    Partials<9> measures;
+    Scalars* scalars;
+    Scalars* measured;  ///< the same on the host, after advance()
+  };
+
+  ConjugateGradients(Stream& stream, const Depth& finest, const VertexPlace* evaluation,
+                     size_t vertex_count);
+
+  double* row_sum() const { return vectors_.row_sum; }
+  const Constraint& constraint() const { return vectors_.b; }
+  Double3* residual() const { return vectors_.r; }
+  const DeviceArray<Double3>& displacement() const { return u_; }
+
+  void recompute_residual();
+  void rescale();
+  void update_direction(bool restart);
+  void advance();
+  /// The sums of backend.h's Measures after the last advance(), not yet divided and rooted. Waits
+  /// for the device.
+  Scalars measure() const;
+  uint64_t byte_count() const;
+
+ private:
+  Stream& stream_;
+  int64_t n_;
+  const VertexPlace* evaluation_;
+  Branch branch_{stream_};
+  DeviceArray<double> row_sum_, slider_less_one_;
+  DeviceArray<Double3> u_, b_per_slider_, b_own_, r_, p_, q_, w_;
+  DeviceArray<uint8_t> is_painted_, is_touched_;
+  DeviceArray<float4> vertex_z_, vertex_p_;
+  DeviceArray<Sums<9>> product_sums_, measure_sums_;
+  DeviceArray<unsigned> arrived_;
+  DeviceArray<Scalars> scalars_;
+  PinnedArray<Scalars> measured_;
+  Vectors vectors_;
+};
+
+}  // namespace burnish::cuda

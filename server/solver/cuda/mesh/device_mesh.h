@@ -1,0 +1,73 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "server/solver/cuda/device/device_memory.h"
+#include "server/solver/cuda/device/views.h"
+#include "server/solver/cuda/mesh/device_irregular.h"
+#include "server/solver/cuda/mesh/device_patches.h"
+#include "server/solver/cuda/mesh/device_shares.h"
+#include "server/solver/cuda/mesh/device_transfer.h"
+#include "server/solver/cycle/multigrid.h"
+
+namespace burnish::cuda {
+
+/// One depth's stencil and transfers on the device.
+class DeviceTopology {
+ public:
+  DeviceTopology(Stream& stream, const HierarchyDepth& depth, const CyclePlan& plan);
+
+  const Topology& view() const { return view_; }
+  uint64_t byte_count() const;
+
+ private:
+  DeviceArray<int64_t> slice_start_;
+  DeviceArray<uint32_t> mask_;
+  DeviceArray<uint16_t> local_;
+  DeviceArray<int32_t> halo_start_, halo_, child_start_, child_;
+  DeviceArray<Eight> cell_corners_, cells_of_corner_;
+  DeviceArray<uint8_t> octant_, is_exact_;
+  DeviceIrregular irregular_;
+  DeviceShares shares_;
+  DeviceTransfer transfer_;
+  Topology view_{};
+};
+
+/// PreparedMesh::sheets on the device, as far as a hierarchy uses them.
+class DeviceSheets {
+ public:
+  DeviceSheets() = default;
+  DeviceSheets(Stream& stream, const PreparedMesh& prepared, int32_t count);
+
+  SheetIntegrals view() const {
+    return {{numbers_.data(), static_cast<int64_t>(cell_.size())}, cell_.data()};
+  }
+  uint64_t byte_count() const { return numbers_.byte_count() + cell_.byte_count(); }
+
+ private:
+  DeviceArray<double> numbers_;
+  DeviceArray<int32_t> cell_;
+};
+
+/// Everything about a prepared mesh that no edit changes, immutable and shared by its sessions.
+struct DeviceMesh {
+  int device = 0;
+  Multigrid on;
+  std::vector<DeviceTopology> depths;  ///< from the coarsest
+  DeviceArray<double> integral_numbers;
+  DeviceSheets sheets;
+  DevicePatches patches;
+  DeviceArray<Curvature> curvature;
+  DeviceArray<VertexPlace> evaluation;
+
+  int64_t cells() const { return depths.back().view().cell_count; }
+  Integrals integrals() const { return {integral_numbers.data(), cells()}; }
+  uint64_t byte_count() const;
+};
+
+/// The mesh on a device: copied there, or what another session has there already.
+/// Fails: resource_exhausted, internal.
+Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device, Multigrid on);
+
+}  // namespace burnish::cuda

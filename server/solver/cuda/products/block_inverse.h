@@ -1,0 +1,62 @@
+#pragma once
+
+#include "server/solver/cuda/device/kernel.h"
+#include "server/solver/hierarchy/cell_matrix.h"
+
+// The 8×8 blocks of additive Schwarz: B_c + reg at the corners of a cell, and its inverse.
+
+namespace burnish::cuda {
+
+// On the unit diagonal of the scaled blocks. Packed entries are off by half of the first in a
+// block's norm; with their rests as little will do as on the CPU.
+inline constexpr float kRegularisation = 1e-3f;
+inline constexpr float kRegularisationWithRests = 1e-5f;
+
+/// The block of the diagonally scaled S, entry_of(a, b) being S's between corners a and b, a < b.
+template <typename EntryOf>
+__device__ void read_scaled_block(const Depth& depth, const Eight& corners, float regularisation,
+                                  EntryOf&& entry_of, float (&block)[8][8]) {
+  float scale[8];
+#pragma unroll
+  for (int a = 0; a < 8; ++a) scale[a] = sqrtf(depth.inverse_diagonal[corners.at[a]]);
+#pragma unroll
+  for (int a = 0; a < 8; ++a) {
+    block[a][a] = 1 + regularisation;
+#pragma unroll
+    for (int b = a + 1; b < 8; ++b)
+      block[a][b] = block[b][a] = entry_of(a, b) * scale[a] * scale[b];
+  }
+}
+
+/// Gauss-Jordan without pivoting: the block is symmetric positive definite with a condition number
+/// of at most 8 / reg.
+__device__ inline void invert(float (&m)[8][8]) {
+#pragma unroll
+  for (int p = 0; p < 8; ++p) {
+    const float inverse_pivot = 1 / m[p][p];
+    m[p][p] = 1;
+#pragma unroll
+    for (int b = 0; b < 8; ++b) m[p][b] *= inverse_pivot;
+#pragma unroll
+    for (int a = 0; a < 8; ++a) {
+      if (a == p) continue;
+      const float factor = m[a][p];
+      m[a][p] = 0;
+#pragma unroll
+      for (int b = 0; b < 8; ++b) m[a][b] -= factor * m[p][b];
+    }
+  }
+}
+
+__device__ inline void store_block(const float (&block)[8][8], int64_t cell,
+                                   const CellSquares<float>& inverses) {
+#pragma unroll
+  for (int a = 0; a < 8; ++a) {
+    own_of(inverses, cell, a) = block[a][a];
+#pragma unroll
+    for (int b = a + 1; b < 8; ++b)
+      pair_of(inverses, cell, pair_index(a, b)) = (block[a][b] + block[b][a]) / 2;
+  }
+}
+
+}  // namespace burnish::cuda

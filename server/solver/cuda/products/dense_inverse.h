@@ -1,0 +1,29 @@
+#pragma once
+
+#include "server/solver/cuda/device/device_memory.h"
+#include "server/solver/cuda/device/views.h"
+
+namespace burnish::cuda {
+
+/// The explicit inverse of a small depth's matrix, scaled and regularised as cpu/coarsest.h has it,
+/// made and applied on the device.
+class DenseInverse {
+ public:
+  static constexpr int32_t kCornersMax = 4096;  ///< twice 134 MB of double at most
+
+  DenseInverse() = default;
+  /// Needs: at most kCornersMax corners.
+  DenseInverse(Stream& stream, const Depth& depth);
+
+  void factor(Stream& stream);
+  void solve(Stream& stream) const;  ///< x = S⁻¹ f
+  uint64_t byte_count() const;
+
+ private:
+  Depth depth_{};
+  DeviceArray<double> square_[2];         // the elimination goes from one to the other
+  DeviceArray<double> pivot_inverse_[2];  // likewise
+  DeviceArray<float> inverse_;
+};
+
+}  // namespace burnish::cuda

@@ -1,0 +1,97 @@
+#include "server/solver/cuda/assembly/gather_rows.h"
+#include "server/solver/cuda/assembly/irregular_rows.h"
+#include "server/solver/cuda/products/block_inverse.h"
+#include "server/solver/cuda/products/products.h"
+#include "server/solver/cuda/smoothers/cell_inverse.h"
+#include "server/solver/cuda/smoothers/power_step.h"
+
+namespace burnish::cuda {
+
+namespace {
+
+// Of irregular cells it reads some other entries: their inverses come after.
+template <bool kRests>
+__global__ void invert_cells_kernel(Depth depth, CellSquares<float> inverses) {
+  await_previous();
+  const int64_t cell = thread_index();
+  if (cell >= depth.topology.cell_count) return;
+  const Eight corners = depth.topology.cell_corners[cell];
+  float block[8][8];
+  const auto entry_of = [&](int a, int b) {
+    const int64_t k = entry_position(depth.topology.rows, corners.at[a], slot_between(a, b));
+    return value_of(depth.system.packed[k]) + (kRests ? depth.system.rest[k] : 0);
+  };
+  read_scaled_block(depth, corners, kRests ? kRegularisationWithRests : kRegularisation, entry_of,
+                    block);
+  invert(block);
+  store_block(block, cell, inverses);
+}
+
+// The tile has the power iteration's S x, and in w the square root of the inverse diagonal.
+// Irregular rows are there already, with what the iteration has next in them.
+template <bool kIrregular>
+__global__ void assemble_inverse_kernel(Depth depth, CellSquares<float> inverses, Matrix inverse,
+                                        PowerStep power, const float4* irregular_next) {
+  __shared__ RowRoom room;
+  float4* tile = tile_of_block<float4>();
+  let_next_start();
+  const Rows& rows = depth.topology.rows;
+  const TilePart part = fetch_part(rows, blockIdx.x);
+  const int32_t corner = part.corner;
+  const Eight cells_here = cells_around(depth.topology, corner);
+  await_previous();
+  const GatheredRow<float> row = gather_row(inverses, cells_here);
+  const auto scaled_product = [&](int32_t i) {
+    float4 number = power.product[i];
+    number.w = sqrtf(depth.inverse_diagonal[i]);
+    return number;
+  };
+  fill_tile_with(part, scaled_product, tile);
+  Sums<2> sums = {};
+  if (corner >= 0) {
+    const float4 here = tile[threadIdx.x];
+    float4 next;
+    if (kIrregular && !is_regular(cells_here)) {
+      next = irregular_next[corner];
+    } else {
+      const float diagonal = row.own * here.w * here.w;
+      inverse.diagonal[corner] = diagonal;
+      next = diagonal * here;
+      const auto itself = [](float value) { return value; };
+      store_row(rows, corner, row, room, itself, [&](int64_t k, float value, uint32_t local) {
+        const float4 there = tile[local];
+        float entry = value * here.w * there.w;
+        const uint32_t packed = pack(entry, local);
+        inverse.packed[k] = packed;
+        if (inverse.rest != nullptr)
+          inverse.rest[k] = entry - value_of(packed);
+        else
+          entry = value_of(packed);
+        next = next + entry * there;
+      });
+    }
+    replace(power, corner, next, here.w != 0 ? here : zero4(), power.spectrum->normalise, sums);
+  }
+  update_spectrum(power, sums);
+}
+
+}  // namespace
+
+void invert_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
+                  bool with_rests) {
+  launch(stream, with_rests ? invert_cells_kernel<true> : invert_cells_kernel<false>,
+         depth.topology.cell_count, depth, inverses);
+  invert_irregular_cells(stream, depth, inverses);
+}
+
+void assemble_inverse(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
+                      const Matrix& inverse, const PowerStep& power, float4* room) {
+  const Rows& rows = depth.topology.rows;
+  const bool is_irregular = depth.topology.irregular.row_count > 0;
+  assemble_irregular_inverse(stream, depth, inverses, inverse, power, room);
+  launch_products<float4>(
+      stream, is_irregular ? assemble_inverse_kernel<true> : assemble_inverse_kernel<false>, rows,
+      rows.group_count, depth, inverses, inverse, power, room);
+}
+
+}  // namespace burnish::cuda

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "server/solver/cuda/device/device_memory.h"
+#include "server/solver/cuda/device/views.h"
+#include "server/solver/cycle/patches.h"
+
+namespace burnish::cuda {
+
+/// Solves the finest depth's patches for what is left of the residual, a block of threads for each,
+/// colour after colour: cpu/patch_solver.h.
+class PatchSolver {
+ public:
+  /// Keeps `patches`.
+  PatchSolver(Stream& stream, const Depth& depth, const Patches& patches, const PatchList& list);
+
+  void factor(Stream& stream);  ///< after a new matrix
+  void relax_forwards();
+  void relax_backwards();
+  uint64_t byte_count() const { return factor_inverse_.byte_count(); }
+
+ private:
+  void relax_colour(int32_t colour);
+
+  Stream& stream_;
+  Depth depth_;
+  const Patches& patches_;
+  PatchList list_;
+  DeviceArray<float> factor_inverse_;  // W of every patch, its lower triangle by rows
+  size_t shared_bytes_;                // of the kernel that factors the largest
+};
+
+}  // namespace burnish::cuda

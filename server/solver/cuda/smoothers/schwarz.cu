@@ -1,0 +1,171 @@
+#include <algorithm>
+
+#include "server/solver/cuda/products/long_products.h"
+#include "server/solver/cuda/products/transfer.h"
+#include "server/solver/cuda/smoothers/cell_inverse.h"
+#include "server/solver/cuda/smoothers/power_step.h"
+#include "server/solver/cuda/smoothers/schwarz.h"
+
+namespace burnish::cuda {
+
+namespace {
+
+constexpr int kIterationsFirst = 15;  // one beside each new matrix after the first
+
+enum class Step { kFromZero, kSecondFromZero, kFirst, kSecond };
+
+// d = momentum·d + length·M⁻¹ source; x += d, or x = d from zero, where d need not be kept.
+template <Step kStep, bool kLong, bool kRests>
+__global__ void __launch_bounds__(kThreads, kLong ? 6 : 8)
+    step_kernel(Depth depth, Matrix inverse, const float4* source, const Spectrum* spectrum,
+                float4* direction) {
+  float4* tile = tile_of_block<float4>();
+  let_next_start();
+  constexpr bool kIsSecond = kStep == Step::kSecond || kStep == Step::kSecondFromZero;
+  const FetchedRow row = fetch_row(depth.topology.rows, inverse.packed, blockIdx.x);
+  LongPart<kLong> beyond(depth.topology.rows.long_rows, inverse.long_entries, row);
+  const int32_t i = row.corner;
+  const float diagonal = i >= 0 ? inverse.diagonal[i] : 0;
+  const float momentum = spectrum->momentum;
+  const float length = kIsSecond ? spectrum->second_step : spectrum->first_step;
+  await_previous();
+  float4 x = zero4(), last = zero4();
+  if (kStep != Step::kFromZero && i >= 0) x = depth.x[i];
+  if (kStep == Step::kSecond && i >= 0) last = direction[i];
+  if (kStep == Step::kSecondFromZero) last = x;
+  beyond.start(source);
+  fill_tile(row, source, tile);
+  beyond.finish(source);
+  if (i < 0) return;
+  float4 product = diagonal * tile[threadIdx.x] + beyond.added_to(product_of(row, tile));
+  if (kRests) product = product + rest_of_product(inverse.rest, row, tile);
+  float4 d = length * product;
+  if (kIsSecond) d = momentum * last + d;
+  if (kStep == Step::kFirst) direction[i] = d;
+  depth.x[i] = x + d;
+}
+
+// Rests are where no row is long, at the finest depth.
+template <Step kStep>
+auto* kernel_of(const Rows& rows, const Matrix& inverse) {
+  if (inverse.rest != nullptr) return step_kernel<kStep, false, true>;
+  return has_long(rows) ? step_kernel<kStep, true, false> : step_kernel<kStep, false, false>;
+}
+
+__device__ float noise(uint32_t seed) {
+  for (int round = 0; round < 3; ++round) {
+    seed = seed * 1664525u + 1013904223u;
+    seed ^= seed >> 15;
+  }
+  return static_cast<float>(seed) * 0x1p-32f - 0.5f;
+}
+
+// Three columns of noise that leave no eigenvector out.
+__global__ void start_kernel(Depth depth, float4* eigenvector, Spectrum* spectrum) {
+  await_previous();
+  const int64_t i = thread_index();
+  if (i >= depth.topology.corner_count) return;
+  if (i == 0) *spectrum = {0, 1, 0, 0, 0};
+  const auto seed = static_cast<uint32_t>(3 * i);
+  eigenvector[i] =
+      sqrtf(depth.inverse_diagonal[i]) * float4{noise(seed), noise(seed + 1), noise(seed + 2), 0};
+}
+
+template <bool kLong>
+__global__ void power_kernel(Depth depth, Matrix inverse, PowerStep power) {
+  float4* tile = tile_of_block<float4>();
+  await_previous();
+  const FetchedRow row = fetch_row(depth.topology.rows, inverse.packed, blockIdx.x);
+  LongPart<kLong> beyond(depth.topology.rows.long_rows, inverse.long_entries, row);
+  beyond.start(power.product);
+  fill_tile(row, power.product, tile);
+  beyond.finish(power.product);
+  Sums<2> sums = {};
+  if (const int32_t i = row.corner; i >= 0) {
+    // What is there is the residual −S x.
+    const float4 product = -1 * tile[threadIdx.x];
+    float4 off_diagonal = beyond.added_to(product_of(row, tile));
+    if (inverse.rest != nullptr)
+      off_diagonal = off_diagonal + rest_of_product(inverse.rest, row, tile);
+    const float4 next = inverse.diagonal[i] * product + -1 * off_diagonal;
+    replace(power, i, next, product, power.spectrum->normalise, sums);
+  }
+  update_spectrum(power, sums);
+}
+
+}  // namespace
+
+Schwarz::Schwarz(Stream& stream, const Depth& depth, bool with_rests)
+    : stream_(stream),
+      depth_(depth),
+      packed_(stream, depth.topology.entry_count),
+      long_entries_(stream, depth.topology.rows.long_rows.entry_count),
+      rest_(stream, with_rests ? depth.topology.entry_count : 0),
+      diagonal_(stream, depth.topology.corner_count),
+      direction_(stream, depth.topology.corner_count),
+      eigenvector_(stream, depth.topology.corner_count),
+      sums_(stream, depth.topology.rows.group_count),
+      arrived_(stream, 1),
+      spectrum_(stream, 1),
+      inverse_{packed_.data(), diagonal_.data(), long_entries_.data(), rest_.data()} {}
+
+Stream& Schwarz::fork() {
+  branch_.fork();
+  return branch_.stream();
+}
+
+void Schwarz::set_up(const CellSquares<float>& inverses, const float* anisotropy) {
+  const PowerStep power = {
+      eigenvector_.data(), depth_.r, anisotropy, spectrum_.data(), {sums_.data(), arrived_.data()}};
+  invert_cells(branch_.stream(), depth_, inverses, inverse_.rest != nullptr);
+  assemble_inverse(branch_.stream(), depth_, inverses, inverse_, power, direction_.data());
+  if (first_) start_estimate(power);
+  first_ = false;
+}
+
+void Schwarz::start_estimate(const PowerStep& power) {
+  Stream& stream = branch_.stream();
+  const Rows& rows = depth_.topology.rows;
+  Depth depth = depth_;
+  depth.x = power.x;
+  launch(stream, start_kernel, rows.count, depth_, power.x, power.spectrum);
+  // A memset, which also keeps the products from fetching rows before they are there.
+  if (stream.is_ok())
+    stream.check(cudaMemsetAsync(depth.f, 0, rows.count * sizeof(float4), stream.get()),
+                 "clearing f");
+  for (int i = 0; i < kIterationsFirst; ++i) {
+    compute_residual(stream, depth);
+    launch_products<float4>(stream, has_long(rows) ? power_kernel<true> : power_kernel<false>, rows,
+                            rows.group_count, depth, inverse_, power);
+  }
+}
+
+template <typename Kernel>
+void Schwarz::step(Kernel kernel, const float4* source) {
+  const Rows& rows = depth_.topology.rows;
+  launch_products<float4>(stream_, kernel, rows, rows.group_count, depth_, inverse_, source,
+                          spectrum_.data(), direction_.data());
+}
+
+void Schwarz::relax_from_zero() {
+  const Rows& rows = depth_.topology.rows;
+  step(kernel_of<Step::kFromZero>(rows, inverse_), depth_.f);
+  compute_residual(stream_, depth_);
+  step(kernel_of<Step::kSecondFromZero>(rows, inverse_), depth_.r);
+}
+
+void Schwarz::relax() {
+  const Rows& rows = depth_.topology.rows;
+  compute_residual(stream_, depth_);
+  step(kernel_of<Step::kFirst>(rows, inverse_), depth_.r);
+  compute_residual(stream_, depth_);
+  step(kernel_of<Step::kSecond>(rows, inverse_), depth_.r);
+}
+
+uint64_t Schwarz::byte_count() const {
+  return packed_.byte_count() + long_entries_.byte_count() + rest_.byte_count() +
+         diagonal_.byte_count() + direction_.byte_count() + eigenvector_.byte_count() +
+         sums_.byte_count() + spectrum_.byte_count();
+}
+
+}  // namespace burnish::cuda

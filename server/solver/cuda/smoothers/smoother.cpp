@@ -1,0 +1,16 @@
+#include "server/solver/cuda/smoothers/smoother.h"
+
+#include "server/solver/cuda/smoothers/paper/gauss_seidel.h"
+#include "server/solver/cuda/smoothers/schwarz.h"
+#include "server/solver/hierarchy/hierarchy.h"
+
+namespace burnish::cuda {
+
+std::unique_ptr<DepthSmoother> make_smoother(Smoother kind, Stream& stream,
+                                             const HierarchyDepth& topology, const Depth& depth,
+                                             bool has_weak_parts) {
+  if (kind == Smoother::kGaussSeidel) return std::make_unique<GaussSeidel>(stream, topology, depth);
+  return std::make_unique<Schwarz>(stream, depth, topology.is_finest() && has_weak_parts);
+}
+
+}  // namespace burnish::cuda

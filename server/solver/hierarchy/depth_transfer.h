@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "server/solver/hierarchy/coarse_grid.h"
+#include "server/solver/hierarchy/sheets/sheet_corners.h"
+
+namespace burnish {
+
+/// Prolongation P and restriction Pᵀ between a depth and the one above (coarser), trilinear.
+struct DepthTransfer {
+  /// Corners of the finest depth in which several sheets meet: each is the mean of what its sheets'
+  /// cells give, by their energy.
+  struct SharedCorners {
+    std::vector<int32_t> corner;         ///< rising
+    std::vector<int32_t> start;          ///< corners + 1
+    std::vector<int32_t> coarse_corner;  ///< rising within a corner
+    std::vector<float> weight;
+
+    int32_t count() const { return static_cast<int32_t>(corner.size()); }
+  };
+  std::vector<FromCell> prolongation;  ///< one per fine corner; of no cell where it is shared
+  SharedCorners shared;
+  std::vector<int64_t> restriction_start;   ///< coarse corners + 1
+  std::vector<int32_t> restriction_corner;  ///< the fine corners that a coarse corner gathers
+  std::vector<float> restriction_weight;    ///< 1, 1/2, 1/4 or 1/8 unless that one is shared
+};
+
+DepthTransfer make_transfer(const CoarseGrid& coarse);
+/// From the finest depth, whose sheets the coarse grid keeps apart.
+DepthTransfer make_transfer(const CoarseGrid& coarse, const SheetCorners& sheets,
+                            int32_t corner_count);
+
+}  // namespace burnish

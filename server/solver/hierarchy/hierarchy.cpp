@@ -1,0 +1,182 @@
+#include "server/solver/hierarchy/hierarchy.h"
+
+#include <algorithm>
+
+#include "server/solver/hierarchy/coarse_grid.h"
+#include "server/solver/hierarchy/sheets/sheet_corners.h"
+
+namespace burnish {
+
+namespace {
+
+// Where more corners than this have a second copy, sheets stay together at the finest depth, and
+// come apart only above it: what hangs together nowhere would have eight corners for each cell.
+constexpr int32_t kCornersPerExtraCopy = 8;
+constexpr int64_t kIrregularRowMax = 4096;  // entries
+
+// The children of every coarse cell that are not apart, by a counting sort.
+void list_children(const std::vector<int32_t>& parent_cell, HierarchyDepth& coarse) {
+  std::vector<int32_t> parent_of_child = parent_cell;
+  for (int32_t cell : coarse.shares.apart) parent_of_child[cell] = kNone;
+  coarse.child_start.assign(coarse.grid.cells.size() + 1, 0);
+  for (int32_t parent : parent_of_child)
+    if (parent != kNone) ++coarse.child_start[parent + 1];
+  for (size_t p = 0; p < coarse.grid.cells.size(); ++p)
+    coarse.child_start[p + 1] += coarse.child_start[p];
+  coarse.child.resize(coarse.child_start.back());
+  std::vector<int32_t> next(coarse.child_start.begin(), coarse.child_start.end() - 1);
+  for (size_t c = 0; c < parent_cell.size(); ++c)
+    if (parent_of_child[c] != kNone)
+      coarse.child[next[parent_of_child[c]]++] = static_cast<int32_t>(c);
+}
+
+HierarchyDepth make_parent_depth(HierarchyDepth& fine, CoarseGrid coarse, TiesAndShares numbers) {
+  HierarchyDepth parents;
+  fine.parent_cell = std::move(coarse.parent_cell);
+  parents.grid = std::move(coarse.grid);
+  parents.ties = std::move(numbers.ties);
+  parents.shares = std::move(numbers.shares);
+  list_children(fine.parent_cell, parents);
+  return parents;
+}
+
+HierarchyDepth make_joined_parents(HierarchyDepth& fine) {
+  CoarseGrid coarse = join_sheets(fine.grid);
+  fine.to_parent = make_transfer(coarse);
+  return make_parent_depth(fine, std::move(coarse), {});
+}
+
+HierarchyDepth make_parents_of_finest(HierarchyDepth& finest, const SheetCorners& sheets) {
+  CoarseGrid coarse =
+      keep_sheets_apart(finest.grid.depth - 1, sheets.cell, sheets.corners, sheets.copy_count);
+  finest.to_parent = make_transfer(coarse, sheets, finest.grid.corner_count());
+  TiesAndShares numbers = share_cells(finest.grid, sheets, coarse);
+  std::vector<int32_t> parent_of_sheet = std::move(coarse.parent_cell);
+  for (int32_t cell = 0; cell < finest.grid.cell_count(); ++cell)
+    coarse.parent_cell.push_back(parent_of_sheet[sheets.first_of_cell[cell]]);
+  return make_parent_depth(finest, std::move(coarse), std::move(numbers));
+}
+
+HierarchyDepth make_parents_apart(HierarchyDepth& fine) {
+  CoarseGrid coarse = keep_sheets_apart(fine.grid.depth - 1, fine.grid.cells,
+                                        fine.grid.cell_corners, fine.grid.corner_count());
+  fine.to_parent = make_transfer(coarse);
+  TiesAndShares numbers = share_ties(fine.grid, fine.ties, coarse);
+  return make_parent_depth(fine, std::move(coarse), std::move(numbers));
+}
+
+bool is_coarsest(const SparseGrid& grid) {
+  return grid.corner_count() <= kCoarsestCornersMax || grid.depth <= kCoarsestDepthMin;
+}
+
+// All depths but their stencils, the finest first.
+std::vector<HierarchyDepth> joined_depths(SparseGrid finest) {
+  std::vector<HierarchyDepth> depths(1);
+  depths[0].grid = std::move(finest);
+  while (!is_coarsest(depths.back().grid)) depths.push_back(make_joined_parents(depths.back()));
+  return depths;
+}
+
+std::vector<HierarchyDepth> depths_apart(SparseGrid finest, const SheetCorners& sheets) {
+  std::vector<HierarchyDepth> depths(1);
+  depths[0].grid = std::move(finest);
+  while (!is_coarsest(depths.back().grid))
+    depths.push_back(depths.size() == 1 ? make_parents_of_finest(depths.back(), sheets)
+                                        : make_parents_apart(depths.back()));
+  return depths;
+}
+
+// An irregular corner's cells are listed with its row alone.
+void add_stencil(HierarchyDepth& depth) {
+  depth.stencil = make_stencil(depth.grid, depth.ties);
+  for (int32_t corner : depth.stencil.irregular.corner)
+    depth.grid.cells_of_corner[corner].fill(kNone);
+}
+
+bool has_endless_rows(const HierarchyDepth& depth) {
+  return std::ranges::any_of(depth.stencil.irregular.corner, [&](int32_t corner) {
+    const auto [begin, end] = depth.stencil.row(corner);
+    return end - begin > kIrregularRowMax;
+  });
+}
+
+std::vector<HierarchyDepth> make_depths(const PreparedMesh& prepared, Sheets sheets) {
+  SparseGrid finest = make_finest_grid(prepared.frame.depth, prepared.cells);
+  if (sheets == Sheets::kTogether) return joined_depths(std::move(finest));
+  const SheetCorners corners = find_sheet_corners(prepared, finest);
+  if (corners.copy_count - finest.corner_count() > finest.corner_count() / kCornersPerExtraCopy) {
+    const SheetCorners whole = one_sheet_per_cell(finest);
+    return depths_apart(std::move(finest), whole);
+  }
+  std::vector<HierarchyDepth> depths = depths_apart(std::move(finest), corners);
+  depths[0].sheet_count = static_cast<int32_t>(prepared.sheets.size());
+  return depths;
+}
+
+template <typename... T>
+uint64_t bytes_of(const std::vector<T>&... vectors) {
+  return (... + (vectors.capacity() * sizeof(T)));
+}
+
+uint64_t bytes_of(const SparseGrid& grid) {
+  return bytes_of(grid.cells, grid.corners, grid.cell_corners, grid.cells_of_corner);
+}
+
+uint64_t bytes_of(const Stencil& stencil) {
+  const IrregularRows& rows = stencil.irregular;
+  const IrregularCells& cells = stencil.irregular_cells;
+  const RowTiles& tiles = stencil.tiles;
+  return bytes_of(stencil.corner_of_row, stencil.row_of_corner, stencil.row_start, stencil.column,
+                  stencil.mask) +
+         bytes_of(tiles.row, tiles.twice_local, tiles.halo_start, tiles.halo, tiles.is_wide) +
+         bytes_of(rows.corner, rows.sum_start, rows.source_start, rows.source) +
+         bytes_of(cells.cell, cells.entry);
+}
+
+uint64_t bytes_of(const DepthTransfer& transfer) {
+  const DepthTransfer::SharedCorners& shared = transfer.shared;
+  return bytes_of(transfer.prolongation, transfer.restriction_start, transfer.restriction_corner,
+                  transfer.restriction_weight) +
+         bytes_of(shared.corner, shared.start, shared.coarse_corner, shared.weight);
+}
+
+uint64_t bytes_of(const CellShares& shares) {
+  return bytes_of(shares.part, shares.target, shares.start, shares.share, shares.apart);
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Hierarchy>> make_hierarchy(const PreparedMesh& prepared,
+                                                        const Progress& progress, Sheets sheets) {
+  const auto goes_on = [&](double fraction) {
+    return report(progress, "connecting cells", fraction);
+  };
+  static const char kCancelled[] = "cancelled while connecting cells";
+  if (!goes_on(0)) return cancelled(kCancelled);
+  std::vector<HierarchyDepth> from_finest = make_depths(prepared, sheets);
+  for (HierarchyDepth& depth : from_finest) {
+    if (!goes_on(0.5)) return cancelled(kCancelled);
+    add_stencil(depth);
+  }
+  if (sheets == Sheets::kApart && std::ranges::any_of(from_finest, has_endless_rows))
+    return make_hierarchy(prepared, progress, Sheets::kTogether);
+
+  auto hierarchy = std::make_shared<Hierarchy>();
+  hierarchy->coarsest = from_finest.back().grid.depth;
+  hierarchy->finest = prepared.frame.depth;
+  hierarchy->depths.assign(std::make_move_iterator(from_finest.rbegin()),
+                           std::make_move_iterator(from_finest.rend()));
+  hierarchy->points = sort_by_cell(prepared.evaluation, hierarchy->depths.back().grid.cell_count());
+  return std::shared_ptr<const Hierarchy>(std::move(hierarchy));
+}
+
+uint64_t Hierarchy::byte_count() const {
+  uint64_t bytes = bytes_of(points.start, points.local);
+  for (const HierarchyDepth& depth : depths)
+    bytes += bytes_of(depth.grid) + bytes_of(depth.stencil) + bytes_of(depth.to_parent) +
+             bytes_of(depth.shares) +
+             bytes_of(depth.ties, depth.parent_cell, depth.child_start, depth.child);
+  return bytes;
+}
+
+}  // namespace burnish

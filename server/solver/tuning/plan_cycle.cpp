@@ -1,0 +1,85 @@
+#include "server/solver/tuning/plan_cycle.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "server/solver/hierarchy/sheets/sheet_corners.h"
+#include "server/solver/tuning/crumbs.h"
+#include "server/solver/tuning/slow_spots.h"
+
+namespace burnish {
+
+namespace {
+
+// Shares of irregular rows at the depth above the finest.
+constexpr double kSomeSheets = 1.0 / 40;
+constexpr double kManySheets = 1.0 / 24;
+constexpr int32_t kSmallScanCorners = 150'000;  // whose trial takes half a second
+constexpr int kDepthsCorrectedTwice = 2;        // further up it gains nothing more
+constexpr int kTrialsMax = 3;
+constexpr size_t kFewSpots = 16;  // after so few the next trial would find hardly any
+constexpr int32_t kTrialCornersMax = 4'000'000;  // a trial needs the memory of a session on the CPU
+
+double share_of_irregular_rows(const HierarchyDepth& depth) {
+  return static_cast<double>(depth.stencil.irregular.count()) / depth.grid.corner_count();
+}
+
+/// Of the finest depth, as far as its sheets are apart.
+Patches patches_on_crumbs(const PreparedMesh& prepared, const HierarchyDepth& finest) {
+  if (finest.sheet_count == 0) return {};
+  return make_patches(finest.grid,
+                      find_crumbs(finest.grid, find_sheet_corners(prepared, finest.grid)));
+}
+
+/// The first depth with weak parts; none where few sheets come together.
+std::optional<int> first_weak_depth(const Hierarchy& hierarchy) {
+  const int last = hierarchy.finest - 1;
+  if (last <= hierarchy.coarsest) return std::nullopt;
+  const bool is_small = hierarchy.depths.back().grid.corner_count() < kSmallScanCorners;
+  if (share_of_irregular_rows(hierarchy.at(last)) <= (is_small ? kSomeSheets : kManySheets))
+    return std::nullopt;
+  return std::max(last - kDepthsCorrectedTwice, hierarchy.coarsest) + 1;
+}
+
+/// With patches where one trial was slow, the next one shows what else is.
+Result<Patches> patches_on_slow_spots(const Multigrid& on, const Progress& progress) {
+  const SparseGrid& finest = on.hierarchy->depths.back().grid;
+  CyclePlan plan = *on.plan;
+  if (finest.corner_count() > kTrialCornersMax) return plan.patches;
+  for (int trial = 0; trial < kTrialsMax; ++trial) {
+    const Multigrid tried{on.prepared, on.hierarchy, std::make_shared<CyclePlan>(plan)};
+    ASSIGN_OR_RETURN(std::vector<std::vector<int32_t>> spots, find_slow_spots(tried, progress));
+    if (spots.empty()) break;
+    std::vector<std::vector<int32_t>> sets = plan.patches.corner_sets();
+    std::ranges::move(spots, std::back_inserter(sets));
+    plan.patches = make_patches(finest, sets);
+    if (spots.size() < kFewSpots) break;
+  }
+  return plan.patches;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const CyclePlan>> plan_cycle(
+    const std::shared_ptr<const PreparedMesh>& prepared,
+    const std::shared_ptr<const Hierarchy>& hierarchy, const Progress& progress) {
+  const auto plan = std::make_shared<CyclePlan>();
+  plan->patches = patches_on_crumbs(*prepared, hierarchy->depths.back());
+  if (const auto weak = first_weak_depth(*hierarchy)) {
+    plan->first_weak_depth = *weak;
+    ASSIGN_OR_RETURN(plan->patches, patches_on_slow_spots({prepared, hierarchy, plan}, progress));
+  }
+  return std::shared_ptr<const CyclePlan>(plan);
+}
+
+Result<Multigrid> make_multigrid(std::shared_ptr<const PreparedMesh> prepared,
+                                 const Progress& progress) {
+  Multigrid made{std::move(prepared), nullptr, nullptr};
+  ASSIGN_OR_RETURN(made.hierarchy, make_hierarchy(*made.prepared, progress));
+  ASSIGN_OR_RETURN(made.plan, plan_cycle(made.prepared, made.hierarchy, progress));
+  return made;
+}
+
+}  // namespace burnish

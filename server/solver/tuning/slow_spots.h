@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/base/progress.h"
+#include "common/base/status.h"
+#include "server/solver/cycle/multigrid.h"
+
+namespace burnish {
+
+/// Where a trial on the CPU, which smooths the whole surface from a cold start, still moves
+/// vertices after it should have settled: a spike that bends back within two cells, a flap of two
+/// sheets in one cell, a crumb that shares no corner. Like crumbs.h's they move with next to no
+/// energy.
+///
+/// Returns sets of corners, rising, the slowest spot's first: of a spot's cell and of rings of
+/// cells around it, as far as they have at most kPatchCornersMax. Fails: cancelled.
+Result<std::vector<std::vector<int32_t>>> find_slow_spots(const Multigrid& on,
+                                                          const Progress& progress = {});
+
+}  // namespace burnish

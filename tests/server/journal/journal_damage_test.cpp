@@ -1,0 +1,215 @@
+// Damage to the journal's rows is found when they are read, and takes nothing else with it.
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "server/journal/journal.h"
+#include "tests/common/temporary_folder.h"
+
+namespace burnish {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// A journal with the session "a" of five edits.
+class JournalDamageTest : public testing::Test {
+ protected:
+  JournalDamageTest() {
+    start();
+    EXPECT_TRUE(journal_->create_session(record("a"), SessionRoles::of_new_session("ann")).is_ok());
+    for (uint64_t number = 1; number <= 5; ++number)
+      EXPECT_TRUE(journal_->append("id-a", number, {edit(number)}).is_ok());
+  }
+
+  static SessionRecord record(const std::string& name) {
+    return {"id-" + name, name, std::string(64, 'a'), {7, 0.5}, 1234};
+  }
+
+  static AuthoredEdit edit(uint64_t number) {
+    return {number % 2 ? "ann" : "bob",
+            static_cast<int64_t>(number),
+            {"e" + std::to_string(number), SetGradientScale{0.1 * static_cast<double>(number)}}};
+  }
+
+  void start() { journal_ = std::move(Journal::open(folder_ / "j.sqlite")).value(); }
+
+  /// Changes the file behind the journal's back.
+  void damage(const char* sql) {
+    journal_.reset();
+    {
+      Database database = std::move(Database::open(folder_ / "j.sqlite")).value();
+      ASSERT_TRUE(database.execute("PRAGMA foreign_keys=OFF").is_ok());
+      const Status status = database.execute(sql);
+      ASSERT_TRUE(status.is_ok()) << status.message();
+    }
+    start();
+  }
+
+  /// The numbers of the edits that are damaged; the others are as they were written.
+  std::vector<uint64_t> damaged(const std::string& id = "id-a") {
+    std::vector<uint64_t> numbers;
+    const auto edits = journal_->edits(id).value();
+    for (uint64_t number = 1; number <= edits.size(); ++number) {
+      const AuthoredEdit& read = edits[number - 1];
+      if (kind_of(read.edit) == EditKind::kDamaged) {
+        numbers.push_back(number);
+      } else {
+        EXPECT_EQ(read.author, edit(number).author);
+        EXPECT_EQ(read.unix_ms, edit(number).unix_ms);
+        EXPECT_EQ(read.edit.id, edit(number).edit.id);
+        EXPECT_EQ(summary(read.edit), summary(edit(number).edit));
+      }
+    }
+    return numbers;
+  }
+
+  const TemporaryFolder folder_;
+  std::unique_ptr<Journal> journal_;
+};
+
+TEST_F(JournalDamageTest, AChangedValueOfAnEditIsFound) {
+  EXPECT_THAT(damaged(), ElementsAre());
+  damage("UPDATE edits SET bytes = (SELECT bytes FROM edits WHERE number = 1) WHERE number = 3");
+  EXPECT_THAT(damaged(), ElementsAre(3));
+  damage("UPDATE edits SET author = CAST('eve' AS BLOB) WHERE number = 4");
+  EXPECT_THAT(damaged(), ElementsAre(3, 4));
+  damage("UPDATE edits SET unix_ms = 77 WHERE number = 1");
+  EXPECT_THAT(damaged(), ElementsAre(1, 3, 4));
+  EXPECT_EQ(journal_->edit_count("id-a").value(), 5u);
+}
+
+TEST_F(JournalDamageTest, RowsThatWereSwappedAreFound) {
+  damage(
+      "UPDATE edits SET number = 100 - number WHERE number IN (2, 4);"
+      "UPDATE edits SET number = number - 94 WHERE number IN (96, 98);");
+  EXPECT_THAT(damaged(), ElementsAre(2, 4));
+}
+
+TEST_F(JournalDamageTest, ARowThatIsGoneLeavesItsNumber) {
+  damage("DELETE FROM edits WHERE number = 2");
+  EXPECT_THAT(damaged(), ElementsAre(2));
+  EXPECT_THAT(summary(journal_->edits("id-a").value()[1].edit), HasSubstr("missing"));
+}
+
+TEST_F(JournalDamageTest, EditsThatAreGoneFromTheEndAreMissed) {
+  damage("DELETE FROM edits WHERE number > 3");
+  EXPECT_THAT(damaged(), ElementsAre(4, 5));
+  EXPECT_TRUE(journal_->append("id-a", 6, {edit(6)}).is_ok());
+  EXPECT_THAT(damaged(), ElementsAre(4, 5));
+}
+
+TEST_F(JournalDamageTest, EditsAreAppendedBehindADamagedOne) {
+  damage("UPDATE edits SET bytes = x'' WHERE number = 5");
+  ASSERT_TRUE(journal_->append("id-a", 6, {edit(6)}).is_ok());
+  start();
+  EXPECT_THAT(damaged(), ElementsAre(5));
+  EXPECT_EQ(journal_->edits("id-a").value().size(), 6u);
+}
+
+TEST_F(JournalDamageTest, ADamagedEndIsCountedAnew) {
+  damage("UPDATE ends SET number = 3");
+  EXPECT_EQ(journal_->edit_count("id-a").value(), 5u);
+  EXPECT_THAT(damaged(), ElementsAre());
+  EXPECT_TRUE(journal_->append("id-a", 6, {edit(6)}).is_ok());
+}
+
+TEST_F(JournalDamageTest, AForkOfADamagedSessionHasTheSameNumbers) {
+  damage(
+      "UPDATE edits SET id = CAST('e7' AS BLOB) WHERE number = 3;"
+      "DELETE FROM edits WHERE number = 4");
+  ASSERT_TRUE(journal_->fork_session("id-a", 5, record("f"), {}).is_ok());
+  EXPECT_THAT(damaged("id-f"), ElementsAre(3, 4));
+  EXPECT_EQ(journal_->edits("id-f").value()[2].author, "ann");
+  EXPECT_EQ(journal_->edit_count("id-f").value(), 5u);
+}
+
+TEST_F(JournalDamageTest, ASessionWhoseRecordIsDamagedIsMarkedAndKeptShut) {
+  damage("UPDATE sessions SET depth = 8");
+  const auto sessions = journal_->sessions().value();
+  ASSERT_EQ(sessions.size(), 1u);
+  EXPECT_TRUE(sessions[0].is_damaged);
+  EXPECT_EQ(journal_->edits("id-a").status().code(), StatusCode::kDataLoss);
+  EXPECT_TRUE(journal_->remove_session("id-a").is_ok());
+}
+
+TEST_F(JournalDamageTest, ANameThatDamageMadeAnothersOneIsToldApart) {
+  ASSERT_TRUE(journal_->create_session(record("b"), {}).is_ok());
+  ASSERT_TRUE(journal_->create_session(record("c"), {}).is_ok());
+  journal_.reset();
+  std::string bytes = content_of(folder_ / "j.sqlite");
+  const size_t name = bytes.find("id-bb") + 4;
+  ASSERT_LT(name, bytes.size());
+  bytes[name] ^= 1;
+  folder_.write("j.sqlite", bytes);
+  start();
+  const auto sessions = journal_->sessions().value();
+  ASSERT_EQ(sessions.size(), 3u);
+  EXPECT_EQ(sessions[1].is_damaged ? sessions[1].name : sessions[2].name, "c-id-b");
+  EXPECT_EQ(sessions[1].is_damaged ? sessions[2].name : sessions[1].name, "c");
+}
+
+TEST_F(JournalDamageTest, ARoleThatIsDamagedOrGoneIsTheLeast) {
+  damage("UPDATE roles SET user = CAST('eve' AS BLOB) WHERE user = CAST('ann' AS BLOB)");
+  EXPECT_EQ(journal_->roles("id-a").value().of("eve"), SessionRole::kViewer);
+  damage("UPDATE roles SET role = 3 WHERE user = x''");
+  EXPECT_EQ(journal_->roles("id-a").value().of("anybody"), SessionRole::kViewer);
+  damage("DELETE FROM roles");
+  EXPECT_EQ(journal_->roles("id-a").value().of("ann"), SessionRole::kViewer);
+}
+
+TEST_F(JournalDamageTest, WhatTheEndOfTheWriteAheadLogHasLostIsMissed) {
+  // The files as a power cut and a bad block leave them: a log of which the end is gone.
+  const fs::path copy = folder_ / "copy.sqlite";
+  fs::copy(folder_ / "j.sqlite", copy);
+  fs::copy(folder_ / "j.sqlite-wal", folder_ / "copy.sqlite-wal");
+  fs::copy(folder_ / "j.ends", folder_ / "copy.ends");
+  fs::resize_file(folder_ / "copy.sqlite-wal", fs::file_size(folder_ / "copy.sqlite-wal") - 1);
+  journal_ = std::move(Journal::open(copy)).value();
+  EXPECT_EQ(journal_->edit_count("id-a").value(), 5u);
+  EXPECT_THAT(damaged(), ElementsAre(5));
+  EXPECT_TRUE(journal_->append("id-a", 6, {edit(6)}).is_ok());
+}
+
+TEST_F(JournalDamageTest, WithoutItsHintOfTheEndsAJournalIsWhatItSays) {
+  journal_.reset();
+  for (const char* content : {"", "id-a 9 0123456789abcdef", "\xff\xfe nonsense"}) {
+    folder_.write("j.ends", content);
+    start();
+    EXPECT_EQ(journal_->edit_count("id-a").value(), 5u);
+    journal_.reset();
+  }
+  fs::remove(folder_ / "j.ends");
+  start();
+  EXPECT_THAT(damaged(), ElementsAre());
+}
+
+TEST_F(JournalDamageTest, ARemovedSessionIsNotMissed) {
+  ASSERT_TRUE(journal_->create_session(record("b"), {}).is_ok());
+  ASSERT_TRUE(journal_->append("id-b", 1, {edit(1)}).is_ok());
+  ASSERT_TRUE(journal_->remove_session("id-a").is_ok());
+  const std::string ends = content_of(folder_ / "j.ends");
+  EXPECT_THAT(ends, testing::Not(HasSubstr("id-a")));
+  EXPECT_THAT(ends, HasSubstr("id-b 1 "));
+}
+
+TEST_F(JournalDamageTest, NamesThatAreNotUtf8ComeBackAsText) {
+  ASSERT_TRUE(journal_->append("id-a", 6, {{"M\xfcller", 0, {"x", SetGradientScale{1}}}}).is_ok());
+  ASSERT_TRUE(journal_->set_role("id-a", "M\xfcller", SessionRole::kViewer).is_ok());
+  EXPECT_EQ(journal_->edits("id-a").value()[5].author, "M\\xfcller");
+  EXPECT_EQ(journal_->roles("id-a").value().of("M\\xfcller"), SessionRole::kViewer);
+  ASSERT_TRUE(journal_->set_role("id-a", "M\\xfcller", SessionRole::kOwner).is_ok());
+  EXPECT_EQ(journal_->roles("id-a").value().of("M\\xfcller"), SessionRole::kOwner);
+}
+
+TEST_F(JournalDamageTest, ACheckpointIsFoundWithoutOpeningTheSession) {
+  ASSERT_TRUE(journal_->append("id-a", 6, {{"ann", 0, {"c", SetCheckpoint{"now"}}}}).is_ok());
+  EXPECT_EQ(journal_->checkpoint("id-a", "now").value(), 6u);
+  EXPECT_EQ(journal_->checkpoint("id-a", "then").status().code(), StatusCode::kNotFound);
+}
+
+}  // namespace
+}  // namespace burnish

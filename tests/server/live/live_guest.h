@@ -1,0 +1,64 @@
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "common/frame_codec/frame_decoder.h"
+#include "server/live/live_sessions.h"
+
+namespace burnish {
+
+/// A client of a live session in this process. Its session works only while it waits, by turns that
+/// it takes itself, where the sessions have no solver threads.
+class LiveGuest {
+ public:
+  using MayStay = std::function<Status()>;
+  LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const Caller& caller,
+            const MayStay& may_stay = {});
+  ~LiveGuest() { leave(); }
+  void leave();
+
+  Subscriber& subscriber() { return *client_.subscriber; }
+  LiveSession& session() { return *client_.session; }
+  uint64_t connection() { return subscriber().connection; }
+
+  /// Takes the messages that are there.
+  void take_all();
+
+  /// Takes turns and messages until nothing more comes.
+  void run();
+
+  /// The same, granting credits and acknowledging every frame, until the surface is settled.
+  void settle();
+
+  void edit(std::vector<Edit> edits) { session().edit(connection(), std::move(edits), 0); }
+
+  template <typename Message>
+  std::vector<Message> all() const {
+    std::vector<Message> found;
+    for (const LiveMessage& message : received)
+      if (const auto* wanted = std::get_if<Message>(&message)) found.push_back(*wanted);
+    return found;
+  }
+
+  std::vector<LiveMessage> received;
+  std::vector<uint64_t> decoded;  ///< sequence numbers that have not been acknowledged
+  bool finished = false;
+
+ private:
+  struct Bell;
+  LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const Caller& caller,
+            const MayStay& may_stay, std::shared_ptr<Bell> bell);
+  LiveSessions& sessions_;
+  std::shared_ptr<Bell> bell_;
+  LiveClient client_;
+
+ public:
+  const SessionRole role;
+  FrameDecoder decoder;
+};
+
+}  // namespace burnish

@@ -1,0 +1,103 @@
+// What a live session and its clients take of the memory, and when they give it back.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "server/memory/memory_need.h"
+#include "tests/server/live/live_work.h"
+
+namespace burnish {
+namespace {
+
+using LiveMemory = LiveWork;
+
+TEST_F(LiveMemory, WhatClientsDrawIsAdmittedByItsBytes) {
+  Quota& memory = manager_->memory();
+  const uint64_t before = memory.taken();
+  {
+    const Quota::Share others = memory.take("others", memory.max() - 1000).value();
+    const Quota::Share own = memory.take(kServer, memory.max() - before - 1000).value();
+    const Status refused = live_->join({"work", 100}, "ann", {}, {}).status();
+    EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
+    EXPECT_THAT(refused.message(), testing::ContainsRegex("asks for [0-9]+ more"));
+  }
+  uint64_t whole = 0;
+  {
+    auto ann = guest(), bob = guest("bob");
+    whole = memory.taken() - before;
+    EXPECT_GE(whole, ann.subscriber().target->layout->byte_count());
+    const auto proxy = guest("eve", {"work", 100});
+    EXPECT_GT(memory.taken(), before + whole);
+  }
+  EXPECT_EQ(memory.taken(), before);
+}
+
+TEST_F(LiveMemory, AClientIsAdmittedByTheBytesOfItsFrames) {
+  auto ann = guest();
+  Quota& memory = manager_->memory();
+  const uint64_t of_a_client = predict_client_bytes(*ann.subscriber().target->layout);
+  const uint64_t taken = memory.taken(), left = of_a_client - 1;
+  Quota::Share rest = memory.take(kServer, memory.max() - taken - left).value();
+  const Status refused = live_->join({"work"}, "bob", {}, {}).status();
+  EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
+  EXPECT_EQ(refused.message(),
+            "frames for a client of session work: the server has " +
+                std::to_string(memory.max() - left) +
+                " bytes of meshes and sessions and asks for " + std::to_string(of_a_client) +
+                " more; limits.memory_bytes_max is " + std::to_string(memory.max()));
+  rest = {};
+  EXPECT_TRUE(manager_->presence("work").value()->list().size() == 1);
+  const auto bob = guest("bob");
+  EXPECT_EQ(memory.taken(), taken + of_a_client);
+}
+
+TEST_F(LiveMemory, ASessionsBytesAreWithThoseOfItsClientsFrames) {
+  const auto bytes = [this] { return manager_->state("work", {}).value().memory_bytes; };
+  auto ann = guest();
+  ann.edit({{"a", SetTransferCurve{TransferCurve(5)}}, {"b", SetGradientScale{0}}});
+  ann.settle();
+  const uint64_t with_one = bytes();
+  {
+    auto bob = guest("bob");
+    bob.settle();
+    EXPECT_EQ(bytes(), with_one + bob.subscriber().byte_count());
+    EXPECT_EQ(live_->usage().client_bytes,
+              ann.subscriber().byte_count() + bob.subscriber().byte_count());
+    EXPECT_GT(bob.subscriber().byte_count(),
+              uint64_t{6} * bob.subscriber().target->layout->value_count());
+  }
+  EXPECT_EQ(bytes(), with_one);
+}
+
+TEST_F(LiveMemory, AClosedSessionStaysOutOfMemoryWhileItsClientsGo) {
+  auto ann = guest(), bob = guest("bob");
+  ann.edit({{"a", SetGradientScale{0}}});
+  bob.run();
+  ASSERT_TRUE(manager_->close("work", "ann", {}).is_ok());
+  ann.leave();
+  bob.run();
+  EXPECT_TRUE(bob.finished);
+  EXPECT_FALSE(manager_->list()[0].in_memory);
+}
+
+TEST_F(LiveMemory, UnusedSessionsLeaveMemoryAndComeBackAsTheyWere) {
+  {
+    auto ann = guest();
+    ann.edit({{"a", stroke()}});
+    ann.run();
+    manager_->spill_idle(std::chrono::seconds(0));
+    EXPECT_TRUE(manager_->list()[0].in_memory);  // somebody is there
+  }
+  manager_->spill_idle(std::chrono::seconds(1000));
+  EXPECT_TRUE(manager_->list()[0].in_memory);
+  manager_->spill_idle(std::chrono::seconds(0));
+  EXPECT_FALSE(manager_->list()[0].in_memory);
+  EXPECT_EQ(manager_->usage().session_bytes, 0u);
+  auto ann = guest();
+  ann.settle();
+  EXPECT_EQ(ann.all<LiveFrame>().back().facts.edits, 1u);
+  EXPECT_EQ(shown(ann).steps, sample(ann).steps);
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,296 @@
+#include "server/manager/session_manager.h"
+
+#include <future>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/server/manager/test_library.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+/// A library with one scan, "ball", and a manager that can be started again.
+class SessionManagerTest : public testing::Test {
+ protected:
+  SessionManagerTest() {
+    scan_id_ = library_.import(sphere_file(), "ball").value().scan.id;
+    options_.sessions_max = 3;
+    options_.solver.threads = 1;
+    start();
+  }
+
+  void start() {
+    manager_.reset();
+    journal_.reset();
+    library_.restart();
+    journal_ = std::move(Journal::open(library_.folder->journal())).value();
+    manager_ =
+        std::move(SessionManager::create(*library_.folder, *library_.store, *journal_, options_))
+            .value();
+  }
+
+  Result<OpenedSession> open(const std::string& name, int depth = 5) {
+    return manager_->open({"ball", name, {depth, 0}}, user_, {});
+  }
+
+  Result<ApplyOutcome> apply(const std::string& session, const std::vector<Edit>& edits) {
+    return manager_->apply(session, user_, edits, {});
+  }
+
+  std::string exported(const std::string& session) {
+    const auto file = manager_->export_mesh(session, {MeshFormat::kPly, false, 3}, {});
+    return file.is_ok() ? file.value()->read(0).value() : file.status().to_string();
+  }
+
+  TestLibrary library_;
+  SessionManagerOptions options_;
+  std::unique_ptr<Journal> journal_;
+  std::unique_ptr<SessionManager> manager_;
+  std::string scan_id_;
+  std::string user_;  // who opens, edits and removes
+};
+
+TEST_F(SessionManagerTest, OpeningTheSameNameAgainAttaches) {
+  const auto first = open("one");
+  ASSERT_TRUE(first.is_ok()) << first.status().message();
+  EXPECT_FALSE(first.value().attached);
+  EXPECT_EQ(first.value().session.key.depth, 5);
+  EXPECT_TRUE(open("one").value().attached);
+  EXPECT_EQ(manager_->list().size(), 1u);
+}
+
+TEST_F(SessionManagerTest, ANameOfAnotherDepthIsTaken) {
+  ASSERT_TRUE(open("one", 5).is_ok());
+  EXPECT_EQ(open("one", 6).status().code(), StatusCode::kAlreadyExists);
+}
+
+TEST_F(SessionManagerTest, SessionsBeyondTheLimitAreRefusedWithTheNumbers) {
+  for (const char* name : {"1", "2", "3"}) ASSERT_TRUE(open(name).is_ok());
+  const Status status = open("4").status();
+  EXPECT_EQ(status.code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(status.message(), HasSubstr("3 sessions, sessions_max is 3"));
+}
+
+TEST_F(SessionManagerTest, AnEditIdAppliedTwiceChangesOnce) {
+  ASSERT_TRUE(open("one").is_ok());
+  const std::vector<Edit> edits = {{"a", SetGradientScale{0.5}}, {"b", SetGradientScale{0.25}}};
+  EXPECT_EQ(apply("one", edits).value().applied, 2u);
+  const ApplyOutcome again = apply("one", edits).value();
+  EXPECT_EQ(again.applied, 0u);
+  EXPECT_EQ(again.known, 2u);
+  EXPECT_EQ(again.edits, 2u);
+}
+
+TEST_F(SessionManagerTest, AFailedEditInABatchUndoesTheWholeBatch) {
+  ASSERT_TRUE(open("one").is_ok());
+  ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0.5}}}).is_ok());
+  const SetCellFields nowhere{{{Vec3i(0, 0, 0), 5, 5, 1}}};
+  const auto outcome = apply("one", {{"b", SetGradientScale{2}}, {"c", nowhere}});
+  EXPECT_EQ(outcome.status().code(), StatusCode::kInvalidArgument);
+  EXPECT_THAT(outcome.status().message(), HasSubstr("edit c"));
+  const SessionState state = manager_->state("one", {}).value();
+  EXPECT_EQ(state.gradient_scale, 0.5);
+  EXPECT_EQ(state.session.edits, 1u);
+}
+
+TEST_F(SessionManagerTest, ACellThatAnEditSetsTwiceIsRefusedAndNotStored) {
+  ASSERT_TRUE(open("one").is_ok());
+  const auto mesh = library_.store->open_mesh(scan_id_, {5, 0}, {}).value();
+  const Vec3i cell = morton_point(mesh->prepared->cells[0]);
+  const auto setting = [&](size_t times) {
+    return Edit{"cells", SetCellFields{std::vector<SetCellFields::Cell>(times, {cell, 5, 5, 2})}};
+  };
+  EXPECT_THAT(apply("one", {setting(2)}).status().message(), HasSubstr("twice"));
+  EXPECT_THAT(apply("one", {setting(mesh->prepared->cells.size() + 1)}).status().message(),
+              HasSubstr("cells of " + std::to_string(mesh->prepared->cells.size())));
+  EXPECT_EQ(journal_->edit_count(manager_->list()[0].id).value(), 0u);
+  EXPECT_TRUE(apply("one", {setting(1)}).is_ok());
+}
+
+TEST_F(SessionManagerTest, EditsCountInTheMemoryOfTheirSession) {
+  ASSERT_TRUE(open("one").is_ok());
+  const uint64_t before = manager_->usage().session_bytes;
+  const Stroke stroke{{.radius = 10}, std::vector<Vec3d>(4000, Vec3d(1, 0, 0))};
+  ASSERT_TRUE(apply("one", {{"a", stroke}, {"b", stroke}}).is_ok());
+  EXPECT_GE(manager_->usage().session_bytes, before + 2 * 4000 * sizeof(Vec3d));
+  start();
+  ASSERT_TRUE(open("one").is_ok());
+  EXPECT_GE(manager_->usage().session_bytes, before + 2 * 4000 * sizeof(Vec3d));
+}
+
+TEST_F(SessionManagerTest, AnEditForWhichThereIsNoMemoryIsRefused) {
+  ASSERT_TRUE(open("one").is_ok());
+  Quota& memory = manager_->memory();
+  const auto rest = memory.take(kServer, memory.max() - memory.taken() - 10'000);
+  const Stroke stroke{{.radius = 10}, std::vector<Vec3d>(4000, Vec3d(1, 0, 0))};
+  const Status status = apply("one", {{"a", stroke}}).status();
+  EXPECT_EQ(status.code(), StatusCode::kResourceExhausted);
+  EXPECT_TRUE(apply("one", {{"b", SetGradientScale{0.5}}}).is_ok());
+}
+
+TEST_F(SessionManagerTest, ARestartedServerBringsBackTheSameSurface) {
+  ASSERT_TRUE(open("one").is_ok());
+  const Stroke stroke{{0.5, 1, 2, FallOff::kSmooth}, {Vec3d(0, 0, 1), Vec3d(0, 0.3, 0.95)}};
+  ASSERT_TRUE(apply("one", {{"a", SetTransferCurve{TransferCurve(5)}},
+                            {"b", SetGradientScale{0.25}},
+                            {"c", stroke}})
+                  .is_ok());
+  const std::string before = exported("one");
+  start();
+  ASSERT_EQ(manager_->list().size(), 1u);
+  EXPECT_EQ(manager_->list()[0].edits, 3u);
+  EXPECT_FALSE(manager_->list()[0].in_memory);
+  EXPECT_EQ(exported("one"), before);
+  EXPECT_THAT(before, testing::StartsWith("ply"));
+}
+
+TEST_F(SessionManagerTest, AClosedSessionKeepsItsEdits) {
+  ASSERT_TRUE(open("one").is_ok());
+  ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0.5}}}).is_ok());
+  ASSERT_TRUE(manager_->close("one", user_, {}).is_ok());
+  EXPECT_FALSE(manager_->list()[0].in_memory);
+  EXPECT_EQ(manager_->state("one", {}).value().gradient_scale, 0.5);
+  EXPECT_EQ(apply("one", {{"a", SetGradientScale{0.7}}}).value().known, 1u);
+}
+
+TEST_F(SessionManagerTest, ARemovedSessionIsGoneForGood) {
+  ASSERT_TRUE(open("one").is_ok());
+  ASSERT_TRUE(manager_->remove("one", user_, {}).is_ok());
+  EXPECT_EQ(manager_->state("one", {}).status().code(), StatusCode::kNotFound);
+  start();
+  EXPECT_TRUE(manager_->list().empty());
+}
+
+TEST_F(SessionManagerTest, AScanThatIsEditedCannotBeDeleted) {
+  ASSERT_TRUE(open("one").is_ok());
+  const auto refused = manager_->delete_scan("ball");
+  EXPECT_EQ(refused.status().code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(refused.status().message(), HasSubstr("session one"));
+  ASSERT_TRUE(manager_->remove("one", user_, {}).is_ok());
+  EXPECT_EQ(manager_->delete_scan("ball").value(), scan_id_);
+}
+
+TEST_F(SessionManagerTest, ASessionThatCannotBeOpenedIsNotKept) {
+  const auto refused =
+      manager_->open({"ball", "one", {6, 0}}, "", [](std::string_view, double) { return false; });
+  EXPECT_EQ(refused.status().code(), StatusCode::kCancelled);
+  EXPECT_TRUE(manager_->list().empty());
+}
+
+TEST_F(SessionManagerTest, ANameThatCouldBeAnIdIsRefused) {
+  ASSERT_TRUE(open("one").is_ok());
+  const std::string id = manager_->list()[0].id;
+  for (const std::string& name : {id, std::string("0123456789ABCDEF")}) {
+    const Status refused = open(name).status();
+    EXPECT_EQ(refused.code(), StatusCode::kInvalidArgument);
+    EXPECT_THAT(refused.message(), HasSubstr("session name '" + name + "'"));
+    EXPECT_EQ(manager_->fork({"one", name, 0, ""}, user_).status().code(),
+              StatusCode::kInvalidArgument);
+  }
+  EXPECT_TRUE(open("0123456789abcde").is_ok());
+}
+
+TEST_F(SessionManagerTest, AnIdMeansItsSessionWhateverOthersAreCalled) {
+  ASSERT_TRUE(open("one").is_ok());
+  const SessionInfo one = manager_->list()[0];
+  // A journal of an older program may have such a name.
+  const SessionRecord forged{"f00", one.id, one.scan_id, one.key, 0};
+  ASSERT_TRUE(journal_->create_session(forged, {}).is_ok());
+  start();
+  ASSERT_TRUE(apply(one.id, {{"a", SetGradientScale{0.5}}}).is_ok());
+  EXPECT_EQ(manager_->state("one", {}).value().gradient_scale, 0.5);
+  EXPECT_EQ(manager_->state("f00", {}).value().gradient_scale, 1);
+}
+
+TEST_F(SessionManagerTest, WhoGivesUpOpeningTakesNothingFromWhoWaits) {
+  // The first opener gives up once the second one waits for what it makes.
+  std::promise<void> waits;
+  std::thread second;
+  Result<OpenedSession> opened = internal_error("not opened");
+  const Progress tell_that_it_waits = [&, told = false](std::string_view phase, double) mutable {
+    if (phase == "waiting for the session" && !std::exchange(told, true)) waits.set_value();
+    return true;
+  };
+  const auto give_up = [&](std::string_view, double) {
+    if (!second.joinable()) {
+      second = std::thread([&] {
+        opened = manager_->open({"ball", "team", {6, 0}}, "bob", tell_that_it_waits);
+      });
+      waits.get_future().wait();
+    }
+    return false;
+  };
+  EXPECT_EQ(manager_->open({"ball", "team", {6, 0}}, "ann", give_up).status().code(),
+            StatusCode::kCancelled);
+  ASSERT_TRUE(second.joinable());
+  second.join();
+  ASSERT_TRUE(opened.is_ok()) << opened.status().message();
+  EXPECT_FALSE(opened.value().attached);
+  ASSERT_TRUE(apply("team", {{"a", SetGradientScale{0.5}}}).is_ok());
+  start();
+  ASSERT_EQ(manager_->list().size(), 1u);
+  EXPECT_EQ(manager_->list()[0].edits, 1u);
+}
+
+TEST_F(SessionManagerTest, SessionsAreListedWhileTheDiskHoldsUpANewOne) {
+  ASSERT_TRUE(open("one").is_ok());
+  std::promise<void> disk;
+  journal_->append(manager_->list()[0].id, 1, {}, [&](const Status&) { disk.get_future().wait(); });
+  std::thread opener([&] { EXPECT_TRUE(open("two").is_ok()); });
+  std::thread forker([&] { EXPECT_TRUE(manager_->fork({"one", "three", 0, ""}, "").is_ok()); });
+  EXPECT_EQ(manager_->list().size(), 1u);
+  disk.set_value();
+  opener.join();
+  forker.join();
+  EXPECT_EQ(manager_->list().size(), 3u);
+}
+
+TEST_F(SessionManagerTest, EditsThatCouldNotBeWrittenAreNotCounted) {
+  ASSERT_TRUE(open("one").is_ok());
+  ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0.5}}}).is_ok());
+  const std::string id = manager_->list()[0].id;
+  ASSERT_TRUE(journal_->append(id, 2, {{"eve", 0, {"x", SetGradientScale{2}}}}).is_ok());
+  EXPECT_FALSE(apply("one", {{"b", SetGradientScale{0.25}}}).is_ok());
+  ASSERT_TRUE(manager_->close("one", user_).is_ok());
+  EXPECT_EQ(manager_->list()[0].edits, 1u);
+}
+
+TEST_F(SessionManagerTest, WhoBringsASessionBackIsChargedForIt) {
+  options_.sessions_per_user = 1;
+  start();
+  for (const char* name : {"1", "2"}) ASSERT_TRUE(open(name).is_ok());
+  start();
+  EXPECT_TRUE(manager_->state("1", "vera").is_ok());
+  EXPECT_TRUE(manager_->state("1", "vera").is_ok());
+  const Status refused = manager_->state("2", "vera").status();
+  EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(refused.message(), HasSubstr("user vera has 1 sessions open"));
+  EXPECT_TRUE(manager_->state("2", "bert").is_ok());
+}
+
+TEST_F(SessionManagerTest, ACancelledExportLeavesNoFile) {
+  ASSERT_TRUE(open("one").is_ok());
+  ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0}}}).is_ok());
+  const auto cancelled = manager_->export_mesh("one", {MeshFormat::kPly, true, 0}, {},
+                                               [](std::string_view, double) { return false; });
+  EXPECT_EQ(cancelled.status().code(), StatusCode::kCancelled);
+  EXPECT_EQ(library_.staged_files(), 0u);
+}
+
+TEST_F(SessionManagerTest, AnExportFileHasNoNameAndTellsItsHash) {
+  ASSERT_TRUE(open("one").is_ok());
+  const auto file =
+      std::move(manager_->export_mesh("one", {MeshFormat::kStl, false, 1}, {})).value();
+  EXPECT_EQ(library_.staged_files(), 0u);
+  EXPECT_EQ(file->summary().triangles, 1280u);
+  EXPECT_EQ(file->summary().size_bytes, 84u + 50u * 1280u);
+  EXPECT_EQ(file->summary().sha256.size(), 64u);
+  EXPECT_TRUE(file->read(file->summary().size_bytes).value().empty());
+}
+
+}  // namespace
+}  // namespace burnish

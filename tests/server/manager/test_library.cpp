@@ -1,0 +1,44 @@
+#include "tests/server/manager/test_library.h"
+
+#include "common/mesh/mesh_io.h"
+#include "common/transfer/chunk.h"
+
+namespace burnish {
+
+TestLibrary::TestLibrary(const MeshStoreOptions& store_options) : options(store_options) {
+  restart();
+}
+
+void TestLibrary::restart() {
+  store.reset();
+  folder.reset();
+  folder = std::move(DataFolder::open(root / "data")).value();
+  store = std::move(MeshStore::open(*folder, options)).value();
+}
+
+Result<ImportOutcome> TestLibrary::import(const std::string& bytes, const std::string& name,
+                                          const Progress& progress, int depth) {
+  const ImportHeader header{name, MeshFormat::kPly, bytes.size(), "", {depth, 0}};
+  ASSIGN_OR_RETURN(const auto upload, store->begin_upload(header));
+  RETURN_IF_ERROR(upload->append(0, bytes, chunk_crc32(bytes)));
+  return store->import(*upload, header, progress);
+}
+
+size_t TestLibrary::staged_files() const {
+  const std::filesystem::directory_iterator files(root / "data/staging");
+  return static_cast<size_t>(std::distance(begin(files), end(files)));
+}
+
+std::string mesh_file(const TriangleMesh& mesh) {
+  const TemporaryFolder folder;
+  const auto path = folder / "mesh.ply";
+  const Status status = write_mesh(mesh, path);
+  BURNISH_CHECK(status.is_ok(), status.message());
+  return content_of(path);
+}
+
+std::string sphere_file(double radius, int level) {
+  return mesh_file(make_icosphere(level, radius));
+}
+
+}  // namespace burnish

@@ -1,0 +1,185 @@
+#include "server/scheduling/fair_mutex.h"
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace burnish {
+namespace {
+
+TEST(FairMutex, WhoWaitsGetsItBeforeWhoComesBack) {
+  FairMutex mutex;
+  mutex.lock();
+  std::atomic<bool> had_it{false};
+  std::thread waiter([&] {
+    mutex.lock();
+    had_it = true;
+    mutex.unlock();
+  });
+  // Turn by turn without a pause, as a solver works: the waiter comes in between.
+  while (!had_it) {
+    mutex.unlock();
+    mutex.lock();
+  }
+  mutex.unlock();
+  waiter.join();
+  EXPECT_TRUE(mutex.try_lock());
+}
+
+TEST(FairMutex, WaitingEndsWhenItIsToldAndLeavesNoTrace) {
+  FairMutex mutex;
+  mutex.lock();
+  std::thread([&] { EXPECT_FALSE(mutex.lock_while([] { return false; })); }).join();
+  mutex.unlock();
+  EXPECT_TRUE(mutex.try_lock());
+}
+
+/// Somebody who waits in a thread, and says so.
+class InLine {
+ public:
+  InLine(FairMutex& mutex, std::function<void()> work)
+      : thread_([this, &mutex, work = std::move(work)] {
+          const bool got = mutex.lock_while([this] {
+            waits_ = true;  // asked for the first time after a while in the line
+            return true;
+          });
+          EXPECT_TRUE(got);
+          work();
+          mutex.unlock();
+        }) {
+    while (!waits_) std::this_thread::yield();
+  }
+  ~InLine() { thread_.join(); }
+
+ private:
+  std::atomic<bool> waits_{false};
+  std::thread thread_;
+};
+
+TEST(FairMutex, WhoAsksAgainAndAgainKeepsItsPlace) {
+  FairMutex mutex;
+  std::string order;
+  mutex.lock();
+  {
+    InLine first(mutex, [&] { order += 'a'; });
+    InLine second(mutex, [&] { order += 'b'; });
+    mutex.unlock();
+  }
+  EXPECT_EQ(order, "ab");
+}
+
+TEST(FairMutex, APlaceIsCalledOnceAndTheMutexIsKeptForIt) {
+  FairMutex mutex;
+  int calls = 0;
+  FairMutex::Place place(mutex, [&] { ++calls; });
+  mutex.lock();
+  EXPECT_FALSE(place.take());
+  EXPECT_FALSE(place.take());
+  EXPECT_EQ(calls, 0);
+  mutex.unlock();
+  EXPECT_EQ(calls, 1);
+  EXPECT_FALSE(mutex.try_lock());
+  EXPECT_TRUE(place.take());
+  mutex.unlock();
+  EXPECT_EQ(calls, 1);
+  EXPECT_TRUE(mutex.try_lock());
+}
+
+TEST(FairMutex, AFreeOneIsTakenAtOnce) {
+  FairMutex mutex;
+  FairMutex::Place place(mutex, [] { ADD_FAILURE() << "called for nothing"; });
+  EXPECT_TRUE(place.take());
+  EXPECT_FALSE(mutex.try_lock());
+  mutex.unlock();
+}
+
+TEST(FairMutex, APlaceComesBeforeAllButOneOfThoseWhoWait) {
+  FairMutex mutex;
+  std::string order;
+  FairMutex::Place place(mutex, [] {});
+  mutex.lock();
+  {
+    InLine first(mutex, [&] {
+      order += 'a';
+      EXPECT_FALSE(place.take());
+    });
+    InLine second(mutex, [&] { order += 'b'; });
+    EXPECT_FALSE(place.take());
+    mutex.unlock();
+    for (int turn = 0; turn < 2; ++turn) {
+      while (!place.take()) std::this_thread::yield();
+      order += 'p';
+      mutex.unlock();
+    }
+  }
+  EXPECT_EQ(order, "papb");
+}
+
+TEST(FairMutex, APlaceThatLeavesOrEndsHandsOn) {
+  FairMutex mutex;
+  bool had_it = false;
+  {
+    FairMutex::Place place(mutex, [] {});
+    mutex.lock();
+    EXPECT_FALSE(place.take());
+    InLine waiter(mutex, [&] { had_it = true; });
+    mutex.unlock();
+    place.leave();
+  }
+  EXPECT_TRUE(had_it);
+  {
+    FairMutex::Place place(mutex, [] {});
+    mutex.lock();
+    EXPECT_FALSE(place.take());
+    mutex.unlock();
+  }
+  EXPECT_TRUE(mutex.try_lock());
+}
+
+TEST(FairMutex, ALongHolderLetsAPlacePassAndNobodyElse) {
+  FairMutex mutex;
+  std::string order;
+  std::atomic<bool> called{false};
+  FairMutex::Place place(mutex, [&] { called = true; });
+  mutex.lock();
+  mutex.let_place_pass();
+  EXPECT_FALSE(place.take());
+  {
+    InLine waiter(mutex, [&] { order += 'w'; });
+    std::thread turn([&] {
+      while (!called) std::this_thread::yield();
+      EXPECT_TRUE(place.take());
+      order += 'p';
+      mutex.unlock();
+    });
+    mutex.let_place_pass();
+    order += 'h';
+    turn.join();
+    mutex.unlock();
+  }
+  EXPECT_EQ(order, "phw");
+}
+
+TEST(FairMutex, KeepsAllOthersOut) {
+  FairMutex mutex;
+  int count = 0;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 8; ++i)
+    threads.emplace_back([&] {
+      for (int n = 0; n < 2000; ++n) {
+        mutex.lock();
+        ++count;
+        mutex.unlock();
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(count, 16'000);
+}
+
+}  // namespace
+}  // namespace burnish
