@@ -205,9 +205,21 @@ class KilledServer {
     EXPECT_EQ(check.text(0), "ok");
   }
 
+  /// The server's own, beside the server, which may hold it for a moment.
+  Database opened_journal() {
+    const fs::path path = server_.folder / "data" / "journal.sqlite";
+    const Clock::time_point end = Clock::now() + kPatience;
+    auto journal = Database::open(path);
+    while (!journal.is_ok() && Clock::now() < end) {
+      std::this_thread::sleep_for(milliseconds(5));
+      journal = Database::open(path);
+    }
+    return std::move(journal).value();
+  }
+
   /// By author, in the order of their numbers.
   std::map<std::string, std::vector<std::string>> recorded_edits(const std::string& session) {
-    Database journal = Database::open(server_.folder / "data" / "journal.sqlite").value();
+    Database journal = opened_journal();
     Statement edits = journal
                           .prepare("SELECT author, edits.id FROM edits JOIN sessions ON "
                                    "sessions.id = session_id WHERE name = ? ORDER BY number")
