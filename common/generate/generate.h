@@ -22,8 +22,8 @@ struct GeneratedScanKind {
   std::string_view description;  ///< one line for the help text
 };
 
-/// tablet, icosphere, cylinder, sheet, blob, sheets, fan, soup, part (section 3 of
-/// ARCHITECTURE.md).
+/// tablet, icosphere, cylinder, sheet, blob, sheets, fan, soup, part (docs/benchmarks.md, "The
+/// scans").
 const std::vector<GeneratedScanKind>& generated_scan_kinds();
 
 /// All are valid and consistently oriented, the closed ones outwards. The exact shapes

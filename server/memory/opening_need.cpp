@@ -3,7 +3,7 @@
 namespace burnish {
 
 // Measured on real scans and rounded up: a cell of the finest depth brings some two corners, and
-// the coarser depths a third of that again (ARCHITECTURE section 7 has the figures).
+// the coarser depths a third of that again (docs/benchmarks.md has the figures).
 static constexpr uint64_t kHierarchyBytesPerCell = 704;
 static constexpr uint64_t kHierarchyBytesPerVertex = 12;  // PointsByCell
 static constexpr uint64_t kSessionBytesPerCellMin = 900;  // with the fewest corners that occur

@@ -13,14 +13,14 @@
 
 namespace burnish {
 
-/// The estimated distance at which a session is called settled: well below the bar of ARCHITECTURE
-/// section 5, 1e-4, for the estimate is not a bound.
+/// The estimated distance at which a session is called settled: well below the bar of 1e-4
+/// (docs/solver.md, "How exact"), for the estimate is not a bound.
 inline constexpr double kSettledDistance = 3e-5;
 
 /// When a solve ends: after a fixed number of cycles, or when the estimated distance to the
 /// converged surface is below a bar.
 struct SolveOptions {
-  bool exact = false;  ///< to the bar of exports, else of settled sessions (ARCHITECTURE section 5)
+  bool exact = false;  ///< to the bar of exports, else of settled sessions (docs/solver.md)
   int cycles = 0;      ///< > 0: exactly this many
 };
 

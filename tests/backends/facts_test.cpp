@@ -1,5 +1,5 @@
-// What must hold of any edit on any backend, from closed forms and symmetries (ARCHITECTURE section
-// 5).
+// What must hold of any edit on any backend, from closed forms and symmetries (ARCHITECTURE.md,
+// "Invariants").
 
 #include <cmath>
 

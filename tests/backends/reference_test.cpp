@@ -14,7 +14,7 @@ namespace burnish {
 namespace {
 
 constexpr int kDepth = 5;
-constexpr double kExportMax = 1e-5, kExportRms = 1e-6;  // ARCHITECTURE section 5
+constexpr double kExportMax = 1e-5, kExportRms = 1e-6;  // docs/solver.md, "How exact"
 constexpr double kSettledMax = 1e-4, kSettledRms = 1e-5;
 constexpr double kCurveMax = 5e-4, kCurveRms = 5e-5;
 

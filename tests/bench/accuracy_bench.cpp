@@ -1,5 +1,5 @@
-// Every row of the accuracy table (ARCHITECTURE section 5): how far the vertices of a session are
-// from the converged surface when it is settled, exact, and after so many frames.
+// Every row of the accuracy table (docs/solver.md, "How exact"): how far the vertices of a session
+// are from the converged surface when it is settled, exact, and after so many frames.
 //
 //     accuracy_bench [--json FILE] [--rows TEXT] [--soak] [SCAN[@DEPTH]]...
 //

@@ -29,7 +29,7 @@ struct AccuracyRun {
   std::vector<AccuracyStop> stops;
 };
 
-/// Every row of the accuracy table (ARCHITECTURE section 5), runs of one metric side by side.
+/// Every row of the accuracy table (docs/solver.md, "How exact"), runs of one metric side by side.
 std::vector<AccuracyRun> accuracy_runs(const PreparedMesh& prepared);
 
 /// Curves of contrast 100 and 1000 around the curvatures of a scan's detail.
