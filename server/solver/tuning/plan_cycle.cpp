@@ -26,9 +26,9 @@ double share_of_irregular_rows(const HierarchyDepth& depth) {
   return static_cast<double>(depth.stencil.irregular.count()) / depth.grid.corner_count();
 }
 
-/// Of the finest depth, as far as its sheets are apart.
+/// None where all sheets of the finest depth are kept together: they share no corner then.
 Patches patches_on_crumbs(const PreparedMesh& prepared, const HierarchyDepth& finest) {
-  if (finest.sheet_count == 0) return {};
+  if (finest.to_parent.shared.count() == 0) return {};
   return make_patches(finest.grid,
                       find_crumbs(finest.grid, find_sheet_corners(prepared, finest.grid)));
 }
