@@ -139,8 +139,10 @@ Result<std::shared_ptr<const SharedMesh>> MeshStore::open_mesh(const std::string
   if (auto shared = cache_.find({id, key})) return shared;
   ASSIGN_OR_RETURN(const auto mesh, read_with_hierarchy(id, key, progress));
   mesh->plan = std::make_shared<CyclePlan>();
-  // A trial is a session for a while.
-  ASSIGN_OR_RETURN(const Quota::Share trial, memory_.take(kServer, predict_session_bytes(*mesh)));
+  Quota::Share trial;  // a session for a while
+  if (needs_trials(*mesh->hierarchy)) {
+    ASSIGN_OR_RETURN(trial, memory_.take(kServer, predict_session_bytes(*mesh)));
+  }
   RETURN_IF_ERROR(with_memory_for("the cycle of scan " + short_id(id), [&]() -> Status {
     ASSIGN_OR_RETURN(mesh->plan, plan_cycle(mesh->prepared, mesh->hierarchy, progress));
     return Status::ok();

@@ -26,13 +26,15 @@ std::map<std::string, Target> read_targets(const std::filesystem::path& path,
   return targets;
 }
 
-// A target may link what one of its sources may include.
-std::string objection(const Target& target, const std::string& name, const Layers& layers) {
+// A target may link another when one of its sources may include one of the other's.
+std::string objection(const Target& target, const std::set<std::string>& others,
+                      const Layers& layers) {
   std::string last;
-  for (const std::string& layer : target.layers) {
-    last = layers.objection(layer, name);
-    if (last.empty()) return {};
-  }
+  for (const std::string& layer : target.layers)
+    for (const std::string& other : others) {
+      last = layers.objection(layer, other);
+      if (last.empty()) return {};
+    }
   return last;
 }
 
@@ -46,10 +48,8 @@ std::vector<std::string> check_targets(const std::filesystem::path& list, const 
       const auto other = targets.find(link);
       const std::set<std::string> used =
           other == targets.end() ? std::set{link} : other->second.layers;
-      for (const std::string& use : used) {
-        const std::string why = objection(target, use, layers);
-        if (!why.empty()) wrong.push_back("target " + name + " links " + link + ": " + why);
-      }
+      const std::string why = objection(target, used, layers);
+      if (!why.empty()) wrong.push_back("target " + name + " links " + link + ": " + why);
     }
   }
   return wrong;

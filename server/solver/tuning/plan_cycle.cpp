@@ -47,7 +47,6 @@ std::optional<int> first_weak_depth(const Hierarchy& hierarchy) {
 Result<Patches> patches_on_slow_spots(const Multigrid& on, const Progress& progress) {
   const SparseGrid& finest = on.hierarchy->depths.back().grid;
   CyclePlan plan = *on.plan;
-  if (finest.corner_count() > kTrialCornersMax) return plan.patches;
   for (int trial = 0; trial < kTrialsMax; ++trial) {
     const Multigrid tried{on.prepared, on.hierarchy, std::make_shared<CyclePlan>(plan)};
     ASSIGN_OR_RETURN(std::vector<std::vector<int32_t>> spots, find_slow_spots(tried, progress));
@@ -62,6 +61,11 @@ Result<Patches> patches_on_slow_spots(const Multigrid& on, const Progress& progr
 
 }  // namespace
 
+bool needs_trials(const Hierarchy& hierarchy) {
+  return first_weak_depth(hierarchy) &&
+         hierarchy.depths.back().grid.corner_count() <= kTrialCornersMax;
+}
+
 Result<std::shared_ptr<const CyclePlan>> plan_cycle(
     const std::shared_ptr<const PreparedMesh>& prepared,
     const std::shared_ptr<const Hierarchy>& hierarchy, const Progress& progress) {
@@ -69,6 +73,7 @@ Result<std::shared_ptr<const CyclePlan>> plan_cycle(
   plan->patches = patches_on_crumbs(*prepared, hierarchy->depths.back());
   if (const auto weak = first_weak_depth(*hierarchy)) {
     plan->first_weak_depth = *weak;
+    if (!needs_trials(*hierarchy)) return std::shared_ptr<const CyclePlan>(plan);
     ASSIGN_OR_RETURN(plan->patches, patches_on_slow_spots({prepared, hierarchy, plan}, progress));
   }
   return std::shared_ptr<const CyclePlan>(plan);

@@ -13,6 +13,9 @@ Result<std::shared_ptr<const CyclePlan>> plan_cycle(
     const std::shared_ptr<const PreparedMesh>& prepared,
     const std::shared_ptr<const Hierarchy>& hierarchy, const Progress& progress = {});
 
+/// Whether plan_cycle() takes the memory of a session for its trials.
+bool needs_trials(const Hierarchy& hierarchy);
+
 /// The hierarchy of a prepared mesh and the plan for it. Fails: cancelled.
 Result<Multigrid> make_multigrid(std::shared_ptr<const PreparedMesh> prepared,
                                  const Progress& progress = {});
