@@ -1,24 +1,8 @@
 #include "client/cli/stroke_file.h"
 
-#include <array>
-#include <utility>
-
 #include "common/base/text_lines.h"
 
 namespace burnish {
-
-static Result<FallOff> parse_fall_off(std::string_view word) {
-  static constexpr std::array<std::pair<std::string_view, FallOff>, 4> kNames = {{
-      {"smooth", FallOff::kSmooth},
-      {"linear", FallOff::kLinear},
-      {"sharp", FallOff::kSharp},
-      {"constant", FallOff::kConstant},
-  }};
-  for (const auto& [name, fall_off] : kNames)
-    if (name == word) return fall_off;
-  return invalid_argument("fall-off '" + std::string(word) +
-                          "' is none of smooth, linear, sharp, constant");
-}
 
 static Result<Stroke> parse_brush(const TextLine& line) {
   if (line.words.size() != 5)

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "common/base/clock.h"
+
 namespace burnish {
 
 static constexpr size_t kLevelsKept = 64;     // frames between an edit's frame and its answer
 static constexpr size_t kPreviewsKept = 256;  // not shown yet
-
-static double ms_between(ShownEdits::Time from, ShownEdits::Time to) {
-  return std::chrono::duration<double, std::milli>(to - from).count();
-}
 
 void ShownEdits::acknowledged(std::vector<std::string> ids, Time since, uint64_t edits) {
   const auto level =

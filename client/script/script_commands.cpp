@@ -19,17 +19,6 @@ Result<std::vector<double>> parse_numbers(const std::vector<std::string>& words,
   return numbers;
 }
 
-Result<FallOff> parse_fall_off(const std::string& word) {
-  static constexpr std::pair<std::string_view, FallOff> kNames[] = {
-      {"smooth", FallOff::kSmooth},
-      {"linear", FallOff::kLinear},
-      {"sharp", FallOff::kSharp},
-      {"constant", FallOff::kConstant}};
-  for (const auto& [name, fall_off] : kNames)
-    if (word == name) return fall_off;
-  return invalid_argument("'" + word + "' is not smooth, linear, sharp or constant");
-}
-
 /// RADIUS STRENGTH BETA [FALLOFF]
 Result<Brush> parse_brush(const std::vector<std::string>& words) {
   Brush brush;

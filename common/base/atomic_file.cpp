@@ -90,7 +90,7 @@ Status AtomicFile::sync_and_close() {
   return Status::ok();
 }
 
-static Status sync_folder(const fs::path& folder) {
+Status sync_folder(const fs::path& folder) {
   const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (fd < 0) return errno_status("cannot open " + folder.string(), errno);
   const int error = fsync(fd) == 0 ? 0 : errno;

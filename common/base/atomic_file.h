@@ -48,6 +48,9 @@ class AtomicFile {
   int fd_ = -1;
 };
 
+/// Makes the names in a folder outlast a power cut. Fails: as the system says.
+Status sync_folder(const std::filesystem::path& folder);
+
 /// All of a small file at once. Fails: as AtomicFile does.
 Status write_file(const std::filesystem::path& path, std::string_view text,
                   FileAccess access = FileAccess::kAsUsual);

@@ -37,16 +37,24 @@ bool is_valid_utf8(std::string_view text) {
   return true;
 }
 
+std::string to_hex(std::span<const std::byte> bytes) {
+  static constexpr char kHex[] = "0123456789abcdef";
+  std::string digits;
+  for (const std::byte byte : bytes) {
+    const auto value = std::to_integer<unsigned>(byte);
+    digits += {kHex[value >> 4], kHex[value & 15]};
+  }
+  return digits;
+}
+
 std::string to_valid_utf8(std::string_view text) {
   if (is_valid_utf8(text)) return std::string(text);
-  static constexpr char kHex[] = "0123456789abcdef";
   std::string valid;
   while (!text.empty()) {
     const std::string_view before = text;
     const auto character = take_character(text);
-    const auto byte = static_cast<unsigned char>(before[0]);
     if (!character) {
-      valid += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
+      valid += "\\x" + to_hex(std::as_bytes(std::span(before.data(), 1)));
     } else if (character == U'\\') {
       valid += "\\\\";
     } else {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -26,6 +27,9 @@ bool is_valid_utf8(std::string_view text);
 /// Valid UTF-8 stays as it is. In other text each byte that is not part of a character becomes
 /// four characters, "M\xfcller", and each backslash two, so that two names never become one.
 std::string to_valid_utf8(std::string_view text);
+
+/// Two lower-case digits for each byte.
+std::string to_hex(std::span<const std::byte> bytes);
 
 /// What scans, sessions, users and checkpoints may be called: 1 to kNameBytesMax bytes of UTF-8 in
 /// which nothing is_control(). Fails: invalid_argument beginning with `what`.

@@ -1,8 +1,7 @@
 #include "common/base/text_lines.h"
 
-#include <charconv>
-
 #include "common/base/mapped_file.h"
+#include "common/base/parse_number.h"
 
 namespace burnish {
 
@@ -35,9 +34,7 @@ std::string place(const std::string& name, const TextLine& line) {
 
 template <typename Number>
 static Result<Number> parse(std::string_view word, const char* kind) {
-  Number value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error == std::errc() && end == word.data() + word.size()) return value;
+  if (const auto value = parse_number<Number>(word)) return *value;
   return invalid_argument("'" + std::string(word) + "' is not " + kind);
 }
 

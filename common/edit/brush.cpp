@@ -1,6 +1,8 @@
 #include "common/edit/brush.h"
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "common/base/limits.h"
 #include "common/edit/transfer_curve.h"
@@ -8,6 +10,18 @@
 namespace burnish {
 
 static constexpr double kEndTolerance = 1e-6;  // of the spacing
+
+Result<FallOff> parse_fall_off(std::string_view word) {
+  static constexpr std::pair<std::string_view, FallOff> kNames[] = {
+      {"smooth", FallOff::kSmooth},
+      {"linear", FallOff::kLinear},
+      {"sharp", FallOff::kSharp},
+      {"constant", FallOff::kConstant}};
+  for (const auto& [name, fall_off] : kNames)
+    if (name == word) return fall_off;
+  return invalid_argument("fall-off '" + std::string(word) +
+                          "' is not smooth, linear, sharp or constant");
+}
 
 double fall_off_weight(FallOff fall_off, double distance_over_radius) {
   const double x = distance_over_radius;

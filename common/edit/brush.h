@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "common/base/status.h"
@@ -8,6 +9,9 @@
 namespace burnish {
 
 enum class FallOff { kSmooth, kLinear, kSharp, kConstant };
+
+/// "smooth", "linear", "sharp" or "constant". Fails: invalid_argument.
+Result<FallOff> parse_fall_off(std::string_view word);
 
 /// The airbrush of section 6.1: a ball in the original geometry that blends its β into the cells.
 struct Brush {

@@ -1,11 +1,11 @@
 #include "common/edit/transfer_curve.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
 #include "common/base/limits.h"
+#include "common/base/parse_number.h"
 
 namespace burnish {
 
@@ -62,11 +62,9 @@ Result<TransferCurve> TransferCurve::create(std::vector<Point> points) {
   return curve;
 }
 
-static Result<double> parse_number(std::string_view text, std::string_view point) {
-  double x = 0;
+static Result<double> parse_coordinate(std::string_view text, std::string_view point) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-  if (error == std::errc() && end == text.data() + text.size()) return x;
+  if (const auto x = parse_number<double>(text)) return *x;
   return invalid_argument("curve point '" + std::string(point) +
                           "' is not kappa:alpha, e.g. -5:50");
 }
@@ -83,8 +81,8 @@ static Result<TransferCurve::Point> parse_point(std::string_view text) {
   const std::string_view alpha =
       colon == std::string_view::npos ? "" : trimmed(text.substr(colon + 1));
   TransferCurve::Point point{};
-  ASSIGN_OR_RETURN(point.kappa, parse_number(kappa, text));
-  ASSIGN_OR_RETURN(point.alpha, parse_number(alpha, text));
+  ASSIGN_OR_RETURN(point.kappa, parse_coordinate(kappa, text));
+  ASSIGN_OR_RETURN(point.alpha, parse_coordinate(alpha, text));
   return point;
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 
+#include "common/base/disjoint_sets.h"
 #include "common/base/parallel.h"
 #include "common/grid/corner_bricks.h"
 
@@ -42,23 +42,19 @@ SparseGrid connect(int depth, std::vector<GridKey> cells) {
   return grid;
 }
 
-// Union-find over the cells around each corner. Returns the root of every cell.
+// Cells that share a corner hang together. Returns the least cell of each one's component.
 std::vector<int32_t> component_roots(const SparseGrid& grid) {
-  std::vector<int32_t> root(grid.cells.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int32_t cell) {
-    while (root[cell] != cell) cell = root[cell] = root[root[cell]];
-    return cell;
-  };
+  DisjointSets sets(grid.cells.size());
   for (const auto& around : grid.cells_of_corner) {
     int32_t first = kNone;
-    for (int32_t cell : around) {
+    for (const int32_t cell : around) {
       if (cell == kNone) continue;
-      if (first == kNone) first = find(cell);
-      if (root[cell] != first) root[find(cell)] = first;
+      if (first == kNone) first = cell;
+      sets.join(first, cell);
     }
   }
-  for (int32_t cell = 0; cell < grid.cell_count(); ++cell) root[cell] = find(cell);
+  std::vector<int32_t> root(grid.cells.size());
+  for (int32_t cell = 0; cell < grid.cell_count(); ++cell) root[cell] = sets.root(cell);
   return root;
 }
 

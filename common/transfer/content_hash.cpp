@@ -1,10 +1,12 @@
 #include "common/transfer/content_hash.h"
 
 #include <algorithm>
+#include <span>
 
 #include <openssl/evp.h>
 
 #include "common/base/check.h"
+#include "common/base/text.h"
 
 namespace burnish {
 
@@ -30,13 +32,7 @@ std::string ContentHash::finish() {
   unsigned char bytes[EVP_MAX_MD_SIZE];
   unsigned int size = 0;
   EVP_DigestFinal_ex(context_->digest, bytes, &size);
-  static constexpr char kHex[] = "0123456789abcdef";
-  std::string text;
-  for (unsigned int i = 0; i < size; ++i) {
-    text += kHex[bytes[i] >> 4];
-    text += kHex[bytes[i] & 15];
-  }
-  return text;
+  return to_hex(std::as_bytes(std::span(bytes, size)));
 }
 
 bool is_content_hash(std::string_view text) {

@@ -1,10 +1,9 @@
 #include "server/config/config.h"
 
-#include <charconv>
-
 #include <arpa/inet.h>
 #include <netinet/in.h>
 
+#include "common/base/parse_number.h"
 #include "common/base/process_memory.h"
 #include "server/config/config_keys.h"
 
@@ -12,13 +11,9 @@ namespace burnish {
 
 static Status check_address(const std::string& key, const std::string& address) {
   const size_t colon = address.rfind(':');
-  int port = -1;
-  if (colon != std::string::npos && colon > 0) {
-    const char* end = address.data() + address.size();
-    const auto parsed = std::from_chars(address.data() + colon + 1, end, port);
-    if (parsed.ec != std::errc() || parsed.ptr != end) port = -1;
-  }
-  if (port >= 0 && port <= 65535) return Status::ok();
+  if (colon != std::string::npos && colon > 0 &&
+      parse_number<uint16_t>(std::string_view(address).substr(colon + 1)))
+    return Status::ok();
   return invalid_argument(key + " = '" + address + "' is not HOST:PORT with a port in 0..65535");
 }
 

@@ -1,12 +1,16 @@
 #include "server/library/data_folder.h"
 
+#include <array>
 #include <cerrno>
 #include <fcntl.h>
 #include <random>
+#include <span>
 #include <unistd.h>
 
 #include <sys/file.h>
 #include <sys/stat.h>
+
+#include "common/base/text.h"
 
 namespace burnish {
 
@@ -62,24 +66,10 @@ fs::path DataFolder::staging_path(const std::string& suffix) const {
   return path_ / "staging" / (random_name() + suffix);
 }
 
-Status sync_folder(const fs::path& folder) {
-  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file < 0) return errno_status("cannot open " + folder.string(), errno);
-  const Status status =
-      ::fsync(file) == 0 ? Status::ok() : errno_status("cannot sync " + folder.string(), errno);
-  ::close(file);
-  return status;
-}
-
 std::string random_name() {
   std::random_device device;
-  static constexpr char kHex[] = "0123456789abcdef";
-  std::string name;
-  for (int i = 0; i < 2; ++i) {
-    uint32_t bits = device();
-    for (int digit = 0; digit < 8; ++digit, bits >>= 4) name += kHex[bits & 15];
-  }
-  return name;
+  const std::array<uint32_t, 2> bits = {device(), device()};
+  return to_hex(std::as_bytes(std::span(bits)));
 }
 
 }  // namespace burnish

@@ -35,9 +35,6 @@ class DataFolder {
   int lock_;
 };
 
-/// Waits until the names in a folder are on disk.
-Status sync_folder(const std::filesystem::path& folder);
-
 /// 16 hexadecimal digits that nobody can guess.
 std::string random_name();
 

@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 
 #include "common/base/atomic_file.h"
+#include "common/base/clock.h"
 #include "common/grid/grid.h"
 #include "server/library/read_original.h"
 #include "server/library/scan_files.h"
@@ -47,12 +48,6 @@ Status make_folders(const fs::path& path) {
   if (!error) fs::permissions(path.parent_path(), fs::perms::owner_all, error);
   return error ? errno_status("cannot make the folder " + path.string(), error.value())
                : Status::ok();
-}
-
-int64_t unix_seconds_now() {
-  return std::chrono::duration_cast<std::chrono::seconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
 }
 
 ScanInfo make_scan_info(const std::string& id, const ImportHeader& header,

@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "common/base/atomic_file.h"
 #include "common/base/mapped_file.h"
 #include "common/transfer/content_hash.h"
 #include "server/library/data_folder.h"

@@ -6,15 +6,12 @@
 
 #include <spdlog/spdlog.h>
 
+#include "common/base/clock.h"
 #include "server/metrics/metrics.h"
 
 namespace burnish {
 
 using std::chrono::steady_clock;
-
-static double ms_between(steady_clock::time_point begin, steady_clock::time_point end) {
-  return std::chrono::duration<double, std::milli>(end - begin).count();
-}
 
 /// A replay's part of a turn: many long strokes take many turns, and others have theirs in between.
 /// The first question is always answered yes, so that every slice gets on.

@@ -6,16 +6,11 @@
 #include <set>
 #include <string_view>
 
+#include "common/base/clock.h"
 #include "server/manager/session_manager_held.h"
 #include "server/memory/memory_need.h"
 
 namespace burnish {
-
-static int64_t unix_ms_now() {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 /// Those that the user has not sent before, each once.
 static std::vector<AuthoredEdit> new_edits(const History& history, const std::string& user,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "common/base/clock.h"
 #include "server/manager/session_manager_held.h"
 
 namespace burnish {
@@ -18,12 +19,6 @@ struct SessionManager::Reserved {
 namespace {
 
 constexpr size_t kIdDigits = 16;
-
-int64_t unix_seconds_now() {
-  return std::chrono::duration_cast<std::chrono::seconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 std::string describe(const PreparedKey& key) {
   return "depth " + std::to_string(key.depth);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "common/base/sort_once.h"
 #include "common/mesh/components.h"
 
 namespace burnish {
@@ -34,8 +35,7 @@ class Components {
   std::vector<uint32_t> all_of(std::span<const CellPiece> pieces) const {
     std::vector<uint32_t> all;
     for (const CellPiece& piece : pieces) all.push_back(of(piece));
-    std::ranges::sort(all);
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    sort_once(all);
     return all;
   }
 

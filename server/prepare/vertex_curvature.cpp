@@ -14,9 +14,10 @@ static int corner_of(const Triangle& triangle, uint32_t vertex) {
 
 // Calls visit(triangle index, shape, corner) for the triangles with a plane around a vertex.
 template <typename Visit>
-static void for_each_corner(const TriangleMesh& mesh, const VertexTriangles& vertex_triangles,
-                            int64_t vertex, double unit, Visit visit) {
-  for (uint32_t t : vertex_triangles.around(vertex)) {
+static void for_each_corner(const TriangleMesh& mesh,
+                            const Groups<uint32_t, uint64_t>& vertex_triangles, int64_t vertex,
+                            double unit, Visit visit) {
+  for (uint32_t t : vertex_triangles[vertex]) {
     const Triangle& triangle = mesh.triangles[t];
     const TriangleShape shape = make_triangle_shape(mesh, triangle, unit);
     if (shape.has_plane) visit(t, shape, corner_of(triangle, static_cast<uint32_t>(vertex)));
@@ -24,7 +25,8 @@ static void for_each_corner(const TriangleMesh& mesh, const VertexTriangles& ver
 }
 
 static std::vector<Vec3d> vertex_normals(const TriangleMesh& mesh,
-                                         const VertexTriangles& vertex_triangles, double unit) {
+                                         const Groups<uint32_t, uint64_t>& vertex_triangles,
+                                         double unit) {
   std::vector<Vec3d> normals(mesh.vertices.size());
 #pragma omp parallel for schedule(static)
   for (int64_t v = 0; v < static_cast<int64_t>(normals.size()); ++v) {
@@ -88,7 +90,7 @@ static UnsetVector<TangentTensor> triangle_tensors(const TriangleMesh& mesh,
 }
 
 VertexCurvature compute_vertex_curvature(const TriangleMesh& mesh, double unit) {
-  const VertexTriangles vertex_triangles(mesh);
+  const auto vertex_triangles = triangles_around_vertices(mesh);
   VertexCurvature result;
   result.normals = vertex_normals(mesh, vertex_triangles, unit);
   result.tensors.resize(mesh.vertices.size());

@@ -23,7 +23,7 @@ struct Counts {
       : corners(depth.grid.corner_count()),
         cells(depth.grid.cell_count()),
         entries(static_cast<double>(depth.stencil.column.size())),
-        halo(static_cast<double>(depth.stencil.tiles.halo.size())),
+        halo(static_cast<double>(depth.stencil.tiles.halo.item.size())),
         restricted(static_cast<double>(depth.to_parent.restriction_corner.size())) {}
 
   double corners, cells;

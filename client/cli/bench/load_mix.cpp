@@ -1,9 +1,10 @@
 #include "client/cli/bench/load_mix.h"
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 #include <sstream>
+
+#include "common/base/parse_number.h"
 
 namespace burnish {
 
@@ -22,12 +23,11 @@ Result<LoadMix> parse_load_mix(const std::string& text) {
     const auto name = std::ranges::find(kNames, part.substr(0, equals));
     if (name == kNames.end())
       return invalid_argument("'" + part + "' does not begin with draw=, drag= or paint=");
-    double& weight = mix.weight[static_cast<size_t>(name - kNames.begin())];
-    const char* end = part.data() + part.size();
-    const auto [read, error] =
-        std::from_chars(part.data() + std::min(equals + 1, part.size()), end, weight);
-    if (error != std::errc() || read != end || !(weight >= 0 && weight <= 1e6))
-      return invalid_argument("the weight in '" + part + "' is no number of 0 to 1000000");
+    const auto weight =
+        parse_number<double>(std::string_view(part).substr(std::min(equals + 1, part.size())));
+    if (!weight || !(*weight >= 0 && *weight <= 1e6))
+      return invalid_argument("the weight in '" + part + "' is not a number of 0 to 1000000");
+    mix.weight[static_cast<size_t>(name - kNames.begin())] = *weight;
   }
   if (std::accumulate(mix.weight.begin(), mix.weight.end(), 0.0) <= 0)
     return invalid_argument("the mix '" + text + "' leaves nothing to do");

@@ -1,19 +1,11 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "common/grid/sparse_grid.h"
 
 namespace burnish {
-
-/// Puts numbers in order, each once.
-inline void sort_once(std::vector<int32_t>& numbers) {
-  std::ranges::sort(numbers);
-  numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
-}
 
 /// Calls visit(cell) for every cell at each of these corners, perhaps more than once.
 template <typename Visit>

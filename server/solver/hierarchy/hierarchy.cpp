@@ -14,20 +14,14 @@ namespace {
 constexpr int32_t kCornersPerExtraCopy = 8;
 constexpr int64_t kIrregularRowMax = 4096;  // entries
 
-// The children of every coarse cell that are not apart, by a counting sort.
-void list_children(const std::vector<int32_t>& parent_cell, HierarchyDepth& coarse) {
+// The children of every coarse cell that are not apart.
+Groups<int32_t> children_of(const std::vector<int32_t>& parent_cell, const HierarchyDepth& coarse) {
   std::vector<int32_t> parent_of_child = parent_cell;
   for (int32_t cell : coarse.shares.apart) parent_of_child[cell] = kNone;
-  coarse.child_start.assign(coarse.grid.cells.size() + 1, 0);
-  for (int32_t parent : parent_of_child)
-    if (parent != kNone) ++coarse.child_start[parent + 1];
-  for (size_t p = 0; p < coarse.grid.cells.size(); ++p)
-    coarse.child_start[p + 1] += coarse.child_start[p];
-  coarse.child.resize(coarse.child_start.back());
-  std::vector<int32_t> next(coarse.child_start.begin(), coarse.child_start.end() - 1);
-  for (size_t c = 0; c < parent_cell.size(); ++c)
-    if (parent_of_child[c] != kNone)
-      coarse.child[next[parent_of_child[c]]++] = static_cast<int32_t>(c);
+  return group_by<int32_t>(coarse.grid.cells.size(), [&](auto&& add) {
+    for (size_t c = 0; c < parent_of_child.size(); ++c)
+      if (parent_of_child[c] != kNone) add(parent_of_child[c], static_cast<int32_t>(c));
+  });
 }
 
 HierarchyDepth make_parent_depth(HierarchyDepth& fine, CoarseGrid coarse, TiesAndShares numbers) {
@@ -36,7 +30,7 @@ HierarchyDepth make_parent_depth(HierarchyDepth& fine, CoarseGrid coarse, TiesAn
   parents.grid = std::move(coarse.grid);
   parents.ties = std::move(numbers.ties);
   parents.shares = std::move(numbers.shares);
-  list_children(fine.parent_cell, parents);
+  parents.children = children_of(fine.parent_cell, parents);
   return parents;
 }
 
@@ -128,7 +122,7 @@ uint64_t bytes_of(const Stencil& stencil) {
   const RowTiles& tiles = stencil.tiles;
   return bytes_of(stencil.corner_of_row, stencil.row_of_corner, stencil.row_start, stencil.column,
                   stencil.mask) +
-         bytes_of(tiles.row, tiles.twice_local, tiles.halo_start, tiles.halo, tiles.is_wide) +
+         bytes_of(tiles.row, tiles.twice_local, tiles.is_wide) + tiles.halo.byte_count() +
          bytes_of(rows.corner, rows.sum_start, rows.source_start, rows.source) +
          bytes_of(cells.cell, cells.entry);
 }
@@ -171,11 +165,11 @@ Result<std::shared_ptr<const Hierarchy>> make_hierarchy(const PreparedMesh& prep
 }
 
 uint64_t Hierarchy::byte_count() const {
-  uint64_t bytes = bytes_of(points.start, points.local);
+  uint64_t bytes = points.byte_count();
   for (const HierarchyDepth& depth : depths)
     bytes += bytes_of(depth.grid) + bytes_of(depth.stencil) + bytes_of(depth.to_parent) +
-             bytes_of(depth.shares) +
-             bytes_of(depth.ties, depth.parent_cell, depth.child_start, depth.child);
+             bytes_of(depth.shares) + depth.children.byte_count() +
+             bytes_of(depth.ties, depth.parent_cell);
   return bytes;
 }
 

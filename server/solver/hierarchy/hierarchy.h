@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "common/base/groups.h"
 #include "common/base/progress.h"
 #include "common/base/status.h"
 #include "common/grid/sparse_grid.h"
@@ -25,12 +26,11 @@ struct HierarchyDepth {
   DepthTransfer to_parent;           ///< empty at the coarsest depth
   std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth
   // Where the numbers of cells and ties come from; empty at the finest depth.
-  std::vector<int32_t> child_start;  ///< cells + 1, into `child`
-  std::vector<int32_t> child;        ///< cells of the finer depth, at most eight a cell, each in an
-                                     ///< octant: their numbers are restricted by it alone
-  CellShares shares;                 ///< all else
+  Groups<int32_t> children;  ///< of each cell, cells of the finer depth, at most eight, each
+                             ///< in an octant: their numbers are restricted by it alone
+  CellShares shares;         ///< all else
 
-  bool is_finest() const { return child_start.empty(); }
+  bool is_finest() const { return children.count() == 0; }
 
   /// How many numbers its cells, ties and sheets have: see number_of_tie().
   size_t number_count() const {

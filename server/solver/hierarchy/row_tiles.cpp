@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/base/parallel.h"
+#include "common/base/sort_once.h"
 #include "server/solver/hierarchy/stencil.h"
 
 namespace burnish {
@@ -34,8 +35,7 @@ std::vector<int32_t> halo_of(const Stencil& stencil, const Tile& tile) {
   std::vector<int32_t> halo;
   for (int64_t k = stencil.row_start[tile.begin]; k < stencil.row_start[tile.end]; ++k)
     if (!tile.has(stencil.column[k])) halo.push_back(stencil.column[k]);
-  std::ranges::sort(halo);
-  halo.erase(std::unique(halo.begin(), halo.end()), halo.end());
+  sort_once(halo);
   return halo;
 }
 
@@ -78,11 +78,7 @@ RowTiles make_row_tiles(const Stencil& stencil, int32_t width_max) {
   }
   failure.rethrow();
   tiles.width_max = widest;
-  tiles.halo_start = {0};
-  for (const std::vector<int32_t>& halo : halos) {
-    tiles.halo.insert(tiles.halo.end(), halo.begin(), halo.end());
-    tiles.halo_start.push_back(static_cast<int64_t>(tiles.halo.size()));
-  }
+  for (const std::vector<int32_t>& halo : halos) tiles.halo.add(halo);
   return tiles;
 }
 

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/base/groups.h"
+
 namespace burnish {
 
 struct Stencil;
@@ -22,8 +24,7 @@ struct RowTiles {
 
   std::vector<Row> row;
   std::vector<uint16_t> twice_local;  ///< two times the place of each Stencil::column
-  std::vector<int64_t> halo_start;    ///< tiles + 1, into `halo`
-  std::vector<int32_t> halo;          ///< rising within a tile
+  Groups<int32_t, int64_t> halo;      ///< of each tile, rising
   std::vector<uint8_t> is_wide;       ///< of each tile: wider than kWidthMax, and without halo or
                                       ///< places then, as irregular rows could have it
   int32_t width_max = 0;              ///< of the others, corners and halo

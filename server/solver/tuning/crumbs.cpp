@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "common/base/sort_once.h"
 #include "server/solver/cycle/patches.h"
 #include "server/solver/hierarchy/corner_sets.h"
 

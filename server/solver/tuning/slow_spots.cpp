@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "common/base/sort_once.h"
 #include "server/fields/fields.h"
 #include "server/solver/hierarchy/corner_sets.h"
 #include "server/solver/solver.h"

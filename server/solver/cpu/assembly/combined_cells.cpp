@@ -40,8 +40,7 @@ CombinedCells restrict_children(const HierarchyDepth& fine, const HierarchyDepth
 #pragma omp parallel for schedule(dynamic, kCellsAtOnce)
   for (int32_t parent = 0; parent < coarse.grid.cell_count(); ++parent) {
     RestrictedCell sum;
-    for (int32_t i = coarse.child_start[parent]; i < coarse.child_start[parent + 1]; ++i) {
-      const int32_t child = coarse.child[i];
+    for (const int32_t child : coarse.children[parent]) {
       add_restricted(child_of(child), static_cast<int>(fine.grid.cells[child].place & 7), sum);
     }
     cells[parent] = sum.packed();

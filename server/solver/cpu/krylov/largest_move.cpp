@@ -50,7 +50,7 @@ double largest_move(const SparseGrid& grid, const PointsByCell& points,
 #pragma omp parallel for schedule(dynamic) reduction(max : most)
   for (int32_t begin = 0; begin < cell_count; begin += kBlock)
     most = std::max(most, largest_of_cells(grid.cell_corners.data(), points.start.data(),
-                                           points.local.data(), lanes_of_p, lanes_of_a, begin,
+                                           points.item.data(), lanes_of_p, lanes_of_a, begin,
                                            std::min(begin + kBlock, cell_count)));
   return std::sqrt(static_cast<double>(most));
 }

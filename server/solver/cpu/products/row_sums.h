@@ -86,9 +86,7 @@ struct Room {
 /// Where in x a tile finds its numbers of other tiles' corners.
 [[gnu::always_inline]] inline std::span<const int32_t> halo_of(const RowTiles& tiles,
                                                                int32_t tile) {
-  if (tile >= tiles.count()) return {};
-  return {tiles.halo.data() + tiles.halo_start[tile],
-          tiles.halo.data() + tiles.halo_start[tile + 1]};
+  return tile < tiles.count() ? tiles.halo[tile] : std::span<const int32_t>();
 }
 
 /// Copies a tile's numbers.

@@ -59,8 +59,8 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth, cons
   cell_corners_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cell_corners);
   cells_of_corner_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cells_of_corner);
   octant_ = {stream, octants(depth.grid)};
-  child_start_ = {stream, depth.child_start};
-  child_ = {stream, depth.child};
+  child_start_ = {stream, depth.children.start};
+  child_ = {stream, depth.children.item};
   view_.corner_count = depth.grid.corner_count();
   view_.cell_count = depth.grid.cell_count();
   view_.number_count = static_cast<int64_t>(depth.number_count());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/base/sort_once.h"
 #include "server/solver/cuda/device/views.h"
 #include "server/solver/cuda/mesh/long_rows.h"
 
@@ -24,8 +25,7 @@ Group group_of(const Stencil& stencil, int32_t begin, int32_t end) {
     for (auto [k, stop] = packed_part(stencil, i); k < stop; ++k)
       if (const int32_t column = stencil.column[k]; column < begin || column >= end)
         group.halo.push_back(column);
-  std::ranges::sort(group.halo);
-  group.halo.erase(std::unique(group.halo.begin(), group.halo.end()), group.halo.end());
+  sort_once(group.halo);
   return group;
 }
 

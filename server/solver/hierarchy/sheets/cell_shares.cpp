@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "common/base/sort_once.h"
+
 namespace burnish {
 
 namespace {
@@ -164,8 +166,7 @@ std::vector<int32_t> cells_apart(const SparseGrid& finest, const SheetCorners& s
       if (cell != kNone) cells.push_back(cell);
   for (int32_t cell = 0; cell < finest.cell_count(); ++cell)
     if (sheets.has_several(cell)) cells.push_back(cell);
-  std::ranges::sort(cells);
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  sort_once(cells);
   return cells;
 }
 

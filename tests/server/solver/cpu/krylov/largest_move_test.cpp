@@ -43,7 +43,7 @@ TEST(LargestMove, PassesOverVerticesWithoutACell) {
   mesh.vertices.emplace_back(0.5, 0, 0);
   const TestSystem system(mesh, 5);
   ASSERT_EQ(system.prepared->evaluation.size(), referenced + 1);
-  EXPECT_EQ(system.hierarchy->points.local.size(), referenced);
+  EXPECT_EQ(system.hierarchy->points.item.size(), referenced);
 }
 
 }  // namespace

@@ -112,8 +112,7 @@ TEST_F(RowProducts, TilesHaveEachRowAndColumnWhereTheySay) {
         ASSERT_EQ(tiles.twice_local[k] % 2, 0);
         const int32_t local = tiles.twice_local[k] / 2;
         ASSERT_LT(local, tiles.width_max);
-        ASSERT_EQ(stencil.column[k],
-                  local < rows ? first + local : tiles.halo[tiles.halo_start[tile] + local - rows]);
+        ASSERT_EQ(stencil.column[k], local < rows ? first + local : tiles.halo[tile][local - rows]);
       }
     }
   }
