@@ -11,18 +11,18 @@ template <typename Visit>
 void for_each_entry(const SparseGrid& coarse, const DepthTransfer& transfer, Visit&& visit) {
   const DepthTransfer::SharedCorners& shared = transfer.shared;
   int32_t next_shared = 0;
-  for (size_t fine = 0; fine < transfer.prolongation.size(); ++fine) {
-    const FromCell from = transfer.prolongation[fine];
-    if (from.cell == kNone) {
+  const auto fine_corners = static_cast<int32_t>(transfer.prolongation.size());
+  for (int32_t fine = 0; fine < fine_corners; ++fine) {
+    if (transfer.is_shared(fine)) {
       for (int32_t k = shared.start[next_shared]; k < shared.start[next_shared + 1]; ++k)
-        visit(static_cast<int32_t>(fine), shared.coarse_corner[k], shared.weight[k]);
+        visit(fine, shared.coarse_corner[k], shared.weight[k]);
       ++next_shared;
       continue;
     }
+    const FromCell from = transfer.prolongation[fine];
     const PositiveWeights& weights = positive_weights(from.place);
     for (int i = 0; i < weights.count; ++i)
-      visit(static_cast<int32_t>(fine), coarse.cell_corners[from.cell][weights.corner[i]],
-            weights.weight[i]);
+      visit(fine, coarse.cell_corners[from.cell][weights.corner[i]], weights.weight[i]);
   }
 }
 

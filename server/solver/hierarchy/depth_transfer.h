@@ -25,6 +25,9 @@ struct DepthTransfer {
   std::vector<int64_t> restriction_start;   ///< coarse corners + 1
   std::vector<int32_t> restriction_corner;  ///< the fine corners that a coarse corner gathers
   std::vector<float> restriction_weight;    ///< 1, 1/2, 1/4 or 1/8 unless that one is shared
+
+  /// Whether a fine corner is one of the shared, and has no cell to follow from.
+  bool is_shared(int32_t corner) const { return prolongation[corner].cell == kNone; }
 };
 
 DepthTransfer make_transfer(const CoarseGrid& coarse);

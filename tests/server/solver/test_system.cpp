@@ -45,8 +45,8 @@ Sparse system_matrix(const cpu::CpuDepth& depth) {
 Sparse prolongation_matrix(const HierarchyDepth& fine, const HierarchyDepth& coarse) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int32_t i = 0; i < fine.grid.corner_count(); ++i) {
+    if (fine.to_parent.is_shared(i)) continue;
     const FromCell from = fine.to_parent.prolongation[i];
-    if (from.cell == kNone) continue;
     for (int a = 0; a < kCornersPerCell; ++a)
       if (half_way_weights()[from.place][a] > 0)
         entries.emplace_back(i, coarse.grid.cell_corners[from.cell][a],

@@ -34,8 +34,8 @@ void add_prolonged(const CpuDepth& coarse, CpuDepth& fine) {
 #pragma omp parallel for schedule(dynamic, kBlock) if (fine.corner_count() > kBlock)
   for (int32_t i = 0; i < fine.corner_count(); ++i) {
     if (fine.inverse_diagonal[i] == 0) continue;
+    if (transfer.is_shared(i)) continue;
     const FromCell from = transfer.prolongation[i];
-    if (from.cell == kNone) continue;
     const auto& weights = weights_of_place[from.place];
     const auto& corners = coarse.topology.grid.cell_corners[from.cell];
     // Those that weigh nothing as well: which they are a processor cannot guess.

@@ -148,11 +148,15 @@ __device__ void prolong_to_shared(const Depth& coarse, const Depth& fine, int64_
   if (is_first) fine.x[i] = sum;
 }
 
+__device__ bool is_shared(const FromCell& from) {
+  return from.cell < 0;
+}
+
 template <bool kShared>
 __device__ void prolong_from_cell(const Depth& coarse, const Depth& fine, int64_t i) {
   if (i >= fine.topology.corner_count || fine.inverse_diagonal[i] == 0) return;
   const FromCell from = fine.topology.prolongation[i];
-  if (kShared && from.cell < 0) return;
+  if (kShared && is_shared(from)) return;
   const Eight corners = coarse.topology.cell_corners[from.cell];
   await_previous();
   float4 sum = fine.x[i];

@@ -231,7 +231,7 @@ TEST_P(HierarchyTest, RegularRowsFindANeighbourByItsSlot) {
     for (const auto& corners : depth.grid.cell_corners)
       for (int a = 0; a < kCornersPerCell; ++a)
         for (int b = 0; b < kCornersPerCell; ++b) {
-          if (a == b || depth.stencil.mask[corners[a]] == 0) continue;
+          if (a == b || depth.stencil.is_irregular(corners[a])) continue;
           const int64_t k = depth.stencil.position(corners[a], slot_between(a, b));
           ASSERT_EQ(depth.stencil.column[k], corners[b]);
         }
@@ -243,7 +243,8 @@ TEST_P(HierarchyTest, CellsWithAnIrregularCornerKnowTheirEntries) {
     size_t next = 0;
     for (int32_t cell = 0; cell < depth.grid.cell_count(); ++cell) {
       const auto& corners = depth.grid.cell_corners[cell];
-      if (std::ranges::none_of(corners, [&](int32_t i) { return stencil.mask[i] == 0; })) continue;
+      const auto is_irregular = [&](int32_t corner) { return stencil.is_irregular(corner); };
+      if (std::ranges::none_of(corners, is_irregular)) continue;
       ASSERT_LT(next, stencil.irregular_cells.cell.size());
       ASSERT_EQ(stencil.irregular_cells.cell[next], cell);
       const auto& entry = stencil.irregular_cells.entry[next++];
