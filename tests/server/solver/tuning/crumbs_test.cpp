@@ -1,0 +1,120 @@
+#include "server/solver/tuning/crumbs.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "server/solver/cycle/patches.h"
+#include "tests/server/solver/hierarchy/small_grids.h"
+
+namespace burnish {
+namespace {
+
+using testing::ElementsAre;
+using testing::ElementsAreArray;
+using testing::IsEmpty;
+
+std::vector<int32_t> numbers(int32_t first, int32_t last) {
+  std::vector<int32_t> all(last - first + 1);
+  std::iota(all.begin(), all.end(), first);
+  return all;
+}
+
+/// One sheet for each cell, but that A = (0, 0, 0), which has corners 0 to 7, is apart from the
+/// others in its corner 7: its copy of that is the first number beyond all corners.
+SheetCorners sheets_with_a_apart(const SparseGrid& grid) {
+  SheetCorners sheets = one_sheet_per_cell(grid);
+  sheets.corners[0][7] = sheets.copy_count++;
+  sheets.shared = {7};
+  sheets.start = {0, 2};
+  sheets.copy = {7, grid.corner_count()};
+  sheets.weight = {0.5f, 0.5f};
+  return sheets;
+}
+
+/// A, and a row of cells that begins at (1, 1, 1) and goes along x.
+SparseGrid a_and_row(int cells) {
+  std::vector<MortonKey> keys = {morton_key({0, 0, 0})};
+  for (int x = 1; x <= cells; ++x) keys.push_back(morton_key({x, 1, 1}));
+  std::ranges::sort(keys);
+  return make_finest_grid(6, keys);
+}
+
+TEST(Crumbs, AreNoneWithoutCells) {
+  EXPECT_THAT(find_crumbs(SparseGrid(), one_sheet_per_cell(SparseGrid())), IsEmpty());
+}
+
+TEST(Crumbs, AreNoneWhereNoCornerIsShared) {
+  const SparseGrid grid = two_cells_with_a_common_corner();
+  EXPECT_THAT(find_crumbs(grid, one_sheet_per_cell(grid)), IsEmpty());
+}
+
+// Corners of D = (1, 1, 1) and E = (2, 1, 1) in Morton order are 7 to 18: D's are 7, 8, 10, 11, 13,
+// 14, 16 and 17, E's 8, 9, 11, 12, 14, 15, 17 and 18. Around corner 7, in which A hangs on them,
+// are A and D.
+TEST(Crumbs, AreAPieceWithTheCellsAroundTheCornerInWhichItHangs) {
+  const SparseGrid grid = a_and_row(2);
+  ASSERT_EQ(grid.corner_count(), 19);
+  EXPECT_THAT(find_crumbs(grid, sheets_with_a_apart(grid)),
+              ElementsAre(ElementsAreArray(numbers(0, 18)),  // D and E, with A
+                          ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 11, 13, 14, 16, 17)));
+}
+
+// Each sheet of the cell is a piece, and both have its corners.
+TEST(Crumbs, AreBothSheetsOfACell) {
+  const SparseGrid grid = grid_of(2, {{0, 0, 0}});
+  SheetCorners sheets;
+  sheets.first_of_cell = {0, 2};
+  sheets.corners = {corners_from(0), corners_from(8)};
+  sheets.copy_count = 16;
+  sheets.shared = numbers(0, 7);
+  sheets.start = {0, 2, 4, 6, 8, 10, 12, 14, 16};
+  for (int32_t corner = 0; corner < 8; ++corner)
+    sheets.copy.insert(sheets.copy.end(), {corner, 8 + corner});
+  EXPECT_THAT(find_crumbs(grid, sheets),
+              ElementsAre(ElementsAreArray(numbers(0, 7)), ElementsAreArray(numbers(0, 7))));
+}
+
+// 30 cells have 31 · 4 = 124 corners, more than a patch.
+TEST(Crumbs, APieceWithTooManyCornersIsNone) {
+  static_assert(kPatchCornersMax == 120);
+  const SparseGrid grid = a_and_row(30);
+  ASSERT_EQ(grid.corner_count(), 7 + 124);
+  const auto crumbs = find_crumbs(grid, sheets_with_a_apart(grid));
+  ASSERT_EQ(crumbs.size(), 1u);
+  EXPECT_EQ(crumbs[0].size(), 15u);  // A and the first cell of the row
+}
+
+// 28 cells have 29 · 4 = 116 corners, and A would add 7: 123 are too many for a patch.
+TEST(Crumbs, APieceIsAloneWhereItsSurroundingsAreTooMany) {
+  const SparseGrid grid = a_and_row(28);
+  const auto crumbs = find_crumbs(grid, sheets_with_a_apart(grid));
+  ASSERT_EQ(crumbs.size(), 2u);
+  EXPECT_EQ(crumbs[0], numbers(7, 122));
+  EXPECT_EQ(crumbs[1].size(), 15u);
+}
+
+// A row of 40 cells from (1, 1, 1) to (40, 1, 1), and one more cell at each end. The row, which
+// holds the 41 · 4 = 164 corners from 7, is looked at twice: from either end it has too many.
+TEST(Crumbs, ALargePieceIsNoneFromWhicheverEnd) {
+  std::vector<MortonKey> keys = {morton_key({0, 0, 0}), morton_key({41, 2, 2})};
+  for (int x = 1; x <= 40; ++x) keys.push_back(morton_key({x, 1, 1}));
+  std::ranges::sort(keys);
+  const SparseGrid grid = make_finest_grid(6, keys);
+  SheetCorners sheets = sheets_with_a_apart(grid);
+  const int32_t last = grid.find_cell({41, 2, 2}), last_of_row = grid.find_cell({40, 1, 1});
+  const int32_t far_corner = grid.cell_corners[last][0];
+  sheets.corners[last_of_row][7] = sheets.copy_count;
+  sheets.shared.push_back(far_corner);
+  sheets.copy.insert(sheets.copy.end(), {far_corner, sheets.copy_count++});
+  sheets.start.push_back(4);
+  const auto crumbs = find_crumbs(grid, sheets);
+  ASSERT_EQ(crumbs.size(), 2u);
+  EXPECT_EQ(crumbs[0].size(), 15u);
+  EXPECT_EQ(crumbs[1].size(), 15u);
+}
+
+}  // namespace
+}  // namespace burnish
