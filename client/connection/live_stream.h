@@ -19,10 +19,10 @@ class Wakeup {
     woken_ = true;
     changed_.notify_one();
   }
-  /// Returns when somebody has called wake() since the last wait, or at `deadline`.
-  void wait_until(std::chrono::steady_clock::time_point deadline) {
+  /// Returns when somebody has called wake() since the last wait, or after `time`.
+  void wait_for(std::chrono::steady_clock::duration time) {
     std::unique_lock lock(mutex_);
-    changed_.wait_until(lock, deadline, [this] { return woken_; });
+    changed_.wait_for(lock, time, [this] { return woken_; });
     woken_ = false;
   }
 

@@ -8,8 +8,6 @@
 
 namespace burnish {
 
-using std::chrono::steady_clock;
-
 static v1::FrameContent content_of(FrameContentWish wish) {
   switch (wish) {
     case FrameContentWish::kCoefficients:
@@ -107,7 +105,7 @@ Status SessionLink::Worker::converse() {
     shown_.restart();
   }
   receiver_.take_answers();
-  last_heard_ = next_heartbeat_ = steady_clock::now();
+  last_heard_ = next_heartbeat_ = options_.clock();
   leaving_ = false;
   farewell_.clear();
   const auto stream = LiveStream::start(std::move(channel), user_, wakeup_);
@@ -115,7 +113,7 @@ Status SessionLink::Worker::converse() {
   stream->cancel();
   while (!stream->status()) {
     stream->take_message();
-    wakeup_->wait_until(steady_clock::now() + std::chrono::seconds(1));
+    wakeup_->wait_for(std::chrono::seconds(1));
   }
   RETURN_IF_ERROR(here);
   if (!farewell_.empty()) return unavailable(farewell_);
@@ -125,10 +123,10 @@ Status SessionLink::Worker::converse() {
 // Until the stream has ended, or has to.
 Status SessionLink::Worker::speak_and_listen(LiveStream& stream) {
   while (!stream.status()) {
-    const Time now = steady_clock::now();
+    const Time now = options_.clock();
     if (must_leave(now)) break;
     if (const auto message = stream.take_message()) {
-      last_heard_ = steady_clock::now();
+      last_heard_ = options_.clock();
       RETURN_IF_ERROR(hear(*message, last_heard_));
       wake_user();
       continue;
@@ -139,7 +137,7 @@ Status SessionLink::Worker::speak_and_listen(LiveStream& stream) {
         continue;
       }
     }
-    wakeup_->wait_until(next_deadline());
+    wakeup_->wait_for(next_deadline() - options_.clock());
   }
   return Status::ok();
 }
@@ -197,13 +195,13 @@ void SessionLink::Worker::wait_before_retry(int failures) {
       std::min(options_.retry_after_max, options_.retry_after_min * (1 << std::min(failures, 10)));
   // Clients of a server that has gone do not come back all at once.
   const auto wait = longest / 2 + longest * static_cast<int>(random() % 100) / 200;
-  const Time until = steady_clock::now() + wait;
-  while (steady_clock::now() < until) {
+  const Time until = options_.clock() + wait;
+  while (options_.clock() < until) {
     {
       const std::lock_guard lock(mutex_);
       if (stopping_) return;
     }
-    wakeup_->wait_until(until);
+    wakeup_->wait_for(until - options_.clock());
   }
 }
 

@@ -68,7 +68,7 @@ Status SessionLink::Worker::hear_welcome(const v1::Welcome& welcome) {
 
 Status SessionLink::Worker::hear_frame(const v1::Frame& frame, Time now) {
   ASSIGN_OR_RETURN(auto displacement, receiver_.receive(frame.data()));
-  const Time decoded = std::chrono::steady_clock::now();
+  const Time decoded = options_.clock();
   const double server_ms = frame.assemble_ms() + frame.solve_ms() + frame.encode_ms();
   const std::lock_guard lock(mutex_);
   FrameFigures& facts = news_.facts;

@@ -6,8 +6,6 @@
 
 namespace burnish {
 
-using std::chrono::steady_clock;
-
 static Status check(const std::vector<Edit>& edits) {
   if (edits.empty() || edits.size() > kEditsPerFrameMax)
     return invalid_argument("1 to " + std::to_string(kEditsPerFrameMax) +
@@ -57,7 +55,7 @@ Status SessionLink::Worker::apply(std::vector<Edit> edits) {
   {
     const std::lock_guard lock(mutex_);
     if (news_.link == LinkState::kEnded) return failed_precondition("the session has ended");
-    outbox_.apply(std::move(edits), steady_clock::now());
+    outbox_.apply(std::move(edits), options_.clock());
   }
   wakeup_->wake();
   return Status::ok();
@@ -66,7 +64,7 @@ Status SessionLink::Worker::apply(std::vector<Edit> edits) {
 void SessionLink::Worker::preview(const std::string& edit_id, PreviewChange change) {
   {
     const std::lock_guard lock(mutex_);
-    outbox_.preview(edit_id, std::move(change), steady_clock::now());
+    outbox_.preview(edit_id, std::move(change), options_.clock());
   }
   wakeup_->wake();
 }
@@ -88,7 +86,7 @@ void SessionLink::Worker::move_brush(const std::optional<BrushRing>& ring) {
 }
 
 LiveNews SessionLink::Worker::take() {
-  const auto now = steady_clock::now();
+  const auto now = options_.clock();
   LiveNews news;
   {
     const std::lock_guard lock(mutex_);

@@ -10,6 +10,7 @@
 
 #include "client/connection/connection.h"
 #include "client/connection/live_news.h"
+#include "common/base/clock.h"
 #include "common/edit/edit.h"
 #include "common/view/view.h"
 
@@ -35,6 +36,7 @@ struct LiveOptions {
   std::chrono::milliseconds silence_max{15'000};  ///< the server is taken for gone after that
   std::chrono::milliseconds retry_after_min{100};
   std::chrono::milliseconds retry_after_max{3000};
+  Clock clock = std::chrono::steady_clock::now;
 };
 
 /// A part of a gesture. Of a stroke the path goes on where the last part's ended.

@@ -13,7 +13,7 @@ static double kappa_range(const ScanDescription& scan) {
 }
 
 Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorder& recorder,
-                   std::function<void()> wake)
+                   std::function<void()> wake, Clock clock)
     : opened_(std::move(opened)),
       tasks_(tasks),
       log_(log),
@@ -34,6 +34,7 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
   options.triangles_max = opened_.triangles_max;
   options.content = FrameContentWish::kCoefficients;
   options.on_news = wake_;
+  options.clock = std::move(clock);
   live_ = std::make_unique<SessionLink>(*opened_.connection, std::move(options));
 }
 

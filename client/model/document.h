@@ -39,9 +39,10 @@ enum class ColourBy { kNothing, kBeta, kCurvature, kDisplacement };
 /// to tell it more. Nothing here waits for the network. Used from one thread.
 class Document {
  public:
-  /// `wake` is called from other threads when update() has something to do.
+  /// `wake` is called from other threads when update() has something to do. `clock` is for the link
+  /// to the server.
   Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorder& recorder,
-           std::function<void()> wake);
+           std::function<void()> wake, Clock clock = std::chrono::steady_clock::now);
 
   const SessionInfo& session() const { return opened_.session; }
   const ScanDescription& scan() const { return opened_.scan; }

@@ -24,6 +24,8 @@ struct WorkspaceOptions {
   uint64_t triangles_max = 0;  ///< of what is drawn; 0: all
   std::string triangles_why;   ///< why not all
   std::function<void()> wake;  ///< from any thread: update() has something to do
+  /// For the link to the server.
+  Clock clock = std::chrono::steady_clock::now;
 };
 
 /// A server as the start page shows it.

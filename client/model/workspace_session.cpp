@@ -49,8 +49,8 @@ void Workspace::reopen(const RecentSession& recent) {
 
 void Workspace::show(OpenedDocument opened) {
   leave_document();
-  auto document =
-      std::make_unique<Document>(std::move(opened), tasks_, log, recorder, options_.wake);
+  auto document = std::make_unique<Document>(std::move(opened), tasks_, log, recorder,
+                                             options_.wake, options_.clock);
   const Status shown = document->show(renderer_);
   if (!shown.is_ok()) return log.failure("open", shown);
   document->brush().brush = {.radius = preferences.brush_radius_part * document->diagonal(),

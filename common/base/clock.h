@@ -2,8 +2,12 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 
 namespace burnish {
+
+/// What time it is: the steady clock, or one that a test puts forward instead of waiting.
+using Clock = std::function<std::chrono::steady_clock::time_point()>;
 
 /// Milliseconds from `begin` to `end`.
 inline double ms_between(std::chrono::steady_clock::time_point begin,

@@ -12,9 +12,6 @@
 namespace burnish {
 
 using std::chrono::milliseconds;
-using std::chrono::steady_clock;
-
-static constexpr auto kTick = milliseconds(250);
 
 sigset_t block_signals() {
   sigset_t signals;
@@ -27,8 +24,9 @@ sigset_t block_signals() {
 }
 
 /// The signal that came within a tick; 0: none.
-static int wait_for_signal(const sigset_t& signals) {
-  const timespec time = {0, std::chrono::nanoseconds(kTick).count()};
+static int wait_for_signal(const sigset_t& signals, milliseconds tick) {
+  const auto whole = std::chrono::floor<std::chrono::seconds>(tick);
+  const timespec time = {whole.count(), std::chrono::nanoseconds(tick - whole).count()};
   const int signal = sigtimedwait(&signals, nullptr, &time);
   return signal > 0 ? signal : 0;
 }
@@ -61,16 +59,16 @@ static void drain(Server& server, const std::string& why, const sigset_t& signal
 Status watch_over(Server& server, const DeviceWatch& device, const sigset_t& signals,
                   const DaemonOptions& options) {
   const auto watchdog = watchdog_interval();
-  auto last_sign = steady_clock::now();
+  auto last_sign = options.clock();
   IdleEnd idle_end(options.idle_max, last_sign);
   notify_service_manager("READY=1");
   for (;;) {
-    const int signal = wait_for_signal(signals);
+    const int signal = wait_for_signal(signals, options.tick);
     if (signal == SIGTERM || signal == SIGINT) {
       drain(server, strsignal(signal), signals, options);
       return Status::ok();
     }
-    if (idle_end.is_over(server.is_in_use(), steady_clock::now())) {
+    if (idle_end.is_over(server.is_in_use(), options.clock())) {
       drain(server, "unused for " + std::to_string(options.idle_max.count()) + " s", signals,
             options);
       return Status::ok();
@@ -83,9 +81,9 @@ Status watch_over(Server& server, const DeviceWatch& device, const sigset_t& sig
       server.set_serving(false);
       return status.with_context("the solver's device has failed");
     }
-    if (watchdog.count() > 0 && steady_clock::now() - last_sign >= watchdog - kTick) {
+    if (watchdog.count() > 0 && options.clock() - last_sign >= watchdog - options.tick) {
       notify_service_manager("WATCHDOG=1");
-      last_sign = steady_clock::now();
+      last_sign = options.clock();
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <functional>
 
+#include "common/base/clock.h"
 #include "server/process/device_watch.h"
 #include "server/rpc/server.h"
 
@@ -16,6 +17,9 @@ sigset_t block_signals();
 struct DaemonOptions {
   std::chrono::seconds drain_time{10};
   std::chrono::seconds idle_max{0};  ///< without use, until it ends by itself; 0: never
+  /// Between two looks at all that may have changed.
+  std::chrono::milliseconds tick{250};
+  Clock clock = std::chrono::steady_clock::now;
   /// What is to be done all the time; certificates and users are read again in any case when the
   /// server was told to.
   std::function<void(bool in_any_case)> tend;

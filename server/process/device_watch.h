@@ -6,6 +6,7 @@
 #include <mutex>
 #include <thread>
 
+#include "common/base/clock.h"
 #include "common/base/status.h"
 
 namespace burnish {
@@ -15,12 +16,14 @@ namespace burnish {
 class DeviceWatch {
  public:
   struct Times {
+    /// With 0 nothing is asked but by ask_once(), for tests.
     std::chrono::milliseconds between_probes{250};
     std::chrono::milliseconds answer_max{5000};  ///< a probe that takes longer has failed
   };
 
   /// `probe` should take a millisecond or so.
-  DeviceWatch(std::function<Status()> probe, Times times);
+  DeviceWatch(std::function<Status()> probe, Times times,
+              Clock clock = std::chrono::steady_clock::now);
   explicit DeviceWatch(std::function<Status()> probe) : DeviceWatch(std::move(probe), Times{}) {}
 
   /// Waits for a probe that is under way.
@@ -28,11 +31,16 @@ class DeviceWatch {
 
   Status status() const;
 
+  /// Asks, unless the device has failed already. Returns whether it works.
+  bool ask_once();
+
  private:
   void run();
+  bool wait_for_next();
 
   const std::function<Status()> probe_;
   const Times times_;
+  const Clock clock_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   Status status_;

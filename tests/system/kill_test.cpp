@@ -164,6 +164,7 @@ class KilledServer {
       for (auto& editor : editors) what(*editor);
   }
 
+  // Nothing waits for this time to pass: it picks the moment at which another process dies.
   void edit_for(milliseconds time) {
     const Clock::time_point end = Clock::now() + time;
     while (Clock::now() < end) {

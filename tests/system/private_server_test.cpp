@@ -141,7 +141,7 @@ TEST(PrivateServer, WindowsThatStartAtOnceShareOne) {
 
 TEST(PrivateServer, EndsByItselfOnceNobodyIsConnectedAndIsStartedAgain) {
   PrivateData data;
-  data.options.idle_exit = std::chrono::seconds(1);
+  data.options.idle_exit = std::chrono::seconds(1);  // by the clock of another process
   const std::string address = find_private_server(data.options, {}).value();
   const pid_t first = data.server();
   { const auto connection = Connection::open(address, kPatience); }

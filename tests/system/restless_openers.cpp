@@ -101,7 +101,7 @@ void RestlessOpeners::race(Stub& stub) {
   request.set_curvature_radius(0.01 + 1e-6 * races_);
   const milliseconds patience(1 + random_() % 60), head_start(random_() % 30);
   std::thread first([&] { (void)open(stub, request, patience); });
-  std::this_thread::sleep_for(head_start);
+  std::this_thread::sleep_for(head_start);  // picks the moment of the race in the other process
   if (random_() % 2 == 0) {
     join(stub, session);
   } else if (open(stub, request, kNoHurry).ok()) {

@@ -104,8 +104,9 @@ class WindowTest : public testing::Test {
     return sum / count;
   }
 
-  // The picture once the pointer is away and nothing moves any more. Grey is not at rest: the link
-  // was lost, as when the machine stood still for a while, and comes back.
+  // The picture once the pointer is away and nothing moves any more. The window is another process,
+  // which does not say so: four pictures alike, some time apart, must do. Grey is not at rest: the
+  // link was lost, as when the machine stood still for a while, and comes back.
   Image settle() {
     screen_->move(5, 700);
     Image last = screen_->capture();

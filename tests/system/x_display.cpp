@@ -14,7 +14,9 @@ namespace burnish {
 
 static constexpr const char* kXvfb = "/usr/bin/Xvfb";
 static constexpr std::chrono::seconds kPatience{60};
-static constexpr auto kHumanPause = std::chrono::milliseconds(15);  // between two events
+// Between two events: the window is another process, which handles all of a picture's at once, and
+// does not say when.
+static constexpr auto kHumanPause = std::chrono::milliseconds(15);
 
 bool XDisplay::is_available() {
   return access(kXvfb, X_OK) == 0;

@@ -145,6 +145,7 @@ void FakeEditing::take(Client& client, const v1::ClientMessage& message) {
       seen_.rings.push_back(message.move_brush());
       break;
     case v1::ClientMessage::kHeartbeat: {
+      ++seen_.heartbeats;
       client.client_time_us = message.heartbeat().client_time_us();
       v1::ServerMessage answer;
       *answer.mutable_heartbeat() = message.heartbeat();

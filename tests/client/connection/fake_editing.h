@@ -39,6 +39,7 @@ class FakeEditing final : public v1::Editing::Service {
     int key_frame_requests = 0;
     int refused_frames = 0;
     int frames = 0;
+    int heartbeats = 0;
     std::vector<v1::Preview> previews;
     std::vector<v1::MoveBrush> rings;
   };

@@ -1,17 +1,20 @@
 #include "client/connection/session_link.h"
 
+#include <atomic>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/client/connection/fake_editing.h"
+#include "tests/common/fast_clock.h"
 #include "tests/common/frame_codec/small_scan.h"
 
 namespace burnish {
 namespace {
 
 using std::chrono::milliseconds;
+using std::chrono::seconds;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -24,6 +27,7 @@ class LiveSessions : public testing::Test {
     options_.draw_interval = milliseconds(1);
     options_.retry_after_min = milliseconds(5);
     options_.retry_after_max = milliseconds(50);
+    options_.clock = clock_.clock();
   }
 
   void connect() {
@@ -57,6 +61,13 @@ class LiveSessions : public testing::Test {
     }
     return false;
   }
+  /// Lets the server hear so many more heartbeats, without drawing.
+  void pass_heartbeats(int count) const {
+    const int last = server_.seen().heartbeats + count;
+    for (int i = 0; i < 20'000 && server_.seen().heartbeats < last; ++i)
+      std::this_thread::sleep_for(milliseconds(1));
+    EXPECT_GE(server_.seen().heartbeats, last);
+  }
   bool until_live() {
     return until([this] { return link_ == LinkState::kLive; });
   }
@@ -77,6 +88,8 @@ class LiveSessions : public testing::Test {
   }
 
   FakeEditing server_;
+  FastClock clock_;
+  std::atomic<int> heard_{0};  // where on_news counts it
   LiveOptions options_;
   std::optional<Connection> connection_;
   std::unique_ptr<SessionLink> session_;
@@ -264,24 +277,27 @@ TEST_F(LiveSessions, EndWhenTheViewIsOfAnotherMesh) {
 }
 
 TEST_F(LiveSessions, LeaveAServerThatHasFallenSilent) {
-  options_.silence_max = milliseconds(200);
-  options_.heartbeat_interval = milliseconds(50);
   connect();
   ASSERT_TRUE(until_live());
   server_.set_faults({.silent = true});
-  ASSERT_TRUE(until([this] { return link_ == LinkState::kLost; }));
-  EXPECT_THAT(told<LinkChanged>().back().reason, HasSubstr("nothing was heard for 200 ms"));
+  ASSERT_TRUE(until([this] {
+    clock_.put_forward(seconds(1));
+    return link_ == LinkState::kLost;
+  }));
+  EXPECT_THAT(told<LinkChanged>().back().reason, HasSubstr("nothing was heard for 15000 ms"));
   server_.set_faults({});
   EXPECT_TRUE(until_live());
 }
 
 TEST_F(LiveSessions, StayWithAServerThatHasNothingToSayButHeartbeats) {
-  options_.silence_max = milliseconds(300);
-  options_.heartbeat_interval = milliseconds(20);
+  options_.on_news = [this] { ++heard_; };
   connect();
   ASSERT_TRUE(until_shown());
-  std::this_thread::sleep_for(milliseconds(900));
-  take();
+  for (int i = 0; i < 10; ++i) {
+    const int before = heard_;
+    clock_.put_forward(seconds(5));  // of the 15 for which it may be silent
+    ASSERT_TRUE(until([&] { return heard_ > before; }));
+  }
   EXPECT_EQ(link_, LinkState::kLive);
   EXPECT_EQ(server_.seen().greetings, 1);
 }
@@ -291,9 +307,9 @@ TEST_F(LiveSessions, WaitForAServerThatIsNotThereYet) {
   ASSERT_TRUE(until_live());
   session_.reset();
   server_.stop();
+  events_.clear();
   session_ = std::make_unique<SessionLink>(*connection_, options_);
-  std::this_thread::sleep_for(milliseconds(30));
-  take();
+  ASSERT_TRUE(until([this] { return !told<LinkChanged>().empty(); }));  // a first try has failed
   EXPECT_EQ(link_, LinkState::kConnecting);
   server_.start();
   EXPECT_TRUE(until_live());
@@ -343,12 +359,13 @@ TEST_F(LiveSessions, RefuseWhatNoServerWouldTake) {
 }
 
 TEST_F(LiveSessions, AskForNoFrameThatNobodyDraws) {
+  options_.heartbeat_interval = milliseconds(1);
   connect();
   ASSERT_TRUE(until_shown());
   const int before = server_.seen().frames;
-  for (int i = 1; i <= 30; ++i) {
+  for (int i = 1; i <= 20; ++i) {
     server_.show(0.1 * i);
-    std::this_thread::sleep_for(milliseconds(5));
+    pass_heartbeats(2);  // with the second it has sent what it had to say after the first
   }
   EXPECT_LE(server_.seen().frames, before + 8);
   EXPECT_TRUE(until_shown());
@@ -358,7 +375,7 @@ TEST_F(LiveSessions, CanBeLeftAtAnyMoment) {
   for (int i = 0; i < 30; ++i) {
     connect();
     ASSERT_TRUE(session_->apply(slider("a")).is_ok());
-    std::this_thread::sleep_for(milliseconds(i % 6));
+    std::this_thread::sleep_for(milliseconds(i % 6));  // waits for nothing: picks the moment
     session_.reset();
   }
   EXPECT_LE(server_.seen().applied.size(), 1u);

@@ -65,7 +65,8 @@ void LiveGuest::take_all() {
 }
 
 void LiveGuest::run() {
-  // Encoders and the journal answer from threads of their own.
+  // Encoders and the journal answer from threads of their own, and none of them says when all of
+  // them have nothing left.
   static constexpr std::chrono::milliseconds kAnswerTime{100};
   do {
     while (sessions_.scheduler().run_one()) take_all();

@@ -12,6 +12,7 @@
 #include "server/live/live_sessions.h"
 #include "server/manager/session_manager.h"
 #include "server/scheduling/lanes.h"
+#include "tests/common/fast_clock.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {
@@ -59,13 +60,15 @@ TEST(Daemon, AFailedDeviceEndsItWithEveryServiceNotServing) {
   TestServer test;
   std::atomic<bool> works{true};
   const DeviceWatch device(
-      [&works] { return works ? Status::ok() : internal_error("illegal address"); });
+      [&works] { return works ? Status::ok() : internal_error("illegal address"); },
+      {milliseconds(1), milliseconds(60'000)});
+  std::atomic<int> rounds{0};
   auto end = std::async(std::launch::async, [&] {
     return watch_over(*test.server, device, signals,
-                      {.drain_time = std::chrono::seconds(1), .tend = [](bool) {}});
+                      {.tick = milliseconds(1), .tend = [&rounds](bool) { ++rounds; }});
   });
   EXPECT_EQ(health(*test.server, "burnish.v1.Library"), "\x08\x01");
-  EXPECT_EQ(end.wait_for(milliseconds(300)), std::future_status::timeout);
+  while (rounds < 3) std::this_thread::yield();  // it goes on, again and again, while all is well
 
   works = false;
   const Status status = end.get();
@@ -80,10 +83,18 @@ TEST(Daemon, EndsByItselfOnceNobodyIsConnectedForAWhile) {
   const DeviceWatch device([] { return Status::ok(); });
   EXPECT_FALSE(test.server->is_in_use());
   EXPECT_EQ(health(*test.server, ""), "\x08\x01");  // its channel is gone by its return
+  FastClock clock;
+  int rounds = 0;
   DaemonOptions options;
-  options.idle_max = std::chrono::seconds(1);
-  options.tend = [](bool) {};
+  options.idle_max = std::chrono::minutes(100);
+  options.tick = milliseconds(1);
+  options.clock = clock.clock();
+  options.tend = [&](bool) {
+    ++rounds;
+    clock.put_forward(std::chrono::minutes(30));
+  };
   EXPECT_TRUE(watch_over(*test.server, device, signals, options).is_ok());
+  EXPECT_EQ(rounds, 4);  // at 0, 30, 60 and 90 minutes
 }
 
 TEST(Server, IsInUseWhileSomebodyIsConnected) {

@@ -6,39 +6,46 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/common/fast_clock.h"
+
 namespace burnish {
 namespace {
 
 using std::chrono::milliseconds;
 
-/// Waits until the watch reports a failure.
-Status failure_of(const DeviceWatch& watch) {
-  for (int i = 0; i < 6000 && watch.status().is_ok(); ++i)
-    std::this_thread::sleep_for(milliseconds(10));
-  return watch.status();
-}
-
-TEST(DeviceWatch, TheFirstFailureStays) {
-  std::atomic<int> probes{0};
-  const DeviceWatch watch(
+TEST(DeviceWatch, TheFirstFailureStaysAndNothingIsAskedAfterIt) {
+  int probes = 0;
+  DeviceWatch watch(
       [&probes] { return ++probes == 3 ? internal_error("illegal address") : Status::ok(); },
-      {milliseconds(1), milliseconds(60'000)});
-  EXPECT_EQ(failure_of(watch).message(), "illegal address");
-  std::this_thread::sleep_for(milliseconds(20));
+      {milliseconds(0), milliseconds(60'000)});
+  EXPECT_TRUE(watch.ask_once());
+  EXPECT_TRUE(watch.ask_once());
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(watch.ask_once());
   EXPECT_EQ(probes, 3);
-  EXPECT_FALSE(watch.status().is_ok());
+  EXPECT_EQ(watch.status().message(), "illegal address");
 }
 
-TEST(DeviceWatch, AProbeThatHangsIsAFailure) {
-  std::promise<void> end;
-  const auto ended = end.get_future().share();
+TEST(DeviceWatch, ItsThreadFindsAFailure) {
+  const DeviceWatch watch([] { return internal_error("illegal address"); });
+  while (watch.status().is_ok()) std::this_thread::yield();
+  EXPECT_EQ(watch.status().message(), "illegal address");
+}
+
+TEST(DeviceWatch, AProbeThatHangsIsAFailureAfterTheLongestTimeOfAnAnswer) {
+  std::promise<void> begin, end;
+  FastClock clock;
   const DeviceWatch watch(
-      [ended] {
+      [&, ended = end.get_future().share()] {
+        begin.set_value();
         ended.wait();
         return Status::ok();
       },
-      {milliseconds(1), milliseconds(20)});
-  EXPECT_THAT(failure_of(watch).message(), testing::HasSubstr("has not answered for"));
+      {std::chrono::hours(1), std::chrono::hours(2)}, clock.clock());
+  begin.get_future().wait();
+  clock.put_forward(std::chrono::hours(2));  // with the hour between two probes it has one more
+  EXPECT_TRUE(watch.status().is_ok());
+  clock.put_forward(std::chrono::hours(1));
+  EXPECT_THAT(watch.status().message(), testing::HasSubstr("has not answered for 7200"));
   end.set_value();
 }
 
