@@ -119,10 +119,10 @@ TEST_P(HierarchyTest, CellsAreChildrenOfTheirParentOrApart) {
   for_each_transfer([](const HierarchyDepth& fine, const HierarchyDepth& coarse) {
     std::vector<int> seen(fine.grid.cells.size());
     for (int32_t parent = 0; parent < coarse.grid.cell_count(); ++parent) {
-      ASSERT_LE(coarse.child_start[parent + 1] - coarse.child_start[parent], 8);
-      for (int32_t k = coarse.child_start[parent]; k < coarse.child_start[parent + 1]; ++k) {
-        ASSERT_EQ(fine.parent_cell[coarse.child[k]], parent);
-        ++seen[coarse.child[k]];
+      ASSERT_LE(coarse.children[parent].size(), 8u);
+      for (const int32_t child : coarse.children[parent]) {
+        ASSERT_EQ(fine.parent_cell[child], parent);
+        ++seen[child];
       }
     }
     for (int32_t cell : coarse.shares.apart) ++seen[cell];
