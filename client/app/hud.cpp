@@ -23,10 +23,10 @@ Chip chip_of(const Document& document) {
     case LinkState::kLive:
       break;
   }
-  if (document.facts().frames == 0) return {"waiting for the first frame", theme::kBusy};
-  if (!document.facts().settled) return {"converging", theme::kBusy};
+  if (document.stats().frames == 0) return {"waiting for the first frame", theme::kBusy};
+  if (!document.stats().frame.settled) return {"converging", theme::kBusy};
   if (!document.is_settled()) return {"saving", theme::kBusy};
-  return {document.facts().exact ? "exact" : "settled", theme::kGood};
+  return {document.stats().frame.exact ? "exact" : "settled", theme::kGood};
 }
 
 void row(const char* name, const char* format, ...) IM_FMTARGS(2);
@@ -40,23 +40,24 @@ void row(const char* name, const char* format, ...) {
   va_end(arguments);
 }
 
-void draw_facts(const Document& document) {
-  const FrameFigures& facts = document.facts();
-  row("residual", "%.1e", facts.residual);
-  row("distance", "%.1e of the diagonal", facts.distance);
-  row("cycles", "%d (%s)", facts.cycles, document.welcome().backend.c_str());
-  row("server", "%.1f + %.1f + %.1f ms", facts.assemble_ms, facts.solve_ms, facts.encode_ms);
+void draw_stats(const Document& document) {
+  const LinkStats& stats = document.stats();
+  row("residual", "%.1e", stats.frame.residual);
+  row("distance", "%.1e of the diagonal", stats.frame.distance);
+  row("cycles", "%d (%s)", stats.frame.cycles, document.welcome().backend.c_str());
+  row("server", "%.1f + %.1f + %.1f ms", stats.frame.assemble_ms, stats.frame.solve_ms,
+      stats.frame.encode_ms);
   hint("To assemble, to solve, to encode the last frame.");
-  row("frame age", "%.0f ms", facts.age_ms);
-  row("round trip", "%.1f ms", facts.rtt_ms);
-  row("frames", "%.0f/s, %.1f Mbit/s", facts.frames_per_second, facts.megabits_per_second);
+  row("frame age", "%.0f ms", stats.age_ms);
+  row("round trip", "%.1f ms", stats.rtt_ms);
+  row("frames", "%.0f/s, %.1f Mbit/s", stats.frames_per_second, stats.megabits_per_second);
   if (document.shown_after_ms() > 0) row("edit to picture", "%.0f ms", document.shown_after_ms());
 }
 
 }  // namespace
 
 void FiguresPanel::draw(Workspace& workspace) {
-  draw_facts(*workspace.document());
+  draw_stats(*workspace.document());
 }
 
 void Hud::draw(Workspace& workspace) {
@@ -70,7 +71,7 @@ void Hud::draw(Workspace& workspace) {
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings);
   const Chip chip = chip_of(document);
   ImGui::TextColored(chip.colour, "%s", chip.text);
-  if (shows_figures && document.facts().frames > 0) draw_facts(document);
+  if (shows_figures && document.stats().frames > 0) draw_stats(document);
   if (workspace.viewport.navigate_mode) faint_text("left button turns (N)");
   ImGui::End();
 }

@@ -1,26 +1,17 @@
 #include "client/connection/frame_receiver.h"
 
 #include <numeric>
+#include <utility>
 
 namespace burnish {
 
-Status FrameReceiver::welcome(const v1::Welcome& welcome) {
-  switch (welcome.content()) {
-    case v1::FRAME_CONTENT_COEFFICIENTS:
-      layout_ = layout_of(FrameContent::kCoefficients);
-      break;
-    case v1::FRAME_CONTENT_VERTICES:
-      layout_ = layout_of(FrameContent::kVertices);
-      break;
-    default:
-      return invalid_argument("frames of content " + std::to_string(welcome.content()) +
-                              " are not known here");
-  }
-  if (layout_->fingerprint != welcome.layout_fingerprint())
+Status FrameReceiver::welcome(const Welcome& welcome) {
+  layout_ = layout_of(welcome.content);
+  if (layout_->fingerprint != welcome.layout_fingerprint)
     return failed_precondition(
         "the frames are not of the mesh that is open here: it has to be fetched again");
   decoder_.emplace(layout_);
-  answers_.Clear();
+  answers_ = {};
   all_changed_ = true;
   return Status::ok();
 }
@@ -41,17 +32,17 @@ Result<std::optional<Displacement>> FrameReceiver::receive(const std::string& da
   const std::span<const uint8_t> bytes(reinterpret_cast<const uint8_t*>(data.data()), data.size());
   const auto frame = decoder_->decode(bytes);
   if (frame.is_ok()) {
-    answers_.add_decoded(frame->sequence);
+    answers_.decoded.push_back(frame->sequence);
     return moved(*frame);
   }
   switch (frame.status().code()) {
     case StatusCode::kAlreadyExists:
       return std::optional<Displacement>();
     case StatusCode::kFailedPrecondition:
-      answers_.add_refused(read_frame_header(bytes)->sequence);
+      answers_.refused.push_back(read_frame_header(bytes)->sequence);
       return std::optional<Displacement>();
     case StatusCode::kDataLoss:
-      answers_.set_key_frame(true);
+      answers_.key_frame = true;
       return std::optional<Displacement>();
     default:
       return frame.status();
@@ -69,13 +60,11 @@ std::optional<Displacement> FrameReceiver::moved(const DecodedFrame& frame) {
 }
 
 bool FrameReceiver::has_answers() const {
-  return answers_.decoded_size() > 0 || answers_.refused_size() > 0 || answers_.key_frame();
+  return !answers_.decoded.empty() || !answers_.refused.empty() || answers_.key_frame;
 }
 
-v1::Credit FrameReceiver::take_answers() {
-  v1::Credit answers;
-  answers.Swap(&answers_);
-  return answers;
+FrameCredit FrameReceiver::take_answers() {
+  return std::exchange(answers_, {});
 }
 
 }  // namespace burnish

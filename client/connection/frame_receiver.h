@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "burnish/v1/editing.pb.h"
 #include "client/connection/live_news.h"
 #include "common/frame_codec/frame_decoder.h"
 #include "common/view/view.h"
@@ -18,9 +17,8 @@ class FrameReceiver {
  public:
   explicit FrameReceiver(std::shared_ptr<const View> view) : view_(std::move(view)) {}
 
-  /// A stream begins. Fails: failed_precondition when its frames are not of this view;
-  /// invalid_argument for a content that nobody knows.
-  Status welcome(const v1::Welcome& welcome);
+  /// A stream begins. Fails: failed_precondition when its frames are not of this view.
+  Status welcome(const Welcome& welcome);
 
   /// Where the surface is now, with the tiles that this frame changed; nothing where it has not
   /// moved, or the frame could not be decoded: then the server is asked for a better one.
@@ -29,7 +27,7 @@ class FrameReceiver {
   Result<std::optional<Displacement>> receive(const std::string& data);
 
   /// What the server has to know about the frames since the last call.
-  v1::Credit take_answers();
+  FrameCredit take_answers();
   bool has_answers() const;
 
  private:
@@ -41,7 +39,7 @@ class FrameReceiver {
   std::shared_ptr<const FrameLayout> layout_;
   std::optional<FrameDecoder> decoder_;
   bool all_changed_ = false;  // what was shown is of an earlier stream
-  v1::Credit answers_;
+  FrameCredit answers_;
 };
 
 }  // namespace burnish

@@ -9,8 +9,7 @@
 
 #include "common/frame_codec/frame_layout.h"
 #include "common/frame_codec/frame_state.h"
-#include "common/service/session_info.h"
-#include "common/service/session_people.h"
+#include "common/service/live.h"
 
 namespace burnish {
 
@@ -33,21 +32,13 @@ struct Displacement {
   std::vector<int> changed_tiles;  ///< since the one that was taken before; rising
 };
 
-/// What the newest frame was told with, and how the link does.
-struct FrameFigures {
-  uint64_t frames = 0;  ///< since the session was made; 0: there is nothing below
-  bool settled = false;
-  bool exact = false;  ///< settled, and to the bar of exports
-  int cycles = 0;      ///< since the session came into the server's memory
-  double energy = 0;
-  double residual = 0;
-  double distance = 0;  ///< estimated to the converged surface, over the box's diagonal
-  uint64_t edits = 0;   ///< of the session that the frame has seen
-  double assemble_ms = 0;
-  double solve_ms = 0;
-  double encode_ms = 0;
-  /// Since it was made, when it was decoded: from the newest heartbeat that the server had then,
-  /// less half a round trip. Over-told by the time between two heartbeats at most.
+/// How the link does.
+struct LinkStats {
+  FrameStats frame;     ///< of the newest frame
+  uint64_t frames = 0;  ///< since the session was made; 0: nothing else here means anything
+  /// Of the newest frame, when it was decoded: from the newest heartbeat that the server had when
+  /// it made the frame, less half a round trip. Too long by the time between two heartbeats at
+  /// most.
   double age_ms = 0;
   double waited_ms = 0;  ///< from then until it was taken
   double rtt_ms = 0;     ///< of the last heartbeat
@@ -62,25 +53,6 @@ struct LinkChanged {
   std::string reason;  ///< why it was lost or ended
 };
 
-struct Welcomed {
-  SessionInfo session;
-  uint64_t connection = 0;  ///< as in PresentUser
-  SessionRole role = SessionRole::kViewer;
-  std::string backend;
-};
-
-/// On disk.
-struct AcknowledgedEdits {
-  std::vector<std::string> edit_ids;
-  ApplyOutcome outcome;
-};
-
-/// Not applied, and not kept. Ids of edits, or of a preview.
-struct RefusedEdits {
-  std::vector<std::string> edit_ids;
-  Status why;
-};
-
 /// The first frame that has them is here: what was shown in their stead can go.
 struct EditsShown {
   std::vector<std::string> edit_ids;
@@ -92,29 +64,13 @@ struct PreviewShown {
   double latency_ms = 0;  ///< since preview()
 };
 
-struct PeopleChanged {
-  SessionPeople people;
-};
-
-struct HistoryChanged {
-  uint64_t edits = 0;
-  double gradient_scale = kBetaDefault;
-  TransferCurve transfer_curve{kAlphaDefault};
-};
-
-/// The session is brought back into the server's memory.
-struct ProgressMade {
-  std::string phase;
-  double fraction = 0;
-};
-
-using LiveEvent = std::variant<LinkChanged, Welcomed, AcknowledgedEdits, RefusedEdits, EditsShown,
-                               PreviewShown, PeopleChanged, HistoryChanged, ProgressMade>;
+using LiveEvent = std::variant<LinkChanged, ProgressReport, Welcome, EditsAcknowledged,
+                               EditsRefused, EditsShown, PreviewShown, HistoryState, SessionPeople>;
 
 struct LiveNews {
   LinkState link = LinkState::kConnecting;
   std::optional<Displacement> displacement;  ///< where it has changed since the last time
-  FrameFigures facts;
+  LinkStats stats;
   std::vector<LiveEvent> events;  ///< in order; of what replaces itself the newest only
   size_t unacknowledged = 0;      ///< edits
 };

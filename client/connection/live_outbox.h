@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "burnish/v1/editing.pb.h"
 #include "client/connection/session_link.h"
 
 namespace burnish {
@@ -26,7 +25,7 @@ class LiveOutbox {
     bool sent = false;
   };
 
-  explicit LiveOutbox(v1::Greeting greeting) : greeting_(std::move(greeting)) {}
+  explicit LiveOutbox(Greeting greeting) : greeting_(std::move(greeting)) {}
 
   void apply(std::vector<Edit> edits, Time now);
   void preview(const std::string& edit_id, PreviewChange change, Time now);
@@ -37,7 +36,7 @@ class LiveOutbox {
   void restart();
 
   /// The next message, or nothing.
-  std::optional<v1::ClientMessage> next();
+  std::optional<ClientMessage> next();
 
   /// The edits were answered: they are forgotten, and returned. Nothing where none are known.
   std::optional<Batch> answered(const std::string& edit_id);
@@ -52,15 +51,14 @@ class LiveOutbox {
  private:
   /// A preview under way.
   struct Gesture {
-    std::string edit_id;
-    PreviewChange change;    // all of it
+    Preview whole;
     size_t sent_points = 0;  // of a stroke
     bool sent = false;       // all of it was
   };
 
-  v1::ClientMessage next_part(Gesture& gesture);
+  Preview next_part(Gesture& gesture);
 
-  const v1::Greeting greeting_;
+  const Greeting greeting_;
   bool greeted_ = false;
   std::deque<Batch> batches_;
   std::optional<Gesture> gesture_;

@@ -1,6 +1,7 @@
 #include "client/connection/live_stream.h"
 
 #include "client/connection/callback_threads.h"
+#include "common/wire/live_wire.h"
 
 namespace burnish {
 
@@ -31,11 +32,11 @@ bool LiveStream::can_write() const {
   return !writing_ && !closed_;
 }
 
-void LiveStream::write(v1::ClientMessage message) {
+void LiveStream::write(const ClientMessage& message) {
   const std::lock_guard lock(mutex_);
   if (writing_ || closed_) return;
   writing_ = true;
-  outgoing_ = std::move(message);
+  outgoing_ = to_wire(message);
   StartWrite(&outgoing_);
 }
 

@@ -8,6 +8,7 @@
 #include <grpcpp/grpcpp.h>
 
 #include "burnish/v1/editing.grpc.pb.h"
+#include "common/service/live.h"
 
 namespace burnish {
 
@@ -42,7 +43,7 @@ class LiveStream final : public grpc::ClientBidiReactor<v1::ClientMessage, v1::S
 
   bool can_write() const;
   /// Needs: can_write().
-  void write(v1::ClientMessage message);
+  void write(const ClientMessage& message);
   std::optional<v1::ServerMessage> take_message();
   /// How the call ended, once it has.
   std::optional<grpc::Status> status() const;

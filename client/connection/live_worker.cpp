@@ -8,25 +8,6 @@
 
 namespace burnish {
 
-static v1::FrameContent content_of(FrameContentWish wish) {
-  switch (wish) {
-    case FrameContentWish::kCoefficients:
-      return v1::FRAME_CONTENT_COEFFICIENTS;
-    case FrameContentWish::kVertices:
-      return v1::FRAME_CONTENT_VERTICES;
-    case FrameContentWish::kSmaller:
-      break;
-  }
-  return v1::FRAME_CONTENT_UNSPECIFIED;
-}
-
-static v1::Greeting greeting_of(const LiveOptions& options) {
-  v1::Greeting greeting;
-  greeting.set_session(options.session);
-  greeting.set_triangles_max(options.triangles_max);
-  greeting.set_content(content_of(options.content));
-  return greeting;
-}
 
 // What another try may cure. The rest is about what was asked for, or who asked.
 static bool is_worth_another_try(StatusCode code) {
@@ -52,7 +33,7 @@ SessionLink::Worker::Worker(const std::string& server, const ConnectionTrust& tr
       starter_(std::move(starter)),
       options_(std::move(options)),
       receiver_(options_.view),
-      outbox_(greeting_of(options_)),
+      outbox_(options_.greeting),
       pacer_(options_.draw_interval) {
   thread_ = std::thread([this] { run(); });
 }
@@ -68,7 +49,7 @@ SessionLink::Worker::~Worker() {
 
 void SessionLink::Worker::run() {
   for (int failures = 0;; ++failures) {
-    const uint64_t frames_before = news_.facts.frames;
+    const uint64_t frames_before = news_.stats.frames;
     const Status why = converse();
     {
       const std::lock_guard lock(mutex_);
@@ -77,7 +58,7 @@ void SessionLink::Worker::run() {
     if (!is_worth_another_try(why.code())) return set_link(LinkState::kEnded, why.to_string());
     set_link(news_.link == LinkState::kConnecting ? LinkState::kConnecting : LinkState::kLost,
              why.message());
-    if (news_.facts.frames > frames_before) failures = 0;
+    if (news_.stats.frames > frames_before) failures = 0;
     wait_before_retry(failures);
   }
 }
@@ -125,15 +106,15 @@ Status SessionLink::Worker::speak_and_listen(LiveStream& stream) {
   while (!stream.status()) {
     const Time now = options_.clock();
     if (must_leave(now)) break;
-    if (const auto message = stream.take_message()) {
+    if (auto message = stream.take_message()) {
       last_heard_ = options_.clock();
-      RETURN_IF_ERROR(hear(*message, last_heard_));
+      RETURN_IF_ERROR(hear(std::move(*message)));
       wake_user();
       continue;
     }
     if (stream.can_write()) {
-      if (auto message = next_message(now)) {
-        stream.write(std::move(*message));
+      if (const auto message = next_message(now)) {
+        stream.write(*message);
         continue;
       }
     }
@@ -152,7 +133,7 @@ bool SessionLink::Worker::must_leave(Time now) {
   return leaving_ || stopping_;
 }
 
-std::optional<v1::ClientMessage> SessionLink::Worker::next_message(Time now) {
+std::optional<ClientMessage> SessionLink::Worker::next_message(Time now) {
   const std::lock_guard lock(mutex_);
   const uint64_t previews = outbox_.previews_sent();
   if (auto message = outbox_.next()) {
@@ -167,21 +148,18 @@ std::optional<v1::ClientMessage> SessionLink::Worker::next_message(Time now) {
     return heartbeat(now);
   }
   if (due == 0 && !receiver_.has_answers()) return std::nullopt;
-  v1::ClientMessage message;
-  *message.mutable_credit() = receiver_.take_answers();
-  message.mutable_credit()->set_frames(static_cast<uint32_t>(due));
-  message.mutable_credit()->set_frame_bytes(budget_.bytes());
+  FrameCredit credit = receiver_.take_answers();
+  credit.frames = static_cast<uint32_t>(due);
+  credit.frame_bytes = budget_.bytes();
   pacer_.granted(now, due);
   beat_for_credit_ = false;
-  return message;
+  return credit;
 }
 
-v1::ClientMessage SessionLink::Worker::heartbeat(Time now) {
-  v1::ClientMessage message;
+Heartbeat SessionLink::Worker::heartbeat(Time now) {
   const auto since = std::chrono::duration_cast<std::chrono::microseconds>(now.time_since_epoch());
-  message.mutable_heartbeat()->set_client_time_us(static_cast<uint64_t>(since.count()));
   next_heartbeat_ = now + options_.heartbeat_interval;
-  return message;
+  return {static_cast<uint64_t>(since.count())};
 }
 
 SessionLink::Worker::Time SessionLink::Worker::next_deadline() {

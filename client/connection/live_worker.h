@@ -44,20 +44,21 @@ class SessionLink::Worker {
   void set_link(LinkState state, const std::string& reason);
 
   // What is said.
-  std::optional<v1::ClientMessage> next_message(Time now);
-  v1::ClientMessage heartbeat(Time now);
+  std::optional<ClientMessage> next_message(Time now);
+  Heartbeat heartbeat(Time now);
   Time next_deadline();
 
   // What is heard (live_worker_messages.cpp). An error ends the session.
-  Status hear(const v1::ServerMessage& message, Time now);
-  Status hear_welcome(const v1::Welcome& welcome);
-  Status hear_frame(const v1::Frame& frame, Time now);
-  Status hear_acknowledged(const v1::Acknowledged& answer);
-  Status hear_refused(const v1::Refused& answer);
-  Status hear_people(const v1::People& people);
-  Status hear_history(const v1::HistoryChanged& history);
-  Status hear_farewell(const v1::GoAway& farewell);
-  void hear_heartbeat(const v1::Heartbeat& echo, Time now);
+  Status hear(v1::ServerMessage message);
+  Status hear(ProgressReport& report);
+  Status hear(Welcome& welcome);
+  Status hear(const LiveFrame& frame);
+  Status hear(EditsAcknowledged& answer);
+  Status hear(EditsRefused& answer);
+  Status hear(HistoryState& history);
+  Status hear(SessionPeople& people);
+  Status hear(const Heartbeat& echo);
+  Status hear(const Farewell& farewell);
 
   void tell(LiveEvent event);  // needs the lock
   void tell_shown();           // needs the lock

@@ -92,12 +92,12 @@ LiveNews SessionLink::Worker::take() {
     const std::lock_guard lock(mutex_);
     pacer_.on_drawn(now);
     if (std::exchange(has_new_frame_, false))
-      news_.facts.waited_ms =
+      news_.stats.waited_ms =
           std::chrono::duration<double, std::milli>(now - last_decoded_).count();
     news.link = news_.link;
-    news.facts = news_.facts;
-    news.facts.frames_per_second = rate_.frames_per_second(now);
-    news.facts.megabits_per_second = rate_.megabits_per_second(now);
+    news.stats = news_.stats;
+    news.stats.frames_per_second = rate_.frames_per_second(now);
+    news.stats.megabits_per_second = rate_.megabits_per_second(now);
     news.unacknowledged = outbox_.unacknowledged();
     news.events.swap(news_.events);
     if (news_.displacement) {

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "client/connection/connection.h"
@@ -16,17 +15,9 @@
 
 namespace burnish {
 
-enum class FrameContentWish {
-  kSmaller,       ///< whichever is smaller
-  kCoefficients,  ///< displacements of corners
-  kVertices,      ///< displacements of vertices
-};
-
 struct LiveOptions {
-  std::string session;               ///< name or id
+  Greeting greeting;                 ///< with the triangles_max that the view was fetched with
   std::shared_ptr<const View> view;  ///< what is drawn, of the session's scan, depth and radius
-  uint64_t triangles_max = 0;        ///< that the view was fetched with
-  FrameContentWish content = FrameContentWish::kSmaller;
   /// Between two pictures; frames are asked for so that they come just before the next one.
   std::chrono::microseconds draw_interval{16'667};
   /// Called from a thread of the session's own when there is something to take. Must not block.
@@ -38,9 +29,6 @@ struct LiveOptions {
   std::chrono::milliseconds retry_after_max{3000};
   Clock clock = std::chrono::steady_clock::now;
 };
-
-/// A part of a gesture. Of a stroke the path goes on where the last part's ended.
-using PreviewChange = std::variant<SetGradientScale, SetTransferCurve, Stroke>;
 
 /// A client's end of a live session: edits in, frames and news out. It keeps itself connected, and
 /// every edit until the server has it on disk or refuses it. All calls return at once, but for the
@@ -59,8 +47,9 @@ class SessionLink {
   /// session has ended.
   Status apply(std::vector<Edit> edits);
 
-  /// Shows everybody what the edit `edit_id` would do if it were applied now. Another preview
-  /// replaces it, and so does the edit itself.
+  /// Shows everybody what the edit `edit_id` would do if it were applied now. The path of a
+  /// stroke goes on where the last part's ended. Another preview replaces it, and so does the edit
+  /// itself.
   void preview(const std::string& edit_id, PreviewChange change);
   void drop_preview(const std::string& edit_id);
 

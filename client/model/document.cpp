@@ -29,10 +29,8 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
   welcome_.session = opened_.session;
   welcome_.role = SessionRole::kEditor;  // until the server says
   LiveOptions options;
-  options.session = opened_.session.id;
+  options.greeting = {opened_.session.id, opened_.triangles_max, FrameContent::kCoefficients};
   options.view = opened_.view;
-  options.triangles_max = opened_.triangles_max;
-  options.content = FrameContentWish::kCoefficients;
   options.on_news = wake_;
   options.clock = std::move(clock);
   live_ = std::make_unique<SessionLink>(*opened_.connection, std::move(options));
@@ -148,7 +146,7 @@ void Document::set_role(const std::string& user, SessionRole role) {
 
 bool Document::is_settled() const {
   return link_ == LinkState::kLive && unacknowledged_ == 0 && gesture_.empty() &&
-         facts_.frames > 0 && facts_.settled && facts_.edits >= edits_known_ &&
+         stats_.frames > 0 && stats_.frame.settled && stats_.frame.edits >= edits_known_ &&
          told_.edits >= edits_known_ && !history_fetch_->running;
 }
 

@@ -90,13 +90,13 @@ class Document {
 
   const std::vector<HistoryEntry>& history() const { return history_; }
   const SessionPeople& people() const { return people_; }
-  const Welcomed& welcome() const { return welcome_; }
-  const FrameFigures& facts() const { return facts_; }
+  const Welcome& welcome() const { return welcome_; }
+  const LinkStats& stats() const { return stats_; }
   LinkState link() const { return link_; }
   const std::string& link_reason() const { return link_reason_; }
   size_t unacknowledged() const { return unacknowledged_; }
   double shown_after_ms() const { return shown_after_ms_; }  ///< of the last edit of ours; 0: none
-  const ProgressMade& progress() const { return progress_; }
+  const ProgressReport& progress() const { return progress_; }
   bool is_viewer() const { return welcome_.role == SessionRole::kViewer; }
 
   /// Rises when update() changed what is drawn.
@@ -145,15 +145,15 @@ class Document {
 
   std::vector<HistoryEntry> history_;
   SessionPeople people_;
-  Welcomed welcome_;
-  FrameFigures facts_;
+  Welcome welcome_;
+  LinkStats stats_;
   LinkState link_ = LinkState::kConnecting;
   std::string link_reason_;
-  ProgressMade progress_;
+  ProgressReport progress_;
   size_t unacknowledged_ = 0;
   uint64_t picture_changes_ = 0;
   uint64_t edits_known_ = 0;  // of the session, on disk
-  HistoryChanged told_;       // the newest values of the session
+  HistoryState told_;         // the newest values of the session
   bool is_told_taken_ = true;
   double shown_after_ms_ = 0;
 

@@ -9,7 +9,7 @@ namespace burnish {
 Status Document::update(Renderer& renderer) {
   const LiveNews news = live_->take();
   link_ = news.link;
-  facts_ = news.facts;
+  stats_ = news.stats;
   unacknowledged_ = news.unacknowledged;
   picture_changes_ += news.displacement.has_value();
   if (news.displacement) RETURN_IF_ERROR(take_displacement(*news.displacement, renderer));
@@ -58,17 +58,17 @@ void Document::handle(const LiveEvent& event) {
                    if (change.state == LinkState::kLive)
                      log_.info("connected to " + opened_.server);
                  },
-                 [&](const Welcomed& welcome) {
+                 [&](const Welcome& welcome) {
                    welcome_ = welcome;
                    edits_known_ = std::max(edits_known_, welcome.session.edits);
                    refresh_history();
                  },
-                 [&](const AcknowledgedEdits& acknowledged) {
+                 [&](const EditsAcknowledged& acknowledged) {
                    edits_known_ = std::max(edits_known_, acknowledged.outcome.edits);
                    refresh_history();
                  },
-                 [&](const RefusedEdits& refused) {
-                   log_.failure("edit refused", refused.why);
+                 [&](const EditsRefused& refused) {
+                   log_.failure("edit refused", refused.status);
                    forget_strokes();
                  },
                  [&](const EditsShown& shown) {
@@ -79,15 +79,15 @@ void Document::handle(const LiveEvent& event) {
                    refresh_cells();
                  },
                  [&](const PreviewShown& shown) { shown_after_ms_ = shown.latency_ms; },
-                 [&](const PeopleChanged& people) { people_ = people.people; },
-                 [&](const HistoryChanged& change) {
-                   told_ = change;
+                 [&](const SessionPeople& people) { people_ = people; },
+                 [&](const HistoryState& history) {
+                   told_ = history;
                    is_told_taken_ = false;
-                   edits_known_ = std::max(edits_known_, change.edits);
+                   edits_known_ = std::max(edits_known_, history.edits);
                    refresh_history();
                    refresh_cells();
                  },
-                 [&](const ProgressMade& progress) { progress_ = progress; },
+                 [&](const ProgressReport& progress) { progress_ = progress; },
              },
              event);
 }

@@ -164,7 +164,7 @@ Status Viewport::update(Renderer& renderer, Document& document) {
 
 // A pointer at rest sees something else when the camera moves, or the surface does.
 Status Viewport::look_at(const Vector2d& pixel, Renderer& renderer, const Document& document) {
-  const Look look{pixel, camera, size_, document.facts().frames, shows_original(pixel)};
+  const Look look{pixel, camera, size_, document.stats().frames, shows_original(pixel)};
   if (looked_ == look) return Status::ok();
   ASSIGN_OR_RETURN(hover_, hit_at(renderer, document, pixel));
   looked_ = look;

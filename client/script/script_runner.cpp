@@ -104,7 +104,7 @@ Status ScriptRunner::run_session(const ScriptLine& line) {
   return update_until(
       [this] {
         const Document* const document = workspace_->document();
-        return document && document->link() == LinkState::kLive && document->facts().frames > 0;
+        return document && document->link() == LinkState::kLive && document->stats().frames > 0;
       },
       "opening");
 }
@@ -129,16 +129,16 @@ Status ScriptRunner::take_screenshot(const std::filesystem::path& path) {
 
 static const char* state_name(const Document& document) {
   if (!document.is_settled()) return "converging";
-  return document.facts().exact ? "exact" : "settled";
+  return document.stats().frame.exact ? "exact" : "settled";
 }
 
 void ScriptRunner::print_state() const {
   const Document& document = *workspace_->document();
-  const FrameFigures& facts = document.facts();
+  const FrameStats& frame = document.stats().frame;
   std::printf("%s: %s, beta %g, curve %s, %zu entries, %d cycles, distance %.3g\n",
               document.session().name.c_str(), state_name(document), document.beta(),
-              document.curve().curve().to_string().c_str(), document.history().size(), facts.cycles,
-              facts.distance);
+              document.curve().curve().to_string().c_str(), document.history().size(), frame.cycles,
+              frame.distance);
 }
 
 }  // namespace burnish

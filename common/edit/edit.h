@@ -70,6 +70,9 @@ struct Edit {
       change;
 };
 
+/// What a gesture shows before it is an edit.
+using PreviewChange = std::variant<SetGradientScale, SetTransferCurve, Stroke>;
+
 /// In the order of Edit::change.
 enum class EditKind {
   kGradientScale,

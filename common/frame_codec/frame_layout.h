@@ -6,16 +6,12 @@
 #include <vector>
 
 #include "common/evaluation/evaluation.h"
+#include "common/frame_codec/frame_content.h"
 #include "common/grid/sparse_grid.h"
 
 namespace burnish {
 
 inline constexpr int kTileValues = 2048;
-
-enum class FrameContent : uint8_t {
-  kCoefficients,  ///< the displacement at corners that weigh on a vertex
-  kVertices,      ///< the displacement of vertices that lie in a cell
-};
 
 /// The mesh that a client draws: all of the scan, or a proxy in the same grid.
 struct FrameMesh {

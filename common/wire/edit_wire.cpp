@@ -40,17 +40,6 @@ Result<FallOff> from_wire(v1::FallOff fall_off) {
                           " is none of 1 (smooth), 2 (linear), 3 (sharp), 4 (constant)");
 }
 
-v1::Stroke to_wire(const Stroke& stroke) {
-  v1::Stroke message;
-  v1::Brush* brush = message.mutable_brush();
-  brush->set_radius(stroke.brush.radius);
-  brush->set_strength(stroke.brush.strength);
-  brush->set_beta(stroke.brush.beta);
-  brush->set_fall_off(to_wire(stroke.brush.fall_off));
-  for (const Vec3d& point : stroke.path) *message.add_path() = burnish::to_wire(point);
-  return message;
-}
-
 Result<Stroke> from_wire(const v1::Stroke& message) {
   Stroke stroke;
   stroke.brush.radius = message.brush().radius();
@@ -71,7 +60,9 @@ struct ChangeWriter {
   void operator()(const SetTransferCurve& change) const {
     *message.mutable_transfer_curve() = burnish::to_wire(change.curve);
   }
-  void operator()(const Stroke& stroke) const { *message.mutable_stroke() = to_wire(stroke); }
+  void operator()(const Stroke& stroke) const {
+    *message.mutable_stroke() = burnish::to_wire(stroke);
+  }
   void operator()(const SetCellFields& change) const {
     *message.mutable_cell_fields() = burnish::to_wire(change, 0, change.cells.size());
   }
@@ -138,6 +129,17 @@ Status check_edit_id(const std::string& id) {
                           " bytes");
 }
 
+v1::Stroke to_wire(const Stroke& stroke) {
+  v1::Stroke message;
+  v1::Brush* brush = message.mutable_brush();
+  brush->set_radius(stroke.brush.radius);
+  brush->set_strength(stroke.brush.strength);
+  brush->set_beta(stroke.brush.beta);
+  brush->set_fall_off(to_wire(stroke.brush.fall_off));
+  for (const Vec3d& point : stroke.path) *message.add_path() = to_wire(point);
+  return message;
+}
+
 v1::SetTransferCurve to_wire(const TransferCurve& curve) {
   v1::SetTransferCurve message;
   for (const TransferCurve::Point& point : curve.points()) {
@@ -196,6 +198,20 @@ Result<Edit> from_wire(const v1::Edit& message) {
   if (status.is_ok()) status = validate(edit);
   if (!status.is_ok()) return status.with_context("edit " + edit.id);
   return edit;
+}
+
+Result<std::vector<Edit>> edits_from_wire(
+    const google::protobuf::RepeatedPtrField<v1::Edit>& messages) {
+  const auto count = static_cast<size_t>(messages.size());
+  if (count == 0 || count > kEditsPerFrameMax)
+    return invalid_argument("a request has 1 to " + std::to_string(kEditsPerFrameMax) +
+                            " edits, not " + std::to_string(count));
+  std::vector<Edit> edits;
+  for (const v1::Edit& message : messages) {
+    ASSIGN_OR_RETURN(Edit edit, from_wire(message));
+    edits.push_back(std::move(edit));
+  }
+  return edits;
 }
 
 std::string edit_to_bytes(const Edit& edit) {

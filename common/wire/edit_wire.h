@@ -11,6 +11,12 @@ v1::Edit to_wire(const Edit& edit);
 /// checked without the mesh is.
 Result<Edit> from_wire(const v1::Edit& message);
 
+/// Reads 1 to kEditsPerFrameMax edits. Fails: invalid_argument as above, or naming their number.
+Result<std::vector<Edit>> edits_from_wire(
+    const google::protobuf::RepeatedPtrField<v1::Edit>& messages);
+
+v1::Stroke to_wire(const Stroke& stroke);
+
 v1::SetTransferCurve to_wire(const TransferCurve& curve);
 Result<TransferCurve> from_wire(const v1::SetTransferCurve& message);
 

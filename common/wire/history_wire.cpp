@@ -109,15 +109,19 @@ Result<SessionRole> from_wire(v1::Role role) {
                           " is none of 1 (viewer), 2 (editor), 3 (owner)");
 }
 
+v1::BrushRing to_wire(const BrushRing& ring) {
+  v1::BrushRing message;
+  *message.mutable_centre() = to_wire(ring.centre);
+  message.set_radius(ring.radius);
+  return message;
+}
+
 v1::PresentUser to_wire(const PresentUser& user) {
   v1::PresentUser message;
   message.set_connection(user.connection);
   message.set_user(user.user);
   message.set_colour(user.colour);
-  if (user.ring) {
-    *message.mutable_ring()->mutable_centre() = to_wire(user.ring->centre);
-    message.mutable_ring()->set_radius(user.ring->radius);
-  }
+  if (user.ring) *message.mutable_ring() = to_wire(*user.ring);
   return message;
 }
 

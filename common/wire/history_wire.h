@@ -28,6 +28,7 @@ Result<SessionPeople> from_wire(const v1::People& message);
 v1::PresentUser to_wire(const PresentUser& user);
 PresentUser from_wire(const v1::PresentUser& message);
 
+v1::BrushRing to_wire(const BrushRing& ring);
 /// Fails: invalid_argument for a ring that is not finite or has no radius.
 Result<BrushRing> from_wire(const v1::BrushRing& message);
 

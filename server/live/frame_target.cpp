@@ -14,15 +14,15 @@ FrameMesh FrameTarget::frame_mesh() const {
   return {grid, proxy_points};
 }
 
-static FrameLayout make_layout(const FrameMesh& mesh, WantedContent content) {
+static FrameLayout make_layout(const FrameMesh& mesh, std::optional<FrameContent> content) {
   if (!content) return make_smaller_layout(mesh);
   return *content == FrameContent::kVertices ? make_vertex_layout(mesh)
                                              : make_coefficient_layout(mesh);
 }
 
 Result<std::shared_ptr<const FrameTarget>> FrameTargets::find_or_make(
-    const std::shared_ptr<const SharedMesh>& mesh, uint64_t triangles_max, WantedContent content,
-    const Progress& progress) {
+    const std::shared_ptr<const SharedMesh>& mesh, uint64_t triangles_max,
+    std::optional<FrameContent> content, const Progress& progress) {
   const PreparedMesh& prepared = *mesh->prepared;
   triangles_max = rounded_triangles_max(triangles_max);  // as the view was made
   if (triangles_max >= prepared.triangles.size()) triangles_max = 0;

@@ -24,9 +24,6 @@ struct FrameTarget {
   FrameMesh frame_mesh() const;
 };
 
-/// The content of frames that a client asks for; nothing: whichever is likely smaller.
-using WantedContent = std::optional<FrameContent>;
-
 /// The targets in use. Clients own them together; this only finds them again. Thread-safe.
 class FrameTargets {
  public:
@@ -34,14 +31,15 @@ class FrameTargets {
   explicit FrameTargets(Quota& memory) : memory_(memory) {}
 
   /// The whole scan where triangles_max is 0 or the scan has no more, else a proxy: as FetchView
-  /// gives it. Cost of the first use: see make_proxy() and the layouts. Fails: cancelled;
-  /// resource_exhausted where the memory has no room for it.
+  /// gives it. Without a content the one whose frames are likely smaller. Cost of the first use:
+  /// see make_proxy() and the layouts. Fails: cancelled; resource_exhausted where the memory has no
+  /// room for it.
   Result<std::shared_ptr<const FrameTarget>> find_or_make(
-      const std::shared_ptr<const SharedMesh>& mesh, uint64_t triangles_max, WantedContent content,
-      const Progress& progress);
+      const std::shared_ptr<const SharedMesh>& mesh, uint64_t triangles_max,
+      std::optional<FrameContent> content, const Progress& progress);
 
  private:
-  using Key = std::tuple<const SharedMesh*, uint64_t, WantedContent>;
+  using Key = std::tuple<const SharedMesh*, uint64_t, std::optional<FrameContent>>;
 
   Quota& memory_;
   FairMutex mutex_;  // also while one is made: the next may want the same

@@ -115,6 +115,19 @@ Status LiveSession::relax(SessionTurn& at) {
   return Status::ok();
 }
 
+FrameStats LiveSession::stats_of(SessionTurn& at) const {
+  const StepReport& last = at.last();
+  return {.settled = at.session().is_settled(last),
+          .exact = at.session().is_exact(last),
+          .cycles = last.cycle,
+          .energy = last.energy,
+          .residual = last.residual,
+          .distance = last.distance,
+          .edits = at.edits(),
+          .assemble_ms = assemble_ms_,
+          .solve_ms = solve_ms_};
+}
+
 Status LiveSession::send_frames(SessionTurn& at) {
   Session& session = at.session();
   const bool settled = session.is_settled(at.last());
@@ -125,6 +138,7 @@ Status LiveSession::send_frames(SessionTurn& at) {
       if (seat.subscriber->wants_frame(version_, settled)) wanting.push_back(seat);
   }
   if (wanting.empty()) return Status::ok();
+  FrameStats stats = stats_of(at);
   const std::span<const Vec3f> displacement = session.solver().displacement();
   std::map<const FrameTarget*, std::shared_ptr<const FrameSample>> samples;
   for (const Seat& seat : wanting) {
@@ -135,15 +149,8 @@ Status LiveSession::send_frames(SessionTurn& at) {
                                              *target.layout, target.frame_mesh(), displacement));
       sample = std::make_shared<const FrameSample>(std::move(made));
     }
-    seat.subscriber->show({sample,
-                           version_,
-                           {.settled = settled,
-                            .exact = session.is_exact(at.last()),
-                            .report = at.last(),
-                            .edits = at.edits(),
-                            .assemble_ms = assemble_ms_,
-                            .solve_ms = solve_ms_,
-                            .previews = seat.previews_taken}});
+    stats.previews = seat.previews_taken;
+    seat.subscriber->show({sample, version_, stats});
   }
   return Status::ok();
 }

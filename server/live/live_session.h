@@ -36,7 +36,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
 
   /// Fails: permission_denied for a viewer; invalid_argument, resource_exhausted naming the value
   /// and its limit. A gesture that fails stays as it was.
-  Status preview(uint64_t connection, PreviewPiece piece);
+  Status preview(uint64_t connection, Preview piece);
   void drop_preview(uint64_t connection, const std::string& edit_id);
 
   void move_brush(uint64_t connection, const std::optional<BrushRing>& ring);
@@ -84,6 +84,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   void drop_gesture(uint64_t connection, const std::vector<std::string>& edit_ids);
   void tell_state(SessionTurn& at);
   Status relax(SessionTurn& at);
+  FrameStats stats_of(SessionTurn& at) const;
   Status send_frames(SessionTurn& at);
   void tell_people();
   std::vector<std::shared_ptr<Subscriber>> subscribers() const;

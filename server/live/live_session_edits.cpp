@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 
-#include "common/base/dispatch.h"
 #include "server/live/live_session.h"
 
 namespace burnish {
@@ -29,7 +28,7 @@ bool is_same(const Brush& a, const Brush& b) {
          a.fall_off == b.fall_off;
 }
 
-Status check_piece(const PreviewPiece& piece) {
+Status check_piece(const Preview& piece) {
   if (const auto* slider = std::get_if<SetGradientScale>(&piece.change))
     return check_beta(slider->beta);
   if (const auto* stroke = std::get_if<Stroke>(&piece.change)) return validate(*stroke);
@@ -96,7 +95,7 @@ void LiveSession::apply(SessionTurn& at, EditMessage message) {
   finish();
 }
 
-Status LiveSession::preview(uint64_t connection, PreviewPiece piece) {
+Status LiveSession::preview(uint64_t connection, Preview piece) {
   {
     const std::lock_guard lock(mutex_);
     const auto seat = seats_.find(connection);

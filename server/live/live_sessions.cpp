@@ -27,7 +27,7 @@ static Status going_down() {
   return unavailable("the server is going down; come back to its next life");
 }
 
-Result<LiveClient> LiveSessions::join(const LiveGreeting& greeting, const Caller& caller,
+Result<LiveClient> LiveSessions::join(const Greeting& greeting, const Caller& caller,
                                       SubscriberWiring wiring, const Progress& progress) {
   ASSIGN_OR_RETURN(const SessionManager::Attached attached,
                    manager_.attach(greeting.session, caller, progress));
@@ -44,19 +44,21 @@ Result<LiveClient> LiveSessions::join(const LiveGreeting& greeting, const Caller
   wiring.on_wish = [weak = std::weak_ptr(session)] {
     if (const auto live = weak.lock()) live->wake();
   };
-  wiring.may_be_silent = greeting.may_be_silent;
   const uint64_t connection = attached.entry->presence.join(caller.user);
   auto subscriber =
       std::make_shared<Subscriber>(connection, caller, std::move(target), std::move(memory).value(),
                                    encoders_, std::move(wiring));
   session->join(subscriber);
-  return LiveClient{session, std::move(subscriber), attached.info, role_in(attached.roles, caller),
-                    attached.backend};
+  const FrameLayout& layout = *subscriber->target->layout;
+  return LiveClient{session, subscriber,
+                    Welcome{attached.info, connection, role_in(attached.roles, caller),
+                            layout.content, layout.fingerprint, attached.backend}};
 }
 
 void LiveSessions::leave(const LiveClient& client) {
   const std::lock_guard lock(mutex_);
-  if (client.session->leave(client.subscriber->connection)) sessions_.erase(client.info.id);
+  if (client.session->leave(client.subscriber->connection))
+    sessions_.erase(client.welcome.session.id);
 }
 
 void LiveSessions::drain() {

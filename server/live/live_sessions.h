@@ -9,21 +9,11 @@
 
 namespace burnish {
 
-/// What a client of a live session says of itself.
-struct LiveGreeting {
-  std::string session;         ///< name or id
-  uint64_t triangles_max = 0;  ///< of the mesh that it draws; 0: the whole scan
-  WantedContent content;
-  bool may_be_silent = false;  ///< it cannot say that it is there
-};
-
 /// A client's place in a live session.
 struct LiveClient {
   std::shared_ptr<LiveSession> session;
   std::shared_ptr<Subscriber> subscriber;
-  SessionInfo info;
-  SessionRole role = SessionRole::kViewer;
-  std::string backend;
+  Welcome welcome;
 };
 
 /// The sessions that have clients, and their coming and going. Thread-safe.
@@ -34,10 +24,10 @@ class LiveSessions final : public SessionListener {
   LiveSessions(SessionManager& manager, int solver_threads);
   ~LiveSessions() override;
 
-  /// Brings the session back if need be, and joins. `wiring` of the client: on_message and on_dead.
+  /// Brings the session back if need be, and joins. `wiring` of the client: all but on_wish.
   /// Whoever joins leaves. Fails: not_found, resource_exhausted, unavailable (draining), cancelled.
-  Result<LiveClient> join(const LiveGreeting& greeting, const Caller& caller,
-                          SubscriberWiring wiring, const Progress& progress);
+  Result<LiveClient> join(const Greeting& greeting, const Caller& caller, SubscriberWiring wiring,
+                          const Progress& progress);
   void leave(const LiveClient& client);
 
   /// From now on nobody joins, and who is there is told to come back later.

@@ -118,7 +118,7 @@ void Subscriber::refuse(EditsRefused answered, size_t bytes) {
   answer(std::move(answered), bytes);
 }
 
-void Subscriber::answer(LiveMessage message, size_t bytes) {
+void Subscriber::answer(ServerMessage message, size_t bytes) {
   {
     const std::lock_guard lock(mutex_);
     --unanswered_;
@@ -185,8 +185,8 @@ void Subscriber::show(Shot shot) {
     making_frame_ = true;
     key_frame_allowed_ = false;
     shown_version_ = shot.version;
-    shown_settled_ = shot.facts.settled;
-    shot.facts.client_time_us = client_time_us_;
+    shown_settled_ = shot.stats.settled;
+    shot.stats.client_time_us = client_time_us_;
     frame_beat_ = last_beat_;
   }
   const auto self = shared_from_this();
@@ -208,14 +208,14 @@ void Subscriber::encode(const Shot& shot) {
   for (const uint64_t sequence : unseen.refused) encoder_.refuse(sequence);
   if (unseen.key_frame) encoder_.request_key_frame();
   const auto start = steady_clock::now();
-  const bool settled = shot.facts.settled;
+  const bool settled = shot.stats.settled;
   const EncodedFrame encoded =
       encoder_.encode(*shot.sample, settled ? FrameStep::kStill : FrameStep::kMoving,
                       bytes_max(settled, unseen.frame_bytes));
   const double seconds = std::chrono::duration<double>(steady_clock::now() - start).count();
-  LiveFrame frame{{}, shot.facts};
-  frame.facts.settled = settled && encoded.is_complete;
-  frame.facts.encode_ms = seconds * 1e3;
+  LiveFrame frame{{}, shot.stats};
+  frame.stats.settled = settled && encoded.is_complete;
+  frame.stats.encode_ms = seconds * 1e3;
   const bool shows_the_last =
       encoded.sent_tiles == 0 && encoded.reference != 0 && encoded.reference == last_sequence_;
   if (!shows_the_last) {
@@ -226,15 +226,15 @@ void Subscriber::encode(const Shot& shot) {
   metrics().observe(Measure::kFrameBytes, static_cast<double>(frame.data.size()));
   {
     const std::lock_guard lock(mutex_);
-    shown_settled_ = frame.facts.settled;
+    shown_settled_ = frame.stats.settled;
     encoder_bytes_ = encoder_.byte_count();
     if (!closed_) frame_ = std::move(frame);
   }
   on_message();
 }
 
-std::optional<LiveMessage> Subscriber::take() {
-  std::optional<LiveMessage> message;
+std::optional<ServerMessage> Subscriber::take() {
+  std::optional<ServerMessage> message;
   bool took_frame = false;
   {
     const std::lock_guard lock(mutex_);
@@ -244,7 +244,7 @@ std::optional<LiveMessage> Subscriber::take() {
     } else if (echo_) {
       message = *std::exchange(echo_, std::nullopt);
     } else if (frame_) {
-      if (frame_->facts.client_time_us != 0) frame_->facts.held_ms = ms_since(frame_beat_);
+      if (frame_->stats.client_time_us != 0) frame_->stats.held_ms = ms_since(frame_beat_);
       message = *std::exchange(frame_, std::nullopt);
       making_frame_ = false;
       took_frame = true;

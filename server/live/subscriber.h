@@ -10,8 +10,8 @@
 #include <string>
 
 #include "common/frame_codec/frame_encoder.h"
+#include "common/service/live.h"
 #include "server/live/frame_target.h"
-#include "server/live/live_messages.h"
 #include "server/manager/caller.h"
 #include "server/metrics/live_objects.h"
 #include "server/scheduling/executor.h"
@@ -22,7 +22,7 @@ namespace burnish {
 struct Shot {
   std::shared_ptr<const FrameSample> sample;
   uint64_t version = 0;  ///< of the surface: grows with every cycle
-  FrameFacts facts;
+  FrameStats stats;
 };
 
 /// How a subscriber reaches others. Called from any thread, without locks of ours held.
@@ -30,7 +30,7 @@ struct SubscriberWiring {
   std::function<void()> on_message;  ///< there may be something to take()
   std::function<void()> on_dead;     ///< nothing more can be told: the connection is to be cut
   std::function<void()> on_wish;     ///< wants_frame() may have become true
-  bool may_be_silent = false;
+  bool may_be_silent = false;        ///< the client cannot say that it is there
   /// Whether the client would be let in again; empty: it would. Asked from time to time.
   std::function<Status()> may_stay;
 };
@@ -94,7 +94,7 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   void show(Shot shot);
 
   /// The next thing to send.
-  std::optional<LiveMessage> take();
+  std::optional<ServerMessage> take();
 
   /// Closed, and nothing will come any more.
   bool is_finished() const;
@@ -105,7 +105,7 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   uint64_t byte_count() const;
 
  private:
-  void answer(LiveMessage message, size_t bytes);
+  void answer(ServerMessage message, size_t bytes);
   void encode(const Shot& shot);
   void on_message() const;
   void on_wish() const;
@@ -129,12 +129,12 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   std::optional<uint64_t> shown_version_;
   bool shown_settled_ = false;
 
-  std::deque<LiveMessage> answers_;
+  std::deque<ServerMessage> answers_;
   size_t unanswered_ = 0;
   size_t unanswered_bytes_ = 0;
   std::shared_ptr<const SessionPeople> people_;
   std::optional<HistoryState> history_;
-  std::optional<HeartbeatEcho> echo_;
+  std::optional<Heartbeat> echo_;
   uint64_t client_time_us_ = 0;
   std::chrono::steady_clock::time_point last_beat_;
   std::chrono::steady_clock::time_point frame_beat_;  // that the frame under way has seen

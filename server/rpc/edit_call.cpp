@@ -1,7 +1,6 @@
 #include "server/rpc/edit_call.h"
 
-#include "common/service/scan_info.h"
-#include "server/rpc/live_wire.h"
+#include "common/wire/live_wire.h"
 #include "server/rpc/message_bytes.h"
 
 namespace burnish {
@@ -58,7 +57,7 @@ void EditCall::take_greeting() {
 
 Result<LiveClient> EditCall::join() {
   RETURN_IF_ERROR(check_references(request_));
-  ASSIGN_OR_RETURN(const LiveGreeting greeting, from_wire(request_.greeting()));
+  ASSIGN_OR_RETURN(const Greeting greeting, from_wire(request_.greeting()));
   const Progress progress = [this](std::string_view phase, double fraction) {
     writer_.report_progress(phase, fraction);
     return !cancelled_;
@@ -87,60 +86,49 @@ void EditCall::take_place(const LiveClient& client) {
   writer_.unless_finished([this] { StartRead(&received_); });
 }
 
+// A wrong edit or preview is refused; anything else that is wrong ends the call.
 Status EditCall::take_request() {
-  LiveSession& session = *client_->session;
-  Subscriber& subscriber = *client_->subscriber;
-  switch (request_.message_case()) {
-    case v1::ClientMessage::kCredit: {
-      ASSIGN_OR_RETURN(const FrameCredit credit, from_wire(request_.credit()));
-      subscriber.grant(credit);
-      return Status::ok();
-    }
-    case v1::ClientMessage::kApply:
-      take_edits(request_.apply());
-      return Status::ok();
-    case v1::ClientMessage::kPreview:
-      take_preview(request_.preview());
-      return Status::ok();
-    case v1::ClientMessage::kMoveBrush: {
-      ASSIGN_OR_RETURN(const auto ring, from_wire(request_.move_brush()));
-      session.move_brush(subscriber.connection, ring);
-      return Status::ok();
-    }
-    case v1::ClientMessage::kHeartbeat:
-      subscriber.beat(request_.heartbeat().client_time_us());
-      return Status::ok();
-    case v1::ClientMessage::kGreeting:
-      return invalid_argument("a live session has one greeting");
-    case v1::ClientMessage::MESSAGE_NOT_SET:
-      break;
-  }
-  return invalid_argument("the message says nothing that this server knows");
+  auto message = from_wire(request_);
+  const Status status = message.is_ok()
+                            ? std::visit([this](auto& said) { return take(said); }, *message)
+                            : message.status();
+  const bool is_refusable = request_.has_apply() || request_.has_preview();
+  if (status.is_ok() || !is_refusable) return status;
+  client_->subscriber->refuse_unexpected({refused_ids(request_), status});
+  return Status::ok();
 }
 
-void EditCall::take_edits(const v1::ApplyEdits& message) {
-  auto edits = edits_from_wire(message.edits());
-  if (edits.is_ok())
-    return client_->session->edit(client_->subscriber->connection, std::move(edits).value(),
-                                  message.ByteSizeLong());
-  EditsRefused refused{{}, edits.status()};
-  for (const v1::Edit& edit : message.edits())
-    if (refused.edit_ids.size() < kEditsPerFrameMax && edit.id().size() <= kEditIdBytesMax)
-      refused.edit_ids.push_back(edit.id());
-  client_->subscriber->refuse_unexpected(std::move(refused));
+Status EditCall::take(const Greeting&) {
+  return invalid_argument("a live session has one greeting");
 }
 
-void EditCall::take_preview(const v1::Preview& message) {
-  const uint64_t connection = client_->subscriber->connection;
-  if (message.has_drop()) return client_->session->drop_preview(connection, message.edit_id());
-  auto piece = from_wire(message);
-  const Status status = piece.is_ok()
-                            ? client_->session->preview(connection, std::move(piece).value())
-                            : piece.status();
-  if (status.is_ok()) return;
-  EditsRefused refused{{}, status};
-  if (message.edit_id().size() <= kEditIdBytesMax) refused.edit_ids.push_back(message.edit_id());
-  client_->subscriber->refuse_unexpected(std::move(refused));
+Status EditCall::take(const FrameCredit& credit) {
+  client_->subscriber->grant(credit);
+  return Status::ok();
+}
+
+Status EditCall::take(ApplyEdits& apply) {
+  client_->session->edit(connection(), std::move(apply.edits), request_.apply().ByteSizeLong());
+  return Status::ok();
+}
+
+Status EditCall::take(Preview& piece) {
+  return client_->session->preview(connection(), std::move(piece));
+}
+
+Status EditCall::take(const DropPreview& drop) {
+  client_->session->drop_preview(connection(), drop.edit_id);
+  return Status::ok();
+}
+
+Status EditCall::take(const MoveBrush& move) {
+  client_->session->move_brush(connection(), move.ring);
+  return Status::ok();
+}
+
+Status EditCall::take(const Heartbeat& beat) {
+  client_->subscriber->beat(beat.client_time_us);
+  return Status::ok();
 }
 
 // Whoever does not take its answers, or sends edits faster than they are done, is not read.

@@ -36,8 +36,14 @@ class EditCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::By
   void refuse(const Status& status);
   void end_of_requests();
   Status take_request();
-  void take_edits(const v1::ApplyEdits& message);
-  void take_preview(const v1::Preview& message);
+  Status take(const Greeting& greeting);
+  Status take(const FrameCredit& credit);
+  Status take(ApplyEdits& apply);
+  Status take(Preview& piece);
+  Status take(const DropPreview& drop);
+  Status take(const MoveBrush& move);
+  Status take(const Heartbeat& beat);
+  uint64_t connection() const { return client_->subscriber->connection; }
   void read_on();
 
   const CallContext calls_;

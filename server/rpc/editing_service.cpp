@@ -7,7 +7,6 @@
 #include "server/rpc/edit_call.h"
 #include "server/rpc/export_call.h"
 #include "server/rpc/get_cells_call.h"
-#include "server/rpc/live_wire.h"
 #include "server/rpc/start_call.h"
 #include "server/rpc/upload_cell_fields_call.h"
 #include "server/rpc/watch_call.h"

@@ -1,21 +1,19 @@
 #include "server/rpc/live_writer.h"
 
+#include "common/wire/live_wire.h"
 #include "server/rpc/call_context.h"
-#include "server/rpc/live_wire.h"
 
 namespace burnish {
 
 void LiveWriter::report_progress(std::string_view phase, double fraction) {
   const std::lock_guard lock(mutex_);
-  first_.emplace();
-  first_->mutable_progress()->set_phase(std::string(phase));
-  first_->mutable_progress()->set_fraction(fraction);
+  first_ = ProgressReport{std::string(phase), fraction};
   advance();
 }
 
 void LiveWriter::begin(const LiveClient& client) {
   const std::lock_guard lock(mutex_);
-  first_ = to_wire(client);
+  first_ = client.welcome;
   subscriber_ = client.subscriber;
   advance();
 }
@@ -44,12 +42,8 @@ void LiveWriter::unless_finished(const std::function<void()>& start) {
 }
 
 bool LiveWriter::take_next() {
-  if (first_) {
-    current_ = *std::exchange(first_, std::nullopt);
-    return true;
-  }
-  if (!subscriber_) return false;
-  std::optional<LiveMessage> next = subscriber_->take();
+  std::optional<ServerMessage> next = std::exchange(first_, std::nullopt);
+  if (!next && subscriber_) next = subscriber_->take();
   if (next) current_ = to_wire(std::move(*next));
   return next.has_value();
 }

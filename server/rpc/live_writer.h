@@ -50,7 +50,7 @@ class LiveWriter {
   const std::function<void(grpc::Status)> finish_;
   std::mutex mutex_;  // of what follows
   std::shared_ptr<Subscriber> subscriber_;
-  std::optional<v1::ServerMessage> first_;  // progress, then the welcome
+  std::optional<ServerMessage> first_;  // progress, then the welcome
   std::optional<grpc::Status> end_;
   v1::ServerMessage current_;
   bool writing_ = false;

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "server/rpc/live_wire.h"
+#include "common/wire/live_wire.h"
 
 namespace burnish {
 
@@ -26,13 +26,13 @@ void WatchCall::begin() {
 }
 
 Result<LiveClient> WatchCall::join() {
-  ASSIGN_OR_RETURN(LiveGreeting greeting, from_wire(request_.greeting()));
-  greeting.may_be_silent = true;
+  ASSIGN_OR_RETURN(const Greeting greeting, from_wire(request_.greeting()));
   const Progress progress = [this](std::string_view phase, double fraction) {
     writer_.report_progress(phase, fraction);
     return !cancelled_;
   };
   SubscriberWiring wiring;
+  wiring.may_be_silent = true;
   wiring.on_message = [weak = std::weak_ptr(self())] {
     if (const auto call = weak.lock()) call->writer_.pump();
   };

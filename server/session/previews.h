@@ -14,7 +14,7 @@ namespace burnish {
 struct Gesture {
   std::string author;
   std::string edit_id;
-  std::variant<SetGradientScale, SetTransferCurve, Stroke> change;
+  PreviewChange change;
 };
 
 /// What the gestures under way do to the fields of a session. It is shown and kept nowhere:

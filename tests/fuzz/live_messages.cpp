@@ -5,8 +5,8 @@
 
 #include "common/base/check.h"
 #include "common/generate/generate.h"
+#include "common/wire/live_wire.h"
 #include "server/prepare/prepare.h"
-#include "server/rpc/live_wire.h"
 #include "server/session/previews.h"
 #include "tests/fuzz/readers.h"
 
@@ -25,24 +25,32 @@ const PreparedMesh& small_scan() {
   return *scan;
 }
 
+/// What a program of ours has written itself it must read, and write the same.
+void check_reads_back(const v1::ClientMessage& written) {
+  const auto again = from_wire(written);
+  BURNISH_CHECK(again.is_ok(), "a client's message does not read back");
+  BURNISH_CHECK(to_wire(*again).SerializeAsString() == written.SerializeAsString(),
+                "a client's message reads back as another");
+}
+
+void check_reads_back(const v1::ServerMessage& written) {
+  const auto again = from_wire(written);
+  BURNISH_CHECK(again.is_ok() && again->has_value(), "a server's message does not read back");
+  BURNISH_CHECK(to_wire(**again).SerializeAsString() == written.SerializeAsString(),
+                "a server's message reads back as another");
+}
+
 /// What a live session does with its clients' messages, without clients and without solving.
 class Desk {
  public:
   bool take(const v1::ClientMessage& message) {
-    switch (message.message_case()) {
-      case v1::ClientMessage::kGreeting:
-        return from_wire(message.greeting()).is_ok();
-      case v1::ClientMessage::kCredit:
-        return from_wire(message.credit()).is_ok();
-      case v1::ClientMessage::kMoveBrush:
-        return from_wire(message.move_brush()).is_ok();
-      case v1::ClientMessage::kApply:
-        return apply(message.apply());
-      case v1::ClientMessage::kPreview:
-        return preview(message.preview());
-      default:
-        return false;
+    const auto said = from_wire(message);
+    if (!said.is_ok()) {
+      (void)refused_ids(message);
+      return false;
     }
+    check_reads_back(to_wire(*said));
+    return std::visit([this](const auto& part) { return act(part); }, *said);
   }
 
   /// Needs nothing: whatever came, the fields can be shown, and are finite.
@@ -53,32 +61,34 @@ class Desk {
   }
 
  private:
-  bool apply(const v1::ApplyEdits& message) {
-    auto edits = edits_from_wire(message.edits());
-    if (!edits.is_ok()) return false;
+  bool act(const Greeting&) { return true; }
+  bool act(const FrameCredit&) { return true; }
+  bool act(const MoveBrush&) { return true; }
+  bool act(const Heartbeat&) { return true; }
+
+  bool act(const ApplyEdits& apply) {
     std::vector<AuthoredEdit> fresh;
     std::map<std::string, int> seen;
-    for (Edit& edit : *edits)
+    for (const Edit& edit : apply.edits)
       if (!edited_.history().knows(kAuthor, edit.id) && ++seen[edit.id] == 1)
-        fresh.push_back({kAuthor, 0, std::move(edit)});
+        fresh.push_back({kAuthor, 0, edit});
     const bool applied = edited_.apply(fresh).is_ok();
     previews_.drop_applied(edited_.history());
     return applied;
   }
 
-  bool preview(const v1::Preview& message) {
-    if (message.has_drop()) {
-      previews_.drop(kConnection);
-      return true;
-    }
-    auto piece = from_wire(message);
-    if (!piece.is_ok()) return false;
+  bool act(const Preview& piece) {
     // as LiveSession::preview() asks
-    const auto* stroke = std::get_if<Stroke>(&piece->change);
-    const auto* slider = std::get_if<SetGradientScale>(&piece->change);
+    const auto* stroke = std::get_if<Stroke>(&piece.change);
+    const auto* slider = std::get_if<SetGradientScale>(&piece.change);
     if (stroke && !validate(*stroke).is_ok()) return false;
     if (slider && !check_beta(slider->beta).is_ok()) return false;
-    previews_.show(kConnection, {kAuthor, piece->edit_id, std::move(piece->change)});
+    previews_.show(kConnection, {kAuthor, piece.edit_id, piece.change});
+    return true;
+  }
+
+  bool act(const DropPreview&) {
+    previews_.drop(kConnection);
     return true;
   }
 
@@ -101,6 +111,16 @@ bool read_live_messages(std::span<const uint8_t> bytes) {
     desk.show();
   }
   return all_taken && bytes.empty();
+}
+
+bool read_server_message(std::span<const uint8_t> bytes) {
+  google::protobuf::SetLogHandler(nullptr);
+  v1::ServerMessage message;
+  if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return false;
+  const auto said = from_wire(std::move(message));
+  if (!said.is_ok() || !said->has_value()) return false;
+  check_reads_back(to_wire(**said));
+  return true;
 }
 
 }  // namespace burnish

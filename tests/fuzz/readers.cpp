@@ -160,6 +160,7 @@ constexpr FuzzedReader kReaders[] = {
     {"prepared", read_prepared},
     {"scan_record", read_scan_record},
     {"script", read_fuzzed_script},
+    {"server_message", read_server_message},
     {"strokes", read_strokes},
     {"users", read_users},
     {"view", read_fuzzed_view},

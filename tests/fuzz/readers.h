@@ -24,4 +24,7 @@ const FuzzedReader& fuzzed_reader(std::string_view name);
 /// a small scan, edits and gestures alike.
 bool read_live_messages(std::span<const uint8_t> bytes);
 
+/// One message of a live session as the server sends it: the bytes of a burnish.v1.ServerMessage.
+bool read_server_message(std::span<const uint8_t> bytes);
+
 }  // namespace burnish

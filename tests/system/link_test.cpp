@@ -49,7 +49,7 @@ TEST_F(Links, CarryALiveSession) {
   const Link link(server_.address, {});
   Connection connection = Connection::open(link.address(), kPatience).value();
   LiveOptions options;
-  options.session = "work";
+  options.greeting.session = "work";
   options.view = std::make_shared<const View>(connection.fetch_view({"ball", {5, 0}}, {}).value());
   SessionLink session(connection, options);
   ASSERT_TRUE(session.apply({Edit{"a", SetGradientScale{0.5}}}).is_ok());

@@ -219,7 +219,7 @@ TEST_F(PrivateWorkspace, StartsItsServerAgainAndBringsWhatWasEditedMeanwhile) {
   document().commit_beta();
   EXPECT_EQ(workspace_.unsaved_edits(), 1u);
   ASSERT_TRUE(until([this] {
-    return document().is_settled() && document().facts().edits == 1 &&
+    return document().is_settled() && document().stats().frame.edits == 1 &&
            document().history().size() == 1;
   }));
   EXPECT_NE(data_.server(), first);

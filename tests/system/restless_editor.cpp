@@ -17,7 +17,7 @@ RestlessEditor::RestlessEditor(const EditorPlace& place, const std::string& user
       connection_(Connection::open(place.address, kPatience).value()) {
   connection_.set_user(user);
   LiveOptions options;
-  options.session = place.session;
+  options.greeting.session = place.session;
   options.view = place.view;
   options.retry_after_min = milliseconds(20);
   options.retry_after_max = milliseconds(200);
@@ -63,16 +63,16 @@ void RestlessEditor::take_answer(const std::vector<std::string>& ids,
 void RestlessEditor::listen() {
   const LiveNews news = link_->take();
   for (const LiveEvent& event : news.events) {
-    if (const auto* answer = std::get_if<AcknowledgedEdits>(&event))
+    if (const auto* answer = std::get_if<EditsAcknowledged>(&event))
       take_answer(answer->edit_ids, acknowledged_);
-    if (const auto* answer = std::get_if<RefusedEdits>(&event))
+    if (const auto* answer = std::get_if<EditsRefused>(&event))
       take_answer(answer->edit_ids, refused_);
-    if (std::holds_alternative<Welcomed>(event)) {
+    if (std::holds_alternative<Welcome>(event)) {
       welcomed_ = true;
       frames_then_ = frames_;
     }
   }
-  frames_ = news.facts.frames;
+  frames_ = news.stats.frames;
 }
 
 bool RestlessEditor::wait_until_answered() {

@@ -20,15 +20,15 @@ using testing::HasSubstr;
 class Client {
  public:
   Client(const ServerProcess& server, const std::string& user, uint64_t triangles_max = 0,
-         FrameContentWish content = FrameContentWish::kCoefficients)
+         FrameContent content = FrameContent::kCoefficients)
       : connection(Connection::open(server.address, kPatience).value()) {
     connection.set_user(user);
     LiveOptions options;
-    options.session = "work";
+    options.greeting.session = "work";
     options.view = std::make_shared<const View>(
         connection.fetch_view({"ball", {5, 0}, triangles_max}, {}).value());
-    options.triangles_max = triangles_max;
-    options.content = content;
+    options.greeting.triangles_max = triangles_max;
+    options.greeting.content = content;
     options.retry_after_min = milliseconds(20);
     options.retry_after_max = milliseconds(200);
     view = options.view;
@@ -62,7 +62,7 @@ class Client {
     return until([this] { return news.link == LinkState::kLive; });
   }
   bool until_settled_with(uint64_t edits) {
-    return until([&] { return news.facts.settled && news.facts.edits >= edits; });
+    return until([&] { return news.stats.frame.settled && news.stats.frame.edits >= edits; });
   }
 
   template <typename Event>
@@ -117,18 +117,18 @@ TEST_F(LiveService, ShowsAnEditToAllItsClients) {
   ASSERT_TRUE(bert.until_settled_with(1));
   EXPECT_GT(anna.largest_move(), 1e-4);
   EXPECT_EQ(anna.displacement, bert.displacement);
-  ASSERT_TRUE(anna.until([&] { return anna.told<AcknowledgedEdits>(); }));
-  EXPECT_THAT(anna.told<AcknowledgedEdits>()->edit_ids, ElementsAre("a"));
-  ASSERT_TRUE(bert.until([&] { return bert.told<HistoryChanged>(); }));
-  EXPECT_EQ(bert.told<HistoryChanged>()->gradient_scale, 0);
+  ASSERT_TRUE(anna.until([&] { return anna.told<EditsAcknowledged>(); }));
+  EXPECT_THAT(anna.told<EditsAcknowledged>()->edit_ids, ElementsAre("a"));
+  ASSERT_TRUE(bert.until([&] { return bert.told<HistoryState>(); }));
+  EXPECT_EQ(bert.told<HistoryState>()->gradient_scale, 0);
   ASSERT_TRUE(bert.until([&] {
-    return bert.told<PeopleChanged>() && bert.told<PeopleChanged>()->people.present.size() == 2;
+    return bert.told<SessionPeople>() && bert.told<SessionPeople>()->present.size() == 2;
   }));
 }
 
 TEST_F(LiveService, SendsVerticesOrAProxyWhereThatIsAskedFor) {
-  Client whole(server_, "anna", 0, FrameContentWish::kCoefficients);
-  Client vertices(server_, "bert", 0, FrameContentWish::kVertices);
+  Client whole(server_, "anna", 0, FrameContent::kCoefficients);
+  Client vertices(server_, "bert", 0, FrameContent::kVertices);
   Client proxy(server_, "carl", 500);
   ASSERT_TRUE(whole.until_live());
   ASSERT_TRUE(whole.session->apply(slider("a", 0)).is_ok());
@@ -146,12 +146,14 @@ TEST_F(LiveService, ShowsAPreviewAndForgetsIt) {
   Client anna(server_, "anna"), bert(server_, "bert");
   ASSERT_TRUE(anna.until_settled_with(0));
   anna.session->preview("p", SetGradientScale{0});
-  ASSERT_TRUE(anna.until([&] { return anna.told<PreviewShown>() && anna.news.facts.settled; }));
-  ASSERT_TRUE(bert.until([&] { return bert.largest_move() > 1e-4 && bert.news.facts.settled; }));
+  ASSERT_TRUE(
+      anna.until([&] { return anna.told<PreviewShown>() && anna.news.stats.frame.settled; }));
+  ASSERT_TRUE(
+      bert.until([&] { return bert.largest_move() > 1e-4 && bert.news.stats.frame.settled; }));
   const double previewed = bert.largest_move();
   anna.session->drop_preview("p");
   ASSERT_TRUE(bert.until([&] { return bert.largest_move() < previewed / 10; }));
-  EXPECT_EQ(bert.news.facts.edits, 0u);
+  EXPECT_EQ(bert.news.stats.frame.edits, 0u);
 }
 
 TEST_F(LiveService, LosesNoEditWhenItIsKilled) {
@@ -180,8 +182,8 @@ TEST_F(LiveService, RefusesWhatTheHistoryCannotDo) {
   Client anna(server_, "anna");
   ASSERT_TRUE(anna.until_live());
   ASSERT_TRUE(anna.session->apply({Edit{"r", RestoreCheckpoint{"never"}}}).is_ok());
-  ASSERT_TRUE(anna.until([&] { return anna.told<RefusedEdits>() != nullptr; }));
-  EXPECT_THAT(anna.told<RefusedEdits>()->why.message(), HasSubstr("never"));
+  ASSERT_TRUE(anna.until([&] { return anna.told<EditsRefused>() != nullptr; }));
+  EXPECT_THAT(anna.told<EditsRefused>()->status.message(), HasSubstr("never"));
   EXPECT_EQ(anna.news.unacknowledged, 0u);
 }
 

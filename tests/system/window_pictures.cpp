@@ -124,7 +124,7 @@ class Studio {
   void let_bert_in() {
     const SessionInfo session = connection_.list_sessions().value().at(1);
     LiveOptions options;
-    options.session = "fresco";
+    options.greeting.session = "fresco";
     options.view = std::make_shared<const View>(
         connection_.fetch_view({session.scan_id, session.key, 0}, {}).value());
     bert_ = std::make_unique<SessionLink>(connection_, options);

@@ -118,7 +118,7 @@ TEST_F(WorkspaceService, BringsWhatWasEditedWhileTheServerWasDead) {
   EXPECT_EQ(document().beta(), 0.25);
   server_.start();
   ASSERT_TRUE(until([this] {
-    return document().is_settled() && document().facts().edits == 2 &&
+    return document().is_settled() && document().stats().frame.edits == 2 &&
            document().history().size() == 2;
   }));
   EXPECT_EQ(document().beta(), 0.25);
@@ -170,7 +170,8 @@ TEST_F(WorkspaceService, ThePointerFindsWhatIsShownUnderItOriginalOrEdited) {
   document().commit_curve();
   document().preview_beta(0);
   document().commit_beta();
-  ASSERT_TRUE(until([&] { return document().is_settled() && document().facts().edits == 2; }));
+  ASSERT_TRUE(
+      until([&] { return document().is_settled() && document().stats().frame.edits == 2; }));
   Viewport& viewport = workspace_.viewport;
   const auto looks_at = [&](const Eigen::Vector2d& pixel, auto place) {
     viewport.move(pixel);
@@ -207,7 +208,8 @@ TEST_F(WorkspaceService, APointerAtRestSeesTheSurfaceThatMovesUnderIt) {
   document().commit_curve();
   document().preview_beta(0);
   document().commit_beta();
-  ASSERT_TRUE(until([&] { return document().is_settled() && document().facts().edits == 2; }));
+  ASSERT_TRUE(
+      until([&] { return document().is_settled() && document().stats().frame.edits == 2; }));
   ASSERT_TRUE(workspace_.viewport.hover().has_value());
   EXPECT_LT((ring_pixel() - middle).norm(), 0.1);
   EXPECT_GT((workspace_.viewport.hover()->original - before).norm(), 0.05);

@@ -8,9 +8,8 @@ static constexpr std::chrono::minutes kAnswerPatience{2};
 
 static LiveOptions live_options(const LoadOptions& options) {
   LiveOptions live;
-  live.session = options.session;
+  live.greeting = {options.session, options.triangles_max, {}};
   live.view = options.view;
-  live.triangles_max = options.triangles_max;
   live.draw_interval =
       std::chrono::microseconds(static_cast<int64_t>(1e6 / options.pictures_per_second));
   live.heartbeat_interval = options.heartbeat_interval;
@@ -41,8 +40,8 @@ void LoadClient::run(std::chrono::duration<double> length) {
     std::this_thread::sleep_until(next);
   }
   figures_.seconds = std::chrono::duration<double>(steady_clock::now() - begin).count();
-  figures_.frames = facts_.frames;
-  figures_.bytes = facts_.bytes;
+  figures_.frames = stats_.frames;
+  figures_.bytes = stats_.bytes;
   gestures_.end(session_);
   session_.move_brush(std::nullopt);
   session_.wait_until_acknowledged(kAnswerPatience);
@@ -52,11 +51,11 @@ void LoadClient::run(std::chrono::duration<double> length) {
 
 void LoadClient::draw() {
   LiveNews news = session_.take();
-  if (news.facts.frames > facts_.frames) {
-    figures_.age_ms.push_back(news.facts.age_ms);
-    figures_.drawn_ms.push_back(news.facts.age_ms + news.facts.waited_ms);
+  if (news.stats.frames > stats_.frames) {
+    figures_.age_ms.push_back(news.stats.age_ms);
+    figures_.drawn_ms.push_back(news.stats.age_ms + news.stats.waited_ms);
   }
-  facts_ = news.facts;
+  stats_ = news.stats;
   if (news.displacement) {
     const FrameLayout& layout = *news.displacement->layout;
     shown_.resize(size_t{3} * static_cast<size_t>(layout.value_count()));
@@ -66,10 +65,10 @@ void LoadClient::draw() {
                                           size_t{3} * layout.tile_size(tile)));
   }
   for (const LiveEvent& event : news.events) {
-    if (const auto* answer = std::get_if<AcknowledgedEdits>(&event))
+    if (const auto* answer = std::get_if<EditsAcknowledged>(&event))
       figures_.acknowledged.insert(answer->edit_ids.begin(), answer->edit_ids.end());
-    if (const auto* refused = std::get_if<RefusedEdits>(&event))
-      figures_.refused.push_back(refused->why.to_string());
+    if (const auto* refused = std::get_if<EditsRefused>(&event))
+      figures_.refused.push_back(refused->status.to_string());
     if (const auto* shown = std::get_if<EditsShown>(&event))
       figures_.edit_ms.push_back(shown->latency_ms);
     if (const auto* shown = std::get_if<PreviewShown>(&event))
@@ -85,7 +84,7 @@ bool LoadClient::settle(uint64_t edits, std::chrono::seconds patience) {
   const auto end = steady_clock::now() + patience;
   while (steady_clock::now() < end && figures_.ended.empty()) {
     draw();
-    if (facts_.frames > 0 && facts_.settled && facts_.edits >= edits) return true;
+    if (stats_.frames > 0 && stats_.frame.settled && stats_.frame.edits >= edits) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   return false;

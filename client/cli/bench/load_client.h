@@ -63,7 +63,7 @@ class LoadClient {
   SessionLink session_;
   Gestures gestures_;
   LoadFigures figures_;
-  FrameFigures facts_;
+  LinkStats stats_;
   std::vector<int32_t> shown_;  // steps, tile by tile
   std::thread thread_;
 };

@@ -15,10 +15,25 @@ Stroke stroke(std::vector<Vec3d> path) {
   return {{.radius = 1, .strength = 1, .beta = 2}, std::move(path)};
 }
 
+template <typename Message>
+bool says(const std::optional<ClientMessage>& message) {
+  return message && std::holds_alternative<Message>(*message);
+}
+
+/// What the outbox says next, which must be a message of this kind.
+template <typename Message>
+Message next(LiveOutbox& outbox) {
+  return std::get<Message>(outbox.next().value());
+}
+
+std::string next_edit(LiveOutbox& outbox) {
+  return next<ApplyEdits>(outbox).edits.at(0).id;
+}
+
 /// An outbox that has said its greeting.
 LiveOutbox greeted() {
-  LiveOutbox outbox{v1::Greeting()};
-  EXPECT_TRUE(outbox.next()->has_greeting());
+  LiveOutbox outbox{Greeting()};
+  EXPECT_TRUE(says<Greeting>(outbox.next()));
   return outbox;
 }
 
@@ -26,7 +41,7 @@ TEST(LiveOutbox, SaysItsGreetingFirstAndOnce) {
   LiveOutbox outbox = greeted();
   EXPECT_FALSE(outbox.next());
   outbox.restart();
-  EXPECT_TRUE(outbox.next()->has_greeting());
+  EXPECT_TRUE(says<Greeting>(outbox.next()));
   EXPECT_FALSE(outbox.next());
 }
 
@@ -34,26 +49,26 @@ TEST(LiveOutbox, SaysEditsOnceForEachStreamUntilTheyAreAnswered) {
   LiveOutbox outbox = greeted();
   outbox.apply(slider("a"), kNow);
   outbox.apply(slider("b"), kNow);
-  EXPECT_EQ(outbox.next()->apply().edits(0).id(), "a");
-  EXPECT_EQ(outbox.next()->apply().edits(0).id(), "b");
+  EXPECT_EQ(next_edit(outbox), "a");
+  EXPECT_EQ(next_edit(outbox), "b");
   EXPECT_FALSE(outbox.next());
   EXPECT_EQ(outbox.unacknowledged(), 2u);
   EXPECT_TRUE(outbox.answered("a"));
   EXPECT_FALSE(outbox.answered("a"));
   outbox.restart();
-  EXPECT_TRUE(outbox.next()->has_greeting());
-  EXPECT_EQ(outbox.next()->apply().edits(0).id(), "b");
+  EXPECT_TRUE(says<Greeting>(outbox.next()));
+  EXPECT_EQ(next_edit(outbox), "b");
   EXPECT_FALSE(outbox.next());
 }
 
 TEST(LiveOutbox, MergesPreviewsThatWait) {
   LiveOutbox outbox = greeted();
   for (const double beta : {0.1, 0.2, 0.3}) outbox.preview("a", SetGradientScale{beta}, kNow);
-  EXPECT_EQ(outbox.next()->preview().gradient_scale().beta(), 0.3);
+  EXPECT_EQ(std::get<SetGradientScale>(next<Preview>(outbox).change).beta, 0.3);
   EXPECT_FALSE(outbox.next());
   outbox.preview("b", stroke({Vec3d(0, 0, 0)}), kNow);
   outbox.preview("b", stroke({Vec3d(1, 0, 0)}), kNow);
-  EXPECT_EQ(outbox.next()->preview().stroke().path_size(), 2);
+  EXPECT_EQ(std::get<Stroke>(next<Preview>(outbox).change).path.size(), 2u);
   EXPECT_EQ(outbox.previews_sent(), 2u);
 }
 
@@ -62,18 +77,19 @@ TEST(LiveOutbox, SaysOnlyTheNewPartOfAStroke) {
   outbox.preview("s", stroke({Vec3d(0, 0, 0)}), kNow);
   ASSERT_TRUE(outbox.next());
   outbox.preview("s", stroke({Vec3d(1, 0, 0), Vec3d(2, 0, 0)}), kNow);
-  const auto message = outbox.next();
-  EXPECT_EQ(message->preview().edit_id(), "s");
-  EXPECT_EQ(message->preview().stroke().brush().radius(), 1);
-  ASSERT_EQ(message->preview().stroke().path_size(), 2);
-  EXPECT_EQ(message->preview().stroke().path(0).x(), 1);
+  const auto part = next<Preview>(outbox);
+  EXPECT_EQ(part.edit_id, "s");
+  const auto& said = std::get<Stroke>(part.change);
+  EXPECT_EQ(said.brush.radius, 1);
+  ASSERT_EQ(said.path.size(), 2u);
+  EXPECT_EQ(said.path[0].x(), 1);
 }
 
 TEST(LiveOutbox, EndsAPreviewWithItsEdit) {
   LiveOutbox outbox = greeted();
   outbox.preview("a", SetGradientScale{0.1}, kNow);
   outbox.apply(slider("a"), kNow);
-  EXPECT_TRUE(outbox.next()->has_apply());
+  EXPECT_TRUE(says<ApplyEdits>(outbox.next()));
   EXPECT_FALSE(outbox.next());
   outbox.drop_preview("a");
   EXPECT_FALSE(outbox.next());
@@ -86,9 +102,9 @@ TEST(LiveOutbox, DropsThePreviewThatIsOnAndNoOther) {
   outbox.drop_preview("b");
   EXPECT_FALSE(outbox.next());
   outbox.drop_preview("a");
-  EXPECT_TRUE(outbox.next()->preview().has_drop());
+  EXPECT_TRUE(says<DropPreview>(outbox.next()));
   outbox.restart();
-  EXPECT_TRUE(outbox.next()->has_greeting());
+  EXPECT_TRUE(says<Greeting>(outbox.next()));
   EXPECT_FALSE(outbox.next());
 }
 
@@ -97,7 +113,7 @@ TEST(LiveOutbox, DoesNotSayARefusedPreviewAgain) {
   outbox.preview("a", SetGradientScale{0.1}, kNow);
   EXPECT_TRUE(outbox.forget_preview("a"));
   outbox.restart();
-  ASSERT_TRUE(outbox.next()->has_greeting());
+  ASSERT_TRUE(says<Greeting>(outbox.next()));
   EXPECT_FALSE(outbox.next());
 }
 
@@ -105,12 +121,12 @@ TEST(LiveOutbox, SaysTheNewestRing) {
   LiveOutbox outbox = greeted();
   outbox.move_brush(BrushRing{Vec3d(1, 0, 0), 2});
   outbox.move_brush(BrushRing{Vec3d(2, 0, 0), 2});
-  EXPECT_EQ(outbox.next()->move_brush().ring().centre().x(), 2);
+  EXPECT_EQ(next<MoveBrush>(outbox).ring->centre.x(), 2);
   outbox.move_brush(BrushRing{Vec3d(2, 0, 0), 2});
   EXPECT_FALSE(outbox.next());
   outbox.restart();
-  ASSERT_TRUE(outbox.next()->has_greeting());
-  EXPECT_TRUE(outbox.next()->move_brush().has_ring());
+  ASSERT_TRUE(says<Greeting>(outbox.next()));
+  EXPECT_TRUE(next<MoveBrush>(outbox).ring.has_value());
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ using testing::HasSubstr;
 class LiveSessions : public testing::Test {
  protected:
   LiveSessions() {
-    options_.session = "work";
+    options_.greeting.session = "work";
     options_.view = fake_view();
     options_.draw_interval = milliseconds(1);
     options_.retry_after_min = milliseconds(5);
@@ -38,7 +38,7 @@ class LiveSessions : public testing::Test {
   void take() {
     LiveNews news = session_->take();
     link_ = news.link;
-    facts_ = news.facts;
+    stats_ = news.stats;
     unacknowledged_ = news.unacknowledged;
     if (news.displacement) {
       if (!shown_.has_value()) shown_steps_.assign(3 * news.displacement->layout->value_count(), 0);
@@ -95,7 +95,7 @@ class LiveSessions : public testing::Test {
   std::unique_ptr<SessionLink> session_;
 
   LinkState link_ = LinkState::kConnecting;
-  FrameFigures facts_;
+  LinkStats stats_;
   size_t unacknowledged_ = 0;
   std::optional<Displacement> shown_;
   std::vector<int32_t> shown_steps_;  // by changed tiles alone
@@ -110,11 +110,11 @@ TEST_F(LiveSessions, ShowEachSurfaceOfTheServer) {
     server_.show(phase);
     ASSERT_TRUE(until_shown()) << phase;
   }
-  EXPECT_TRUE(facts_.settled);
-  EXPECT_GE(facts_.frames, 4u);
-  EXPECT_GT(facts_.bytes, 0u);
-  EXPECT_TRUE(until([this] { return facts_.rtt_ms > 0; }));
-  const auto welcomed = told<Welcomed>();
+  EXPECT_TRUE(stats_.frame.settled);
+  EXPECT_GE(stats_.frames, 4u);
+  EXPECT_GT(stats_.bytes, 0u);
+  EXPECT_TRUE(until([this] { return stats_.rtt_ms > 0; }));
+  const auto welcomed = told<Welcome>();
   ASSERT_EQ(welcomed.size(), 1u);
   EXPECT_EQ(welcomed[0].session.name, "work");
   EXPECT_EQ(welcomed[0].connection, 7u);
@@ -127,7 +127,7 @@ TEST_F(LiveSessions, TellOfEditsOnceTheyAreOnDiskAndOnceTheyAreShown) {
   ASSERT_TRUE(session_->apply(slider("b")).is_ok());
   EXPECT_TRUE(session_->wait_until_acknowledged(milliseconds(20'000)));
   ASSERT_TRUE(until([this] { return told<EditsShown>().size() == 2; }));
-  const auto acknowledged = told<AcknowledgedEdits>();
+  const auto acknowledged = told<EditsAcknowledged>();
   ASSERT_EQ(acknowledged.size(), 2u);
   EXPECT_THAT(acknowledged[0].edit_ids, ElementsAre("a"));
   EXPECT_EQ(acknowledged[1].outcome.edits, 2u);
@@ -144,11 +144,11 @@ TEST_F(LiveSessions, LoseNoEditWhenTheServerIsGoneBeforeItsAnswer) {
   server_.stop();
   ASSERT_TRUE(until([this] { return link_ == LinkState::kLost; }));
   ASSERT_TRUE(session_->apply(slider("b")).is_ok());
-  EXPECT_EQ(told<AcknowledgedEdits>().size(), 0u);
+  EXPECT_EQ(told<EditsAcknowledged>().size(), 0u);
 
   server_.set_faults({});
   server_.start();
-  ASSERT_TRUE(until([this] { return told<AcknowledgedEdits>().size() == 2; }));
+  ASSERT_TRUE(until([this] { return told<EditsAcknowledged>().size() == 2; }));
   EXPECT_EQ(link_, LinkState::kLive);
   EXPECT_EQ(server_.seen().repeated, 1);
   EXPECT_THAT(server_.seen().applied, ElementsAre("a", "b"));
@@ -201,10 +201,10 @@ TEST_F(LiveSessions, TellWhyAnEditWasRefusedAndForgetIt) {
   server_.set_faults({.refuse_edits = grpc::StatusCode::PERMISSION_DENIED});
   connect();
   ASSERT_TRUE(session_->apply(slider("a")).is_ok());
-  ASSERT_TRUE(until([this] { return !told<RefusedEdits>().empty(); }));
-  EXPECT_THAT(told<RefusedEdits>()[0].edit_ids, ElementsAre("a"));
-  EXPECT_EQ(told<RefusedEdits>()[0].why.code(), StatusCode::kPermissionDenied);
-  EXPECT_EQ(told<RefusedEdits>()[0].why.message(), "not today");
+  ASSERT_TRUE(until([this] { return !told<EditsRefused>().empty(); }));
+  EXPECT_THAT(told<EditsRefused>()[0].edit_ids, ElementsAre("a"));
+  EXPECT_EQ(told<EditsRefused>()[0].status.code(), StatusCode::kPermissionDenied);
+  EXPECT_EQ(told<EditsRefused>()[0].status.message(), "not today");
   EXPECT_EQ(unacknowledged_, 0u);
 }
 

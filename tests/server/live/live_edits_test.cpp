@@ -41,7 +41,7 @@ TEST_F(LiveEdits, APreviewReachesEverybodyAndIsGoneWithItsConnection) {
   bob.subscriber().grant({.frames = 1});
   bob.settle();
   EXPECT_NE(shown(bob).steps, before.steps);
-  EXPECT_EQ(bob.all<LiveFrame>().back().facts.edits, 0u);
+  EXPECT_EQ(bob.all<LiveFrame>().back().stats.edits, 0u);
   ann.leave();
   bob.subscriber().grant({.frames = 1});
   bob.settle();
@@ -58,12 +58,12 @@ TEST_F(LiveEdits, APreviewGivesWayToItsEditAndFramesCountIt) {
   ASSERT_TRUE(ann.session().preview(ann.connection(), {"drag", SetGradientScale{0.5}}).is_ok());
   ann.subscriber().grant({.frames = 1});
   ann.settle();
-  EXPECT_EQ(ann.all<LiveFrame>().back().facts.previews, 1u);
+  EXPECT_EQ(ann.all<LiveFrame>().back().stats.previews, 1u);
   const FrameSample dragged = shown(ann);
   ann.edit({{"drag", SetGradientScale{0.5}}});
   ann.subscriber().grant({.frames = 1});
   ann.settle();
-  EXPECT_EQ(ann.all<LiveFrame>().back().facts.edits, 1u);
+  EXPECT_EQ(ann.all<LiveFrame>().back().stats.edits, 1u);
   EXPECT_EQ(shown(ann).steps, dragged.steps);
 }
 
@@ -79,7 +79,7 @@ TEST_F(LiveEdits, AnExportLeavesPreviewsOut) {
   EXPECT_NEAR(exported().energy, energy, 1e-6 * std::abs(energy) + 1e-9);
   ann.subscriber().grant({.frames = 1});
   ann.settle();
-  EXPECT_NE(ann.all<LiveFrame>().back().facts.report.energy, energy);
+  EXPECT_NE(ann.all<LiveFrame>().back().stats.energy, energy);
 }
 
 TEST_F(LiveEdits, ACancelledExportLeavesNothingUnsolved) {
@@ -89,8 +89,8 @@ TEST_F(LiveEdits, ACancelledExportLeavesNothingUnsolved) {
   EXPECT_FALSE(manager_->export_mesh("work", {}, {}, cancelled_at_once).is_ok());
   auto ann = guest();
   ann.settle();
-  EXPECT_GT(ann.all<LiveFrame>().back().facts.report.cycle, 2);
-  EXPECT_LT(ann.all<LiveFrame>().back().facts.report.distance, 1e-4);
+  EXPECT_GT(ann.all<LiveFrame>().back().stats.cycles, 2);
+  EXPECT_LT(ann.all<LiveFrame>().back().stats.distance, 1e-4);
 }
 
 TEST_F(LiveEdits, PreviewsAreCheckedAsAWhole) {

@@ -26,7 +26,7 @@ TEST_F(LiveFrames, WhileItMovesAFrameIsOffByAtMostTheCodecsStep) {
   const FrameSample exact = sample(ann);
   while (ann.decoded.empty()) ann.run();
   ASSERT_EQ(ann.all<LiveFrame>().size(), 1u);
-  EXPECT_FALSE(ann.all<LiveFrame>()[0].facts.settled);
+  EXPECT_FALSE(ann.all<LiveFrame>()[0].stats.settled);
   const FrameSample seen = shown(ann);
   for (size_t i = 0; i < exact.steps.size(); ++i)
     ASSERT_LE(std::abs(exact.steps[i] - seen.steps[i]), 2);  // half of 1/64 cell
@@ -35,7 +35,7 @@ TEST_F(LiveFrames, WhileItMovesAFrameIsOffByAtMostTheCodecsStep) {
 TEST_F(LiveFrames, OverASlowLinkASettledSurfaceIsShownInPartsAndExactInTheEnd) {
   ASSERT_TRUE(library_.import(sphere_file(1, 5), "large").is_ok());
   ASSERT_TRUE(manager_->open({"large", "large", {5, 0}}, "ann", {}).is_ok());
-  const LiveGreeting wish{"large", 0, FrameContent::kVertices};  // of several tiles
+  const Greeting wish{"large", 0, FrameContent::kVertices};  // of several tiles
   auto ann = guest("ann", wish), bob = guest("bob", wish);
   ann.edit({{"a", SetGradientScale{0}}});
   bob.settle();
@@ -43,7 +43,7 @@ TEST_F(LiveFrames, OverASlowLinkASettledSurfaceIsShownInPartsAndExactInTheEnd) {
   for (;; ++parts) {
     ann.run();
     const auto frames = ann.all<LiveFrame>();
-    if (!frames.empty() && frames.back().facts.settled && ann.decoded.empty()) break;
+    if (!frames.empty() && frames.back().stats.settled && ann.decoded.empty()) break;
     ASSERT_LT(parts, 100u);
     ann.subscriber().grant(
         {.frames = 1, .decoded = std::exchange(ann.decoded, {}), .frame_bytes = 1000});
@@ -83,39 +83,39 @@ TEST_F(LiveFrames, SettledItIsSilentUntilSomethingChanges) {
   ann.subscriber().grant({.frames = 8});
   ann.run();
   const size_t frames = ann.all<LiveFrame>().size();
-  const int cycles = ann.all<LiveFrame>().back().facts.report.cycle;
+  const int cycles = ann.all<LiveFrame>().back().stats.cycles;
   for (int i = 0; i < 3; ++i) ann.run();
   EXPECT_EQ(ann.all<LiveFrame>().size(), frames);
   EXPECT_EQ(live_->scheduler().waiting(), 0u);
   ann.edit({{"a", SetGradientScale{0.5}}});
   ann.settle();
-  EXPECT_GT(ann.all<LiveFrame>().back().facts.report.cycle, cycles);
-  EXPECT_EQ(ann.all<LiveFrame>().back().facts.edits, 1u);
+  EXPECT_GT(ann.all<LiveFrame>().back().stats.cycles, cycles);
+  EXPECT_EQ(ann.all<LiveFrame>().back().stats.edits, 1u);
 }
 
 TEST_F(LiveFrames, WhatAnExactExportRelaxedIsShownAsExact) {
   auto ann = guest();
   ann.edit({{"a", stroke()}});  // a slider alone would be exact at once
   ann.settle();
-  EXPECT_FALSE(ann.all<LiveFrame>().back().facts.exact);
+  EXPECT_FALSE(ann.all<LiveFrame>().back().stats.exact);
   ASSERT_TRUE(
       manager_->export_mesh("work", {.format = MeshFormat::kPly, .exact = true}, {}).is_ok());
   ann.settle();
-  EXPECT_TRUE(ann.all<LiveFrame>().back().facts.exact);
+  EXPECT_TRUE(ann.all<LiveFrame>().back().stats.exact);
   EXPECT_EQ(shown(ann).steps, sample(ann).steps);
   ann.edit({{"b", SetGradientScale{0.5}}});
   ann.settle();
-  EXPECT_FALSE(ann.all<LiveFrame>().back().facts.exact);
+  EXPECT_FALSE(ann.all<LiveFrame>().back().stats.exact);
 }
 
 TEST_F(LiveFrames, WhoComesToASettledSurfaceGetsOneStillFrameWithoutACycle) {
   auto ann = guest();
   ann.settle();
-  const int cycles = ann.all<LiveFrame>().back().facts.report.cycle;
+  const int cycles = ann.all<LiveFrame>().back().stats.cycles;
   auto bob = guest("bob");
   bob.settle();
   ASSERT_EQ(bob.all<LiveFrame>().size(), 1u);
-  EXPECT_EQ(bob.all<LiveFrame>()[0].facts.report.cycle, cycles);
+  EXPECT_EQ(bob.all<LiveFrame>()[0].stats.cycles, cycles);
   EXPECT_EQ(shown(bob).steps, sample(bob).steps);
 }
 

@@ -23,26 +23,26 @@ struct LiveGuest::Bell {
   }
 };
 
-static LiveClient join(LiveSessions& sessions, const LiveGreeting& greeting, const Caller& caller,
-                       SubscriberWiring wiring) {
+template <typename Bell>
+static LiveClient join(LiveSessions& sessions, const Greeting& greeting, const Caller& caller,
+                       SubscriberWiring wiring, const std::shared_ptr<Bell>& bell) {
+  wiring.on_message = [bell] { bell->ring(); };
+  wiring.on_dead = [] {};
   auto client = sessions.join(greeting, caller, std::move(wiring), {});
   BURNISH_CHECK(client.is_ok(), client.status().message());
   return std::move(client).value();
 }
 
-LiveGuest::LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const Caller& caller,
-                     const MayStay& may_stay)
-    : LiveGuest(sessions, greeting, caller, may_stay, std::make_shared<Bell>()) {}
+LiveGuest::LiveGuest(LiveSessions& sessions, const Greeting& greeting, const Caller& caller,
+                     SubscriberWiring wiring)
+    : LiveGuest(sessions, greeting, caller, std::move(wiring), std::make_shared<Bell>()) {}
 
-LiveGuest::LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const Caller& caller,
-                     const MayStay& may_stay, std::shared_ptr<Bell> bell)
+LiveGuest::LiveGuest(LiveSessions& sessions, const Greeting& greeting, const Caller& caller,
+                     SubscriberWiring wiring, std::shared_ptr<Bell> bell)
     : sessions_(sessions),
       bell_(std::move(bell)),
-      client_(join(sessions, greeting, caller,
-                   {.on_message = [bell = bell_] { bell->ring(); },
-                    .on_dead = [] {},
-                    .may_stay = may_stay})),
-      role(client_.role),
+      client_(join(sessions, greeting, caller, std::move(wiring), bell_)),
+      role(client_.welcome.role),
       decoder(client_.subscriber->target->layout) {}
 
 void LiveGuest::leave() {
@@ -80,7 +80,7 @@ void LiveGuest::settle() {
   for (;;) {
     run();
     const auto frames = all<LiveFrame>();
-    if (!frames.empty() && frames.back().facts.settled && decoded.empty()) return;
+    if (!frames.empty() && frames.back().stats.settled && decoded.empty()) return;
     subscriber().grant({.frames = 1, .decoded = std::exchange(decoded, {})});
   }
 }

@@ -15,9 +15,9 @@ namespace burnish {
 /// it takes itself, where the sessions have no solver threads.
 class LiveGuest {
  public:
-  using MayStay = std::function<Status()>;
-  LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const Caller& caller,
-            const MayStay& may_stay = {});
+  /// `wiring`: without on_message and on_dead.
+  LiveGuest(LiveSessions& sessions, const Greeting& greeting, const Caller& caller,
+            SubscriberWiring wiring = {});
   ~LiveGuest() { leave(); }
   void leave();
 
@@ -39,19 +39,19 @@ class LiveGuest {
   template <typename Message>
   std::vector<Message> all() const {
     std::vector<Message> found;
-    for (const LiveMessage& message : received)
+    for (const ServerMessage& message : received)
       if (const auto* wanted = std::get_if<Message>(&message)) found.push_back(*wanted);
     return found;
   }
 
-  std::vector<LiveMessage> received;
+  std::vector<ServerMessage> received;
   std::vector<uint64_t> decoded;  ///< sequence numbers that have not been acknowledged
   bool finished = false;
 
  private:
   struct Bell;
-  LiveGuest(LiveSessions& sessions, const LiveGreeting& greeting, const Caller& caller,
-            const MayStay& may_stay, std::shared_ptr<Bell> bell);
+  LiveGuest(LiveSessions& sessions, const Greeting& greeting, const Caller& caller,
+            SubscriberWiring wiring, std::shared_ptr<Bell> bell);
   LiveSessions& sessions_;
   std::shared_ptr<Bell> bell_;
   LiveClient client_;

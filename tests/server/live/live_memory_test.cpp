@@ -95,7 +95,7 @@ TEST_F(LiveMemory, UnusedSessionsLeaveMemoryAndComeBackAsTheyWere) {
   EXPECT_EQ(manager_->usage().session_bytes, 0u);
   auto ann = guest();
   ann.settle();
-  EXPECT_EQ(ann.all<LiveFrame>().back().facts.edits, 1u);
+  EXPECT_EQ(ann.all<LiveFrame>().back().stats.edits, 1u);
   EXPECT_EQ(shown(ann).steps, sample(ann).steps);
 }
 

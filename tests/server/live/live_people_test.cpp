@@ -77,7 +77,8 @@ TEST_F(LivePeople, ADrainingServerLetsNobodyIn) {
 }
 
 TEST_F(LivePeople, WhoIsSilentIsSentAwayAndWatchersMayBe) {
-  auto ann = guest(), eve = guest("eve", {"work", 0, {}, true});
+  auto ann = guest();
+  auto eve = LiveGuest(*live_, {"work"}, "eve", {.may_be_silent = true});
   ann.run();
   ann.session().end_unwelcome(std::chrono::hours(1));
   ann.run();
@@ -106,7 +107,8 @@ TEST_F(LivePeople, AViewerOfTheServerIsOneInEverySession) {
 
 TEST_F(LivePeople, WhoMayNotStayIsSentAwayForGood) {
   Status stays;
-  auto eve = LiveGuest(*live_, {"work", 0, {}, true}, "eve", [&] { return stays; });
+  auto eve = LiveGuest(*live_, {"work"}, "eve",
+                       {.may_be_silent = true, .may_stay = [&] { return stays; }});
   eve.run();
   eve.session().end_unwelcome(std::chrono::hours(1));
   eve.run();

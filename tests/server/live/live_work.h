@@ -16,7 +16,7 @@ class LiveWork : public testing::Test {
  protected:
   LiveWork();
 
-  LiveGuest guest(const std::string& user = "ann", const LiveGreeting& wish = {"work"}) {
+  LiveGuest guest(const std::string& user = "ann", const Greeting& wish = {"work"}) {
     return LiveGuest(*live_, wish, user);
   }
 

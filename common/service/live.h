@@ -1,0 +1,139 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "common/base/limits.h"
+#include "common/base/status.h"
+#include "common/edit/edit.h"
+#include "common/frame_codec/frame_content.h"
+#include "common/service/session_info.h"
+#include "common/service/session_people.h"
+
+namespace burnish {
+
+// The messages of a live session's stream: how it begins, what the client says, what the server
+// says. docs/protocol.md, section 5, tells how they follow each other.
+
+/// From the client, first and once.
+struct Greeting {
+  std::string session;                  ///< name or id
+  uint64_t triangles_max = 0;           ///< of the mesh that the client draws; 0: the whole scan
+  std::optional<FrameContent> content;  ///< of the frames; nothing: whichever is likely smaller
+};
+
+/// From the server, while it brings the session back into its memory.
+struct ProgressReport {
+  std::string phase;    ///< in a few words
+  double fraction = 0;  ///< of the phase, 0 to 1
+};
+
+/// From the server, once: the client is in the session.
+struct Welcome {
+  SessionInfo session;
+  uint64_t connection = 0;                             ///< as in PresentUser
+  SessionRole role = SessionRole::kViewer;             ///< of this client in this session
+  FrameContent content = FrameContent::kCoefficients;  ///< of all frames
+  uint64_t layout_fingerprint = 0;                     ///< FrameLayout::fingerprint of all frames
+  std::string backend;                                 ///< that solves: "cpu", "cuda"
+};
+
+/// Credits that the server keeps for one client, frames.
+inline constexpr uint32_t kCreditsMax = 8;
+
+/// Frames that one credit message names as decoded, and as refused.
+inline constexpr size_t kCreditNamesMax = 256;
+
+/// Allows frames, and tells what became of those before.
+struct FrameCredit {
+  uint32_t frames = 0;            ///< more of them
+  std::vector<uint64_t> decoded;  ///< sequence numbers of frames that the client now holds
+  std::vector<uint64_t> refused;  ///< sequence numbers of frames whose reference it does not hold
+  bool key_frame = false;         ///< the client holds no frame
+  uint32_t frame_bytes = 0;       ///< wanted at most while the surface moves; 0: any size
+};
+
+/// Edits that take effect together or not at all: 1 to kEditsPerFrameMax.
+struct ApplyEdits {
+  std::vector<Edit> edits;
+};
+
+/// A gesture's next piece. The path of a stroke goes on where the last piece ended.
+struct Preview {
+  std::string edit_id;  ///< of the edit that will follow
+  PreviewChange change;
+};
+
+/// Ends a preview without an edit.
+struct DropPreview {
+  std::string edit_id;
+};
+
+/// Tells where the client's brush is.
+struct MoveBrush {
+  std::optional<BrushRing> ring;  ///< nothing: the brush left the surface
+};
+
+/// From the client, and back from the server as it is.
+struct Heartbeat {
+  uint64_t client_time_us = 0;  ///< by the client's own clock
+};
+
+using ClientMessage =
+    std::variant<Greeting, FrameCredit, ApplyEdits, Preview, DropPreview, MoveBrush, Heartbeat>;
+
+/// Describes the surface that a frame shows, and what it took to make the frame.
+struct FrameStats {
+  bool settled = false;  ///< to the bar of a live session: no frame follows until something changes
+  bool exact = false;    ///< settled, and to the bar of exports
+  int cycles = 0;        ///< since the session came into the server's memory
+  double energy = 0;     ///< of the screened Poisson equation, grid units
+  double residual = 0;   ///< relative
+  double distance = 0;   ///< estimated to the converged surface, over the box's diagonal
+  uint64_t edits = 0;    ///< of the session, that the frame has seen
+  double assemble_ms = 0;
+  double solve_ms = 0;
+  double encode_ms = 0;
+  uint64_t client_time_us = 0;  ///< of the newest heartbeat that the frame has seen; 0: none
+  uint64_t previews = 0;        ///< messages of this client that the frame has seen
+  double held_ms = 0;           ///< from the coming of that heartbeat until the frame went out
+};
+
+struct LiveFrame {
+  std::string data;  ///< in the frame format; empty: nothing has moved since the last frame
+  FrameStats stats;
+};
+
+/// The edits of one message are on disk.
+struct EditsAcknowledged {
+  std::vector<std::string> edit_ids;
+  ApplyOutcome outcome;
+};
+
+/// The edits of one message, or a preview, are not applied and not kept.
+struct EditsRefused {
+  std::vector<std::string> edit_ids;
+  Status status;  ///< kUnavailable: the same edits are to be sent again after the next welcome
+};
+
+/// The values that the session's history comes to. SessionPeople says who is there.
+struct HistoryState {
+  uint64_t edits = 0;  ///< of the session
+  double gradient_scale = kBetaDefault;
+  TransferCurve transfer_curve{kAlphaDefault};
+  bool operator==(const HistoryState&) const = default;
+};
+
+/// The last message.
+struct Farewell {
+  std::string reason;      ///< in words
+  bool come_back = false;  ///< greet again after a pause
+};
+
+using ServerMessage = std::variant<ProgressReport, Welcome, LiveFrame, EditsAcknowledged,
+                                   EditsRefused, HistoryState, SessionPeople, Heartbeat, Farewell>;
+
+}  // namespace burnish

@@ -1,0 +1,155 @@
+// What the client says in a live session.
+
+#include "common/service/scan_info.h"
+#include "common/wire/edit_wire.h"
+#include "common/wire/history_wire.h"
+#include "common/wire/live_wire.h"
+
+namespace burnish {
+namespace {
+
+/// Sets the message's member of the oneof.
+struct ClientWriter {
+  v1::ClientMessage& message;
+
+  void operator()(const Greeting& greeting) const {
+    *message.mutable_greeting() = burnish::to_wire(greeting);
+  }
+  void operator()(const FrameCredit& credit) const {
+    v1::Credit& sent = *message.mutable_credit();
+    sent.set_frames(credit.frames);
+    sent.mutable_decoded()->Add(credit.decoded.begin(), credit.decoded.end());
+    sent.mutable_refused()->Add(credit.refused.begin(), credit.refused.end());
+    sent.set_key_frame(credit.key_frame);
+    sent.set_frame_bytes(credit.frame_bytes);
+  }
+  void operator()(const ApplyEdits& apply) const {
+    v1::ApplyEdits& sent = *message.mutable_apply();
+    for (const Edit& edit : apply.edits) *sent.add_edits() = burnish::to_wire(edit);
+  }
+  void operator()(const Preview& preview) const {
+    v1::Preview& sent = *message.mutable_preview();
+    sent.set_edit_id(preview.edit_id);
+    if (const auto* slider = std::get_if<SetGradientScale>(&preview.change))
+      sent.mutable_gradient_scale()->set_beta(slider->beta);
+    if (const auto* curve = std::get_if<SetTransferCurve>(&preview.change))
+      *sent.mutable_transfer_curve() = burnish::to_wire(curve->curve);
+    if (const auto* stroke = std::get_if<Stroke>(&preview.change))
+      *sent.mutable_stroke() = burnish::to_wire(*stroke);
+  }
+  void operator()(const DropPreview& drop) const {
+    message.mutable_preview()->set_edit_id(drop.edit_id);
+    message.mutable_preview()->mutable_drop();
+  }
+  void operator()(const MoveBrush& move) const {
+    v1::MoveBrush& sent = *message.mutable_move_brush();
+    if (move.ring) *sent.mutable_ring() = burnish::to_wire(*move.ring);
+  }
+  void operator()(const Heartbeat& beat) const {
+    message.mutable_heartbeat()->set_client_time_us(beat.client_time_us);
+  }
+};
+
+Result<FrameCredit> read_credit(const v1::Credit& message) {
+  const auto decoded = static_cast<size_t>(message.decoded_size());
+  const auto refused = static_cast<size_t>(message.refused_size());
+  if (decoded > kCreditNamesMax || refused > kCreditNamesMax)
+    return invalid_argument("a credit names " + std::to_string(decoded) + " decoded and " +
+                            std::to_string(refused) + " refused frames, the limit is " +
+                            std::to_string(kCreditNamesMax));
+  return FrameCredit{message.frames(),
+                     {message.decoded().begin(), message.decoded().end()},
+                     {message.refused().begin(), message.refused().end()},
+                     message.key_frame(),
+                     message.frame_bytes()};
+}
+
+// Read as the edit that will follow, so that the same values are refused.
+Result<Preview> read_preview(const v1::Preview& message) {
+  v1::Edit whole;
+  whole.set_id(message.edit_id());
+  if (message.has_gradient_scale()) *whole.mutable_gradient_scale() = message.gradient_scale();
+  if (message.has_transfer_curve()) *whole.mutable_transfer_curve() = message.transfer_curve();
+  if (message.has_stroke()) *whole.mutable_stroke() = message.stroke();
+  ASSIGN_OR_RETURN(Edit edit, from_wire(whole));
+  Preview preview{std::move(edit.id), {}};
+  if (auto* slider = std::get_if<SetGradientScale>(&edit.change)) preview.change = *slider;
+  if (auto* curve = std::get_if<SetTransferCurve>(&edit.change)) preview.change = std::move(*curve);
+  if (auto* stroke = std::get_if<Stroke>(&edit.change)) preview.change = std::move(*stroke);
+  return preview;
+}
+
+Result<MoveBrush> read_move_brush(const v1::MoveBrush& message) {
+  if (!message.has_ring()) return MoveBrush{};
+  ASSIGN_OR_RETURN(const BrushRing ring, from_wire(message.ring()));
+  return MoveBrush{ring};
+}
+
+Result<ApplyEdits> read_apply(const v1::ApplyEdits& message) {
+  ASSIGN_OR_RETURN(std::vector<Edit> edits, edits_from_wire(message.edits()));
+  return ApplyEdits{std::move(edits)};
+}
+
+template <typename Part>
+Result<ClientMessage> whole(Result<Part> part) {
+  if (!part.is_ok()) return part.status();
+  return ClientMessage(std::move(part).value());
+}
+
+}  // namespace
+
+v1::Greeting to_wire(const Greeting& greeting) {
+  v1::Greeting message;
+  message.set_session(greeting.session);
+  message.set_triangles_max(greeting.triangles_max);
+  if (greeting.content) message.set_content(to_wire(*greeting.content));
+  return message;
+}
+
+Result<Greeting> from_wire(const v1::Greeting& message) {
+  const std::optional<FrameContent> content = from_wire(message.content());
+  if (!content && message.content() != v1::FRAME_CONTENT_UNSPECIFIED)
+    return invalid_argument("frame content " + std::to_string(message.content()) +
+                            " is none of 0 (whichever is smaller), 1 (coefficients), 2 (vertices)");
+  return Greeting{message.session(), message.triangles_max(), content};
+}
+
+v1::ClientMessage to_wire(const ClientMessage& message) {
+  v1::ClientMessage sent;
+  std::visit(ClientWriter{sent}, message);
+  return sent;
+}
+
+Result<ClientMessage> from_wire(const v1::ClientMessage& message) {
+  switch (message.message_case()) {
+    case v1::ClientMessage::kGreeting:
+      return whole(from_wire(message.greeting()));
+    case v1::ClientMessage::kCredit:
+      return whole(read_credit(message.credit()));
+    case v1::ClientMessage::kApply:
+      return whole(read_apply(message.apply()));
+    case v1::ClientMessage::kPreview:
+      if (message.preview().has_drop())
+        return ClientMessage(DropPreview{message.preview().edit_id()});
+      return whole(read_preview(message.preview()));
+    case v1::ClientMessage::kMoveBrush:
+      return whole(read_move_brush(message.move_brush()));
+    case v1::ClientMessage::kHeartbeat:
+      return ClientMessage(Heartbeat{message.heartbeat().client_time_us()});
+    case v1::ClientMessage::MESSAGE_NOT_SET:
+      break;
+  }
+  return invalid_argument("the message says nothing that this server knows");
+}
+
+std::vector<std::string> refused_ids(const v1::ClientMessage& message) {
+  std::vector<std::string> ids;
+  const auto add = [&ids](const std::string& id) {
+    if (ids.size() < kEditsPerFrameMax && id.size() <= kEditIdBytesMax) ids.push_back(id);
+  };
+  if (message.has_preview()) add(message.preview().edit_id());
+  for (const v1::Edit& edit : message.apply().edits()) add(edit.id());
+  return ids;
+}
+
+}  // namespace burnish

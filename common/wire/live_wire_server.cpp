@@ -1,0 +1,183 @@
+// What the server says in a live session.
+
+#include "common/wire/edit_wire.h"
+#include "common/wire/history_wire.h"
+#include "common/wire/live_wire.h"
+#include "common/wire/session_wire.h"
+#include "common/wire/status_wire.h"
+
+namespace burnish {
+namespace {
+
+void write_stats(const FrameStats& stats, v1::Frame& message) {
+  message.set_state(stats.settled ? v1::SOLVE_STATE_SETTLED : v1::SOLVE_STATE_SOLVING);
+  message.set_exact(stats.exact);
+  message.set_cycles(stats.cycles);
+  message.set_energy(stats.energy);
+  message.set_residual(stats.residual);
+  message.set_distance(stats.distance);
+  message.set_edits(stats.edits);
+  message.set_assemble_ms(stats.assemble_ms);
+  message.set_solve_ms(stats.solve_ms);
+  message.set_encode_ms(stats.encode_ms);
+  message.set_client_time_us(stats.client_time_us);
+  message.set_previews(stats.previews);
+  message.set_held_ms(stats.held_ms);
+}
+
+FrameStats read_stats(const v1::Frame& message) {
+  FrameStats stats;
+  stats.settled = message.state() == v1::SOLVE_STATE_SETTLED;
+  stats.exact = message.exact();
+  stats.cycles = message.cycles();
+  stats.energy = message.energy();
+  stats.residual = message.residual();
+  stats.distance = message.distance();
+  stats.edits = message.edits();
+  stats.assemble_ms = message.assemble_ms();
+  stats.solve_ms = message.solve_ms();
+  stats.encode_ms = message.encode_ms();
+  stats.client_time_us = message.client_time_us();
+  stats.previews = message.previews();
+  stats.held_ms = message.held_ms();
+  return stats;
+}
+
+/// Sets the message's member of the oneof.
+struct ServerWriter {
+  v1::ServerMessage& message;
+
+  void operator()(ProgressReport& report) const {
+    message.mutable_progress()->set_phase(std::move(report.phase));
+    message.mutable_progress()->set_fraction(report.fraction);
+  }
+  void operator()(const Welcome& welcome) const {
+    v1::Welcome& sent = *message.mutable_welcome();
+    *sent.mutable_session() = burnish::to_wire(welcome.session);
+    sent.set_connection(welcome.connection);
+    sent.set_role(burnish::to_wire(welcome.role));
+    sent.set_content(burnish::to_wire(welcome.content));
+    sent.set_layout_fingerprint(welcome.layout_fingerprint);
+    sent.set_backend(welcome.backend);
+  }
+  void operator()(LiveFrame& frame) const {
+    message.mutable_frame()->set_data(std::move(frame.data));
+    write_stats(frame.stats, *message.mutable_frame());
+  }
+  void operator()(EditsAcknowledged& answer) const {
+    v1::Acknowledged& sent = *message.mutable_acknowledged();
+    for (std::string& id : answer.edit_ids) sent.add_edit_ids(std::move(id));
+    *sent.mutable_outcome() = burnish::to_wire(answer.outcome);
+  }
+  void operator()(EditsRefused& answer) const {
+    v1::Refused& sent = *message.mutable_refused();
+    for (std::string& id : answer.edit_ids) sent.add_edit_ids(std::move(id));
+    sent.set_code(status_code_to_wire(answer.status.code()));
+    sent.set_message(answer.status.message());
+  }
+  void operator()(const HistoryState& history) const {
+    v1::HistoryChanged& sent = *message.mutable_history();
+    sent.set_edits(history.edits);
+    sent.set_gradient_scale(history.gradient_scale);
+    *sent.mutable_transfer_curve() = burnish::to_wire(history.transfer_curve);
+  }
+  void operator()(const SessionPeople& people) const {
+    *message.mutable_people() = burnish::to_wire(people);
+  }
+  void operator()(const Heartbeat& beat) const {
+    message.mutable_heartbeat()->set_client_time_us(beat.client_time_us);
+  }
+  void operator()(Farewell& farewell) const {
+    message.mutable_go_away()->set_reason(std::move(farewell.reason));
+    message.mutable_go_away()->set_come_back(farewell.come_back);
+  }
+};
+
+Result<Welcome> read_welcome(const v1::Welcome& message) {
+  const std::optional<FrameContent> content = from_wire(message.content());
+  if (!content)
+    return invalid_argument("frames of content " + std::to_string(message.content()) +
+                            " are not known here");
+  Welcome welcome;
+  welcome.content = *content;
+  ASSIGN_OR_RETURN(welcome.session, from_wire(message.session()));
+  ASSIGN_OR_RETURN(welcome.role, from_wire(message.role()));
+  welcome.connection = message.connection();
+  welcome.layout_fingerprint = message.layout_fingerprint();
+  welcome.backend = message.backend();
+  return welcome;
+}
+
+std::vector<std::string> to_vector(const google::protobuf::RepeatedPtrField<std::string>& texts) {
+  return {texts.begin(), texts.end()};
+}
+
+// A code that says OK refuses nothing: something is wrong with the server.
+EditsRefused read_refused(const v1::Refused& message) {
+  const StatusCode code = status_code_from_wire(message.code());
+  return {to_vector(message.edit_ids()),
+          {code == StatusCode::kOk ? StatusCode::kInternal : code, message.message()}};
+}
+
+Result<HistoryState> read_history(const v1::HistoryChanged& message) {
+  ASSIGN_OR_RETURN(TransferCurve curve, from_wire(message.transfer_curve()));
+  return HistoryState{message.edits(), message.gradient_scale(), std::move(curve)};
+}
+
+using AnyServerMessage = std::optional<ServerMessage>;
+
+template <typename Part>
+Result<AnyServerMessage> whole(Result<Part> part) {
+  if (!part.is_ok()) return part.status();
+  return AnyServerMessage(std::move(part).value());
+}
+
+}  // namespace
+
+v1::FrameContent to_wire(FrameContent content) {
+  return content == FrameContent::kVertices ? v1::FRAME_CONTENT_VERTICES
+                                            : v1::FRAME_CONTENT_COEFFICIENTS;
+}
+
+std::optional<FrameContent> from_wire(v1::FrameContent content) {
+  if (content == v1::FRAME_CONTENT_COEFFICIENTS) return FrameContent::kCoefficients;
+  if (content == v1::FRAME_CONTENT_VERTICES) return FrameContent::kVertices;
+  return std::nullopt;
+}
+
+v1::ServerMessage to_wire(ServerMessage message) {
+  v1::ServerMessage sent;
+  std::visit(ServerWriter{sent}, message);
+  return sent;
+}
+
+Result<AnyServerMessage> from_wire(v1::ServerMessage message) {
+  switch (message.message_case()) {
+    case v1::ServerMessage::kProgress:
+      return AnyServerMessage(
+          ProgressReport{message.progress().phase(), message.progress().fraction()});
+    case v1::ServerMessage::kWelcome:
+      return whole(read_welcome(message.welcome()));
+    case v1::ServerMessage::kFrame:
+      return AnyServerMessage(LiveFrame{std::move(*message.mutable_frame()->mutable_data()),
+                                        read_stats(message.frame())});
+    case v1::ServerMessage::kAcknowledged:
+      return AnyServerMessage(EditsAcknowledged{to_vector(message.acknowledged().edit_ids()),
+                                                from_wire(message.acknowledged().outcome())});
+    case v1::ServerMessage::kRefused:
+      return AnyServerMessage(read_refused(message.refused()));
+    case v1::ServerMessage::kHistory:
+      return whole(read_history(message.history()));
+    case v1::ServerMessage::kPeople:
+      return whole(from_wire(message.people()));
+    case v1::ServerMessage::kHeartbeat:
+      return AnyServerMessage(Heartbeat{message.heartbeat().client_time_us()});
+    case v1::ServerMessage::kGoAway:
+      return AnyServerMessage(Farewell{message.go_away().reason(), message.go_away().come_back()});
+    case v1::ServerMessage::MESSAGE_NOT_SET:
+      break;
+  }
+  return AnyServerMessage();
+}
+
+}  // namespace burnish
