@@ -49,7 +49,7 @@ Status App::start(Preferences preferences) {
     options_.workspace.triangles_max = card.triangles_max;
     options_.workspace.triangles_why = card.triangles_why;
   } else {
-    options_.workspace.triangles_why = "as asked";
+    options_.workspace.triangles_why = "as requested";
   }
   options_.workspace.wake = [this] {
     news_ = true;
@@ -87,7 +87,7 @@ Status App::loop() {
     --pictures;
   }
   if (leave_step_ == Leaving::Step::kLeave) return Status::ok();
-  return failed_precondition(unsaved_text(workspace_->unsaved_edits()) + ", and lost");
+  return failed_precondition(unsaved_text(workspace_->unsaved_edits()) + " and will be lost");
 }
 
 bool App::may_close() {

@@ -17,7 +17,7 @@ Chip chip_of(const Document& document) {
     case LinkState::kConnecting:
       return {"connecting", theme::kBusy};
     case LinkState::kLost:
-      return {"connection lost, coming back", theme::kBad};
+      return {"connection lost, reconnecting", theme::kBad};
     case LinkState::kEnded:
       return {"session ended", theme::kBad};
     case LinkState::kLive:
@@ -46,7 +46,7 @@ void draw_facts(const Document& document) {
   row("distance", "%.1e of the diagonal", facts.distance);
   row("cycles", "%d (%s)", facts.cycles, document.welcome().backend.c_str());
   row("server", "%.1f + %.1f + %.1f ms", facts.assemble_ms, facts.solve_ms, facts.encode_ms);
-  hint("To assemble, to solve, to encode the last frame.");
+  hint("Time to assemble, solve and encode the last frame.");
   row("frame age", "%.0f ms", facts.age_ms);
   row("round trip", "%.1f ms", facts.rtt_ms);
   row("frames", "%.0f/s, %.1f Mbit/s", facts.frames_per_second, facts.megabits_per_second);
@@ -71,7 +71,7 @@ void Hud::draw(Workspace& workspace) {
   const Chip chip = chip_of(document);
   ImGui::TextColored(chip.colour, "%s", chip.text);
   if (shows_figures && document.facts().frames > 0) draw_facts(document);
-  if (workspace.viewport.navigate_mode) faint_text("left button turns (N)");
+  if (workspace.viewport.navigate_mode) faint_text("left button turns the view (N)");
   ImGui::End();
 }
 

@@ -25,14 +25,14 @@ static double screen_scale(GLFWwindow* window) {
 
 Result<std::unique_ptr<Window>> Window::create(const ImageSize& size, double scale,
                                                WindowEvents events) {
-  if (!glfwInit()) return glfw_failure("no window can be opened here");
+  if (!glfwInit()) return glfw_failure("cannot open a window");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   GLFWwindow* const handle = glfwCreateWindow(size.width, size.height, "Burnish", nullptr, nullptr);
   if (!handle) {
-    Status failure = glfw_failure("no window with OpenGL 3.3");
+    Status failure = glfw_failure("cannot open a window with OpenGL 3.3");
     glfwTerminate();
     return failure;
   }

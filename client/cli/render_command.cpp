@@ -69,7 +69,7 @@ void add_render_command(CommandTable& commands) {
   command->add_option("--zoom", picture.zoom, "Magnification; 1 shows the whole scan")
       ->check(CLI::Range(0.01, 1000.0))
       ->capture_default_str();
-  command->add_flag("--flat", picture.style.flat, "One shade for each triangle");
+  command->add_flag("--flat", picture.style.flat, "Give each triangle one shade");
   command->add_flag("--wireframe", picture.style.wireframe, "Draw the triangles' edges");
 }
 

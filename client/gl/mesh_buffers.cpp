@@ -61,7 +61,7 @@ Status MeshBuffers::upload(const ViewMesh& mesh) {
   index_count_ = 0;
   if (mesh.triangles.size() > kDrawnTrianglesMax)
     return resource_exhausted("mesh has " + std::to_string(mesh.triangles.size()) +
-                              " triangles, a picture can show " +
+                              " triangles, the limit of a picture is " +
                               std::to_string(kDrawnTrianglesMax));
   bind();
   fill_attribute(0, 3, positions_, mesh.positions);

@@ -81,7 +81,7 @@ void PictureTarget::show(const Eigen::Vector2i& lower_left) const {
 }
 
 Result<Image> PictureTarget::read() const {
-  if (size_ == ImageSize{}) return failed_precondition("nothing was drawn yet");
+  if (size_ == ImageSize{}) return failed_precondition("nothing has been drawn yet");
   const size_t row_bytes = 3 * static_cast<size_t>(size_.width);
   Image image{size_, std::vector<uint8_t>(row_bytes * size_.height)};
   glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);

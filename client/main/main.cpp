@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a quota is an error of the write
   CLI::App app("Burnish: smooths and sharpens scanned surfaces.", "burnish");
   app.set_version_flag("--version", "burnish " BURNISH_VERSION);
-  app.footer("burnish COMMAND --help says more of a command.");
+  app.footer("burnish COMMAND --help describes a command.");
   burnish::CommandTable table(app);
   burnish::add_window_command(table);
   burnish::add_generate_command(table);

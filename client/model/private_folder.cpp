@@ -32,14 +32,14 @@ Status make_private_folder(const std::filesystem::path& folder) {
   struct stat found = {};
   if (lstat(path.c_str(), &found) != 0)
     return errno_status("cannot look at " + path.string(), errno);
-  if (S_ISLNK(found.st_mode)) return refused(path, "is a link: name the folder that it leads to");
+  if (S_ISLNK(found.st_mode)) return refused(path, "is a link; name the folder that it points to");
   if (!S_ISDIR(found.st_mode)) return refused(path, "is a file");
   if (found.st_uid != geteuid())
     return refused(path, "belongs to user " + std::to_string(found.st_uid) + ", not to " +
                              std::to_string(geteuid()));
   if (found.st_mode & kOthersMayWrite)
     return refused(path, "has mode " + octal(found.st_mode) +
-                             ": others may have written into it. Look at what is there, then say "
+                             ": others may have written into it. Check its content, then run "
                              "chmod 700");
   if ((found.st_mode & kOthersMayAnything) && chmod(path.c_str(), kUserOnly) != 0)
     return errno_status("cannot close " + path.string() + " to others", errno);

@@ -121,7 +121,7 @@ static Status wait_for_server(const PrivateServerOptions& options, const fs::pat
     }
     if (!server && steady_clock::now() > deadline)
       return unavailable("another burnish-server uses the folder " + data.string() +
-                         ", and it does not listen on " + socket.string());
+                         " but does not listen on " + socket.string());
     std::this_thread::sleep_for(kPoll);
   }
   return cancelled("starting a private server was cancelled");
@@ -130,9 +130,9 @@ static Status wait_for_server(const PrivateServerOptions& options, const fs::pat
 Result<std::string> find_private_server(const PrivateServerOptions& options,
                                         const Progress& progress) {
   if (options.data.empty())
-    return not_found("there is no home folder for a private server's scans");
+    return not_found("a private server needs a home folder for its scans, and there is none");
   if (access(server_program().c_str(), X_OK) != 0)
-    return not_found("no " + server_program().string() + ": name a server with --server");
+    return not_found("cannot find " + server_program().string() + "; name a server with --server");
   RETURN_IF_ERROR(make_private_folder(options.data));
   const fs::path data = full_path(options.data), socket = private_socket(data);
   if (socket.parent_path() != data) RETURN_IF_ERROR(make_private_folder(socket.parent_path()));

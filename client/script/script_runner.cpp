@@ -89,7 +89,7 @@ Status ScriptRunner::save_edits() {
   };
   const Status saved = update_until(is_over, "saving", options_.workspace.timeout);
   const size_t unsaved = workspace_->unsaved_edits();
-  return unsaved == 0 ? saved : failed_precondition(unsaved_text(unsaved) + ", and lost");
+  return unsaved == 0 ? saved : failed_precondition(unsaved_text(unsaved) + " and will be lost");
 }
 
 Status ScriptRunner::run_session(const ScriptLine& line) {

@@ -63,8 +63,8 @@ const std::vector<Preset>& presets() {
        0,
        holding_both(20, 500),
        {}},
-      {"Bring out by brush", "Figure 5", "Smooths all; the brush sharpens what it passes", 0,
-       TransferCurve(20), 3.0},
+      {"Bring out by brush", "Figure 5", "Smooths everything; the brush sharpens what it touches",
+       0, TransferCurve(20), 3.0},
   };
   return kPresets;
 }

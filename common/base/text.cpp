@@ -88,7 +88,7 @@ static std::string cleaned(std::string_view text, size_t bytes_max, IsWanted is_
     const std::string_view bytes = before.substr(0, before.size() - rest.size());
     const bool wanted = character && is_wanted(*character);
     if (clean.size() + (wanted ? bytes.size() : 1) > bytes_max)
-      return clean + "... (" + std::to_string(before.size()) + " bytes more)";
+      return clean + "... (" + std::to_string(before.size()) + " more bytes)";
     clean += wanted ? bytes : "?";
   }
   return clean;

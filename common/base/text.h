@@ -36,7 +36,7 @@ std::string to_hex(std::span<const std::byte> bytes);
 Status check_name(std::string_view what, std::string_view name);
 
 /// `text` as UTF-8: what is none becomes '?'. Beyond `bytes_max` bytes it is cut between two
-/// characters, and "... (123 bytes more)" follows.
+/// characters, and "... (123 more bytes)" follows.
 std::string shortened(std::string_view text, size_t bytes_max);
 
 /// The same as one line that no terminal obeys: what is_control() becomes '?' as well.

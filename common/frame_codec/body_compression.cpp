@@ -35,10 +35,10 @@ Result<std::vector<uint8_t>> decompress(std::span<const uint8_t> bytes, size_t s
   const size_t read = ZSTD_decompressDCtx(decompression_context(), body.data(), body.size(),
                                           bytes.data(), bytes.size());
   if (ZSTD_isError(read))
-    return data_loss(std::string("body does not decompress: ") + ZSTD_getErrorName(read));
+    return data_loss(std::string("the body does not decompress: ") + ZSTD_getErrorName(read));
   if (read != size)
-    return data_loss("body decompresses to " + std::to_string(read) + " bytes, the header says " +
-                     std::to_string(size));
+    return data_loss("the body decompresses to " + std::to_string(read) +
+                     " bytes, the header says " + std::to_string(size));
   return body;
 }
 

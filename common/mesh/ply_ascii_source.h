@@ -50,7 +50,7 @@ class PlyAsciiSource {
   bool last_exceeds_float(double value) const { return exceeds_float(token_, value); }
 
   std::string failure() const {
-    if (token_.empty()) return "the file ends in it";
+    if (token_.empty()) return "the file ends inside it";
     return in_quotes(token_) + " is not a value of the declared type";
   }
 

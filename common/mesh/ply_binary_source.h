@@ -64,7 +64,7 @@ class PlyBinarySource {
   bool last_exceeds_float(double) const { return false; }
 
   /// Why read() returned false.
-  std::string failure() const { return "the file ends in it"; }
+  std::string failure() const { return "the file ends inside it"; }
 
   Status error(const std::string& what) const {
     return invalid_argument(name_ + ": byte " + std::to_string(position_) + ": " + what);

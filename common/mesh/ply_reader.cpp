@@ -162,7 +162,7 @@ class PlyBodyReader {
     return error(element, number, source_.failure());
   }
   Status leftover_error(const PlyElement& element, uint64_t number) const {
-    return error(element, number, "the line goes on after its last value");
+    return error(element, number, "the line continues after its last value");
   }
   Status index_error(const PlyElement& element, uint64_t number, double index) const {
     return source_.error(

@@ -33,7 +33,7 @@ static bool is_ascii(std::span<const uint8_t> bytes) {
 static Result<TriangleMesh> read_binary(std::span<const uint8_t> bytes, const std::string& name) {
   if (bytes.size() < kHeaderBytes)
     return invalid_argument(name + ": neither text that begins with 'solid' nor a whole binary " +
-                            "STL file: the header has 84 bytes, the file " +
+                            "STL file: the header has 84 bytes, the file has " +
                             std::to_string(bytes.size()));
   const uint64_t facets = (promised_bytes(bytes) - kHeaderBytes) / kFacetBytes;
   if (promised_bytes(bytes) > bytes.size())
@@ -92,7 +92,7 @@ class AsciiStlReader {
     if (is("outer") || is("endloop")) return Status::ok();
     const bool is_facet = is("facet");
     if (!is_facet && !is("endsolid"))
-      return scanner_.error(in_quotes(keyword) + " is no statement of an STL solid");
+      return scanner_.error(in_quotes(keyword) + " is not a statement of an STL solid");
     if (corners_ != 0)
       return scanner_.error(facet_text() + " has no 'endfacet' before " + in_quotes(keyword));
     in_solid_ = is_facet;

@@ -77,12 +77,12 @@ std::string coordinate_complaint(ElementName element, int axis, const std::strin
 static Status coordinate_error(const TextScanner& scanner, ElementName element, int axis,
                                std::string_view token) {
   if (token.empty())
-    return scanner.error(name_of(element) + ": " + std::to_string(axis) +
-                         " of 3 coordinates are there");
+    return scanner.error(name_of(element) + " has " + std::to_string(axis) +
+                         " of its 3 coordinates");
   double ignored;
   if (!parse_double(token, ignored))
     return scanner.error(name_of(element) + ": " + "xyz"[axis] + " = " + in_quotes(token) +
-                         " is not a number that a double holds");
+                         " is not a number in the range of a double");
   return scanner.error(coordinate_complaint(element, axis, std::string(token)));
 }
 

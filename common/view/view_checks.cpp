@@ -62,7 +62,7 @@ Status check_cells(const ViewParts& parts) {
       return wrong("cell " + std::to_string(c) + " is outside the grid of depth " +
                    std::to_string(parts.frame.depth));
     if (c > 0 && parts.cells[c] <= parts.cells[c - 1])
-      return wrong("the key of cell " + std::to_string(c) + " does not rise");
+      return wrong("the key of cell " + std::to_string(c) + " is not above the one before it");
   }
   return Status::ok();
 }

@@ -41,13 +41,13 @@ void EditCall::refuse(const Status& status) {
 
 void EditCall::end_of_requests() {
   if (cancelled_) return writer_.end(cancelled("the client has gone"));
-  if (!client_) return refuse(invalid_argument("a live session begins with a greeting"));
+  if (!client_) return refuse(invalid_argument("a live session must begin with a greeting"));
   client_->subscriber->close(std::nullopt);
 }
 
 void EditCall::take_greeting() {
   if (!request_.has_greeting())
-    return refuse(invalid_argument("a live session begins with a greeting"));
+    return refuse(invalid_argument("a live session must begin with a greeting"));
   const auto join = [call = self()] {
     const auto client = call->join();
     if (client.is_ok()) return call->take_place(client.value());
@@ -111,11 +111,11 @@ Status EditCall::take_request() {
       subscriber.beat(request_.heartbeat().client_time_us());
       return Status::ok();
     case v1::ClientMessage::kGreeting:
-      return invalid_argument("a live session has one greeting");
+      return invalid_argument("a live session must have only one greeting");
     case v1::ClientMessage::MESSAGE_NOT_SET:
       break;
   }
-  return invalid_argument("the message says nothing that this server knows");
+  return invalid_argument("this server does not know the message's kind");
 }
 
 void EditCall::take_edits(const v1::ApplyEdits& message) {

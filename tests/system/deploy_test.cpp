@@ -66,7 +66,7 @@ TEST(LabScripts, KeepWhatIsThereAndRefuseNonsense) {
   EXPECT_EQ(run(folder, {script, tls, "lab", "no/name"}).exit_code, 1);
   EXPECT_EQ(run(folder, {script}).exit_code, 2);
   EXPECT_THAT(run(folder, {std::string(kDeploy) + "make-token", "x", "king"}).output,
-              HasSubstr("'king' is none of viewer, editor, owner"));
+              HasSubstr("'king' is not one of viewer, editor, owner"));
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ TEST_F(FilterCommand, WrongOptionValuesAreUsageErrors) {
   EXPECT_EQ(usage({"--alpha", "-1"}), 2);
   EXPECT_EQ(usage({"--beta", "11"}), 2);
   EXPECT_EQ(usage({"--curve", "5:1,5:2"}), 2);
-  EXPECT_THAT(output_, HasSubstr("does not rise"));
+  EXPECT_THAT(output_, HasSubstr("must be above the kappa before it"));
   EXPECT_EQ(usage({"--curve", "0:1,1:2000"}), 2);
   EXPECT_THAT(output_, HasSubstr("contrast"));
   EXPECT_EQ(usage({"--exact", "--cycles", "3"}), 2);
@@ -153,7 +153,7 @@ TEST_F(FilterCommand, AFullDiskLeavesWhatWasThere) {
 
 TEST_F(FilterCommand, AnOutputThatCannotBeWrittenIsRefusedBeforeTheWork) {
   EXPECT_EQ(burnish({"filter", in(), path("out.off")}), 1);
-  EXPECT_THAT(output_, HasSubstr("OFF is read only"));
+  EXPECT_THAT(output_, HasSubstr("reads OFF but does not write it"));
 }
 
 TEST_F(FilterCommand, ADepthBeyondTheMachinesMemoryIsRefusedWithWhatItTakes) {

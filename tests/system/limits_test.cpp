@@ -72,7 +72,7 @@ TEST_F(LimitsTest, StreamsOfAUser) {
     EXPECT_TRUE(second.status.ok());
     EXPECT_EQ(third.status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
     EXPECT_EQ(third.status.error_message(),
-              "user anna has 2 streams and asks for 1 more; limits.streams_per_user is 2");
+              "user anna has 2 streams and needs 1 more; limits.streams_per_user is 2");
   }
   // What ended gives its place back, as soon as the server has noticed.
   for (int i = 0; i < 1000; ++i)
@@ -88,7 +88,7 @@ TEST_F(LimitsTest, UploadBytesOfAUser) {
   const Upload second(channel, 400);
   EXPECT_EQ(second.status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_THAT(second.status.error_message(),
-              HasSubstr("has 700 bytes of uploads under way and asks for 400 more; "
+              HasSubstr("has 700 bytes of uploads under way and needs 400 more; "
                         "limits.upload_bytes_per_user is 1000"));
   EXPECT_TRUE(Upload(channel, 300).status.ok());
 }
@@ -104,7 +104,7 @@ TEST_F(LimitsTest, SessionsOfAUser) {
   EXPECT_EQ(open("one").exit_code, 0);
   const CommandOutcome refused = open("two");
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.output, HasSubstr("user anna has 1 sessions open and asks for 1 more; "
+  EXPECT_THAT(refused.output, HasSubstr("user anna has 1 sessions open and needs 1 more; "
                                         "limits.sessions_per_user is 1"));
   EXPECT_EQ(open("one").exit_code, 0);
   EXPECT_EQ(server->burnish({"close", "one"}).exit_code, 0);
@@ -123,7 +123,7 @@ TEST_F(LimitsTest, ASessionIsAdmittedByItsBytes) {
   EXPECT_EQ(first.exit_code, 0) << first.output;
   const CommandOutcome refused = open("two");
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.output, HasSubstr("bytes of meshes and sessions and asks for"));
+  EXPECT_THAT(refused.output, HasSubstr("bytes of meshes and sessions and needs"));
   EXPECT_THAT(refused.output, HasSubstr("limits.memory_bytes_max is 12000000"));
   EXPECT_EQ(server->burnish({"close", "one"}).exit_code, 0);
   EXPECT_EQ(open("two").exit_code, 0);
@@ -168,7 +168,7 @@ TEST_F(LimitsTest, AServerThatCannotHaveTheMemoryForAPreparationLivesOn) {
     const CommandOutcome refused =
         server->burnish({"open", "square", "--depth", "11", "--session", "deep"});
     EXPECT_EQ(refused.exit_code, 1);
-    EXPECT_THAT(refused.output, HasSubstr("no memory could be had"));
+    EXPECT_THAT(refused.output, HasSubstr("not enough memory"));
   }
   const CommandOutcome opened =
       server->burnish({"open", "square", "--depth", "7", "--session", "work"});
@@ -224,7 +224,7 @@ TEST_F(LimitsTest, MessagesThatAreTooLargeOrNoneAreRefusedLoggedAndCounted) {
   for (int i = 0; i < 1000 && counted("malformed") < 3; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_EQ(counted("malformed"), 3);
-  EXPECT_THAT(server->process->output(), HasSubstr("the message is no request of"));
+  EXPECT_THAT(server->process->output(), HasSubstr("the message is not a request of"));
 
   EXPECT_EQ(refused("/burnish.v1.Editing/Apply", large), StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_EQ(refused("/burnish.v1.Library/Import", large), StatusCode::RESOURCE_EXHAUSTED);

@@ -148,7 +148,7 @@ TEST_F(Live, AStreamThatDoesNotBeginWithAGreetingIsEnded) {
   ann.credit(1);
   const grpc::Status status = ann.end();
   EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT);
-  EXPECT_THAT(status.error_message(), HasSubstr("begins with a greeting"));
+  EXPECT_THAT(status.error_message(), HasSubstr("begin with a greeting"));
   LiveStream bob(channel());
   bob.greet("nothing");
   EXPECT_EQ(bob.end().error_code(), StatusCode::NOT_FOUND);

@@ -254,7 +254,7 @@ TEST_F(PrivateWorkspace, ASessionThatIsLeftBeforeItsEditsAreSavedIsNamed) {
   document().preview_beta(0.25);
   document().commit_beta();
   workspace_.close_document();
-  EXPECT_EQ(workspace_.log.messages().back().text, name + ": 1 edit is not saved, and lost");
+  EXPECT_EQ(workspace_.log.messages().back().text, name + ": 1 edit is not saved and will be lost");
 }
 
 }  // namespace

@@ -283,7 +283,7 @@ TEST_F(WindowTest, SurvivesAServerThatDiesMidStrokeAndAWindowOfNoSize) {
   EXPECT_FALSE(window_->wait(std::chrono::milliseconds(0)).has_value()) << window_->output();
   window_->signal(SIGTERM);
   EXPECT_EQ(window_->wait(kPatience), 1);
-  EXPECT_NE(window_->output().find("1 edit is not saved, and lost"), std::string::npos)
+  EXPECT_NE(window_->output().find("1 edit is not saved and will be lost"), std::string::npos)
       << window_->output();
 }
 

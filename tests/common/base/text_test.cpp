@@ -25,14 +25,14 @@ TEST(OneLine, BytesThatAreNoUtf8BecomeQuestionMarks) {
 }
 
 TEST(OneLine, WhatIsTooLongIsCutBetweenCharactersAndSaysSo) {
-  EXPECT_EQ(one_line("aaaa\u00fcbbb", 5), "aaaa... (5 bytes more)");
+  EXPECT_EQ(one_line("aaaa\u00fcbbb", 5), "aaaa... (5 more bytes)");
   EXPECT_LT(one_line(std::string(15'000'000, 'x'), 1000).size(), 1100u);
 }
 
 TEST(Shortened, LinesStayAndTheRestIsUtf8) {
   EXPECT_EQ(shortened("a\nb\xff", 1000), "a\nb?");
   EXPECT_EQ(shortened("abc", 3), "abc");
-  EXPECT_EQ(shortened("abcd", 3), "abc... (1 bytes more)");
+  EXPECT_EQ(shortened("abcd", 3), "abc... (1 more bytes)");
 }
 
 TEST(CheckName, RefusesWhatIsNotUtf8AndWhatIsNotShownAsItStands) {

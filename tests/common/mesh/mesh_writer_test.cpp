@@ -116,9 +116,9 @@ TEST(MeshWriter, ObjNumbersAreTheShortestThatReadBack) {
 TEST(MeshWriter, RefusesOffOtherExtensionsAndBadMeshes) {
   TemporaryFolder folder;
   EXPECT_THAT(write_mesh(wavy_sheet(3), folder / "a.off").message(),
-              HasSubstr("OFF files are read only"));
+              HasSubstr("reads OFF but does not write it"));
   EXPECT_THAT(write_mesh(wavy_sheet(3), folder / "a.txt").message(),
-              HasSubstr("'.txt' is no mesh"));
+              HasSubstr("'.txt' is not a mesh format"));
   TriangleMesh mesh = wavy_sheet(3);
   mesh.vertices[4][1] = NAN;
   EXPECT_THAT(write_mesh(mesh, folder / "a.ply").message(), HasSubstr("vertex 4 has y = nan"));

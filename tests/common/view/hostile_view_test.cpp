@@ -94,7 +94,7 @@ TEST(HostileView, CellsOutsideTheGridOrOutOfOrderAreNamed) {
   EXPECT_THAT(spoilt([](ViewParts& p) { p.cells[1] = 4096; }).message(),
               HasSubstr("cell 1 is outside the grid of depth 4"));
   EXPECT_THAT(spoilt([](ViewParts& p) { p.cells[1] = 5; }).message(),
-              HasSubstr("the key of cell 1 does not rise"));
+              HasSubstr("the key of cell 1 is not above"));
 }
 
 TEST(HostileView, IndicesBeyondTheEndAreNamed) {
