@@ -18,7 +18,7 @@ namespace {
 /// A descriptor that is closed with this object.
 class OpenFile {
  public:
-  // Without O_NONBLOCK a pipe that nobody writes to would hold us here.
+  // Without O_NONBLOCK open() would wait at a pipe that nobody writes to.
   explicit OpenFile(const std::filesystem::path& path)
       : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
   ~OpenFile() {

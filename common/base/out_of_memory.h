@@ -9,8 +9,8 @@
 
 namespace burnish {
 
-/// Runs `work`, which returns a Status or a Result: memory that it cannot have becomes
-/// resource_exhausted "`what`: not enough memory".
+/// Runs `work`, which returns a Status or a Result. Fails: resource_exhausted "`what`: not enough
+/// memory" when an allocation in `work` fails.
 template <typename Work>
 auto with_memory_for(std::string_view what, Work&& work) -> decltype(work()) {
   try {

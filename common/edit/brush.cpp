@@ -52,7 +52,7 @@ std::vector<Vec3d> dab_centres(const Stroke& stroke) {
       centres.push_back(a + along * (at / length));
     until_next = at - length;
   }
-  // A path of a whole number of spacings ends on a dab, whichever way the sum was rounded.
+  // A path of a whole number of spacings ends on a dab, however the sum was rounded.
   if (until_next <= kEndTolerance * spacing) centres.push_back(stroke.path.back());
   return centres;
 }

@@ -5,9 +5,9 @@
 
 namespace burnish {
 
-static constexpr int kZstdLevel = 1;  // level 3 is slower and no smaller: residuals repeat nothing
+static constexpr int kZstdLevel = 1;  // level 3 is slower but not smaller: residuals do not repeat
 
-// A context is a megabyte, kept by the thread and not by each client.
+// A context takes a megabyte, so each thread keeps one, not each client.
 static ZSTD_CCtx* compression_context() {
   thread_local const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
                                                                                   &ZSTD_freeCCtx);

@@ -81,8 +81,8 @@ Result<FrameState> FrameDecoder::reference_of(const FrameHeader& header) const {
   return it->state;
 }
 
-// Older than the reference is of no use: the encoder goes back no further than to the reference
-// before, and names an older one only after a refusal.
+// Drops frames older than the last reference: without a refusal the encoder never goes back
+// further.
 void FrameDecoder::remember(const FrameHeader& header, FrameState state) {
   shown_ = state;
   if (!header.is_key()) reference_ = header.reference;

@@ -131,7 +131,7 @@ class HeaderParser {
     return Status::ok();
   }
 
-  /// Looking for duplicates takes quadratic time, so that their number must be small.
+  /// Limits the number of declarations: the search for duplicates takes quadratic time.
   Status check_declarations() {
     if (++declarations_ <= kPropertiesMax) return Status::ok();
     return scanner_.error("the header declares more than " + std::to_string(kPropertiesMax) +
@@ -145,7 +145,7 @@ class HeaderParser {
   size_t declarations_ = 0;
 };
 
-/// The least that one element can take in the body; in text a digit and a blank for each property.
+/// Returns the least bytes of one element in the body; in text a digit and a blank per property.
 size_t bytes_min(const PlyElement& element, PlyEncoding encoding) {
   size_t bytes = 0;
   for (const PlyProperty& property : element.properties)

@@ -37,7 +37,7 @@ static Status find_vertex_slots(const PlyHeader& header, const std::string& name
   return Status::ok();
 }
 
-/// None for an element that the file does not have.
+/// Leaves `list` unchanged if the file does not have the element.
 static Status find_index_list(const PlyHeader& header, const char* element_name,
                               const std::string& name, size_t& list) {
   const PlyElement* element = header.find(element_name);

@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-static constexpr size_t kHeaderBytes = 84;  // 80 of text, the facets' count
+static constexpr size_t kHeaderBytes = 84;  // 80 of text, then the number of facets
 static constexpr size_t kFacetBytes = 50;   // normal, three corners, an attribute of two bytes
 
 static uint64_t promised_bytes(std::span<const uint8_t> bytes) {
@@ -18,8 +18,8 @@ static uint64_t promised_bytes(std::span<const uint8_t> bytes) {
   return kHeaderBytes + uint64_t{facets} * kFacetBytes;
 }
 
-/// Binary files may begin with "solid" too; then their length or the bytes of their header,
-/// which text never has, give them away.
+/// Returns whether the file is text. Binary files may begin with "solid" too. Then their length, or
+/// bytes in the header that text never has, reveal them.
 static bool is_ascii(std::span<const uint8_t> bytes) {
   constexpr std::string_view kSolid = "solid";
   if (bytes.size() >= kHeaderBytes && promised_bytes(bytes) == bytes.size()) return false;
@@ -63,7 +63,7 @@ static Result<TriangleMesh> read_binary(std::span<const uint8_t> bytes, const st
   return mesh;
 }
 
-/// Reads one or several solids; what stands outside them is skipped.
+/// Reads one or several solids; skips text outside them.
 class AsciiStlReader {
  public:
   AsciiStlReader(std::span<const uint8_t> bytes, const std::string& name)

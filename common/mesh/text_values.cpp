@@ -46,7 +46,7 @@ bool parse_integer(std::string_view token, int64_t& value) {
   return parse_number(token, value);
 }
 
-/// The exponent of ten of the last printed digit: -3 for 1.250, 1 for 1.2e2.
+/// Returns the exponent of ten of the last printed digit: -3 for 1.250, 1 for 1.2e2.
 static int last_digit_exponent(std::string_view token) {
   const size_t mantissa_end = std::min(token.find_first_of("eE"), token.size());
   const size_t point = token.substr(0, mantissa_end).find('.');

@@ -34,8 +34,8 @@ constexpr std::array<WordLayout, kViewSections> kLayouts = {
 constexpr std::array<const char*, kViewSections> kNames = {"cells",  "triangles", "homes",
                                                            "locals", "strays",    "colours"};
 
-// What an element takes once the view is read, and while it is: a cell with its corners and their
-// neighbours, a vertex's position and point, and the sections themselves beside them.
+// Memory of an element while the view is read and after: a cell with its corners and their
+// neighbours, a vertex's position and point, and the sections themselves.
 constexpr std::array<uint64_t, kViewSections> kElementMemoryBytes = {600, 36, 52, 24, 48, 8};
 
 constexpr uint64_t kSectionElementsMax = kVerticesMax;
@@ -83,7 +83,7 @@ Status check_header(const RawHeader& raw, std::span<const uint8_t> bytes,
   return Status::ok();
 }
 
-/// The sections of a file, one after the other.
+/// Reads the sections of a file, one after the other.
 class SectionReader {
  public:
   SectionReader(const RawHeader& header, std::span<const uint8_t> body)
