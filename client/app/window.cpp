@@ -45,7 +45,7 @@ Result<std::unique_ptr<Window>> Window::create(const ImageSize& size, double sca
   window->pointer_.move(pointer);
   WindowCallbacks::install(handle);  // ImGui calls these after its own
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // what is remembered is in our own file
+  ImGui::GetIO().IniFilename = nullptr;  // Burnish keeps its state in its own file
   apply_theme(static_cast<float>(scale > 0 ? scale : screen_scale(handle)));
   ImGui_ImplGlfw_InitForOpenGL(handle, true);
   ImGui_ImplOpenGL3_Init("#version 330 core");

@@ -24,7 +24,7 @@ struct Options {
   std::string id;
 };
 
-/// The edits in the order in which they are applied: metric, gradient scale, paint, cells.
+/// Makes the edits in the order of application: metric, gradient scale, paint, cells.
 Result<std::vector<Edit>> make_edits(const Options& options) {
   std::vector<Edit> edits;
   const std::string prefix = options.id.empty() ? random_id() : options.id;

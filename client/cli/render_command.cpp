@@ -17,7 +17,7 @@ struct RenderOptions {
   PictureOptions picture;
 };
 
-// Both return the usage message that CLI11 expects of a check: empty when the text is right.
+// Both return the usage message that CLI11 expects from a check: empty if the text is right.
 
 std::string parse_size(const std::string& text, ImageSize& size) {
   int end = 0;

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// The first word of a file.
+/// Reads the first word of a file.
 static Result<std::string> read_token(const std::string& path) {
   std::ifstream file(path);
   std::string token;

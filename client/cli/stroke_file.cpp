@@ -38,7 +38,7 @@ static Status parse_line(const TextLine& line, std::vector<Stroke>& strokes) {
 
 Result<std::vector<Stroke>> parse_strokes(std::string_view text, const std::string& name) {
   std::vector<Stroke> strokes;
-  std::string begin;  // where the stroke under way began
+  std::string begin;  // place where the current stroke began
   const auto check_last = [&] {
     return strokes.empty() ? Status::ok() : validate(strokes.back()).with_context(begin);
   };

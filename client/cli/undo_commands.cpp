@@ -21,7 +21,7 @@ struct Options {
   bool restore = false;
 };
 
-/// What each of the edits made or switched, in words.
+/// Prints in words what each edit changed.
 Status print_outcome(Connection& connection, const Options& options, const char* done,
                      const std::vector<uint64_t>& numbers) {
   ASSIGN_OR_RETURN(const std::vector<HistoryEntry> history, connection.history(options.session));

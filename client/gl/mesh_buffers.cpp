@@ -24,7 +24,7 @@ static void fill_attribute(GLuint index, GLint components, GLuint buffer,
   glEnableVertexAttribArray(index);
 }
 
-// Without a grid both attributes are off; their constant value is never read.
+// Without a grid both attributes are off; the shader never reads their constant value.
 static void fill_points(GLuint buffer, const std::vector<EvaluationPoint>& points) {
   if (points.empty()) {
     glDisableVertexAttribArray(3);

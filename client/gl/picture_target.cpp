@@ -88,7 +88,7 @@ Result<Image> PictureTarget::read() const {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, size_.width, size_.height, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
   RETURN_IF_ERROR(check_gl("reading the picture"));
-  for (int low = 0, high = size_.height - 1; low < high; ++low, --high) {  // OpenGL's rows go up
+  for (int low = 0, high = size_.height - 1; low < high; ++low, --high) {  // OpenGL rows go up
     uint8_t* const first = image.rgb.data() + low * row_bytes;
     std::swap_ranges(first, first + row_bytes, image.rgb.data() + high * row_bytes);
   }

@@ -23,7 +23,7 @@ static std::string octal(mode_t mode) {
 
 Status make_private_folder(const std::filesystem::path& folder) {
   auto path = std::filesystem::absolute(folder).lexically_normal();
-  if (!path.has_filename()) path = path.parent_path();  // a link with a slash is what it leads to
+  if (!path.has_filename()) path = path.parent_path();  // "link/" means the target of link
   std::error_code error;
   std::filesystem::create_directories(path.parent_path(), error);
   if (error) return errno_status("cannot make " + path.parent_path().string(), error.value());

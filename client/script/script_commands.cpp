@@ -19,7 +19,7 @@ Result<std::vector<double>> parse_numbers(const std::vector<std::string>& words,
   return numbers;
 }
 
-/// RADIUS STRENGTH BETA [FALLOFF]
+/// Parses RADIUS STRENGTH BETA [FALLOFF].
 Result<Brush> parse_brush(const std::vector<std::string>& words) {
   Brush brush;
   ASSIGN_OR_RETURN(brush.radius, parse_real(words[0]));

@@ -82,7 +82,7 @@ Status ScriptRunner::run_line(const ScriptLine& line) {
   return update();
 }
 
-// A server that is there acknowledges at once.
+// Waits for acknowledgements: a server that answers acknowledges at once.
 Status ScriptRunner::save_edits() {
   const auto is_over = [this] {
     return workspace_->unsaved_edits() == 0 || workspace_->link() == LinkState::kEnded;

@@ -2,7 +2,7 @@
 
 namespace burnish {
 
-// High fidelity holds the surface where it is, along directions of that curvature.
+// Makes a curve; high α keeps the surface in place along directions of that curvature.
 static TransferCurve curve_of(std::vector<TransferCurve::Point> points) {
   return std::move(TransferCurve::create(std::move(points))).value();
 }

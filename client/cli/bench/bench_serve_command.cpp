@@ -27,7 +27,7 @@ struct Options {
   std::string mix = "draw=1,drag=1,paint=2";
 };
 
-/// The clients of a run with their connections, dealt to the sessions in turn.
+/// The clients of a run and their connections. Sessions get clients in turn.
 struct Load {
   struct Seat {
     std::string session;
@@ -37,7 +37,7 @@ struct Load {
   std::vector<Seat> seats;
 };
 
-/// What clients of the session draw.
+/// Fetches the view that clients of the session draw.
 Result<std::shared_ptr<const View>> fetch_view_of(Connection& connection,
                                                   const std::string& session,
                                                   uint64_t triangles_max) {
@@ -70,7 +70,8 @@ Result<Load> connect_clients(const Options& options, const LoadMix& mix) {
   return load;
 }
 
-/// A fork is made by replay: its fields must be those of the session that grew edit by edit.
+/// Checks a fork, which is made by replay: its fields must equal those of the session that grew
+/// edit by edit.
 Result<bool> replay_agrees(Connection& connection, const std::string& session) {
   ForkWish wish;
   wish.source = session;

@@ -36,7 +36,8 @@ struct FilterOptions {
   std::string paint_file, cell_field_file, fields_file, report_file;
 };
 
-/// Has what this machine has: for the preparation, and then for the mesh with its session.
+/// Allows as much memory as this machine has, first for the preparation, then for the mesh with its
+/// session.
 class FilterBudget final : public MachineBudget {
  public:
   Status ask(const PreparationNeed& need) override {
@@ -59,7 +60,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// What can be refused before the long work begins.
+/// Refuses wrong options before the long work begins.
 Status check_output(const FilterOptions& options) {
   ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(options.out));
   if (format == MeshFormat::kOff)
