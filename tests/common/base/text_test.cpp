@@ -19,7 +19,7 @@ TEST(OneLine, BytesThatAreNoUtf8BecomeQuestionMarks) {
   EXPECT_EQ(one_line("M\xfcller", 1000), "M?ller");
   EXPECT_EQ(one_line("\xc3", 1000), "?");                 // cut off
   EXPECT_EQ(one_line("\xc0\xaf", 1000), "??");            // a longer form than needed
-  EXPECT_EQ(one_line("\xed\xa0\x80", 1000), "???");       // half of a pair
+  EXPECT_EQ(one_line("\xed\xa0\x80", 1000), "???");       // half of a surrogate pair
   EXPECT_EQ(one_line("\xf5\x80\x80\x80", 1000), "????");  // beyond the last character
   EXPECT_EQ(one_line("\xe2\x82", 1000), "??");
 }

@@ -37,7 +37,7 @@ class HostileFrame : public testing::Test {
   std::shared_ptr<const FrameLayout> layout_ = small_layout(FrameContent::kCoefficients);
   FrameDecoder decoder_{layout_};
   FrameHeader header_;
-  std::vector<uint8_t> body_;  // of zeros, right in every way
+  std::vector<uint8_t> body_;  // a correct body of zeros
 };
 
 TEST_F(HostileFrame, TheBodyBeforeItIsSpoiltIsGood) {

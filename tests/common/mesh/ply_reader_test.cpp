@@ -14,7 +14,7 @@ constexpr MeshFormat kPly = MeshFormat::kPly;
 constexpr const char* kXyz = "property float x\nproperty float y\nproperty float z\n";
 constexpr const char* kFaceList = "property list uchar int vertex_indices\n";
 
-/// A header for `vertices` and `faces` with plain properties.
+/// Returns a header for `vertices` and `faces` with plain properties.
 std::string header(const std::string& format, int64_t vertices, int64_t faces) {
   return "ply\nformat " + format + " 1.0\nelement vertex " + std::to_string(vertices) + "\n" +
          kXyz + "element face " + std::to_string(faces) + "\n" + kFaceList + "end_header\n";
@@ -26,7 +26,7 @@ std::string square_with_faces(const std::string& faces) {
   return header("ascii", 4, std::count(faces.begin(), faces.end(), '\n')) + kSquare + faces;
 }
 
-/// An ascii square of one triangle whose x has the declared type and this text.
+/// Returns an ascii mesh of one triangle whose x has the declared type and this text.
 std::string with_x(const std::string& type, const std::string& x) {
   return "ply\nformat ascii 1.0\nelement vertex 3\nproperty " + type +
          " x\nproperty float y\nproperty float z\nelement face 1\n" + kFaceList + "end_header\n" +
