@@ -15,7 +15,7 @@ Stroke stroke(std::vector<Vec3d> path) {
   return {{.radius = 1, .strength = 1, .beta = 2}, std::move(path)};
 }
 
-/// An outbox that has said its greeting.
+/// Returns an outbox that has sent its greeting.
 LiveOutbox greeted() {
   LiveOutbox outbox{v1::Greeting()};
   EXPECT_TRUE(outbox.next()->has_greeting());

@@ -34,7 +34,7 @@ TEST(UserSocket, TellsWhetherSomebodyListens) {
   EXPECT_EQ(user_listens(path).value(), false);
   ASSERT_EQ(listen(fd, 1), 0);
   EXPECT_EQ(user_listens(path).value(), true);
-  close(fd);  // as after a crash: the name stays
+  close(fd);  // as after a crash: the file of the socket stays
   EXPECT_EQ(user_listens(path).value(), false);
 }
 
@@ -50,7 +50,7 @@ TEST(UserSocket, AServerOfAnotherUserIsRefused) {
   int pipe[2];
   ASSERT_EQ(::pipe(pipe), 0);
   const pid_t impostor = fork();
-  if (impostor == 0) {  // who calls listen() is whom the client sees
+  if (impostor == 0) {  // the client sees the process that calls listen()
     const bool listens = setuid(65534) == 0 && listen(fd, 1) == 0;
     (void)!write(pipe[1], listens ? "y" : "n", 1);
     pause();
