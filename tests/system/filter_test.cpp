@@ -1,4 +1,4 @@
-// `burnish filter` and `generate` as a user meets them: files in, files out, exit codes.
+// `burnish filter` and `generate` as users see them: files in, files out, exit codes.
 
 #include <fstream>
 
@@ -30,7 +30,7 @@ class FilterCommand : public testing::Test {
   std::string out() const { return (folder_ / "out.ply").string(); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  /// Exit code of burnish with these arguments; what it printed is kept.
+  /// Runs burnish with these arguments. Returns its exit code and keeps its output.
   int burnish(std::vector<std::string> arguments, const Process::Limits& limits = {}) {
     arguments.insert(arguments.begin(), BURNISH_BINARY);
     Process process(arguments, folder_ / "log", limits);

@@ -1,4 +1,4 @@
-// Limits by user and of the whole server, over real connections.
+// Limits of a user and of the whole server, over real connections.
 
 #include <csignal>
 #include <thread>
@@ -26,7 +26,7 @@ constexpr char kUsers[] =
     "[[user]]\nname = \"anna\"\nrole = \"owner\"\n"
     "token_sha256 = \"ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad\"\n";
 
-/// A server of one user, with limits.
+/// A server with one user and limits.
 class LimitsTest : public testing::Test {
  protected:
   std::unique_ptr<ServerProcess> start(const std::string& limits) const {
@@ -53,7 +53,7 @@ struct Upload {
     request.mutable_header()->set_size_bytes(size_bytes);
     stream->Write(request);
     v1::ImportEvent event;
-    if (!stream->Read(&event)) status = stream->Finish();  // it has been turned away
+    if (!stream->Read(&event)) status = stream->Finish();  // the server has refused it
   }
   ~Upload() { context.TryCancel(); }
 
@@ -74,7 +74,7 @@ TEST_F(LimitsTest, StreamsOfAUser) {
     EXPECT_EQ(third.status.error_message(),
               "user anna has 2 streams and needs 1 more; limits.streams_per_user is 2");
   }
-  // What ended gives its place back, as soon as the server has noticed.
+  // An ended upload gives its place back as soon as the server notices.
   for (int i = 0; i < 1000; ++i)
     if (Upload(channel, 10).status.ok()) return;
   FAIL() << "no stream came free";
@@ -129,7 +129,7 @@ TEST_F(LimitsTest, ASessionIsAdmittedByItsBytes) {
   EXPECT_EQ(open("two").exit_code, 0);
 }
 
-/// Two triangles: a few hundred bytes, and gigabytes of cells at the larger depths.
+/// Writes two triangles: a few hundred bytes, but gigabytes of cells at large depths.
 std::string write_square(const TemporaryFolder& folder) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0.2}, {1, 1, 0.1}, {0, 1, 0.3}};

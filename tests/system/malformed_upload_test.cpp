@@ -1,4 +1,4 @@
-// Uploads that send what is no message, or what they do not take.
+// Uploads that send bytes that do not parse, or wrong messages.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ class MalformedUpload : public testing::Test {
                   "burnish_refusals_total{reason=\"malformed\"}");
   }
 
-  /// Sends the messages and waits for the answer; the last message is to be refused for `reason`.
+  /// Sends the messages and expects that the last is refused for `reason`.
   void expect_refused(const std::string& method, const std::vector<std::string>& messages,
                       const std::string& reason) {
     const double before = counted();

@@ -1,4 +1,4 @@
-// Undo, history, forks and roles by the program's own commands, across a killed server.
+// Undo, history, forks and roles with the program's commands, across a killed server.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -93,7 +93,7 @@ TEST(Refusal, NoCommandOpensTheWindowWhichNeedsAScreen) {
   Process program({BURNISH_BINARY}, folder / "out");
   EXPECT_THAT(program.wait(kPatience), AnyOf(Optional(1), Optional(2)));
   EXPECT_THAT(program.output(), AnyOf(HasSubstr("burnish: cannot open a window"),
-                                      HasSubstr("burnish: name a command")));  // built without one
+                                      HasSubstr("burnish: name a command")));  // no window built
 }
 
 }  // namespace

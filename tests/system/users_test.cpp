@@ -1,4 +1,4 @@
-// Who may do what, as strangers and users meet it over a real connection.
+// The rights of strangers and users over a real connection.
 
 #include "server/trust/users.h"
 
