@@ -11,15 +11,15 @@
 
 namespace burnish {
 
-// ImGui needs a second picture to show what a click changed.
+// ImGui needs a second picture to show the effect of a click.
 static constexpr int kPicturesAfterEvent = 3;
 static constexpr double kIdleSeconds = 0.5;
 
 static volatile std::sig_atomic_t ended_by_signal = 0;
 
 Status App::run(AppOptions options, Preferences preferences) {
-  for (int number :
-       {SIGINT, SIGTERM, SIGHUP})  // in order: what is not saved may still be, or is told
+  // Ends in order: unsaved edits are saved or reported.
+  for (int number : {SIGINT, SIGTERM, SIGHUP})
     std::signal(number, [](int) { ended_by_signal = 1; });
   Bindings bindings;
   for (const auto& [action, key] : preferences.keys) RETURN_IF_ERROR(bindings.bind(action, key));
@@ -27,13 +27,13 @@ Status App::run(AppOptions options, Preferences preferences) {
   RETURN_IF_ERROR(app.start(std::move(preferences)));
   const Status status = app.loop();
   const ImageSize size = app.window_->size();
-  app.window_->hide();  // calls under way may wait for their server a little longer
+  app.window_->hide();  // running calls may still wait for their server
   if (size.width > 0) {
     app.workspace_->preferences.window_width = size.width;
     app.workspace_->preferences.window_height = size.height;
   }
   app.workspace_->save_preferences();
-  app.workspace_.reset();  // before the window: its threads wake it
+  app.workspace_.reset();  // before the window: the workspace's threads wake the window
   app.renderer_.reset();
   return status;
 }
@@ -49,7 +49,7 @@ Status App::start(Preferences preferences) {
     options_.workspace.triangles_max = card.triangles_max;
     options_.workspace.triangles_why = card.triangles_why;
   } else {
-    options_.workspace.triangles_why = "as asked";
+    options_.workspace.triangles_why = "as requested";
   }
   options_.workspace.wake = [this] {
     news_ = true;
@@ -87,7 +87,7 @@ Status App::loop() {
     --pictures;
   }
   if (leave_step_ == Leaving::Step::kLeave) return Status::ok();
-  return failed_precondition(unsaved_text(workspace_->unsaved_edits()) + ", and lost");
+  return failed_precondition(unsaved_text(workspace_->unsaved_edits()) + " and will be lost");
 }
 
 bool App::may_close() {
@@ -96,7 +96,7 @@ bool App::may_close() {
   if (window_->take_close_request() || ended_by_signal) leaving_.begin(Leaving::What::kWindow, now);
   leave_step_ =
       leaving_.update(workspace_->unsaved_edits(), workspace_->link() == LinkState::kLive, now);
-  if (ended_by_signal) return leave_step_ != Step::kSave;  // nobody answers questions
+  if (ended_by_signal) return leave_step_ != Step::kSave;  // nobody can answer a question
   if (leave_step_ != Step::kLeave) return false;
   if (leaving_.what() == Leaving::What::kWindow) return true;
   leaving_.stay();
@@ -144,7 +144,7 @@ bool App::is_in_picture(const Eigen::Vector2d& pixel) const {
     return false;
   if (shows_help_ || shows_log_ || export_dialog_.is_open()) return false;
   constexpr auto kAnyPopup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
-  if (ImGui::IsPopupOpen("", kAnyPopup)) return false;  // a click beside it closes it
+  if (ImGui::IsPopupOpen("", kAnyPopup)) return false;  // a click beside the popup closes it
   return pixel.x() < toasts_.covered_low.x || pixel.x() >= toasts_.covered_high.x ||
          pixel.y() < toasts_.covered_low.y || pixel.y() >= toasts_.covered_high.y;
 }

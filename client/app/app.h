@@ -21,16 +21,16 @@
 namespace burnish {
 
 struct AppOptions {
-  std::filesystem::path scan;  ///< to import and open; empty: none
-  std::string server;   ///< empty: the private one when there is something to open, else nothing
-  std::string session;  ///< to join, or the new one's name
-  ImageSize size;       ///< of the window; 0x0: as it was
-  double scale = 0;     ///< 0: as configured, else as the screen says
-  std::filesystem::path record;  ///< where to write a script of what is done; empty: nowhere
+  std::filesystem::path scan;    ///< file to import and open; empty: none
+  std::string server;            ///< empty: the private server if there is something to open
+  std::string session;           ///< session to join, or the name of the new session
+  ImageSize size;                ///< of the window; 0x0: as in the last run
+  double scale = 0;              ///< 0: from the configuration, else from the screen
+  std::filesystem::path record;  ///< script file that records the user's actions; empty: none
   WorkspaceOptions workspace;
 };
 
-/// The window: events in, pictures out, around a Workspace.
+/// The window around a Workspace: takes events, draws pictures.
 class App {
  public:
   /// Runs until the window is closed. Fails: unavailable (no display or driver),
@@ -85,16 +85,16 @@ class App {
   bool shows_log_ = false;
   bool shows_help_ = false;
 
-  /// Where the picture is in the framebuffer, pixels from the upper left corner.
+  /// The picture's place in the framebuffer, in pixels from the upper left corner.
   struct Area {
     int x = 0, y = 0;
     ImageSize size;
   };
   Area picture_;
 
-  /// What the renderer's picture shows; while that is the same it is not drawn again.
+  /// State that the renderer's picture shows. While it is the same, nothing is drawn again.
   struct Shown {
-    std::shared_ptr<const View> view;  // held, so that no other one has its address
+    std::shared_ptr<const View> view;  // held, so that no other view gets its address
     uint64_t changes = 0;
     ImageSize size;
     Camera camera;

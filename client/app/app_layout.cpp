@@ -22,7 +22,7 @@ Status App::draw() {
   return drawn;
 }
 
-// Between the panels; nothing where they leave no room.
+// Draws the picture between the panels, if they leave room.
 Status App::draw_picture() {
   if (!check_image_size(picture_.size).is_ok()) return Status::ok();
   Workspace& workspace = *workspace_;
@@ -133,7 +133,7 @@ static void begin_column(const char* name, float from, float top, float width) {
   ImGui::Begin(name, nullptr, kFixed);
 }
 
-// Without room for a right column all is in the left one, which scrolls.
+// If there is no room for a right column, all panels are in the left one, which scrolls.
 void App::draw_columns(float top, float left, float right) {
   begin_column("##left", 0, top, left);
   draw_section("Filter", filter_panel_, *workspace_);
@@ -150,7 +150,7 @@ void App::draw_columns(float top, float left, float right) {
   ImGui::End();
 }
 
-// Which side is which.
+// Draws the line between the original and the edited side.
 void App::draw_split_line() const {
   const ViewOptions& view = workspace_->viewport.options;
   if (!view.split || !workspace_->document()) return;

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The plot's rectangle in the window, and places in it: x and y from 0 to 1, y upwards.
+/// The plot's rectangle in the window. Places in it have x and y from 0 to 1, y upwards.
 struct Plot {
   ImVec2 low;  // upper left
   ImVec2 size;
@@ -37,7 +37,7 @@ void draw_histogram(const Plot& plot, const ScanDescription& scan) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const auto count = static_cast<double>(bins.size());
   for (size_t i = 0; i < bins.size(); ++i) {
-    // The root lifts the tails, where the detail that people edit is.
+    // The root lifts the tails, which hold the detail that users edit.
     const double height = 0.92 * std::sqrt(bins[i] / tallest);
     list->AddRectFilled(plot.at({double(i) / count, height}), plot.at({double(i + 1) / count, 0}),
                         colour(0.36f, 0.44f, 0.54f, 0.75f));

@@ -30,7 +30,7 @@ void ExportDialog::draw(Workspace& workspace) {
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::InputText("##path", &path_);
   ImGui::Checkbox("Exact", &exact_);
-  hint("Solves on until the surface is within 1e-5 of the diagonal; takes longer.");
+  hint("Solves until the surface is within 1e-5 of the diagonal; this takes longer.");
   const bool wanted = ImGui::Button("Export", {em(8), 0});
   ImGui::SameLine();
   const bool unwanted = ImGui::Button("Cancel", {em(8), 0}) ||

@@ -40,8 +40,8 @@ static void draw_fidelity(Document& document) {
   double alpha = document.curve().fidelity();
   faint_text("detail size %.3g", detail_size(unit, alpha));
   hint(
-      "In the scan's own units: waves on the surface shorter than about six times this are "
-      "smoothed or sharpened, longer ones stay.");
+      "In the scan's units. Waves on the surface shorter than about six times this size are "
+      "smoothed or sharpened; longer waves stay.");
   const SliderChange change = log_slider("##fidelity", alpha, kFidelityMin, kFidelityMax, "%.3g");
   if (change != SliderChange::kStill) {
     document.curve().set_fidelity(alpha);
@@ -49,7 +49,7 @@ static void draw_fidelity(Document& document) {
   }
   if (change == SliderChange::kDone) document.commit_curve();
   if (alpha > unit / document.view().frame.cell_size)
-    ImGui::TextColored(theme::kBusy, "finer than the grid resolves");
+    ImGui::TextColored(theme::kBusy, "finer than the grid can resolve");
 }
 
 void FilterPanel::draw(Workspace& workspace) {

@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// Gradient scale, fidelity and presets: what is done where nobody painted.
+/// Gradient scale, fidelity and presets: the edit outside of painted areas.
 class FilterPanel : public Panel {
  public:
   void draw(Workspace& workspace) override;

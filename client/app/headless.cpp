@@ -24,7 +24,7 @@ Status run_script_file(const std::filesystem::path& script, AppOptions options) 
   options.workspace.preferences.clear();  // a script leaves no traces
   const auto context = EglContext::create();
   if (!context.is_ok()) {
-    std::cerr << "burnish: pictures stay black: " << context.status().message() << "\n";
+    std::cerr << "burnish: pictures will be black: " << context.status().message() << "\n";
     NullRenderer renderer;
     return run_with(renderer, lines, script.string(), options);
   }

@@ -4,8 +4,8 @@
 
 namespace burnish {
 
-/// Does what a script says without a window, drawing through EGL; where there is no driver, without
-/// pictures. Fails: as parse_script() and ScriptRunner::run() do.
+/// Runs a script without a window, and draws through EGL; without a driver, pictures are black.
+/// Fails: as parse_script() and ScriptRunner::run() do.
 Status run_script_file(const std::filesystem::path& script, AppOptions options);
 
 }  // namespace burnish

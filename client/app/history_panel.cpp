@@ -29,14 +29,14 @@ void HistoryPanel::draw_checkpoint_row(Workspace& workspace) {
     workspace.document()->set_checkpoint(checkpoint_name_);
     checkpoint_name_.clear();
   }
-  hint("Names the state that the session has now, to come back to.");
+  hint("Gives the current state a name, so that you can come back to it.");
   ImGui::EndDisabled();
   ImGui::SameLine();
   if (ImGui::Button("Fork", half)) {
     workspace.fork(checkpoint_name_, "");
     checkpoint_name_.clear();
   }
-  hint("Opens a new session with all edits of this one.");
+  hint("Opens a new session with all edits of this session.");
 }
 
 static void draw_entry(const HistoryEntry& entry, Document& document) {

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// The session's edits, newest first, each of which can be switched off.
+/// The session's edits, newest first. Each can be switched off.
 class HistoryPanel : public Panel {
  public:
   void draw(Workspace& workspace) override;

@@ -17,7 +17,7 @@ Chip chip_of(const Document& document) {
     case LinkState::kConnecting:
       return {"connecting", theme::kBusy};
     case LinkState::kLost:
-      return {"connection lost, coming back", theme::kBad};
+      return {"connection lost, reconnecting", theme::kBad};
     case LinkState::kEnded:
       return {"session ended", theme::kBad};
     case LinkState::kLive:
@@ -47,7 +47,7 @@ void draw_stats(const Document& document) {
   row("cycles", "%d (%s)", stats.frame.cycles, document.welcome().backend.c_str());
   row("server", "%.1f + %.1f + %.1f ms", stats.frame.assemble_ms, stats.frame.solve_ms,
       stats.frame.encode_ms);
-  hint("To assemble, to solve, to encode the last frame.");
+  hint("Time to assemble, solve and encode the last frame.");
   row("frame age", "%.0f ms", stats.age_ms);
   row("round trip", "%.1f ms", stats.rtt_ms);
   row("frames", "%.0f/s, %.1f Mbit/s", stats.frames_per_second, stats.megabits_per_second);
@@ -72,7 +72,7 @@ void Hud::draw(Workspace& workspace) {
   const Chip chip = chip_of(document);
   ImGui::TextColored(chip.colour, "%s", chip.text);
   if (shows_figures && document.stats().frames > 0) draw_stats(document);
-  if (workspace.viewport.navigate_mode) faint_text("left button turns (N)");
+  if (workspace.viewport.navigate_mode) faint_text("left button turns the view (N)");
   ImGui::End();
 }
 

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// What the newest frame was told with, and how the link does.
+/// Figures of the newest frame and of the link.
 class FiguresPanel : public Panel {
  public:
   void draw(Workspace& workspace) override;

@@ -14,11 +14,11 @@ static void row(const char* key, const char* what) {
 
 static void draw_mouse_rows() {
   row("Left", "Paint with the brush");
-  row("Ctrl+Left", "Paint the opposite: sharpen for smooth");
+  row("Ctrl+Left", "Paint the opposite: sharpen instead of smooth");
   row("Shift+Left", "Restore the original (β = 1)");
   row("Middle, Alt+Left", "Turn");
   row("Shift+Middle, Right", "Move");
-  row("Wheel", "Nearer, farther, at the cursor");
+  row("Wheel", "Zoom at the cursor");
   row("Space (hold)", "Show the original");
 }
 

@@ -18,7 +18,7 @@ static const char* reason(LinkState link) {
     case LinkState::kEnded:
       break;
   }
-  return "The session has ended. They cannot be saved any more.";
+  return "The session has ended. These edits cannot be saved.";
 }
 
 void draw_leave_question(const Workspace& workspace, Leaving::Step step, Leaving& leaving) {

@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-/// Asks what becomes of edits that are not saved, while `step` is kAsk or kWait. Between ImGui's
+/// Asks what to do with unsaved edits while `step` is kAsk or kWait. Needs: a call between ImGui's
 /// begin and end of a picture.
 void draw_leave_question(const Workspace& workspace, Leaving::Step step, Leaving& leaving);
 

@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// A part of the window. Draws by ImGui, and holds nothing but what is being typed into it.
+/// A part of the window. Draws with ImGui, and holds only text that the user is typing.
 class Panel {
  public:
   virtual ~Panel() = default;

@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// Who is here, and who may do what.
+/// The people in the session and their roles.
 class PeoplePanel : public Panel {
  public:
   void draw(Workspace& workspace) override;

@@ -32,7 +32,7 @@ static void draw_state(const Library& library) {
 void StartPage::draw_server(Workspace& workspace) {
   ImGui::TextUnformatted("Server");
   if (ImGui::Button("Use this computer", {-1, 0})) workspace.connect_privately();
-  hint("Starts a server of your own, which keeps its scans in your home folder.");
+  hint("Starts your own server, which keeps its scans in your home folder.");
   ImGui::SetNextItemWidth(-em(6));
   const bool entered = ImGui::InputTextWithHint("##server", "HOST:PORT", &server_,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
@@ -46,7 +46,7 @@ void StartPage::draw_server(Workspace& workspace) {
 
 void StartPage::draw_recent(Workspace& workspace) const {
   ImGui::TextUnformatted("Recent");
-  if (workspace.preferences.recent.empty()) faint_text("nothing was open yet");
+  if (workspace.preferences.recent.empty()) faint_text("nothing opened yet");
   for (const RecentSession& recent : workspace.preferences.recent) {
     ImGui::PushID(&recent);
     if (ImGui::Selectable(recent.session.c_str())) {

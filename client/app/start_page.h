@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// What is shown while no session is open: servers, recent sessions, scans, import.
+/// The page while no session is open: servers, recent sessions, scans, import.
 class StartPage : public Panel {
  public:
   void draw(Workspace& workspace) override;

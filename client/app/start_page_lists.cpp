@@ -24,7 +24,7 @@ static constexpr ImGuiTableFlags kTable =
 static void draw_delete(const ScanInfo& scan, Workspace& workspace) {
   if (ImGui::SmallButton("Delete")) ImGui::OpenPopup("##sure");
   if (!ImGui::BeginPopup("##sure")) return;
-  ImGui::Text("The server forgets %s.", scan.name.c_str());
+  ImGui::Text("The server deletes %s.", scan.name.c_str());
   if (ImGui::Button("Delete for good")) {
     workspace.delete_scan(scan.id);
     ImGui::CloseCurrentPopup();

@@ -4,10 +4,10 @@
 
 namespace burnish {
 
-/// The server's scans; a click opens one in a session of its own.
+/// Lists the server's scans; a click opens one in a new session.
 void draw_scans(Workspace& workspace);
 
-/// Its sessions; a click joins one.
+/// Lists the server's sessions; a click joins one.
 void draw_sessions(Workspace& workspace);
 
 }  // namespace burnish

@@ -6,20 +6,20 @@
 
 namespace burnish {
 
-/// Sizes are in em, the font's height, so that one number scales all.
+/// Converts from em, the font's height: one number scales all sizes.
 inline float em(float count) {
   return count * ImGui::GetFontSize();
 }
 
 inline constexpr float kLeftPanelEm = 20;
 inline constexpr float kRightPanelEm = 17;
-inline constexpr float kPictureEm = 20;  // at least, between both
+inline constexpr float kPictureEm = 20;  // least width between both columns
 
-/// Fonts, colours and spacing for this scale (1: 96 dots per inch). Between frames only.
-/// Falls back to ImGui's own font, which has no Greek letters, where DejaVu Sans is not installed.
+/// Sets fonts, colours and spacing for this scale (1: 96 dots per inch). Call it between frames.
+/// Without DejaVu Sans it uses ImGui's own font, which has no Greek letters.
 void apply_theme(float scale);
 
-/// For headings: larger, Latin letters alone.
+/// Returns the font for headings: larger, only Latin letters.
 ImFont* title_font();
 
 namespace theme {
@@ -36,7 +36,7 @@ inline ImVec4 to_imgui(const Vec3f& colour, float opacity = 1) {
   return {colour.x(), colour.y(), colour.z(), opacity};
 }
 
-/// Text that is less important.
+/// Draws text that is less important.
 void faint_text(const char* format, ...) IM_FMTARGS(1);
 
 /// Shows a hint while the last item is under the mouse.

@@ -12,7 +12,7 @@ class Toasts : public Panel {
   void draw(Workspace& workspace) override;
 
   ImVec2 lower_left{0, 0};  ///< of the picture
-  /// What is drawn lies here; it takes the mouse.
+  /// The drawn area, which takes the mouse.
   ImVec2 covered_low{0, 0}, covered_high{0, 0};
   bool is_visible(const Workspace& workspace) const;
 };

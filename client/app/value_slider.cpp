@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kFieldEm = 4.2f;
 
-// `place` runs from 0 to 1; to_value and to_place are inverse to each other.
+// Draws a slider. `place` runs from 0 to 1; to_value and to_place are inverse to each other.
 template <typename ToValue, typename ToPlace>
 SliderChange slider(const char* id, double& value, const char* format, const ToValue& to_value,
                     const ToPlace& to_place, double low, double high) {

@@ -10,11 +10,11 @@ enum class SliderChange {
   kDone,    ///< the value is what the user wants
 };
 
-/// A slider with a field for its value behind it, as wide as there is room.
-/// The slider of β: the left half smooths, the right half sharpens, up to ten.
+/// Sliders with a field for the value to the right, as wide as there is room. Draws the slider of
+/// β: the left half smooths, the right half sharpens, up to 10.
 SliderChange beta_slider(const char* id, double& beta, const ImVec4& colour);
 
-/// Even in the logarithm.
+/// Draws a slider that is even in the logarithm.
 SliderChange log_slider(const char* id, double& value, double low, double high, const char* format);
 
 SliderChange linear_slider(const char* id, double& value, double low, double high,

@@ -13,19 +13,20 @@ static void draw_colours(Document& document, Viewport& viewport) {
   if (ImGui::Combo("##colour", &chosen, kNames, IM_ARRAYSIZE(kNames)))
     document.set_colour(static_cast<ColourBy>(chosen));
   if (document.colour() == ColourBy::kDisplacement) {
-    faint_text("full colour at so many cells");
+    faint_text("full colour at this many cells");
     log_slider("##range", viewport.options.displacement_range, 0.05, 20, "%.2g");
   }
 }
 
 static void draw_toggles(ViewOptions& options) {
   ImGui::Checkbox("Flat", &options.flat);
-  hint("One shade for each triangle.");
+  hint("Gives each triangle one shade.");
   ImGui::SameLine(em(7));
   ImGui::Checkbox("Wireframe", &options.wireframe);
   ImGui::Checkbox("Split", &options.split);
   hint(
-      "The original on the left, the edited surface on the right. Hold Space to see the original "
+      "Shows the original on the left, the edited surface on the right. Hold Space to see the "
+      "original "
       "everywhere.");
   if (!options.split) return;
   ImGui::SameLine(em(7));
@@ -53,7 +54,7 @@ void ViewPanel::draw(Workspace& workspace) {
   draw_colours(document, workspace.viewport);
   draw_toggles(workspace.viewport.options);
   draw_bookmarks(workspace.viewport, document);
-  ImGui::Checkbox("Left button turns", &workspace.viewport.navigate_mode);
+  ImGui::Checkbox("Left button turns the view", &workspace.viewport.navigate_mode);
   const View& view = document.view();
   ImGui::PushTextWrapPos(0);
   faint_text("%zu triangles%s, depth %d", view.triangles.size(),

@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// How the surface is shown.
+/// Settings of how the surface is shown.
 class ViewPanel : public Panel {
  public:
   void draw(Workspace& workspace) override;

@@ -25,14 +25,14 @@ static double screen_scale(GLFWwindow* window) {
 
 Result<std::unique_ptr<Window>> Window::create(const ImageSize& size, double scale,
                                                WindowEvents events) {
-  if (!glfwInit()) return glfw_failure("no window can be opened here");
+  if (!glfwInit()) return glfw_failure("cannot open a window");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   GLFWwindow* const handle = glfwCreateWindow(size.width, size.height, "Burnish", nullptr, nullptr);
   if (!handle) {
-    Status failure = glfw_failure("no window with OpenGL 3.3");
+    Status failure = glfw_failure("cannot open a window with OpenGL 3.3");
     glfwTerminate();
     return failure;
   }
@@ -45,7 +45,7 @@ Result<std::unique_ptr<Window>> Window::create(const ImageSize& size, double sca
   window->pointer_.move(pointer);
   WindowCallbacks::install(handle);  // ImGui calls these after its own
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // what is remembered is in our own file
+  ImGui::GetIO().IniFilename = nullptr;  // Burnish keeps its state in its own file
   apply_theme(static_cast<float>(scale > 0 ? scale : screen_scale(handle)));
   ImGui_ImplGlfw_InitForOpenGL(handle, true);
   ImGui_ImplOpenGL3_Init("#version 330 core");

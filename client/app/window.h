@@ -17,48 +17,48 @@ struct GLFWwindow;
 
 namespace burnish {
 
-/// What the window tells. Pixels are the framebuffer's, from its upper left corner.
+/// Events of the window. Pixels are the framebuffer's, from its upper left corner.
 struct WindowEvents {
   std::function<void(PointerButton, Modifiers, const Eigen::Vector2d&)> press;
   std::function<void(PointerButton)> release;
   std::function<void(const Eigen::Vector2d&)> move;
   std::function<void(const Eigen::Vector2d&, double steps)> wheel;
-  std::function<void(const std::string& key)> key;  ///< as Bindings writes it
+  std::function<void(const std::string& key)> key;  ///< in the form of Bindings
   std::function<void(bool held)> space;
   std::function<void(std::vector<std::filesystem::path>)> drop;
 };
 
-/// A window with an OpenGL 3.3 core context, current on this thread, and ImGui in it. One at a
-/// time.
+/// A window with ImGui and an OpenGL 3.3 core context, which is current on this thread. Needs: one
+/// window at a time.
 class Window {
  public:
-  /// `scale` 0: as the screen says. Fails: unavailable (no display, no driver).
+  /// `scale` 0: the screen's scale. Fails: unavailable (no display, no driver).
   static Result<std::unique_ptr<Window>> create(const ImageSize& size, double scale,
                                                 WindowEvents events);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// True when somebody wants it closed since the last call, be it the user or close().
+  /// Returns true if the user or close() has asked to close the window since the last call.
   bool take_close_request();
   void close();
-  /// From the screen, at once; what it holds lives on.
+  /// Removes the window from the screen at once; its contents stay alive.
   void hide();
 
-  /// Waits until something happens, or so long.
+  /// Waits until something happens, at most `seconds`.
   void wait(double seconds);
-  /// True when something happened since the last call: draw.
+  /// Returns true if something has happened since the last call, so that a picture is due.
   bool take_dirty() { return std::exchange(dirty_, false); }
 
   ImageSize framebuffer_size() const;  ///< 0x0 while it is minimised
   ImageSize size() const;              ///< in the screen's coordinates
   void set_title(const std::string& title);
 
-  /// ImGui's frame: everything between is drawn over what the framebuffer holds.
+  /// Begin and end ImGui's frame, which draws over the content of the framebuffer.
   void begin_frame();
   void end_frame();
 
-  /// Ends the wait(). From any thread.
+  /// Ends wait(). Any thread may call it.
   static void wake();
 
  private:

@@ -15,8 +15,8 @@ static Window& window_of(GLFWwindow* window) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
-// Characters beyond letters and digits come by what they are, not by where they lie: '?' and '['
-// are elsewhere on other keyboards.
+// Names keys other than letters and digits by their character, not by their place: '?' and '[' are
+// elsewhere on other keyboards.
 static std::string key_name(int key, int scancode) {
   switch (key) {
     case GLFW_KEY_HOME:
@@ -51,8 +51,8 @@ static PointerButton button_of(int button) {
   return button == GLFW_MOUSE_BUTTON_RIGHT ? PointerButton::kRight : PointerButton::kLeft;
 }
 
-// Events come in bulk when pictures take long: where the pointer was then is what the moves before
-// said, not where it is now.
+// When pictures take long, events come in bulk. The pointer's place at the press is the last move
+// before it, not its place now.
 void WindowCallbacks::press(GLFWwindow* window, int button, int action, int modifiers) {
   Window& self = window_of(window);
   self.dirty_ = true;

@@ -4,7 +4,7 @@ struct GLFWwindow;
 
 namespace burnish {
 
-/// Turns GLFW's events of a window, whose user pointer is a Window, into WindowEvents.
+/// Turns GLFW's events of a window into WindowEvents. The user pointer of the window is a Window.
 struct WindowCallbacks {
   static void install(GLFWwindow* window);
 

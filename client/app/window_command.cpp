@@ -51,13 +51,14 @@ void add_window_command(CommandTable& table) {
   command->add_option("--height", options->app.size.height, "Of the window, in pixels")
       ->check(CLI::Range(240, kImageSidePixelsMax));
   command->add_option("--triangles", options->app.workspace.triangles_max,
-                      "Draw at most so many; edits and exports use all");
+                      "Draw at most this many; edits and exports use all");
   command->add_option("--config", options->config, "Configuration file");
   command->add_option("--data", options->data, "Folder of the private server");
-  command->add_option("--script", options->script, "Do what this file says, without a window")
+  command
+      ->add_option("--script", options->script, "Run the commands of this file, without a window")
       ->check(CLI::ExistingFile);
-  command->add_option("--record", options->record, "Write what is done here as a script");
-  command->footer("A script has one command a line:\n" + script_help());
+  command->add_option("--record", options->record, "Write what you do in the window as a script");
+  command->footer("A script has one command per line:\n" + script_help());
   add_server_options(*command, options->server);
 }
 

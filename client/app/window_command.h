@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// Adds `burnish window`, which is also what `burnish` alone does, and `burnish SCAN`.
+/// Adds `burnish window`. `burnish` alone and `burnish SCAN` do the same.
 void add_window_command(CommandTable& table);
 
 }  // namespace burnish

@@ -5,7 +5,7 @@
 namespace burnish {
 
 static Result<SetCellFields::Cell> parse_cell(const TextLine& line) {
-  if (line.words.size() < 6) return invalid_argument("a line is: i j k alpha1 alpha2 beta");
+  if (line.words.size() < 6) return invalid_argument("a line must be: i j k alpha1 alpha2 beta");
   SetCellFields::Cell cell;
   for (int axis = 0; axis < 3; ++axis) {
     ASSIGN_OR_RETURN(cell.cell[axis], parse_integer(line.words[static_cast<size_t>(axis)]));

@@ -15,7 +15,7 @@ class CommandTable {
  public:
   explicit CommandTable(CLI::App& app) : app_(app) {}
 
-  /// Adds `burnish NAME`; `run` is called after a successful parse when the user chose it.
+  /// Adds `burnish NAME`. `run` is called after a successful parse if the user chose this command.
   CLI::App* add(const std::string& name, const std::string& description,
                 std::function<Status()> run);
 
@@ -27,8 +27,8 @@ class CommandTable {
   std::function<Status()> chosen_;
 };
 
-/// Turns the Status of a check on an option's value into CLI11's error, so that it exits with 2.
-/// Use inside option->check(...) or option->each(...) callbacks.
+/// Turns the Status of a check into CLI11's error, so that the program exits with 2. Use it inside
+/// option->check(...) or option->each(...) callbacks.
 inline std::string usage_message(const Status& status) {
   return status.is_ok() ? std::string() : status.message();
 }

@@ -4,15 +4,15 @@
 
 namespace burnish {
 
-// One function per command of `burnish`, each in a file of its own; main() calls them.
+// One function per command of `burnish`, each in its own file; main() calls them.
 
 void add_generate_command(CommandTable& table);
 void add_filter_command(CommandTable& table);
 
-/// Draws with OpenGL; adds nothing in a build without it.
+/// Adds nothing in a build without OpenGL.
 void add_render_command(CommandTable& table);
 
-/// The commands that talk to a server; none in a build without gRPC.
+/// Adds the commands that talk to a server; adds nothing in a build without gRPC.
 void add_service_commands(CommandTable& table);
 
 void add_import_command(CommandTable& table);

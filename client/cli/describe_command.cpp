@@ -68,7 +68,7 @@ Status run(const Options& options) {
 
 void add_describe_command(CommandTable& table) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = table.add("describe", "Say what the server knows of a scan",
+  CLI::App* command = table.add("describe", "Show what the server knows about a scan",
                                 [options] { return run(*options); });
   command->add_option("SCAN", options->scan, "Name, id, or the beginning of an id")->required();
   command->add_option("--depth", options->depth, "Prepared mesh to describe; left out: deepest")

@@ -24,7 +24,7 @@ struct Options {
   std::string id;
 };
 
-/// The edits in the order in which they are applied: metric, gradient scale, paint, cells.
+/// Makes the edits in the order of application: metric, gradient scale, paint, cells.
 Result<std::vector<Edit>> make_edits(const Options& options) {
   std::vector<Edit> edits;
   const std::string prefix = options.id.empty() ? random_id() : options.id;
@@ -57,7 +57,7 @@ Status run(const Options& options) {
     return Status::ok();
   }
   std::cout << options.session << ": " << outcome.applied << " edits applied";
-  if (outcome.known > 0) std::cout << ", " << outcome.known << " known already";
+  if (outcome.known > 0) std::cout << ", " << outcome.known << " already known";
   std::cout << ", " << outcome.edits << " in all\n";
   return Status::ok();
 }
@@ -68,7 +68,7 @@ void add_change_options(CLI::App& command, Options& options) {
   changes->add_option("--beta", options.beta, "Gradient scale: < 1 smooths, 1 keeps, > 1 sharpens")
       ->check(CLI::Range(kBetaMin, kBetaMax));
   CLI::Option* alpha =
-      changes->add_option("--alpha", options.alpha, "Fidelity weight, everywhere the same")
+      changes->add_option("--alpha", options.alpha, "Fidelity weight, the same everywhere")
           ->check(CLI::Range(kAlphaMin, kAlphaMax));
   changes->add_option("--curve", options.curve, "Transfer curve: alpha by curvature")
       ->type_name("K:A,K:A,...")
@@ -90,7 +90,7 @@ void add_edit_command(CommandTable& table) {
   command->add_option("SESSION", options->session, "Name or id")->required();
   add_change_options(*command, *options);
   command->add_option("--id", options->id,
-                      "Name of this change: sending it twice under one name is harmless");
+                      "Id of this change: sending it twice under one id is harmless");
   add_server_options(*command, options->server);
 }
 

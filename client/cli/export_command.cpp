@@ -51,7 +51,7 @@ void add_export_command(CommandTable& table) {
   command->add_option("OUT", options->out, "File to write: .ply, .obj or .stl")->required();
   CLI::Option* exact =
       command->add_flag("--exact", options->wish.exact, "Solve to the accuracy of final results");
-  command->add_option("--cycles", options->wish.cycles, "Solve by so many cycles")
+  command->add_option("--cycles", options->wish.cycles, "Solve with this many cycles")
       ->check(CLI::Range(1, kExportCyclesMax))
       ->excludes(exact);
   add_server_options(*command, options->server);

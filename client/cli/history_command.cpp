@@ -62,7 +62,7 @@ void add_history_command(CommandTable& table) {
   CLI::App* command = table.add("history", "List a session's edits; switch some off or on",
                                 [options] { return run(*options); });
   command->add_option("SESSION", options->session, "Name or id")->required();
-  command->add_option("--off", options->off, "Switch this entry off, whoever made it")
+  command->add_option("--off", options->off, "Switch this entry off, even another user's")
       ->type_name("NUMBER");
   command->add_option("--on", options->on, "Switch this entry on again")->type_name("NUMBER");
   add_server_options(*command, options->server);

@@ -16,7 +16,7 @@ nlohmann::ordered_json to_json(const ExportSummary& summary);
 nlohmann::ordered_json to_json(const HistoryEntry& entry);
 nlohmann::ordered_json to_json(const SessionPeople& people);
 
-/// To standard output, indented; bytes that are no UTF-8 are replaced.
+/// Prints to standard output, indented. Replaces bytes that are not UTF-8.
 void print_json(const nlohmann::ordered_json& json);
 
 }  // namespace burnish

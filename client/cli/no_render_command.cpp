@@ -2,6 +2,6 @@
 
 namespace burnish {
 
-void add_render_command(CommandTable&) {}  // a build without OpenGL draws nothing
+void add_render_command(CommandTable&) {}  // a build without OpenGL cannot draw
 
 }  // namespace burnish

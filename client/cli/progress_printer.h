@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// Shows how far long work is, on standard error: a bar on a terminal, else a line per phase.
+/// Shows the progress of long work on standard error: a bar on a terminal, else a line per phase.
 class ProgressPrinter {
  public:
   ProgressPrinter();
@@ -16,7 +16,7 @@ class ProgressPrinter {
   ProgressPrinter(const ProgressPrinter&) = delete;
   ProgressPrinter& operator=(const ProgressPrinter&) = delete;
 
-  /// Never cancels. The printer must outlive it.
+  /// Returns a Progress that never cancels. Needs: the printer outlives it.
   Progress progress();
 
  private:

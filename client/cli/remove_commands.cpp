@@ -43,10 +43,10 @@ Status delete_scan(const Options& options) {
 
 void add_close_command(CommandTable& table) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = table.add("close", "Give a session's memory back; its edits stay",
+  CLI::App* command = table.add("close", "Unload a session from memory; its edits stay",
                                 [options] { return close_session(*options); });
   command->add_option("SESSION", options->subject, "Name or id")->required();
-  command->add_flag("--delete", options->forget, "Forget its edits, too");
+  command->add_flag("--delete", options->forget, "Delete its edits too");
   add_server_options(*command, options->server);
 }
 

@@ -17,7 +17,7 @@ struct RenderOptions {
   PictureOptions picture;
 };
 
-// Both return the usage message that CLI11 expects of a check: empty when the text is right.
+// Both return the usage message that CLI11 expects from a check: empty if the text is right.
 
 std::string parse_size(const std::string& text, ImageSize& size) {
   int end = 0;
@@ -69,7 +69,7 @@ void add_render_command(CommandTable& commands) {
   command->add_option("--zoom", picture.zoom, "Magnification; 1 shows the whole scan")
       ->check(CLI::Range(0.01, 1000.0))
       ->capture_default_str();
-  command->add_flag("--flat", picture.style.flat, "One shade for each triangle");
+  command->add_flag("--flat", picture.style.flat, "Give each triangle one shade");
   command->add_flag("--wireframe", picture.style.wireframe, "Draw the triangles' edges");
 }
 

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// The first word of a file.
+/// Reads the first word of a file.
 static Result<std::string> read_token(const std::string& path) {
   std::ifstream file(path);
   std::string token;
@@ -44,7 +44,7 @@ static void add_trust_options(CLI::App& command, ServerOption& option) {
   command.add_option("--tls-key", trust.key, "Its private key (PEM)")->envname("BURNISH_TLS_KEY");
   command
       .add_option("--token-file", option.token_file,
-                  "File with the token that the server knows this user by")
+                  "File with the token that identifies this user")
       ->envname("BURNISH_TOKEN_FILE");
   command.add_flag("--insecure", trust.insecure, "Send the token in plain text to another machine");
 }
@@ -61,8 +61,7 @@ void add_server_options(CLI::App& command, ServerOption& option) {
       ->capture_default_str();
   command.add_flag("--json", option.json, "Print the result as JSON");
   command
-      .add_option("--user", option.user,
-                  "Who you are: your edits' author, whose undo is yours alone")
+      .add_option("--user", option.user, "Your name: the author of your edits; only you undo them")
       ->envname("BURNISH_USER");
   add_trust_options(command, option);
 }

@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-/// What every command that talks to a server is told.
+/// Options of every command that talks to a server.
 struct ServerOption {
   std::string server = "127.0.0.1:7411";
   double timeout_seconds = 10;
@@ -19,12 +19,12 @@ struct ServerOption {
   std::string user;
 
   Result<Connection> connect() const;
-  /// With the token that the file holds. Fails: as errno says; invalid_argument for an empty file.
+  /// Returns the trust with the token from the file. Fails: as errno says; invalid_argument for an
+  /// empty file.
   Result<ConnectionTrust> full_trust() const;
 };
 
-/// Adds --server, --timeout, --json, --user, and what a server that is not of this machine asks
-/// for.
+/// Adds --server, --timeout, --json, --user, and the options that a remote server needs.
 void add_server_options(CLI::App& command, ServerOption& option);
 
 /// Adds --depth and --curvature-radius.

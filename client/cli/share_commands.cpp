@@ -62,16 +62,18 @@ Status people(const PeopleOptions& options, bool give_role) {
 
 void add_fork_command(CommandTable& table) {
   auto options = std::make_shared<ForkOptions>();
-  CLI::App* command = table.add("fork", "Open a new session with another's edits, or some of them",
-                                [options] { return fork(*options); });
+  CLI::App* command =
+      table.add("fork", "Open a new session with the edits of another, or some of them",
+                [options] { return fork(*options); });
   command->add_option("SESSION", options->wish.source, "Name or id of the one to fork")->required();
   command->add_option("--session", options->wish.name,
                       "The new session's name; left out: the server chooses");
   CLI::Option* number =
-      command->add_option("--until", options->wish.number, "Number of the last edit that it has")
+      command->add_option("--until", options->wish.number, "Number of the last edit to copy")
           ->check(CLI::Range(uint64_t{1}, uint64_t{1} << 62))
           ->type_name("NUMBER");
-  command->add_option("--checkpoint", options->wish.checkpoint, "Its edits end at this checkpoint")
+  command
+      ->add_option("--checkpoint", options->wish.checkpoint, "Copy the edits up to this checkpoint")
       ->type_name("NAME")
       ->excludes(number);
   add_server_options(*command, options->server);
@@ -86,7 +88,7 @@ void add_people_command(CommandTable& table) {
   CLI::Option* user =
       command->add_option("--give", options->subject, "Who gets the role")->type_name("USER");
   CLI::Option* others =
-      command->add_flag("--others", options->others, "Everybody without one gets the role")
+      command->add_flag("--others", options->others, "Everybody without a role gets it")
           ->excludes(user);
   const std::map<std::string, SessionRole> roles = {{"viewer", SessionRole::kViewer},
                                                     {"editor", SessionRole::kEditor},

@@ -6,7 +6,7 @@ namespace burnish {
 
 static Result<Stroke> parse_brush(const TextLine& line) {
   if (line.words.size() != 5)
-    return invalid_argument("a brush line is: brush RADIUS STRENGTH BETA FALLOFF");
+    return invalid_argument("a brush line must be: brush RADIUS STRENGTH BETA FALLOFF");
   Stroke stroke;
   ASSIGN_OR_RETURN(stroke.brush.radius, parse_real(line.words[1]));
   ASSIGN_OR_RETURN(stroke.brush.strength, parse_real(line.words[2]));
@@ -16,7 +16,7 @@ static Result<Stroke> parse_brush(const TextLine& line) {
 }
 
 static Result<Vec3d> parse_point(const TextLine& line) {
-  if (line.words.size() != 3) return invalid_argument("a point of a path is: X Y Z");
+  if (line.words.size() != 3) return invalid_argument("a point of a path must be: X Y Z");
   Vec3d point;
   for (int axis = 0; axis < 3; ++axis) {
     ASSIGN_OR_RETURN(point[axis], parse_real(line.words[static_cast<size_t>(axis)]));
@@ -30,7 +30,7 @@ static Status parse_line(const TextLine& line, std::vector<Stroke>& strokes) {
     strokes.push_back(std::move(stroke));
     return Status::ok();
   }
-  if (strokes.empty()) return invalid_argument("a brush line comes before the first point");
+  if (strokes.empty()) return invalid_argument("a brush line must come before the first point");
   ASSIGN_OR_RETURN(const Vec3d point, parse_point(line));
   strokes.back().path.push_back(point);
   return Status::ok();
@@ -38,7 +38,7 @@ static Status parse_line(const TextLine& line, std::vector<Stroke>& strokes) {
 
 Result<std::vector<Stroke>> parse_strokes(std::string_view text, const std::string& name) {
   std::vector<Stroke> strokes;
-  std::string begin;  // where the stroke under way began
+  std::string begin;  // place where the current stroke began
   const auto check_last = [&] {
     return strokes.empty() ? Status::ok() : validate(strokes.back()).with_context(begin);
   };

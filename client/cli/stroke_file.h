@@ -9,17 +9,18 @@
 
 namespace burnish {
 
-/// Strokes as text: each begins with its brush and goes on with the points of its path. Lengths in
-/// the scan's units; FALLOFF is smooth, linear, sharp or constant; '#' begins a comment.
+/// Reads strokes from text: each has a line for its brush, then lines for the points of its path.
+/// Lengths are in the scan's units; FALLOFF is smooth, linear, sharp or constant; '#' begins a
+/// comment.
 ///
 ///     brush RADIUS STRENGTH BETA FALLOFF
 ///     X Y Z
 ///     ...
 ///
-/// Fails: as errno says; invalid_argument naming file, line, value and limit.
+/// Fails: as errno says; invalid_argument that names file, line, value and limit.
 Result<std::vector<Stroke>> read_stroke_file(const std::filesystem::path& path);
 
-/// The same from text; `name` serves the messages.
+/// Parses the same text from memory; `name` is used in messages.
 Result<std::vector<Stroke>> parse_strokes(std::string_view text, const std::string& name);
 
 }  // namespace burnish

@@ -21,7 +21,7 @@ struct Options {
   bool restore = false;
 };
 
-/// What each of the edits made or switched, in words.
+/// Prints in words what each edit changed.
 Status print_outcome(Connection& connection, const Options& options, const char* done,
                      const std::vector<uint64_t>& numbers) {
   ASSIGN_OR_RETURN(const std::vector<HistoryEntry> history, connection.history(options.session));
@@ -73,14 +73,14 @@ void add_steps_option(CLI::App& command, Options& options, const char* descripti
 
 void add_undo_command(CommandTable& table) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = table.add("undo", "Take back your last edits of a session; others' stay",
+  CLI::App* command = table.add("undo", "Undo your last edits of a session; edits of others stay",
                                 [=] { return apply_steps(*options, Undo{}, "undone"); });
   add_steps_option(*command, *options, "How many edits");
 }
 
 void add_redo_command(CommandTable& table) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = table.add("redo", "Bring back what you have undone last",
+  CLI::App* command = table.add("redo", "Redo the edits that you undid last",
                                 [=] { return apply_steps(*options, Redo{}, "redone"); });
   add_steps_option(*command, *options, "How many edits");
 }

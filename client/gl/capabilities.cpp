@@ -4,7 +4,8 @@
 
 namespace burnish {
 
-// Indices, half a vertex, its share of cells and corners; and as much again for everything else.
+// Bytes for indices, half a vertex, and its part of cells and corners; then doubled for all the
+// rest.
 static constexpr uint64_t kBytesPerTriangle = 200;
 static constexpr uint64_t kSoftwareTrianglesMax = 200'000;
 

@@ -5,9 +5,9 @@
 
 namespace burnish {
 
-/// What the card of the current context can hold.
+/// Limits of the graphics card of the current context.
 struct Capabilities {
-  uint64_t triangles_max = 0;  ///< 0: no limit is known
+  uint64_t triangles_max = 0;  ///< 0: no known limit
   std::string triangles_why;   ///< in words
 };
 

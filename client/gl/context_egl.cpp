@@ -32,7 +32,7 @@ std::vector<EGLDeviceEXT> egl_devices() {
   return {devices.begin(), devices.begin() + count};
 }
 
-// Displays that need no window system, the best first.
+// Returns displays that need no window system, the best first.
 std::vector<EGLDisplay> candidate_displays() {
   const auto get_display =
       egl_extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
@@ -65,7 +65,8 @@ EGLContext make_context(EGLDisplay display) {
 }  // namespace
 
 Result<std::unique_ptr<EglContext>> EglContext::create() {
-  // libepoxy ends the process when it cannot load the library, so ask first. It stays loaded.
+  // libepoxy ends the process when it cannot load the library, so this tries first. The library
+  // stays loaded.
   if (dlopen("libEGL.so.1", RTLD_LAZY | RTLD_GLOBAL) == nullptr)
     return no_context("the library libEGL.so.1 is missing");
   const std::vector<EGLDisplay> displays = candidate_displays();
@@ -84,7 +85,7 @@ Result<std::unique_ptr<EglContext>> EglContext::create() {
 EglContext::~EglContext() {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
-  // The display stays: EGL has one for the whole process, and other contexts may live on it.
+  // The display stays open: EGL has one per process, and other contexts may use it.
 }
 
 }  // namespace burnish

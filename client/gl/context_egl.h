@@ -6,11 +6,11 @@
 
 namespace burnish {
 
-/// An OpenGL 3.3 core context without a window, made through EGL: on Mesa's surfaceless platform,
-/// else on the first device that has a driver. Current on the thread that made it.
+/// An OpenGL 3.3 core context without a window. EGL makes it on Mesa's surfaceless platform, else
+/// on the first device that has a driver. It is current on the thread that made it.
 class EglContext {
  public:
-  /// Fails: unavailable, saying what is missing: the EGL library, a driver, or OpenGL 3.3.
+  /// Fails: unavailable, with the missing part: the EGL library, a driver, or OpenGL 3.3.
   static Result<std::unique_ptr<EglContext>> create();
   ~EglContext();
   EglContext(const EglContext&) = delete;

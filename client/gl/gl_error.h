@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// What OpenGL holds against the calls since the last check; `what` is the subject of the message.
+/// Returns OpenGL's error since the last check; `what` is the subject of the message.
 inline Status check_gl(const std::string& what) {
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return Status::ok();

@@ -12,7 +12,8 @@
 
 namespace burnish {
 
-/// Draws with the OpenGL context that is current on the calling thread, which must outlive it.
+/// Draws with the OpenGL context that is current on the calling thread. Needs: the context outlives
+/// this object.
 class GlRenderer : public Renderer {
  public:
   /// Fails: internal_error when the driver refuses a shader.
@@ -34,9 +35,10 @@ class GlRenderer : public Renderer {
   Result<std::optional<uint32_t>> pick(const Camera& camera, const ImageSize& size,
                                        const Eigen::Vector2i& pixel, bool original) override;
 
-  /// Copies the last drawn picture into the window's own buffer, its lower left corner there.
+  /// Copies the last drawn picture into the window's own buffer, with its lower left corner at this
+  /// place.
   void show(const Eigen::Vector2i& lower_left) const { target_.show(lower_left); }
-  /// Makes the window's own buffer dark, and the one that is drawn to.
+  /// Clears the window's own buffer to dark and makes it the drawing target.
   void clear_window() const;
 
  private:
@@ -53,7 +55,7 @@ class GlRenderer : public Renderer {
 
   Programs programs_;
   MeshBuffers mesh_;
-  MeshBuffers no_mesh_;  // core profiles draw nothing without a vertex array
+  MeshBuffers no_mesh_;  // a core profile needs a vertex array to draw
   SurfaceBuffers surface_;
   PictureTarget target_;
   PickTarget pick_target_;

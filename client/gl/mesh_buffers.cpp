@@ -24,7 +24,7 @@ static void fill_attribute(GLuint index, GLint components, GLuint buffer,
   glEnableVertexAttribArray(index);
 }
 
-// Without a grid both attributes are off; their constant value is never read.
+// Without a grid both attributes are off; the shader never reads their constant value.
 static void fill_points(GLuint buffer, const std::vector<EvaluationPoint>& points) {
   if (points.empty()) {
     glDisableVertexAttribArray(3);
@@ -61,7 +61,7 @@ Status MeshBuffers::upload(const ViewMesh& mesh) {
   index_count_ = 0;
   if (mesh.triangles.size() > kDrawnTrianglesMax)
     return resource_exhausted("mesh has " + std::to_string(mesh.triangles.size()) +
-                              " triangles, a picture can show " +
+                              " triangles, the limit of a picture is " +
                               std::to_string(kDrawnTrianglesMax));
   bind();
   fill_attribute(0, 3, positions_, mesh.positions);

@@ -7,9 +7,9 @@
 
 namespace burnish {
 
-/// Positions (attribute 0), normals (1), ridges (2), cells and places in them (3, 4; where the mesh
-/// has a grid) and indices of one mesh on the card.
-/// Needs a current context for its whole life.
+/// One mesh on the graphics card: positions (attribute 0), normals (1), ridges (2), cells (3) and
+/// places in cells (4) if the mesh has a grid, and indices. Needs: a current context for its whole
+/// life.
 class MeshBuffers {
  public:
   MeshBuffers();
@@ -17,8 +17,8 @@ class MeshBuffers {
   MeshBuffers(const MeshBuffers&) = delete;
   MeshBuffers& operator=(const MeshBuffers&) = delete;
 
-  /// Fails: resource_exhausted for more triangles than one draw call takes, or when the driver has
-  /// no room; then the buffers are empty.
+  /// Fails: resource_exhausted for more triangles than one draw call takes, or when the driver is
+  /// out of memory. Then the buffers are empty.
   Status upload(const ViewMesh& mesh);
   void clear() { index_count_ = 0; }
   bool is_empty() const { return index_count_ == 0; }

@@ -7,7 +7,8 @@
 
 namespace burnish {
 
-// Camera space in units of the mesh's half diagonal, so that floats suffice at any file unit.
+// Returns the matrix to camera space in units of the mesh's half diagonal, so that floats suffice
+// for any file unit.
 static Eigen::Matrix4d model_view(const MeshPlace& place, const Camera& camera) {
   Eigen::Matrix4d centre = Eigen::Matrix4d::Identity();
   centre.topRightCorner<3, 1>() = place.centre;

@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-/// Where a mesh lies and how large its units are: all that placing it needs.
+/// The place and the units of a mesh.
 struct MeshPlace {
   Vec3d centre = Vec3d::Zero();  ///< file units
   double unit = 1;               ///< half the diagonal, file units
@@ -13,12 +13,12 @@ struct MeshPlace {
   bool has_grid = false;
 };
 
-/// Sets what the mesh's vertex shader needs. `clip` follows the projection.
+/// Sets the uniforms of the mesh's vertex shader. `clip` is applied after the projection.
 void set_place(const ShaderProgram& program, const MeshPlace& place, const Camera& camera,
                double aspect, bool original,
                const Eigen::Matrix4d& clip = Eigen::Matrix4d::Identity());
 
-/// Sets what the mesh's fragment shader needs.
+/// Sets the uniforms of the mesh's fragment shader.
 void set_style(const ShaderProgram& program, const MeshPlace& place, const DrawStyle& style);
 
 }  // namespace burnish

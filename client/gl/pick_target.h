@@ -11,8 +11,8 @@
 
 namespace burnish {
 
-/// One pixel that holds a triangle's number plus one, and its depth. Needs a current context for
-/// its whole life.
+/// A target of one pixel that holds a triangle's number plus one, and its depth. Needs: a current
+/// context for its whole life.
 class PickTarget {
  public:
   PickTarget();
@@ -23,7 +23,7 @@ class PickTarget {
   /// Makes the target empty and ready for drawing. Fails: resource_exhausted.
   Status bind() const;
 
-  /// What was drawn last into the pixel, if anything.
+  /// Returns the triangle drawn last into the pixel, if any.
   std::optional<uint32_t> read() const;
 
  private:
@@ -32,7 +32,7 @@ class PickTarget {
   GLuint depth_ = 0;
 };
 
-/// Magnifies clip space so that one pixel fills it.
+/// Returns a matrix that magnifies clip space so that one pixel fills it.
 Eigen::Matrix4d pick_matrix(const ImageSize& size, const Eigen::Vector2i& pixel);
 
 }  // namespace burnish

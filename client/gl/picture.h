@@ -9,13 +9,13 @@ namespace burnish {
 
 struct PictureOptions {
   ImageSize size{1280, 960};
-  double azimuth_degrees = 25;  ///< of the camera, see Camera
+  double azimuth_degrees = 25;  ///< see Camera
   double elevation_degrees = 20;
   double zoom = 1;
   DrawStyle style;
 };
 
-/// One picture of the whole mesh, without a window.
+/// Draws one picture of the whole mesh, without a window.
 /// Needs: a valid mesh. Fails: invalid_argument (size), unavailable (no EGL or driver),
 /// resource_exhausted.
 Result<Image> draw_picture(const TriangleMesh& mesh, const PictureOptions& options);

@@ -81,14 +81,14 @@ void PictureTarget::show(const Eigen::Vector2i& lower_left) const {
 }
 
 Result<Image> PictureTarget::read() const {
-  if (size_ == ImageSize{}) return failed_precondition("nothing was drawn yet");
+  if (size_ == ImageSize{}) return failed_precondition("nothing has been drawn yet");
   const size_t row_bytes = 3 * static_cast<size_t>(size_.width);
   Image image{size_, std::vector<uint8_t>(row_bytes * size_.height)};
   glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, size_.width, size_.height, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
   RETURN_IF_ERROR(check_gl("reading the picture"));
-  for (int low = 0, high = size_.height - 1; low < high; ++low, --high) {  // OpenGL's rows go up
+  for (int low = 0, high = size_.height - 1; low < high; ++low, --high) {  // OpenGL rows go up
     uint8_t* const first = image.rgb.data() + low * row_bytes;
     std::swap_ranges(first, first + row_bytes, image.rgb.data() + high * row_bytes);
   }

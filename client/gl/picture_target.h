@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-/// Where a picture is drawn: a multisampled colour and depth buffer, and a plain colour buffer that
-/// it is resolved into. Needs a current context for its whole life.
+/// The target of a picture: a multisampled colour and depth buffer, and a plain colour buffer for
+/// the averaged samples. Needs: a current context for its whole life.
 class PictureTarget {
  public:
   PictureTarget();
@@ -21,13 +21,13 @@ class PictureTarget {
   /// Fails: invalid_argument (check_image_size), resource_exhausted (the driver's limit or memory).
   Status bind(const ImageSize& size);
 
-  /// Averages the samples of what was drawn.
+  /// Averages the samples into the plain buffer.
   void resolve() const;
 
   /// Copies the resolved picture into the window's own buffer.
   void show(const Eigen::Vector2i& lower_left) const;
 
-  /// The resolved picture. Fails: failed_precondition before the first bind().
+  /// Returns the resolved picture. Fails: failed_precondition before the first bind().
   Result<Image> read() const;
 
  private:

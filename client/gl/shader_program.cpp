@@ -10,7 +10,7 @@ static Status compile(GLuint program, GLenum kind, const char* source) {
   glShaderSource(shader, 1, &source, nullptr);
   glCompileShader(shader);
   glAttachShader(program, shader);
-  glDeleteShader(shader);  // lives on while it is attached
+  glDeleteShader(shader);  // an attached shader stays alive
   GLint compiled = GL_FALSE;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
   if (compiled == GL_TRUE) return Status::ok();

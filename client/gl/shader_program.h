@@ -9,10 +9,10 @@
 
 namespace burnish {
 
-/// A linked pair of shaders. Needs a current context for its whole life.
+/// A linked pair of shaders. Needs: a current context for its whole life.
 class ShaderProgram {
  public:
-  /// Fails: internal_error with the compiler's log; `name` only serves the message.
+  /// Fails: internal_error with the compiler's log; `name` is only used in the message.
   static Result<ShaderProgram> create(const std::string& name, const char* vertex_source,
                                       const char* fragment_source);
   ShaderProgram(ShaderProgram&& other) noexcept;
@@ -20,7 +20,7 @@ class ShaderProgram {
   ~ShaderProgram();
 
   void use() const { glUseProgram(program_); }
-  /// For the program in use.
+  /// Set uniforms of the program in use.
   void set(const char* uniform, bool value) const;
   void set(const char* uniform, int value) const;
   void set(const char* uniform, float value) const;

@@ -2,9 +2,9 @@
 
 namespace burnish {
 
-// The displacement at a vertex is trilinear in its cell: sum of corner displacements times weights.
-// A normal moves with the surface by the cofactors of the map's Jacobian F = I + grad u, so that it
-// stays across the surface wherever the map leads.
+// The displacement at a vertex is trilinear in its cell: the sum of corner displacements times
+// weights. A normal is mapped by the cofactors of the Jacobian F = I + grad u, so that it stays
+// normal to the displaced surface.
 const char* const kMeshVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;

@@ -2,8 +2,8 @@
 
 namespace burnish {
 
-/// GLSL 3.30 sources. Light and colour are computed in linear light in camera space, so that a
-/// turn of the camera never moves the light off the surface.
+/// GLSL 3.30 sources. Shading is computed in linear light and in camera space, so the light moves
+/// with the camera.
 extern const char* const kMeshVertexShader;
 extern const char* const kMeshFragmentShader;
 extern const char* const kPickFragmentShader;  ///< with the mesh's vertex shader

@@ -11,20 +11,21 @@
 
 namespace burnish {
 
-/// An array on the card that shaders read by index. Needs a current context for its whole life.
+/// An array on the graphics card that shaders read by index. Needs: a current context for its whole
+/// life.
 class TextureBuffer {
  public:
-  /// `format` is of one texel, e.g. GL_RGBA32F with `texel_bytes` 16.
+  /// `format` is the format of one texel, e.g. GL_RGBA32F with `texel_bytes` 16.
   TextureBuffer(GLenum format, size_t texel_bytes);
   ~TextureBuffer();
   TextureBuffer(const TextureBuffer&) = delete;
   TextureBuffer& operator=(const TextureBuffer&) = delete;
 
-  /// Makes room for so many texels, all zero.
+  /// Makes room for `texels` texels, all zero.
   /// Fails: resource_exhausted above the driver's limit of texels or memory; `what` is the subject.
   Status allocate(size_t texels, const std::string& what);
 
-  /// Replaces texels range.first.. by these bytes. Needs: whole texels inside the buffer.
+  /// Replaces the texels from `first` on by these bytes. Needs: whole texels inside the buffer.
   void write(size_t first, std::span<const std::byte> bytes) const;
 
   void bind(int unit) const;

@@ -10,7 +10,8 @@
 
 static char kWindow[] = "window";
 
-// `burnish` alone, with a mesh file or with an option begins the window, where there is one.
+// Returns true if the build has a window and the command line is empty, or begins with a mesh file
+// or an option.
 static bool means_window(const CLI::App& app, const std::vector<char*>& words) {
   const auto windows =
       app.get_subcommands([](const CLI::App* one) { return one->get_name() == kWindow; });
@@ -23,10 +24,10 @@ static bool means_window(const CLI::App& app, const std::vector<char*>& words) {
 
 int main(int argc, char** argv) {
   burnish::sleep_while_waiting(argv);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond a quota is an error of the write
+  std::signal(SIGXFSZ, SIG_IGN);  // beyond a file size limit, write() fails instead
   CLI::App app("Burnish: smooths and sharpens scanned surfaces.", "burnish");
   app.set_version_flag("--version", "burnish " BURNISH_VERSION);
-  app.footer("burnish COMMAND --help says more of a command.");
+  app.footer("burnish COMMAND --help describes a command.");
   burnish::CommandTable table(app);
   burnish::add_window_command(table);
   burnish::add_generate_command(table);

@@ -10,8 +10,8 @@
 
 namespace burnish {
 
-/// Long work as people see it: what it is, how far, and a way to end it. Shared by the thread that
-/// works and the one that shows it.
+/// Long work as users see it: its name, its progress, and a way to end it. The working thread and
+/// the showing thread share it.
 class Activity {
  public:
   explicit Activity(std::string title) : title_(std::move(title)) {}
@@ -40,7 +40,7 @@ class Activity {
   State state_;
 };
 
-/// Reports to the activity; ends the work when either side wants that.
+/// Returns a Progress that reports to the activity and ends the work when either side asks for it.
 inline Progress progress_of(std::shared_ptr<Activity> activity, std::stop_token stop) {
   return [activity = std::move(activity), stop = std::move(stop)](std::string_view phase,
                                                                   double fraction) {

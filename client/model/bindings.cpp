@@ -38,7 +38,7 @@ Status Bindings::bind(std::string_view action_name, const std::string& key) {
   const auto info = std::find_if(actions().begin(), actions().end(),
                                  [&](const ActionInfo& one) { return one.name == action_name; });
   if (info == actions().end())
-    return invalid_argument("keys: there is no action '" + std::string(action_name) + "'");
+    return invalid_argument("keys: unknown action '" + std::string(action_name) + "'");
   const auto other = action_of(key);
   if (other && *other != info->action)
     return invalid_argument("keys: '" + key + "' is given to '" + std::string(action_name) +

@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// What keys do.
+/// Actions of keys.
 enum class Action {
   kUndo,
   kRedo,
@@ -34,14 +34,14 @@ enum class Action {
 struct ActionInfo {
   Action action;
   std::string_view name;  ///< in the configuration file
-  std::string_view key;   ///< unless the file says otherwise, e.g. "Ctrl+Z"
+  std::string_view key;   ///< default key, e.g. "Ctrl+Z"
   std::string_view description;
 };
 
-/// All of them, in the order of the key help.
+/// Returns all actions, in the order of the key help.
 const std::array<ActionInfo, 17>& actions();
 
-/// Which key does what. A key is written as modifiers (Ctrl, Shift, Alt in that order) and a name,
+/// Maps keys to actions. A key is written as modifiers (Ctrl, Shift, Alt in that order) and a name,
 /// joined by '+': "Ctrl+Shift+Z", "F", "[", "Home", "Escape".
 class Bindings {
  public:

@@ -11,9 +11,10 @@
 
 namespace burnish {
 
-static constexpr int kFirstFree = 3;  // descriptor behind the outputs
+static constexpr int kFirstFree = 3;  // first descriptor after the outputs
 
-// Between fork and exec nothing may take memory or a lock: other threads may have held it.
+// Runs between fork and exec. Must not allocate or lock: another thread may have held a lock at the
+// fork.
 [[noreturn]] static void become(char* const* words, const char* log, int life) {
   umask(S_IRWXG | S_IRWXO);
   const int input = open("/dev/null", O_RDONLY);
@@ -39,7 +40,7 @@ Result<DetachedProgram> DetachedProgram::start(const std::vector<std::string>& w
   DetachedProgram program(pipe[0]);
   const pid_t pid = fork();
   if (pid == 0) {
-    // The child of a child that has ended belongs to nobody who would have to wait for it.
+    // The parent of the second child has ended, so nobody has to wait for the second child.
     setsid();
     if (fork() == 0) become(arguments.data(), log.c_str(), pipe[1]);
     _exit(0);

@@ -8,13 +8,14 @@
 
 namespace burnish {
 
-/// A program that runs on when this one ends, and when this one's terminal closes. It hears and
-/// says nothing but its log.
+/// A program that keeps running when this program ends or its terminal closes. It reads no input
+/// and writes only to its log.
 class DetachedProgram {
  public:
-  /// Starts `words[0]` with the rest as arguments; both outputs go to `log`, which is written anew.
-  /// Files that it makes are for this user alone (umask 077). Its folder is the root, so paths are
-  /// absolute. Fails: as errno says, but a program that cannot be run ends by itself.
+  /// Starts `words[0]` with the rest as arguments; both outputs go to `log`, which is overwritten.
+  /// Only this user can read the files that it makes (umask 077). Its folder is the root. Needs:
+  /// absolute paths. Fails: as errno says. A program that cannot run is no failure here: it ends by
+  /// itself.
   static Result<DetachedProgram> start(const std::vector<std::string>& words,
                                        const std::filesystem::path& log);
   DetachedProgram(DetachedProgram&& other) noexcept;
@@ -26,7 +27,7 @@ class DetachedProgram {
  private:
   explicit DetachedProgram(int life) : life_(life) {}
 
-  int life_;  // a pipe whose other end the program holds
+  int life_;  // a pipe; the program holds its other end
 };
 
 }  // namespace burnish

@@ -27,7 +27,7 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
       edits_known_(opened_.session.edits),
       told_{edits_known_, opened_.state.gradient_scale, opened_.state.transfer_curve} {
   welcome_.session = opened_.session;
-  welcome_.role = SessionRole::kEditor;  // until the server says
+  welcome_.role = SessionRole::kEditor;  // until the server tells the role
   LiveOptions options;
   options.greeting = {opened_.session.id, opened_.triangles_max, FrameContent::kCoefficients};
   options.view = opened_.view;
@@ -92,7 +92,7 @@ void Document::show_begun_stroke() {
 }
 
 void Document::extend_stroke(const Vec3d& point) {
-  if (!brush_.extend(point)) {  // a long stroke goes on as another
+  if (!brush_.extend(point)) {  // the stroke is full: continue with a new one
     const Brush same = brush_.stroke().brush;
     end_stroke();
     brush_.go_on(same, point);
@@ -104,7 +104,7 @@ void Document::extend_stroke(const Vec3d& point) {
   live_->preview(gesture_, Stroke{brush_.stroke().brush, points});
 }
 
-// Dabs along the way that the server will take.
+// Tints the dabs that the server will paint along these points.
 void Document::add_dabs(const std::vector<Vec3d>& points) {
   Stroke way{brush_.stroke().brush, {last_dab_}};
   way.path.insert(way.path.end(), points.begin(), points.end());
@@ -126,7 +126,7 @@ void Document::cancel_stroke() {
   tint_changed_ = united(tint_changed_, tint_.clear());
 }
 
-// No frame will show them.
+// Forgets strokes that no frame will show.
 void Document::forget_strokes() {
   if (brush_.is_drawing()) cancel_stroke();
   tinted_.clear();

@@ -19,28 +19,27 @@
 
 namespace burnish {
 
-/// What is fetched, in the background, before a session is shown.
+/// Data fetched in the background before a session is shown.
 struct OpenedDocument {
   std::string server;
   std::shared_ptr<Connection> connection;
   SessionInfo session;
   ScanDescription scan;
   std::shared_ptr<const View> view;
-  uint64_t triangles_max = 0;  ///< that the view was fetched with
+  uint64_t triangles_max = 0;  ///< limit of the fetched view
   ViewMesh mesh;
   SessionState state;
   std::vector<HistoryEntry> history;
 };
 
-/// What colours the surface.
+/// The quantity that colours the surface.
 enum class ColourBy { kNothing, kBeta, kCurvature, kDisplacement };
 
-/// An open session as its window sees it: the surface, what it was told, who is there; and the ways
-/// to tell it more. Nothing here waits for the network. Used from one thread.
+/// An open session as its window sees it: the surface, the state, the people, and the edits that
+/// the user makes. Never waits for the network. Used from one thread.
 class Document {
  public:
-  /// `wake` is called from other threads when update() has something to do. `clock` is for the link
-  /// to the server.
+  /// Other threads call `wake` when update() has something to do. The server link uses `clock`.
   Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorder& recorder,
            std::function<void()> wake, Clock clock = std::chrono::steady_clock::now);
 
@@ -51,13 +50,13 @@ class Document {
   DisplacedSurface surface() const { return {opened_.mesh, displacements_}; }
   double diagonal() const { return 2 * opened_.mesh.unit(); }
 
-  /// Once, before the first update(). Fails: as the renderer does.
+  /// Call once, before the first update(). Fails: as the renderer does.
   Status show(Renderer& renderer) const { return renderer.upload_mesh(opened_.mesh); }
 
-  /// Takes what came from the server, and brings what is drawn up to date. Once per picture.
+  /// Handles news from the server and updates the drawn surface. Call once per picture.
   Status update(Renderer& renderer);
 
-  // The gradient scale and the curve follow a drag at once, as a preview; commit when it ends.
+  // During a drag, preview the gradient scale and the curve; at its end, commit.
   double beta() const { return beta_; }
   void preview_beta(double beta);
   void commit_beta();
@@ -67,13 +66,13 @@ class Document {
   void commit_curve();
   void apply(const Preset& preset);
 
-  // A stroke, from point to point of the original surface.
+  // Draw a stroke from point to point of the original surface.
   BrushTool& brush() { return brush_; }
   const BrushTool& brush() const { return brush_; }
   void begin_stroke(BrushMode mode, const Vec3d& point);
   void extend_stroke(const Vec3d& point);
   void end_stroke();
-  /// A whole stroke at once.
+  /// Paints a whole stroke.
   void paint(Stroke stroke) { send(std::move(stroke)); }
   void cancel_stroke();
   void move_ring(const std::optional<BrushRing>& ring) { live_->move_brush(ring); }
@@ -95,16 +94,16 @@ class Document {
   LinkState link() const { return link_; }
   const std::string& link_reason() const { return link_reason_; }
   size_t unacknowledged() const { return unacknowledged_; }
-  double shown_after_ms() const { return shown_after_ms_; }  ///< of the last edit of ours; 0: none
+  double shown_after_ms() const { return shown_after_ms_; }  ///< delay of our last edit; 0: none
   const ProgressReport& progress() const { return progress_; }
   bool is_viewer() const { return welcome_.role == SessionRole::kViewer; }
 
-  /// Rises when update() changed what is drawn.
+  /// Returns a number that rises when update() changes the picture.
   uint64_t picture_changes() const { return picture_changes_; }
 
-  /// All that was asked for is done, and shown: the surface, the values and the history.
+  /// Returns true if every edit is applied and shown, in the surface, the values and the history.
   bool is_settled() const;
-  /// Why nothing more will come, if so.
+  /// Returns true if the session has ended.
   bool has_ended() const { return link_ == LinkState::kEnded; }
 
  private:
@@ -135,13 +134,13 @@ class Document {
   CellTint tint_;
   IndexRange tint_changed_;
   Vec3d last_dab_ = Vec3d::Zero();
-  std::string gesture_;  // the id of the edit that the running drag or stroke will be; else empty
+  std::string gesture_;              // id of the edit of the running drag or stroke; else empty
   std::vector<std::string> tinted_;  // strokes that no frame shows yet
 
   ColourBy colour_ = ColourBy::kNothing;
   std::vector<float> cell_values_;
   bool cell_values_changed_ = false;
-  std::vector<float> curvature_;  // fetched once
+  std::vector<float> curvature_;  // fetched only once
 
   std::vector<HistoryEntry> history_;
   SessionPeople people_;
@@ -152,7 +151,7 @@ class Document {
   ProgressReport progress_;
   size_t unacknowledged_ = 0;
   uint64_t picture_changes_ = 0;
-  uint64_t edits_known_ = 0;  // of the session, on disk
+  uint64_t edits_known_ = 0;  // the session's edits on disk
   HistoryState told_;         // the newest values of the session
   bool is_told_taken_ = true;
   double shown_after_ms_ = 0;
@@ -164,7 +163,7 @@ class Document {
   };
   std::shared_ptr<Fetch> history_fetch_ = std::make_shared<Fetch>();
   std::shared_ptr<Fetch> cells_fetch_ = std::make_shared<Fetch>();
-  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may come after us
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may outlive us
   std::unique_ptr<SessionLink> live_;                           // last: its thread calls wake_
 };
 

@@ -5,8 +5,8 @@
 
 namespace burnish {
 
-/// What a key does to the open session and its picture; actions of the window alone do nothing
-/// here. Needs: a document.
+/// Applies an action to the open session and its picture. Ignores actions of the window. Needs: a
+/// document.
 void do_document_action(Action action, Workspace& workspace);
 
 }  // namespace burnish

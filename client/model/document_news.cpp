@@ -23,7 +23,8 @@ Status Document::update(Renderer& renderer) {
   return Status::ok();
 }
 
-// Values of a tile follow the corners' order: what a tile changes is one short range of corners.
+// Uploads the changed corners. A tile's values are in the order of corners, so a tile changes one
+// short range of them.
 Status Document::take_displacement(const Displacement& displacement, Renderer& renderer) {
   const FrameLayout& layout = *displacement.layout;
   std::vector<IndexRange> changed;
@@ -92,8 +93,8 @@ void Document::handle(const LiveEvent& event) {
              event);
 }
 
-// Somebody's edit, or an undo. What this person is dragging stays as it is; and what the server
-// tells after an edit may come after the answer to the next one.
+// Takes the slider and the curve from the server after an edit or an undo. A value that the user is
+// dragging stays. The server's news of an edit may come after the answer to the next edit.
 void Document::follow_server() {
   const bool is_mine_newer = !gesture_.empty() || unacknowledged_ > 0;
   if (is_told_taken_ || is_mine_newer || told_.edits < edits_known_) return;

@@ -5,27 +5,27 @@
 
 namespace burnish {
 
-/// Leaves the open session, or the window with it, once all edits are saved. A server that answers
-/// is given a moment; what takes longer is for the user to decide.
+/// Leaves the open session, or the window, once all edits are saved. It gives a server that answers
+/// a moment; if saving takes longer, the user decides.
 class Leaving {
  public:
   using Time = std::chrono::steady_clock::time_point;
   enum class What { kSession, kWindow };
   enum class Step {
-    kStay,   ///< nobody wants to leave
-    kSave,   ///< the moment that is given
-    kAsk,    ///< wait(), discard() or stay()?
-    kWait,   ///< until all is saved, as the user wants
-    kLeave,  ///< now
+    kStay,   ///< the user does not want to leave
+    kSave,   ///< the server has a moment to save
+    kAsk,    ///< the user chooses: wait(), discard() or stay()
+    kWait,   ///< the user waits until all edits are saved
+    kLeave,  ///< leave now
   };
 
-  /// Somebody wants to leave. Harmless when it is said again.
+  /// Begins to leave. A second call is harmless.
   void begin(What what, Time now);
   void wait() { is_waiting_ = true; }
   void discard() { is_discarding_ = true; }
   void stay() { *this = {}; }
 
-  /// Once per picture. `is_live`: the server answers.
+  /// Returns the next step. Call once per picture. `is_live`: the server answers.
   Step update(size_t unsaved_edits, bool is_live, Time now);
   What what() const { return what_; }
 

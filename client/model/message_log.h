@@ -18,7 +18,7 @@ struct Message {
 
 inline constexpr size_t kMessagesKeptMax = 1000;
 
-/// All that was told to the user, oldest first.
+/// All messages to the user, oldest first.
 class MessageLog {
  public:
   void add(Severity severity, std::string text) {
@@ -28,7 +28,7 @@ class MessageLog {
   void info(std::string text) { add(Severity::kInfo, std::move(text)); }
   void warning(std::string text) { add(Severity::kWarning, std::move(text)); }
 
-  /// Tells why something failed; that somebody cancelled it is no error.
+  /// Reports why something failed. A cancellation is not an error.
   void failure(const std::string& what, const Status& status) {
     const bool is_cancelled = status.code() == StatusCode::kCancelled;
     add(is_cancelled ? Severity::kInfo : Severity::kError, what + ": " + status.message());

@@ -2,7 +2,7 @@
 
 namespace burnish {
 
-// The scan is prepared before its session opens, so that this can be seen and cancelled.
+// Prepares the scan before its session opens, so that users see the preparation and can cancel it.
 Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
                                      const SessionWish& wish, uint64_t triangles_max,
                                      const Progress& progress) {

@@ -9,9 +9,9 @@ namespace burnish {
 
 inline constexpr int kPointerButtons = 3;
 
-/// The pointer as the panels are to see it. They look at it once per picture: of a click that came
-/// and went between two pictures they would see nothing, and of a drag neither where it began nor
-/// where it ended. So it is led past them in steps, with one change of a button in a picture.
+/// The pointer as the panels see it. Panels look at the pointer once per picture. They would miss a
+/// click between two pictures, and the begin and end of a drag. So the queue shows the pointer in
+/// steps, with one change of a button per picture.
 class PointerQueue {
  public:
   struct State {
@@ -20,21 +20,21 @@ class PointerQueue {
   };
 
   void move(const Eigen::Vector2d& place);
-  /// Where the pointer is. Needs: 0 <= button < kPointerButtons.
+  /// Adds a change of a button at the pointer's place. Needs: 0 <= button < kPointerButtons.
   void press(int button, bool down);
 
-  /// The next step: as far as the pointer went until a button changed, or that change.
+  /// Returns the next step: all moves up to a change of a button, or that change.
   const State& next();
-  /// There are more steps.
+  /// Returns true if there are more steps.
   bool has_more() const { return !steps_.empty(); }
 
-  /// Where the pointer went last.
+  /// Returns the last place of the pointer.
   const Eigen::Vector2d& place() const { return last_; }
 
  private:
   struct Step {
     Eigen::Vector2d place;
-    int button = -1;  // none: a move
+    int button = -1;  // -1: a move
     bool down = false;
   };
 

@@ -12,41 +12,42 @@ namespace burnish {
 
 inline constexpr size_t kRecentMax = 12;
 
-/// A scan or session that was open, most recent first.
+/// A scan or session that was open.
 struct RecentSession {
   std::string server;  ///< empty: the private server of this machine
   std::string session;
-  std::string scan;  ///< its name
+  std::string scan;  ///< name of the scan
   bool operator==(const RecentSession&) const = default;
 };
 
-/// What the window remembers between runs.
+/// State that the window keeps between runs.
 struct Preferences {
   std::string user;
-  std::string server;  ///< the last one that was typed
+  std::string server;  ///< the last server that the user typed
   std::vector<RecentSession> recent;
   double brush_radius_part = 0.03;  ///< of the scan's diagonal
   double brush_strength = 0.6;
   double brush_beta = 0;
-  double scale = 0;  ///< of fonts and panels; 0: as the screen says
+  double scale = 0;  ///< of fonts and panels; 0: the screen's scale
   int window_width = 1280;
   int window_height = 720;
-  std::map<std::string, std::string> keys;  ///< action to key, where not the default
+  std::map<std::string, std::string> keys;  ///< action to key, if not the default
 };
 
-/// $XDG_CONFIG_HOME/burnish/window.toml, or below ~/.config. Empty without a home.
+/// Returns $XDG_CONFIG_HOME/burnish/window.toml, or the same below ~/.config. Empty without a home.
 std::filesystem::path preferences_path();
 
-/// $XDG_DATA_HOME/burnish, or below ~/.local/share: where the private server keeps its scans.
+/// Returns the private server's folder for scans: $XDG_DATA_HOME/burnish, or the same below
+/// ~/.local/share.
 std::filesystem::path private_data_folder();
 
-/// Defaults where there is no file. Fails: invalid_argument naming the file and what is wrong.
+/// Returns defaults if there is no file. Fails: invalid_argument that names the file and the error.
 Result<Preferences> read_preferences(const std::filesystem::path& path);
 
-/// Makes the folder. Both are for this user alone. Fails: as errno says.
+/// Writes the file and makes its folder; only this user can read them. Fails: as errno says.
 Status write_preferences(const Preferences& preferences, const std::filesystem::path& path);
 
-/// Puts an entry first; forgets the oldest.
+/// Puts an entry first and drops the oldest.
 void remember(Preferences& preferences, const RecentSession& session);
 
 }  // namespace burnish

@@ -23,7 +23,7 @@ static std::string octal(mode_t mode) {
 
 Status make_private_folder(const std::filesystem::path& folder) {
   auto path = std::filesystem::absolute(folder).lexically_normal();
-  if (!path.has_filename()) path = path.parent_path();  // a link with a slash is what it leads to
+  if (!path.has_filename()) path = path.parent_path();  // "link/" means the target of link
   std::error_code error;
   std::filesystem::create_directories(path.parent_path(), error);
   if (error) return errno_status("cannot make " + path.parent_path().string(), error.value());
@@ -32,14 +32,14 @@ Status make_private_folder(const std::filesystem::path& folder) {
   struct stat found = {};
   if (lstat(path.c_str(), &found) != 0)
     return errno_status("cannot look at " + path.string(), errno);
-  if (S_ISLNK(found.st_mode)) return refused(path, "is a link: name the folder that it leads to");
+  if (S_ISLNK(found.st_mode)) return refused(path, "is a link; name the folder that it points to");
   if (!S_ISDIR(found.st_mode)) return refused(path, "is a file");
   if (found.st_uid != geteuid())
     return refused(path, "belongs to user " + std::to_string(found.st_uid) + ", not to " +
                              std::to_string(geteuid()));
   if (found.st_mode & kOthersMayWrite)
     return refused(path, "has mode " + octal(found.st_mode) +
-                             ": others may have written into it. Look at what is there, then say "
+                             ": others may have written into it. Check its content, then run "
                              "chmod 700");
   if ((found.st_mode & kOthersMayAnything) && chmod(path.c_str(), kUserOnly) != 0)
     return errno_status("cannot close " + path.string() + " to others", errno);

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using std::chrono::steady_clock;
 
 static constexpr auto kPoll = std::chrono::milliseconds(20);
-// One that ends may still finish calls.
+// A server that is ending may still finish calls.
 static constexpr std::chrono::seconds kPatience{20};
 
 static fs::path server_program() {
@@ -36,14 +36,14 @@ static std::string last_line(const fs::path& log) {
   return last;
 }
 
-/// The same for everybody who means the same folder.
+/// Returns the same path for all names of one folder.
 static fs::path full_path(const fs::path& data) {
   std::error_code error;
   const fs::path full = fs::weakly_canonical(fs::absolute(data), error);
   return error ? fs::absolute(data).lexically_normal() : full;
 }
 
-// FNV-1a: two folders with long paths have two sockets.
+// Hashes the path by FNV-1a, so that two folders with long paths have two sockets.
 static std::string short_name(const fs::path& path) {
   uint64_t hash = 0xcbf29ce484222325;
   for (const char c : path.native()) hash = (hash ^ static_cast<uint8_t>(c)) * 0x100000001b3;
@@ -66,7 +66,7 @@ fs::path private_socket(const fs::path& data) {
   return short_folder() / short_name(full);
 }
 
-/// flock() on a file, which is made where it is missing; given back with the object.
+/// A lock on a file by flock(). Makes a missing file; the destructor releases the lock.
 class FileLock {
  public:
   explicit FileLock(const fs::path& path)
@@ -83,7 +83,7 @@ class FileLock {
   int fd_;
 };
 
-/// A server has the folder, be it at its start, at its end, or one that listens elsewhere.
+/// Returns true if a server has the folder. It may be starting, ending, or listening elsewhere.
 static bool is_taken(const fs::path& data) {
   return !FileLock(data / "lock").try_take();
 }
@@ -91,16 +91,16 @@ static bool is_taken(const fs::path& data) {
 static Result<DetachedProgram> start_server(const PrivateServerOptions& options,
                                             const fs::path& data, const fs::path& socket) {
   std::error_code ignored;
-  fs::remove(data / "window-port", ignored);  // of older versions, which listened on a port
+  fs::remove(data / "window-port", ignored);  // left by older versions, which listened on a port
   const fs::path log = data / "window-server.log";
-  fs::rename(log, data / "window-server.old.log", ignored);  // it may say why the last one ended
+  fs::rename(log, data / "window-server.old.log", ignored);  // it may say why the last server ended
   return DetachedProgram::start(
       {server_program().string(), "--listen", "", "--socket", socket.string(), "--socket-user-only",
        "--data", data.string(), "--idle-exit", std::to_string(options.idle_exit.count())},
       log);
 }
 
-/// Waits for the server at `socket`, which this starts once nobody else starts it.
+/// Waits for the server at `socket`. Starts it if no other process is starting it.
 static Status wait_for_server(const PrivateServerOptions& options, const fs::path& data,
                               const fs::path& socket, const Progress& progress) {
   const FileLock starting(data / "window-start.lock");
@@ -121,7 +121,7 @@ static Status wait_for_server(const PrivateServerOptions& options, const fs::pat
     }
     if (!server && steady_clock::now() > deadline)
       return unavailable("another burnish-server uses the folder " + data.string() +
-                         ", and it does not listen on " + socket.string());
+                         " but does not listen on " + socket.string());
     std::this_thread::sleep_for(kPoll);
   }
   return cancelled("starting a private server was cancelled");
@@ -130,9 +130,9 @@ static Status wait_for_server(const PrivateServerOptions& options, const fs::pat
 Result<std::string> find_private_server(const PrivateServerOptions& options,
                                         const Progress& progress) {
   if (options.data.empty())
-    return not_found("there is no home folder for a private server's scans");
+    return not_found("a private server needs a home folder for its scans, and there is none");
   if (access(server_program().c_str(), X_OK) != 0)
-    return not_found("no " + server_program().string() + ": name a server with --server");
+    return not_found("cannot find " + server_program().string() + "; name a server with --server");
   RETURN_IF_ERROR(make_private_folder(options.data));
   const fs::path data = full_path(options.data), socket = private_socket(data);
   if (socket.parent_path() != data) RETURN_IF_ERROR(make_private_folder(socket.parent_path()));

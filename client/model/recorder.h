@@ -9,14 +9,15 @@
 
 namespace burnish {
 
-/// Writes what is done as lines that `burnish --script` does again. Without a file it does nothing.
+/// Records the user's actions as lines that `burnish --script` can run. Does nothing without a
+/// file.
 class Recorder {
  public:
   /// Fails: as errno says.
   Status open(const std::filesystem::path& path);
 
   void record(const std::string& line);
-  /// Cell fields have no line: they come from other programs.
+  /// Records an edit. Cell fields have no line: they come from other programs.
   void record(const Edit& edit);
   void record(const Camera& camera);
 

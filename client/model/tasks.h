@@ -10,24 +10,24 @@
 
 namespace burnish {
 
-/// Work that must not hold up the picture: each piece runs on a thread of its own, and what it
-/// found is handled by the owner's thread at its next drain(). Used from one thread.
+/// Runs work that must not delay the picture. Each piece runs on its own thread; the owner's thread
+/// handles its result at the next drain(). Used from one thread.
 class Tasks {
  public:
-  /// What the owner's thread does with the outcome. May be empty.
+  /// Runs on the owner's thread with the result. May be empty.
   using Completion = std::function<void()>;
-  /// Ends soon once the token says so. Must not touch what the owner's thread uses.
+  /// Ends soon after the token asks for it. Must not touch data of the owner's thread.
   using Work = std::function<Completion(std::stop_token)>;
 
   Tasks() = default;
-  /// Asks all to stop and waits for them; their outcomes are dropped.
+  /// Asks all work to stop, waits for it, and drops the results.
   ~Tasks();
   Tasks(const Tasks&) = delete;
   Tasks& operator=(const Tasks&) = delete;
 
   void start(Work work);
 
-  /// Runs the completions of what has ended.
+  /// Runs the completions of work that has ended.
   void drain();
 
   bool is_idle() const { return running_.empty(); }

@@ -15,9 +15,9 @@ static Result<bool> is_of_this_user(int fd, const std::filesystem::path& socket)
   if (getsockopt(fd, SOL_SOCKET, SO_PEERCRED, &server, &length) != 0)
     return errno_status("cannot tell whose server listens on " + socket.string(), errno);
   if (server.uid == geteuid()) return true;
-  return Status{StatusCode::kPermissionDenied, "the server on " + socket.string() + " is of user " +
-                                                   std::to_string(server.uid) + ", not of " +
-                                                   std::to_string(geteuid())};
+  return Status{StatusCode::kPermissionDenied,
+                "the server on " + socket.string() + " belongs to user " +
+                    std::to_string(server.uid) + ", not to " + std::to_string(geteuid())};
 }
 
 Result<bool> user_listens(const std::filesystem::path& socket) {
@@ -25,7 +25,7 @@ Result<bool> user_listens(const std::filesystem::path& socket) {
   address.sun_family = AF_UNIX;
   if (socket.native().size() > kSocketPathBytesMax)
     return invalid_argument("the socket " + socket.string() + " has a path of " +
-                            std::to_string(socket.native().size()) + " bytes, at most " +
+                            std::to_string(socket.native().size()) + " bytes, the limit is " +
                             std::to_string(kSocketPathBytesMax) + " fit");
   std::memcpy(address.sun_path, socket.c_str(), socket.native().size());
   const int fd = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);

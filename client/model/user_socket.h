@@ -6,10 +6,10 @@
 
 namespace burnish {
 
-inline constexpr size_t kSocketPathBytesMax = 107;  // of sockaddr_un
+inline constexpr size_t kSocketPathBytesMax = 107;  // limit of sockaddr_un
 
-/// True when a server of this very user listens there; false when nobody does.
-/// Fails: permission_denied when the server is somebody else's; as errno says.
+/// Returns true if a server of this user listens there, false if nobody does.
+/// Fails: permission_denied if the server belongs to another user; as errno says.
 Result<bool> user_listens(const std::filesystem::path& socket);
 
 }  // namespace burnish

@@ -43,7 +43,7 @@ void Viewport::move(const Vector2d& pixel) {
   if (gesture_ == Gesture::kTurn || gesture_ == Gesture::kPan) drag_camera(by);
   if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) value_changes_ = true;
   if (gesture_ != Gesture::kStroke) return;
-  // Each move costs a look at what lies there: of those between two pictures some count.
+  // Each move costs a look at the surface, so only some of the moves between two pictures count.
   const auto moves = std::count_if(events_.begin(), events_.end(), [](const Event& event) {
     return event.kind == Event::Kind::kMove;
   });
@@ -162,7 +162,8 @@ Status Viewport::update(Renderer& renderer, Document& document) {
   return Status::ok();
 }
 
-// A pointer at rest sees something else when the camera moves, or the surface does.
+// Finds the surface under the pointer again, even a still one, when the camera or the surface
+// moves.
 Status Viewport::look_at(const Vector2d& pixel, Renderer& renderer, const Document& document) {
   const Look look{pixel, camera, size_, document.stats().frames, shows_original(pixel)};
   if (looked_ == look) return Status::ok();
@@ -171,7 +172,7 @@ Status Viewport::look_at(const Vector2d& pixel, Renderer& renderer, const Docume
   return Status::ok();
 }
 
-// The brush paints where the surface is under the pointer; beside it nothing happens.
+// Paints the surface under the pointer. Beside the surface nothing happens.
 Status Viewport::paint(const Event& event, Renderer& renderer, Document& document) {
   if (event.kind == Event::Kind::kRelease) {
     if (document.brush().is_drawing()) document.end_stroke();

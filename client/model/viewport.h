@@ -17,7 +17,7 @@ struct Modifiers {
   bool alt = false;
 };
 
-/// How the surface is shown.
+/// Settings of how the surface is shown.
 struct ViewOptions {
   bool flat = false;
   bool wireframe = false;
@@ -26,15 +26,15 @@ struct ViewOptions {
   double displacement_range = 1;  ///< cells
 };
 
-/// The picture of a document: where it is seen from, and what the pointer does to it. Events are
-/// kept until update(), which asks the renderer what lies under the pointer. Pixels are the
-/// picture's own, from its upper left corner. Needs no window.
+/// The picture of a document: the camera and the actions of the pointer. It keeps events until
+/// update(), which asks the renderer what lies under the pointer. Pixels count from the picture's
+/// upper left corner. Needs no window.
 class Viewport {
  public:
   Camera camera;
   ViewOptions options;
-  bool navigate_mode = false;  ///< the left button turns
-  bool hold_original = false;  ///< before/after
+  bool navigate_mode = false;  ///< the left button turns the view
+  bool hold_original = false;  ///< show the original
   std::vector<Camera> bookmarks;
 
   void set_size(const ImageSize& size) { size_ = size; }
@@ -44,21 +44,21 @@ class Viewport {
   void move(const Eigen::Vector2d& pixel);
   void release(PointerButton button);
   void wheel(const Eigen::Vector2d& pixel, double steps);
-  void leave();  ///< the pointer is elsewhere
+  void leave();  ///< the pointer has left the picture
 
-  /// As for a document just opened: nothing of the one before is kept but how surfaces are shown.
+  /// Resets for a newly opened document. Keeps only the settings of how surfaces are shown.
   void begin(const Document& document);
   void frame_all(const Document& document);
-  void focus();  ///< on the point under the pointer
+  void focus();  ///< turn around the point under the pointer
   void begin_radius(const Document& document);
   void begin_strength(const Document& document);
-  /// Ends what the pointer is doing without a trace. False when it was doing nothing.
+  /// Cancels the pointer's gesture. Returns false if there was none.
   bool cancel(Document& document);
 
-  /// Handles what the pointer did. Fails: as the renderer does.
+  /// Handles the pointer's events. Fails: as the renderer does.
   Status update(Renderer& renderer, Document& document);
 
-  /// The surface under the pointer as it was at the last update().
+  /// Returns the surface point under the pointer at the last update().
   const std::optional<SurfaceHit>& hover() const { return hover_; }
   const std::optional<Eigen::Vector2d>& pointer() const { return pointer_; }
   bool is_busy() const { return gesture_ != Gesture::kIdle; }
@@ -73,12 +73,12 @@ class Viewport {
     BrushMode mode = BrushMode::kPaint;
   };
 
-  /// What decides what a look finds.
+  /// The inputs that decide the result of look_at().
   struct Look {
     Eigen::Vector2d pixel;
     Camera camera;
     ImageSize size;
-    uint64_t frames = 0;  // that moved the surface so far
+    uint64_t frames = 0;  // frames that have moved the surface
     bool original = false;
 
     bool operator==(const Look&) const = default;
@@ -98,11 +98,11 @@ class Viewport {
   PointerButton held_ = PointerButton::kLeft;
   std::optional<Eigen::Vector2d> pointer_;
   Eigen::Vector2d drag_from_ = Eigen::Vector2d::Zero();
-  double value_from_ = 0;  // of the radius or strength when its drag began
+  double value_from_ = 0;  // radius or strength when its drag began
   bool value_changes_ = false;
-  std::vector<Event> events_;  // of the brush
+  std::vector<Event> events_;  // events of the brush
   std::optional<SurfaceHit> hover_;
-  std::optional<Look> looked_;  // that found hover_
+  std::optional<Look> looked_;  // the look that found hover_
   std::optional<BrushRing> sent_ring_;
 };
 

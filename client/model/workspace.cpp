@@ -51,7 +51,7 @@ void Workspace::connect(const std::string& server) {
 Result<Connection> open_private_connection(const PrivateServerOptions& options,
                                            std::chrono::milliseconds timeout,
                                            const Progress& progress) {
-  constexpr int kTries = 3;  // it may have ended for want of users just now
+  constexpr int kTries = 3;  // the server may just have ended because nobody used it
   for (int tries = 1;; ++tries) {
     ASSIGN_OR_RETURN(const std::string address, find_private_server(options, progress));
     auto opened = Connection::open(address, timeout);

@@ -17,30 +17,29 @@
 namespace burnish {
 
 struct WorkspaceOptions {
-  std::filesystem::path preferences;  ///< empty: nothing is remembered
+  std::filesystem::path preferences;  ///< file; empty: nothing is kept
   PrivateServerOptions private_server;
   ConnectionTrust trust;
   std::chrono::milliseconds timeout{10'000};
-  uint64_t triangles_max = 0;  ///< of what is drawn; 0: all
-  std::string triangles_why;   ///< why not all
-  std::function<void()> wake;  ///< from any thread: update() has something to do
-  /// For the link to the server.
-  Clock clock = std::chrono::steady_clock::now;
+  uint64_t triangles_max = 0;  ///< limit of drawn triangles; 0: all
+  std::string triangles_why;   ///< why not all triangles
+  std::function<void()> wake;  ///< called from any thread when update() has work
+  Clock clock = std::chrono::steady_clock::now;  ///< used by the server link
 };
 
-/// A server as the start page shows it.
+/// A server's state on the start page.
 struct Library {
   enum class State { kUnconnected, kConnecting, kConnected, kFailed };
   State state = State::kUnconnected;
   std::string server;  ///< address; "this computer" is the private one
   bool is_private = false;
-  std::string problem;  ///< of kFailed
+  std::string problem;  ///< the reason of kFailed
   std::vector<ScanInfo> scans;
   std::vector<SessionInfo> sessions;
 };
 
-/// Everything that the window shows and a script can do, without drawing any of it. No call waits
-/// for the network: what it began is told by update(), once per picture. Used from one thread.
+/// Everything that the window shows and a script can do, without the drawing. No call waits for the
+/// network; update() handles the results, once per picture. Used from one thread.
 class Workspace {
  public:
   Workspace(Renderer& renderer, Preferences preferences, WorkspaceOptions options);
@@ -50,7 +49,7 @@ class Workspace {
   Recorder recorder;
   Viewport viewport;
 
-  /// Handles what came in since the last picture. Fails: as the renderer does.
+  /// Handles all news since the last picture. Fails: as the renderer does.
   Status update();
 
   // The start page.
@@ -58,16 +57,16 @@ class Workspace {
   void connect(const std::string& server);
   void connect_privately();
   void refresh_library();
-  /// Imports a file, and opens it if nothing else is open by then.
+  /// Imports a file, and opens it if no session is open at the end.
   void import_scan(const std::filesystem::path& file);
   void delete_scan(const std::string& id);
   void open(const SessionWish& wish);
   void join(const SessionInfo& session);
-  /// By name or id, once the list of sessions is here.
+  /// Joins a session by name or id, once the list of sessions has arrived.
   void join_by_name(const std::string& session);
   void reopen(const RecentSession& recent);
 
-  /// Runs once the server answers. For what the command line asks for.
+  /// Runs `what` once the server answers. Used for the wishes of the command line.
   void when_connected(std::function<void()> what) { when_connected_ = std::move(what); }
 
   // The open session; null on the start page.
@@ -76,22 +75,22 @@ class Workspace {
   void export_mesh(const std::filesystem::path& file, bool exact);
   void fork(const std::string& name, const std::string& checkpoint);
 
-  /// Imports and other long work that runs now.
+  /// Returns imports and other long work in progress.
   const std::vector<std::shared_ptr<Activity>>& activities() const { return activities_; }
-  /// Nothing is under way.
+  /// Returns true if no work is in progress.
   bool is_idle() const { return tasks_.is_idle(); }
-  /// Edits of the open session that its server does not have on disk.
+  /// Returns the number of edits of the open session that its server does not have on disk.
   size_t unsaved_edits() const { return document_ ? document_->unacknowledged() : 0; }
-  /// The link of the open session; kEnded without one.
+  /// Returns the link of the open session; kEnded without one.
   LinkState link() const { return document_ ? document_->link() : LinkState::kEnded; }
   bool is_opening() const { return opening_; }
   uint64_t exports_done() const { return exports_done_; }
 
-  /// Remembers the window's state. Failures are told in the log.
+  /// Saves the window's state. Failures go to the log.
   void save_preferences();
 
  private:
-  /// Ends with what the owner's thread does next.
+  /// Work that returns a completion for the owner's thread.
   using Step = std::function<Tasks::Completion(const Progress&)>;
   void start_activity(const std::string& title, Step step);
   void take_connection(Result<Connection> connection);
@@ -110,19 +109,19 @@ class Workspace {
   bool opening_ = false;
   uint64_t exports_done_ = 0;
   std::unique_ptr<Document> document_;
-  Tasks tasks_;  // last: its threads end before what they report to
+  Tasks tasks_;  // last member: its threads end before the objects that they use
 };
 
-/// Connects to this user's server on this computer, which is started where it does not run, now and
-/// whenever it has ended. Fails: as find_private_server() and Connection::open() do.
+/// Connects to this user's server on this computer. Starts the server if it does not run, now and
+/// after each end. Fails: as find_private_server() and Connection::open() do.
 Result<Connection> open_private_connection(const PrivateServerOptions& options,
                                            std::chrono::milliseconds timeout,
                                            const Progress& progress);
 
-/// "3 edits are not saved"; says one edit as one should.
+/// Returns "3 edits are not saved", or "1 edit is not saved".
 std::string unsaved_text(size_t edits);
 
-/// Fetches all that a document needs. Fails: as the server says; cancelled.
+/// Fetches all data of a document. Fails: as the server says; cancelled.
 Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
                                      const SessionWish& wish, uint64_t triangles_max,
                                      const Progress& progress);

@@ -75,7 +75,8 @@ std::string unsaved_text(size_t edits) {
 void Workspace::leave_document() {
   save_preferences();
   if (unsaved_edits() > 0)
-    log.warning(document_->session().name + ": " + unsaved_text(unsaved_edits()) + ", and lost");
+    log.warning(document_->session().name + ": " + unsaved_text(unsaved_edits()) +
+                " and will be lost");
   document_.reset();
 }
 

@@ -8,7 +8,7 @@ namespace burnish {
 
 static constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 static constexpr double kMargin = 1.06;
-static constexpr double kNearestDepth = 1e-3;  // of the distance, when the eye is in the scene
+static constexpr double kNearestDepth = 1e-3;  // part of the distance, when the eye is in the scene
 
 static double half_height_tangent(const Camera& camera) {
   return std::tan(0.5 * camera.field_of_view_degrees * kRadiansPerDegree);

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// A turntable around a point: the y axis is up, azimuth 0 and elevation 0 look along -z.
+/// A turntable around a point. The y axis is up; azimuth 0 and elevation 0 look along -z.
 struct Camera {
   Vec3d target = Vec3d::Zero();       ///< file units; the middle of the picture
   double distance = 1;                ///< from the eye to the target, file units
@@ -21,16 +21,18 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// The camera's axes in the world as rows: right, up, and back (from the target to the eye).
+/// Returns the camera's axes in the world as rows: right, up, and back (from the target to the
+/// eye).
 Eigen::Matrix3d camera_axes(const Camera& camera);
 
-/// World to camera space: x right, y up, the eye at the origin looking along -z.
+/// Returns the map from world to camera space: x right, y up, the eye at the origin looking along
+/// -z.
 Eigen::Matrix4d view_matrix(const Camera& camera);
 
-/// Camera space to OpenGL clip space. `aspect` is width over height.
+/// Returns the map from camera space to OpenGL clip space. `aspect` is width over height.
 Eigen::Matrix4d projection_matrix(const Camera& camera, double aspect);
 
-/// The same view moved so that the whole box just fits, with a small margin, at zoom 1.
+/// Moves the camera so that the whole box just fits, with a small margin, at zoom 1.
 Camera frame_all(Camera camera, const Eigen::AlignedBox3d& box, double aspect);
 
 /// A half line in file units.
@@ -39,28 +41,28 @@ struct Ray {
   Vec3d direction;  ///< unit length
 };
 
-/// The ray from the eye through a point of the picture, in pixels from its upper left corner: a
-/// pixel's middle lies at one half.
+/// Returns the ray from the eye through a point of the picture, in pixels from the upper left
+/// corner. A pixel's middle lies at 0.5.
 Ray pixel_ray(const Camera& camera, const ImageSize& size, const Eigen::Vector2d& pixel);
 
-/// Where a point of the world lies in the picture, as pixel_ray() counts.
-/// Needs: a point before the eye.
+/// Returns the place of a world point in the picture, in the pixels of pixel_ray().
+/// Needs: a point in front of the eye.
 Eigen::Vector2d pixel_of(const Camera& camera, const ImageSize& size, const Vec3d& point);
 
-/// File units across one pixel at the target's distance.
+/// Returns the size of a pixel at the target's distance, in file units.
 double pixel_length(const Camera& camera, const ImageSize& size);
 
 /// Turns around the target; the elevation stops at the poles.
 Camera turned(Camera camera, double azimuth_degrees, double elevation_degrees);
 
-/// Moves the picture by so many pixels: what is as far as the target follows the cursor.
+/// Moves the picture by `pixels`: points as far away as the target follow the cursor.
 Camera panned(Camera camera, const ImageSize& size, const Eigen::Vector2d& pixels);
 
-/// Brings the eye nearer (factor < 1) or farther; what is as far as the target and under the cursor
-/// stays there.
+/// Moves the eye nearer (factor < 1) or farther. A point under the cursor, as far away as the
+/// target, stays there.
 Camera zoomed_at(Camera camera, const ImageSize& size, const Eigen::Vector2d& pixel, double factor);
 
-/// The same camera with a depth range that holds the box, wherever the target is.
+/// Returns the camera with a depth range that holds the box, wherever the target is.
 Camera with_depth_of(Camera camera, const Eigen::AlignedBox3d& box);
 
 }  // namespace burnish

@@ -10,13 +10,13 @@ static constexpr double kElevationMax = 90;
 static constexpr double kDistanceMinRadii = 1e-4;
 static constexpr double kDistanceMaxRadii = 1e3;
 
-// Camera space units across one pixel at distance 1.
+// Returns the size of a pixel at distance 1, in camera space.
 static double pixel_tangent(const Camera& camera, const ImageSize& size) {
   const double half = 0.5 * camera.field_of_view_degrees * std::numbers::pi / 180;
   return 2 * std::tan(half) / (camera.zoom * size.height);
 }
 
-// From the picture's middle, x right and y up, at distance 1.
+// Returns the offset from the picture's middle, x right and y up, at distance 1.
 static Eigen::Vector2d from_middle(const Camera& camera, const ImageSize& size,
                                    const Eigen::Vector2d& pixel) {
   const double tangent = pixel_tangent(camera, size);

@@ -42,7 +42,7 @@ struct PlaneHit {
   double distance;
 };
 
-// Möller and Trumbore's way, by volumes of the ray with the edges.
+// Intersects after Möller and Trumbore, by volumes of the ray with the edges.
 std::optional<PlaneHit> hit_plane(const Corners& corners, const Ray& ray) {
   const Vec3d u = corners.at[1] - corners.at[0], v = corners.at[2] - corners.at[0];
   const Vec3d across = ray.direction.cross(v);

@@ -17,7 +17,7 @@ struct ImageSize {
   bool operator==(const ImageSize&) const = default;
 };
 
-/// Fails: invalid_argument when a side is outside kImageSidePixelsMin..kImageSidePixelsMax.
+/// Fails: invalid_argument if a side is outside kImageSidePixelsMin..kImageSidePixelsMax.
 inline Status check_image_size(const ImageSize& size) {
   const auto is_outside = [](int side) {
     return side < kImageSidePixelsMin || side > kImageSidePixelsMax;
@@ -29,7 +29,7 @@ inline Status check_image_size(const ImageSize& size) {
                           std::to_string(kImageSidePixelsMax));
 }
 
-/// A picture: three bytes (red, green, blue; sRGB) a pixel, rows from top to bottom.
+/// A picture: three bytes (red, green, blue; sRGB) per pixel, rows from top to bottom.
 struct Image {
   ImageSize size;
   std::vector<uint8_t> rgb;

@@ -41,7 +41,7 @@ Status NullRenderer::draw(const Camera& camera, const ImageSize& size, const Dra
 }
 
 Result<Image> NullRenderer::read_pixels() {
-  if (draw_count_ == 0) return failed_precondition("nothing was drawn yet");
+  if (draw_count_ == 0) return failed_precondition("nothing has been drawn yet");
   return Image{size_, std::vector<uint8_t>(3 * size_t(size_.width) * size_.height)};
 }
 

@@ -7,8 +7,8 @@
 
 namespace burnish {
 
-/// A renderer without pictures: it remembers what it was asked to draw, and every picture is black.
-/// It picks by trying all triangles.
+/// A renderer without pictures: it remembers the last draw() and returns black pictures. It picks
+/// by trying all triangles.
 class NullRenderer : public Renderer {
  public:
   Status upload_mesh(const ViewMesh& mesh) override;

@@ -5,7 +5,7 @@
 namespace burnish {
 
 static constexpr int kRidgeAveragingPasses = 2;
-static constexpr float kRidgeCurvature = 60;  // per half diagonal; gives a ridge of one half
+static constexpr float kRidgeCurvature = 60;  // per half diagonal; gives a ridge of 0.5
 
 static Eigen::AlignedBox3d referenced_box(std::span<const Vec3d> vertices,
                                           std::span<const Triangle> triangles) {
@@ -46,7 +46,7 @@ struct Weighted {
   float weight;
 };
 
-// At each vertex: Σ value over Σ weight of the edges that leave it, 0 where nothing has weight.
+// Returns at each vertex Σ value / Σ weight of its edges, or 0 if no edge has weight.
 template <typename EdgeValue>
 static std::vector<float> mean_over_edges(size_t vertex_count, std::span<const Triangle> triangles,
                                           const EdgeValue& edge_value) {
@@ -70,7 +70,7 @@ static std::vector<float> mean_over_edges(size_t vertex_count, std::span<const T
 
 std::vector<float> vertex_ridges(std::span<const Vec3f> positions, std::span<const Vec3f> normals,
                                  std::span<const Triangle> triangles) {
-  // Weighted by squared length, or the shortest edges of slivers would decide.
+  // Weights by squared length; otherwise the shortest edges of slivers would decide.
   std::vector<float> ridges =
       mean_over_edges(positions.size(), triangles, [&](uint32_t from, uint32_t to) {
         const Vec3f edge = positions[to] - positions[from];

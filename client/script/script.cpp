@@ -18,34 +18,34 @@ constexpr size_t kAny = 100'000;
 
 constexpr CommandForm kForms[] = {
     {"open", 1, kAny, "open FILE: imports a mesh file and opens it"},
-    {"join", 1, kAny, "join SESSION: by name or id"},
+    {"join", 1, kAny, "join SESSION: joins a session by name or id"},
     {"close", 0, 0, "close: goes back to the start page"},
     {"beta", 1, 1, "beta VALUE: the gradient scale"},
-    {"fidelity", 1, 1, "fidelity ALPHA: moves the whole curve there"},
+    {"fidelity", 1, 1, "fidelity ALPHA: moves the whole curve to this alpha"},
     {"curve", 1, 1, "curve K:A,K:A,...: the transfer curve"},
     {"preset", 1, kAny, "preset NAME: one of the window's presets"},
-    {"brush", 3, 4, "brush RADIUS STRENGTH BETA [smooth|linear|sharp|constant]: for drag"},
+    {"brush", 3, 4, "brush RADIUS STRENGTH BETA [smooth|linear|sharp|constant]: the brush of drag"},
     {"drag", 2, kAny, "drag X Y [X Y]...: paints with the pointer, in pixels of the picture"},
-    {"turn", 4, kAny, "turn X Y X Y...: drags the camera likewise"},
+    {"turn", 4, kAny, "turn X Y X Y...: drags the camera in the same way"},
     {"stroke", 7, kAny, "stroke RADIUS STRENGTH BETA FALLOFF X Y Z...: paints along points"},
-    {"undo", 0, 0, "undo: your last edit"},
-    {"redo", 0, 0, "redo: what undo undid"},
-    {"switch", 2, 2, "switch NUMBER on|off: an entry of the history"},
+    {"undo", 0, 0, "undo: takes back your last edit"},
+    {"redo", 0, 0, "redo: brings back what undo took back"},
+    {"switch", 2, 2, "switch NUMBER on|off: switches an entry of the history"},
     {"checkpoint", 1, kAny, "checkpoint NAME"},
-    {"restore", 1, kAny, "restore NAME: of a checkpoint"},
+    {"restore", 1, kAny, "restore NAME: goes back to a checkpoint"},
     {"fork", 1, kAny, "fork NAME: opens a copy of the session"},
-    {"wait", 0, 0, "wait: until all is applied and settled"},
+    {"wait", 0, 0, "wait: waits until all edits are applied and the surface settles"},
     {"camera", 2, 6, "camera AZIMUTH ELEVATION [DISTANCE X Y Z]: without target, frames all"},
-    {"frame", 0, 1, "frame [FARTHER]: shows the whole scan, from so many times the distance"},
+    {"frame", 0, 1, "frame [FARTHER]: shows the whole scan, from FARTHER times the distance"},
     {"colour", 1, 1, "colour clay|beta|curvature|displacement"},
     {"flat", 1, 1, "flat on|off"},
     {"wireframe", 1, 1, "wireframe on|off"},
     {"split", 1, 1, "split on|off"},
     {"original", 1, 1, "original on|off"},
-    {"size", 1, 1, "size WIDTHxHEIGHT: of the picture, in pixels"},
-    {"screenshot", 1, kAny, "screenshot FILE: a PNG of the picture"},
-    {"export", 1, 2, "export FILE [exact]: the edited mesh"},
-    {"print", 0, 0, "print: the state, on standard output"},
+    {"size", 1, 1, "size WIDTHxHEIGHT: sets the picture's size, in pixels"},
+    {"screenshot", 1, kAny, "screenshot FILE: writes the picture as PNG"},
+    {"export", 1, 2, "export FILE [exact]: writes the edited mesh"},
+    {"print", 0, 0, "print: prints the state on standard output"},
 };
 
 }  // namespace
@@ -63,11 +63,11 @@ Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::s
     const auto form = std::find_if(std::begin(kForms), std::end(kForms),
                                    [&](const CommandForm& each) { return each.name == command; });
     if (form == std::end(kForms))
-      return invalid_argument(place(name, line) + ": there is no command '" + command + "'");
+      return invalid_argument(place(name, line) + ": unknown command '" + command + "'");
     const size_t words = line.words.size() - 1;
     if (words < form->words_min || words > form->words_max)
       return invalid_argument(place(name, line) + ": " + std::to_string(words) + " words after '" +
-                              command + "'; it goes " + std::string(form->help));
+                              command + "'; write " + std::string(form->help));
     script.push_back({line.number, command, {line.words.begin() + 1, line.words.end()}});
   }
   return script;

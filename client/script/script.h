@@ -9,22 +9,22 @@
 
 namespace burnish {
 
-/// A line of a script: a command and what it is told.
+/// A line of a script: a command and its words.
 struct ScriptLine {
   size_t number = 0;  ///< from 1
   std::string command;
   std::vector<std::string> words;
 
-  /// What follows the command, as one text.
+  /// Returns the text after the command.
   std::string rest() const;
 };
 
-/// Lines as script_help() describes them; '#' begins a comment.
-/// Fails: invalid_argument for an unknown command, or one with too few or too many words, naming
+/// Parses the lines that script_help() describes; '#' begins a comment.
+/// Fails: invalid_argument for an unknown command, or too few or too many words. The message names
 /// `name`, line and command.
 Result<std::vector<ScriptLine>> parse_script(std::string_view text, const std::string& name);
 
-/// One line for each command.
+/// Returns one line of help for each command.
 std::string script_help();
 
 }  // namespace burnish

@@ -19,7 +19,7 @@ Result<std::vector<double>> parse_numbers(const std::vector<std::string>& words,
   return numbers;
 }
 
-/// RADIUS STRENGTH BETA [FALLOFF]
+/// Parses RADIUS STRENGTH BETA [FALLOFF].
 Result<Brush> parse_brush(const std::vector<std::string>& words) {
   Brush brush;
   ASSIGN_OR_RETURN(brush.radius, parse_real(words[0]));
@@ -36,7 +36,7 @@ Result<Stroke> parse_stroke(const std::vector<std::string>& words) {
   Stroke stroke;
   ASSIGN_OR_RETURN(stroke.brush, parse_brush({words.begin(), words.begin() + 4}));
   ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(words, 4));
-  if (numbers.size() % 3 != 0) return invalid_argument("points are three numbers each");
+  if (numbers.size() % 3 != 0) return invalid_argument("a point must be three numbers");
   for (size_t i = 0; i < numbers.size(); i += 3)
     stroke.path.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
   RETURN_IF_ERROR(validate(stroke));
@@ -65,7 +65,7 @@ Status frame(const std::vector<std::string>& words, Viewport& viewport, const Do
   ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(words, 0));
   const double farther = numbers.empty() ? 1 : numbers[0];
   if (!(farther >= kFartherMin && farther <= kFartherMax))
-    return invalid_argument("'" + words[0] + "' times the distance: must be within 1..10");
+    return invalid_argument("'" + words[0] + "' times the distance is outside 1..10");
   viewport.frame_all(document);
   viewport.camera.distance *= farther;
   return Status::ok();
@@ -92,7 +92,7 @@ Status ScriptRunner::run_edit(const ScriptLine& line) {
     document.commit_curve();
   } else if (command == "preset") {
     const Preset* const preset = find_preset(line.rest());
-    if (!preset) return not_found("there is no preset '" + line.rest() + "'");
+    if (!preset) return not_found("unknown preset '" + line.rest() + "'");
     document.apply(*preset);
   } else if (command == "brush") {
     ASSIGN_OR_RETURN(document.brush().brush, parse_brush(line.words));
@@ -153,7 +153,7 @@ Status ScriptRunner::run_view(const ScriptLine& line) {
 
 Status ScriptRunner::run_pointer(const ScriptLine& line) {
   ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(line.words, 0));
-  if (numbers.size() % 2 != 0) return invalid_argument("pixels are two numbers each");
+  if (numbers.size() % 2 != 0) return invalid_argument("a pixel must be two numbers");
   Viewport& viewport = workspace_->viewport;
   const auto button = line.command == "drag" ? PointerButton::kLeft : PointerButton::kMiddle;
   viewport.press(button, {}, {numbers[0], numbers[1]});

@@ -82,14 +82,14 @@ Status ScriptRunner::run_line(const ScriptLine& line) {
   return update();
 }
 
-// A server that is there acknowledges at once.
+// Waits for acknowledgements: a server that answers acknowledges at once.
 Status ScriptRunner::save_edits() {
   const auto is_over = [this] {
     return workspace_->unsaved_edits() == 0 || workspace_->link() == LinkState::kEnded;
   };
   const Status saved = update_until(is_over, "saving", options_.workspace.timeout);
   const size_t unsaved = workspace_->unsaved_edits();
-  return unsaved == 0 ? saved : failed_precondition(unsaved_text(unsaved) + ", and lost");
+  return unsaved == 0 ? saved : failed_precondition(unsaved_text(unsaved) + " and will be lost");
 }
 
 Status ScriptRunner::run_session(const ScriptLine& line) {

@@ -11,19 +11,19 @@
 namespace burnish {
 
 struct ScriptOptions {
-  std::string server;  ///< empty: the private one
+  std::string server;  ///< empty: the private server
   ImageSize size{1280, 960};
-  std::chrono::milliseconds patience{600'000};  ///< of one command
+  std::chrono::milliseconds patience{600'000};  ///< limit for one command
   WorkspaceOptions workspace;
 };
 
-/// Does what a script says with a Workspace, as the window would, without one.
+/// Runs a script with a Workspace, as the window would, but without a window.
 class ScriptRunner {
  public:
   ScriptRunner(Renderer& renderer, ScriptOptions options);
 
-  /// Stops at the first command that fails. Fails: naming the line; deadline_exceeded;
-  /// failed_precondition when edits could not be saved before a session was left.
+  /// Stops at the first command that fails. Fails: as the command does, with its line;
+  /// deadline_exceeded; failed_precondition if edits could not be saved before a session was left.
   Status run(const std::vector<ScriptLine>& script, const std::string& name);
 
   Workspace& workspace() { return *workspace_; }
@@ -40,7 +40,7 @@ class ScriptRunner {
   Status take_screenshot(const std::filesystem::path& path);
   void print_state() const;
 
-  /// Updates until this is so. Fails: deadline_exceeded; with what the log says of a failure.
+  /// Updates until done() is true. Fails: deadline_exceeded; with the log's message of a failure.
   Status update_until(const std::function<bool()>& done, const std::string& what) {
     return update_until(done, what, options_.patience);
   }
@@ -54,7 +54,7 @@ class ScriptRunner {
   std::condition_variable news_;
   bool has_news_ = false;
   size_t messages_seen_ = 0;
-  std::unique_ptr<Workspace> workspace_;  // last: its threads wake us
+  std::unique_ptr<Workspace> workspace_;  // last member: its threads wake this object
 };
 
 }  // namespace burnish

@@ -9,7 +9,7 @@ namespace burnish {
 
 static constexpr double kRadiusMin = 1e-4;  // of the scan's diagonal
 static constexpr double kRadiusMax = 0.5;
-static constexpr double kPointSpacing = 0.1;  // of the radius: finer than dabs are
+static constexpr double kPointSpacing = 0.1;  // of the radius; finer than dabs
 
 double painted_beta(double beta, BrushMode mode) {
   if (mode == BrushMode::kRestore) return 1;

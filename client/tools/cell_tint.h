@@ -9,8 +9,8 @@
 
 namespace burnish {
 
-/// Where a stroke has been so far, cell by cell, as the server's brush will blend it: shown before
-/// any answer comes.
+/// The trace of a stroke, cell by cell, blended as the server's brush will blend it. It is shown
+/// before any answer comes.
 class CellTint {
  public:
   explicit CellTint(const View& view);
@@ -18,7 +18,7 @@ class CellTint {
   /// Blends one dab and returns the cells that may have changed. Cost: the cells in its box.
   IndexRange add_dab(const Brush& brush, const Vec3d& centre);
 
-  /// Everything back to zero; returns what may have changed.
+  /// Sets everything to zero. Returns the cells that may have changed.
   IndexRange clear();
 
   std::span<const float> weights() const { return weights_; }
@@ -38,7 +38,7 @@ class CellTint {
   IndexRange touched_;
 };
 
-/// The smallest range that holds both.
+/// Returns the smallest range that holds both.
 IndexRange united(const IndexRange& a, const IndexRange& b);
 
 }  // namespace burnish

@@ -57,7 +57,7 @@ bool CurveEditor::add(const Eigen::Vector2d& place) {
   TransferCurve::Point point = point_at(place.cwiseMax(0).cwiseMin(1));
   for (const TransferCurve::Point& other : points_)
     if (std::abs(place_of(other).x() - place.x()) < kNeighbourGap) return false;
-  point.alpha = curve().alpha(point.kappa);  // on the curve: dragging moves it from there
+  point.alpha = curve().alpha(point.kappa);  // the point starts on the curve
   const auto after = std::find_if(points_.begin(), points_.end(),
                                   [&](const auto& other) { return other.kappa > point.kappa; });
   begin_drag(static_cast<size_t>(after - points_.begin()));

@@ -9,11 +9,11 @@
 
 namespace burnish {
 
-/// A transfer curve as points that are dragged in a plot. The plot's x runs from 0 to 1 evenly in
-/// asinh(κ), as the histogram's bins do; y from 0 to 1 evenly in log α.
+/// A transfer curve as points that users drag in a plot. The plot's x runs from 0 to 1 evenly in
+/// asinh(κ), like the histogram's bins; y runs from 0 to 1 evenly in log α.
 class CurveEditor {
  public:
-  /// `kappa_range`: the plot's ends, as the histogram's. Needs: positive.
+  /// `kappa_range`: the plot's ends, equal to the histogram's. Needs: kappa_range > 0.
   explicit CurveEditor(double kappa_range, const TransferCurve& curve = TransferCurve(50));
 
   Eigen::Vector2d place_of(const TransferCurve::Point& point) const;
@@ -22,20 +22,21 @@ class CurveEditor {
   const std::vector<TransferCurve::Point>& points() const { return points_; }
   double kappa_range() const { return kappa_range_; }  ///< of the plot's ends
 
-  /// The curve that the points make: always a valid one.
+  /// Returns the curve of the points, which is always valid.
   TransferCurve curve() const;
 
-  /// Ends a drag.
+  /// Replaces the curve and ends a drag.
   void set_curve(const TransferCurve& curve);
 
-  /// The point nearest to a place, if it is within `reach` of the plot; reach.x and reach.y are the
-  /// half axes of an ellipse.
+  /// Returns the point nearest to a place, if it is within `reach`; reach.x and reach.y are the
+  /// half axes of an ellipse in the plot.
   std::optional<size_t> point_near(const Eigen::Vector2d& place,
                                    const Eigen::Vector2d& reach) const;
 
-  /// Adds a point and drags it. False at kCurvePointsMax, or where it would touch a neighbour.
+  /// Adds a point and drags it. Returns false at kCurvePointsMax, or if the point would touch a
+  /// neighbour.
   bool add(const Eigen::Vector2d& place);
-  /// False for the last point that is left.
+  /// Removes a point. Returns false for the last remaining point.
   bool remove(size_t index);
 
   void begin_drag(size_t index) {
@@ -44,21 +45,21 @@ class CurveEditor {
   }
   /// Moves the dragged point as far as its neighbours, the limits of α and of contrast allow.
   void drag_to(const Eigen::Vector2d& place);
-  /// False when the curve is what it was before.
+  /// Ends the drag. Returns false if the curve has not changed.
   bool end_drag() {
     dragged_.reset();
     return points_ != before_drag_;
   }
   std::optional<size_t> dragged() const { return dragged_; }
 
-  /// The geometric mean of the points' α: what the fidelity slider shows.
+  /// Returns the geometric mean of the points' α, which the fidelity slider shows.
   double fidelity() const;
-  /// Multiplies all α so that fidelity() is this, as far as the limits allow.
+  /// Multiplies all α so that fidelity() becomes `alpha`, as far as the limits allow.
   void set_fidelity(double alpha);
 
  private:
   double kappa_range_;
-  double axis_end_;                           // asinh of it
+  double axis_end_;                           // asinh(kappa_range_)
   std::vector<TransferCurve::Point> points_;  // kappa rises
   std::optional<size_t> dragged_;
   std::vector<TransferCurve::Point> before_drag_;
@@ -67,7 +68,8 @@ class CurveEditor {
 inline constexpr double kFidelityMin = 1;  // of the slider and the plot
 inline constexpr double kFidelityMax = 500;
 
-/// What α keeps: surface waves shorter than 2π times this, in file units, are changed.
+/// Returns the detail size of α, in file units: surface waves shorter than 2π times this are
+/// changed.
 inline double detail_size(double length_unit, double alpha) {
   return length_unit / alpha;
 }

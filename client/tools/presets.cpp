@@ -2,7 +2,7 @@
 
 namespace burnish {
 
-// High fidelity holds the surface where it is, along directions of that curvature.
+// Makes a curve; high α keeps the surface in place along directions of that curvature.
 static TransferCurve curve_of(std::vector<TransferCurve::Point> points) {
   return std::move(TransferCurve::create(std::move(points))).value();
 }
@@ -63,8 +63,8 @@ const std::vector<Preset>& presets() {
        0,
        holding_both(20, 500),
        {}},
-      {"Bring out by brush", "Figure 5", "Smooths all; the brush sharpens what it passes", 0,
-       TransferCurve(20), 3.0},
+      {"Bring out by brush", "Figure 5", "Smooths everything; the brush sharpens what it touches",
+       0, TransferCurve(20), 3.0},
   };
   return kPresets;
 }

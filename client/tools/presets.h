@@ -8,22 +8,22 @@
 
 namespace burnish {
 
-/// A named filter: a gradient scale with a transfer curve, and the brush that goes with it.
+/// A named filter: a gradient scale, a transfer curve and a matching brush.
 struct Preset {
   std::string_view name;
-  std::string_view source;  ///< which of the paper's figures shows it
+  std::string_view source;  ///< the paper's figure that shows it
   std::string_view description;
   double beta = 1;
   TransferCurve curve{50};
   std::optional<double> brush_beta;
 };
 
-/// The paper's filters of Figures 1, 2, 3 and 5, in that order. The paper draws its curves without
-/// numbers and measures fidelity in units of its own: the numbers are ours, with its ratio of five
-/// between the two fidelities of Figure 2.
+/// Returns the paper's filters of Figures 1, 2, 3 and 5, in that order. The paper draws its curves
+/// without numbers and has its own unit of fidelity. So the numbers are ours; they keep the paper's
+/// ratio of 5 between the two fidelities of Figure 2.
 const std::vector<Preset>& presets();
 
-/// By name, case-sensitive; null where there is none.
+/// Returns the preset of a name, case-sensitive; null if there is none.
 const Preset* find_preset(std::string_view name);
 
 }  // namespace burnish

@@ -37,7 +37,7 @@ Result<AtomicFile> AtomicFile::create(const fs::path& path, FileAccess access) {
   ASSIGN_OR_RETURN(file.path_, writable_target(path));
   const mode_t mode = access == FileAccess::kUserOnly ? 0600 : 0666;
   fs::path temporary;
-  do {  // a leftover of a killed process may hold the name
+  do {  // a killed process may have left a file of this name
     temporary = next_temporary_path(file.path_);
     file.fd_ = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
   } while (file.fd_ < 0 && errno == EEXIST);

@@ -11,14 +11,14 @@ namespace burnish {
 
 /// Who may read a file that is written.
 enum class FileAccess {
-  kAsUsual,   ///< as the user's umask says; a replaced file keeps its permissions
-  kUserOnly,  ///< 0600, also where the replaced file was open to others
+  kAsUsual,   ///< by the user's umask; a replaced file keeps its permissions
+  kUserOnly,  ///< 0600, even if others could read the replaced file
 };
 
-/// A file that appears whole or not at all, also across a power cut: bytes go to a temporary file
+/// A file that appears whole or not at all, even across a power cut. Bytes go to a temporary file
 /// beside the target; commit() syncs it, renames it into place and syncs the folder. Until then,
-/// and after any failure, what was at the path stays as it was. A link is followed.
-/// Not buffered: hand over large pieces.
+/// and after any failure, the old file at the path is untouched. A link is followed. Not buffered:
+/// hand over large pieces.
 class AtomicFile {
  public:
   /// Fails: not_found (no such folder), permission_denied, invalid_argument (the path is a
@@ -35,8 +35,9 @@ class AtomicFile {
   Status write(std::span<const uint8_t> bytes);
   Status write(std::string_view text);
 
-  /// Puts the file in its place. Call once, last. After a failure the target is untouched; only if
-  /// the folder's own sync failed it is new, but may go back to the old one in a power cut.
+  /// Puts the file in its place. Call once, last. After a failure the target is untouched, with one
+  /// exception: if the sync of the folder failed, the target is new, but a power cut may restore
+  /// the old one.
   Status commit();
 
  private:
@@ -48,10 +49,10 @@ class AtomicFile {
   int fd_ = -1;
 };
 
-/// Makes the names in a folder outlast a power cut. Fails: as the system says.
+/// Makes the names in a folder survive a power cut. Fails: as errno says.
 Status sync_folder(const std::filesystem::path& folder);
 
-/// All of a small file at once. Fails: as AtomicFile does.
+/// Writes a small file at once. Fails: as AtomicFile does.
 Status write_file(const std::filesystem::path& path, std::string_view text,
                   FileAccess access = FileAccess::kAsUsual);
 

@@ -10,8 +10,8 @@ namespace burnish {
 
 }  // namespace burnish
 
-/// A contract between pieces of this program: when it breaks, the program is wrong and must stop.
-/// What users or files can get wrong is a Status instead.
+/// Checks a contract between parts of this program. If it is broken, the program is wrong and must
+/// stop. Errors of users or files are a Status instead.
 #define BURNISH_CHECK(condition, message)                                 \
   do {                                                                    \
     if (!(condition)) [[unlikely]]                                        \

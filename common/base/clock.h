@@ -6,16 +6,16 @@
 
 namespace burnish {
 
-/// What time it is: the steady clock, or one that a test puts forward instead of waiting.
+/// A source of the current time. A test moves its clock forward instead of waiting.
 using Clock = std::function<std::chrono::steady_clock::time_point()>;
 
-/// Milliseconds from `begin` to `end`.
+/// Returns the milliseconds from `begin` to `end`.
 inline double ms_between(std::chrono::steady_clock::time_point begin,
                          std::chrono::steady_clock::time_point end) {
   return std::chrono::duration<double, std::milli>(end - begin).count();
 }
 
-/// Milliseconds since 1970.
+/// Returns the milliseconds since 1970.
 inline int64_t unix_ms_now() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::milliseconds>(now).count();

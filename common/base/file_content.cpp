@@ -18,7 +18,7 @@ namespace {
 /// A descriptor that is closed with this object.
 class OpenFile {
  public:
-  // Without O_NONBLOCK a pipe that nobody writes to would hold us here.
+  // Without O_NONBLOCK open() would wait at a pipe that nobody writes to.
   explicit OpenFile(const std::filesystem::path& path)
       : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
   ~OpenFile() {
@@ -67,8 +67,8 @@ Result<FileContent> FileContent::allocate(size_t size, const std::filesystem::pa
   if (size == 0) return content;
   content.data_.reset(static_cast<uint8_t*>(::operator new(size, kAlignment, std::nothrow)));
   if (content.data_) return content;
-  return resource_exhausted("no memory could be had for the " + std::to_string(size) +
-                            " bytes of " + path.string());
+  return resource_exhausted("not enough memory for the " + std::to_string(size) + " bytes of " +
+                            path.string());
 }
 
 Result<FileContent> FileContent::read(const std::filesystem::path& path) {

@@ -10,21 +10,21 @@
 
 namespace burnish {
 
-/// A regular file's bytes in memory of our own, at a multiple of 64. Unlike a mapping (MappedFile)
-/// it stays whole when somebody shortens the file meanwhile.
+/// A regular file's bytes, copied to memory at a multiple of 64 bytes. Unlike a mapping
+/// (MappedFile), the copy stays whole when somebody shortens the file.
 class FileContent {
  public:
   /// Fails: not_found, permission_denied, invalid_argument (a directory, a pipe, a device);
-  /// resource_exhausted where there is no memory for it; data_loss (shortened while it was read).
+  /// resource_exhausted (not enough memory); data_loss (the file became shorter while it was read).
   static Result<FileContent> read(const std::filesystem::path& path);
 
-  /// The first bytes only, at most so many.
+  /// Reads only the first bytes, at most `bytes_max`.
   static Result<FileContent> read_beginning(const std::filesystem::path& path, size_t bytes_max);
 
   /// Empty for an empty file.
   std::span<const uint8_t> bytes() const { return {data_.get(), size_}; }
 
-  /// Of the whole file when it was opened.
+  /// Size of the whole file when it was opened.
   uint64_t file_bytes() const { return file_bytes_; }
 
  private:

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// Lists of items, one after the other in one array: compressed rows.
+/// Lists of items, one after the other in one array (compressed rows).
 template <typename T, typename Start = int32_t>
 struct Groups {
   std::vector<Start> start = {0};  ///< groups + 1, into `item`
@@ -32,7 +32,7 @@ struct Groups {
 template <typename T, typename Start = int32_t, typename ForEach>
 Groups<T, Start> group_by(size_t groups, ForEach&& for_each) {
   Groups<T, Start> made;
-  // A group's place is counted two further up, so that filling moves it to where it belongs.
+  // Counts a group two places further up, so that filling moves each start to its own place.
   made.start.assign(groups + 2, 0);
   for_each([&](size_t group, const T&) { ++made.start[group + 2]; });
   for (size_t i = 2; i < made.start.size(); ++i) made.start[i] += made.start[i - 1];

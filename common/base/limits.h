@@ -5,18 +5,18 @@
 
 namespace burnish {
 
-/// Every limit of the product, with its unit in its name. Checked at the edge where the value
-/// enters: file readers, the command line, the wire.
+/// Every limit of the product, with its unit in its name. Limits are checked where a value enters:
+/// in file readers, on the command line, on the wire.
 inline constexpr int kDepthMin = 4;
 inline constexpr int kDepthMax = 12;
 inline constexpr int kDefaultDepthMax = 9;
 
 inline constexpr uint64_t kTrianglesMax = uint64_t{1} << 31;
 inline constexpr uint64_t kVerticesMax = uint64_t{1} << 31;
-inline constexpr uint64_t kReadingBytesPerFileByte = 12;  // of memory, while a mesh file is read
+inline constexpr uint64_t kReadingBytesPerFileByte = 12;  // memory while a mesh file is read
 inline constexpr double kCoordinateMagnitudeMax = 1e18;  // file units; squares stay finite in float
 
-inline constexpr double kCurvatureRadiusMin = 1e-4;  // of L; below it averages nothing: 0
+inline constexpr double kCurvatureRadiusMin = 1e-4;  // of L; smaller averages nothing: use 0
 inline constexpr double kCurvatureRadiusMax = 0.2;
 inline constexpr size_t kPreparedPerScanMax = 16;
 inline constexpr uint64_t kDiskReserveBytes = uint64_t{256} << 20;  // for the journal
@@ -37,7 +37,7 @@ inline constexpr double kCurveKappaMagnitudeMax = 1e9;  // user units (kappa * L
 inline constexpr size_t kStrokeDabsMax = 4096;
 inline constexpr size_t kEditsPerFrameMax = 64;
 inline constexpr size_t kNameBytesMax = 200;     // of scans, sessions, users, checkpoints
-inline constexpr size_t kSessionRolesMax = 256;  // people with a role of their own
+inline constexpr size_t kSessionRolesMax = 256;  // users with their own role
 inline constexpr size_t kCellFieldsPerEditMax = size_t{1} << 22;
 
 inline constexpr int kImageSidePixelsMin = 16;

@@ -21,7 +21,7 @@ static Result<size_t> size_of_regular_file(int fd, const std::filesystem::path& 
 }
 
 Result<MappedFile> MappedFile::open(const std::filesystem::path& path) {
-  // Without O_NONBLOCK a pipe that nobody writes to would hold us here.
+  // Without O_NONBLOCK open() would wait at a pipe that nobody writes to.
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (fd < 0) return errno_status("cannot open " + path.string(), errno);
   const Result<size_t> size = size_of_regular_file(fd, path);

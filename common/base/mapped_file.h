@@ -9,9 +9,9 @@
 
 namespace burnish {
 
-/// A regular file's bytes, mapped for reading until this object goes. The kernel brings pages in
-/// as they are touched, so that opening costs nothing and memory pressure can drop them again.
-/// Needs: nobody shortens the file meanwhile (writing through AtomicFile never does: it renames).
+/// A regular file's bytes, mapped for reading while this object lives. The kernel loads a page when
+/// it is touched, so opening costs nothing, and the kernel can drop pages when memory is short.
+/// Needs: nobody shortens the file meanwhile. AtomicFile never does: it renames.
 class MappedFile {
  public:
   /// Fails: not_found, permission_denied, invalid_argument (a directory, a pipe, a device).

@@ -9,14 +9,14 @@
 
 namespace burnish {
 
-/// Runs `work`, which returns a Status or a Result: memory that it cannot have becomes
-/// resource_exhausted "`what`: no memory could be had".
+/// Runs `work`, which returns a Status or a Result. Fails: resource_exhausted "`what`: not enough
+/// memory" when an allocation in `work` fails.
 template <typename Work>
 auto with_memory_for(std::string_view what, Work&& work) -> decltype(work()) {
   try {
     return std::forward<Work>(work)();
   } catch (const std::bad_alloc&) {
-    return resource_exhausted(std::string(what) + ": no memory could be had");
+    return resource_exhausted(std::string(what) + ": not enough memory");
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// How many threads the calling thread's next parallel loops use; 0 leaves it as it is.
+/// Sets how many threads the next parallel loops of the calling thread use; 0 changes nothing.
 inline void use_threads(int threads) {
 #ifdef _OPENMP
   if (threads > 0) omp_set_num_threads(threads);
@@ -19,7 +19,7 @@ inline void use_threads(int threads) {
 #endif
 }
 
-/// How many threads a parallel loop would use now.
+/// Returns how many threads a parallel loop would use now.
 inline int thread_count() {
 #ifdef _OPENMP
   return omp_get_max_threads();
@@ -28,9 +28,9 @@ inline int thread_count() {
 #endif
 }
 
-/// An exception that leaves a parallel region ends the process. A loop whose body takes memory runs
-/// each turn by run(), which keeps the first exception and skips what follows, and calls rethrow()
-/// behind the region.
+/// Carries an exception out of a parallel region, where it would end the process. A loop whose body
+/// allocates memory calls run() for each turn: run() keeps the first exception and skips the later
+/// turns. After the region the loop calls rethrow().
 class ParallelFailure {
  public:
   template <typename Body>
@@ -52,12 +52,12 @@ class ParallelFailure {
   std::exception_ptr first_;
 };
 
-/// Sorts by a strict total order, so that the result does not depend on the number of threads.
-/// Never fails: where there is no memory for merging beside the elements it is done in their place.
+/// Sorts by a strict total order, so the result does not depend on the number of threads. Never
+/// fails: without memory for a merge buffer it merges in place.
 template <typename Iterator, typename Less>
 void parallel_sort(Iterator begin, Iterator end, Less less) {
   constexpr int kPieces = 16;
-  constexpr auto kAlone = 4096;  // for fewer, threads take longer to wake
+  constexpr auto kAlone = 4096;  // for fewer elements, waking threads takes longer
   const auto size = end - begin;
   if (size < kAlone || thread_count() == 1) return std::sort(begin, end, less);
   const auto start = [&](int piece) { return begin + size * piece / kPieces; };

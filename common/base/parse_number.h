@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// Reads a number that is all of `text`; nothing where it is not, or does not fit.
+/// Parses a number that is all of `text`. Returns nothing if it is not a number or does not fit.
 template <typename Number>
 std::optional<Number> parse_number(std::string_view text) {
   Number value{};

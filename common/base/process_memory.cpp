@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 static constexpr uint64_t kNoLimit = std::numeric_limits<uint64_t>::max();
 
-// The value of a "Name:   123 kB" line, or `otherwise` where there is none.
+// Returns the value of a "Name:   123 kB" line, or `otherwise` if there is no such line.
 static uint64_t bytes_of_line(const char* file, const std::string& name, uint64_t otherwise) {
   std::ifstream in(file);
   std::string word;
@@ -42,9 +42,9 @@ uint64_t available_memory_bytes() {
   return bytes_of_line("/proc/meminfo", "MemAvailable:", kNoLimit);
 }
 
-// The smallest number in the files of this name in `group` below `mount` and in all above it. Files
-// say "max" where there is no limit. In a container the path may be one of the host's: then the
-// mount itself is the container's group, and the walk ends there.
+// Returns the smallest number in the files of this name, from `group` up to `mount`. A file without
+// a limit says "max". In a container the path may be a path of the host. Then the mount itself is
+// the container's group, where the walk ends.
 static uint64_t smallest_limit(const fs::path& mount, fs::path group, const char* name) {
   uint64_t smallest = kNoLimit;
   for (;;) {

@@ -5,18 +5,18 @@
 
 namespace burnish {
 
-uint64_t resident_bytes();       ///< this process's resident memory now
-uint64_t peak_resident_bytes();  ///< its largest since the start or the last reset
-/// Starts the peak anew; false and without effect where the kernel does not allow it.
+uint64_t resident_bytes();       ///< resident memory of this process now
+uint64_t peak_resident_bytes();  ///< largest since the start or the last reset
+/// Resets the peak. Returns false, without effect, if the kernel does not allow it.
 bool reset_peak_resident_bytes();
-/// What the machine can still give without swapping.
+/// Returns the memory that the machine can still give without swapping.
 uint64_t available_memory_bytes();
 
-/// What the cgroups of this process allow, the smallest of all above it; a container or a unit of
-/// systemd is one. The largest number where there is no limit. `root` is the machine's "/".
+/// Returns the smallest memory limit of the cgroups of this process; a container or a systemd unit
+/// is a cgroup. Returns the largest uint64_t if there is no limit. `root` is the machine's "/".
 uint64_t cgroup_memory_bytes_max(const std::filesystem::path& root = "/");
 
-/// What this process can have at all: the machine's memory or its cgroups' limit.
+/// Returns the most that this process can have: the machine's memory or the limit of its cgroups.
 uint64_t machine_memory_bytes();
 
 }  // namespace burnish

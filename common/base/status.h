@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-/// Why an operation failed, in the vocabulary that a caller can act on.
-/// The names follow gRPC's codes so that the service maps them one to one.
+/// Why an operation failed, in categories that a caller can act on. The names follow gRPC's codes,
+/// so the service maps them one to one.
 enum class StatusCode {
   kOk,
   kCancelled,
@@ -17,9 +17,9 @@ enum class StatusCode {
   kNotFound,
   kAlreadyExists,
   kPermissionDenied,
-  kResourceExhausted,   ///< a limit of bytes, disk or count was met
-  kFailedPrecondition,  ///< right input, wrong moment
-  kUnavailable,         ///< worth another try: the peer is gone or going
+  kResourceExhausted,   ///< a limit of memory, disk or count is reached
+  kFailedPrecondition,  ///< the input is right, the moment is wrong
+  kUnavailable,         ///< another try may succeed: the peer is gone or leaving
   kDataLoss,            ///< stored data is damaged
   kUnimplemented,
   kUnauthenticated,
@@ -27,7 +27,7 @@ enum class StatusCode {
   kInternal,
 };
 
-/// The code's name as users read it, e.g. "invalid argument".
+/// Returns the code's name for users, e.g. "invalid argument".
 const char* status_code_name(StatusCode code);
 
 /// The outcome of an operation that can fail for reasons outside the program.
@@ -47,7 +47,7 @@ class [[nodiscard]] Status {
   /// "invalid argument: depth 13 is outside 4..12", or "ok".
   std::string to_string() const;
 
-  /// The same failure with "context: " before its message; ok stays ok.
+  /// Returns the same failure with "context: " before its message; ok stays ok.
   Status with_context(const std::string& context) const;
 
  private:
@@ -66,11 +66,11 @@ Status cancelled(std::string message);
 Status internal_error(std::string message);
 Status unimplemented(std::string message);
 
-/// A failed call of the operating system: maps errno (ENOENT, EACCES, ENOSPC, ...) to a code and
+/// Makes the Status of a failed system call: maps errno (ENOENT, EACCES, ENOSPC, ...) to a code and
 /// appends its text: `what` + ": No space left on device".
 Status errno_status(const std::string& what, int error_number);
 
-/// A value or the reason why there is none.
+/// A value, or the reason why there is no value.
 template <typename T>
 class [[nodiscard]] Result {
  public:

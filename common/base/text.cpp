@@ -10,7 +10,8 @@ std::optional<char32_t> take_character(std::string_view& text) {
   const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);
   const size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-  // The least code point of each length: whatever is less has a shorter form, and is no UTF-8.
+  // The least code point of each length. A smaller code point has a shorter form, so these bytes
+  // are not UTF-8.
   static constexpr std::array<char32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
   bool is_utf8 = (first < 0x80 || (first >= 0xc2 && first <= 0xf4)) && length <= text.size();
   char32_t code = length == 1 ? first : first & (0x7fu >> length);
@@ -78,7 +79,7 @@ Status check_name(std::string_view what, std::string_view name) {
   return Status::ok();
 }
 
-/// `text` with what `is_wanted` refuses as '?', up to `bytes_max` bytes.
+/// Replaces each character that `is_wanted` refuses by '?', up to `bytes_max` bytes.
 template <typename IsWanted>
 static std::string cleaned(std::string_view text, size_t bytes_max, IsWanted is_wanted) {
   std::string clean;
@@ -88,7 +89,7 @@ static std::string cleaned(std::string_view text, size_t bytes_max, IsWanted is_
     const std::string_view bytes = before.substr(0, before.size() - rest.size());
     const bool wanted = character && is_wanted(*character);
     if (clean.size() + (wanted ? bytes.size() : 1) > bytes_max)
-      return clean + "... (" + std::to_string(before.size()) + " bytes more)";
+      return clean + "... (" + std::to_string(before.size()) + " more bytes)";
     clean += wanted ? bytes : "?";
   }
   return clean;

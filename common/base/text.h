@@ -10,36 +10,38 @@
 
 namespace burnish {
 
-/// Text that comes from outside is bytes: it may be no UTF-8, and it may speak to a terminal.
+/// Text from outside is only bytes: it may not be UTF-8, and it may control a terminal.
 
-/// Takes the first character off `text`, which must not be empty: its code point, or nothing and
-/// one byte where no UTF-8 begins.
+/// Removes the first character from `text` and returns its code point. If `text` does not begin
+/// with UTF-8, removes one byte and returns nothing. Needs: `text` is not empty.
 std::optional<char32_t> take_character(std::string_view& text);
 
-/// Whether a character does something else than stand there: control characters (C0, DEL, C1), ends
-/// of lines and paragraphs, and those that turn the direction of what follows.
+/// Returns true for characters that do more than show: control characters (C0, DEL, C1), ends of
+/// lines and paragraphs, and characters that change the direction of the text after them.
 bool is_control(char32_t character);
 
-/// Whether all bytes are UTF-8 as RFC 3629 has it: nothing overlong, no surrogates, nothing above
-/// U+10FFFF. True for "".
+/// Returns whether all bytes are UTF-8 by RFC 3629: nothing overlong, no surrogates, nothing above
+/// U+10FFFF. Returns true for "".
 bool is_valid_utf8(std::string_view text);
 
-/// Valid UTF-8 stays as it is. In other text each byte that is not part of a character becomes
-/// four characters, "M\xfcller", and each backslash two, so that two names never become one.
+/// Returns valid UTF-8 unchanged. In other text each byte that is not part of a character becomes
+/// four characters, "M\xfcller", and each backslash becomes two, so that two names never become
+/// equal.
 std::string to_valid_utf8(std::string_view text);
 
-/// Two lower-case digits for each byte.
+/// Returns two lower-case hexadecimal digits for each byte.
 std::string to_hex(std::span<const std::byte> bytes);
 
-/// What scans, sessions, users and checkpoints may be called: 1 to kNameBytesMax bytes of UTF-8 in
-/// which nothing is_control(). Fails: invalid_argument beginning with `what`.
+/// Checks the name of a scan, session, user or checkpoint: 1 to kNameBytesMax bytes of UTF-8 in
+/// which no character is_control(). Fails: invalid_argument that begins with `what`.
 Status check_name(std::string_view what, std::string_view name);
 
-/// `text` as UTF-8: what is none becomes '?'. Beyond `bytes_max` bytes it is cut between two
-/// characters, and "... (123 bytes more)" follows.
+/// Returns `text` as UTF-8; each byte that is not UTF-8 becomes '?'. Text beyond `bytes_max` bytes
+/// is cut between two characters, and "... (123 more bytes)" follows.
 std::string shortened(std::string_view text, size_t bytes_max);
 
-/// The same as one line that no terminal obeys: what is_control() becomes '?' as well.
+/// Returns the same as one line that is safe on a terminal: a character that is_control() becomes
+/// '?' too.
 std::string one_line(std::string_view text, size_t bytes_max);
 
 }  // namespace burnish

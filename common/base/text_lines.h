@@ -9,13 +9,13 @@
 
 namespace burnish {
 
-/// A line of a small text file that has words on it; '#' begins a comment.
+/// A line of a small text file with at least one word; '#' begins a comment.
 struct TextLine {
   size_t number;  ///< from 1
   std::vector<std::string_view> words;
 };
 
-/// The words point into `text`.
+/// Splits `text` into lines of words. The words point into `text`.
 std::vector<TextLine> split_lines(std::string_view text);
 
 /// "name:12"
@@ -25,7 +25,7 @@ std::string place(const std::string& name, const TextLine& line);
 Result<double> parse_real(std::string_view word);
 Result<int> parse_integer(std::string_view word);
 
-/// Fails: as errno says.
+/// Reads a whole file. Fails: as errno says.
 Result<std::string> read_text_file(const std::filesystem::path& path);
 
 }  // namespace burnish

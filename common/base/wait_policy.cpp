@@ -12,7 +12,7 @@ void sleep_while_waiting([[maybe_unused]] char** argv) {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error || setenv("OMP_WAIT_POLICY", "passive", 1) != 0) return;
-  execv(program.c_str(), argv);  // where it comes back, threads spin
+  execv(program.c_str(), argv);  // if execv() returns, threads spin
 #endif
 }
 

@@ -52,7 +52,7 @@ std::vector<Vec3d> dab_centres(const Stroke& stroke) {
       centres.push_back(a + along * (at / length));
     until_next = at - length;
   }
-  // A path of a whole number of spacings ends on a dab, whichever way the sum was rounded.
+  // A path of a whole number of spacings ends on a dab, however the sum was rounded.
   if (until_next <= kEndTolerance * spacing) centres.push_back(stroke.path.back());
   return centres;
 }
@@ -65,7 +65,7 @@ static Status check_path(const std::vector<Vec3d>& path) {
   for (size_t i = 0; i < path.size(); ++i) {
     if ((path[i].array().abs() <= kCoordinateMagnitudeMax).all()) continue;
     return invalid_argument("point " + std::to_string(i + 1) +
-                            " of the stroke's path is not finite and within ±1e18");
+                            " of the stroke's path must be finite and within ±1e18");
   }
   return Status::ok();
 }
@@ -74,7 +74,7 @@ Status validate(const Stroke& stroke) {
   const Brush& brush = stroke.brush;
   if (!(brush.radius > 0) || !(brush.radius <= kCoordinateMagnitudeMax))
     return invalid_argument("brush radius " + std::to_string(brush.radius) +
-                            " is not above 0 and within 1e18");
+                            " must be above 0 and at most 1e18");
   if (!(brush.strength > 0 && brush.strength <= 1))
     return invalid_argument("brush strength " + std::to_string(brush.strength) +
                             " is outside (0, 1]");
@@ -82,7 +82,7 @@ Status validate(const Stroke& stroke) {
   RETURN_IF_ERROR(check_path(stroke.path));
   if (dab_centres(stroke).size() > kStrokeDabsMax)
     return invalid_argument("the stroke has more than " + std::to_string(kStrokeDabsMax) +
-                            " dabs; take a larger radius or a shorter path");
+                            " dabs; use a larger radius or a shorter path");
   return Status::ok();
 }
 

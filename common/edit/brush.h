@@ -10,7 +10,7 @@ namespace burnish {
 
 enum class FallOff { kSmooth, kLinear, kSharp, kConstant };
 
-/// "smooth", "linear", "sharp" or "constant". Fails: invalid_argument.
+/// Parses "smooth", "linear", "sharp" or "constant". Fails: invalid_argument.
 Result<FallOff> parse_fall_off(std::string_view word);
 
 /// The airbrush of section 6.1: a ball in the original geometry that blends its β into the cells.
@@ -21,9 +21,9 @@ struct Brush {
   FallOff fall_off = FallOff::kSmooth;
 };
 
-/// A brush drag: the polyline of surface points, in file units, that the cursor passed.
-/// Its dabs are spaced along it by a fraction of the radius, so that the result does not depend on
-/// how often the cursor was sampled.
+/// A brush drag: the polyline of surface points, in file units, that the cursor passed. Its dabs
+/// are a fraction of the radius apart, so the result does not depend on how often the cursor was
+/// sampled.
 struct Stroke {
   Brush brush;
   std::vector<Vec3d> path;  ///< at least one point
@@ -31,14 +31,15 @@ struct Stroke {
 
 inline constexpr double kDabSpacing = 0.25;  // of the radius
 
-/// Weight in [0, 1] at `distance_over_radius` >= 0: 1 at the centre, 0 from 1 on.
+/// Returns the weight in [0, 1] at `distance_over_radius` >= 0: 1 at the centre, 0 from the radius
+/// on.
 double fall_off_weight(FallOff fall_off, double distance_over_radius);
 
-/// The dab centres of a stroke: its first point, then every kDabSpacing·radius along it.
+/// Returns the dab centres of a stroke: its first point, then one every kDabSpacing·radius.
 std::vector<Vec3d> dab_centres(const Stroke& stroke);
 
 /// Fails: invalid_argument for a non-finite or empty path, values outside their limits, or more
-/// than kStrokeDabsMax dabs; names what, its value and the limit.
+/// than kStrokeDabsMax dabs. The message names the field, its value and the limit.
 Status validate(const Stroke& stroke);
 
 }  // namespace burnish

@@ -11,18 +11,18 @@
 
 namespace burnish {
 
-/// β everywhere that is not painted. The last one counts.
+/// Sets β of all cells that are not painted. The last such edit counts.
 struct SetGradientScale {
   double beta = kBetaDefault;
 };
 
-/// α as a function of curvature; a constant curve is the isotropic fidelity weight. The last one
-/// counts.
+/// Sets α as a function of curvature; a constant curve is the isotropic fidelity weight. The last
+/// such edit counts.
 struct SetTransferCurve {
   TransferCurve curve{kAlphaDefault};
 };
 
-/// Overrides of single cells, as `--cell-field` reads them; cells not named keep their fields.
+/// Overrides single cells, as `--cell-field` reads them; other cells keep their fields.
 struct SetCellFields {
   struct Cell {
     Vec3i cell;     ///< grid units
@@ -36,33 +36,33 @@ struct SetCellFields {
 /// Switches off the author's newest entry that is on.
 struct Undo {};
 
-/// Switches on the entry that the author's last undo switched off; a new change ends what can be
-/// redone.
+/// Switches on the entry that the author's last undo switched off. After a new change nothing can
+/// be redone.
 struct Redo {};
 
-/// Switches an entry of the history, anybody's, off or on.
+/// Switches an entry of the history off or on, whoever its author is.
 struct SwitchEntry {
   uint64_t entry = 0;  ///< its number
   bool enabled = false;
 };
 
-/// Names the state that the session has now. The name's last use counts.
+/// Names the current state of the session. The last use of a name counts.
 struct SetCheckpoint {
   std::string name;
 };
 
-/// Switches every entry to what it was at the checkpoint; entries since then are off.
+/// Switches every entry to its state at the checkpoint; later entries are off.
 struct RestoreCheckpoint {
   std::string name;
 };
 
-/// Stands where a stored edit was that cannot be read any more: it keeps the edit's number, its
-/// author's undo counts it, and it changes nothing. Nobody can send one.
+/// Replaces a stored edit that cannot be read. It keeps the edit's number and changes nothing; its
+/// author's undo counts it. Nobody can send one.
 struct Damaged {
   std::string reason;
 };
 
-/// One change of a session. The id is the client's choice: applying an id twice is harmless.
+/// One change of a session. The client chooses the id; applying an id twice is harmless.
 struct Edit {
   std::string id;
   std::variant<SetGradientScale, SetTransferCurve, Stroke, SetCellFields, Undo, Redo, SwitchEntry,
@@ -91,7 +91,7 @@ inline EditKind kind_of(const Edit& edit) {
   return static_cast<EditKind>(edit.change.index());
 }
 
-/// True for what fields are made of; the other kinds only say which of those count.
+/// Returns true for edits that fields are made of. The other kinds only say which of these count.
 inline bool makes_fields(EditKind kind) {
   return kind <= EditKind::kCellFields;
 }
@@ -100,17 +100,17 @@ inline bool makes_fields(EditKind kind) {
 /// "damaged".
 const char* edit_kind_name(EditKind kind);
 
-/// What the edit does, in a few words: "beta 0.25", "stroke of 12 points, radius 0.5, beta 2".
+/// Describes the edit in a few words: "beta 0.25", "stroke of 12 points, radius 0.5, beta 2".
 std::string summary(const Edit& edit);
 
 /// An edit as a session keeps it. Ids are unique among one author's edits.
 struct AuthoredEdit {
-  std::string author;  ///< empty: somebody without a name
+  std::string author;  ///< empty: a user without a name
   int64_t unix_ms = 0;
   Edit edit;
 };
 
-/// What can be wrong without knowing the mesh or the history: every value against its limit.
+/// Checks every value against its limit, as far as possible without the mesh and the history.
 /// Fails: invalid_argument; data_loss for a damaged edit.
 Status validate(const Edit& edit);
 

@@ -8,13 +8,13 @@
 
 namespace burnish {
 
-/// An id that no other edit has.
+/// Returns an id that no other edit has.
 inline std::string random_id() {
   std::random_device device;
   return std::to_string(device()) + std::to_string(device());
 }
 
-/// The same change so many times over, each with an id of its own.
+/// Returns `count` copies of a change, each with its own id.
 template <typename Change>
 std::vector<Edit> make_edits_of(size_t count, const Change& change) {
   std::vector<Edit> edits;

@@ -52,7 +52,7 @@ Result<TransferCurve> TransferCurve::create(std::vector<Point> points) {
     RETURN_IF_ERROR(check_point(i, points[i]));
     if (i > 0 && !(points[i].kappa > points[i - 1].kappa))
       return invalid_argument("curve point " + std::to_string(i + 1) + ": kappa " +
-                              number(points[i].kappa) + " does not rise above " +
+                              number(points[i].kappa) + " must be above the kappa before it, " +
                               number(points[i - 1].kappa));
   }
   TransferCurve curve(std::move(points));

@@ -8,8 +8,9 @@
 
 namespace burnish {
 
-/// The transfer curve α(κ) of section 6.2: how strongly the surface holds to its place along a
-/// principal direction of curvature κ. Constant beyond the ends; log α is linear in κ between.
+/// The transfer curve α(κ) of section 6.2: how strongly the surface keeps its place along a
+/// principal direction of curvature κ. α is constant beyond the end points; between points log α is
+/// linear in κ.
 /// Units: κ and α are dimensionless user units (κ·L, α·L with L = sqrt(area)).
 class TransferCurve {
  public:
@@ -22,8 +23,9 @@ class TransferCurve {
   /// A constant α. Needs: kAlphaMin <= alpha <= kAlphaMax.
   explicit TransferCurve(double alpha);
 
-  /// Fails: invalid_argument for no or more than kCurvePointsMax points, κ not strictly rising, a
-  /// value outside its limits, or a contrast above kCurveContrastMax; names point, value, limit.
+  /// Fails: invalid_argument for no points or more than kCurvePointsMax, κ that does not strictly
+  /// rise, a value outside its limits, or a contrast above kCurveContrastMax. The message names the
+  /// point, the value and the limit.
   static Result<TransferCurve> create(std::vector<Point> points);
 
   /// Parses "k:a,k:a,..."; k may be negative. Points may come in any order.
@@ -39,10 +41,10 @@ class TransferCurve {
  private:
   explicit TransferCurve(std::vector<Point> points);
   std::vector<Point> points_;  // sorted by kappa, at least one
-  std::vector<double> logs_;   // of their α: taken once, they else cost more than all of alpha()
+  std::vector<double> logs_;  // of their α, computed once: they cost more than the rest of alpha()
 };
 
-/// alpha within its limits, or invalid_argument naming the value and the limit.
+/// Fails: invalid_argument that names the value and the limit when alpha is outside its limits.
 Status check_alpha(double alpha);
 Status check_beta(double beta);
 

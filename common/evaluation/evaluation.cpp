@@ -22,8 +22,8 @@ static EvaluationPoint point_in_cell(const Vec3d& p, const Vec3i& cell, int32_t 
   return point;
 }
 
-// The active cell that holds or touches the point, the one above each plane first. The surface is
-// continuous across cells, so that any of them gives the same value.
+// Finds the active cell that holds or touches the point; tries the cell above each plane first. The
+// surface is continuous across cells, so each of them gives the same value.
 static EvaluationPoint locate(const Vec3d& p, const SparseGrid& grid) {
   const Vec3i home = p.array().floor().cast<int>();
   for (int mask = 0; mask < 8; ++mask) {

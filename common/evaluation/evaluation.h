@@ -10,23 +10,24 @@
 
 namespace burnish {
 
-/// One row of the evaluation matrix E (section 5.1): the eight trilinear weights follow from where
-/// the vertex lies in its cell.
+/// One row of the evaluation matrix E (section 5.1). The eight trilinear weights follow from the
+/// position of the vertex in its cell.
 struct EvaluationPoint {
-  int32_t cell = kNone;             ///< kNone: no surface near, the vertex stays where it is
+  int32_t cell = kNone;             ///< kNone: no surface is near, the vertex does not move
   std::array<float, 3> local = {};  ///< in [0, 1]³ of the cell
 };
 static_assert(sizeof(EvaluationPoint) == 16);
 
-/// E for the vertices of a mesh. A vertex on a grid plane takes an active cell that touches it.
+/// Makes E for the vertices of a mesh. A vertex on a grid plane takes an active cell that touches
+/// it.
 /// Shapes: one row per vertex; a vertex that no triangle references gets cell kNone.
 std::vector<EvaluationPoint> make_evaluation(const TriangleMesh& mesh, const GridFrame& frame,
                                              const SparseGrid& grid);
 
-/// The eight trilinear weights of a local position, in corner order.
+/// Returns the eight trilinear weights of a local position, in corner order.
 std::array<float, kCornersPerCell> trilinear_weights(const std::array<float, 3>& local);
 
-/// Σ_I u_I B_I at a point. Shapes: one displacement per corner of the grid.
+/// Returns Σ_I u_I B_I at a point. Shapes: one displacement per corner of the grid.
 template <typename Displacement>
 Displacement evaluate(const SparseGrid& grid, const EvaluationPoint& point,
                       std::span<const Displacement> corner_displacements) {

@@ -10,11 +10,12 @@ namespace burnish {
 
 namespace {
 
-constexpr float kAnyError = 1;  // of the mesh's extent: the count alone decides
+constexpr float kAnyError = 1;  // of the mesh's extent: only the count decides
 
 using Indices = std::vector<unsigned int>;
 
-// Around the first vertex: surveys lie far from the origin, where floats are coarse.
+// Returns positions relative to the first vertex: surveys lie far from the origin, where floats are
+// coarse.
 std::vector<Vec3f> float_positions(std::span<const Vec3d> vertices) {
   std::vector<Vec3f> positions;
   positions.reserve(vertices.size());

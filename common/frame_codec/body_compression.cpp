@@ -5,9 +5,9 @@
 
 namespace burnish {
 
-static constexpr int kZstdLevel = 1;  // level 3 is slower and no smaller: residuals repeat nothing
+static constexpr int kZstdLevel = 1;  // level 3 is slower but not smaller: residuals do not repeat
 
-// A context is a megabyte, kept by the thread and not by each client.
+// A context takes a megabyte, so each thread keeps one, not each client.
 static ZSTD_CCtx* compression_context() {
   thread_local const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
                                                                                   &ZSTD_freeCCtx);
@@ -35,10 +35,10 @@ Result<std::vector<uint8_t>> decompress(std::span<const uint8_t> bytes, size_t s
   const size_t read = ZSTD_decompressDCtx(decompression_context(), body.data(), body.size(),
                                           bytes.data(), bytes.size());
   if (ZSTD_isError(read))
-    return data_loss(std::string("body does not decompress: ") + ZSTD_getErrorName(read));
+    return data_loss(std::string("the body does not decompress: ") + ZSTD_getErrorName(read));
   if (read != size)
-    return data_loss("body decompresses to " + std::to_string(read) + " bytes, the header says " +
-                     std::to_string(size));
+    return data_loss("the body decompresses to " + std::to_string(read) +
+                     " bytes, the header says " + std::to_string(size));
   return body;
 }
 

@@ -63,8 +63,8 @@ Result<FrameBodyReader> FrameBodyReader::open(const FrameLayout& layout, uint32_
                                               std::span<const uint8_t> bytes) {
   const auto take = [&bytes](size_t count) -> Result<std::span<const uint8_t>> {
     if (count > bytes.size())
-      return data_loss("a stream of " + std::to_string(count) + " bytes, of which " +
-                       std::to_string(bytes.size()) + " are there");
+      return data_loss("a stream has " + std::to_string(count) + " bytes, but only " +
+                       std::to_string(bytes.size()) + " are left");
     const auto taken = bytes.first(count);
     bytes = bytes.subspan(count);
     return taken;

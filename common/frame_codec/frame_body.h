@@ -28,15 +28,15 @@ class FrameBodyWriter {
   GroupPacker groups_;
 };
 
-/// Reads them back in rising order. Holds spans of the bytes that it was opened with.
+/// Reads the tiles back in rising order. Keeps spans of the bytes given to open().
 class FrameBodyReader {
  public:
-  /// Fails: data_loss where the bytes are not a body of this layout with so many sent tiles.
+  /// Fails: data_loss if the bytes are not a body of this layout with `sent_tiles` tiles.
   static Result<FrameBodyReader> open(const FrameLayout& layout, uint32_t sent_tiles,
                                       std::span<const uint8_t> bytes);
 
   bool is_sent(int tile) const { return sent_[tile] != 0; }
-  /// Needs: called once for each sent tile, in rising order; 3 × its size residuals.
+  /// Needs: one call for each sent tile, in rising order, with 3 × its size residuals.
   void read_tile(std::span<uint32_t> residuals);
 
  private:
@@ -46,7 +46,7 @@ class FrameBodyReader {
   GroupUnpacker groups_;
 };
 
-/// No body of the layout is larger than this many bytes.
+/// Returns the largest size in bytes of a body of the layout.
 uint64_t body_bytes_max(const FrameLayout& layout);
 
 }  // namespace burnish

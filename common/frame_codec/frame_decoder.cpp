@@ -34,7 +34,7 @@ void decode_tile(const FrameLayout& layout, int tile, int step_shift, FrameBodyR
 Status decode_body(const FrameLayout& layout, const FrameHeader& header,
                    std::span<const uint8_t> compressed, FrameState& state) {
   if (header.body_bytes > body_bytes_max(layout))
-    return data_loss("body of " + std::to_string(header.body_bytes) + " bytes, the limit is " +
+    return data_loss("the body has " + std::to_string(header.body_bytes) + " bytes, the limit is " +
                      std::to_string(body_bytes_max(layout)));
   ASSIGN_OR_RETURN(const auto bytes, decompress(compressed, header.body_bytes));
   ASSIGN_OR_RETURN(auto body, FrameBodyReader::open(layout, header.sent_tiles, bytes));
@@ -65,10 +65,10 @@ Result<DecodedFrame> FrameDecoder::decode(std::span<const uint8_t> bytes) {
 
 Status FrameDecoder::check_belongs(const FrameHeader& header) const {
   if (header.content != layout_->content || header.layout_fingerprint != layout_->fingerprint)
-    return invalid_argument(name_of(header) + ": is of another mesh or proxy than is open here");
+    return invalid_argument(name_of(header) + ": belongs to a mesh or proxy that is not open here");
   if (!held_.empty() && header.sequence <= held_.back().sequence)
     return already_exists(name_of(header) + ": frame " + std::to_string(held_.back().sequence) +
-                          " is shown already");
+                          " is already shown");
   return Status::ok();
 }
 
@@ -81,8 +81,8 @@ Result<FrameState> FrameDecoder::reference_of(const FrameHeader& header) const {
   return it->state;
 }
 
-// Older than the reference is of no use: the encoder goes back no further than to the reference
-// before, and names an older one only after a refusal.
+// Drops frames older than the last reference: without a refusal the encoder never goes back
+// further.
 void FrameDecoder::remember(const FrameHeader& header, FrameState state) {
   shown_ = state;
   if (!header.is_key()) reference_ = header.reference;

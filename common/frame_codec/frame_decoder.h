@@ -16,24 +16,24 @@ namespace burnish {
 struct DecodedFrame {
   uint64_t sequence = 0;  ///< to acknowledge
   bool is_key = false;
-  bool is_still = false;           ///< what it brings is exactly the rounded displacement
-  std::vector<int> changed_tiles;  ///< since the frame that was decoded before
+  bool is_still = false;           ///< its tiles hold exactly the rounded displacement
+  std::vector<int> changed_tiles;  ///< since the frame decoded before it
 };
 
-/// Turns the frames of one stream back into states. Any bytes are safe. Not thread-safe.
+/// Turns the frames of one stream back into states. Safe for any bytes. Not thread-safe.
 class FrameDecoder {
  public:
   explicit FrameDecoder(std::shared_ptr<const FrameLayout> layout);
 
   /// A failed call changes nothing. Fails:
-  /// - data_loss: the bytes are damaged, or no frame;
+  /// - data_loss: the bytes are damaged, or not a frame;
   /// - unimplemented: another version of the format;
   /// - invalid_argument: a frame of another layout;
-  /// - failed_precondition: its reference is not held: tell the encoder (FrameEncoder::refuse);
-  /// - already_exists: not newer than what is shown, as late frames are: nothing to do.
+  /// - failed_precondition: the decoder does not hold its reference; tell FrameEncoder::refuse();
+  /// - already_exists: a late frame, not newer than the shown one; nothing to do.
   Result<DecodedFrame> decode(std::span<const uint8_t> bytes);
 
-  /// What to show: all zero before the first frame.
+  /// Returns the state to show; all zero before the first frame.
   const FrameState& state() const { return shown_; }
 
  private:
@@ -50,7 +50,7 @@ class FrameDecoder {
   std::shared_ptr<const FrameLayout> layout_;
   FrameState shown_;
   std::deque<HeldFrame> held_;  // rising
-  uint64_t reference_ = 0;      // of the frame shown: the encoder may name it again
+  uint64_t reference_ = 0;      // reference of the shown frame: the encoder may name it again
 };
 
 }  // namespace burnish

@@ -11,7 +11,7 @@ namespace burnish {
 
 namespace {
 
-// Brings one tile of the client's state towards the sample, unless it is near enough.
+// Moves one tile of the client's state towards the sample, unless it is near enough.
 void encode_tile(const FrameLayout& layout, int tile, std::span<const int32_t> wanted,
                  int step_shift, FrameState& state, FrameBodyWriter& body) {
   std::array<int32_t, 3 * kTileValues> held_values, change_values, k_values;
@@ -38,7 +38,7 @@ void encode_tile(const FrameLayout& layout, int tile, std::span<const int32_t> w
 FrameEncoder::FrameEncoder(std::shared_ptr<const FrameLayout> layout)
     : layout_(std::move(layout)) {}
 
-/// What a frame will say, and what the client holds then.
+/// The content of a frame, and the client's state after it.
 struct FrameEncoder::Draft {
   FrameState state;
   FrameBodyWriter body;
@@ -94,7 +94,7 @@ void FrameEncoder::acknowledge(uint64_t sequence) {
   const auto it = std::ranges::find(sent_, sequence, &SentFrame::sequence);
   if (it == sent_.end() || it->acknowledged) return;
   const SentFrame* spare = newest_acknowledged();
-  if (spare != nullptr && spare->sequence > sequence) return;  // came late: serves nobody
+  if (spare != nullptr && spare->sequence > sequence) return;  // a late acknowledgement, of no use
   it->acknowledged = true;
   const uint64_t spare_sequence = spare != nullptr ? spare->sequence : 0;
   std::erase_if(sent_, [&](const SentFrame& frame) {

@@ -12,14 +12,14 @@
 
 namespace burnish {
 
-/// Frames that are sent and not yet acknowledged; older ones are forgotten, so that a silent client
-/// costs bounded memory. Also how many frames a decoder remembers.
+/// Limit of frames that are sent but not acknowledged. Older frames are forgotten, so a silent
+/// client costs bounded memory. A decoder remembers as many frames.
 inline constexpr size_t kFramesInFlightMax = 8;
 
 struct EncodedFrame {
   uint64_t sequence = 0;
   uint64_t reference = 0;   ///< 0: a key frame
-  uint32_t sent_tiles = 0;  ///< 0: the reference shows all there is to show
+  uint32_t sent_tiles = 0;  ///< 0: the reference already shows everything
   bool is_complete = true;  ///< no tile was left for the next frame
   std::vector<uint8_t> bytes;
 };
@@ -30,30 +30,30 @@ class FrameEncoder {
  public:
   explicit FrameEncoder(std::shared_ptr<const FrameLayout> layout);
 
-  /// After a still frame the client holds exactly the sample. After a moving one a vertex is off by
-  /// at most half of 1/64 cell where vertices are sent, and by 1/64 cell where coefficients are.
-  /// A moving frame that would have more than `bytes_max` before compression is rounded more
-  /// coarsely, down to kCoarsest; a still one leaves its last tiles to the next.
+  /// Encodes the next frame. After a still frame the client holds exactly the sample. After a
+  /// moving frame a vertex is off by at most 1/128 cell if the frame has vertices, and by at most
+  /// 1/64 cell if it has coefficients. A moving frame above `bytes_max` before compression is
+  /// rounded more coarsely, up to kCoarsest; a still frame leaves its last tiles to the next frame.
   /// Needs: a sample of this layout.
   EncodedFrame encode(const FrameSample& sample, FrameStep step, size_t bytes_max = SIZE_MAX);
 
-  /// The client holds this frame. Frames that are unknown or forgotten are ignored.
+  /// Notes that the client holds this frame. Ignores unknown and forgotten frames.
   void acknowledge(uint64_t sequence);
 
-  /// The client could not decode this frame for want of its reference: from now on an older
-  /// acknowledged frame serves, else a key frame.
+  /// Notes that the client could not decode this frame because it lacks the reference. The next
+  /// frame refers to an older acknowledged frame, or is a key frame.
   void refuse(uint64_t sequence);
 
-  /// The client holds nothing: the next frame is a key frame.
+  /// Notes that the client holds nothing: the next frame is a key frame.
   void request_key_frame();
 
-  /// What the client holds once it has decoded this frame; null when that is forgotten.
+  /// Returns the client's state after this frame; null if it is forgotten.
   const FrameState* sent_state(uint64_t sequence) const;
 
-  /// What is remembered of sent frames. Tiles that they share count once for each.
+  /// Returns the bytes of remembered frames. A tile that several frames share counts once for each.
   uint64_t byte_count() const;
 
-  /// What byte_count() stays within while displacements are below 128 cells, whatever the client
+  /// Returns the limit of byte_count() while displacements are below 128 cells, whatever the client
   /// acknowledges.
   static uint64_t byte_count_max(const FrameLayout& layout);
 

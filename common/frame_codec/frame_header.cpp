@@ -58,13 +58,13 @@ uint64_t seal_frame(const FrameHeader& header, std::span<uint8_t> frame) {
 Result<FrameHeader> read_frame_header(std::span<const uint8_t> frame) {
   RawHeader raw;
   if (frame.size() < sizeof(raw))
-    return data_loss("frame of " + std::to_string(frame.size()) + " bytes: its header alone has " +
+    return data_loss("the frame has " + std::to_string(frame.size()) + " bytes, its header needs " +
                      std::to_string(sizeof(raw)));
   std::memcpy(&raw, frame.data(), sizeof(raw));
-  if (raw.magic != kMagic) return data_loss("frame: does not begin with BnFr");
+  if (raw.magic != kMagic) return data_loss("the frame does not begin with BnFr");
   if (raw.version != kFrameFormatVersion)
-    return unimplemented("frame: format version " + std::to_string(raw.version) + ", known is " +
-                         std::to_string(kFrameFormatVersion));
+    return unimplemented("the frame has format version " + std::to_string(raw.version) +
+                         ", this program reads " + std::to_string(kFrameFormatVersion));
   const std::string name = "frame " + std::to_string(raw.sequence) + ": ";
   if (raw.checksum != checksum_of(frame)) return data_loss(name + "its checksum is wrong");
   if (raw.content > static_cast<uint8_t>(FrameContent::kVertices))

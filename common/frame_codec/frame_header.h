@@ -13,17 +13,17 @@ namespace burnish {
 // The frame format, version 1
 //
 // A frame carries a displacement from the server to one client. Its values are three-vectors: one
-// per corner that weighs on a vertex, or one per vertex (FrameContent). Both ends compute which and
-// in what order from the evaluation points (FrameLayout); the layout's fingerprint in each frame
-// holds them to it. In Morton order 2048 values make a tile.
+// per corner that weighs on a vertex, or one per vertex (FrameContent). Both ends compute the
+// values and their order from the evaluation points (FrameLayout); the layout's fingerprint in each
+// frame checks that they agree. 2048 values in Morton order make a tile.
 //
 // The state of a frame is one integer per value and axis, in units of 1/256 cell. A frame says how
-// the state of an earlier frame, its reference, becomes its own:
+// the state of an earlier frame, its reference, becomes its state:
 //
 //     new = old + (k << step_shift)          k = 0 throughout a tile that is not sent
 //
-// A key frame has no reference; old is zero. step_shift is 2 while the surface moves, up to 6 where
-// the link is slow, and 0 when it is still. Everything is integer arithmetic modulo 2^32, so both
+// A key frame has no reference; old is zero. step_shift is 2 while the surface moves, up to 6 on a
+// slow link, and 0 when the surface is still. Everything is integer arithmetic modulo 2^32, so both
 // ends hold the same state bit for bit, and errors do not add up: k is chosen against the state
 // that the client holds.
 //
@@ -43,11 +43,11 @@ namespace burnish {
 //     48  u64      0
 //     56  u64      checksum: XXH3 of the body, seeded with the XXH3 of the 56 bytes before
 //
-// A reference is named by number and checksum, so that a frame of another stream with the same
-// number is never taken for it.
+// A frame names its reference by number and checksum, so that a frame of another stream with the
+// same number never passes for it.
 //
-// Body, one zstd frame. Uncompressed it is six streams, one behind the other; tiles follow in
-// order, in a tile x, then y, then z, and an axis in groups of 16 (the last filled up with zeros):
+// Body, one zstd frame. Uncompressed it is six streams, one after the other. Tiles are in order; a
+// tile has x, then y, then z; an axis has groups of 16 (the last is filled up with zeros):
 //
 //     tiles    one byte per tile of the layout: 1 sent, 0 not
 //     widths   4 bits per group, low half first; a byte is not shared by two axes
@@ -56,15 +56,17 @@ namespace burnish {
 //     byte 1   groups of 16 and 32 bits
 //     byte 2   groups of 32 bits: byte 2 of a group's values, then byte 3
 //
-// A width w means 0 bits for 0, else 2^(w-1) bits, w <= 6. The values are residuals of k against
-// its prediction from earlier values of the same tile and axis, k[a] + k[b] - k[c], in zigzag form
-// (0, -1, 1, -2, ... become 0, 1, 2, 3, ...). Which a, b, c belong to a value is part of the
-// layout: of coefficients the neighbours in the grid, of vertices the one before.
+// A width w <= 6 means 0 bits for 0, else 2^(w-1) bits. The values are residuals of k against its
+// prediction from earlier values of the same tile and axis, k[a] + k[b] - k[c], in zigzag form (0,
+// -1, 1, -2, ... become 0, 1, 2, 3, ...). The layout gives a, b, c of each value: for coefficients
+// the neighbours in the grid, for vertices the value before.
 //
-// docs/protocol.md says it for clients in other languages, the layout and its fingerprint as well.
+// docs/protocol.md describes the format, the layout and its fingerprint for clients in other
+// languages.
 //
-// tests/bench/codec_bench measures this beside zstd alone, byte planes, and meshoptimizer's vertex
-// codec with zstd, which took 1.3 to 3.5 times the bytes on coefficients, but for one still frame.
+// tests/bench/codec_bench compares this with zstd alone, byte planes, and meshoptimizer's vertex
+// codec with zstd. On coefficients meshoptimizer took 1.3 to 3.5 times the bytes, except for one
+// still frame.
 
 inline constexpr uint8_t kFrameFormatVersion = 1;
 inline constexpr size_t kFrameHeaderBytes = 64;
@@ -74,7 +76,7 @@ inline constexpr uint8_t kStepShiftMax = 7;
 enum class FrameStep : uint8_t {
   kStill = 0,     ///< 1/256 cell: exactly the rounded displacement
   kMoving = 2,    ///< 1/64 cell
-  kCoarsest = 6,  ///< 1/4 cell, while it moves and the link is slow
+  kCoarsest = 6,  ///< 1/4 cell: the surface moves and the link is slow
 };
 
 struct FrameHeader {
@@ -91,12 +93,12 @@ struct FrameHeader {
   bool is_key() const { return reference == 0; }
 };
 
-/// Writes the header into the first kFrameHeaderBytes of `frame` and its checksum behind. Returns
-/// the checksum.
+/// Writes the header, with its checksum, into the first kFrameHeaderBytes of `frame`. Returns the
+/// checksum.
 uint64_t seal_frame(const FrameHeader& header, std::span<uint8_t> frame);
 
-/// Reads and checks what can be checked without a layout. Fails: data_loss (too short, not a frame,
-/// wrong checksum, a field outside its limits), unimplemented (another version).
+/// Reads the header and checks everything that does not need a layout. Fails: data_loss (too short,
+/// not a frame, wrong checksum, a field outside its limits), unimplemented (another version).
 Result<FrameHeader> read_frame_header(std::span<const uint8_t> frame);
 
 }  // namespace burnish

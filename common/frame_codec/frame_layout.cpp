@@ -9,8 +9,8 @@ namespace burnish {
 
 namespace {
 
-// Measured on scans: a vertex costs about as many bytes as one and a half coefficients, for it has
-// no neighbours in a grid to be predicted from.
+// Measured on scans: a vertex takes about as many bytes as 1.5 coefficients, because it has no grid
+// neighbours to predict it.
 constexpr double kVertexCost = 1.5;
 
 constexpr int kSlackExponentMax = 14;
@@ -28,7 +28,7 @@ std::vector<float> largest_weights(const FrameMesh& mesh) {
   return largest;
 }
 
-// The eight corners of a cell weigh on a vertex together: an eighth each makes one.
+// The eight corners of a cell weigh on a vertex together: each may add an eighth.
 uint16_t slack_of(float largest_weight) {
   const int exponent = -std::ilogb(8 * largest_weight) - 1;
   return static_cast<uint16_t>(1 << std::clamp(exponent, 0, kSlackExponentMax));
@@ -39,7 +39,7 @@ class TilePlaces {
  public:
   explicit TilePlaces(std::span<const MortonKey> places) : places_(places) {}
 
-  /// Where the corner `back` cells below value `i` stands in the tile, else kTileValues.
+  /// Returns the place in the tile of the corner `back` cells below value `i`, else kTileValues.
   uint16_t behind(int i, const Vec3i& back) const {
     const Vec3i point = morton_point(places_[i]) - back;
     if (point.minCoeff() < 0) return kTileValues;
@@ -57,8 +57,8 @@ Predictor previous(int i) {
   return {static_cast<uint16_t>(i > 0 ? i - 1 : kTileValues), kTileValues, kTileValues};
 }
 
-// The plane through three neighbours where there are three in a square, else one neighbour, else
-// the value before.
+// Predicts by the plane through three neighbours of a square, else by one neighbour, else by the
+// value before.
 Predictor predictor_in_grid(const TilePlaces& places, int i) {
   std::array<uint16_t, 3> along;
   for (int axis = 0; axis < 3; ++axis) along[axis] = places.behind(i, Vec3i::Unit(axis));
@@ -81,7 +81,7 @@ uint64_t fingerprint_of(const FrameLayout& layout) {
   return add(add(static_cast<uint64_t>(layout.content), layout.source), layout.predictors);
 }
 
-// The vertex's cell, then Morton order within the cell, then its number.
+// Orders vertices by cell, then by Morton order within the cell, then by number.
 struct VertexPlace {
   uint64_t place;
   int32_t vertex;

@@ -13,7 +13,7 @@ namespace burnish {
 
 inline constexpr int kTileValues = 2048;
 
-/// The mesh that a client draws: all of the scan, or a proxy in the same grid.
+/// The mesh that a client draws: the whole scan, or a proxy in the same grid.
 struct FrameMesh {
   const SparseGrid& grid;                   ///< the finest depth
   std::span<const EvaluationPoint> points;  ///< one per vertex
@@ -27,16 +27,17 @@ struct Predictor {
   uint16_t c = kTileValues;
 };
 
-/// Which values a frame carries and in what order. Both ends make it from the same evaluation
-/// points, once per prepared mesh or proxy, and share it among clients and frames.
+/// Says which values a frame carries and in what order. Both ends make it from the same evaluation
+/// points, once per prepared mesh or proxy; clients and frames share it.
 struct FrameLayout {
   FrameContent content = FrameContent::kCoefficients;
   std::vector<int32_t> source;        ///< the corner or vertex of each value, in Morton order
   std::vector<Predictor> predictors;  ///< one per value
-  /// By how many half steps a value may be off while the surface moves: 1 for a vertex; for a
-  /// corner the largest power of two that times its largest weight on a vertex is at most 1/8,
-  /// or 1. So corners that hardly weigh on the surface, whose values roam, do not keep tiles busy,
-  /// and all corners of a cell together move a vertex by two half steps at most.
+  /// By how many half steps a value may be off while the surface moves: 1 for a vertex. For a
+  /// corner it is the largest power of two whose product with the corner's largest weight on a
+  /// vertex is at most 1/8, but at least 1. So corners that hardly weigh on the surface, whose
+  /// values wander, do not keep tiles busy. All corners of a cell together move a vertex by at most
+  /// two half steps.
   std::vector<uint16_t> slack;
   uint64_t fingerprint = 0;  ///< of content, source and predictors
 
@@ -47,14 +48,14 @@ struct FrameLayout {
   uint64_t byte_count() const;
 };
 
-/// Corners that weigh on no vertex are left out: nothing determines them, and they can run away.
+/// Leaves out corners that weigh on no vertex: nothing determines them, and they can run away.
 /// Cost: O(vertices + corners log 2048).
 FrameLayout make_coefficient_layout(const FrameMesh& mesh);
 
-/// Vertices that lie in no cell are left out: they never move. Cost: a sort of the vertices.
+/// Leaves out vertices that lie in no cell: they never move. Cost: a sort of the vertices.
 FrameLayout make_vertex_layout(const FrameMesh& mesh);
 
-/// The one whose frames are likely smaller.
+/// Makes the layout whose frames are likely smaller.
 FrameLayout make_smaller_layout(const FrameMesh& mesh);
 
 }  // namespace burnish

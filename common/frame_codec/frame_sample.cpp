@@ -6,7 +6,7 @@ namespace burnish {
 
 namespace {
 
-// Half steps go away from zero. Needs: finite.
+// Rounds half steps away from zero. Needs: finite `cells`.
 int32_t to_steps(double cells) {
   const double cut = std::clamp(cells, -kDisplacementCellsMax, kDisplacementCellsMax);
   return static_cast<int32_t>(cut * kStepsPerCell + (cut < 0 ? -0.5 : 0.5));

@@ -10,7 +10,7 @@
 namespace burnish {
 
 inline constexpr double kStepsPerCell = 256;
-/// Displacements beyond this are cut off: those are of corners that hardly weigh on any vertex.
+/// Displacements beyond this are cut off: only corners that hardly weigh on a vertex have them.
 inline constexpr double kDisplacementCellsMax = 1 << 20;
 
 /// A displacement rounded to 1/256 cell, ready for the encoders of all clients of one layout.
@@ -22,8 +22,8 @@ struct FrameSample {
   }
 };
 
-/// Shapes: one displacement per corner of mesh.grid, also where the layout is of vertices: E is
-/// applied here. Displacement is Vec3d or Vec3f. Units: cells.
+/// Shapes: one displacement per corner of mesh.grid, even if the layout has vertices: E is applied
+/// here. Displacement is Vec3d or Vec3f. Units: cells.
 /// Fails: internal, naming the first corner or vertex whose displacement is not finite.
 template <typename Displacement>
 Result<FrameSample> sample_displacement(const FrameLayout& layout, const FrameMesh& mesh,

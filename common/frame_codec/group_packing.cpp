@@ -16,7 +16,7 @@ int bits_of(int width) {
   return width == 0 ? 0 : 1 << (width - 1);
 }
 
-// 0 for zeros only, else the least w whose 2^(w-1) bits hold every value.
+// Returns 0 if all values are zero, else the least w whose 2^(w-1) bits hold every value.
 int width_of(const Group& group) {
   uint32_t any = 0;
   for (const uint32_t value : group) any |= value;

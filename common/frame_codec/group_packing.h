@@ -11,19 +11,19 @@ namespace burnish {
 inline constexpr int kGroupValues = 16;
 inline constexpr int kGroupWidthMax = 6;
 
-/// The streams of a frame's body that hold the groups, besides their widths (frame_header.h):
-/// packed, byte 0, byte 1, byte 2.
+/// The streams of a frame's body that hold the groups (frame_header.h): packed, byte 0, byte 1,
+/// byte 2. Widths have their own stream.
 inline constexpr int kGroupStreams = 4;
 
 inline int group_count(int values) {
   return (values + kGroupValues - 1) / kGroupValues;
 }
-/// Bytes of an axis in the stream of widths.
+/// Returns the bytes of an axis in the stream of widths.
 inline int width_bytes(int values) {
   return (group_count(values) + 1) / 2;
 }
 
-/// Bytes that a group of this width takes of each stream.
+/// Returns the bytes that a group of this width takes in each stream.
 std::array<size_t, kGroupStreams> bytes_of_group(int width);
 
 /// Packs axes one after the other.
@@ -35,7 +35,7 @@ struct GroupPacker {
 };
 
 /// Unpacks them again, in the same order.
-/// Needs: each stream as long as the widths say, and no width above kGroupWidthMax.
+/// Needs: each stream has the length that the widths say; no width is above kGroupWidthMax.
 struct GroupUnpacker {
   std::span<const uint8_t> widths;
   std::array<std::span<const uint8_t>, kGroupStreams> streams;

@@ -7,8 +7,8 @@ namespace burnish {
 
 namespace {
 
-// The three axes of a value side by side: their predictions do not wait for each other. The row
-// behind the last is the zero that predictors may name.
+// The three axes of a value are side by side: their predictions do not wait for each other. The row
+// after the last is the zero that predictors may name.
 using Rows = std::array<std::array<int32_t, 3>, kTileValues + 1>;
 
 int32_t predict(const Rows& rows, const Predictor& from, int axis) {
@@ -29,8 +29,8 @@ int half_step(int step_shift) {
   return (1 << step_shift) >> 1;
 }
 
-// The k nearest to the prediction whose step is within the tolerance. There is one: the tolerance
-// is at least half a step.
+// Returns the k nearest to the prediction whose step is within the tolerance. It exists: the
+// tolerance is at least half a step.
 int32_t round_towards(int32_t prediction, int32_t change, int32_t tolerance, int step_shift) {
   const int32_t least = (change - tolerance + (1 << step_shift) - 1) >> step_shift;
   const int32_t greatest = (change + tolerance) >> step_shift;

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// What predicts and bounds the values of one tile: spans into the layout, one entry per value.
+/// Predictors and bounds of the values of one tile: spans into the layout, one entry per value.
 struct TileRules {
   std::span<const Predictor> predictors;
   std::span<const uint16_t> slack;
@@ -23,8 +23,8 @@ inline TileRules rules_of(const FrameLayout& layout, int tile) {
 
 // Shapes below: all x of the tile, then all y, then all z.
 
-/// True when a tile need not be sent: each wanted change is within slack × half a step of zero.
-/// With step_shift 0 half a step is nothing: only zero is.
+/// Returns true if a tile need not be sent: each wanted change is within slack × half a step of
+/// zero. With step_shift 0 half a step is 0, so each wanted change must be zero.
 bool is_within_slack(const TileRules& rules, std::span<const int32_t> change, int step_shift);
 
 /// Rounds a wanted change to steps k of 2^step_shift, each as near to its prediction as the slack
@@ -33,11 +33,11 @@ bool is_within_slack(const TileRules& rules, std::span<const int32_t> change, in
 void round_and_predict(const TileRules& rules, std::span<const int32_t> change, int step_shift,
                        std::span<int32_t> k, std::span<uint32_t> residuals);
 
-/// The k of any residuals: the inverse of round_and_predict.
+/// Returns the k of any residuals; the inverse of round_and_predict().
 void undo_prediction(const TileRules& rules, std::span<const uint32_t> residuals,
                      std::span<int32_t> k);
 
-/// values += k << step_shift, modulo 2^32.
+/// Adds k << step_shift to the values, modulo 2^32.
 void apply_change(std::span<const int32_t> k, int step_shift, std::span<int32_t> values);
 
 }  // namespace burnish

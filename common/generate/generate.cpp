@@ -13,7 +13,7 @@ constexpr uint64_t kGeneratedVerticesMax = 50'000'000;
 
 struct Recipe {
   GeneratedScanKind kind;
-  uint64_t vertices_min;  ///< below it the kind loses what makes it worth having
+  uint64_t vertices_min;  ///< with fewer the kind loses its features
   TriangleMesh (*make)(uint64_t vertices, uint64_t seed);
 };
 

@@ -10,10 +10,10 @@
 
 namespace burnish {
 
-/// A scan that the project makes itself, for demos, tests and benchmarks.
+/// A scan that the program generates, for demos, tests and benchmarks.
 struct GeneratedScan {
   std::string kind;             ///< one of generated_scan_kinds()
-  uint64_t vertices = 100'000;  ///< wanted count; the result is the nearest that the kind offers
+  uint64_t vertices = 100'000;  ///< wanted; the kind's nearest count is taken
   uint64_t seed = 1;            ///< same seed, same mesh, on every machine
 };
 
@@ -26,21 +26,21 @@ struct GeneratedScanKind {
 /// scans").
 const std::vector<GeneratedScanKind>& generated_scan_kinds();
 
-/// All are valid and consistently oriented, the closed ones outwards. The exact shapes
+/// Generates a valid, consistently oriented mesh; closed meshes face outwards. The exact shapes
 /// (icosphere, cylinder, sheet, part) keep double positions; the others are rounded to float.
 /// Fails: invalid_argument for an unknown kind or a count outside the kind's limits.
 Result<TriangleMesh> generate_scan(const GeneratedScan& scan);
 
-/// A sphere of radius r around the origin: an icosahedron split `level` times (10·4^level + 2
-/// vertices), every vertex on the sphere. Needs: level 0 to 13.
+/// Makes a sphere around the origin: an icosahedron split `level` times (10·4^level + 2 vertices),
+/// with every vertex on the sphere. Needs: level 0 to 13.
 TriangleMesh make_icosphere(int level, double radius);
 
-/// An open cylinder around z of radius r, from z = -height/2 to height/2, as `around` × `along`
-/// quads split in two.
+/// Makes an open cylinder around z, from z = -height/2 to height/2, of `around` × `along` quads
+/// split in two.
 TriangleMesh make_cylinder(int around, int along, double radius, double height);
 
-/// The graph z = bump(x, y) over [0, width]², `side` × `side` quads; one Gaussian bump of this
-/// height and a tenth of the width as deviation, or flat for 0.
+/// Makes the graph z = bump(x, y) over [0, width]² of `side` × `side` quads. The bump is Gaussian
+/// with this height and a deviation of width/10; the sheet is flat for height 0.
 TriangleMesh make_sheet(int side, double width, double bump_height);
 
 }  // namespace burnish

@@ -30,8 +30,8 @@ class CubeSurface {
 
 }  // namespace
 
-/// The point of the unit sphere for a point of the cube [-1, 1]^3's surface; of the closed forms
-/// with square roots only, one that spreads the lattice evenly (areas within a factor of 1.5).
+/// Maps a point of the surface of the cube [-1, 1]³ to the unit sphere. This closed form uses only
+/// square roots and spreads the lattice evenly (areas within a factor of 1.5).
 static Vec3d sphere_of_cube(const Vec3d& p) {
   const Vec3d q = p.cwiseProduct(p);
   const auto stretch = [](double u, double v) { return std::sqrt(1 - u / 2 - v / 2 + u * v / 3); };

@@ -35,7 +35,7 @@ TriangleMesh generate_sheets(uint64_t vertices, uint64_t seed) {
   return mesh;
 }
 
-/// A page of the fan: rows along the spine (z), columns away from it, bending as they go.
+/// Returns a point of a page of the fan: rows run along the spine (z), columns bend away from it.
 static Vec3d fan_point(const Vec3d& direction, double out, double along) {
   const Vec3d across(-direction.y(), direction.x(), 0);
   return direction * out + across * (0.15 * out * out) + Vec3d(0, 0, along);
@@ -49,7 +49,7 @@ TriangleMesh generate_fan(uint64_t vertices, uint64_t seed) {
   for (int row = 0; row <= side; ++row)
     mesh.vertices.emplace_back(0, 0, static_cast<double>(row) / side);
   for (int page = 0; page < kPages; ++page) {
-    const double t = (page - 0.5 * (kPages - 1)) * 0.5;  // the half angle's tangent, -1 to 1
+    const double t = (page - 0.5 * (kPages - 1)) * 0.5;  // tangent of half the angle, -1 to 1
     const Vec3d direction = Vec3d(1 - t * t, 2 * t, 0) / (1 + t * t);
     const auto first = static_cast<uint32_t>(mesh.vertices.size());
     const auto index = [=](int column, int row) -> uint32_t {
@@ -70,8 +70,8 @@ TriangleMesh generate_fan(uint64_t vertices, uint64_t seed) {
   return mesh;
 }
 
-/// One scan of the blob as seen along an axis, wide enough to overlap its neighbours, and a little
-/// out of place as scans are before their registration is refined.
+/// Makes one scan of the blob as seen along an axis. It overlaps its neighbours, and it is a little
+/// out of place, as scans are before their registration is refined.
 static TriangleMesh range_scan(int view, int side, uint64_t seed) {
   constexpr double kHalfWidth = 1.2;  // 1 would just meet the neighbours
   const Vec3d forward = Vec3d::Unit(view / 2) * (view % 2 == 0 ? 1 : -1);

@@ -7,8 +7,8 @@
 namespace burnish {
 namespace {
 
-// A plate with a boss around a through hole. The box's longest side is 0.9 of 16 and every flat
-// face but the two ends lies a whole number from the centre: so those faces lie in grid planes at
+// A plate with a boss around a through hole. The box's longest side is 0.9 of 16. Every flat face
+// except the two ends lies a whole number from the centre, so these faces lie in grid planes at
 // every depth from 4 on.
 constexpr double kHalfLength = 7.2, kHalfWidth = 5;
 constexpr double kBottom = -2, kPlateTop = 0, kBossTop = 2;
@@ -30,12 +30,12 @@ constexpr std::array<double, 6> kSectionLengths = {4, 1.5, 2, 3.5, 2, 5};  // to
 constexpr double kSectionLength = 18;
 constexpr double kMeanPerimeter = 30;
 
-/// In this form a coordinate that both ends share comes out with the same bits.
+/// Interpolates in a form that keeps the bits of a coordinate which both ends share.
 Vec3d between(const Vec3d& a, const Vec3d& b, double t) {
   return a + (b - a) * t;
 }
 
-/// Points around the rectangle, counter-clockwise from above, `per_side` on each of its sides.
+/// Returns points around the rectangle, counter-clockwise seen from above, `per_side` on each side.
 std::vector<Vec3d> rectangle_points(int per_side) {
   const std::array<Vec3d, 4> corners = {
       Vec3d(kHalfLength, -kHalfWidth, 0), Vec3d(kHalfLength, kHalfWidth, 0),

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// The corners of three golden rectangles; its 20 faces are the triples of mutual neighbours.
+/// Takes the corners of three golden rectangles; the 20 faces are the triples of mutual neighbours.
 static TriangleMesh make_icosahedron(double radius) {
   TriangleMesh mesh;
   for (int axis = 0; axis < 3; ++axis)
@@ -32,12 +32,12 @@ static TriangleMesh make_icosahedron(double radius) {
   return mesh;
 }
 
-/// The midpoints made so far, found by the lower end of their edge: on an icosphere no vertex has
-/// more than six edges.
+/// The midpoints made so far, found by the lower end of their edge. On an icosphere a vertex has at
+/// most six edges.
 struct Midpoints {
   struct Edge {
     uint32_t upper_end = 0;
-    uint32_t midpoint = 0;  // 0: a free slot, for the first midpoint comes after the old vertices
+    uint32_t midpoint = 0;  // 0: a free slot; midpoints come after the old vertices
   };
   std::vector<std::array<Edge, 6>> edges_of_lower_end;
 };

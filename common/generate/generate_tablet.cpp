@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// Lattice lines from the centre to the face's rim and on to the border.
+/// Numbers of lattice lines from the centre to the face's rim, and to the border.
 struct TabletLattice {
   int rim, border;
 
@@ -18,14 +18,14 @@ struct TabletLattice {
 };
 
 static TabletLattice tablet_lattice(uint64_t vertices) {
-  constexpr double kKept = 0.942;          // what tearing leaves of the lattice
+  constexpr double kKept = 0.942;          // part of the lattice that tearing leaves
   constexpr double kBorderOverRim = 1.24;  // even spacing over face, flanks and underside
   const int border = lattice_size((std::sqrt(static_cast<double>(vertices) / kKept) - 1) / 2, 8);
   return {lattice_size(border / kBorderOverRim, 4), border};
 }
 
-/// The lattice point's place on the stone, jittered as scanners sample but for the rim, which
-/// would else be saw-toothed.
+/// Returns the lattice point's place on the stone, jittered as scanners sample. The rim is not
+/// jittered: it would be saw-toothed.
 static StonePlace place_of(const TabletLattice& lattice, int column, int row, uint64_t seed) {
   constexpr double kJitter = 0.5;  // of the spacing, from end to end
   const int i = column - lattice.border, j = row - lattice.border;

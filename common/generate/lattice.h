@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// The whole number of lattice lines nearest to a wish, at least `least`.
+/// Rounds a wished number of lattice lines to an integer of at least `least`.
 inline int lattice_size(double wish, int least) {
   return std::max(least, static_cast<int>(std::lround(wish)));
 }
@@ -19,8 +19,8 @@ inline void add_quad(TriangleMesh& mesh, uint32_t a, uint32_t b, uint32_t c, uin
   mesh.triangles.push_back({a, c, d});
 }
 
-/// Adds the quads of a lattice of vertices stored row by row from index `first` on. The outside is
-/// where columns run to the right and rows run up.
+/// Adds the quads of a lattice of vertices, stored row by row from index `first` on. Seen from
+/// outside, columns run to the right and rows run up.
 inline void add_lattice_quads(TriangleMesh& mesh, uint32_t first, int columns, int rows) {
   for (int row = 0; row + 1 < rows; ++row)
     for (int column = 0; column + 1 < columns; ++column) {

@@ -14,7 +14,7 @@ double bounded_normal(uint64_t seed, uint64_t index) {
   return (sum - kMean) * kInverseDeviation;
 }
 
-/// The ramp through lattice point (x, y, z), seen from `offset` away.
+/// Returns the ramp of lattice point (x, y, z) at `offset` from it.
 static double ramp(int64_t x, int64_t y, int64_t z, const Vec3d& offset, uint64_t seed) {
   const uint64_t bits = mix(seed ^ (static_cast<uint64_t>(x) * 0xd6e8feb86659fd93 +
                                     static_cast<uint64_t>(y) * 0xa0761d6478bd642f +
@@ -47,7 +47,7 @@ double gradient_noise(const Vec3d& p, uint64_t seed) {
     }
     return blend(blend(corners[0], corners[1], u), blend(corners[2], corners[3], u), v);
   };
-  return w == 0 ? layer(0) : blend(layer(0), layer(1), w);  // w is 0 all over a flat face
+  return w == 0 ? layer(0) : blend(layer(0), layer(1), w);  // w is 0 on all of a flat face
 }
 
 double fractal_noise(const Vec3d& p, int octaves, uint64_t seed) {

@@ -30,7 +30,8 @@ void add_scanner_noise(TriangleMesh& mesh, const ScannerNoise& noise, uint64_t s
 }
 
 void round_to_float(TriangleMesh& mesh) {
-  // By way of memory: g++ 12.2's vectoriser drops a double's round trip through float registers.
+  // Goes through memory: the vectoriser of g++ 12.2 drops a double's round trip through float
+  // registers.
   std::vector<Vec3f> rounded(mesh.vertices.size());
   for (size_t v = 0; v < rounded.size(); ++v) rounded[v] = mesh.vertices[v].cast<float>();
   for (size_t v = 0; v < rounded.size(); ++v) mesh.vertices[v] = rounded[v].cast<double>();

@@ -7,20 +7,20 @@
 
 namespace burnish {
 
-/// What a range scanner adds to a surface, as deviations along the normal in the mesh's units.
+/// Noise that a range scanner adds to a surface: deviations along the normal, in the mesh's units.
 struct ScannerNoise {
   double white = 0;       ///< independent from vertex to vertex
   double correlated = 0;  ///< smooth over correlation_length
   double correlation_length = 1;
 };
 
-/// Unit normals per vertex, weighted by area; zero where no triangle gives one.
+/// Returns unit normals per vertex, weighted by area; zero for a vertex without a proper triangle.
 std::vector<Vec3d> vertex_normals(const TriangleMesh& mesh);
 
 /// Moves every vertex along its normal.
 void add_scanner_noise(TriangleMesh& mesh, const ScannerNoise& noise, uint64_t seed);
 
-/// Keeps of each position what a scanner's file would: single precision.
+/// Rounds each position to single precision, as a scanner's file does.
 void round_to_float(TriangleMesh& mesh);
 
 }  // namespace burnish

@@ -14,7 +14,7 @@ struct Chisel {
 };
 constexpr Chisel kWall{4.2, 3.6}, kThin{3.0, 2.4}, kLetter{3.4, 2.8}, kDrill{5.2, 4.0};
 
-/// The right half of a circle from below to above; no libm, see noise.h.
+/// Draws the right half of a circle from below to above; without libm, see noise.h.
 Polyline half_circle(const Vec2d& centre, double radius, int pieces) {
   Polyline points;
   for (int i = 0; i <= pieces; ++i) {
@@ -29,7 +29,8 @@ Polyline mirrored(Polyline line, double x) {
   return line;
 }
 
-/// The strokes of a capital of height 1 on a base line at 0; those that the inscription needs.
+/// Returns the strokes of a capital of height 1 on a base line at 0. Knows only the letters of the
+/// inscription.
 std::vector<Polyline> letter(char c) {
   switch (c) {
     case 'A':
@@ -52,7 +53,7 @@ std::vector<Polyline> letter(char c) {
   return {};
 }
 
-/// Collects grooves; every call draws one thing of the plan.
+/// Collects grooves; every call draws one part of the plan.
 class Draughtsman {
  public:
   void line(const Chisel& chisel, const Polyline& points) {
@@ -66,7 +67,7 @@ class Draughtsman {
     for (; count > 0; --count, from += step)
       grooves_.push_back({from, from, kDrill.half_width, kDrill.depth});
   }
-  /// A row of shops: a closed back, and towards the street a front with a door in each.
+  /// Draws a row of shops with a closed back; towards the street each shop has a door.
   void shops(double left, double front, double back, double width, int count) {
     line(kWall, {{left, back}, {left + count * width, back}});
     for (int i = 0; i <= count; ++i)

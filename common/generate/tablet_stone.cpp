@@ -11,7 +11,7 @@ namespace {
 using Vec2d = Eigen::Vector2d;
 
 constexpr double kThickness = 48;  // millimetres, like every length here
-constexpr double kUnderside = 26;  // how far the scan sees round the lower edge
+constexpr double kUnderside = 26;  // how far the scan sees around the lower edge
 
 /// One noise for each feature of the stone.
 enum Feature : uint64_t {
@@ -33,7 +33,7 @@ double smooth_step(double from, double to, double x) {
   return t * t * (3 - 2 * t);
 }
 
-/// From the square [-1, 1]² to the whole slab.
+/// Maps the square [-1, 1]² to the whole slab.
 Vec2d slab_point(const Vec2d& p) {
   return {300 * p.x(), 220 * p.y()};
 }
@@ -54,7 +54,7 @@ TabletStone::TabletStone(uint64_t seed) : seed_(seed), plan_(tablet_plan()) {
                                           uniform(sub_seed(seed, kOutline), 2 * i + 1) - 0.5);
 }
 
-/// Where the ray from the origin meets the outline.
+/// Returns the point where the ray from the origin meets the outline.
 Vec2d TabletStone::rim_towards(const Vec2d& towards) const {
   const auto cross = [](const Vec2d& u, const Vec2d& v) { return u.x() * v.y() - u.y() * v.x(); };
   const Vec2d ray = slab_point(towards);
@@ -62,11 +62,11 @@ Vec2d TabletStone::rim_towards(const Vec2d& towards) const {
     const Vec2d &a = outline_[i], &b = outline_[(i + 1) % outline_.size()];
     if (cross(a, ray) >= 0 && cross(ray, b) > 0) return ray * (cross(a, b - a) / cross(ray, b - a));
   }
-  return ray;  // not met: the outline goes all the way round
+  return ray;  // not reached: the outline is closed around the origin
 }
 
-/// Spread evenly around the middle, only towards the rim drawn to it: so the outline's corners do
-/// not crease the sampling of the whole face.
+/// Spreads points evenly around the middle and bends them to the rim only near it, so that the
+/// corners of the outline do not crease the sampling of the whole face.
 static Vec2d face_point(const StonePlace& place, const Vec2d& rim) {
   constexpr double kMeanReach = 0.95;  // of the slab
   const double t = place.on_face;
@@ -74,14 +74,14 @@ static Vec2d face_point(const StonePlace& place, const Vec2d& rim) {
   return t * (even + t * t * (rim - even));
 }
 
-/// How far the fracture face stands out of the straight outline.
+/// Returns how far the fracture face stands out of the straight outline.
 double TabletStone::fracture(const Vec3d& p) const {
   const double broken = 22 * fractal_noise(p / 75, 6, sub_seed(seed_, kBreak));
   const double splinters = 7 * std::abs(gradient_noise(p / 26, sub_seed(seed_, kSplinters)));
   return broken - splinters;
 }
 
-/// The plan's axes are not the fragment's.
+/// Turns p to the axes of the plan, which are not the fragment's.
 Vec2d TabletStone::on_plan(const Vec2d& p) const {
   constexpr double kCosine = 0.9928, kSine = 0.1198;
   return {kCosine * p.x() + kSine * p.y(), kCosine * p.y() - kSine * p.x()};

@@ -10,16 +10,16 @@
 
 namespace burnish {
 
-/// A place on the tablet: a ray from the middle of the face to its rim, down the fracture face and
-/// round to the underside.
+/// A place on the tablet, on a path from the middle of the face to its rim, down the fracture face
+/// and around to the underside.
 struct StonePlace {
   Eigen::Vector2d towards = {1, 0};  ///< on the boundary of the square [-1, 1]²
   double on_face = 0;                ///< 0 in the middle, 1 at the rim and past it
   double past_rim = 0;               ///< 0 on the face, 1 at the end of the underside
 };
 
-/// A broken marble slab of about 600 × 440 × 48 mm: its face up in the plane z = 0, weathered and
-/// engraved; its flanks fractured.
+/// A broken marble slab of about 600 × 440 × 48 mm: its face is up in the plane z = 0, weathered
+/// and engraved; its flanks are fractured.
 class TabletStone {
  public:
   explicit TabletStone(uint64_t seed);

@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-/// A square lattice of vertices whose quads can be torn out. The outside is where columns run to
-/// the right and rows run up.
+/// A square lattice of vertices whose quads can be torn out. Seen from outside, columns run to the
+/// right and rows run up.
 class TornLattice {
  public:
   explicit TornLattice(int side)
@@ -20,8 +20,8 @@ class TornLattice {
   /// Tears out the quads whose lower left vertex does not satisfy keep(column, row, position).
   void keep_where(const std::function<bool(int, int, const Vec3d&)>& keep);
 
-  /// The largest piece that hangs together, as a manifold with boundary: quads that touch others
-  /// with one corner only go too. Each quad is split along its shorter diagonal.
+  /// Returns the largest connected piece as a manifold with boundary: quads that touch others only
+  /// at one corner are removed too. Each quad is split along its shorter diagonal.
   TriangleMesh largest_piece();
 
  private:

@@ -11,7 +11,7 @@ static constexpr int kCellsPerBrick = 1 << kBrickShift;
 
 namespace {
 
-/// Where a cell's corner lies: in its own brick or one of the seven above it, and which bit.
+/// The place of a cell's corner: which brick, its own or one of the seven above it, and which bit.
 struct Place {
   uint8_t brick;
   uint8_t bit;
@@ -36,7 +36,7 @@ const std::array<Place, kCornersPerCell>& places_of(const GridKey& cell) {
   return kPlaces[cell.place % kCellsPerBrick];
 }
 
-/// The key of a brick, or of one above it.
+/// Returns the key of a cell's brick, or of a brick above it.
 GridKey brick_key(const GridKey& cell, int above) {
   return {morton_key(morton_point(cell.place >> kBrickShift) + corner_offset(above)),
           cell.component};
@@ -73,7 +73,7 @@ void CornerBricks::add_corners(Run& run, std::span<const GridKey> cells) {
   }
 }
 
-// One brick for each key.
+// Merges bricks of the same key into one.
 void CornerBricks::merge() {
   parallel_sort(bricks_.begin(), bricks_.end(),
                 [](const Brick& a, const Brick& b) { return a.key < b.key; });
@@ -91,8 +91,8 @@ void CornerBricks::merge() {
   index_.resize(corners);
 }
 
-// Calls visit(brick, bit) for all corners as they rise. Where bricks of many components share a
-// place, a corner's neighbours in this order are of other bricks.
+// Calls visit(brick, bit) for all corners in rising order. If bricks of several components share a
+// place, neighbours in this order belong to different bricks.
 template <typename Visit>
 void CornerBricks::for_each_corner(Visit&& visit) const {
   for (auto first = bricks_.begin(), last = first; first != bricks_.end(); first = last) {
@@ -127,7 +127,7 @@ std::vector<GridKey> CornerBricks::corners() const {
 
 void CornerBricks::number(const Run& run, const GridKey* cells,
                           std::array<int32_t, kCornersPerCell>* cell_corners) const {
-  // The index of every corner of the eight bricks, by bit.
+  // Index of every corner of the eight bricks, by bit.
   std::array<std::array<int32_t, kCellsPerBrick>, kCornersPerCell> index;
   for (int above = 0; above < kCornersPerCell; ++above) {
     if ((run.bricks >> above & 1) == 0) continue;

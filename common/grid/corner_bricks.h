@@ -9,23 +9,23 @@
 
 namespace burnish {
 
-/// The corners of a grid's cells, found by bricks of 4×4×4: a brick's corners are the bits of one
-/// word, so that a tenth of the keys is to be sorted, and a corner's index is a count of bits.
+/// Finds the corners of a grid's cells by bricks of 4×4×4. A brick's corners are the bits of one
+/// word, so only a tenth of the keys needs sorting, and a corner's index is a count of bits.
 class CornerBricks {
  public:
   /// Cells of one component in one brick, next to each other: [first, last).
   struct Run {
     int32_t first, last;
-    uint8_t bricks;  ///< where their corners lie: bit 0 their own brick, bits 1 to 7 those above it
+    uint8_t bricks;  ///< bricks of their corners: bit 0 their own, bits 1 to 7 those above it
   };
 
-  /// Needs: cells strictly rising; they stay where they are.
+  /// Needs: cells strictly rising, alive and in place as long as this object.
   explicit CornerBricks(std::span<const GridKey> cells);
 
   std::span<const Run> runs() const { return runs_; }
   /// Strictly rising.
   std::vector<GridKey> corners() const;
-  /// The corners of a run's cells, by cell.
+  /// Writes the corners of a run's cells, by cell.
   void number(const Run& run, const GridKey* cells,
               std::array<int32_t, kCornersPerCell>* cell_corners) const;
 

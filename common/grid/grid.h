@@ -11,8 +11,9 @@
 
 namespace burnish {
 
-/// Where the 2^depth grid lies: a cube centred on the bounding box of the referenced vertices, the
-/// longest side of the box being 0.9 of the cube's. Grid units: cell edge 1, planes at integers.
+/// The place of the 2^depth grid: a cube centred on the bounding box of the referenced vertices.
+/// The longest side of the box is 0.9 of the cube's side. Grid units: cell edge 1, planes at
+/// integers.
 struct GridFrame {
   Vec3d origin = Vec3d::Zero();  ///< file units: the cube's least corner
   double cell_size = 1;          ///< file units
@@ -26,7 +27,7 @@ struct GridFrame {
 /// Needs: box_max > box_min in at least one axis, kDepthMin <= depth <= kDepthMax.
 GridFrame make_grid_frame(const Vec3d& box_min, const Vec3d& box_max, int depth);
 
-/// The default depth: the cell is about 1.5 mean edges; at most kDefaultDepthMax.
+/// Returns the default depth, at which a cell is about 1.5 mean edges; at most kDefaultDepthMax.
 int default_depth(const Vec3d& box_min, const Vec3d& box_max, double mean_edge_length);
 
 /// Rounds coordinates that are within 1e-7 of a grid plane onto it, so that clipping and evaluation

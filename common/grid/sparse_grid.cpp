@@ -42,7 +42,7 @@ SparseGrid connect(int depth, std::vector<GridKey> cells) {
   return grid;
 }
 
-// Cells that share a corner hang together. Returns the least cell of each one's component.
+// Unites cells that share a corner. Returns the least cell of each cell's component.
 std::vector<int32_t> component_roots(const SparseGrid& grid) {
   DisjointSets sets(grid.cells.size());
   for (const auto& around : grid.cells_of_corner) {

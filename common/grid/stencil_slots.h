@@ -11,7 +11,7 @@ inline constexpr int slot_of_offset(int dx, int dy, int dz) {
 inline constexpr int opposite_slot(int slot) {
   return kSlots - 1 - slot;
 }
-/// Slot of local corner b seen from local corner a of the same cell.
+/// Returns the slot of local corner b seen from local corner a of the same cell.
 inline constexpr int slot_between(int a, int b) {
   return slot_of_offset((b & 1) - (a & 1), (b >> 1 & 1) - (a >> 1 & 1), (b >> 2) - (a >> 2));
 }

@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-/// The components of a mesh, connected through edges: for each vertex the least one of its
-/// component. Cost: near linear time.
+/// Returns for each vertex the least vertex of its component; components are connected through
+/// edges. Cost: near linear time.
 std::vector<int32_t> component_roots(std::span<const Triangle> triangles, size_t vertices);
 
 }  // namespace burnish

@@ -19,7 +19,7 @@ Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path) {
   if (extension == ".stl") return MeshFormat::kStl;
   if (extension == ".off") return MeshFormat::kOff;
   return invalid_argument(path.string() + ": extension '" + extension +
-                          "' is no mesh format; use .ply, .obj, .stl or .off");
+                          "' is not a mesh format; use .ply, .obj, .stl or .off");
 }
 
 static Result<TriangleMesh> parse_mesh(std::span<const uint8_t> bytes, MeshFormat format,
@@ -60,7 +60,7 @@ Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
   if (format == MeshFormat::kOff)
     return invalid_argument("cannot write " + path.string() +
-                            ": OFF files are read only; write .ply, .obj or .stl");
+                            ": Burnish reads OFF but does not write it; use .ply, .obj or .stl");
   RETURN_IF_ERROR(validate(mesh).with_context("cannot write " + path.string()));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
   const auto write = format == MeshFormat::kPly   ? write_ply

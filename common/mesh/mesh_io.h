@@ -10,10 +10,11 @@
 
 namespace burnish {
 
-/// The mesh formats that can be read; kOff is read only.
+/// The mesh formats that can be read. kOff cannot be written.
 enum class MeshFormat { kPly, kObj, kStl, kOff };
 
-/// The format by file extension, any case. Fails: invalid_argument naming the path and the choices.
+/// Returns the format by file extension, in any case. Fails: invalid_argument that names the path
+/// and the choices.
 Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path);
 
 /// Reads and validates a mesh. Messages name the file, the place in it, the value and the limit.
@@ -21,12 +22,12 @@ Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path);
 /// resource_exhausted.
 Result<TriangleMesh> read_mesh(const std::filesystem::path& path);
 
-/// The same from memory, for uploads and fuzzers. `name` only serves the messages.
+/// Reads a mesh from memory, for uploads and fuzzers. `name` is only used in messages.
 Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                const std::string& name);
 
 /// Writes by extension (PLY binary little-endian, OBJ, STL binary) to a temporary file beside
-/// `path`, syncs it, and renames it into place: a failed write leaves what was there before.
+/// `path`, syncs it, and renames it into place. A failed write leaves the old file.
 /// Fails: invalid_argument (unknown extension, OFF), resource_exhausted (disk full), ...
 Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path);
 

@@ -38,7 +38,7 @@ class ObjReader {
     return Status::ok();
   }
 
-  /// "x y z r g b" carries a colour; one value more than x y z is a weight and means nothing here.
+  /// Reads the colour of "x y z r g b". A single value after x y z is a weight, which is ignored.
   void read_colour() {
     std::array<float, 3> rgb;
     for (float& channel : rgb) {
@@ -65,8 +65,8 @@ class ObjReader {
     return Status::ok();
   }
 
-  /// "v", "v/vt", "v//vn" or "v/vt/vn"; v counts from 1, or back from the last vertex when
-  /// negative.
+  /// Reads "v", "v/vt", "v//vn" or "v/vt/vn". v counts from 1; a negative v counts back from the
+  /// last vertex.
   Status read_corner(std::string_view token, uint32_t& corner) {
     int64_t index;
     if (!parse_integer(token.substr(0, token.find('/')), index))
@@ -88,7 +88,7 @@ class ObjReader {
     return Status::ok();
   }
 
-  /// Faces may come before their vertices, so this waits until all are known.
+  /// Runs at the end, when all vertices are known: faces may come before their vertices.
   Status check_largest_index() const {
     if (largest_index_ < static_cast<int64_t>(mesh_.vertices.size())) return Status::ok();
     return invalid_argument(name_ + ": line " + std::to_string(largest_index_place_.line) +

@@ -20,8 +20,7 @@ static void put_vertex(const TriangleMesh& mesh, size_t v, OutputBuffer& output)
   output.put_text("\n");
 }
 
-/// Colours go as fractions after the position, as most programs write them; OBJ has no room for
-/// alpha.
+/// Writes colours as fractions after the position, as most programs do. OBJ has no place for alpha.
 Status write_obj(const TriangleMesh& mesh, AtomicFile& file) {
   OutputBuffer output(file);
   for (size_t v = 0; v < mesh.vertices.size(); ++v) put_vertex(mesh, v, output);

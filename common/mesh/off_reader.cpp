@@ -10,8 +10,8 @@
 
 namespace burnish {
 
-/// Reads Geomview's OFF and its kin with colours (C), normals (N) and texture coordinates (ST);
-/// of these the colours are kept. One line per vertex and per face.
+/// Reads Geomview's OFF and its variants with colours (C), normals (N) and texture coordinates
+/// (ST). Keeps only the colours. A vertex or face has one line.
 class OffReader {
  public:
   OffReader(std::span<const uint8_t> bytes, const std::string& name)
@@ -42,14 +42,14 @@ class OffReader {
                           ", not OFF, COFF, NOFF or CNOFF");
   }
 
-  /// "vertices faces [edges]", after the magic word or on a line of their own.
+  /// Reads "vertices faces [edges]", after the magic word or on its own line.
   Status read_counts() {
     std::string_view token = scanner_.next_token();
     if (token == "BINARY") return scanner_.error("binary OFF files cannot be read; only text");
     if (token.empty() && scanner_.next_line()) token = scanner_.next_token();
     RETURN_IF_ERROR(parse_count("vertex", token, kVerticesMax, vertices_));
     RETURN_IF_ERROR(parse_count("face", scanner_.next_token(), kTrianglesMax, faces_));
-    // The shortest lines are "0 0 0" and "0", each with its line's end but for the last.
+    // The shortest lines are "0 0 0" and "0"; all lines but the last have a line end.
     const uint64_t bytes_min = 6 * vertices_ + 2 * faces_;
     const uint64_t bytes = scanner_.bytes_after_line();
     if (bytes_min <= bytes + 1) return Status::ok();

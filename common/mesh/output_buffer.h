@@ -10,8 +10,8 @@
 
 namespace burnish {
 
-/// Gathers small values into large writes. The first failure is kept, later values are dropped,
-/// and flush() tells.
+/// Gathers small values into large writes. Keeps the first failure for flush() and drops later
+/// values.
 class OutputBuffer {
  public:
   explicit OutputBuffer(AtomicFile& file) : file_(file) { buffer_.reserve(kBytes); }
@@ -21,13 +21,13 @@ class OutputBuffer {
     buffer_.append(text);
   }
 
-  /// The bytes of a value in the machine's order, which is little-endian.
+  /// Appends the bytes of a value in the machine's order, which is little-endian.
   template <typename T>
   void put_bytes(const T& value) {
     put_text({reinterpret_cast<const char*>(&value), sizeof value});
   }
 
-  /// The shortest decimal number that reads back as the same value.
+  /// Appends the shortest decimal number that reads back as the same value.
   template <typename Number>
   void put_number(Number value) {
     char text[32];
@@ -35,7 +35,7 @@ class OutputBuffer {
     put_text({text, static_cast<size_t>(result.ptr - text)});
   }
 
-  /// Call last.
+  /// Writes the rest. Returns the first failure. Call last.
   Status flush() {
     write();
     return status_;

@@ -12,14 +12,14 @@
 
 namespace burnish {
 
-/// The values of a text PLY body, with the same face as PlyBinarySource. An element may take
-/// several lines (long strips do), but no line may hold more than one.
+/// Reads the values of a text PLY body; has the same interface as PlyBinarySource. An element may
+/// take several lines (long strips do), but a line holds at most one element.
 class PlyAsciiSource {
  public:
   PlyAsciiSource(std::span<const uint8_t> bytes, const PlyHeader& header, const std::string& name)
       : scanner_(bytes.subspan(header.body_offset), name, {}, header.lines) {}
 
-  /// False at the end of the file or for what is no number of the type's kind.
+  /// Returns false at the end of the file, or if the token is not a number of the type's kind.
   bool read(PlyType type, double& value) {
     token_ = scanner_.next_token();
     if (token_.empty() && scanner_.next_line()) token_ = scanner_.next_token();
@@ -37,7 +37,7 @@ class PlyAsciiSource {
     return true;
   }
 
-  /// Each value takes a digit and a blank, but the last one.
+  /// Counts a digit and a blank for each value; the last needs no blank.
   uint64_t values_left_max(PlyType) const {
     return (scanner_.line_rest().size() + scanner_.bytes_after_line()) / 2 + 1;
   }
@@ -50,7 +50,7 @@ class PlyAsciiSource {
   bool last_exceeds_float(double value) const { return exceeds_float(token_, value); }
 
   std::string failure() const {
-    if (token_.empty()) return "the file ends in it";
+    if (token_.empty()) return "the file ends inside it";
     return in_quotes(token_) + " is not a value of the declared type";
   }
 
@@ -58,7 +58,7 @@ class PlyAsciiSource {
 
  private:
   TextScanner scanner_;
-  std::string_view token_;  // the last one
+  std::string_view token_;  // the last token
 };
 
 }  // namespace burnish

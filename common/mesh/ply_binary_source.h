@@ -15,14 +15,15 @@ namespace burnish {
 
 static_assert(std::endian::native == std::endian::little);
 
-/// The values of a binary PLY body, one after the other. A double holds every PLY type exactly.
+/// Reads the values of a binary PLY body, one after the other. A double holds every PLY type
+/// exactly.
 template <bool kBigEndian>
 class PlyBinarySource {
  public:
   PlyBinarySource(std::span<const uint8_t> bytes, const PlyHeader& header, const std::string& name)
       : bytes_(bytes), position_(header.body_offset), name_(name) {}
 
-  /// False when the body ends before the value does; failure() then says so.
+  /// Returns false if the body ends inside the value; failure() then says so.
   bool read(PlyType type, double& value) {
     switch (type) {
       case PlyType::kInt8:
@@ -45,26 +46,26 @@ class PlyBinarySource {
     return false;
   }
 
-  /// The same for several values that nobody wants.
+  /// Skips several values in the same way.
   bool skip(PlyType type, uint64_t count) {
     if (count > values_left_max(type)) return false;
     position_ += count * bytes_of(type);
     return true;
   }
 
-  /// More values than this cannot follow.
+  /// Returns how many values can follow at most.
   uint64_t values_left_max(PlyType type) const {
     return (bytes_.size() - position_) / bytes_of(type);
   }
 
-  /// True where an element may end: anywhere.
+  /// Returns true: an element may end anywhere.
   bool at_line_end() { return true; }
 
-  /// Whether the value, the last one read, was written with more digits than a float holds.
+  /// Returns whether the last value has more digits than a float holds: never, the type decides.
   bool last_exceeds_float(double) const { return false; }
 
-  /// Why read() returned false.
-  std::string failure() const { return "the file ends in it"; }
+  /// Says why read() returned false.
+  std::string failure() const { return "the file ends inside it"; }
 
   Status error(const std::string& what) const {
     return invalid_argument(name_ + ": byte " + std::to_string(position_) + ": " + what);

@@ -67,11 +67,11 @@ class HeaderParser {
       header_.encoding = PlyEncoding::kBigEndian;
     } else {
       return scanner_.error("unknown format " + in_quotes(encoding) +
-                            "; known are ascii, binary_little_endian and binary_big_endian");
+                            "; use ascii, binary_little_endian or binary_big_endian");
     }
     const std::string_view version = scanner_.next_token();
     if (version != "1.0")
-      return scanner_.error("PLY version " + in_quotes(version) + " cannot be read, only 1.0");
+      return scanner_.error("PLY version " + in_quotes(version) + " is not supported; use 1.0");
     has_format_ = true;
     return Status::ok();
   }
@@ -83,7 +83,7 @@ class HeaderParser {
     int64_t count;
     if (!parse_integer(token, count) || count < 0)
       return scanner_.error("element " + in_quotes(element.name) + " has the count " +
-                            in_quotes(token) + "; a count is a number from 0");
+                            in_quotes(token) + ", which is not an integer of 0 or more");
     element.count = static_cast<uint64_t>(count);
     if (header_.find(element.name) != nullptr)
       return scanner_.error("element " + in_quotes(element.name) + " is declared twice");
@@ -126,12 +126,12 @@ class HeaderParser {
     const std::optional<PlyType> known = ply_type_of_name(token);
     if (!known)
       return scanner_.error("unknown property type " + in_quotes(token) +
-                            "; known are char to double and int8 to float64");
+                            "; use char to double or int8 to float64");
     type = *known;
     return Status::ok();
   }
 
-  /// Looking for duplicates takes quadratic time, so that their number must be small.
+  /// Limits the number of declarations: the search for duplicates takes quadratic time.
   Status check_declarations() {
     if (++declarations_ <= kPropertiesMax) return Status::ok();
     return scanner_.error("the header declares more than " + std::to_string(kPropertiesMax) +
@@ -145,7 +145,7 @@ class HeaderParser {
   size_t declarations_ = 0;
 };
 
-/// The least that one element can take in the body; in text a digit and a blank for each property.
+/// Returns the least bytes of one element in the body; in text a digit and a blank per property.
 size_t bytes_min(const PlyElement& element, PlyEncoding encoding) {
   size_t bytes = 0;
   for (const PlyProperty& property : element.properties)

@@ -31,18 +31,18 @@ struct PlyElement {
 
 enum class PlyEncoding { kAscii, kLittleEndian, kBigEndian };
 
-/// What a PLY file says of itself before its body begins.
+/// The content of a PLY file's header.
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kAscii;
   std::vector<PlyElement> elements;
   size_t body_offset = 0;  ///< bytes
-  size_t lines = 0;        ///< of the header itself
+  size_t lines = 0;        ///< lines of the header
 
   const PlyElement* find(std::string_view element_name) const;
 };
 
 /// Parses the header and checks that a body of the promised size can follow.
-/// Fails: invalid_argument naming the line, or the first element that cannot be complete.
+/// Fails: invalid_argument that names the line, or the first element that cannot be complete.
 Result<PlyHeader> parse_ply_header(std::span<const uint8_t> bytes, const std::string& name);
 
 }  // namespace burnish

@@ -31,13 +31,13 @@ static Status find_vertex_slots(const PlyHeader& header, const std::string& name
   }
   for (size_t axis = 0; axis < kPlyRed; ++axis)
     if (!found[axis])
-      return invalid_argument(name + ": element 'vertex' has no property " +
-                              in_quotes(kSlotNames[axis]) + " that is a number");
+      return invalid_argument(name + ": element 'vertex' has no numeric property " +
+                              in_quotes(kSlotNames[axis]));
   layout.has_colours = found[kPlyRed] && found[kPlyRed + 1] && found[kPlyRed + 2];
   return Status::ok();
 }
 
-/// None for an element that the file does not have.
+/// Leaves `list` unchanged if the file does not have the element.
 static Status find_index_list(const PlyHeader& header, const char* element_name,
                               const std::string& name, size_t& list) {
   const PlyElement* element = header.find(element_name);
@@ -50,7 +50,7 @@ static Status find_index_list(const PlyHeader& header, const char* element_name,
       });
   if (found == properties.end())
     return invalid_argument(name + ": element " + in_quotes(element_name) +
-                            " has no list 'vertex_indices' of integers");
+                            " has no integer list 'vertex_indices'");
   list = static_cast<size_t>(found - properties.begin());
   return Status::ok();
 }

@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// Where a vertex's property goes: axes 0 to 2, then the channels red, green, blue, alpha.
+/// Slots of a vertex's properties: axes 0 to 2, then the channels red, green, blue, alpha.
 inline constexpr size_t kPlyRed = 3;
 inline constexpr size_t kPlyIgnored = 7;
 
@@ -20,13 +20,13 @@ inline constexpr size_t kPlyNoList = SIZE_MAX;
 struct PlyLayout {
   uint64_t vertices = 0;
   std::vector<size_t> vertex_slots;  ///< one per property of element vertex, kPlyIgnored for most
-  bool has_colours = false;          ///< red, green and blue are there
+  bool has_colours = false;          ///< the file has red, green and blue
   bool has_double_positions = false;
   size_t face_list = kPlyNoList;   ///< the property of element face that lists its corners
   size_t strip_list = kPlyNoList;  ///< the same of element tristrips
 };
 
-/// Fails: invalid_argument when positions or faces are not there or are not of a usable type.
+/// Fails: invalid_argument if positions or faces are missing or have an unusable type.
 Result<PlyLayout> find_ply_layout(const PlyHeader& header, const std::string& name);
 
 }  // namespace burnish

@@ -14,7 +14,7 @@ namespace burnish {
 
 namespace {
 
-/// Indices that end a strip and let the next one begin: -1, also as unsigned types show it.
+/// Indices that end a strip and begin the next: -1, also in the form of unsigned types.
 constexpr double kRestart = -1;
 constexpr double kRestartUnsigned = 0xFFFFFFFF;
 
@@ -72,7 +72,7 @@ class PlyBodyReader {
     return Status::ok();
   }
 
-  /// Faces and strips; other elements are only skipped.
+  /// Reads faces and strips; skips other elements.
   Status read_lists(const PlyElement& element) {
     const bool is_face = element.name == "face";
     const bool is_strip = element.name == "tristrips";
@@ -162,7 +162,7 @@ class PlyBodyReader {
     return error(element, number, source_.failure());
   }
   Status leftover_error(const PlyElement& element, uint64_t number) const {
-    return error(element, number, "the line goes on after its last value");
+    return error(element, number, "the line continues after its last value");
   }
   Status index_error(const PlyElement& element, uint64_t number, double index) const {
     return source_.error(

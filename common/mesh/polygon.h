@@ -16,8 +16,8 @@ inline void append_fan(std::span<const uint32_t> corners, std::vector<Triangle>&
     triangles.push_back({corners[0], corners[i - 1], corners[i]});
 }
 
-/// A strip in which each vertex makes a triangle with the two before it, every other one turned
-/// round. Triangles that repeat a vertex are joints of the strip, not faces, and left out.
+/// A strip in which each vertex makes a triangle with the two before it; every other triangle is
+/// reversed. Triangles that repeat a vertex are joints of the strip and are left out.
 class TriangleStrip {
  public:
   void append(uint32_t c, std::vector<Triangle>& triangles) {
@@ -30,12 +30,12 @@ class TriangleStrip {
 
  private:
   uint64_t length_ = 0;
-  uint32_t a_ = 0;  // the last vertex but one
+  uint32_t a_ = 0;  // the vertex before the last
   uint32_t b_ = 0;  // the last
 };
 
-/// Polygons and strips unfold to more bytes of triangles than the file has for them. Of scans they
-/// never come near this; a file of polygons around few vertices could fill the memory.
+/// Limits how many bytes of triangles polygons and strips unfold to. Scans never come near this
+/// limit; a hostile file with polygons around few vertices could fill the memory.
 inline constexpr uint64_t kUnfoldedBytesPerFileByte = 4;
 inline constexpr uint64_t kUnfoldedBytesInAnyCase = 1 << 20;
 

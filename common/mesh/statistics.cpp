@@ -10,8 +10,8 @@
 namespace burnish {
 namespace {
 
-/// Calls visit(a, b) once for each edge of the triangle: three, or one if it repeats a vertex, or
-/// none if all three are the same.
+/// Calls visit(a, b) once for each edge of the triangle. A triangle has three edges, one if it
+/// repeats a vertex, none if all three vertices are the same.
 template <typename Visit>
 void for_each_edge(const Triangle& triangle, const Visit& visit) {
   const auto& [a, b, c] = triangle;
@@ -20,7 +20,7 @@ void for_each_edge(const Triangle& triangle, const Visit& visit) {
   if (c != a && a != b && b != c) visit(c, a);
 }
 
-/// Every triangle's edges, as the upper ends grouped by lower end and sorted within.
+/// The edges of all triangles: upper ends, grouped by lower end and sorted in each group.
 struct EdgeEnds {
   std::vector<uint64_t> first;  ///< per lower end, and one past the last
   std::vector<uint32_t> upper;
@@ -37,7 +37,7 @@ EdgeEnds collect_edges(const TriangleMesh& mesh) {
     for_each_edge(triangle, [&](uint32_t a, uint32_t b) {
       edges.upper[edges.first[std::min(a, b)]++] = std::max(a, b);
     });
-  // Each entry has moved on to its group's end, which is where the next group starts.
+  // Each entry is now at its group's end, where the next group starts.
   std::rotate(edges.first.begin(), edges.first.end() - 1, edges.first.end());
   edges.first.front() = 0;
 #pragma omp parallel for schedule(dynamic, 4096)
@@ -86,8 +86,8 @@ void count_vertices(const TriangleMesh& mesh, MeshStatistics& statistics) {
   }
 }
 
-/// Needs the box: the volume is summed around its centre, or coordinates far from the origin, as
-/// surveys have, would cancel.
+/// Sums the volume around the centre of the box: coordinates of surveys, far from the origin, would
+/// cancel. Needs: the box.
 void measure_triangles(const TriangleMesh& mesh, MeshStatistics& statistics) {
   const Vec3d centre = statistics.box_min / 2 + statistics.box_max / 2;
   for (const Triangle& triangle : mesh.triangles) {

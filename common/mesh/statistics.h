@@ -7,8 +7,8 @@
 
 namespace burnish {
 
-/// What a user wants to know of a scan before editing it. An edge is an unordered pair of vertex
-/// indices; a triangle that repeats a vertex adds area 0 and the one edge that it has left.
+/// Facts that a user wants to know about a scan before editing it. An edge is an unordered pair of
+/// vertex indices. A triangle that repeats a vertex adds area 0 and its one remaining edge.
 struct MeshStatistics {
   uint64_t vertices = 0;
   uint64_t triangles = 0;

@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-static constexpr size_t kHeaderBytes = 84;  // 80 of text, the facets' count
+static constexpr size_t kHeaderBytes = 84;  // 80 of text, then the number of facets
 static constexpr size_t kFacetBytes = 50;   // normal, three corners, an attribute of two bytes
 
 static uint64_t promised_bytes(std::span<const uint8_t> bytes) {
@@ -18,8 +18,8 @@ static uint64_t promised_bytes(std::span<const uint8_t> bytes) {
   return kHeaderBytes + uint64_t{facets} * kFacetBytes;
 }
 
-/// Binary files may begin with "solid" too; then their length or the bytes of their header,
-/// which text never has, give them away.
+/// Returns whether the file is text. Binary files may begin with "solid" too. Then their length, or
+/// bytes in the header that text never has, reveal them.
 static bool is_ascii(std::span<const uint8_t> bytes) {
   constexpr std::string_view kSolid = "solid";
   if (bytes.size() >= kHeaderBytes && promised_bytes(bytes) == bytes.size()) return false;
@@ -33,7 +33,7 @@ static bool is_ascii(std::span<const uint8_t> bytes) {
 static Result<TriangleMesh> read_binary(std::span<const uint8_t> bytes, const std::string& name) {
   if (bytes.size() < kHeaderBytes)
     return invalid_argument(name + ": neither text that begins with 'solid' nor a whole binary " +
-                            "STL file: the header has 84 bytes, the file " +
+                            "STL file: the header has 84 bytes, the file has " +
                             std::to_string(bytes.size()));
   const uint64_t facets = (promised_bytes(bytes) - kHeaderBytes) / kFacetBytes;
   if (promised_bytes(bytes) > bytes.size())
@@ -63,7 +63,7 @@ static Result<TriangleMesh> read_binary(std::span<const uint8_t> bytes, const st
   return mesh;
 }
 
-/// Reads one or several solids; what stands outside them is skipped.
+/// Reads one or several solids; skips text outside them.
 class AsciiStlReader {
  public:
   AsciiStlReader(std::span<const uint8_t> bytes, const std::string& name)
@@ -92,7 +92,7 @@ class AsciiStlReader {
     if (is("outer") || is("endloop")) return Status::ok();
     const bool is_facet = is("facet");
     if (!is_facet && !is("endsolid"))
-      return scanner_.error(in_quotes(keyword) + " is no statement of an STL solid");
+      return scanner_.error(in_quotes(keyword) + " is not a statement of an STL solid");
     if (corners_ != 0)
       return scanner_.error(facet_text() + " has no 'endfacet' before " + in_quotes(keyword));
     in_solid_ = is_facet;

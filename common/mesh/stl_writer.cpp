@@ -7,12 +7,12 @@
 
 namespace burnish {
 
-/// Of length 1, or 0 for a triangle without area.
+/// Returns a normal of length 1, or 0 for a triangle without area.
 static Vec3f normal_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return (b - a).cross(c - a).stableNormalized().cast<float>();
 }
 
-/// Positions as floats; STL has no room for colours, shared vertices or doubles.
+/// Writes positions as floats. STL has no place for colours, shared vertices or doubles.
 Status write_stl(const TriangleMesh& mesh, AtomicFile& file) {
   std::array<char, 80> header = {"Binary STL written by Burnish"};  // must not begin with "solid"
   OutputBuffer output(file);

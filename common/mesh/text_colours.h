@@ -8,14 +8,14 @@
 
 namespace burnish {
 
-/// The vertex colours of OBJ and OFF, which say nowhere whether they count to 1 or to 255: the
-/// file's largest value tells, once all are seen.
+/// Collects the vertex colours of OBJ and OFF. These formats do not say whether colours range to 1
+/// or to 255; the largest value of the file decides, once all are read.
 class TextColours {
  public:
-  /// The colour of vertex number `vertex`; vertices in between are white.
+  /// Sets the colour of vertex number `vertex`; vertices in between are white.
   void set(size_t vertex, const std::array<float, 3>& rgb);
 
-  /// None if no vertex had one, else one for each of `vertices`.
+  /// Returns no colours if no vertex had one, else one for each of `vertices`.
   std::vector<Rgba8> finish(size_t vertices);
 
  private:

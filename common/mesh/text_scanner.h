@@ -10,29 +10,28 @@
 
 namespace burnish {
 
-/// No sensible text mesh has a longer line; a longer one is refused rather than searched.
+/// Longer lines are refused, not searched: a sensible text mesh has none.
 inline constexpr size_t kLineBytesMax = 1 << 20;
 
 struct TextSyntax {
   bool hash_comments = false;        ///< a token that begins with # ends the line
-  bool backslash_continues = false;  ///< a line that ends with \ goes on in the next one
+  bool backslash_continues = false;  ///< a line that ends with \ continues in the next line
 };
 
-/// Cuts text into lines and their blank-separated tokens and knows the place for messages.
-/// Lines may end in LF or CRLF, the last one in nothing; blank lines and a leading byte order mark
-/// are skipped.
+/// Cuts text into lines and blank-separated tokens, and knows the place for messages. Lines end in
+/// LF or CRLF; the last needs no end. Skips blank lines and a leading byte order mark.
 class TextScanner {
  public:
   TextScanner(std::span<const uint8_t> bytes, std::string name, TextSyntax syntax = {},
               size_t lines_before = 0);
 
-  /// Goes to the next line that holds a token; false at the end of the text.
+  /// Goes to the next line that has a token. Returns false at the end of the text.
   bool next_line();
 
-  /// The current line's next token; empty at its end.
+  /// Returns the current line's next token; empty at the end of the line.
   std::string_view next_token();
 
-  /// The current line's unread part, and how many bytes follow the line.
+  /// Return the unread part of the current line, and how many bytes follow the line.
   std::string_view line_rest() const { return line_; }
   size_t bytes_after_line() const { return rest_.size(); }
   size_t line_number() const { return line_number_; }
@@ -52,7 +51,7 @@ class TextScanner {
   bool continues_ = false;
 };
 
-/// Fails: invalid_argument naming the first line longer than kLineBytesMax.
+/// Fails: invalid_argument that names the first line longer than kLineBytesMax.
 Status check_line_lengths(std::span<const uint8_t> bytes, const std::string& name);
 
 }  // namespace burnish

@@ -46,7 +46,7 @@ bool parse_integer(std::string_view token, int64_t& value) {
   return parse_number(token, value);
 }
 
-/// The exponent of ten of the last printed digit: -3 for 1.250, 1 for 1.2e2.
+/// Returns the exponent of ten of the last printed digit: -3 for 1.250, 1 for 1.2e2.
 static int last_digit_exponent(std::string_view token) {
   const size_t mantissa_end = std::min(token.find_first_of("eE"), token.size());
   const size_t point = token.substr(0, mantissa_end).find('.');
@@ -77,12 +77,12 @@ std::string coordinate_complaint(ElementName element, int axis, const std::strin
 static Status coordinate_error(const TextScanner& scanner, ElementName element, int axis,
                                std::string_view token) {
   if (token.empty())
-    return scanner.error(name_of(element) + ": " + std::to_string(axis) +
-                         " of 3 coordinates are there");
+    return scanner.error(name_of(element) + " has " + std::to_string(axis) +
+                         " of its 3 coordinates");
   double ignored;
   if (!parse_double(token, ignored))
     return scanner.error(name_of(element) + ": " + "xyz"[axis] + " = " + in_quotes(token) +
-                         " is not a number that a double holds");
+                         " is not a number in the range of a double");
   return scanner.error(coordinate_complaint(element, axis, std::string(token)));
 }
 

@@ -18,17 +18,17 @@ struct TriangleMesh {
   std::vector<Triangle> triangles;  ///< indices into `vertices`
   std::vector<Rgba8> colours;       ///< empty, or one per vertex
 
-  /// True when the source held more than float precision (PLY double, long decimals), as survey
-  /// coordinates do; writers then write doubles, else floats.
+  /// True if the source has more than float precision (PLY double, long decimals), as survey
+  /// coordinates have. Writers then write doubles, else floats.
   bool has_double_positions = false;
 
   bool has_colours() const { return !colours.empty(); }
 };
 
-/// What every consumer may assume of a mesh: at least one triangle, counts within the limits,
-/// indices in range, coordinates finite and within kCoordinateMagnitudeMax, colours none or all,
-/// and a positive, finite total area.
-/// Fails: invalid_argument naming the first offending vertex or triangle, its value and the limit.
+/// Checks what every consumer may assume of a mesh: at least one triangle, counts within the
+/// limits, indices in range, coordinates finite and within kCoordinateMagnitudeMax, no colours or
+/// one per vertex, and a positive, finite total area.
+/// Fails: invalid_argument that names the first bad vertex or triangle, its value and the limit.
 Status validate(const TriangleMesh& mesh);
 
 }  // namespace burnish

@@ -10,12 +10,13 @@ static constexpr size_t kSlotsAtFirst = 1024;
 
 VertexWelder::VertexWelder(std::vector<Vec3d>& vertices)
     : vertices_(vertices), slots_(kSlotsAtFirst, kEmpty) {
-  // Secret seeds: a hostile file cannot aim at one slot. The result does not depend on them.
+  // With secret seeds a hostile file cannot aim at one slot. The result does not depend on them.
   std::random_device random;
   for (uint64_t& seed : seeds_) seed = (uint64_t{random()} << 32) | random();
 }
 
-/// The two halves of the full product, folded: every bit of both factors reaches the result.
+/// Returns the two halves of the full product, folded: every bit of both factors reaches the
+/// result.
 static uint64_t folded_product(uint64_t a, uint64_t b) {
   const auto product = static_cast<unsigned __int128>(a) * b;
   return static_cast<uint64_t>(product) ^ static_cast<uint64_t>(product >> 64);

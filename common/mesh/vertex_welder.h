@@ -8,10 +8,10 @@
 namespace burnish {
 
 /// Gives equal positions the same index, in order of first appearance; 0 and -0 are equal.
-/// Cost: O(1) a position, 8 to 16 bytes per distinct one beside the position itself.
+/// Cost: O(1) per position; 8 to 16 bytes per distinct position besides the position itself.
 class VertexWelder {
  public:
-  /// Appends the distinct positions to `vertices`, which only the welder may change meanwhile.
+  /// Appends the distinct positions to `vertices`. Needs: only the welder changes `vertices`.
   explicit VertexWelder(std::vector<Vec3d>& vertices);
 
   uint32_t index_of(const Vec3d& position);

@@ -19,7 +19,8 @@ std::string_view mesh_format_name(MeshFormat format) {
 Result<MeshFormat> mesh_format_of_name(std::string_view name) {
   for (const auto format : {MeshFormat::kPly, MeshFormat::kObj, MeshFormat::kStl, MeshFormat::kOff})
     if (mesh_format_name(format) == name) return format;
-  return invalid_argument("mesh format '" + std::string(name) + "' is none of ply, obj, stl, off");
+  return invalid_argument("mesh format '" + std::string(name) +
+                          "' is not one of ply, obj, stl, off");
 }
 
 }  // namespace burnish

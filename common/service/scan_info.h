@@ -13,9 +13,9 @@
 
 namespace burnish {
 
-/// Which prepared mesh of a scan.
+/// Identifies a prepared mesh of a scan.
 struct PreparedKey {
-  int depth = 0;                ///< 0 stands for the scan's default depth
+  int depth = 0;                ///< 0: the scan's default depth
   double curvature_radius = 0;  ///< averaging radius for κ as a fraction of L
   auto operator<=>(const PreparedKey&) const = default;
 };
@@ -39,7 +39,7 @@ struct ScanInfo {
   std::vector<PreparedInfo> prepared;  ///< by depth
 };
 
-/// What a prepared mesh looks like from outside.
+/// Describes a prepared mesh to clients.
 struct PreparedDescription {
   PreparedKey key;
   double length_unit = 0;        ///< L, file units
@@ -55,23 +55,23 @@ struct ScanDescription {
   std::optional<PreparedDescription> prepared;
 };
 
-/// What a client says of a file before it sends it.
+/// A client's announcement of a file before it sends it.
 struct ImportHeader {
   std::string name;
   MeshFormat format = MeshFormat::kPly;
   uint64_t size_bytes = 0;
-  std::string sha256;  ///< empty, or what the bytes will hash to
+  std::string sha256;  ///< empty, or the hash of the bytes that follow
   PreparedKey key;
 };
 
-/// Which view of a scan a client draws.
+/// The view of a scan that a client wants to draw.
 struct ViewWish {
   std::string scan;  ///< name, id, or the beginning of one id
   PreparedKey key;
   uint64_t triangles_max = 0;  ///< of a proxy; 0: the whole scan
 };
 
-/// What an import ended with.
+/// The result of an import.
 struct ImportOutcome {
   ScanInfo scan;
   bool already_present = false;
@@ -82,10 +82,10 @@ inline constexpr size_t kEditIdBytesMax = 64;
 /// "ply", "obj", "stl", "off".
 std::string_view mesh_format_name(MeshFormat format);
 
-/// Fails: invalid_argument with the choices.
+/// Returns the format of a name. Fails: invalid_argument that names the choices.
 Result<MeshFormat> mesh_format_of_name(std::string_view name);
 
-/// The first digits of an id, enough for people.
+/// The number of digits of an id that are shown to users.
 inline constexpr size_t kShortIdDigits = 12;
 inline std::string short_id(std::string_view id) {
   return std::string(id.substr(0, kShortIdDigits));

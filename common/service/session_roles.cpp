@@ -33,7 +33,8 @@ Status SessionRoles::set(const std::string& user, SessionRole role) {
   changed[user] = role;
   if (std::none_of(changed.begin(), changed.end(),
                    [](const auto& entry) { return entry.second == SessionRole::kOwner; }))
-    return failed_precondition("a session keeps at least one owner; make somebody else one first");
+    return failed_precondition(
+        "a session needs at least one owner; make somebody else an owner first");
   roles_ = std::move(changed);
   return Status::ok();
 }

@@ -17,7 +17,8 @@ Status check_chunk(uint64_t expected_offset, uint64_t offset, std::string_view d
                             std::to_string(kChunkBytesMax));
   if (offset != expected_offset)
     return data_loss(where + " should begin at " + std::to_string(expected_offset));
-  if (chunk_crc32(data) != crc32) return data_loss(where + " was damaged on its way (CRC-32)");
+  if (chunk_crc32(data) != crc32)
+    return data_loss(where + " was damaged in transfer (its CRC-32 differs)");
   return Status::ok();
 }
 

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// SHA-256 of a file's bytes as they pass: what a scan is known by.
+/// Computes the SHA-256 of a file's bytes as they pass. It identifies a scan.
 class ContentHash {
  public:
   static constexpr size_t kDigits = 64;
@@ -18,7 +18,7 @@ class ContentHash {
 
   void update(std::string_view bytes);
 
-  /// 64 lower-case hexadecimal digits. Ends the hash: call it once.
+  /// Returns 64 lower-case hexadecimal digits. Ends the hash: call it once.
   std::string finish();
 
  private:
@@ -26,7 +26,7 @@ class ContentHash {
   std::unique_ptr<Context> context_;
 };
 
-/// True for 64 lower-case hexadecimal digits.
+/// Returns true for 64 lower-case hexadecimal digits.
 bool is_content_hash(std::string_view text);
 
 }  // namespace burnish

@@ -13,9 +13,9 @@
 
 namespace burnish {
 
-/// What a client needs to draw a prepared scan and to evaluate its frames: the mesh, or a proxy of
-/// it, where its vertices lie in the grid, and the grid. From its grid and points both ends make
-/// the same FrameLayout.
+/// Everything that a client needs to draw a prepared scan and to evaluate its frames: the mesh or a
+/// proxy of it, the places of its vertices in the grid, and the grid. Both ends make the same
+/// FrameLayout from the grid and the points.
 struct View {
   GridFrame frame;
   double length_unit = 1;               ///< L = sqrt(area), file units
@@ -30,7 +30,7 @@ struct View {
   bool is_proxy() const { return triangles.size() < scan_triangles; }
 };
 
-/// A prepared mesh, as far as views need it. Nothing is copied.
+/// The parts of a prepared mesh that views need. Nothing is copied.
 struct ViewSource {
   GridFrame frame;
   double length_unit = 1;            ///< file units
@@ -39,7 +39,7 @@ struct ViewSource {
   std::span<const Rgba8> colours;  ///< empty, or one per vertex
 };
 
-/// A view as it travels.
+/// A view in the form that travels.
 struct PackedView {
   std::vector<uint8_t> bytes;  ///< in the format of view_format.h
   uint64_t vertices = 0;
@@ -48,15 +48,15 @@ struct PackedView {
   uint64_t scan_triangles = 0;
 };
 
-/// The view of the scan where triangles_max is 0 or the scan has no more, else of a proxy. The same
-/// input gives the same bytes.
-/// Cost: a second for some three million triangles, and what make_proxy() costs.
+/// Makes the view of the whole scan if triangles_max is 0 or the scan has no more triangles, else
+/// the view of a proxy. The same input gives the same bytes.
+/// Cost: about a second per three million triangles, plus make_proxy().
 PackedView make_view(const ViewSource& scan, uint64_t triangles_max);
 
-/// What a view may take once it is read.
+/// Limit of the memory that a view takes once it is read.
 inline constexpr uint64_t kViewMemoryBytesMax = uint64_t{16} << 30;
 
-/// Any bytes are safe. Fails: data_loss naming what is wrong; unimplemented (another version);
+/// Safe for any bytes. Fails: data_loss that names the damage; unimplemented (another version);
 /// resource_exhausted with both numbers when the view would take more than `memory_bytes_max`.
 Result<View> read_view(std::span<const uint8_t> bytes,
                        uint64_t memory_bytes_max = kViewMemoryBytesMax);

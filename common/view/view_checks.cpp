@@ -8,7 +8,7 @@ namespace burnish {
 
 namespace {
 
-// A corner of the grid needs a positive int32, and a cell has eight.
+// The index of a corner must fit int32, and a cell has eight corners.
 constexpr uint64_t kViewCellsMax = uint64_t{1} << 28;
 
 Status wrong(const std::string& what) {
@@ -22,7 +22,7 @@ Status check_range(const std::string& name, double value, double least, double m
 }
 
 Status check_scalars(const ViewParts& parts) {
-  // A cube around coordinates of the largest size.
+  // Side of a cube around coordinates of the largest size.
   constexpr double kReach = 4 * kCoordinateMagnitudeMax;
   constexpr double kLeast = std::numeric_limits<double>::min();
   RETURN_IF_ERROR(check_range("depth", parts.frame.depth, kDepthMin, kDepthMax));
@@ -62,7 +62,7 @@ Status check_cells(const ViewParts& parts) {
       return wrong("cell " + std::to_string(c) + " is outside the grid of depth " +
                    std::to_string(parts.frame.depth));
     if (c > 0 && parts.cells[c] <= parts.cells[c - 1])
-      return wrong("the key of cell " + std::to_string(c) + " does not rise");
+      return wrong("the key of cell " + std::to_string(c) + " is not above the one before it");
   }
   return Status::ok();
 }

@@ -34,8 +34,8 @@ constexpr std::array<WordLayout, kViewSections> kLayouts = {
 constexpr std::array<const char*, kViewSections> kNames = {"cells",  "triangles", "homes",
                                                            "locals", "strays",    "colours"};
 
-// What an element takes once the view is read, and while it is: a cell with its corners and their
-// neighbours, a vertex's position and point, and the sections themselves beside them.
+// Memory of an element while the view is read and after: a cell with its corners and their
+// neighbours, a vertex's position and point, and the sections themselves.
 constexpr std::array<uint64_t, kViewSections> kElementMemoryBytes = {600, 36, 52, 24, 48, 8};
 
 constexpr uint64_t kSectionElementsMax = kVerticesMax;
@@ -57,10 +57,10 @@ std::span<const uint8_t> bytes_of(const std::vector<T>& elements) {
 
 Status check_header(const RawHeader& raw, std::span<const uint8_t> bytes,
                     uint64_t memory_bytes_max) {
-  if (raw.magic != kMagic) return data_loss("view: does not begin with BnVw");
+  if (raw.magic != kMagic) return data_loss("the view does not begin with BnVw");
   if (raw.version != kViewFormatVersion)
-    return unimplemented("view: format version " + std::to_string(raw.version) + ", known is " +
-                         std::to_string(kViewFormatVersion));
+    return unimplemented("the view has format version " + std::to_string(raw.version) +
+                         ", this program reads " + std::to_string(kViewFormatVersion));
   if (raw.checksum != checksum_of(bytes)) return data_loss("view: its checksum is wrong");
   uint64_t body_left = bytes.size() - kViewHeaderBytes;
   uint64_t memory_bytes = 0;
@@ -78,12 +78,12 @@ Status check_header(const RawHeader& raw, std::span<const uint8_t> bytes,
   if (body_left != 0)
     return data_loss("view: " + std::to_string(body_left) + " bytes follow the last section");
   if (memory_bytes > memory_bytes_max)
-    return resource_exhausted("view: takes " + std::to_string(memory_bytes) +
+    return resource_exhausted("the view takes " + std::to_string(memory_bytes) +
                               " bytes of memory, the limit is " + std::to_string(memory_bytes_max));
   return Status::ok();
 }
 
-/// The sections of a file, one after the other.
+/// Reads the sections of a file, one after the other.
 class SectionReader {
  public:
   SectionReader(const RawHeader& header, std::span<const uint8_t> body)
@@ -139,7 +139,7 @@ std::vector<uint8_t> pack_view(const ViewParts& parts) {
 Result<ViewParts> unpack_view(std::span<const uint8_t> bytes, uint64_t memory_bytes_max) {
   RawHeader raw;
   if (bytes.size() < sizeof(raw))
-    return data_loss("view of " + std::to_string(bytes.size()) + " bytes: its header alone has " +
+    return data_loss("the view has " + std::to_string(bytes.size()) + " bytes, its header needs " +
                      std::to_string(sizeof(raw)));
   std::memcpy(&raw, bytes.data(), sizeof(raw));
   RETURN_IF_ERROR(check_header(raw, bytes, memory_bytes_max));

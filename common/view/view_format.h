@@ -12,10 +12,10 @@ namespace burnish {
 
 // The view format, version 1
 //
-// A view is a header and six sections. Positions of vertices are not in it: they follow from the
-// evaluation points, which hold them to 2^-25 of a cell, finer than any picture and than the floats
-// of a graphics card. Only vertices in no cell have a position of their own. Corners of the grid
-// follow from its cells.
+// A view is a header and six sections. It has no positions of vertices: they follow from the
+// evaluation points to 2^-25 of a cell, finer than any picture and than the floats of a graphics
+// card. Only vertices in no cell have their own position. Corners of the grid follow from its
+// cells.
 //
 // Header, 168 bytes, little-endian:
 //
@@ -32,7 +32,7 @@ namespace burnish {
 //    112  u64[6]   bytes of each section as it lies in the file
 //    160  u64      checksum: XXH3 of the sections, seeded with the XXH3 of the 160 bytes before
 //
-// Sections, one behind the other, each one zstd frame:
+// Sections, one after the other, each one zstd frame:
 //
 //    section    an element is             words      difference to
 //    cells      Morton key                u64        the one before
@@ -43,10 +43,10 @@ namespace burnish {
 //    colours    red, green, blue, alpha   u32        none
 //
 // Differences are taken modulo 2^bits and zigzag coded (0, -1, 1, -2, ... become 0, 1, 2, 3, ...);
-// the first counts from zero. A section's words are stored as byte planes: the lowest byte of all,
-// then the next, and so on. So the bytes that hardly change lie together, for zstd to find.
+// the first counts from zero. A section's words are stored as byte planes: the lowest byte of all
+// words, then the next byte, and so on. So bytes that hardly change lie together, which helps zstd.
 //
-// docs/protocol.md says it for clients in other languages.
+// docs/protocol.md describes the format for clients in other languages.
 
 inline constexpr uint8_t kViewFormatVersion = 1;
 inline constexpr size_t kViewHeaderBytes = 168;
@@ -54,7 +54,7 @@ inline constexpr size_t kViewHeaderBytes = 168;
 enum class ViewSection { kCells, kTriangles, kHomes, kLocals, kStrays, kColours };
 inline constexpr size_t kViewSections = 6;
 
-/// The header and the sections as they are once unpacked. Nothing is checked.
+/// The unpacked header and sections. Nothing is checked.
 struct ViewParts {
   GridFrame frame;
   double length_unit = 1;
@@ -70,11 +70,13 @@ struct ViewParts {
 
 std::vector<uint8_t> pack_view(const ViewParts& parts);
 
-/// Fails: as read_view() does, for what can be told without the meaning of the sections.
+/// Unpacks a view. Fails: as read_view() does, for all errors that show without the meaning of the
+/// sections.
 Result<ViewParts> unpack_view(std::span<const uint8_t> bytes, uint64_t memory_bytes_max);
 
-/// Whether the parts make a view: scalars in range, sections of the same length, indices inside.
-/// Fails: data_loss naming the section, the place and the value.
+/// Checks that the parts make a view: scalars in range, sections of the same length, indices
+/// inside.
+/// Fails: data_loss that names the section, the place and the value.
 Status check_view(const ViewParts& parts);
 
 }  // namespace burnish

@@ -22,32 +22,32 @@ struct Flags {
 
 void add_flags(CLI::App& app, Flags& flags) {
   app.set_version_flag("--version", "burnish-server " BURNISH_VERSION);
-  app.add_option("--config", flags.config, "Configuration file (TOML); flags go before it");
+  app.add_option("--config", flags.config, "Configuration file (TOML); flags override it");
   app.add_option("--listen", flags.listen,
                  "Address, default 127.0.0.1:7411; port 0 takes a free one")
       ->type_name("HOST:PORT");
   app.add_option("--socket", flags.socket, "Listen on this Unix socket as well");
   app.add_flag("--socket-user-only", flags.socket_user_only,
-               "The socket is for the server's own user, not for its group");
+               "Only the server's own user may use the socket, not its group");
   app.add_option("--port-file", flags.port_file, "Write the chosen port into this file");
-  app.add_option("--data", flags.data, "Folder with everything that is kept, default burnish-data")
+  app.add_option("--data", flags.data, "Folder for scans and edits, default burnish-data")
       ->type_name("FOLDER");
   app.add_option("--threads", flags.threads, "Threads of the solver; 0, the default: all cores");
   app.add_option("--backend", flags.backend, "auto, cpu or cuda; default auto");
   app.add_option("--log-level", flags.log_level,
                  "trace, debug, info, warn, error or off; default info");
   app.add_option("--log-format", flags.log_format, "text or json; default text");
-  app.add_option("--users", flags.users, "File of users: who may do what (TOML)");
+  app.add_option("--users", flags.users, "File of users and their roles (TOML)");
   app.add_option("--tls-certificate", flags.certificate, "The server's certificate (PEM)");
   app.add_option("--tls-key", flags.key, "Its private key (PEM)");
   app.add_option("--tls-client-ca", flags.client_ca, "Clients need a certificate of this CA (PEM)");
   app.add_option("--metrics", flags.metrics, "Serve Prometheus metrics here")
       ->type_name("HOST:PORT");
   app.add_option("--idle-exit", flags.idle_exit,
-                 "End after so long without a connection; 0, the default: never")
+                 "End after this many seconds without a connection; 0, the default: never")
       ->type_name("SECONDS");
   app.add_flag("--insecure", flags.insecure,
-               "Serve other machines in plain text, or without asking who they are");
+               "Serve other machines in plain text, or without authentication");
 }
 
 Result<CommandLine> read(const Flags& flags) {

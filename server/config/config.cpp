@@ -22,9 +22,7 @@ static Status check_socket(const std::filesystem::path& socket) {
   if (socket.native().size() <= kBytesMax) return Status::ok();
   return invalid_argument("socket = '" + socket.string() + "' has " +
                           std::to_string(socket.native().size()) +
-                          " bytes, a socket's path has at"
-                          " most " +
-                          std::to_string(kBytesMax));
+                          " bytes, the limit of a socket's path is " + std::to_string(kBytesMax));
 }
 
 static Status check_tls(const ServerConfig& config) {
@@ -38,7 +36,7 @@ static Status check_tls(const ServerConfig& config) {
                             "' needs tls.certificate and tls.key");
   if (config.users.empty())
     return invalid_argument("tls.client_ca = '" + config.tls_client_ca.string() +
-                            "' needs users, which says what each certificate's owner may do");
+                            "' needs users, which gives the owner of each certificate a role");
   return Status::ok();
 }
 
@@ -48,21 +46,22 @@ static Status check_exposure(const ServerConfig& config) {
       "listen = '" + config.listen + "' is reachable from other machines, ";
   if (config.tls_certificate.empty())
     return failed_precondition(reachable +
-                               "in plain text; set tls.certificate and tls.key, or say "
-                               "--insecure if that is meant");
+                               "in plain text; set tls.certificate and tls.key, or pass "
+                               "--insecure to allow it");
   if (config.users.empty())
     return failed_precondition(reachable +
-                               "and nobody is asked who he is; set users, or say "
-                               "--insecure if that is meant");
+                               "without authentication; set users, or pass "
+                               "--insecure to allow it");
   return Status::ok();
 }
 
 static Status check_metrics_exposure(const ServerConfig& config) {
   if (config.metrics_listen.empty() || config.insecure || is_loopback(config.metrics_listen))
     return Status::ok();
-  return failed_precondition("metrics.listen = '" + config.metrics_listen +
-                             "' is reachable from other machines, in plain text and for whoever "
-                             "asks; name a loopback address, or say --insecure if that is meant");
+  return failed_precondition(
+      "metrics.listen = '" + config.metrics_listen +
+      "' is reachable from other machines, in plain text and without "
+      "authentication; use a loopback address, or pass --insecure to allow it");
 }
 
 bool is_loopback(const std::string& listen) {
@@ -80,7 +79,7 @@ Status validate(const ServerConfig& config) {
   for (const ConfigKey& key : config_keys()) RETURN_IF_ERROR(check_limits(key, config));
   if (config.data.empty()) return invalid_argument("data is empty; name a folder");
   if (config.listen.empty() && config.socket.empty())
-    return invalid_argument("listen and socket are both empty: nobody could connect");
+    return invalid_argument("listen and socket are both empty; nobody could connect");
   if (!config.listen.empty()) RETURN_IF_ERROR(check_address("listen", config.listen));
   if (!config.metrics_listen.empty())
     RETURN_IF_ERROR(check_address("metrics.listen", config.metrics_listen));
@@ -94,7 +93,7 @@ Result<BackendKind> parse_backend(const std::string& text) {
   if (text == "auto") return BackendKind::kAuto;
   if (text == "cpu") return BackendKind::kCpu;
   if (text == "cuda") return BackendKind::kCuda;
-  return invalid_argument("backend = '" + text + "' is none of auto, cpu, cuda");
+  return invalid_argument("backend = '" + text + "' is not one of auto, cpu, cuda");
 }
 
 uint64_t resolved_memory_bytes_max(const ServerConfig& config) {

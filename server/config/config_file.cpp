@@ -81,7 +81,7 @@ Status read_table(const toml::table& table, const std::string& prefix, const std
     } else if (node.is_table() && is_table_of_keys(full)) {
       RETURN_IF_ERROR(read_table(*node.as_table(), full + ".", name, config));
     } else {
-      return invalid_argument(place(name, node) + "there is no key '" + full + "'");
+      return invalid_argument(place(name, node) + "unknown key '" + full + "'");
     }
   }
   return Status::ok();

@@ -59,7 +59,7 @@ static Status check_choice(const ConfigKey& key, const std::string& value) {
     return Status::ok();
   std::string list;
   for (const std::string& choice : choices) list += (list.empty() ? "" : ", ") + choice;
-  return invalid_argument(key.name + " = '" + value + "' is none of " + list);
+  return invalid_argument(key.name + " = '" + value + "' is not one of " + list);
 }
 
 Status check_limits(const ConfigKey& key, const ServerConfig& config) {

@@ -26,8 +26,8 @@ static Result<std::map<std::string, uint64_t>> compare_ends(Database& database,
     if (end == ends.end()) {
       spdlog::error("session {} of {} edits is missing in the journal", id, number);
     } else if (end->second < number) {
-      spdlog::error("session {}: the journal ends at edit {}, it was at {} when last seen", id,
-                    end->second, number);
+      spdlog::error("session {}: the journal ends at edit {}, but it had reached edit {} before",
+                    id, end->second, number);
       RETURN_IF_ERROR(set_last_number(database, id, number));
       end->second = number;
     }
@@ -195,7 +195,7 @@ void Journal::keep_paint(const std::string& session_id, const PaintCheckpoint& p
       },
       [session_id](const Status& status) {
         if (!status.is_ok())
-          spdlog::warn("session {}: its paint is not kept: {}", session_id, status.message());
+          spdlog::warn("session {}: cannot keep its paint: {}", session_id, status.message());
       });
 }
 

@@ -120,7 +120,8 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
                                         const Progress& progress) {
   ASSIGN_OR_RETURN(const std::string id, upload.finish());
   if (!header.sha256.empty() && header.sha256 != id)
-    return data_loss("the bytes that came have SHA-256 " + id + ", announced was " + header.sha256);
+    return data_loss("the received bytes have SHA-256 " + id + ", but " + header.sha256 +
+                     " was announced");
   {
     ASSIGN_OR_RETURN(const auto lock,
                      lock_or_cancel(preparing_, "waiting for another scan", progress));
@@ -168,7 +169,8 @@ Result<ImportOutcome> MeshStore::import_known(const std::string& id, const Prepa
                                               const Progress& progress) {
   const auto scan = read_scan_folder(scan_folder(id));
   const Status status = scan.is_ok() ? check_original(scan_folder(id), *scan) : scan.status();
-  if (!status.is_ok()) return not_found("the library needs the bytes: " + status.message());
+  if (!status.is_ok())
+    return not_found("the server does not have these bytes: " + status.message());
   return prepare_known(id, key, progress);
 }
 

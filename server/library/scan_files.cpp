@@ -30,11 +30,12 @@ Status check_original(const fs::path& folder, const ScanInfo& scan) {
     return file.status();
   }
   return data_loss("the original of scan " + scan.name + " is damaged (" + path.string() +
-                   "): import the same file again");
+                   "); import the same file again");
 }
 
 Status replace_original(const fs::path& folder, const ScanInfo& scan, const fs::path& good) {
-  spdlog::warn("scan {}: its original was damaged and is replaced; it is prepared again", scan.id);
+  spdlog::warn("scan {}: its original was damaged and is replaced; the scan is prepared again",
+               scan.id);
   RETURN_IF_ERROR(move_path(good, folder / original_file_name(scan.format)));
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder / "prepared", error))

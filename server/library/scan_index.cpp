@@ -74,7 +74,7 @@ Result<ScanInfo> ScanIndex::find(const std::string& reference) const {
     answers.insert(answers.end(), begun.begin(), begun.end());
   if (answers.empty()) return not_found("no scan has the name or id '" + reference + "'");
   if (answers.size() > 1)
-    return invalid_argument(std::to_string(answers.size()) + " scans answer to '" + reference +
+    return invalid_argument(std::to_string(answers.size()) + " scans match '" + reference +
                             "', among them " + short_id(answers[0]->id) + " and " +
                             short_id(answers[1]->id) + "; name one by its id");
   return *answers[0];

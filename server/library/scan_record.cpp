@@ -139,7 +139,7 @@ Result<ScanInfo> read_scan_folder(const fs::path& folder) {
   const auto bytes = text.value().bytes();
   ASSIGN_OR_RETURN(ScanInfo scan, scan_from_json({bytes.begin(), bytes.end()}));
   if (scan.id != folder.filename().string())
-    return data_loss("info.json in " + folder.string() + " is of another scan");
+    return data_loss("info.json in " + folder.string() + " describes another scan");
   ASSIGN_OR_RETURN(scan.prepared, list_prepared(folder / "prepared"));
   return scan;
 }

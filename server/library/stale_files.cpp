@@ -68,11 +68,11 @@ RemovedFiles remove_stale_files(const DataFolder& folder) {
     if (!is_scan_id(scan->path().filename().string())) continue;
     const std::error_code failure = remove_of_scan(scan->path(), removed);
     if (failure)  // one folder's trouble is not the others'
-      spdlog::warn("stale prepared files of {} stay: {}", scan->path().string(), failure.message());
+      spdlog::warn("cannot remove stale prepared files of {}: {}", scan->path().string(),
+                   failure.message());
   }
   if (removed.count > 0)
-    spdlog::info("removed {} prepared files that cannot be used any more, {} bytes", removed.count,
-                 removed.bytes);
+    spdlog::info("removed {} outdated prepared files, {} bytes", removed.count, removed.bytes);
   return removed;
 }
 

@@ -20,8 +20,8 @@ Upload::~Upload() {
 Status Upload::append(uint64_t offset, std::string_view data, uint32_t crc32) {
   RETURN_IF_ERROR(check_chunk(received_bytes_, offset, data, crc32));
   if (data.size() > size_bytes_ - received_bytes_)
-    return invalid_argument("the file was announced with " + std::to_string(size_bytes_) +
-                            " bytes and has more");
+    return invalid_argument("the file has more than the announced " + std::to_string(size_bytes_) +
+                            " bytes");
   RETURN_IF_ERROR(file_.write(data).with_context("storing the upload"));
   hash_.update(data);
   received_bytes_ += data.size();

@@ -36,8 +36,8 @@ static void count_cut_off_calls(Server& server) {
   for (uint64_t i = 0; i < calls; ++i) metrics().count_refusal(Refusal::kCutOff);
   if (calls > 0)
     spdlog::warn(
-        "refused {} calls before their message was whole: it was above the receive limit, "
-        "or the client has gone",
+        "refused {} calls whose message did not arrive whole: it was above the receive limit, "
+        "or the client was gone",
         calls);
 }
 
@@ -50,7 +50,7 @@ static void end_at_next_signal(const sigset_t& signals) {
 static void drain(Server& server, const std::string& why, const sigset_t& signals,
                   const DaemonOptions& options) {
   notify_service_manager("STOPPING=1");
-  spdlog::info("{}: draining, {} calls are running and have {} s", why, server.running_calls(),
+  spdlog::info("{}: draining; {} running calls have {} s to end", why, server.running_calls(),
                options.drain_time.count());
   end_at_next_signal(signals);
   server.drain(options.drain_time);

@@ -63,7 +63,7 @@ void reload(Reloaded<T>* file, bool in_any_case, const char* what) {
   if (!file) return;
   const auto changed = file->refresh(in_any_case);
   if (!changed.is_ok()) {
-    spdlog::error("{} stay as they were: {}", what, changed.status().message());
+    spdlog::error("{} are unchanged: {}", what, changed.status().message());
   } else if (changed.value()) {
     spdlog::info("{} read again", what);
   }
@@ -112,7 +112,7 @@ SessionManagerOptions session_options(const ServerConfig& config) {
 // A device that has failed may hold its callers for ever, so that nothing can be waited for.
 // Acknowledged edits are on disk; the supervisor starts the server again and it replays them.
 [[noreturn]] void end_at_once(const Status& status) {
-  spdlog::critical("{}; ending for the supervisor to start again", status.message());
+  spdlog::critical("{}; ending, so that the supervisor starts the server again", status.message());
   spdlog::default_logger()->flush();
   std::this_thread::sleep_for(kLastWords);
   std::_Exit(kExitDeviceFailed);

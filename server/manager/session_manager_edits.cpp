@@ -138,7 +138,7 @@ Status SessionManager::set_role(const std::string& reference, const Caller& call
   RETURN_IF_ERROR(changed.set(subject, role));
   if (changed.by_user().size() > kSessionRolesMax)
     return resource_exhausted("the session has roles for " + std::to_string(kSessionRolesMax) +
-                              " people, which is the limit");
+                              " users, the limit is " + std::to_string(kSessionRolesMax));
   take(std::move(changed));
   held.lock.unlock();
   const Status written = journal_.set_role(entry.record.id, subject, role);

@@ -28,8 +28,8 @@ std::string describe(const PreparedKey& key) {
 Status check_is_no_id(const std::string& name) {
   const auto is_digit = [](unsigned char c) { return std::isxdigit(c) != 0; };
   if (name.size() != kIdDigits || !std::ranges::all_of(name, is_digit)) return Status::ok();
-  return invalid_argument("session name '" + name + "' is " + std::to_string(kIdDigits) +
-                          " hexadecimal digits, as ids are; choose another");
+  return invalid_argument("session name '" + name + "' has " + std::to_string(kIdDigits) +
+                          " hexadecimal digits and looks like an id; choose another");
 }
 
 Status is_another(const SessionRecord& there, const SessionRecord& wanted) {
@@ -42,7 +42,7 @@ Result<uint64_t> end_of_fork(const ForkWish& wish, Journal& journal, const std::
   if (!wish.checkpoint.empty()) return journal.checkpoint(source_id, wish.checkpoint);
   ASSIGN_OR_RETURN(const uint64_t edits, journal.edit_count(source_id));
   if (wish.number <= edits) return wish.number == 0 ? edits : wish.number;
-  return not_found("the session has " + std::to_string(edits) + " edits, none is number " +
+  return not_found("the session has " + std::to_string(edits) + " edits, but no edit " +
                    std::to_string(wish.number));
 }
 
@@ -128,7 +128,7 @@ Result<SessionInfo> SessionManager::fork(const ForkWish& wish, const Caller& cal
 
   std::unique_lock map(mutex_);
   if (by_name_.contains(record.name))
-    return already_exists("a session " + record.name + " is there already");
+    return already_exists("session " + record.name + " already exists");
   ASSIGN_OR_RETURN(const Held made, reserve(std::move(record), caller));
   map.unlock();
   SessionEntry& entry = *made.entry;

@@ -70,7 +70,7 @@ void SessionManager::spill_idle(std::chrono::seconds idle_time) {
         steady_clock::now() - entry->last_use.load() < idle_time)
       continue;
     entry->leave_memory();
-    spdlog::info("session {}: out of memory after {} s without use", entry->record.id,
+    spdlog::info("session {}: unloaded after {} s without use", entry->record.id,
                  idle_time.count());
   }
 }

@@ -41,7 +41,7 @@ Status LibraryBudget::ask(const PreparationNeed& need) {
 Status check_disk_space(const std::filesystem::path& folder, uint64_t bytes) {
   std::error_code error;
   const std::filesystem::space_info space = std::filesystem::space(folder, error);
-  if (error) return errno_status("cannot ask for free space in " + folder.string(), error.value());
+  if (error) return errno_status("cannot find the free space in " + folder.string(), error.value());
   const uint64_t usable = space.available - std::min(space.available, kDiskReserveBytes);
   if (bytes <= usable) return Status::ok();
   return resource_exhausted("the disk of the data folder has " + std::to_string(space.available) +

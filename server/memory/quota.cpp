@@ -31,7 +31,7 @@ struct Quota::State {
     if (missing == 0) return Status::ok();
     const std::lock_guard lock(mutex);
     return resource_exhausted(holder + " has " + std::to_string(of(holder)) + " " + what +
-                              " and asks for " + std::to_string(more) + " more; " + key + " is " +
+                              " and needs " + std::to_string(more) + " more; " + key + " is " +
                               std::to_string(max));
   }
 

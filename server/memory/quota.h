@@ -52,7 +52,7 @@ class Quota {
   /// `what` and `key` are for messages: "streams", "limits.streams_per_user".
   Quota(std::string what, std::string key, uint64_t max);
 
-  /// Fails: resource_exhausted "user anna has 8 streams and asks for 1 more;
+  /// Fails: resource_exhausted "user anna has 8 streams and needs 1 more;
   /// limits.streams_per_user is 8".
   Result<Share> take(const std::string& holder, uint64_t amount);
 

@@ -320,7 +320,7 @@ Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
   return refusal(scan, admission.counts, prepared.status(), budget, progress);
 } catch (const std::bad_alloc&) {
   return resource_exhausted("preparing a scan of " + std::to_string(mesh.triangles.size()) +
-                            " triangles: no memory could be had; choose a smaller depth");
+                            " triangles: not enough memory; choose a smaller depth");
 }
 
 }  // namespace burnish

@@ -105,7 +105,7 @@ Status check_cells(const PreparedMesh& prepared) {
     return data_loss("section cells: key " + std::to_string(key) + " of cell " + std::to_string(c) +
                      (is_rising
                           ? " is outside the grid of depth " + std::to_string(prepared.frame.depth)
-                          : std::string(" does not rise")));
+                          : std::string(" is not above the one before it")));
   }
   return Status::ok();
 }
@@ -115,7 +115,7 @@ Status check_passages(const PreparedMesh& prepared) {
     const Passages unknown = prepared.passages[c] & ~kAllPassages;
     if (unknown == 0) continue;
     return data_loss("section passages: bit " + std::to_string(std::countr_zero(unknown)) +
-                     " of cell " + std::to_string(c) + " is set, but stands for no neighbour");
+                     " of cell " + std::to_string(c) + " is set, but means no neighbour");
   }
   return Status::ok();
 }
@@ -129,13 +129,13 @@ Status check_sheets(const PreparedMesh& prepared) {
       return data_loss("section sheets: sheet " + std::to_string(s) + what);
     };
     if (sheet.cell < 0 || static_cast<size_t>(sheet.cell) >= prepared.cells.size())
-      return fail(" is of cell " + std::to_string(sheet.cell) + " of " +
+      return fail(" names cell " + std::to_string(sheet.cell) + " of " +
                   std::to_string(prepared.cells.size()));
     if (last != nullptr &&
         std::tie(sheet.cell, sheet.component) <= std::tie(last->cell, last->component))
-      return fail(" does not rise");
+      return fail(" is not above the one before it");
     if ((sheet.passages & ~prepared.passages[sheet.cell]) != 0)
-      return fail(" has passages that its cell " + std::to_string(sheet.cell) + " has not");
+      return fail(" has passages that its cell " + std::to_string(sheet.cell) + " does not have");
     in_cell = last != nullptr && last->cell == sheet.cell ? in_cell + 1 : 1;
     if (in_cell > kSheetsPerCellMax)
       return fail(" is one of more than " + std::to_string(kSheetsPerCellMax) + " of cell " +
@@ -148,7 +148,7 @@ Status check_sheets(const PreparedMesh& prepared) {
 }  // namespace
 
 Status check_header(const PreparedHeader& header, uint64_t actual_file_bytes) {
-  if (header.magic != kPreparedMagic) return data_loss("header: this is no prepared mesh");
+  if (header.magic != kPreparedMagic) return data_loss("header: this is not a prepared mesh");
   RETURN_IF_ERROR(check_equal("header: format version", header.version, kPreparedFormatVersion));
   RETURN_IF_ERROR(check_equal("header: checksum", header.checksum, header_checksum(header)));
   RETURN_IF_ERROR(check_equal("length of the file", actual_file_bytes, header.file_bytes));

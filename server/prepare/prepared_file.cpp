@@ -138,8 +138,8 @@ static PreparedMesh mesh_over(const PreparedHeader& header, std::span<const uint
 Result<PreparedHeader> parse_prepared_header(std::span<const uint8_t> beginning,
                                              uint64_t file_bytes) {
   if (beginning.size() < sizeof(PreparedHeader))
-    return data_loss("length of the file is " + std::to_string(file_bytes) +
-                     ", the header alone takes " + std::to_string(sizeof(PreparedHeader)));
+    return data_loss("length of the file is " + std::to_string(file_bytes) + ", its header needs " +
+                     std::to_string(sizeof(PreparedHeader)));
   PreparedHeader header;
   std::memcpy(&header, beginning.data(), sizeof(header));
   RETURN_IF_ERROR(check_header(header, file_bytes));

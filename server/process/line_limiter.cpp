@@ -17,7 +17,7 @@ static const char* name_of(LineKind kind) {
     case LineKind::kTransport:
       break;
   }
-  return "what gRPC says";
+  return "messages of gRPC";
 }
 
 void LineLimiter::begin_if_over(Second& second, Time now) {

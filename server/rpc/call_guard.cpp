@@ -59,7 +59,7 @@ Result<Caller> CallGuard::caller_of(const grpc::CallbackServerContext& context) 
   RETURN_IF_ERROR(check_name("the user's name", name));
   if (!identity.user.empty() && identity.user != name)
     return refuse(context, {StatusCode::kPermissionDenied,
-                            "user " + identity.user + " calls himself '" + name + "'"});
+                            "user " + identity.user + " must not use the name '" + name + "'"});
   caller.user = std::move(name);
   return caller;
 }
@@ -74,7 +74,7 @@ std::function<Status()> CallGuard::may_stay(const grpc::CallbackServerContext& c
     const auto now = guard_.identify({token, certificate});
     if (now.is_ok() && now.value() == identity) return Status::ok();
     return {StatusCode::kPermissionDenied,
-            "what user " + identity.user + " may do on this server has changed"};
+            "the rights of user " + identity.user + " on this server have changed"};
   };
 }
 

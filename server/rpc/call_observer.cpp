@@ -128,7 +128,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
     is_malformed_ = lacks_message_ && is_single_request && !is_cut_off_;
     if (is_malformed_)  // gRPC itself says UNIMPLEMENTED
       batch.ModifySendStatus(
-          {grpc::StatusCode::INVALID_ARGUMENT, "the message is no request of " + method_});
+          {grpc::StatusCode::INVALID_ARGUMENT, "the message is not a request of " + method_});
     status_ = batch.GetSendStatus();
   }
 

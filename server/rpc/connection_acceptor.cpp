@@ -128,7 +128,7 @@ void ConnectionAcceptor::forget_closed() {
     if (socket_inode(connection.fd) == connection.inode) return false;
     // The one line that names who was refused by his headers: gRPC does not tell the peer then.
     if (!connection.is_known && may_log(LineKind::kConnection))
-      spdlog::info("connection of {} ended: none of its calls was let in", peer);
+      spdlog::info("connection of {} ended: no call was admitted", peer);
     return true;
   });
 }
@@ -154,7 +154,7 @@ void ConnectionAcceptor::close_silent() {
   for (auto& [peer, connection] : connections_) {
     if (connection.is_known || now - connection.since < limits_.silence_max) continue;
     if (may_log(LineKind::kConnection))
-      spdlog::warn("closed the connection of {}: none of its calls was let in within {} s", peer,
+      spdlog::warn("closed the connection of {}: no call was admitted within {} s", peer,
                    limits_.silence_max.count());
     metrics().count_refusal(Refusal::kConnections);
     // gRPC owns the descriptor, and closes it when it reads the end. Were it another socket since

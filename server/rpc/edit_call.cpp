@@ -40,13 +40,13 @@ void EditCall::refuse(const Status& status) {
 
 void EditCall::end_of_requests() {
   if (cancelled_) return writer_.end(cancelled("the client has gone"));
-  if (!client_) return refuse(invalid_argument("a live session begins with a greeting"));
+  if (!client_) return refuse(invalid_argument("a live session must begin with a greeting"));
   client_->subscriber->close(std::nullopt);
 }
 
 void EditCall::take_greeting() {
   if (!request_.has_greeting())
-    return refuse(invalid_argument("a live session begins with a greeting"));
+    return refuse(invalid_argument("a live session must begin with a greeting"));
   const auto join = [call = self()] {
     const auto client = call->join();
     if (client.is_ok()) return call->take_place(client.value());
@@ -86,7 +86,7 @@ void EditCall::take_place(const LiveClient& client) {
   writer_.unless_finished([this] { StartRead(&received_); });
 }
 
-// A wrong edit or preview is refused; anything else that is wrong ends the call.
+// A wrong edit or preview is refused. Any other wrong message ends the call.
 Status EditCall::take_request() {
   auto message = from_wire(request_);
   const Status status = message.is_ok()
@@ -99,7 +99,7 @@ Status EditCall::take_request() {
 }
 
 Status EditCall::take(const Greeting&) {
-  return invalid_argument("a live session has one greeting");
+  return invalid_argument("a live session must have only one greeting");
 }
 
 Status EditCall::take(const FrameCredit& credit) {

@@ -52,11 +52,11 @@ Status ImportCall::take_request() {
   RETURN_IF_ERROR(parse(received_, request_));
   if (request_.has_header()) return take_header(request_.header());
   if (request_.has_chunk()) return take_chunk(request_.chunk());
-  return malformed(invalid_argument("an import's message is a header or a chunk"));
+  return malformed(invalid_argument("a message of an import must be a header or a chunk"));
 }
 
 Status ImportCall::take_header(const v1::ImportHeader& message) {
-  if (upload_) return malformed(invalid_argument("an import has one header"));
+  if (upload_) return malformed(invalid_argument("an import must have only one header"));
   ASSIGN_OR_RETURN(header_, from_wire(message));
   ASSIGN_OR_RETURN(upload_, calls_.store.begin_upload(header_, calls_.user));
   if (header_.sha256.empty()) {
@@ -80,7 +80,7 @@ void ImportCall::ask_for_chunks() {
 }
 
 Status ImportCall::take_chunk(const v1::Chunk& chunk) {
-  if (!upload_) return malformed(invalid_argument("an import begins with its header"));
+  if (!upload_) return malformed(invalid_argument("an import must begin with its header"));
   RETURN_IF_ERROR(upload_->append(chunk.offset(), chunk.data(), chunk.crc32()));
   events_.offer(received_event(upload_->received_bytes()));
   read_next();
@@ -89,7 +89,7 @@ Status ImportCall::take_chunk(const v1::Chunk& chunk) {
 
 void ImportCall::end_of_requests() {
   if (cancelled_) return end(cancelled("the client has gone"));
-  if (!upload_) return end(invalid_argument("an import begins with its header"));
+  if (!upload_) return end(invalid_argument("an import must begin with its header"));
   const Status stays = calls_.may_stay ? calls_.may_stay() : Status::ok();
   if (!stays.is_ok()) return end(stays);
   const auto import = [call = self()] {

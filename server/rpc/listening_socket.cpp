@@ -68,17 +68,17 @@ Status remove_stale(const std::filesystem::path& path, const sockaddr_un& addres
   struct stat found = {};
   if (lstat(path.c_str(), &found) != 0) return Status::ok();
   if (!S_ISSOCK(found.st_mode))
-    return cannot_listen("unix:" + path.string(), "there is a file that is no socket");
+    return cannot_listen("unix:" + path.string(), "the file there is not a socket");
   const int fd = socket(AF_UNIX, kSocketFlags, 0);
   const int error =
       connect(fd, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0 ? 0 : errno;
   ::close(fd);
   if (error == 0 || error == EAGAIN)
-    return cannot_listen("unix:" + path.string(), "another server listens there");
+    return cannot_listen("unix:" + path.string(), "another server already listens there");
   if (error != ECONNREFUSED)  // not to be told whether it is in use
     return cannot_listen(
         "unix:" + path.string(),
-        std::string("there is a socket that is not ours: ") + std::strerror(error));
+        std::string("cannot tell whether the socket is in use: ") + std::strerror(error));
   unlink(path.c_str());
   return Status::ok();
 }

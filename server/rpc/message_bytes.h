@@ -21,7 +21,7 @@ inline Status malformed(Status refusal) {
 template <typename Message>
 Status parse(grpc::ByteBuffer& bytes, Message& message) {
   if (grpc::SerializationTraits<Message>::Deserialize(&bytes, &message).ok()) return Status::ok();
-  return malformed(invalid_argument("the message is no " + Message::descriptor()->name()));
+  return malformed(invalid_argument("the message is not a valid " + Message::descriptor()->name()));
 }
 
 template <typename Message>

@@ -49,8 +49,8 @@ void SilenceLimit::ring() {
     if (silence < limit_) return set_alarm(limit_ - silence);
     is_silent_ = true;
   }
-  on_silent_({StatusCode::kDeadlineExceeded, "nothing has come from the client for " +
-                                                 std::to_string(limit_.count() / 1000) + " s"});
+  on_silent_({StatusCode::kDeadlineExceeded,
+              "the client has sent nothing for " + std::to_string(limit_.count() / 1000) + " s"});
 }
 
 }  // namespace burnish

@@ -32,15 +32,16 @@ Status UploadCellFieldsCall::take_request() {
   RETURN_IF_ERROR(parse(received_, request_));
   if (request_.has_header()) return take_header(request_.header());
   if (!has_header_)
-    return malformed(invalid_argument("an upload of cell fields begins with its header"));
+    return malformed(invalid_argument("an upload of cell fields must begin with its header"));
   RETURN_IF_ERROR(append_cells(request_.cells(), change_));
   if (change_.cells.size() <= announced_cells_) return Status::ok();
-  return invalid_argument("the upload was announced with " + std::to_string(announced_cells_) +
-                          " cells and has more");
+  return invalid_argument("the upload has more than the announced " +
+                          std::to_string(announced_cells_) + " cells");
 }
 
 Status UploadCellFieldsCall::take_header(const v1::CellFieldsHeader& header) {
-  if (has_header_) return malformed(invalid_argument("an upload of cell fields has one header"));
+  if (has_header_)
+    return malformed(invalid_argument("an upload of cell fields must have only one header"));
   RETURN_IF_ERROR(check_references(header));
   RETURN_IF_ERROR(check_edit_id(header.edit_id()));
   if (header.cells() > kCellFieldsPerEditMax)
@@ -71,7 +72,7 @@ Status UploadCellFieldsCall::check_cell_count(const v1::CellFieldsHeader& header
 
 Status UploadCellFieldsCall::apply() {
   if (cancelled_) return cancelled("the client has gone");
-  if (!has_header_) return invalid_argument("an upload of cell fields begins with its header");
+  if (!has_header_) return invalid_argument("an upload of cell fields must begin with its header");
   if (change_.cells.size() != announced_cells_)
     return data_loss("the upload ended after " + std::to_string(change_.cells.size()) + " of " +
                      std::to_string(announced_cells_) + " cells");

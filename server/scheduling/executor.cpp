@@ -11,7 +11,7 @@
 namespace burnish {
 
 static Status status_of_exception() try { throw; } catch (const std::bad_alloc&) {
-  return resource_exhausted("the server has not enough memory for this request");
+  return resource_exhausted("the server does not have enough memory for this request");
 } catch (const std::exception& error) {
   return internal_error(std::string("the request failed unexpectedly: ") + error.what());
 } catch (...) {

@@ -61,7 +61,7 @@ Status History::check_switch(const Edit& edit) const {
   const auto* change = std::get_if<SwitchEntry>(&edit.change);
   const Entry* entry = change ? find(change->entry) : nullptr;
   if (!entry || !entry->is_damaged() || !change->enabled) return Status::ok();
-  return invalid_argument("entry " + std::to_string(change->entry) + " is damaged: it stays off");
+  return invalid_argument("entry " + std::to_string(change->entry) + " is damaged and stays off");
 }
 
 bool History::restore(AuthoredEdit edit) {
@@ -120,7 +120,7 @@ uint64_t History::add_entry(Step& step) {
 
 Result<uint64_t> History::apply_change(const Undo&, Step& step) {
   Author& author = authors_[step.edit->author];
-  if (author.enabled.empty()) return failed_precondition("nothing of yours is there to undo");
+  if (author.enabled.empty()) return failed_precondition("you have no edit to undo");
   step.switched = {*author.enabled.rbegin()};
   author.undone.push_back(step.switched.front());
   toggle(step.switched.front());
@@ -132,7 +132,7 @@ Result<uint64_t> History::apply_change(const Redo&, Step& step) {
   // What was undone may have been switched on by hand since.
   const auto last = std::find_if(undone.rbegin(), undone.rend(),
                                  [&](uint64_t number) { return !find(number)->enabled; });
-  if (last == undone.rend()) return failed_precondition("nothing of yours is there to redo");
+  if (last == undone.rend()) return failed_precondition("you have no edit to redo");
   const auto first_dropped = last.base() - 1;
   step.switched = {*first_dropped};
   step.not_redoable.assign(first_dropped, undone.end());
@@ -146,7 +146,7 @@ Result<uint64_t> History::apply_change(const SwitchEntry& change, Step& step) {
   if (!entry) return not_found("the history has no entry " + std::to_string(change.entry));
   if (!can_be_switched(*entry))
     return invalid_argument("entry " + std::to_string(change.entry) +
-                            " is a checkpoint: it is always on");
+                            " is a checkpoint, which is always on");
   if (entry->enabled == change.enabled) return change.entry;
   step.switched = {change.entry};
   toggle(change.entry);

@@ -38,10 +38,10 @@ Result<Identity> Guard::identify(const Proof& proof) const {
   const auto table = users_->get();
   if (!proof.authorization.empty()) {
     const auto token = bearer_token(proof.authorization);
-    if (!token) return unauthenticated("the authorization is no bearer token");
+    if (!token) return unauthenticated("the authorization is not a bearer token");
     const User* user = table->find_token(*token);
     return user ? Result<Identity>(identity_of(*user))
-                : unauthenticated("the token is not known here");
+                : unauthenticated("the server does not know the token");
   }
   if (!proof.certificate_common_name.empty()) {
     const User* user = table->find_certificate(proof.certificate_common_name);

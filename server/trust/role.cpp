@@ -53,7 +53,7 @@ std::string_view role_name(Role role) {
 Result<Role> parse_role(const std::string& text) {
   for (const Role role : {Role::kViewer, Role::kEditor, Role::kOwner})
     if (text == role_name(role)) return role;
-  return invalid_argument("'" + text + "' is none of viewer, editor, owner");
+  return invalid_argument("'" + text + "' is not one of viewer, editor, owner");
 }
 
 std::optional<Role> least_role(std::string_view method) {

@@ -51,7 +51,7 @@ Status read_key(const std::string& key, const toml::node& node, User& user) {
   } else if (key == "certificate") {
     user.certificate = text;
   } else {
-    return invalid_argument("there is no such key; choose name, role, token_sha256, certificate");
+    return invalid_argument("unknown key; use name, role, token_sha256 or certificate");
   }
   return Status::ok();
 }
@@ -80,7 +80,7 @@ Status check_unique(const std::vector<User>& users, const std::string& file) {
                        (user.certificate.empty() || certificates.insert(user.certificate).second);
     if (!fresh)
       return invalid_argument(file + ": user " + user.name +
-                              " has the name, token or certificate of another");
+                              " has the name, token or certificate of another user");
   }
   return Status::ok();
 }
@@ -91,7 +91,7 @@ Result<UserTable> read_users(const toml::table& root, const std::string& file) {
     const toml::array* list = node.as_array();
     if (key.str() != "user" || list == nullptr || !list->is_array_of_tables())
       return invalid_argument(place(file, node) + ": '" + std::string(key.str()) +
-                              "' is no [[user]]");
+                              "' is not a [[user]]");
     for (const toml::node& entry : *list) {
       ASSIGN_OR_RETURN(User user, read_user(*entry.as_table(), file));
       users.push_back(std::move(user));

@@ -17,7 +17,7 @@ Status parse_value(std::string_view option, std::string_view text, Number& numbe
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc() && end == text.data() + text.size() && number > 0) return Status::ok();
   return invalid_argument(std::string(option) + " '" + std::string(text) +
-                          "' is no positive number");
+                          "' is not a positive number");
 }
 
 Result<BenchArguments> parse(const Bench& bench, int argc, char** argv) {

@@ -57,13 +57,13 @@ Result<TriangleMesh> load_mesh(const ScanArgument& scan) {
   const std::string_view count = numbers.substr(0, numbers.find(':'));
   if (!parse_number(count, generated.vertices))
     return invalid_argument("'" + std::string(count) + "' of '" + scan.scan +
-                            "' is no number of vertices");
+                            "' is not a number of vertices");
   if (count.size() == numbers.size()) return generate_scan(generated);
   numbers.remove_prefix(count.size() + 1);
   double stretch = 0;
   if (!parse_number(numbers, stretch) || !(stretch > 0))
     return invalid_argument("'" + std::string(numbers) + "' of '" + scan.scan +
-                            "' is no stretch above 0");
+                            "' is not a stretch above 0");
   ASSIGN_OR_RETURN(TriangleMesh mesh, generate_scan(generated));
   for (Vec3d& vertex : mesh.vertices) vertex.z() *= stretch;
   return mesh;

@@ -26,7 +26,7 @@ Result<SolverOptions> parse_options(std::string_view text) {
   const std::string_view smoother = text.substr(backend.size() + 1);
   const auto named = std::ranges::find(kSmoothers, smoother, &NamedSmoother::name);
   if (named == std::end(kSmoothers))
-    return invalid_argument("there is no smoother '" + std::string(smoother) + "'");
+    return invalid_argument("unknown smoother '" + std::string(smoother) + "'");
   options.smoother = named->smoother;
   return options;
 }

@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// A folder of the test's own that goes with it.
+/// A folder of a test. The destructor removes it.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(

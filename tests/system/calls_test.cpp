@@ -18,7 +18,7 @@ std::shared_ptr<grpc::Channel> connect(const ServerProcess& server) {
   return grpc::CreateChannel(server.address, grpc::InsecureChannelCredentials());
 }
 
-/// An import under way, spoken by hand.
+/// An import in progress, message by message.
 struct Import {
   explicit Import(const ServerProcess& server)
       : library(v1::Library::NewStub(connect(server))), stream(library->Import(&context)) {}
@@ -46,7 +46,7 @@ struct Import {
     }
   }
 
-  /// The status arrives behind the events: those are read first.
+  /// Reads the events first: the status comes after them.
   grpc::Status finish() {
     v1::ImportEvent event;
     while (stream->Read(&event)) {

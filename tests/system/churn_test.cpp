@@ -1,5 +1,6 @@
-// Clients come and go, each in a way and at a moment of its own: nothing of them is left.
-// BURNISH_CHURN=N lets N come and go instead of 300, past 100 idle watchers instead of 10.
+// Clients come and go, each in another way and at another moment; nothing of them may stay.
+// BURNISH_CHURN=N makes N clients come and go instead of 300, beside 100 idle watchers instead
+// of 10.
 
 #include <iostream>
 #include <random>
@@ -44,7 +45,7 @@ TEST(Steadiness, ALeakUnderNoiseIsFoundAndWarmingUpIsNot) {
   EXPECT_GT(growth_per_step(leaking), 200);
 }
 
-/// Looks on without ever reading.
+/// Watches a session but never reads.
 class IdleWatcher {
  public:
   explicit IdleWatcher(const std::string& address)
@@ -78,7 +79,7 @@ class Churn : public testing::Test {
     metrics_port_ = std::stoi(server_.announced("metrics on port "));
   }
 
-  /// Comes, does a little of what clients do, and goes without a word.
+  /// Connects, sends some messages, and leaves without a farewell.
   void come_and_go(int manner) {
     if (manner >= 8) return drop_call(manner);
     LiveStream stream(wire_channel(server_.address), "ann");
@@ -96,7 +97,7 @@ class Churn : public testing::Test {
     stream.preview_slide("drag", 0.2);
     if (manner == 5) return;  // before the frames
     stream.next(Case::kFrame);
-    stream.slide("known", 0.5);  // known from the second time on: the history does not grow
+    stream.slide("known", 0.5);  // a known edit from the second time on: the history does not grow
     if (manner == 6) return;
     EXPECT_TRUE(stream.next(Case::kAcknowledged).has_acknowledged());
     stream.half_close();
@@ -104,7 +105,7 @@ class Churn : public testing::Test {
     EXPECT_TRUE(status.ok()) << status.error_message();
   }
 
-  /// Calls that are cut off in their midst, by cancelling or by their deadline.
+  /// Makes a call that ends early, by a cancel or a deadline.
   void drop_call(int manner) {
     WireCall wire;
     if (manner == 8) {
@@ -132,7 +133,7 @@ class Churn : public testing::Test {
   std::string metrics() { return http_get_metrics(metrics_port_); }
   double resident() { return metric(metrics(), "burnish_resident_bytes"); }
 
-  /// The server notices a dropped stream after the client has forgotten it.
+  /// Waits for these counts: the server notices a dropped stream later than the client.
   LiveCounts counts_once_they_are(const LiveCounts& wanted) {
     LiveCounts counts;
     const auto end = std::chrono::steady_clock::now() + kPatience;
@@ -177,8 +178,8 @@ TEST_F(Churn, LeavesNothingBehind) {
             << resident_bytes[resident_bytes.size() / 2] * 1e-6 << " MB in the middle, "
             << resident_bytes.back() * 1e-6 << " MB at the end; " << growth
             << " bytes a visit over the second half\n";
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they keep what was freed
-  EXPECT_LT(growth, 1000 + 16e6 / visits);  // what an allocator keeps counts less in a longer run
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers keep freed memory
+  EXPECT_LT(growth, 1000 + 16e6 / visits);  // a longer run hides what an allocator keeps
 #endif
 }
 

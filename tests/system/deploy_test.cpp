@@ -1,4 +1,4 @@
-// What deploy/ has for operators, used as the runbook says.
+// Uses the tools of deploy/ as the runbook says.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ CommandOutcome run(const TemporaryFolder& folder, std::vector<std::string> words
   return {exit_code, process.output()};
 }
 
-/// The lines after the first that begins like this.
+/// Returns the lines after the first line that begins with `beginning`.
 std::string after(const std::string& text, const std::string& beginning) {
   const size_t line = text.find("\n" + beginning);
   return text.substr(text.find('\n', line + 1) + 1);
@@ -66,7 +66,7 @@ TEST(LabScripts, KeepWhatIsThereAndRefuseNonsense) {
   EXPECT_EQ(run(folder, {script, tls, "lab", "no/name"}).exit_code, 1);
   EXPECT_EQ(run(folder, {script}).exit_code, 2);
   EXPECT_THAT(run(folder, {std::string(kDeploy) + "make-token", "x", "king"}).output,
-              HasSubstr("'king' is none of viewer, editor, owner"));
+              HasSubstr("'king' is not one of viewer, editor, owner"));
 }
 
 }  // namespace

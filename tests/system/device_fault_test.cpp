@@ -1,4 +1,5 @@
-// What a sticky CUDA error does to a real server. Everything it runs stands beside this program.
+// The effect of a sticky CUDA error on a real server. All programs that the test runs lie beside
+// it.
 
 #include <cmath>
 #include <csignal>
@@ -53,7 +54,7 @@ class DeviceFault : public testing::Test {
     return read_mesh(path).value().vertices;
   }
 
-  /// What the server says of its health once that is not SERVING any more.
+  /// Returns the server's last answers about its health after SERVING.
   Health end_of_health() {
     const auto channel = wire_channel(server_->address);
     EXPECT_EQ(health_of(channel), Health::kServing);

@@ -1,4 +1,4 @@
-// Loaded into a burnish-server under test (LD_PRELOAD): once SIGUSR1 has come, kills it at the
+// Loaded into a burnish-server under test (LD_PRELOAD). After SIGUSR1 it kills the server at the
 // BURNISH_DIE_COUNT-th arrival at the point BURNISH_DIE_AT: before or after a sync or a rename.
 
 #include <atomic>
@@ -8,7 +8,7 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
-static std::atomic<int> left{-1};  // arrivals until the end; negative: not armed
+static std::atomic<int> left{-1};  // arrivals until the kill; negative: not armed
 
 static void arm(int) {
   left = std::atoi(std::getenv("BURNISH_DIE_COUNT"));

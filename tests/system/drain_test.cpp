@@ -67,7 +67,7 @@ TEST(Drain, LetsRunningCallsEndAndLetsNobodyElseIn) {
   Import import(server.address, scan.size());
 
   server.process->signal(SIGTERM);
-  ASSERT_TRUE(server.process->wait_for_output("draining, 1 calls are running", kPatience));
+  ASSERT_TRUE(server.process->wait_for_output("draining; 1 running calls", kPatience));
   WireAnswer health = call(channel, {kHealth, {""}});
   for (int i = 0; i < 1000 && health.messages != std::vector{kNotServing}; ++i)
     health = call(channel, {kHealth, {""}});

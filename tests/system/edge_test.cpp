@@ -1,4 +1,4 @@
-// What strangers send to the service's edge, as raw bytes: it is refused before it costs anything.
+// Strangers send raw bytes to the service. It must refuse them before they cost anything.
 
 #include <cstring>
 #include <fstream>
@@ -28,7 +28,7 @@ using testing::Not;
 constexpr uint64_t kMiB = 1 << 20;
 constexpr char kListScans[] = "/burnish.v1.Library/ListScans";
 
-/// What the system says of the server's process under `name`; proc(5).
+/// Returns the number under `name` in the status of the server's process; proc(5).
 uint64_t status_number(const ServerProcess& server, const std::string& name) {
   std::ifstream status("/proc/" + std::to_string(server.process->pid()) + "/status");
   std::string word;
@@ -39,7 +39,7 @@ uint64_t status_number(const ServerProcess& server, const std::string& name) {
   return number;
 }
 
-/// The largest resident memory that the server has had.
+/// Returns the server's largest resident memory so far.
 uint64_t peak_bytes(const ServerProcess& server) {
   return status_number(server, "VmHWM:") * 1024;
 }
@@ -50,7 +50,7 @@ size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-/// A call of one message that the client packs with gzip.
+/// Calls with one message that the client packs with gzip.
 grpc::Status packed_call(const std::string& address, const std::string& message) {
   grpc::GenericStub stub(wire_channel(address));
   grpc::ClientContext context;
@@ -112,7 +112,7 @@ TEST_F(StrangerTest, HisMessagesAreNeitherReadNorParsed) {
 }
 
 TEST_F(StrangerTest, AUsersRequestThatTakesTooMuchMemoryIsRefusedWithTheNumbers) {
-  std::string edits = std::string("\x0a\x01s", 3);  // of the session "s"
+  std::string edits = std::string("\x0a\x01s", 3);  // session "s"
   for (int i = 0; i < 7'000'000; ++i) edits += std::string("\x12\x00", 2);
   const WireAnswer answer =
       call(wire_channel(server_.address), {"/burnish.v1.Editing/Apply", {edits}, "abc"});
@@ -189,7 +189,7 @@ TEST(Edge, ANameForgesNoLineOfTheLog) {
   EXPECT_THAT(server.process->output(), Not(HasSubstr("\x1b")));
 }
 
-/// A TCP connection to the server that says what it is told.
+/// A TCP connection to the server that sends given bytes.
 class RawConnection {
  public:
   explicit RawConnection(const ServerProcess& server, const char* from = "127.0.0.1")
@@ -204,13 +204,13 @@ class RawConnection {
   ~RawConnection() { close(fd_); }
   RawConnection(const RawConnection&) = delete;
 
-  /// HTTP/2 begins: the server answers with its settings.
+  /// Begins HTTP/2; the server answers with its settings.
   void begin_http2() {
     const std::string bytes("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n\0\0\0\4\0\0\0\0\0", 33);
     EXPECT_EQ(write(fd_, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
   }
 
-  /// Reads until the server closes the connection. False: it did not.
+  /// Reads until the server closes the connection. Returns false if it does not.
   bool is_closed() {
     char bytes[4096];
     for (;;) {
@@ -220,7 +220,7 @@ class RawConnection {
     }
   }
 
-  /// Whether the server says anything: its settings.
+  /// Returns whether the server answers with its settings.
   bool is_answered() {
     char byte;
     return read(fd_, &byte, 1) == 1;
@@ -291,7 +291,7 @@ TEST_F(ConnectionsTest, AnUploadThatSendsNothingMoreIsEnded) {
     silent.keep_open = true;
     const WireAnswer answer = call(wire_channel(server.address), silent);
     EXPECT_EQ(answer.status.error_code(), StatusCode::DEADLINE_EXCEEDED) << method;
-    EXPECT_THAT(answer.status.error_message(), HasSubstr("nothing has come from the client"));
+    EXPECT_THAT(answer.status.error_message(), HasSubstr("the client has sent nothing"));
   }
   EXPECT_EQ(server.staged(), 0u);
 }

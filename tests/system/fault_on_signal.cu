@@ -1,5 +1,5 @@
-// Loaded into a burnish-server under test (LD_PRELOAD): once SIGUSR1 has come, the device fails as
-// a broken kernel makes it fail, and CUDA's error sticks to the process.
+// Loaded into a burnish-server under test (LD_PRELOAD). After SIGUSR1 the device fails as after a
+// broken kernel, and CUDA's error stays with the process.
 
 #include <atomic>
 #include <chrono>

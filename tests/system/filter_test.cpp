@@ -1,4 +1,4 @@
-// `burnish filter` and `generate` as a user meets them: files in, files out, exit codes.
+// `burnish filter` and `generate` as users see them: files in, files out, exit codes.
 
 #include <fstream>
 
@@ -30,7 +30,7 @@ class FilterCommand : public testing::Test {
   std::string out() const { return (folder_ / "out.ply").string(); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  /// Exit code of burnish with these arguments; what it printed is kept.
+  /// Runs burnish with these arguments. Returns its exit code and keeps its output.
   int burnish(std::vector<std::string> arguments, const Process::Limits& limits = {}) {
     arguments.insert(arguments.begin(), BURNISH_BINARY);
     Process process(arguments, folder_ / "log", limits);
@@ -119,7 +119,7 @@ TEST_F(FilterCommand, WrongOptionValuesAreUsageErrors) {
   EXPECT_EQ(usage({"--alpha", "-1"}), 2);
   EXPECT_EQ(usage({"--beta", "11"}), 2);
   EXPECT_EQ(usage({"--curve", "5:1,5:2"}), 2);
-  EXPECT_THAT(output_, HasSubstr("does not rise"));
+  EXPECT_THAT(output_, HasSubstr("must be above the kappa before it"));
   EXPECT_EQ(usage({"--curve", "0:1,1:2000"}), 2);
   EXPECT_THAT(output_, HasSubstr("contrast"));
   EXPECT_EQ(usage({"--exact", "--cycles", "3"}), 2);
@@ -153,7 +153,7 @@ TEST_F(FilterCommand, AFullDiskLeavesWhatWasThere) {
 
 TEST_F(FilterCommand, AnOutputThatCannotBeWrittenIsRefusedBeforeTheWork) {
   EXPECT_EQ(burnish({"filter", in(), path("out.off")}), 1);
-  EXPECT_THAT(output_, HasSubstr("OFF is read only"));
+  EXPECT_THAT(output_, HasSubstr("reads OFF but does not write it"));
 }
 
 TEST_F(FilterCommand, ADepthBeyondTheMachinesMemoryIsRefusedWithWhatItTakes) {

@@ -20,8 +20,8 @@ string to_bytes(grpc::ByteBuffer& buffer) {
   return buffer.DumpToSingleSlice(&slice).ok() ? string(slice.begin(), slice.end()) : string();
 }
 
-/// Calls a method by its name with hand-made bytes, as any client in any language may: one request,
-/// one answer.
+/// Calls a method by its name with raw bytes, as a client in any language may: one request, one
+/// answer.
 string call(const string& address, const string& method, const string& request) {
   const auto channel = grpc::CreateChannel(address, grpc::InsecureChannelCredentials());
   grpc::GenericStub stub(channel);

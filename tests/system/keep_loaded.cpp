@@ -1,5 +1,5 @@
-// Loaded into the window where leaks are looked for. Mesa's GLX driver leaves 240 bytes behind when
-// it is unloaded, and by then nobody can tell whose they were; loaded, it still holds them.
+// Loaded into the window for a search for leaks. Mesa's GLX driver leaks 240 bytes when it is
+// unloaded, which then have no owner. This keeps the driver loaded, so that it still holds them.
 
 extern "C" int dlclose(void*) {
   return 0;

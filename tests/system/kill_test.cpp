@@ -1,7 +1,8 @@
-// kill -9 under editing load, while others open sessions and give up, ask for names that are ids,
-// and idle sessions leave memory: nothing that was acknowledged is lost or counted twice, everybody
-// comes back, and no file is damaged. BURNISH_KILL_ROUNDS=N kills N times instead of 5;
-// BURNISH_KILL_VERTICES=N edits a generated scan of that size.
+// Kills the server with -9 under editing load, while other clients open sessions and give up, ask
+// for names that are ids, and idle sessions leave memory. No acknowledged edit may be lost or
+// counted twice, every client must come back, and no file may be damaged.
+// BURNISH_KILL_ROUNDS=N kills N times instead of 5; BURNISH_KILL_VERTICES=N edits a generated scan
+// of that size.
 
 #include <csignal>
 #include <cstdlib>
@@ -29,21 +30,21 @@ namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kRoundsPerServer = 20;  // then another data folder, so that histories stay short
+constexpr int kRoundsPerServer = 20;  // then a new data folder, so that histories stay short
 const std::vector<std::string> kSessions = {"one", "two", "three"};
-constexpr int kEditors = 5;  // dealt to the sessions in turn
+constexpr int kEditors = 5;  // shared out to the sessions in turn
 
 struct Return {
   double listening_s, back_s;  // since the start of the new process
-  size_t edits;                // of all sessions, that the history has
-  size_t races;                // two opened one new session, and the second was told so
+  size_t edits;                // edits in the histories of all sessions
+  size_t races;                // races: two clients opened one new session, and the second was told
 };
 
 double seconds_since(Clock::time_point then) {
   return std::chrono::duration<double>(Clock::now() - then).count();
 }
 
-/// One data folder with its server, which is killed again and again.
+/// A data folder and its server, which is killed again and again.
 class KilledServer {
  public:
   KilledServer(int vertices, uint32_t seed) : random_(seed) {
@@ -79,7 +80,7 @@ class KilledServer {
     Clock::time_point begin = Clock::now();
     server_.start();
     const double listening_s = seconds_since(begin);
-    if (random_() % 4 == 0) {  // once more, while they come back
+    if (random_() % 4 == 0) {  // again, while clients come back
       edit_for(milliseconds(random_() % 60));
       kill();
       begin = Clock::now();
@@ -97,8 +98,8 @@ class KilledServer {
     return taken;
   }
 
-  /// Ends the server as a supervisor does, while everybody goes on editing, and starts the next
-  /// one. Returns how long the end took.
+  /// Ends the server as a supervisor does, while all clients edit, and starts the next. Returns how
+  /// long the end took.
   double drain() {
     edit_for(milliseconds(random_() % 300));
     server_.process->signal(SIGTERM);
@@ -115,7 +116,7 @@ class KilledServer {
     return taken_s;
   }
 
-  /// A life that ends by itself at the count-th arrival at a point of die_at.cpp.
+  /// Runs a server that dies at the count-th arrival at a point of die_at.cpp.
   void end_at(const std::string& point, int count) {
     kill();
     ::setenv("LD_PRELOAD", DIE_AT_LIBRARY, 1);
@@ -138,7 +139,7 @@ class KilledServer {
     check_scans();
   }
 
-  /// The fields after one more kill are those before it.
+  /// Checks that one more kill does not change the fields.
   void check_fields() {
     const auto before = fields();
     kill();
@@ -147,7 +148,7 @@ class KilledServer {
   }
 
  private:
-  /// Sessions that nobody is in leave memory after a second.
+  /// Lets sessions without users leave memory after a second.
   void spill_soon() {
     std::ofstream(server_.folder / "server.toml")
         << "[sessions]\nidle_spill_seconds = 1\n[limits]\nsessions_max = 10000\n";
@@ -194,7 +195,7 @@ class KilledServer {
     });
   }
 
-  /// Of a copy: opening it would repair the server's own.
+  /// Checks a copy: opening the server's own journal would repair it.
   void check_journal() {
     const TemporaryFolder copy;
     for (const char* name : {"journal.sqlite", "journal.sqlite-wal"})
@@ -206,7 +207,7 @@ class KilledServer {
     EXPECT_EQ(check.text(0), "ok");
   }
 
-  /// The server's own, beside the server, which may hold it for a moment.
+  /// Opens the server's own journal while the server runs, which may lock it for a moment.
   Database opened_journal() {
     const fs::path path = server_.folder / "data" / "journal.sqlite";
     const Clock::time_point end = Clock::now() + kPatience;
@@ -218,7 +219,7 @@ class KilledServer {
     return std::move(journal).value();
   }
 
-  /// By author, in the order of their numbers.
+  /// Returns the recorded edits by author, in the order of their numbers.
   std::map<std::string, std::vector<std::string>> recorded_edits(const std::string& session) {
     Database journal = opened_journal();
     Statement edits = journal
@@ -252,7 +253,7 @@ class KilledServer {
     }
   }
 
-  /// Each scan that is there is whole; the one whose import was cut off is there or it is not.
+  /// Checks that each scan is whole. The scan of an interrupted import may be there or not.
   void check_scans() {
     Connection connection = connect();
     const std::vector<ScanInfo> scans = connection.list_scans().value();
@@ -266,7 +267,7 @@ class KilledServer {
       const bool is_whole = scan.name != "other" || connection.delete_scan(scan.id).is_ok();
       EXPECT_TRUE(is_whole) << scan.name;
     }
-    for (int i = 0; i < 1000 && server_.staged() > 0; ++i)  // what is under way ends
+    for (int i = 0; i < 1000 && server_.staged() > 0; ++i)  // running imports end
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     EXPECT_EQ(server_.staged(), 0u);
   }
@@ -304,7 +305,7 @@ TEST(KilledServer, LosesAndDoublesNoAcknowledgedEditAndComesBack) {
     races += taken.races;
   }
   EXPECT_GT(edits, 0u);
-  // In a few rounds it may happen that none of them wins.
+  // In a few rounds it can happen that no race is won.
   if (rounds >= kRoundsPerServer) {
     EXPECT_GT(races, 0u);
   }

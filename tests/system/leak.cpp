@@ -1,4 +1,4 @@
-// Loaded into a burnish-server under test (LD_PRELOAD): loses 256 KiB with each connection.
+// Loaded into a burnish-server under test (LD_PRELOAD): leaks 256 KiB with each connection.
 
 #include <cstdlib>
 #include <cstring>
@@ -6,7 +6,7 @@
 
 #include <sys/socket.h>
 
-static void* volatile lost;  // in sight of the compiler, which would leave it out else
+static void* volatile lost;  // volatile, or the compiler would remove the leak
 
 extern "C" int accept4(int socket, sockaddr* address, socklen_t* size, int flags) {
   using Accept = int (*)(int, sockaddr*, socklen_t*, int);

@@ -1,4 +1,4 @@
-// Limits by user and of the whole server, over real connections.
+// Limits of a user and of the whole server, over real connections.
 
 #include <csignal>
 #include <thread>
@@ -26,7 +26,7 @@ constexpr char kUsers[] =
     "[[user]]\nname = \"anna\"\nrole = \"owner\"\n"
     "token_sha256 = \"ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad\"\n";
 
-/// A server of one user, with limits.
+/// A server with one user and limits.
 class LimitsTest : public testing::Test {
  protected:
   std::unique_ptr<ServerProcess> start(const std::string& limits) const {
@@ -53,7 +53,7 @@ struct Upload {
     request.mutable_header()->set_size_bytes(size_bytes);
     stream->Write(request);
     v1::ImportEvent event;
-    if (!stream->Read(&event)) status = stream->Finish();  // it has been turned away
+    if (!stream->Read(&event)) status = stream->Finish();  // the server has refused it
   }
   ~Upload() { context.TryCancel(); }
 
@@ -72,9 +72,9 @@ TEST_F(LimitsTest, StreamsOfAUser) {
     EXPECT_TRUE(second.status.ok());
     EXPECT_EQ(third.status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
     EXPECT_EQ(third.status.error_message(),
-              "user anna has 2 streams and asks for 1 more; limits.streams_per_user is 2");
+              "user anna has 2 streams and needs 1 more; limits.streams_per_user is 2");
   }
-  // What ended gives its place back, as soon as the server has noticed.
+  // An ended upload gives its place back as soon as the server notices.
   for (int i = 0; i < 1000; ++i)
     if (Upload(channel, 10).status.ok()) return;
   FAIL() << "no stream came free";
@@ -88,7 +88,7 @@ TEST_F(LimitsTest, UploadBytesOfAUser) {
   const Upload second(channel, 400);
   EXPECT_EQ(second.status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_THAT(second.status.error_message(),
-              HasSubstr("has 700 bytes of uploads under way and asks for 400 more; "
+              HasSubstr("has 700 bytes of uploads under way and needs 400 more; "
                         "limits.upload_bytes_per_user is 1000"));
   EXPECT_TRUE(Upload(channel, 300).status.ok());
 }
@@ -104,7 +104,7 @@ TEST_F(LimitsTest, SessionsOfAUser) {
   EXPECT_EQ(open("one").exit_code, 0);
   const CommandOutcome refused = open("two");
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.output, HasSubstr("user anna has 1 sessions open and asks for 1 more; "
+  EXPECT_THAT(refused.output, HasSubstr("user anna has 1 sessions open and needs 1 more; "
                                         "limits.sessions_per_user is 1"));
   EXPECT_EQ(open("one").exit_code, 0);
   EXPECT_EQ(server->burnish({"close", "one"}).exit_code, 0);
@@ -123,13 +123,13 @@ TEST_F(LimitsTest, ASessionIsAdmittedByItsBytes) {
   EXPECT_EQ(first.exit_code, 0) << first.output;
   const CommandOutcome refused = open("two");
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.output, HasSubstr("bytes of meshes and sessions and asks for"));
+  EXPECT_THAT(refused.output, HasSubstr("bytes of meshes and sessions and needs"));
   EXPECT_THAT(refused.output, HasSubstr("limits.memory_bytes_max is 12000000"));
   EXPECT_EQ(server->burnish({"close", "one"}).exit_code, 0);
   EXPECT_EQ(open("two").exit_code, 0);
 }
 
-/// Two triangles: a few hundred bytes, and gigabytes of cells at the larger depths.
+/// Writes two triangles: a few hundred bytes, but gigabytes of cells at large depths.
 std::string write_square(const TemporaryFolder& folder) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0.2}, {1, 1, 0.1}, {0, 1, 0.3}};
@@ -168,7 +168,7 @@ TEST_F(LimitsTest, AServerThatCannotHaveTheMemoryForAPreparationLivesOn) {
     const CommandOutcome refused =
         server->burnish({"open", "square", "--depth", "11", "--session", "deep"});
     EXPECT_EQ(refused.exit_code, 1);
-    EXPECT_THAT(refused.output, HasSubstr("no memory could be had"));
+    EXPECT_THAT(refused.output, HasSubstr("not enough memory"));
   }
   const CommandOutcome opened =
       server->burnish({"open", "square", "--depth", "7", "--session", "work"});
@@ -224,7 +224,7 @@ TEST_F(LimitsTest, MessagesThatAreTooLargeOrNoneAreRefusedLoggedAndCounted) {
   for (int i = 0; i < 1000 && counted("malformed") < 3; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_EQ(counted("malformed"), 3);
-  EXPECT_THAT(server->process->output(), HasSubstr("the message is no request of"));
+  EXPECT_THAT(server->process->output(), HasSubstr("the message is not a request of"));
 
   EXPECT_EQ(refused("/burnish.v1.Editing/Apply", large), StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_EQ(refused("/burnish.v1.Library/Import", large), StatusCode::RESOURCE_EXHAUSTED);

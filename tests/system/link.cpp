@@ -38,7 +38,7 @@ void prepare(int socket) {
   setsockopt(socket, SOL_SOCKET, SO_RCVBUF, &bytes, sizeof(bytes));
 }
 
-/// One way of all connections: when a piece that comes now is through.
+/// One direction of all connections. Says when a piece that comes now is through.
 class Way {
  public:
   explicit Way(const LinkOptions& options)
@@ -53,7 +53,7 @@ class Way {
     free_ = std::max(free_, now) + std::chrono::duration_cast<std::chrono::nanoseconds>(takes);
     return free_ + options_.delay;
   }
-  /// The delay's worth of bytes is on its way, and a little waits.
+  /// Returns the limit of waiting bytes: the bytes of one delay, and a few more.
   size_t waiting_max() const { return waiting_max_; }
 
  private:
@@ -73,12 +73,12 @@ struct Pipe {
   int from = -1, to = -1;
   std::deque<Piece> pieces;
   size_t waiting = 0;
-  bool ended = false;  // nothing more comes
+  bool ended = false;  // no more bytes come
 
   bool has_room(const Way& way) const { return !ended && waiting < way.waiting_max(); }
   bool is_due(Time now) const { return !pieces.empty() && pieces.front().due <= now; }
 
-  /// Returns how many bytes came.
+  /// Takes bytes that have come. Returns their number.
   size_t take(Way& way, Time now) {
     std::vector<char> bytes(kPieceBytes);
     const size_t before = waiting;
@@ -150,7 +150,7 @@ class Link::Traffic {
     connections_.remove_if([](const Ends& ends) { return ends.broken; });
   }
 
-  // Until a socket can do something, or a piece is through.
+  // Waits until a socket is ready, or a piece is through.
   void wait() {
     const Time now = std::chrono::steady_clock::now();
     Time next = now + std::chrono::milliseconds(50);

@@ -39,7 +39,7 @@ TEST_F(Links, PassAllBytesOnAndNoFasterThanTold) {
   const View wanted = near.fetch_view({"ball", {5, 0}}, {}).value();
   const auto begin = steady_clock::now();
   const View view = far.fetch_view({"ball", {5, 0}}, {}).value();
-  // Some 40,000 vertices of which each takes more than five bytes.
+  // About 40,000 vertices, each of which takes more than five bytes.
   EXPECT_GE(steady_clock::now() - begin, milliseconds(40));
   EXPECT_EQ(view.triangles, wanted.triangles);
   EXPECT_EQ(view.vertices, wanted.vertices);

@@ -12,7 +12,7 @@
 
 namespace burnish {
 
-/// A client of Editing.Edit as anybody may write it: messages out, messages in.
+/// A simple client of Editing.Edit: sends and receives messages.
 class LiveStream {
  public:
   LiveStream(const std::shared_ptr<grpc::Channel>& channel, const std::string& user = {});
@@ -25,18 +25,18 @@ class LiveStream {
   void preview_slide(const std::string& id, double beta);
   void beat(uint64_t time_us);
 
-  /// The next message for which `is_wanted` says so; those before are kept in `seen`. One without a
-  /// case when the stream has ended.
+  /// Returns the next message that `is_wanted` accepts; keeps the messages before it in `seen`.
+  /// Returns a message without a case at the end of the stream.
   v1::ServerMessage next(const std::function<bool(const v1::ServerMessage&)>& is_wanted);
   v1::ServerMessage next(v1::ServerMessage::MessageCase wanted);
 
-  /// Waits for the settled frame, granting a credit for each frame and acknowledging it.
+  /// Waits for the settled frame. Grants a credit for each frame and acknowledges it.
   v1::Frame settle();
 
   void half_close() { stream_->WritesDone(); }
   void cancel() { context_.TryCancel(); }
 
-  /// Reads the rest.
+  /// Reads the remaining messages.
   grpc::Status end();
 
   std::vector<v1::ServerMessage> seen;
@@ -48,7 +48,7 @@ class LiveStream {
   bool ended_ = false;
 };
 
-/// The sequence number in a frame's header.
+/// Returns the sequence number in a frame's header.
 uint64_t sequence_of(const v1::Frame& frame);
 
 }  // namespace burnish

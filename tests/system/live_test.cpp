@@ -1,4 +1,4 @@
-// The live stream of a real server, spoken to message by message.
+// The live stream of a real server, message by message.
 
 #include <csignal>
 #include <cstring>
@@ -49,7 +49,7 @@ TEST_F(Live, AClientIsWelcomedAndSeesASettledSurfaceThenSilence) {
   const v1::Frame frame = ann.settle();
   EXPECT_EQ(frame.state(), v1::SOLVE_STATE_SETTLED);
   EXPECT_GT(frame.cycles(), 0);
-  // A heartbeat comes back, and no frame came before it though there are credits.
+  // A heartbeat comes back, without a frame before it, although there are credits.
   ann.seen.clear();
   ann.credit(8, {sequence_of(frame)});
   ann.beat(7);
@@ -148,7 +148,7 @@ TEST_F(Live, AStreamThatDoesNotBeginWithAGreetingIsEnded) {
   ann.credit(1);
   const grpc::Status status = ann.end();
   EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT);
-  EXPECT_THAT(status.error_message(), HasSubstr("begins with a greeting"));
+  EXPECT_THAT(status.error_message(), HasSubstr("begin with a greeting"));
   LiveStream bob(channel());
   bob.greet("nothing");
   EXPECT_EQ(bob.end().error_code(), StatusCode::NOT_FOUND);

@@ -1,4 +1,4 @@
-// Uploads that send what is no message, or what they do not take.
+// Uploads that send bytes that do not parse, or wrong messages.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ class MalformedUpload : public testing::Test {
                   "burnish_refusals_total{reason=\"malformed\"}");
   }
 
-  /// Sends the messages and waits for the answer; the last message is to be refused for `reason`.
+  /// Sends the messages and expects that the last is refused for `reason`.
   void expect_refused(const std::string& method, const std::vector<std::string>& messages,
                       const std::string& reason) {
     const double before = counted();
@@ -52,9 +52,9 @@ TEST_F(MalformedUpload, OfAScanIsRefusedLoggedAndCounted) {
   expect_refused(method, {kNoMessage}, "no ImportRequest");
   expect_refused(method, {begin, kNoMessage}, "no ImportRequest");
   expect_refused(method, {begin, all, kNoMessage}, "no ImportRequest");
-  expect_refused(method, {begin, begin}, "an import has one header");
-  expect_refused(method, {all}, "an import begins with its header");
-  expect_refused(method, {begin, neither.SerializeAsString()}, "is a header or a chunk");
+  expect_refused(method, {begin, begin}, "only one header");
+  expect_refused(method, {all}, "begin with its header");
+  expect_refused(method, {begin, neither.SerializeAsString()}, "a header or a chunk");
   EXPECT_EQ(server_.scans(), 0u);
 }
 
@@ -67,8 +67,8 @@ TEST_F(MalformedUpload, OfCellFieldsIsRefusedLoggedAndCounted) {
   const std::string begin = header.SerializeAsString();
   expect_refused(method, {kNoMessage}, "no UploadCellFieldsRequest");
   expect_refused(method, {begin, kNoMessage}, "no UploadCellFieldsRequest");
-  expect_refused(method, {begin, begin}, "has one header");
-  expect_refused(method, {cells.SerializeAsString()}, "begins with its header");
+  expect_refused(method, {begin, begin}, "only one header");
+  expect_refused(method, {cells.SerializeAsString()}, "begin with its header");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Every RPC, ended in every way: the right status, and nothing left behind.
+// Ends every RPC in every way: the status must be right, and nothing may stay behind.
 
 #include <csignal>
 #include <functional>
@@ -19,14 +19,14 @@ namespace {
 
 using grpc::StatusCode;
 
-/// How to call one RPC so that it does its work, and so that it cannot.
+/// Messages that make one RPC succeed, and messages that make it fail.
 struct Rpc {
   std::string method;
   std::vector<std::string> good;
-  std::vector<std::string> bad = {};  ///< empty: nothing can be wrong with it but its bytes
+  std::vector<std::string> bad = {};  ///< empty: only its bytes can be wrong
   StatusCode refusal = StatusCode::NOT_FOUND;
-  bool is_there_already = false;  ///< called once more, to tidy up
-  bool is_endless = false;        ///< until its client has enough
+  bool is_there_already = false;  ///< called again, to tidy up
+  bool is_endless = false;        ///< runs until its client ends it
 };
 
 template <typename Message>
@@ -123,7 +123,7 @@ std::string export_of(const std::string& session) {
   });
 }
 
-/// In an order in which each finds what it needs.
+/// Returns the RPCs in an order in which each finds its preconditions.
 std::vector<Rpc> rpcs_in_order(const std::string& scan) {
   const std::string library = "/burnish.v1.Library/", editing = "/burnish.v1.Editing/";
   return {
@@ -182,7 +182,7 @@ class Outcomes : public testing::Test {
         channel_(wire_channel(server_.address)),
         rpcs_(rpcs_in_order(content_of(write_sphere(server_.folder)))) {}
 
-  /// Waits until nothing of these kinds is alive.
+  /// Waits until no object of these kinds is alive.
   void expect_nothing_left(const std::vector<std::string>& kinds) const {
     const int port = std::stoi(server_.announced("metrics on port "));
     for (const std::string& kind : kinds) {
@@ -234,7 +234,7 @@ TEST_F(Outcomes, OfWrongCallsNameTheReason) {
 
 TEST_F(Outcomes, OfCallsThatAreCancelledOrOverdueSaySo) {
   for (const Rpc& rpc : rpcs_) {
-    WireCall waiting{rpc.method, {}};  // whatever it is, it waits for what never comes
+    WireCall waiting{rpc.method, {}};  // any RPC waits here for messages that never come
     waiting.keep_open = true;
     waiting.deadline = std::chrono::milliseconds(100);  // gRPC's, by its own clock
     EXPECT_EQ(call(channel_, waiting).status.error_code(), StatusCode::DEADLINE_EXCEEDED)
@@ -248,7 +248,7 @@ TEST_F(Outcomes, OfCallsThatAreCancelledOrOverdueSaySo) {
 
 TEST_F(Outcomes, OfCallsThatAreCancelledAtWorkLeaveNothing) {
   for (const Rpc& rpc : rpcs_) {
-    // The call may be done before its cancel comes.
+    // The call may end before its cancel arrives.
     const StatusCode code =
         run(rpc, [](WireCall& wire) { wire.cancel = true; }).status.error_code();
     EXPECT_THAT(code, testing::AnyOf(StatusCode::CANCELLED, StatusCode::OK)) << rpc.method;
@@ -267,7 +267,7 @@ TEST_F(Outcomes, OfAServerThatEndsAreOkOrUnavailable) {
       while (!gone)
         for (const Rpc& rpc : rpcs_) {
           const StatusCode code = run(rpc).status.error_code();
-          // Four clients take each other's sessions and scans away as well.
+          // Four clients also delete each other's sessions and scans.
           const bool right = code == StatusCode::OK || code == StatusCode::UNAVAILABLE ||
                              code == StatusCode::CANCELLED || code == StatusCode::NOT_FOUND ||
                              code == StatusCode::ALREADY_EXISTS ||

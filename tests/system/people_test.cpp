@@ -1,4 +1,4 @@
-// Undo, history, forks and roles by the program's own commands, across a killed server.
+// Undo, history, forks and roles with the program's commands, across a killed server.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST_F(People, EachUndoesTheirOwnAlsoOnAServerThatWasKilled) {
   EXPECT_EQ(history[0]["author"], "ann");
   EXPECT_EQ(history[0]["enabled"], false);
   EXPECT_EQ(history[1]["enabled"], true);
-  EXPECT_THAT(refused({"undo", "work", "--user", "ann"}), HasSubstr("nothing of yours"));
+  EXPECT_THAT(refused({"undo", "work", "--user", "ann"}), HasSubstr("no edit to undo"));
   EXPECT_THAT(done({"redo", "work", "--user", "ann"}), HasSubstr("redone 1: beta 0.25"));
   done({"history", "work", "--off", "2", "--user", "eve"});
   EXPECT_EQ(done_json({"sessions", "work"})["beta"], 0.25);

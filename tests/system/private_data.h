@@ -7,16 +7,16 @@
 
 namespace burnish {
 
-/// The data folder of a private server, in a folder that everybody can enter. The server is killed
-/// with it.
+/// The data folder of a private server, in a folder that all users can enter. The destructor kills
+/// the server.
 class PrivateData {
  public:
   PrivateData();
   ~PrivateData();
 
-  /// The process that listens on the socket; 0: none.
+  /// Returns the process that listens on the socket; 0: none.
   pid_t server() const;
-  /// SIGKILL, and waits until nobody listens.
+  /// Sends SIGKILL and waits until no process listens.
   void kill_server() const;
 
   TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// The server that windows on one computer share (USERS B3, B4; ATTACKS C4).
+// The private server that windows on one computer share (USERS B3, B4; ATTACKS C4).
 
 #include "client/model/private_server.h"
 
@@ -47,12 +47,12 @@ bool has_ended(pid_t pid) {
   return kill(pid, 0) != 0;
 }
 
-/// Inodes of sockets in a table of /proc/net.
+/// Returns the inodes of sockets in a table of /proc/net.
 std::string socket_table(const char* name) {
   return content_of(fs::path("/proc/net") / name);
 }
 
-/// How many TCP sockets a process listens on or is connected by.
+/// Returns how many TCP sockets a process listens on or is connected by.
 size_t tcp_sockets(pid_t pid) {
   const std::string table = socket_table("tcp") + socket_table("tcp6");
   size_t count = 0;
@@ -65,7 +65,7 @@ size_t tcp_sockets(pid_t pid) {
   return count;
 }
 
-/// Does what somebody else would; returns which of it worked.
+/// Tries what another user could try. Returns what worked.
 std::string as_nobody(const PrivateData& data) {
   const std::string folder = data.options.data, socket_path = private_socket(data.options.data);
   const std::string journal = folder + "/journal.sqlite", lock = folder + "/lock";
@@ -120,7 +120,7 @@ TEST(PrivateServer, NobodyElseCanReachItOrItsFiles) {
   const PrivateData data;
   ASSERT_TRUE(find_private_server(data.options, {}).is_ok());
   EXPECT_EQ(as_nobody(data), "");
-  data.kill_server();  // nobody can take its place either
+  data.kill_server();  // no server may take its place either
   EXPECT_EQ(as_nobody(data), "");
 }
 
@@ -154,7 +154,7 @@ TEST(PrivateServer, EndsByItselfOnceNobodyIsConnectedAndIsStartedAgain) {
 
 TEST(PrivateServer, WhyItEndsIsSaid) {
   const PrivateData data;
-  fs::create_directories(data.options.data / "journal.sqlite");  // no file
+  fs::create_directories(data.options.data / "journal.sqlite");  // a folder, not a file
   const auto found = find_private_server(data.options, {});
   EXPECT_EQ(found.status().code(), StatusCode::kUnavailable);
   EXPECT_THAT(found.status().message(), HasSubstr("the private server ended: burnish-server: "));
@@ -180,7 +180,7 @@ TEST(PrivateServer, CanBeCancelledWhileItStarts) {
   EXPECT_EQ(found.status().code(), StatusCode::kCancelled);
 }
 
-/// The window without a window, on its user's own server.
+/// A Workspace without a window, on its user's private server.
 class PrivateWorkspace : public testing::Test {
  protected:
   PrivateWorkspace() { workspace_.viewport.set_size({400, 300}); }
@@ -254,7 +254,7 @@ TEST_F(PrivateWorkspace, ASessionThatIsLeftBeforeItsEditsAreSavedIsNamed) {
   document().preview_beta(0.25);
   document().commit_beta();
   workspace_.close_document();
-  EXPECT_EQ(workspace_.log.messages().back().text, name + ": 1 edit is not saved, and lost");
+  EXPECT_EQ(workspace_.log.messages().back().text, name + ": 1 edit is not saved and will be lost");
 }
 
 }  // namespace

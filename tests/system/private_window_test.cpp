@@ -1,4 +1,4 @@
-// Real windows on the server that they share on their computer (USERS B3, B4).
+// Real windows on the private server that they share (USERS B3, B4).
 
 #include <csignal>
 #include <functional>
@@ -29,7 +29,7 @@ bool eventually(const std::function<bool()>& holds) {
   return false;
 }
 
-/// A window on a screen of its own.
+/// A window on its own screen.
 class PrivateWindow {
  public:
   PrivateWindow(const PrivateData& data, std::vector<std::string> words) {
@@ -47,7 +47,8 @@ class PrivateWindow {
     screen.focus_window();
   }
 
-  /// Clay is warm; without a connection it is grey, and panels are cold.
+  /// Returns whether the picture is clay. Clay is warm; it is grey without a connection; panels are
+  /// cold.
   bool shows_clay() {
     const Image image = screen.capture();
     long warmth = 0;

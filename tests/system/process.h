@@ -10,12 +10,12 @@
 
 namespace burnish {
 
-/// A program under test, with both outputs in one file. Killed with the object.
+/// A program under test, with both outputs in one file. The destructor kills it.
 class Process {
  public:
   struct Limits {
-    std::optional<uint64_t> file_bytes_max;     ///< RLIMIT_FSIZE: the nearest thing to a full disk
-    std::optional<uint64_t> address_bytes_max;  ///< RLIMIT_AS: as on a machine with little memory
+    std::optional<uint64_t> file_bytes_max;     ///< RLIMIT_FSIZE: simulates a full disk
+    std::optional<uint64_t> address_bytes_max;  ///< RLIMIT_AS: simulates little memory
   };
 
   /// Starts `words[0]` with the rest as arguments. Its output goes to `output`.
@@ -25,16 +25,17 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// The exit code, 128 + the signal that ended it, or nothing when it runs on after `time`.
+  /// Returns the exit code, 128 + the signal that ended it, or nothing if it still runs after
+  /// `time`.
   std::optional<int> wait(std::chrono::milliseconds time);
 
   void signal(int number) const;
   pid_t pid() const { return pid_; }
 
-  /// What it has printed so far.
+  /// Returns its output so far.
   std::string output() const;
 
-  /// True once its output holds `text`; false when it has ended or `time` is over without that.
+  /// Returns true once its output has `text`; false if it ends without it or `time` is over.
   bool wait_for_output(const std::string& text, std::chrono::milliseconds time);
 
  private:

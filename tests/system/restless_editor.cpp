@@ -91,7 +91,7 @@ void RestlessEditor::lose_server() {
   ++losses_;
 }
 
-/// The author's own undo, as a plain list: nobody else can switch these entries.
+/// A model of the author's undo, as a plain list: no other user switches these entries.
 struct RestlessEditor::Book {
   std::vector<std::pair<std::string, bool>> entries;
   std::vector<size_t> undone;
@@ -125,13 +125,15 @@ struct RestlessEditor::Book {
   }
 };
 
-/// A refusal is not on disk. When the server dies before it tells of one, the edit is sent again
-/// and judged again, behind those later edits that are on disk: nobody knows where.
+/// A refusal is not on disk. If the server dies before it sends the refusal, the client resends the
+/// edit, and the server judges it again after the later edits that are on disk. The place among
+/// them is unknown.
 bool RestlessEditor::is_certain(const std::string& edit_id) const {
   return losses_when_sent_.at(edit_id) == losses_when_answered_.at(edit_id);
 }
 
-/// The recorded edits in their order, and each refused one behind all that was sent before it.
+/// Replays the recorded edits in order, and each refused edit after all edits that were sent before
+/// it.
 RestlessEditor::Book RestlessEditor::keep_book(const std::vector<std::string>& recorded) const {
   std::map<std::string, size_t> rank;
   for (const std::string& id : recorded) rank.emplace(id, rank.size() + 1);

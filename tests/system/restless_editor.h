@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-/// What a restless editor edits.
+/// The session that a restless editor edits.
 struct EditorPlace {
   std::string address;  ///< of the server
   std::string session;
@@ -20,29 +20,29 @@ struct EditorPlace {
   double brush_radius = 0;     ///< file units
 };
 
-/// Somebody who strokes, slides, bends the curve, undoes and redoes without a pause, and keeps a
-/// book of all that was sent and what became of it.
+/// An editor that strokes, slides, bends the curve, undoes and redoes without a pause, and records
+/// each sent edit and its answer.
 class RestlessEditor {
  public:
   RestlessEditor(const EditorPlace& place, const std::string& user, uint32_t seed);
 
   /// Sends one edit; the same seed gives the same edits.
   void edit();
-  /// Hears what is new.
+  /// Takes the server's news.
   void listen();
-  /// Hears until every edit is acknowledged or refused; false when patience is over.
+  /// Takes news until every edit is acknowledged or refused. Returns false after the patience.
   bool wait_until_answered();
 
-  /// From now on is_back() asks for a new welcome and a frame after it.
+  /// Notes that the server is lost: is_back() now needs a new welcome and a frame after it.
   void lose_server();
   bool is_back() const { return welcomed_ && frames_ > frames_then_; }
 
-  /// What the history has to say of this author, when the server recorded these of his edits in
-  /// this order: ids of the entries in order, true for those that are on.
+  /// Returns the expected history of this author if the server recorded these edits in this order:
+  /// ids of the entries in order, true for entries that are on.
   std::vector<std::pair<std::string, bool>> expected_entries(
       const std::vector<std::string>& recorded) const;
 
-  /// Those of the answered edits that must have been refused: there was nothing to undo or redo.
+  /// Returns the answered edits that must have been refused: there was nothing to undo or redo.
   std::set<std::string> expected_refusals(const std::vector<std::string>& recorded) const;
   std::set<std::string> refused() const;
 
@@ -64,7 +64,7 @@ class RestlessEditor {
 
   std::vector<Edit> sent_;
   std::set<std::string> acknowledged_, refused_;
-  int losses_ = 0;  // of the server, so far
+  int losses_ = 0;  // losses of the server so far
   std::map<std::string, int> losses_when_sent_, losses_when_answered_;
   bool welcomed_ = false;
   uint64_t frames_ = 0, frames_then_ = 0;

@@ -14,7 +14,7 @@ using std::chrono::milliseconds;
 
 constexpr char kApplied[] = "applied";
 constexpr milliseconds kNoHurry{
-    5000};  // more than an answer takes, little enough for a dead server
+    5000};  // longer than an answer takes, short enough for a dead server
 
 void set_deadline(grpc::ClientContext& context, milliseconds time) {
   context.set_deadline(std::chrono::system_clock::now() + time);
@@ -35,7 +35,7 @@ v1::OpenSessionRequest wish(const std::string& scan, const std::string& session)
   return request;
 }
 
-/// Nothing where there is no such session.
+/// Returns nothing if there is no such session.
 std::multiset<std::string> edit_ids(v1::Editing::Stub& stub, const std::string& session) {
   std::multiset<std::string> ids;
   v1::GetHistoryRequest request;
@@ -87,7 +87,7 @@ void RestlessOpeners::stop() {
 
 void RestlessOpeners::run(Stub& stub) {
   while (!stopping_) {
-    // an edit without an answer is sent again in the next life, by the same id
+    // An edit without an answer is sent again to the next server, with the same id.
     if (apply(stub, kApplied, "edit-" + std::to_string(edits_))) ++edits_;
     if (random_() % 8 == 0) forge(stub);
     if (random_() % 8 == 0) race(stub);
@@ -97,7 +97,7 @@ void RestlessOpeners::run(Stub& stub) {
 void RestlessOpeners::race(Stub& stub) {
   const std::string session = "race-" + std::to_string(races_++);
   v1::OpenSessionRequest request = wish(scan_, session);
-  // a radius of its own has to be prepared, and so there is something to give up
+  // A new radius needs a preparation, so there is work to give up.
   request.set_curvature_radius(0.01 + 1e-6 * races_);
   const milliseconds patience(1 + random_() % 60), head_start(random_() % 30);
   std::thread first([&] { (void)open(stub, request, patience); });

@@ -13,23 +13,25 @@
 
 namespace burnish {
 
-/// Opens sessions without a pause, as nobody should: two at once open the same new session and the
-/// first gives up when it likes; others ask for names that are ids; and somebody edits by Apply.
-/// Keeps a book of what the server has acknowledged.
+/// Opens sessions without a pause. Two clients at once open the same new session, and the first
+/// gives up at a random moment. Others ask for names that are ids; one edits by Apply. Records what
+/// the server has acknowledged.
 class RestlessOpeners {
  public:
   /// Opens the session of the Apply loop.
   RestlessOpeners(std::string address, std::string scan, uint32_t seed);
   ~RestlessOpeners() { stop(); }
 
-  /// Opens and edits in a thread of its own until stop(), whatever becomes of the server.
+  /// Opens and edits in its own thread until stop(), even if the server dies.
   void start();
   void stop();
 
-  /// What the server has not kept of what it has said, in words. Needs: stopped, a server.
+  /// Returns in words the acknowledged facts that the server has lost. Needs: stopped, a running
+  /// server.
   std::vector<std::string> broken_promises() const;
 
-  /// Sessions that two have opened at once and one was told of, and acknowledged edits.
+  /// Returns the number of sessions that two clients opened at once and of which one client was
+  /// told.
   size_t told() const { return told_.size(); }
   size_t acknowledged() const;
 

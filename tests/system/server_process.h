@@ -18,17 +18,17 @@ struct CommandOutcome {
   std::string output;
 };
 
-/// A burnish-server of the test's own, on a free loopback port, and `burnish` to talk to it.
+/// A burnish-server for a test on a free loopback port, and `burnish` to talk to it.
 class ServerProcess {
  public:
   explicit ServerProcess(std::vector<std::string> more_flags = {}) : flags(std::move(more_flags)) {
     start();
   }
 
-  /// Starts on the same data folder; a new port is taken unless `listen` names one.
+  /// Starts on the same data folder, on a new port unless `listen` names one.
   void start(const Process::Limits& limits = {});
 
-  /// SIGKILL, and waits for the end.
+  /// Sends SIGKILL and waits for the end.
   void kill();
 
   /// Runs `burnish WORDS... --server HERE` to its end.
@@ -37,22 +37,22 @@ class ServerProcess {
   /// Starts `burnish WORDS... --server HERE`.
   std::unique_ptr<Process> start_burnish(std::vector<std::string> words);
 
-  /// What follows `announcement` on its line of the server's output.
+  /// Returns the text after `announcement` on its line of the server's output.
   std::string announced(const std::string& announcement) const;
 
-  /// What burnish-server was started with, for a second one.
+  /// Returns the command line of the server, to start a second one.
   std::vector<std::string> command_line() const;
 
-  /// Files and folders below the library's staging/ and scans/.
+  /// Return the number of files and folders below the library's staging/ and scans/.
   size_t staged() const { return entries("staging"); }
   size_t scans() const { return entries("scans"); }
 
   TemporaryFolder folder;
-  std::vector<std::string> flags;         ///< of burnish-server, beside its address and folder
-  std::vector<std::string> client_flags;  ///< of burnish, beside the address
+  std::vector<std::string> flags;  ///< flags of burnish-server besides its address and folder
+  std::vector<std::string> client_flags;  ///< flags of burnish besides the address
   std::unique_ptr<Process> process;
   std::string address;
-  std::string listen = "127.0.0.1:0";  ///< what start() asks for; `address` for the same again
+  std::string listen = "127.0.0.1:0";  ///< address for start(); `address` takes the same again
 
  private:
   size_t entries(const std::string& name) const;

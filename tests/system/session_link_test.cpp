@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// One client of the session: what it draws, and what it has been told.
+/// A client of the session: its surface and its news.
 class Client {
  public:
   Client(const ServerProcess& server, const std::string& user, uint64_t triangles_max = 0,
@@ -72,10 +72,10 @@ class Client {
     return nullptr;
   }
 
-  /// The largest distance of a vertex from where it was, file units; needs coefficients.
+  /// Returns the largest move of a vertex, in file units. Needs: coefficients.
   double largest_move() const {
     double largest = 0;
-    if (displacement.empty()) return largest;  // no frame has moved anything
+    if (displacement.empty()) return largest;  // no frame has moved the surface
     for (const EvaluationPoint& point : view->points) {
       const Vec3f moved = evaluate<Vec3f>(view->grid, point, displacement);
       largest = std::max(largest, moved.norm() * view->frame.cell_size);

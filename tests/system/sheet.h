@@ -16,10 +16,10 @@ Box scaled(const Box& box, int factor);
 /// Needs: a box within the picture.
 Image cut(const Image& image, const Box& box);
 
-/// Each pixel the mean of four.
+/// Returns the image at half size: each pixel is the mean of four.
 Image halved(const Image& image);
 
-/// Tiles of one size on white, so many in a row, with a little room between.
+/// Returns tiles of one size on white, `columns` in a row, with a gap between.
 Image in_rows(const std::vector<Image>& tiles, int columns);
 
 }  // namespace burnish

@@ -1,7 +1,7 @@
-# How fast a value grows: reads lines "seconds megabytes" and prints the slope in MB an hour, with the
-# medians at both ends. The first third is for warming up and does not count. Fails when it grows
-# faster than `limit` MB an hour, or than `floor` MB within the time that counts, whichever is more:
-# in a short run the floor is what an allocator keeps. Usage: awk -v limit=10 -v floor=4 -f slope.awk
+# Measures how fast a value grows: reads lines "seconds megabytes" and prints the slope in MB an
+# hour, with the medians at both ends. The first third is for warming up and does not count. Fails
+# if the value grows faster than both `limit` MB an hour and `floor` MB within the counted time: in
+# a short run an allocator may keep `floor` MB. Usage: awk -v limit=10 -v floor=4 -f slope.awk
 
 { seconds[NR] = $1; value[NR] = $2 }
 

@@ -1,4 +1,4 @@
-// What tests/system/soak judges by: a leak is caught, and what is none is not.
+// The criterion of tests/system/soak: it finds a leak, and nothing else.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ CommandOutcome run(const TemporaryFolder& folder, const std::vector<std::string>
   return {exit_code, process.output()};
 }
 
-/// The slope of readings that are made each minute for an hour.
+/// Returns the slope of readings made each minute for an hour.
 CommandOutcome slope_of(const std::function<double(int)>& megabytes_at) {
   const TemporaryFolder folder;
   std::string readings;

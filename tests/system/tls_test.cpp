@@ -1,4 +1,4 @@
-// TLS between real processes: who trusts whom, and certificates that change while they run.
+// TLS between real processes: trust, and certificates that change while the processes run.
 
 #include <csignal>
 
@@ -17,14 +17,14 @@ using testing::HasSubstr;
 
 class TlsTest : public testing::Test {
  protected:
-  /// A private key, for its owner alone.
+  /// Writes a private key that only its owner can read.
   std::filesystem::path write_key(const std::string& name, const std::string& pem) const {
     const auto path = folder_.write(name, pem);
     std::filesystem::permissions(path, std::filesystem::perms(0600));
     return path;
   }
 
-  /// Puts the server's certificate where it looks for it.
+  /// Writes the server's certificate to the place where the server reads it.
   void install(const TestCa& ca, int days = 30) {
     const TestCa::Issued issued = ca.issue("server", days);
     write_key("new.key", issued.key);
@@ -50,7 +50,7 @@ class TlsTest : public testing::Test {
                       .string()});
   }
 
-  /// `burnish meshes` trusting this CA.
+  /// Runs `burnish meshes`, which trusts this CA.
   CommandOutcome meshes(ServerProcess& server, const TestCa& ca,
                         std::vector<std::string> more = {}) const {
     std::vector<std::string> words = {"meshes", "--timeout", "30", "--tls-ca",
@@ -114,7 +114,7 @@ TEST_F(TlsTest, ANewCertificateCountsWithoutARestart) {
   ASSERT_TRUE(server->process->wait_for_output("certificates read again", kPatience));
   EXPECT_EQ(meshes(*server, other_ca_).exit_code, 0);
   EXPECT_EQ(meshes(*server, ca_).exit_code, 1);
-  // Connections from before go on.
+  // Older connections continue.
   EXPECT_TRUE(call(before, {"/burnish.v1.Library/ListScans", {""}}).status.ok());
 }
 
@@ -122,9 +122,9 @@ TEST_F(TlsTest, ABrokenCertificateLeavesTheOldOneInForce) {
   install(ca_);
   const auto server = start();
   folder_.write("server.pem", "not a certificate");
-  ASSERT_TRUE(server->process->wait_for_output("certificates stay as they were", kPatience));
+  ASSERT_TRUE(server->process->wait_for_output("certificates are unchanged", kPatience));
   EXPECT_EQ(meshes(*server, ca_).exit_code, 0);
-  install(ca_);  // no signal: the change is seen
+  install(ca_);  // without a signal: the server sees the change
   EXPECT_TRUE(server->process->wait_for_output("certificates read again", kPatience));
 }
 

@@ -1,4 +1,4 @@
-// Who may do what, as strangers and users meet it over a real connection.
+// The rights of strangers and users over a real connection.
 
 #include "server/trust/users.h"
 
@@ -123,7 +123,7 @@ TEST_F(UsersTest, NobodyCallsHimselfAnother) {
   const CommandOutcome refused =
       server_.burnish({"open", "ball", "--user", "otto", "--token-file", token});
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.output, HasSubstr("user eddy calls himself 'otto'"));
+  EXPECT_THAT(refused.output, HasSubstr("user eddy must not use the name 'otto'"));
   EXPECT_THAT(server_.burnish({"open", "ball", "--user", "eddy", "--token-file", token}).output,
               HasSubstr("no scan has the name or id 'ball'"));
 }
@@ -139,7 +139,7 @@ TEST_F(UsersTest, AChangedFileCountsWithoutARestart) {
 
 TEST_F(UsersTest, AChangeIsSeenWithoutASignalAndABrokenOneChangesNothing) {
   folder_.write("users.toml", "[[user]]\nname = \"half");
-  ASSERT_TRUE(server_.process->wait_for_output("users stay as they were", kPatience));
+  ASSERT_TRUE(server_.process->wait_for_output("users are unchanged", kPatience));
   EXPECT_TRUE(list_as("vera-secret").ok());
 }
 

@@ -7,7 +7,7 @@
 namespace burnish {
 namespace {
 
-// What OpenMP says of itself when a program starts with these variables set or unset.
+// Returns OpenMP's own settings when a program starts with these variables.
 std::string settings_of(const std::string& program, std::vector<std::string> environment) {
   std::vector<std::string> words = {
       "/usr/bin/env", "-u", "OMP_WAIT_POLICY", "-u", "GOMP_SPINCOUNT", "OMP_DISPLAY_ENV=verbose"};

@@ -1,4 +1,4 @@
-// What dropping files on the window does, without the window.
+// The effect of files dropped on the window, without the window.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 using std::chrono::milliseconds;
 using testing::HasSubstr;
 
-/// A start page that is connected to a server without scans.
+/// A start page connected to a server without scans.
 class WindowImport : public testing::Test {
  protected:
   template <typename What>
@@ -35,7 +35,7 @@ class WindowImport : public testing::Test {
     }));
   }
 
-  /// Some megabytes, or what ThreadSanitizer prepares in seconds.
+  /// Writes a scan of some megabytes, or of a size that ThreadSanitizer prepares in seconds.
   std::filesystem::path write_large() const {
 #if defined(__SANITIZE_THREAD__)
     constexpr int kLevel = 6;

@@ -1,5 +1,5 @@
-// Draws the README's pictures: the real window, used by mouse and keys on a screen of its own.
-// window_pictures OUT [SCALE]      SCALE 2: as on a screen of twice the dots
+// Draws the README's pictures: uses the real window by mouse and keys on its own screen.
+// window_pictures OUT [SCALE]      SCALE 2: as on a screen with twice the resolution
 
 #include <cstdio>
 #include <functional>
@@ -25,9 +25,9 @@ using std::chrono::milliseconds;
 constexpr ImageSize kWindow{1280, 720};  // at scale 1, as all places below
 constexpr Box kPicture{280, 22, 762, 698};
 constexpr int kWheelUp = 4;
-constexpr Box kMiddle{400, 260, 340, 300};  // of it, clear of figures and toasts
+constexpr Box kMiddle{400, 260, 340, 300};  // part of the picture without figures and toasts
 
-/// A window on a server with scans and people, and who uses it.
+/// A window on a server with scans and people, and its user.
 class Studio {
  public:
   Studio(std::filesystem::path out, int scale) : out_(std::move(out)), scale_(scale) {
@@ -86,7 +86,7 @@ class Studio {
   }
 
   Image crop(const Box& box) { return cut(screen_.capture(), scaled(box, scale_)); }
-  /// Half the size: for what is looked at, not read.
+  /// Takes a picture at half size, for pictures without text.
   Image small(const Box& box) { return halved(crop(box)); }
   void save(const std::string& name, const Image& image) const {
     const Status written = write_png(image, out_ / (name + ".png"));
@@ -95,19 +95,19 @@ class Studio {
   }
   void save(const std::string& name, const Box& box) { save(name, crop(box)); }
 
-  /// Figures over the picture, or not.
+  /// Shows or hides the figures over the picture.
   void toggle_figures() {
     click(101, 12);
     click(120, 94);
     rest();
   }
-  /// The pointer where it is over nothing.
+  /// Moves the pointer to a place over nothing.
   void rest() {
     move(20, 700);
     settle();
   }
 
-  /// Until the surface has come to rest.
+  /// Waits until the surface is at rest.
   void settle() {
     Image last = crop(kMiddle);
     int still = 0;
@@ -120,7 +120,7 @@ class Studio {
     });
   }
 
-  /// Somebody else who works at the right of the inscription.
+  /// Adds another user, who works at the right of the inscription.
   void let_bert_in() {
     const SessionInfo session = connection_.list_sessions().value().at(1);
     LiveOptions options;
@@ -180,10 +180,10 @@ class Studio {
   std::unique_ptr<Process> window_;
 };
 
-/// Smooth everything, then bring the inscription out again: one tile for each step.
+/// Smooths everything, then brings the inscription out again. Draws one tile for each step.
 void draw_an_edit(Studio& studio) {
   studio.toggle_figures();
-  Studio::pause(7000);  // toasts go
+  Studio::pause(7000);  // toasts disappear
   std::vector<Image> steps = {studio.small(kPicture)};
   studio.drag(107, 119, 15, 119);   // β to 0
   studio.drag(129, 167, 103, 167);  // α down: broader forms
@@ -191,7 +191,7 @@ void draw_an_edit(Studio& studio) {
   steps.push_back(studio.small(kPicture));
 
   studio.click(227, 421);           // the brush sharpens
-  studio.drag(136, 517, 152, 517);  // and is larger
+  studio.drag(136, 517, 152, 517);  // and gets larger
   studio.press(560, 425);
   for (int x = 560; x <= 690; x += 10) studio.move(x, 425);
   studio.settle();
@@ -228,7 +228,7 @@ void draw_curve(Studio& studio) {
 }
 
 void draw_history(Studio& studio) {
-  studio.click(1075, 307);  // the curve's entry, off
+  studio.click(1075, 307);  // switches off the curve's entry
   studio.settle();
   studio.click(1120, 470);
   studio.type("before the stamp");

@@ -17,7 +17,7 @@ namespace {
 
 constexpr ImageSize kScreen{1280, 720};
 
-// Where things are at scale 1, by the font that deploy/setup installs.
+// Places of widgets at scale 1, with the font that deploy/setup installs.
 constexpr int kPictureX = 660, kPictureY = 380, kReach = 120;
 constexpr int kBetaY = 119, kBetaMiddleX = 107, kBetaLeftX = 30;
 constexpr int kPlotX = 200, kPlotY = 290;
@@ -41,7 +41,7 @@ class WindowTest : public testing::Test {
     screen_ = std::make_unique<XDisplay>(kScreen);
   }
 
-  // As `burnish window WORDS...`.
+  // Starts `burnish window WORDS...`.
   void start_window(std::vector<std::string> words) {
     setenv("DISPLAY", screen_->name().c_str(), 1);
 #ifdef KEEP_LOADED_LIBRARY
@@ -71,7 +71,7 @@ class WindowTest : public testing::Test {
     return false;
   }
 
-  // Of the square around the middle of the picture, by colour.
+  // Colour of the square around the middle of the picture.
   struct Tone {
     double brightness = 0;
     double warmth = 0;  // red over blue: clay is warm, panels and background are cold
@@ -93,7 +93,7 @@ class WindowTest : public testing::Test {
     return tone_of(image).warmth > 5;
   }
 
-  // Mean difference of a square around the middle of the picture.
+  // Returns the mean difference of a square around the middle of the picture.
   double difference(const Image& a, const Image& b) const {
     double sum = 0;
     int count = 0;
@@ -104,9 +104,9 @@ class WindowTest : public testing::Test {
     return sum / count;
   }
 
-  // The picture once the pointer is away and nothing moves any more. The window is another process,
-  // which does not say so: four pictures alike, some time apart, must do. Grey is not at rest: the
-  // link was lost, as when the machine stood still for a while, and comes back.
+  // Returns the picture once the pointer is away and nothing moves. The window is another process
+  // and does not say so: four equal pictures, some time apart, must do. A grey picture is not at
+  // rest: the link is lost, as after a pause of the machine, and comes back.
   Image settle() {
     screen_->move(5, 700);
     Image last = screen_->capture();
@@ -121,7 +121,7 @@ class WindowTest : public testing::Test {
     return last;
   }
 
-  // Frames may be on their way while the picture rests.
+  // Waits for a different picture: frames may still come while the picture rests.
   bool until_it_differs(const Image& from, double by) {
     return eventually([&] { return difference(from, settle()) > by; });
   }
@@ -129,8 +129,8 @@ class WindowTest : public testing::Test {
     return eventually([&] { return difference(picture, settle()) < within; });
   }
 
-  // The question what becomes of unsaved edits lies over the middle; its panels are darker than
-  // anything that is drawn there.
+  // Returns whether the window asks about unsaved edits. The question lies over the middle; its
+  // panel is darker than the picture.
   bool window_asks() {
     const Image image = screen_->capture();
     int dark = 0;
@@ -141,7 +141,7 @@ class WindowTest : public testing::Test {
     return dark > 200;
   }
 
-  // A stroke that the server, which is gone, cannot save.
+  // Paints a stroke that cannot be saved, because the server is gone.
   void paint_without_a_server() {
     open_window();
     server_->listen = server_->address;
@@ -149,7 +149,7 @@ class WindowTest : public testing::Test {
     screen_->drag(kPictureX - 60, kPictureY, kPictureX + 60, kPictureY);
   }
 
-  // The start page says so in green.
+  // Returns whether the start page says in green that it is connected.
   bool window_is_connected() {
     const Image image = screen_->capture();
     for (int x = 136; x < 320; ++x) {
@@ -160,12 +160,12 @@ class WindowTest : public testing::Test {
   }
 
   std::vector<HistoryEntry> history() {
-    // After a new start gRPC may still believe in the connection to the last server.
+    // After a restart gRPC may still use the connection to the last server.
     EXPECT_TRUE(eventually([&] { return connection_->history("desk").is_ok(); }));
     return connection_->history("desk").value();
   }
 
-  // Waits for so many entries and returns the newest.
+  // Waits for `count` entries and returns the newest.
   HistoryEntry newest_of(size_t count) {
     EXPECT_TRUE(eventually([&] { return history().size() >= count; })) << window_->output();
     const auto entries = history();
@@ -227,7 +227,7 @@ TEST_F(WindowTest, TheMiddleButtonTurnsAndHomeComesBackWithoutAnEdit) {
   EXPECT_TRUE(history().empty());
 }
 
-// At 200 % there is one column; the history is at its other end.
+// At 200 % there is one column, and the history is at its end.
 TEST_F(WindowTest, InASmallWindowAllPanelsAreInOneColumnThatScrolls) {
   middle_x_ = 920;
   open_window("10", "2");
@@ -248,7 +248,7 @@ TEST_F(WindowTest, HidesAtOnceThoughACallWaitsForAStalledLink) {
   open_window("600");
   link.stall(true);
   screen_->drag(kColourX, kColourY, kColourX, kColourY);          // a list of views
-  screen_->drag(kColourX, kBetaColourY, kColourX, kBetaColourY);  // whose colours are fetched
+  screen_->drag(kColourX, kBetaColourY, kColourX, kBetaColourY);  // the client fetches its colours
   window_->signal(SIGTERM);
   EXPECT_TRUE(eventually([&] { return !screen_->has_window(); }));
   EXPECT_FALSE(window_->wait(std::chrono::milliseconds(0)).has_value()) << window_->output();
@@ -276,7 +276,7 @@ TEST_F(WindowTest, SurvivesAServerThatDiesMidStrokeAndAWindowOfNoSize) {
   screen_->resize_window({1, 1});
   screen_->resize_window({700, 400});
   screen_->resize_window(kScreen);
-  // Grey: what is shown may be out of date.
+  // Grey: the picture may be out of date.
   EXPECT_TRUE(eventually([&] {
     const Tone tone = tone_of(screen_->capture());
     return tone.brightness > 60 && std::abs(tone.warmth) < 2;
@@ -284,7 +284,7 @@ TEST_F(WindowTest, SurvivesAServerThatDiesMidStrokeAndAWindowOfNoSize) {
   EXPECT_FALSE(window_->wait(std::chrono::milliseconds(0)).has_value()) << window_->output();
   window_->signal(SIGTERM);
   EXPECT_EQ(window_->wait(kPatience), 1);
-  EXPECT_NE(window_->output().find("1 edit is not saved, and lost"), std::string::npos)
+  EXPECT_NE(window_->output().find("1 edit is not saved and will be lost"), std::string::npos)
       << window_->output();
 }
 

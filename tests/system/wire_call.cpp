@@ -8,7 +8,7 @@
 namespace burnish {
 namespace {
 
-/// Waits for the one operation under way. True: it went well.
+/// Waits for the one operation in progress. Returns whether it succeeded.
 bool wait(grpc::CompletionQueue& queue) {
   void* tag = nullptr;
   bool ok = false;
@@ -24,7 +24,7 @@ std::string to_bytes(grpc::ByteBuffer& buffer) {
 
 std::shared_ptr<grpc::Channel> wire_channel(const std::string& address, const WireTrust& trust) {
   grpc::ChannelArguments arguments;
-  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);  // a connection of its own
+  arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);  // its own connection
   return grpc::CreateCustomChannel(
       address,
       trust.ca.empty() ? grpc::InsecureChannelCredentials()

@@ -18,17 +18,16 @@ struct WireTrust {
 std::shared_ptr<grpc::Channel> wire_channel(const std::string& address,
                                             const WireTrust& trust = {});
 
-/// A call of any RPC, made of bytes as any client in any language may make it: sends the messages,
-/// reads to the end.
+/// Calls any RPC with raw bytes, as a client in any language may: sends the messages, then reads to
+/// the end.
 struct WireCall {
   std::string method;
   std::vector<std::string> messages;
   std::string token = {};
   std::chrono::milliseconds deadline{120'000};
-  bool cancel = false;     ///< once the messages are sent
-  bool keep_open = false;  ///< do not say that there are no more
-  size_t enough_messages =
-      0;  ///< of an endless call, so many; then it is cancelled and counts as OK
+  bool cancel = false;         ///< cancels once the messages are sent
+  bool keep_open = false;      ///< does not close the client's side
+  size_t enough_messages = 0;  ///< messages of an endless call; then it is cancelled, as OK
 };
 struct WireAnswer {
   grpc::Status status;
@@ -36,7 +35,7 @@ struct WireAnswer {
 };
 WireAnswer call(const std::shared_ptr<grpc::Channel>& channel, const WireCall& wire);
 
-/// "/burnish.v1.Library/ListScans" and all the others of our services.
+/// Returns "/burnish.v1.Library/ListScans" and all other RPCs of the services.
 std::vector<std::string> all_rpcs();
 
 }  // namespace burnish

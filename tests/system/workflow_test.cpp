@@ -27,7 +27,7 @@ json done_json(ServerProcess& server, std::vector<std::string> words) {
   return json::parse(output.substr(output.find_first_of("[{")));
 }
 
-/// The mean distance of the vertices from the origin.
+/// Returns the mean distance of the vertices from the origin.
 double mean_radius(const TriangleMesh& mesh) {
   double sum = 0;
   for (const Vec3d& vertex : mesh.vertices) sum += vertex.norm();

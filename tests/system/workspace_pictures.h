@@ -10,8 +10,8 @@
 
 namespace burnish {
 
-/// Takes one picture after the other of a window without a window until `what()` holds; false when
-/// patience is over.
+/// Takes pictures of a Workspace without a window until `what()` holds. Returns false after the
+/// patience.
 template <typename What>
 bool pictures_until(Workspace& workspace, What what) {
   const auto end = std::chrono::steady_clock::now() + kPatience;

@@ -16,7 +16,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// The window without a window: everything that it does, on a session over a sphere.
+/// A Workspace without a window: everything that the window does, on a session over a sphere.
 class WorkspaceService : public testing::Test {
  protected:
   WorkspaceService() {
@@ -42,7 +42,7 @@ class WorkspaceService : public testing::Test {
 
   Document& document() { return *workspace_.document(); }
 
-  /// A little of all that hands do.
+  /// Uses a little of every feature.
   void use_everything() {
     Viewport& viewport = workspace_.viewport;
     viewport.press(PointerButton::kLeft, {}, {190, 150});
@@ -125,7 +125,7 @@ TEST_F(WorkspaceService, BringsWhatWasEditedWhileTheServerWasDead) {
   EXPECT_EQ(owner_.history("work")->size(), 2u);
 }
 
-// Frames, values and history come by ways of their own, each as late as the link makes it.
+// Frames, values and history come separately, each with the delay of the link.
 TEST_F(WorkspaceService, WhatIsSettledHasItsValuesAndItsHistory) {
   Link link(server_.address, {.delay = milliseconds(50)});
   ASSERT_TRUE(open_through(link.address()));
@@ -183,7 +183,7 @@ TEST_F(WorkspaceService, ThePointerFindsWhatIsShownUnderItOriginalOrEdited) {
   const Eigen::Vector2d left(170, 120), right(230, 120);
   EXPECT_TRUE(looks_at(left, &SurfaceHit::displaced));
   EXPECT_FALSE(looks_at(left, &SurfaceHit::original));
-  viewport.hold_original = true;  // the pointer rests
+  viewport.hold_original = true;  // the pointer does not move
   EXPECT_TRUE(looks_at(left, &SurfaceHit::original));
   viewport.hold_original = false;
   EXPECT_FALSE(looks_at(left, &SurfaceHit::original));

@@ -22,7 +22,7 @@ bool XDisplay::is_available() {
   return access(kXvfb, X_OK) == 0;
 }
 
-// Warnings go to the same file: the display's number is the line that is one.
+// Finds the display's number in a file that also has warnings: it is the line that is a number.
 static std::string announced_display(const std::string& output) {
   std::istringstream lines(output);
   for (std::string line; std::getline(lines, line);)
@@ -49,7 +49,7 @@ XDisplay::~XDisplay() {
   if (display_) XCloseDisplay(display_);
 }
 
-// 0 where there is none.
+// Returns the window; 0: none.
 unsigned long XDisplay::find_window() {
   Window root = 0, parent = 0, *children = nullptr, found = 0;
   unsigned count = 0;

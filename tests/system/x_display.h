@@ -13,10 +13,10 @@ struct _XDisplay;
 
 namespace burnish {
 
-/// An X server without a screen, whose mouse and keyboard the test holds (XTest).
+/// An X server without a screen. The test controls its mouse and keyboard (XTest).
 class XDisplay {
  public:
-  /// False where Xvfb is not installed.
+  /// Returns false if Xvfb is not installed.
   static bool is_available();
 
   explicit XDisplay(const ImageSize& size);
@@ -28,18 +28,18 @@ class XDisplay {
 
   /// Waits for the one window, and gives it the keyboard.
   void focus_window();
-  /// A window is to be seen.
+  /// Returns whether a window is visible.
   bool has_window();
   void resize_window(const ImageSize& size);
-  /// As its close button does.
+  /// Closes the window like its close button.
   void close_window();
 
   void move(int x, int y);
   void press(int button);
   void release(int button);
-  /// Presses at the first point, moves on in steps, and lets go.
+  /// Presses at the first point, moves in steps to the second, and releases.
   void drag(int from_x, int from_y, int to_x, int to_y, int button = 1);
-  /// Presses and releases keys by their names, the first ones held: key({"Control_L", "z"}).
+  /// Presses and releases keys by their names, and holds all but the last: key({"Control_L", "z"}).
   void key(const std::vector<std::string>& names);
 
   /// Drops files on the middle of the window. Their names need no escapes.

@@ -1,10 +1,10 @@
-// Drag and drop as a file manager does it: the XDND protocol, version 5, from the source's side.
+// Drag and drop like a file manager: the source's side of the XDND protocol, version 5.
 
 #include <thread>
 
 #include "common/base/check.h"
 #include "tests/system/x_display.h"
-// Last: it has macros of our names.
+// Included last: it has macros with our names.
 #include <X11/Xlib.h>
 
 namespace burnish {
@@ -13,7 +13,7 @@ namespace {
 constexpr std::chrono::seconds kPatience{60};
 constexpr long kXdndVersion = 5;
 
-/// A drop from a window of its own, which is never seen, onto another one.
+/// A drop from its own hidden window onto another window.
 class Drop {
  public:
   Drop(Display* display, Window target, std::string uris)
@@ -49,7 +49,7 @@ class Drop {
     XFlush(display_);
   }
 
-  // Gives the names when they are asked for, until this answer comes.
+  // Sends the names on request until this answer comes.
   void serve_until(const char* answer) const {
     const auto deadline = std::chrono::steady_clock::now() + kPatience;
     while (std::chrono::steady_clock::now() < deadline) {

@@ -27,7 +27,7 @@ struct Options {
   std::string mix = "draw=1,drag=1,paint=2";
 };
 
-/// The clients of a run with their connections, dealt to the sessions in turn.
+/// The clients of a run and their connections. Sessions get clients in turn.
 struct Load {
   struct Seat {
     std::string session;
@@ -37,7 +37,7 @@ struct Load {
   std::vector<Seat> seats;
 };
 
-/// What clients of the session draw.
+/// Fetches the view that clients of the session draw.
 Result<std::shared_ptr<const View>> fetch_view_of(Connection& connection,
                                                   const std::string& session,
                                                   uint64_t triangles_max) {
@@ -70,7 +70,8 @@ Result<Load> connect_clients(const Options& options, const LoadMix& mix) {
   return load;
 }
 
-/// A fork is made by replay: its fields must be those of the session that grew edit by edit.
+/// Checks a fork, which is made by replay: its fields must equal those of the session that grew
+/// edit by edit.
 Result<bool> replay_agrees(Connection& connection, const std::string& session) {
   ForkWish wish;
   wish.source = session;
@@ -122,7 +123,7 @@ Result<LoadChecks> check(const Options& options, Load& load) {
     checks.objections.push_back("acknowledged edits are missing from the history");
   if (checks.unanswered > 0) checks.objections.push_back("edits were not answered");
   if (!checks.clients_agree) checks.objections.push_back("clients show different surfaces");
-  if (!checks.replay_agrees) checks.objections.push_back("a replay has other fields");
+  if (!checks.replay_agrees) checks.objections.push_back("a replay gives different fields");
   return checks;
 }
 
@@ -151,8 +152,10 @@ void add_bench_command(CommandTable& table) {
   CLI::App* command = table.add("bench", "Measure a server", [options] { return bench(*options); });
   command->require_subcommand(1);
   CLI::App* serve = command->add_subcommand(
-      "serve", "Many clients at once that look, drag and paint; checks that nothing is lost");
-  serve->add_option("--session", options->sessions, "Name or id; several: clients are dealt out")
+      "serve", "Run many clients that look, drag and paint; check that nothing is lost");
+  serve
+      ->add_option("--session", options->sessions,
+                   "Name or id; clients are shared out among several")
       ->required();
   serve->add_option("--clients", options->clients, "Connections at once")
       ->check(CLI::Range(1, 1000))
@@ -160,15 +163,15 @@ void add_bench_command(CommandTable& table) {
   serve->add_option("--seconds", options->seconds, "How long")
       ->check(CLI::Range(0.1, 86400.0))
       ->capture_default_str();
-  serve->add_option("--mix", options->mix, "How often clients do what")
+  serve->add_option("--mix", options->mix, "How often clients do each action")
       ->check([](const std::string& text) { return usage_message(parse_load_mix(text).status()); })
       ->capture_default_str();
   serve->add_option("--rate", options->pictures_per_second, "Pictures per second of a client")
       ->check(CLI::Range(1.0, 240.0))
       ->capture_default_str();
   serve->add_option("--triangles-max", options->triangles_max,
-                    "Of the proxy that clients draw; 0: the whole scan");
-  serve->add_option("--seed", options->seed, "Of the gestures")->capture_default_str();
+                    "Triangles of the proxy that clients draw; 0: the whole scan");
+  serve->add_option("--seed", options->seed, "Seed of the gestures")->capture_default_str();
   add_server_options(*serve, options->server);
 }
 

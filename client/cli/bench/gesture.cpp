@@ -57,7 +57,7 @@ void Gestures::advance_stroke(SessionLink& session) {
   session.move_brush(BrushRing{*point, radius_});
 }
 
-// Triangles that follow one another in a scan mostly lie side by side.
+// Goes to the next triangle: neighbours in a scan's list mostly lie side by side.
 std::optional<Vec3d> Gestures::next_point() {
   triangle_ = (triangle_ + 1) % view_->triangles.size();
   const Vec3d& point = view_->vertices[view_->triangles[triangle_][0]];

@@ -12,17 +12,17 @@
 
 namespace burnish {
 
-/// Hands that drag and paint: one gesture after the other, previewed with each picture and applied
-/// at its end. The same seed gives the same gestures.
+/// Makes drags and strokes, one gesture after the other. Each picture previews the gesture; its end
+/// applies it. The same seed gives the same gestures.
 class Gestures {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
   Gestures(std::shared_ptr<const View> view, const LoadMix& mix, uint32_t seed);
 
-  /// Goes on with the gesture, or begins the next.
+  /// Continues the gesture, or begins the next.
   void advance(Time now, SessionLink& session);
-  /// Ends the gesture by its edit.
+  /// Ends the gesture and applies its edit.
   void end(SessionLink& session);
 
   const std::vector<std::string>& applied() const { return applied_; }  ///< ids of edits
@@ -44,7 +44,7 @@ class Gestures {
   double beta_ = 1;
   double beta_step_ = 0;
   Stroke stroke_;
-  size_t triangle_ = 0;  // that the stroke has come to
+  size_t triangle_ = 0;  // last triangle of the stroke
   std::vector<std::string> applied_;
 };
 

@@ -97,7 +97,7 @@ uint64_t LoadClient::shown_hash() const {
     hash = (hash ^ static_cast<uint32_t>(step)) * 1099511628211u;
     is_zero = is_zero && step == 0;
   }
-  return is_zero ? 0 : hash;  // a surface that never moved is told without any value
+  return is_zero ? 0 : hash;  // a surface that never moved comes without values
 }
 
 }  // namespace burnish

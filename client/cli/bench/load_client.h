@@ -17,42 +17,42 @@ struct LoadOptions {
   uint64_t triangles_max = 0;
   double pictures_per_second = 60;
   LoadMix mix;
-  /// A frame's age is told by the last heartbeat that it has seen: by so much it may be over-told.
+  /// A frame's age is measured from the last heartbeat that it has seen, so it may be too large by
+  /// this interval.
   std::chrono::milliseconds heartbeat_interval{10};
 };
 
-/// What one client saw.
+/// Figures of one client.
 struct LoadFigures {
   double seconds = 0;
   uint64_t frames = 0;
   uint64_t bytes = 0;
-  std::vector<double> age_ms;      ///< of frames when they came, one a picture at most
-  std::vector<double> drawn_ms;    ///< the same when they were drawn
+  std::vector<double> age_ms;      ///< age of frames on arrival, at most one per picture
+  std::vector<double> drawn_ms;    ///< age of frames when drawn
   std::vector<double> edit_ms;     ///< from an edit to its first frame
-  std::vector<double> preview_ms;  ///< the same of previews
-  uint64_t applied = 0;            ///< edits
+  std::vector<double> preview_ms;  ///< from a preview to its first frame
+  uint64_t applied = 0;            ///< edits sent
   std::set<std::string> acknowledged;
   std::vector<std::string> refused;  ///< in words
-  uint64_t times_lost = 0;           ///< the connection
-  std::string ended;                 ///< why, where the session ended early
+  uint64_t times_lost = 0;           ///< how often the connection was lost
+  std::string ended;                 ///< why, if the session ended early
 };
 
-/// One person at a client: draws pictures, drags and paints, on a connection and a thread of its
-/// own.
+/// Simulates one user: draws pictures, drags and paints on its own thread.
 class LoadClient {
  public:
-  /// Needs: `connection` lives as long as this does.
+  /// Needs: `connection` outlives this object.
   LoadClient(const Connection& connection, const LoadOptions& options, uint32_t seed);
 
   void start(std::chrono::duration<double> length);
   /// Waits for the end of the gestures and for the answers to all edits.
   void join();
 
-  /// Draws on until a settled frame has seen so many edits. False when patience is over.
+  /// Draws until a settled frame has seen `edits` edits. Returns false after `patience`.
   bool settle(uint64_t edits, std::chrono::seconds patience);
 
   const LoadFigures& figures() const { return figures_; }
-  /// Of what is shown: equal for clients that show the same.
+  /// Returns a hash of the shown surface: equal for clients that show the same.
   uint64_t shown_hash() const;
 
  private:

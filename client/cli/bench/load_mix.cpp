@@ -26,11 +26,11 @@ Result<LoadMix> parse_load_mix(const std::string& text) {
     const auto weight =
         parse_number<double>(std::string_view(part).substr(std::min(equals + 1, part.size())));
     if (!weight || !(*weight >= 0 && *weight <= 1e6))
-      return invalid_argument("the weight in '" + part + "' is not a number of 0 to 1000000");
+      return invalid_argument("the weight in '" + part + "' is not a number in 0..1000000");
     mix.weight[static_cast<size_t>(name - kNames.begin())] = *weight;
   }
   if (std::accumulate(mix.weight.begin(), mix.weight.end(), 0.0) <= 0)
-    return invalid_argument("the mix '" + text + "' leaves nothing to do");
+    return invalid_argument("the mix '" + text + "' has only weights of 0");
   return mix;
 }
 

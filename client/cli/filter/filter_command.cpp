@@ -36,7 +36,8 @@ struct FilterOptions {
   std::string paint_file, cell_field_file, fields_file, report_file;
 };
 
-/// Has what this machine has: for the preparation, and then for the mesh with its session.
+/// Allows as much memory as this machine has, first for the preparation, then for the mesh with its
+/// session.
 class FilterBudget final : public MachineBudget {
  public:
   Status ask(const PreparationNeed& need) override {
@@ -59,11 +60,12 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// What can be refused before the long work begins.
+/// Refuses wrong options before the long work begins.
 Status check_output(const FilterOptions& options) {
   ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(options.out));
   if (format == MeshFormat::kOff)
-    return invalid_argument(options.out + ": OFF is read only; write .ply, .obj or .stl");
+    return invalid_argument(options.out +
+                            ": Burnish reads OFF but does not write it; use .ply, .obj or .stl");
   return Status::ok();
 }
 
@@ -86,7 +88,7 @@ Result<std::vector<Edit>> read_edits(const FilterOptions& options) {
 Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits, Session& session) {
   if (options.curve && options.curve->contrast() > kCurveContrastWarn)
     std::cerr << "warning: the curve's contrast is above " << kCurveContrastWarn
-              << ": convergence is slower and the accuracy less\n";
+              << ": convergence is slower and accuracy is lower\n";
   for (const Edit& edit : edits) RETURN_IF_ERROR(session.apply(edit));
   return Status::ok();
 }
@@ -170,8 +172,8 @@ void add_field_options(CLI::App& command, FilterOptions& options) {
 
 void add_solve_options(CLI::App& command, FilterOptions& options) {
   CLI::Option* exact =
-      command.add_flag("--exact", options.solve.exact, "Solve to the bar of exports");
-  command.add_option("--cycles", options.solve.cycles, "Exactly so many V-cycles")
+      command.add_flag("--exact", options.solve.exact, "Solve to the accuracy of final results");
+  command.add_option("--cycles", options.solve.cycles, "Solve with exactly this many V-cycles")
       ->check(CLI::Range(1, kCyclesMax))
       ->excludes(exact);
   const std::map<std::string, BackendKind> backends = {
@@ -185,7 +187,7 @@ void add_solve_options(CLI::App& command, FilterOptions& options) {
     smoothers.emplace(named.name, named.smoother);
     meanings.append("\n").append(named.name).append(": ").append(named.what);
   }
-  command.add_option("--smoother", options.solver.smoother, "What relaxes each depth" + meanings)
+  command.add_option("--smoother", options.solver.smoother, "Smoother at each depth" + meanings)
       ->transform(CLI::CheckedTransformer(smoothers))
       ->type_name("NAME");
   command.add_option("--threads", options.solver.threads, "Processor cores to use (default: all)")

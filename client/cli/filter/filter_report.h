@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// What `burnish filter --report` tells of one run.
+/// Content of `burnish filter --report`.
 struct FilterRun {
   double read_seconds = 0;
   PrepareReport prepare;
@@ -19,8 +19,8 @@ struct FilterRun {
   double write_seconds = 0;
 };
 
-/// JSON: grid, counts, seconds and peak bytes by phase, memory, cycles, energy and the estimated
-/// distance to convergence (of the bounding-box diagonal).
+/// Writes JSON: grid, counts, seconds and peak bytes by phase, memory, cycles, energy and the
+/// estimated distance to convergence (fraction of the bounding-box diagonal).
 Status write_filter_report(const Session& session, const FilterRun& run,
                            const std::filesystem::path& path);
 

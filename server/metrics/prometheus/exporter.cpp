@@ -49,7 +49,8 @@ Result<std::unique_ptr<MetricsExporter>> MetricsExporter::start(
   state->exposer->RegisterCollectable(state->gauges);
   return std::unique_ptr<MetricsExporter>(new MetricsExporter(std::move(state)));
 } catch (const std::exception&) {
-  return unavailable("cannot serve metrics on " + listen + ": the address is in use or not ours");
+  return unavailable("cannot serve metrics on " + listen +
+                     ": the address is in use or not of this machine");
 }
 
 MetricsExporter::MetricsExporter(std::unique_ptr<State> state) : state_(std::move(state)) {}

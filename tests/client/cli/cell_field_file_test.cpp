@@ -24,7 +24,7 @@ TEST(CellFieldFile, LinesAreReadAndFurtherColumnsPassedOver) {
 }
 
 TEST(CellFieldFile, ErrorsNameFileAndLine) {
-  EXPECT_THAT(refusal("1 2 3 4 5\n"), HasSubstr("c.txt:1: a line is"));
+  EXPECT_THAT(refusal("1 2 3 4 5\n"), HasSubstr("c.txt:1: a line must be"));
   EXPECT_THAT(refusal("1 2 3 4 5 1\n1.5 2 3 4 5 1\n"),
               HasSubstr("c.txt:2: '1.5' is not an integer"));
   EXPECT_THAT(refusal("1 2 3 0 5 1\n"), HasSubstr("c.txt:1: alpha1: alpha 0"));

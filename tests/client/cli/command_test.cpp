@@ -8,7 +8,7 @@
 namespace burnish {
 namespace {
 
-/// `burnish paint` with a --curve, run as a program would.
+/// Runs `burnish paint --curve` as a program would.
 struct Program {
   Program() {
     CLI::App* command = table.add("paint", "Test", [this] { return outcome; });

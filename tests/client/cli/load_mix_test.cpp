@@ -18,7 +18,7 @@ TEST(LoadMix, RefusesWhatItDoesNotKnow) {
   EXPECT_THAT(parse_load_mix("draw").status().message(), HasSubstr("'draw'"));
   EXPECT_THAT(parse_load_mix("draw=-1").status().message(), HasSubstr("'draw=-1'"));
   EXPECT_THAT(parse_load_mix("draw=1x").status().message(), HasSubstr("'draw=1x'"));
-  EXPECT_THAT(parse_load_mix("draw=0,paint=0").status().message(), HasSubstr("nothing to do"));
+  EXPECT_THAT(parse_load_mix("draw=0,paint=0").status().message(), HasSubstr("weights of 0"));
   EXPECT_FALSE(parse_load_mix("").is_ok());
 }
 

@@ -26,7 +26,7 @@ TEST(StrokeFile, SeveralStrokesWithCommentsAreRead) {
 }
 
 TEST(StrokeFile, ErrorsNameFileAndLine) {
-  EXPECT_THAT(refusal("1 2 3\n"), HasSubstr("s.txt:1: a brush line comes before"));
+  EXPECT_THAT(refusal("1 2 3\n"), HasSubstr("s.txt:1: a brush line must come before"));
   EXPECT_THAT(refusal("brush 1 1 1 smooth\n1 2\n"), HasSubstr("s.txt:2: a point"));
   EXPECT_THAT(refusal("brush 1 1 1 smooth\n1 2 x\n"), HasSubstr("s.txt:2: 'x' is not a number"));
   EXPECT_THAT(refusal("\nbrush 1 1 1 soft\n"), HasSubstr("s.txt:2: fall-off 'soft'"));

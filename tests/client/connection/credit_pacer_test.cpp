@@ -15,7 +15,8 @@ class CreditPacing : public testing::Test {
  protected:
   void pass(double ms) { now_ += microseconds(static_cast<int64_t>(1000 * ms)); }
 
-  /// Grants what is due, and lets `frames` come one after the other, each drawn at once.
+  /// Grants the credits that are due, and receives `frames` frames one after the other, each drawn
+  /// at once.
   void run(CreditPacer& pacer, int frames, double latency_ms, double server_ms = 1) {
     for (int i = 0; i < frames; ++i) {
       pass(100);
@@ -114,7 +115,7 @@ TEST_F(CreditPacing, DoesNotTakeSomeLargeFramesForAFullLink) {
   EXPECT_EQ(pacer.window(), 3);
 }
 
-// A heartbeat behind a large frame tells of the frame.
+// A heartbeat behind a large frame measures the frame, not the link.
 TEST_F(CreditPacing, TakesTheLeastRoundTrip) {
   CreditPacer pacer(k60Hz);
   pacer.on_heartbeat(now_, 20);

@@ -157,7 +157,7 @@ void FakeEditing::take(Client& client, const v1::ClientMessage& message) {
   }
 }
 
-// True when there was a reason and a credit for one.
+// Returns true if there was a reason and a credit for a frame.
 bool FakeEditing::make_frame(Client& client) {
   if (faults_.silent || client.credits == 0 || client.shown_version == version_) return false;
   client.shown_version = version_;
@@ -227,7 +227,7 @@ grpc::Status FakeEditing::Edit(grpc::ServerContext* context, Stream* stream) {
   }
   std::erase(contexts_, context);
   lock.unlock();
-  context->TryCancel();  // so that the reader ends
+  context->TryCancel();  // ends the reader
   reader.join();
   return grpc::Status::OK;
 }

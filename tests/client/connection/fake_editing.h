@@ -16,25 +16,25 @@
 
 namespace burnish {
 
-/// Editing.Edit as the contract has it, over the small scan, in this process: real frames by the
-/// real encoder, and faults at a test's word. Edits survive stop() and start(), as on a disk.
+/// Serves Editing.Edit by its contract over the small scan, in this process. Frames come from the
+/// real encoder; a test can switch on faults. Edits survive stop() and start(), as on a disk.
 class FakeEditing final : public v1::Editing::Service {
  public:
-  /// What goes wrong; each is under the test's control at any time.
+  /// Faults. A test may change them at any time.
   struct Faults {
-    bool answer_no_edits = false;  ///< they are kept, and nobody hears of it
-    bool silent = false;           ///< nothing is answered at all
-    int corrupt_frames = 0;        ///< so many to come
-    int lost_frames = 0;           ///< so many are not sent, though the encoder thinks they were
-    int late_frames = 0;           ///< so many are sent a second time
+    bool answer_no_edits = false;  ///< edits are kept, but not acknowledged
+    bool silent = false;           ///< the server answers nothing
+    int corrupt_frames = 0;        ///< number of next frames to corrupt
+    int lost_frames = 0;           ///< frames to drop; the encoder takes them as received
+    int late_frames = 0;           ///< frames to send a second time
     grpc::StatusCode refuse_edits = grpc::StatusCode::OK;
     grpc::StatusCode refuse_greeting = grpc::StatusCode::OK;
     uint64_t fingerprint_change = 0;
   };
-  /// What a test may ask about.
+  /// Facts that a test may ask for.
   struct Seen {
-    std::vector<std::string> applied;  ///< ids in their order, each once
-    int repeated = 0;                  ///< edits that were there already
+    std::vector<std::string> applied;  ///< ids in order, each once
+    int repeated = 0;                  ///< edits that were known
     int greetings = 0;
     int key_frame_requests = 0;
     int refused_frames = 0;
@@ -47,19 +47,19 @@ class FakeEditing final : public v1::Editing::Service {
   FakeEditing();
   ~FakeEditing() override;
 
-  void start();  ///< on the port of the first time
-  void stop();   ///< as a kill does it
+  void start();  ///< on the port of the first start
+  void stop();   ///< like a kill
   std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
 
   void set_faults(const Faults& faults);
   Seen seen() const;
 
-  /// A new surface for all clients.
+  /// Makes a new surface for all clients.
   void show(double phase);
   /// Ends the streams with a farewell.
   void go_away(const std::string& reason, bool come_back);
 
-  /// What a client should hold in the end.
+  /// Returns the state that a client should hold in the end.
   std::vector<int32_t> steps() const;
 
   using Stream = grpc::ServerReaderWriter<v1::ServerMessage, v1::ClientMessage>;
@@ -75,7 +75,7 @@ class FakeEditing final : public v1::Editing::Service {
   std::condition_variable changed_;
   std::shared_ptr<const FrameLayout> layout_;
   FrameSample sample_;
-  uint64_t version_ = 1;  // of the sample
+  uint64_t version_ = 1;  // version of the sample
   Faults faults_;
   Seen seen_;
   std::vector<grpc::ServerContext*> contexts_;
@@ -86,7 +86,7 @@ class FakeEditing final : public v1::Editing::Service {
   std::unique_ptr<grpc::Server> server_;
 };
 
-/// What clients of the fake draw.
+/// Returns the view that clients of the fake draw.
 std::shared_ptr<const View> fake_view();
 
 }  // namespace burnish

@@ -20,7 +20,7 @@ bool says(const std::optional<ClientMessage>& message) {
   return message && std::holds_alternative<Message>(*message);
 }
 
-/// What the outbox says next, which must be a message of this kind.
+/// Returns the next message, which must be of this kind.
 template <typename Message>
 Message next(LiveOutbox& outbox) {
   return std::get<Message>(outbox.next().value());
@@ -30,7 +30,7 @@ std::string next_edit(LiveOutbox& outbox) {
   return next<ApplyEdits>(outbox).edits.at(0).id;
 }
 
-/// An outbox that has said its greeting.
+/// Returns an outbox that has sent its greeting.
 LiveOutbox greeted() {
   LiveOutbox outbox{Greeting()};
   EXPECT_TRUE(says<Greeting>(outbox.next()));

@@ -18,7 +18,7 @@ using std::chrono::seconds;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A fake server, a session over it, and what it has told so far.
+/// A fake server, a session over it, and the news so far.
 class LiveSessions : public testing::Test {
  protected:
   LiveSessions() {
@@ -51,7 +51,7 @@ class LiveSessions : public testing::Test {
     for (LiveEvent& event : news.events) events_.push_back(std::move(event));
   }
 
-  /// Draws until `what` holds; false when patience is over.
+  /// Draws until `what` holds. Returns false after the patience.
   template <typename What>
   bool until(What what) {
     for (int i = 0; i < 10'000; ++i) {
@@ -98,7 +98,7 @@ class LiveSessions : public testing::Test {
   LinkStats stats_;
   size_t unacknowledged_ = 0;
   std::optional<Displacement> shown_;
-  std::vector<int32_t> shown_steps_;  // by changed tiles alone
+  std::vector<int32_t> shown_steps_;  // built from changed tiles only
   std::vector<LiveEvent> events_;
 };
 
@@ -138,7 +138,7 @@ TEST_F(LiveSessions, TellOfEditsOnceTheyAreOnDiskAndOnceTheyAreShown) {
 TEST_F(LiveSessions, LoseNoEditWhenTheServerIsGoneBeforeItsAnswer) {
   server_.set_faults({.answer_no_edits = true});
   connect();
-  ASSERT_TRUE(until_live());  // else there is no link to lose
+  ASSERT_TRUE(until_live());  // otherwise there is no link to lose
   ASSERT_TRUE(session_->apply(slider("a")).is_ok());
   ASSERT_TRUE(until([this] { return server_.seen().applied.size() == 1; }));
   server_.stop();

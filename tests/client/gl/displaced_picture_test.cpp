@@ -34,12 +34,12 @@ class DisplacedPicture : public testing::Test {
     return std::move(renderer_->read_pixels()).value();
   }
 
-  // What the same surface looks like when its vertices are moved one by one.
+  // Draws the same surface with its vertices moved one by one.
   Image draw_moved(const std::vector<Vec3f>& displacements) {
     View moved = view_;
     for (uint32_t v = 0; v < moved.vertices.size(); ++v)
       moved.vertices[v] = displaced_vertex({mesh_, displacements}, v);
-    moved.points.assign(moved.points.size(), {});  // no vertex in a cell: nothing moves further
+    moved.points.assign(moved.points.size(), {});  // no vertex is in a cell, so nothing moves again
     EXPECT_TRUE(renderer_->upload_mesh(make_view_mesh(moved)).is_ok());
     return draw();
   }
@@ -137,7 +137,7 @@ TEST_F(DisplacedPicture, ARingIsDrawnAroundItsCentreAndATintInside) {
   const Image plain = draw();
   const Image ring = draw({.rings = {{front, 0.4, Vec3f(1, 0, 0)}}});
   const Eigen::Vector2d edge = pixel_of(camera_, kSize, front + Vec3d(0.392, 0, -0.08));
-  int red = 0;  // the ring's width is some pixels
+  int red = 0;  // the ring is several pixels wide
   for (int x = int(edge.x()) - 4; x <= int(edge.x()) + 4; ++x) {
     const uint8_t* rgb = ring.pixel(x, kSize.height / 2);
     red += rgb[0] > 200 && rgb[1] < 80;
@@ -199,7 +199,7 @@ TEST_F(DisplacedPicture, PicksTheTriangleThatAllTriangleTestsFind) {
       }
     }
     EXPECT_GT(hits, 40);
-    EXPECT_GE(same, 300 - 3);  // of 300 pixels, some lie on an edge
+    EXPECT_GE(same, 300 - 3);  // of 300 pixels; some lie on an edge
   }
 }
 

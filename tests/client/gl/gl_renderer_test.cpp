@@ -65,7 +65,7 @@ TEST_F(GlPicture, ASpheresSilhouetteHasTheAreaThatPerspectiveGives) {
   const double half_view = std::tan(15 * std::numbers::pi / 180);
   const double radius_pixels = std::tan(std::asin(1 / distance)) / half_view * (0.5 * kSize.height);
   const double area = std::numbers::pi * radius_pixels * radius_pixels;
-  // Every pixel that the edge touches differs: half a pixel more around the whole circle.
+  // Every pixel that the edge touches differs: half a pixel around the whole circle.
   const double edge = std::numbers::pi * radius_pixels;
   EXPECT_NEAR(count_different(sphere, background), area + edge, edge);
 }

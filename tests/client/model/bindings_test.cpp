@@ -25,7 +25,7 @@ TEST(Bindings, AKeyCanBeGivenToAnAction) {
 
 TEST(Bindings, UnknownActionsAndTakenKeysAreRefused) {
   Bindings bindings;
-  EXPECT_EQ(bindings.bind("polish", "P").message(), "keys: there is no action 'polish'");
+  EXPECT_EQ(bindings.bind("polish", "P").message(), "keys: unknown action 'polish'");
   EXPECT_EQ(bindings.bind("undo", "Home").code(), StatusCode::kInvalidArgument);
   EXPECT_EQ(bindings.key_of(Action::kUndo), "Ctrl+Z");
 }

@@ -38,7 +38,7 @@ TEST(Preferences, AreForTheirUserAlone) {
   ASSERT_TRUE(write_preferences({}, path).is_ok());
   EXPECT_EQ(std::filesystem::status(path.parent_path()).permissions(),
             std::filesystem::perms(0700));
-  std::filesystem::permissions(path, std::filesystem::perms(0644));  // of older versions
+  std::filesystem::permissions(path, std::filesystem::perms(0644));  // as older versions left it
   ASSERT_TRUE(write_preferences({}, path).is_ok());
   EXPECT_EQ(std::filesystem::status(path).permissions(), std::filesystem::perms(0600));
 }

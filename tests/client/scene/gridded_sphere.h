@@ -8,14 +8,14 @@
 
 namespace burnish {
 
-/// A mesh in a grid of its own, as a server would send it.
+/// Makes the view of a mesh in its own grid, as a server would send it.
 inline View make_gridded_view(const TriangleMesh& mesh, int depth) {
   const MeshStatistics statistics = compute_statistics(mesh);
   View view;
   view.frame = make_grid_frame(statistics.box_min, statistics.box_max, depth);
   view.length_unit = std::sqrt(statistics.area);
   std::vector<MortonKey> cells;
-  for (const Triangle& triangle : mesh.triangles) {  // all cells that a triangle's box touches
+  for (const Triangle& triangle : mesh.triangles) {  // all cells that the box of a triangle touches
     Eigen::AlignedBox3d box;
     for (uint32_t v : triangle) box.extend(view.frame.to_grid(mesh.vertices[v]));
     const Vec3i low = box.min().array().floor().cast<int>();
@@ -39,7 +39,7 @@ inline View make_sphere_view(int depth = 4) {
   return make_gridded_view(make_test_sphere(Vec3d(3, -2, 1), 1), depth);
 }
 
-/// The same displacement field at every corner: a function of the corner's place in grid units.
+/// Returns the displacement of every corner: a function of its place in grid units.
 template <typename Field>
 std::vector<Vec3f> displace_corners(const View& view, const Field& field) {
   std::vector<Vec3f> displacements;

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// A closed sphere around `centre`: two poles on z and `rings` rings of 2·`rings` vertices.
+/// Makes a closed sphere around `centre`: two poles on z and `rings` rings of 2·`rings` vertices.
 inline TriangleMesh make_test_sphere(const Vec3d& centre, double radius, uint32_t rings = 96) {
   TriangleMesh mesh;
   const uint32_t around = 2 * rings;

@@ -16,9 +16,9 @@ TEST(ScriptParser, LinesAreCommandsWithWords) {
 
 TEST(ScriptParser, AWrongLineIsNamedWithItsForm) {
   EXPECT_EQ(parse_script("wait\npolish\n", "s").status().message(),
-            "s:2: there is no command 'polish'");
+            "s:2: unknown command 'polish'");
   EXPECT_EQ(parse_script("beta\n", "s").status().message(),
-            "s:1: 0 words after 'beta'; it goes beta VALUE: the gradient scale");
+            "s:1: 0 words after 'beta'; write beta VALUE: the gradient scale");
   EXPECT_FALSE(parse_script("undo twice\n", "s").is_ok());
 }
 

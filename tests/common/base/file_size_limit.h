@@ -6,8 +6,7 @@
 
 namespace burnish {
 
-/// While it lives, files cannot grow beyond `bytes`: the nearest thing to a full disk that a test
-/// can have without a disk of its own.
+/// While it lives, files cannot grow beyond `bytes`. It simulates a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -70,7 +70,7 @@ TEST(MappedFile, AnUnreadableFileIsPermissionDenied) {
   TemporaryFolder folder;
   const auto path = folder.write("a", "secret");
   std::filesystem::permissions(path, std::filesystem::perms::none);
-  const bool is_root = geteuid() == 0;  // who reads everything
+  const bool is_root = geteuid() == 0;  // root can read everything
   if (is_root) {
     ASSERT_EQ(seteuid(kNobody), 0);
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr uint64_t kBlockBytes = 64 << 20;
 
-// Makes a block resident and lets it go again; mapped by hand, as an allocator may keep it.
+// Makes a block resident and releases it. Maps it directly, because an allocator may keep memory.
 uint64_t resident_with_block() {
   void* block = mmap(nullptr, kBlockBytes, PROT_READ | PROT_WRITE,
                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_POPULATE, -1, 0);
@@ -40,7 +40,7 @@ TEST(ProcessMemory, AResetPeakStartsFromWhatIsResident) {
   EXPECT_LT(peak_resident_bytes(), with_block - kBlockBytes / 2);
 }
 
-/// A machine's /proc and /sys with cgroups of the test's own.
+/// A machine's /proc and /sys with the test's cgroups.
 class CgroupMemory : public testing::Test {
  protected:
   void write(const std::string& path, const std::string& content) const {

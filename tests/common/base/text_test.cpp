@@ -19,20 +19,20 @@ TEST(OneLine, BytesThatAreNoUtf8BecomeQuestionMarks) {
   EXPECT_EQ(one_line("M\xfcller", 1000), "M?ller");
   EXPECT_EQ(one_line("\xc3", 1000), "?");                 // cut off
   EXPECT_EQ(one_line("\xc0\xaf", 1000), "??");            // a longer form than needed
-  EXPECT_EQ(one_line("\xed\xa0\x80", 1000), "???");       // half of a pair
+  EXPECT_EQ(one_line("\xed\xa0\x80", 1000), "???");       // half of a surrogate pair
   EXPECT_EQ(one_line("\xf5\x80\x80\x80", 1000), "????");  // beyond the last character
   EXPECT_EQ(one_line("\xe2\x82", 1000), "??");
 }
 
 TEST(OneLine, WhatIsTooLongIsCutBetweenCharactersAndSaysSo) {
-  EXPECT_EQ(one_line("aaaa\u00fcbbb", 5), "aaaa... (5 bytes more)");
+  EXPECT_EQ(one_line("aaaa\u00fcbbb", 5), "aaaa... (5 more bytes)");
   EXPECT_LT(one_line(std::string(15'000'000, 'x'), 1000).size(), 1100u);
 }
 
 TEST(Shortened, LinesStayAndTheRestIsUtf8) {
   EXPECT_EQ(shortened("a\nb\xff", 1000), "a\nb?");
   EXPECT_EQ(shortened("abc", 3), "abc");
-  EXPECT_EQ(shortened("abcd", 3), "abc... (1 bytes more)");
+  EXPECT_EQ(shortened("abcd", 3), "abc... (1 more bytes)");
 }
 
 TEST(CheckName, RefusesWhatIsNotUtf8AndWhatIsNotShownAsItStands) {

@@ -23,7 +23,7 @@ Stroke stroke_along(std::vector<Vec3d> path, double radius) {
   return stroke;
 }
 
-// The same polyline with `parts` samples to a segment, unevenly spread and some doubled.
+// Returns the same polyline with `parts` samples per segment, unevenly spread and some doubled.
 Stroke resampled(const Stroke& stroke, int parts) {
   Stroke finer = stroke;
   finer.path = {stroke.path.front()};

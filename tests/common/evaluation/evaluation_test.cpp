@@ -17,7 +17,7 @@ struct Sample {
   std::vector<EvaluationPoint> rows;
 };
 
-// The active cells come from the reference's own cutting.
+// Takes the active cells from the reference's cutting.
 Sample sample_of(const TriangleMesh& mesh, int depth) {
   const reference::System system = reference::build(mesh, depth);
   std::vector<MortonKey> cells;
@@ -41,7 +41,7 @@ void expect_positions_reproduced(const TriangleMesh& mesh, int depth) {
   const Sample sample = sample_of(mesh, depth);
   const double side = sample.frame.cells_per_side();
   const Vec3d centre =
-      Vec3d::Constant(side / 2);  // the float weights' rounding grows with distance
+      Vec3d::Constant(side / 2);  // rounding of the float weights grows with distance
   std::vector<Vec3d> corners;
   for (const GridKey& corner : sample.grid.corners)
     corners.push_back(morton_point(corner.place).cast<double>() - centre);

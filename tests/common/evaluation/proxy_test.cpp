@@ -7,7 +7,7 @@
 namespace burnish {
 namespace {
 
-// The codec needs no grid here: any evaluation points that tell vertices apart will do.
+// Returns evaluation points that tell vertices apart; a grid is not needed here.
 std::vector<EvaluationPoint> numbered_points(size_t count) {
   std::vector<EvaluationPoint> points(count);
   for (size_t v = 0; v < count; ++v) points[v].cell = static_cast<int32_t>(v);

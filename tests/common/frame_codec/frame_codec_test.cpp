@@ -8,7 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// One encoder and one decoder, and a displacement that both are about.
+/// One encoder, one decoder, and the displacement that they carry.
 class FrameCodec : public testing::TestWithParam<FrameContent> {
  protected:
   FrameSample wave(double phase, double amplitude = 3) const {
@@ -147,14 +147,14 @@ TEST_P(FrameCodec, UntilTheFirstAcknowledgementAllFramesAreKeyFrames) {
 TEST_P(FrameCodec, TheReferenceIsTheNewestAcknowledgedFrame) {
   for (int i = 0; i < 4; ++i) encoder_.encode(wave(0.1 * i), FrameStep::kMoving);
   encoder_.acknowledge(3);
-  encoder_.acknowledge(2);  // overtaken on its way
+  encoder_.acknowledge(2);  // late: overtaken by another
   EXPECT_EQ(encoder_.encode(wave(0.5), FrameStep::kMoving).reference, 3u);
 }
 
 TEST_P(FrameCodec, AFrameWithoutItsReferenceIsRefusedAndTheNextOneHelps) {
   send(wave(0.1), FrameStep::kMoving);
   const EncodedFrame lost = encoder_.encode(wave(0.2), FrameStep::kMoving);
-  encoder_.acknowledge(lost.sequence);  // wrongly
+  encoder_.acknowledge(lost.sequence);  // a wrong acknowledgement
   const EncodedFrame refused = encoder_.encode(wave(0.3), FrameStep::kMoving);
   const Status status = decoder_.decode(refused.bytes).status();
   EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition);

@@ -13,7 +13,7 @@ std::vector<uint8_t> content_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Replays what the fuzzer found and started from. Of streams named valid_* something is decoded.
+/// Replays the fuzzer's findings and seeds. A stream named valid_* must decode at least one frame.
 TEST(FrameCorpus, EveryStreamIsSurvived) {
   int valid = 0;
   for (const auto& entry : std::filesystem::directory_iterator(BURNISH_FRAME_CORPUS)) {

@@ -59,7 +59,7 @@ TEST(FrameHeader, AnotherVersionIsNamed) {
   bytes[4] = 9;
   const Status status = read_frame_header(bytes).status();
   EXPECT_EQ(status.code(), StatusCode::kUnimplemented);
-  EXPECT_THAT(status.message(), HasSubstr("version 9, known is 1"));
+  EXPECT_THAT(status.message(), AllOf(HasSubstr("version 9,"), HasSubstr("reads 1")));
 }
 
 TEST(FrameHeader, FieldsOutsideTheirLimitsAreNamed) {

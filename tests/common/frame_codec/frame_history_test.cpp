@@ -5,8 +5,8 @@
 namespace burnish {
 namespace {
 
-/// A link that loses, delays and reorders frames and acknowledgements, between an encoder and a
-/// decoder that must hold the same after each frame that arrives.
+/// A link that loses, delays and reorders frames and acknowledgements. Encoder and decoder must
+/// hold the same after each frame that arrives.
 class LossyLink {
  public:
   LossyLink(FrameContent content, unsigned seed)
@@ -35,7 +35,7 @@ class LossyLink {
     EncodedFrame frame;
     FrameStep step;
     std::vector<int32_t> wanted;
-    std::vector<int32_t> held;  // what the encoder thinks the client will hold
+    std::vector<int32_t> held;  // the client's state in the view of the encoder
   };
 
   void send() {

@@ -34,7 +34,7 @@ TEST(FrameLayout, CoefficientsAreTheCornersThatWeighOnAVertex) {
 
 TEST(FrameLayout, ACornerWithoutWeightIsLeftOut) {
   const SmallScan& scan = small_scan();
-  // On the lower face of its cell a vertex takes nothing from the four corners above.
+  // A vertex on the lower face of its cell has no weight at the four upper corners.
   const std::vector<EvaluationPoint> points = {{.cell = 5, .local = {0.5F, 0.5F, 0}}};
   const FrameLayout layout = make_coefficient_layout({scan.grid, points});
   EXPECT_EQ(layout.value_count(), 4);

@@ -46,7 +46,7 @@ Piece take_piece(std::span<const uint8_t>& stream) {
   return piece;
 }
 
-// Makes checksum, layout and reference right, so that what lies behind them is reached.
+// Corrects checksum, layout and reference, so that the decoder reaches the rest.
 void seal(std::vector<uint8_t>& frame, const FrameLayout& layout, uint64_t reference_checksum) {
   FrameHeader header{.content = layout.content,
                      .step_shift = static_cast<uint8_t>(frame[6] & kStepShiftMax),

@@ -37,7 +37,7 @@ class HostileFrame : public testing::Test {
   std::shared_ptr<const FrameLayout> layout_ = small_layout(FrameContent::kCoefficients);
   FrameDecoder decoder_{layout_};
   FrameHeader header_;
-  std::vector<uint8_t> body_;  // of zeros, right in every way
+  std::vector<uint8_t> body_;  // a correct body of zeros
 };
 
 TEST_F(HostileFrame, TheBodyBeforeItIsSpoiltIsGood) {
@@ -56,8 +56,7 @@ TEST_F(HostileFrame, AWidthAboveSixIsRefused) {
 
 TEST_F(HostileFrame, StreamsShorterThanTheirWidthsAreRefused) {
   body_[layout_->tile_count() + 5] = 0x04;
-  EXPECT_THAT(decode_status(body_).message(),
-              HasSubstr("a stream of 16 bytes, of which 0 are there"));
+  EXPECT_THAT(decode_status(body_).message(), HasSubstr("16 bytes, but only 0 are left"));
 }
 
 TEST_F(HostileFrame, BytesBehindTheLastStreamAreRefused) {

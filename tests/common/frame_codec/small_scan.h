@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-/// A generated scan in a grid of the cells that its vertices lie in: enough for frames.
+/// A generated scan in a grid of the cells that hold its vertices: enough for frames.
 struct SmallScan {
   TriangleMesh mesh;
   GridFrame frame;
@@ -21,20 +21,20 @@ struct SmallScan {
   FrameMesh frame_mesh() const { return {grid, points}; }
 };
 
-/// A lumpy sphere; some five tiles of coefficients and three of vertices.
+/// Returns a lumpy sphere of about five tiles of coefficients and three of vertices.
 const SmallScan& small_scan();
 
 std::shared_ptr<const FrameLayout> small_layout(FrameContent content);
 
-/// Smooth over the grid with a little noise, as displacements are. Units: cells.
+/// Returns a displacement that is smooth over the grid, with a little noise. Units: cells.
 std::vector<Vec3d> wavy_displacement(const SparseGrid& grid, double amplitude, double phase);
 
 FrameSample sample_of(const FrameLayout& layout, std::span<const Vec3d> displacement);
 
-/// All that a state holds, in the order of a sample.
+/// Returns all values of a state, in the order of a sample.
 std::vector<int32_t> steps_of(const FrameLayout& layout, const FrameState& state);
 
-/// Random small changes of some tiles, now and then a large one.
+/// Makes random small changes in some tiles, sometimes a large one.
 void change_some_tiles(const FrameLayout& layout, std::mt19937& random, FrameSample& sample);
 
 }  // namespace burnish

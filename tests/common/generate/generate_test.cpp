@@ -25,7 +25,8 @@ std::string refusal(const std::string& kind, uint64_t vertices) {
   return generate_scan({kind, vertices, 1}).status().to_string();
 }
 
-/// Two triangles that pass an edge in the same direction disagree about the outside.
+/// Checks that no two triangles pass an edge in the same direction: they would disagree about the
+/// outside.
 bool is_consistently_oriented(const TriangleMesh& mesh) {
   std::set<std::pair<uint32_t, uint32_t>> directed_edges;
   for (const Triangle& t : mesh.triangles)
@@ -44,7 +45,7 @@ bool has_float_positions(const TriangleMesh& mesh) {
   return true;
 }
 
-/// FNV-1a over the floats' bits and the indices.
+/// Returns FNV-1a over the bits of the floats and the indices.
 uint64_t hash_of(const TriangleMesh& mesh) {
   uint64_t hash = 0xcbf29ce484222325;
   const auto add = [&](uint32_t bits) {
@@ -166,7 +167,7 @@ TEST(GeneratedTablet, IsEngravedDeeperThanItIsNoisy) {
   const TriangleMesh mesh = generate("tablet", 100'000);
   size_t level = 0, engraved = 0;
   for (const Vec3d& p : mesh.vertices) {
-    if (p.head<2>().norm() > 150) continue;  // well inside: neither rim nor chips
+    if (p.head<2>().norm() > 150) continue;  // well inside: no rim, no chips
     level += p.z() > -1.2;
     engraved += p.z() < -2;
   }

@@ -8,7 +8,7 @@
 namespace burnish {
 namespace {
 
-// Cells of three components that share bricks and places.
+// Returns cells of three components that share bricks and places.
 std::vector<GridKey> scattered_cells() {
   std::minstd_rand random(7);
   std::set<GridKey> cells;
@@ -33,7 +33,7 @@ TEST(CornerBricks, ListTheCornersOfAllCellsOnceAndInOrder) {
   EXPECT_EQ(corners, std::vector<GridKey>(expected.begin(), expected.end()));
 }
 
-// Numbers the cells' corners and looks each of them up in the list.
+// Numbers the cells' corners and looks each up in the list.
 void expect_numbered(const std::vector<GridKey>& cells) {
   const CornerBricks bricks(cells);
   const std::vector<GridKey> corners = bricks.corners();
@@ -49,7 +49,7 @@ TEST(CornerBricks, NumberTheCornersOfEveryCell) {
   expect_numbered(scattered_cells());
 }
 
-// Dust: what compared the components of a place with each other would not come to an end.
+// Dust: an algorithm that compares all components of a place with each other would not end.
 TEST(CornerBricks, NumberTheCornersOfManyComponentsInOnePlace) {
   std::vector<GridKey> cells;
   for (int32_t component = 0; component < 200'000; ++component) cells.push_back({7, component});

@@ -9,7 +9,7 @@
 namespace burnish {
 namespace {
 
-// Bit by bit, as the definition reads.
+// Interleaves bit by bit, by the definition.
 MortonKey interleaved(const Vec3i& p) {
   MortonKey key = 0;
   for (int bit = 0; bit < 21; ++bit)

@@ -16,7 +16,7 @@ SparseGrid grid_of(int depth, const std::vector<Vec3i>& cells) {
   return make_finest_grid(depth, sorted);
 }
 
-// A scatter of cells with the outermost ones of the grid among them.
+// Returns scattered cells, among them the outermost cells of the grid.
 SparseGrid scattered_grid() {
   std::mt19937 random(3);
   std::vector<Vec3i> cells = {{0, 0, 0}, {31, 31, 31}};
@@ -101,7 +101,8 @@ TEST(GridComponents, MergeWhenTheLastCellBridgesThem) {
 }
 
 TEST(ParentGrid, KeepsSeparatePiecesSeparateInTheSamePlace) {
-  // Cells 4 and 6 share no corner; their parents 2 and 3 would; at depth 2 both lie in cell 1.
+  // Cells 4 and 6 share no corner. Their parents 2 and 3 would share one; at depth 2 both lie in
+  // cell 1.
   SparseGrid grid = grid_of(4, {{4, 0, 0}, {6, 0, 0}});
   for (int depth = 3; depth >= 0; --depth) {
     grid = make_parent_grid(grid);

@@ -6,8 +6,8 @@
 namespace burnish {
 namespace {
 
-/// Replays what the fuzzers found and started from. Files named valid_* must be read; of the others
-/// it is enough that they end in a valid mesh or a refusal.
+/// Replays the fuzzers' findings and seeds. A file named valid_* must be read; any other file must
+/// give a valid mesh or a refusal.
 class FuzzCorpus : public testing::TestWithParam<std::pair<const char*, MeshFormat>> {};
 
 TEST_P(FuzzCorpus, EveryFileIsReadOrRefusedByName) {

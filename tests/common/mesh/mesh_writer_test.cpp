@@ -10,7 +10,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// A wavy sheet of side² vertices with coordinates that only fill a float's digits.
+/// Returns a wavy sheet of side² vertices whose coordinates need all digits of a float.
 TriangleMesh wavy_sheet(uint32_t side) {
   TriangleMesh mesh;
   for (uint32_t i = 0; i < side; ++i)
@@ -44,7 +44,7 @@ TriangleMesh round_trip(const TriangleMesh& mesh, const std::string& name) {
   return read.is_ok() ? std::move(read).value() : TriangleMesh();
 }
 
-/// What the file's reader gave, rounded as the writer did.
+/// Rounds positions from a reader as the writer does.
 std::vector<Vec3f> as_floats(const std::vector<Vec3d>& positions) {
   std::vector<Vec3f> floats;
   for (const Vec3d& position : positions) floats.push_back(position.cast<float>());
@@ -116,9 +116,9 @@ TEST(MeshWriter, ObjNumbersAreTheShortestThatReadBack) {
 TEST(MeshWriter, RefusesOffOtherExtensionsAndBadMeshes) {
   TemporaryFolder folder;
   EXPECT_THAT(write_mesh(wavy_sheet(3), folder / "a.off").message(),
-              HasSubstr("OFF files are read only"));
+              HasSubstr("reads OFF but does not write it"));
   EXPECT_THAT(write_mesh(wavy_sheet(3), folder / "a.txt").message(),
-              HasSubstr("'.txt' is no mesh"));
+              HasSubstr("'.txt' is not a mesh format"));
   TriangleMesh mesh = wavy_sheet(3);
   mesh.vertices[4][1] = NAN;
   EXPECT_THAT(write_mesh(mesh, folder / "a.ply").message(), HasSubstr("vertex 4 has y = nan"));

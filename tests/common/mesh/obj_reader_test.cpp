@@ -65,7 +65,7 @@ TEST(ObjReader, KnowsWhenPositionsSayMoreThanFloats) {
 
 TEST(ObjReader, RefusesBadCoordinates) {
   EXPECT_THAT(refusal(kObj, "v 0 0 0\nv 1 0\n"),
-              HasSubstr("scan: line 2: vertex 1: 2 of 3 coordinates are there"));
+              HasSubstr("scan: line 2: vertex 1 has 2 of its 3 coordinates"));
   EXPECT_THAT(refusal(kObj, "v 0 zero 0\n"), HasSubstr("vertex 0: y = 'zero' is not a number"));
   EXPECT_THAT(refusal(kObj, "v 0 0 1e999\n"), HasSubstr("vertex 0: z = '1e999' is not a number"));
   EXPECT_THAT(refusal(kObj, "v nan 0 0\n"), HasSubstr("x = nan; coordinates must be finite"));

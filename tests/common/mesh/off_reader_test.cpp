@@ -94,7 +94,7 @@ TEST(OffReader, RefusesBadCoordinates) {
   const auto refused = [](const std::string& vertex) {
     return refusal(kOff, "OFF\n4 1 0\n0 0 0\n" + vertex + "\n1 1 0\n0 1 0\n3 0 1 2\n");
   };
-  EXPECT_THAT(refused("1 0"), HasSubstr("line 4: vertex 1: 2 of 3 coordinates are there"));
+  EXPECT_THAT(refused("1 0"), HasSubstr("line 4: vertex 1 has 2 of its 3 coordinates"));
   EXPECT_THAT(refused("1 a 0"), HasSubstr("vertex 1: y = 'a' is not a number"));
   EXPECT_THAT(refused("1 0 nan"), HasSubstr("vertex 1: z = nan; coordinates must be finite"));
   EXPECT_THAT(refused("inf 0 0"), HasSubstr("vertex 1: x = inf"));

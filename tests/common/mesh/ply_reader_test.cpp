@@ -14,7 +14,7 @@ constexpr MeshFormat kPly = MeshFormat::kPly;
 constexpr const char* kXyz = "property float x\nproperty float y\nproperty float z\n";
 constexpr const char* kFaceList = "property list uchar int vertex_indices\n";
 
-/// A header for `vertices` and `faces` with plain properties.
+/// Returns a header for `vertices` and `faces` with plain properties.
 std::string header(const std::string& format, int64_t vertices, int64_t faces) {
   return "ply\nformat " + format + " 1.0\nelement vertex " + std::to_string(vertices) + "\n" +
          kXyz + "element face " + std::to_string(faces) + "\n" + kFaceList + "end_header\n";
@@ -26,7 +26,7 @@ std::string square_with_faces(const std::string& faces) {
   return header("ascii", 4, std::count(faces.begin(), faces.end(), '\n')) + kSquare + faces;
 }
 
-/// An ascii square of one triangle whose x has the declared type and this text.
+/// Returns an ascii mesh of one triangle whose x has the declared type and this text.
 std::string with_x(const std::string& type, const std::string& x) {
   return "ply\nformat ascii 1.0\nelement vertex 3\nproperty " + type +
          " x\nproperty float y\nproperty float z\nelement face 1\n" + kFaceList + "end_header\n" +
@@ -185,7 +185,7 @@ TEST(PlyReader, RefusesAnUnknownFormatOrVersion) {
   EXPECT_THAT(refusal(kPly, "ply\nformat binary 1.0\nend_header\n"),
               HasSubstr("line 2: unknown format 'binary'"));
   EXPECT_THAT(refusal(kPly, "ply\nformat ascii 2.0\nend_header\n"),
-              HasSubstr("line 2: PLY version '2.0' cannot be read, only 1.0"));
+              HasSubstr("line 2: PLY version '2.0' is not supported; use 1.0"));
   EXPECT_THAT(refusal(kPly, "ply\nend_header\n"), HasSubstr("no 'format' line"));
 }
 
@@ -233,13 +233,13 @@ TEST(PlyReader, RefusesHeadersWithoutPositionsOrFaces) {
               HasSubstr("no element 'vertex'"));
   EXPECT_THAT(refusal(kPly, start + "element vertex 0\nproperty float x\nproperty float y\n"
                                     "end_header\n"),
-              HasSubstr("element 'vertex' has no property 'z'"));
+              HasSubstr("element 'vertex' has no numeric property 'z'"));
   EXPECT_THAT(refusal(kPly, start + "element vertex 0\nproperty list uchar float x\nend_header\n"),
-              HasSubstr("no property 'x' that is a number"));
+              HasSubstr("no numeric property 'x'"));
   EXPECT_THAT(refusal(kPly, header("ascii", 4, 0) + kSquare), HasSubstr("no faces, only points"));
   EXPECT_THAT(refusal(kPly, start + "element vertex 0\n" + kXyz +
                                 "element face 1\nproperty int vertex_indices\nend_header\n0 0\n"),
-              HasSubstr("element 'face' has no list 'vertex_indices' of integers"));
+              HasSubstr("element 'face' has no integer list 'vertex_indices'"));
 }
 
 TEST(PlyReader, AbsurdCountsAreRefusedBeforeMemoryIsTaken) {
@@ -271,7 +271,8 @@ TEST(PlyReader, TruncatedBinaryIsRefusedInPropertiesThatAreSkippedToo) {
                             "property double area\nproperty list uchar int tags\nend_header\n" +
                             triangle_body().substr(0, 36);
   const std::string face = bytes_of(uint8_t{3}, uint8_t{0}, uint8_t{1}, uint8_t{2}, 0.5) + "\2";
-  EXPECT_THAT(refusal(kPly, start + face.substr(0, 11)), HasSubstr("face 0: the file ends in it"));
+  EXPECT_THAT(refusal(kPly, start + face.substr(0, 11)),
+              HasSubstr("face 0: the file ends inside it"));
   EXPECT_THAT(refusal(kPly, start + face + "1234567"), HasSubstr("list 'tags' has the count 2"));
   EXPECT_TRUE(parse(kPly, start + face + "12345678").is_ok());
 }
@@ -279,16 +280,16 @@ TEST(PlyReader, TruncatedBinaryIsRefusedInPropertiesThatAreSkippedToo) {
 TEST(PlyReader, TruncatedTextNamesTheElementAndTheLine) {
   const std::string content = square_with_faces("3 0 1 2\n3 0 2 3\n");
   EXPECT_THAT(refusal(kPly, content.substr(0, content.size() - 3)),
-              HasSubstr("line 15: face 1: the file ends in it"));
+              HasSubstr("line 15: face 1: the file ends inside it"));
   for (size_t length = 0; length < content.size() - 2; ++length)
     EXPECT_FALSE(parse(kPly, content.substr(0, length)).is_ok()) << length << " bytes";
 }
 
 TEST(PlyReader, TextElementsEndWithTheirLines) {
   EXPECT_THAT(refusal(kPly, header("ascii", 4, 1) + "0 0 0\n1 0\n1 1 0\n0 1 0\n3 0 1 2\n"),
-              HasSubstr("line 12: vertex 1: the line goes on after its last value"));
+              HasSubstr("line 12: vertex 1: the line continues after its last value"));
   EXPECT_THAT(refusal(kPly, square_with_faces("3 0 1 2 3\n")),
-              HasSubstr("line 14: face 0: the line goes on"));
+              HasSubstr("line 14: face 0: the line continues"));
 }
 
 TEST(PlyReader, RefusesTextThatIsNoNumber) {

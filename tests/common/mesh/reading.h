@@ -17,21 +17,22 @@ inline Result<TriangleMesh> parse(MeshFormat format, const std::string& content)
                    "scan");
 }
 
-/// The mesh, or an empty one and a failed test.
+/// Returns the mesh, or an empty mesh and a failed test.
 inline TriangleMesh parsed(MeshFormat format, const std::string& content) {
   Result<TriangleMesh> mesh = parse(format, content);
   EXPECT_TRUE(mesh.is_ok()) << mesh.status().message();
   return mesh.is_ok() ? std::move(mesh).value() : TriangleMesh();
 }
 
-/// Why the content is refused; empty, with a failed test, if it is not or not as a bad file.
+/// Returns why the content is refused. Returns "" and fails the test if it is not refused as a bad
+/// file.
 inline std::string refusal(MeshFormat format, const std::string& content) {
   const Result<TriangleMesh> mesh = parse(format, content);
   EXPECT_EQ(mesh.status().code(), StatusCode::kInvalidArgument);
   return mesh.status().message();
 }
 
-/// The values' bytes as they lie in memory, little-endian.
+/// Returns the bytes of the values in memory, little-endian.
 template <typename... Values>
 std::string bytes_of(const Values&... values) {
   std::string bytes;

@@ -72,7 +72,7 @@ TEST(StlReader, RefusesWhatIsNoStlFile) {
   EXPECT_THAT(
       refusal(kStl, "ply\n"),
       HasSubstr("scan: neither text that begins with 'solid' nor a whole binary STL file: the "
-                "header has 84 bytes, the file 4"));
+                "header has 84 bytes, the file has 4"));
   EXPECT_THAT(refusal(kStl, "solid s\nendsolid s\n"), HasSubstr("mesh has no triangles"));
   EXPECT_THAT(refusal(kStl, binary("b", 0, "")), HasSubstr("mesh has no triangles"));
 }
@@ -114,9 +114,9 @@ TEST(StlReader, RefusesBadStatements) {
   EXPECT_THAT(refused("facet\nvertex 0 0 0\nfacet\n"),
               HasSubstr("line 4: facet 0 has no 'endfacet' before 'facet'"));
   EXPECT_THAT(refused("vortex 0 0 0\n"),
-              HasSubstr("line 2: 'vortex' is no statement of an STL solid"));
+              HasSubstr("line 2: 'vortex' is not a statement of an STL solid"));
   EXPECT_THAT(refused("facet\nvertex 0 0\n"),
-              HasSubstr("line 3: facet 0: 2 of 3 coordinates are there"));
+              HasSubstr("line 3: facet 0 has 2 of its 3 coordinates"));
   EXPECT_THAT(refused("facet\nvertex 0 0 up\n"), HasSubstr("facet 0: z = 'up' is not a number"));
   EXPECT_THAT(refused("facet\nvertex nan 0 0\n"), HasSubstr("facet 0: x = nan; coordinates must"));
   EXPECT_THAT(refused("facet\nvertex 0 0 1e40\n"), HasSubstr("facet 0: z = 1e40; coordinates"));

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 constexpr uint64_t kRoom = uint64_t{256} << 20;
 
-/// Two cells, one triangle with a vertex in no cell, colours: right in every way.
+/// Returns correct parts: two cells, one triangle with a vertex in no cell, colours.
 ViewParts tiny_parts() {
   return {.frame = {Vec3d(1, 2, 3), 0.5, 4},
           .length_unit = 2,
@@ -28,7 +28,7 @@ ViewParts tiny_parts() {
           .colours = {{1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}}};
 }
 
-/// What reading says once `spoil` has changed the parts and all has been sealed again.
+/// Returns the status of reading after `spoil` has changed the parts and all is sealed again.
 template <typename Spoil>
 Status spoilt(Spoil spoil) {
   ViewParts parts = tiny_parts();
@@ -94,7 +94,7 @@ TEST(HostileView, CellsOutsideTheGridOrOutOfOrderAreNamed) {
   EXPECT_THAT(spoilt([](ViewParts& p) { p.cells[1] = 4096; }).message(),
               HasSubstr("cell 1 is outside the grid of depth 4"));
   EXPECT_THAT(spoilt([](ViewParts& p) { p.cells[1] = 5; }).message(),
-              HasSubstr("the key of cell 1 does not rise"));
+              HasSubstr("the key of cell 1 is not above"));
 }
 
 TEST(HostileView, IndicesBeyondTheEndAreNamed) {
@@ -127,7 +127,7 @@ TEST(HostileView, SectionsOfDifferentLengthsAreNamed) {
               HasSubstr("has more vertices or triangles than its scan"));
 }
 
-// Headers and sections that changed at random, each sealed as if it were good.
+// Changes headers and sections at random; seals each as if it were good.
 TEST(HostileView, RandomPartsNeverCrash) {
   std::mt19937 random(11);
   int good = 0;

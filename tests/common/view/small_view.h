@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// The small scan as a prepared mesh would give it.
+/// Returns the small scan as a prepared mesh would give it.
 inline ViewSource small_source() {
   const SmallScan& scan = small_scan();
   static const std::vector<MortonKey> cells = [&scan] {

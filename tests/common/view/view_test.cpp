@@ -75,7 +75,7 @@ TEST(View, KeepsColoursAndVerticesInNoCell) {
   EXPECT_EQ(proxy.colours.size(), proxy.vertices.size());
 }
 
-// Coordinates of a national grid in metres, cells of a fifth of a millimetre.
+// Uses coordinates of a national grid in metres, and cells of 0.2 mm.
 TEST(View, KeepsDetailFarFromTheOrigin) {
   const SmallScan& scan = small_scan();
   const Vec3d shift(455'000, 5'410'000, 300);

@@ -11,7 +11,7 @@ using testing::HasSubstr;
 TEST(SessionWire, OffIsNotExported) {
   v1::ExportRequest message;
   message.set_format(v1::MESH_FORMAT_OFF);
-  EXPECT_THAT(from_wire(message).status().message(), HasSubstr("read only"));
+  EXPECT_THAT(from_wire(message).status().message(), HasSubstr("OFF"));
 }
 
 TEST(SessionWire, ExportCyclesHaveLimits) {

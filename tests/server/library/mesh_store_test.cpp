@@ -64,7 +64,7 @@ TEST(MeshStore, ANameOfTwoScansIsAmbiguous) {
   TestLibrary library;
   ASSERT_TRUE(library.import(sphere_file(1), "twin").is_ok());
   ASSERT_TRUE(library.import(sphere_file(2), "twin").is_ok());
-  EXPECT_THAT(library.store->find("twin").status().message(), HasSubstr("2 scans answer"));
+  EXPECT_THAT(library.store->find("twin").status().message(), HasSubstr("2 scans match"));
 }
 
 TEST(MeshStore, AFileThatIsNoMeshLeavesNothing) {

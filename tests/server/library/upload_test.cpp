@@ -30,7 +30,7 @@ TEST(Upload, MoreOrFewerBytesThanAnnouncedAreRefused) {
   const TemporaryFolder folder;
   const auto upload = std::move(Upload::create(folder / "u", 3)).value();
   ASSERT_TRUE(append(*upload, 0, "ab").is_ok());
-  EXPECT_THAT(append(*upload, 2, "cd").message(), HasSubstr("announced with 3 bytes"));
+  EXPECT_THAT(append(*upload, 2, "cd").message(), HasSubstr("announced 3 bytes"));
   EXPECT_THAT(upload->finish().status().message(), HasSubstr("after 2 of 3 bytes"));
 }
 

@@ -19,7 +19,7 @@ TEST_F(LiveMemory, WhatClientsDrawIsAdmittedByItsBytes) {
     const Quota::Share own = memory.take(kServer, memory.max() - before - 1000).value();
     const Status refused = live_->join({"work", 100}, "ann", {}, {}).status();
     EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
-    EXPECT_THAT(refused.message(), testing::ContainsRegex("asks for [0-9]+ more"));
+    EXPECT_THAT(refused.message(), testing::ContainsRegex("needs [0-9]+ more"));
   }
   uint64_t whole = 0;
   {
@@ -42,9 +42,9 @@ TEST_F(LiveMemory, AClientIsAdmittedByTheBytesOfItsFrames) {
   EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
   EXPECT_EQ(refused.message(),
             "frames for a client of session work: the server has " +
-                std::to_string(memory.max() - left) +
-                " bytes of meshes and sessions and asks for " + std::to_string(of_a_client) +
-                " more; limits.memory_bytes_max is " + std::to_string(memory.max()));
+                std::to_string(memory.max() - left) + " bytes of meshes and sessions and needs " +
+                std::to_string(of_a_client) + " more; limits.memory_bytes_max is " +
+                std::to_string(memory.max()));
   rest = {};
   EXPECT_TRUE(manager_->presence("work").value()->list().size() == 1);
   const auto bob = guest("bob");

@@ -13,7 +13,7 @@ TEST(Quota, IsOfEachHolderAndNamesTheNumbers) {
   const Status status = quota.take("user anna", 2).status();
   EXPECT_EQ(status.code(), StatusCode::kResourceExhausted);
   EXPECT_EQ(status.message(),
-            "user anna has 2 streams and asks for 2 more; limits.streams_per_user is 3");
+            "user anna has 2 streams and needs 2 more; limits.streams_per_user is 3");
   EXPECT_TRUE(quota.take("user anna", 1).is_ok());
 }
 

@@ -201,7 +201,7 @@ TEST_F(PreparedFile, AnyOtherLengthIsRefused) {
 TEST_F(PreparedFile, AnotherVersionOrAnotherKindOfFileIsRefused) {
   expect_damage(status_of_header([](PreparedHeader& h) { ++h.version; }),
                 "format version is " + std::to_string(kPreparedFormatVersion + 1));
-  expect_damage(map_status("ply\n" + std::string(2000, ' ')), "no prepared mesh");
+  expect_damage(map_status("ply\n" + std::string(2000, ' ')), "not a prepared mesh");
 }
 
 TEST_F(PreparedFile, ALyingTableIsRefused) {
@@ -240,12 +240,12 @@ TEST_F(PreparedFile, CountsThatContradictEachOtherAreRefused) {
 
 TEST_F(PreparedFile, SheetsThatContradictTheirCellsAreRefused) {
   expect_damage(status_of_lie([](Sample& s) { s.sheets[1].cell = 3; }),
-                "sheet 1 is of cell 3 of 3");
-  expect_damage(status_of_lie([](Sample& s) { s.sheets[0].cell = -1; }), "sheet 0 is of cell -1");
+                "sheet 1 names cell 3 of 3");
+  expect_damage(status_of_lie([](Sample& s) { s.sheets[0].cell = -1; }), "sheet 0 names cell -1");
   expect_damage(status_of_lie([](Sample& s) { s.sheets[1].component = 0; }),
-                "sheet 1 does not rise");
+                "sheet 1 is not above");
   expect_damage(status_of_lie([](Sample& s) { s.sheets[1].passages = 2; }),
-                "sheet 1 has passages that its cell 1 has not");
+                "sheet 1 has passages that its cell 1 does not have");
   expect_damage(status_of_lie([](Sample& s) {
                   for (uint32_t i = 4; i < 12; ++i) s.sheets.push_back({1, i, 0});
                   s.sheet_integrals.resize(s.sheets.size());
@@ -259,7 +259,7 @@ TEST_F(PreparedFile, IndicesOutsideTheirArraysAreRefused) {
   expect_damage(status_of_lie([](Sample& s) { s.evaluation[1].cell = 3; }),
                 "vertex 1 lies in cell 3 of 3");
   expect_damage(status_of_lie([](Sample& s) { s.evaluation[0].cell = -2; }), "cell -2");
-  expect_damage(status_of_lie([](Sample& s) { s.cells[1] = 7; }), "cell 1 does not rise");
+  expect_damage(status_of_lie([](Sample& s) { s.cells[1] = 7; }), "cell 1 is not above");
   expect_damage(status_of_lie([](Sample& s) { s.cells[2] = 4096; }),
                 "key 4096 of cell 2 is outside the grid of depth 4");
 }

@@ -55,7 +55,7 @@ TEST(Log, ALineIsNeverLong) {
   for (auto* make : {&make_text_formatter, &make_json_formatter}) {
     const std::string text = written(make(), std::string(15'000'000, 'x'));
     EXPECT_LT(text.size(), 1300u);
-    EXPECT_THAT(text, testing::HasSubstr("... (14999000 bytes more)"));
+    EXPECT_THAT(text, testing::HasSubstr("... (14999000 more bytes)"));
   }
 }
 

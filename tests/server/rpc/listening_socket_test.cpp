@@ -44,7 +44,7 @@ TEST(ListeningSocket, AUnixSocketIsForItsGroupAndGoesWithItsServer) {
     ASSERT_TRUE(socket.is_ok()) << socket.status().message();
     EXPECT_EQ(fs::status(folder / "s").permissions(), fs::perms(0660));
     EXPECT_THAT(ListeningSocket::unix_domain(folder / "s").status().message(),
-                HasSubstr("another server listens there"));
+                HasSubstr("another server already listens"));
   }
   EXPECT_FALSE(fs::exists(folder / "s"));
 }
@@ -65,7 +65,7 @@ TEST(ListeningSocket, ASocketThatCannotBeAskedIsLeftAlone) {
   std::strncpy(address.sun_path, path.c_str(), sizeof(address.sun_path) - 1);
   ASSERT_EQ(bind(other, reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
   EXPECT_THAT(ListeningSocket::unix_domain(path).status().message(),
-              HasSubstr("there is a socket that is not ours"));
+              HasSubstr("cannot tell whether the socket is in use"));
   EXPECT_TRUE(fs::exists(path));
   close(other);
 }
@@ -81,7 +81,7 @@ TEST(ListeningSocket, AStaleUnixSocketIsReplacedAndAnyOtherFileIsNot) {
   EXPECT_TRUE(ListeningSocket::unix_domain(name).is_ok());
   folder.write("file", "mine");
   EXPECT_THAT(ListeningSocket::unix_domain(folder / "file").status().message(),
-              HasSubstr("no socket"));
+              HasSubstr("not a socket"));
   EXPECT_EQ(content_of(folder / "file"), "mine");
 }
 

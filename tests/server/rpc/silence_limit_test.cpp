@@ -26,7 +26,7 @@ TEST(SilenceLimit, TellsOfAClientThatIsWaitedForAndSendsNothing) {
   call->silence.wait();
   const Status status = call->ended.get_future().get();
   EXPECT_EQ(status.code(), StatusCode::kDeadlineExceeded);
-  EXPECT_THAT(status.message(), testing::HasSubstr("nothing has come from the client"));
+  EXPECT_THAT(status.message(), testing::HasSubstr("the client has sent nothing"));
   EXPECT_FALSE(call->silence.heard());  // what comes now is too late
 }
 

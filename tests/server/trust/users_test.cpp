@@ -47,12 +47,12 @@ TEST(Users, AreFoundByTokenAndByCertificate) {
 TEST(Users, AWrongFileIsRefusedByLineKeyAndValue) {
   EXPECT_THAT(refusal("[[user]]\nname = 7\n"), EndsWith("users.toml:2: name: is not a string"));
   EXPECT_THAT(refusal("[[user]]\nname = \"a\"\nrole = \"king\"\n"),
-              HasSubstr("users.toml:3: role: 'king' is none of viewer, editor, owner"));
+              HasSubstr("users.toml:3: role: 'king' is not one of viewer, editor, owner"));
   EXPECT_THAT(refusal(user("a", "token_sha256 = \"12\"")), HasSubstr("64 lower-case hexadecimal"));
-  EXPECT_THAT(refusal(user("a", "tokn = \"12\"")), HasSubstr("tokn: there is no such key"));
+  EXPECT_THAT(refusal(user("a", "tokn = \"12\"")), HasSubstr("tokn: unknown key"));
   EXPECT_THAT(refusal(user("a", "")), HasSubstr("neither token_sha256 nor certificate"));
   EXPECT_THAT(refusal("[[user]]\nname = \"a\"\n" + kToken), HasSubstr("user a has no role"));
-  EXPECT_THAT(refusal("users = 3\n"), HasSubstr("'users' is no [[user]]"));
+  EXPECT_THAT(refusal("users = 3\n"), HasSubstr("'users' is not a [[user]]"));
   EXPECT_THAT(refusal("[[user]\n"), HasSubstr("users.toml:1"));
 }
 

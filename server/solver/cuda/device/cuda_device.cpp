@@ -12,7 +12,7 @@ bool cuda_compiled() {
 static std::string why_none(cudaError_t error) {
   if (error == cudaErrorInsufficientDriver)
     return "the driver is missing or older than CUDA " + std::to_string(CUDART_VERSION / 1000);
-  return error == cudaSuccess ? "none is there" : cudaGetErrorString(error);
+  return error == cudaSuccess ? "this machine has none" : cudaGetErrorString(error);
 }
 
 Result<std::string> cuda_device() {
