@@ -181,8 +181,8 @@ TEST_F(Live, BytesThatAreNoMessageEndTheirStreamAreLoggedAndCounted) {
                        .messages = {greeting.SerializeAsString(), "\xff\xff\xff"},
                        .keep_open = true});
   EXPECT_EQ(answer.status.error_code(), StatusCode::INVALID_ARGUMENT);
-  EXPECT_THAT(answer.status.error_message(), HasSubstr("no ClientMessage"));
-  EXPECT_TRUE(server_.process->wait_for_output("no ClientMessage", kPatience));
+  EXPECT_THAT(answer.status.error_message(), HasSubstr("not a valid ClientMessage"));
+  EXPECT_TRUE(server_.process->wait_for_output("not a valid ClientMessage", kPatience));
   const int port = std::stoi(server_.announced("metrics on port "));
   EXPECT_EQ(metric(http_get_metrics(port), "burnish_refusals_total{reason=\"malformed\"}"), 1);
 }

@@ -49,9 +49,9 @@ TEST_F(MalformedUpload, OfAScanIsRefusedLoggedAndCounted) {
   chunk.mutable_chunk()->set_data(scan);
   chunk.mutable_chunk()->set_crc32(chunk_crc32(scan));
   const std::string begin = header.SerializeAsString(), all = chunk.SerializeAsString();
-  expect_refused(method, {kNoMessage}, "no ImportRequest");
-  expect_refused(method, {begin, kNoMessage}, "no ImportRequest");
-  expect_refused(method, {begin, all, kNoMessage}, "no ImportRequest");
+  expect_refused(method, {kNoMessage}, "not a valid ImportRequest");
+  expect_refused(method, {begin, kNoMessage}, "not a valid ImportRequest");
+  expect_refused(method, {begin, all, kNoMessage}, "not a valid ImportRequest");
   expect_refused(method, {begin, begin}, "only one header");
   expect_refused(method, {all}, "begin with its header");
   expect_refused(method, {begin, neither.SerializeAsString()}, "a header or a chunk");
@@ -65,8 +65,8 @@ TEST_F(MalformedUpload, OfCellFieldsIsRefusedLoggedAndCounted) {
   header.mutable_header()->set_edit_id("cells");
   cells.mutable_cells();
   const std::string begin = header.SerializeAsString();
-  expect_refused(method, {kNoMessage}, "no UploadCellFieldsRequest");
-  expect_refused(method, {begin, kNoMessage}, "no UploadCellFieldsRequest");
+  expect_refused(method, {kNoMessage}, "not a valid UploadCellFieldsRequest");
+  expect_refused(method, {begin, kNoMessage}, "not a valid UploadCellFieldsRequest");
   expect_refused(method, {begin, begin}, "only one header");
   expect_refused(method, {cells.SerializeAsString()}, "begin with its header");
 }
