@@ -10,6 +10,7 @@
 
 #include "common/base/progress.h"
 #include "common/edit/edit.h"
+#include "common/service/scan_pages.h"
 #include "common/service/session_history.h"
 #include "common/service/session_info.h"
 #include "common/service/session_people.h"
@@ -65,6 +66,16 @@ class Connection {
   /// What to draw a prepared scan from. Fails: failed_precondition when that depth is not prepared;
   /// data_loss and resource_exhausted as read_view() does; cancelled.
   Result<View> fetch_view(const ViewWish& wish, const Progress& progress);
+  /// Has the scan's pages made where they are missing. Fails: as the server says; cancelled.
+  Result<PagesDescription> describe_pages(const std::string& scan, const Progress& progress);
+  /// Takers return false to cancel.
+  struct PageTaker {
+    std::function<bool(PagePart)> block;
+    std::function<bool(PagePart)> page;
+  };
+  /// Fetches blocks, then pages, in the order of the wish. The bytes are not checked.
+  /// Needs: at most kPagePartsPerFetchMax parts. Fails: as the server says; cancelled.
+  Status fetch_pages(const PagesWish& wish, const PageTaker& take);
   /// Returns the id of what is gone.
   Result<std::string> delete_scan(const std::string& scan);
 

@@ -9,8 +9,10 @@
 #include "common/base/progress.h"
 #include "common/base/status.h"
 #include "common/service/scan_info.h"
+#include "common/service/scan_pages.h"
 #include "server/library/data_folder.h"
 #include "server/library/mesh_cache.h"
+#include "server/library/open_pages.h"
 #include "server/library/scan_index.h"
 #include "server/library/upload.h"
 #include "server/library/view_cache.h"
@@ -85,6 +87,21 @@ class MeshStore {
                                                       uint64_t triangles_max,
                                                       const Progress& progress);
 
+  /// Describes a scan's pages, which are made now where they are missing or damaged.
+  /// Fails: resource_exhausted when the memory or the disk has no room; not_found; cancelled.
+  Result<PagesDescription> describe_pages(const std::string& id, const Progress& progress);
+
+  /// Reads blocks and pages in the order of the wish, and hands them over one by one.
+  /// Fails: invalid_argument naming a block or page that the scan does not have;
+  /// failed_precondition when the scan has no pages; data_loss when they are damaged: the next
+  /// describe_pages() makes them again; cancelled.
+  struct PageTaker {
+    std::function<void(const PagePart&)> block;
+    std::function<void(const PagePart&)> page;
+  };
+  Status read_pages(const std::string& id, const PagesWish& wish, const PageTaker& take,
+                    const Progress& progress);
+
   /// Whether somebody may want a prepared mesh again soon. Of the others only kPreparedPerScanMax
   /// a scan are kept. Null: nobody. Needs: it outlives the calls.
   using IsWanted = std::function<bool(const std::string& id, const PreparedKey& key)>;
@@ -120,6 +137,12 @@ class MeshStore {
   Result<std::shared_ptr<const SharedMesh>> find_prepared(const std::string& id,
                                                           const PreparedKey& key);
 
+  std::filesystem::path pages_path(const std::string& id) const;
+  Status make_pages(const std::string& id, const Progress& progress);
+  Result<std::shared_ptr<const ScanPages>> open_pages(const std::string& id);
+  Result<std::shared_ptr<const ScanPages>> open_or_make_pages(const std::string& id,
+                                                              const Progress& progress);
+
   const DataFolder& folder_;
   const MeshStoreOptions options_;
   ScanIndex index_;
@@ -128,6 +151,7 @@ class MeshStore {
   Quota uploads_;
   MeshCache cache_;
   ViewCache views_;
+  OpenPages pages_;
   std::mutex wanted_mutex_;
   IsWanted is_wanted_;
   FairMutex preparing_;    // one at a time: it uses all cores and much memory

@@ -4,6 +4,8 @@
 
 #include "common/wire/format_wire.h"
 #include "common/wire/library_wire.h"
+#include "server/rpc/describe_pages_call.h"
+#include "server/rpc/fetch_pages_call.h"
 #include "server/rpc/fetch_view_call.h"
 #include "server/rpc/import_call.h"
 #include "server/rpc/prepare_call.h"
@@ -45,6 +47,16 @@ grpc::ServerWriteReactor<v1::PrepareEvent>* LibraryService::PrepareScan(
 grpc::ServerWriteReactor<v1::FetchViewEvent>* LibraryService::FetchView(
     grpc::CallbackServerContext* context, const v1::FetchViewRequest* request) {
   return start_call<FetchViewCall>(calls_, context, *request);
+}
+
+grpc::ServerWriteReactor<v1::DescribePagesEvent>* LibraryService::DescribePages(
+    grpc::CallbackServerContext* context, const v1::DescribePagesRequest* request) {
+  return start_call<DescribePagesCall>(calls_, context, *request);
+}
+
+grpc::ServerWriteReactor<v1::FetchPagesEvent>* LibraryService::FetchPages(
+    grpc::CallbackServerContext* context, const v1::FetchPagesRequest* request) {
+  return start_call<FetchPagesCall>(calls_, context, *request);
 }
 
 grpc::ServerUnaryReactor* LibraryService::DeleteScan(grpc::CallbackServerContext* context,

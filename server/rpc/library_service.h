@@ -10,6 +10,7 @@ using LibraryCalls = WithCalls<
     v1::Library::Service, v1::Library::WithRawCallbackMethod_Import,
     v1::Library::WithCallbackMethod_ListScans, v1::Library::WithCallbackMethod_DescribeScan,
     v1::Library::WithCallbackMethod_PrepareScan, v1::Library::WithCallbackMethod_FetchView,
+    v1::Library::WithCallbackMethod_DescribePages, v1::Library::WithCallbackMethod_FetchPages,
     v1::Library::WithCallbackMethod_DeleteScan>::Type;
 
 /// burnish.v1.Library over the mesh store: adapts messages, and nothing else.
@@ -29,6 +30,10 @@ class LibraryService final : public LibraryCalls {
       grpc::CallbackServerContext* context, const v1::PrepareScanRequest* request) override;
   grpc::ServerWriteReactor<v1::FetchViewEvent>* FetchView(
       grpc::CallbackServerContext* context, const v1::FetchViewRequest* request) override;
+  grpc::ServerWriteReactor<v1::DescribePagesEvent>* DescribePages(
+      grpc::CallbackServerContext* context, const v1::DescribePagesRequest* request) override;
+  grpc::ServerWriteReactor<v1::FetchPagesEvent>* FetchPages(
+      grpc::CallbackServerContext* context, const v1::FetchPagesRequest* request) override;
   grpc::ServerUnaryReactor* DeleteScan(grpc::CallbackServerContext* context,
                                        const v1::DeleteScanRequest* request,
                                        v1::DeleteScanResponse* response) override;

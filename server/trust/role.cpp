@@ -14,6 +14,8 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
     {"/burnish.v1.Library/ListScans", Role::kViewer},
     {"/burnish.v1.Library/DescribeScan", Role::kViewer},
     {"/burnish.v1.Library/FetchView", Role::kViewer},
+    {"/burnish.v1.Library/DescribePages", Role::kViewer},
+    {"/burnish.v1.Library/FetchPages", Role::kViewer},
     {"/burnish.v1.Library/Import", Role::kEditor},
     {"/burnish.v1.Library/PrepareScan", Role::kEditor},
     {"/burnish.v1.Library/DeleteScan", Role::kOwner},

@@ -1,0 +1,130 @@
+// What MeshStore does for clients that draw pages.
+
+#include <spdlog/spdlog.h>
+
+#include "common/base/out_of_memory.h"
+#include "common/mesh/statistics.h"
+#include "server/library/mesh_store.h"
+#include "server/library/read_original.h"
+#include "server/library/scan_files.h"
+#include "server/library/scan_record.h"
+#include "server/memory/library_budget.h"
+#include "server/prepare/pages/build_pages.h"
+#include "server/scheduling/cancellable_lock.h"
+
+namespace burnish {
+
+namespace fs = std::filesystem;
+
+static constexpr size_t kDescribedBlockBytesMax = 64 << 10;
+
+fs::path MeshStore::pages_path(const std::string& id) const {
+  return scan_folder(id) / "prepared" / pages_file_name();
+}
+
+Result<std::shared_ptr<const ScanPages>> MeshStore::open_pages(const std::string& id) {
+  if (auto open = pages_.find(id)) return open;
+  auto file = PageFile::open(pages_path(id));
+  RETURN_IF_ERROR(file.status());
+  const auto pages = std::make_shared<ScanPages>(ScanPages{id, std::move(file).value(), {}});
+  ASSIGN_OR_RETURN(pages->memory, memory_.take(kServer, pages->file.directory().byte_count()));
+  pages_.add(pages);
+  return std::shared_ptr<const ScanPages>(pages);
+}
+
+static bool can_be_made_again(StatusCode code) {
+  return code == StatusCode::kNotFound || code == StatusCode::kDataLoss ||
+         code == StatusCode::kUnimplemented;
+}
+
+Result<std::shared_ptr<const ScanPages>> MeshStore::open_or_make_pages(const std::string& id,
+                                                                       const Progress& progress) {
+  auto pages = open_pages(id);
+  if (pages.is_ok() || !can_be_made_again(pages.status().code())) return pages;
+  ASSIGN_OR_RETURN(const auto lock,
+                   lock_or_cancel(preparing_, "waiting for another scan", progress));
+  pages = open_pages(id);  // somebody else may have made them meanwhile
+  if (pages.is_ok() || !can_be_made_again(pages.status().code())) return pages;
+  if (pages.status().code() == StatusCode::kDataLoss)
+    spdlog::warn("making pages again: {}", pages.status().message());
+  RETURN_IF_ERROR(make_pages(id, progress));
+  return open_pages(id);
+}
+
+Status MeshStore::make_pages(const std::string& id, const Progress& progress) {
+  const fs::path folder = scan_folder(id);
+  ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(folder));
+  if (!report(progress, "reading", 0)) return cancelled("making pages was cancelled");
+  RETURN_IF_ERROR(check_original(folder, scan));
+  LibraryBudget budget(memory_, folder_.scans());
+  RETURN_IF_ERROR(budget.ask_to_read(scan.size_bytes));
+  ASSIGN_OR_RETURN(const TriangleMesh mesh,
+                   read_original(folder / original_file_name(scan.format), scan.format, scan.name));
+  return build_pages({mesh, compute_statistics(mesh)}, pages_path(id),
+                     {options_.threads, &budget}, progress);
+}
+
+// The coarsest blocks are the last ones; a client begins with them.
+static Result<std::vector<PagePart>> last_blocks(const PageFile& file) {
+  std::vector<PagePart> blocks;
+  size_t bytes = 0;
+  for (uint32_t block = file.directory().head.block_count(); block-- > 0;) {
+    bytes += file.directory().head.blocks[block].bytes;
+    if (!blocks.empty() && bytes > kDescribedBlockBytesMax) break;
+    ASSIGN_OR_RETURN(std::vector<uint8_t> part, file.read_block_bytes(block));
+    blocks.insert(blocks.begin(), {block, std::move(part)});
+  }
+  return blocks;
+}
+
+Result<PagesDescription> MeshStore::describe_pages(const std::string& id,
+                                                   const Progress& progress) {
+  ASSIGN_OR_RETURN(const auto pages, open_or_make_pages(id, progress));
+  PagesDescription description;
+  const auto head = pages->file.head_bytes();
+  description.head.assign(head.begin(), head.end());
+  ASSIGN_OR_RETURN(description.blocks, last_blocks(pages->file));
+  return description;
+}
+
+static Status check_numbers(const char* what, std::span<const uint32_t> numbers, uint32_t count) {
+  for (const uint32_t number : numbers)
+    if (number >= count)
+      return invalid_argument(std::string(what) + " " + std::to_string(number) +
+                              " is outside 0.." + std::to_string(count - 1));
+  return Status::ok();
+}
+
+static Status read_parts(const PageFile& file, const PagesWish& wish,
+                         const MeshStore::PageTaker& take, const Progress& progress) {
+  RETURN_IF_ERROR(check_numbers("block", wish.blocks, file.directory().head.block_count()));
+  RETURN_IF_ERROR(check_numbers("page", wish.pages, file.directory().head.page_count()));
+  for (const uint32_t block : wish.blocks) {
+    ASSIGN_OR_RETURN(std::vector<uint8_t> bytes, file.read_block_bytes(block));
+    take.block({block, std::move(bytes)});
+  }
+  for (const uint32_t page : wish.pages) {
+    if (!report(progress, "reading pages", 0)) return cancelled("reading pages was cancelled");
+    ASSIGN_OR_RETURN(std::vector<uint8_t> bytes, file.read_page_bytes(page));
+    take.page({page, std::move(bytes)});
+  }
+  return Status::ok();
+}
+
+Status MeshStore::read_pages(const std::string& id, const PagesWish& wish, const PageTaker& take,
+                             const Progress& progress) {
+  const auto pages = open_pages(id);
+  if (can_be_made_again(pages.status().code()))
+    return failed_precondition("scan " + short_id(id) + " has no pages; call DescribePages");
+  RETURN_IF_ERROR(pages.status());
+  const Status status = read_parts((*pages)->file, wish, take, progress);
+  if (status.code() == StatusCode::kDataLoss) {
+    spdlog::warn("a page file is damaged and goes: {}", status.message());
+    pages_.forget(id);
+    std::error_code ignored;
+    fs::remove(pages_path(id), ignored);
+  }
+  return status;
+}
+
+}  // namespace burnish
