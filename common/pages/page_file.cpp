@@ -6,6 +6,7 @@
 #include "common/pages/directory_codec.h"
 #include "common/pages/page_codec.h"
 #include "common/pages/page_format.h"
+#include "common/pages/page_header.h"
 
 namespace burnish {
 
@@ -26,11 +27,9 @@ Status check_rise(const PageDirectory& directory) {
 
 }  // namespace
 
-PageFile::PageFile(MappedFile file) : file_(std::move(file)) {}
-
 Result<PageFile> PageFile::open(const std::filesystem::path& path) {
-  ASSIGN_OR_RETURN(MappedFile mapped, MappedFile::open(path));
-  PageFile file(std::move(mapped));
+  ASSIGN_OR_RETURN(FileReader reader, FileReader::open(path));
+  PageFile file(std::move(reader));
   Status status = file.read_head();
   if (status.is_ok()) status = file.read_blocks();
   if (status.is_ok()) status = check_rise(file.directory_);
@@ -38,25 +37,31 @@ Result<PageFile> PageFile::open(const std::filesystem::path& path) {
   return file;
 }
 
-Status PageFile::read_head() {
-  const auto bytes = file_.bytes();
+Result<uint64_t> PageFile::find_head() const {
   PageTail tail;
-  if (bytes.size() < sizeof(tail))
-    return data_loss("the page file has " + std::to_string(bytes.size()) + " bytes, its tail has " +
+  const uint64_t file_bytes = file_.file_bytes();
+  if (file_bytes < sizeof(tail))
+    return data_loss("the page file has " + std::to_string(file_bytes) + " bytes, its tail has " +
                      std::to_string(sizeof(tail)));
-  const size_t tail_begin = bytes.size() - sizeof(tail);
-  std::memcpy(&tail, bytes.data() + tail_begin, sizeof(tail));
+  const uint64_t tail_begin = file_bytes - sizeof(tail);
+  ASSIGN_OR_RETURN(const std::vector<uint8_t> bytes, file_.read(tail_begin, sizeof(tail)));
+  std::memcpy(&tail, bytes.data(), sizeof(tail));
   if (tail.magic != kPageTailMagic) return data_loss("the page file does not end with BnPt");
   if (tail.head_bytes > tail_begin)
     return data_loss("the head has " + std::to_string(tail.head_bytes) + " bytes, the page file " +
-                     std::to_string(bytes.size()));
-  head_begin_ = tail_begin - tail.head_bytes;
-  ASSIGN_OR_RETURN(directory_.head, decode_head(head_bytes()));
+                     std::to_string(file_bytes));
+  return tail_begin - tail.head_bytes;
+}
+
+Status PageFile::read_head() {
+  ASSIGN_OR_RETURN(const uint64_t begin, find_head());
+  ASSIGN_OR_RETURN(head_bytes_, file_.read(begin, file_.file_bytes() - sizeof(PageTail) - begin));
+  ASSIGN_OR_RETURN(directory_.head, decode_head(head_bytes_));
   const PageHead& head = directory_.head;
-  if (head.page_bytes > head_begin_ || head_begin_ - head.page_bytes != head.block_bytes)
+  if (head.page_bytes > begin || begin - head.page_bytes != head.block_bytes)
     return data_loss("the head says " + std::to_string(head.page_bytes) + " bytes of pages and " +
-                     std::to_string(head.block_bytes) + " of blocks, before it lie " +
-                     std::to_string(head_begin_));
+                     std::to_string(head.block_bytes) + " of blocks, but " + std::to_string(begin) +
+                     " bytes lie before it");
   return Status::ok();
 }
 
@@ -67,7 +72,7 @@ Status PageFile::read_blocks() {
     block_offsets_.push_back(block_offsets_.back() + block.bytes);
   page_offsets_.push_back(0);
   for (uint32_t b = 0; b < head.blocks.size(); ++b) {
-    ASSIGN_OR_RETURN(const DirectoryBlock block, decode_block(block_bytes(b), head, b));
+    ASSIGN_OR_RETURN(const DirectoryBlock block, read_block(b));
     for (size_t i = 0; i < block.entries.size(); ++i) {
       directory_.entries.push_back(block.entries[i]);
       directory_.coarser.add(block.coarser[i]);
@@ -77,23 +82,39 @@ Status PageFile::read_blocks() {
   return Status::ok();
 }
 
-std::span<const uint8_t> PageFile::head_bytes() const {
-  return file_.bytes().subspan(head_begin_, file_.bytes().size() - sizeof(PageTail) - head_begin_);
+Result<std::vector<uint8_t>> PageFile::read_part(std::span<const uint64_t> offsets,
+                                                 uint32_t part) const {
+  return file_.read(offsets[part], offsets[part + 1] - offsets[part]);
 }
 
-std::span<const uint8_t> PageFile::block_bytes(uint32_t block) const {
-  return file_.bytes().subspan(block_offsets_[block],
-                               block_offsets_[block + 1] - block_offsets_[block]);
+Result<DirectoryBlock> PageFile::read_block(uint32_t block) const {
+  ASSIGN_OR_RETURN(const std::vector<uint8_t> bytes, read_part(block_offsets_, block));
+  return decode_block(bytes, directory_.head, block);
 }
 
-std::span<const uint8_t> PageFile::page_bytes(PageId page) const {
-  return file_.bytes().subspan(page_offsets_[page], page_offsets_[page + 1] - page_offsets_[page]);
+Result<std::vector<uint8_t>> PageFile::read_block_bytes(uint32_t block) const {
+  ASSIGN_OR_RETURN(std::vector<uint8_t> bytes, read_part(block_offsets_, block));
+  RETURN_IF_ERROR(decode_block(bytes, directory_.head, block).status());
+  return bytes;
+}
+
+Result<std::vector<uint8_t>> PageFile::read_page_bytes(PageId page) const {
+  ASSIGN_OR_RETURN(std::vector<uint8_t> bytes, read_part(page_offsets_, page));
+  RETURN_IF_ERROR(read_page_header(bytes).status());
+  return bytes;
 }
 
 Result<Page> PageFile::read_page(PageId page) const {
-  ASSIGN_OR_RETURN(Page decoded, decode_page(page_bytes(page)));
+  ASSIGN_OR_RETURN(const std::vector<uint8_t> bytes, read_part(page_offsets_, page));
+  ASSIGN_OR_RETURN(Page decoded, decode_page(bytes));
   RETURN_IF_ERROR(check_page_in_directory(decoded, page, directory_));
   return decoded;
+}
+
+uint64_t PageFile::byte_count() const {
+  return directory_.entries.capacity() * sizeof(PageEntry) + directory_.coarser.byte_count() +
+         directory_.head.blocks.capacity() * sizeof(PageBlock) + head_bytes_.capacity() +
+         (page_offsets_.capacity() + block_offsets_.capacity()) * sizeof(uint64_t);
 }
 
 }  // namespace burnish

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/base/atomic_file.h"
-#include "common/base/mapped_file.h"
+#include "common/base/file_reader.h"
 #include "common/base/status.h"
 #include "common/pages/directory.h"
 
@@ -61,7 +61,8 @@ class PageFileWriter {
   std::vector<Link> links_;
 };
 
-/// An open page file. Pages lie in a mapping and are not checked until they are decoded.
+/// An open page file. Its head and directory are in memory, its pages on the disk. Threads may read
+/// at the same time.
 class PageFile {
  public:
   /// Reads the directory and checks all of it. Fails: not_found; data_loss that names the damage;
@@ -70,25 +71,31 @@ class PageFile {
 
   const PageDirectory& directory() const { return directory_; }
 
-  /// Returns the encoded head and blocks, for clients that fetch them.
-  std::span<const uint8_t> head_bytes() const;
-  /// Needs: a block of the head.
-  std::span<const uint8_t> block_bytes(uint32_t block) const;
-  /// Needs: a page of the scan.
-  std::span<const uint8_t> page_bytes(PageId page) const;
+  /// Returns the encoded head.
+  std::span<const uint8_t> head_bytes() const { return head_bytes_; }
+
+  /// Reads an encoded block or page, and checks its checksum. Needs: a block or page of the scan.
+  /// Fails: data_loss that names the damage; as errno says.
+  Result<std::vector<uint8_t>> read_block_bytes(uint32_t block) const;
+  Result<std::vector<uint8_t>> read_page_bytes(PageId page) const;
 
   /// Decodes a page and checks it against the directory. Needs: a page of the scan.
   /// Fails: data_loss that names the page and the damage.
   Result<Page> read_page(PageId page) const;
 
+  uint64_t byte_count() const;  ///< in memory
+
  private:
-  explicit PageFile(MappedFile file);
+  explicit PageFile(FileReader file) : file_(std::move(file)) {}
+  Result<uint64_t> find_head() const;
   Status read_head();
   Status read_blocks();
+  Result<std::vector<uint8_t>> read_part(std::span<const uint64_t> offsets, uint32_t part) const;
+  Result<DirectoryBlock> read_block(uint32_t block) const;
 
-  MappedFile file_;
+  FileReader file_;
   PageDirectory directory_;
-  size_t head_begin_ = 0;
+  std::vector<uint8_t> head_bytes_;
   std::vector<uint64_t> page_offsets_;   ///< pages + 1
   std::vector<uint64_t> block_offsets_;  ///< blocks + 1
 };

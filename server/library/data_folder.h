@@ -12,7 +12,7 @@ namespace burnish {
 ///
 ///     lock             held by the running server
 ///     journal.sqlite   sessions and their edits
-///     scans/ID/        original.EXT, info.json, prepared/
+///     scans/ID/        original.EXT, info.json, prepared/, pages-formatN.pages
 ///     staging/         what is not finished; emptied at start
 class DataFolder {
  public:

@@ -215,6 +215,7 @@ Status MeshStore::remove(const std::string& id) {
     index_.erase(id);
   }
   views_.forget(id);
+  pages_.forget(id);
   return sync_folder(folder_.scans());
 }
 

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 static constexpr size_t kDescribedBlockBytesMax = 64 << 10;
 
 fs::path MeshStore::pages_path(const std::string& id) const {
-  return scan_folder(id) / "prepared" / pages_file_name();
+  return scan_folder(id) / pages_file_name();
 }
 
 Result<std::shared_ptr<const ScanPages>> MeshStore::open_pages(const std::string& id) {
@@ -27,7 +27,7 @@ Result<std::shared_ptr<const ScanPages>> MeshStore::open_pages(const std::string
   auto file = PageFile::open(pages_path(id));
   RETURN_IF_ERROR(file.status());
   const auto pages = std::make_shared<ScanPages>(ScanPages{id, std::move(file).value(), {}});
-  ASSIGN_OR_RETURN(pages->memory, memory_.take(kServer, pages->file.directory().byte_count()));
+  ASSIGN_OR_RETURN(pages->memory, memory_.take(kServer, pages->file.byte_count()));
   pages_.add(pages);
   return std::shared_ptr<const ScanPages>(pages);
 }
@@ -60,8 +60,8 @@ Status MeshStore::make_pages(const std::string& id, const Progress& progress) {
   RETURN_IF_ERROR(budget.ask_to_read(scan.size_bytes));
   ASSIGN_OR_RETURN(const TriangleMesh mesh,
                    read_original(folder / original_file_name(scan.format), scan.format, scan.name));
-  return build_pages({mesh, compute_statistics(mesh)}, pages_path(id),
-                     {options_.threads, &budget}, progress);
+  return build_pages({mesh, compute_statistics(mesh)}, pages_path(id), {options_.threads, &budget},
+                     progress);
 }
 
 // The coarsest blocks are the last ones; a client begins with them.
@@ -90,8 +90,8 @@ Result<PagesDescription> MeshStore::describe_pages(const std::string& id,
 static Status check_numbers(const char* what, std::span<const uint32_t> numbers, uint32_t count) {
   for (const uint32_t number : numbers)
     if (number >= count)
-      return invalid_argument(std::string(what) + " " + std::to_string(number) +
-                              " is outside 0.." + std::to_string(count - 1));
+      return invalid_argument(std::string(what) + " " + std::to_string(number) + " is outside 0.." +
+                              std::to_string(count - 1));
   return Status::ok();
 }
 

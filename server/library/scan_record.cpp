@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/base/file_content.h"
+#include "common/pages/page_format.h"
 #include "server/prepare/prepared_mesh.h"
 
 namespace burnish {
@@ -111,6 +112,21 @@ std::optional<uint32_t> prepared_file_version(const std::string& name) {
                   &version) != 3)
     return std::nullopt;
   if (file_name_of_version(key, version) != name) return std::nullopt;
+  return version;
+}
+
+static std::string pages_file_name_of_version(uint32_t version) {
+  return "pages-format" + std::to_string(version) + ".pages";
+}
+
+std::string pages_file_name() {
+  return pages_file_name_of_version(kPageFormatVersion);
+}
+
+std::optional<uint32_t> pages_file_version(const std::string& name) {
+  unsigned version = 0;
+  if (std::sscanf(name.c_str(), "pages-format%u", &version) != 1) return std::nullopt;
+  if (pages_file_name_of_version(version) != name) return std::nullopt;
   return version;
 }
 

@@ -27,6 +27,12 @@ std::optional<PreparedKey> parse_prepared_file_name(const std::string& name);
 /// The version in such a name; nothing for other names.
 std::optional<uint32_t> prepared_file_version(const std::string& name);
 
+/// Returns "pages-format1.pages", with the version of the page file.
+std::string pages_file_name();
+
+/// Returns the version in such a name; nothing for other names.
+std::optional<uint32_t> pages_file_version(const std::string& name);
+
 /// Reads a scan's folder: info.json, and the prepared files by name.
 /// Fails: not_found, data_loss; as errno says, where they cannot be read.
 Result<ScanInfo> read_scan_folder(const std::filesystem::path& folder);

@@ -1,11 +1,12 @@
 #include "server/library/stale_files.h"
 
-#include <array>
 #include <fstream>
+#include <optional>
 #include <string>
 
 #include <spdlog/spdlog.h>
 
+#include "common/pages/page_format.h"
 #include "server/library/scan_record.h"
 #include "server/prepare/prepared_file.h"
 
@@ -17,48 +18,73 @@ static bool is_scan_id(const std::string& name) {
   return name.size() == 64 && name.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-static bool begins_as_we_write(const fs::path& path) {
-  std::array<char, kPreparedMagic.size()> begin = {};
+namespace {
+
+/// The files of one kind, by their names and their first bytes.
+struct FileKind {
+  std::string suffix;
+  std::string first_bytes;
+  uint32_t version;  ///< that this server writes
+  std::optional<uint32_t> (*version_of)(const std::string& name);
+};
+
+bool begins_as_we_write(const fs::path& path, const FileKind& kind) {
+  std::string begin(kind.first_bytes.size(), 0);
   std::ifstream file(path, std::ios::binary);
-  return file.read(begin.data(), begin.size()) && begin == kPreparedMagic;
+  return file.read(begin.data(), static_cast<std::streamsize>(begin.size())) &&
+         begin == kind.first_bytes;
 }
 
 // As AtomicFile names it: "NAME.PID-NUMBER.tmp".
-static bool is_half_written(const std::string& name) {
-  static const std::string kPrepared = ".prepared", kEnd = ".tmp";
-  const size_t at = name.find(kPrepared + ".");
+bool is_half_written(const std::string& name, const FileKind& kind) {
+  static const std::string kEnd = ".tmp";
+  const size_t at = name.find(kind.suffix + ".");
   if (at == std::string::npos || !name.ends_with(kEnd)) return false;
-  const size_t begin = at + kPrepared.size() + 1;
+  const size_t begin = at + kind.suffix.size() + 1;
   const std::string numbers = name.substr(begin, name.size() - kEnd.size() - begin);
   return numbers.find_first_not_of("0123456789-") == std::string::npos &&
-         prepared_file_version(name.substr(0, at + kPrepared.size()));
+         kind.version_of(name.substr(0, at + kind.suffix.size()));
 }
 
-static bool is_stale(const fs::directory_entry& entry, uint64_t bytes) {
+bool is_stale(const fs::directory_entry& entry, uint64_t bytes, const FileKind& kind) {
   const std::string name = entry.path().filename().string();
-  if (is_half_written(name)) return bytes == 0 || begins_as_we_write(entry.path());
-  const auto version = prepared_file_version(name);
-  return version && *version != kPreparedFormatVersion && begins_as_we_write(entry.path());
+  if (is_half_written(name, kind)) return bytes == 0 || begins_as_we_write(entry.path(), kind);
+  const auto version = kind.version_of(name);
+  return version && *version != kind.version && begins_as_we_write(entry.path(), kind);
 }
 
-static void remove_if_stale(const fs::directory_entry& entry, RemovedFiles& removed) {
+void remove_if_stale(const fs::directory_entry& entry, const FileKind& kind,
+                     RemovedFiles& removed) {
   std::error_code error;
   if (entry.symlink_status(error).type() != fs::file_type::regular) return;
   const uint64_t bytes = entry.file_size(error);
-  if (error || !is_stale(entry, bytes) || !fs::remove(entry.path(), error)) return;
+  if (error || !is_stale(entry, bytes, kind) || !fs::remove(entry.path(), error)) return;
   ++removed.count;
   removed.bytes += bytes;
 }
 
-static std::error_code remove_of_scan(const fs::path& scan, RemovedFiles& removed) {
+std::error_code remove_from(const fs::path& folder, const FileKind& kind, RemovedFiles& removed) {
   std::error_code error;
-  fs::directory_iterator entry(scan / "prepared", error);
+  fs::directory_iterator entry(folder, error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error))
-    remove_if_stale(*entry, removed);
+    remove_if_stale(*entry, kind, removed);
   const bool has_none =
       error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory;
   return has_none ? std::error_code() : error;
 }
+
+std::error_code remove_of_scan(const fs::path& scan, RemovedFiles& removed) {
+  static const FileKind kPrepared{".prepared",
+                                  {kPreparedMagic.begin(), kPreparedMagic.end()},
+                                  kPreparedFormatVersion,
+                                  prepared_file_version};
+  static const FileKind kPages{
+      ".pages", {kPageMagic.begin(), kPageMagic.end()}, kPageFormatVersion, pages_file_version};
+  const std::error_code failure = remove_from(scan, kPages, removed);
+  return failure ? failure : remove_from(scan / "prepared", kPrepared, removed);
+}
+
+}  // namespace
 
 RemovedFiles remove_stale_files(const DataFolder& folder) {
   RemovedFiles removed;
@@ -68,11 +94,11 @@ RemovedFiles remove_stale_files(const DataFolder& folder) {
     if (!is_scan_id(scan->path().filename().string())) continue;
     const std::error_code failure = remove_of_scan(scan->path(), removed);
     if (failure)  // one folder's trouble is not the others'
-      spdlog::warn("cannot remove stale prepared files of {}: {}", scan->path().string(),
+      spdlog::warn("cannot remove outdated files of {}: {}", scan->path().string(),
                    failure.message());
   }
   if (removed.count > 0)
-    spdlog::info("removed {} outdated prepared files, {} bytes", removed.count, removed.bytes);
+    spdlog::info("removed {} outdated files of scans, {} bytes", removed.count, removed.bytes);
   return removed;
 }
 

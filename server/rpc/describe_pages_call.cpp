@@ -21,9 +21,9 @@ Status DescribePagesCall::describe() {
   const Progress progress = [this](std::string_view phase, double fraction) {
     return report_progress(phase, fraction);
   };
-  ASSIGN_OR_RETURN(const PagesDescription description,
-                   calls_.store.describe_pages(
-                       scan.id, give_way_to(calls_.live.scheduler(), progress)));
+  ASSIGN_OR_RETURN(
+      const PagesDescription description,
+      calls_.store.describe_pages(scan.id, give_way_to(calls_.live.scheduler(), progress)));
   v1::DescribePagesEvent event;
   *event.mutable_done() = to_wire(description);
   events_.push(std::move(event));

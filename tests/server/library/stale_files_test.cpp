@@ -50,6 +50,21 @@ TEST_F(StaleFiles, OfOtherVersionsAndHalfWrittenOnesGo) {
   EXPECT_TRUE(library_.store->open_mesh(scan_.id, {5, 0}, {}).is_ok());
 }
 
+TEST_F(StaleFiles, PagesOfOtherVersionsAndHalfWrittenOnesGo) {
+  const fs::path folder = prepared_.parent_path();
+  const auto write_page_file = [&](const std::string& name, const std::string& text) {
+    std::ofstream(folder / name) << text;
+  };
+  write_page_file("pages-format999.pages", "BnPg12");
+  write_page_file(pages_file_name() + ".4711-3.tmp", "BnPg");
+  write_page_file("pages-format998.pages", "something else");
+  const RemovedFiles removed = remove_stale_files(*library_.folder);
+  EXPECT_EQ(removed.count, 2u);
+  EXPECT_EQ(removed.bytes, 10u);
+  EXPECT_TRUE(fs::exists(folder / pages_file_name()));
+  EXPECT_TRUE(fs::exists(folder / "pages-format998.pages"));
+}
+
 TEST_F(StaleFiles, WhatNoServerWroteStays) {
   write("depth5-radius0-format1.prepared", "something else");
   write("depth05-radius0-format1.prepared", "burnish\n");
