@@ -4,7 +4,7 @@
 #include <random>
 
 #include "client/connection/channel.h"
-#include "common/base/limits.h"
+#include "client/connection/connection_state.h"
 
 namespace burnish {
 

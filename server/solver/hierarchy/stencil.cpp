@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/grid/stencil_slots.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 
 namespace burnish {
