@@ -15,6 +15,7 @@
 #include "client/app/view_panel.h"
 #include "client/app/window.h"
 #include "client/gl/gl_renderer.h"
+#include "client/model/bindings.h"
 #include "client/model/leaving.h"
 #include "client/model/workspace.h"
 

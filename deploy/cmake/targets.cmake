@@ -27,6 +27,9 @@ target_include_directories(burnish_options INTERFACE ${PROJECT_SOURCE_DIR})
 # -Wno-restrict: false alarms of g++ 12 on "text" + std::string.
 target_compile_options(burnish_options INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:\
 -Wall;-Wextra;-Wshadow;-Wnon-virtual-dtor;-Wno-missing-field-initializers;-Wno-restrict>")
+if(BURNISH_WERROR)
+  target_compile_options(burnish_options INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:-Werror>")
+endif()
 # Debian's x86-64 baseline must run everywhere; hot loops are also compiled for wider registers
 # (common/base/dispatch.h). Nothing is contracted and no sum reordered: same input, same bits.
 target_compile_options(burnish_options INTERFACE

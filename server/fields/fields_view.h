@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "common/edit/edit.h"
+#include "common/base/limits.h"
+#include "common/edit/transfer_curve.h"
 
 namespace burnish {
 

@@ -12,6 +12,7 @@
 #include "server/library/scan_record.h"
 #include "server/memory/library_budget.h"
 #include "server/memory/memory_need.h"
+#include "server/memory/opening_need.h"
 #include "server/prepare/prepare.h"
 #include "server/scheduling/cancellable_lock.h"
 #include "server/solver/tuning/plan_cycle.h"

@@ -3,7 +3,6 @@
 #include "common/base/out_of_memory.h"
 #include "common/evaluation/proxy.h"
 #include "server/library/mesh_store.h"
-#include "server/library/scan_record.h"
 #include "server/scheduling/cancellable_lock.h"
 
 namespace burnish {

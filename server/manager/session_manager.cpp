@@ -8,6 +8,7 @@
 #include "common/transfer/content_hash.h"
 #include "server/manager/session_manager_held.h"
 #include "server/memory/memory_need.h"
+#include "server/scheduling/cancellable_lock.h"
 
 namespace burnish {
 

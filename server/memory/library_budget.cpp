@@ -4,8 +4,7 @@
 
 #include "common/base/limits.h"
 #include "common/base/process_memory.h"
-#include "common/mesh/mesh_io.h"
-#include "server/memory/memory_need.h"
+#include "server/memory/opening_need.h"
 
 namespace burnish {
 

@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "common/frame_codec/frame_layout.h"
-#include "server/memory/opening_need.h"
 #include "server/solver/cycle/multigrid.h"
 
 namespace burnish {

@@ -1,7 +1,6 @@
 #include "server/prepare/cell_integrals.h"
 
 #include "common/base/dispatch.h"
-#include "common/grid/sparse_grid.h"
 
 namespace burnish {
 

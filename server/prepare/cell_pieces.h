@@ -7,7 +7,6 @@
 #include "common/base/progress.h"
 #include "common/base/status.h"
 #include "common/grid/morton.h"
-#include "common/mesh/triangle_mesh.h"
 #include "server/prepare/passages.h"
 #include "server/prepare/unset_vector.h"
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <span>
 
-#include "common/mesh/triangle_mesh.h"
 #include "server/prepare/cell_integrals.h"
 #include "server/prepare/cell_pieces.h"
 #include "server/prepare/curvature.h"

@@ -8,7 +8,6 @@
 #include "server/manager/session_manager.h"
 #include "server/rpc/call_executor.h"
 #include "server/rpc/call_guard.h"
-#include "server/rpc/call_observer.h"
 #include "server/rpc/references.h"
 #include "server/rpc/to_grpc.h"
 

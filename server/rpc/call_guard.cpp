@@ -2,7 +2,7 @@
 
 #include <grpc/grpc_security_constants.h>
 
-#include "common/service/scan_info.h"
+#include "common/base/text.h"
 #include "server/process/log_context.h"
 #include "server/rpc/call_observer.h"
 #include "server/rpc/refusals.h"

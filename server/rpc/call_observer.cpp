@@ -8,6 +8,7 @@
 #include <spdlog/spdlog.h>
 
 #include "server/library/data_folder.h"
+#include "server/metrics/live_objects.h"
 #include "server/metrics/metrics.h"
 #include "server/process/line_limiter.h"
 #include "server/process/log_context.h"

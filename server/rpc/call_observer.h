@@ -9,8 +9,6 @@
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/support/server_interceptor.h>
 
-#include "server/metrics/live_objects.h"
-
 namespace burnish {
 
 /// How many calls the server has let in. A call arrives with its headers; it starts once its first

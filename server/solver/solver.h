@@ -9,7 +9,6 @@
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
-#include "common/edit/edit.h"
 #include "server/fields/fields_view.h"
 #include "server/solver/cycle/convergence_rate.h"
 #include "server/solver/cycle/multigrid.h"

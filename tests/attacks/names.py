@@ -6,7 +6,7 @@ import urllib.request
 import grpc
 
 from attack import Attack
-from client import METHODS, Client, Live, end_of, request
+from client import METHODS, Client, Live, end_of
 
 FORGED = "[2026-11-23 12:00:00.000] [info] user root logged in"
 

@@ -4,10 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "common/edit/edit.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/session/session.h"
-#include "server/solver/hierarchy/hierarchy.h"
 
 namespace burnish {
 

@@ -7,6 +7,7 @@
 #include "common/generate/generate.h"
 #include "server/prepare/prepare.h"
 #include "server/solver/cuda/mesh/long_rows.h"
+#include "server/solver/hierarchy/hierarchy.h"
 
 namespace burnish::cuda {
 namespace {

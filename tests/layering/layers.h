@@ -37,4 +37,10 @@ std::vector<std::string> check_includes(const std::filesystem::path& root,
 /// One message for each wrong one: "target burnish_grid links burnish_session: ...".
 std::vector<std::string> check_targets(const std::filesystem::path& list, const Layers& layers);
 
+/// The units (files without their extension) below root/server/solver/cpu and cuda. One message for
+/// each that has no twin in the other folder and does not stand in `list`, and for each line of
+/// `list` that names nothing or a unit that has a twin.
+std::vector<std::string> check_twins(const std::filesystem::path& root,
+                                     const std::filesystem::path& list);
+
 }  // namespace burnish

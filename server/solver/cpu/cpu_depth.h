@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 
-#include "server/solver/hierarchy/cell_matrix.h"
 #include "server/solver/hierarchy/hierarchy.h"
 
 namespace burnish::cpu {

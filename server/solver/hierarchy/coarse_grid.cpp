@@ -7,6 +7,7 @@
 #include "common/base/check.h"
 #include "common/base/disjoint_sets.h"
 #include "common/base/parallel.h"
+#include "server/solver/hierarchy/half_way.h"
 
 namespace burnish {
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "common/grid/sparse_grid.h"
-#include "server/solver/hierarchy/half_way.h"
 
 namespace burnish {
 

@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "server/solver/hierarchy/half_way.h"
+
 namespace burnish {
 
 namespace {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/grid/stencil_slots.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 
 namespace burnish {
@@ -116,8 +117,8 @@ int32_t entry_of(const Stencil& stencil, int32_t corner, int32_t column) {
   return static_cast<int32_t>(at - stencil.column.begin() - begin);
 }
 
-std::array<uint16_t, kPairsPerCell> entries_of_pairs(const Stencil& stencil,
-                                          const std::array<int32_t, kCornersPerCell>& corners) {
+std::array<uint16_t, kPairsPerCell> entries_of_pairs(
+    const Stencil& stencil, const std::array<int32_t, kCornersPerCell>& corners) {
   std::array<uint16_t, kPairsPerCell> entries;
   for (int a = 0; a < kCornersPerCell; ++a)
     for (int b = a + 1; b < kCornersPerCell; ++b)

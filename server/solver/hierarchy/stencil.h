@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "common/grid/sparse_grid.h"
-#include "common/grid/stencil_slots.h"
 #include "server/solver/hierarchy/row_tiles.h"
 #include "server/solver/hierarchy/sheets/irregular_rows.h"
 

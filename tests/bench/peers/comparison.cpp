@@ -7,8 +7,8 @@
 #include "tests/bench/peers/measure_ours.h"
 #include "tests/bench/peers/measure_peer.h"
 #include "tests/bench/peers/report.h"
-#include "tests/bench/peers/stopwatch.h"
 #include "tests/bench/peers/threads.h"
+#include "tests/bench/timing.h"
 
 namespace burnish::bench {
 

@@ -8,7 +8,7 @@
 
 #include "common/base/limits.h"
 #include "server/library/scan_record.h"
-#include "server/memory/memory_need.h"
+#include "server/memory/opening_need.h"
 #include "server/prepare/prepared_mesh.h"
 #include "tests/server/manager/test_library.h"
 

@@ -3,7 +3,6 @@
 #include <memory>
 #include <string>
 
-#include "common/generate/generate.h"
 #include "server/library/mesh_store.h"
 #include "tests/common/temporary_folder.h"
 

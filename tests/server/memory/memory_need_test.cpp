@@ -5,6 +5,7 @@
 #include "common/frame_codec/frame_encoder.h"
 #include "common/generate/generate.h"
 #include "server/live/frame_target.h"
+#include "server/memory/opening_need.h"
 #include "server/prepare/prepare.h"
 #include "server/session/session.h"
 #include "server/solver/tuning/plan_cycle.h"

@@ -3,7 +3,6 @@
 #include <Eigen/Sparse>
 
 #include "server/fields/fields.h"
-#include "server/prepare/prepare.h"
 #include "server/solver/cpu/cpu_depth.h"
 #include "server/solver/cycle/multigrid.h"
 

@@ -3,8 +3,6 @@
 #include <memory>
 #include <string>
 
-#include "tests/common/temporary_folder.h"
-
 namespace burnish {
 
 /// A CA of the test's own. Certificates are PEM text.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "common/base/dispatch.h"
+#include "server/solver/hierarchy/half_way.h"
 
 namespace burnish::cpu {
 

@@ -19,7 +19,8 @@ namespace {
 BURNISH_DISPATCH void combine(const CellIntegrals& of, double first, double second,
                               std::array<double, 24>& out) {
   std::array<double, kPairsPerCell> pair;
-  for (int p = 0; p < kPairsPerCell; ++p) pair[p] = first * of.stiffness[0][p] + second * of.stiffness[1][p];
+  for (int p = 0; p < kPairsPerCell; ++p)
+    pair[p] = first * of.stiffness[0][p] + second * of.stiffness[1][p];
 #pragma GCC unroll 3
   for (int axis = 0; axis < 3; ++axis) {
     double others = 0;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "common/grid/stencil_slots.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 #include "server/solver/hierarchy/hierarchy.h"
 

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "common/base/types.h"
 #include "common/grid/sparse_grid.h"
 #include "server/solver/cpu/cpu_depth.h"
 #include "server/solver/hierarchy/points_by_cell.h"

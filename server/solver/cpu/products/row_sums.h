@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "common/grid/stencil_slots.h"
 #include "server/solver/cpu/cpu_depth.h"
 
 /// What products of a depth's rows with a vector have in common: how they go through the rows of a

@@ -1,6 +1,7 @@
 #include "server/solver/cpu/products/transfer.h"
 
 #include "server/solver/cpu/blocks.h"
+#include "server/solver/hierarchy/half_way.h"
 
 namespace burnish::cpu {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "common/base/dispatch.h"
+#include "common/grid/stencil_slots.h"
+#include "server/solver/hierarchy/cell_matrix.h"
 
 namespace burnish::cpu {
 

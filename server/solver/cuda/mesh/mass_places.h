@@ -12,7 +12,7 @@ namespace burnish::cuda {
 /// three of these (prepare/cell_moments.h).
 struct MassPlaces {
   static constexpr int kDifferent = 19;
-  std::array<uint8_t, kPairsPerCell> of_pair = {};             ///< which of them a pair has
+  std::array<uint8_t, kPairsPerCell> of_pair = {};  ///< which of them a pair has
   std::array<uint8_t, kDifferent> first_pair = {};  ///< that has it
 };
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "server/solver/hierarchy/hierarchy.h"
+#include "server/solver/hierarchy/stencil.h"
 
 namespace burnish::cuda {
 

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "common/base/sort_once.h"
+#include "server/solver/hierarchy/half_way.h"
 
 namespace burnish {
 

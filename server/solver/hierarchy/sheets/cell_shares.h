@@ -7,8 +7,8 @@
 
 #include "common/grid/sparse_grid.h"
 #include "server/solver/hierarchy/coarse_grid.h"
+#include "server/solver/hierarchy/sheets/irregular_rows.h"
 #include "server/solver/hierarchy/sheets/sheet_corners.h"
-#include "server/solver/hierarchy/stencil.h"
 
 namespace burnish {
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/grid/stencil_slots.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 #include "tests/reference/awkward_meshes.h"
 #include "tests/server/solver/test_system.h"

@@ -1,4 +1,3 @@
-#include "server/solver/cpu/assembly/assembly.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,6 @@
 #include "server/solver/cpu/products/products.h"
 #include "server/solver/cpu/products/transfer.h"
 #include "tests/reference/awkward_meshes.h"
-#include "tests/reference/shapes.h"
 #include "tests/server/solver/test_system.h"
 
 namespace burnish::cpu {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/solver/hierarchy/half_way.h"
 #include "tests/server/solver/hierarchy/small_grids.h"
 
 namespace burnish {
