@@ -178,8 +178,8 @@ Status Fields::check(const SetCellFields& change) const {
 
 Status Fields::check_new(const SetCellFields& change) const {
   if (change.cells.size() > prepared_.cells.size())
-    return invalid_argument("the edit sets " + std::to_string(change.cells.size()) + " cells of " +
-                            std::to_string(prepared_.cells.size()));
+    return invalid_argument("the edit sets " + std::to_string(change.cells.size()) +
+                            " cells, the limit is " + std::to_string(prepared_.cells.size()));
   std::vector<char> is_set(prepared_.cells.size());
   for (const SetCellFields::Cell& cell : change.cells) {
     ASSIGN_OR_RETURN(const int32_t index, index_of(cell.cell));

@@ -55,7 +55,8 @@ Status insert_all(Database& database, const std::string& session_id, uint64_t fi
 class Gathered {
  public:
   explicit Gathered(uint64_t count)
-      : edits_(count, {"", 0, {"", Damaged{"its row in the journal is missing"}}}), found_(count) {}
+      : edits_(count, {"", 0, {"", Damaged{"its row is missing from the journal"}}}),
+        found_(count) {}
 
   Status take(const Statement& row) {
     const auto number = static_cast<uint64_t>(row.integer(0));
@@ -107,8 +108,8 @@ Status check_session(Database& database, const std::string& session_id) {
   ASSIGN_OR_RETURN(const bool is_there, query.bind(session_id).step());
   if (!is_there || query.integer(0) != 0) return Status::ok();
   return data_loss(
-      "the journal's row of the session is damaged (its name, scan or depth): put a backup of the "
-      "journal in its place");
+      "the session's row in the journal (its name, scan and depth) is damaged; restore the journal "
+      "from a backup");
 }
 
 }  // namespace
@@ -117,8 +118,8 @@ Status insert_edits(Database& database, const std::string& session_id, uint64_t 
                     const std::vector<AuthoredEdit>& edits) {
   ASSIGN_OR_RETURN(const uint64_t last, last_number(database, session_id));
   if (last + 1 != first)
-    return data_loss("the session's edits end at " + std::to_string(last) + ", not before " +
-                     std::to_string(first) + ": some could not be written");
+    return data_loss("the session's edits end at " + std::to_string(last) + "; the next one is " +
+                     std::to_string(first) + ", so some were not written");
   if (edits.empty()) return Status::ok();
   RETURN_IF_ERROR(insert_all(database, session_id, first, edits));
   return set_last_number(database, session_id, last + edits.size());

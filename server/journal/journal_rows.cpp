@@ -92,7 +92,7 @@ Result<SessionRoles> read_roles(Database& database, const std::string& session_i
                             take, session_id));
   for (const std::string& user : users_of_damaged) roles.try_emplace(user, SessionRole::kViewer);
   if (roles.try_emplace("", SessionRole::kViewer).second)
-    spdlog::error("session {}: roles are missing in the journal", session_id);
+    spdlog::error("session {}: roles are missing from the journal", session_id);
   return SessionRoles(std::move(roles));
 }
 

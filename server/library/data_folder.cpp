@@ -21,7 +21,8 @@ static Status make_folder(const fs::path& path) {
   const fs::path folder = path.has_filename() ? path : path.parent_path();
   std::error_code error;
   if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), error);
-  if (error) return errno_status("cannot make " + folder.parent_path().string(), error.value());
+  if (error)
+    return errno_status("cannot make the folder " + folder.parent_path().string(), error.value());
   if (::mkdir(folder.c_str(), 0700) == 0) return Status::ok();
   const int failure = errno;
   if (failure == EEXIST && fs::is_directory(folder, error)) return Status::ok();
@@ -45,7 +46,7 @@ static Result<int> take_lock(const fs::path& folder) {
 static Status empty_staging(const fs::path& staging) {
   std::error_code error;
   fs::remove_all(staging, error);
-  if (error) return errno_status("cannot empty " + staging.string(), error.value());
+  if (error) return errno_status("cannot empty the folder " + staging.string(), error.value());
   return make_folder(staging);
 }
 

@@ -135,7 +135,7 @@ Result<std::shared_ptr<const SharedMesh>> MeshStore::open_mesh(const std::string
   if (auto shared = cache_.find({id, key})) return shared;
   const std::shared_ptr<FairMutex> making = cache_.making({id, key});
   ASSIGN_OR_RETURN(const auto lock,
-                   lock_or_cancel(*making, "waiting for another who opens the scan", progress));
+                   lock_or_cancel(*making, "waiting for another session of the scan", progress));
   if (auto shared = cache_.find({id, key})) return shared;
   ASSIGN_OR_RETURN(const auto mesh, read_with_hierarchy(id, key, progress));
   mesh->plan = std::make_shared<CyclePlan>();

@@ -20,7 +20,7 @@ Status ScanIndex::read(const fs::path& scans) {
     if (scan.is_ok()) {
       put(std::move(scan).value());
     } else if (code == StatusCode::kNotFound || code == StatusCode::kDataLoss) {
-      spdlog::warn("scan left out: {}", scan.status().message());
+      spdlog::warn("skipped a scan: {}", scan.status().message());
     } else {
       return scan.status();
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
 #include <utility>
 
 #include <spdlog/spdlog.h>
@@ -225,13 +226,18 @@ void LiveSession::fail(const Status& why) {
   refuse_waiting(come_back ? unavailable(why.message()) : why);
 }
 
+static std::string silence_text(steady_clock::duration limit) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(limit).count();
+  return "the client has sent nothing for " + std::to_string(seconds) + " s";
+}
+
 void LiveSession::end_unwelcome(steady_clock::duration silence_max) {
   static constexpr auto kTimeToTakeIt = std::chrono::seconds(5);
   for (const auto& subscriber : subscribers()) {
     const auto stays = subscriber->may_stay();
     if (!stays.is_ok()) subscriber->dismiss(stays.message(), kTimeToTakeIt);
     if (!subscriber->is_silent(silence_max)) continue;
-    subscriber->close(Farewell{"nothing was heard from this client for too long", true});
+    subscriber->close(Farewell{silence_text(silence_max), true});
     if (subscriber->is_silent(silence_max + kTimeToTakeIt)) subscriber->cut();
   }
 }

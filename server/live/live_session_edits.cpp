@@ -110,7 +110,7 @@ Status LiveSession::preview(uint64_t connection, Preview piece) {
       const Stroke& begun = std::get<Stroke>(mine->second.change);
       if (!is_same(begun.brush, stroke->brush))
         return invalid_argument("the brush of preview " + piece.edit_id +
-                                " is another than at its beginning");
+                                " differs from the brush at its beginning");
       stroke->path.insert(stroke->path.begin(), begun.path.begin(), begun.path.end());
     }
     RETURN_IF_ERROR(check_piece(piece).with_context("preview " + piece.edit_id));

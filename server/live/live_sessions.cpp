@@ -24,7 +24,7 @@ LiveSessions::~LiveSessions() {
 }
 
 static Status going_down() {
-  return unavailable("the server is going down; come back to its next life");
+  return unavailable("the server is going down; connect again later");
 }
 
 Result<LiveClient> LiveSessions::join(const Greeting& greeting, const Caller& caller,

@@ -190,11 +190,12 @@ void Subscriber::show(Shot shot) {
     frame_beat_ = last_beat_;
   }
   const auto self = shared_from_this();
-  encoders_.post({.work = [self, shot = std::move(shot)] { self->encode(shot); },
-                  .on_failure =
-                      [self](const Status& why) {
-                        self->close(Farewell{"no frame could be made: " + why.message(), true});
-                      }});
+  encoders_.post(
+      {.work = [self, shot = std::move(shot)] { self->encode(shot); },
+       .on_failure =
+           [self](const Status& why) {
+             self->close(Farewell{"the server cannot make a frame: " + why.message(), true});
+           }});
 }
 
 void Subscriber::encode(const Shot& shot) {

@@ -220,8 +220,8 @@ Result<std::string> SessionManager::delete_scan(const std::string& reference) {
     const std::lock_guard lock(mutex_);
     for (const auto& [session, entry] : by_name_)
       if (entry->record.scan_id == id)
-        return failed_precondition("scan " + name + " is edited by session " + session +
-                                   "; delete that first");
+        return failed_precondition("session " + session + " edits scan " + name +
+                                   "; delete the session first");
     // From here on no session can be opened over it.
     if (!scans_going_.insert(id).second) return not_found("scan " + name + " is being deleted");
   }

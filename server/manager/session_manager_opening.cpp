@@ -51,8 +51,8 @@ Result<uint64_t> end_of_fork(const ForkWish& wish, Journal& journal, const std::
 Status SessionManager::check_room() const {
   if (sessions_.size() < options_.sessions_max) return Status::ok();
   return resource_exhausted("the server has " + std::to_string(sessions_.size()) +
-                            " sessions, sessions_max is " + std::to_string(options_.sessions_max) +
-                            "; delete one");
+                            " sessions; limits.sessions_max is " +
+                            std::to_string(options_.sessions_max) + "; delete one");
 }
 
 Result<SessionManager::Held> SessionManager::reserve(SessionRecord record, const Caller& caller) {

@@ -137,7 +137,8 @@ Status refusal(const Scan& scan, const PreparationCounts& counts, const Status& 
                PreparationBudget& budget, const Progress& progress) {
   int depth = counts.depth - 1;
   while (depth >= kDepthMin && !ask_for_depth(scan, depth, budget).is_ok()) {
-    if (!report(progress, "looking for a depth that fits", 0)) return cancelled("cancelled");
+    if (!report(progress, "looking for a depth that fits", 0))
+      return cancelled("cancelled while looking for a depth that fits");
     --depth;
   }
   return resource_exhausted(
@@ -220,10 +221,10 @@ Status integrate_cells(const Surface& surface, std::span<const CellPiece> pieces
 Status check_surface_is_left(const PreparedArrays& arrays, const GridFrame& frame) {
   if (!arrays.cells.empty()) return Status::ok();
   std::ostringstream message;
-  message << "no surface is left in the grid of depth " << frame.depth << ", whose cells measure "
-          << frame.cell_size << ": all " << arrays.triangles.size()
-          << " triangles are too thin (an area below 1e-12 of the longest edge squared) or too "
-             "small for it (1e-7 of a cell)";
+  message << "the grid of depth " << frame.depth << " with cells of " << frame.cell_size
+          << " holds no surface: all " << arrays.triangles.size()
+          << " triangles are too thin (area below 1e-12 of the longest edge squared) or too small "
+             "(1e-7 of a cell)";
   return invalid_argument(message.str());
 }
 

@@ -66,7 +66,8 @@ void ConnectionAcceptor::accept_from(Door& door) {
   const int fd = accept4(door.socket.fd(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
   if (fd < 0) {
     if (errno == EAGAIN || errno == EINTR || errno == ECONNABORTED) return;
-    spdlog::error("accepting on {}: {}", door.socket.address(), std::strerror(errno));
+    spdlog::error("cannot accept connections on {}: {}", door.socket.address(),
+                  std::strerror(errno));
     std::this_thread::sleep_for(std::chrono::milliseconds(100));  // out of descriptors or memory
     return;
   }

@@ -51,7 +51,7 @@ static Status too_much(const std::string& what, uint64_t max) {
 }
 
 static std::string bytes_held(const std::string& whose, uint64_t held, uint64_t more) {
-  return "requests of " + whose + " hold " + std::to_string(held) + " bytes and this one " +
+  return "requests of " + whose + " hold " + std::to_string(held) + " bytes and this one needs " +
          std::to_string(more) + " more";
 }
 

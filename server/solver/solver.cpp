@@ -32,7 +32,7 @@ Result<ChosenBackend> choose_backend(const Multigrid& on, const SolverOptions& o
   const auto on_cpu = [&](std::string reason) {
     return ChosenBackend{make_cpu_backend(on, options.smoother), std::move(reason)};
   };
-  if (options.backend == BackendKind::kCpu) return on_cpu("asked for");
+  if (options.backend == BackendKind::kCpu) return on_cpu("requested");
   auto cuda = make_cuda_backend(on, options.smoother);
   if (cuda.is_ok()) return ChosenBackend{std::move(cuda).value(), cuda_device().value()};
   if (options.backend == BackendKind::kAuto) return on_cpu(cuda.status().message());

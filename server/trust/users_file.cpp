@@ -18,7 +18,7 @@ Result<std::string> read_text(const toml::node& node) {
   const auto text = node.value_exact<std::string>();
   if (!text) return invalid_argument("is not a string");
   if (text->empty() || text->size() > 200)
-    return invalid_argument("has " + std::to_string(text->size()) + " bytes, not 1 to 200");
+    return invalid_argument("has " + std::to_string(text->size()) + " bytes, outside 1..200");
   return *text;
 }
 

@@ -27,8 +27,8 @@ inline constexpr NamedSmoother kSmoothers[] = {
     {Smoother::kCellBlocks, "cell-blocks", "Gauss-Seidel by the 8x8 blocks of cells"},
     {Smoother::kChebyshevJacobi, "chebyshev-jacobi", "Chebyshev on the diagonal"},
     {Smoother::kGaussSeidel, "gauss-seidel", "point Gauss-Seidel in eight colours"},
-    {Smoother::kSlices, "slices", "point Gauss-Seidel by slices, the paper's"},
-    {Smoother::kBlockedSlices, "blocked-slices", "the same with temporal blocking"},
+    {Smoother::kSlices, "slices", "the paper's point Gauss-Seidel by slices"},
+    {Smoother::kBlockedSlices, "blocked-slices", "Gauss-Seidel by slices with temporal blocking"},
 };
 
 /// Whether it relaxes corners of one parity, or bricks of cells, beside each other: those then may

@@ -72,7 +72,7 @@ TEST_F(SessionManagerTest, SessionsBeyondTheLimitAreRefusedWithTheNumbers) {
   for (const char* name : {"1", "2", "3"}) ASSERT_TRUE(open(name).is_ok());
   const Status status = open("4").status();
   EXPECT_EQ(status.code(), StatusCode::kResourceExhausted);
-  EXPECT_THAT(status.message(), HasSubstr("3 sessions, sessions_max is 3"));
+  EXPECT_THAT(status.message(), HasSubstr("limits.sessions_max is 3"));
 }
 
 TEST_F(SessionManagerTest, AnEditIdAppliedTwiceChangesOnce) {

@@ -250,7 +250,7 @@ TEST_F(PreparedFile, SheetsThatContradictTheirCellsAreRefused) {
                   for (uint32_t i = 4; i < 12; ++i) s.sheets.push_back({1, i, 0});
                   s.sheet_integrals.resize(s.sheets.size());
                 }),
-                "is one of more than 8 of cell 1");
+                "number 9 of cell 1, the limit is 8");
 }
 
 TEST_F(PreparedFile, IndicesOutsideTheirArraysAreRefused) {

@@ -124,14 +124,14 @@ TEST_F(FullExecutor, RefusesTheRequestsOfAHolderBeyondItsLimit) {
 TEST_F(FullExecutor, RefusesTheBytesOfAHolderBeyondItsLimit) {
   EXPECT_EQ(refusal("anna", 60), "");
   EXPECT_EQ(refusal("anna", 41),
-            "requests of anna hold 60 bytes and this one 41 more, the limit is 100");
+            "requests of anna hold 60 bytes and this one needs 41 more, the limit is 100");
   EXPECT_EQ(refusal("anna", 40), "");
 }
 
 TEST_F(FullExecutor, RefusesWhatAllHoldersTogetherAskBeyondTheLimit) {
   EXPECT_EQ(refusal("anna", 90), "");
   EXPECT_EQ(refusal("bert", 61),
-            "requests of all users hold 90 bytes and this one 61 more, the limit is 150");
+            "requests of all users hold 90 bytes and this one needs 61 more, the limit is 150");
   EXPECT_EQ(refusal("bert"), "");
   EXPECT_EQ(refusal("carl"), "");
   EXPECT_EQ(refusal("dora"), "the server has 3 requests waiting, the limit is 3");

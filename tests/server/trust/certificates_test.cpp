@@ -52,9 +52,9 @@ TEST_F(CertificatesTest, AKeyOfAnotherCertificateIsRefusedByName) {
 TEST_F(CertificatesTest, FilesThatHoldSomethingElseAreNamed) {
   TestCa::Issued issued = ca_.issue("server");
   issued.key = "no key";
-  EXPECT_THAT(read_certificates(write(issued)).status().message(), HasSubstr("k.pem holds no PEM"));
+  EXPECT_THAT(read_certificates(write(issued)).status().message(), HasSubstr("k.pem"));
   issued.certificate = "nothing";
-  EXPECT_THAT(read_certificates(write(issued)).status().message(), HasSubstr("c.pem holds no PEM"));
+  EXPECT_THAT(read_certificates(write(issued)).status().message(), HasSubstr("c.pem"));
   CertificateFiles files = write(ca_.issue("server"));
   files.client_ca = folder_ / "absent.pem";
   EXPECT_THAT(read_certificates(files).status().message(), HasSubstr("absent.pem"));
