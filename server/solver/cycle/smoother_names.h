@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-/// What relaxes the depths of the V-cycle.
+/// Relaxes the depths of the V-cycle.
 enum class Smoother {
   kSchwarz,
   kCellBlocks,
@@ -31,8 +31,8 @@ inline constexpr NamedSmoother kSmoothers[] = {
     {Smoother::kBlockedSlices, "blocked-slices", "Gauss-Seidel by slices with temporal blocking"},
 };
 
-/// Whether it relaxes corners of one parity, or bricks of cells, beside each other: those then may
-/// not have an entry with each other.
+/// Returns whether the smoother relaxes corners of one parity, or bricks of cells, at the same
+/// time. These corners must then have no entry with each other.
 constexpr bool goes_by_colours(Smoother smoother) {
   return smoother != Smoother::kSchwarz && smoother != Smoother::kChebyshevJacobi;
 }
