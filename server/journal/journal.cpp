@@ -11,8 +11,8 @@
 
 namespace burnish {
 
-/// What the end of the write-ahead log has lost becomes edits that are missing: their numbers were
-/// given to somebody. Returns where each session ends.
+/// Turns edits that the write-ahead log has lost into missing edits: clients know their numbers.
+/// Returns the last number of each session.
 static Result<std::map<std::string, uint64_t>> compare_ends(Database& database,
                                                             const JournalEnds& seen) {
   ASSIGN_OR_RETURN(Transaction transaction, Transaction::begin(database));

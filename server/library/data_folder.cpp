@@ -16,7 +16,7 @@ namespace burnish {
 
 namespace fs = std::filesystem;
 
-// Scans and edits are nobody else's, whatever the umask. A folder that is there keeps its mode.
+// Only the owner may read scans and edits, whatever the umask. An existing folder keeps its mode.
 static Status make_folder(const fs::path& path) {
   const fs::path folder = path.has_filename() ? path : path.parent_path();
   std::error_code error;
@@ -32,7 +32,8 @@ static Status make_folder(const fs::path& path) {
 static Result<int> take_lock(const fs::path& folder) {
   const fs::path path = folder / "lock";
   const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  // Who can open it can lock it, and keep the server from starting; older versions made it 0644.
+  // A user who can open it can lock it and keep the server from starting; older versions made it
+  // 0644.
   if (file >= 0) (void)::fchmod(file, 0600);
   if (file < 0) return errno_status("cannot open " + path.string(), errno);
   if (::flock(file, LOCK_EX | LOCK_NB) == 0) return file;

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder that goes away with this object unless it was moved.
+/// A folder that is deleted with this object unless it was moved.
 class StagingFolder {
  public:
   explicit StagingFolder(fs::path path) : path_(std::move(path)) {}
