@@ -100,7 +100,7 @@ size_t ConnectionAcceptor::open_connections() {
   return connections_.size();
 }
 
-/// Why a connection of this host has no place; empty: it has.
+/// Returns why a connection of this host is refused; empty: it is not.
 std::string ConnectionAcceptor::refusal(const std::string& host) {
   const std::lock_guard lock(mutex_);
   const auto of_host = [&] {
@@ -127,7 +127,7 @@ void ConnectionAcceptor::forget_closed() {
   std::erase_if(connections_, [](const auto& entry) {
     const auto& [peer, connection] = entry;
     if (socket_inode(connection.fd) == connection.inode) return false;
-    // The one line that names who was refused by his headers: gRPC does not tell the peer then.
+    // The only line that names a peer refused by its headers: gRPC does not tell the peer then.
     if (!connection.is_known && may_log(LineKind::kConnection))
       spdlog::info("connection of {} ended: no call was admitted", peer);
     return true;
@@ -158,8 +158,8 @@ void ConnectionAcceptor::close_silent() {
       spdlog::warn("closed the connection of {}: no call was admitted within {} s", peer,
                    limits_.silence_max.count());
     metrics().count_refusal(Refusal::kConnections);
-    // gRPC owns the descriptor, and closes it when it reads the end. Were it another socket since
-    // the last line, it could only be one of the metrics, whose client would ask again.
+    // gRPC owns the descriptor and closes it when it reads the end. If the number belongs to
+    // another socket by now, that is one of the metrics, whose client will ask again.
     shutdown(connection.fd, SHUT_RDWR);
     connection.is_known = true;
   }
