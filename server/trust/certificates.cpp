@@ -44,7 +44,7 @@ Result<Certificate> parse_certificate(const std::string& pem, const std::filesys
   return certificate;
 }
 
-// A key with a pass phrase would make OpenSSL ask on the terminal: it gets an empty one.
+// Returns an empty pass phrase: OpenSSL would ask for one on the terminal.
 int no_pass_phrase(char*, int, int, void*) {
   return 0;
 }

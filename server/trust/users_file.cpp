@@ -70,7 +70,7 @@ Result<User> read_user(const toml::table& table, const std::string& file) {
   return user;
 }
 
-/// Two users must not answer to the same name, token or certificate.
+/// Two users must not share a name, token or certificate.
 Status check_unique(const std::vector<User>& users, const std::string& file) {
   std::set<std::string> names, certificates;
   std::set<TokenHash> tokens;
