@@ -46,7 +46,7 @@ struct CellSheet {
 
 inline constexpr int kSheetsPerCellMax = 8;
 
-/// How much of the surface has which curvature, for the transfer-curve editor. Bins are even in
+/// The area of the surface by curvature, for the transfer-curve editor. Bins are even in
 /// asinh(κ) between -range and range; both κ1 and κ2 count.
 struct CurvatureHistogram {
   static constexpr int kBins = 128;

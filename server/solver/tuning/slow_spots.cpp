@@ -14,7 +14,7 @@ namespace burnish {
 
 namespace {
 
-/// How far a vertex may be from the trial's end.
+/// Limits the distance of a vertex from the trial's end.
 struct Milestone {
   int steps;
   double distance;  // of the diagonal

@@ -13,7 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Work that ends when it is told to.
+/// Work that ends on request.
 class Gate {
  public:
   std::function<void()> work() {
@@ -57,7 +57,7 @@ TEST(Executor, WorkThatThrowsFailsAloneAndTheNextRuns) {
 
 TEST(Executor, HoldersTakeTurnsHoweverMuchOneOfThemHasWaiting) {
   Gate gate;
-  std::string order;  // of one thread
+  std::string order;  // written by one thread
   {
     Executor executor(1);
     executor.post({gate.work(), {}, "anna"});
@@ -89,7 +89,7 @@ TEST(Executor, AHolderThatWaitsInAllItsThreadsLeavesTheOthersFree) {
 
 class FullExecutor : public testing::Test {
  protected:
-  /// What a piece is refused with; "" when it is let in.
+  /// Returns the refusal of a piece; "" if it is admitted.
   std::string refusal(const std::string& holder, uint64_t bytes = 0) {
     std::string why;
     executor_.post({[] {},
@@ -142,7 +142,7 @@ TEST(ExecutorBytes, ComeBackWhenTheWorkIsDone) {
   for (int i = 0; i < 3; ++i) {
     std::promise<void> done;
     std::atomic<bool> refused{true};
-    while (refused) {  // the last piece's bytes come back a moment after its work
+    while (refused) {  // the last piece gives its bytes back a moment after its work
       refused = false;
       executor.post(
           {[&] { done.set_value(); }, [&](const Status&) { refused = true; }, "anna", 100});

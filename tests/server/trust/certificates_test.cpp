@@ -34,7 +34,7 @@ TEST_F(CertificatesTest, AreReadWithTheirEnd) {
 
 TEST_F(CertificatesTest, AKeyThatEverybodyReadsIsRefusedWithItsMode) {
   const CertificateFiles files = write(ca_.issue("server"));
-  EXPECT_TRUE(read_certificates(files).is_ok());  // its group may
+  EXPECT_TRUE(read_certificates(files).is_ok());  // its group may read it
   std::filesystem::permissions(files.key, std::filesystem::perms(0644));
   const Status status = read_certificates(files).status();
   EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition);
