@@ -23,7 +23,7 @@ static bool begins_as_we_write(const fs::path& path) {
   return file.read(begin.data(), begin.size()) && begin == kPreparedMagic;
 }
 
-// As AtomicFile names it: "NAME.PID-NUMBER.tmp".
+// AtomicFile's names: "NAME.PID-NUMBER.tmp".
 static bool is_half_written(const std::string& name) {
   static const std::string kPrepared = ".prepared", kEnd = ".tmp";
   const size_t at = name.find(kPrepared + ".");
@@ -67,7 +67,7 @@ RemovedFiles remove_stale_files(const DataFolder& folder) {
   for (; !error && scan != fs::directory_iterator(); scan.increment(error)) {
     if (!is_scan_id(scan->path().filename().string())) continue;
     const std::error_code failure = remove_of_scan(scan->path(), removed);
-    if (failure)  // one folder's trouble is not the others'
+    if (failure)  // a failed folder must not stop the others
       spdlog::warn("cannot remove stale prepared files of {}: {}", scan->path().string(),
                    failure.message());
   }

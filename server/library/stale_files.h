@@ -11,10 +11,10 @@ struct RemovedFiles {
   uint64_t bytes = 0;
 };
 
-/// Removes prepared files that this server can never use, and says in the log how many and how
-/// large: those of another format version, and what a killed server left half written. Whatever
-/// does not have the name and the first bytes that a server gives stays, and so do links. (A scan
-/// that is removed takes its prepared files along.) Needs: nobody uses the folder's scans.
+/// Removes prepared files that this server can never use, and logs their number and size: files of
+/// another format version, and half-written files of a killed server. Other names, other first
+/// bytes and links stay. (Removing a scan also removes its prepared files.) Needs: nobody uses the
+/// folder's scans.
 RemovedFiles remove_stale_files(const DataFolder& folder);
 
 }  // namespace burnish

@@ -12,7 +12,7 @@ using LibraryCalls = WithCalls<
     v1::Library::WithCallbackMethod_PrepareScan, v1::Library::WithCallbackMethod_FetchView,
     v1::Library::WithCallbackMethod_DeleteScan>::Type;
 
-/// burnish.v1.Library over the mesh store: adapts messages, and nothing else.
+/// burnish.v1.Library over the mesh store; only converts messages.
 class LibraryService final : public LibraryCalls {
  public:
   explicit LibraryService(const CallContext& calls) : calls_(calls) {}

@@ -10,8 +10,8 @@ namespace burnish {
 namespace {
 
 struct Neighbours {
-  std::array<int32_t, kSlots> by_slot;  // kNone where they share no active cell
-  bool is_regular = true;               // no slot has two
+  std::array<int32_t, kSlots> by_slot;  // kNone if the corners share no active cell
+  bool is_regular = true;               // no slot has two corners
 };
 
 Neighbours neighbours(const SparseGrid& grid, int32_t corner) {
@@ -49,7 +49,7 @@ std::vector<uint32_t> masks_of(const SparseGrid& grid, std::span<const CellTie> 
   return masks;
 }
 
-// The corners of a window by rising length, else in order.
+// Orders the corners of a window by rising length; equal lengths keep their order.
 void order_window(const std::vector<int32_t>& length, int32_t first, int32_t last,
                   int32_t* corner_of_row) {
   int32_t next[kSlots + 2] = {};
@@ -63,7 +63,7 @@ void order_window(const std::vector<int32_t>& length, int32_t first, int32_t las
                    [&](int32_t a, int32_t b) { return length[a] < length[b]; });
 }
 
-// Stored rows of the corners: in each window by rising length, else in order.
+// Orders the stored rows of the corners: within each window by rising length, else as they are.
 void order_rows(const std::vector<int32_t>& length, Stencil& stencil) {
   const auto n = static_cast<int32_t>(length.size());
   stencil.corner_of_row.resize(n);
@@ -126,7 +126,7 @@ std::array<uint16_t, kPairsPerCell> entries_of_pairs(
   return entries;
 }
 
-/// The cells that have an irregular corner.
+/// Returns the cells that have an irregular corner.
 IrregularCells find_irregular_cells(const SparseGrid& grid, const Stencil& stencil) {
   IrregularCells found;
   if (stencil.irregular.corner.empty()) return found;

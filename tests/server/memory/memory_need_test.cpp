@@ -64,7 +64,7 @@ TEST_P(MemoryNeed, OfAClientIsNoLessThanItsEncoderHoldsAndLessThanTwiceThat) {
   EXPECT_LE(predict_client_bytes(*target->layout), 2 * encoder.byte_count());
 }
 
-/// Keeps what a preparation needed.
+/// Records the need of a preparation.
 class RecordingBudget final : public PreparationBudget {
  public:
   uint64_t memory_bytes_max() const override { return UINT64_MAX / 2; }
