@@ -1,4 +1,4 @@
-#include "client/app/curve_panel.h"
+#include "client/app/panels.h"
 
 #include <algorithm>
 #include <cmath>

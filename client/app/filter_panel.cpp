@@ -1,4 +1,4 @@
-#include "client/app/filter_panel.h"
+#include "client/app/panels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "client/app/history_panel.h"
+#include "client/app/panels.h"
 
 #include <cstdio>
 #include <ctime>
