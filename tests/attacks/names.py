@@ -1,4 +1,4 @@
-"""Names, ids and paths as their user likes to spell them."""
+"""Names, ids and paths in hostile spellings."""
 
 import random
 import urllib.request
