@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What the scripts of this folder share. Source it; it sets repo_root.
+# Shared functions of the scripts in this folder. Source it; it sets repo_root.
 
 repo_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -10,7 +10,8 @@ fail() {
   exit 1
 }
 
-# configure_and_build PRESET [TARGET...]: the tree in build/PRESET; everything without targets.
+# configure_and_build PRESET [TARGET...]: builds the tree in build/PRESET; without targets, all of
+# it.
 configure_and_build() {
   local preset=$1
   shift

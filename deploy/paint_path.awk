@@ -2,8 +2,9 @@
 # Usage: awk -f paint_path.awk SCAN.obj SCAN.obj       (the box first, then the points)
 # Writes a stroke file: "# view AZIMUTH,ELEVATION", "# diagonal D", then one "x y z" a line.
 #
-# Along the longest side of the bounding box, from a fifth to four fifths, each of 24 stations takes
-# the vertex that is nearest to the middle of the second side and highest along the third.
+# The path has 24 stations along the longest side of the bounding box, from a fifth to four fifths.
+# Each station takes the vertex that is nearest to the middle of the second side and highest along
+# the third.
 
 $1 != "v" { next }
 

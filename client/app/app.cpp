@@ -4,7 +4,6 @@
 #include <csignal>
 #include <ctime>
 
-#include "client/app/theme.h"
 #include "client/gl/capabilities.h"
 #include "client/model/document_actions.h"
 #include "client/scene/png_writer.h"

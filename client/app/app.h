@@ -3,18 +3,14 @@
 #include <atomic>
 #include <memory>
 
-#include "client/app/brush_panel.h"
-#include "client/app/curve_panel.h"
 #include "client/app/export_dialog.h"
-#include "client/app/filter_panel.h"
-#include "client/app/history_panel.h"
 #include "client/app/hud.h"
-#include "client/app/people_panel.h"
+#include "client/app/panels.h"
 #include "client/app/start_page.h"
 #include "client/app/toasts.h"
-#include "client/app/view_panel.h"
 #include "client/app/window.h"
 #include "client/gl/gl_renderer.h"
+#include "client/model/bindings.h"
 #include "client/model/leaving.h"
 #include "client/model/workspace.h"
 

@@ -1,9 +1,8 @@
-#include "client/app/curve_panel.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "client/app/panels.h"
 #include "client/app/theme.h"
 #include "common/base/limits.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "client/app/panel.h"
+#include "client/app/panels.h"
 
 namespace burnish {
 

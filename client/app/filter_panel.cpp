@@ -1,9 +1,8 @@
-#include "client/app/filter_panel.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "client/app/panels.h"
 #include "client/app/theme.h"
 #include "client/app/value_slider.h"
 #include "client/tools/colours.h"

@@ -1,10 +1,9 @@
-#include "client/app/history_panel.h"
-
 #include <cstdio>
 #include <ctime>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "client/app/panels.h"
 #include "client/app/theme.h"
 
 namespace burnish {

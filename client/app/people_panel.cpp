@@ -1,5 +1,4 @@
-#include "client/app/people_panel.h"
-
+#include "client/app/panels.h"
 #include "client/app/theme.h"
 #include "client/tools/colours.h"
 

@@ -1,5 +1,4 @@
-#include "client/app/view_panel.h"
-
+#include "client/app/panels.h"
 #include "client/app/theme.h"
 #include "client/app/value_slider.h"
 

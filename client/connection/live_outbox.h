@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "client/connection/session_link.h"
+#include "common/edit/edit.h"
+#include "common/service/live.h"
 
 namespace burnish {
 

@@ -4,10 +4,9 @@
 #include <random>
 
 #include "client/connection/channel.h"
-#include "common/base/limits.h"
+#include "client/connection/connection_state.h"
 
 namespace burnish {
-
 
 // What another try may cure. The rest is about what was asked for, or who asked.
 static bool is_worth_another_try(StatusCode code) {

@@ -4,7 +4,6 @@
 #include <mutex>
 #include <thread>
 
-#include "client/connection/connection_state.h"
 #include "client/connection/credit_pacer.h"
 #include "client/connection/frame_budget.h"
 #include "client/connection/frame_receiver.h"

@@ -1,5 +1,6 @@
 #include "client/connection/session_link.h"
 
+#include "client/connection/connection_state.h"
 #include "client/connection/live_worker.h"
 #include "common/base/limits.h"
 #include "common/wire/edit_wire.h"

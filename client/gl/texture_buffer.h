@@ -6,7 +6,6 @@
 
 #include <epoxy/gl.h>
 
-#include "client/scene/renderer.h"
 #include "common/base/status.h"
 
 namespace burnish {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "common/base/check.h"
-
 namespace burnish {
 
 const std::array<ActionInfo, 17>& actions() {

@@ -6,6 +6,7 @@
 
 #include <toml++/toml.h>
 
+#include "client/model/bindings.h"
 #include "client/model/private_folder.h"
 #include "common/base/atomic_file.h"
 #include "common/base/limits.h"

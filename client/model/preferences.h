@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "client/model/bindings.h"
 #include "common/edit/brush.h"
 
 namespace burnish {

@@ -21,9 +21,9 @@ struct WorkspaceOptions {
   PrivateServerOptions private_server;
   ConnectionTrust trust;
   std::chrono::milliseconds timeout{10'000};
-  uint64_t triangles_max = 0;  ///< limit of drawn triangles; 0: all
-  std::string triangles_why;   ///< why not all triangles
-  std::function<void()> wake;  ///< called from any thread when update() has work
+  uint64_t triangles_max = 0;                    ///< limit of drawn triangles; 0: all
+  std::string triangles_why;                     ///< why not all triangles
+  std::function<void()> wake;                    ///< called from any thread when update() has work
   Clock clock = std::chrono::steady_clock::now;  ///< used by the server link
 };
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "common/base/types.h"
 #include "common/grid/grid.h"
 #include "common/grid/sparse_grid.h"
+#include "common/mesh/triangle_mesh.h"
 
 namespace burnish {
 

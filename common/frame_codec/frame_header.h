@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/base/status.h"
-#include "common/frame_codec/frame_layout.h"
+#include "common/frame_codec/frame_content.h"
 
 namespace burnish {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/base/check.h"
+
 namespace burnish {
 
 static constexpr double kBoxFractionOfCube = 0.9;

@@ -5,9 +5,7 @@
 #include <vector>
 
 #include "common/base/limits.h"
-#include "common/base/status.h"
 #include "common/base/types.h"
-#include "common/mesh/triangle_mesh.h"
 
 namespace burnish {
 

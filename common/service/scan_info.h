@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "common/base/status.h"
-#include "common/base/text.h"
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/statistics.h"
 

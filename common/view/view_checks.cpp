@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "common/base/limits.h"
+#include "common/grid/sparse_grid.h"
 #include "common/view/view_format.h"
 
 namespace burnish {

@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "common/base/status.h"
-#include "common/view/view.h"
+#include "common/base/types.h"
+#include "common/grid/grid.h"
+#include "common/grid/morton.h"
+#include "common/mesh/triangle_mesh.h"
 
 namespace burnish {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "common/service/scan_info.h"
+#include "common/base/text.h"
 #include "common/wire/format_wire.h"
 
 namespace burnish {

@@ -1,5 +1,6 @@
 #include "common/wire/library_wire.h"
 
+#include "common/base/text.h"
 #include "common/transfer/content_hash.h"
 #include "common/wire/format_wire.h"
 

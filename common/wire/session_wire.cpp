@@ -1,5 +1,6 @@
 #include "common/wire/session_wire.h"
 
+#include "common/base/text.h"
 #include "common/wire/edit_wire.h"
 #include "common/wire/format_wire.h"
 

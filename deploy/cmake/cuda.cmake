@@ -1,4 +1,4 @@
-# Decides whether the CUDA backend is built: sets BURNISH_CUDA to ON or OFF for the rest of the tree.
+# Sets BURNISH_CUDA to ON or OFF for the rest of the tree: whether to build the CUDA backend.
 
 if(BURNISH_CUDA STREQUAL "AUTO")
   find_program(BURNISH_NVCC nvcc HINTS ENV CUDA_PATH /usr/local/cuda PATH_SUFFIXES bin)
@@ -14,7 +14,7 @@ if(BURNISH_CUDA)
   if(NOT DEFINED CMAKE_CUDA_COMPILER AND BURNISH_NVCC)
     set(CMAKE_CUDA_COMPILER ${BURNISH_NVCC})
   endif()
-  # Code for the cards of 2018 to 2023, and PTX of the last for those that came after.
+  # Code for the cards of 2018 to 2023, and PTX of the last for newer cards.
   if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
     set(CMAKE_CUDA_ARCHITECTURES "75-real;80-real;86-real;89-real;90")
   endif()

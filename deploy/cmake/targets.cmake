@@ -1,4 +1,4 @@
-# The packages that the whole tree uses, and the two functions by which folders become targets.
+# The packages of the whole tree, and the two functions that make a folder a target.
 
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
@@ -16,7 +16,7 @@ if(BURNISH_SERVICE)
   find_package(Protobuf 3.21 REQUIRED)
   find_package(gRPC 1.51 CONFIG REQUIRED)
   find_package(spdlog REQUIRED)
-  find_package(prometheus-cpp REQUIRED CONFIG)  # says no version
+  find_package(prometheus-cpp REQUIRED CONFIG)  # has no version
   find_package(SQLite3 REQUIRED)
   find_package(tomlplusplus 3.3 REQUIRED)
   find_package(ZLIB REQUIRED)
@@ -27,7 +27,10 @@ target_include_directories(burnish_options INTERFACE ${PROJECT_SOURCE_DIR})
 # -Wno-restrict: false alarms of g++ 12 on "text" + std::string.
 target_compile_options(burnish_options INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:\
 -Wall;-Wextra;-Wshadow;-Wnon-virtual-dtor;-Wno-missing-field-initializers;-Wno-restrict>")
-# Debian's x86-64 baseline must run everywhere; hot loops are also compiled for wider registers
+if(BURNISH_WERROR)
+  target_compile_options(burnish_options INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:-Werror>")
+endif()
+# Debian's x86-64 baseline must run everywhere. Hot loops are also compiled for wider registers
 # (common/base/dispatch.h). Nothing is contracted and no sum reordered: same input, same bits.
 target_compile_options(burnish_options INTERFACE
   "$<$<COMPILE_LANGUAGE:CXX>:-fno-math-errno;-ffp-contract=off>")
@@ -39,7 +42,7 @@ else()
   target_compile_options(burnish_options INTERFACE
     "$<$<COMPILE_LANGUAGE:CXX>:-Wno-unknown-pragmas>")
 endif()
-# On its own for generated sources, which take no warnings but the same sanitizer.
+# A target of its own for generated sources, which take the same sanitizer but no warnings.
 add_library(burnish_sanitizer INTERFACE)
 if(BURNISH_SANITIZE)
   target_compile_options(burnish_sanitizer INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:\
@@ -66,7 +69,7 @@ function(burnish_test name)
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gtest GTest::gmock GTest::gtest_main)
   set(properties TIMEOUT 600 ENVIRONMENT OMP_WAIT_POLICY=passive)  # tests run side by side
   if(BURNISH_SANITIZE MATCHES thread)
-    # What the programs that a test starts inherit too.
+    # The programs that a test starts inherit this too.
     list(APPEND properties ENVIRONMENT_MODIFICATION "TSAN_OPTIONS=set:\
 suppressions=${PROJECT_SOURCE_DIR}/tests/tsan/uninstrumented.supp:second_deadlock_stack=1")
   endif()

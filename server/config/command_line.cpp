@@ -9,7 +9,7 @@
 namespace burnish {
 namespace {
 
-/// The flags as given; what is not given leaves the configuration alone.
+/// The given flags. A flag that is not given leaves the configuration alone.
 struct Flags {
   std::string config;
   std::string port_file;

@@ -9,23 +9,23 @@
 
 namespace burnish {
 
-/// Everything that can be told to burnish-server. Defaults, then the file, then the flags.
-/// deploy/server.example.toml says what each key means; config_keys.h has names and limits.
+/// All settings of burnish-server. Defaults come first, then the file, then the flags.
+/// deploy/server.example.toml explains each key; config_keys.h has names and limits.
 struct ServerConfig {
-  std::string listen = "127.0.0.1:7411";        ///< HOST:PORT, port 0 a free one; empty: no TCP
-  std::filesystem::path socket;                 ///< a Unix socket to listen on as well
-  bool socket_user_only = false;                ///< its mode: 0600, else 0660
-  std::filesystem::path data = "burnish-data";  ///< the folder with everything that is kept
+  std::string listen = "127.0.0.1:7411";  ///< HOST:PORT, port 0 for a free port; empty: no TCP
+  std::filesystem::path socket;           ///< a Unix socket in addition
+  bool socket_user_only = false;          ///< its mode: 0600, else 0660
+  std::filesystem::path data = "burnish-data";  ///< the folder of all stored data
   int64_t threads = 0;                          ///< of the solver; 0: all cores
-  int64_t workers = 16;          ///< long calls at work at once, and as many that wait
-  int64_t workers_per_user = 4;  ///< of them, for one user
+  int64_t workers = 16;                         ///< long calls at once, and as many that wait
+  int64_t workers_per_user = 4;                 ///< at once for one user
   BackendKind backend = BackendKind::kAuto;
   std::string log_level = "info";
   std::string log_format = "text";
-  int64_t drain_seconds = 10;     ///< for running calls once the server is told to end
-  int64_t idle_exit_seconds = 0;  ///< without a connection, until the server ends; 0: never
-  bool insecure = false;          ///< plaintext, no users, or metrics beyond this machine
-  std::filesystem::path users;    ///< who may do what; empty: nobody is asked
+  int64_t drain_seconds = 10;     ///< for running calls after a signal to end
+  int64_t idle_exit_seconds = 0;  ///< without a connection until the server ends; 0: never
+  bool insecure = false;          ///< plaintext, no users, or metrics for other machines
+  std::filesystem::path users;    ///< roles of users; empty: no authentication
 
   std::filesystem::path tls_certificate;
   std::filesystem::path tls_key;
@@ -34,35 +34,35 @@ struct ServerConfig {
 
   std::string metrics_listen;  ///< HOST:PORT; empty: no metrics
 
-  int64_t idle_spill_seconds = 600;  ///< until an unused session leaves memory; 0: never
+  int64_t idle_spill_seconds = 600;  ///< until an unused session is unloaded; 0: never
 
   int64_t sessions_max = 64;
   int64_t sessions_per_user = 16;                      ///< in memory
-  int64_t streams_per_user = 64;                       ///< streaming calls under way
+  int64_t streams_per_user = 64;                       ///< running streaming calls
   int64_t requests_per_user = 1024;                    ///< waiting for a worker
-  int64_t request_bytes_per_user = int64_t{64} << 20;  ///< of requests that wait or are at work
+  int64_t request_bytes_per_user = int64_t{64} << 20;  ///< of waiting and running requests
   int64_t connections_max = 256;
   int64_t connections_per_peer = 64;       ///< of one address
-  int64_t silent_connection_seconds = 30;  ///< until one of its calls is let in
+  int64_t silent_connection_seconds = 30;  ///< until one of its calls is admitted
   int64_t silent_upload_seconds = 30;      ///< between two parts of a file
   int64_t upload_bytes_max = int64_t{8} << 30;
-  int64_t upload_bytes_per_user = int64_t{16} << 30;  ///< uploads under way
-  int64_t memory_bytes_max = 0;         ///< of meshes, sessions, clients; 0: half of what there is
-  int64_t device_memory_bytes_max = 0;  ///< of the same on a GPU; 0: all that it has
+  int64_t upload_bytes_per_user = int64_t{16} << 30;  ///< uploads that are not finished
+  int64_t memory_bytes_max = 0;         ///< meshes, sessions, clients; 0: half of the machine's
+  int64_t device_memory_bytes_max = 0;  ///< the same on a GPU; 0: all of its memory
 };
 
-/// Fails: invalid_argument naming the key, its value and its limits, or keys that do not fit each
-/// other; failed_precondition when other machines could connect in plain text, or without being
-/// asked who they are, or read the metrics, and `insecure` is not set.
+/// Fails: invalid_argument that names the key, its value and its limits, or keys that do not fit
+/// together; failed_precondition if `insecure` is not set and other machines could connect in plain
+/// text, connect without authentication, or read the metrics.
 Status validate(const ServerConfig& config);
 
-/// True for the addresses 127.0.0.0/8 and ::1, and for localhost; `listen` is HOST:PORT.
+/// Returns true for the addresses 127.0.0.0/8 and ::1, and for localhost. `listen` is HOST:PORT.
 bool is_loopback(const std::string& listen);
 
 /// Fails: invalid_argument with the choices auto, cpu, cuda.
 Result<BackendKind> parse_backend(const std::string& text);
 
-/// memory_bytes_max with its default filled in: half of machine_memory_bytes().
+/// Returns memory_bytes_max, or its default: half of machine_memory_bytes().
 uint64_t resolved_memory_bytes_max(const ServerConfig& config);
 
 }  // namespace burnish

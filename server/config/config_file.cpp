@@ -15,7 +15,7 @@ std::string place(const std::string& name, const toml::node& node) {
   return name + ":" + std::to_string(node.source().begin.line) + ": ";
 }
 
-/// A value as the file has it; of lists and tables only what they are.
+/// Returns a value in the file's form; for lists and tables only their kind.
 std::string text_of(const toml::node& node) {
   if (!node.is_value()) return node.is_table() ? "a table" : "a list";
   std::ostringstream text;
@@ -23,7 +23,7 @@ std::string text_of(const toml::node& node) {
   return text.str();
 }
 
-/// Stores a node's value in the member of a configuration, if it is of the member's type.
+/// Stores a node's value in the member of a configuration if it has the member's type.
 struct Store {
   const toml::node& node;
   ServerConfig& config;
@@ -49,7 +49,7 @@ struct Store {
   }
 };
 
-/// What a key's value must be, in words.
+/// Says in words what a key's value must be.
 std::string expected(const ConfigKey& key) {
   if (std::holds_alternative<int64_t ServerConfig::*>(key.member))
     return "an integer in " + std::to_string(key.min) + ".." + std::to_string(key.max);

@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-/// One key of the configuration file: its name with dots, where its value goes, and its limits.
+/// One key of the configuration file: its name with dots, its member, and its limits.
 struct ConfigKey {
   using Member =
       std::variant<int64_t ServerConfig::*, bool ServerConfig::*, std::string ServerConfig::*,
@@ -22,10 +22,10 @@ struct ConfigKey {
   std::vector<std::string> choices = {};  ///< of strings; empty: any
 };
 
-/// All keys that there are.
+/// Returns all keys.
 std::span<const ConfigKey> config_keys();
 
-/// Null when there is no such key.
+/// Returns null if there is no such key.
 const ConfigKey* find_config_key(const std::string& name);
 
 /// Fails: invalid_argument "limits.sessions_max = 0 is outside 1..1000000".

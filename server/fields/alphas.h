@@ -13,7 +13,7 @@ struct CellAlphas {
   bool operator==(const CellAlphas&) const = default;
 };
 
-/// What a metric amounts to.
+/// Computes α1 and α2 from a metric.
 void evaluate(const MetricView& metric, const PreparedMesh& prepared, CellAlphas& alphas);
 
 }  // namespace burnish

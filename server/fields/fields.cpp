@@ -9,8 +9,8 @@
 
 namespace burnish {
 
-// With fewer cells one thread is through with β before others have woken; and with fewer cells
-// times dabs with a brush's.
+// With fewer cells, one thread is done with β before others wake. The second limit is cells times
+// dabs of a brush.
 static constexpr size_t kParallelMin = 1 << 18;
 static constexpr size_t kPaintParallelMin = 1 << 13;
 
@@ -50,8 +50,8 @@ Box box_of(std::span<const Vec3d> centres, double radius) {
   return {box.least - Vec3d::Constant(radius), box.most + Vec3d::Constant(radius)};
 }
 
-/// Finds the cells in a box, and few others: the cells of each octant of the grid are a range of
-/// the Morton order. A dab on a large scan else takes as long as the scan is large.
+/// Finds the cells in a box, and few others. The cells of each octant of the grid are a range of
+/// the Morton order. Without this, a dab on a large scan would take as long as the scan is large.
 class CellsInBox {
  public:
   CellsInBox(std::span<const MortonKey> cells, const GridFrame& frame, const Box& box)
@@ -63,7 +63,7 @@ class CellsInBox {
   const std::vector<int64_t>& found() const { return found_; }
 
  private:
-  static constexpr int kLeafDepth = 2;  // octants of 4³ cells are taken whole
+  static constexpr int kLeafDepth = 2;  // an octant of 4³ cells is taken as a whole
 
   void add(MortonKey first, int depth, int64_t begin, int64_t end) {
     const Vec3d low = morton_point(first).cast<double>();
@@ -75,7 +75,7 @@ class CellsInBox {
       for (int64_t c = begin; c < end; ++c) found_.push_back(c);
       return;
     }
-    const MortonKey keys = MortonKey{1} << 3 * (depth - 1);  // of a child
+    const MortonKey keys = MortonKey{1} << 3 * (depth - 1);  // per child
     for (MortonKey child = first; child < first + 8 * keys; child += keys) {
       const auto stop =
           std::lower_bound(cells_.begin() + begin, cells_.begin() + end, child + keys);
@@ -115,7 +115,7 @@ void Fields::paint(const Brush& brush, std::span<const Vec3d> centres,
       const double under = covered * (1 - weight);
       covered = under + weight;
       beta = (beta * under + brush.beta * weight) / covered;
-      if (covered == 1 && beta == brush.beta) break;  // what follows paints the same over it
+      if (covered == 1 && beta == brush.beta) break;  // later dabs paint the same over it
     }
     painted_beta_[c] = static_cast<float>(beta);
     painted_weight_[c] = static_cast<float>(covered);
@@ -178,8 +178,8 @@ Status Fields::check(const SetCellFields& change) const {
 
 Status Fields::check_new(const SetCellFields& change) const {
   if (change.cells.size() > prepared_.cells.size())
-    return invalid_argument("the edit sets " + std::to_string(change.cells.size()) + " cells of " +
-                            std::to_string(prepared_.cells.size()));
+    return invalid_argument("the edit sets " + std::to_string(change.cells.size()) +
+                            " cells, the limit is " + std::to_string(prepared_.cells.size()));
   std::vector<char> is_set(prepared_.cells.size());
   for (const SetCellFields::Cell& cell : change.cells) {
     ASSIGN_OR_RETURN(const int32_t index, index_of(cell.cell));

@@ -11,38 +11,38 @@
 
 namespace burnish {
 
-/// Painted β and its weight, of the cells that have paint.
+/// Painted β and its weight, for the cells that have paint.
 struct PaintedCells {
   std::vector<int32_t> cells;  ///< indices, rising
   std::vector<float> beta, weight;
   bool operator==(const PaintedCells&) const = default;
 };
 
-/// The metric and β per cell (section 4.3), and what they come from: slider, paint, curve,
-/// overrides. Setting one of these is cheap; β of the cells is computed by the next view(), once
-/// for all changes. Shapes: one entry per cell of the finest depth. Units: α in user units.
+/// The metric and β per cell (section 4.3), and their sources: slider, paint, curve, overrides.
+/// Setting a source is cheap. The next view() computes β of the cells, once for all changes.
+/// Shapes: one entry per cell of the finest depth. Units: α in user units.
 class Fields {
  public:
-  /// The defaults everywhere: α = 50, β = 1.
+  /// Begins with the defaults everywhere: α = 50, β = 1.
   explicit Fields(const PreparedMesh& prepared);
 
   void set_transfer_curve(const TransferCurve& curve);
   void set_gradient_scale(double beta);
   void paint(const Stroke& stroke) { paint(stroke.brush, dab_centres(stroke)); }
-  /// Some dabs of a stroke. Shapes: at least one centre, file units.
+  /// Paints some dabs of a stroke. Shapes: at least one centre, file units.
   void paint(const Brush& brush, std::span<const Vec3d> centres) {
     paint(brush, centres, cells_near(brush, centres));
   }
-  /// The same of some of the cells near them, for whoever paints in pieces.
+  /// Does the same for some of the cells near them, to paint in pieces.
   void paint(const Brush& brush, std::span<const Vec3d> centres, std::span<const int64_t> cells);
-  /// The cells that these dabs may reach, and few others; rising.
+  /// Returns the cells that these dabs may reach, and few others; rising.
   std::vector<int64_t> cells_near(const Brush& brush, std::span<const Vec3d> centres) const;
-  /// Fails: invalid_argument naming the first cell that is not active; then nothing is changed.
+  /// Fails: invalid_argument that names the first cell that is not active; then nothing is changed.
   Status override_cells(const SetCellFields& change);
-  /// What override_cells() would fail with.
+  /// Returns the status that override_cells() would return.
   Status check(const SetCellFields& change) const;
-  /// The same, and for a cell that it sets twice or more cells than there are: for changes that are
-  /// new. Fails: invalid_argument naming the first such cell.
+  /// Also refuses more cells than there are, and a cell that is set twice. For changes that are
+  /// new. Fails: invalid_argument that names the count or the first such cell.
   Status check_new(const SetCellFields& change) const;
   void clear_overrides();
 
@@ -51,7 +51,7 @@ class Fields {
   void set_painted(const PaintedCells& painted);
 
   FieldsView view() const;
-  CellAlphas alphas() const;  ///< what view().metric amounts to
+  CellAlphas alphas() const;  ///< computed from view().metric
   const TransferCurve& transfer_curve() const { return curve_; }
   double gradient_scale() const { return beta_slider_; }
   uint64_t byte_count() const;
@@ -59,20 +59,20 @@ class Fields {
  private:
   void update_beta() const;
   void update_beta(size_t stretch) const;
-  /// The index of an active cell. Fails: invalid_argument.
+  /// Returns the index of an active cell. Fails: invalid_argument.
   Result<int32_t> index_of(const Vec3i& cell) const;
 
-  const PreparedMesh& prepared_;  // outlives the fields
+  const PreparedMesh& prepared_;  // must outlive the fields
   TransferCurve curve_{kAlphaDefault};
   double beta_slider_ = kBetaDefault;
   std::vector<float> painted_beta_, painted_weight_;
-  // Of each kStretch cells, so that painted() need not look at all: it is kept after many strokes.
-  // Cells of overrides count.
+  // Per kStretch cells, so that painted() need not look at all of them: it is called after many
+  // strokes. Cells of overrides count as painted.
   static constexpr size_t kStretch = CellPaint::kStretch;
   std::vector<uint8_t> may_have_paint_;
   std::vector<OwnFields> overrides_;  // by rising cell, each once
 
-  // What slider, paint and overrides amount to, as of the last view().
+  // The result of slider, paint and overrides at the last view().
   mutable std::vector<float> beta_, follow_, own_;
   mutable bool beta_is_old_ = false;
 };

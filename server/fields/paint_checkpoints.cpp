@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-// Part of the hash: a program that paints differently gives another number and finds no checkpoint.
+// Part of the hash. A program that paints differently takes another number and finds no checkpoint.
 static constexpr uint64_t kPaintVersion = 1;
 static constexpr size_t kCheckpointsMax = 64;
 

@@ -40,7 +40,7 @@ Status GroupCommit::write(const Work& work) {
 }
 
 Status GroupCommit::read(const Work& work) {
-  std::promise<void> reached;  // in the background: behind all that was posted before
+  std::promise<void> reached;  // from background work: after all work posted before
   post_background([](Database&) { return Status::ok(); },
                   [&](const Status&) { reached.set_value(); });
   reached.get_future().get();
@@ -76,7 +76,7 @@ void GroupCommit::commit(std::span<Item> items) {
   }
   ++commits_;
   if (status.is_ok()) return;
-  // One large item may have filled the disk: the others may fit without it.
+  // One large item may have filled the disk. The others may fit without it.
   if (status.code() == StatusCode::kResourceExhausted && items.size() > 1) {
     for (Item& item : items) commit({&item, 1});
     return;
@@ -90,7 +90,7 @@ Status GroupCommit::commit_all(std::span<Item> items) {
   for (Item& item : items) {
     RETURN_IF_ERROR(database_.execute("SAVEPOINT item"));
     item.status = item.work(database_);
-    // After some errors, a full disk among them, SQLite has rolled everything back by itself.
+    // After some errors, such as a full disk, SQLite has rolled back everything by itself.
     if (!item.status.is_ok() && !database_.execute("ROLLBACK TO item").is_ok()) return item.status;
     RETURN_IF_ERROR(database_.execute("RELEASE item"));
   }

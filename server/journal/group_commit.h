@@ -13,10 +13,10 @@
 
 namespace burnish {
 
-/// Writes to one database on a thread of its own, in the order in which they were posted. What
-/// comes while a commit waits for the disk shares the next one. Each piece of work is done whole or
-/// not at all; one that fails does not touch the others of its commit. Work in the background has
-/// commits of its own, behind what came with it. Thread-safe.
+/// Writes to one database on its own thread, in the order of posting. Work that comes while a
+/// commit waits for the disk shares the next commit. Each piece of work is done whole or not at
+/// all; a failed piece does not touch the others of its commit. Background work has its own
+/// commits, after those of earlier work. Thread-safe.
 class GroupCommit {
  public:
   using Work = std::function<Status(Database&)>;
@@ -24,23 +24,23 @@ class GroupCommit {
 
   explicit GroupCommit(Database database);
 
-  /// Does what has been posted, and returns when every `done` has.
+  /// Does all posted work, and returns when every `done` has returned.
   ~GroupCommit();
 
-  /// Queues work; `done` hears from the writing thread when it is on disk, or why it is not. It
-  /// must not wait for this object: that thread is the one that would serve it.
+  /// Queues work. The writing thread calls `done` when the work is on disk, or with the reason why
+  /// it is not. `done` must not wait for this object: it runs on the only thread that serves it.
   void post(Work work, Done done);
 
-  /// The same for what nobody waits for, and what may be large.
+  /// Does the same for work that nobody waits for and that may be large.
   void post_background(Work work, Done done);
 
-  /// The same, and waits.
+  /// Does the same and waits.
   Status write(const Work& work);
 
-  /// Runs `work` in the calling thread, behind everything posted before.
+  /// Runs `work` in the calling thread, after everything posted before.
   Status read(const Work& work);
 
-  /// Commits so far.
+  /// Returns the number of commits so far.
   uint64_t commits() const { return commits_; }
 
  private:
@@ -60,7 +60,7 @@ class GroupCommit {
   Database database_;
   std::atomic<uint64_t> commits_{0};
 
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the following members
   std::condition_variable wake_;
   std::vector<Item> queue_;
   bool ending_ = false;

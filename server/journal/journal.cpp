@@ -11,8 +11,8 @@
 
 namespace burnish {
 
-/// What the end of the write-ahead log has lost becomes edits that are missing: their numbers were
-/// given to somebody. Returns where each session ends.
+/// Turns edits that the write-ahead log has lost into missing edits: clients know their numbers.
+/// Returns the last number of each session.
 static Result<std::map<std::string, uint64_t>> compare_ends(Database& database,
                                                             const JournalEnds& seen) {
   ASSIGN_OR_RETURN(Transaction transaction, Transaction::begin(database));
@@ -24,7 +24,7 @@ static Result<std::map<std::string, uint64_t>> compare_ends(Database& database,
   for (const auto& [id, number] : seen.read()) {
     const auto end = ends.find(id);
     if (end == ends.end()) {
-      spdlog::error("session {} of {} edits is missing in the journal", id, number);
+      spdlog::error("session {} with {} edits is missing from the journal", id, number);
     } else if (end->second < number) {
       spdlog::error("session {}: the journal ends at edit {}, but it had reached edit {} before",
                     id, end->second, number);
@@ -123,7 +123,7 @@ Status Journal::fork_session(const std::string& source_id, uint64_t edits,
     ASSIGN_OR_RETURN(std::vector<AuthoredEdit> copied, read_edits(database, source_id));
     if (copied.size() < edits)
       return data_loss("the session's edits end at " + std::to_string(copied.size()) + ", not at " +
-                       std::to_string(edits) + ": some could not be written");
+                       std::to_string(edits) + "; some were not written");
     copied.resize(edits);
     RETURN_IF_ERROR(insert_session(database, record, roles));
     RETURN_IF_ERROR(insert_edits(database, record.id, 1, copied));

@@ -1,4 +1,4 @@
-// The journal's rows of edits, and what is left of them after damage.
+// The journal's rows of edits, and their recovery after damage.
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ Result<uint64_t> last_number(Database& database, const std::string& session_id) 
                                     " AND checksum = row_checksum(session_id, number)"));
   ASSIGN_OR_RETURN(const bool is_good, query.bind(session_id).step());
   if (is_good) return static_cast<uint64_t>(query.integer(0));
-  // Numbers have no gaps.
+  // Works because numbers have no gaps.
   ASSIGN_OR_RETURN(Statement count,
                    database.prepare("SELECT COUNT(*) FROM edits WHERE session_id = ?"));
   RETURN_IF_ERROR(count.bind(session_id).run());
@@ -23,7 +23,7 @@ Result<uint64_t> last_number(Database& database, const std::string& session_id) 
 
 namespace {
 
-/// No id of a client has a space.
+/// The space keeps it apart from all ids of clients.
 std::string id_of_damaged(uint64_t number) {
   return "damaged " + std::to_string(number);
 }
@@ -51,11 +51,12 @@ Status insert_all(Database& database, const std::string& session_id, uint64_t fi
   return Status::ok();
 }
 
-/// The edits of one session, gathered by number in several ways of reading.
+/// The edits of one session, gathered by number from several ways of reading.
 class Gathered {
  public:
   explicit Gathered(uint64_t count)
-      : edits_(count, {"", 0, {"", Damaged{"its row in the journal is missing"}}}), found_(count) {}
+      : edits_(count, {"", 0, {"", Damaged{"its row is missing from the journal"}}}),
+        found_(count) {}
 
   Status take(const Statement& row) {
     const auto number = static_cast<uint64_t>(row.integer(0));
@@ -107,8 +108,8 @@ Status check_session(Database& database, const std::string& session_id) {
   ASSIGN_OR_RETURN(const bool is_there, query.bind(session_id).step());
   if (!is_there || query.integer(0) != 0) return Status::ok();
   return data_loss(
-      "the journal's row of the session is damaged (its name, scan or depth): put a backup of the "
-      "journal in its place");
+      "the session's row in the journal (its name, scan and depth) is damaged; restore the journal "
+      "from a backup");
 }
 
 }  // namespace
@@ -117,8 +118,8 @@ Status insert_edits(Database& database, const std::string& session_id, uint64_t 
                     const std::vector<AuthoredEdit>& edits) {
   ASSIGN_OR_RETURN(const uint64_t last, last_number(database, session_id));
   if (last + 1 != first)
-    return data_loss("the session's edits end at " + std::to_string(last) + ", not before " +
-                     std::to_string(first) + ": some could not be written");
+    return data_loss("the session's edits end at " + std::to_string(last) + "; the next one is " +
+                     std::to_string(first) + ", so some were not written");
   if (edits.empty()) return Status::ok();
   RETURN_IF_ERROR(insert_all(database, session_id, first, edits));
   return set_last_number(database, session_id, last + edits.size());
@@ -136,12 +137,12 @@ Result<std::vector<AuthoredEdit>> read_edits(Database& database, const std::stri
   const auto take = [&](const Statement& row) { return gathered.take(row); };
   Status status = read_rows(database, kReadAll, take, session_id);
   if (!gathered.is_complete()) {
-    // The rows may be there though the index does not lead to them any more. What this cannot cure
-    // is told in the edits.
+    // Rows may still exist though the index does not lead to them. Edits that this cannot restore
+    // are marked as damaged.
     (void)database.execute("REINDEX edits");
     status = read_rows(database, kReadAll, take, session_id);
   }
-  // A damaged page ends a reading of many rows; those of other pages can be read one by one.
+  // A damaged page ends a reading of many rows. Rows of other pages can still be read one by one.
   for (uint64_t number = 1; !status.is_ok() && number <= last; ++number)
     if (!gathered.has(number))
       (void)read_rows(database, kReadOne, take, session_id, static_cast<int64_t>(number));

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-// A line of text for each session: id, number, hash of both.
+// Each session has a line of text: id, number, hash of both.
 static constexpr size_t kSlotBytes = 128;
 static constexpr size_t kIdBytesMax = 64;
 
@@ -74,7 +74,7 @@ void JournalEnds::write(size_t slot, const std::string& line) {
   std::string bytes = line;
   bytes.resize(kSlotBytes, ' ');
   bytes.back() = '\n';
-  // A hint that is not there is not missed.
+  // A missing hint does no harm.
   [[maybe_unused]] const ssize_t written =
       ::pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(slot * kSlotBytes));
 }

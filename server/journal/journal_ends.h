@@ -9,10 +9,10 @@
 
 namespace burnish {
 
-/// Where each session's edits end, in a file beside the journal: what SQLite cuts off the end of a
-/// damaged write-ahead log is missed by it. Only a hint, written after the commits and never waited
-/// for, so that it is behind the journal or level with it. What cannot be read or written is left
-/// out. Thread-safe.
+/// The number of each session's last edit, in a file beside the journal. It shows edits that SQLite
+/// cuts off the end of a damaged write-ahead log. It is only a hint, written after the commits and
+/// never waited for, so it is behind the journal or level with it. Lines that cannot be read or
+/// written are left out. Thread-safe.
 class JournalEnds {
  public:
   explicit JournalEnds(const std::filesystem::path& path);
@@ -20,10 +20,10 @@ class JournalEnds {
   JournalEnds(const JournalEnds&) = delete;
   JournalEnds& operator=(const JournalEnds&) = delete;
 
-  /// The last number of each session, by id.
+  /// Returns the last number of each session, by id.
   std::map<std::string, uint64_t> read() const;
 
-  /// Notes these sessions and no others.
+  /// Writes these sessions and no others.
   void begin(const std::map<std::string, uint64_t>& ends);
 
   void note(const std::string& session_id, uint64_t number);
@@ -33,8 +33,8 @@ class JournalEnds {
   void write(size_t slot, const std::string& line);
 
   mutable std::mutex mutex_;
-  int file_;                             // -1: there is none
-  std::map<std::string, size_t> slots_;  // by session; each has its place in the file
+  int file_;                             // -1 without a file
+  std::map<std::string, size_t> slots_;  // by session: its place in the file
   size_t slots_used_ = 0;
 };
 

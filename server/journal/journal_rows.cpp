@@ -20,7 +20,7 @@ Status insert_session(Database& database, const SessionRecord& record, const Ses
   return Status::ok();
 }
 
-/// Only a damaged record can have the name of another.
+/// Only a damaged record can have the name of another session.
 static void tell_apart(std::vector<SessionRecord>& records) {
   for (SessionRecord& record : records) {
     if (!record.is_damaged) continue;
@@ -42,7 +42,7 @@ Result<std::vector<SessionRecord>> read_sessions(Database& database) {
                        row.integer(6) == 0});
     return Status::ok();
   };
-  // Without the index of names: that may be damaged as well.
+  // Reads without the index of names, which may be damaged too.
   RETURN_IF_ERROR(read_rows(database,
                             "SELECT id, name, scan_id, depth, curvature_radius,"
                             " created_unix_seconds, checksum = row_checksum(id, name, scan_id,"
@@ -78,7 +78,7 @@ Result<SessionRoles> read_roles(Database& database, const std::string& session_i
   const auto take = [&](const Statement& row) {
     const auto role = static_cast<SessionRole>(row.integer(1));
     const std::string user = row.text(0);
-    // A role that was given since to the name as it is shown now counts before the old one.
+    // A role that was later given to the name as it is shown counts before the old one.
     if (is_valid_utf8(user)) {
       roles[user] = role;
     } else {
@@ -92,7 +92,7 @@ Result<SessionRoles> read_roles(Database& database, const std::string& session_i
                             take, session_id));
   for (const std::string& user : users_of_damaged) roles.try_emplace(user, SessionRole::kViewer);
   if (roles.try_emplace("", SessionRole::kViewer).second)
-    spdlog::error("session {}: roles are missing in the journal", session_id);
+    spdlog::error("session {}: roles are missing from the journal", session_id);
   return SessionRoles(std::move(roles));
 }
 

@@ -11,36 +11,37 @@
 
 namespace burnish {
 
-// The journal's rows, each with its checksum. Text comes back as UTF-8 whatever it was.
+// The journal's rows, each with its checksum. Text comes back as valid UTF-8, whatever it was.
 
 Status insert_session(Database& database, const SessionRecord& record, const SessionRoles& roles);
 
-/// By name. Damaged ones are marked, and named so that no two names are one.
+/// Returns the sessions by name. Damaged ones are marked; each gets a name of its own.
 Result<std::vector<SessionRecord>> read_sessions(Database& database);
 
 Status insert_role(Database& database, const std::string& session_id, const std::string& user,
                    SessionRole role);
 
-/// Of all sessions: a damaged row does not say for sure whose it is.
+/// Returns users of all sessions: a damaged row does not say for sure whose role it is.
 Result<std::set<std::string>> read_users_of_damaged_roles(Database& database);
 
-/// Who may have had a role that is damaged, and everybody where that role is gone, has the least.
+/// Gives the least role to users who may have had a damaged role, and to everybody if that role is
+/// missing.
 Result<SessionRoles> read_roles(Database& database, const std::string& session_id,
                                 const std::set<std::string>& users_of_damaged);
 
-/// The number of the session's last edit, whether that can be read or not; 0: it has none.
+/// Returns the number of the session's last edit, even if it cannot be read; 0 without edits.
 Result<uint64_t> last_number(Database& database, const std::string& session_id);
 
-/// Fails: already_exists (an id that the author has used), data_loss (`first` does not follow the
-/// last edit). A damaged edit keeps its number, and stays damaged.
+/// Fails: already_exists (the author has used an id before), data_loss (`first` does not follow the
+/// last edit). A damaged edit keeps its number and stays damaged.
 Status insert_edits(Database& database, const std::string& session_id, uint64_t first,
                     const std::vector<AuthoredEdit>& edits);
 
-/// Says that the session's last edit has this number, whatever is there of it.
+/// Notes that the session's last edit has this number, even if the edit is missing.
 Status set_last_number(Database& database, const std::string& session_id, uint64_t number);
 
-/// All edits by number; what is damaged or gone is a Damaged one. Puts the index right where that
-/// was at fault. Fails: data_loss when the session's own row is damaged; as SQLite says.
+/// Returns all edits by number, with a Damaged edit in place of a damaged or missing one. Repairs a
+/// wrong index. Fails: data_loss if the session's own row is damaged; as SQLite says.
 Result<std::vector<AuthoredEdit>> read_edits(Database& database, const std::string& session_id);
 
 /// Prepares, binds and runs a statement without rows.

@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-// Step n brings a journal from version n to n + 1. A step that has been released never changes.
+// Step n brings a journal from version n to n + 1. A released step never changes.
 static constexpr std::array kSteps = {
     R"sql(
   CREATE TABLE sessions (
@@ -18,8 +18,8 @@ static constexpr std::array kSteps = {
   );
   PRAGMA user_version = 1;
 )sql",
-    // Edits get a number in their session, an author and a time; sessions get roles and paint.
-    // Sessions that were there have no owner: everybody is one. `user` x'' is everybody else.
+    // Edits get a number in their session, an author and a time; sessions get roles and paint. Old
+    // sessions have no owner: everybody is one. `user` x'' stands for everybody else.
     R"sql(
   ALTER TABLE edits RENAME TO old_edits;
   CREATE TABLE edits (
@@ -46,8 +46,8 @@ static constexpr std::array kSteps = {
   );
   PRAGMA user_version = 2;
 )sql",
-    // Rows get checksums, and sessions the number of their last edit: a row that was changed,
-    // swapped or lost is found. `checksum` x'' is of a row that is known to be damaged.
+    // Rows get checksums, and sessions the number of their last edit, so that a changed, swapped or
+    // lost row is found. A row with `checksum` x'' is known to be damaged.
     R"sql(
   ALTER TABLE sessions ADD COLUMN checksum BLOB NOT NULL DEFAULT x'';
   ALTER TABLE edits ADD COLUMN checksum BLOB NOT NULL DEFAULT x'';

@@ -87,13 +87,13 @@ Result<Database> Database::open(const std::filesystem::path& path) {
       sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
   result.database_.reset(opened);
   if (code != SQLITE_OK) return sqlite_status(opened, code).with_context(path.string());
-  // Counts for a new file only, and only before anything is in it.
+  // Takes effect only in a new, empty file.
   RETURN_IF_ERROR(result.execute("PRAGMA auto_vacuum=INCREMENTAL").with_context(path.string()));
   RETURN_IF_ERROR(result.execute("PRAGMA journal_mode=WAL").with_context(path.string()));
   RETURN_IF_ERROR(result.execute("PRAGMA synchronous=FULL"));
   RETURN_IF_ERROR(result.execute("PRAGMA foreign_keys=ON"));
   RETURN_IF_ERROR(result.execute("PRAGMA cell_size_check=ON"));
-  // Debian's default overwrites what is deleted: deleting would need as much disk as it frees.
+  // Debian's default overwrites deleted data: deleting would need as much disk as it frees.
   RETURN_IF_ERROR(result.execute("PRAGMA secure_delete=OFF"));
   if (!add_row_checksum(opened)) return sqlite_status(opened, sqlite3_errcode(opened));
   return result;

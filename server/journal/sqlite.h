@@ -14,7 +14,7 @@ struct sqlite3_stmt;
 
 namespace burnish {
 
-/// One prepared statement, bound from the left with `bind(...)` and stepped row by row.
+/// One prepared statement. bind(...) sets its values from the left; step() reads row by row.
 class Statement {
  public:
   template <typename... Values>
@@ -23,16 +23,16 @@ class Statement {
     return *this;
   }
 
-  /// Back to the beginning, to be bound anew.
+  /// Goes back to the beginning, for new values.
   void reset();
 
-  /// True: a row is there to read. False: done. Fails as SQLite says.
+  /// Returns true if a row can be read, false at the end. Fails: as SQLite says.
   Result<bool> step();
 
   /// For statements without rows.
   Status run() { return step().status(); }
 
-  std::string text(int column) const;  ///< of text and blobs
+  std::string text(int column) const;  ///< for text and blobs
   int64_t integer(int column) const;
   double real(int column) const;
 
@@ -43,7 +43,7 @@ class Statement {
   };
   explicit Statement(sqlite3_stmt* statement) : statement_(statement) {}
 
-  void bind_one(std::string_view bytes);  // as a blob: text and bytes come back unchanged
+  void bind_one(std::string_view bytes);  // as a blob, so that text and bytes come back unchanged
   void bind_one(int64_t value);
   void bind_one(double value);
 
@@ -51,7 +51,7 @@ class Statement {
   int bound_ = 0;
 };
 
-/// A connection that waits until what it commits is on disk: WAL mode, synchronous=FULL. Its
+/// A connection that waits until its commits are on disk: WAL mode, synchronous=FULL. Its
 /// statements may call row_checksum(), see sqlite_checksum.h.
 class Database {
  public:
@@ -69,7 +69,7 @@ class Database {
   std::unique_ptr<sqlite3, Close> database_;
 };
 
-/// BEGIN now, and ROLLBACK at the end of the scope unless commit() was called.
+/// Runs BEGIN now, and ROLLBACK at the end of the scope unless commit() was called.
 class Transaction {
  public:
   static Result<Transaction> begin(Database& database);

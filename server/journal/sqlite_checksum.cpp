@@ -23,7 +23,7 @@ static void add_value(XXH3_state_t* state, sqlite3_value* value) {
       add(state, int64_t{sqlite3_value_int64(value)});
       return;
     case SQLITE_FLOAT:
-      add(state, sqlite3_value_double(value) + 0.0);  // -0 comes back from a table as 0
+      add(state, sqlite3_value_double(value) + 0.0);  // a table returns -0 as 0
       return;
     case SQLITE_NULL:
       return;
@@ -49,7 +49,7 @@ bool add_row_checksum(sqlite3* database) {
   XXH3_state_t* state = XXH3_createState();
   if (!state) return false;
   const auto free_state = [](void* kept) { XXH3_freeState(static_cast<XXH3_state_t*>(kept)); };
-  // SQLite frees the state, also when this fails.
+  // SQLite frees the state, even if this fails.
   return sqlite3_create_function_v2(database, "row_checksum", -1,
                                     SQLITE_UTF8 | SQLITE_DETERMINISTIC, state, row_checksum,
                                     nullptr, nullptr, free_state) == SQLITE_OK;

@@ -16,12 +16,13 @@ namespace burnish {
 
 namespace fs = std::filesystem;
 
-// Scans and edits are nobody else's, whatever the umask. A folder that is there keeps its mode.
+// Only the owner may read scans and edits, whatever the umask. An existing folder keeps its mode.
 static Status make_folder(const fs::path& path) {
   const fs::path folder = path.has_filename() ? path : path.parent_path();
   std::error_code error;
   if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), error);
-  if (error) return errno_status("cannot make " + folder.parent_path().string(), error.value());
+  if (error)
+    return errno_status("cannot make the folder " + folder.parent_path().string(), error.value());
   if (::mkdir(folder.c_str(), 0700) == 0) return Status::ok();
   const int failure = errno;
   if (failure == EEXIST && fs::is_directory(folder, error)) return Status::ok();
@@ -31,7 +32,8 @@ static Status make_folder(const fs::path& path) {
 static Result<int> take_lock(const fs::path& folder) {
   const fs::path path = folder / "lock";
   const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  // Who can open it can lock it, and keep the server from starting; older versions made it 0644.
+  // A user who can open it can lock it and keep the server from starting; older versions made it
+  // 0644.
   if (file >= 0) (void)::fchmod(file, 0600);
   if (file < 0) return errno_status("cannot open " + path.string(), errno);
   if (::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
@@ -45,7 +47,7 @@ static Result<int> take_lock(const fs::path& folder) {
 static Status empty_staging(const fs::path& staging) {
   std::error_code error;
   fs::remove_all(staging, error);
-  if (error) return errno_status("cannot empty " + staging.string(), error.value());
+  if (error) return errno_status("cannot empty the folder " + staging.string(), error.value());
   return make_folder(staging);
 }
 

@@ -8,16 +8,16 @@
 
 namespace burnish {
 
-/// The one folder in which a server keeps everything, locked for as long as this object lives.
+/// The folder in which a server keeps everything, locked while this object lives.
 ///
 ///     lock             held by the running server
 ///     journal.sqlite   sessions and their edits
 ///     scans/ID/        original.EXT, info.json, prepared/, pages-formatN.pages
-///     staging/         what is not finished; emptied at start
+///     staging/         unfinished files; emptied at start
 class DataFolder {
  public:
-  /// Makes the folder where it is missing, for its owner alone, takes the lock and empties
-  /// staging/. Fails: failed_precondition when another server holds it; as errno says.
+  /// Makes a missing folder, for its owner alone, takes the lock and empties staging/. Fails:
+  /// failed_precondition if another server holds the lock; as errno says.
   static Result<std::unique_ptr<DataFolder>> open(const std::filesystem::path& path);
   ~DataFolder();
 
@@ -25,7 +25,7 @@ class DataFolder {
   std::filesystem::path scans() const { return path_ / "scans"; }
   std::filesystem::path journal() const { return path_ / "journal.sqlite"; }
 
-  /// A path in staging/ that nobody has used; ends with `suffix`.
+  /// Returns an unused path in staging/ that ends with `suffix`.
   std::filesystem::path staging_path(const std::string& suffix) const;
 
  private:
@@ -35,7 +35,7 @@ class DataFolder {
   int lock_;
 };
 
-/// 16 hexadecimal digits that nobody can guess.
+/// Returns 16 hexadecimal digits that nobody can guess.
 std::string random_name();
 
 }  // namespace burnish

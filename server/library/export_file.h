@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// An exported mesh on its way out: a staging file without a name, gone with this object.
+/// An exported mesh on its way to a client: a staging file without a name, gone with this object.
 class ExportFile {
  public:
   /// Takes over the file at `path`: reads it once for its size and hash, and unlinks it.
@@ -20,7 +20,7 @@ class ExportFile {
 
   const ExportSummary& summary() const { return summary_; }
 
-  /// Up to kChunkBytes from `offset` on; empty at the end.
+  /// Returns up to kChunkBytes from `offset` on; empty at the end.
   Result<std::string> read(uint64_t offset) const;
 
  private:

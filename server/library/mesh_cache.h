@@ -14,7 +14,7 @@
 
 namespace burnish {
 
-/// What all sessions of one prepared mesh share.
+/// The data that all sessions of one prepared mesh share.
 struct SharedMesh : Multigrid {
   Quota::Share memory;
   LiveObject live{LiveKind::kMesh};
@@ -24,17 +24,17 @@ struct SharedMesh : Multigrid {
 /// Thread-safe.
 class MeshCache {
  public:
-  using Key = std::pair<std::string, PreparedKey>;  ///< scan id, which prepared mesh
+  using Key = std::pair<std::string, PreparedKey>;  ///< scan id and prepared mesh
 
-  /// The mesh if somebody holds it, else null.
+  /// Returns the mesh if somebody holds it, else null.
   std::shared_ptr<const SharedMesh> find(const Key& key);
 
   void add(const Key& key, const std::shared_ptr<const SharedMesh>& mesh);
 
-  /// What whoever makes the mesh holds meanwhile, so that others wait for it.
+  /// Returns the mutex to hold while making the mesh, so that others wait for it.
   std::shared_ptr<FairMutex> making(const Key& key);
 
-  /// Of the meshes that somebody holds.
+  /// Returns the bytes of the meshes that somebody holds.
   uint64_t byte_count() const;
 
  private:

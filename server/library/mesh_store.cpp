@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder that goes away with this object unless it was moved.
+/// A folder that is deleted with this object unless it was moved.
 class StagingFolder {
  public:
   explicit StagingFolder(fs::path path) : path_(std::move(path)) {}
@@ -107,7 +107,7 @@ Result<std::unique_ptr<Upload>> MeshStore::begin_upload(const ImportHeader& head
                                                         const std::string& user) {
   if (header.size_bytes > options_.upload_bytes_max)
     return resource_exhausted("the file has " + std::to_string(header.size_bytes) +
-                              " bytes; upload_bytes_max is " +
+                              " bytes; limits.upload_bytes_max is " +
                               std::to_string(options_.upload_bytes_max));
   Quota::Share share;
   if (!user.empty()) {

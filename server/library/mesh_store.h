@@ -24,70 +24,69 @@ namespace burnish {
 
 struct MeshStoreOptions {
   uint64_t upload_bytes_max = uint64_t{8} << 30;
-  uint64_t upload_bytes_per_user = uint64_t{16} << 30;  ///< uploads under way
+  uint64_t upload_bytes_per_user = uint64_t{16} << 30;  ///< uploads that are not finished
   uint64_t memory_bytes_max = uint64_t{16} << 30;       ///< meshes, sessions, their clients
   uint64_t view_bytes_max = uint64_t{1} << 30;          ///< views kept for the next client
   int threads = 0;                                      ///< for preparing; 0: all cores
 };
 
-/// The library of scans on disk. A scan's folder appears complete, by one rename, or not at all;
-/// prepared files can always be rebuilt from the original. Thread-safe.
+/// The library of scans on disk. A scan's folder appears complete, by one rename, or not at all.
+/// Prepared files can always be rebuilt from the original. Thread-safe.
 class MeshStore {
  public:
-  /// Reads what the library holds. Needs: `folder` outlives the store.
-  /// Fails: as errno says, where that cannot be read.
+  /// Reads the library. Needs: `folder` outlives the store. Fails: as errno says.
   static Result<std::unique_ptr<MeshStore>> open(const DataFolder& folder,
                                                  const MeshStoreOptions& options);
   ~MeshStore();
 
-  /// Fails: resource_exhausted above upload_bytes_max, and when the user's uploads under way are
-  /// above upload_bytes_per_user together.
+  /// Fails: resource_exhausted above upload_bytes_max, or if the user's unfinished uploads together
+  /// are above upload_bytes_per_user.
   Result<std::unique_ptr<Upload>> begin_upload(const ImportHeader& header,
                                                const std::string& user = {});
 
-  /// Reads, checks, prepares and keeps the uploaded file; bytes that are known already only get
-  /// the prepared mesh that was asked for, and replace what is damaged of the scan. Fails:
-  /// invalid_argument (no good mesh), data_loss (bytes other than announced), resource_exhausted
-  /// (disk), cancelled; then nothing is kept.
+  /// Reads, checks, prepares and keeps the uploaded file. Known bytes only get the requested
+  /// prepared mesh, and replace damaged files of the scan. Fails: invalid_argument (not a valid
+  /// mesh), data_loss (not the announced bytes), resource_exhausted (disk), cancelled; then nothing
+  /// is kept.
   Result<ImportOutcome> import(Upload& upload, const ImportHeader& header,
                                const Progress& progress);
 
-  /// The outcome of importing bytes with this hash, if the library has them; not_found if it has
-  /// not, or only damaged ones.
+  /// Returns the outcome of importing bytes with this hash, if the library has them. Fails:
+  /// not_found if they are missing or damaged.
   Result<ImportOutcome> import_known(const std::string& id, const PreparedKey& key,
                                      const Progress& progress);
 
-  /// By name, then id, from memory. Damaged folders were logged at the start and left out.
+  /// Returns the scans by name, then id, from memory. Damaged folders were logged at the start and
+  /// left out.
   std::vector<ScanInfo> list() const { return index_.list(); }
 
-  /// By name, id, or the beginning of one id, from memory.
-  /// Fails: not_found; invalid_argument when several scans answer to it.
+  /// Finds a scan by name, id, or the beginning of one id, from memory. Fails: not_found;
+  /// invalid_argument if several scans match.
   Result<ScanInfo> find(const std::string& reference) const { return index_.find(reference); }
 
-  /// Describes the prepared mesh of `depth`, or the deepest there is for 0.
+  /// Describes the prepared mesh of `depth`; 0 means the deepest one.
   Result<ScanDescription> describe(const std::string& reference, int depth) const;
 
-  /// Makes the prepared file when it is missing or its head is damaged. Needs: a resolved key.
-  /// Fails: resource_exhausted, before anything is taken, where memory_bytes_max or the disk has no
-  /// room for it, naming the deepest depth that fits; not_found; cancelled.
+  /// Makes the prepared file if it is missing or its header is damaged. Needs: a resolved key.
+  /// Fails: resource_exhausted if memory_bytes_max or the disk has no room for it, before anything
+  /// is taken; the message names the deepest depth that fits. not_found; cancelled.
   Status prepare_scan(const std::string& id, const PreparedKey& key, const Progress& progress);
 
-  /// The mesh for a session: shared with others, else read, else prepared now. The caller holds
-  /// it for as long as it uses it. Needs: a resolved key.
-  /// Fails: resource_exhausted when memory_bytes_max or the disk has no room, or no memory could be
-  /// had; not_found; cancelled. Then nothing is held.
+  /// Returns the mesh for a session: shared with others, else read, else prepared now. The caller
+  /// holds it while using it. Needs: a resolved key. Fails: resource_exhausted if memory_bytes_max
+  /// or the disk has no room, or an allocation fails; not_found; cancelled. Then nothing is held.
   Result<std::shared_ptr<const SharedMesh>> open_mesh(const std::string& id, const PreparedKey& key,
                                                       const Progress& progress);
 
-  /// What a client draws a prepared mesh from, made now or kept from the last time.
+  /// Returns the view that a client draws of a prepared mesh, kept from before or made now.
   /// triangles_max: 0 for the whole scan, see rounded_triangles_max(). Needs: a resolved key.
-  /// Fails: failed_precondition when nobody has prepared that depth; not_found; resource_exhausted;
+  /// Fails: failed_precondition if that depth is not prepared; not_found; resource_exhausted;
   /// cancelled.
   Result<std::shared_ptr<const PackedView>> open_view(const std::string& id, const PreparedKey& key,
                                                       uint64_t triangles_max,
                                                       const Progress& progress);
 
-  /// Describes a scan's pages, which are made now where they are missing or damaged.
+  /// Describes a scan's pages. Makes missing and damaged ones now.
   /// Fails: resource_exhausted when the memory or the disk has no room; not_found; cancelled.
   Result<PagesDescription> describe_pages(const std::string& id, const Progress& progress);
 
@@ -102,16 +101,17 @@ class MeshStore {
   Status read_pages(const std::string& id, const PagesWish& wish, const PageTaker& take,
                     const Progress& progress);
 
-  /// Whether somebody may want a prepared mesh again soon. Of the others only kPreparedPerScanMax
-  /// a scan are kept. Null: nobody. Needs: it outlives the calls.
+  /// Sets a function that says whether somebody may soon want a prepared mesh again. At most
+  /// kPreparedPerScanMax of the others are kept per scan. Null: nobody wants any. Needs: it
+  /// outlives the calls.
   using IsWanted = std::function<bool(const std::string& id, const PreparedKey& key)>;
   void set_wanted(IsWanted is_wanted);
 
-  /// The budget of meshes, sessions, their clients and views together, and what meshes take of it.
+  /// The budget of meshes, sessions, their clients and views together, and the meshes' part of it.
   Quota& memory() { return memory_; }
   uint64_t mesh_bytes() const { return cache_.byte_count(); }
 
-  /// Also a damaged one. Needs: no session edits it. Fails: not_found.
+  /// Also removes a damaged scan. Needs: no session edits it. Fails: not_found.
   Status remove(const std::string& id);
 
  private:
@@ -146,7 +146,7 @@ class MeshStore {
   const DataFolder& folder_;
   const MeshStoreOptions options_;
   ScanIndex index_;
-  std::mutex folders_mutex_;  // a folder does not go between being read and being listed
+  std::mutex folders_mutex_;  // a folder must not disappear between being read and being listed
   Quota memory_;
   Quota uploads_;
   MeshCache cache_;
@@ -154,11 +154,11 @@ class MeshStore {
   OpenPages pages_;
   std::mutex wanted_mutex_;
   IsWanted is_wanted_;
-  FairMutex preparing_;    // one at a time: it uses all cores and much memory
+  FairMutex preparing_;    // one at a time: each uses all cores and much memory
   FairMutex making_view_;  // one at a time: the next may want the same
 };
 
-/// The key with its depth chosen: 0 becomes the scan's default depth.
+/// Returns the key with its depth chosen: 0 becomes the scan's default depth.
 PreparedKey resolve(const PreparedKey& key, const ScanInfo& scan);
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// What MeshStore does to have a prepared mesh on disk, and in memory for sessions.
+// The part of MeshStore that brings a prepared mesh to disk, and to memory for sessions.
 
 #include <algorithm>
 
@@ -12,6 +12,7 @@
 #include "server/library/scan_record.h"
 #include "server/memory/library_budget.h"
 #include "server/memory/memory_need.h"
+#include "server/memory/opening_need.h"
 #include "server/prepare/prepare.h"
 #include "server/scheduling/cancellable_lock.h"
 #include "server/solver/tuning/plan_cycle.h"
@@ -20,7 +21,7 @@ namespace burnish {
 
 namespace fs = std::filesystem;
 
-// A missing or damaged prepared file is made again; every other failure stays one.
+// A missing or damaged prepared file is made again; other failures stay.
 static bool can_be_made_again(const Status& status) {
   return status.code() == StatusCode::kNotFound || status.code() == StatusCode::kDataLoss;
 }
@@ -57,8 +58,8 @@ Status MeshStore::rebuild(const std::string& id, const PreparedKey& key, const P
   return read_again(id);
 }
 
-// Prepared files may always be made again: beyond the limit the one that was opened longest ago
-// gives way. Nothing refers to a file that is being made again.
+// Prepared files can always be made again. Beyond the limit the one opened longest ago is deleted.
+// No session refers to a file that is made again.
 Status MeshStore::make_room(const std::string& id, const PreparedKey& key) {
   ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(scan_folder(id)));
   std::vector<std::pair<fs::file_time_type, fs::path>> idle;
@@ -103,7 +104,7 @@ Result<std::shared_ptr<SharedMesh>> MeshStore::read_charged(const std::string& i
       what == Charged::kMeshAlone ? summary.byte_count : predict_mesh_bytes(summary);
   ASSIGN_OR_RETURN(mesh->memory, memory_.take(kServer, bytes));
   ASSIGN_OR_RETURN(mesh->prepared, read_prepared_mesh(path));
-  std::error_code ignored;  // the time of a prepared file says when it was last opened
+  std::error_code ignored;  // a prepared file's time is its last opening
   fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
   return mesh;
 }
@@ -128,18 +129,18 @@ Result<std::shared_ptr<SharedMesh>> MeshStore::read_with_hierarchy(const std::st
   return mesh;
 }
 
-// The trials of a plan take seconds, and other scans go on meanwhile.
+// Locks only this mesh: the trials of a plan take seconds, and other scans must go on.
 Result<std::shared_ptr<const SharedMesh>> MeshStore::open_mesh(const std::string& id,
                                                                const PreparedKey& key,
                                                                const Progress& progress) {
   if (auto shared = cache_.find({id, key})) return shared;
   const std::shared_ptr<FairMutex> making = cache_.making({id, key});
   ASSIGN_OR_RETURN(const auto lock,
-                   lock_or_cancel(*making, "waiting for another who opens the scan", progress));
+                   lock_or_cancel(*making, "waiting for another session of the scan", progress));
   if (auto shared = cache_.find({id, key})) return shared;
   ASSIGN_OR_RETURN(const auto mesh, read_with_hierarchy(id, key, progress));
   mesh->plan = std::make_shared<CyclePlan>();
-  Quota::Share trial;  // a session for a while
+  Quota::Share trial;  // a session for the trials
   if (needs_trials(*mesh->hierarchy)) {
     ASSIGN_OR_RETURN(trial, memory_.take(kServer, predict_session_bytes(*mesh)));
   }

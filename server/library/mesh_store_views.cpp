@@ -1,15 +1,14 @@
-// What MeshStore does for clients that draw.
+// The part of MeshStore for clients that draw.
 
 #include "common/base/out_of_memory.h"
 #include "common/evaluation/proxy.h"
 #include "server/library/mesh_store.h"
-#include "server/library/scan_record.h"
 #include "server/scheduling/cancellable_lock.h"
 
 namespace burnish {
 
-// While a view is made: its parts, their planes and the packed bytes; for a proxy the indices and
-// float positions instead.
+// Bytes while a view is made: its parts, their planes and the packed bytes; for a proxy the indices
+// and float positions instead.
 static uint64_t predict_view_bytes(const PreparedMesh& prepared) {
   return prepared.vertices.size() * 64 + prepared.triangles.size() * 40 +
          prepared.cells.size() * 24;
@@ -25,7 +24,7 @@ static ViewSource source_of(const PreparedMesh& prepared) {
 
 namespace {
 
-/// A view with its share of the server's memory, which goes with whoever holds it last.
+/// A view with its share of the server's memory; the last holder gives the share back.
 struct ChargedView {
   PackedView view;
   Quota::Share memory;

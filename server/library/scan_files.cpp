@@ -54,7 +54,7 @@ Status put_scan_in_place(const fs::path& from, const fs::path& to) {
     const fs::path name = entry.path().filename();
     if (name != "prepared" && name != "info.json") RETURN_IF_ERROR(move_path(entry, to / name));
   }
-  // The last one: with it the folder is a scan again.
+  // Moved last: with it the folder is a scan again.
   RETURN_IF_ERROR(move_path(from / "info.json", to / "info.json"));
   return sync_folder(to);
 }

@@ -8,17 +8,17 @@
 
 namespace burnish {
 
-/// Reads a scan's stored original through and compares its SHA-256 with the scan's id.
-/// Fails: data_loss naming the file and what to do, also when it is gone.
+/// Reads a scan's stored original and compares its SHA-256 with the scan's id. Fails: data_loss if
+/// it differs or is missing; the message names the file and the remedy.
 Status check_original(const std::filesystem::path& folder, const ScanInfo& scan);
 
-/// Puts a good file in the place of a damaged original. What was prepared goes with the damage: it
-/// may have been made from it.
+/// Puts a good file in the place of a damaged original. Deletes the prepared files: they may have
+/// been made from the damage.
 Status replace_original(const std::filesystem::path& folder, const ScanInfo& scan,
                         const std::filesystem::path& good);
 
-/// Moves a complete scan's folder into its place. Where a damaged one is, its files are replaced,
-/// and those of its prepared files stay that this one does not bring.
+/// Moves a complete scan's folder into its place. If a damaged folder is there, replaces its files;
+/// prepared files that are not in `from` stay.
 Status put_scan_in_place(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace burnish

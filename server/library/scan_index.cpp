@@ -20,7 +20,7 @@ Status ScanIndex::read(const fs::path& scans) {
     if (scan.is_ok()) {
       put(std::move(scan).value());
     } else if (code == StatusCode::kNotFound || code == StatusCode::kDataLoss) {
-      spdlog::warn("scan left out: {}", scan.status().message());
+      spdlog::warn("skipped a scan: {}", scan.status().message());
     } else {
       return scan.status();
     }
@@ -68,7 +68,7 @@ Result<ScanInfo> ScanIndex::find(const std::string& reference) const {
     if (scan.name == reference) named.push_back(&scan);
     if (scan.name != reference && begins_so) begun.push_back(&scan);
   }
-  // A name wins over ids that happen to begin so, but not over the short id of another's scan.
+  // A name wins over ids that begin with it, but not over the short id of another scan.
   std::vector<const ScanInfo*>& answers = named;
   if (named.empty() || reference.size() >= kShortIdDigits)
     answers.insert(answers.end(), begun.begin(), begun.end());

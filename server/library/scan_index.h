@@ -12,24 +12,24 @@
 
 namespace burnish {
 
-/// What is known of the library's scans, read once from their folders. Whoever changes a folder
-/// says so here. Thread-safe; its lock is held for lookups only.
+/// The library's scans, read once from their folders. Report each change of a folder here.
+/// Thread-safe; its lock is held for lookups only.
 class ScanIndex {
  public:
-  /// Reads all folders in `scans`. Damaged ones are logged and left out.
-  /// Fails: as errno says, where the folder or a scan in it cannot be read at all.
+  /// Reads all folders in `scans`. Damaged ones are logged and left out. Fails: as errno says if
+  /// the folder or a scan in it cannot be read at all.
   Status read(const std::filesystem::path& scans);
 
   void put(ScanInfo scan);
   void erase(const std::string& id);
 
-  /// By name, then id.
+  /// Returns the scans by name, then id.
   std::vector<ScanInfo> list() const;
 
   std::optional<ScanInfo> find_id(const std::string& id) const;
 
-  /// By name, id, or the beginning of one id.
-  /// Fails: not_found; invalid_argument when several scans answer to it.
+  /// Finds a scan by name, id, or the beginning of one id. Fails: not_found; invalid_argument if
+  /// several scans match.
   Result<ScanInfo> find(const std::string& reference) const;
 
  private:

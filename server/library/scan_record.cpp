@@ -150,7 +150,7 @@ static Result<std::vector<PreparedInfo>> list_prepared(const fs::path& folder) {
 Result<ScanInfo> read_scan_folder(const fs::path& folder) {
   const auto text = FileContent::read(folder / "info.json");
   if (text.status().code() == StatusCode::kNotFound)
-    return not_found("no scan in " + folder.string());
+    return not_found("folder " + folder.string() + " does not hold a scan");
   RETURN_IF_ERROR(text.status());
   const auto bytes = text.value().bytes();
   ASSIGN_OR_RETURN(ScanInfo scan, scan_from_json({bytes.begin(), bytes.end()}));

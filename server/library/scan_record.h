@@ -9,22 +9,23 @@
 
 namespace burnish {
 
-/// A scan's info.json: everything of ScanInfo but the prepared meshes, which are what is there.
+/// Returns a scan's info.json: all of ScanInfo except the prepared meshes, which are the files in
+/// its folder.
 std::string scan_to_json(const ScanInfo& scan);
 
-/// Fails: data_loss naming what is missing or of the wrong kind.
+/// Fails: data_loss that names a field that is missing or has a wrong type.
 Result<ScanInfo> scan_from_json(const std::string& text);
 
-/// "original.ply"
+/// Returns e.g. "original.ply".
 std::string original_file_name(MeshFormat format);
 
-/// "depth7-radius0-format2.prepared": the key and the version of the file format.
+/// Returns e.g. "depth7-radius0-format2.prepared": the key and the version of the file format.
 std::string prepared_file_name(const PreparedKey& key);
 
-/// The key in such a name; nothing for other names and other versions.
+/// Returns the key in such a name; nothing for other names and other versions.
 std::optional<PreparedKey> parse_prepared_file_name(const std::string& name);
 
-/// The version in such a name; nothing for other names.
+/// Returns the version in such a name; nothing for other names.
 std::optional<uint32_t> prepared_file_version(const std::string& name);
 
 /// Returns "pages-format1.pages", with the version of the page file.
@@ -33,8 +34,8 @@ std::string pages_file_name();
 /// Returns the version in such a name; nothing for other names.
 std::optional<uint32_t> pages_file_version(const std::string& name);
 
-/// Reads a scan's folder: info.json, and the prepared files by name.
-/// Fails: not_found, data_loss; as errno says, where they cannot be read.
+/// Reads a scan's folder: info.json, and the prepared files by name. Fails: not_found, data_loss;
+/// as errno says.
 Result<ScanInfo> read_scan_folder(const std::filesystem::path& folder);
 
 }  // namespace burnish

@@ -35,7 +35,7 @@ bool begins_as_we_write(const fs::path& path, const FileKind& kind) {
          begin == kind.first_bytes;
 }
 
-// As AtomicFile names it: "NAME.PID-NUMBER.tmp".
+// AtomicFile's names: "NAME.PID-NUMBER.tmp".
 bool is_half_written(const std::string& name, const FileKind& kind) {
   static const std::string kEnd = ".tmp";
   const size_t at = name.find(kind.suffix + ".");
@@ -93,7 +93,7 @@ RemovedFiles remove_stale_files(const DataFolder& folder) {
   for (; !error && scan != fs::directory_iterator(); scan.increment(error)) {
     if (!is_scan_id(scan->path().filename().string())) continue;
     const std::error_code failure = remove_of_scan(scan->path(), removed);
-    if (failure)  // one folder's trouble is not the others'
+    if (failure)  // a failed folder must not stop the others
       spdlog::warn("cannot remove outdated files of {}: {}", scan->path().string(),
                    failure.message());
   }

@@ -14,8 +14,8 @@
 
 namespace burnish {
 
-/// A file on its way in: every chunk is checked, hashed and written to a staging file, which goes
-/// away with this object unless somebody has moved it.
+/// A file on its way in. Every chunk is checked, hashed and written to a staging file. The file is
+/// deleted with this object unless it was moved.
 class Upload {
  public:
   /// Fails: as errno says.
@@ -27,8 +27,8 @@ class Upload {
   /// resource_exhausted (disk full).
   Status append(uint64_t offset, std::string_view data, uint32_t crc32);
 
-  /// Puts the bytes at path(), on disk; returns their SHA-256. Call it once.
-  /// Fails: data_loss when bytes are missing.
+  /// Puts the bytes at path(), on disk. Returns their SHA-256. Call it once. Fails: data_loss if
+  /// bytes are missing.
   Result<std::string> finish();
 
   const std::filesystem::path& path() const { return path_; }
@@ -45,7 +45,7 @@ class Upload {
   std::filesystem::path path_;
   AtomicFile file_;
   uint64_t size_bytes_;
-  Quota::Share share_;  // of what its user may have under way
+  Quota::Share share_;  // of the bytes that its user may have in uploads
   uint64_t received_bytes_ = 0;
   ContentHash hash_;
   LiveObject live_{LiveKind::kUpload};

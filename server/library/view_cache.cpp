@@ -25,7 +25,7 @@ void ViewCache::add(const Key& key, std::shared_ptr<const PackedView> view) {
 }
 
 void ViewCache::give_back(uint64_t bytes) {
-  std::list<Kept> gone;  // ends behind the lock: with a view goes its share of a quota
+  std::list<Kept> gone;  // destroyed after the lock: a view gives back its share of a quota
   const std::lock_guard lock(mutex_);
   uint64_t freed = 0;
   for (auto it = kept_.end(); it != kept_.begin() && freed < bytes;) {

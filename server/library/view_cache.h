@@ -12,8 +12,8 @@
 
 namespace burnish {
 
-/// Views that were made, the last used ones first to stay. Whoever sends one holds it as long as he
-/// needs it. Thread-safe.
+/// Views that were made; the last used ones stay longest. A sender holds its view while it needs
+/// it. Thread-safe.
 class ViewCache {
  public:
   struct Key {
@@ -23,15 +23,15 @@ class ViewCache {
     bool operator==(const Key&) const = default;
   };
 
-  /// Keeps at most so many bytes; a view above that is not kept at all.
+  /// Keeps at most `bytes_max`; a larger view is not kept.
   explicit ViewCache(uint64_t bytes_max) : bytes_max_(bytes_max) {}
 
-  std::shared_ptr<const PackedView> find(const Key& key);  ///< null where it is not kept
+  std::shared_ptr<const PackedView> find(const Key& key);  ///< null if not kept
   void add(const Key& key, std::shared_ptr<const PackedView> view);
   uint64_t byte_count() const;
 
-  /// Forgets views that nobody holds beside the cache, the longest unused first, until so many
-  /// bytes are free or no more can be.
+  /// Forgets views that only the cache holds, the longest unused first, until `bytes` are free or
+  /// none is left.
   void give_back(uint64_t bytes);
 
   /// Forgets the views of a scan.

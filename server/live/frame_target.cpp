@@ -24,7 +24,7 @@ Result<std::shared_ptr<const FrameTarget>> FrameTargets::find_or_make(
     const std::shared_ptr<const SharedMesh>& mesh, uint64_t triangles_max,
     std::optional<FrameContent> content, const Progress& progress) {
   const PreparedMesh& prepared = *mesh->prepared;
-  triangles_max = rounded_triangles_max(triangles_max);  // as the view was made
+  triangles_max = rounded_triangles_max(triangles_max);  // rounded as for the view
   if (triangles_max >= prepared.triangles.size()) triangles_max = 0;
   ASSIGN_OR_RETURN(const auto lock,
                    lock_or_cancel(mutex_, "waiting for another client's frames", progress));

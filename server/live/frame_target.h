@@ -14,12 +14,12 @@
 
 namespace burnish {
 
-/// What a client draws, and so what its frames are of. Shared by clients that draw the same.
+/// The mesh that a client draws, which its frames describe. Clients with the same mesh share it.
 struct FrameTarget {
   std::shared_ptr<const SharedMesh> mesh;
-  std::vector<EvaluationPoint> proxy_points;  ///< empty: of the whole scan
+  std::vector<EvaluationPoint> proxy_points;  ///< empty for the whole scan
   std::shared_ptr<const FrameLayout> layout;
-  Quota::Share memory;  ///< what it takes of the server's
+  Quota::Share memory;  ///< share of the server's memory
 
   FrameMesh frame_mesh() const;
 };
@@ -30,10 +30,10 @@ class FrameTargets {
   /// Needs: `memory` outlives it.
   explicit FrameTargets(Quota& memory) : memory_(memory) {}
 
-  /// The whole scan where triangles_max is 0 or the scan has no more, else a proxy: as FetchView
-  /// gives it. Without a content the one whose frames are likely smaller. Cost of the first use:
-  /// see make_proxy() and the layouts. Fails: cancelled; resource_exhausted where the memory has no
-  /// room for it.
+  /// Takes the whole scan if triangles_max is 0 or the scan has no more, else a proxy: as FetchView
+  /// does. Without a content it takes the one whose frames are likely smaller. Cost of the first
+  /// use: see make_proxy() and the layouts. Fails: cancelled; resource_exhausted if the memory has
+  /// no room for it.
   Result<std::shared_ptr<const FrameTarget>> find_or_make(
       const std::shared_ptr<const SharedMesh>& mesh, uint64_t triangles_max,
       std::optional<FrameContent> content, const Progress& progress);
@@ -42,7 +42,7 @@ class FrameTargets {
   using Key = std::tuple<const SharedMesh*, uint64_t, std::optional<FrameContent>>;
 
   Quota& memory_;
-  FairMutex mutex_;  // also while one is made: the next may want the same
+  FairMutex mutex_;  // also held while a target is made: the next client may want the same
   std::map<Key, std::weak_ptr<const FrameTarget>> targets_;
 };
 

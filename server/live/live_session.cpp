@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
 #include <utility>
 
 #include <spdlog/spdlog.h>
@@ -13,8 +14,8 @@ namespace burnish {
 
 using std::chrono::steady_clock;
 
-/// A replay's part of a turn: many long strokes take many turns, and others have theirs in between.
-/// The first question is always answered yes, so that every slice gets on.
+/// Bounds a replay's part of a turn: many long strokes take many turns, and other sessions have
+/// theirs in between. The first call always returns true, so every slice makes progress.
 static Progress for_a_slice() {
   static constexpr auto kSlice = std::chrono::milliseconds(10);
   return [end = steady_clock::now() + kSlice, first = true](std::string_view, double) mutable {
@@ -53,7 +54,7 @@ bool LiveSession::take_turn() {
   Status status = turn.status();
   bool more = false;
   if (status.is_ok()) {
-    if (!turn.value()) return false;  // somebody else is at it: woken again once it is free
+    if (!turn.value()) return false;  // somebody else works on it; woken when it is free
     SessionTurn& at = *turn.value();
     if (!at.is_in_memory()) return bring_back(at), false;
     status = work(at, more);
@@ -73,15 +74,15 @@ void LiveSession::bring_back(SessionTurn& at) {
   });
 }
 
-/// One turn's work at the session. `more`: there is more to do.
+/// Does one turn's work on the session. `more`: there is more to do.
 Status LiveSession::work(SessionTurn& at, bool& more) {
   for (EditMessage& message : take_edits()) apply(at, std::move(message));
   more = true;
   if (at.is_solving() || !at.catch_up(for_a_slice())) return Status::ok();
   show_gestures(at);
   const Status relaxed = relax(at);
-  // Also an edit that moves nothing gets its frame, for clients wait for it; and an export may
-  // have relaxed the surface further.
+  // An edit that moves nothing also gets its frame, because clients wait for it. An export may have
+  // relaxed the surface further.
   const Seen now{at.edits(), at.last().cycle};
   if (std::exchange(seen_, now) != now) ++version_;
   tell_state(at);
@@ -90,7 +91,7 @@ Status LiveSession::work(SessionTurn& at, bool& more) {
   return send_frames(at);
 }
 
-/// Whether nobody is here whom a turn would do any good: who is told to go waits for answers alone.
+/// Returns whether a turn helps nobody here: clients that were told to go only wait for answers.
 bool LiveSession::is_over() const {
   const std::lock_guard lock(mutex_);
   if (seats_.empty()) return true;
@@ -217,12 +218,17 @@ void LiveSession::close(const Farewell& farewell) {
   for (const auto& subscriber : subscribers()) subscriber->close(farewell);
 }
 
-// Also what waits is answered, for a farewell comes after the last answer.
+// Also answers waiting edits, because a farewell comes after the last answer.
 void LiveSession::fail(const Status& why) {
   spdlog::error("session {}: {}", entry_->record.id, why.to_string());
   const bool come_back = why.code() != StatusCode::kNotFound;
   close({why.message(), come_back});
   refuse_waiting(come_back ? unavailable(why.message()) : why);
+}
+
+static std::string silence_text(steady_clock::duration limit) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(limit).count();
+  return "the client has sent nothing for " + std::to_string(seconds) + " s";
 }
 
 void LiveSession::end_unwelcome(steady_clock::duration silence_max) {
@@ -231,7 +237,7 @@ void LiveSession::end_unwelcome(steady_clock::duration silence_max) {
     const auto stays = subscriber->may_stay();
     if (!stays.is_ok()) subscriber->dismiss(stays.message(), kTimeToTakeIt);
     if (!subscriber->is_silent(silence_max)) continue;
-    subscriber->close(Farewell{"nothing was heard from this client for too long", true});
+    subscriber->close(Farewell{silence_text(silence_max), true});
     if (subscriber->is_silent(silence_max + kTimeToTakeIt)) subscriber->cut();
   }
 }

@@ -16,9 +16,9 @@
 
 namespace burnish {
 
-/// A session with clients: takes their edits and gestures, relaxes by a cycle a turn as long as the
-/// surface moves, and shows it to everybody who has a credit. Settled, it sends one still frame and
-/// is not heard of until something changes. Thread-safe; only turn() touches the session.
+/// A session with clients. It takes their edits and gestures, relaxes by a cycle per turn while the
+/// surface moves, and shows it to everybody who has a credit. Once settled, it sends one still
+/// frame and rests until something changes. Thread-safe; only turn() touches the session.
 class LiveSession final : public Scheduled, public std::enable_shared_from_this<LiveSession> {
  public:
   /// Needs: manager and scheduler outlive it.
@@ -27,43 +27,43 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
 
   void join(const std::shared_ptr<Subscriber>& subscriber);
 
-  /// Ends the subscriber's gesture and presence. True when nobody is left.
+  /// Ends the subscriber's gesture and presence. Returns true if nobody is left.
   bool leave(uint64_t connection);
 
-  /// Queues edits, all or none of which will be applied; the subscriber hears which. `bytes`: of
+  /// Queues edits: all or none are applied, and the subscriber gets the outcome. `bytes`: size of
   /// their message.
   void edit(uint64_t connection, std::vector<Edit> edits, size_t bytes);
 
-  /// Fails: permission_denied for a viewer; invalid_argument, resource_exhausted naming the value
-  /// and its limit. A gesture that fails stays as it was.
+  /// Fails: permission_denied for a viewer; invalid_argument, resource_exhausted that name the
+  /// value and its limit. A failed gesture stays unchanged.
   Status preview(uint64_t connection, Preview piece);
   void drop_preview(uint64_t connection, const std::string& edit_id);
 
   void move_brush(uint64_t connection, const std::optional<BrushRing>& ring);
 
-  /// There is something to do, or somebody wants a frame.
+  /// Call when there is work, or somebody wants a frame.
   void wake();
 
   /// Closes all subscribers.
   void close(const Farewell& farewell);
 
-  /// Closes those that have been silent for so long and those that may not stay, and cuts off those
-  /// that do not take that.
+  /// Closes subscribers that were silent for `silence_max` and those that may not stay. Cuts off
+  /// those that do not take the farewell.
   void end_unwelcome(std::chrono::steady_clock::duration silence_max);
 
   bool turn() override;
 
-  /// Whether its turns wait for the session to come to memory.
+  /// Returns whether its turns wait for the session to come to memory.
   bool is_coming_back() const { return is_coming_back_; }
   size_t queued_edits() const;
   uint64_t credits() const;
-  uint64_t client_bytes() const;  ///< what is held of frames for its clients
+  uint64_t client_bytes() const;  ///< bytes of frames held for its clients
 
  private:
   struct Seat {
     std::shared_ptr<Subscriber> subscriber;
-    uint64_t previews = 0;        // messages that have come
-    uint64_t previews_taken = 0;  // that the session's previews have
+    uint64_t previews = 0;        // received messages
+    uint64_t previews_taken = 0;  // those that the session's previews have
   };
   struct EditMessage {
     std::shared_ptr<Subscriber> from;
@@ -94,9 +94,9 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   const std::shared_ptr<SessionEntry> entry_;
   const LiveObject live_{LiveKind::kLiveSession};
 
-  // Of turn() alone.
+  // Used by turn() only.
   std::optional<FairMutex::Place> place_;  // in the line for the session
-  /// What makes a new surface.
+  /// Everything that makes a new surface.
   struct Seen {
     uint64_t edits = 0;
     int cycle = 0;
@@ -104,18 +104,18 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   };
   uint64_t version_ = 0;  // of the surface
   Seen seen_;
-  uint64_t life_ = 0;  // of the session that the gestures are shown in
+  uint64_t life_ = 0;  // life of the session that shows the gestures
   double assemble_ms_ = 0;
   double solve_ms_ = 0;
   uint64_t roles_version_ = 0;  // of roles_
 
-  std::atomic<bool> is_coming_back_{false};  // the session, to memory
+  std::atomic<bool> is_coming_back_{false};  // to memory
 
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // guards the following members
   std::map<uint64_t, Seat> seats_;
   std::deque<EditMessage> edits_;
   std::map<uint64_t, Gesture> gestures_;
-  std::set<uint64_t> changed_gestures_;  // that the session has not seen, ended ones too
+  std::set<uint64_t> changed_gestures_;  // not yet seen by the session; also ended gestures
   SessionRoles roles_;
   std::optional<HistoryState> history_;
 };

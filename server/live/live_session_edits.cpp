@@ -1,4 +1,4 @@
-// What a live session does with the edits and gestures of its clients.
+// The part of a live session for the edits and gestures of its clients.
 
 #include <algorithm>
 #include <atomic>
@@ -9,8 +9,8 @@ namespace burnish {
 
 namespace {
 
-/// An answer needs two things, which come in either order and from different threads: what became
-/// of the edits, and whether they are on disk.
+/// An answer needs two facts, in either order and from different threads: the outcome of the edits,
+/// and whether they are on disk.
 struct PendingAnswer {
   std::atomic<int> missing{2};
   ApplyOutcome outcome;
@@ -32,7 +32,7 @@ Status check_piece(const Preview& piece) {
   if (const auto* slider = std::get_if<SetGradientScale>(&piece.change))
     return check_beta(slider->beta);
   if (const auto* stroke = std::get_if<Stroke>(&piece.change)) return validate(*stroke);
-  return Status::ok();  // a curve cannot be wrong
+  return Status::ok();  // curves need no check
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ void LiveSession::edit(uint64_t connection, std::vector<Edit> edits, size_t byte
   wake();
 }
 
-/// What one frame takes: at least one message, at most kEditsPerFrameMax edits.
+/// Takes the edits of one frame: at least one message, at most kEditsPerFrameMax edits.
 std::vector<LiveSession::EditMessage> LiveSession::take_edits() {
   const std::lock_guard lock(mutex_);
   std::vector<EditMessage> taken;
@@ -110,7 +110,7 @@ Status LiveSession::preview(uint64_t connection, Preview piece) {
       const Stroke& begun = std::get<Stroke>(mine->second.change);
       if (!is_same(begun.brush, stroke->brush))
         return invalid_argument("the brush of preview " + piece.edit_id +
-                                " is another than at its beginning");
+                                " differs from the brush at its beginning");
       stroke->path.insert(stroke->path.begin(), begun.path.begin(), begun.path.end());
     }
     RETURN_IF_ERROR(check_piece(piece).with_context("preview " + piece.edit_id));
@@ -145,7 +145,7 @@ void LiveSession::show_gestures(SessionTurn& at) {
   Previews& previews = at.session().previews();
   const std::lock_guard lock(mutex_);
   if (std::exchange(life_, at.life()) != at.life()) {
-    previews.clear();  // of those who were here before us
+    previews.clear();  // they belong to an earlier live session
     for (const auto& [connection, gesture] : gestures_) changed_gestures_.insert(connection);
   }
   for (const uint64_t connection : changed_gestures_) {

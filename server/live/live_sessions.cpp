@@ -24,7 +24,7 @@ LiveSessions::~LiveSessions() {
 }
 
 static Status going_down() {
-  return unavailable("the server is going down; come back to its next life");
+  return unavailable("the server is going down; connect again later");
 }
 
 Result<LiveClient> LiveSessions::join(const Greeting& greeting, const Caller& caller,
@@ -111,7 +111,7 @@ void LiveSessions::on_session_left(const std::string& id, const Status& why) {
   const auto session = find(id);
   if (!session) return;
   session->close({why.message(), false});
-  session->wake();  // for edits that are to be answered
+  session->wake();  // to answer the remaining edits
 }
 
 }  // namespace burnish

@@ -19,31 +19,32 @@ struct LiveClient {
 /// The sessions that have clients, and their coming and going. Thread-safe.
 class LiveSessions final : public SessionListener {
  public:
-  /// `solver_threads` as of Scheduler. Needs: the manager outlives it, and nobody works with it
-  /// when it ends.
+  /// `solver_threads`: as for Scheduler. Needs: the manager outlives this, and nobody uses the
+  /// manager when this ends.
   LiveSessions(SessionManager& manager, int solver_threads);
   ~LiveSessions() override;
 
-  /// Brings the session back if need be, and joins. `wiring` of the client: all but on_wish.
-  /// Whoever joins leaves. Fails: not_found, resource_exhausted, unavailable (draining), cancelled.
+  /// Brings the session back if needed, and joins. The client sets all of `wiring` except on_wish.
+  /// Each joined client must leave. Fails: not_found, resource_exhausted, unavailable (draining),
+  /// cancelled.
   Result<LiveClient> join(const Greeting& greeting, const Caller& caller, SubscriberWiring wiring,
                           const Progress& progress);
   void leave(const LiveClient& client);
 
-  /// From now on nobody joins, and who is there is told to come back later.
+  /// From now on nobody can join. Tells all clients to come back later.
   void drain();
 
-  /// Ends the clients that have said nothing for kSilenceMax, and those that may not stay. To be
-  /// called every second or so.
+  /// Ends clients that were silent for kSilenceMax, and those that may not stay. Call about every
+  /// second.
   void end_unwelcome();
 
   static constexpr std::chrono::seconds kSilenceMax{30};
 
   struct Usage {
-    size_t waiting_sessions = 0;  ///< for a turn
+    size_t waiting_sessions = 0;  ///< sessions that wait for a turn
     size_t queued_edits = 0;      ///< messages
     uint64_t credits = 0;
-    uint64_t client_bytes = 0;  ///< what is held of frames for clients
+    uint64_t client_bytes = 0;  ///< bytes of frames held for clients
   };
   Usage usage() const;
 
@@ -59,11 +60,11 @@ class LiveSessions final : public SessionListener {
   SessionManager& manager_;
   FrameTargets targets_;
 
-  mutable std::mutex mutex_;                                      // of what follows
+  mutable std::mutex mutex_;                                      // guards the following members
   std::map<std::string, std::shared_ptr<LiveSession>> sessions_;  // by id
   bool draining_ = false;
 
-  // Last, for their threads end before anything else does; turns post to the encoders.
+  // Last members: their threads end before the others are destroyed. Turns post to the encoders.
   Executor encoders_;
   Scheduler scheduler_;
 };

@@ -8,8 +8,8 @@ namespace burnish {
 
 using std::chrono::steady_clock;
 
-/// Before compression. A surface that is still may take its time to become exact, a moving one that
-/// begins meanwhile may not wait for it.
+/// Limits bytes before compression. A still surface may take its time to become exact. A moving one
+/// that begins meanwhile must not wait for it.
 static size_t bytes_max(bool settled, uint32_t bytes_wanted) {
   if (bytes_wanted == 0) return SIZE_MAX;
   return settled ? size_t{2} * bytes_wanted : bytes_wanted;
@@ -19,7 +19,7 @@ static double ms_since(steady_clock::time_point then) {
   return std::chrono::duration<double, std::milli>(steady_clock::now() - then).count();
 }
 
-static constexpr size_t kAnswersMax = 64;     // that the client has not taken
+static constexpr size_t kAnswersMax = 64;     // answers that the client has not taken
 static constexpr size_t kUnansweredMax = 64;  // messages of edits
 static constexpr size_t kUnansweredBytesMax = size_t{16} << 20;
 
@@ -41,7 +41,7 @@ void Subscriber::on_wish() const {
   if (wiring_.on_wish) wiring_.on_wish();
 }
 
-/// No encoder remembers more frames than that.
+/// No encoder remembers more frames than this.
 static void append_newest(const std::vector<uint64_t>& sequences, std::vector<uint64_t>& all) {
   static constexpr size_t kRemembered = 2 * kFramesInFlightMax;
   all.insert(all.end(), sequences.begin(), sequences.end());
@@ -123,7 +123,7 @@ void Subscriber::answer(ServerMessage message, size_t bytes) {
     const std::lock_guard lock(mutex_);
     --unanswered_;
     unanswered_bytes_ -= bytes;
-    last_heard_ = steady_clock::now();  // while it waited for us, it may not have been read
+    last_heard_ = steady_clock::now();  // the server may not have read it while it waited
     answers_.push_back(std::move(message));
   }
   on_message();
@@ -190,11 +190,12 @@ void Subscriber::show(Shot shot) {
     frame_beat_ = last_beat_;
   }
   const auto self = shared_from_this();
-  encoders_.post({.work = [self, shot = std::move(shot)] { self->encode(shot); },
-                  .on_failure =
-                      [self](const Status& why) {
-                        self->close(Farewell{"no frame could be made: " + why.message(), true});
-                      }});
+  encoders_.post(
+      {.work = [self, shot = std::move(shot)] { self->encode(shot); },
+       .on_failure =
+           [self](const Status& why) {
+             self->close(Farewell{"the server cannot make a frame: " + why.message(), true});
+           }});
 }
 
 void Subscriber::encode(const Shot& shot) {
@@ -202,7 +203,7 @@ void Subscriber::encode(const Shot& shot) {
   {
     const std::lock_guard lock(mutex_);
     std::swap(unseen, unseen_);
-    unseen_.frame_bytes = unseen.frame_bytes;  // holds on
+    unseen_.frame_bytes = unseen.frame_bytes;  // stays until the next credit
   }
   for (const uint64_t sequence : unseen.decoded) encoder_.acknowledge(sequence);
   for (const uint64_t sequence : unseen.refused) encoder_.refuse(sequence);

@@ -18,30 +18,30 @@
 
 namespace burnish {
 
-/// The surface at one moment, as the frames of one target see it.
+/// The surface at one moment, sampled for the frames of one target.
 struct Shot {
   std::shared_ptr<const FrameSample> sample;
-  uint64_t version = 0;  ///< of the surface: grows with every cycle
+  uint64_t version = 0;  ///< of the surface; grows with every cycle
   FrameStats stats;
 };
 
-/// How a subscriber reaches others. Called from any thread, without locks of ours held.
+/// A subscriber's calls to others, from any thread, without its locks.
 struct SubscriberWiring {
-  std::function<void()> on_message;  ///< there may be something to take()
-  std::function<void()> on_dead;     ///< nothing more can be told: the connection is to be cut
-  std::function<void()> on_wish;     ///< wants_frame() may have become true
-  bool may_be_silent = false;        ///< the client cannot say that it is there
-  /// Whether the client would be let in again; empty: it would. Asked from time to time.
+  std::function<void()> on_message;  ///< take() may have a message
+  std::function<void()> on_dead;  ///< the client cannot be told anything more: cut the connection
+  std::function<void()> on_wish;  ///< wants_frame() may have become true
+  bool may_be_silent = false;     ///< the client cannot show that it is alive
+  /// Returns whether the client would be let in again; empty: always. Called from time to time.
   std::function<Status()> may_stay;
 };
 
-/// One client of a live session, as the server sees it: its credits and its encoder, and what there
-/// is to tell it. Of what a newer message replaces only the newest is kept, and a frame is made
-/// only when there is a credit for it and the last one is on its way: whatever the client does,
-/// this stays small. Thread-safe.
+/// One client of a live session on the server's side: its credits, its encoder, and its messages.
+/// It keeps only the newest of messages that replace each other. It makes a frame only for a
+/// credit, and only after the last frame was taken. So it stays small, whatever the client does.
+/// Thread-safe.
 class Subscriber : public std::enable_shared_from_this<Subscriber> {
  public:
-  /// `memory`: what its frames may take of the server's. Needs: `encoders` outlives it.
+  /// `memory`: the frames' share of the server's memory. Needs: `encoders` outlives it.
   Subscriber(uint64_t connection, Caller caller, std::shared_ptr<const FrameTarget> target,
              Quota::Share memory, Executor& encoders, SubscriberWiring wiring);
 
@@ -49,59 +49,59 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   const Caller caller;
   const std::shared_ptr<const FrameTarget> target;
 
-  // What the client says.
+  // Messages from the client.
   void grant(const FrameCredit& credit);
   void beat(uint64_t client_time_us);
   void heard();
 
-  /// Whether it has said nothing for so long, though it could have.
+  /// Returns whether the client was silent for `time`, though it could speak.
   bool is_silent(std::chrono::steady_clock::duration time) const;
   void cut() const {
     if (wiring_.on_dead) wiring_.on_dead();
   }
 
-  /// Fails: why the client has to go.
+  /// Fails: with the reason why the client must go.
   Status may_stay() const { return wiring_.may_stay ? wiring_.may_stay() : Status::ok(); }
 
-  /// Closes, and cuts off whoever has not taken that after so long.
+  /// Closes, and cuts the client off if it has not taken the farewell after `time`.
   void dismiss(const std::string& why, std::chrono::steady_clock::duration time);
 
-  /// Whether more may be read from this client: it takes its answers, and does not send edits
-  /// faster than they are done.
+  /// Returns whether more may be read from this client: it takes its answers, and does not send
+  /// edits faster than they are done.
   bool may_send() const;
 
-  /// An edit message has come that acknowledge() or refuse() will answer. False when the client is
-  /// told to go: it will send the message again elsewhere.
+  /// Notes an edit message that acknowledge() or refuse() will answer. Returns false if the client
+  /// has been told to go: it will send the message again elsewhere.
   bool expect_answer(size_t bytes);
 
-  // What there is to tell.
+  // Messages to the client.
   void acknowledge(EditsAcknowledged answer, size_t bytes);
   void refuse(EditsRefused answer, size_t bytes);
   void refuse_unexpected(EditsRefused answer);
   void tell(std::shared_ptr<const SessionPeople> people);
   void tell(const HistoryState& history);
 
-  /// Nothing more comes from the client. What it sent is still answered; then `farewell`, if any,
-  /// is the last message.
+  /// Takes nothing more from the client. Still answers its edits; then `farewell`, if any, is the
+  /// last message.
   void close(std::optional<Farewell> farewell);
 
   bool is_closed() const;
 
-  /// Whether a frame of this surface would show the client something new, and may be made.
+  /// Returns whether a frame of this surface would be new for the client and may be made.
   bool wants_frame(uint64_t version, bool settled) const;
 
   /// Takes a credit and makes a frame of the shot on an encoder's thread.
   void show(Shot shot);
 
-  /// The next thing to send.
+  /// Returns the next message to send.
   std::optional<ServerMessage> take();
 
-  /// Closed, and nothing will come any more.
+  /// Returns whether it is closed and has no more messages.
   bool is_finished() const;
 
   uint32_t credits() const;
 
-  /// What is held of frames for this client alone.
+  /// Returns the bytes of frames held for this client alone.
   uint64_t byte_count() const;
 
  private:
@@ -114,16 +114,16 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   Executor& encoders_;
   const SubscriberWiring wiring_;
   const LiveObject live_{LiveKind::kStream};
-  // Of the one encode() under way.
+  // Used by the one encode() under way only.
   FrameEncoder encoder_;
   uint64_t last_sequence_ = 0;  // of the last frame with data
 
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // guards the following members
   uint32_t credits_ = 0;
-  FrameCredit unseen_;              // by the encoder: what became of its frames
-  bool holds_frame_ = false;        // as far as we know; else every frame is a key frame,
-  bool key_frame_allowed_ = false;  // of which one goes out for each of the client's messages
-  bool making_frame_ = false;       // from show() until it is taken
+  FrameCredit unseen_;        // not yet seen by the encoder: the outcome of its frames
+  bool holds_frame_ = false;  // as far as the server knows; if false, every frame is a key frame,
+  bool key_frame_allowed_ = false;  // and each message of the client allows one
+  bool making_frame_ = false;       // from show() until the frame is taken
   std::optional<LiveFrame> frame_;
   uint64_t encoder_bytes_ = 0;
   std::optional<uint64_t> shown_version_;
@@ -137,7 +137,7 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   std::optional<Heartbeat> echo_;
   uint64_t client_time_us_ = 0;
   std::chrono::steady_clock::time_point last_beat_;
-  std::chrono::steady_clock::time_point frame_beat_;  // that the frame under way has seen
+  std::chrono::steady_clock::time_point frame_beat_;  // last beat before the frame under way
   std::chrono::steady_clock::time_point last_heard_ = std::chrono::steady_clock::now();
   std::optional<Farewell> farewell_;
   std::optional<std::chrono::steady_clock::time_point> dismissed_;

@@ -18,12 +18,12 @@ sigset_t block_signals() {
   sigemptyset(&signals);
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&signals, signal);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  // A full disk or quota is an error of the write, not the end of the server.
+  // A full disk or quota is an error of the write; it must not end the server.
   std::signal(SIGXFSZ, SIG_IGN);
   return signals;
 }
 
-/// The signal that came within a tick; 0: none.
+/// Returns the signal that came within a tick; 0 for none.
 static int wait_for_signal(const sigset_t& signals, milliseconds tick) {
   const auto whole = std::chrono::floor<std::chrono::seconds>(tick);
   const timespec time = {whole.count(), std::chrono::nanoseconds(tick - whole).count()};

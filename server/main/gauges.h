@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// What the server has just now: calls, sessions, bytes, live objects, the certificate's end.
+/// Reads the server's present figures: calls, sessions, bytes, live objects, the certificate's end.
 /// `certificates` may be null.
 std::vector<Gauge> read_gauges(const Server& server, MeshStore& store,
                                const SessionManager& sessions, const LiveSessions& live,

@@ -24,8 +24,8 @@ namespace {
 
 constexpr int kExitFailed = 1;
 constexpr int kExitDeviceFailed = 3;
-constexpr int kSolverThreads = 1;  // the CPU's cores together, or the one GPU
-constexpr auto kLastWords = std::chrono::milliseconds(200);  // for NOT_SERVING to get out
+constexpr int kSolverThreads = 1;                            // all cores of the CPU, or the one GPU
+constexpr auto kLastWords = std::chrono::milliseconds(200);  // time to send NOT_SERVING
 
 Status write_port_file(const std::filesystem::path& path, int port) {
   if (path.empty()) return Status::ok();
@@ -34,7 +34,7 @@ Status write_port_file(const std::filesystem::path& path, int port) {
   return file.commit();
 }
 
-/// What is read again while the server runs; null where the configuration names no such file.
+/// Files that are read again while the server runs; null if the configuration names no such file.
 struct TrustFiles {
   std::unique_ptr<Reloaded<Certificates>> certificates;
   std::unique_ptr<Reloaded<UserTable>> users;
@@ -109,8 +109,8 @@ SessionManagerOptions session_options(const ServerConfig& config) {
   return options;
 }
 
-// A device that has failed may hold its callers for ever, so that nothing can be waited for.
-// Acknowledged edits are on disk; the supervisor starts the server again and it replays them.
+// A failed device may hold its callers for ever, so nothing can be waited for. Acknowledged edits
+// are on disk. The supervisor starts the server again, which replays them.
 [[noreturn]] void end_at_once(const Status& status) {
   spdlog::critical("{}; ending, so that the supervisor starts the server again", status.message());
   spdlog::default_logger()->flush();
@@ -127,14 +127,14 @@ Result<std::unique_ptr<MetricsExporter>> start_metrics(const std::string& listen
   return exporter;
 }
 
-/// Without a device only our own threads can be late: a machine that is busy has not failed.
+/// Without a device only the server's own threads can be late: a busy machine has not failed.
 DeviceWatch::Times watch_times(BackendKind backend) {
   DeviceWatch::Times times;
   if (!has_device(backend)) times.answer_max = std::chrono::hours(1);
   return times;
 }
 
-/// Serves until a signal ends it, or too long without use.
+/// Serves until a signal or a long time without use ends it.
 Status serve(const CommandLine& line, const sigset_t& signals) {
   const ServerConfig& config = line.config;
   ASSIGN_OR_RETURN(const TrustFiles files, open_trust_files(config));
@@ -182,10 +182,11 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
 }  // namespace burnish
 
 int main(int argc, char** argv) {
-  umask(S_IRWXG | S_IRWXO);  // scans and edits are for this user alone
+  umask(S_IRWXG | S_IRWXO);  // only this user may read scans and edits
   burnish::sleep_while_waiting(argv);
-  // glibc gives nearly every thread a heap of its own, and what a session took stays in many of
-  // them: fourteen sessions opened and closed in turn left 326 MB resident, with two heaps 131.
+  // glibc gives nearly every thread its own heap, and the memory of closed sessions stays in many
+  // heaps. Fourteen sessions opened and closed in turn left 326 MB resident; with two heaps they
+  // leave 131 MB.
   mallopt(M_ARENA_MAX, 2);
   int exit_code = 0;
   const auto line = burnish::parse_command_line(argc, argv, exit_code);

@@ -9,23 +9,23 @@
 
 namespace burnish {
 
-/// Who asks for something of a session, and the most that the server lets them be there.
+/// Who asks for something of a session, and the highest role that the server allows them there.
 struct Caller {
-  // A name alone is a caller whom the server does not bound.
+  // The server does not bound a caller who is only a name.
   Caller(std::string name = {}) : user(std::move(name)) {}  // NOLINT(google-explicit-constructor)
   Caller(const char* name) : user(name) {}                  // NOLINT(google-explicit-constructor)
 
   std::string user;                        ///< "": somebody without a name
-  SessionRole most = SessionRole::kOwner;  ///< whatever the session's roles say
-  bool owns_server = false;                ///< an owner of every session
+  SessionRole most = SessionRole::kOwner;  ///< bounds the session's roles
+  bool owns_server = false;                ///< owns every session
 
   bool operator==(const Caller&) const = default;
 };
 
-/// What the caller may do in a session with these roles.
+/// Returns the caller's role in a session with these roles.
 SessionRole role_in(const SessionRoles& roles, const Caller& caller);
 
-/// Fails: permission_denied naming the caller, the role, and the one that `what` needs.
+/// Fails: permission_denied that names the caller, the role, and the role that `what` needs.
 Status require_role(const SessionRoles& roles, const Caller& caller, SessionRole least,
                     std::string_view what);
 

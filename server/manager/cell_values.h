@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// One value per cell of the finest depth, with all edits so far.
+/// Returns one value per cell of the finest depth, with all edits so far.
 std::vector<float> cell_values(const Session& session, CellValue value);
 
 }  // namespace burnish

@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-// Told apart by people with any colour vision, on a grey surface (after Okabe and Ito).
+// People with any colour vision can tell these apart on a grey surface (after Okabe and Ito).
 static constexpr std::array<uint32_t, 7> kColours = {0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442,
                                                      0x0072B2, 0xD55E00, 0xCC79A7};
 

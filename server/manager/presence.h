@@ -10,19 +10,19 @@
 
 namespace burnish {
 
-/// Who is in one session, in memory only. Thread-safe.
+/// The people in one session, in memory only. Thread-safe.
 class Presence {
  public:
-  /// Returns the connection's number. The colour is the one that is least in use.
+  /// Returns the connection's number. Gives it the least used colour.
   uint64_t join(const std::string& user);
 
-  /// Nothing happens for a connection that has left.
+  /// Does nothing for a connection that has left.
   void leave(uint64_t connection);
   void move_brush(uint64_t connection, const std::optional<BrushRing>& ring);
 
   std::vector<PresentUser> list() const;
 
-  /// Grows with every change, so that a watcher can tell whether to look again.
+  /// Returns a number that grows with every change, so that a watcher knows when to look again.
   uint64_t version() const;
 
  private:

@@ -14,7 +14,7 @@
 
 namespace burnish {
 
-/// A session as its manager keeps it, in memory or not.
+/// A session of the manager, in memory or not.
 struct SessionEntry {
   explicit SessionEntry(SessionRecord session_record) : record(std::move(session_record)) {}
 
@@ -31,7 +31,7 @@ struct SessionEntry {
     session_bytes = 0;
   }
 
-  /// What replay makes again goes; what it needs for that stays.
+  /// Forgets the state that a replay makes again.
   void forget_state() {
     session.reset();
     last = {};
@@ -41,21 +41,21 @@ struct SessionEntry {
   const SessionRecord record;
   std::atomic<uint64_t> edits{0};
   std::atomic<bool> in_memory{false};
-  std::atomic<bool> in_journal{false};  // else it is being made, and nobody has been told of it
+  std::atomic<bool> in_journal{false};  // else it is being made, and nobody knows of it
   std::atomic<uint64_t> session_bytes{0};
-  /// The session in memory has seen edits that could not be written: it is to be replayed.
+  /// The session in memory has edits that could not be written: it must be replayed.
   std::atomic<bool> ahead_of_journal{false};
   Presence presence;
   std::atomic<std::chrono::steady_clock::time_point> last_use{std::chrono::steady_clock::now()};
 
-  FairMutex mutex;  // of what follows
+  FairMutex mutex;  // guards the following members
   bool deleted = false;
-  bool solving = false;  // somebody has lent the mutex in the middle of a solve
+  bool solving = false;  // a solve has lent the mutex
   SessionRoles roles;
   uint64_t roles_version = 0;
   std::shared_ptr<const SharedMesh> mesh;
-  Quota::Share memory;               // what the session takes of the server's
-  Quota::Share by_user;              // of whoever opened it
+  Quota::Share memory;               // the session's share of the server's memory
+  Quota::Share by_user;              // share of the user who opened it
   std::unique_ptr<Session> session;  // null: not in memory
   uint64_t life = 0;                 // how often it has come to memory
   StepReport last;

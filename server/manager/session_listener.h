@@ -9,27 +9,27 @@
 
 namespace burnish {
 
-/// Whoever shows sessions to clients. Called while their locks are held: must be short, and must
-/// not touch a session.
+/// Shows sessions to clients. Calls come while sessions' locks are held: they must be short, and
+/// must not touch a session.
 class SessionListener {
  public:
   virtual ~SessionListener() = default;
 
-  /// Edits were applied, or have to be forgotten, or somebody got another role.
+  /// Edits were applied or must be forgotten, or somebody got another role.
   virtual void on_session_changed(const std::string& id) = 0;
 
-  /// An owner closed the session, or deleted it: whoever is in it is to go, and hears why.
+  /// An owner closed or deleted the session: everybody in it must leave, and is told why.
   virtual void on_session_left(const std::string& id, const Status& why) = 0;
 
-  /// What is held for the session's clients.
+  /// Returns the bytes held for the session's clients.
   virtual uint64_t client_bytes(const std::string& id) const = 0;
 };
 
-/// Where a listener is found for as long as it is there. It outlives those that speak to it: the
-/// journal may tell of a commit when sessions are gone. Thread-safe.
+/// Keeps the listener while there is one. It outlives its callers: the journal may report a commit
+/// when sessions are gone. Thread-safe.
 class ListenerSlot {
  public:
-  /// Null takes the last one out; when this returns, nobody speaks to that one any more.
+  /// Null removes the listener. After the return nobody calls the old one.
   void set(SessionListener* listener) {
     const std::unique_lock lock(mutex_);
     listener_ = listener;

@@ -8,6 +8,7 @@
 #include "common/transfer/content_hash.h"
 #include "server/manager/session_manager_held.h"
 #include "server/memory/memory_need.h"
+#include "server/scheduling/cancellable_lock.h"
 
 namespace burnish {
 
@@ -43,7 +44,7 @@ bool SessionManager::is_edited(const std::string& scan_id, const PreparedKey& ke
   });
 }
 
-// Ids come first: an old journal may have names that look like one.
+// Ids come first: an old journal may have names that look like an id.
 std::shared_ptr<SessionEntry> SessionManager::find(const std::string& reference) const {
   const std::lock_guard lock(mutex_);
   for (const auto* map : {&sessions_, &by_name_}) {
@@ -94,7 +95,7 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
   if (by_user.amount() == 0 && !caller.user.empty()) {
     ASSIGN_OR_RETURN(by_user, by_user_.take("user " + caller.user, 1));
   }
-  ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));  // which also checks the record
+  ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));  // also checks the record
   std::shared_ptr<const SharedMesh> mesh = std::move(entry.mesh);
   if (!mesh) {
     ASSIGN_OR_RETURN(mesh, store_.open_mesh(record.scan_id, record.key, progress));
@@ -170,7 +171,7 @@ Status SessionManager::close(const std::string& reference, const Caller& caller,
   return Status::ok();
 }
 
-// The session stays locked while the disk writes: whoever wants it has to know how that ends.
+// The session stays locked while the disk writes: others must know the outcome before they go on.
 Status SessionManager::remove(const std::string& reference, const Caller& caller,
                               const Progress& progress) {
   ASSIGN_OR_RETURN(const Held held, lock(reference, progress));
@@ -212,7 +213,7 @@ Result<SessionState> SessionManager::state(const std::string& reference, const C
 
 Result<std::string> SessionManager::delete_scan(const std::string& reference) {
   const auto found = store_.find(reference);
-  // A damaged scan is in no list: it answers to its full id alone.
+  // A damaged scan is in no list: only its full id finds it.
   if (!found.is_ok() && !is_content_hash(reference)) return found.status();
   const std::string id = found.is_ok() ? found->id : reference;
   const std::string name = found.is_ok() ? found->name : short_id(id);
@@ -220,9 +221,9 @@ Result<std::string> SessionManager::delete_scan(const std::string& reference) {
     const std::lock_guard lock(mutex_);
     for (const auto& [session, entry] : by_name_)
       if (entry->record.scan_id == id)
-        return failed_precondition("scan " + name + " is edited by session " + session +
-                                   "; delete that first");
-    // From here on no session can be opened over it.
+        return failed_precondition("session " + session + " edits scan " + name +
+                                   "; delete the session first");
+    // From here on no session can be opened on it.
     if (!scans_going_.insert(id).second) return not_found("scan " + name + " is being deleted");
   }
   const Status removed = store_.remove(id);

@@ -37,10 +37,10 @@ struct SessionManagerOptions {
 struct SessionEntry;
 class SessionTurn;
 
-/// All sessions by name and id. The journal knows every session; those in use are in memory as
-/// well, and come back there by replay. Thread-safe: one lock per session, held while it works and
-/// never while it waits for the disk. What a caller may do is up to the session's roles, and a
-/// refusal is permission_denied. A name is never an id: 16 hexadecimal digits are refused as one.
+/// All sessions by name and id. The journal knows every session. Sessions in use are in memory as
+/// well; a replay brings them there. Thread-safe: one lock per session, held while it works and
+/// never while it waits for the disk. The session's roles say what a caller may do; a refusal is
+/// permission_denied. A name is never an id: 16 hexadecimal digits are refused as a name.
 class SessionManager {
  public:
   /// Lists the journal's sessions. Needs: folder, store and journal outlive the manager.
@@ -49,47 +49,46 @@ class SessionManager {
                                                         const SessionManagerOptions& options);
   ~SessionManager();
 
-  /// Opens, or attaches to the session of that name when it is over the same prepared mesh. A new
-  /// session is written down once it has opened: what cannot be opened leaves nothing behind.
-  /// Fails: not_found, invalid_argument (the name is an id), already_exists (the name is
-  /// another's), resource_exhausted, cancelled.
+  /// Opens a session, or attaches to the session of that name if it has the same prepared mesh. A
+  /// new session is written down once it has opened, so a failed opening leaves nothing behind.
+  /// Fails: not_found, invalid_argument (the name is an id), already_exists (another session has
+  /// the name), resource_exhausted, cancelled.
   Result<OpenedSession> open(const SessionWish& wish, const Caller& caller,
                              const Progress& progress = {});
 
-  /// A new session with a part of another's edits; the caller becomes its owner.
-  /// Fails: not_found (session, edit, checkpoint), invalid_argument (the name is an id),
-  /// already_exists, resource_exhausted, cancelled.
+  /// Makes a session with a part of another's edits; the caller becomes its owner. Fails: not_found
+  /// (session, edit, checkpoint), invalid_argument (the name is an id), already_exists,
+  /// resource_exhausted, cancelled.
   Result<SessionInfo> fork(const ForkWish& wish, const Caller& caller,
                            const Progress& progress = {});
 
-  /// By name.
+  /// Returns the sessions by name.
   std::vector<SessionInfo> list() const;
 
-  /// What the sessions in memory take, by the admission's prediction.
+  /// The predicted memory of the sessions in memory.
   struct Usage {
     size_t in_memory = 0;
     uint64_t session_bytes = 0;
   };
   Usage usage() const;
 
-  /// What meshes, sessions and whoever shows them share.
+  /// The common budget of meshes, sessions and the listener.
   Quota& memory() { return store_.memory(); }
 
-  /// Sends everybody out of the session and gives its memory back; whoever opens it again brings
-  /// it back.
+  /// Sends everybody out of the session and frees its memory. The next opening brings it back.
   Status close(const std::string& reference, const Caller& caller, const Progress& progress = {});
 
   /// Forgets the session and its edits.
   Status remove(const std::string& reference, const Caller& caller, const Progress& progress = {});
 
-  /// Applies all new edits or none. When it returns they are on disk. Ids that the caller has used
-  /// before are skipped. Fails: as EditedFields::record() and Journal::append().
+  /// Applies all new edits or none. When it returns they are on disk. Skips ids that the caller has
+  /// used before. Fails: as EditedFields::record() and Journal::append().
   Result<ApplyOutcome> apply(const std::string& reference, const Caller& caller,
                              std::span<const Edit> edits, const Progress& progress = {});
 
-  /// The same without waiting for the disk: the session has the edits when this returns, and
-  /// `on_disk` is called from another thread when they are safe. When it hears of a failure, the
-  /// session forgets them. Not called when this fails.
+  /// Does the same without waiting for the disk: the session has the edits when this returns.
+  /// Another thread calls `on_disk` when they are safe. If `on_disk` gets a failure, the session
+  /// forgets the edits. It is not called when this fails.
   Result<ApplyOutcome> submit(const std::string& reference, const Caller& caller,
                               std::span<const Edit> edits, const Progress& progress,
                               GroupCommit::Done on_disk);
@@ -99,19 +98,19 @@ class SessionManager {
 
   Result<SessionPeople> people(const std::string& reference, const Progress& progress = {});
 
-  /// Gives `subject`, or everybody without a role of their own when it is "", a role.
-  /// Fails: resource_exhausted (kSessionRolesMax), failed_precondition (no owner would be left).
+  /// Gives a role to `subject`, or if it is "" to everybody without their own role. Fails:
+  /// resource_exhausted (kSessionRolesMax), failed_precondition (no owner would be left).
   Status set_role(const std::string& reference, const Caller& caller, const std::string& subject,
                   SessionRole role, const Progress& progress = {});
 
-  /// Runs `work` with the session in memory, up to date, and nobody else at it.
+  /// Runs `work` alone on the session, in memory and up to date.
   Status visit(const std::string& reference, const Caller& caller,
                const std::function<Status(Session&)>& work, const Progress& progress = {});
 
-  /// Who is there; lives as long as the session. Fails: not_found.
+  /// Returns the people in the session; lives as long as the session. Fails: not_found.
   Result<std::shared_ptr<Presence>> presence(const std::string& reference) const;
 
-  /// A session for whoever works at it in turns: in memory, and found without a search.
+  /// A session for work in turns: in memory, and found without a search.
   struct Attached {
     std::shared_ptr<SessionEntry> entry;
     std::shared_ptr<const SharedMesh> mesh;
@@ -124,26 +123,26 @@ class SessionManager {
   Result<Attached> attach(const std::string& reference, const Caller& caller,
                           const Progress& progress = {});
 
-  /// Never waits: nothing when somebody else is at the session, and `place` calls once it is worth
-  /// another try. Fails: not_found (deleted). Needs: a place in the line of the entry's mutex.
+  /// Never waits. Returns nothing if somebody else works on the session; `place` calls when another
+  /// try is worth it. Fails: not_found (deleted). Needs: a place in the line of the entry's mutex.
   Result<std::optional<SessionTurn>> try_turn(const std::shared_ptr<SessionEntry>& entry,
                                               FairMutex::Place& place);
 
-  /// Takes the sessions out of memory that nobody is in, and that nobody has used for so long.
+  /// Unloads sessions that nobody is in and nobody has used for `idle_time`.
   void spill_idle(std::chrono::seconds idle_time);
 
-  /// Who shows sessions to clients; null: nobody. When this returns, nobody speaks to the last one.
+  /// Sets who shows sessions to clients; null: nobody. After the return nobody calls the old one.
   void set_listener(SessionListener* listener) { listener_->set(listener); }
 
   Result<SessionState> state(const std::string& reference, const Caller& caller,
                              const Progress& progress = {});
 
-  /// Solves and writes the edited mesh to a staging file. Edits are taken in meanwhile.
+  /// Solves and writes the edited mesh to a staging file. Takes edits in meanwhile.
   Result<std::unique_ptr<ExportFile>> export_mesh(const std::string& reference,
                                                   const ExportWish& wish, const Caller& caller,
                                                   const Progress& progress = {});
 
-  /// Deletes a scan of the store. Fails: failed_precondition naming a session that edits it.
+  /// Deletes a scan of the store. Fails: failed_precondition that names a session that edits it.
   Result<std::string> delete_scan(const std::string& reference);
 
  private:
@@ -165,7 +164,7 @@ class SessionManager {
   Result<Held> lock(std::shared_ptr<SessionEntry> entry, const Progress& progress) const;
   Result<Held> use(const std::string& reference, const Caller& caller, const Progress& progress);
 
-  // New sessions: the name is taken at once, the disk is written without the map's lock.
+  // New sessions take the name at once, and write to the disk without the map's lock.
   struct Reserved;
   Result<Reserved> find_or_reserve(const SessionWish& wish, const Caller& caller);
   Result<Held> reserve(SessionRecord record, const Caller& caller);  // needs the map's lock
@@ -195,12 +194,12 @@ class SessionManager {
   const std::shared_ptr<ListenerSlot> listener_ = std::make_shared<ListenerSlot>();
   std::atomic<bool> ending_{false};
 
-  mutable std::mutex mutex_;  // of what follows; never held while a session works or a disk writes
+  mutable std::mutex mutex_;  // the maps; not held while a session works or a disk writes
   std::map<std::string, std::shared_ptr<SessionEntry>> sessions_;  // by id
   std::map<std::string, std::shared_ptr<SessionEntry>> by_name_;
-  std::set<std::string> scans_going_;  // that are being deleted
+  std::set<std::string> scans_going_;  // scans that are being deleted
 
-  Executor background_{1};  // last: its thread ends before anything else does
+  Executor background_{1};  // last member: its thread ends before the others are destroyed
 };
 
 }  // namespace burnish

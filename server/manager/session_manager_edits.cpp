@@ -1,4 +1,4 @@
-// What SessionManager does with the edits and the people of one session.
+// The part of SessionManager for the edits and the people of one session.
 
 #include <algorithm>
 #include <chrono>
@@ -12,7 +12,7 @@
 
 namespace burnish {
 
-/// Those that the user has not sent before, each once.
+/// Returns the edits that the user has not sent before, each once.
 static std::vector<AuthoredEdit> new_edits(const History& history, const std::string& user,
                                            std::span<const Edit> edits) {
   std::vector<AuthoredEdit> fresh;
@@ -24,7 +24,7 @@ static std::vector<AuthoredEdit> new_edits(const History& history, const std::st
   return fresh;
 }
 
-/// `numbers` of the fresh edits, each at the place of its edit; 0 for the others.
+/// Returns `numbers` of the fresh edits, each at the place of its edit; 0 for the others.
 static std::vector<uint64_t> at_their_places(std::span<const Edit> edits,
                                              const std::vector<AuthoredEdit>& fresh,
                                              const std::vector<uint64_t>& numbers) {
@@ -35,7 +35,7 @@ static std::vector<uint64_t> at_their_places(std::span<const Edit> edits,
   return entries;
 }
 
-// What the edits of a session take counts with the session.
+// A session's edits count as its memory.
 static Status charge_for(std::span<const AuthoredEdit> more, SessionEntry& entry) {
   uint64_t bytes =
       predict_session_bytes(*entry.mesh) + entry.session->edited().history().byte_count();
@@ -72,8 +72,8 @@ Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEn
                        static_cast<uint32_t>(edits.size() - fresh.size()), size,
                        at_their_places(edits, fresh, numbers)};
   const bool is_changed = !fresh.empty();
-  // Also without new edits: a known one may still be on its way to the disk. The journal may
-  // outlive this manager, so that nothing here may be its own.
+  // Also called without new edits: a known one may still be on its way to the disk. The callback
+  // must not use this manager, because the journal may outlive it.
   journal_.append(
       entry.record.id, first, std::move(fresh),
       [listener = listener_, shared = held, first,
@@ -122,7 +122,7 @@ Result<SessionPeople> SessionManager::people(const std::string& reference,
   return SessionPeople{held.entry->roles, held.entry->presence.list()};
 }
 
-// A role counts at once; when it cannot be written, what the journal has counts again.
+// A role counts at once. If it cannot be written, the journal's role counts again.
 Status SessionManager::set_role(const std::string& reference, const Caller& caller,
                                 const std::string& subject, SessionRole role,
                                 const Progress& progress) {

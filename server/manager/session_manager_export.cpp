@@ -1,12 +1,12 @@
-// What SessionManager does to give an edited mesh away as a file.
+// The part of SessionManager that exports an edited mesh as a file.
 
 #include "server/manager/session_manager_held.h"
 #include "server/metrics/metrics.h"
 
 namespace burnish {
 
-// Whoever works at the session in turns may take edits in between two cycles: a solve may last for
-// seconds. They do not touch what is solved, for the fields follow the history only afterwards.
+// Others may submit edits between two cycles, because a solve may last for seconds. These do not
+// touch the solved system: the fields follow the history only afterwards.
 Result<SolveReport> SessionManager::solve(Held& held, const ExportWish& wish,
                                           const Progress& progress) {
   struct Solving {

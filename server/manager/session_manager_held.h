@@ -2,7 +2,6 @@
 
 #include "server/manager/session_entry.h"
 #include "server/manager/session_manager.h"
-#include "server/scheduling/cancellable_lock.h"
 
 namespace burnish {
 

@@ -1,6 +1,6 @@
-// How SessionManager makes sessions. A new one takes its name first, in an entry that stays locked;
-// others of that name wait there. It is written down once it has opened, and nobody hears of it
-// before: whoever gives up takes nothing away from anybody.
+// The part of SessionManager that makes sessions. A new session first takes its name, in an entry
+// that stays locked; others with that name wait there. It is written down once it has opened, and
+// nobody knows of it before, so giving up harms nobody.
 
 #include <algorithm>
 #include <chrono>
@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// What there is of a name: a session, or an entry to make one in.
+/// The result for a name: a session, or an entry to make one in.
 struct SessionManager::Reserved {
   std::shared_ptr<SessionEntry> found;
   Held made;
@@ -24,7 +24,7 @@ std::string describe(const PreparedKey& key) {
   return "depth " + std::to_string(key.depth);
 }
 
-/// Fails: invalid_argument for what could be the id of a session.
+/// Fails: invalid_argument for a name that could be the id of a session.
 Status check_is_no_id(const std::string& name) {
   const auto is_digit = [](unsigned char c) { return std::isxdigit(c) != 0; };
   if (name.size() != kIdDigits || !std::ranges::all_of(name, is_digit)) return Status::ok();
@@ -51,8 +51,8 @@ Result<uint64_t> end_of_fork(const ForkWish& wish, Journal& journal, const std::
 Status SessionManager::check_room() const {
   if (sessions_.size() < options_.sessions_max) return Status::ok();
   return resource_exhausted("the server has " + std::to_string(sessions_.size()) +
-                            " sessions, sessions_max is " + std::to_string(options_.sessions_max) +
-                            "; delete one");
+                            " sessions; limits.sessions_max is " +
+                            std::to_string(options_.sessions_max) + "; delete one");
 }
 
 Result<SessionManager::Held> SessionManager::reserve(SessionRecord record, const Caller& caller) {
@@ -98,7 +98,7 @@ Result<OpenedSession> SessionManager::open(const SessionWish& wish, const Caller
       return made;
     }
     ASSIGN_OR_RETURN(const Held held, lock(std::move(reserved.found), progress));
-    if (held.entry->deleted) continue;  // whoever was making it has given up: the name is free
+    if (held.entry->deleted) continue;  // its maker has given up: the name is free
     RETURN_IF_ERROR(bring_back(*held.entry, caller, progress)
                         .with_context("session " + held.entry->record.name));
     return OpenedSession{held.entry->info(), true};

@@ -1,4 +1,4 @@
-// What SessionManager does for whoever works at a session in turns.
+// The part of SessionManager for work on a session in turns.
 
 #include <spdlog/spdlog.h>
 
@@ -64,7 +64,7 @@ void SessionManager::spill_idle(std::chrono::seconds idle_time) {
   }
   for (const std::shared_ptr<SessionEntry>& entry : in_memory) {
     if (steady_clock::now() - entry->last_use.load() < idle_time) continue;
-    // Whoever is at it uses it.
+    // A session with people in it, or under work, is in use.
     const std::unique_lock lock(entry->mutex, std::try_to_lock);
     if (!lock.owns_lock() || !entry->session || !entry->presence.list().empty() ||
         steady_clock::now() - entry->last_use.load() < idle_time)

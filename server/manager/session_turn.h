@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// A session with nobody else at it, for as long as this lives.
+/// A session for one user of it, while this lives.
 class SessionTurn {
  public:
   Session& session() { return *entry_->session; }
@@ -19,28 +19,29 @@ class SessionTurn {
   uint64_t roles_version() const { return entry_->roles_version; }
   uint64_t edits() const { return entry_->edits; }
 
-  /// Whether somebody solves and has only lent the session: edits may be submitted, and nothing
+  /// Returns whether somebody solves and has only lent the session: edits may be submitted, nothing
   /// else may be done.
   bool is_solving() const { return entry_->solving; }
 
-  /// Else it is to be brought back, and nothing but that may be done.
+  /// If false, the session must be brought back, and nothing else may be done.
   bool is_in_memory() const {
     return is_solving() || (entry_->session && !entry_->ahead_of_journal);
   }
 
-  /// Begins to bring the session back once this turn is over; `came_back` is told how that went,
-  /// from another thread.
+  /// Starts to bring the session back after this turn. Another thread calls `came_back` with the
+  /// outcome.
   void bring_back_later(const std::function<void(const Status&)>& came_back) {
     manager_->bring_back_later(entry_, came_back);
   }
 
-  /// Brings the fields up to the history until `progress` says stop. False: there is more to do.
+  /// Brings the fields up to the history until `progress` says stop. Returns false if more is to
+  /// do.
   bool catch_up(const Progress& progress) { return manager_->catch_up(*entry_, progress).is_ok(); }
 
-  /// Another one whenever the session has come back to memory: what is not an edit is lost then.
+  /// Changes each time the session comes back to memory: all but its edits is lost then.
   uint64_t life() const { return entry_->life; }
 
-  /// The report of the session's last step; of cycle 0 before the first.
+  /// Returns the report of the session's last step; of cycle 0 before the first step.
   StepReport& last() { return entry_->last; }
 
   /// As SessionManager::submit().
@@ -57,7 +58,7 @@ class SessionTurn {
 
   SessionManager* manager_;
   std::shared_ptr<SessionEntry> entry_;
-  std::unique_lock<FairMutex> lock_;  // first to go
+  std::unique_lock<FairMutex> lock_;  // destroyed first
 };
 
 }  // namespace burnish

@@ -4,8 +4,7 @@
 
 #include "common/base/limits.h"
 #include "common/base/process_memory.h"
-#include "common/mesh/mesh_io.h"
-#include "server/memory/memory_need.h"
+#include "server/memory/opening_need.h"
 
 namespace burnish {
 
@@ -16,8 +15,9 @@ LibraryBudget::LibraryBudget(Quota& memory, std::filesystem::path folder)
 
 Status LibraryBudget::take(uint64_t bytes) {
   if (bytes > bytes_max_ && bytes_max_ < memory_.max())
-    return resource_exhausted("the machine has " + std::to_string(bytes_max_) +
-                              " bytes of memory available");
+    return resource_exhausted(std::to_string(bytes) +
+                              " bytes of memory are needed; the machine has " +
+                              std::to_string(bytes_max_) + " available");
   if (share_.amount() > 0) return share_.resize(bytes);
   ASSIGN_OR_RETURN(share_, memory_.take(kServer, bytes));
   return Status::ok();
@@ -44,9 +44,10 @@ Status check_disk_space(const std::filesystem::path& folder, uint64_t bytes) {
   if (error) return errno_status("cannot find the free space in " + folder.string(), error.value());
   const uint64_t usable = space.available - std::min(space.available, kDiskReserveBytes);
   if (bytes <= usable) return Status::ok();
-  return resource_exhausted("the disk of the data folder has " + std::to_string(space.available) +
-                            " bytes free, of which " + std::to_string(kDiskReserveBytes) +
-                            " are kept for the journal");
+  return resource_exhausted(
+      std::to_string(bytes) +
+      " bytes do not fit on the disk of the data folder: " + std::to_string(space.available) +
+      " are free, and " + std::to_string(kDiskReserveBytes) + " of them are for the journal");
 }
 
 }  // namespace burnish

@@ -7,15 +7,15 @@
 
 namespace burnish {
 
-/// What one preparation of the library may take: a share of the server's memory for as long as this
-/// lives, and the disk's free space but for a reserve. A scan that could never be opened at the
-/// depth is refused as well.
+/// The budget of one preparation of the library: a share of the server's memory while this lives,
+/// and the disk's free space less a reserve. It also refuses a scan that could never be opened at
+/// the depth.
 class LibraryBudget : public PreparationBudget {
  public:
-  /// Needs: `memory` outlives this. `folder` is where the prepared file goes.
+  /// Needs: `memory` outlives this. `folder` will hold the prepared file.
   LibraryBudget(Quota& memory, std::filesystem::path folder);
 
-  /// Before a mesh file of so many bytes is read. Fails: resource_exhausted with the numbers.
+  /// Call before reading a mesh file of `file_bytes`. Fails: resource_exhausted with the numbers.
   Status ask_to_read(uint64_t file_bytes);
 
   uint64_t memory_bytes_max() const override { return bytes_max_; }
@@ -30,7 +30,7 @@ class LibraryBudget : public PreparationBudget {
   Quota::Share share_;
 };
 
-/// Fails: resource_exhausted when the file system of `folder` has not so many bytes free beside
+/// Fails: resource_exhausted if the file system of `folder` has less than `bytes` free beyond
 /// kDiskReserveBytes; as errno says.
 Status check_disk_space(const std::filesystem::path& folder, uint64_t bytes);
 

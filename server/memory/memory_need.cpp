@@ -9,7 +9,7 @@ namespace burnish {
 static constexpr uint64_t kSessionBytesPerCorner = 700;  // of any depth
 static constexpr uint64_t kSessionBytesPerCell = 60;     // fields, paint, a gesture's copy
 static constexpr uint64_t kLayoutBytesPerValue = 12;
-static constexpr uint64_t kFrameInTheMaking = 36;    // a value: its sample, two drafts, its bytes
+static constexpr uint64_t kFrameInTheMaking = 36;    // per value: its sample, two drafts, its bytes
 static constexpr uint64_t kCoarsestBytes = 6 << 20;  // the direct solver of the coarsest depth
 
 uint64_t predict_session_bytes(const Multigrid& on) {
@@ -22,7 +22,7 @@ uint64_t predict_session_bytes(const Multigrid& on) {
          on.plan->patches.entry_count() * sizeof(float);
 }
 
-// Either content may be asked for: the larger one counts.
+// A client may ask for either content, so the larger one counts.
 uint64_t predict_target_bytes(const PreparedMesh& prepared, const Hierarchy& hierarchy,
                               uint64_t triangles_max) {
   const uint64_t corners = hierarchy.at(hierarchy.finest).grid.corners.size();

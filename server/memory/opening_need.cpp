@@ -2,11 +2,11 @@
 
 namespace burnish {
 
-// Measured on real scans and rounded up: a cell of the finest depth brings some two corners, and
+// Measured on real scans and rounded up. A cell of the finest depth brings about two corners, and
 // the coarser depths a third of that again (docs/benchmarks.md has the figures).
 static constexpr uint64_t kHierarchyBytesPerCell = 704;
 static constexpr uint64_t kHierarchyBytesPerVertex = 12;  // PointsByCell
-static constexpr uint64_t kSessionBytesPerCellMin = 900;  // with the fewest corners that occur
+static constexpr uint64_t kSessionBytesPerCellMin = 900;  // for the fewest possible corners
 
 static uint64_t mesh_bytes(uint64_t byte_count, uint64_t cells, uint64_t vertices) {
   return byte_count + cells * kHierarchyBytesPerCell + vertices * kHierarchyBytesPerVertex;

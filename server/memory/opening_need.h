@@ -7,12 +7,13 @@
 
 namespace burnish {
 
-/// Bytes that a prepared mesh and its hierarchy will take together, before the hierarchy is made.
+/// Returns the bytes that a prepared mesh and its hierarchy will take together. Works before the
+/// hierarchy is made.
 uint64_t predict_mesh_bytes(const PreparedMesh& prepared);
 uint64_t predict_mesh_bytes(const PreparedSummary& prepared);
 
-/// Bytes that a prepared mesh and one session over it will take at least, before it is prepared.
-/// Accuracy: no more than it takes, so that nobody is refused wrongly.
+/// Returns the bytes that a prepared mesh and one session over it will take at least. Works before
+/// the mesh is prepared. Accuracy: no more than they take, so that nobody is refused wrongly.
 uint64_t predict_opened_bytes(const PreparationNeed& need);
 
 }  // namespace burnish

@@ -10,10 +10,10 @@ struct Quota::State {
   const std::string key;
   const uint64_t max;
   std::mutex mutex;
-  std::map<std::string, uint64_t> taken;  // nobody is kept with nothing
+  std::map<std::string, uint64_t> taken;  // a holder of nothing is not in it
   std::function<void(uint64_t)> reserve;
 
-  // How much is missing for `more`.
+  // Returns how much is missing for `more`.
   uint64_t add(const std::string& holder, uint64_t more) {
     const std::lock_guard lock(mutex);
     const uint64_t has = of(holder);
@@ -100,7 +100,7 @@ Quota::Quota(std::string what, std::string key, uint64_t max)
     : state_(new State{std::move(what), std::move(key), max, {}, {}, {}}) {}
 
 Result<Quota::Share> Quota::take(const std::string& holder, uint64_t amount) {
-  Share share(state_, holder, 0);  // its memory first: what is taken must have an owner
+  Share share(state_, holder, 0);  // its memory first: a taken amount must have an owner
   RETURN_IF_ERROR(share.resize(amount));
   return share;
 }

@@ -11,17 +11,17 @@
 
 namespace burnish {
 
-/// The holder of what belongs to no user.
+/// The holder of amounts that belong to no user.
 inline constexpr const char* kServer = "the server";
 
-/// How much of something each holder may have at once. What is taken comes back with the Share.
-/// Thread-safe; shares may outlive their quota.
+/// Limits the amount that each holder may have at once. The Share gives its amount back when it
+/// ends. Thread-safe; shares may outlive their quota.
 class Quota {
  private:
   struct State;
 
  public:
-  /// What one holder has taken.
+  /// The amount of one holder.
   class Share {
    public:
     Share() = default;
@@ -31,11 +31,11 @@ class Quota {
 
     uint64_t amount() const { return amount_; }
 
-    /// Takes more, or gives some back. Needs: a share that take() gave.
-    /// Fails: as take(); then it is as it was.
+    /// Takes more, or gives some back. Needs: a share from take(). Fails: as take(), and is then
+    /// unchanged.
     Status resize(uint64_t amount);
 
-    /// Makes what another share of the same holder has a part of this one.
+    /// Adds another share of the same holder to this one.
     void absorb(Share&& other);
 
    private:
@@ -44,7 +44,7 @@ class Quota {
         : state_(std::move(state)), holder_(std::move(holder)), amount_(amount) {}
     void give_back();
 
-    std::shared_ptr<State> state_;  // null: nothing was taken
+    std::shared_ptr<State> state_;  // null for an amount of zero
     std::string holder_;
     uint64_t amount_ = 0;
   };
@@ -56,11 +56,11 @@ class Quota {
   /// limits.streams_per_user is 8".
   Result<Share> take(const std::string& holder, uint64_t amount);
 
-  /// Called, without a lock, when so much is missing; what it gives back is then asked for again.
-  /// Null: nobody is.
+  /// Sets a function that frees the missing amount; it is called without a lock. Afterwards the
+  /// quota is asked again. Null: no function.
   void set_reserve(std::function<void(uint64_t missing)> give_back);
 
-  /// Of all holders together.
+  /// Amounts of all holders together.
   uint64_t taken() const;
   uint64_t max() const;
 

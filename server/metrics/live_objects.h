@@ -6,20 +6,20 @@
 
 namespace burnish {
 
-/// What must be gone when nobody uses the server any more.
+/// Objects that must be gone when nobody uses the server any more.
 enum class LiveKind { kCall, kMesh, kSession, kUpload, kExport, kLiveSession, kStream };
 
 inline constexpr std::array kLiveKinds = {
     LiveKind::kCall,   LiveKind::kMesh,        LiveKind::kSession, LiveKind::kUpload,
     LiveKind::kExport, LiveKind::kLiveSession, LiveKind::kStream};
 
-/// "call", "mesh", ...
+/// Returns "call", "mesh", ...
 std::string_view live_kind_name(LiveKind kind);
 
-/// How many objects of this kind are alive in the process.
+/// Returns how many objects of this kind live in the process.
 int64_t live_count(LiveKind kind);
 
-/// A member of each object that is counted.
+/// Goes into each counted object as a member.
 class LiveObject {
  public:
   explicit LiveObject(LiveKind kind);

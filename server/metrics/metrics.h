@@ -6,32 +6,32 @@
 
 namespace burnish {
 
-/// What is measured wherever it happens; the exporter makes a histogram of each.
+/// Measured quantities; the exporter makes a histogram of each.
 enum class Measure {
   kJournalCommitSeconds,
   kAssembleSeconds,       ///< matrices and constraint of one solve
-  kSolveSeconds,          ///< its cycles
-  kResidual,              ///< relative, at its end
-  kFrameAssembleSeconds,  ///< the same of one turn of a live session
+  kSolveSeconds,          ///< cycles of one solve
+  kResidual,              ///< relative, at the end of a solve
+  kFrameAssembleSeconds,  ///< matrices and constraint of one turn of a live session
   kFrameSolveSeconds,
   kFrameEncodeSeconds,  ///< of one client's frame
   kFrameBytes,
 };
 
-/// Why somebody was turned away.
+/// Reasons for refusals.
 enum class Refusal {
   kUnauthenticated,
   kPermission,
   kUnknownRpc,
   kLimit,  ///< of one user or of the whole server
   kDraining,
-  kMalformed,    ///< no message of its type, or one that its stream does not take
-  kCutOff,       ///< the message was above the receive limit, or its client went while it came
+  kMalformed,    ///< not a message of its type, or in the wrong place of its stream
+  kCutOff,       ///< the message was above the receive limit, or its client left meanwhile
   kConnections,  ///< above connections_max
-  kHandshake,    ///< no TLS, or a certificate that is not good
+  kHandshake,    ///< no TLS, or a wrong certificate
 };
 
-/// One RPC that has ended.
+/// One finished RPC.
 struct CallRecord {
   std::string_view method;  ///< "/burnish.v1.Library/ListScans"
   std::string_view code;    ///< "OK", "NOT_FOUND", ...
@@ -40,8 +40,8 @@ struct CallRecord {
   uint64_t bytes_sent = 0;
 };
 
-/// Where figures go. Whoever has one to tell needs to know nothing of who collects them.
-/// Thread-safe. This one keeps nothing.
+/// The sink of figures. A source of figures need not know who collects them. Thread-safe. This base
+/// class keeps nothing.
 class Metrics {
  public:
   virtual ~Metrics() = default;
@@ -50,10 +50,10 @@ class Metrics {
   virtual void observe(Measure /*what*/, double /*value*/) {}
 };
 
-/// The process's metrics, as the log is the process's log.
+/// Returns the process's metrics.
 Metrics& metrics();
 
-/// Replaces them; null: none are kept. Needs: no thread still uses the last ones.
+/// Replaces them; null: keeps none. Needs: no thread still uses the old ones.
 void set_metrics(std::shared_ptr<Metrics> kept);
 
 }  // namespace burnish

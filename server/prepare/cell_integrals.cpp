@@ -1,7 +1,6 @@
 #include "server/prepare/cell_integrals.h"
 
 #include "common/base/dispatch.h"
-#include "common/grid/sparse_grid.h"
 
 namespace burnish {
 
@@ -37,12 +36,12 @@ void CellIntegrator::flush() {
   waiting_ = 0;
 }
 
-// ±1: the slope of h₀ or h₁.
+// Returns ±1: the slope of h₀ or h₁.
 static constexpr double sign(int high) {
   return high != 0 ? 1 : -1;
 }
 
-// ∫ S ∇B_a · ∇B_b of one table.
+// Returns ∫ S ∇B_a · ∇B_b of one table.
 [[gnu::always_inline]] static inline double stiffness_of(const double (&along)[3][9],
                                                          const double (&across)[3][2][2][3],
                                                          const int (&a)[3], const int (&b)[3]) {
@@ -79,7 +78,7 @@ BURNISH_DISPATCH static void expand(const CellMoments<double>& moments, CellInte
   }
 }
 
-// What the cell as a solid would add to ∫ β_j β_k along each axis, half of it to each table.
+// Adds the part of the cell as a solid to ∫ β_j β_k along each axis, half of it to each table.
 static void add_cell_stiffness(double area, CellMoments<double>& moments) {
   constexpr double kWhole[3] = {1.0 / 3, 1.0 / 6, 1.0 / 3};  // ∫ β over [0, 1]
   for (auto& of_table : moments.along)

@@ -13,13 +13,13 @@ namespace burnish {
 /// Units: grid; positions are relative to the cell's least corner.
 class CellIntegrator {
  public:
-  /// Adds one convex planar piece. v1 and v2 are the principal directions on it; where it has none
-  /// (`umbilic`: flat or spherical) each of ℓ¹ and ℓ² takes half of both, so that nothing depends
-  /// on an arbitrary choice.
+  /// Adds one convex planar piece. v1 and v2 are the principal directions on it. If it has none
+  /// (`umbilic`: flat or spherical), ℓ¹ and ℓ² each take half of both, so that nothing depends on
+  /// an arbitrary choice.
   void add(const Polygon& piece, const Vec3d& v1, const Vec3d& v2, bool umbilic);
 
   double area() const { return area_; }
-  /// Of all that was added.
+  /// Returns the integrals of all added pieces.
   CellIntegrals integrals();
 
  private:
@@ -35,13 +35,14 @@ class CellIntegrator {
 };
 
 /// The share of ∫_cell ⟨∇B_a, ∇B_b⟩, times the area in the cell, that is added to ℓ¹ + ℓ². A sliver
-/// h cells wide has functions of its corners with h⁴ of the energy of the others; this keeps them
-/// above what rounds matrices. Of a skin of 279,151 vertices it moves eight by more than 1e-6 of
-/// the diagonal, by 1e-5: those of a speck that shares a cell with a surface and is torn off it by
-/// a fifth. Less leaves corners that no vertex is near growing in idle sessions.
+/// h cells wide has functions of its corners with h⁴ of the energy of the others. The share keeps
+/// them above the rounding of matrices. In a skin of 279,151 vertices it moves eight vertices by
+/// more than 1e-6 of the diagonal, by 1e-5. They belong to a speck that shares a cell with a
+/// surface and is torn off it by a fifth of a cell. With a smaller share, corners without a vertex
+/// nearby grow in idle sessions.
 inline constexpr double kCellStiffness = 1e-11;
 
-/// Below this area (cells²) a piece is a rounding artefact of clipping.
+/// A piece below this area (cells²) is a rounding artefact of clipping.
 inline constexpr double kPieceAreaMin = 1e-22;
 
 }  // namespace burnish

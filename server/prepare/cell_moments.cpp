@@ -6,7 +6,7 @@ namespace burnish {
 
 static constexpr int kStride[3] = {1, 3, 9};
 
-// m += weight times the area times the 27 products at one point of each triangle.
+// Does m += weight times the area times the 27 products at one point of each triangle.
 [[gnu::always_inline]] static inline void add_point(const TriangleBatch& t,
                                                     const QuadraturePoint& q, Double8 (&m)[27]) {
   Double8 beta[3][3];
@@ -30,7 +30,8 @@ static constexpr int kStride[3] = {1, 3, 9};
     }
 }
 
-// The moments of one axis r, from those of products: ∂_r of a basis function is ±1 along r.
+// Adds the moments of one axis r, made from those of products: ∂_r of a basis function is ±1 along
+// r.
 [[gnu::always_inline]] static inline void add_axis(const TriangleBatch& t, const Double8 (&m)[27],
                                                    int r, CellMoments<Double8>& sums) {
   const int s = kStride[kBeside[r][0]], v = kStride[kBeside[r][1]], along = kStride[r];
@@ -48,7 +49,7 @@ static constexpr int kStride[3] = {1, 3, 9};
   }
 }
 
-// The moments of the two axes beside t.
+// Adds the moments of the two axes beside t.
 [[gnu::always_inline]] static inline void add_pair(const TriangleBatch& triangles,
                                                    const Double8 (&m)[27], int t,
                                                    CellMoments<Double8>& sums) {
@@ -79,7 +80,7 @@ BURNISH_DISPATCH void add_moments(const TriangleBatch& triangles, CellMoments<Do
   }
 }
 
-// The sums over the lanes of eight vectors.
+// Makes the sums over the lanes of eight vectors.
 [[gnu::always_inline]] static inline void sum_eight(const Double8* of, double* sums) {
   Double8 pairs[4], fours[2];
   for (int i = 0; i < 4; ++i)

@@ -7,12 +7,11 @@ namespace burnish {
 /// The two axes beside each one.
 inline constexpr int kBeside[3][2] = {{1, 2}, {0, 2}, {0, 1}};
 
-/// What the integrals of one cell are put together from. Along an axis a trilinear basis function
-/// is h₀ = 1 − x or h₁ = x, and a product of two is β₀ = (1 − x)², β₁ = x(1 − x) or β₂ = x²: all is
-/// said by the 27 integrals of β_i(x) β_j(y) β_k(z), as h₀ = β₀ + β₁, h₁ = β₁ + β₂ and
-/// 1 = β₀ + 2β₁ + β₂. Those of derivatives are summed with a tensor S of the piece of surface, or
-/// rather two of them, ℓ¹'s and ℓ²'s.
-/// T: a number, or several that are still to be added up.
+/// The parts of the integrals of one cell. Along an axis a trilinear basis function is h₀ = 1 − x
+/// or h₁ = x. A product of two is β₀ = (1 − x)², β₁ = x(1 − x) or β₂ = x². The 27 integrals of
+/// β_i(x) β_j(y) β_k(z) say all, because h₀ = β₀ + β₁, h₁ = β₁ + β₂ and 1 = β₀ + 2β₁ + β₂. Those of
+/// derivatives are summed with two tensors S of the piece of surface, ℓ¹'s and ℓ²'s. T: a number,
+/// or several that must still be added up.
 template <typename T>
 struct CellMoments {
   T mass[27] = {};        ///< ∫ β_i β_j β_k at i + 3j + 9k
@@ -20,7 +19,7 @@ struct CellMoments {
   T across[2][3][2][2][3] = {};  ///< [axis t][u][v][k]: Σ S_rs ∫ h_u h_v β_k with r, s beside t
 };
 
-/// Eight plane triangles inside a cell, a triangle in each lane; lanes with no area count nothing.
+/// Eight plane triangles inside a cell, one in each lane. A lane with zero area adds nothing.
 struct TriangleBatch {
   static constexpr int kLanes = 8;
 
@@ -29,15 +28,15 @@ struct TriangleBatch {
   Double8 tensor[2][6] = {};  ///< v vᵀ: xx, yy, zz, yz, xz, xy
 };
 
-/// sums += the moments of the triangles.
+/// Adds the moments of the triangles to `sums`.
 void add_moments(const TriangleBatch& triangles, CellMoments<Double8>& sums);
 
-/// The sums over the lanes.
+/// Returns the sums over the lanes.
 CellMoments<double> sum_of_lanes(const CellMoments<Double8>& sums);
 
 /// The share of the squared normal derivative ∫⟨n, ∇B_a⟩⟨n, ∇B_b⟩ that is added to ℓ¹ + ℓ².
-/// Functions that vanish on a flat piece of surface have no energy at all; this lifts them above
-/// the rounding of double and moves the surface by less than 1e-9 of a cell.
+/// Functions that vanish on a flat piece of surface have no energy. The share lifts them above the
+/// rounding of double and moves the surface by less than 1e-9 of a cell.
 inline constexpr double kNormalStiffness = 1e-9;
 
 }  // namespace burnish

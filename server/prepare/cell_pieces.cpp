@@ -19,7 +19,7 @@ static std::array<Vec3d, 3> positions_of(const Triangle& triangle,
   return {grid_positions[triangle[0]], grid_positions[triangle[1]], grid_positions[triangle[2]]};
 }
 
-// Clipping a triangle without area leaves slivers of rounding: cells where there is no surface.
+// Clipping a triangle without area would leave slivers of rounding, in cells without surface.
 static bool has_area(const std::array<Vec3d, 3>& corners) {
   const Vec3d ab = corners[1] - corners[0], bc = corners[2] - corners[1];
   const Vec3d ca = corners[0] - corners[2];
@@ -33,7 +33,7 @@ struct CutTriangle {
   std::vector<CellColumn> columns;
 };
 
-// Calls visit(const CutTriangle&) for those with area, as long as it returns true.
+// Calls visit(const CutTriangle&) for triangles with area, as long as it returns true.
 template <typename Visit>
 static void for_each_triangle_of_block(std::span<const Triangle> triangles,
                                        std::span<const Vec3d> grid_positions, size_t block,
@@ -104,10 +104,10 @@ static void for_each_piece(std::span<const Triangle> triangles,
   failure.rethrow();
 }
 
-// Puts the pieces in the order of one digit of their cells' keys; of one digit they keep theirs.
+// Sorts the pieces by one digit of their cells' keys; pieces of one digit keep their order.
 static void order_by_digit(const UnsetVector<CellPiece>& from, int shift,
                            UnsetVector<CellPiece>& to) {
-  constexpr size_t kDigits = 1 << kDigitBits, kChunks = 16;  // a chunk is one thread's
+  constexpr size_t kDigits = 1 << kDigitBits, kChunks = 16;  // one chunk per thread
   const auto digit_of = [&](const CellPiece& piece) { return piece.cell >> shift & (kDigits - 1); };
   const auto chunk_start = [&](size_t chunk) { return from.size() * chunk / kChunks; };
   std::vector<size_t> next(kChunks * kDigits, 0);  // by chunk, then digit
@@ -125,7 +125,7 @@ static void order_by_digit(const UnsetVector<CellPiece>& from, int shift,
       to[next[chunk * kDigits + digit_of(from[i])]++] = from[i];
 }
 
-// By cell. Pieces of a cell stay in the order of their triangles, as which they come.
+// Sorts by cell. Pieces of a cell stay in the order of their triangles.
 static void sort_by_cell(UnsetVector<CellPiece>& pieces) {
   MortonKey bits = 0;
   for (const CellPiece& piece : pieces) bits |= piece.cell;

@@ -10,7 +10,7 @@ namespace burnish {
 
 namespace {
 
-constexpr size_t kCellsPerSheet = 4;  // of a soup more cells have several
+constexpr size_t kCellsPerSheet = 4;  // in a soup more cells have several
 
 /// A cell with several components, and its pieces.
 struct MixedCell {
@@ -44,7 +44,8 @@ class Components {
   std::vector<int32_t> roots_;
 };
 
-// Cells and pieces are in the same order; pieces may have cells of their own in between.
+// Cells and pieces are in the same order. Pieces between them may belong to cells that were left
+// out.
 std::vector<MixedCell> find_mixed_cells(const Components& components,
                                         std::span<const CellPiece> pieces,
                                         std::span<const MortonKey> cells) {

@@ -10,16 +10,16 @@
 
 namespace burnish {
 
-/// The sheets of those cells through which several components of the mesh pass.
+/// The sheets of the cells through which several components of the mesh pass.
 struct CellSheets {
   std::vector<CellSheet> sheets;         ///< by cell, then by component
   UnsetVector<CellIntegrals> integrals;  ///< one per sheet
 };
 
-/// None where more than one cell in four has several, or a cell more than kSheetsPerCellMax: such a
-/// scan is a soup, whose components say nothing.
-/// Shapes: `cells` strictly rising, with their passages; pieces by cell, also of cells left out.
-/// Fails: as `admit` does, which is asked for so many sheets before they take memory.
+/// Finds the sheets. Finds none if more than one cell in four has several, or a cell has more than
+/// kSheetsPerCellMax: such a scan is a soup, whose components mean nothing. Shapes: `cells`
+/// strictly rising, with their passages; pieces by cell, also of cells left out. Fails: as `admit`
+/// does; it is asked for the number of sheets before they take memory.
 Result<CellSheets> find_cell_sheets(const Surface& surface, std::span<const CellPiece> pieces,
                                     std::span<const MortonKey> cells,
                                     std::span<const Passages> passages,

@@ -59,7 +59,7 @@ SlabRange slabs_of(const Polygon& polygon, int axis) {
   return {first, std::max(first, last)};
 }
 
-// The slabs that a polygon meets or touches.
+// Returns the slabs that a polygon meets or touches.
 static SlabRange slabs_touched(const Polygon& polygon, int axis) {
   const auto [low, high] = extent_of(polygon, axis);
   return {static_cast<int>(std::ceil(low)) - 1, static_cast<int>(std::floor(high))};

@@ -15,7 +15,7 @@ struct Polygon {
   std::array<Vec3d, kVerticesMax> vertices;
   int count = 0;
 
-  // Most have three or four: a copy of all twelve takes longer than the clipping.
+  // Most polygons have three or four vertices: a copy of all twelve takes longer than the clipping.
   Polygon() = default;
   Polygon(const Polygon& other) { *this = other; }
   Polygon& operator=(const Polygon& other) {
@@ -27,17 +27,18 @@ struct Polygon {
   void push(const Vec3d& p) { vertices[count++] = p; }
 };
 
-/// The part of `polygon` on the side sign·(x[axis] − plane) >= 0. Vertices on the plane stay.
+/// Returns the part of `polygon` on the side sign·(x[axis] − plane) >= 0. Vertices on the plane
+/// stay.
 Polygon clip(const Polygon& polygon, int axis, double plane, double sign);
 
-/// The part of `polygon` in slab <= x[axis] <= slab + 1.
+/// Returns the part of `polygon` in slab <= x[axis] <= slab + 1.
 Polygon clip_to_slab(const Polygon& polygon, int axis, int slab);
 
-/// The part of a triangle in one cell. Units: grid.
+/// Returns the part of a triangle in one cell. Units: grid.
 Polygon clip_to_cell(const std::array<Vec3d, 3>& triangle, const Vec3i& cell);
 
-/// The slabs [first, last] that a polygon meets along an axis with more than a touch. A polygon
-/// that lies in a grid plane belongs to the slab above.
+/// The slabs [first, last] that a polygon meets along an axis, touches left out. A polygon in a
+/// grid plane belongs to the slab above.
 struct SlabRange {
   int first;
   int last;
@@ -55,8 +56,7 @@ struct CellColumn {
 /// triangles much larger than a cell.
 void find_columns(const std::array<Vec3d, 3>& triangle, std::vector<CellColumn>& columns);
 
-/// Adds the cells that the line from a to b meets or touches to the end of `columns`, in the same
-/// order among themselves.
+/// Appends the cells that the line from a to b meets or touches, in the same order.
 void add_columns_along(const Vec3d& a, const Vec3d& b, std::vector<CellColumn>& columns);
 
 }  // namespace burnish

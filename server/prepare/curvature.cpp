@@ -8,7 +8,8 @@
 
 namespace burnish {
 
-// A power of two near the mesh's size: dividing by it keeps every bit and the range of products.
+// Returns a power of two near the mesh's size: division by it keeps every bit and the range of
+// products.
 static double length_unit(const MeshStatistics& statistics) {
   return std::exp2(std::ceil(std::log2(statistics.diagonal())));
 }

@@ -7,13 +7,13 @@
 
 namespace burnish {
 
-static constexpr double kBucketsPerSideMax = 1 << 17;  // what a Morton key holds, with a margin
-static constexpr int kSplitsOfBucket = 3;              // vertices are ordered by eighths of it
+static constexpr double kBucketsPerSideMax = 1 << 17;  // the range of a Morton key, with a margin
+static constexpr int kSplitsOfBucket = 3;              // sorts vertices by eighths of a bucket
 static constexpr size_t kSamplesPerBucket = 32;
 
 namespace {
 
-/// A vertex that stands for itself and the next few in its bucket.
+/// A vertex that stands for itself and the next few vertices in its bucket.
 struct Sample {
   MortonKey bucket;
   uint32_t vertex;
@@ -24,7 +24,7 @@ bool operator<(const Sample& sample, MortonKey bucket) {
   return sample.bucket < bucket;
 }
 
-/// The vertices that have area, by cubes as wide as the radius: neighbours lie in the 27 around.
+/// The vertices with area, in cubes as wide as the radius: neighbours lie in the 27 cubes around.
 class Buckets {
  public:
   Buckets(const TriangleMesh& mesh, const MeshStatistics& statistics,

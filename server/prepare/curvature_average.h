@@ -8,11 +8,11 @@
 
 namespace burnish {
 
-/// For every vertex the mean, weighted by area, of the tensors of the vertices within `radius`
-/// (file units, straight-line distance), each carried into its frame. Vertices that face the other
-/// way, as across a thin sheet, do not count. Where vertices are dense against the radius, evenly
-/// spread samples stand for the rest, so that no radius costs more than the next.
-/// Needs: radius > 0. Cost: at most 27 · 32 samples a vertex.
+/// Returns for every vertex the mean, weighted by area, of the tensors of the vertices within
+/// `radius` (file units, straight-line distance), each carried into its frame. Vertices that face
+/// the other way, such as across a thin sheet, do not count. If vertices are dense for the radius,
+/// evenly spread samples stand for the rest. So every radius costs about the same. Needs: radius >
+/// 0. Cost: at most 27 · 32 samples a vertex.
 std::vector<TangentTensor> average_tensors(const TriangleMesh& mesh,
                                            const MeshStatistics& statistics,
                                            const VertexCurvature& vertices, double radius);

@@ -21,7 +21,7 @@ static float range_of(std::span<const CellCurvature> curvature) {
     magnitude_area.emplace_back(std::abs(cell.kappa1), cell.area);
     magnitude_area.emplace_back(std::abs(cell.kappa2), cell.area);
   }
-  // Halves what the value is among until it is found.
+  // Halves the candidates until the value is found.
   auto begin = magnitude_area.begin(), end = magnitude_area.end();
   double left = kFractionInRange * total_area(curvature);
   while (end - begin > 1) {

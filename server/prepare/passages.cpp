@@ -57,7 +57,7 @@ std::vector<EdgeInPlane> edges_in_planes(const std::array<Vec3d, 3>& triangle) {
   return edges;
 }
 
-// The neighbours that lie in the same slab along all but these axes, by the axes' bits.
+// The neighbours in the same slab along all axes except these, by the axes' bits.
 static constexpr std::array<Passages, 8> kAlongAxes = [] {
   std::array<Passages, 8> along = {};
   for (unsigned axes = 0; axes < 8; ++axes)
@@ -69,7 +69,8 @@ static constexpr std::array<Passages, 8> kAlongAxes = [] {
   return along;
 }();
 
-// A triangle in a grid plane is in the cells above and touches those below with all of itself.
+// A triangle in a grid plane is in the cells above the plane. Its whole area touches the cells
+// below.
 static Passages below_plane_of(const std::array<Vec3d, 3>& triangle) {
   const unsigned axes = axes_of_planes(triangle);
   constexpr Passages kBelow = Passages{1} << slot_of_offset(-1, 0, 0) |
@@ -89,7 +90,7 @@ void TrianglePassages::move_to(const CellColumn& column) {
   for (ColumnsAround& touched : touched_) touched.move_to(column);
 }
 
-// Straight across the edge will do: the cells beside that one have passages of their own.
+// Cells straight across the edge are enough: the cells beside have their own passages.
 Passages TrianglePassages::at(int k) const {
   const Passages met = met_.passages(k);
   Passages all = met | below_plane_;
@@ -101,7 +102,7 @@ Passages TrianglePassages::at(int k) const {
   return all;
 }
 
-// Calls visit(slot, index) for each of these passages; the index is kNone where there is no cell.
+// Calls visit(slot, index) for each of these passages; the index is kNone if there is no cell.
 template <typename Visit>
 static void for_each_neighbour(MortonKey cell, Passages passages, std::span<const MortonKey> cells,
                                Visit&& visit) {

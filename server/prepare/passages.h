@@ -12,15 +12,16 @@
 
 namespace burnish {
 
-// Where the surface goes on from a cell to its neighbours. Two cells of one triangle have a passage
-// between them. So have the cells of two triangles that meet at an edge in a grid plane, as they do
-// on whatever is symmetric about the middle of its box: neither triangle lies on both sides, but
-// each touches the other's, with an edge or with all of itself. One that touches alone proves
-// nothing: where it ends, something else may lie across the plane. Hence such passages are in doubt
-// until both sides are known.
+// Passages: the surface leads from a cell into a neighbour. Two cells of one triangle have a
+// passage between them. So have the cells of two triangles that meet at an edge in a grid plane, as
+// happens on each surface that is symmetric about the middle of its box. Neither triangle lies on
+// both sides, but each touches the other's cells, with an edge or its whole area. A touch from one
+// side proves nothing: where the triangle ends, another surface may lie across the plane. Such
+// passages are in doubt until both sides are known.
 
-/// A bit for each neighbour of a cell: bit s is the one at stencil slot s. Bit kSelfSlot is 0.
-/// Until close_one_sided_passages(), bit kSlots + a says that those across axis a are in doubt.
+/// A bit for each neighbour of a cell: bit s is the neighbour at stencil slot s. Bit kSelfSlot is
+/// 0. Until close_one_sided_passages(), bit kSlots + a says that passages across axis a are in
+/// doubt.
 using Passages = uint32_t;
 inline constexpr Passages kAllPassages = (Passages{1} << kSlots) - 1 - (Passages{1} << kSelfSlot);
 inline constexpr Passages kInDoubt = Passages{7} << kSlots;
@@ -29,17 +30,17 @@ inline Vec3i offset_of_slot(int slot) {
   return {slot % 3 - 1, slot / 3 % 3 - 1, slot / 9 - 1};
 }
 
-/// Columns around one of a list, found by going through all in order: three places in the list
-/// move along, so that all together cost no more than the list is long.
+/// Finds the columns around one of a list while it goes through all in order. Three places in the
+/// list move along, so the total cost is linear in the length of the list.
 class ColumnsAround {
  public:
   /// Needs: columns in the order of i, then j, each pair once.
   explicit ColumnsAround(std::span<const CellColumn> columns) : columns_(columns) {}
 
-  /// Needs: no column before the last one asked for.
+  /// Needs: columns in order, none before the last one.
   void move_to(const CellColumn& column);
 
-  /// From cell (i, j, k) of that column to the cells of the list.
+  /// Returns the passages from cell (i, j, k) of that column to the cells of the list.
   Passages passages(int k) const;
 
  private:
@@ -49,7 +50,7 @@ class ColumnsAround {
   };
 
   std::span<const CellColumn> columns_;
-  std::array<size_t, 3> row_ = {};  // the first column near in rows i - 1, i, i + 1
+  std::array<size_t, 3> row_ = {};  // the first near column in rows i - 1, i, i + 1
   std::array<Near, 9> near_;
   int near_count_ = 0;
 };
@@ -60,8 +61,8 @@ struct EdgeInPlane {
   std::vector<CellColumn> columns;
 };
 
-/// Those of a triangle, but for edges in no other grid plane than the whole triangle: none, mostly.
-/// Units: grid, snapped to planes.
+/// Returns the edges of a triangle that lie in a grid plane, mostly none. Leaves out an edge that
+/// is only in the plane of the whole triangle. Units: grid, snapped to planes.
 std::vector<EdgeInPlane> edges_in_planes(const std::array<Vec3d, 3>& triangle);
 
 /// The passages of one triangle's cells, column by column.
@@ -70,17 +71,17 @@ class TrianglePassages {
   /// Needs: the columns of find_columns().
   TrianglePassages(const std::array<Vec3d, 3>& triangle, std::span<const CellColumn> columns);
 
-  /// Needs: columns are asked for in their order.
+  /// Needs: columns in order.
   void move_to(const CellColumn& column);
 
-  /// Of cell (i, j, k) of that column.
+  /// Returns the passages of cell (i, j, k) of that column.
   Passages at(int k) const;
 
  private:
   ColumnsAround met_;
-  Passages below_plane_;  // of each cell, where the whole triangle lies in a grid plane
+  Passages below_plane_;  // of each cell, if the whole triangle lies in a grid plane
   std::vector<EdgeInPlane> edges_;
-  std::vector<ColumnsAround> touched_;  // by each edge
+  std::vector<ColumnsAround> touched_;  // per edge
 };
 
 /// Calls visit(cell, passages) once for each cell of a triangle with these columns.
@@ -96,12 +97,12 @@ void for_each_cell_with_passages(const std::array<Vec3d, 3>& triangle,
   }
 }
 
-/// Puts the neighbours of a cell that is about to go in doubt.
-/// Shapes: one entry of `passages` per cell, cells strictly rising.
+/// Puts the neighbours of a cell that will be removed in doubt. Shapes: one entry of `passages` per
+/// cell, cells strictly rising.
 void doubt_passages_to(size_t cell, std::span<const MortonKey> cells, std::span<Passages> passages);
 
-/// Closes passages that lead to no cell or that its own passages do not return, where in doubt; no
-/// cell is any more.
+/// Closes doubtful passages that lead to no cell, or to a cell without the opposite passage.
+/// Afterwards no cell is in doubt.
 void close_one_sided_passages(std::span<const MortonKey> cells, std::span<Passages> passages);
 
 }  // namespace burnish

@@ -15,7 +15,7 @@ namespace burnish {
 namespace {
 
 constexpr uint64_t kBytesInAnyCase = 4 << 20;  // threads' buffers, digits of the sort
-constexpr uint64_t kHeapLostDivisor = 16;      // what the heap loses between blocks
+constexpr uint64_t kHeapLostDivisor = 16;      // lost by the heap between blocks
 constexpr uint64_t kCellBytes =
     sizeof(MortonKey) + sizeof(CellIntegrals) + sizeof(CellCurvature) + sizeof(Passages);
 constexpr uint64_t kSheetBytes = sizeof(CellSheet) + sizeof(CellIntegrals);
@@ -25,19 +25,19 @@ uint64_t scan_bytes(const PreparationCounts& n) {
          n.triangles * sizeof(Triangle);
 }
 
-// Of collect_edges() and count_vertices().
+// For collect_edges() and count_vertices().
 uint64_t statistics_bytes(const PreparationCounts& n) {
   return n.vertices * 13 + n.triangles * 12;
 }
 
-// Of compute_curvature(), averaging included: triangles around vertices, their tensors, normals,
-// areas, the order of the buckets.
+// For compute_curvature() with averaging: triangles around vertices, their tensors, normals, areas,
+// the order of the buckets.
 uint64_t curvature_bytes(const PreparationCounts& n) {
   return n.vertices * (8 + 24 + 2 * sizeof(TangentTensor) + 8 + 48) +
          n.triangles * (12 + sizeof(TangentTensor));
 }
 
-// Of integrate_cells() and find_cell_sheets(): starts, marks, mixed cells with their components.
+// For integrate_cells() and find_cell_sheets(): starts, marks, mixed cells with their components.
 uint64_t integration_bytes(const PreparationCounts& n) {
   const uint64_t of_sheets =
       n.has_several_components ? n.vertices * 8 + n.cells * 128 + n.pieces * 8 + n.sheets * 16 : 0;
@@ -54,7 +54,7 @@ uint64_t peak_bytes(const PreparationCounts& n) {
   const uint64_t curvature = pieces + n.triangles * sizeof(TriangleCurvature);
   const uint64_t cells = curvature + n.cells * kCellBytes + n.sheets * kSheetBytes;
   return std::max({scan_bytes(n) + statistics_bytes(n),
-                   pieces + n.pieces * sizeof(CellPiece),  // the sort works beside its input
+                   pieces + n.pieces * sizeof(CellPiece),  // the sort needs a second array
                    curvature + curvature_bytes(n), cells + integration_bytes(n),
                    cells + evaluation_bytes(n)});
 }

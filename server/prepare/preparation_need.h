@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// What a preparation has counted so far; what it has not is zero.
+/// The counts of a preparation so far; 0 for those not yet known.
 struct PreparationCounts {
   int depth = 0;
   uint64_t vertices = 0;
@@ -19,35 +19,35 @@ struct PreparationCounts {
   uint64_t sheets = 0;
 };
 
-/// What a preparation takes, as far as it can be told from its counts.
+/// The need of a preparation, as far as its counts tell.
 struct PreparationNeed {
   PreparationCounts counts;
-  uint64_t memory_bytes = 0;  ///< at its peak, with the scan itself
-  uint64_t file_bytes = 0;    ///< of the prepared file; 0: not known yet
+  uint64_t memory_bytes = 0;  ///< at its peak, including the scan
+  uint64_t file_bytes = 0;    ///< of the prepared file; 0: unknown
 };
 
 /// Accuracy: with all counts, no less than the peak of resident memory, and at most half as much
-/// again; the file to the byte but for alignment.
+/// again. The file is exact except for alignment.
 PreparationNeed predict_preparation(const PreparationCounts& counts);
 
 /// "preparing 2 triangles at depth 11 takes 3100 MiB of memory and a file of 2900 MiB (4003002
 /// cells)".
 std::string to_string(const PreparationNeed& need);
 
-/// Where a preparation has its memory and its disk from.
+/// Admits a preparation to memory and disk.
 class PreparationBudget {
  public:
   virtual ~PreparationBudget() = default;
 
-  /// Bytes of memory beyond which ask() fails in any case: counting ends there.
+  /// Returns the bytes of memory beyond which ask() always fails: counting ends there.
   virtual uint64_t memory_bytes_max() const = 0;
 
-  /// Called before anything is taken, and again whenever more is known; each call counts for all.
-  /// Fails: resource_exhausted with what is short and its limit.
+  /// Called before anything is taken, and again when more is known; each call counts for all.
+  /// Fails: resource_exhausted with the missing amount and its limit.
   virtual Status ask(const PreparationNeed& need) = 0;
 };
 
-/// The memory that this machine can give without swapping at the time when this is made.
+/// The memory that the machine could give without swapping when this was made.
 class MachineBudget : public PreparationBudget {
  public:
   MachineBudget();

@@ -23,9 +23,9 @@ namespace burnish {
 
 namespace {
 
-constexpr size_t kCellsPerBatch = 1 << 15;  // between two looks at the cancel flag
+constexpr size_t kCellsPerBatch = 1 << 15;  // between two checks for a cancel
 
-/// What the spans of a freshly prepared mesh point into.
+/// The arrays behind the spans of a freshly prepared mesh.
 struct PreparedArrays {
   std::vector<Vec3d> vertices;
   std::vector<Triangle> triangles;
@@ -76,18 +76,18 @@ std::vector<Vec3d> snapped_positions(const TriangleMesh& mesh, const GridFrame& 
   return positions;
 }
 
-/// What a preparation has counted, and whom it asks with that.
+/// The counts of a preparation, and the budget that admits them.
 struct Admission {
   PreparationBudget& budget;
   PreparationCounts counts;
 
   Status ask() const { return budget.ask(predict_preparation(counts)); }
 
-  /// How many pieces may be counted before the budget cannot have room for them.
+  /// Returns how many pieces may be counted before they are sure to exceed the budget.
   uint64_t pieces_max() const {
     const uint64_t before = predict_preparation(counts).memory_bytes;
     const uint64_t limit = budget.memory_bytes_max();
-    return limit < before ? 0 : (limit - before) / (2 * sizeof(CellPiece));  // as the sort takes
+    return limit < before ? 0 : (limit - before) / (2 * sizeof(CellPiece));  // the sort takes twice
   }
 
   Result<PieceCount> count_pieces(const TriangleMesh& mesh, std::span<const Vec3d> positions) {
@@ -108,7 +108,7 @@ PreparationCounts counts_of(const TriangleMesh& mesh, int depth) {
   return counts;
 }
 
-/// What does not depend on the depth.
+/// The part of the scan that does not depend on the depth.
 struct Scan {
   const TriangleMesh& mesh;
   MeshStatistics statistics;
@@ -123,7 +123,7 @@ struct Scan {
   }
 };
 
-// As far as cells tell: of sheets only a preparation knows.
+// Counts cells only: a preparation finds sheets later.
 Status ask_for_depth(const Scan& scan, int depth, PreparationBudget& budget) {
   Admission admission{budget, scan.counts(depth)};
   const std::vector<Vec3d> positions = snapped_positions(scan.mesh, scan.frame(depth));
@@ -132,12 +132,13 @@ Status ask_for_depth(const Scan& scan, int depth, PreparationBudget& budget) {
   return admission.ask();
 }
 
-// Why nothing was prepared at this depth, and at which it would have been.
+// Says why nothing was prepared at this depth, and which depth would fit.
 Status refusal(const Scan& scan, const PreparationCounts& counts, const Status& reason,
                PreparationBudget& budget, const Progress& progress) {
   int depth = counts.depth - 1;
   while (depth >= kDepthMin && !ask_for_depth(scan, depth, budget).is_ok()) {
-    if (!report(progress, "looking for a depth that fits", 0)) return cancelled("cancelled");
+    if (!report(progress, "looking for a depth that fits", 0))
+      return cancelled("cancelled while looking for a depth that fits");
     --depth;
   }
   return resource_exhausted(
@@ -145,7 +146,7 @@ Status refusal(const Scan& scan, const PreparationCounts& counts, const Status& 
       (depth >= kDepthMin ? "; depth " + std::to_string(depth) + " fits" : "; no depth fits"));
 }
 
-/// Integrates over the pieces of one cell; false if no area is left in it.
+/// Integrates over the pieces of one cell. Returns false if the cell has no area left.
 bool integrate_cell(const Surface& surface, std::span<const CellPiece> pieces,
                     CellIntegrals& integrals, CellCurvature& curvature) {
   CellIntegrator integrator;
@@ -216,14 +217,15 @@ Status integrate_cells(const Surface& surface, std::span<const CellPiece> pieces
   return Status::ok();
 }
 
-// Either the triangles are at fault, or a vertex so far away that the rest is a point of the grid.
+// Either the triangles are at fault, or a vertex is so far away that the rest is a point of the
+// grid.
 Status check_surface_is_left(const PreparedArrays& arrays, const GridFrame& frame) {
   if (!arrays.cells.empty()) return Status::ok();
   std::ostringstream message;
-  message << "no surface is left in the grid of depth " << frame.depth << ", whose cells measure "
-          << frame.cell_size << ": all " << arrays.triangles.size()
-          << " triangles are too thin (an area below 1e-12 of the longest edge squared) or too "
-             "small for it (1e-7 of a cell)";
+  message << "the grid of depth " << frame.depth << " with cells of " << frame.cell_size
+          << " holds no surface: all " << arrays.triangles.size()
+          << " triangles are too thin (area below 1e-12 of the longest edge squared) or too small "
+             "(1e-7 of a cell)";
   return invalid_argument(message.str());
 }
 

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <tuple>
 
@@ -115,7 +116,8 @@ Status check_passages(const PreparedMesh& prepared) {
     const Passages unknown = prepared.passages[c] & ~kAllPassages;
     if (unknown == 0) continue;
     return data_loss("section passages: bit " + std::to_string(std::countr_zero(unknown)) +
-                     " of cell " + std::to_string(c) + " is set, but means no neighbour");
+                     " of cell " + std::to_string(c) +
+                     " is set but does not stand for a neighbour");
   }
   return Status::ok();
 }
@@ -138,8 +140,9 @@ Status check_sheets(const PreparedMesh& prepared) {
       return fail(" has passages that its cell " + std::to_string(sheet.cell) + " does not have");
     in_cell = last != nullptr && last->cell == sheet.cell ? in_cell + 1 : 1;
     if (in_cell > kSheetsPerCellMax)
-      return fail(" is one of more than " + std::to_string(kSheetsPerCellMax) + " of cell " +
-                  std::to_string(sheet.cell));
+      return fail(" is number " + std::to_string(in_cell) + " of cell " +
+                  std::to_string(sheet.cell) + ", the limit is " +
+                  std::to_string(kSheetsPerCellMax));
     last = &sheet;
   }
   return Status::ok();
@@ -158,7 +161,9 @@ Status check_header(const PreparedHeader& header, uint64_t actual_file_bytes) {
 Status check_scalars(const PreparedHeader& header) {
   const auto check_range = [](const std::string& name, double value, double least, double most) {
     if (value >= least && value <= most) return Status::ok();  // false for NaN
-    return data_loss("header: " + name + " is " + std::to_string(value));
+    std::ostringstream message;
+    message << "header: " << name << " is " << value << ", must be in " << least << ".." << most;
+    return data_loss(message.str());
   };
   const double max = std::numeric_limits<double>::max();
   const double least = std::numeric_limits<double>::denorm_min();

@@ -29,10 +29,10 @@ namespace burnish {
 //   sheets       CellSheet              12   s, by cell, then by component
 //   and theirs   CellIntegrals          736   s
 //
-// Checksums are XXH3-64 without a seed. The table repeats what follows from the counts (element
-// sizes, offsets), and a reader refuses a file in which any of it differs. Beyond the checksums,
-// which find damage, whatever could lead a reader outside its arrays is checked by itself: indices
-// in triangles and evaluation, the order and range of cells, the unused bits of passages.
+// Checksums are XXH3-64 without a seed. The table repeats the values that follow from the counts
+// (element sizes, offsets). A reader refuses a file if any of them differs. Checksums find damage.
+// Every value that could lead a reader outside its arrays is also checked by itself: indices in
+// triangles and evaluation, the order and range of cells, the unused bits of passages.
 // Floating-point values inside the sections are as trustworthy as their checksum.
 //
 // A file of another version is never converted: it can be rebuilt from the scan.
@@ -91,7 +91,7 @@ inline uint64_t align_section(uint64_t offset) {
   return (offset + kSectionAlignment - 1) / kSectionAlignment * kSectionAlignment;
 }
 
-/// The sections' bytes where the mesh holds them.
+/// Returns the sections' bytes, inside the mesh.
 std::array<std::span<const uint8_t>, kPreparedSections> section_bytes(const PreparedMesh& prepared);
 
 PreparedHeader make_prepared_header(const PreparedMesh& prepared);
@@ -99,15 +99,15 @@ PreparedHeader make_prepared_header(const PreparedMesh& prepared);
 uint64_t prepared_checksum(std::span<const uint8_t> bytes);
 uint64_t header_checksum(const PreparedHeader& header);
 
-/// Reads the first bytes of a file that has so many.
-/// Fails: data_loss naming what is wrong with the header.
+/// Reads the header from the beginning of a file of `file_bytes`. Fails: data_loss that names the
+/// wrong part of the header.
 Result<PreparedHeader> parse_prepared_header(std::span<const uint8_t> beginning,
                                              uint64_t file_bytes);
 
 PreparedSummary summary_of(const PreparedHeader& header);
 
-/// Reads a whole file's bytes; the mesh's spans point into them and its storage is left empty.
-/// Needs: bytes aligned to 64. Fails: data_loss naming the section and what is wrong.
+/// Reads a whole file's bytes. The mesh's spans point into them, and its storage stays empty.
+/// Needs: bytes aligned to 64. Fails: data_loss that names the section and the fault.
 Result<PreparedMesh> parse_prepared_file(std::span<const uint8_t> file);
 
 }  // namespace burnish

@@ -20,9 +20,9 @@ namespace burnish {
 /// Metric-independent integrals of one cell over the surface inside it (section 4.3), grid units.
 /// Pairs (a, b), a < b, of local corners are ordered (0,1), (0,2), ..., (0,7), (1,2), ...: see
 /// pair_index(). Diagonals are not stored: they follow from the row sums (of ℓ: zero), which keeps
-/// constants exact. In double: on flat pieces whole combinations of corners have no energy at all,
-/// and float32 tables would give them a negative one. The gradients ∫ ⟨v_i, ∇B_a⟩ v_i are no table
-/// of their own: stiffness times the corners' places (gradient_of() in solver/cell_matrix.h).
+/// constants exact. In double: on flat pieces whole combinations of corners have no energy, and
+/// float32 tables would make it negative. The gradients ∫ ⟨v_i, ∇B_a⟩ v_i need no table: they are
+/// stiffness times the corners' places (gradient_of() in solver/hierarchy/cell_matrix.h).
 struct CellIntegrals {
   std::array<double, kPairsPerCell> mass;                      ///< ρ_ab
   std::array<double, 8> mass_row_sum;                          ///< Σ_b ρ_ab = ∫ B_a
@@ -37,20 +37,20 @@ struct CellCurvature {
   float area;
 };
 
-/// What of the surface in a cell belongs to one component of the mesh.
+/// The part of a cell's surface that belongs to one component of the mesh.
 struct CellSheet {
   int32_t cell;
   uint32_t component;  ///< its least vertex
-  uint32_t passages;   ///< as PreparedMesh::passages, of this component alone
+  uint32_t passages;   ///< like PreparedMesh::passages, of this component alone
 };
 
 inline constexpr int kSheetsPerCellMax = 8;
 
-/// How much of the surface has which curvature: what the transfer-curve editor draws behind the
-/// curve. Bins are even in asinh(κ) between -range and range; both κ1 and κ2 count.
+/// The area of the surface by curvature, for the transfer-curve editor. Bins are even in
+/// asinh(κ) between -range and range; both κ1 and κ2 count.
 struct CurvatureHistogram {
   static constexpr int kBins = 128;
-  float range = 1;                     ///< user units; the last bins hold what lies beyond
+  float range = 1;                     ///< user units; the last bins hold all beyond
   std::array<float, kBins> area = {};  ///< fraction of the total
 };
 
@@ -64,8 +64,8 @@ struct PrepareReport {
   std::vector<Phase> phases;
 };
 
-/// Everything about a scan at one depth that no edit changes; immutable and shared by sessions.
-/// The spans point into storage that the object owns: vectors, or a file's content.
+/// The data of a scan at one depth that no edit changes. Immutable; sessions share it. The spans
+/// point into storage that the object owns: vectors, or a file's content.
 class PreparedMesh {
  public:
   GridFrame frame;
@@ -82,33 +82,33 @@ class PreparedMesh {
   std::span<const MortonKey> cells;             ///< the finest depth, strictly rising
   std::span<const CellIntegrals> integrals;     ///< one per cell
   std::span<const CellCurvature> curvature;     ///< one per cell
-  /// One per cell: bit s: the surface goes on in the cell at stencil slot s
-  /// (common/grid/stencil_slots.h): some triangle lies in both, or one on each side meets the grid
-  /// plane between them with an edge or all of itself. Two cells may share corners without. Bit
-  /// 26 - s of that cell says the same of this one.
+  /// One per cell. Bit s: the surface leads on into the cell at stencil slot s
+  /// (common/grid/stencil_slots.h). Either a triangle lies in both cells, or a triangle on each
+  /// side meets the grid plane between them with an edge or its whole area. Two cells may share
+  /// corners without a passage. Bit 26 - s of the other cell is the same passage.
   std::span<const uint32_t> passages;
-  /// Of the cells through which several components of the mesh pass, by cell, then by component;
-  /// none of a soup.
+  /// The sheets of the cells through which several components of the mesh pass, by cell, then by
+  /// component. A soup has none.
   std::span<const CellSheet> sheets;
   std::span<const CellIntegrals> sheet_integrals;  ///< one per sheet
 
-  /// α in grid units = α in user units × this.
+  /// α in grid units is α in user units times this.
   double alpha_scale() const { return frame.cell_size / length_unit; }
   uint64_t byte_count() const;  ///< of all the spans
 
-  std::shared_ptr<const void> storage;  ///< keeps what the spans point into
+  std::shared_ptr<const void> storage;  ///< owns the memory behind the spans
 };
 
-/// Writes the prepared mesh to `path` by way of a synced temporary file.
+/// Writes the prepared mesh to `path` through a synced temporary file.
 Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::path& path);
 
-/// Reads a prepared file into memory of our own: a mapped one would end the process when somebody
-/// shortens the file, and the checksums touch every page in any case.
-/// Fails: not_found; data_loss naming the section when the version, a size or a checksum is wrong;
-/// resource_exhausted where there is no memory for it.
+/// Reads a prepared file into the process's own memory. A mapped file would end the process when
+/// somebody shortens it, and the checksums touch every page anyway. Fails: not_found; data_loss
+/// that names the section when the version, a size or a checksum is wrong; resource_exhausted if
+/// there is not enough memory.
 Result<std::shared_ptr<const PreparedMesh>> read_prepared_mesh(const std::filesystem::path& path);
 
-/// What the head of a prepared file says of it.
+/// The facts in the header of a prepared file.
 struct PreparedSummary {
   double length_unit = 1;
   double cell_size = 1;
@@ -118,10 +118,10 @@ struct PreparedSummary {
   uint64_t byte_count = 0;  ///< of the mesh in memory
 };
 
-/// Reads the head alone. Fails: as read_prepared_mesh(), but for what the sections hold.
+/// Reads only the header. Fails: as read_prepared_mesh(), except for the sections.
 Result<PreparedSummary> read_prepared_summary(const std::filesystem::path& path);
 
-/// Bumped whenever the form of the file changes, or its numbers by more than rounding.
+/// Raise this when the format changes, or when numbers change by more than rounding.
 inline constexpr uint32_t kPreparedFormatVersion = 4;
 
 }  // namespace burnish

@@ -3,21 +3,20 @@
 #include <cmath>
 #include <span>
 
-#include "common/mesh/triangle_mesh.h"
 #include "server/prepare/cell_integrals.h"
 #include "server/prepare/cell_pieces.h"
 #include "server/prepare/curvature.h"
 
 namespace burnish {
 
-/// What the cells' integrals are made of. Units: grid; curvature in file units.
+/// The sources of the cells' integrals. Units: grid; curvature in file units.
 struct Surface {
   std::span<const Triangle> triangles;
   std::span<const Vec3d> positions;  ///< one per vertex, snapped
   std::span<const TriangleCurvature> curvature;
   double length_unit;
 
-  /// No principal directions but by rounding: flat or spherical.
+  /// Returns whether rounding alone gives the triangle principal directions: flat or spherical.
   bool is_umbilic(uint32_t triangle) const;
   /// Adds a triangle's part in a cell; returns its area.
   double integrate(const CellPiece& piece, CellIntegrator& integrator) const;

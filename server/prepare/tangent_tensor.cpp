@@ -8,8 +8,8 @@ static constexpr double kOppositeNormals = 1e-12;  // 1 + cosine
 
 TangentTensor carry_tensor(const TangentTensor& tensor, const TangentFrame& from,
                            const TangentFrame& to) {
-  // The rotation that takes to.normal to from.normal moves a tangent x of `to` by
-  // -(x·m)(n + m)/(1 + n·m), n and m being the two normals.
+  // The rotation that takes to.normal to from.normal moves a tangent x of `to` by -(x·m)(n + m)/(1
+  // + n·m); n and m are the two normals.
   const double one_plus_cosine = 1 + from.normal.dot(to.normal);
   Vec3d u = to.u;
   Vec3d v = to.v;

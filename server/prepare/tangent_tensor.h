@@ -11,13 +11,13 @@ struct TangentFrame {
   Vec3d u, v, normal;
 };
 
-/// Some frame with this normal, always the same one. Needs: a unit vector.
+/// Returns a frame with this normal, always the same one. Needs: a unit vector.
 inline TangentFrame make_frame(const Vec3d& normal) {
   const Vec3d u = normal.unitOrthogonal();
   return {u, normal.cross(u), normal};
 }
 
-/// A symmetric tensor on a tangent plane, as its components in a frame of that plane.
+/// A symmetric tensor on a tangent plane, by its components in a frame of that plane.
 struct TangentTensor {
   double uu = 0, uv = 0, vv = 0;
 
@@ -29,8 +29,8 @@ struct TangentTensor {
   TangentTensor scaled(double factor) const { return {factor * uu, factor * uv, factor * vv}; }
 };
 
-/// The components in `to` of a tensor given in `from`, after the least rotation that carries the
-/// one plane onto the other. Opposite normals share a plane: then nothing is rotated.
+/// Returns the components in `to` of a tensor given in `from`, after the least rotation that
+/// carries one plane onto the other. Opposite normals share a plane: then nothing is rotated.
 /// Source: Rusinkiewicz 2004, section 3.
 TangentTensor carry_tensor(const TangentTensor& tensor, const TangentFrame& from,
                            const TangentFrame& to);

@@ -4,9 +4,9 @@
 
 namespace burnish {
 
-// Twice the area over the longest edge squared: flatter triangles are as good as collinear.
+// Twice the area over the longest edge squared. A flatter triangle counts as collinear.
 static constexpr double kFlatness = 1e-12;
-// Far below rounding when lengths are about 1; keeps the fourth powers of edges from underflow.
+// Far below rounding for lengths of about 1; keeps the fourth powers of edges from underflow.
 static constexpr double kLeastTwiceArea = 1e-60;
 
 TriangleShape make_triangle_shape(const TriangleMesh& mesh, const Triangle& triangle, double unit) {
@@ -43,8 +43,8 @@ double TriangleShape::voronoi_area(int k) const {
     const double sum = circumcentre[0] + circumcentre[1] + circumcentre[2];
     return area / 2 * (circumcentre[(k + 1) % 3] + circumcentre[(k + 2) % 3]) / sum;
   }
-  // An acute corner keeps the right-angled piece cut off by the bisector of its short edge, the
-  // obtuse corner the rest.
+  // An acute corner keeps the right-angled piece cut off by the bisector of its short edge. The
+  // obtuse corner keeps the rest.
   const auto acute_area = [&](int acute) {
     const int joining = 3 - acute - obtuse;
     return -area / 4 * squared[joining] / edges[obtuse].dot(edges[joining]);

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// Leaves new entries as they are.
+/// Leaves new entries uninitialised.
 template <typename T>
 struct UnsetAllocator : std::allocator<T> {
   template <typename U>
@@ -21,8 +21,8 @@ struct UnsetAllocator : std::allocator<T> {
   }
 };
 
-/// A vector whose resize() leaves new entries as anything: zeroing a large array first, by one
-/// thread, takes as long as filling it by all.
+/// A vector whose resize() leaves new entries uninitialised. One thread takes as long to zero a
+/// large array as all threads take to fill it.
 template <typename T>
 using UnsetVector = std::vector<T, UnsetAllocator<T>>;
 

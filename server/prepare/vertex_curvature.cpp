@@ -44,8 +44,8 @@ static std::vector<Vec3d> vertex_normals(const TriangleMesh& mesh,
   return normals;
 }
 
-// The tensor II with II·edge = difference of the normals along it, in the least squares over the
-// three edges: a tridiagonal system for uu, uv, vv.
+// Returns the tensor II with II·edge = difference of the normals along it, by least squares over
+// the three edges: a tridiagonal system for uu, uv, vv.
 static TangentTensor second_fundamental_form(const TriangleShape& shape, const TangentFrame& frame,
                                              const std::array<Vec3d, 3>& normals) {
   double xx = 0, xy = 0, yy = 0;
@@ -73,7 +73,7 @@ static TangentTensor second_fundamental_form(const TriangleShape& shape, const T
   return form;
 }
 
-// In the triangles' own frames; zero where there is no plane.
+// In the triangles' own frames; zero for a triangle without a plane.
 static UnsetVector<TangentTensor> triangle_tensors(const TriangleMesh& mesh,
                                                    const std::vector<Vec3d>& normals, double unit) {
   UnsetVector<TangentTensor> tensors(mesh.triangles.size());

@@ -8,8 +8,7 @@
 namespace burnish {
 
 /// Normal, second fundamental form and Voronoi area of every vertex; lengths in units of `unit`.
-/// A vertex without any triangle that has a plane, or whose triangles cancel out, has normal,
-/// tensor and area zero.
+/// All are zero for a vertex without a triangle that has a plane, or whose triangles cancel out.
 struct VertexCurvature {
   std::vector<Vec3d> normals;
   std::vector<TangentTensor> tensors;  ///< in make_frame(normal)

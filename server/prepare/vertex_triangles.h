@@ -5,8 +5,8 @@
 
 namespace burnish {
 
-/// Lists the triangles around each vertex, rising: sums gathered over them are the same for any
-/// number of threads. A triangle that repeats a vertex is listed once per corner.
+/// Lists the triangles around each vertex, rising, so that sums over them do not depend on the
+/// number of threads. Lists a triangle that repeats a vertex once per corner.
 Groups<uint32_t, uint64_t> triangles_around_vertices(const TriangleMesh& mesh);
 
 }  // namespace burnish

@@ -32,7 +32,7 @@ bool DeviceWatch::ask_once() {
   return status_.is_ok();
 }
 
-// Returns whether there is one.
+// Returns whether there is a next probe.
 bool DeviceWatch::wait_for_next() {
   std::unique_lock lock(mutex_);
   return !wake_.wait_for(lock, times_.between_probes, [this] { return ending_; });

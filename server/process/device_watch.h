@@ -11,14 +11,14 @@
 
 namespace burnish {
 
-/// Asks again and again, on a thread of its own, whether the solver's device works. Its first
-/// failure stays: a device that has failed once gives wrong results or none.
+/// Probes the solver's device on its own thread, again and again. The first failure stays: a device
+/// that has failed once gives wrong results or none.
 class DeviceWatch {
  public:
   struct Times {
-    /// With 0 nothing is asked but by ask_once(), for tests.
+    /// At 0 only ask_once() probes, for tests.
     std::chrono::milliseconds between_probes{250};
-    std::chrono::milliseconds answer_max{5000};  ///< a probe that takes longer has failed
+    std::chrono::milliseconds answer_max{5000};  ///< a slower probe counts as failed
   };
 
   /// `probe` should take a millisecond or so.
@@ -26,12 +26,12 @@ class DeviceWatch {
               Clock clock = std::chrono::steady_clock::now);
   explicit DeviceWatch(std::function<Status()> probe) : DeviceWatch(std::move(probe), Times{}) {}
 
-  /// Waits for a probe that is under way.
+  /// Waits for a running probe.
   ~DeviceWatch();
 
   Status status() const;
 
-  /// Asks, unless the device has failed already. Returns whether it works.
+  /// Probes, unless the device has failed already. Returns whether it works.
   bool ask_once();
 
  private:

@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// Tells when a server has been without users for so long that it may end.
+/// Says when a server has been unused for so long that it may end.
 class IdleEnd {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -12,7 +12,7 @@ class IdleEnd {
   /// `idle_max` 0: never.
   IdleEnd(std::chrono::seconds idle_max, Time now) : idle_max_(idle_max), last_use_(now) {}
 
-  /// True when nobody has used it for `idle_max`. To be asked all the time.
+  /// Returns true if nobody has used it for `idle_max`. Call it all the time.
   bool is_over(bool in_use, Time now) {
     if (in_use) last_use_ = now;
     return idle_max_.count() > 0 && now - last_use_ >= idle_max_;

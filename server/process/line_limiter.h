@@ -9,21 +9,21 @@
 
 namespace burnish {
 
-/// Lines of the log that somebody outside can cause as fast as he likes.
+/// Lines of the log that somebody outside can cause as fast as they like.
 enum class LineKind { kRefusedCall, kEndedCall, kConnection, kTransport };
 
-/// Lets so many lines of a kind into the log each second, and counts the rest. Thread-safe.
+/// Admits a number of lines of each kind to the log each second, and counts the rest. Thread-safe.
 class LineLimiter {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
   explicit LineLimiter(uint64_t lines_per_second) : lines_per_second_(lines_per_second) {}
 
-  /// Whether a line may be written now.
+  /// Returns whether a line may be written now.
   bool admit(LineKind kind, Time now);
 
-  /// "1234 more lines of refused calls", of kinds that have had lines left out in a second that is
-  /// over. Each is told once.
+  /// Returns e.g. "1234 more lines of refused calls" for each kind that lost lines in a past
+  /// second. Reports each line once.
   std::vector<std::string> take_left_out(Time now);
 
  private:
@@ -31,7 +31,7 @@ class LineLimiter {
     Time begin = {};
     uint64_t lines = 0;
     uint64_t left_out = 0;
-    uint64_t left_out_before = 0;  // in seconds that are over, and not told yet
+    uint64_t left_out_before = 0;  // in past seconds, not reported yet
   };
   static void begin_if_over(Second& second, Time now);
 
@@ -42,10 +42,10 @@ class LineLimiter {
   std::array<Second, kKinds> seconds_;
 };
 
-/// Whether the process's log takes a line of this kind now.
+/// Returns whether the process's log takes a line of this kind now.
 bool may_log(LineKind kind);
 
-/// Writes what was left out of the log; to be called a few times a second.
+/// Logs the number of left out lines. Call it a few times a second.
 void log_left_out_lines();
 
 }  // namespace burnish

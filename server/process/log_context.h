@@ -4,13 +4,13 @@
 
 namespace burnish {
 
-/// Whose request the current thread works for: its id, which every line of the log then carries.
+/// The request that the current thread works for: every line of the log carries its id.
 class LogContext {
  public:
-  /// The id of the thread's request; empty: none.
+  /// Returns the id of the thread's request; empty for none.
   static const std::string& current();
 
-  /// Sets it for a scope.
+  /// Sets the id for a scope.
   explicit LogContext(std::string request_id);
   ~LogContext();
   LogContext(const LogContext&) = delete;

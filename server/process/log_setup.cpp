@@ -13,8 +13,7 @@ namespace {
 
 constexpr size_t kMessageBytesMax = 1000;
 
-// Names and references come from clients, and so do the bytes of some lines: whoever writes one
-// need not think of it.
+// Makes every line safe: names and references come from clients, and so do the bytes of some lines.
 std::string message_of(const spdlog::details::log_msg& message) {
   return one_line({message.payload.data(), message.payload.size()}, kMessageBytesMax);
 }

@@ -21,7 +21,7 @@ void notify_service_manager(std::string_view state) {
   if (name[0] == '@') address.sun_path[0] = '\0';  // an abstract address
   const int socket = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (socket < 0) return;
-  // A manager that cannot be reached is not ours to repair: it will notice.
+  // The server cannot repair an unreachable manager.
   (void)::sendto(socket, state.data(), state.size(), MSG_NOSIGNAL,
                  reinterpret_cast<const sockaddr*>(&address),
                  static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + length));

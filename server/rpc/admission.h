@@ -8,14 +8,14 @@
 
 namespace burnish {
 
-/// Lets calls in by their headers, before a byte of their messages is read: what a stranger sends
-/// costs no memory. Refusals are logged and counted. Thread-safe.
+/// Admits calls by their headers, before a byte of their messages is read: messages of strangers
+/// cost no memory. Logs and counts refusals. Thread-safe.
 class Admission {
  public:
   Admission(std::shared_ptr<const Guard> guard, std::shared_ptr<CallCounts> counts)
       : guard_(std::move(guard)), counts_(std::move(counts)) {}
 
-  /// Fails as Guard::check().
+  /// Fails: as Guard::check().
   Status admit(std::string_view method, const Proof& proof) const;
 
  private:

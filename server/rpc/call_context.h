@@ -8,13 +8,12 @@
 #include "server/manager/session_manager.h"
 #include "server/rpc/call_executor.h"
 #include "server/rpc/call_guard.h"
-#include "server/rpc/call_observer.h"
 #include "server/rpc/references.h"
 #include "server/rpc/to_grpc.h"
 
 namespace burnish {
 
-/// What every call works with. Reactions run on gRPC's threads and must not block: they post their
+/// The context of every call. Reactions run on gRPC's threads and must not block: they post their
 /// work to the executor.
 struct CallContext {
   MeshStore& store;
@@ -22,16 +21,16 @@ struct CallContext {
   LiveSessions& live;
   CallExecutor executor;
   CallGuard& guard;
-  std::chrono::seconds upload_silence_max;          ///< of who has announced more
-  std::string user = {};                            ///< who calls; empty: nobody was asked
-  Caller caller = {};                               ///< of a call that lasts, at sessions
-  std::function<Status()> may_stay = {};            ///< likewise; empty: for ever
-  std::shared_ptr<const Quota::Share> stream = {};  ///< his share of the streams, while they last
+  std::chrono::seconds upload_silence_max;  ///< for a client that announced more data
+  std::string user = {};                    ///< the caller; empty without authentication
+  Caller caller = {};                       ///< the caller at sessions, for a call that lasts
+  std::function<Status()> may_stay = {};    ///< likewise; empty: always
+  std::shared_ptr<const Quota::Share> stream = {};  ///< part of the user's limit
 };
 
-/// Runs `work(progress)` in the call's lane and ends the unary call with its Status, or with why it
-/// could not run. `progress` says stop once the client has gone. The request and the response live
-/// until then.
+/// Runs `work(progress)` in the call's lane and ends the unary call with its Status, or with the
+/// reason why it could not run. `progress` says stop when the client is gone. The request and the
+/// response live until then.
 template <typename Request, typename Work>
 grpc::ServerUnaryReactor* answer(const CallContext& calls, grpc::CallbackServerContext* context,
                                  const Request& request, Work work) {

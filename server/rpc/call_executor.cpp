@@ -5,7 +5,8 @@
 
 namespace burnish {
 
-/// "ipv4:127.0.0.1" of "ipv4:127.0.0.1:5000": all connections of an address are one holder.
+/// Returns "ipv4:127.0.0.1" for "ipv4:127.0.0.1:5000": all connections of an address are one
+/// holder.
 static std::string host_of(const std::string& peer) {
   return peer.starts_with("ipv") ? peer.substr(0, peer.rfind(':')) : peer;
 }

@@ -13,17 +13,18 @@ class CallExecutor {
  public:
   explicit CallExecutor(Lanes& lanes) : lanes_(&lanes) {}
 
-  /// For a call of `user`, or of its address where nobody was asked.
+  /// For a call of `user`, or of its address without authentication.
   CallExecutor for_call(const grpc::CallbackServerContext& context, const std::string& user) const;
 
-  /// Runs `work`. What keeps it from running or from ending goes to `on_failure`, perhaps at once:
-  /// the caller's queue is full, memory has run out. `bytes`: of the message that the work holds.
+  /// Runs `work`. `on_failure` gets the reason if it cannot run or end, perhaps at once: the
+  /// caller's queue is full, or memory has run out. `bytes`: size of the message that the work
+  /// holds.
   void post(std::function<void()> work, std::function<void(const Status&)> on_failure,
             uint64_t bytes = 0) const {
     post(lane_, std::move(work), std::move(on_failure), bytes);
   }
 
-  /// The same in another lane than the call's.
+  /// Does the same in another lane than the call's.
   void post(Lane lane, std::function<void()> work, std::function<void(const Status&)> on_failure,
             uint64_t bytes = 0) const {
     const LogContext context(request_id_);

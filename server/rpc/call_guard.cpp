@@ -2,7 +2,7 @@
 
 #include <grpc/grpc_security_constants.h>
 
-#include "common/service/scan_info.h"
+#include "common/base/text.h"
 #include "server/process/log_context.h"
 #include "server/rpc/call_observer.h"
 #include "server/rpc/refusals.h"
@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-/// The header in which a client says who its user is.
+/// The header in which a client names its user.
 constexpr char kUserHeader[] = "burnish-user-bin";
 
 std::string_view view(grpc::string_ref text) {
@@ -40,7 +40,8 @@ Result<Identity> CallGuard::identify(const grpc::CallbackServerContext& context)
   return identity.is_ok() ? std::move(identity) : refuse(context, identity.status());
 }
 
-/// What the server lets an identity be in any session. Editors own what they make.
+/// Returns the bounds that the server sets an identity in any session. Editors own the sessions
+/// that they make.
 static Caller bounded(const Identity& identity) {
   Caller caller(identity.user);
   if (identity.user.empty()) return caller;
@@ -67,7 +68,7 @@ Result<Caller> CallGuard::caller_of(const grpc::CallbackServerContext& context) 
 std::function<Status()> CallGuard::may_stay(const grpc::CallbackServerContext& context,
                                             const Identity& identity) const {
   if (identity.user.empty()) return {};
-  const auto connection = context.auth_context();  // owns what the proof shows of a certificate
+  const auto connection = context.auth_context();  // owns the certificate's data in the proof
   const Proof shown = proof_of(context, *connection);
   return [this, identity, token = std::string(shown.authorization),
           certificate = std::string(shown.certificate_common_name)]() -> Status {

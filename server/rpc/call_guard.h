@@ -10,28 +10,28 @@
 
 namespace burnish {
 
-/// Who makes a call that Admission has let in, and how many streams has he already. Every refusal
-/// is logged with peer, method and reason, and counted. Thread-safe.
+/// Says who makes an admitted call, and limits their streams. Logs every refusal with peer, method
+/// and reason, and counts it. Thread-safe.
 class CallGuard {
  public:
   /// Needs: `guard` outlives it.
   CallGuard(const Guard& guard, uint64_t streams_per_user)
       : guard_(guard), streams_("streams", "limits.streams_per_user", streams_per_user) {}
 
-  /// Fails as Guard::identify(): the users may have changed since the call was let in.
+  /// Fails: as Guard::identify(), because the users may have changed since the call was admitted.
   Result<Identity> identify(const grpc::CallbackServerContext& context) const;
 
-  /// Who works at sessions by this call: the user by token or certificate, with what the server
-  /// lets them do; or where nobody is asked for those, the name that the client gives, which may
-  /// be "". Fails: invalid_argument; permission_denied for a name that is another's.
+  /// Returns the caller of sessions in this call. With authentication it is the user of the token
+  /// or certificate, with the server's bounds. Without, it is the name that the client gives, which
+  /// may be "". Fails: invalid_argument; permission_denied for another user's name.
   Result<Caller> caller_of(const grpc::CallbackServerContext& context) const;
 
-  /// For calls that last: tells whether the caller would still be let in, as who they were then.
-  /// Outlives the call's context. Empty where nobody is asked who they are.
+  /// For calls that last: returns a function that says whether the caller would still be let in
+  /// with the same identity. It outlives the call's context. Empty without authentication.
   std::function<Status()> may_stay(const grpc::CallbackServerContext& context,
                                    const Identity& identity) const;
 
-  /// The same as identify() for a call that lasts; the share is the user's part of the limit.
+  /// The result of identify() for a call that lasts; the share is its part of the user's limit.
   struct Stream {
     Identity identity;
     Quota::Share share;

@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-// What is in no table waits for a session, as most calls do.
+// A call that is not listed waits for a session, as most calls do.
 static constexpr std::pair<std::string_view, Lane> kLanes[] = {
     {"/burnish.v1.Library/ListScans", Lane::kShort},
     {"/burnish.v1.Library/DescribeScan", Lane::kShort},

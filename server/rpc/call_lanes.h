@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// Where an RPC's work runs, e.g. that of "/burnish.v1.Library/ListScans".
+/// Returns the lane of an RPC's work, e.g. for "/burnish.v1.Library/ListScans".
 Lane lane_of(std::string_view method);
 
 }  // namespace burnish

@@ -8,6 +8,7 @@
 #include <spdlog/spdlog.h>
 
 #include "server/library/data_folder.h"
+#include "server/metrics/live_objects.h"
 #include "server/metrics/metrics.h"
 #include "server/process/line_limiter.h"
 #include "server/process/log_context.h"
@@ -67,8 +68,8 @@ class CallObserver final : public grpc::experimental::Interceptor {
     if (status_) report();
   }
 
-  // The call's end, above all a cancelled one's, may come on another thread while its status is
-  // sent.
+  // The end of a call, in particular of a cancelled one, may come on another thread while its
+  // status is sent.
   void Intercept(InterceptorBatchMethods* batch) override {
     {
       const std::lock_guard lock(mutex_);
@@ -103,8 +104,8 @@ class CallObserver final : public grpc::experimental::Interceptor {
 
   void take_message(const void* message) {
     lacks_message_ = !message;
-    // gRPC hands out the message without its type; those of our services are protobuf's, but for
-    // the calls that take bytes.
+    // gRPC passes the message without its type. Messages of this server's services are protobuf's,
+    // except for calls that take bytes.
     if (!message || !is_ours_) return;
     record_.bytes_received +=
         takes_bytes_ ? static_cast<const grpc::ByteBuffer*>(message)->Length()
@@ -115,8 +116,8 @@ class CallObserver final : public grpc::experimental::Interceptor {
     return lacks_message_ && info_.server_context()->IsCancelled();
   }
 
-  // Whether the call was cancelled shows only after the read that failed for it, in a stream
-  // sometimes only after the status that we send for that.
+  // A cancelled call shows only after its failed read; in a stream sometimes only after the status
+  // for that read was sent.
   void take_end() {
     if (!is_malformed_ && is_cancelled_for_want_of_a_message()) is_cut_off_ = true;
   }
@@ -126,7 +127,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
                                    info_.type() == ServerRpcInfo::Type::SERVER_STREAMING;
     is_cut_off_ = is_cancelled_for_want_of_a_message();
     is_malformed_ = lacks_message_ && is_single_request && !is_cut_off_;
-    if (is_malformed_)  // gRPC itself says UNIMPLEMENTED
+    if (is_malformed_)  // gRPC itself would say UNIMPLEMENTED
       batch.ModifySendStatus(
           {grpc::StatusCode::INVALID_ARGUMENT, "the message is not a request of " + method_});
     status_ = batch.GetSendStatus();
@@ -134,7 +135,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
 
   void report() {
     const double seconds = std::chrono::duration<double>(steady_clock::now() - start_).count();
-    // Each label is kept for ever: no client makes them up.
+    // Labels are kept for ever, so no client may invent one.
     record_.method = least_role(method_) ? std::string_view(method_) : "unknown";
     record_.code = code_name(status_->error_code());
     record_.seconds = seconds;
@@ -161,7 +162,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
   const std::string request_id_ = random_name();
   const steady_clock::time_point start_ = steady_clock::now();
   const LiveObject live_{LiveKind::kCall};
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the following members
   CallRecord record_;
   bool lacks_message_ = false;
   bool is_cut_off_ = false;

@@ -66,7 +66,8 @@ void ConnectionAcceptor::accept_from(Door& door) {
   const int fd = accept4(door.socket.fd(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
   if (fd < 0) {
     if (errno == EAGAIN || errno == EINTR || errno == ECONNABORTED) return;
-    spdlog::error("accepting on {}: {}", door.socket.address(), std::strerror(errno));
+    spdlog::error("cannot accept connections on {}: {}", door.socket.address(),
+                  std::strerror(errno));
     std::this_thread::sleep_for(std::chrono::milliseconds(100));  // out of descriptors or memory
     return;
   }
@@ -99,7 +100,7 @@ size_t ConnectionAcceptor::open_connections() {
   return connections_.size();
 }
 
-/// Why a connection of this host has no place; empty: it has.
+/// Returns why a connection of this host is refused; empty: it is not.
 std::string ConnectionAcceptor::refusal(const std::string& host) {
   const std::lock_guard lock(mutex_);
   const auto of_host = [&] {
@@ -126,7 +127,7 @@ void ConnectionAcceptor::forget_closed() {
   std::erase_if(connections_, [](const auto& entry) {
     const auto& [peer, connection] = entry;
     if (socket_inode(connection.fd) == connection.inode) return false;
-    // The one line that names who was refused by his headers: gRPC does not tell the peer then.
+    // The only line that names a peer refused by its headers: gRPC does not tell the peer then.
     if (!connection.is_known && may_log(LineKind::kConnection))
       spdlog::info("connection of {} ended: no call was admitted", peer);
     return true;
@@ -157,8 +158,8 @@ void ConnectionAcceptor::close_silent() {
       spdlog::warn("closed the connection of {}: no call was admitted within {} s", peer,
                    limits_.silence_max.count());
     metrics().count_refusal(Refusal::kConnections);
-    // gRPC owns the descriptor, and closes it when it reads the end. Were it another socket since
-    // the last line, it could only be one of the metrics, whose client would ask again.
+    // gRPC owns the descriptor and closes it when it reads the end. If the number belongs to
+    // another socket by now, that is one of the metrics, whose client will ask again.
     shutdown(connection.fd, SHUT_RDWR);
     connection.is_known = true;
   }

@@ -16,13 +16,13 @@ namespace burnish {
 
 struct ConnectionLimits {
   size_t connections_max = 256;
-  size_t connections_per_peer = 64;      ///< of one address over TCP; of IPv6, one /64 network
-  std::chrono::seconds silence_max{30};  ///< until a call of the connection is let in
+  size_t connections_per_peer = 64;      ///< of one address over TCP; for IPv6, of one /64 network
+  std::chrono::seconds silence_max{30};  ///< until a call of the connection is admitted
 };
 
-/// Accepts connections and hands them to gRPC, up to limits. gRPC 1.51 knows no such limits, and
-/// stops listening for good when the process runs out of file descriptors. Over TCP a connection of
-/// which no call is let in for `silence_max` is closed. Thread-safe.
+/// Accepts connections and hands them to gRPC, up to limits. gRPC 1.51 has no such limits, and
+/// stops listening for good when the process runs out of file descriptors. Closes a TCP connection
+/// if no call of it is admitted for `silence_max`. Thread-safe.
 class ConnectionAcceptor {
  public:
   using Receiver = std::shared_ptr<grpc::experimental::ExternalConnectionAcceptor>;
@@ -30,19 +30,19 @@ class ConnectionAcceptor {
   explicit ConnectionAcceptor(const ConnectionLimits& limits) : limits_(limits) {}
   ~ConnectionAcceptor() { stop(); }
 
-  /// Connections to `socket` go to `receiver`. Needs: not started.
+  /// Hands connections to `socket` to `receiver`. Needs: not started.
   void add(ListeningSocket socket, Receiver receiver);
 
   /// Needs: the gRPC server runs.
   void start();
 
-  /// That clients and gRPC still hold.
+  /// Returns the connections that clients and gRPC still hold.
   size_t open_connections();
 
-  /// Stops listening; connections that are there stay. Idempotent.
+  /// Stops listening; existing connections stay. Idempotent.
   void stop();
 
-  /// A call of this peer has been let in; as gRPC writes it: "ipv4:127.0.0.1:5000".
+  /// Notes that a call of this peer was admitted, in gRPC's form: "ipv4:127.0.0.1:5000".
   void note_call(const std::string& peer);
 
  private:
@@ -50,14 +50,14 @@ class ConnectionAcceptor {
     ListeningSocket socket;
     Receiver receiver;
   };
-  /// A connection that was handed over: gRPC owns its descriptor, the inode tells whether that
-  /// number is still this connection.
+  /// A connection that gRPC has taken over. gRPC owns its descriptor; the inode says whether the
+  /// number still belongs to this connection.
   struct Connection {
     int fd;
     uint64_t inode;
-    std::string host;  // empty: a Unix socket
+    std::string host;  // empty for a Unix socket
     std::chrono::steady_clock::time_point since;
-    bool is_known;  // a call was let in, or it need not be
+    bool is_known;  // a call was admitted, or none is needed
   };
   using Connections = std::unordered_map<std::string, Connection>;  // by peer
 
@@ -70,7 +70,7 @@ class ConnectionAcceptor {
 
   const ConnectionLimits limits_;
   std::vector<Door> doors_;
-  std::mutex mutex_;  // of connections_
+  std::mutex mutex_;  // guards connections_
   Connections connections_;
   std::chrono::steady_clock::time_point last_sweep_;
   int wake_ = -1;

@@ -16,8 +16,8 @@
 namespace burnish {
 namespace {
 
-/// Credentials of gRPC's C interface, which has two things that its C++ interface lacks: a
-/// certificate fetcher, and a look at the calls of plaintext connections.
+/// Credentials of gRPC's C interface. Its C++ interface lacks two things: a certificate fetcher,
+/// and a look at the calls of plaintext connections.
 class Credentials : public grpc::ServerCredentials {
  public:
   Credentials(grpc_server_credentials* credentials, std::shared_ptr<const Admission> admission)
@@ -31,9 +31,9 @@ class Credentials : public grpc::ServerCredentials {
   void SetAuthMetadataProcessor(const std::shared_ptr<grpc::AuthMetadataProcessor>&) override {}
 
  private:
-  using State = std::shared_ptr<const Admission>;  // gRPC's, for as long as connections live
+  using State = std::shared_ptr<const Admission>;  // gRPC holds it while connections live
 
-  // Every call's headers come here, ":path" among them, before its first message is read.
+  // Gets every call's headers, ":path" among them, before its first message is read.
   static void admit(void* state, grpc_auth_context* connection, const grpc_metadata* headers,
                     size_t count, grpc_process_auth_metadata_done_cb done, void* call) {
     std::string_view method;
@@ -66,7 +66,7 @@ class Credentials : public grpc::ServerCredentials {
   grpc_server_credentials* credentials_;
 };
 
-/// Gives gRPC the certificates at its first handshake and whenever they have changed.
+/// Gives gRPC the certificates at its first handshake and after each change.
 class Fetcher {
  public:
   explicit Fetcher(const Reloaded<Certificates>& certificates) : certificates_(certificates) {}
@@ -82,7 +82,7 @@ class Fetcher {
     const auto now = certificates_.get();
     if (now == given_) return GRPC_SSL_CERTIFICATE_CONFIG_RELOAD_UNCHANGED;
     const grpc_ssl_pem_key_cert_pair pair = {now->key.c_str(), now->certificate.c_str()};
-    // Without a client CA no client is asked for a certificate, but gRPC wants some root.
+    // Without a client CA no client is asked for a certificate, but gRPC needs some root.
     const std::string& client_ca = now->client_ca.empty() ? now->certificate : now->client_ca;
     *config = grpc_ssl_server_certificate_config_create(client_ca.c_str(), &pair, 1);
     given_ = now;

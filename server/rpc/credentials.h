@@ -10,11 +10,11 @@
 
 namespace burnish {
 
-/// How connections are secured. Of both kinds `admission` lets the calls in.
-/// Needs: `certificates` outlives the server.
+/// Security of connections. Both kinds let calls in through `admission`. Needs: `certificates`
+/// outlives the server.
 
-/// TLS; every handshake uses the certificates as they are then. With a client CA clients show a
-/// certificate of it: all of them, or those who have one.
+/// TLS; every handshake uses the certificates of that moment. With a client CA clients show one of
+/// its certificates: all clients, or those that have one.
 std::shared_ptr<grpc::ServerCredentials> tls_credentials(
     const Reloaded<Certificates>& certificates, bool client_certificate_required,
     std::shared_ptr<const Admission> admission);
@@ -22,7 +22,7 @@ std::shared_ptr<grpc::ServerCredentials> tls_credentials(
 std::shared_ptr<grpc::ServerCredentials> plaintext_credentials(
     std::shared_ptr<const Admission> admission);
 
-/// Sends gRPC's own errors to our log: nothing else tells of handshakes that fail.
+/// Sends gRPC's own errors to the server's log: only they report failed handshakes.
 void adopt_grpc_log();
 
 }  // namespace burnish

@@ -7,12 +7,12 @@
 
 namespace burnish {
 
-/// Tells calls that ended before they started from those whose message is on its way: the latter
-/// are few for a moment, the former stay missing. gRPC reports neither.
+/// Tells cut-off calls from calls whose message is still on its way: the latter are few for a
+/// moment, the former stay missing. gRPC reports neither.
 class CutOffCalls {
  public:
   /// `missing`: calls that have arrived and not started so far. Returns how many more of them than
-  /// at the last call have been missing for some calls.
+  /// at the last call have been missing for several calls.
   uint64_t add(uint64_t missing) {
     window_[next_++ % window_.size()] = missing;
     const uint64_t lost = *std::min_element(window_.begin(), window_.end());

@@ -86,7 +86,7 @@ void EditCall::take_place(const LiveClient& client) {
   writer_.unless_finished([this] { StartRead(&received_); });
 }
 
-// A wrong edit or preview is refused. Any other wrong message ends the call.
+// Refuses a wrong edit or preview. Any other wrong message ends the call.
 Status EditCall::take_request() {
   auto message = from_wire(request_);
   const Status status = message.is_ok()
@@ -131,7 +131,7 @@ Status EditCall::take(const Heartbeat& beat) {
   return Status::ok();
 }
 
-// Whoever does not take its answers, or sends edits faster than they are done, is not read.
+// Does not read a client that does not take its answers, or sends edits faster than they are done.
 void EditCall::read_on() {
   if (!reading_paused_ || !client_->subscriber->may_send() || !reading_paused_.exchange(false))
     return;

@@ -11,8 +11,8 @@
 
 namespace burnish {
 
-/// Editing.Edit: a greeting, which brings the session back on the executor; then what the client
-/// says is passed on as it comes, for none of it waits, and the writer sends what there is to tell.
+/// Editing.Edit: a greeting, which brings the session back on the executor. Then it passes the
+/// client's messages on at once, because none of them waits, and the writer sends the answers.
 class EditCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>,
                        public SelfOwned<EditCall> {
  public:
@@ -50,11 +50,11 @@ class EditCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::By
   grpc::CallbackServerContext& context_;
   std::atomic<bool> cancelled_{false};
   grpc::ByteBuffer received_, sent_;
-  v1::ClientMessage request_;  // what was received
+  v1::ClientMessage request_;  // received message
   std::atomic<bool> reading_paused_{false};
   LiveWriter writer_;
 
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the following members
   std::optional<LiveClient> client_;
   bool done_ = false;
 };

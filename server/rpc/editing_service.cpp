@@ -1,6 +1,5 @@
 #include "server/rpc/editing_service.h"
 
-#include "common/base/limits.h"
 #include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
 #include "common/wire/session_wire.h"

@@ -17,7 +17,7 @@ using EditingCalls = WithCalls<
     v1::Editing::WithCallbackMethod_Watch, v1::Editing::WithCallbackMethod_GetCells,
     v1::Editing::WithCallbackMethod_Export>::Type;
 
-/// burnish.v1.Editing over the session manager: adapts messages, and nothing else.
+/// burnish.v1.Editing over the session manager; only converts messages.
 class EditingService final : public EditingCalls {
  public:
   explicit EditingService(const CallContext& calls) : calls_(calls) {}

@@ -9,8 +9,8 @@
 
 namespace burnish {
 
-/// What a streaming call has to say to its client, one write at a time. Of progress only the newest
-/// is kept, so that a slow client costs nothing and holds up nobody. Thread-safe.
+/// The messages of a streaming call to its client, one write at a time. Keeps only the newest
+/// progress, so a slow client costs nothing and holds up nobody. Thread-safe.
 template <typename Event>
 class EventQueue {
  public:
@@ -18,7 +18,7 @@ class EventQueue {
              std::function<void(grpc::Status)> finish)
       : start_write_(std::move(start_write)), finish_(std::move(finish)) {}
 
-  /// An event that a newer one may replace.
+  /// Adds an event that a newer one may replace.
   void offer(Event event) {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
@@ -26,7 +26,7 @@ class EventQueue {
     advance();
   }
 
-  /// An event that must arrive, in order.
+  /// Adds an event that must arrive, in order.
   void push(Event event) {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
@@ -35,7 +35,7 @@ class EventQueue {
     advance();
   }
 
-  /// Ends the call when everything pushed has been written. The first close counts.
+  /// Ends the call after all pushed events are written. The first close counts.
   void close(grpc::Status status) {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
@@ -43,8 +43,8 @@ class EventQueue {
     advance();
   }
 
-  /// To be called by OnWriteDone. After a failed write the rest is dropped; ending the call stays
-  /// with its owner, who alone knows whether a read or work is still under way.
+  /// Call in OnWriteDone. After a failed write it drops the rest. The owner ends the call: only the
+  /// owner knows whether a read or work is still under way.
   void on_write_done(bool ok) {
     const std::lock_guard lock(mutex_);
     writing_ = false;
@@ -52,11 +52,12 @@ class EventQueue {
     advance();
   }
 
-  /// The event of the write that is done. Needs: called from OnWriteDone, before on_write_done().
+  /// Returns the event of the finished write. Needs: called from OnWriteDone, before
+  /// on_write_done().
   const Event& written() const { return current_; }
 
  private:
-  // Reactions never run inside StartWrite or Finish, so that the lock may be held here.
+  // Reactions never run inside StartWrite or Finish, so the lock may be held here.
   void advance() {
     if (writing_ || finished_) return;
     if (broken_) {

@@ -35,7 +35,7 @@ Status ExportCall::solve() {
 void ExportCall::OnWriteDone(bool ok) {
   const bool was_chunk = events_.written().has_chunk();
   events_.on_write_done(ok);
-  // Also after a mere progress event: what is pushed behind a failed write is never written.
+  // Also after a mere progress event: after a failed write nothing more is written.
   if (!ok) return end(cancelled("the client has gone"));
   if (!was_chunk) return;
   calls_.executor.post(

@@ -10,8 +10,8 @@
 
 namespace burnish {
 
-/// Editing.Export: progress while the session solves, then the file, a chunk whenever the last one
-/// has been written, then the summary. A slow client holds no thread.
+/// Editing.Export: progress while the session solves, then the file, then the summary. Each chunk
+/// waits for the write of the last one, so a slow client holds no thread.
 class ExportCall final : public grpc::ServerWriteReactor<v1::ExportEvent>,
                          public SelfOwned<ExportCall> {
  public:

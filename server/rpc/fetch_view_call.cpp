@@ -46,7 +46,7 @@ void FetchViewCall::send_header() {
 void FetchViewCall::OnWriteDone(bool ok) {
   const bool was_progress = events_.written().has_progress();
   events_.on_write_done(ok);
-  // Also after a mere progress event: what is pushed behind a failed write is never written.
+  // Also after a mere progress event: after a failed write nothing more is written.
   if (!ok) return end(cancelled("the client has gone"));
   if (was_progress) return;
   run_guarded([this] { send_next(); }, [this](const Status& status) { end(status); });

@@ -10,8 +10,8 @@
 
 namespace burnish {
 
-/// Library.FetchView: progress while the view is made, its header, then a chunk whenever the last
-/// one has been written. All clients of a view share its bytes.
+/// Library.FetchView: progress while the view is made, its header, then its chunks. Each chunk
+/// waits for the write of the last one. All clients of a view share its bytes.
 class FetchViewCall final : public grpc::ServerWriteReactor<v1::FetchViewEvent>,
                             public SelfOwned<FetchViewCall> {
  public:

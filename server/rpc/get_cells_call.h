@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// Editing.GetCells: the values as they are now, a chunk whenever the last one has been written.
+/// Editing.GetCells: the present values in chunks. Each chunk waits for the write of the last one.
 class GetCellsCall final : public grpc::ServerWriteReactor<v1::Chunk>,
                            public SelfOwned<GetCellsCall> {
  public:

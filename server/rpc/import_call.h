@@ -11,9 +11,9 @@
 
 namespace burnish {
 
-/// Library.Import: header, chunks, then the work of the store. One message is read at a time, and
-/// the next only after the last is on its way to disk. Whoever announces a file and sends nothing
-/// for too long is turned away.
+/// Library.Import: header, chunks, then the work of the store. Reads one message at a time, and the
+/// next only after the last is on its way to disk. Refuses a client that announces a file and is
+/// silent for too long.
 class ImportCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>,
                          public SelfOwned<ImportCall> {
  public:
@@ -45,7 +45,7 @@ class ImportCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::
   const CallContext calls_;
   std::atomic<bool> cancelled_{false};
   grpc::ByteBuffer received_, sent_;
-  v1::ImportRequest request_;  // what was received
+  v1::ImportRequest request_;  // received message
   ImportHeader header_;
   std::unique_ptr<Upload> upload_;
   SilenceLimit silence_;

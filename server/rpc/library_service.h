@@ -13,7 +13,7 @@ using LibraryCalls = WithCalls<
     v1::Library::WithCallbackMethod_DescribePages, v1::Library::WithCallbackMethod_FetchPages,
     v1::Library::WithCallbackMethod_DeleteScan>::Type;
 
-/// burnish.v1.Library over the mesh store: adapts messages, and nothing else.
+/// burnish.v1.Library over the mesh store; only converts messages.
 class LibraryService final : public LibraryCalls {
  public:
   explicit LibraryService(const CallContext& calls) : calls_(calls) {}

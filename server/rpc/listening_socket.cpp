@@ -40,13 +40,13 @@ Result<Addresses> resolve(const std::string& address) {
   return Addresses(list);
 }
 
-/// A socket bound to the first of the addresses that lets itself be bound; else -1 and errno.
+/// Returns a socket bound to the first address that works; else -1 and errno.
 int bind_first(const addrinfo* list) {
   for (; list; list = list->ai_next) {
     const int fd = socket(list->ai_family, kSocketFlags, 0);
     if (fd < 0) continue;
     const int on = 1;
-    setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));  // despite old connections' ends
+    setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));  // in spite of old connections' ends
     if (bind(fd, list->ai_addr, list->ai_addrlen) == 0 && listen(fd, kBacklog) == 0) return fd;
     const int error = errno;
     ::close(fd);
@@ -63,7 +63,7 @@ int port_of(int fd) {
                                              : reinterpret_cast<sockaddr_in&>(address).sin_port);
 }
 
-/// Removes a socket that its server has left behind. Fails when a server is there.
+/// Removes a socket that a former server has left. Fails if a server listens there.
 Status remove_stale(const std::filesystem::path& path, const sockaddr_un& address) {
   struct stat found = {};
   if (lstat(path.c_str(), &found) != 0) return Status::ok();
@@ -75,7 +75,7 @@ Status remove_stale(const std::filesystem::path& path, const sockaddr_un& addres
   ::close(fd);
   if (error == 0 || error == EAGAIN)
     return cannot_listen("unix:" + path.string(), "another server already listens there");
-  if (error != ECONNREFUSED)  // not to be told whether it is in use
+  if (error != ECONNREFUSED)  // cannot find out whether it is in use
     return cannot_listen(
         "unix:" + path.string(),
         std::string("cannot tell whether the socket is in use: ") + std::strerror(error));
@@ -103,7 +103,7 @@ Result<ListeningSocket> ListeningSocket::unix_domain(const std::filesystem::path
   std::memcpy(address.sun_path, path.c_str(), path.native().size());
   RETURN_IF_ERROR(remove_stale(path, address));
   const int fd = socket(AF_UNIX, kSocketFlags, 0);
-  // Nobody can connect between bind() and listen(): the mode is right before anybody can.
+  // Nobody can connect between bind() and listen(), so the mode is right in time.
   const mode_t mode = access == SocketAccess::kUser ? 0600 : 0660;
   const bool done = bind(fd, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0 &&
                     chmod(path.c_str(), mode) == 0 && listen(fd, kBacklog) == 0;

@@ -7,18 +7,18 @@
 
 namespace burnish {
 
-/// Who may connect to a Unix socket.
+/// Says who may connect to a Unix socket.
 enum class SocketAccess { kGroup, kUser };
 
-/// A socket that waits for connections; closed with the object, and a Unix socket's name with it.
+/// A socket that waits for connections. It is closed with the object, and a Unix socket's name is
+/// removed.
 class ListeningSocket {
  public:
-  /// HOST:PORT; port 0 takes a free one. Fails: unavailable when the address cannot be bound.
+  /// HOST:PORT; port 0 takes a free port. Fails: unavailable if the address cannot be bound.
   static Result<ListeningSocket> tcp(const std::string& address);
 
-  /// Takes the place of a socket that nobody listens on; its mode becomes 0660, or 0600 for the
-  /// user alone. Fails: unavailable when somebody does listen there, or no socket can be made
-  /// there.
+  /// Takes the place of a socket that nobody listens on. Its mode becomes 0660, or 0600 for the
+  /// user alone. Fails: unavailable if somebody listens there, or no socket can be made there.
   static Result<ListeningSocket> unix_domain(const std::filesystem::path& path,
                                              SocketAccess access = SocketAccess::kGroup);
 
@@ -26,10 +26,10 @@ class ListeningSocket {
   ~ListeningSocket();
 
   int fd() const { return fd_; }
-  int port() const { return port_; }                       ///< 0: a Unix socket
+  int port() const { return port_; }                       ///< 0 for a Unix socket
   const std::string& address() const { return address_; }  ///< HOST:PORT, or unix:PATH
 
-  /// Waits in vain no longer: connects fail from now on.
+  /// Stops waiting: connects fail from now on.
   void close();
 
  private:

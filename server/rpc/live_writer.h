@@ -13,42 +13,43 @@
 
 namespace burnish {
 
-/// Sends one client of a live session what there is to tell, a write at a time, and ends the call
-/// after the last. Thread-safe.
+/// Sends messages to one client of a live session, a write at a time, and ends the call after the
+/// last. Thread-safe.
 class LiveWriter {
  public:
   LiveWriter(std::function<void(const v1::ServerMessage*)> start_write,
              std::function<void(grpc::Status)> finish)
       : start_write_(std::move(start_write)), finish_(std::move(finish)) {}
 
-  /// While the client waits for its place. Only the newest is sent.
+  /// Reports progress while the client waits for its place. Only the newest is sent.
   void report_progress(std::string_view phase, double fraction);
 
-  /// Welcomes the client; what its subscriber has to tell follows.
+  /// Welcomes the client; its subscriber's messages follow.
   void begin(const LiveClient& client);
 
-  /// Ends the call, without what is left to tell. The first end counts.
+  /// Ends the call without the remaining messages. The first end counts.
   void end(const Status& status);
 
-  /// There may be something to send.
+  /// Call when there may be something to send.
   void pump();
 
   void on_write_done(bool ok);
 
-  /// What the write that is done was. Needs: called from OnWriteDone, before on_write_done().
+  /// Returns the message of the finished write. Needs: called from OnWriteDone, before
+  /// on_write_done().
   const v1::ServerMessage& written() const { return current_; }
 
-  /// Runs `start`, which starts another operation of the call, while the call has not ended.
+  /// Runs `start`, which starts another operation of the call, unless the call has ended.
   void unless_finished(const std::function<void()>& start);
 
  private:
-  // Reactions never run inside StartWrite or Finish, so that the lock may be held here.
+  // Reactions never run inside StartWrite or Finish, so the lock may be held here.
   void advance();
   bool take_next();
 
   const std::function<void(const v1::ServerMessage*)> start_write_;
   const std::function<void(grpc::Status)> finish_;
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the following members
   std::shared_ptr<Subscriber> subscriber_;
   std::optional<ServerMessage> first_;  // progress, then the welcome
   std::optional<grpc::Status> end_;

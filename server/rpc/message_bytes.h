@@ -8,16 +8,16 @@
 
 namespace burnish {
 
-// Calls that read a stream take bytes and parse for themselves: of a message that is none, gRPC's
-// reactors hear no more than of the stream's end. What they write is bytes then, too.
+// Calls that read a stream take bytes and parse them here: after a malformed message gRPC's
+// reactors only hear of the stream's end. Such calls also write bytes.
 
-/// Counts the refusal of a message that is none, or that its stream does not take.
+/// Counts the refusal of a message that is malformed, or in the wrong place of its stream.
 inline Status malformed(Status refusal) {
   metrics().count_refusal(Refusal::kMalformed);
   return refusal;
 }
 
-/// Empties `bytes`. Fails: invalid_argument, counted, where they are no such message.
+/// Empties `bytes`. Fails: invalid_argument, counted, if they are not such a message.
 template <typename Message>
 Status parse(grpc::ByteBuffer& bytes, Message& message) {
   if (grpc::SerializationTraits<Message>::Deserialize(&bytes, &message).ok()) return Status::ok();
@@ -26,7 +26,7 @@ Status parse(grpc::ByteBuffer& bytes, Message& message) {
 
 template <typename Message>
 void serialize(const Message& message, grpc::ByteBuffer& bytes) {
-  bytes.Clear();  // it must be empty
+  bytes.Clear();  // gRPC needs it empty
   bool is_ours = false;
   const auto status = grpc::SerializationTraits<Message>::Serialize(message, &bytes, &is_ours);
   BURNISH_CHECK(status.ok(), "a message of ours has bytes");

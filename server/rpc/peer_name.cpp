@@ -24,9 +24,10 @@ static Peer ipv6_peer(const sockaddr_in6& address) {
   if (IN6_IS_ADDR_V4MAPPED(&address.sin6_addr))
     return ipv4_peer(&address.sin6_addr.s6_addr[12], port);
   std::string host = text_of(AF_INET6, &address.sin6_addr);
-  // gRPC writes an address as a URI has it, with its link where it counts on one alone.
+  // gRPC writes an address in the form of a URI. The link is part of it if the address is valid on
+  // one link only.
   if (address.sin6_scope_id != 0) host += "%25" + std::to_string(address.sin6_scope_id);
-  in6_addr network = address.sin6_addr;  // a party has all of it
+  in6_addr network = address.sin6_addr;  // one party has the whole network
   std::memset(&network.s6_addr[8], 0, 8);
   return {"ipv6:%5B" + host + "%5D:" + std::to_string(port), text_of(AF_INET6, &network) + "/64"};
 }

@@ -5,8 +5,8 @@
 
 namespace burnish {
 
-/// Checks what a request names: its session and its scan. A new session's name may be missing, and
-/// is checked where it is read. Fails: invalid_argument naming the field and its limit.
+/// Checks the names in a request: its session and its scan. A new session may have no name; its
+/// name is checked elsewhere. Fails: invalid_argument that names the field and its limit.
 template <typename Request>
 Status check_references(const Request& request) {
   if constexpr (requires { check_name("", request.session()); })

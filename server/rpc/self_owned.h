@@ -5,8 +5,8 @@
 
 namespace burnish {
 
-/// A call that lives until gRPC has reported its end *and* the last piece of its work on the
-/// executor has let go of it: whoever works for it holds self().
+/// A call that lives until gRPC has reported its end *and* its last work on the executor has let go
+/// of it. Each piece of work holds self().
 template <typename Call>
 class SelfOwned : public std::enable_shared_from_this<Call> {
  public:
@@ -19,14 +19,14 @@ class SelfOwned : public std::enable_shared_from_this<Call> {
   }
 
  protected:
-  /// From gRPC's reactions before release(), or for who holds it already, also while the call ends.
+  /// Callable from gRPC's reactions before release(), or by a holder, even while the call ends.
   std::shared_ptr<Call> self() { return this->shared_from_this(); }
 
-  /// To be called last in OnDone.
+  /// Call last in OnDone.
   void release() { const std::shared_ptr<Call> last = std::move(self_); }
 
  private:
-  std::shared_ptr<Call> self_;  // until the end is reported
+  std::shared_ptr<Call> self_;  // until gRPC reports the end
 };
 
 }  // namespace burnish

@@ -22,9 +22,9 @@ using std::chrono::steady_clock;
 static constexpr int kReceiveBytesMax = 16 << 20;
 static constexpr size_t kTransportBytesMax = size_t{512} << 20;  // buffers of all connections
 static constexpr int kStreamsPerConnectionMax = 64;
-static constexpr int kReflectionThreadsMax = 8;  // gRPC's own: each stream of anybody holds one
+static constexpr int kReflectionThreadsMax = 8;  // gRPC's own; each stream of any client holds one
 static constexpr int kHandshakeTimeMsMax = 10'000;
-static constexpr int kConnectionIdleMsMax = 300'000;  // without a call; clients connect again
+static constexpr int kConnectionIdleMsMax = 300'000;  // without a call; clients reconnect
 static constexpr int kKeepaliveTimeMs = 30'000;
 static constexpr int kKeepaliveTimeoutMs = 10'000;
 static constexpr int kPingIntervalMsMin = 10'000;
@@ -59,8 +59,8 @@ static void set_limits(grpc::ServerBuilder& builder) {
   grpc::ResourceQuota quota("burnish");
   quota.Resize(kTransportBytesMax);
   quota.SetMaxThreads(kReflectionThreadsMax);
-  // gRPC unpacks a message before it asks for its size: 3 MB on the wire were 3 GB in memory. No
-  // client of ours compresses.
+  // gRPC unpacks a message before it checks its size: 3 MB on the wire would be 3 GB in memory.
+  // Burnish's clients do not compress.
   for (const auto packed : {GRPC_COMPRESS_DEFLATE, GRPC_COMPRESS_GZIP})
     builder.SetCompressionAlgorithmSupportStatus(packed, false);
   builder.SetResourceQuota(quota);
@@ -83,8 +83,8 @@ static void observe_calls(grpc::ServerBuilder& builder, const std::shared_ptr<Ca
   builder.experimental().SetInterceptorCreators(std::move(observers));
 }
 
-// gRPC 1.51 tears itself down with its last object, and then may wait ten seconds for an endpoint
-// that it takes for a living one, long after the last call. The process ends anyway.
+// Keeps gRPC alive. gRPC 1.51 shuts down with its last object, and may then wait ten seconds for an
+// endpoint that it takes for a living one, long after the last call. The process ends anyway.
 static void keep_grpc() {
   [[maybe_unused]] static const bool kept = (grpc_init(), true);
 }
@@ -161,7 +161,7 @@ bool Server::is_in_use() const {
 }
 
 uint64_t Server::take_cut_off_calls() {
-  const uint64_t started = state_->counts->started;  // first: it never overtakes the other
+  const uint64_t started = state_->counts->started;  // read first: it never overtakes the other
   return state_->cut_off.add(state_->counts->arrived - started);
 }
 
@@ -169,7 +169,7 @@ void Server::drain(milliseconds time) {
   set_serving(false);
   state_->guard->close();
   state_->live.drain();
-  // Whoever probes still gets an answer meanwhile: it says NOT_SERVING.
+  // Probes still get an answer meanwhile: NOT_SERVING.
   const auto deadline = steady_clock::now() + time;
   while (running_calls() > 0 && steady_clock::now() < deadline)
     std::this_thread::sleep_for(kDrainPoll);

@@ -30,9 +30,9 @@ void SilenceLimit::stop() {
   alarm_.reset();
 }
 
-// One alarm for many messages: it is set again when it rings, never when something comes.
+// One alarm serves many messages: it is set again when it rings, not when a message comes.
 void SilenceLimit::set_alarm(milliseconds time) {
-  alarm_ = std::make_unique<grpc::Alarm>();  // the last one may just be ringing, and keeps itself
+  alarm_ = std::make_unique<grpc::Alarm>();  // the last alarm may be ringing and keeps itself alive
   alarm_->Set(std::chrono::system_clock::now() + time, [this, owner = owner_](bool is_time) {
     const auto alive = owner.lock();
     if (is_time && alive) ring();

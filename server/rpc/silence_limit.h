@@ -12,23 +12,23 @@
 
 namespace burnish {
 
-/// Notices that a client that is waited for has sent nothing for too long. A member of its call.
+/// Notices a client that should send and has been silent for too long. A member of its call.
 /// Thread-safe.
 class SilenceLimit {
  public:
   explicit SilenceLimit(std::chrono::milliseconds limit) : limit_(limit) {}
 
-  /// `on_silent` hears deadline_exceeded, once at most and only while the client is waited for.
-  /// `owner`: the call; nothing happens once it is gone.
+  /// `on_silent` gets deadline_exceeded, at most once and only between wait() and heard(). `owner`:
+  /// the call; after its end nothing happens.
   void start(std::weak_ptr<void> owner, std::function<void(const Status&)> on_silent);
 
-  /// The client is waited for from now on.
+  /// Starts to wait for the client.
   void wait();
 
-  /// Something has come. False: on_silent has been called already, and that is the call's end.
+  /// Notes a message. Returns false if on_silent was called already; the call ends then.
   bool heard();
 
-  /// on_silent is not called from now on, but for a call that is under way.
+  /// Stops calling on_silent; a call that is under way continues.
   void stop();
 
  private:
@@ -36,7 +36,7 @@ class SilenceLimit {
   void ring();
 
   const std::chrono::milliseconds limit_;
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the following members
   std::weak_ptr<void> owner_;
   std::function<void(const Status&)> on_silent_;
   std::unique_ptr<grpc::Alarm> alarm_;

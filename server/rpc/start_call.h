@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// A streaming call that ends as it begins.
+/// A streaming call that ends at once.
 template <typename Reactor>
 class RefusedCall final : public Reactor {
  public:
@@ -25,7 +25,7 @@ grpc::ServerWriteReactor<Response> reactor_of(const grpc::ServerWriteReactor<Res
 template <typename Call>
 using ReactorOf = decltype(reactor_of(static_cast<const Call*>(nullptr)));
 
-/// Lets a streaming call in and starts it with a CallContext of its own, or ends it at once.
+/// Lets a streaming call in and starts it with its own CallContext, or ends it at once.
 template <typename Call, typename... Arguments>
 ReactorOf<Call>* start_call(const CallContext& calls, grpc::CallbackServerContext* context,
                             Arguments&&... arguments) {

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// A status is a header, and clients take 8 kB of them: many let in no longer ones.
+/// A status is a header. Many clients refuse more than 8 kB of headers.
 inline constexpr size_t kStatusBytesMax = 1000;
 
 inline grpc::Status to_grpc(const Status& status) {

@@ -56,7 +56,7 @@ Status UploadCellFieldsCall::take_header(const v1::CellFieldsHeader& header) {
   return Status::ok();
 }
 
-// More cells than the session has would wait in memory for a refusal.
+// Without this, more cells than the session has would wait in memory for a refusal.
 Status UploadCellFieldsCall::check_cell_count(const v1::CellFieldsHeader& header) {
   constexpr uint64_t kFewCells = 4096;
   if (header.cells() <= kFewCells) return Status::ok();

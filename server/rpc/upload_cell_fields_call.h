@@ -38,7 +38,7 @@ class UploadCellFieldsCall final : public grpc::ServerReadReactor<grpc::ByteBuff
   std::atomic<bool> cancelled_{false};
   SilenceLimit silence_;
   grpc::ByteBuffer received_;
-  v1::UploadCellFieldsRequest request_;  // what was received
+  v1::UploadCellFieldsRequest request_;  // received message
   bool has_header_ = false;
   uint64_t announced_cells_ = 0;
   std::string session_;

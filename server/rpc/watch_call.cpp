@@ -43,8 +43,8 @@ Result<LiveClient> WatchCall::join() {
   return calls_.live.join(greeting, calls_.caller, std::move(wiring), progress);
 }
 
-// It never says what it holds, so that every frame is a key frame; and none is made of a surface
-// that it has been sent.
+// The client never says which frames it holds, so every frame is a key frame. No frame is made of a
+// surface that was sent already.
 static void grant_frame(const LiveClient& client) {
   client.subscriber->grant({.frames = 1});
 }
@@ -68,7 +68,7 @@ void WatchCall::OnWriteDone(bool ok) {
 void WatchCall::grant_later() {
   const std::lock_guard lock(mutex_);
   if (done_) return;
-  // Weak: an alarm keeps what it was set with, also once it has rung, and the call owns the alarm.
+  // Weak: an alarm keeps its function even after it has rung, and the call owns the alarm.
   next_frame_.Set(std::chrono::system_clock::now() + kFrameInterval,
                   [weak = std::weak_ptr(self())](bool is_time) {
                     const auto call = weak.lock();

@@ -13,8 +13,8 @@
 
 namespace burnish {
 
-/// Editing.Watch: a live session's client that cannot speak. It gets a credit for a key frame when
-/// the last one has been written, and no sooner than kFrameInterval after that one.
+/// Editing.Watch: a client of a live session that cannot speak. It gets a credit for a key frame
+/// after the write of the last one, and at least kFrameInterval after that.
 class WatchCall final : public grpc::ServerWriteReactor<v1::ServerMessage>,
                         public SelfOwned<WatchCall> {
  public:
@@ -39,7 +39,7 @@ class WatchCall final : public grpc::ServerWriteReactor<v1::ServerMessage>,
   std::atomic<bool> cancelled_{false};
   LiveWriter writer_;
 
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the following members
   std::optional<LiveClient> client_;
   grpc::Alarm next_frame_;
   bool done_ = false;

@@ -2,8 +2,8 @@
 
 namespace burnish {
 
-/// A generated service with each call as one of its WithCallbackMethod_ or, where the call takes
-/// bytes (see message_bytes.h), its WithRawCallbackMethod_ templates says.
+/// A generated service with one of its WithCallbackMethod_ templates for each call. A call that
+/// takes bytes (see message_bytes.h) has one of its WithRawCallbackMethod_ templates instead.
 template <typename Service, template <typename> typename... Calls>
 struct WithCalls {
   using Type = Service;

@@ -10,8 +10,8 @@
 
 namespace burnish {
 
-/// Waits in line for a mutex that others may hold for seconds, and asks `progress` meanwhile
-/// whether the caller still wants it. Fails: cancelled.
+/// Waits in line for a mutex that others may hold for seconds. Meanwhile it asks `progress` whether
+/// to go on. Fails: cancelled.
 inline Result<std::unique_lock<FairMutex>> lock_or_cancel(FairMutex& mutex, std::string_view phase,
                                                           const Progress& progress) {
   std::unique_lock lock(mutex, std::try_to_lock);

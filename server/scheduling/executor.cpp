@@ -28,7 +28,7 @@ void run_guarded(const std::function<void()>& work,
       const Status status = status_of_exception();
       spdlog::error("a request's work threw: {}", status.message());
       if (on_failure) on_failure(status);
-    } catch (...) {  // no memory even for that: the client's deadline ends the call
+    } catch (...) {  // no memory even for the message: the client's deadline ends the call
     }
   }
 }
@@ -51,7 +51,7 @@ static Status too_much(const std::string& what, uint64_t max) {
 }
 
 static std::string bytes_held(const std::string& whose, uint64_t held, uint64_t more) {
-  return "requests of " + whose + " hold " + std::to_string(held) + " bytes and this one " +
+  return "requests of " + whose + " hold " + std::to_string(held) + " bytes and this one needs " +
          std::to_string(more) + " more";
 }
 
@@ -119,7 +119,7 @@ void Executor::run() {
     lock.unlock();
     run_guarded(piece.work, piece.on_failure);
     const uint64_t bytes = piece.bytes;
-    piece = {};  // what it holds goes without the lock
+    piece = {};  // frees its data without the lock
     lock.lock();
 
     --own.at_work;

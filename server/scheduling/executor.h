@@ -15,15 +15,15 @@
 
 namespace burnish {
 
-/// Runs `work`. An exception that it throws ends nothing else: it is logged, and `on_failure`
-/// (which may be empty) hears resource_exhausted where memory ran out, internal otherwise.
+/// Runs `work`. An exception ends only this work: it is logged, and `on_failure` (which may be
+/// empty) gets resource_exhausted if memory ran out, else internal.
 void run_guarded(const std::function<void()>& work,
                  const std::function<void(const Status&)>& on_failure);
 
-/// A few threads that run what must not block a reaction of the service: disk, solver, journal.
+/// A few threads for work that must not block a reaction of the service: disk, solver, journal.
 ///
-/// Each piece of work belongs to a holder: a user, or an address. Holders take turns, whoever has
-/// waited longest first, so that what one of them has waiting holds up nobody else.
+/// Each piece of work belongs to a holder: a user, or an address. Holders take turns, longest
+/// waiting first, so that one holder's waiting work holds up nobody else.
 class Executor {
  public:
   struct Limits {
@@ -31,28 +31,28 @@ class Executor {
     int threads = 1;
     int threads_per_holder = std::numeric_limits<int>::max();
     uint64_t waiting_per_holder = kNone;  ///< pieces
-    uint64_t bytes_per_holder = kNone;    ///< of pieces that wait or are at work
-    uint64_t waiting_max = kNone;         ///< the same of all holders together
+    uint64_t bytes_per_holder = kNone;    ///< of waiting and running pieces
+    uint64_t waiting_max = kNone;         ///< pieces of all holders together
     uint64_t bytes_max = kNone;
   };
 
   struct Piece {
     std::function<void()> work;
-    /// Hears why the work was not done, or did not end: from the caller's thread or from another.
+    /// Gets the reason if the work was not done or did not end, from any thread.
     std::function<void(const Status&)> on_failure = {};
     std::string holder = {};
-    uint64_t bytes = 0;  ///< that it keeps in memory: its request
+    uint64_t bytes = 0;  ///< memory of the piece: its request
   };
 
   explicit Executor(const Limits& limits);
-  /// Everybody together, without a limit.
+  /// One holder for everybody, without a limit.
   explicit Executor(int threads) : Executor(Limits{.threads = threads}) {}
 
-  /// Runs what has been posted, then ends.
+  /// Runs all posted work, then ends.
   ~Executor();
 
-  /// Fails by on_failure: resource_exhausted "user anna has 1024 requests waiting, the limit is
-  /// 1024", and as run_guarded().
+  /// on_failure gets resource_exhausted "user anna has 1024 requests waiting, the limit is 1024",
+  /// or the failures of run_guarded().
   void post(Piece piece);
   void post(std::function<void()> work) { post(Piece{std::move(work)}); }
 
@@ -72,8 +72,8 @@ class Executor {
   const Limits limits_;
   std::mutex mutex_;
   std::condition_variable wake_;
-  Holders holders_;                // those with work
-  std::deque<std::string> turns_;  // whose next piece may start, in order
+  Holders holders_;                // holders with work
+  std::deque<std::string> turns_;  // holders whose next piece may start, in order
   uint64_t waiting_ = 0;
   uint64_t bytes_ = 0;
   bool ending_ = false;

@@ -33,7 +33,7 @@ bool FairMutex::lock_while(const std::function<bool()>& go_on) {
     goes_on = go_on();
     lock.lock();
   }
-  const bool is_mine = mine->is_owner;  // also where it came while the question was asked
+  const bool is_mine = mine->is_owner;  // also if it came during the call of go_on
   waiters_.erase(mine);
   return is_mine;
 }
@@ -43,7 +43,7 @@ void FairMutex::unlock() {
   hand_on(lock);
 }
 
-/// Needs: the mutex is held and kept for nobody. Unlocks `lock` where it calls a place.
+/// Needs: the mutex is held and kept for nobody. Unlocks `lock` if it calls a place.
 void FairMutex::hand_on(std::unique_lock<std::mutex>& lock) {
   const bool is_places_turn = !places_.empty() && (waiters_.empty() || !last_was_place_);
   last_was_place_ = is_places_turn;
@@ -54,7 +54,7 @@ void FairMutex::hand_on(std::unique_lock<std::mutex>& lock) {
     lock.unlock();
     call();
   } else if (!waiters_.empty()) {
-    // A waiter takes itself off the list, and only then can it hand on.
+    // A waiter removes itself from the list, and only then can it hand on.
     waiters_.front().is_owner = true;
     waiters_.front().wake.notify_one();
   } else {

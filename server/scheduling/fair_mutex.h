@@ -7,9 +7,9 @@
 
 namespace burnish {
 
-/// A mutex that is handed on in the order in which it was asked for: whoever works at something
-/// turn by turn, all the time, keeps nobody out. Whoever must not wait holds a Place in the line.
-/// Works with std::unique_lock.
+/// A mutex that is handed on in the order of the requests, so that somebody who works turn by turn
+/// all the time keeps nobody out. A Place in the line is for somebody who must not wait. Works with
+/// std::unique_lock.
 class FairMutex {
  public:
   class Place;
@@ -18,12 +18,12 @@ class FairMutex {
   bool try_lock();
   void unlock();
 
-  /// Waits while `go_on` says so, and keeps its place in the line meanwhile. `go_on` is asked ten
-  /// times a second, without the mutex. False: it said no, and the mutex is somebody else's.
+  /// Waits while `go_on` returns true, and keeps its place in the line meanwhile. Calls `go_on` ten
+  /// times a second, without the mutex. Returns false without the mutex if `go_on` returned false.
   bool lock_while(const std::function<bool()>& go_on);
 
-  /// For a long holder, from time to time: if there is a Place in the line, it has its turn now.
-  /// Returns with the mutex held as before.
+  /// For a long holder, from time to time: a Place in the line has its turn now. Returns with the
+  /// mutex held as before.
   void let_place_pass();
 
  private:
@@ -34,29 +34,30 @@ class FairMutex {
 
   void hand_on(std::unique_lock<std::mutex>& lock);
 
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the following members
   bool held_ = false;
   bool last_was_place_ = false;
-  Place* kept_for_ = nullptr;  // held_, for this one to take
-  std::list<Waiter> waiters_;  // the first one waits longest
+  Place* kept_for_ = nullptr;  // held_ is true, for this place to take
+  std::list<Waiter> waiters_;  // the first has waited longest
   std::list<Place*> places_;   // likewise; waiters and places take turns
 };
 
-/// A place in the line for somebody who must not wait. Places and those who wait take turns, so
-/// that neither keeps the other out. Used by one thread at a time; ends before its mutex.
+/// A place in the line for somebody who must not wait. Places and waiters take turns, so neither
+/// keeps the other out. Used by one thread at a time; must end before its mutex.
 class FairMutex::Place {
  public:
-  /// `call` is called when the mutex is kept for this place: take() it soon, or leave(). It comes
-  /// from any thread, must be short and must not touch the mutex.
+  /// `call` says that the mutex is kept for this place: call take() soon, or leave(). It comes from
+  /// any thread, must be short and must not touch the mutex.
   Place(FairMutex& mutex, std::function<void()> call) : mutex_(mutex), call_(std::move(call)) {}
   ~Place() { leave(); }
   Place(const Place&) = delete;
   Place& operator=(const Place&) = delete;
 
-  /// True: the caller holds the mutex now, and unlocks it. False: the place is in the line.
+  /// Returns true if the caller holds the mutex now, and must unlock it. Returns false if the place
+  /// is in the line.
   bool take();
 
-  /// Goes out of the line. A mutex that was kept for this place is handed on.
+  /// Leaves the line. Hands on a mutex that was kept for this place.
   void leave();
 
  private:

@@ -6,7 +6,7 @@ namespace burnish {
 
 static constexpr int kShortWorkers = 4;
 static constexpr int kShortWorkersPerUser = 2;
-/// So many users may wait with all that each of them may have.
+/// All users together may take the limits of this many users.
 static constexpr uint64_t kFullUsersMax = 8;
 
 static Executor::Limits limits_of(const Lanes::Limits& limits, int workers, int per_user) {

@@ -4,22 +4,22 @@
 
 namespace burnish {
 
-/// What a request's work waits for. Each kind has workers of its own, so that none waits for
-/// another that takes longer.
+/// Says what a request's work waits for. Each lane has its own workers, so that no work waits for
+/// slower work of another lane.
 enum class Lane {
   kShort,    ///< memory and small files: lists, descriptions
-  kSession,  ///< a session that somebody else may be at, or the disk: edits, state, chunks
+  kSession,  ///< a session that others may use, or the disk: edits, state, chunks
   kLong,     ///< the solver, preparing, whole files: seconds to minutes
 };
 
 /// The workers of all requests.
 class Lanes {
  public:
-  /// For kLong, and as many for kSession, which mostly sleep.
+  /// For kLong, and as many for kSession, whose workers mostly sleep.
   struct Limits {
     int workers = 16;
     int workers_per_user = 4;
-    uint64_t requests_per_user = 1024;  ///< waiting, in each lane
+    uint64_t requests_per_user = 1024;  ///< waiting requests, in each lane
     uint64_t request_bytes_per_user = uint64_t{64} << 20;
   };
 

@@ -64,7 +64,7 @@ bool Scheduler::run_one() {
   return true;
 }
 
-// Who comes first gets some time where it has none left; who is still in debt goes to the end.
+// The first one gets some time if it has none left. One that is still in debt goes to the end.
 std::shared_ptr<Scheduled> Scheduler::next() {
   for (;;) {
     double& deficit_ms = ring_.front()->deficit_ms_;
@@ -100,10 +100,10 @@ void Scheduler::take_turn(std::unique_lock<std::mutex>& lock) {
     return;
   }
   scheduled->state_ = State::kIdle;
-  // Time is not saved up, but what was taken beyond it stays owed.
+  // Unused time is lost, but overdrawn time stays owed.
   scheduled->deficit_ms_ = std::min(scheduled->deficit_ms_, 0.0);
   if (ring_.empty() && running_ == 0) calm_.notify_all();
-  lock.unlock();  // it may end here
+  lock.unlock();  // the object may end here
   scheduled.reset();
   lock.lock();
 }

@@ -121,7 +121,7 @@ Status EditedFields::replay_strokes(const Counting& wanted, const Progress& prog
   return Status::ok();
 }
 
-/// Takes the strokes out of the fields that do not lead to `series`, by the nearest checkpoint.
+/// Removes strokes that do not lead to `series` from the fields, by the nearest checkpoint.
 void EditedFields::go_back_to_shared(const std::vector<uint64_t>& series) {
   const auto [fork, unused] =
       std::mismatch(strokes_done_.begin(), strokes_done_.end(), series.begin(), series.end());
@@ -141,11 +141,11 @@ void EditedFields::go_back_to_shared(const std::vector<uint64_t>& series) {
   begun_.reset();
 }
 
-/// Paints what the fields do not have of the stroke, some cells between two questions. Each cell
-/// sees all dabs at once, so that pauses leave no trace in its paint.
+/// Paints the rest of the stroke, some cells between two calls of `progress`. Each cell sees all
+/// dabs at once, so pauses leave no trace in its paint.
 Status EditedFields::paint(const Stroke& stroke, uint64_t series, const Progress& progress,
                            double done) {
-  static constexpr size_t kDabsTimesCells = 1 << 22;  // some milliseconds
+  static constexpr size_t kDabsTimesCells = 1 << 22;  // some milliseconds of work
   if (!begun_) {
     begun_.emplace(series, dab_centres(stroke));
     begun_->cells = fields_.cells_near(stroke.brush, begun_->centres);

@@ -12,19 +12,19 @@
 
 namespace burnish {
 
-/// The history of a session and the fields that it makes. Every change, whether a new edit, an
-/// undo, a late join, a recovery or a fork, comes about in the same way: the history first, then
-/// a replay of those entries that are on and not yet in the fields. The fields depend on the order
-/// of the edits alone, not on how they came in batches, nor on where a replay paused.
+/// The history of a session and the fields that it makes. Every change works in the same way,
+/// whether a new edit, an undo, a late join, a recovery or a fork: the history changes first, then
+/// a replay applies the entries that are on and not yet in the fields. The fields depend on the
+/// order of the edits alone, not on their batches, nor on the pauses of a replay.
 class EditedFields {
  public:
   /// Needs: prepared outlives this.
   explicit EditedFields(const PreparedMesh& prepared);
 
-  /// What has changed, in the terms of the solver.
+  /// The changes, in the terms of the solver.
   struct Changes {
     bool metric = false;  ///< α1, α2: new matrices
-    bool beta = false;    ///< a new constraint
+    bool beta = false;    ///< only a new constraint
 
     bool any() const { return metric || beta; }
     Changes& operator|=(const Changes& other) {
@@ -34,43 +34,43 @@ class EditedFields {
     }
   };
 
-  /// Takes all edits or none into the history, which is quick; the fields are behind until they
-  /// catch up. Returns the number that History::apply gives for each.
-  /// Needs: ids that the history does not know. Fails: as validate() and History::apply() do, and
-  /// for a cell that is not active, naming the edit.
+  /// Takes all edits or none into the history, which is quick. The fields are behind until they
+  /// catch up. Returns the number that History::apply gives for each. Needs: ids that the history
+  /// does not know. Fails: as validate() and History::apply() do, and for a cell that is not
+  /// active; names the edit.
   Result<std::vector<uint64_t>> record(std::span<const AuthoredEdit> edits);
 
-  /// Whether the history has something that the fields do not have yet.
+  /// Returns whether the history has something that the fields do not have yet.
   bool is_behind() const { return is_behind_; }
 
-  /// Brings the fields up to the history. Fails: cancelled; the next call goes on from there.
+  /// Brings the fields up to the history. Fails: cancelled; the next call continues there.
   Status catch_up(const Progress& progress = {});
 
-  /// Both: all edits or none. Fails: as both; cancelled.
+  /// Does both: all edits or none. Fails: as both; cancelled.
   Result<std::vector<uint64_t>> apply(std::span<const AuthoredEdit> edits,
                                       const Progress& progress = {});
 
-  /// Takes edits that a session has had before into the history, which has none yet. What is
-  /// damaged, or is refused by now, is skipped and keeps its number. Returns how many have no
-  /// effect any more.
+  /// Takes the edits of an earlier session into the empty history. Damaged edits, and edits that
+  /// are refused today, are skipped and keep their numbers. Returns how many have no effect any
+  /// more.
   uint64_t restore(std::span<const AuthoredEdit> edits);
 
-  /// What the mesh has against an edit that is new: apply() takes what older histories hold.
+  /// Checks a new edit against the mesh; apply() is less strict because it takes older histories.
   /// Fails: invalid_argument for a cell that is not active or set twice.
   Status check_new(const Edit& edit) const {
     const auto* cells = std::get_if<SetCellFields>(&edit.change);
     return cells ? fields_.check_new(*cells) : Status::ok();
   }
 
-  /// What has changed since the last take_changes().
+  /// The changes since the last take_changes().
   const Changes& changes() const { return changes_; }
   Changes take_changes() { return std::exchange(changes_, {}); }
 
   /// Lets a later replay begin at a checkpoint that was kept elsewhere.
   void offer(PaintCheckpoint checkpoint) { checkpoints_.add(std::move(checkpoint)); }
 
-  /// Checkpoints that are worth keeping elsewhere, made since the last call. They bound a replay to
-  /// kStrokesPerKeptCheckpoint strokes.
+  /// Returns the checkpoints since the last call that are worth keeping elsewhere. They bound a
+  /// replay to kStrokesPerKeptCheckpoint strokes.
   std::vector<PaintCheckpoint> take_kept() { return std::exchange(kept_, {}); }
 
   static constexpr uint64_t kStrokesPerKeptCheckpoint = 32;
@@ -78,11 +78,11 @@ class EditedFields {
   const History& history() const { return history_; }
   const Fields& fields() const { return fields_; }
   uint64_t byte_count() const { return checkpoints_.byte_count() + history_.byte_count(); }
-  /// Strokes painted since this was made, by which a test sees how long replays are.
+  /// Returns the strokes painted since this was made. Tests check with it how long replays are.
   uint64_t painted_strokes() const { return painted_strokes_; }
 
  private:
-  /// The entries that count, by what they do.
+  /// The entries that count, by their kind.
   struct Counting {
     SetGradientScale slider;
     SetTransferCurve curve;
@@ -90,11 +90,11 @@ class EditedFields {
     std::vector<const History::Entry*> cells;
   };
 
-  /// A stroke that a replay is in.
+  /// A stroke in the middle of a replay.
   struct Begun {
-    uint64_t series;  ///< with this stroke at its end
+    uint64_t series;  ///< ends with this stroke
     std::vector<Vec3d> centres;
-    std::vector<int64_t> cells;  ///< that the stroke may reach
+    std::vector<int64_t> cells;  ///< cells that the stroke may reach
     size_t painted_cells = 0;
   };
 
@@ -110,8 +110,8 @@ class EditedFields {
   Fields fields_;
   Changes changes_{true, true};
   std::vector<uint64_t> cells_done_;    // entries whose cells the fields have, in order
-  std::vector<uint64_t> strokes_done_;  // the series of the strokes that the fields have
-  std::optional<Begun> begun_;          // one more stroke, some of whose cells the fields have
+  std::vector<uint64_t> strokes_done_;  // series of the strokes that the fields have
+  std::optional<Begun> begun_;          // one more stroke, with some of its cells in the fields
   bool is_behind_ = false;
   PaintCheckpoints checkpoints_;
   std::vector<PaintCheckpoint> kept_;

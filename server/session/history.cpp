@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-// Ids are printable: a line break cannot be part of one.
+// Ids are printable: they cannot contain a line break.
 static std::string id_key(const std::string& author, const std::string& edit_id) {
   return edit_id + '\n' + author;
 }
@@ -19,7 +19,7 @@ namespace {
 
 constexpr uint64_t kBytesOfAnyEdit = 640;  // the edit itself, its step, entry, id and their nodes
 
-/// What a change takes beside its own struct.
+/// The bytes of a change beyond its own struct.
 struct BytesBeside {
   uint64_t operator()(const SetTransferCurve& change) const {
     return change.curve.points().size() * (sizeof(TransferCurve::Point) + sizeof(double));
@@ -129,7 +129,7 @@ Result<uint64_t> History::apply_change(const Undo&, Step& step) {
 
 Result<uint64_t> History::apply_change(const Redo&, Step& step) {
   std::vector<uint64_t>& undone = authors_[step.edit->author].undone;
-  // What was undone may have been switched on by hand since.
+  // Somebody may have switched an undone entry on again.
   const auto last = std::find_if(undone.rbegin(), undone.rend(),
                                  [&](uint64_t number) { return !find(number)->enabled; });
   if (last == undone.rend()) return failed_precondition("you have no edit to redo");
@@ -161,7 +161,7 @@ Result<uint64_t> History::apply_change(const SetCheckpoint& change, Step& step) 
 
 Result<uint64_t> History::apply_change(const RestoreCheckpoint& change, Step& step) {
   ASSIGN_OR_RETURN(const uint64_t then, checkpoint(change.name));
-  // An entry differs from then if it was switched an odd number of times since, or has come since.
+  // An entry differs from then if it is new or was switched an odd number of times.
   std::set<uint64_t> differ;
   for (size_t i = then; i < steps_.size(); ++i)
     for (const uint64_t number : steps_[i].switched)

@@ -13,53 +13,53 @@
 
 namespace burnish {
 
-/// What the edits of a session amount to: the list of its entries, each on or off. An entry is an
-/// edit that makes fields, or a checkpoint; undo, redo, switches and restored checkpoints only
-/// change which entries are on. The same edits in the same order give the same history.
+/// The list of a session's entries, each on or off. An entry is an edit that makes fields, or a
+/// checkpoint. Undo, redo, switches and restored checkpoints only change which entries are on. The
+/// same edits in the same order give the same history.
 ///
-/// A damaged edit is an entry that is never on. Undo, redo and switches of before it was damaged
-/// count it as though it were good, so that they go on to mean the entries that they meant.
+/// A damaged edit is an entry that is never on. Undo, redo and switches from before the damage
+/// count it as good, so they still mean the same entries.
 class History {
  public:
   struct Entry {
-    uint64_t number;  ///< of the edit that made it, counted from 1 over all edits of the session
+    uint64_t number;  ///< of the edit that made it, from 1 over all edits of the session
     std::shared_ptr<const AuthoredEdit> made_by;
-    bool enabled = true;       ///< also of a damaged one: whether undo would switch it off
-    uint64_t stroke_hash = 0;  ///< of a stroke's content, see paint_checkpoints.h
+    bool enabled = true;       ///< also for a damaged one: undo would switch it off
+    uint64_t stroke_hash = 0;  ///< hash of a stroke's content, see paint_checkpoints.h
 
     bool is_damaged() const { return kind_of(made_by->edit) == EditKind::kDamaged; }
     bool is_on() const { return enabled && !is_damaged(); }
   };
 
-  /// Edits so far; the next one's number is one more.
+  /// Returns the number of edits so far; the next one's number is one more.
   uint64_t size() const { return steps_.size(); }
 
   bool knows(const std::string& author, const std::string& edit_id) const;
 
   /// Returns the number of the entry that the edit made or switched, 0 for a restored checkpoint.
-  /// Needs: an id that the author has not used. A failed edit changes nothing.
-  /// Fails: failed_precondition (nothing to undo or redo), not_found (no such entry or checkpoint),
+  /// Needs: an id that the author has not used. A failed edit changes nothing. Fails:
+  /// failed_precondition (nothing to undo or redo), not_found (no such entry or checkpoint),
   /// invalid_argument (a checkpoint cannot be switched, nor a damaged entry be switched on).
   Result<uint64_t> apply(AuthoredEdit edit);
 
-  /// Takes an edit that a history has had before. Returns false when it has no effect any more,
-  /// because it is damaged or needs one that is; its number is taken all the same.
+  /// Takes an edit of an earlier history. Returns false if it has no effect any more, because it is
+  /// damaged or needs a damaged one; it still takes its number.
   bool restore(AuthoredEdit edit);
 
-  /// Forgets the last edit as though it had never been.
+  /// Forgets the last edit as if it had never been.
   void take_back();
 
-  /// What the edits take in memory, see bytes_in_history().
+  /// Returns the bytes of the edits in memory, see bytes_in_history().
   uint64_t byte_count() const { return byte_count_; }
 
-  /// By number.
+  /// Returns the entries by number.
   const std::vector<Entry>& entries() const { return entries_; }
 
-  /// The number of the edit that last gave a checkpoint this name. Fails: not_found.
+  /// Returns the number of the edit that last gave a checkpoint this name. Fails: not_found.
   Result<uint64_t> checkpoint(const std::string& name) const;
 
  private:
-  /// One applied edit and what to do to forget it.
+  /// One applied edit and the data to forget it.
   struct Step {
     std::shared_ptr<const AuthoredEdit> edit;
     std::vector<uint64_t> switched;  // entries
@@ -67,13 +67,13 @@ class History {
   };
   struct Author {
     std::set<uint64_t> enabled;    // entries that make fields
-    std::vector<uint64_t> undone;  // entries, the last undone last
+    std::vector<uint64_t> undone;  // entries in the order of their undoing
   };
 
   Result<uint64_t> enter(Step step);
   Status check_switch(const Edit& edit) const;
 
-  // Each returns what apply() does.
+  // Each returns the result of apply().
   template <typename MakesFields>
   Result<uint64_t> apply_change(const MakesFields&, Step& step) {
     return add_entry(step);
@@ -92,13 +92,13 @@ class History {
   std::vector<Step> steps_;  // by number - 1
   std::vector<Entry> entries_;
   std::map<std::string, Author> authors_;
-  std::map<std::string, std::vector<uint64_t>> checkpoints_;  // every use of the name
+  std::map<std::string, std::vector<uint64_t>> checkpoints_;  // all uses of each name
   std::unordered_set<std::string> ids_;
   uint64_t byte_count_ = 0;
 };
 
-/// What an edit takes in memory as a part of a history.
-/// Accuracy: no less than it takes, but for what undo and checkpoints switch.
+/// Returns the bytes of an edit in memory as a part of a history. Accuracy: no less than it takes,
+/// except for entries that undo and checkpoints switch.
 uint64_t bytes_in_history(const AuthoredEdit& edit);
 
 }  // namespace burnish

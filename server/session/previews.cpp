@@ -19,7 +19,7 @@ void Previews::show(uint64_t connection, Gesture gesture) {
     return;
   }
   if (goes_on) {
-    shown_.erase(mine);  // to the end: the last one moved counts
+    shown_.erase(mine);  // to the end: the last moved one counts
   } else {
     drop(connection);
   }

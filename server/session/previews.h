@@ -10,25 +10,25 @@
 
 namespace burnish {
 
-/// Somebody's drag that has not ended: the edit that it would be if it ended now.
+/// A user's drag that has not ended: the edit that it would be if it ended now.
 struct Gesture {
   std::string author;
   std::string edit_id;
   PreviewChange change;
 };
 
-/// What the gestures under way do to the fields of a session. It is shown and kept nowhere:
-/// gestures work on a copy, and the edited fields never see them. Of sliders and curves the last
-/// one moved counts; strokes are painted in the order in which they began.
+/// The effect of running gestures on the fields of a session. It is shown and kept nowhere:
+/// gestures work on a copy, and the edited fields never see them. The last moved slider or curve
+/// counts; strokes are painted in the order in which they began.
 class Previews {
  public:
   using Changes = EditedFields::Changes;
 
-  /// Begins a connection's gesture, or goes on with it when the id is the same; of a stroke that
-  /// goes on the path so far is the beginning of the new one.
+  /// Begins a connection's gesture, or continues it if the id is the same. A continued stroke keeps
+  /// the path so far as the beginning of the new one.
   void show(uint64_t connection, Gesture gesture);
 
-  /// Nothing happens for a connection without a gesture.
+  /// Does nothing for a connection without a gesture.
   void drop(uint64_t connection);
 
   void clear();
@@ -38,14 +38,15 @@ class Previews {
 
   bool empty() const { return shown_.empty(); }
 
-  /// Whether over() would give anything else than last time for the same edited fields.
+  /// Returns whether over() would give a different result than last time for the same edited
+  /// fields.
   bool is_changed() const { return changes_.any(); }
 
-  /// The edited fields with the gestures on top, valid until the next call. Adds to `changes`,
-  /// which says what has changed in the edited fields, what has changed because of gestures.
+  /// Returns the edited fields with the gestures on top, valid until the next call. Needs:
+  /// `changes` says what has changed in the edited fields. Adds the changes by gestures.
   const Fields& over(const Fields& edited, Changes& changes);
 
-  /// For whoever solves without gestures: what changes by leaving them out. The next over() brings
+  /// For a solve without gestures: returns the changes that leave them out. The next over() brings
   /// them back.
   Changes set_aside();
 
@@ -55,14 +56,14 @@ class Previews {
   struct Shown {
     uint64_t connection;
     Gesture gesture;
-    size_t painted_dabs = 0;  ///< of a stroke, that the copy has
+    size_t painted_dabs = 0;  ///< dabs of a stroke that the copy has
   };
 
   static Changes changes_by(const Gesture& gesture);
   void apply(Shown& shown);
 
   std::vector<Shown> shown_;
-  std::optional<Fields> copy_;  // with all that is shown
+  std::optional<Fields> copy_;  // with all shown gestures
   bool copy_is_old_ = false;
   Changes changes_;  // since the last over()
 };

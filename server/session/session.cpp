@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-static constexpr double kExactDistance = 3e-7;  // below its bar, 1e-5, likewise
+static constexpr double kExactDistance = 3e-7;  // below the bar of exports, 1e-5, likewise
 static constexpr int kCyclesMax = 500;
 
 struct Session::State {
@@ -90,7 +90,7 @@ Result<SolveReport> Session::solve(const SolveOptions& options, const Progress& 
   state_->update_solver(state_->edited.fields(), changes);
   const bool is_counted = options.cycles > 0;
   const double distance_max = options.exact ? kExactDistance : kSettledDistance;
-  // No distance is below -1: as many cycles as were asked for.
+  // No distance is below -1, so it does exactly the requested cycles.
   auto solved = state_->solver->solve(is_counted ? -1 : distance_max,
                                       is_counted ? options.cycles : kCyclesMax, progress);
   if (solved.is_ok()) state_->cycles_since_change += solved.value().cycles;

@@ -1,4 +1,4 @@
-// Takes the place of server/solver/cuda in builds without CUDA.
+// Takes the place of server/solver/cuda in a build without CUDA.
 
 #include "server/solver/cuda/cuda_backend.h"
 

@@ -6,7 +6,7 @@ namespace burnish {
 
 bool has_device(BackendKind backend) {
   if (backend == BackendKind::kCpu || !cuda_compiled()) return false;
-  // It is asked once: a device that fails later must not look like none.
+  // Asks only once: a device that fails later must not look like a missing one.
   static const bool is_there = cuda_device().is_ok();
   return is_there;
 }

@@ -5,12 +5,13 @@
 
 namespace burnish {
 
-/// Lets the device that the backend uses do a trifle, and waits for it. Processors always work;
-/// kAuto asks the CUDA device where there is one. Fails: internal_error in CUDA's words, and from
-/// then on for the process's life: such errors stick.
+/// Gives the backend's device a trifle to do and waits for it. Processors always work. kAuto asks
+/// the CUDA device if there is one. Fails: internal_error in CUDA's words; such an error lasts
+/// until the process ends.
 Status probe_device(BackendKind backend);
 
-/// Whether sessions of this backend may be on a device that can fail; the processors are none.
+/// Returns whether sessions of this backend may use a device that can fail. Processors are not such
+/// a device.
 bool has_device(BackendKind backend);
 
 }  // namespace burnish

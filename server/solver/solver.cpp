@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-static constexpr int kRecomputeResidualEvery = 50;  // steps; the recurrence drifts by rounding
+static constexpr int kRecomputeResidualEvery = 50;  // steps; rounding makes the recurrence drift
 
 static double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -20,7 +20,7 @@ namespace {
 
 using Cycle = void (*)(Backend&, const Multigrid&, int depth);
 
-// By Solver::Start. What is new of a stroke is near it, of a metric everywhere.
+// Indexed by Solver::Start. A stroke changes b nearby, a metric everywhere.
 constexpr Cycle kCycles[] = {run_vcycle, run_vcycle, run_nested_iteration, run_full_multigrid};
 
 struct ChosenBackend {
@@ -32,7 +32,7 @@ Result<ChosenBackend> choose_backend(const Multigrid& on, const SolverOptions& o
   const auto on_cpu = [&](std::string reason) {
     return ChosenBackend{make_cpu_backend(on, options.smoother), std::move(reason)};
   };
-  if (options.backend == BackendKind::kCpu) return on_cpu("asked for");
+  if (options.backend == BackendKind::kCpu) return on_cpu("requested");
   auto cuda = make_cuda_backend(on, options.smoother);
   if (cuda.is_ok()) return ChosenBackend{std::move(cuda).value(), cuda_device().value()};
   if (options.backend == BackendKind::kAuto) return on_cpu(cuda.status().message());
@@ -75,11 +75,11 @@ void Solver::set_gradient_scale(const FieldsView& fields) {
   const auto start = std::chrono::steady_clock::now();
   backend_->set_constraint(fields);
   assemble_seconds_ += seconds_since(start);
-  rescale_ |= fields.gradient_scale != gradient_scale_;  // a stroke is no reason to move it all
+  rescale_ |= fields.gradient_scale != gradient_scale_;  // not for a stroke: it is local
   start_from(fields, kNewConstraint);
 }
 
-// Where β was one but for paint, all else is where it was.
+// If β was one except for paint, the unpainted surface has not moved yet.
 void Solver::start_from(const FieldsView& fields, Start start) {
   const bool is_cold = energy_ == 0 || (gradient_scale_ == 1 && fields.gradient_scale != 1);
   start_ = std::max(start_, is_cold ? kCold : start);

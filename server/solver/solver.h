@@ -9,7 +9,6 @@
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
-#include "common/edit/edit.h"
 #include "server/fields/fields_view.h"
 #include "server/solver/cycle/convergence_rate.h"
 #include "server/solver/cycle/multigrid.h"
@@ -19,13 +18,13 @@ namespace burnish {
 
 enum class BackendKind { kAuto, kCpu, kCuda };
 
-/// What one step found and did.
+/// The facts of one step.
 struct StepReport {
   int cycle = 0;        ///< since the solver was made
-  double energy = 0;    ///< ½uᵀSu − bᵀu summed over x, y, z: never rises between edits
-  double residual = 0;  ///< ‖r‖ in the diagonally scaled norm over that of b
-  double distance = 0;  ///< estimated largest vertex distance to the converged surface, over
-                        ///< the bounding-box diagonal
+  double energy = 0;    ///< ½uᵀSu − bᵀu summed over x, y, z; never rises between edits
+  double residual = 0;  ///< ‖r‖ over ‖b‖ in the diagonally scaled norm
+  double distance = 0;  ///< estimate of the largest distance of a vertex to the converged surface,
+                        ///< over the bounding-box diagonal
 };
 
 struct SolveReport {
@@ -44,46 +43,47 @@ struct SolverOptions {
 
 class Backend;
 
-/// The screened Poisson system of one session: S u = b for the displacement u of every corner,
-/// warm-started from step to step. Source: sections 4 and 5.2.
+/// The screened Poisson system of one session: S u = b for the displacement u of every corner. Each
+/// step starts from the last one's result. Source: sections 4 and 5.2.
 class Solver {
  public:
-  /// kAuto takes CUDA where it works, else the CPU. Fails: failed_precondition when the backend is
-  /// not in this build or finds no device; unimplemented, resource_exhausted: see cuda_backend.h.
+  /// kAuto takes CUDA if it works, else the CPU. Fails: failed_precondition if the backend is not
+  /// in this build or finds no device; unimplemented, resource_exhausted: see cuda_backend.h.
   static Result<std::unique_ptr<Solver>> create(Multigrid on, const SolverOptions& options);
   ~Solver();
 
-  /// New matrices at all depths and a new constraint: α1, α2 changed, and perhaps β.
+  /// Makes new matrices at all depths and a new constraint: α1, α2 and perhaps β changed.
   void set_metric(const FieldsView& fields);
-  /// A new constraint only: β changed.
+  /// Makes only a new constraint: β changed.
   void set_gradient_scale(const FieldsView& fields);
 
-  /// One iteration of conjugate gradients preconditioned by one V-cycle. Needs: set_metric().
+  /// Does one iteration of conjugate gradients, preconditioned by one V-cycle. Needs: set_metric().
   StepReport step();
 
   /// Steps until the estimated distance is at most `distance_max` (of the bounding-box diagonal) or
-  /// `cycles_max` steps are done. Fails: cancelled; the displacement is then that of the last step;
-  /// what status() says.
+  /// `cycles_max` steps are done. Fails: cancelled, with the displacement of the last step; as
+  /// status() says.
   Result<SolveReport> solve(double distance_max, int cycles_max, const Progress& progress = {});
 
-  /// u, one per corner of the finest depth; stays as it is until the next call. Units: cells.
+  /// Returns u, one per corner of the finest depth. Valid until the next call. Units: cells.
   std::span<const Vec3f> displacement() const;
-  /// E u, one per vertex, likewise.
+  /// Returns E u, one per vertex, likewise.
   std::span<const Vec3f> vertex_displacement() const;
-  /// Displaced positions E(c° + u) in file units, one per vertex.
+  /// Returns the displaced positions E(c° + u) in file units, one per vertex.
   std::vector<Vec3d> evaluate_vertices() const;
 
-  uint64_t byte_count() const;            ///< of this session; the multigrid apart
+  uint64_t byte_count() const;            ///< of this session, without the multigrid
   std::string_view backend_name() const;  ///< "cpu", "cuda"
-  /// Why it is that backend: "NVIDIA H200, 143156 MiB", "asked for", "no CUDA device: ...".
+  /// Says why it is that backend: "NVIDIA H200, 143156 MiB", "requested", "no CUDA device: ...".
   const std::string& backend_reason() const { return backend_reason_; }
-  /// The first failure of the backend's machine, after which nothing here is worth reading.
+  /// Returns the first failure of the backend's machine. After it results here have no meaning.
   Status status() const;
 
  private:
   Solver(Multigrid on, std::unique_ptr<Backend> backend, std::string backend_reason, int threads);
 
-  /// How the next step starts, by rising distance; from kNewConstraint on along a new direction.
+  /// Says how the next step starts, by rising distance. From kNewConstraint on, the direction is
+  /// new.
   enum Start { kGoesOn, kNewConstraint, kNewMetric, kCold };
   void start_from(const FieldsView& fields, Start start);
 
@@ -93,7 +93,7 @@ class Solver {
   int threads_;
   ConvergenceRate rate_;
   int cycle_ = 0;
-  double energy_ = 0;  // after the last step; 0 where nothing is displaced
+  double energy_ = 0;  // after the last step; 0 if nothing is displaced
   Start start_ = kCold;
   bool residual_is_stale_ = true;
   double gradient_scale_ = kBetaDefault;  // of the constraint

@@ -40,18 +40,19 @@ Bio reader(const std::string& pem) {
 
 Result<Certificate> parse_certificate(const std::string& pem, const std::filesystem::path& path) {
   Certificate certificate(PEM_read_bio_X509(reader(pem).get(), nullptr, nullptr, nullptr));
-  if (!certificate) return invalid_argument(path.string() + " holds no PEM certificate");
+  if (!certificate) return invalid_argument(path.string() + " does not hold a PEM certificate");
   return certificate;
 }
 
-// A key with a pass phrase would make OpenSSL ask on the terminal: it gets an empty one.
+// Returns an empty pass phrase: OpenSSL would ask for one on the terminal.
 int no_pass_phrase(char*, int, int, void*) {
   return 0;
 }
 
 Status check_key(const std::string& pem, const CertificateFiles& files, X509& certificate) {
   const Key key(PEM_read_bio_PrivateKey(reader(pem).get(), nullptr, no_pass_phrase, nullptr));
-  if (!key) return invalid_argument(files.key.string() + " holds no PEM key without a pass phrase");
+  if (!key)
+    return invalid_argument(files.key.string() + " does not hold a PEM key without a pass phrase");
   if (X509_check_private_key(&certificate, key.get()) == 1) return Status::ok();
   return invalid_argument(files.key.string() + " is not the key of " + files.certificate.string());
 }

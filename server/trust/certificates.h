@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// PEM files; an empty client_ca asks clients for no certificate.
+/// PEM files. With an empty client_ca no client is asked for a certificate.
 struct CertificateFiles {
   std::filesystem::path certificate;  ///< of the server, with the chain below it
   std::filesystem::path key;
@@ -19,12 +19,11 @@ struct Certificates {
   std::string certificate;
   std::string key;
   std::string client_ca;
-  int64_t expires_unix_seconds = 0;  ///< of the server's certificate
+  int64_t expires_unix_seconds = 0;  ///< end of the server's certificate
 };
 
-/// Reads the files and checks that the key is the certificate's.
-/// Fails: as errno says; failed_precondition when everybody can read the key; invalid_argument
-/// naming the file that is not what it should be.
+/// Reads the files and checks that the key belongs to the certificate. Fails: as errno says;
+/// failed_precondition if everybody can read the key; invalid_argument that names the wrong file.
 Result<Certificates> read_certificates(const CertificateFiles& files);
 
 }  // namespace burnish

@@ -10,7 +10,7 @@ Status refuse_mode(const std::filesystem::path& path, mode_t bits, const char* w
   char mode[8];
   std::snprintf(mode, sizeof(mode), "%04o", static_cast<unsigned>(found.st_mode & 07777u));
   return failed_precondition(path.string() + " can be " + what + " by everybody: its mode is " +
-                             mode + "; take that away with chmod o=");
+                             mode + "; run chmod o= on it");
 }
 
 }  // namespace burnish

@@ -13,7 +13,8 @@ static Status unauthenticated(const std::string& message) {
   return {StatusCode::kUnauthenticated, message};
 }
 
-/// The token of "Bearer TOKEN"; the scheme's name may have any case (RFC 9110, section 11.1).
+/// Returns the token of "Bearer TOKEN"; the scheme's name may have any case (RFC 9110, section
+/// 11.1).
 static std::optional<std::string_view> bearer_token(std::string_view authorization) {
   static constexpr std::string_view kScheme = "bearer ";
   const bool is_bearer = authorization.size() >= kScheme.size() &&

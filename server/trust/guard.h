@@ -11,33 +11,33 @@
 
 namespace burnish {
 
-/// Who calls. Without a table of users everybody is the owner.
+/// The caller. Without a table of users everybody is the owner.
 struct Identity {
-  std::string user;  ///< empty: nobody was asked
+  std::string user;  ///< empty without authentication
   Role role = Role::kOwner;
   bool operator==(const Identity&) const = default;
 };
 
-/// What a call shows of its caller.
+/// The proof of identity in a call.
 struct Proof {
-  std::string_view authorization;            ///< the header of that name; empty: none
-  std::string_view certificate_common_name;  ///< of a verified client certificate; empty: none
+  std::string_view authorization;            ///< the header of that name; empty for none
+  std::string_view certificate_common_name;  ///< of a verified client certificate; empty for none
 };
 
-/// Decides who may call what. Thread-safe.
+/// Decides who may make which call. Thread-safe.
 class Guard {
  public:
-  /// `users` may be null: nobody is asked who he is. Needs: it outlives the guard.
+  /// `users` may be null: no authentication. Needs: it outlives the guard.
   explicit Guard(const Reloaded<UserTable>* users) : users_(users) {}
 
   /// Fails: unauthenticated (no proof, or a wrong one), permission_denied, unimplemented (an RPC
   /// that has no role), unavailable (draining). Messages never repeat a token.
   Result<Identity> check(std::string_view method, const Proof& proof) const;
 
-  /// Who that is, whatever he wants. Fails: unauthenticated.
+  /// Returns the identity, whatever the call. Fails: unauthenticated.
   Result<Identity> identify(const Proof& proof) const;
 
-  /// From now on nobody is let in, but for those whom everybody lets in: health.
+  /// From now on admits nobody, except to calls that are open to everybody: health.
   void close() { closed_ = true; }
 
  private:

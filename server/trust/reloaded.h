@@ -12,12 +12,13 @@
 
 namespace burnish {
 
-/// What files said when they were last read well. A change that cannot be read leaves what there
-/// was in force, so that a slip of the pen locks nobody out and lets nobody in. Thread-safe.
+/// The content of files when they were last read without an error. After a change that cannot be
+/// read the old content stays in force, so that a typing error locks nobody out and lets nobody in.
+/// Thread-safe.
 template <typename T>
 class Reloaded {
  public:
-  /// Reads for the first time. Fails as `read` does.
+  /// Reads for the first time. Fails: as `read` does.
   static Result<std::unique_ptr<Reloaded>> open(std::vector<std::filesystem::path> files,
                                                 std::function<Result<T>()> read) {
     std::unique_ptr<Reloaded> reloaded(new Reloaded(std::move(files), std::move(read)));
@@ -30,8 +31,8 @@ class Reloaded {
     return value_;
   }
 
-  /// Reads again when a file has changed since the last try, or in any case. True: there is a new
-  /// value. Fails as the reading does.
+  /// Reads again if a file has changed since the last try, or in any case. Returns true if there is
+  /// a new value. Fails: as `read` does.
   Result<bool> refresh(bool in_any_case) {
     const std::lock_guard reading(reading_);
     const std::vector<Stamp> now = stamps();
@@ -45,7 +46,7 @@ class Reloaded {
   }
 
  private:
-  /// Enough of a file's state to see that it is another one.
+  /// The part of a file's state that shows that it is another file.
   struct Stamp {
     int64_t inode = 0, bytes = 0, seconds = 0, nanoseconds = 0;
     bool operator==(const Stamp&) const = default;
@@ -67,9 +68,9 @@ class Reloaded {
 
   const std::vector<std::filesystem::path> files_;
   const std::function<Result<T>()> read_;
-  std::mutex reading_;  // of stamps_
+  std::mutex reading_;  // guards stamps_
   std::vector<Stamp> stamps_;
-  mutable std::mutex mutex_;  // of value_
+  mutable std::mutex mutex_;  // guards value_
   std::shared_ptr<const T> value_;
 };
 

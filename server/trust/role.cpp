@@ -4,8 +4,8 @@
 
 namespace burnish {
 
-// Which RPC needs which role: the one place. Health is for probes, which have no password, and
-// reflection tells what the repository tells as well.
+// The only place that says which RPC needs which role. Health is for probes, which have no
+// password. Reflection shows only what the repository also shows.
 static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
     {"/grpc.health.v1.Health/Check", Role::kAnyone},
     {"/grpc.health.v1.Health/Watch", Role::kAnyone},
@@ -26,10 +26,10 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
     {"/burnish.v1.Editing/GetPeople", Role::kViewer},
     {"/burnish.v1.Editing/GetCells", Role::kViewer},
     {"/burnish.v1.Editing/Watch", Role::kViewer},
-    {"/burnish.v1.Editing/Edit", Role::kViewer},  // whose edits are refused as in any session
+    {"/burnish.v1.Editing/Edit", Role::kViewer},  // as in any session, a viewer's edits are refused
     {"/burnish.v1.Editing/Export", Role::kViewer},
     {"/burnish.v1.Editing/OpenSession", Role::kEditor},
-    // These three need the session's own roles beside it.
+    // These three also need the session's own roles.
     {"/burnish.v1.Editing/CloseSession", Role::kEditor},
     {"/burnish.v1.Editing/DeleteSession", Role::kEditor},
     {"/burnish.v1.Editing/SetRole", Role::kEditor},

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// What somebody may do; each role may do all that the ones before it may.
+/// The rights of a user. Each role may do all that the roles before it may do.
 enum class Role {
   kAnyone,  ///< no role at all
   kViewer,  ///< looks
@@ -21,8 +21,8 @@ std::string_view role_name(Role role);
 /// Fails: invalid_argument with the choices viewer, editor, owner.
 Result<Role> parse_role(const std::string& text);
 
-/// The least role that may call an RPC, e.g. "/burnish.v1.Library/ListScans".
-/// Nothing: the RPC is in no table, and nobody may.
+/// Returns the least role that may call an RPC, e.g. "/burnish.v1.Library/ListScans". Returns
+/// nothing if the RPC is not listed: then nobody may call it.
 std::optional<Role> least_role(std::string_view method);
 
 }  // namespace burnish

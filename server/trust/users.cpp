@@ -14,7 +14,7 @@ TokenHash hash_token(std::string_view token) {
 const User* UserTable::find_token(std::string_view token) const {
   const TokenHash hash = hash_token(token);
   const User* found = nullptr;
-  for (const User& user : users_)  // all of them: the time must not tell how far it got
+  for (const User& user : users_)  // no early end: the time must not depend on the token
     if (user.token_hash && CRYPTO_memcmp(hash.data(), user.token_hash->data(), hash.size()) == 0)
       found = &user;
   return found;

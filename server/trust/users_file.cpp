@@ -18,7 +18,7 @@ Result<std::string> read_text(const toml::node& node) {
   const auto text = node.value_exact<std::string>();
   if (!text) return invalid_argument("is not a string");
   if (text->empty() || text->size() > 200)
-    return invalid_argument("has " + std::to_string(text->size()) + " bytes, not 1 to 200");
+    return invalid_argument("has " + std::to_string(text->size()) + " bytes, outside 1..200");
   return *text;
 }
 
@@ -70,7 +70,7 @@ Result<User> read_user(const toml::table& table, const std::string& file) {
   return user;
 }
 
-/// Two users must not answer to the same name, token or certificate.
+/// Two users must not share a name, token or certificate.
 Status check_unique(const std::vector<User>& users, const std::string& file) {
   std::set<std::string> names, certificates;
   std::set<TokenHash> tokens;

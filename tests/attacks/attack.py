@@ -1,4 +1,4 @@
-"""What an attack is, and how it is run: a server of its own, a witness beside it, a verdict."""
+"""An attack and its run: its own server, a witness next to it, a verdict."""
 
 import json
 import os
@@ -16,26 +16,26 @@ from server import Server
 
 MIB = 1 << 20
 HERE = os.path.dirname(os.path.abspath(__file__))
-RSS_BYTES_MAX = {False: 2 << 30, True: 4 << 30}  # where the witness ends the server; long: True
+RSS_BYTES_MAX = {False: 2 << 30, True: 4 << 30}  # above, the witness ends the server; long: True
 
 
 class Attack:
-    """A subclass's name is the fact that it tries to break. `attack()` returns what the attacker
-    got, in words, and calls `hole()` for each thing that should not have been possible. What every
-    attack is held to beside that: the server lives, others get answers, memory stays."""
+    """A subclass's name is the fact that it tries to break. `attack()` returns the attacker's gain in
+    words, and calls `hole()` for each success that should be impossible. In every attack the server
+    must also live, answer others, and keep its memory."""
 
-    finding = ""  # in the list of findings
-    users = True  # whether the server asks who calls
-    config = ""  # more of server.toml
+    finding = ""  # its name in the list of findings
+    users = True  # the server has authentication
+    config = ""  # further lines of server.toml
     flags = ()  # of burnish-server
-    descriptors_max = 1024  # files and sockets that the server may have open
-    scan_rows = 24  # of the sphere that everybody edits
+    descriptors_max = 1024  # limit of the server's files and sockets
+    scan_rows = 24  # rows of the sphere that everybody edits
     witness_session = "others"  # "": the witness only asks for the scans
-    needs_proxy = False  # known to be open where nothing stands before the server
-    is_known = False  # found, and not repaired yet
-    fresh_connections = False  # the witness connects anew for each question
+    needs_proxy = False  # open without a proxy before the server, as known
+    is_known = False  # found, but not repaired yet
+    fresh_connections = False  # the witness reconnects for each question
     growth_mib_max = 150  # of resident memory
-    answer_s_max = 4  # the longest that another user may wait
+    answer_s_max = 4  # limit of another user's wait
 
     def __init__(self, long):
         self.long, self.holes = long, []
@@ -47,18 +47,18 @@ class Attack:
         return long if self.long else short
 
     def prepare(self, server):
-        """Before the witness comes; self.owner is there, and the scan is imported."""
+        """Runs before the witness starts; self.owner exists, and the scan is imported."""
 
     def attack(self, server):
         raise NotImplementedError
 
     def check(self, server):
-        """Afterwards, while the server lives and the witness has gone."""
+        """Runs after the witness has ended, while the server lives."""
 
 
 @dataclass
 class Seen:
-    """What came of an attack."""
+    """The outcome of an attack."""
     name: str
     finding: str
     seconds: float = 0
@@ -66,7 +66,7 @@ class Seen:
     got: str = ""
     witness: dict = field(default_factory=dict)
     holes: list = field(default_factory=list)
-    otherwise: str = "broken"  # what a hole is called
+    otherwise: str = "broken"  # the verdict on a hole
 
     verdict = property(lambda self: self.otherwise if self.holes else "held")
 

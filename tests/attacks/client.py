@@ -1,4 +1,4 @@
-"""A client of the protocol as anybody may write it: any RPC by its name, and live streams."""
+"""A client of the protocol that anybody could write: any RPC by its name, and live streams."""
 
 import queue
 import zlib
@@ -30,12 +30,12 @@ def channel_to(server):
 
 
 def outcome_of(future):
-    """The outcome's name of a call that is under way: OK, NOT_FOUND, ..."""
+    """Returns the name of a running call's outcome: OK, NOT_FOUND, ..."""
     return future.code().name
 
 
 def end_of(answers):
-    """The same of a call with many answers, which are read."""
+    """Does the same for a call with many answers, and reads them."""
     try:
         for _ in answers:
             pass
@@ -45,8 +45,7 @@ def end_of(answers):
 
 
 class Client:
-    """`user` is asked for a token where the server has users, and only named where it has not;
-    none: a stranger."""
+    """`user` gives a token if the server has users, else only its name; none: a stranger."""
 
     def __init__(self, server, user=None):
         self.channel = channel_to(server)
@@ -69,7 +68,7 @@ class Client:
                                                  metadata=self.metadata)
 
     def start(self, method, timeout=PATIENCE_S, **fields):
-        """The same without waiting: a future."""
+        """Does the same without waiting: returns a future."""
         return self._stub(method, "unary_unary").future(request(method, **fields), timeout,
                                                         metadata=self.metadata)
 
@@ -86,7 +85,7 @@ class Client:
         return self._stub(method, "stream_stream")(iter(requests), timeout, metadata=self.metadata)
 
     def code(self, method, timeout=PATIENCE_S, **fields):
-        """Only the outcome's name: OK, NOT_FOUND, ..."""
+        """Returns only the outcome's name: OK, NOT_FOUND, ..."""
         return self.start(method, timeout, **fields).code().name
 
     def import_scan(self, name, file, depth=0, sha256=None):
@@ -107,13 +106,13 @@ class Client:
                 waiting.put(None)
 
     def slide(self, session, edit_id, beta=1.0, timeout=PATIENCE_S):
-        """One edit, acknowledged when this returns."""
+        """Makes one edit, acknowledged when this returns."""
         return self.ask("Apply", timeout, session=session,
                         edits=[dict(id=edit_id, gradient_scale=dict(beta=beta))])
 
 
 class Live:
-    """A stream of Editing.Edit. Nothing is read unless somebody asks for it."""
+    """A stream of Editing.Edit. Reads only on request."""
 
     def __init__(self, client, session, timeout=PATIENCE_S):
         self._waiting = queue.Queue()
@@ -127,7 +126,7 @@ class Live:
         self.say(apply=dict(edits=[dict(id=edit_id, gradient_scale=dict(beta=beta))]))
 
     def next(self, *kinds):
-        """The next message of one of the kinds. Raises grpc.RpcError or StopIteration."""
+        """Returns the next message of one of the kinds. Raises grpc.RpcError or StopIteration."""
         while True:
             message = next(self.answers)
             if message.WhichOneof("message") in kinds:

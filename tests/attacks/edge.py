@@ -1,4 +1,4 @@
-"""Strangers: what can be sent before anybody has asked who calls."""
+"""Strangers: data that reaches the server before authentication."""
 
 import random
 import struct
@@ -39,7 +39,7 @@ class _EndlessHeader(Attack):
     again; a proxy that knows HTTP/2 cuts them at its own limit."""
     finding = "H2"
     needs_proxy = True
-    enough_bytes = MIB  # what nobody may send as the header of one call
+    enough_bytes = MIB  # more than anybody may send as the header of one call
 
     def attack(self, server):
         stranger = Http2(server)
@@ -50,7 +50,7 @@ class _EndlessHeader(Attack):
         while stranger.is_open and time.monotonic() < end and server.is_alive():
             payload = self.more(sent)
             stranger.send(CONTINUATION, 0, 1, payload)
-            stranger.listen(0.001 if sent < 4 * MIB else 0)  # a peer that hangs up has time to
+            stranger.listen(0.001 if sent < 4 * MIB else 0)  # gives a peer the time to hang up
             sent += len(payload)
         if stranger.is_open and sent > self.enough_bytes:
             self.hole("%d KiB of one header, and it is still read" % (sent >> 10))
@@ -77,7 +77,7 @@ class ManyHeadersAreCut(_EndlessHeader):
 
 
 class _SilentConnections(Attack):
-    """Somebody at one address opens more connections than the server takes, and says nothing."""
+    """One address opens more connections than the server takes, and stays silent."""
     finding = "M2"
     fresh_connections = True
     greet = False
@@ -105,7 +105,7 @@ class SilentSocketsLockNobodyOut(_SilentConnections):
 
 
 class SilentPeersLockNobodyOut(_SilentConnections):
-    """They greet and answer pings, as HTTP/2 asks."""
+    """They greet and answer pings, as HTTP/2 requires."""
     greet = True
 
 

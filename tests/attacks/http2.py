@@ -1,4 +1,4 @@
-"""HTTP/2 by hand, for what no library sends: RFC 9113 as far as the attacks need it."""
+"""HTTP/2 by hand, for bytes that no library sends: the part of RFC 9113 that the attacks need."""
 
 import select
 import socket
@@ -13,8 +13,8 @@ CANCEL = 8
 SETTINGS_INITIAL_WINDOW_SIZE = 4
 PREFACE = b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n"
 FRAME_BYTES_MAX = 16384
-WINDOW_BYTES = 65535  # of streams and the connection, until the peer says otherwise
-SOMEBODY_ELSE = "127.0.0.2"  # where attackers connect from, so that limits per address spare others
+WINDOW_BYTES = 65535  # of streams and the connection, until the peer changes it
+SOMEBODY_ELSE = "127.0.0.2"  # address of the attackers, so that limits per address spare others
 
 
 def frame(kind, flags, stream, payload=b""):
@@ -63,7 +63,7 @@ class Http2:
         self._first_window = WINDOW_BYTES
         try:
             self.socket = self._connect(server, source, secure=server.ca and greet)
-        except OSError:  # turned away
+        except OSError:  # the server refused
             self.socket, self.is_open = socket.socket(), False
         if greet:
             self.write(PREFACE + frame(SETTINGS, 0, 0))
@@ -88,7 +88,7 @@ class Http2:
         self.write(frame(kind, flags, stream, payload))
 
     def send_data(self, stream, data, wait_s=10):
-        """As the peer's windows allow. False when it does not take all of it."""
+        """Sends as the peer's windows allow. Returns false if it does not take everything."""
         end = time.monotonic() + wait_s
         sent = 0
         while sent < len(data) and self.is_open and stream not in self.ended:
@@ -108,7 +108,7 @@ class Http2:
         return sent == len(data)
 
     def listen(self, wait_s):
-        """Reads what has come and answers as one must: SETTINGS and PING."""
+        """Reads waiting frames and answers SETTINGS and PING."""
         while self.is_open and self._has_news(wait_s):
             wait_s = 0
             try:
@@ -125,7 +125,7 @@ class Http2:
         return unpacked or select.select([self.socket], [], [], wait_s)[0]
 
     def wait_for_end(self, stream, wait_s):
-        """Whether the call has ended, well or not, within the time."""
+        """Returns whether the call has ended within the time, well or not."""
         end = time.monotonic() + wait_s
         while self.is_open and stream not in self.ended and time.monotonic() < end:
             self.listen(0.05)

@@ -1,4 +1,4 @@
-"""Who somebody is, and what he may do then."""
+"""Users' identities and their rights."""
 
 import signal
 import threading

@@ -1,4 +1,4 @@
-"""Memory and disk that a user asks for within all limits of a message."""
+"""Requests within all limits of a message that take much memory and disk."""
 
 import threading
 import time
@@ -13,7 +13,7 @@ CALLS_IN_FLIGHT = 60
 
 
 class TinyScanTakesNoGigabytes(Attack):
-    """Two triangles at a depth at which they have millions of cells."""
+    """Two triangles at a depth that gives them millions of cells."""
     finding = "H4"
     config = "[limits]\nmemory_bytes_max = 134217728\n"
     growth_mib_max = 250
@@ -78,7 +78,7 @@ class DoubledCellsAreRefused(Attack):
 
     @staticmethod
     def find_cell(client):
-        """A cell that the scan has: the line through the middle of the grid meets the sphere."""
+        """Returns a cell of the scan: the line through the middle of the grid meets the sphere."""
         depth = client.ask("GetState", session="cells").session.depth
         for k in range(1 << depth):
             cell = dict(i=1 << (depth - 1), j=1 << (depth - 1), k=k, alpha1=50, alpha2=50, beta=1)
@@ -111,7 +111,7 @@ class LookingIsCountedAsOpening(Attack):
 
 
 class ViewsHoldNoWorkersFromOthers(Attack):
-    """Views of one scan in many sizes, each of which has to be made."""
+    """Views of one scan in many sizes; the server must make each."""
     finding = "H6"
     scan_rows = 300
     answer_s_max = 3
@@ -141,7 +141,7 @@ class QueueOfMessagesHasAnEnd(ViewsHoldNoWorkersFromOthers):
     """Large messages that wait behind those views."""
     finding = "M8"
     growth_mib_max = 500
-    answer_s_max = 60  # the other attack's question
+    answer_s_max = 60  # another attack measures this
 
     def attack(self, server):
         views = threading.Thread(target=super().attack, args=(server,), daemon=True)

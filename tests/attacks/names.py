@@ -1,4 +1,4 @@
-"""Names, ids and paths as their user likes to spell them."""
+"""Names, ids and paths in hostile spellings."""
 
 import random
 import urllib.request
@@ -6,7 +6,7 @@ import urllib.request
 import grpc
 
 from attack import Attack
-from client import METHODS, Client, Live, end_of, request
+from client import METHODS, Client, Live, end_of
 
 FORGED = "[2026-11-23 12:00:00.000] [info] user root logged in"
 

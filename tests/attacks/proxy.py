@@ -35,7 +35,7 @@ class ProxiedServer(Server):
         self.address = "localhost:%d" % self.port
 
     def start_proxy(self):
-        """The configuration as it is installed, but for its user, and where files and sockets are."""
+        """The configuration as it is installed, except for its user and the places of files and sockets."""
         tls = os.path.join(self.folder, "tls")
         subprocess.run([os.path.join(ROOT, "deploy/make-certificates"), tls, "localhost"], check=True,
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)

@@ -1,4 +1,4 @@
-"""A burnish-server of the suite's own, on a free loopback port, that ends with the suite."""
+"""The suite's own burnish-server, on a free loopback port. It ends with the suite."""
 
 import ctypes
 import hashlib
@@ -11,10 +11,10 @@ import tempfile
 import time
 
 START_S_MAX = 20
-ADDRESS_SPACE_BYTES_MAX = 16 << 30  # the second guard; the first is the witness, which looks at RSS
+ADDRESS_SPACE_BYTES_MAX = 16 << 30  # the second guard; the first is the witness, which watches RSS
 PR_SET_PDEATHSIG = 1
 
-# Who the server knows when it asks who calls. A token is the word "token-" and the name.
+# The users of a server with authentication. A token is the word "token-" and the name.
 ROLES = {"olga": "owner", "alice": "editor", "bert": "editor", "mallory": "editor",
          "walt": "editor", "vera": "viewer"}
 
@@ -40,7 +40,7 @@ def guard_child(descriptors_max=1024):
 class Server:
     """`config` is TOML below the keys that every server of the suite has."""
 
-    ca = None  # PEM of who signed its certificate, where it speaks TLS
+    ca = None  # PEM of its certificate's CA, with TLS
 
     def __init__(self, binary, users, config="", flags=(), descriptors_max=1024):
         self.descriptors_max = descriptors_max
@@ -112,7 +112,7 @@ class Server:
         return os.path.getsize(self.log)
 
     def data_bytes(self):
-        """What the data folder takes on the disk; what goes meanwhile counts nothing."""
+        """Returns the bytes of the data folder on the disk. Does not count files that disappear."""
         total = 0
         for folder, _, files in os.walk(self.data):
             for name in files:
@@ -130,7 +130,7 @@ class Server:
 
 
 def rss_bytes(pid):
-    """Resident memory, 0 once the process is gone."""
+    """Returns the resident memory; 0 after the end of the process."""
     try:
         with open("/proc/%d/statm" % pid) as file:
             return int(file.read().split()[1]) * resource.getpagesize()

@@ -10,17 +10,17 @@ from client import Client, Live, end_of, outcome_of
 
 
 class OpenerWhoGivesUpTakesNobodysEdits(Attack):
-    """Two open one new session; the first gives up while it is brought back."""
+    """Two users open one new session; the first gives up while the server makes it."""
     finding = "C3"
     users = False
     scan_rows = 60
-    growth_mib_max = 1000  # the sessions are there, and stay
+    growth_mib_max = 1000  # the sessions stay in memory
 
     def attack(self, server):
         told, lost = 0, 0
         for round_number in range(self.size(4, 12)):
             session = "team-%d" % round_number
-            # another radius each time, so that there is something to wait for
+            # another radius each time makes the opening take long
             wish = dict(scan="scan", name=session, depth=7,
                         curvature_radius=0.01 + 0.001 * round_number)
             first, second = Client(server), Client(server)
@@ -143,14 +143,14 @@ class IdleWatcherGetsNoFrames(Attack):
                 settled = settled or message.frame.state == 2
         except grpc.RpcError:
             pass
-        if frames > 10:  # some may be on their way, and one may follow that is exact
+        if frames > 10:  # some may be on their way, and an exact one may follow
             self.hole("%d frames, %d bytes, of a surface that does not move" % (frames, size))
         return "%d frames after the settled one" % frames
 
 
 class StreamsAtRestAreNotCut(Attack):
-    """No attack, but what a defence must not do: a stream that says something every 10 s, and a watcher
-    of a surface that does not move, go on."""
+    """Not an attack. A defence must not end a stream that sends something every 10 s, or a
+    watcher of a surface at rest."""
 
     def attack(self, server):
         Client(server, "alice").ask("OpenSession", scan="scan", name="rest")
@@ -178,7 +178,7 @@ class StreamsAtRestAreNotCut(Attack):
 
 
 class RolesOfASessionHaveALimit(Attack):
-    """Each person with a role is in each message about people, to everybody in the session."""
+    """Each message about people names each person with a role, and goes to everybody there."""
     is_known = True
     users = False
     witness_session = "shared"

@@ -1,9 +1,9 @@
-"""Another user, in a process of its own: asks for the scans and edits in a session while an attack
-runs, and writes down how long the answers take and how much memory the server holds. Ends the
-server where it passes the limit, so that no attack takes the machine.
+"""Another user, in its own process. It asks for the scans and edits in a session while an attack
+runs. It records how long the answers take and how much memory the server holds. It ends a server
+above the limit, so that no attack takes the whole machine.
 
-Reads a JSON object from its first argument, says "ready", and at the end of its input writes what
-it has seen as JSON."""
+Reads a JSON object from its first argument and prints "ready". At the end of its input it writes
+its record as JSON."""
 
 import itertools
 import json
@@ -19,12 +19,12 @@ import grpc
 from client import Client, Live
 from server import rss_bytes
 
-ASK_S_MAX = 15  # what has no answer by then counts as so long
+ASK_S_MAX = 15  # a missing answer counts as this long
 PAUSE_S = 0.02
 
 
 class Stopwatch:
-    """Times of answers, with the one that is still awaited."""
+    """Times of answers, including the one that is still missing."""
 
     def __init__(self):
         self.seconds, self.failures, self._begin = [], [], None

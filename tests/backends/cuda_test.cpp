@@ -1,4 +1,4 @@
-// What the CUDA backend says of itself, with a device and without.
+// Facts about the CUDA backend itself, with a device and without.
 
 #include <algorithm>
 #include <map>
@@ -53,7 +53,7 @@ void append(const TriangleMesh& piece, const Vec3d& at, TriangleMesh& mesh) {
     mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
-// Two spheres through each other: where they meet a cell has two components of the mesh.
+// Two spheres through each other: cells where they meet have two components of the mesh.
 TriangleMesh crossing_spheres() {
   const TriangleMesh sphere = generate_scan({.kind = "icosphere", .vertices = 5000}).value();
   TriangleMesh mesh = sphere;
@@ -107,7 +107,7 @@ TEST_F(OnADevice, TwoRunsGiveTheSameBits) {
     EXPECT_EQ(run(smoother), run(smoother)) << name_of(smoother);
 }
 
-constexpr int kDepthWithWeakParts = 5;  // of crumbs
+constexpr int kDepthWithWeakParts = 5;  // the crumbs' depth
 
 TEST_F(OnADevice, TwoRunsWithSheetsApartGiveTheSameBits) {
   const TriangleMesh mesh = reference::crumbs_over_a_sphere();
@@ -127,7 +127,7 @@ TEST_F(OnADevice, BetaOneGivesTheInputBack) {
   EXPECT_EQ(filtered.alpha(20).after(20), mesh.vertices);
 }
 
-// Of any vertex, over the diagonal.
+// Returns the largest distance of a vertex over the diagonal.
 double largest_distance(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
                         const TriangleMesh& mesh) {
   double most = 0;
@@ -135,8 +135,8 @@ double largest_distance(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b
   return most / compute_statistics(mesh).diagonal();
 }
 
-// The largest distance between the two after so many cycles, over the diagonal: cycle by cycle, so
-// that neither hides behind the other's convergence. One cycle is 4e-2 off the solution.
+// Returns the largest distance between the two over the diagonal, cycle by cycle, so that neither
+// hides behind the other's convergence. After one cycle both are 4e-2 off the solution.
 double between_cpu_and_cuda(const TriangleMesh& mesh, Smoother smoother, int cycles) {
   const auto after = [&](BackendKind backend) {
     Filtered filtered(mesh, 7, {.backend = backend, .smoother = smoother});
@@ -145,8 +145,8 @@ double between_cpu_and_cuda(const TriangleMesh& mesh, Smoother smoother, int cyc
   return largest_distance(after(BackendKind::kCpu), after(BackendKind::kCuda), mesh);
 }
 
-// They differ by rounding; with Schwarz by where the estimate of λmax starts as well, and, but
-// where parts are weak, by how much the finest depth's blocks are regularised.
+// They differ by rounding. Schwarz also differs by the start of the estimate of λmax. Except at
+// weak parts, the finest depth's blocks also have another regularisation.
 TEST_F(OnADevice, FollowsTheCpuCycleByCycle) {
   std::map<std::string, TriangleMesh> meshes = {{"crossing spheres", crossing_spheres()},
                                                 {"crumbs", reference::crumbs_over_a_sphere()}};
@@ -160,7 +160,7 @@ TEST_F(OnADevice, FollowsTheCpuCycleByCycle) {
     }
 }
 
-// What the meshes above have for the device to follow.
+// The meshes above have all of these for the device.
 TEST(SheetsApart, OfCrumbsHaveAllThatSlotsCannotSay) {
   const auto prepared = prepare(reference::crumbs_over_a_sphere(), {.depth = 6}).value();
   const auto hierarchy = make_hierarchy(*prepared);
@@ -183,7 +183,7 @@ TEST(SheetsApart, OfCrumbsHaveWeakPartsAtOneDepth) {
   }
 }
 
-// The constraint goes on from what it was: a slip there would stay.
+// The constraint continues from its last value, so an error in it would stay.
 TEST_F(OnADevice, EditAfterEditEndsWhereTheCpuDoes) {
   const TriangleMesh mesh = generate_scan({.kind = "blob", .vertices = 8000}).value();
   const auto edited = [&](BackendKind backend) {
@@ -194,14 +194,14 @@ TEST_F(OnADevice, EditAfterEditEndsWhereTheCpuDoes) {
     filtered.alpha(20).beta(0.3).after(1);
     filtered.beta(0.6).after(1);
     filtered.paint(dab(7, 2)).after(1);
-    EXPECT_TRUE(filtered.session().apply({"undo", Undo{}}).is_ok());  // one β for all again
+    EXPECT_TRUE(filtered.session().apply({"undo", Undo{}}).is_ok());  // one β for all cells again
     filtered.after(1);
     filtered.beta(0.4).after(1);
     filtered.paint(dab(7, 2)).after(1);
     filtered.beta(1.5).after(1);
     filtered.curve(TransferCurve::parse("-20:5,20:500").value()).after(1);
     filtered.alpha(40).paint(dab(4000, 0)).after(1);
-    for (const double alpha : {45, 50, 30}) filtered.alpha(alpha).after(1);  // of the same ratios
+    for (const double alpha : {45, 50, 30}) filtered.alpha(alpha).after(1);  // the same ratios
     filtered.curve(TransferCurve::parse("-20:5,20:500").value()).after(1);
     filtered.alpha(35).beta(0.9).after(1);
     filtered.paint(dab(7999, 1)).beta(0.5).after(1);
@@ -214,8 +214,8 @@ TEST_F(OnADevice, EditAfterEditEndsWhereTheCpuDoes) {
   EXPECT_LE(largest_distance(edited(BackendKind::kCpu), edited(BackendKind::kCuda), mesh), 2e-6);
 }
 
-// α of the cells is worked out on the device: of a curve of several points, and of cells that have
-// their own, over two edits.
+// The device computes α of the cells: from a curve of several points and for cells with their own
+// α, over two edits.
 TEST_F(OnADevice, CellsOfTheirOwnAndACurveOfManyPointsEndWhereTheCpuDoes) {
   const TriangleMesh mesh = generate_scan({.kind = "blob", .vertices = 8000}).value();
   const auto edited = [&](int depth, BackendKind backend) {
@@ -245,7 +245,7 @@ TriangleMesh separate_pieces() {
   return mesh;
 }
 
-// The same below a tablet, which has sheets of its own.
+// The same pieces below a tablet, which has its own sheets.
 TriangleMesh separate_pieces_and_a_tablet() {
   TriangleMesh mesh = separate_pieces();
   TriangleMesh tablet = generate_scan({.kind = "tablet", .vertices = 20000}).value();
@@ -263,8 +263,8 @@ double between_cpu_and_cuda_settled(const TriangleMesh& mesh) {
   return largest_distance(settled(BackendKind::kCpu), settled(BackendKind::kCuda), mesh);
 }
 
-// Its rim has corners with so little surface that what floats leave of the constraint's shares
-// moves a vertex by 1.2e-4 of the diagonal.
+// Its rim has corners with very little surface. The rounding of floats in the constraint's shares
+// would move a vertex there by 1.2e-4 of the diagonal.
 TEST_F(OnADevice, AtAContrastOf1000ATornRimEndsWhereTheCpuDoes) {
   const TriangleMesh mesh = generate_scan({.kind = "tablet", .vertices = 20000}).value();
   const auto settled = [&](BackendKind backend) {
@@ -274,7 +274,7 @@ TEST_F(OnADevice, AtAContrastOf1000ATornRimEndsWhereTheCpuDoes) {
   EXPECT_LE(largest_distance(settled(BackendKind::kCpu), settled(BackendKind::kCuda), mesh), 1e-5);
 }
 
-// Hundreds of separate pieces keep hundreds of coarsest corners: the direct solve of the host.
+// Hundreds of separate pieces keep hundreds of coarsest corners, which the host solves directly.
 TEST_F(OnADevice, ManySeparatePiecesSettle) {
   EXPECT_LE(between_cpu_and_cuda_settled(separate_pieces()), 2e-5);
   EXPECT_LE(between_cpu_and_cuda_settled(separate_pieces_and_a_tablet()), 2e-5);
@@ -340,7 +340,7 @@ TEST_F(OnADevice, BeyondTheBudgetIsRefusedWithNumbersAndGivesAllBack) {
   EXPECT_TRUE(open_solver({.backend = BackendKind::kCuda}).is_ok());
 }
 
-// In a process of its own, which the fault leaves without a device.
+// Runs in its own process: after the fault that has no device.
 TEST_F(OnADevice, AFaultSticksToSolverAndProbe) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   const auto live_on = [] {

@@ -1,4 +1,4 @@
-// What must hold of any edit on any backend, from closed forms and symmetries (ARCHITECTURE.md,
+// Facts of any edit on any backend, from closed forms and symmetries (ARCHITECTURE.md,
 // "Invariants").
 
 #include <cmath>
@@ -24,7 +24,7 @@ class Facts : public testing::TestWithParam<BackendCase> {
   }
 };
 
-// Facts that are cheap enough to be held for each smoother.
+// Facts that are cheap enough for each smoother.
 class EverySmoother : public Facts {};
 
 TriangleMesh bumpy() {
@@ -42,7 +42,7 @@ TEST_P(EverySmoother, BetaOneReturnsTheInputMesh) {
   EXPECT_EQ(filtered.after(1000), mesh.vertices);
 }
 
-// With one β everywhere the displacement is β − 1 times what the metric alone decides.
+// If all cells have one β, the displacement is β − 1 times a part that only depends on the metric.
 TEST_P(EverySmoother, AMovedSliderNeedsOneStep) {
   Filtered dragged = session(bumpy(), 5), fresh = session(bumpy(), 5);
   dragged.alpha(8).beta(0.5).exact();
@@ -67,7 +67,7 @@ TEST_P(Facts, ASphereShrinksByTheTransferFunctionAtEveryDepth) {
   }
 }
 
-// Around the cylinder κ = 1/r takes one α, along it κ = 0 the other; both have closed forms.
+// Around the cylinder κ = 1/r takes one α. Along it κ = 0 takes the other. Both have closed forms.
 TEST_P(Facts, AnOpenCylinderFollowsItsTwoClosedFormsAlignedAndTurned) {
   const double radius = 1, height = 2.5, around = 20, along = 4, beta = 2;
   const TriangleMesh upright = reference::open_cylinder(200, 160, radius, height);
@@ -93,7 +93,8 @@ TEST_P(Facts, AnOpenCylinderFollowsItsTwoClosedFormsAlignedAndTurned) {
   }
 }
 
-// Over the true surface x(p); triangles much smaller than cells bring the vertices' close to it.
+// It holds over the true surface x(p). Triangles much smaller than cells bring the vertices'
+// centroid close to it.
 TEST_P(EverySmoother, ConstantAlphaKeepsTheCentroid) {
   const TriangleMesh mesh = reference::bumpy_sphere(6);
   const auto centroid = [&](const std::vector<Vec3d>& vertices) {
@@ -152,8 +153,8 @@ float largest(std::span<const Vec3f> displacement) {
   return most;
 }
 
-// Two thousand frames with nothing to do: no energy, no vertex drifts, and no corner runs away, be
-// it one that no vertex sees.
+// Over two thousand frames without work, no energy and no vertex drifts. No corner runs away, even
+// if no vertex depends on it.
 TEST_P(Facts, AnIdleSessionStaysWhereItSettled) {
   for (const TransferCurve& curve :
        {TransferCurve(1), TransferCurve(50), TransferCurve::parse("-20:1,20:1000").value()}) {
@@ -183,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(Backends, Facts, testing::ValuesIn(backend_cases()), ca
 INSTANTIATE_TEST_SUITE_P(Backends, EverySmoother, testing::ValuesIn(every_smoother_cases()),
                          case_name);
 
-// The bars of interactive use hold for the default smoother.
+// The bars of interactive use; they hold for the default smoother.
 class Interactive : public Facts {};
 
 TEST_P(Interactive, AColdIsotropicStartMeetsTheBars) {

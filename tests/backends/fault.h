@@ -2,7 +2,7 @@
 
 namespace burnish {
 
-/// Makes the first device fail as a broken kernel does: CUDA's error sticks to the process.
+/// Makes the first device fail like a broken kernel: CUDA's error stays until the process ends.
 void provoke_cuda_fault();
 
 }  // namespace burnish

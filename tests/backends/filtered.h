@@ -4,14 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "common/edit/edit.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/session/session.h"
-#include "server/solver/hierarchy/hierarchy.h"
 
 namespace burnish {
 
-/// A session on a mesh that is prepared here, every step checked. Used on every backend.
+/// A session on a mesh that is prepared here. Checks every step. Works on every backend.
 class Filtered {
  public:
   Filtered(const TriangleMesh& mesh, int depth, const SolverOptions& options);
@@ -21,9 +19,9 @@ class Filtered {
   Filtered& beta(double beta);
   Filtered& paint(const Stroke& stroke);
 
-  /// Vertices after exactly so many steps.
+  /// Returns the vertices after exactly this many steps.
   std::vector<Vec3d> after(int cycles);
-  /// Vertices once settled, or to the bar of exports.
+  /// Returns the vertices once settled, or at the bar of exports.
   std::vector<Vec3d> settled() { return solved({}); }
   std::vector<Vec3d> exact() { return solved({.exact = true}); }
 
@@ -37,15 +35,15 @@ class Filtered {
   int edits_ = 0;
 };
 
-/// Every backend that this build and machine offer, with the default smoother and the plainest: a
-/// name for the test and its options.
+/// A backend of this build and machine, with the default or the plainest smoother: the test's name
+/// and its options.
 struct BackendCase {
   std::string name;
   SolverOptions options;
 };
 std::vector<BackendCase> backend_cases();
 
-/// The same with every smoother.
+/// Returns the backends with every smoother.
 std::vector<BackendCase> every_smoother_cases();
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-// Takes the place of fault.cu in builds without CUDA, whose tests never come here.
+// Takes the place of fault.cu in builds without CUDA, whose tests never call it.
 
 #include "tests/backends/fault.h"
 

@@ -1,4 +1,4 @@
-// In builds with CUDA; no device is needed.
+// Built with CUDA only; needs no device.
 
 #include "server/solver/cuda/mesh/packed_restriction.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 using Row = std::vector<std::pair<int32_t, float>>;
 
-// A row for each list of weights, of fine corners 10, 11, 12, ...
+// Returns a row for each list of weights, of fine corners 10, 11, 12, ...
 DepthTransfer transfer_of(const std::vector<std::vector<float>>& weights) {
   DepthTransfer transfer;
   transfer.restriction_start = {0};
@@ -28,7 +28,7 @@ DepthTransfer transfer_of(const std::vector<std::vector<float>>& weights) {
   return transfer;
 }
 
-// Whole weights, a row of a shared corner, one that is too long, another of whole weights.
+// Powers of two, a row of a shared corner, a row that is too long, powers of two again.
 DepthTransfer a_transfer() {
   return transfer_of({{1, 0.5f, 0.25f, 0.125f},
                       {1, 0.3f},

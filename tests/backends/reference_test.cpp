@@ -18,9 +18,9 @@ constexpr double kExportMax = 1e-5, kExportRms = 1e-6;  // docs/solver.md, "How 
 constexpr double kSettledMax = 1e-4, kSettledRms = 1e-5;
 constexpr double kCurveMax = 5e-4, kCurveRms = 5e-5;
 
-// A flat part that lies along the grid leaves the answer open: trilinear functions vanish on it,
-// and direct solvers in double differ among themselves by more than the bar of exports. The list
-// holds the same sheet turned, too.
+// A flat part along the grid leaves the answer open: trilinear functions vanish on it, and direct
+// solvers in double differ by more than the bar of exports. The list also holds the same sheet
+// turned.
 constexpr std::string_view kOpenAnswer = "open sheet with flat parts";
 
 struct Filter {
@@ -39,7 +39,7 @@ using Case = std::tuple<BackendCase, Filter>;
 
 class AgainstReference : public testing::TestWithParam<Case> {
  protected:
-  // The reference's factorisation is the expensive part; both bars are held against one solution.
+  // The reference's factorisation is expensive, so both bars use one solution.
   void compare(const std::string& name, const TriangleMesh& mesh) {
     SCOPED_TRACE(name);
     const auto& [backend, filter] = GetParam();
@@ -65,7 +65,7 @@ TEST_P(AgainstReference, AwkwardMeshesMeetTheSettledAndExportBars) {
   for (const auto& [name, mesh] : reference::awkward_meshes()) compare(name, mesh);
 }
 
-// Every cell's painted β, as the product blends it, given to the reference.
+// Gives the reference every cell's painted β from the product's blending.
 TEST_P(AgainstReference, APaintedSphereMeetsTheBars) {
   const auto& [backend, filter] = GetParam();
   const TriangleMesh mesh = reference::bumpy_sphere(4);

@@ -1,4 +1,4 @@
-// In builds with CUDA; no device is needed.
+// Built with CUDA only; needs no device.
 
 #include "server/solver/cuda/mesh/row_groups.h"
 
@@ -7,14 +7,15 @@
 #include "common/generate/generate.h"
 #include "server/prepare/prepare.h"
 #include "server/solver/cuda/mesh/long_rows.h"
+#include "server/solver/hierarchy/hierarchy.h"
 
 namespace burnish::cuda {
 namespace {
 
 constexpr int kSliceRows = 32;
 
-/// Every packed entry's place in its group's tile stands for its column, and the tails have the
-/// others.
+/// Checks that every packed entry's place in its group's tile stands for its column, and that the
+/// tails have the other columns.
 void expect_columns(const Stencil& stencil, const RowGroups& groups) {
   const std::vector<int64_t> starts = slice_starts(stencil);
   const LongRowTails tails = long_row_tails(stencil);
@@ -41,7 +42,7 @@ void expect_columns(const Stencil& stencil, const RowGroups& groups) {
   EXPECT_EQ(in_tails, tails.column.size());
 }
 
-/// Rows of so many entries, all of different columns.
+/// Returns rows of `entries` entries each, all of different columns.
 Stencil strangers(int32_t rows, int32_t entries) {
   Stencil stencil;
   stencil.row_start = {0};
@@ -74,7 +75,7 @@ TEST(RowGroups, OfATabletsCoarseDepthsHaveLongRowsBeside) {
   EXPECT_FALSE(long_row_tails(hierarchy->at(6).stencil).column.empty());
 }
 
-// No scan has such rows; a tile would not hold the columns of four slices.
+// No scan has such rows: a tile would not hold the columns of four slices.
 TEST(RowGroups, OfRowsThatShareNoColumnsHaveOneSlice) {
   const Stencil stencil = strangers(256, kEntriesMax);
   const RowGroups groups = make_row_groups(stencil, slice_starts(stencil));

@@ -1,12 +1,13 @@
-// Every row of the accuracy table (docs/solver.md, "How exact"): how far the vertices of a session
-// are from the converged surface when it is settled, exact, and after so many frames.
+// Measures every row of the accuracy table (docs/solver.md, "How exact"): the distance of a
+// session's vertices from the converged surface when it is settled, exact, and after a number of
+// frames.
 //
 //     accuracy_bench [--json FILE] [--rows TEXT] [--soak] [SCAN[@DEPTH]]...
 //
-// SCAN is a mesh file or KIND:VERTICES of a generated scan; without any: every kind. The depth is
-// the scan's default unless given, the backend CUDA where there is a device. --rows keeps the rows
-// whose name holds TEXT. --soak leaves converged sessions idle for 2,000 frames instead. Ends with
-// 1 where a bar is missed.
+// SCAN is a mesh file or KIND:VERTICES of a generated scan; without any: every kind. The default
+// depth is the scan's, the backend is CUDA if there is a device. --rows keeps the rows whose name
+// contains TEXT. --soak leaves converged sessions idle for 2,000 frames instead. Exits with 1 if a
+// bar is missed.
 
 #include <cstdio>
 #include <fstream>
@@ -60,7 +61,7 @@ Result<Scan> open_scan(const std::string& text) {
   return scan;
 }
 
-/// A session and how many frames it has shown since its last edit.
+/// A session and its frames since its last edit.
 struct Live {
   std::unique_ptr<Session> session;
   int edits = 0;
@@ -87,7 +88,7 @@ std::string label(const AccuracyStop& stop, int frames) {
   return (stop.kind == Kind::kExact ? "exact (" : "settled (") + std::to_string(frames) + ")";
 }
 
-/// Prints one row; true where a bar is missed.
+/// Prints one row. Returns true if it misses a bar.
 bool report(const AccuracyRun& run, const AccuracyStop& stop, int frames,
             const reference::Distance& distance, const ConvergedSurface& converged,
             ordered_json& rows) {
@@ -160,7 +161,7 @@ Options parse(const std::vector<std::string>& arguments) {
   return options;
 }
 
-/// How many rows missed their bar.
+/// Returns how many rows missed their bar.
 Result<int> run(const Options& options) {
   ordered_json report;
   int missed = 0;

@@ -36,8 +36,8 @@ std::vector<CellFields> fields_of(const Session& session, const reference::Syste
 
 #ifdef BURNISH_CHOLMOD
 
-// As in the reference's own solve: corners with almost no surface stay, flat parts along the grid
-// leave the matrix singular, so that its factor is shifted and refinement takes the shift out.
+// As in the reference's own solve: corners with almost no surface stay. Flat parts along the grid
+// make the matrix singular, so its factor is shifted and refinement removes the shift.
 constexpr double kPinRatio = 1e-12;
 constexpr double kShiftLeast = 1e-13;
 constexpr double kShiftMost = 1e-8;
@@ -64,7 +64,7 @@ class Factor {
     BURNISH_CHECK(false, "a scaled positive matrix has its factors");
   }
 
-  /// u and the largest move of its last refinement; `move_of` measures one.
+  /// Returns u and the largest move of its last refinement; `move_of` measures one.
   template <typename MoveOf>
   std::pair<MatrixXd, double> solve(const MatrixXd& constraint, MoveOf&& move_of) const {
     const MatrixXd b = scale_.asDiagonal() * constraint;
@@ -101,7 +101,7 @@ struct Converged::Independent {
 #ifdef BURNISH_CHOLMOD
     const TransferCurve& curve = session.fields().transfer_curve();
     if (!factor || factored != curve) {
-      factor.reset();  // its memory first
+      factor.reset();  // frees its memory first
       factor.emplace(reference::system_matrix(system, fields));
       factored = curve;
     }

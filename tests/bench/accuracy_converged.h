@@ -9,24 +9,24 @@
 
 namespace burnish {
 
-/// A converged surface, where it is from, and how well it is known.
+/// A converged surface, its source, and its accuracy.
 struct ConvergedSurface {
   std::vector<Vec3d> vertices;
   std::string method;   ///< "cholmod", "reference" or "own"
   double known_to = 0;  ///< largest move of the last refinement, over the bounding-box diagonal
 };
 
-/// What sessions of one scan converge to: the reference's own matrix and constraint (tests/
-/// reference shares no numerical code with the product), solved by CHOLMOD where the build has it,
-/// else by the reference. Above kIndependentCornersMax corners the product's own solve, driven to
-/// 1e-12, takes its place.
+/// The converged surfaces of one scan's sessions. It uses the reference's own matrix and constraint
+/// (tests/reference shares no numerical code with the product). CHOLMOD solves them if the build
+/// has it, else the reference does. Above kIndependentCornersMax corners it uses the product's own
+/// solve to 1e-12.
 class Converged {
  public:
   Converged(const TriangleMesh& mesh, Multigrid on);
   ~Converged();
 
-  /// The surface for the session's curve and its β of every cell as it is now.
-  /// Cost: a factorisation whenever the curve is not that of the last call.
+  /// Returns the surface for the session's present curve and β of every cell. Cost: a factorisation
+  /// if the curve differs from the last call's.
   ConvergedSurface of(const Session& session);
 
  private:

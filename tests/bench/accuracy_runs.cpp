@@ -15,7 +15,7 @@ constexpr AccuracyStop after(int frames, double max) {
   return {Kind::kFrames, frames, max, 0};
 }
 
-// Twelve dabs of β 0, 1 and 3 spread over the scan: every painted value beside every other.
+// Paints twelve dabs of β 0, 1 and 3 over the scan: every painted value next to every other.
 Changes painted(const PreparedMesh& prepared) {
   constexpr int kDabs = 12;
   constexpr double kBetas[] = {0, 3, 1};

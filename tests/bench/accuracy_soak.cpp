@@ -14,7 +14,7 @@ namespace {
 constexpr int kFrames = 2000;
 constexpr double kRiseMax = 1e-12;  // of the energy, from one frame to the next
 constexpr double kDriftMax = 1e-5;  // of the diagonal
-constexpr double kGrowthMax = 2;    // of the largest |u| over all corners, seen or not
+constexpr double kGrowthMax = 2;    // of the largest |u| over all corners, even without a vertex
 
 double largest(std::span<const Vec3f> displacement) {
   double most = 0;

@@ -17,7 +17,7 @@ double core_gigahertz() {
 #pragma GCC unroll 8
     for (int64_t i = 0; i < kAdditions; ++i) {
       ++sum;
-      asm volatile("" : "+r"(sum));  // else the compiler knows the sum
+      asm volatile("" : "+r"(sum));  // keeps the compiler from knowing the sum
     }
     const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
     slowest = std::min(slowest, kAdditions / time.count());

@@ -9,7 +9,7 @@ namespace burnish {
 namespace {
 
 using Bytes = std::vector<uint8_t>;
-using Value = std::array<int16_t, 4>;  // x, y, z and padding: meshoptimizer wants multiples of 4
+using Value = std::array<int16_t, 4>;  // x, y, z and padding: meshoptimizer needs multiples of 4
 using Tiles = std::vector<std::vector<Value>>;
 
 int16_t rounded(int32_t change, int step_shift) {

@@ -1,11 +1,11 @@
-// Bytes and milliseconds of frames, on one core: key frame, slider step, curve step, brush dab and
-// the still frames behind them; as coefficients, as vertices, and for a proxy; beside other ways to
-// write the same.
+// Measures bytes and milliseconds of frames on one core: key frame, slider step, curve step, brush
+// dab and the still frames after them; as coefficients, as vertices, and for a proxy; next to other
+// encodings.
 //
 //     codec_bench [--json FILE] [SCAN DEPTH]...
 //
-// SCAN is a mesh file or the kind of a generated scan of 200,000 vertices; without any:
-// blob 8 tablet 8.
+// SCAN is a mesh file or the kind of a generated scan of 200,000 vertices; without any: blob 8
+// tablet 8.
 
 #include <algorithm>
 #include <chrono>
@@ -37,7 +37,7 @@ constexpr uint64_t kGeneratedVertices = 200'000;
 constexpr size_t kProxyTriangles = 50'000;
 constexpr int kRepeats = 7;
 
-/// A displacement in the course of an editing session, and how it is sent.
+/// A displacement in an editing session, and how it is sent.
 struct Scene {
   std::string name;
   FrameStep step;
@@ -120,7 +120,7 @@ class Scenes {
   int edits_ = 0;
 };
 
-// The largest distance, in cells, between what a client shows and what it should show.
+// Returns the largest distance, in cells, between a client's picture and the right one.
 double vertex_error(const FrameLayout& layout, const FrameMesh& mesh, const FrameState& state,
                     const std::vector<Vec3f>& displacement) {
   const bool coefficients = layout.content == FrameContent::kCoefficients;

@@ -26,7 +26,7 @@ Result<Converged> Converged::solve(const BenchSystem& system, const FieldsView& 
   ASSIGN_OR_RETURN(const auto solver, Solver::create(system, {.backend = BackendKind::kCpu}));
   solver->set_metric(fields);
   ASSIGN_OR_RETURN(const SolveReport solved, solver->solve(kDistance, kCyclesMax));
-  solver->set_metric(fields);  // the next step starts from the residual, computed anew
+  solver->set_metric(fields);  // the next step starts from a newly computed residual
   const StepReport last = solver->step();
   if (!solved.converged || !(last.residual <= kResidualMax))
     return failed_precondition(

@@ -14,16 +14,16 @@ struct VertexDistance {
 };
 
 /// The converged surface of one system: the default solver far below the bar of exports. Its outer
-/// iteration is in double, so that it converges to double's own rounding.
+/// iteration is in double, so it converges to double's rounding.
 struct Converged {
   std::vector<Vec3d> vertices;
   double diagonal = 0;
   int cycles = 0;
-  double residual = 0;    ///< the true one, recomputed: over that of b, diagonally scaled
-  double correction = 0;  ///< estimated distance that is left, over the diagonal
+  double residual = 0;    ///< the true one, recomputed, diagonally scaled, over the norm of b
+  double correction = 0;  ///< estimate of the remaining distance, over the diagonal
   double moved_max = 0;   ///< largest displacement, over the diagonal
 
-  /// Fails: failed_precondition, naming scan, residual and limit, when it has not converged.
+  /// Fails: failed_precondition if it has not converged; names scan, residual and limit.
   static Result<Converged> solve(const BenchSystem& system, const FieldsView& fields);
 
   VertexDistance distance(const Solver& solver) const;

@@ -1,5 +1,5 @@
-// What a step, a new constraint and a new matrix cost by the number of corners, beside the time
-// that memory alone would take at the bandwidth of the same run.
+// Measures the cost of a step, a new constraint and a new matrix by the number of corners. Compares
+// it with the time of memory alone at the bandwidth of the same run.
 
 #include "common/base/parallel.h"
 #include "server/fields/fields.h"

@@ -1,4 +1,4 @@
-// What a session costs on a GPU, and many of them: one table, medians.
+// Measures the cost of one session, and of many, on a GPU: one table, medians.
 // Usage: device_bench cpu|cuda SCAN[@DEPTH]...      SCAN: a mesh file or
 // KIND:VERTICES[:STRETCH]
 
@@ -56,7 +56,7 @@ Settling settle(Session& session, double distance) {
   return settling;
 }
 
-/// The median by time of several runs, each after a change that `prepare` makes.
+/// Returns the median by time of several runs. `prepare` makes a change before each.
 template <typename Prepare>
 Settling median_settling(Session& session, double distance, Prepare&& prepare) {
   std::vector<Settling> runs;
@@ -74,7 +74,7 @@ void print_settling(const char* what, const Settling& settling) {
   std::printf("  %-44s %9.3f ms, %d steps\n", what, settling.milliseconds, settling.steps);
 }
 
-// A change of β from 1 to 0 on a settled surface is as far as a cold start is.
+// From a settled surface a change of β from 1 to 0 is as far as a cold start.
 void print_settlings(Session& session) {
   const PreparedMesh& prepared = session.prepared();
   for (const double alpha : {5.0, 50.0}) {
@@ -105,7 +105,7 @@ double median(std::vector<double> numbers) {
   return *middle;
 }
 
-// The median of how long some calls keep the device busy, each after a change that `prepare` makes.
+// Prints the median of how long calls keep the device busy. `prepare` makes a change before each.
 template <typename Prepare, typename Work>
 void print_device_time(const char* what, Prepare&& prepare, Work&& work) {
   std::vector<double> times;
@@ -116,8 +116,8 @@ void print_device_time(const char* what, Prepare&& prepare, Work&& work) {
   std::printf("  device busy: %-39s %9.1f us\n", what, median(std::move(times)));
 }
 
-// One α for another leaves the constraint as it is. Of another curve what it has per slider is
-// gathered beside the matrices.
+// Another α for all cells leaves the constraint unchanged. With another curve its change per slider
+// step is gathered next to the matrices.
 void print_metric_times(Solver& solver, Fields& fields) {
   const auto print = [&](const char* what, const TransferCurve& one, const TransferCurve& other) {
     print_device_time(
@@ -129,8 +129,8 @@ void print_metric_times(Solver& solver, Fields& fields) {
         TransferCurve::parse("-20:5,20:450").value());
 }
 
-// Nothing without a trace. Each change after a step, which leaves nothing of the constraint's in
-// the caches.
+// Does nothing without a trace. Each change follows a step, which clears the constraint from the
+// caches.
 Status print_device_times(const BenchSystem& system) {
   ASSIGN_OR_RETURN(const auto solver, Solver::create(system, {.backend = BackendKind::kCuda}));
   const PreparedMesh& prepared = *system.prepared;
@@ -168,7 +168,7 @@ Status print_device_times(const BenchSystem& system) {
   return solver->status();
 }
 
-// Each thread steps its share of the sessions, as a scheduler of so many threads would.
+// Each thread steps its part of the sessions, like a scheduler with this many threads.
 double step_all(std::span<const std::unique_ptr<Session>> sessions, size_t threads) {
   return median_milliseconds(5, 2, [&] {
     std::vector<std::jthread> workers;

@@ -13,7 +13,7 @@ namespace burnish {
 
 static constexpr CUpti_ActivityKind kKinds[] = {CUPTI_ACTIVITY_KIND_CONCURRENT_KERNEL,
                                                 CUPTI_ACTIVITY_KIND_MEMCPY};
-static constexpr size_t kRoom = 1 << 20;  // bytes of records that CUPTI hands over at once
+static constexpr size_t kRoom = 1 << 20;  // bytes of records per delivery of CUPTI
 
 static std::vector<TracedWork>& traced() {
   static std::vector<TracedWork> works;
@@ -23,7 +23,7 @@ static std::vector<TracedWork>& traced() {
 static void CUPTIAPI give_room(uint8_t** room, size_t* bytes, size_t* records_max) {
   *room = static_cast<uint8_t*>(std::aligned_alloc(8, kRoom));
   *bytes = kRoom;
-  *records_max = 0;  // as many as there is room for
+  *records_max = 0;  // as many as fit
 }
 
 static void CUPTIAPI take_records(CUcontext, uint32_t, uint8_t* room, size_t, size_t bytes) {

@@ -1,5 +1,5 @@
-// Pictures per second of a displaced mesh, and how long a dab of the brush takes to its picture,
-// without a window: draw_bench [TRIANGLES [PICTURES]]
+// Measures pictures per second of a displaced mesh, and the time from a dab of the brush to its
+// picture, without a window: draw_bench [TRIANGLES [PICTURES]]
 
 #include <cmath>
 #include <cstdio>
@@ -21,13 +21,13 @@ namespace {
 constexpr ImageSize kSize{1280, 720};
 constexpr int kDepth = 8;
 
-// Some cells to and fro: as a strong edit moves a surface.
+// Returns a move of some cells to and fro, like a strong edit.
 Vec3f wave(const Vec3d& corner) {
   return Vec3d(std::sin(0.1 * corner.y()), std::cos(0.15 * corner.z()), std::sin(0.2 * corner.x()))
       .cast<float>();
 }
 
-/// A mesh that is drawn again and again.
+/// A mesh that is drawn many times.
 class Bench {
  public:
   static Result<Bench> create(const View& view) {
@@ -37,20 +37,20 @@ class Bench {
     return bench;
   }
 
-  /// A frame that changes every corner, as the whole of a keyframe does.
+  /// Uploads a frame that changes every corner, like a key frame.
   Status upload(const std::vector<Vec3f>& displacements) {
     displacements_ = displacements;
     const IndexRange all{0, displacements.size()};
     return renderer_->upload_displacements(displacements, {&all, 1});
   }
 
-  /// From a little further round.
+  /// Draws from a slightly turned camera.
   Status turn() {
     camera_ = turned(camera_, 1, 0);
     return draw();
   }
 
-  /// The point of the surface under the pointer, which moves on a little.
+  /// Returns the point of the surface under the pointer, which moves a little.
   Result<Vec3d> look() {
     x_ = kSize.width / 2 - 100 + (x_ + 7) % 200;
     const Eigen::Vector2i pixel(x_, kSize.height / 2);
@@ -61,8 +61,8 @@ class Bench {
     return hit ? hit->original : Vec3d::Zero();
   }
 
-  /// All that lies between a move of the mouse and its picture: the surface under the pointer, the
-  /// cells that the brush reaches, the ring around it.
+  /// Does all work between a move of the mouse and its picture: the surface under the pointer, the
+  /// cells in reach of the brush, the ring around it.
   Status dab() {
     const Brush brush{.radius = 0.06 * mesh_.unit(), .strength = 0.6, .beta = 0};
     ASSIGN_OR_RETURN(const Vec3d point, look());

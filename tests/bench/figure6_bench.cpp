@@ -1,5 +1,5 @@
 // Figure 6: time and accuracy by number of cycles with five Gauss-Seidel sweeps at each depth, for
-// systems of three depths; serial, parallel, and parallel with temporal blocking.
+// systems of three depths: serial, parallel, and parallel with temporal blocking.
 
 #include "common/base/parallel.h"
 #include "server/fields/fields.h"

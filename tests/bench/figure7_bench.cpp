@@ -1,6 +1,6 @@
 // Figure 7: frames per second in the three states of the system, at three depths. `figure7` has all
-// smoothers by threads, and those of CUDA where there is a device; `ablation` what each of the
-// paper's steps adds, and ours beyond, side by side.
+// smoothers by threads, and CUDA's if there is a device. `ablation` shows the gain of each step of
+// the paper, and of further ones.
 
 #include "server/solver/cuda/cuda_backend.h"
 #include "tests/bench/bench_main.h"
@@ -15,8 +15,8 @@ double per_second(double milliseconds) {
   return 1000 / milliseconds;
 }
 
-/// A smoother on a backend, on all threads or on one; its vertices evaluated here, or by the
-/// client.
+/// A smoother on a backend, on all threads or on one. Either this program or the client evaluates
+/// the vertices.
 struct Bar {
   const char* name;
   BackendKind backend;
@@ -25,7 +25,7 @@ struct Bar {
   bool evaluates = false;
 };
 
-/// The paper's plainest first, then what it adds; then ours.
+/// The paper's plainest smoother comes first, then its additions, then the product's own.
 constexpr Bar kBars[] = {
     {"serial_evaluate", BackendKind::kCpu, Smoother::kSlices, false, true},
     {"serial", BackendKind::kCpu, Smoother::kSlices, false},
@@ -48,7 +48,7 @@ bool has_device() {
   return cuda_device().is_ok();
 }
 
-/// All that was measured of one system.
+/// All measurements of one system.
 class Frames {
  public:
   explicit Frames(const BenchSystem& system) : system_(system) {}
@@ -60,7 +60,7 @@ class Frames {
     return measured_.back().second;
   }
 
-  /// Needs: measured.
+  /// Needs: it was measured.
   const FrameTimes& of(BackendKind backend, Smoother smoother, int threads) const {
     for (const auto& [options, times] : measured_)
       if (options.backend == backend && options.smoother == smoother && options.threads == threads)

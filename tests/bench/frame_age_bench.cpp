@@ -1,11 +1,12 @@
-// How old frames are when a client has them, and what a client that stopped costs the server.
+// Measures how old frames are when a client has them, and the cost of a stopped client to the
+// server.
 //
 //   frame_age_bench [SCAN [DEPTH]]       without a scan: a generated blob of 100,000 vertices
 //
-// One person drags the slider without a pause, over links of several kinds. A frame's age is told
-// by the newest heartbeat that the server had when it made the frame, less half a round trip; these
-// go out each 2 ms: by so much ages may be over-told. Mbit/s is what the link carried in all, else
-// frames.
+// One person drags the slider without a pause, over links of several kinds. A frame's age comes
+// from the newest heartbeat that the server had when it made the frame, less half a round trip.
+// Heartbeats go out every 2 ms, so ages may be too high by that much. Mbit/s is the link's whole
+// traffic, else that of frames.
 
 #include <csignal>
 #include <cstdio>
@@ -26,15 +27,15 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr double kSecondsPerCase = 8;
-constexpr double kBarMs = 20;  // beside the round trip
+constexpr double kBarMs = 20;  // beyond the round trip
 
 struct Case {
   const char* name;
   double pictures_per_second;
-  double megabits_per_second;  // 0: no link between
+  double megabits_per_second;  // 0 without a link
   double rtt_ms;
-  int readers = 1;        // of one link; the first one drags
-  bool download = false;  // somebody fetches the scan through the same link, over and over
+  int readers = 1;        // over one link; the first one drags
+  bool download = false;  // somebody fetches the scan through the same link again and again
 };
 constexpr Case kCases[] = {
     {"10 Hz reader", 10, 0, 0},
@@ -50,7 +51,7 @@ void must(const Status& status) {
   BURNISH_CHECK(status.is_ok(), status.message());
 }
 
-/// Fetches the scan through the link until it ends, if it is to.
+/// Fetches the scan through the link until the bench ends, if `download` asks for it.
 class Download {
  public:
   Download(const std::string& server, bool wanted) {
@@ -102,7 +103,7 @@ nlohmann::ordered_json run_case(const ServerProcess& server,
     figures.push_back(client->figures());
   }
   auto report = load_report(figures, {});
-  if (link)  // with what else goes through it
+  if (link)  // includes the link's other traffic
     report["bytes_per_second"] =
         static_cast<double>(link->bytes_down() - bytes_before) / figures[0].seconds;
   return report;
@@ -130,7 +131,7 @@ double resident_megabytes(pid_t pid) {
   return 0;
 }
 
-// Somebody works on while another client of the session stands still.
+// One user works while another client of the session stands still.
 void run_stopped_client(ServerProcess& server, const std::shared_ptr<const View>& view) {
   const auto other = server.start_burnish(
       {"bench", "serve", "--session", "work", "--seconds", "12", "--mix", "drag=1", "--json"});

@@ -12,7 +12,7 @@ static constexpr int kFrames = 9;
 static constexpr int kWarmUp = 1;
 static constexpr double kDabRadius = 0.03;  // of the diagonal
 
-// Hardly different, but another: a curve that a session has already is no edit.
+// Returns a slightly different curve: setting the same curve again is not an edit.
 static TransferCurve nudged(const TransferCurve& curve) {
   auto points = curve.points();
   for (auto& point : points) point.alpha *= 0.999;

@@ -11,14 +11,14 @@ struct FrameTimes {
   double rhs = 0;        ///< a new β: constraint and one cycle
   double dab = 0;        ///< a new β in a small ball: constraint of what it touches and one cycle
   double matrix = 0;     ///< a new curve: matrices, constraint and one cycle
-  double evaluate = 0;   ///< all vertices, where the client does not do it
-  double gigahertz = 0;  ///< of the cores: the lowest of core_gigahertz() between the states
+  double evaluate = 0;   ///< all vertices, if the client does not do it
+  double gigahertz = 0;  ///< clock of the cores: the lowest core_gigahertz() between the states
 };
 
 /// Leaves the session with `curve` and β near 0.
 FrameTimes measure_frames(Session& session, const TransferCurve& curve);
 
-/// Applies a change that cannot be wrong.
+/// Applies a change that must succeed.
 template <typename Change>
 void must_apply(Session& session, Change change) {
   const Status status = session.apply({"", std::move(change)});

@@ -17,10 +17,10 @@ namespace burnish {
 
 namespace {
 
-// A plane of unit area meets 1.5 cells on average over its directions, and a cell of a surface has
-// two corners to itself.
+// A plane of unit area meets 1.5 cells on average over its directions. A cell of a surface has two
+// corners of its own.
 constexpr double kCornersPerCellArea = 3;
-// Integrals, hierarchy and one session per corner, and what preparing takes on top of a mesh.
+// Bytes of integrals, hierarchy and one session per corner, and of preparing beyond the mesh.
 constexpr double kBytesPerCorner = 1400;
 constexpr double kBytesPerVertex = 200;
 

@@ -10,9 +10,8 @@
 
 namespace burnish {
 
-/// A scan as the command line names it: "SCAN" or "SCAN@DEPTH", SCAN being a mesh file or
-/// "KIND:VERTICES" of a generated scan, or "KIND:VERTICES:STRETCH" for one stretched along z, which
-/// has fewer corners.
+/// A scan of the command line: "SCAN" or "SCAN@DEPTH". SCAN is a mesh file or "KIND:VERTICES" of a
+/// generated scan. "KIND:VERTICES:STRETCH" is stretched along z and has fewer corners.
 struct ScanArgument {
   std::string scan;
   int depth = 0;  ///< 0: default_depth()
@@ -20,10 +19,10 @@ struct ScanArgument {
   std::string name() const;  ///< "blob:400000", or the file's name without folder and extension
 };
 
-/// Fails: invalid_argument naming a depth outside its limits.
+/// Fails: invalid_argument that names a depth outside its limits.
 Result<ScanArgument> parse_scan(std::string_view text);
 
-/// Fails: what generate_scan() and read_mesh() say.
+/// Fails: as generate_scan() and read_mesh() say.
 Result<TriangleMesh> load_mesh(const ScanArgument& scan);
 
 /// A mesh at one depth, ready for any number of solvers.
@@ -34,14 +33,14 @@ struct BenchSystem : Multigrid {
   int32_t corners() const { return hierarchy->at(hierarchy->finest).grid.corner_count(); }
 };
 
-/// The depth that `scan` asks for on this mesh.
+/// Returns the depth that `scan` asks for on this mesh.
 int depth_of(const ScanArgument& scan, const TriangleMesh& mesh);
 
-/// Fails: resource_exhausted, before anything large is made, when more than `corners_max` corners
-/// are expected or the machine has too little free memory for a session on them.
+/// Fails: resource_exhausted, before anything large is made, if it expects more than `corners_max`
+/// corners, or the machine has too little free memory for a session on them.
 Status check_size(const std::string& name, const TriangleMesh& mesh, int depth, double corners_max);
 
-/// Fails: what check_size() and prepare() say.
+/// Fails: as check_size() and prepare() say.
 Result<BenchSystem> make_system(const ScanArgument& scan, const TriangleMesh& mesh, int depth,
                                 double corners_max);
 

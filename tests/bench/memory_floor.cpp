@@ -7,12 +7,12 @@ namespace burnish {
 
 namespace {
 
-// The elements that the loops of server/solver/cpu read and write.
+// Bytes of the elements in the loops of server/solver/cpu.
 constexpr double kFloat = 4, kDouble = 8, kIndex = 4, kRowStart = 8, kMask = 4;
-constexpr double kFloat4 = 16, kDouble3 = 24;  // three columns; in float a spare as well
+constexpr double kFloat4 = 16, kDouble3 = 24;  // three columns; in float a spare one as well
 constexpr double kLocal = 2, kTileRow = sizeof(RowTiles::Row);
-constexpr double kCellCorners = 8 * kIndex;  // of a cell; the cells of a corner likewise
-constexpr double kLocalPoint = 3 * kFloat;   // of a vertex in its cell
+constexpr double kCellCorners = 8 * kIndex;  // corners of a cell, or cells of a corner
+constexpr double kLocalPoint = 3 * kFloat;   // a vertex in its cell
 constexpr double kFromCell = sizeof(FromCell);
 constexpr double kCombined = sizeof(CellMatrix);
 constexpr double kInverse = sizeof(cpu::CellInverse);
@@ -27,22 +27,22 @@ struct Counts {
         restricted(static_cast<double>(depth.to_parent.restriction_corner.size())) {}
 
   double corners, cells;
-  double entries;     ///< of the stencil with its padding, diagonals apart
+  double entries;     ///< entries of the stencil with its padding, without diagonals
   double halo;        ///< of the tiles
   double restricted;  ///< entries of Pᵀ to the coarser depth
 };
 
-// A matrix once through, with numbers of `value` bytes.
+// Returns the bytes of one pass over a matrix with numbers of `value` bytes.
 double rows_bytes(const Counts& at, double value) {
   return at.entries * (value + kLocal) + at.halo * kIndex + at.corners * (kTileRow + value);
 }
 
-// r = f − S x.
+// Returns the bytes of r = f − S x.
 double residual_bytes(const Counts& at) {
   return rows_bytes(at, kFloat) + at.corners * (kFloat + 3 * kFloat4);
 }
 
-// x = length·M⁻¹ r + kept·x: so many vectors are read or written.
+// Returns the bytes of x = length·M⁻¹ r + kept·x: `vectors` are read or written.
 double relax_bytes(const Counts& at, int vectors) {
   return rows_bytes(at, kFloat) + at.corners * vectors * kFloat4;
 }
@@ -50,7 +50,7 @@ double relax_bytes(const Counts& at, int vectors) {
 double vcycle_bytes(const Counts& fine, const Counts& coarse) {
   const double before = relax_bytes(fine, 2) + residual_bytes(fine) + relax_bytes(fine, 3);
   const double after =
-      2 * (residual_bytes(fine) + relax_bytes(fine, 3)) + fine.corners * kFloat4;  // r kept once
+      2 * (residual_bytes(fine) + relax_bytes(fine, 3)) + fine.corners * kFloat4;  // r is kept once
   const double restriction = residual_bytes(fine) + fine.corners * kFloat4 +
                              fine.restricted * (kIndex + kFloat) +
                              coarse.corners * (kRowStart + kFloat + kFloat4);
@@ -59,12 +59,12 @@ double vcycle_bytes(const Counts& fine, const Counts& coarse) {
   return before + restriction + prolongation + after;
 }
 
-// The outer iteration: u, r, b and q are in double, p is not.
+// For the outer iteration: u, r, b and q are in double, p is not.
 double outer_bytes(const Counts& at, double vertices) {
   const double load = kDouble3 + kFloat4;
   const double direction_sums = 2 * kFloat4 + kDouble3;
   const double direction = 3 * kFloat4;
-  const double product = kFloat + kFloat4 + 2 * kDouble3;  // besides the rows: p, r, q written
+  const double product = kFloat + kFloat4 + 2 * kDouble3;  // beyond the rows: p, r, q written
   const double advance = kFloat4 + 5 * kDouble3;
   const double measure = kFloat + kDouble3;
   const double correction =
@@ -73,12 +73,12 @@ double outer_bytes(const Counts& at, double vertices) {
          at.corners * (load + direction_sums + direction + product + advance + measure);
 }
 
-// A slider moves b and r by what was kept.
+// A slider moves b and r by a kept vector.
 double slide_bytes(const Counts& at) {
   return at.corners * 5 * kDouble3;
 }
 
-// Another α for all leaves the constraint as it is but where corners are pinned.
+// Another α for all cells leaves the constraint unchanged, except at pinned corners.
 double pins_bytes(const Counts& at) {
   return at.corners * (kCellCorners + kFloat + 1);
 }
@@ -109,7 +109,7 @@ MemoryFloor memory_floor(const BenchSystem& system) {
   for (int depth = hierarchy.finest; depth > hierarchy.coarsest; --depth) {
     const Counts fine(hierarchy.at(depth)), coarse(hierarchy.at(depth - 1));
     const bool is_finest = depth == hierarchy.finest;
-    const double restricted = is_finest ? 0 : kCombined;  // there while they are combined
+    const double restricted = is_finest ? 0 : kCombined;  // memory of the combined numbers
     floor.step += vcycle_bytes(fine, coarse);
     floor.matrix += assembly_bytes(fine, is_finest) + schwarz_set_up_bytes(fine) +
                     fine.cells * (restricted + kIndex) + coarse.cells * kCombined;

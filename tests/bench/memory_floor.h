@@ -4,11 +4,11 @@
 
 namespace burnish {
 
-/// What one call of the CPU backend with the default smoother moves between memory and processor,
-/// counted as the triad counts: each array once for every loop that reads it and once for every
-/// loop that writes it, nothing staying in the caches between two loops. Divided by the triad's
-/// bandwidth it is the time below which a system larger than the caches cannot come unless loops
-/// are joined or numbers made smaller. Units: bytes.
+/// Bytes that one call of the CPU backend with the default smoother moves between memory and
+/// processor. It counts like the triad: each array once per loop that reads it and once per loop
+/// that writes it; nothing stays in the caches between two loops. The bytes over the triad's
+/// bandwidth are a lower bound of the time of a system larger than the caches. Only joined loops or
+/// smaller numbers could beat it. Units: bytes.
 struct MemoryFloor {
   double step = 0;
   double rhs = 0;     ///< Solver::set_gradient_scale() of another slider

@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const BenchTable* printed_last = nullptr;  // tables that take turns print their headers again
+const BenchTable* printed_last = nullptr;  // another table prints its header again
 
 std::string formatted(const BenchTable::Value& value, const char* format) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;

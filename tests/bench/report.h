@@ -12,14 +12,14 @@
 
 namespace burnish {
 
-/// A number by a format of printf.
+/// Formats a number by a format of printf.
 std::string in_words(const char* format, double value);
 
-/// Rows under named columns: printed as they come, kept for JSON and for gnuplot.
+/// Rows under named columns. They are printed at once, and kept for JSON and for gnuplot.
 class BenchTable {
  public:
   struct Column {
-    std::string name;             ///< units last: "solve_ms"
+    std::string name;             ///< unit last: "solve_ms"
     const char* format = "%.3g";  ///< of printf, for a double
     int width = 0;                ///< at least the name's length
   };
@@ -27,7 +27,7 @@ class BenchTable {
 
   BenchTable(std::string name, std::vector<Column> columns);
 
-  /// One value per column. The header is printed whenever another table was printed last.
+  /// Adds one value per column. Prints the header if another table was printed last.
   void add(std::vector<Value> row);
 
   const std::string& name() const { return name_; }
@@ -42,22 +42,22 @@ class BenchTable {
   std::vector<std::vector<Value>> rows_;
 };
 
-/// What one program of tests/bench found.
+/// The results of one program of tests/bench.
 class BenchReport {
  public:
   explicit BenchReport(std::string name) : name_(std::move(name)) {}
 
-  /// The table stays at its place.
+  /// The reference stays valid.
   BenchTable& add_table(std::string name, std::vector<BenchTable::Column> columns);
 
-  /// Prints a line that belongs to no table, and keeps it.
+  /// Prints a line outside of tables, and keeps it.
   void remark(const std::string& line);
 
-  /// Facts about the run: anything that is not a row.
+  /// Facts about the run that are not rows.
   nlohmann::ordered_json& facts() { return facts_; }
   const nlohmann::ordered_json& facts() const { return facts_; }
 
-  /// FOLDER/NAME.json, and FOLDER/TABLE.tsv for every table. Fails: what writing says.
+  /// Writes FOLDER/NAME.json, and FOLDER/TABLE.tsv for every table. Fails: as writing does.
   Status write(const std::filesystem::path& folder) const;
 
  private:

@@ -1,4 +1,4 @@
-// Preparation by phase, memory, and the frames of three transfer curves, for whole scans.
+// Measures preparation by phase, memory, and the frames of three transfer curves, for whole scans.
 
 #include "common/base/process_memory.h"
 #include "server/prepare/prepare.h"
@@ -27,7 +27,7 @@ std::vector<Curve> curves() {
           {"contrast-100", TransferCurve::parse("-20:5,20:500").value()}};
 }
 
-// The one program that times preparation itself.
+// Only this program times preparation itself.
 BenchSystem prepare_timed(const std::string& name, const TriangleMesh& mesh, int depth,
                           BenchTable& table) {
   BenchSystem system;

@@ -1,5 +1,5 @@
-// Every smoother's distance from the converged surface, by cycle and by millisecond; those of CUDA,
-// too, where there is a device.
+// Measures every smoother's distance from the converged surface, by cycle and by millisecond;
+// CUDA's too if there is a device.
 
 #include "common/base/parallel.h"
 #include "server/solver/cuda/cuda_backend.h"
@@ -13,9 +13,9 @@ namespace {
 
 constexpr int kCycles = 20;
 
-/// What a session is asked to do at once, from the unfiltered surface. That surface is settled
-/// exactly at β = 1 by every smoother, and what follows an edit of β depends on its difference
-/// alone: so an edit from here is an edit from any settled state.
+/// A session's edit from the unfiltered surface. Every smoother settles that surface exactly at β =
+/// 1. The result of an edit of β depends only on the difference of β, so an edit from here is like
+/// an edit from any settled state.
 struct Case {
   const char* name;
   TransferCurve curve;
@@ -56,7 +56,8 @@ std::vector<SolverOptions> every_smoother(int threads) {
   return all;
 }
 
-// Two steps of either kind on the unfiltered surface, which they leave: a device records them.
+// Makes two steps of either kind on the unfiltered surface, which do not move it: a device records
+// them.
 void warm_up(Solver& solver, Case what, const PreparedMesh& prepared) {
   what.beta = 1;
   what.stroke = false;

@@ -37,7 +37,7 @@ Status print_times(const BenchSystem& system, const SolverOptions& options) {
   fields.set_transfer_curve(TransferCurve(20));
   fields.set_gradient_scale(0.3);
   const int repeats = options.backend == BackendKind::kCpu ? 3 : 20;
-  // Other fields each time: what has not changed a backend need not look at.
+  // Other fields each time: a backend may skip unchanged fields.
   Fields others = fields;
   others.set_transfer_curve(TransferCurve(20.1));
   others.set_gradient_scale(0.31);

@@ -45,7 +45,7 @@ void SweepSolver::cycle(size_t depth, CycleShape shape, bool from_zero) {
     smoothers_[depth]->relax(fine);
   cpu::compute_residual(fine);
   cpu::restrict_to_coarse(fine, fine.r, depths_[depth - 1]);
-  const int visits = depth == 1 ? 1 : static_cast<int>(shape);  // a direct solve needs no second
+  const int visits = depth == 1 ? 1 : static_cast<int>(shape);  // a direct solve needs one
   for (int visit = 0; visit < visits; ++visit) cycle(depth - 1, shape, visit == 0);
   cpu::add_prolonged(depths_[depth - 1], fine);
   smoothers_[depth]->relax(fine);

@@ -1,6 +1,6 @@
-// Table 1: the paper's frames per second in the three states of the system, and beside them ours on
-// either backend, with the speed-up of all threads over one and of CUDA over all threads.
-// A scan without a depth is measured at depth 8, which is the paper's, and at 9.
+// Table 1: the paper's frames per second in the three states of the system, next to the product's
+// on either backend, with the speed-up of all threads over one and of CUDA over all threads. A scan
+// without a depth is measured at depth 8, the paper's, and at 9.
 
 #include "server/solver/cuda/cuda_backend.h"
 #include "tests/bench/bench_main.h"
@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kDepths[] = {8, 9};
 
-/// A row of the paper, on a desktop with the four cores of a Core i7 920 and vertices evaluated on
-/// its GPU.
+/// A row of the paper, on a desktop with the four cores of a Core i7 920; its GPU evaluates the
+/// vertices.
 struct PaperRow {
   const char* scan;
   double vertices, corners;

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// Wall time of one call.
+/// Returns the wall time of one call.
 template <typename Work>
 double milliseconds(Work&& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -15,7 +15,7 @@ double milliseconds(Work&& work) {
       .count();
 }
 
-/// The upper median of `repeats` calls after `warm_up` calls that do not count.
+/// Returns the upper median of `repeats` calls after `warm_up` calls that do not count.
 template <typename Work>
 double median_milliseconds(int repeats, int warm_up, Work&& work) {
   for (int i = 0; i < warm_up; ++i) work();

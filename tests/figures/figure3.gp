@@ -1,10 +1,10 @@
-# Three transfer curves at β = 0: where α is high the surface holds.
+# Three transfer curves at β = 0: the surface keeps its place where α is high.
 
 load "style.gp"
 
 pictures = "original grooves ridges creases"
 name(picture) = picture eq "original" ? "as scanned" : picture." hold, β ".beta(picture)
-# A curve's points, and beyond them as far as the plot goes.
+# Returns a curve's points, and its ends up to the edges of the plot.
 points(picture) = system(sprintf( \
   "printf %%s '%s' | tr ',:' '\\n ' | awk '{ a = $2 } NR == 1 { print -100, a } { print } \
     END { print 100, a }'", curve(picture)))

@@ -1,4 +1,4 @@
-# Smoothed everywhere, and sharpened again where the brush passed.
+# Smoothed everywhere, and sharpened again under the brush.
 
 load "style.gp"
 

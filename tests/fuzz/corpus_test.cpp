@@ -13,8 +13,8 @@ std::vector<uint8_t> content_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Replays what the fuzzers found and started from. Files named valid_* must be taken; the others
-/// must be survived.
+/// Replays the fuzzers' findings and seeds. A reader must accept files named valid_*, and survive
+/// the others.
 class ReaderCorpus : public testing::TestWithParam<FuzzedReader> {};
 
 TEST_P(ReaderCorpus, EveryFileIsTakenOrRefused) {
@@ -29,7 +29,7 @@ TEST_P(ReaderCorpus, EveryFileIsTakenOrRefused) {
   EXPECT_GT(valid, 0u);
 }
 
-/// What a fuzzer would try first: a byte changed, and the end cut off.
+/// Tries a fuzzer's first steps: one changed byte, and a cut end.
 TEST_P(ReaderCorpus, ChangedAndCutFilesAreSurvived) {
   const std::filesystem::path corpus = std::filesystem::path(BURNISH_FUZZ_CORPUS) / GetParam().name;
   for (const auto& entry : std::filesystem::directory_iterator(corpus)) {

@@ -4,8 +4,8 @@
 #include "common/base/check.h"
 #include "common/mesh/mesh_io.h"
 
-/// Compiled once per format, which BURNISH_FUZZ_FORMAT names. Any bytes must give a valid mesh or
-/// a refusal that names the file.
+/// Compiled once per format; BURNISH_FUZZ_FORMAT names it. Any bytes must give a valid mesh or a
+/// refusal that names the file.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace burnish;
   const auto mesh = read_mesh({data, size}, MeshFormat::BURNISH_FUZZ_FORMAT, "fuzzed");

@@ -25,7 +25,7 @@ const PreparedMesh& small_scan() {
   return *scan;
 }
 
-/// What a program of ours has written itself it must read, and write the same.
+/// Checks that a message of the product's own writer is read, and written again the same.
 void check_reads_back(const v1::ClientMessage& written) {
   const auto again = from_wire(written);
   BURNISH_CHECK(again.is_ok(), "a client's message does not read back");
@@ -40,7 +40,7 @@ void check_reads_back(const v1::ServerMessage& written) {
                 "a server's message reads back as another");
 }
 
-/// What a live session does with its clients' messages, without clients and without solving.
+/// The part of a live session that handles clients' messages, without clients and without solving.
 class Desk {
  public:
   bool take(const v1::ClientMessage& message) {
@@ -53,7 +53,7 @@ class Desk {
     return std::visit([this](const auto& part) { return act(part); }, *said);
   }
 
-  /// Needs nothing: whatever came, the fields can be shown, and are finite.
+  /// After any messages the fields can be shown, and are finite.
   void show() {
     EditedFields::Changes changes = edited_.take_changes();
     for (const float beta : previews_.over(edited_.fields(), changes).view().beta)
@@ -78,7 +78,7 @@ class Desk {
   }
 
   bool act(const Preview& piece) {
-    // as LiveSession::preview() asks
+    // like LiveSession::preview()
     const auto* stroke = std::get_if<Stroke>(&piece.change);
     const auto* slider = std::get_if<SetGradientScale>(&piece.change);
     if (stroke && !validate(*stroke).is_ok()) return false;
@@ -99,7 +99,7 @@ class Desk {
 }  // namespace
 
 bool read_live_messages(std::span<const uint8_t> bytes) {
-  google::protobuf::SetLogHandler(nullptr);  // a line for each text that is not UTF-8
+  google::protobuf::SetLogHandler(nullptr);  // else it logs a line for each text that is not UTF-8
   Desk desk;
   bool all_taken = true;
   while (bytes.size() >= 2) {

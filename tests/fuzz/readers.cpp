@@ -50,8 +50,8 @@ class MemoryFile {
   const int fd_;
 };
 
-/// toml++ 3.3 reaches its own "unreachable" at letters beyond ASCII outside of texts: undefined,
-/// and not ours. So such files are not fed.
+/// toml++ 3.3 reaches its own "unreachable" for letters beyond ASCII outside of texts, which is
+/// undefined behaviour. So such files are not tried.
 bool is_ascii(std::span<const uint8_t> bytes) {
   return std::ranges::all_of(bytes, [](uint8_t byte) { return byte < 0x80; });
 }
@@ -103,7 +103,7 @@ bool read_edit(std::span<const uint8_t> bytes) {
   return true;
 }
 
-/// The first eight bytes are the hash of the rest; here they are made so.
+/// The first eight bytes are the hash of the rest; this corrects them.
 bool read_painted(std::span<const uint8_t> bytes) {
   const std::string_view body = text_of(bytes);
   const uint64_t hash = XXH3_64bits(body.data(), body.size());
@@ -116,7 +116,7 @@ bool read_painted(std::span<const uint8_t> bytes) {
   return true;
 }
 
-/// With its checksum made right.
+/// Corrects its checksum first.
 bool read_fuzzed_view(std::span<const uint8_t> bytes) {
   std::vector<uint8_t> sealed(bytes.begin(), bytes.end());
   if (sealed.size() >= kViewHeaderBytes) {
@@ -129,7 +129,7 @@ bool read_fuzzed_view(std::span<const uint8_t> bytes) {
   return read_view(sealed, kViewMemoryBytes).is_ok();
 }
 
-/// Makes the checksums of the sections that lie within the file right, and the header's.
+/// Corrects the checksums of the sections that lie within the file, and the header's.
 void seal_prepared(std::span<uint8_t> file) {
   if (file.size() < sizeof(PreparedHeader)) return;
   PreparedHeader header;

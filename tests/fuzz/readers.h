@@ -6,25 +6,25 @@
 
 namespace burnish {
 
-/// Something that reads what a user, a file or a peer has made, fed with any bytes. Ends the
-/// program when the reader breaks a promise. Returns whether the bytes were taken.
+/// A reader of data from a user, a file or a peer, for any bytes. Ends the program when the reader
+/// breaks a promise. Returns whether the bytes were accepted.
 struct FuzzedReader {
-  std::string_view name;  ///< of its corpus too: tests/fuzz/corpus/NAME
+  std::string_view name;  ///< its corpus is tests/fuzz/corpus/NAME
   bool (*read)(std::span<const uint8_t> bytes);
 };
 
-/// All but those of mesh files and frames, which have programs of their own.
+/// Returns all except those of mesh files and frames, which have their own programs.
 std::span<const FuzzedReader> fuzzed_readers();
 
-/// Needs: a name of the above.
+/// Needs: a name in fuzzed_readers().
 const FuzzedReader& fuzzed_reader(std::string_view name);
 
-/// Messages of a live session as clients send them: each two bytes of length, low first, and then
-/// so many bytes of a burnish.v1.ClientMessage. They go through the wire's checks to the fields of
-/// a small scan, edits and gestures alike.
+/// Reads messages of clients of a live session. Each is two bytes of length, low first, and then
+/// that many bytes of a burnish.v1.ClientMessage. They go through the wire's checks to the fields
+/// of a small scan, edits and gestures alike.
 bool read_live_messages(std::span<const uint8_t> bytes);
 
-/// One message of a live session as the server sends it: the bytes of a burnish.v1.ServerMessage.
+/// Reads one message of the server in a live session: the bytes of a burnish.v1.ServerMessage.
 bool read_server_message(std::span<const uint8_t> bytes);
 
 }  // namespace burnish

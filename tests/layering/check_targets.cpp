@@ -26,7 +26,7 @@ std::map<std::string, Target> read_targets(const std::filesystem::path& path,
   return targets;
 }
 
-// A target may link another when one of its sources may include one of the other's.
+// A target may link another if one of its sources may include one of the other's.
 std::string objection(const Target& target, const std::set<std::string>& others,
                       const Layers& layers) {
   std::string last;

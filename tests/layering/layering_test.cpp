@@ -94,5 +94,29 @@ TEST_F(Layering, ATableWithACircleIsRefusedByLine) {
               HasSubstr("layers.txt:2: a names b, which does not stand above it"));
 }
 
+TEST(Twins, EachUnitOfABackendHasATwinOrAReason) {
+  EXPECT_THAT(check_twins(SOURCE_ROOT, fs::path(SOURCE_ROOT) / "tests/layering/twins.txt"),
+              IsEmpty());
+}
+
+TEST_F(Layering, AUnitWithoutATwinIsNamed) {
+  write("server/solver/cpu/products/transfer.cpp", "");
+  write("server/solver/cuda/products/transfer.cu", "");
+  write("server/solver/cuda/smoothers/transfer.cu", "");
+  write("twins.txt", "");
+  EXPECT_THAT(check_twins(root_, root_ / "twins.txt"),
+              ElementsAre("server/solver/cuda/smoothers/transfer has no twin"));
+}
+
+TEST_F(Layering, AListedUnitMayBeAloneAndNoOtherMayBeListed) {
+  write("server/solver/cpu/blocks.h", "");
+  write("server/solver/cpu/products/transfer.cpp", "");
+  write("server/solver/cuda/device/stream.cpp", "");
+  write("server/solver/cuda/products/transfer.cu", "");
+  write("twins.txt", "# two\ncpu/blocks : a\ncuda/device/ : b\ncpu/products/transfer : c\n");
+  EXPECT_THAT(check_twins(root_, root_ / "twins.txt"),
+              ElementsAre("twins.txt lists cpu/products/transfer, which is not alone"));
+}
+
 }  // namespace
 }  // namespace burnish

@@ -11,30 +11,38 @@
 
 namespace burnish {
 
-/// The table of layers.txt: which part of the tree may depend on which.
+/// The table of layers.txt: it says which part of the tree may depend on which.
 struct Layers {
-  std::map<std::string, std::set<std::string>> allowed;  ///< by layer: what it may include
-  std::map<std::string, std::set<std::string>> only;     ///< by foreign prefix: who may use it
+  std::map<std::string, std::set<std::string>> allowed;  ///< by layer: its allowed includes
+  std::map<std::string, std::set<std::string>> only;     ///< by foreign prefix: its allowed users
 
-  /// The layer of a path below the root: the longest one that is the path, its folder or its stem.
+  /// Returns the layer of a path below the root: the longest one that is the path, its folder or
+  /// its stem.
   std::optional<std::string> layer_of(const std::string& path) const;
 
-  /// Empty when a file of `layer` may use `name`, an include path or a CMake target; else why not.
+  /// Returns nothing if a file of `layer` may use `name`, an include path or a CMake target; else
+  /// the reason.
   std::string objection(const std::string& layer, const std::string& name) const;
 };
 
-/// Fails: invalid_argument naming the line for unknown words, and for a layer that names one below
-/// it, so that no circle can be declared.
+/// Fails: invalid_argument that names the line, for unknown words, and for a layer that names one
+/// below it, so that no circle can be declared.
 Result<Layers> read_layers(const std::filesystem::path& table);
 
-/// Every `#include "..."` and `#include <...>` of the sources under root/folder for each folder.
-/// One message for each wrong one: "server/solver/a.cpp:12: ...".
+/// Checks every `#include "..."` and `#include <...>` of the sources below root/folder for each
+/// folder. Returns one message for each wrong one: "server/solver/a.cpp:12: ...".
 std::vector<std::string> check_includes(const std::filesystem::path& root,
                                         const std::vector<std::string>& folders,
                                         const Layers& layers);
 
-/// Every link of the CMake targets in `list`, as write_targets.cmake writes them.
-/// One message for each wrong one: "target burnish_grid links burnish_session: ...".
+/// Checks every link of the CMake targets in `list`, in the form of write_targets.cmake. Returns
+/// one message for each wrong one: "target burnish_grid links burnish_session: ...".
 std::vector<std::string> check_targets(const std::filesystem::path& list, const Layers& layers);
+
+/// The units (files without their extension) below root/server/solver/cpu and cuda. One message for
+/// each that has no twin in the other folder and does not stand in `list`, and for each line of
+/// `list` that names nothing or a unit that has a twin.
+std::vector<std::string> check_twins(const std::filesystem::path& root,
+                                     const std::filesystem::path& list);
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-# Lists what every target of the product is made of and links, for the layering test:
-# lines "source TARGET PATH" and "link TARGET NAME".
+# Lists the sources and links of every target of the product, for the layering test: lines "source
+# TARGET PATH" and "link TARGET NAME".
 
 function(append_targets_below folder file)
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
@@ -8,7 +8,7 @@ function(append_targets_below folder file)
     get_target_property(source_dir ${target} SOURCE_DIR)
     foreach(source IN LISTS sources)
       cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${source_dir} NORMALIZE)
-      # Generated sources count as those of the folder that generates them.
+      # A generated source counts for the folder that generates it.
       cmake_path(IS_PREFIX PROJECT_BINARY_DIR ${source} is_generated)
       if(is_generated)
         cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_BINARY_DIR})

@@ -9,7 +9,7 @@ import wire
 from burnish.v1 import common_pb2, editing_pb2, editing_pb2_grpc, library_pb2, library_pb2_grpc
 from view import read_view
 
-PATIENCE_S = 120  # how long a call may take before it counts as hanging
+PATIENCE_S = 120  # a call that takes longer counts as hanging
 CHUNK_BYTES = 1 << 20
 
 
@@ -40,7 +40,7 @@ class Client:
         self.channel.close()
 
     def call(self, method, request):
-        """Of an RPC that takes one message: its answer, or the stream of its answers."""
+        """Calls an RPC with one message. Returns its answer, or the stream of its answers."""
         return method(request, metadata=self.metadata, timeout=PATIENCE_S)
 
     def import_scan(self, name, ply, depth=0, sha256="", damage=lambda chunk: None):
@@ -65,7 +65,7 @@ class Client:
         return self.call(self.editing.OpenSession, request).session
 
     def fetch_view(self, session, triangles_max=0):
-        """What the frames of a session are of."""
+        """Returns the view that a session's frames describe."""
         request = library_pb2.FetchViewRequest(
             scan=session.scan_id, depth=session.depth, curvature_radius=session.curvature_radius,
             triangles_max=triangles_max)
@@ -87,7 +87,7 @@ class Client:
             editing_pb2.UploadCellFieldsRequest(cells=editing_pb2.SetCellFields(cells=cells))]))
 
     def export(self, session, **until):
-        """The file, and its summary."""
+        """Returns the file and its summary."""
         request = editing_pb2.ExportRequest(session=session.id, format=common_pb2.MESH_FORMAT_PLY,
                                             **until)
         events = list(self.call(self.editing.Export, request))
@@ -95,7 +95,7 @@ class Client:
                 events[-1].summary)
 
     def history(self, session, page):
-        """All entries, `page` at a time."""
+        """Returns all entries; asks for `page` at a time."""
         after = 0
         while True:
             request = editing_pb2.GetHistoryRequest(session=session.id, after=after, count=page)

@@ -1,4 +1,4 @@
-"""Edits, each with an id of its own."""
+"""Edits, each with its own id."""
 
 import itertools
 

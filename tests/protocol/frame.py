@@ -1,4 +1,4 @@
-"""Frames, decoded as docs/protocol.md says in section 7. Arrays are NumPy's, a row per value."""
+"""Decodes frames by section 7 of docs/protocol.md. Arrays are NumPy's, a row per value."""
 
 import dataclasses
 import io
@@ -11,7 +11,7 @@ from wire import checksum, decompress, require, unzigzag
 
 
 class MissingReference(Exception):
-    """A frame is the difference to one that is not held here."""
+    """The reference of a frame is not held here."""
 
 
 def take(stream, count):
@@ -66,7 +66,7 @@ class Body:
         return [width for pair in pairs for width in (pair & 15, pair >> 4)][:groups]
 
     def read_axis(self, size):
-        """The next numbers of one tile and axis."""
+        """Returns the next numbers of one tile and axis."""
         return np.concatenate([self._group(width) for width in self._widths.pop(0)])[:size]
 
     def _group(self, width):
@@ -109,13 +109,13 @@ class FrameDecoder:
         return frame
 
     def displacements(self, count):
-        """In cells: of `count` corners or vertices, 0 for those that frames do not carry."""
+        """Returns `count` displacements in cells; 0 for corners or vertices that frames leave out."""
         displacements = np.zeros((count, 3))
         displacements[self.layout.source] = self.state / 256
         return displacements
 
     def forget(self):
-        """As if nothing had come."""
+        """Forgets all held frames."""
         self._held = {}
 
     def _reference_of(self, frame):
@@ -129,7 +129,7 @@ class FrameDecoder:
     def _add_tile(self, tile, step_shift, body, state):
         begin, size = tile * TILE_VALUES, self.layout.tile_sizes[tile]
         residuals = np.stack([unzigzag(body.read_axis(size)) for axis in range(3)], axis=1)
-        k = np.zeros((TILE_VALUES + 1, 3), np.uint32)  # the last row is what NONE names
+        k = np.zeros((TILE_VALUES + 1, 3), np.uint32)  # the last row stands for NONE
         predictors = self.layout.predictors[begin:begin + size].tolist()
         for i, (a, b, c) in enumerate(predictors):
             k[i] = residuals[i] + k[a] + k[b] - k[c]

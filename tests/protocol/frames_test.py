@@ -27,7 +27,7 @@ class Frames(Served):
                 self.assertEqual(live.layout.fingerprint, live.welcome.layout_fingerprint)
 
     def test_settled_frames_are_the_exported_surface(self):
-        """Keys, then differences, after sliders, a curve and a stroke, are within half a step."""
+        """Key frames and differences are within half a step after sliders, a curve and a stroke."""
         path = self.vertices[np.argsort(self.vertices[:, 0])[:400:10]]
         for name, content in CONTENTS.items():
             session = self.open(f"{self.id()} {name}")
@@ -38,7 +38,7 @@ class Frames(Served):
             for change in (edits.slider(0.2), edits.curve((-3, 20), (3, 80)),
                            edits.stroke(path, radius=2, beta=2.5)):
                 before = len(live.headers)
-                live.grant()  # for a frame of the first cycle: the surface moves
+                live.grant()  # for a frame of the first cycle, while the surface moves
                 live.settle(live.apply(change).edits)
                 self.assertTrue(all(header.reference for header in live.headers[before:]))
                 self.assertCurrent(live, session)
@@ -46,7 +46,7 @@ class Frames(Served):
             self.assertEqual(set(moving), {2}, "1/64 cell while it moves")
 
     def assertCurrent(self, live, session):
-        """An export relaxes the surface a little further; the frame after it shows the same."""
+        """An export relaxes the surface a little further; the next frame shows the same surface."""
         cycles = live.frame.cycles
         ply, summary = self.client.export(session)
         self.assertEqual(hashlib.sha256(ply).hexdigest(), summary.sha256)
@@ -69,7 +69,7 @@ class Frames(Served):
                 live.settle()
                 live.grant(frame_bytes=frame_bytes)
                 live.send(heartbeat=editing_pb2.Heartbeat())
-                live.receive("heartbeat")  # so the server has the credit, too
+                live.receive("heartbeat")  # so the server also has the credit
             both[0].send(apply=editing_pb2.ApplyEdits(edits=[change]))
             frames = [live.receive("frame") for live in both]
             self.assertEqual(frames[0].cycles, frames[1].cycles)

@@ -1,16 +1,16 @@
-"""Which values the frames of a view carry, as docs/protocol.md says in section 7."""
+"""The layout of a view's frames, by section 7 of docs/protocol.md."""
 
 import numpy as np
 
 from wire import morton_key, morton_point, xxh3
 
 TILE_VALUES = 2048
-NONE = TILE_VALUES  # of a predictor: stands for 0
+NONE = TILE_VALUES  # of a predictor: means 0
 COEFFICIENTS, VERTICES = 0, 1
 
 
 class Layout:
-    """Which values the frames of a view carry, and what predicts each."""
+    """The values that the frames of a view carry, and the predictors of each."""
 
     def __init__(self, view, content):
         self.content = content

@@ -8,16 +8,16 @@ from layout import VERTICES, Layout
 
 
 class LiveSession:
-    """Frames are decoded as they come, and named in the next credit."""
+    """Decodes frames as they come, and names them in the next credit."""
 
     def __init__(self, client, session, view, content, triangles_max=0):
         self._requests = queue.SimpleQueue()
         self._call = client.call(client.editing.Edit, iter(self._requests.get, None))
         self._decoded = []
         self.view = view
-        self.headers = []  # of the frames that were decoded
+        self.headers = []  # of the decoded frames
         self.frame = None  # the newest message
-        self.is_shown = False  # whether that could be decoded
+        self.is_shown = False  # the newest message was decoded
         self.send(greeting=editing_pb2.Greeting(session=session.id, content=content,
                                                 triangles_max=triangles_max))
         self.welcome = self.receive("welcome")
@@ -28,7 +28,7 @@ class LiveSession:
         self._requests.put(editing_pb2.ClientMessage(**message))
 
     def receive(self, kind):
-        """The next message of this kind."""
+        """Returns the next message of this kind."""
         for message in self._call:
             if message.HasField("frame"):
                 self._take(message.frame)
@@ -48,7 +48,7 @@ class LiveSession:
         self.send(preview=editing_pb2.Preview(edit_id=edit_id, **change))
 
     def receive_frame(self, is_wanted, **credit):
-        """Grants a credit for each frame until one is wanted."""
+        """Grants a credit for each frame until `is_wanted` accepts one."""
         while True:
             self.grant(**credit)
             frame = self.receive("frame")
@@ -56,20 +56,20 @@ class LiveSession:
                 return frame
 
     def settle(self, edits=0, previews=0, **credit):
-        """Until the surface with so many edits and previews is at rest."""
+        """Waits until the surface with this many edits and previews is at rest."""
         return self.receive_frame(lambda frame: (
             frame.state == editing_pb2.SOLVE_STATE_SETTLED and frame.edits >= edits and
             frame.previews >= previews), **credit)
 
     def positions(self):
-        """Of the view's vertices, as the newest frame has them."""
+        """Returns the positions of the view's vertices in the newest frame."""
         if self.layout.content == VERTICES:
             return self.view.positions(self.decoder.displacements(len(self.view.homes)))
         at_corners = self.decoder.displacements(len(self.view.corners))
         return self.view.positions(self.view.interpolate(at_corners))
 
     def leave(self):
-        """Closes this side. Returns the rest of the messages, and how the call ended."""
+        """Closes this side. Returns the remaining messages and the call's status."""
         self._requests.put(None)
         rest = list(self._call)
         return rest, self._call.code()

@@ -1,4 +1,4 @@
-"""A scan of a test's own, and the PLY files that go in and come out."""
+"""A test's own scan, and the PLY files that it sends and receives."""
 
 import numpy as np
 
@@ -24,7 +24,7 @@ def bumpy_sphere(levels=5):
 
 
 def split(vertices, triangles):
-    """Each triangle in four."""
+    """Splits each triangle in four."""
     edges = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]],
                                     triangles[:, [2, 0]]]), axis=1)
     edges, index = np.unique(edges, axis=0, return_inverse=True)
@@ -47,7 +47,7 @@ def write_ply(vertices, triangles):
 
 
 def read_ply(data):
-    """What write_ply() writes, also when the server wrote it: (vertices, triangles)."""
+    """Reads a file in the form of write_ply(), also from the server: (vertices, triangles)."""
     header, body = data.split(b"end_header\n", 1)
     counts = [int(line.split()[2]) for line in header.splitlines() if line.startswith(b"element")]
     assert header.count(b"property double") == 3 and header.count(b"property") == 4, header

@@ -1,4 +1,4 @@
-"""What the tests share: a server, and a scan on it."""
+"""The tests' common server, with a scan on it."""
 
 import unittest
 
@@ -14,7 +14,7 @@ DEPTH = 6
 
 
 class Served(unittest.TestCase):
-    """With a server, and a scan on it."""
+    """A test case with a server and a scan on it."""
 
     @classmethod
     def setUpClass(cls):
@@ -33,7 +33,7 @@ class Served(unittest.TestCase):
         return made
 
     def open(self, name=None):
-        """A session of this test's own."""
+        """Opens this test's own session."""
         session = self.client.open_session(self.scan.id, name or self.id(), DEPTH)
         self.addCleanup(self.delete, session)
         return session

@@ -1,4 +1,4 @@
-"""A burnish-server of a test's own, in a temporary folder."""
+"""A test's own burnish-server, in a temporary folder."""
 
 import os
 import pathlib
@@ -6,11 +6,11 @@ import subprocess
 import tempfile
 import threading
 
-PATIENCE_S = 120  # how long a step of a test may take before it counts as hanging
+PATIENCE_S = 120  # a step of a test that takes longer counts as hanging
 
 
 class ServerProcess:
-    """Listens on a free loopback port and on a Unix socket; `flags` are of burnish-server."""
+    """Listens on a free loopback port and on a Unix socket; `flags` are burnish-server's."""
 
     def __init__(self, *flags):
         self._folder = tempfile.TemporaryDirectory(prefix="burnish-")
@@ -42,7 +42,7 @@ class ServerProcess:
         return (self.folder / "server.log").read_text(encoding="utf-8")
 
     def stop(self):
-        """SIGTERM, and waits for the end. Returns the exit code."""
+        """Sends SIGTERM and waits for the end. Returns the exit code."""
         self._process.terminate()
         try:
             return self._process.wait(PATIENCE_S)

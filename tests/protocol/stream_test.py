@@ -1,4 +1,4 @@
-"""A live session but for its frames (docs/protocol.md, section 5)."""
+"""A live session without its frames (docs/protocol.md, section 5)."""
 
 import unittest
 

@@ -1,4 +1,4 @@
-"""Views, decoded as docs/protocol.md says in section 6. Arrays are NumPy's, a row per element."""
+"""Decodes views by section 6 of docs/protocol.md. Arrays are NumPy's, a row per element."""
 
 import dataclasses
 import struct
@@ -20,7 +20,7 @@ class View:
     triangles: np.ndarray       # n x 3
     homes: np.ndarray           # index into cells, or -1
     locals: np.ndarray          # n x 3, float32
-    strays: np.ndarray          # n x 3: positions of the vertices without a home
+    strays: np.ndarray  # n x 3: positions of the vertices without a cell
     colours: np.ndarray         # n x 4 bytes, or empty
     corners: np.ndarray = None       # Morton keys
     cell_corners: np.ndarray = None  # cells x 8, index into corners
@@ -32,7 +32,7 @@ class View:
         self.cell_corners = index.reshape(-1, 8)
 
     def weights(self):
-        """Vertices x 8, float32: of the corners of each vertex's cell."""
+        """Returns vertices x 8, float32: the weights of the corners of each vertex's cell."""
         local = self.locals
         weights = np.ones((len(local), 8), np.float32)
         for a in range(8):
@@ -42,7 +42,7 @@ class View:
         return weights
 
     def positions(self, displacements=None):
-        """Of the vertices, displaced by so many cells each, in the scan's units."""
+        """Returns the vertices, displaced by this many cells each, in the scan's units."""
         positions = np.empty((len(self.homes), 3))
         home = self.homes >= 0
         positions[~home] = self.strays
@@ -53,7 +53,7 @@ class View:
         return positions
 
     def interpolate(self, corner_displacements):
-        """The displacement of each vertex from those of the corners."""
+        """Returns the displacement of each vertex from those of the corners."""
         at_corners = corner_displacements[self.cell_corners[self.homes]]
         displacements = np.einsum("va,vax->vx", self.weights().astype(float), at_corners)
         displacements[self.homes < 0] = 0

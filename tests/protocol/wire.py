@@ -1,4 +1,4 @@
-"""What views and frames share: checksums, zstd, zigzag, Morton keys (docs/protocol.md)."""
+"""The common part of views and frames: checksums, zstd, zigzag, Morton keys (docs/protocol.md)."""
 
 import numpy as np
 import xxhash
@@ -6,7 +6,7 @@ import zstandard
 
 
 class Damaged(Exception):
-    """Bytes that are not what they should be."""
+    """Bytes that are damaged or of another kind."""
 
 
 def require(condition, what):
@@ -19,7 +19,7 @@ def xxh3(data, seed=0):
 
 
 def checksum(data, header_bytes):
-    """Of a view or a frame; the last 8 bytes of the header are the checksum's own."""
+    """Returns the checksum of a view or a frame; it takes the last 8 bytes of the header."""
     return xxh3(data[header_bytes:], seed=xxh3(data[:header_bytes - 8]))
 
 
@@ -33,7 +33,7 @@ def unzigzag(words):
 
 
 def morton_point(keys):
-    """(i, j, k) of Morton keys: bit b of i, j, k is bit 3b, 3b+1, 3b+2."""
+    """Returns (i, j, k) of Morton keys: bit b of i, j, k is bit 3b, 3b+1, 3b+2."""
     point = np.zeros((len(keys), 3), np.int64)
     for bit in range(13):
         for axis in range(3):

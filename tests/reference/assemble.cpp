@@ -19,7 +19,7 @@ std::vector<CellFields> fields(const System& system, const TransferCurve& curve,
   return fields(system, curve, [beta](const Vec3d&) { return beta; });
 }
 
-/// (a2/a1) ell1 + (a1/a2) ell2: ratios, so user units serve as well as grid units.
+/// (a2/a1) ell1 + (a1/a2) ell2: only ratios count, so user units serve as well as grid units.
 static Matrix8d stiffness(const Cell& cell, const CellFields& f) {
   return f.alpha2 / f.alpha1 * cell.ell1 + f.alpha1 / f.alpha2 * cell.ell2;
 }

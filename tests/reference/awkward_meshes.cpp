@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kSide = 12;  // steps of a sixteenth of the cube; the box itself is 14.4
 
-/// Whether the unit block at (i, j, k) belongs to the pyramid.
+/// Returns whether the unit block at (i, j, k) belongs to the pyramid.
 bool is_solid(int i, int j, int k) {
   if (k < 0 || k >= kSide / 2) return false;
   const int margin = k;
@@ -53,7 +53,7 @@ TriangleMesh stepped_block(int splits) {
               add_face(mesh, vertex_at, {i, j, k}, axis, towards);
           }
   for (int s = 0; s < splits; ++s) mesh = split_in_four(mesh);
-  // The lowest step's walls move out until the box is 0.9 * 16 wide; every other wall and step is
+  // The lowest step's walls move out until the box is 0.9 * 16 wide. Every other wall and step is
   // then a whole number of sixteenths of the cube from the box's centre.
   return mapped(mesh, [](Vec3d p) {
     for (int axis : {0, 1}) {
@@ -91,7 +91,7 @@ TriangleMesh non_manifold_fan(int side) {
     });
     const auto first = static_cast<uint32_t>(fan.vertices.size());
     fan.vertices.insert(fan.vertices.end(), wave.vertices.begin(), wave.vertices.end());
-    // A vertex in the first column lies on the axis and is the first sheet's.
+    // A vertex in the first column lies on the axis and belongs to the first sheet.
     const auto shared = [&](uint32_t v) { return v % (side + 1) == 0 ? v : first + v; };
     for (const Triangle& t : wave.triangles)
       fan.triangles.push_back({shared(t[0]), shared(t[1]), shared(t[2])});

@@ -6,14 +6,15 @@
 
 #include "common/mesh/triangle_mesh.h"
 
-/// Meshes of the kinds that scanners and exporters make, of 1 to 20 thousand triangles. Each is
-/// valid input; each breaks some careless preparation or solver.
+/// Meshes of the kinds that scanners and exporters make, with 1 to 20 thousand triangles. Each is
+/// valid input, and each breaks some careless preparation or solver.
 namespace burnish::reference {
 
-/// Both meshes in one, sharing no vertices.
+/// Returns both meshes in one, without shared vertices.
 TriangleMesh joined(TriangleMesh mesh, const TriangleMesh& other);
 
-/// Boundary on four sides, one bump, exactly flat and parallel to the grid beyond it.
+/// A sheet with boundary on four sides and one bump; the rest is exactly flat and parallel to the
+/// grid.
 TriangleMesh bumped_sheet(int side);
 
 /// Seven wavy sheets that meet in one edge line: that line's edges have seven triangles each.
@@ -28,8 +29,8 @@ TriangleMesh noisy_sphere(int level, double noise);
 /// Two slightly bent sheets a small part of a cell apart, facing away from each other.
 TriangleMesh two_near_sheets(int side, double gap);
 
-/// A closed pyramid of square steps. Steps, and all but the outermost walls, lie in grid planes of
-/// every depth from 4 on: multiples of 1/16 of the cube around the box's centre.
+/// A closed pyramid of square steps. Steps, and all walls except the outermost, lie in grid planes
+/// of every depth from 4 on: multiples of 1/16 of the cube around the box's centre.
 TriangleMesh stepped_block(int splits);
 
 /// A sphere with triangles that repeat a vertex, triangles on a line, a double triangle, and
@@ -42,18 +43,18 @@ TriangleMesh several_components();
 /// Crumbs that float up to a cell and a half of depth 5 above a sphere, which shrinks beneath them.
 TriangleMesh crumbs_over_a_sphere();
 
-/// Flat crumbs of half a cell of depth 5 at most, ten times as long as wide and as wide as thick,
-/// of which some share a corner or two of their cells with the sphere's.
+/// Flat crumbs of at most half a cell of depth 5, ten times as long as wide and as wide as thick.
+/// Some share a corner or two of their cells with the sphere's.
 TriangleMesh shards_over_a_sphere();
 
-/// A sphere with a hundred spikes of one vertex each, eight cells of depth 5 high: they taper to
-/// less than a cell, so that the sheet bends back close to itself.
+/// A sphere with a hundred spikes of one vertex each, eight cells of depth 5 high. They taper to
+/// less than a cell, so the sheet bends back close to itself.
 TriangleMesh spiked_sphere();
 
 /// A cylinder of long thin triangles, twenty times as high as they are wide.
 TriangleMesh needles();
 
-/// Every kind with its name, for SCOPED_TRACE.
+/// Returns every kind with its name, for SCOPED_TRACE.
 std::vector<std::pair<std::string, TriangleMesh>> awkward_meshes();
 
 }  // namespace burnish::reference

@@ -60,7 +60,7 @@ Vec3d to_grid(const System& system, const Vec3d& point) {
   return snapped((point - system.origin) / system.cell_size);
 }
 
-/// An umbilic triangle (all of a flat part) has no principal directions of its own: below this
+/// An umbilic triangle, such as all of a flat part, has no principal directions. Below this
 /// difference, over the larger of |kappa| and 1 (user units), only rounding would choose them.
 constexpr double kUmbilicDifference = 1e-9;
 
@@ -69,7 +69,7 @@ bool is_umbilic(const TriangleCurvature& c, double length_unit) {
   return c.kappa1 - c.kappa2 <= kUmbilicDifference * scale;
 }
 
-/// Adds one piece's integrals; kappas are sums weighted by area until all pieces are in.
+/// Adds one piece's integrals. kappas are sums weighted by area until all pieces are in.
 void add_piece(Cell& cell, const Polygon& piece, const TriangleCurvature& curvature,
                double length_unit) {
   Matrix8d ell1 = Matrix8d::Zero();
@@ -85,8 +85,8 @@ void add_piece(Cell& cell, const Polygon& piece, const TriangleCurvature& curvat
     cell.kappa1 += q.weight * curvature.kappa1 * length_unit;
     cell.kappa2 += q.weight * curvature.kappa2 * length_unit;
   }
-  // The cell's two alphas may still differ, by its other triangles. Half of the whole gradient for
-  // each is what every choice of directions gives on average.
+  // The cell's two alphas may still differ by its other triangles. Half of the whole gradient for
+  // each is the average over all choices of directions.
   const bool umbilic = is_umbilic(curvature, length_unit);
   cell.ell1 += umbilic ? Matrix8d((ell1 + ell2) / 2) : ell1;
   cell.ell2 += umbilic ? Matrix8d((ell1 + ell2) / 2) : ell2;
@@ -140,8 +140,8 @@ void number_corners(System& system) {
   }
 }
 
-/// A point on a grid plane may take the active cell on either side: the weights on the plane's own
-/// corners are the same, and those off it are zero.
+/// A point on a grid plane may take the active cell on either side. The weights on the plane's own
+/// corners are the same, and the other weights are zero.
 EvaluationRow evaluation_row(const System& system, const Vec3d& point) {
   for (int side = 0; side < 8; ++side) {
     Lattice key;

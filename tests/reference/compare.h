@@ -9,14 +9,14 @@
 
 namespace burnish::reference {
 
-/// How far two surfaces with the same triangles lie apart, over the bounding-box diagonal.
+/// The distance of two surfaces with the same triangles, over the bounding-box diagonal.
 struct Distance {
   double max = 0;
   double rms = 0;
 };
 
-/// Distance between vertices of the same index. Needs: equal counts, diagonal > 0. A vertex that is
-/// not finite makes both figures NaN, which no bar accepts.
+/// Returns the distance between vertices of the same index. Needs: equal counts, diagonal > 0. A
+/// vertex that is not finite makes both figures NaN, which fails every bar.
 inline Distance vertex_distance(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
                                 double diagonal) {
   BURNISH_CHECK(a.size() == b.size(),
@@ -33,7 +33,7 @@ inline Distance vertex_distance(const std::vector<Vec3d>& a, const std::vector<V
   return distance;
 }
 
-/// Length of the diagonal of the box around the referenced vertices, file units.
+/// Returns the diagonal of the box around the referenced vertices, file units.
 inline double box_diagonal(const TriangleMesh& mesh) {
   Vec3d least = Vec3d::Constant(INFINITY);
   Vec3d most = -least;

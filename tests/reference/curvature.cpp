@@ -35,7 +35,7 @@ bool is_inside_out(const TriangleMesh& mesh) {
 Vec3d nearest_areas(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const Vec3d p[3] = {a, b, c};
   const double twice_area = (b - a).cross(c - a).norm();
-  double dot[3], length2[3];  // at corner i: of its two sides; of the side across
+  double dot[3], length2[3];  // at corner i: of its two sides; of the opposite side
   for (int i = 0; i < 3; ++i) {
     const Vec3d& q = p[(i + 1) % 3];
     const Vec3d& r = p[(i + 2) % 3];
@@ -47,7 +47,8 @@ Vec3d nearest_areas(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     const int j = (i + 1) % 3;
     const int k = (i + 2) % 3;
     if (dot[i] < 0) {
-      // The bisector of side i-j leaves through the side across i, cutting a right triangle off j.
+      // The bisector of side i-j leaves through the side opposite i and cuts a right triangle off
+      // j.
       areas[j] = length2[k] / 8 * twice_area / dot[j];
       areas[k] = length2[j] / 8 * twice_area / dot[k];
       areas[i] = twice_area / 2 - areas[j] - areas[k];
@@ -68,7 +69,7 @@ struct Face {
   Vec3d normal;
 };
 
-/// The triangles that have an area, turned so that normals point outwards.
+/// Returns the triangles with an area, turned so that normals point outwards.
 std::vector<Face> faces_of(const TriangleMesh& mesh, std::vector<size_t>& triangle_of_face) {
   const double side = is_inside_out(mesh) ? -1 : 1;
   std::vector<Face> faces;
@@ -84,8 +85,8 @@ std::vector<Face> faces_of(const TriangleMesh& mesh, std::vector<size_t>& triang
   return faces;
 }
 
-/// Max 1999: each corner adds its triangle's normal times sin(angle) / (product of its sides),
-/// which is exact for vertices on a sphere. Zero where the parts cancel but for rounding.
+/// Each corner adds its triangle's normal times sin(angle) / (product of its sides) (Max 1999),
+/// which is exact for vertices on a sphere. Zero if the parts cancel, except for rounding.
 std::vector<Vec3d> vertex_normals(const std::vector<Face>& faces, size_t vertex_count) {
   std::vector<Vec3d> normals(vertex_count, Vec3d::Zero());
   std::vector<double> weights(vertex_count, 0);
@@ -105,8 +106,8 @@ std::vector<Vec3d> vertex_normals(const std::vector<Face>& faces, size_t vertex_
   return normals;
 }
 
-/// The symmetric tensor in the face's plane that best maps its three edges to the differences of
-/// the vertex normals along them, in least squares.
+/// Returns the symmetric tensor in the face's plane that best maps its three edges to the
+/// differences of the vertex normals along them, in least squares.
 Matrix3d face_tensor(const Face& face, const std::vector<Vec3d>& normals) {
   const Vec3d u = (face.p[1] - face.p[0]).normalized();
   const Vec3d v = face.normal.cross(u);
@@ -125,8 +126,8 @@ Matrix3d face_tensor(const Face& face, const std::vector<Vec3d>& normals) {
          x[2] * v * v.transpose();
 }
 
-/// The tensor turned by the least rotation that takes one normal to the other. Opposite normals
-/// share their plane, so there the tensor stays as it is.
+/// Returns the tensor turned by the least rotation that takes one normal to the other. Opposite
+/// normals share their plane, so the tensor stays unchanged.
 Matrix3d carried(const Matrix3d& tensor, const Vec3d& from, const Vec3d& to) {
   if (from.dot(to) < -1 + 1e-12 || from.isZero(0)) return tensor;
   const Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();

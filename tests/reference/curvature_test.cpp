@@ -40,7 +40,7 @@ TEST(ReferenceCurvature, SaddleHasBothSignsAndKappa1IsTheLargerOne) {
     return Vec3d(u - 0.5, v - 0.5, (u - 0.5) * (u - 0.5) - 0.5 * (v - 0.5) * (v - 0.5));
   });
   const TriangleCurvature middle = triangle_curvature(mesh)[2 * (40 * 80 + 40)];
-  EXPECT_NEAR(middle.kappa1, 1, 0.01);   // seen from above y curves down: convex
+  EXPECT_NEAR(middle.kappa1, 1, 0.01);   // from above y curves down: convex
   EXPECT_NEAR(middle.kappa2, -2, 0.02);  // and x curves up: concave
   EXPECT_NEAR(std::abs(middle.v1.y()), 1, 1e-2);
 }

@@ -7,7 +7,7 @@ namespace burnish::reference {
 
 namespace {
 
-constexpr size_t kSmallEnough = 40;  // corners: any order will do
+constexpr size_t kSmallEnough = 40;  // corners: any order is good enough
 
 int longest_axis(const std::vector<Lattice>& corners, std::span<const int> part) {
   Lattice least = corners[part[0]];

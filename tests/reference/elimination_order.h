@@ -6,9 +6,9 @@
 
 namespace burnish::reference {
 
-/// An order in which to eliminate corners of the grid, by nested dissection: a lattice plane parts
-/// the corners in two halves that share no cell; the halves come first, the plane last.
-/// Shapes: the entries of `free`, indices into `corners`, each once.
+/// Returns an order to eliminate corners of the grid, by nested dissection: a lattice plane parts
+/// the corners in two halves that share no cell; the halves come first, the plane last. Shapes: the
+/// entries of `free`, indices into `corners`, each once.
 std::vector<int> elimination_order(const std::vector<Lattice>& corners,
                                    const std::vector<int>& free);
 

@@ -43,7 +43,8 @@ TEST(ReferenceFilter, SphereShrinksAndGrowsByTheTransferFunctionAtEveryDepth) {
 
 using Harmonic = double (*)(const Vec3d&);
 
-/// Root mean square over the vertices of the filtered harmonic less H times it, beta = 0.
+/// Returns the root mean square over the vertices of the filtered harmonic less H times it, beta =
+/// 0.
 double harmonic_error(const TriangleMesh& sphere, int depth, int order, Harmonic f) {
   const System system = build(sphere, depth);
   Eigen::MatrixXd signal = corner_positions(system);
@@ -124,7 +125,7 @@ TEST(ReferenceFilter, EveryAwkwardMeshIsSolvedToRounding) {
       const Solution solution = solve(system, fields(system, metric, 0), corner_positions(system));
       EXPECT_LT(solution.residual, 1e-11);
       EXPECT_LT(solution.last_move, 1e-6);  // cells: 2e-8 of the diagonal
-      // Smoothing keeps every vertex near the box: nothing ran away, nothing is NaN.
+      // Smoothing keeps every vertex near the box: no vertex runs away or becomes NaN.
       const Distance moved = vertex_distance(displaced_vertices(system, solution.displacement),
                                              mesh.vertices, box_diagonal(mesh));
       EXPECT_LT(moved.max, 1);

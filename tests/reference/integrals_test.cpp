@@ -68,7 +68,7 @@ TEST(ReferenceIntegrals, HoldForEveryAwkwardMesh) {
 }
 
 TEST(ReferenceIntegrals, BothDirectionsTogetherAreTheGradientInTheTangentPlane) {
-  // grad x, y and z have tangential parts whose squares sum to 2, whatever v1 and v2 are.
+  // The tangential parts of grad x, y and z have squares that sum to 2, for any v1 and v2.
   const System system = build(bumpy_sphere(4), 5);
   for (const Cell& cell : system.cells) {
     Eigen::Matrix<double, 8, 3> local;

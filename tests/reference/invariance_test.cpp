@@ -7,7 +7,7 @@
 namespace burnish::reference {
 namespace {
 
-/// A curve of contrast 100 over the curvatures that a bumpy sphere has.
+/// A curve of contrast 100 over the curvatures of a bumpy sphere.
 TransferCurve contrasting_curve() {
   return TransferCurve::parse("-10:200,4:4,20:400").value();
 }
@@ -35,7 +35,7 @@ TEST(ReferenceInvariance, ScaleAndShift) {
 TEST(ReferenceInvariance, QuarterTurnsAndReflections) {
   EXPECT_LT(difference_under([](const Vec3d& p) { return Vec3d(-p.y(), p.x(), p.z()); }), 1e-6);
   EXPECT_LT(difference_under([](const Vec3d& p) { return Vec3d(p.z(), p.y(), -p.x()); }), 1e-6);
-  // A reflection turns the closed surface inside out, which the curvatures see through.
+  // A reflection turns the closed surface inside out; the curvatures must not depend on it.
   EXPECT_LT(difference_under([](const Vec3d& p) { return Vec3d(-p.x(), p.y(), p.z()); }), 1e-6);
 }
 

@@ -17,8 +17,8 @@ using Polygon = std::vector<Vec3d>;
 /// Rounds coordinates within 1e-7 of a grid plane onto it. Units: grid.
 Vec3d snapped(const Vec3d& grid_point);
 
-/// Cuts a triangle at the grid planes, first those of x, then y, then z, and hands each piece to
-/// `sink` with its cell. A piece that lies in a plane goes to the cell above it. Units: grid.
+/// Cuts a triangle at the grid planes, first those of x, then y, then z, and gives each piece to
+/// `sink` with its cell. A piece that lies in a plane belongs to the cell above it. Units: grid.
 void cut_at_grid_planes(const Polygon& triangle,
                         const std::function<void(const Lattice& cell, const Polygon&)>& sink);
 
@@ -28,8 +28,9 @@ struct QuadraturePoint {
   double weight;
 };
 
-/// Points and weights over a convex polygon, exact for polynomials of degree 8: a fan of triangles,
-/// each the image of a square (one side shrunk to a corner) under a 5 x 5 Gauss-Legendre rule.
+/// Returns points and weights over a convex polygon, exact for polynomials of degree 8: a fan of
+/// triangles, each the image of a square (one side shrunk to a corner) under a 5 x 5 Gauss-Legendre
+/// rule.
 std::vector<QuadraturePoint> quadrature(const Polygon& polygon);
 
 }  // namespace burnish::reference

@@ -10,14 +10,14 @@
 #include "common/mesh/triangle_mesh.h"
 #include "tests/reference/pieces.h"
 
-/// The whole filter in double precision, slow and plain: what every backend is compared with. It
-/// shares no numerical code with the product; only what the two agree on makes a test pass.
+/// The whole filter in double precision, slow and plain: every backend is compared with it. It
+/// shares no numerical code with the product, so a test passes only if both agree.
 namespace burnish::reference {
 
 using Matrix8d = Eigen::Matrix<double, 8, 8>;
 
-/// What one cell's surface adds to the system, before any metric (section 4.3). Units: grid.
-/// Local corner a sits at offset (a & 1, (a >> 1) & 1, a >> 2).
+/// The surface's part of the system in one cell, before any metric (section 4.3). Units: grid.
+/// Local corner a has offset (a & 1, (a >> 1) & 1, a >> 2).
 struct Cell {
   Lattice key{};
   std::array<int, 8> corners{};      ///< indices into System::corners
@@ -29,14 +29,14 @@ struct Cell {
   double kappa2 = 0;
 };
 
-/// One row of E: eight corners and trilinear weights; `cell` is -1 where no active cell contains or
-/// touches the vertex, which then stays in its place.
+/// One row of E: eight corners and trilinear weights. `cell` is -1 if no active cell contains or
+/// touches the vertex, which then does not move.
 struct EvaluationRow {
   int cell = -1;
   std::array<double, 8> weights{};
 };
 
-/// Everything that no edit changes.
+/// The data that no edit changes.
 struct System {
   int depth = 0;
   Vec3d origin = Vec3d::Zero();           ///< the cube's least corner, file units
@@ -48,7 +48,7 @@ struct System {
   std::vector<Vec3d> vertices;            ///< as given, file units
 
   Vec3d cell_centre(const Cell& cell) const;        ///< file units
-  const Cell* find_cell(const Lattice& key) const;  ///< null where the surface does not pass
+  const Cell* find_cell(const Lattice& key) const;  ///< null if the surface does not pass
 };
 
 /// Needs: a valid mesh; depth >= 1.
@@ -60,45 +60,46 @@ struct CellFields {
 };
 using GradientScale = std::function<double(const Vec3d& cell_centre_in_file_units)>;
 
-/// alpha_i = curve(kappa_i) with the cell's mean curvatures. Shapes: one per cell.
+/// Returns alpha_i = curve(kappa_i) with the cell's mean curvatures. Shapes: one per cell.
 std::vector<CellFields> fields(const System& system, const TransferCurve& curve,
                                const GradientScale& beta);
 std::vector<CellFields> fields(const System& system, const TransferCurve& curve, double beta);
 
-/// S of Eq. 4, one row and column per corner.
+/// Returns S of Eq. 4, one row and column per corner.
 Eigen::SparseMatrix<double> system_matrix(const System& system,
                                           const std::vector<CellFields>& fields);
 
-/// b = sum over cells of (beta - 1) [(a2/a1) ell1 + (a1/a2) ell2] signal.
-/// Shapes: `signal` has one row of coefficients per corner and a column per function.
+/// Returns b = sum over cells of (beta - 1) [(a2/a1) ell1 + (a1/a2) ell2] signal. Shapes: `signal`
+/// has one row of coefficients per corner and a column per function.
 Eigen::MatrixXd constraint(const System& system, const std::vector<CellFields>& fields,
                            const Eigen::MatrixXd& signal);
 
-/// Coefficients of the position itself: c° = (i, j, k) of each corner. Shapes: corners x 3.
+/// Returns the coefficients of the position itself: c° = (i, j, k) of each corner. Shapes: corners
+/// x 3.
 Eigen::MatrixXd corner_positions(const System& system);
 
-/// E times coefficients; zero rows for vertices without a cell. Shapes: vertices x columns.
+/// Returns E times coefficients; zero rows for vertices without a cell. Shapes: vertices x columns.
 Eigen::MatrixXd evaluate(const System& system, const Eigen::MatrixXd& coefficients);
 
 struct Solution {
   Eigen::MatrixXd displacement;  ///< u = c - signal; corners x columns
   double residual = 0;           ///< |b - S u| / |b|, both scaled by 1 / sqrt(diagonal); 0 if b = 0
   /// Largest |E du| of the last refinement, in the signal's units: about how well the surface is
-  /// determined. Rounding for most meshes; 1e-3 cells where a flat part parallel to an axis is
-  /// curved by less than 1e-6 cells, for there S is singular but for rounding.
+  /// determined. It is rounding for most meshes. It is 1e-3 cells if a flat part parallel to an
+  /// axis is curved by less than 1e-6 cells: S is then singular except for rounding.
   double last_move = 0;
   int pinned = 0;  ///< corners with almost no surface, held at u = 0
 };
 
-/// Solves S u = b for any signal, by a sparse factorisation and refinement.
-/// Cost: seconds up to some 1e5 corners, half a minute and 2 GB at 5e5.
+/// Solves S u = b for any signal, by a sparse factorisation and refinement. Cost: seconds up to
+/// some 1e5 corners, half a minute and 2 GB at 5e5.
 Solution solve(const System& system, const std::vector<CellFields>& fields,
                const Eigen::MatrixXd& signal);
 
-/// The edited surface: every vertex moved by E u, in file units. Shapes: one per vertex.
+/// Returns the edited surface: every vertex moved by E u, in file units. Shapes: one per vertex.
 std::vector<Vec3d> edited_vertices(const System& system, const std::vector<CellFields>& fields);
 
-/// The same when the coefficients are known: vertices + cell size times E u.
+/// Does the same with known coefficients: vertices + cell size times E u.
 std::vector<Vec3d> displaced_vertices(const System& system, const Eigen::MatrixXd& displacement);
 
 }  // namespace burnish::reference

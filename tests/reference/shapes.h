@@ -8,7 +8,7 @@
 
 #include "common/mesh/triangle_mesh.h"
 
-/// Shapes that the tests know in closed form, made here and not by the product's generator.
+/// Shapes with closed forms for the tests, made here and not by the product's generator.
 namespace burnish::reference {
 
 /// Splits every triangle in four; new vertices come in the middle of edges.
@@ -33,7 +33,7 @@ inline TriangleMesh split_in_four(const TriangleMesh& mesh) {
   return finer;
 }
 
-/// 20 * 4^level triangles, vertices at distance `radius` from the origin, normals outwards.
+/// Makes 20 * 4^level triangles, vertices at distance `radius` from the origin, normals outwards.
 inline TriangleMesh icosphere(int level, double radius) {
   const double g = std::numbers::phi;
   TriangleMesh mesh;
@@ -50,8 +50,8 @@ inline TriangleMesh icosphere(int level, double radius) {
   return mesh;
 }
 
-/// The image of [0, 1]^2 under `surface`: `columns` x `rows` quads cut alternately in two. With
-/// `around` the first parameter closes on itself.
+/// Returns the image of [0, 1]^2 under `surface`: `columns` x `rows` quads cut alternately in two.
+/// With `around` the first parameter closes on itself.
 template <typename Surface>
 TriangleMesh grid_surface(int columns, int rows, bool around, const Surface& surface) {
   TriangleMesh mesh;
@@ -84,7 +84,7 @@ inline TriangleMesh open_cylinder(int around, int along, double radius, double h
   });
 }
 
-/// Every vertex through `map`: rotations, scales, bumps.
+/// Moves every vertex by `map`: rotations, scales, bumps.
 template <typename Map>
 TriangleMesh mapped(TriangleMesh mesh, const Map& map) {
   for (Vec3d& v : mesh.vertices) v = map(v);
@@ -104,7 +104,7 @@ inline TriangleMesh bumpy_sphere(int level) {
   });
 }
 
-/// An arbitrary turn that aligns nothing with the grid.
+/// Returns an arbitrary turn that aligns nothing with the grid.
 inline Eigen::Matrix3d skew_turn() {
   return Eigen::AngleAxisd(0.9, Vec3d(1, 2, -1.5).normalized()).toRotationMatrix();
 }

@@ -15,13 +15,13 @@ using Factors = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::Natural
 
 namespace {
 
-/// A corner is pinned when its diagonal is below this part of the median.
+/// A corner is pinned if its diagonal is below this part of the median.
 constexpr double kPinRatio = 1e-12;
 
-/// Flat parts parallel to an axis leave S singular: a trilinear function can vanish on a plane. So
-/// what is factorised is shifted a little, in units of the scaled diagonal, and refining against
-/// the unshifted matrix takes the shift's bias out again. More refinements would only let rounding
-/// grow along those functions.
+/// Flat parts parallel to an axis make S singular: a trilinear function can vanish on a plane. So
+/// the factorised matrix is shifted a little, in units of the scaled diagonal. Refining against the
+/// unshifted matrix removes the shift's bias. More refinements would only let rounding grow along
+/// those functions.
 constexpr double kFactorShift = 1e-13;
 constexpr int kRefinementsMax = 3;
 
@@ -51,7 +51,7 @@ SparseMatrix scaled_free_part(const SparseMatrix& s, const std::vector<int>& fre
   return part;
 }
 
-/// Rows of the free corners only, scaled, back to a row for every corner.
+/// Spreads rows of the free corners, scaled, to a row for every corner.
 MatrixXd spread(const MatrixXd& x, const std::vector<int>& free, const VectorXd& scale) {
   MatrixXd whole = MatrixXd::Zero(scale.size(), x.cols());
   whole(free, Eigen::all) = scale(free).asDiagonal() * x;

@@ -16,6 +16,7 @@
 #include "tests/system/live_stream.h"
 #include "tests/system/server_process.h"
 #include "tests/system/steadiness.h"
+#include "tests/system/wire_call.h"
 
 namespace burnish {
 namespace {

@@ -8,7 +8,6 @@
 #include <grpcpp/grpcpp.h>
 
 #include "burnish/v1/editing.grpc.pb.h"
-#include "tests/system/wire_call.h"
 
 namespace burnish {
 

@@ -10,6 +10,7 @@
 #include "tests/server/metrics/http_get.h"
 #include "tests/system/live_stream.h"
 #include "tests/system/server_process.h"
+#include "tests/system/wire_call.h"
 
 namespace burnish {
 namespace {

@@ -18,7 +18,6 @@
 #include <sys/wait.h>
 
 #include "client/connection/connection.h"
-#include "client/model/user_socket.h"
 #include "client/scene/null_renderer.h"
 #include "tests/system/private_data.h"
 #include "tests/system/workspace_pictures.h"

@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/base/limits.h"
 #include "tests/system/server_process.h"
 
 namespace burnish {

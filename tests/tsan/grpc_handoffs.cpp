@@ -1,8 +1,8 @@
 // Linked into every program of a ThreadSanitizer build that uses gRPC. Debian's gRPC is not
-// instrumented: the tool sees neither its locks nor how its work gets from thread to thread, and
-// would call whatever both threads touch a race. Here the tool is told of them, and of nothing
-// else, so that our own races in callbacks stay visible. The functions below take the place of
-// those of the same names in the libraries, which they call.
+// instrumented: the tool sees neither its locks nor how its work goes from thread to thread. It
+// would report all shared data as races. This file tells the tool of these orders, and of nothing
+// else, so that races in Burnish's callbacks stay visible. The functions below replace those of the
+// same names in the libraries, and call them.
 
 #include <dlfcn.h>
 #include <thread>
@@ -13,7 +13,7 @@
 #include <grpcpp/support/server_callback.h>
 #include <sanitizer/tsan_interface.h>
 
-/// The library's own function of a (mangled) name.
+/// Returns the library's own function of a (mangled) name.
 template <typename Function>
 static Function* library(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
@@ -61,7 +61,7 @@ bool CondVar::WaitWithTimeout(Mutex* mutex, Duration timeout) {
 
 }  // namespace absl
 
-// From who starts a batch, and from who ends it, ...
+// From the thread that starts a batch, and from the thread that ends it, ...
 
 extern "C" grpc_call_error grpc_call_start_batch(grpc_call* call, const grpc_op* ops, size_t count,
                                                  void* tag, void* reserved) {
@@ -122,7 +122,7 @@ void run_new_unknown_call(grpc_completion_queue_functor* tag, int ok) {
   real(tag, ok);
 }
 
-// From the end of each call to who waits for the server's.
+// From the end of each call to the thread that waits for the server's end.
 
 void grpc::Server::UnrefWithPossibleNotify() {
   static const auto real = library<void(Server*)>("_ZN4grpc6Server23UnrefWithPossibleNotifyEv");
@@ -136,9 +136,9 @@ void grpc::Server::Wait() {
   __tsan_acquire(this);
 }
 
-// To the last reactions of a call: a thread instead of gRPC's executor, for the tool sees what
-// happened before a thread's start. Who counts down to them in the library is unseen; the loads say
-// that they come after all who did so in the headers.
+// To the last reactions of a call: on a thread instead of gRPC's executor, because the tool sees
+// what happened before a thread's start. The library's count-down to them is invisible. The loads
+// order them after the count-downs in the headers.
 
 template <typename Reaction>
 static void run_on_a_thread(Reaction reaction) {

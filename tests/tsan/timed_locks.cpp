@@ -1,6 +1,6 @@
-// Linked into every program of a ThreadSanitizer build. libtsan of g++ 12 does not see the
-// function by which std::timed_mutex waits, and calls each later unlock one of an unlocked mutex.
-// Here that function waits by one that it sees.
+// Linked into every program of a ThreadSanitizer build. libtsan of g++ 12 does not see the function
+// by which std::timed_mutex waits, and reports each later unlock as one of an unlocked mutex. Here
+// that function waits by one that the tool sees.
 
 #include <ctime>
 #include <pthread.h>

@@ -9,7 +9,7 @@
 namespace burnish {
 namespace {
 
-/// Turns the gauges into Prometheus' families; those of one name come one after the other.
+/// Turns the gauges into Prometheus' families; gauges of one name are neighbours.
 class GaugeReader final : public prometheus::Collectable {
  public:
   explicit GaugeReader(std::function<std::vector<Gauge>()> gauges) : gauges_(std::move(gauges)) {}
@@ -37,7 +37,7 @@ struct MetricsExporter::State {
   std::shared_ptr<prometheus::Registry> registry = std::make_shared<prometheus::Registry>();
   std::shared_ptr<PrometheusFigures> figures = std::make_shared<PrometheusFigures>(*registry);
   std::shared_ptr<GaugeReader> gauges;
-  std::unique_ptr<prometheus::Exposer> exposer;  // last: its threads read the others
+  std::unique_ptr<prometheus::Exposer> exposer;  // last member: its threads read the others
 };
 
 Result<std::unique_ptr<MetricsExporter>> MetricsExporter::start(

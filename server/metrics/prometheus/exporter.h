@@ -10,20 +10,20 @@
 
 namespace burnish {
 
-/// A figure that is read when somebody asks for it.
+/// A figure that is read on request.
 struct Gauge {
   std::string name;
   std::string help;
   double value = 0;
-  std::string label = {};  ///< empty: none
+  std::string label = {};  ///< empty for none
   std::string label_value = {};
 };
 
 /// Serves the figures over HTTP at /metrics, in Prometheus' text format.
 class MetricsExporter {
  public:
-  /// Listens on HOST:PORT; port 0 takes a free one. `gauges` is called for every scrape, on a
-  /// thread of the exporter's. Fails: unavailable when the address cannot be bound.
+  /// Listens on HOST:PORT; port 0 takes a free port. A thread of the exporter calls `gauges` for
+  /// every scrape. Fails: unavailable if the address cannot be bound.
   static Result<std::unique_ptr<MetricsExporter>> start(const std::string& listen,
                                                         std::function<std::vector<Gauge>()> gauges);
   ~MetricsExporter();

@@ -121,8 +121,8 @@ class CpuBackend final : public Backend {
   }
 
  private:
-  // λmax hardly moves with one α for all: on scans by a tenth from 1 to 50, by a third to 1000,
-  // where its margin is more than a tenth. Returns whether it is to be estimated again.
+  // λmax hardly moves if all cells have one α: on scans by a tenth from 1 to 50, and by a third up
+  // to 1000, where its margin is more than a tenth. Returns whether λmax must be estimated again.
   bool take_spectrum(const MetricView& metric) {
     constexpr double kHoldsWithin = 1.5;
     const double alpha = metric.is_uniform() ? metric.curve->alpha(0) : 0;
@@ -141,14 +141,14 @@ class CpuBackend final : public Backend {
 
   Multigrid on_;
   CellAlphas alphas_;
-  double alpha_of_spectrum_ = 0;  // that of all cells when λmax was estimated; 0: they differed
-  std::vector<CpuDepth> depths_;  // from the coarsest
+  double alpha_of_spectrum_ = 0;  // α of all cells at the last estimate of λmax; 0 if they differed
+  std::vector<CpuDepth> depths_;                           // the coarsest first
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
   PatchSolver patches_;                                    // of the finest
   CoarsestSolver coarsest_;
   std::unique_ptr<Constraint> constraint_;
   std::unique_ptr<ConjugateGradients> outer_;
-  std::vector<Vec3f> displacement_, vertex_displacement_;  // empty until asked for
+  std::vector<Vec3f> displacement_, vertex_displacement_;  // empty until the first call
 };
 
 }  // namespace

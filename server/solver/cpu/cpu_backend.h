@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-/// The OpenMP backend: float32 V-cycle, double outer iteration; the same bits for any number of
-/// threads.
+/// Makes the OpenMP backend: float32 V-cycle, double outer iteration. It gives the same bits for
+/// any number of threads.
 std::unique_ptr<Backend> make_cpu_backend(Multigrid on, Smoother smoother);
 
 }  // namespace burnish

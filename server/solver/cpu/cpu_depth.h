@@ -5,12 +5,11 @@
 
 #include <Eigen/Core>
 
-#include "server/solver/hierarchy/cell_matrix.h"
 #include "server/solver/hierarchy/hierarchy.h"
 
 namespace burnish::cpu {
 
-/// Three columns; in float a spare as well, so that a corner is one SSE register.
+/// Three columns. The float form has a spare one, so that a corner is one SSE register.
 using Float4 = Eigen::Array4f;
 using Double3 = Eigen::Array3d;
 
@@ -30,8 +29,8 @@ struct StencilMatrix {
   uint64_t byte_count() const { return bytes_of(entry) + bytes_of(diagonal); }
 };
 
-/// S of the finest depth in double, by off-diagonals and row sums: what the outer iteration
-/// converges to.
+/// S of the finest depth in double, by off-diagonals and row sums. The outer iteration converges to
+/// its solution.
 struct ExactMatrix {
   std::vector<double> entry;
   std::vector<double> row_sum;
@@ -46,9 +45,9 @@ struct CpuDepth {
   explicit CpuDepth(const HierarchyDepth& topology_of_depth);
 
   const HierarchyDepth& topology;
-  float anisotropy = 1;                 ///< the largest ratio of α1 and α2 of any cell
-  bool is_spectrum_new = true;          ///< whether λmax may have moved since it was estimated
-  StencilMatrix system;                 ///< S
+  float anisotropy = 1;         ///< the largest ratio of α1 to α2, or α2 to α1, in any cell
+  bool is_spectrum_new = true;  ///< λmax may have moved since its last estimate
+  StencilMatrix system;         ///< S
   std::vector<float> inverse_diagonal;  ///< 0 where pinned
   std::vector<Float4> x, f;             ///< correction and right-hand side of the cycle
   std::vector<Float4> r;                ///< f − S x
@@ -57,7 +56,7 @@ struct CpuDepth {
   uint64_t byte_count() const;
 };
 
-/// (A x)_I: for smoothers that go from corner to corner; products.h has the fast loops.
+/// Returns (A x)_I for smoothers that go from corner to corner; products.h has the fast loops.
 inline Float4 product_row(const Stencil& stencil, const StencilMatrix& matrix,
                           const std::vector<Float4>& x, int32_t corner) {
   Float4 sum = matrix.diagonal[corner] * x[corner];

@@ -8,10 +8,10 @@
 
 namespace burnish::cpu {
 
-/// Calls visit(v, E x) for the vertices [begin, end): zero where a vertex has no cell. Vertices
-/// come in the order of their file, so that neither their cells nor the corners of those are near
-/// the last ones: both are asked for ahead. Shapes: x has one entry per corner of the grid, and
-/// columns as Value has.
+/// Calls visit(v, E x) for the vertices [begin, end): zero if a vertex has no cell. Vertices come
+/// in the order of their file, so neither their cells nor the cells' corners are near the last
+/// ones. It prefetches both. Shapes: x has one entry per corner of the grid, with the columns of
+/// Value.
 template <typename Value, typename Visit>
 void visit_vertices(const SparseGrid& grid, std::span<const EvaluationPoint> points,
                     const std::vector<Value>& x, size_t begin, size_t end, Visit&& visit) {

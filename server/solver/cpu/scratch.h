@@ -7,9 +7,9 @@
 
 namespace burnish::cpu {
 
-/// An array for what a new matrix needs in passing; its entries start as anything. Touching fresh
-/// pages costs more than the numbers written there, so two arrays of each type outlive their use
-/// and serve all sessions.
+/// An array for the temporary numbers of a new matrix; its entries are uninitialised. Touching
+/// fresh pages costs more than the writes, so two arrays of each type stay allocated and serve all
+/// sessions.
 template <typename T>
 class Scratch {
  public:

@@ -28,12 +28,12 @@ namespace cuda {
 
 namespace {
 
-// Beside the keys of run_recorded().
+// Graphs beyond the keys of run_recorded().
 constexpr int kMetricGraph = -1;
 constexpr int kSameRatiosGraph = -2;
 
-// Of a new metric's kernels, many of which run beside each other: room for six blocks of those that
-// assemble rows.
+// For a new metric's kernels, many of which run side by side: room for six blocks of the kernels
+// that assemble rows.
 constexpr int kSharedBesideOthers = 58;
 
 class CudaBackend final : public Backend {
@@ -143,8 +143,8 @@ class CudaBackend final : public Backend {
   }
 
  private:
-  // Functions with hardly any energy are where parts are weak; in products of the finest depth what
-  // packed entries and rests leave would be more than that.
+  // Functions with hardly any energy occur at weak parts. In products of the finest depth the
+  // packed entries' and rests' errors would be larger than that energy.
   DeviceDepth::Digits digits_of_next_depth() const {
     using enum DeviceDepth::Digits;
     const bool is_finest = depths_.size() + 1 == mesh_->depths.size();
@@ -175,9 +175,9 @@ class CudaBackend final : public Backend {
     coarsest_->on_device() ? graphs_.run(key, work) : work();
   }
 
-  // The matrices of all depths. A depth's combined integrals come from those of the one below,
-  // which is what the coarsest depth waits for; matrices and smoothers are made beside that. The
-  // finest matrix does not wait for the shares, but its smoother, which overwrites what they read.
+  // Makes the matrices of all depths. A depth's combined integrals come from the depth below. The
+  // coarsest depth waits for that chain; matrices and smoothers are made next to it. The finest
+  // matrix does not wait for the shares. Its smoother does, because it overwrites their sources.
   void assemble_matrices(const CellGradients& gradients) {
     const CellSquares<double> combined = {combined_.data(), finest().topology.cell_count};
     const Metric metric = {alpha_.data(), mesh_->curvature.data(),
@@ -215,7 +215,7 @@ class CudaBackend final : public Backend {
 
   DepthSmoother& smoother_above(size_t above) { return *smoothers_[smoothers_.size() - 1 - above]; }
 
-  // From the depth's combined integrals, beside what else the stream does.
+  // Makes the matrix from the depth's combined integrals, next to the stream's other work.
   template <typename Real>
   void start_matrix(size_t above, const CellSquares<Real>& cells, const BesideMatrix& beside) {
     DepthSmoother& smoother = smoother_above(above);
@@ -223,7 +223,7 @@ class CudaBackend final : public Backend {
              pinned_below_.data() + above);
   }
 
-  // The combined integrals are of no more use then: the smoother works in their place.
+  // The combined integrals are no longer needed then: the smoother works in their place.
   template <typename Real>
   void start_smoother(size_t above, const CellSquares<Real>& cells) {
     smoother_above(above).set_up({reinterpret_cast<float*>(cells.numbers), cells.cells},
@@ -242,13 +242,13 @@ class CudaBackend final : public Backend {
   int coarse_offset_;
   Graphs graphs_{stream_};
   DeviceAlpha alpha_;
-  bool all_have_one_alpha_ = false;  // and with it one ratio of α1 and α2
+  bool all_have_one_alpha_ = false;  // and so one ratio of α1 and α2
   GradientScale beta_;
   DeviceArray<float> gradients_, gradient_rests_;  // CellGradients
   DeviceArray<double> combined_;        // numbers of the finest depth: CellSquares, then sheets
-  DeviceArray<float> coarse_combined_;  // of the others, from the finest: CellSquares, then ties
+  DeviceArray<float> coarse_combined_;  // other depths, the finest first: CellSquares, then ties
   DeviceArray<float> pinned_below_, anisotropy_;
-  std::vector<DeviceDepth> depths_;                        // from the coarsest
+  std::vector<DeviceDepth> depths_;                        // the coarsest first
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
   std::optional<PatchSolver> patches_;                     // of the finest
   std::optional<CoarsestSolver> coarsest_;

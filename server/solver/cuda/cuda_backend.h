@@ -11,27 +11,27 @@
 
 namespace burnish {
 
-/// Whether this build has the CUDA backend. Without it the functions below fail and say so.
+/// Returns whether this build has the CUDA backend. Without it the functions below fail and say so.
 bool cuda_compiled();
 
-/// Name and memory of the device that a backend would use, and how many such there are.
+/// Returns the name and memory of the device that a backend would use, and the number of devices.
 /// Fails: failed_precondition: not in this build, no driver, no device.
 Result<std::string> cuda_device();
 
-/// Limits what sessions and meshes together take of each device's memory; without it, all of it.
+/// Limits the memory of all sessions and meshes on each device. By default they may take all of it.
 void set_cuda_memory_budget(uint64_t bytes);
-uint64_t cuda_memory_used();                    ///< bytes, of all devices
-std::vector<uint64_t> cuda_memory_by_device();  ///< bytes; one number where there is no device
+uint64_t cuda_memory_used();                    ///< bytes on all devices
+std::vector<uint64_t> cuda_memory_by_device();  ///< bytes; one number if there is no device
 
-/// Lets each device do a trifle and waits for it. Fails: internal_error; CUDA's errors stick.
+/// Gives each device a trifle to do and waits for it. Fails: internal_error; CUDA's errors stay.
 Status probe_cuda_device();
 
-/// The smoothers that the CUDA backend has, the default first.
+/// The smoothers of the CUDA backend, the default first.
 inline constexpr Smoother kCudaSmoothers[] = {Smoother::kSchwarz, Smoother::kGaussSeidel};
 
-/// The CUDA backend on the device that holds the least: float32 V-cycle, double outer iteration; on
-/// one device the same input gives the same bits. Fails: failed_precondition (no device),
-/// unimplemented (smoother), resource_exhausted (device memory, with the numbers).
+/// Makes the CUDA backend on the device with the least memory in use: float32 V-cycle, double outer
+/// iteration. On one device the same input gives the same bits. Fails: failed_precondition (no
+/// device), unimplemented (smoother), resource_exhausted (device memory, with the numbers).
 Result<std::unique_ptr<Backend>> make_cuda_backend(Multigrid on, Smoother smoother);
 
 }  // namespace burnish

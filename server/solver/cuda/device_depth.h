@@ -8,7 +8,7 @@ namespace burnish::cuda {
 /// Owns one session's numbers at one depth.
 class DeviceDepth {
  public:
-  /// What it has of S.
+  /// The digits of S that it keeps.
   enum class Digits { kPacked, kOfAFloat, kOfADouble };
   DeviceDepth(Stream& stream, const Topology& topology, Digits digits);
 

@@ -65,7 +65,7 @@ std::span<const Vec3f> Readout::displacement(const Depth& finest, const Double3*
   return corners_.read(stream_);
 }
 
-// The V-cycle's residual is of no use between two steps: u in float32 takes its place.
+// Between two steps the V-cycle's residual is not needed: u in float32 takes its place.
 std::span<const Vec3f> Readout::vertex_displacement(const Depth& finest, const Double3* u,
                                                     const DeviceArray<VertexPlace>& places) {
   const int64_t n = finest.topology.corner_count;

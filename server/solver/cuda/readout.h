@@ -8,15 +8,15 @@
 
 namespace burnish::cuda {
 
-/// Brings the displacement of corners or vertices to the host, in float32, as frames and exports
-/// carry it. What it returns stays until the same is asked for again; empty when the stream failed.
+/// Brings the displacement of corners or vertices to the host, in float32, for frames and exports.
+/// A result stays valid until the next call of the same function. It is empty if the stream failed.
 class Readout {
  public:
   explicit Readout(Stream& stream) : stream_(stream) {}
 
   std::span<const Vec3f> displacement(const Depth& finest, const Double3* u);
 
-  /// E u. Source: section 5.1.
+  /// Returns E u. Source: section 5.1.
   std::span<const Vec3f> vertex_displacement(const Depth& finest, const Double3* u,
                                              const DeviceArray<VertexPlace>& places);
 

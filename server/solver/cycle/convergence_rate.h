@@ -6,18 +6,18 @@
 
 namespace burnish {
 
-/// What one step of conjugate gradients tells of those to come.
+/// The facts of one step of conjugate gradients that predict later steps.
 struct StepSize {
-  double moved_max = 0;                ///< the way of the vertex that it moved farthest
-  double preconditioned_residual = 0;  ///< rᵀz, the squared error's estimate in the energy norm
+  double moved_max = 0;                ///< the largest move of a vertex
+  double preconditioned_residual = 0;  ///< rᵀz, an estimate of the squared error in the energy norm
 };
 
-/// How far the surface still is from the converged one, by its last steps. If each is ρ times as
-/// long as the one before, those to come add up to ρ/(1 − ρ) times the last one.
+/// Estimates from the last steps how far the surface still is from the converged one. If each step
+/// is ρ times as long as the one before, all later steps add up to ρ/(1 − ρ) times the last one.
 ///
-/// ρ is the larger of what the lengths and what rᵀz say: lengths rise and fall, and the energy does
-/// not feel a crumb's few vertices. It is never small, because the first steps do what is easy; and
-/// it is forgotten slowly, because what converges slowly shows up now and then only.
+/// Two ratios estimate ρ, and the larger one counts: of the lengths, which rise and fall, and of
+/// rᵀz, which hardly depends on a crumb's few vertices. ρ never becomes small, because the first
+/// steps do what is easy. ρ falls slowly, because slow parts show up only now and then.
 class ConvergenceRate {
  public:
   void restart() { *this = {}; }
@@ -28,8 +28,8 @@ class ConvergenceRate {
     factor_ = std::max(now, kKept * factor_ + (1 - kKept) * now);
   }
 
-  /// The largest distance of a vertex after the last step, in the unit of `moved_max`. Needs: a
-  /// step since the restart.
+  /// Returns the largest distance of a vertex after the last step, in the unit of `moved_max`.
+  /// Needs: a step since the restart.
   double distance() const { return last().moved_max * factor_ / (1 - factor_); }
 
  private:
@@ -44,13 +44,13 @@ class ConvergenceRate {
     return std::pow(std::max(lengths, std::sqrt(squares)), 1.0 / span);
   }
 
-  // Rounding may leave negative numbers where nothing is left to do.
+  // At the end of a solve rounding may leave negative numbers.
   static double ratio(double now, double then) { return then > 0 ? std::max(now, 0.0) / then : 0; }
 
   static constexpr int kSteps = 3;
-  static constexpr double kFactorLeast = 2.0 / 3;  // at least twice the last step is to come
-  static constexpr double kFactorMost = 0.95;      // slower is rounding, which has no end
-  static constexpr double kKept = 0.8;             // of a slower factor, from step to step
+  static constexpr double kFactorLeast = 2.0 / 3;  // at least twice the last step is left
+  static constexpr double kFactorMost = 0.95;      // a larger factor is rounding, which never ends
+  static constexpr double kKept = 0.8;  // part of the last factor that stays after a faster step
 
   std::array<StepSize, kSteps> latest_ = {};
   int count_ = 0;

@@ -6,13 +6,13 @@
 
 namespace burnish {
 
-/// What the V-cycle over one hierarchy does beyond one correction a depth. It changes how fast a
-/// solve converges, never what it converges to.
+/// Describes what the V-cycle over one hierarchy does beyond one correction per depth. It changes
+/// how fast a solve converges, but not its limit.
 struct CyclePlan {
-  /// From this depth on, parts of the surface move with so little energy that 14 bits of S hide it,
-  /// and not only around patches.
+  /// From this depth on, and not only around patches, parts of the surface move with too little
+  /// energy for the 14 bits of S.
   int first_weak_depth = std::numeric_limits<int>::max();
-  Patches patches;  ///< of the finest depth
+  Patches patches;  ///< at the finest depth
 
   bool has_weak_parts(int depth) const { return depth >= first_weak_depth; }
 };

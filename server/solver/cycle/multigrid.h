@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-/// What a solver works on: a prepared mesh, its depths, and the cycle over them. Immutable and
-/// shared by all sessions of the mesh.
+/// A prepared mesh, its depths, and the cycle over them: all that a solver works on. Immutable; all
+/// sessions of the mesh share it.
 struct Multigrid {
   std::shared_ptr<const PreparedMesh> prepared;
   std::shared_ptr<const Hierarchy> hierarchy;

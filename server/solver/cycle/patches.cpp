@@ -18,7 +18,7 @@ int64_t entries_of(const Corners& corners) {
   return static_cast<int64_t>(corners.size() * (corners.size() + 1) / 2);
 }
 
-// The least colour that no patch has with which this one has a cell in common; 64 if there is none.
+// Gives a patch the least colour whose patches have no cell in common with it; 64 if there is none.
 class Colours {
  public:
   explicit Colours(const SparseGrid& finest) : finest_(finest), of_cell_(finest.cells.size()) {}

@@ -8,19 +8,18 @@
 
 namespace burnish {
 
-/// The corners that a patch has at most: room for its factor in a CUDA block's shared memory.
+/// A patch has at most this many corners: its factor must fit into a CUDA block's shared memory.
 inline constexpr int kPatchCornersMax = 120;
 
-/// Small parts of the finest depth that are relaxed as a whole, because the smoother's cells and
-/// the coarse functions between them are slow there: tuning/crumbs.h and tuning/slow_spots.h say
-/// where.
+/// Small parts of the finest depth that are relaxed as a whole. The smoother's cells and the coarse
+/// functions are slow there. tuning/crumbs.h and tuning/slow_spots.h find them.
 ///
-/// Patches of a colour have no cell in common: none reads what another writes.
+/// Patches of one colour have no cell in common, so none reads what another writes.
 struct Patches {
   std::vector<int32_t> start = {0};         ///< patches + 1, into `corner`
   std::vector<int32_t> corner;              ///< rising within a patch
   std::vector<int32_t> colour_start = {0};  ///< colours + 1, into the patches
-  std::vector<int64_t> entry_start = {0};   ///< patches + 1: of their lower triangles, by rows
+  std::vector<int64_t> entry_start = {0};   ///< patches + 1; the patches' lower triangles, by rows
 
   int32_t count() const { return static_cast<int32_t>(start.size() - 1); }
   int32_t colour_count() const { return static_cast<int32_t>(colour_start.size() - 1); }
@@ -29,9 +28,9 @@ struct Patches {
   uint64_t byte_count() const;
 };
 
-/// A patch for each of these sets of corners, but for those that come after the limits on all
-/// patches' entries (24 a corner of the depth) and on colours (64) are reached.
-/// Shapes: at most kPatchCornersMax corners a set, rising.
+/// Makes a patch of each set of corners. All patches have at most 24 entries per corner of the
+/// depth, and at most 64 colours; sets beyond these limits are left out. Shapes: at most
+/// kPatchCornersMax corners per set, rising.
 Patches make_patches(const SparseGrid& finest, std::span<const std::vector<int32_t>> sets);
 
 }  // namespace burnish

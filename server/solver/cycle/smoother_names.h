@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-/// What relaxes the depths of the V-cycle.
+/// Relaxes the depths of the V-cycle.
 enum class Smoother {
   kSchwarz,
   kCellBlocks,
@@ -27,12 +27,12 @@ inline constexpr NamedSmoother kSmoothers[] = {
     {Smoother::kCellBlocks, "cell-blocks", "Gauss-Seidel by the 8x8 blocks of cells"},
     {Smoother::kChebyshevJacobi, "chebyshev-jacobi", "Chebyshev on the diagonal"},
     {Smoother::kGaussSeidel, "gauss-seidel", "point Gauss-Seidel in eight colours"},
-    {Smoother::kSlices, "slices", "point Gauss-Seidel by slices, the paper's"},
-    {Smoother::kBlockedSlices, "blocked-slices", "the same with temporal blocking"},
+    {Smoother::kSlices, "slices", "the paper's point Gauss-Seidel by slices"},
+    {Smoother::kBlockedSlices, "blocked-slices", "Gauss-Seidel by slices with temporal blocking"},
 };
 
-/// Whether it relaxes corners of one parity, or bricks of cells, beside each other: those then may
-/// not have an entry with each other.
+/// Returns whether the smoother relaxes corners of one parity, or bricks of cells, at the same
+/// time. These corners must then have no entry with each other.
 constexpr bool goes_by_colours(Smoother smoother) {
   return smoother != Smoother::kSchwarz && smoother != Smoother::kChebyshevJacobi;
 }

@@ -5,18 +5,19 @@
 
 namespace burnish {
 
-/// The part of the cycle below that goes by the depths above one: x of that depth is corrected by
-/// what they make of its residual, and relaxed.
+/// Corrects x of a depth by the depths above: they make a correction from its residual, then x is
+/// relaxed. The part of the cycle below that uses the depths above.
 inline void correct_from_above(Backend& backend, const Multigrid& on, int depth);
 
-/// Where parts are weak coarse functions are poor. At the finest depth patches make up for it.
+/// Coarse functions are poor at weak parts. At the finest depth patches make up for it.
 inline bool is_corrected_twice(const Multigrid& on, int depth) {
   return on.plan->has_weak_parts(depth) && depth < on.hierarchy->finest;
 }
 
-/// One V-cycle from a zero correction: x ≈ S⁻¹ f at this depth; a W-cycle where parts are weak.
-/// Symmetric, because relax() is the transpose of relax_from_zero(), and at coarse depths its own:
-/// fit to precondition conjugate gradients. Source: section 5.2, "Solving the System".
+/// Runs one V-cycle from a zero correction: x ≈ S⁻¹ f at this depth. It is a W-cycle at weak parts.
+/// It is symmetric, because relax() is the transpose of relax_from_zero(), and at coarse depths its
+/// own transpose. So it can precondition conjugate gradients. Source: section 5.2, "Solving the
+/// System".
 inline void run_vcycle(Backend& backend, const Multigrid& on, int depth) {
   if (depth == on.hierarchy->coarsest) return backend.solve_coarsest();
   backend.relax_from_zero(depth);
@@ -33,10 +34,10 @@ inline void correct_from_above(Backend& backend, const Multigrid& on, int depth)
 
 inline void run_full_multigrid(Backend& backend, const Multigrid& on, int depth);
 
-/// x ≈ S⁻¹ f at this depth from what full multigrid finds above it, relaxed once: where f is
-/// smooth, as after a small change of the metric, it is nearer than a V-cycle comes, and has half
-/// of its products at this depth. Not symmetric, and so for the first direction of conjugate
-/// gradients alone.
+/// Makes x ≈ S⁻¹ f at this depth: takes the result of full multigrid at the depths above and
+/// relaxes it once. If f is smooth, as after a small change of the metric, the result is nearer
+/// than a V-cycle's, with half of its products at this depth. Not symmetric, so only the first
+/// direction of conjugate gradients may use it.
 inline void run_nested_iteration(Backend& backend, const Multigrid& on, int depth) {
   if (depth == on.hierarchy->coarsest) return backend.solve_coarsest();
   backend.restrict_from_zero(depth);
@@ -45,8 +46,8 @@ inline void run_nested_iteration(Backend& backend, const Multigrid& on, int dept
   backend.relax(depth);
 }
 
-/// The same with a correction after it, and so at all depths: where f is as far as it can be, from
-/// a cold start.
+/// Does run_nested_iteration() with a correction after it, at all depths. For a cold start, where f
+/// is as far away as it can be.
 inline void run_full_multigrid(Backend& backend, const Multigrid& on, int depth) {
   run_nested_iteration(backend, on, depth);
   if (depth > on.hierarchy->coarsest) correct_from_above(backend, on, depth);

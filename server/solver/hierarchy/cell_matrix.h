@@ -7,15 +7,16 @@
 
 namespace burnish {
 
-/// Index of the pair {a, b} of local corners in a packed table: (0,1) ... (0,7), (1,2) ...
+/// Returns the index of the pair {a, b} of local corners in a packed table: (0,1) ... (0,7), (1,2)
+/// ...
 inline constexpr int pair_index(int a, int b) {
   const int low = a < b ? a : b, high = a < b ? b : a;
   return low * 7 - low * (low - 1) / 2 + (high - low - 1);
 }
 
-/// One axis of ∫ ⟨v, ∇B_a⟩ v over a cell, v being the direction of its stiffness ℓ: Σ_b ℓ_ab x_b,
-/// as Σ_b x_b B_b is the place x itself. With rows that add up to zero it is the pairs of a with
-/// the corners opposite along the axis that count. `pair(p)`: ℓ's, at pair_index().
+/// Returns one axis of ∫ ⟨v, ∇B_a⟩ v over a cell; v is the direction of its stiffness ℓ. It is Σ_b
+/// ℓ_ab x_b, because Σ_b x_b B_b is the place x itself. Rows add up to zero, so only the pairs of a
+/// with the corners opposite along the axis count. `pair(p)`: ℓ's value at pair_index().
 template <typename Pair>
 constexpr double gradient_of(Pair&& pair, int a, int axis) {
   double sum = 0;
@@ -26,15 +27,15 @@ constexpr double gradient_of(Pair&& pair, int a, int axis) {
 }
 
 /// A cell's symmetric 8×8 share of a system matrix, as off-diagonal pairs and row sums. The
-/// diagonal is the row sum less the off-diagonals; keeping the sums apart keeps the mass term,
-/// which is many orders below the stiffness at small α.
+/// diagonal is the row sum less the off-diagonals. Separate sums keep the mass term, which at small
+/// α is many orders below the stiffness.
 struct CellMatrix {
   std::array<double, kPairsPerCell> pair;
   std::array<double, 8> row_sum;
 };
 
-/// The combined integrals of section 5.2 ("Down-sampling"): α1α2 ρ + (α2/α1) ℓ¹ + (α1/α2) ℓ².
-/// Units: α in grid units.
+/// Weights of the combined integrals of section 5.2 ("Down-sampling"): α1α2 ρ + (α2/α1) ℓ¹ +
+/// (α1/α2) ℓ². Units: α in grid units.
 struct CombineWeights {
   double mass;
   double stiffness1;

@@ -7,6 +7,7 @@
 #include "common/base/check.h"
 #include "common/base/disjoint_sets.h"
 #include "common/base/parallel.h"
+#include "server/solver/hierarchy/half_way.h"
 
 namespace burnish {
 
@@ -34,7 +35,7 @@ bool have_common_corner(const GridKey& cell, const CellCorners& corners, const G
   return false;
 }
 
-/// Joins the fine cells that are of one parent.
+/// Joins the fine cells of one parent.
 class Parents {
  public:
   Parents(std::span<const GridKey> cells, std::span<const CellCorners> corners)
@@ -55,7 +56,7 @@ class Parents {
     failure.rethrow();
   }
 
-  /// The parents, by place, then by their first child; and which is whose.
+  /// Returns the parents, by place, then by their first child. Sets the parent of each cell.
   std::vector<GridKey> number(std::vector<int32_t>& parent_cell) const {
     std::vector<GridKey> parents;
     parent_cell.resize(cells_.size());
@@ -75,9 +76,9 @@ class Parents {
     return static_cast<int32_t>(cells_.size());
   }
 
-  static constexpr int32_t kPairedMax = 32;  // children of one place whose pairs are looked at
+  static constexpr int32_t kPairedMax = 32;  // children of one place compared in pairs
 
-  // Where dust fills a place, by its corners.
+  // Joins cells by their corners: dust may fill a place with too many cells for pairs.
   void join_crowd(int32_t begin, int32_t end) {
     std::vector<std::pair<int32_t, int32_t>> cell_at;  // corner and cell
     for (int32_t c = begin; c < end; ++c)
@@ -90,7 +91,7 @@ class Parents {
     for (int32_t c = begin; c < end; ++c) root_[c] = begin + joined.root(c - begin);
   }
 
-  // Grows one parent after the other from its first child.
+  // Grows the parents one after the other, each from its first child.
   void join_group(int32_t begin, int32_t end) {
     std::fill(root_.begin() + begin, root_.begin() + end, kNone);
     std::vector<int32_t> reached;
@@ -127,7 +128,7 @@ DisjointSets join_corners(std::span<const GridKey> cells, std::span<const CellCo
       FromCell& last = coarse.from[cell_corners[c][a]];
       const FromCell before = std::exchange(last, here);
       if (before.cell == kNone || before.cell == here.cell) continue;
-      // The same points in space, in the same order.
+      // Both are the same points in space, in the same order.
       const PositiveWeights& of_before = positive_weights(before.place);
       const PositiveWeights& of_here = positive_weights(here.place);
       for (int i = 0; i < of_here.count; ++i)

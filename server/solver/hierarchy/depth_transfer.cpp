@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "server/solver/hierarchy/half_way.h"
+
 namespace burnish {
 
 namespace {
@@ -26,7 +28,7 @@ void for_each_entry(const SparseGrid& coarse, const DepthTransfer& transfer, Vis
   }
 }
 
-// Pᵀ by rows: a counting sort of the entries of P by their coarse corner.
+// Makes Pᵀ by rows: a counting sort of the entries of P by coarse corner.
 void transpose(const SparseGrid& coarse, DepthTransfer& transfer) {
   transfer.restriction_start.assign(coarse.corner_count() + 1, 0);
   for_each_entry(coarse, transfer,
@@ -43,7 +45,7 @@ void transpose(const SparseGrid& coarse, DepthTransfer& transfer) {
   });
 }
 
-// The mean of what a shared corner's copies have.
+// Adds the mean of the values of a shared corner's copies.
 void add_shared(const CoarseGrid& coarse, const SheetCorners& sheets, size_t i,
                 DepthTransfer& transfer) {
   std::map<int32_t, double> weight;

@@ -7,16 +7,17 @@
 
 namespace burnish {
 
-/// A cell's corners and those of its children stand at its 3×3×3 half-way points, x fastest.
+/// The 3×3×3 half-way points of a cell, x fastest. The corners of the cell and of its children are
+/// at these points.
 inline constexpr int kHalfWayPoints = 27;
 
-/// The half-way point of its parent at which a cell's corner a stands.
+/// Returns the half-way point of the parent at which corner a of the cell lies.
 uint8_t place_in_parent(const GridKey& cell, int a);
 
-/// The trilinear weights of a cell's eight corners at each half-way point.
+/// Returns the trilinear weights of a cell's eight corners at each half-way point.
 const std::array<std::array<float, kCornersPerCell>, kHalfWayPoints>& half_way_weights();
 
-/// The same without zeros: the corners that weigh on a point, rising.
+/// Half-way weights without zeros: the corners that weigh on a point, rising.
 struct PositiveWeights {
   int count = 0;
   std::array<int8_t, kCornersPerCell> corner;

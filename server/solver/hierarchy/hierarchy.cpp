@@ -9,12 +9,13 @@ namespace burnish {
 
 namespace {
 
-// Where more corners than this have a second copy, sheets stay together at the finest depth, and
-// come apart only above it: what hangs together nowhere would have eight corners for each cell.
+// If more than one in this many corners has a second copy, the finest depth keeps sheets together
+// and only the depths above it keep them apart. A soup, where nothing hangs together, would have
+// eight corners for each cell.
 constexpr int32_t kCornersPerExtraCopy = 8;
 constexpr int64_t kIrregularRowMax = 4096;  // entries
 
-// The children of every coarse cell that are not apart.
+// Returns the children of every coarse cell, except those that are apart.
 Groups<int32_t> children_of(const std::vector<int32_t>& parent_cell, const HierarchyDepth& coarse) {
   std::vector<int32_t> parent_of_child = parent_cell;
   for (int32_t cell : coarse.shares.apart) parent_of_child[cell] = kNone;
@@ -63,7 +64,7 @@ bool is_coarsest(const SparseGrid& grid) {
   return grid.corner_count() <= kCoarsestCornersMax || grid.depth <= kCoarsestDepthMin;
 }
 
-// All depths but their stencils, the finest first.
+// Makes all depths without their stencils, the finest first.
 std::vector<HierarchyDepth> joined_depths(SparseGrid finest) {
   std::vector<HierarchyDepth> depths(1);
   depths[0].grid = std::move(finest);
@@ -80,7 +81,7 @@ std::vector<HierarchyDepth> depths_apart(SparseGrid finest, const SheetCorners& 
   return depths;
 }
 
-// An irregular corner's cells are listed with its row alone.
+// Lists an irregular corner's cells only with its row.
 void add_stencil(HierarchyDepth& depth) {
   depth.stencil = make_stencil(depth.grid, depth.ties);
   for (int32_t corner : depth.stencil.irregular.corner)

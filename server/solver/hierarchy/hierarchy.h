@@ -22,23 +22,23 @@ struct HierarchyDepth {
   SparseGrid grid;
   Stencil stencil;
   std::vector<CellTie> ties;         ///< rising; none at the finest depth
-  int32_t sheet_count = 0;           ///< PreparedMesh::sheets that are used; none at coarse depths
+  int32_t sheet_count = 0;           ///< PreparedMesh::sheets in use; 0 at coarse depths
   DepthTransfer to_parent;           ///< empty at the coarsest depth
   std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth
-  // Where the numbers of cells and ties come from; empty at the finest depth.
-  Groups<int32_t> children;  ///< of each cell, cells of the finer depth, at most eight, each
-                             ///< in an octant: their numbers are restricted by it alone
-  CellShares shares;         ///< all else
+  // The sources of the numbers of cells and ties; empty at the finest depth.
+  Groups<int32_t> children;  ///< cells of the finer depth for each cell, at most eight, each in its
+                             ///< octant; only that octant restricts its numbers
+  CellShares shares;         ///< all other sources
 
   bool is_finest() const { return children.count() == 0; }
 
-  /// How many numbers its cells, ties and sheets have: see number_of_tie().
+  /// Returns how many numbers its cells, ties and sheets have; see number_of_tie().
   size_t number_count() const {
     return kNumbersPerCell * grid.cells.size() + kNumbersPerTie * (ties.size() + sheet_count);
   }
 };
 
-/// All depths of one prepared mesh, immutable and shared by its sessions.
+/// All depths of one prepared mesh. Immutable; its sessions share it.
 struct Hierarchy {
   int coarsest = 0;  ///< solved directly
   int finest = 0;
@@ -49,21 +49,21 @@ struct Hierarchy {
   uint64_t byte_count() const;
 };
 
-/// The coarsest depth is the deepest one with at most this many corners, or kCoarsestDepthMin:
-/// every separate piece of surface keeps eight corners at any depth.
+/// The coarsest depth is the deepest one with at most this many corners, or kCoarsestDepthMin.
+/// Every separate piece of surface keeps eight corners at any depth.
 inline constexpr int32_t kCoarsestCornersMax = 600;
 inline constexpr int kCoarsestDepthMin = 2;
 
-/// What coarse depths make of sheets of surface that come closer to each other than their cells.
+/// Says how coarse depths treat sheets of surface that come closer to each other than their cells.
 enum class Sheets {
-  /// A cell or corner for each sheet, as far as it does not hang together with the others nearby.
-  /// Where sheets meet in a corner of the finest depth without hanging together, that takes their
-  /// mean, and ties couple their cells (the Galerkin product PᵀSP, as everywhere). Of a soup, where
-  /// too many corners are such, sheets come apart only above the finest depth.
+  /// Gives each sheet its own cell or corner unless it hangs together with the others nearby. If
+  /// sheets meet in a corner of the finest depth without hanging together, the corner takes their
+  /// mean, and ties couple their cells (the Galerkin product PᵀSP, as everywhere). In a soup too
+  /// many corners are such: its sheets come apart only above the finest depth.
   kApart,
-  /// One for all sheets of a piece of surface, of which any two cells are connected by cells that
-  /// share a corner. Rows have at most 27 entries, and corners of one parity no entry with each
-  /// other: what point smoothers need.
+  /// Gives all sheets of a piece of surface one cell or corner. Cells that share a corner connect
+  /// any two cells of a piece. Rows have at most 27 entries, and corners of one parity have no
+  /// entry with each other: point smoothers need this.
   kTogether,
 };
 
@@ -72,7 +72,7 @@ Result<std::shared_ptr<const Hierarchy>> make_hierarchy(const PreparedMesh& prep
                                                         const Progress& progress,
                                                         Sheets sheets = Sheets::kApart);
 
-/// The same for whoever cannot be cancelled.
+/// Makes a hierarchy when nobody can cancel it.
 inline std::shared_ptr<const Hierarchy> make_hierarchy(const PreparedMesh& prepared,
                                                        Sheets sheets = Sheets::kApart) {
   return make_hierarchy(prepared, Progress(), sheets).value();

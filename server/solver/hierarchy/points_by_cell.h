@@ -9,12 +9,11 @@
 
 namespace burnish {
 
-/// The rows of E cell by cell, as EvaluationPoint::local, for work at every vertex in whatever
-/// order: memory is read from end to end and a cell's corners once, where vertices in the order of
-/// their file jump about.
+/// The rows of E cell by cell, as EvaluationPoint::local, for work at every vertex in any order. It
+/// reads memory from end to end, and a cell's corners once. The order of the file would jump about.
 using PointsByCell = Groups<std::array<float, 3>>;
 
-/// Vertices without a cell are left out. Shapes: one point per vertex.
+/// Leaves out vertices without a cell. Shapes: one point per vertex.
 PointsByCell sort_by_cell(std::span<const EvaluationPoint> points, int32_t cell_count);
 
 }  // namespace burnish

@@ -12,7 +12,7 @@ namespace burnish {
 namespace {
 
 struct Tile {
-  int32_t begin, end;  // of its rows, and of their corners
+  int32_t begin, end;  // its rows, and their corners
 
   bool has(int32_t corner) const { return corner >= begin && corner < end; }
   int32_t rows() const { return end - begin; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/grid/stencil_slots.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 
 namespace burnish {
@@ -9,8 +10,8 @@ namespace burnish {
 namespace {
 
 struct Neighbours {
-  std::array<int32_t, kSlots> by_slot;  // kNone where they share no active cell
-  bool is_regular = true;               // no slot has two
+  std::array<int32_t, kSlots> by_slot;  // kNone if the corners share no active cell
+  bool is_regular = true;               // no slot has two corners
 };
 
 Neighbours neighbours(const SparseGrid& grid, int32_t corner) {
@@ -48,7 +49,7 @@ std::vector<uint32_t> masks_of(const SparseGrid& grid, std::span<const CellTie> 
   return masks;
 }
 
-// The corners of a window by rising length, else in order.
+// Orders the corners of a window by rising length; equal lengths keep their order.
 void order_window(const std::vector<int32_t>& length, int32_t first, int32_t last,
                   int32_t* corner_of_row) {
   int32_t next[kSlots + 2] = {};
@@ -62,7 +63,7 @@ void order_window(const std::vector<int32_t>& length, int32_t first, int32_t las
                    [&](int32_t a, int32_t b) { return length[a] < length[b]; });
 }
 
-// Stored rows of the corners: in each window by rising length, else in order.
+// Orders the stored rows of the corners: within each window by rising length, else as they are.
 void order_rows(const std::vector<int32_t>& length, Stencil& stencil) {
   const auto n = static_cast<int32_t>(length.size());
   stencil.corner_of_row.resize(n);
@@ -116,8 +117,8 @@ int32_t entry_of(const Stencil& stencil, int32_t corner, int32_t column) {
   return static_cast<int32_t>(at - stencil.column.begin() - begin);
 }
 
-std::array<uint16_t, kPairsPerCell> entries_of_pairs(const Stencil& stencil,
-                                          const std::array<int32_t, kCornersPerCell>& corners) {
+std::array<uint16_t, kPairsPerCell> entries_of_pairs(
+    const Stencil& stencil, const std::array<int32_t, kCornersPerCell>& corners) {
   std::array<uint16_t, kPairsPerCell> entries;
   for (int a = 0; a < kCornersPerCell; ++a)
     for (int b = a + 1; b < kCornersPerCell; ++b)
@@ -125,7 +126,7 @@ std::array<uint16_t, kPairsPerCell> entries_of_pairs(const Stencil& stencil,
   return entries;
 }
 
-/// The cells that have an irregular corner.
+/// Returns the cells that have an irregular corner.
 IrregularCells find_irregular_cells(const SparseGrid& grid, const Stencil& stencil) {
   IrregularCells found;
   if (stencil.irregular.corner.empty()) return found;

@@ -5,18 +5,17 @@
 #include <vector>
 
 #include "common/grid/sparse_grid.h"
-#include "common/grid/stencil_slots.h"
 #include "server/solver/hierarchy/row_tiles.h"
 #include "server/solver/hierarchy/sheets/irregular_rows.h"
 
 namespace burnish {
 
-/// Which corners have a matrix entry with which others, itself left out: the off-diagonal pattern
-/// of every matrix of one depth, in compressed rows.
+/// Says which corners have a matrix entry with which other corners: the off-diagonal pattern of
+/// every matrix of one depth, in compressed rows.
 ///
-/// Among each kRowWindow corners the rows are stored by rising length, so that a loop over rows
-/// seldom meets another length than before (a mispredicted end costs as much as a row), and each
-/// is padded to a multiple of kRowPadding entries by the corner itself, whose entry is zero there.
+/// Within each window of kRowWindow corners the rows are stored by rising length. A loop over rows
+/// then seldom meets a new length; a mispredicted end costs as much as a row. Each row is padded to
+/// a multiple of kRowPadding entries by the corner itself, whose entry is zero there.
 struct Stencil {
   static constexpr int32_t kRowWindow = 256;
   static constexpr int kRowPadding = 4;
@@ -24,20 +23,19 @@ struct Stencil {
   std::vector<int32_t> corner_of_row;
   std::vector<int32_t> row_of_corner;
   std::vector<int64_t> row_start;  ///< rows + 1
-  std::vector<int32_t> column;     ///< in slot order within a row, rising in an irregular one
-  std::vector<uint32_t> mask;      ///< bit s of mask[I]: slot s of corner I is present; 0 for an
-                                   ///< irregular row
+  std::vector<int32_t> column;     ///< in slot order within a row; rising in an irregular row
+  std::vector<uint32_t> mask;  ///< bit s of mask[I]: corner I has slot s; 0 for an irregular row
   RowTiles tiles;
   IrregularRows irregular;
   IrregularCells irregular_cells;
 
-  /// Whether slots cannot describe the corner's row.
+  /// Returns whether slots cannot describe the corner's row.
   bool is_irregular(int32_t corner) const { return mask[corner] == 0; }
 
   struct Row {
     int64_t begin, end;
   };
-  /// The places of a corner's entries in `column`, padding left out.
+  /// Returns the places of a corner's entries in `column`, without padding.
   Row row(int32_t corner) const {
     const int32_t stored = row_of_corner[corner];
     const int64_t begin = row_start[stored];
@@ -46,7 +44,7 @@ struct Stencil {
     while (end > begin && column[end - 1] == corner) --end;
     return {begin, end};
   }
-  /// Where slot s of corner I stands in `column`. Needs: the slot is present.
+  /// Returns where slot s of corner I stands in `column`. Needs: the corner has the slot.
   int64_t position(int32_t corner, int slot) const {
     return row_start[row_of_corner[corner]] + __builtin_popcount(mask[corner] & ((1u << slot) - 1));
   }
@@ -54,7 +52,7 @@ struct Stencil {
 
 static_assert(RowTiles::kRows % Stencil::kRowWindow == 0);
 
-/// Corners are neighbours that share a cell or are tied.
+/// Makes corners neighbours if they share a cell or are tied.
 Stencil make_stencil(const SparseGrid& grid, std::span<const CellTie> ties);
 
 }  // namespace burnish

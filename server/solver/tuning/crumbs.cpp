@@ -28,7 +28,7 @@ class CrumbFinder {
           shared_of_extra_[sheets.copy[k] - finest.corner_count()] = sheets.shared[i];
   }
 
-  // Each piece once, by the first corner that it shares with another.
+  // Finds each piece once, by its first corner that it shares with another piece.
   std::vector<Corners> find() {
     std::vector<Corners> crumbs;
     for (const int32_t copy : sheets_.copy) {
@@ -58,8 +58,8 @@ class CrumbFinder {
     }
   }
 
-  // All copies of the piece that has this one, or none if they are too many. Of a large piece those
-  // that were seen are forgotten: it is short work to find again that it is large.
+  // Returns all copies of the piece with this copy, or nothing if they are too many. Forgets the
+  // seen copies of a large piece: it is quick to find again that it is large.
   std::optional<Corners> piece_from(int32_t copy) {
     Corners piece = {copy};
     was_reached_[copy] = true;

@@ -8,13 +8,13 @@
 
 namespace burnish {
 
-/// Small pieces of the finest depth that hang on others, each with what it hangs on. Such a piece
-/// moves with next to no energy as long as the sheet that holds it gives way, and a coarse function
-/// that moves the one and bends the other just so there is none.
+/// Finds crumbs of the finest depth, each with the surface that it hangs on. A crumb moves with
+/// almost no energy as long as the sheet that holds it gives way. No coarse function moves the
+/// crumb and bends the sheet in just that way.
 ///
-/// A piece is what hangs together by copies of corners. Returns a set of corners, rising, for each
-/// that has at most kPatchCornersMax: its own and those of all cells around the corners that it
-/// shares with others, or without these where they are too many.
+/// A piece hangs together by copies of corners. Returns a set of corners, rising, for each piece
+/// that has at most kPatchCornersMax: its own corners and those of all cells around the corners
+/// that it shares with others. Leaves out the latter if they are too many.
 std::vector<std::vector<int32_t>> find_crumbs(const SparseGrid& finest, const SheetCorners& sheets);
 
 }  // namespace burnish

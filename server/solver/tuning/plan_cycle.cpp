@@ -13,27 +13,27 @@ namespace burnish {
 
 namespace {
 
-// Shares of irregular rows at the depth above the finest.
+// Parts of irregular rows at the depth above the finest.
 constexpr double kSomeSheets = 1.0 / 40;
 constexpr double kManySheets = 1.0 / 24;
-constexpr int32_t kSmallScanCorners = 150'000;  // whose trial takes half a second
-constexpr int kDepthsCorrectedTwice = 2;        // further up it gains nothing more
+constexpr int32_t kSmallScanCorners = 150'000;  // a trial on it takes half a second
+constexpr int kDepthsCorrectedTwice = 2;        // more gains nothing
 constexpr int kTrialsMax = 3;
-constexpr size_t kFewSpots = 16;  // after so few the next trial would find hardly any
+constexpr size_t kFewSpots = 16;  // after so few spots the next trial would find hardly any
 constexpr int32_t kTrialCornersMax = 4'000'000;  // a trial needs the memory of a session on the CPU
 
 double share_of_irregular_rows(const HierarchyDepth& depth) {
   return static_cast<double>(depth.stencil.irregular.count()) / depth.grid.corner_count();
 }
 
-/// None where all sheets of the finest depth are kept together: they share no corner then.
+/// Returns none if the finest depth keeps all sheets together: they then share no corner.
 Patches patches_on_crumbs(const PreparedMesh& prepared, const HierarchyDepth& finest) {
   if (finest.to_parent.shared.count() == 0) return {};
   return make_patches(finest.grid,
                       find_crumbs(finest.grid, find_sheet_corners(prepared, finest.grid)));
 }
 
-/// The first depth with weak parts; none where few sheets come together.
+/// Returns the first depth with weak parts, or nothing if few sheets come together.
 std::optional<int> first_weak_depth(const Hierarchy& hierarchy) {
   const int last = hierarchy.finest - 1;
   if (last <= hierarchy.coarsest) return std::nullopt;
@@ -43,7 +43,7 @@ std::optional<int> first_weak_depth(const Hierarchy& hierarchy) {
   return std::max(last - kDepthsCorrectedTwice, hierarchy.coarsest) + 1;
 }
 
-/// With patches where one trial was slow, the next one shows what else is.
+/// Runs further trials with the patches of the earlier ones: they show other slow spots.
 Result<Patches> patches_on_slow_spots(const Multigrid& on, const Progress& progress) {
   const SparseGrid& finest = on.hierarchy->depths.back().grid;
   CyclePlan plan = *on.plan;

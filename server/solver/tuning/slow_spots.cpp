@@ -14,19 +14,19 @@ namespace burnish {
 
 namespace {
 
-/// How far a vertex may be from where the trial ends.
+/// Limits the distance of a vertex from the trial's end.
 struct Milestone {
   int steps;
   double distance;  // of the diagonal
 };
-// Where all is well the trial is well within these: a fifth and a tenth of the strictest bars, of
-// a cold start after five and ten steps.
+// A good trial stays well within these. They are a fifth and a tenth of the strictest bars of a
+// cold start, after five and ten steps.
 constexpr Milestone kMilestones[] = {{5, 2e-5}, {8, 1e-6}};
 constexpr int kStepsOfTrial = 16;
-// At small ones the whole surface moves, and spots do not stand out.
+// A small α moves the whole surface, and spots do not stand out.
 constexpr double kAlpha = 50;
 constexpr int kRingsMax = 4;
-constexpr size_t kSpotsMax = 512;  // a trial: what the worst of them hide shows in the next
+constexpr size_t kSpotsMax = 512;  // per trial; the worst spots hide others from it
 
 using Corners = std::vector<int32_t>;
 
@@ -59,11 +59,12 @@ Trial start_trial(const Multigrid& on) {
 }
 
 struct SlowCell {
-  double late;  // how many times as far off as it may be a vertex in it is, at the worst milestone
+  double late;  // distance of a vertex in it over the allowed one, at the worst milestone
   int32_t cell;
 };
 
-// Cells of vertices that miss a milestone, the slowest first. A cell may be there more than once.
+// Returns the cells of vertices that miss a milestone, the slowest first. A cell may occur more
+// than once.
 Result<std::vector<SlowCell>> find_slow_cells(const Multigrid& on, const Progress& progress) {
   Trial trial = start_trial(on);
   std::array<std::vector<Vec3f>, std::size(kMilestones)> passed;

@@ -9,13 +9,14 @@
 
 namespace burnish {
 
-/// Where a trial on the CPU, which smooths the whole surface from a cold start, still moves
-/// vertices after it should have settled: a spike that bends back within two cells, a flap of two
-/// sheets in one cell, a crumb that shares no corner. Like crumbs.h's they move with next to no
-/// energy.
+/// Finds slow spots with a trial on the CPU, which smooths the whole surface from a cold start. A
+/// slow spot still moves vertices after it should have settled: a spike that bends back within two
+/// cells, a flap of two sheets in one cell, a crumb that shares no corner. Like the crumbs of
+/// crumbs.h, they move with almost no energy.
 ///
-/// Returns sets of corners, rising, the slowest spot's first: of a spot's cell and of rings of
-/// cells around it, as far as they have at most kPatchCornersMax. Fails: cancelled.
+/// Returns sets of corners, rising, the slowest spot's first. A set has the corners of the spot's
+/// cell and of rings of cells around it, as many rings as fit into kPatchCornersMax. Fails:
+/// cancelled.
 Result<std::vector<std::vector<int32_t>>> find_slow_spots(const Multigrid& on,
                                                           const Progress& progress = {});
 

@@ -1,5 +1,4 @@
-// CHOLMOD's supernodal LLᵀ, with the ordering that it chooses by itself (AMD, METIS where that
-// leaves less).
+// CHOLMOD's supernodal LLᵀ with its own choice of ordering (AMD, or METIS if that leaves less).
 
 #include <cholmod.h>
 
@@ -67,7 +66,7 @@ class CholmodPeer final : public Peer {
     return outcome("factorisation");
   }
 
-  // cholmod_solve2 keeps its work space from call to call, the fastest of its ways.
+  // cholmod_solve2 keeps its work space between calls, which is the fastest way.
   Result<int> solve(const MatrixXd& b, double /*tolerance*/, MatrixXd& x) override {
     cholmod_dense right = view_of(b);
     cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &x_, nullptr, &y_, &e_, &common_);

@@ -7,8 +7,8 @@
 #include "tests/bench/peers/measure_ours.h"
 #include "tests/bench/peers/measure_peer.h"
 #include "tests/bench/peers/report.h"
-#include "tests/bench/peers/stopwatch.h"
 #include "tests/bench/peers/threads.h"
+#include "tests/bench/timing.h"
 
 namespace burnish::bench {
 
@@ -16,7 +16,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// One scan; answers are the same for any number of threads and found once.
+/// One scan. Answers are the same for any number of threads, so each is found once.
 class Comparison {
  public:
   Comparison(const TriangleMesh& mesh, int depth, const ComparisonOptions& options)

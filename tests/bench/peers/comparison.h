@@ -16,13 +16,12 @@ inline constexpr std::string_view kGridPeer = "CHOLMOD on our matrix";
 struct ComparisonOptions {
   std::vector<int> threads;        ///< a table for each
   std::vector<double> alphas;      ///< a table for each
-  std::vector<std::string> peers;  ///< empty: all
-  uint64_t bytes_max = 0;          ///< a larger factor is not tried
+  std::vector<std::string> peers;  ///< empty for all
+  uint64_t bytes_max = 0;          ///< limit of a factor that is tried
 };
 
-/// Measures the product and its peers on one scan, prints the tables, returns their rows.
-/// Needs: a valid mesh. Fails: as prepare() and Solver::solve() do; peers that fail have rows that
-/// say so.
+/// Measures the product and its peers on one scan, prints the tables, returns their rows. Needs: a
+/// valid mesh. Fails: as prepare() and Solver::solve() do. A failed peer has rows that say so.
 Result<nlohmann::ordered_json> compare(const TriangleMesh& mesh, int depth,
                                        const ComparisonOptions& options);
 

@@ -1,5 +1,5 @@
-// Eigen's conjugate gradients. Rows rather than columns, and both triangles, let its product use
-// all threads. Compiled without EIGEN_DONT_PARALLELIZE, unlike the product.
+// Eigen's conjugate gradients. Rows instead of columns, and both triangles, let its product use all
+// threads. Compiled without EIGEN_DONT_PARALLELIZE, unlike the product.
 
 #include <Eigen/IterativeLinearSolvers>
 

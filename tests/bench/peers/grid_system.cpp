@@ -11,7 +11,7 @@ namespace {
 constexpr double kPinRatio = 1e-12;     // of the median diagonal
 constexpr double kFactorShift = 1e-13;  // of the own diagonal
 
-/// A matrix with the stencil's pattern, itself included, all zero.
+/// Returns a matrix with the stencil's pattern and the diagonal, all zero.
 SparseMatrix make_pattern(const Stencil& stencil, int32_t corners) {
   std::vector<int> start(static_cast<size_t>(corners) + 1);
   for (int32_t i = 0; i <= corners; ++i) start[i] = static_cast<int>(stencil.row_start[i]) + i;
@@ -29,7 +29,7 @@ SparseMatrix make_pattern(const Stencil& stencil, int32_t corners) {
                                         column.data(), zeros.data());
 }
 
-/// Where each entry of a cell's 8×8 share stands among the matrix's values.
+/// The places of a cell's 8×8 share among the matrix's values.
 class CellEntries {
  public:
   CellEntries(SparseMatrix& matrix, const std::array<int32_t, kCornersPerCell>& corners) {
@@ -41,7 +41,7 @@ class CellEntries {
     }
   }
 
-  /// Off-diagonals come as pairs; each diagonal is its row's sum less its pairs.
+  /// Off-diagonals come as pairs. Each diagonal is its row's sum less its pairs.
   template <typename Pair, typename RowSum>
   void add(SparseMatrix& matrix, Pair&& pair, RowSum&& row_sum) const {
     double* values = matrix.valuePtr();
@@ -104,7 +104,7 @@ class GridSystem final : public LinearSystem {
   }
 
  private:
-  // Entries stay in the pattern as zeros, so that one analysis serves every α.
+  // Entries stay in the pattern as zeros, so one analysis serves every α.
   static void pin(SparseMatrix& matrix) {
     Eigen::VectorXd diagonal = matrix.diagonal();
     std::vector<double> sorted(diagonal.begin(), diagonal.end());

@@ -1,5 +1,5 @@
 // Conjugate gradients around one V-cycle of hypre's BoomerAMG, with its defaults. Debian's build
-// has no OpenMP: what it could use of a second core it would use through MPI, as a second process.
+// has no OpenMP: it would use a second core through MPI only, as a second process.
 
 #include <HYPRE.h>
 #include <HYPRE_IJ_mv.h>
@@ -21,7 +21,7 @@ uint64_t allocated_bytes() {
   return info.uordblks + info.hblkhd;
 }
 
-/// MPI may be started once in a process only.
+/// A process may start MPI only once.
 void start_hypre() {
   static const bool started = [] {
     MPI_Init(nullptr, nullptr);

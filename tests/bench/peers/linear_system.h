@@ -14,13 +14,13 @@ namespace burnish::bench {
 class LinearSystem {
  public:
   virtual ~LinearSystem() = default;
-  /// Units: α in user units. The pattern is the same for every α.
+  /// Returns the matrix. Units: α in user units. The pattern is the same for every α.
   virtual SparseMatrix matrix(double alpha) const = 0;
-  /// Shapes: unknowns × 3.
+  /// Returns the right side. Shapes: unknowns × 3.
   MatrixXd right_side(double beta) const { return (beta - 1) * gradient_; }
-  /// How far each vertex moves. Shapes: vertices × 3. Units: the file's.
+  /// Returns how far each vertex moves. Shapes: vertices × 3. Units: the file's.
   virtual MatrixXd vertex_moves(const MatrixXd& x) const = 0;
-  /// Of M, L and L x°, from which an edit makes its system.
+  /// Returns the bytes of M, L and L x°, from which an edit makes its system.
   virtual uint64_t byte_count() const = 0;
 
  protected:
@@ -36,14 +36,14 @@ inline uint64_t byte_count_of(const MatrixXd& matrix) {
   return static_cast<uint64_t>(matrix.size()) * sizeof(double);
 }
 
-/// What geometry processing would take instead of the grid: the cotangent Laplacian and the lumped
-/// mass (a third of each triangle's area) at the scan's own vertices.
+/// Makes the usual system of geometry processing instead of the grid's: the cotangent Laplacian and
+/// the lumped mass (a third of each triangle's area) at the scan's own vertices.
 std::unique_ptr<LinearSystem> make_cotangent_system(const TriangleMesh& mesh);
 
-/// The product's own system at the finest depth, summed here from the prepared integrals. Corners
-/// with almost no surface are pinned as the product pins them, and the diagonal is raised by 1e-13
-/// of itself: where a flat part leaves S singular, factors in double need it.
-/// Needs: both outlive the system.
+/// Makes the product's own system at the finest depth, summed here from the prepared integrals.
+/// Corners with almost no surface are pinned like in the product. The diagonal is raised by 1e-13
+/// of itself: factors in double need it if a flat part makes S singular. Needs: both outlive the
+/// system.
 std::unique_ptr<LinearSystem> make_grid_system(const PreparedMesh& prepared,
                                                const Hierarchy& hierarchy);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr int kStepsMax = 500;
 constexpr double kConvergedDistance = 1e-8;
 constexpr double kStartDistance = 1e-6;  // of the state before an edit
-constexpr int kRepeats = 3;              // the figures of the median
+constexpr int kRepeats = 3;              // runs; the median's figures count
 
 struct State {
   double alpha, beta;

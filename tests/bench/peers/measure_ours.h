@@ -11,14 +11,14 @@ namespace burnish::bench {
 
 struct PreparedScan : Multigrid {
   PrepareReport report;
-  double setup_ms = 0;  ///< of both
+  double setup_ms = 0;  ///< for both
 };
 
 Result<PreparedScan> prepare_scan(const TriangleMesh& mesh, int depth);
 
 /// Times the product on one backend at every α, settling by its own estimate. Errors are to
-/// `answers`, those of a direct solver on the grid's system; where they lack an α, to the product's
-/// own converged answer. The notes say how far the latter is from the former.
+/// `answers` of a direct solver on the grid's system. If these lack an α, errors are to the
+/// product's own converged answer. The notes say how far that is from the former.
 Result<std::vector<Row>> measure_ours(const PreparedScan& scan, BackendKind backend,
                                       std::span<const double> alphas, const Answers& answers);
 

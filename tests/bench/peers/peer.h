@@ -17,36 +17,36 @@ namespace burnish::bench {
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using Eigen::MatrixXd;
 
-/// A solver of somebody else's, for A x = b with three columns.
+/// A foreign solver for A x = b with three columns.
 class Peer {
  public:
   virtual ~Peer() = default;
-  /// What depends on the pattern alone. Fails: resource_exhausted when what factor() would take is
-  /// known and above `bytes_max`.
+  /// Does the work that depends on the pattern alone. Fails: resource_exhausted if the need of
+  /// factor() is known and above `bytes_max`.
   virtual Status analyse(const SparseMatrix& matrix, uint64_t bytes_max) = 0;
-  /// The factors, or the preconditioner. Needs: analyse() with this pattern; the matrix lives as
-  /// long as solve() is called.
+  /// Makes the factors, or the preconditioner. Needs: analyse() with this pattern; the matrix lives
+  /// as long as solve() is called.
   virtual Status factor(const SparseMatrix& matrix) = 0;
-  /// An iterative peer starts at `x` and stops at the relative residual `tolerance`; a direct one
-  /// heeds neither. Returns the iterations of all columns together, 0 of a direct peer.
+  /// An iterative peer starts at `x` and stops at the relative residual `tolerance`. A direct peer
+  /// ignores both. Returns the iterations of all columns together; 0 for a direct peer.
   virtual Result<int> solve(const MatrixXd& b, double tolerance, MatrixXd& x) = 0;
-  /// What it keeps between solves, its own copy of the matrix included.
+  /// Returns the bytes that it keeps between solves, with its own copy of the matrix.
   virtual uint64_t byte_count() const = 0;
-  /// Whatever a reader of the figures should know.
+  /// Returns a note for the reader of the figures.
   virtual std::string note() const { return ""; }
 };
 
 struct PeerKind {
   std::string_view name;
   bool is_iterative;
-  bool is_threaded;                 ///< false: a second thread changes nothing
-  std::unique_ptr<Peer> (*make)();  ///< null where this build lacks the library
+  bool is_threaded;                 ///< false if a second thread changes nothing
+  std::unique_ptr<Peer> (*make)();  ///< null if this build lacks the library
 };
 
-/// All that the bench knows; those that are missing here too.
+/// Returns all peers that the bench knows, even those that this build lacks.
 std::span<const PeerKind> peer_kinds();
 
-// CHOLMOD and hypre are linked only where the build finds them.
+// CHOLMOD and hypre are linked only if the build finds them.
 std::unique_ptr<Peer> make_cholmod();
 std::unique_ptr<Peer> make_eigen_ldlt();
 std::unique_ptr<Peer> make_eigen_cg_diagonal();

@@ -13,7 +13,7 @@ static constexpr auto kHypre = make_hypre;
 static constexpr auto kHypre = nullptr;
 #endif
 
-// Direct ones first: their answers are what the others are held to.
+// Direct peers come first: the others are compared with their answers.
 static constexpr PeerKind kPeers[] = {
     {"CHOLMOD", false, true, kCholmod},
     {"Eigen LDLT", false, false, make_eigen_ldlt},

@@ -1,5 +1,5 @@
-// The product beside other solvers, on the same scan in one run: direct and iterative ones on the
-// cotangent system of the scan's own vertices, and CHOLMOD on the product's own matrix as well.
+// Measures the product next to other solvers, on the same scan in one run: direct and iterative
+// ones on the cotangent system of the scan's own vertices, and CHOLMOD on the product's own matrix.
 //
 //     peers_bench [--json FILE] [--threads N,...] [--alpha A,...] [--peers NAME,...]
 //                 [--mebibytes N] [SCAN[@DEPTH]]...

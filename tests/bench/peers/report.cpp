@@ -9,7 +9,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr double kMetricEditGain = 10;  // wanted over CHOLMOD's re-factorisation
+constexpr double kMetricEditGain = 10;  // target over CHOLMOD's re-factorisation
 
 struct Column {
   const char* name;

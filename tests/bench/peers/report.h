@@ -8,8 +8,8 @@
 
 namespace burnish::bench {
 
-/// The rows of one scan at one α and number of threads: a table, who wins each column, and the
-/// targets against both CHOLMODs as met or missed. The product's row comes first.
+/// Prints the rows of one scan at one α and number of threads: a table, the winner of each column,
+/// and whether the targets against both CHOLMODs are met. The product's row comes first.
 void print_rows(std::span<const Row> rows);
 
 nlohmann::ordered_json rows_to_json(std::span<const Row> rows);

@@ -10,14 +10,14 @@
 
 namespace burnish::bench {
 
-/// The edits that every solver is asked for, in this order, each from the state before it.
+/// The edits of every solver, in this order, each from the state before it.
 enum EditKind { kSmooth, kSliderStep, kMetricStep, kEdits };
 inline constexpr std::array<std::string_view, kEdits> kEditNames = {"beta 1 to 0", "beta 0 to 0.1",
                                                                     "alpha x 1.25 at beta 0"};
 inline constexpr double kSliderStepBeta = 0.1;
 inline constexpr double kMetricStepFactor = 1.25;
 
-/// What counts as settled: the largest distance of a vertex over the bounding box's diagonal.
+/// A solver has settled at this largest distance of a vertex over the bounding box's diagonal.
 inline constexpr double kSettledBar = 1e-4;
 
 /// Over the vertices, in parts of the bounding box's diagonal.
@@ -29,7 +29,7 @@ struct Distance {
 struct EditTime {
   double update_ms = 0;  ///< the new system: right side, matrix, factors or preconditioner
   double solve_ms = 0;
-  int iterations = 0;  ///< 0 of a direct solver
+  int iterations = 0;  ///< 0 for a direct solver
   Distance error;      ///< to the direct solution of the same system
 
   double total_ms() const { return update_ms + solve_ms; }
@@ -45,7 +45,7 @@ struct Row {
   std::array<EditTime, kEdits> edits;
   uint64_t byte_count = 0;
   std::string note;
-  std::string failure;  ///< why there are no figures, empty if there are
+  std::string failure;  ///< reason for missing figures, else empty
 };
 
 /// Vertex moves at β = 0 by α, from a direct solver. Shapes: vertices × 3. Units: the file's.

@@ -4,7 +4,8 @@
 
 namespace burnish::bench {
 
-/// Whether to measure once more for a median: thrice in all, but what takes seconds only once.
+/// Returns whether to measure again for a median: three times in all, but only once if it takes
+/// seconds.
 inline bool wants_another(size_t measured, double last_ms) {
   return measured < 3 && last_ms < 1000;
 }

@@ -6,7 +6,7 @@
 
 namespace burnish::bench {
 
-// Which BLAS a program gets is decided where it runs: Debian lets the administrator choose.
+// The machine chooses the program's BLAS: Debian's administrator sets it.
 template <typename Function>
 static Function* find_function(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));

@@ -1,5 +1,5 @@
-# Time of a step, a new constraint and a new matrix by the number of corners, and the time that
-# memory alone would take (thin lines).
+# Plots the time of a step, a new constraint and a new matrix by the number of corners, and the time
+# of memory alone (thin lines).
 
 load "style.gp"
 

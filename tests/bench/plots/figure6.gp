@@ -1,5 +1,5 @@
-# Running time and accuracy by number of cycles: colours for depths, dashes for what is switched
-# on. A sheet for each scan: the paper's W-cycles above, V-cycles in conjugate gradients below.
+# Plots running time and accuracy by number of cycles: colours for depths, dashes for options. A
+# sheet for each scan: the paper's W-cycles above, V-cycles in conjugate gradients below.
 
 load "style.gp"
 

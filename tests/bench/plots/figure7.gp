@@ -1,6 +1,5 @@
-# Frames per second in the three states on the CPU: a bar for each smoother with all threads; its
-# dark part, one thread; the point, all threads with the vertices evaluated here and not by the
-# client.
+# Plots frames per second in the three states on the CPU. The bar is all threads, its dark part is
+# one thread. The point is all threads with the vertices evaluated here, not by the client.
 
 load "style.gp"
 

@@ -1,5 +1,5 @@
-# Largest (thick) and root-mean-square (thin) distance of the vertices from the converged surface,
-# by cycle and by time on the CPU; a sheet of all cases for each scan.
+# Plots the largest (thick) and root-mean-square (thin) distance of the vertices from the converged
+# surface, by cycle and by time on the CPU; a sheet of all cases for each scan.
 
 load "style.gp"
 

@@ -1,4 +1,4 @@
-# What the sheets share. They are called in this folder, with the folder of tables and sheets:
+# The common part of the sheets. Call them in this folder, with the folder of tables and sheets:
 #     gnuplot -e "folder='/somewhere/bench'" figure7.gp
 
 set datafile separator tab
@@ -24,10 +24,10 @@ sheet(name, width, height) = sprintf( \
   "set terminal pngcairo size %d,%d font 'sans,11'; set output '%s/%s.png'", \
   width, height, folder, name)
 
-# One key for all panels of a sheet, beside them.
+# One key for all panels of a sheet, next to them.
 key_beside = "set key at screen 0.99, screen 0.9 right top"
 
-# The values of a column, each once, in order; of the rows where another column is `text`.
+# Returns the values of a column, each once, in order, from rows where another column is `text`.
 distinct_where(name, column, other, text) = system(sprintf( \
   "awk -F '\\t' 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next } \
     $at[\"%s\"] == \"%s\" && !seen[$at[\"%s\"]]++ { print $at[\"%s\"] }' '%s'", \
@@ -36,9 +36,9 @@ distinct(name, column) = system(sprintf( \
   "awk -F '\\t' 'NR == 1 { while ($++c != \"%s\"); next } !seen[$c]++ { print $c }' '%s'", \
   column, table(name)))
 
-# A scan's name as part of a file's name.
+# Returns a scan's name as part of a file's name.
 plain(scan) = system(sprintf("printf %%s '%s' | tr -c 'A-Za-z0-9_.\n' '-'", scan))
 
-# A row's value where a column has a text, else nothing.
+# Returns a row's value if a column has a text, else nothing.
 is(column, text) = strcol(column) eq text
 only(condition, value) = condition ? value : NaN

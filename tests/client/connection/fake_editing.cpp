@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "common/frame_codec/frame_encoder.h"
 #include "tests/common/view/small_view.h"
 
 namespace burnish {

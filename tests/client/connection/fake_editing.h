@@ -11,7 +11,8 @@
 #include <grpcpp/grpcpp.h>
 
 #include "burnish/v1/editing.grpc.pb.h"
-#include "common/frame_codec/frame_encoder.h"
+#include "common/frame_codec/frame_layout.h"
+#include "common/frame_codec/frame_sample.h"
 #include "common/view/view.h"
 
 namespace burnish {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "common/frame_codec/frame_decoder.h"
+#include "common/frame_codec/frame_encoder.h"
 #include "tests/common/frame_codec/small_scan.h"
 
 namespace burnish {

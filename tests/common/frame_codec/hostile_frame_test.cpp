@@ -3,6 +3,8 @@
 
 #include "common/packing/zstd_frame.h"
 #include "common/frame_codec/frame_body.h"
+#include "common/frame_codec/frame_decoder.h"
+#include "common/frame_codec/frame_encoder.h"
 #include "tests/common/frame_codec/small_scan.h"
 
 namespace burnish {

@@ -4,10 +4,9 @@
 #include <random>
 #include <vector>
 
-#include "common/frame_codec/frame_decoder.h"
-#include "common/frame_codec/frame_encoder.h"
 #include "common/frame_codec/frame_layout.h"
 #include "common/frame_codec/frame_sample.h"
+#include "common/frame_codec/frame_state.h"
 
 namespace burnish {
 

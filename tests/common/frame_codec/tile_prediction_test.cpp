@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/frame_codec/frame_header.h"
 #include "tests/common/frame_codec/small_scan.h"
 
 namespace burnish {

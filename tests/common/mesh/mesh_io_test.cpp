@@ -1,6 +1,11 @@
 #include "common/mesh/mesh_io.h"
 
-#include "tests/common/mesh/reading.h"
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {

@@ -4,8 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/grid/sparse_grid.h"
+#include "common/view/view.h"
 #include "common/view/view_format.h"
-#include "tests/common/view/small_view.h"
 
 namespace burnish {
 namespace {

@@ -89,7 +89,7 @@ TEST(ConfigFile, AValueOutsideItsLimitsIsRefusedWithFileKeyValueAndLimits) {
             "server.toml:1: log_format = 'xml' is not one of text, json");
 }
 
-/// Every key that a table has, with its dots.
+/// Returns every key of a table, with its dots.
 std::set<std::string> keys_in(std::istream& file) {
   std::set<std::string> keys;
   std::string table, line;

@@ -161,7 +161,8 @@ TEST_F(FieldsTest, OverridesHoldAgainstSliderPaintAndCurve) {
   EXPECT_EQ(alphas.alpha1[8], 80);
 }
 
-// β as the slider's part and paint's own have it; stretches that claim no paint have none.
+// Checks that β is the slider's part plus paint's own. Stretches that claim no paint must have
+// none.
 void expect_parts_make_beta(const FieldsView& view) {
   for (size_t c = 0; c < view.beta.size(); ++c) {
     const float follow = view.paint.follow[c], own = view.paint.own[c];
@@ -188,7 +189,7 @@ TEST_F(FieldsTest, WhatBetaComesFromMakesBetaAfterEveryEdit) {
   EXPECT_NE(painted, untouched);
   fields_.set_gradient_scale(2);
   expect_parts_make_beta(fields_.view());
-  EXPECT_EQ(paint_of(), painted);  // a slider leaves them
+  EXPECT_EQ(paint_of(), painted);  // a slider leaves paint alone
   ASSERT_TRUE(fields_.override_cells({{{cell(7), 3, 30, 0.1}}}).is_ok());
   expect_parts_make_beta(fields_.view());
   EXPECT_EQ(fields_.view().paint.follow[7], 0);
@@ -211,7 +212,7 @@ TEST_F(FieldsTest, AnInactiveCellIsRefusedByNameAndNothingChanges) {
     EXPECT_THAT(fields_.alphas().alpha1, Each(50));
     EXPECT_THAT(fields_.view().beta, Each(0.5f));
   }
-  fields_.set_gradient_scale(1);  // brings no refused override back
+  fields_.set_gradient_scale(1);  // must not bring a refused override back
   EXPECT_THAT(fields_.view().beta, Each(1));
 }
 

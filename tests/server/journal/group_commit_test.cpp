@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-/// A table of blobs on a disk that has room for about 100 kB.
+/// A table of blobs on a disk with room for about 100 kB.
 class GroupCommitTest : public testing::Test {
  protected:
   GroupCommitTest() {
@@ -18,7 +18,7 @@ class GroupCommitTest : public testing::Test {
     EXPECT_TRUE(database.execute("CREATE TABLE blobs (bytes BLOB)").is_ok());
     EXPECT_TRUE(database.execute("PRAGMA max_page_count = 30").is_ok());
     commit_ = std::make_unique<GroupCommit>(std::move(database));
-    // What is posted from now on shares a commit.
+    // All later posts share a commit.
     commit_->post([](Database&) { return Status::ok(); }, [this](const Status&) { go_on_.wait(); });
   }
 

@@ -1,4 +1,4 @@
-// Damage to the journal's rows is found when they are read, and takes nothing else with it.
+// A read finds damage to the journal's rows, and nothing else is lost with them.
 
 #include <filesystem>
 
@@ -37,7 +37,7 @@ class JournalDamageTest : public testing::Test {
 
   void start() { journal_ = std::move(Journal::open(folder_ / "j.sqlite")).value(); }
 
-  /// Changes the file behind the journal's back.
+  /// Changes the file while the journal is closed.
   void damage(const char* sql) {
     journal_.reset();
     {
@@ -49,7 +49,7 @@ class JournalDamageTest : public testing::Test {
     start();
   }
 
-  /// The numbers of the edits that are damaged; the others are as they were written.
+  /// Returns the numbers of the damaged edits; the others must be as they were written.
   std::vector<uint64_t> damaged(const std::string& id = "id-a") {
     std::vector<uint64_t> numbers;
     const auto edits = journal_->edits(id).value();
@@ -162,7 +162,7 @@ TEST_F(JournalDamageTest, ARoleThatIsDamagedOrGoneIsTheLeast) {
 }
 
 TEST_F(JournalDamageTest, WhatTheEndOfTheWriteAheadLogHasLostIsMissed) {
-  // The files as a power cut and a bad block leave them: a log of which the end is gone.
+  // Leaves the files like a power cut and a bad block: the end of the log is lost.
   const fs::path copy = folder_ / "copy.sqlite";
   fs::copy(folder_ / "j.sqlite", copy);
   fs::copy(folder_ / "j.sqlite-wal", folder_ / "copy.sqlite-wal");

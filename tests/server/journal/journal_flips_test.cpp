@@ -1,5 +1,5 @@
-// Single bits of a closed journal flip: what is read afterwards is as it was written, or it is said
-// that it is not. BURNISH_FLIPS=20000 tries more of them than the default.
+// Single bits of a closed journal flip. Each later read must return what was written, or report
+// damage. BURNISH_FLIPS=20000 tries more bits than the default.
 
 #include <cstdlib>
 #include <filesystem>
@@ -49,7 +49,7 @@ void write_journal(const std::filesystem::path& path) {
       ASSERT_TRUE(journal->append(id_of(session), number, {edit_of(number)}).is_ok());
 }
 
-/// What somebody who opens the journal is told.
+/// Everything that an opener of the journal learns.
 struct Told {
   bool of_damage = false;
   std::map<std::string, std::string> values;
@@ -69,7 +69,7 @@ void read_session(Journal& journal, const SessionRecord& record, Told& told) {
     told.values[record.id] +=
         "\n" + edit.author + std::to_string(edit.unix_ms) + edit_to_bytes(edit.edit);
   }
-  // Nobody in the test is a viewer: that is what stands for a role that was damaged.
+  // Nobody in the test is a viewer, so this role stands for a damaged one.
   for (const auto& [user, role] : roles->by_user()) {
     told.of_damage |= role == SessionRole::kViewer;
     told.values[record.id] += "\n" + user + session_role_name(role);

@@ -29,7 +29,7 @@ AuthoredEdit slider(const std::string& id) {
   return {"ann", 0, {id, SetGradientScale{0.5}}};
 }
 
-/// A journal in a folder of its own, with the session "a".
+/// A journal in its own folder, with the session "a".
 class JournalTest : public testing::Test {
  protected:
   JournalTest() {
@@ -129,7 +129,7 @@ TEST_F(JournalTest, RemovingASessionGivesItsDiskBack) {
   large.cells.assign(100'000, {Vec3i(1, 2, 3), 1, 1, 1});
   ASSERT_TRUE(journal_->append("id-b", 1, {{"ann", 0, {"x", large}}}).is_ok());
   ASSERT_TRUE(journal_->remove_session("id-b").is_ok());
-  // Each of these waits for a step of giving back, of which there are a few.
+  // Each call waits for one of the few steps of giving space back.
   for (int step = 0; step < 50; ++step) ASSERT_TRUE(journal_->edit_count("id-a").is_ok());
   journal_.reset();
   EXPECT_LT(std::filesystem::file_size(folder_ / "j.sqlite"), 300'000u);
@@ -166,7 +166,7 @@ TEST_F(JournalTest, OfPaintTheNewestIsKept) {
   EXPECT_EQ(kept.back().series, 110u);
   EXPECT_EQ(kept.back().strokes, 10u);
   EXPECT_EQ(kept.back().painted.beta, (std::vector<float>{0.5f, 2}));
-  EXPECT_TRUE(journal_->paint("id-a", 3).value().empty());  // of another mesh
+  EXPECT_TRUE(journal_->paint("id-a", 3).value().empty());  // for another mesh
 }
 
 TEST(Journal, AFileThatIsNoJournalIsDataLoss) {
@@ -177,7 +177,7 @@ TEST(Journal, AFileThatIsNoJournalIsDataLoss) {
   EXPECT_THAT(journal.status().message(), HasSubstr("j.sqlite"));
 }
 
-// As the first released program wrote it.
+// The schema of the first released program.
 constexpr char kVersion1[] = R"sql(
   CREATE TABLE sessions (
     id BLOB PRIMARY KEY, name BLOB NOT NULL UNIQUE, scan_id BLOB NOT NULL,
@@ -208,7 +208,7 @@ TEST(Journal, OfTheFirstVersionOpensWithAllItsEdits) {
     insert_old_edit(database, "id-b", {"x", SetGradientScale{4}});
     insert_old_edit(database, "id-a", {"y", SetGradientScale{0.5}});
   }
-  for (int time = 0; time < 2; ++time) {  // once to migrate, once to read what that left
+  for (int time = 0; time < 2; ++time) {  // first to migrate, then to read the result
     const auto journal = std::move(Journal::open(folder / "j.sqlite")).value();
     EXPECT_EQ(journal->sessions().value().size(), 2u);
     const auto edits = journal->edits("id-a").value();

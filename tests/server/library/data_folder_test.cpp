@@ -48,7 +48,7 @@ TEST(DataFolder, NobodyElseCanOpenItsLock) {
   const TemporaryFolder root;
   std::filesystem::create_directories(root / "data");
   root.write("data/lock", "");
-  std::filesystem::permissions(root / "data/lock", std::filesystem::perms(0644));  // an older one
+  std::filesystem::permissions(root / "data/lock", std::filesystem::perms(0644));  // an old one
   const auto folder = DataFolder::open(root / "data");
   ASSERT_TRUE(folder.is_ok());
   EXPECT_EQ(std::filesystem::status(root / "data/lock").permissions(),

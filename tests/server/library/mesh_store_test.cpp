@@ -8,7 +8,7 @@
 
 #include "common/base/limits.h"
 #include "server/library/scan_record.h"
-#include "server/memory/memory_need.h"
+#include "server/memory/opening_need.h"
 #include "server/prepare/prepared_mesh.h"
 #include "tests/server/manager/test_library.h"
 
@@ -143,7 +143,7 @@ TEST(MeshStore, AMeshBeyondTheMemoryBudgetIsRefusedWithTheNumbers) {
   EXPECT_THAT(mesh.status().message(), HasSubstr("limits.memory_bytes_max is 1000"));
 }
 
-// Specks far from each other have corners of their own at all depths: more than is predicted.
+// Specks far from each other have their own corners at all depths: more than predicted.
 TriangleMesh specks() {
   TriangleMesh mesh;
   for (int x = -4; x <= 4; ++x)
@@ -181,7 +181,7 @@ TEST(MeshStore, ARemovedScanIsGone) {
   EXPECT_FALSE(fs::exists(library.folder->scans() / scan.id));
 }
 
-/// A square of two triangles, a few hundred bytes, whose cells at depth 11 take gigabytes.
+/// A square of two triangles: a few hundred bytes, but gigabytes of cells at depth 11.
 std::string square_file() {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0.2}, {1, 1, 0.1}, {0, 1, 0.3}};

@@ -1,4 +1,4 @@
-// Damage to a scan's files is found before anything is made of them, and an import cures it.
+// Damage to a scan's files is found before they are used, and an import repairs it.
 
 #include <filesystem>
 
@@ -36,7 +36,7 @@ class ScanDamageTest : public testing::Test {
 
 TEST_F(ScanDamageTest, ADamagedOriginalIsNotPrepared) {
   flip_a_bit_of_the_original();
-  EXPECT_TRUE(library_.store->open_mesh(scan_.id, {5, 0}, {}).is_ok());  // as it was prepared
+  EXPECT_TRUE(library_.store->open_mesh(scan_.id, {5, 0}, {}).is_ok());  // as it was before
   fs::remove(prepared());
   const Status status = library_.store->open_mesh(scan_.id, {5, 0}, {}).status();
   EXPECT_EQ(status.code(), StatusCode::kDataLoss);

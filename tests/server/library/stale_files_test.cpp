@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A library with one scan, and more in the folder of its prepared file.
+/// A library with one scan, and further files in the folder of its prepared file.
 class StaleFiles : public testing::Test {
  protected:
   StaleFiles() {

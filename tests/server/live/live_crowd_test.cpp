@@ -1,4 +1,4 @@
-// Many clients at once, from threads of their own, at sessions that solve on threads of their own.
+// Many clients at once, each on its own thread, at sessions that solve on their own threads.
 
 #include <random>
 #include <thread>
@@ -15,8 +15,8 @@ namespace {
 constexpr int kVisitsEach = 6;
 constexpr int kDeedsEach = 40;
 
-/// One person who comes, does things at random, and goes: in turn without a word and after waiting
-/// for all answers.
+/// A person who comes, does things at random, and goes: sometimes without a word, sometimes after
+/// waiting for all answers.
 class Visitor {
  public:
   Visitor(SessionManager& manager, LiveSessions& live, int number)
@@ -125,11 +125,11 @@ TEST(LiveCrowd, LeavesWhatAPlainReplayGivesAndNothingElse) {
                             })
                     .is_ok());
   }
-  // Only now, for reading the journal has waited for the last answers.
+  // Only now: reading the journal has waited for the last answers.
   EXPECT_EQ(live_count(LiveKind::kStream), 0);
   EXPECT_EQ(live_count(LiveKind::kLiveSession), 0);
   EXPECT_GT(acknowledged, 0u);
-  EXPECT_GE(kept, acknowledged);  // some went before they heard
+  EXPECT_GE(kept, acknowledged);  // some left before their answer
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST_F(LiveEdits, PreviewsAreCheckedAsAWhole) {
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
   EXPECT_THAT(status.message(), HasSubstr("more than 4096 dabs"));
   fine.brush.radius = 2;
-  EXPECT_THAT(grow(fine).message(), HasSubstr("brush of preview drag is another"));
+  EXPECT_THAT(grow(fine).message(), HasSubstr("brush of preview drag"));
 }
 
 TEST_F(LiveEdits, SomebodyElseAtTheSessionHoldsUpOnlyItsOwnTurns) {

@@ -1,4 +1,4 @@
-// What the frames of a live session show, and when they go out.
+// The content of a live session's frames, and the times when they go out.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ TEST_F(LiveFrames, WhileItMovesAFrameIsOffByAtMostTheCodecsStep) {
 TEST_F(LiveFrames, OverASlowLinkASettledSurfaceIsShownInPartsAndExactInTheEnd) {
   ASSERT_TRUE(library_.import(sphere_file(1, 5), "large").is_ok());
   ASSERT_TRUE(manager_->open({"large", "large", {5, 0}}, "ann", {}).is_ok());
-  const Greeting wish{"large", 0, FrameContent::kVertices};  // of several tiles
+  const Greeting wish{"large", 0, FrameContent::kVertices};  // with several tiles
   auto ann = guest("ann", wish), bob = guest("bob", wish);
   ann.edit({{"a", SetGradientScale{0}}});
   bob.settle();
@@ -122,7 +122,7 @@ TEST_F(LiveFrames, WhoComesToASettledSurfaceGetsOneStillFrameWithoutACycle) {
 TEST_F(LiveFrames, AFrameThatCouldNotBeDecodedIsMadeUpFor) {
   auto ann = guest();
   ann.settle();
-  ann.decoder = FrameDecoder(ann.subscriber().target->layout);  // it has lost everything
+  ann.decoder = FrameDecoder(ann.subscriber().target->layout);  // loses everything
   ann.subscriber().grant({.frames = 1, .key_frame = true});
   ann.run();
   EXPECT_EQ(shown(ann).steps, sample(ann).steps);

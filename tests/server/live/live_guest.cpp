@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// Rings whenever there is something to take.
+/// Rings when there is something to take.
 struct LiveGuest::Bell {
   std::mutex mutex;
   std::condition_variable wake;
@@ -65,8 +65,8 @@ void LiveGuest::take_all() {
 }
 
 void LiveGuest::run() {
-  // Encoders and the journal answer from threads of their own, and none of them says when all of
-  // them have nothing left.
+  // Encoders and the journal answer from their own threads, and none of them says when all are
+  // done.
   static constexpr std::chrono::milliseconds kAnswerTime{100};
   do {
     while (sessions_.scheduler().run_one()) take_all();

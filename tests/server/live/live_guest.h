@@ -11,11 +11,11 @@
 
 namespace burnish {
 
-/// A client of a live session in this process. Its session works only while it waits, by turns that
-/// it takes itself, where the sessions have no solver threads.
+/// A client of a live session in this process. If the sessions have no solver threads, its session
+/// works only while the guest waits, by turns that the guest takes.
 class LiveGuest {
  public:
-  /// `wiring`: without on_message and on_dead.
+  /// `wiring`: all but on_message and on_dead.
   LiveGuest(LiveSessions& sessions, const Greeting& greeting, const Caller& caller,
             SubscriberWiring wiring = {});
   ~LiveGuest() { leave(); }
@@ -25,13 +25,13 @@ class LiveGuest {
   LiveSession& session() { return *client_.session; }
   uint64_t connection() { return subscriber().connection; }
 
-  /// Takes the messages that are there.
+  /// Takes the waiting messages.
   void take_all();
 
   /// Takes turns and messages until nothing more comes.
   void run();
 
-  /// The same, granting credits and acknowledging every frame, until the surface is settled.
+  /// Does run(), grants credits and acknowledges every frame, until the surface is settled.
   void settle();
 
   void edit(std::vector<Edit> edits) { session().edit(connection(), std::move(edits), 0); }
@@ -45,7 +45,7 @@ class LiveGuest {
   }
 
   std::vector<ServerMessage> received;
-  std::vector<uint64_t> decoded;  ///< sequence numbers that have not been acknowledged
+  std::vector<uint64_t> decoded;  ///< sequence numbers not yet acknowledged
   bool finished = false;
 
  private:

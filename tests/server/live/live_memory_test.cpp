@@ -1,4 +1,4 @@
-// What a live session and its clients take of the memory, and when they give it back.
+// The memory of a live session and its clients, and when they give it back.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ TEST_F(LiveMemory, UnusedSessionsLeaveMemoryAndComeBackAsTheyWere) {
     ann.edit({{"a", stroke()}});
     ann.run();
     manager_->spill_idle(std::chrono::seconds(0));
-    EXPECT_TRUE(manager_->list()[0].in_memory);  // somebody is there
+    EXPECT_TRUE(manager_->list()[0].in_memory);  // a client is in it
   }
   manager_->spill_idle(std::chrono::seconds(1000));
   EXPECT_TRUE(manager_->list()[0].in_memory);

@@ -1,4 +1,4 @@
-// Who is in a live session: their roles, and how they are sent away.
+// The people in a live session: their roles, and how they are sent away.
 
 #include <gtest/gtest.h>
 
@@ -47,12 +47,12 @@ TEST_F(LivePeople, ClosedAndDeletedSessionsSendTheirClientsAway) {
   ann.edit({{"a", SetGradientScale{0.5}}});
   ASSERT_TRUE(manager_->close("work", "ann", {}).is_ok());
   ann.run();
-  // What had come before is answered all the same.
+  // Earlier edits are still answered.
   EXPECT_EQ(ann.all<EditsAcknowledged>().size(), 1u);
   EXPECT_EQ(ann.all<Farewell>()[0].reason, "the session was closed by ann");
   EXPECT_FALSE(ann.all<Farewell>()[0].come_back);
   EXPECT_TRUE(ann.finished);
-  auto again = guest();  // while the first one is still on the way out
+  auto again = guest();  // while the first is still leaving
   ann.leave();
   again.edit({{"b", SetGradientScale{0.25}}});
   again.run();

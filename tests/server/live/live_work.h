@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-/// A session "work" of ann's over a sphere, whose turns are taken by the test.
+/// Ann's session "work" on a sphere; the test takes its turns.
 class LiveWork : public testing::Test {
  protected:
   LiveWork();
@@ -20,10 +20,10 @@ class LiveWork : public testing::Test {
     return LiveGuest(*live_, wish, user);
   }
 
-  /// What the guest must show of a settled session: the displacement, rounded.
+  /// Returns what the guest must show of a settled session: the displacement, rounded.
   FrameSample sample(LiveGuest& guest);
 
-  /// What the guest shows, in the sample's order.
+  /// Returns what the guest shows, in the sample's order.
   static FrameSample shown(LiveGuest& guest);
 
   static Stroke stroke() { return {{0.4, 0.7, 0.2, FallOff::kSmooth}, {{1, 0, 0}, {0, 1, 0}}}; }

@@ -5,11 +5,11 @@
 namespace burnish {
 namespace {
 
-/// The list while it is being read.
+/// The list while it is read.
 struct Reading {
   std::vector<SerialReplay::Item> items;
   std::map<std::string, std::vector<uint64_t>> undone;
-  std::map<std::string, std::vector<SerialReplay::Item>> checkpoints;  // the items as they were
+  std::map<std::string, std::vector<SerialReplay::Item>> checkpoints;  // the items at that time
   bool possible = true;
 
   SerialReplay::Item* item(uint64_t number) {

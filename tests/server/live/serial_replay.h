@@ -10,8 +10,8 @@
 
 namespace burnish {
 
-/// The session model once more, as plainly as it can be said: every question is answered from the
-/// list of all edits, from the beginning, cell by cell. Shares no code with server/session.
+/// A second, plain implementation of the session model. It answers every question from the list of
+/// all edits, from the beginning, cell by cell. It shares no code with server/session.
 class SerialReplay {
  public:
   struct Item {
@@ -21,12 +21,12 @@ class SerialReplay {
     bool on;
   };
 
-  /// All or none; false when one of them cannot be done.
+  /// Applies all edits or none. Returns false if one of them cannot be done.
   bool apply(const std::vector<AuthoredEdit>& edits);
 
   const std::vector<AuthoredEdit>& edits() const { return edits_; }
 
-  /// What the first `count` edits amount to.
+  /// Returns the items after the first `count` edits.
   std::vector<Item> items(size_t count) const;
   std::vector<Item> items() const { return items(edits_.size()); }
 

@@ -9,8 +9,8 @@ namespace burnish {
 
 namespace fs = std::filesystem;
 
-/// Memory where there is such a folder: a killed process loses nothing of it, and thousands of
-/// commits need not wait for a disk.
+/// Returns a folder in memory if there is one: a killed process loses none of its files, and
+/// thousands of commits need not wait for a disk.
 static fs::path quick_folder() {
   return fs::is_directory("/dev/shm") ? fs::path("/dev/shm") : fs::temp_directory_path();
 }
@@ -143,7 +143,7 @@ void Simulator::receive(const Message& message) {
   SerialReplay longer = serial_;
   const bool possible = !user.is_viewer && longer.apply(fresh);
 
-  if (possible && chance(0.05)) {  // killed before anybody hears of the disk
+  if (possible && chance(0.05)) {  // killed before the disk's answer
     EXPECT_TRUE(
         manager_->submit(session_, user.name, message.edits, {}, [](const Status&) {}).is_ok());
     serial_ = longer;
@@ -153,7 +153,7 @@ void Simulator::receive(const Message& message) {
   ASSERT_EQ(outcome.is_ok(), possible) << outcome.status().message();
   if (!possible) {
     ++counts_.refused;
-    return acknowledge(message.user, message.edits);  // no use to send it again
+    return acknowledge(message.user, message.edits);  // sending it again does not help
   }
   EXPECT_EQ(outcome.value().applied, fresh.size());
   counts_.edits += fresh.size();
@@ -169,7 +169,7 @@ void Simulator::acknowledge(size_t user, const std::vector<Edit>& edits) {
   });
 }
 
-// What a killed process leaves are its files as they are at that moment.
+// A killed process leaves its files as they are at that moment.
 void Simulator::crash() {
   ++counts_.crashes;
   const fs::path left = folder_ / ("journal" + std::to_string(counts_.crashes) + ".sqlite");
@@ -201,7 +201,7 @@ void Simulator::adopt_what_survived() {
   serial_ = std::move(survived);
 }
 
-// Everybody goes on in the fork.
+// Everybody continues in the fork.
 void Simulator::fork() {
   const std::vector<AuthoredEdit>& edits = serial_.edits();
   if (edits.empty()) return;
@@ -210,7 +210,7 @@ void Simulator::fork() {
   const auto forked = manager_->fork({session_, name, end, ""}, users_[0].name, {});
   ASSERT_TRUE(forked.is_ok()) << forked.status().message();
   EXPECT_EQ(forked.value().edits, end);
-  compare();  // the source is as it was
+  compare();  // the source is unchanged
   SerialReplay shorter;
   ASSERT_TRUE(shorter.apply({edits.begin(), edits.begin() + static_cast<std::ptrdiff_t>(end)}));
   serial_ = std::move(shorter);

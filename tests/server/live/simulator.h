@@ -13,19 +13,19 @@
 
 namespace burnish {
 
-/// One history of several people at one session, drawn from a seed: they come and go, draw, undo,
-/// switch, name states and fork, over a network that drops, repeats and reorders their messages,
-/// to a server that gives memory back and is killed at any moment. What the session shows is
-/// compared with SerialReplay all along.
+/// A history of several people at one session, drawn from a seed. They come and go, draw, undo,
+/// switch, name states and fork. The network drops, repeats and reorders their messages. The server
+/// gives memory back and is killed at any moment. The session's state is compared with SerialReplay
+/// throughout.
 class Simulator {
  public:
   /// Needs: a library with one scan; one simulator at a time.
   Simulator(TestLibrary& library, const ScanInfo& scan, uint64_t seed);
 
-  /// Fails the running test where the session differs from the serial replay.
+  /// Fails the running test if the session differs from the serial replay.
   void run();
 
-  /// How often each thing has happened, by which a test sees that the histories are rich.
+  /// How often each event has happened. Tests check with it that the histories are rich.
   struct Counts {
     size_t edits = 0, refused = 0, known = 0, crashes = 0, lost = 0, forks = 0, spills = 0;
   };
@@ -59,7 +59,7 @@ class Simulator {
   void change_role();
   void compare();
 
-  /// A number of 0..n-1.
+  /// Returns a number in 0..n-1.
   size_t pick(size_t n) { return std::uniform_int_distribution<size_t>(0, n - 1)(random_); }
   bool chance(double p) { return std::bernoulli_distribution(p)(random_); }
 
@@ -72,12 +72,12 @@ class Simulator {
   std::unique_ptr<Journal> journal_;
   std::unique_ptr<SessionManager> manager_;
 
-  bool is_calm_ = false;  // little goes wrong, so that the history grows long
+  bool is_calm_ = false;  // less goes wrong, so that the history grows long
   std::string session_ = "first";
   std::vector<User> users_;
   std::vector<Message> network_;
   SerialReplay serial_;
-  size_t acknowledged_ = 0;  // of the serial edits, so many were acknowledged
+  size_t acknowledged_ = 0;  // number of acknowledged serial edits
   Counts counts_;
 };
 

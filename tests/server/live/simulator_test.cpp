@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kHistories = 300;
 
-/// BURNISH_SIMULATED_HISTORIES asks for more, or fewer; BURNISH_SIMULATED_SEED for others.
+/// BURNISH_SIMULATED_HISTORIES sets their number; BURNISH_SIMULATED_SEED makes other histories.
 int from_environment(const char* name, int otherwise) {
   const char* text = std::getenv(name);
   return text ? std::atoi(text) : otherwise;

@@ -20,7 +20,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// A server of nothing in particular, in this process.
+/// A plain server in this process.
 struct TestServer {
   TemporaryFolder root;
   std::unique_ptr<DataFolder> folder = std::move(DataFolder::open(root / "data")).value();
@@ -35,7 +35,8 @@ struct TestServer {
       std::move(Server::start({"127.0.0.1:0", {}}, store, *sessions, live, lanes)).value();
 };
 
-/// What grpc.health.v1 says of a service: "\x08\x01" is SERVING, "\x08\x02" is NOT_SERVING.
+/// Returns the answer of grpc.health.v1 for a service: "\x08\x01" is SERVING, "\x08\x02" is
+/// NOT_SERVING.
 std::string health(const Server& server, const std::string& service) {
   grpc::GenericStub stub(grpc::CreateChannel(server.address(), grpc::InsecureChannelCredentials()));
   grpc::ClientContext context;
@@ -68,7 +69,7 @@ TEST(Daemon, AFailedDeviceEndsItWithEveryServiceNotServing) {
                       {.tick = milliseconds(1), .tend = [&rounds](bool) { ++rounds; }});
   });
   EXPECT_EQ(health(*test.server, "burnish.v1.Library"), "\x08\x01");
-  while (rounds < 3) std::this_thread::yield();  // it goes on, again and again, while all is well
+  while (rounds < 3) std::this_thread::yield();  // it continues while all is well
 
   works = false;
   const Status status = end.get();
@@ -82,7 +83,7 @@ TEST(Daemon, EndsByItselfOnceNobodyIsConnectedForAWhile) {
   TestServer test;
   const DeviceWatch device([] { return Status::ok(); });
   EXPECT_FALSE(test.server->is_in_use());
-  EXPECT_EQ(health(*test.server, ""), "\x08\x01");  // its channel is gone by its return
+  EXPECT_EQ(health(*test.server, ""), "\x08\x01");  // closes its channel before it returns
   FastClock clock;
   int rounds = 0;
   DaemonOptions options;

@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The session "one" of three edits over "ball", and a manager that can be started again.
+/// The session "one" with three edits on "ball", and a manager that can be restarted.
 class SessionDamageTest : public testing::Test {
  protected:
   SessionDamageTest() {
@@ -39,7 +39,7 @@ class SessionDamageTest : public testing::Test {
             .value();
   }
 
-  /// Changes the journal's file while nobody has it.
+  /// Changes the journal's file while it is closed.
   void damage(const char* sql) {
     stop();
     {

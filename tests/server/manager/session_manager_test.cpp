@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A library with one scan, "ball", and a manager that can be started again.
+/// A library with one scan, "ball", and a manager that can be restarted.
 class SessionManagerTest : public testing::Test {
  protected:
   SessionManagerTest() {
@@ -51,7 +51,7 @@ class SessionManagerTest : public testing::Test {
   std::unique_ptr<Journal> journal_;
   std::unique_ptr<SessionManager> manager_;
   std::string scan_id_;
-  std::string user_;  // who opens, edits and removes
+  std::string user_;  // opens, edits and removes
 };
 
 TEST_F(SessionManagerTest, OpeningTheSameNameAgainAttaches) {
@@ -72,7 +72,7 @@ TEST_F(SessionManagerTest, SessionsBeyondTheLimitAreRefusedWithTheNumbers) {
   for (const char* name : {"1", "2", "3"}) ASSERT_TRUE(open(name).is_ok());
   const Status status = open("4").status();
   EXPECT_EQ(status.code(), StatusCode::kResourceExhausted);
-  EXPECT_THAT(status.message(), HasSubstr("3 sessions, sessions_max is 3"));
+  EXPECT_THAT(status.message(), HasSubstr("limits.sessions_max is 3"));
 }
 
 TEST_F(SessionManagerTest, AnEditIdAppliedTwiceChangesOnce) {
@@ -197,7 +197,7 @@ TEST_F(SessionManagerTest, ANameThatCouldBeAnIdIsRefused) {
 TEST_F(SessionManagerTest, AnIdMeansItsSessionWhateverOthersAreCalled) {
   ASSERT_TRUE(open("one").is_ok());
   const SessionInfo one = manager_->list()[0];
-  // A journal of an older program may have such a name.
+  // The journal of an older program may have such a name.
   const SessionRecord forged{"f00", one.id, one.scan_id, one.key, 0};
   ASSERT_TRUE(journal_->create_session(forged, {}).is_ok());
   start();
@@ -207,7 +207,7 @@ TEST_F(SessionManagerTest, AnIdMeansItsSessionWhateverOthersAreCalled) {
 }
 
 TEST_F(SessionManagerTest, WhoGivesUpOpeningTakesNothingFromWhoWaits) {
-  // The first opener gives up once the second one waits for what it makes.
+  // The first opener gives up when the second waits for its session.
   std::promise<void> waits;
   std::thread second;
   Result<OpenedSession> opened = internal_error("not opened");

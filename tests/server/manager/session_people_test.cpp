@@ -108,7 +108,7 @@ TEST_F(SessionPeopleTest, OnlyAnOwnerGivesRolesAndDeletes) {
   EXPECT_TRUE(manager_->remove("work", "bob", {}).is_ok());
 }
 
-/// Vera, whom the server lets look and no more, and otto, who owns it.
+/// Vera, who is a mere viewer on the server, and Otto, who owns it.
 static Caller vera() {
   Caller caller("vera");
   caller.most = SessionRole::kViewer;
@@ -190,7 +190,7 @@ TEST_F(SessionPeopleTest, AForkBeginsWhereItIsToldAndGoesItsOwnWay) {
 TEST_F(SessionPeopleTest, EditsThatCannotBeWrittenAreForgotten) {
   ASSERT_TRUE(apply("ann", SetGradientScale{0.25}).is_ok());
   const std::string id = manager_->list()[0].id;
-  // Somebody else's edit takes the next number: the journal must refuse the session's own.
+  // Another's edit takes the next number: the journal must refuse the session's own edit.
   ASSERT_TRUE(journal_->append(id, 2, {{"eve", 0, {"x", SetGradientScale{2}}}}).is_ok());
   EXPECT_FALSE(apply("ann", SetGradientScale{0.5}).is_ok());
   EXPECT_EQ(beta(), 2);

@@ -1,5 +1,6 @@
 #include "tests/server/manager/test_library.h"
 
+#include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "common/transfer/chunk.h"
 

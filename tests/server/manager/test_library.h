@@ -3,29 +3,28 @@
 #include <memory>
 #include <string>
 
-#include "common/generate/generate.h"
 #include "server/library/mesh_store.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {
 
-/// A store in a folder of the test's own.
+/// A store in the test's own folder.
 class TestLibrary {
  public:
   explicit TestLibrary(const MeshStoreOptions& options = {});
 
-  /// Imports the bytes of a file by way of an upload in one chunk.
+  /// Imports the bytes of a file through an upload in one chunk.
   Result<ImportOutcome> import(const std::string& bytes, const std::string& name,
                                const Progress& progress = {}, int depth = 5);
 
-  /// Closes and opens everything again, as a new server would.
+  /// Closes and opens everything again, like a new server.
   void restart();
   void restart(const MeshStoreOptions& other) {
     options = other;
     restart();
   }
 
-  /// Names in the staging folder.
+  /// Returns the number of names in the staging folder.
   size_t staged_files() const;
 
   TemporaryFolder root;
@@ -34,10 +33,10 @@ class TestLibrary {
   std::unique_ptr<MeshStore> store;
 };
 
-/// The bytes of a PLY file.
+/// Returns the bytes of a PLY file.
 std::string mesh_file(const TriangleMesh& mesh);
 
-/// A sphere as the bytes of a PLY file: at level 3, 642 vertices.
+/// Returns a sphere as the bytes of a PLY file: 642 vertices at level 3.
 std::string sphere_file(double radius = 1, int level = 3);
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 #include "common/frame_codec/frame_encoder.h"
 #include "common/generate/generate.h"
 #include "server/live/frame_target.h"
+#include "server/memory/opening_need.h"
 #include "server/prepare/prepare.h"
 #include "server/session/session.h"
 #include "server/solver/tuning/plan_cycle.h"
@@ -63,7 +64,7 @@ TEST_P(MemoryNeed, OfAClientIsNoLessThanItsEncoderHoldsAndLessThanTwiceThat) {
   EXPECT_LE(predict_client_bytes(*target->layout), 2 * encoder.byte_count());
 }
 
-/// Keeps what a preparation needed.
+/// Records the need of a preparation.
 class RecordingBudget final : public PreparationBudget {
  public:
   uint64_t memory_bytes_max() const override { return UINT64_MAX / 2; }

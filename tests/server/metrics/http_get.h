@@ -4,10 +4,11 @@
 
 namespace burnish {
 
-/// What 127.0.0.1:port answers to "GET /metrics"; empty when nobody does.
+/// Returns the answer of 127.0.0.1:port to "GET /metrics"; empty without an answer.
 std::string http_get_metrics(int port);
 
-/// The value of one line of metrics, e.g. "burnish_live_objects{kind=\"call\"}"; -1: no such line.
+/// Returns the value of one line of metrics, e.g. "burnish_live_objects{kind=\"call\"}"; -1 if
+/// there is none.
 double metric(const std::string& text, const std::string& name);
 
 }  // namespace burnish

@@ -36,7 +36,7 @@ CellIntegrator integrator_of(const Piece& piece, bool umbilic = false) {
   return integrator;
 }
 
-// The same integrals by splitting every triangle into 4096 and taking the edges' midpoints.
+// The same integrals by splitting every triangle into 4096 and evaluating at the edges' midpoints.
 struct BruteForce {
   double area = 0;
   Matrix8 mass = Matrix8::Zero();
@@ -87,7 +87,7 @@ struct BruteForce {
   }
 };
 
-// The stored pairs as a whole matrix of row sums zero.
+// Returns the stored pairs as a full matrix with row sums of zero.
 Matrix8 expanded(const std::array<double, 28>& pairs) {
   Matrix8 full = Matrix8::Zero();
   for (int a = 0, pair = 0; a < 8; ++a)
@@ -124,7 +124,7 @@ TEST(CellIntegrals, StiffnessWithItsDiagonalFromTheRowSumsIsThatOfFineSubdivisio
   }
 }
 
-// What rounding to float32 twice over leaves of them must stay definite, on graphics cards too.
+// After two roundings to float32 they must still be definite, on graphics cards too.
 TEST(CellIntegrals, OfASliverLeaveNoFunctionButTheConstantWithoutStiffness) {
   Piece sliver = sample_piece();
   for (int i = 0; i < sliver.polygon.count; ++i)

@@ -17,7 +17,7 @@ std::shared_ptr<const PreparedMesh> prepared_at(const TriangleMesh& mesh, int de
   return *prepare(mesh, options);
 }
 
-// A sphere, and a crumb of which a part lies in the sphere's cells.
+// A sphere, and a crumb that lies partly in the sphere's cells.
 TriangleMesh sphere_with_a_crumb() {
   const TriangleMesh sphere = reference::bumpy_sphere(4);
   const auto beside = [&](Vec3d p) { return Vec3d(1.05 * sphere.vertices[0] + 0.03 * p); };

@@ -36,7 +36,7 @@ std::multiset<CellKey> cells_of(const Corners& triangle) {
   return cells;
 }
 
-// Every cell once, every piece inside its cell, and all of the triangle.
+// Checks that each cell occurs once, each piece lies in its cell, and the pieces fill the triangle.
 void expect_pieces_fill(const Corners& triangle) {
   const auto cells = cells_of(triangle);
   double area = 0;
@@ -98,7 +98,7 @@ TEST(TriangleCells, OfATriangleThatOnlyTouchesAPlaneLieOnItsOwnSide) {
 TEST(TriangleCells, OfALargeTriangleAreOnlyThoseItMeets) {
   const Corners large = {Vec3d(0.3, 0.2, 0.1), Vec3d(900.7, 0.4, 450.2), Vec3d(1.1, 850.6, 430.9)};
   const auto cells = cells_of(large);
-  EXPECT_GT(cells.size(), 380'000u);  // the shadow of the triangle on the floor, at least
+  EXPECT_GT(cells.size(), 380'000u);  // at least the shadow of the triangle on the floor
   EXPECT_LT(cells.size(), 1'600'000u);
   for (const CellKey& key : {CellKey{0, 0, 0}, CellKey{900, 0, 450}, CellKey{1, 850, 430}})
     EXPECT_EQ(cells.count(key), 1u);

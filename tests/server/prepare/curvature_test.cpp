@@ -47,7 +47,7 @@ void expect_finite_and_orthonormal(const Curvature& curvature) {
   }
 }
 
-// Vertex noise, the same on every machine.
+// Adds vertex noise, the same on every machine.
 TriangleMesh shaken(TriangleMesh mesh, double amplitude) {
   std::mt19937 random(7);
   for (Vec3d& p : mesh.vertices)
@@ -155,8 +155,8 @@ TEST(Curvature, FlatSheetAndSoupAreNotCurved) {
 TEST(Curvature, TrianglesWithoutAreaAndLooseVerticesChangeNothing) {
   const TriangleMesh mesh = test_sphere(3, 1);
   TriangleMesh dirty = mesh;
-  dirty.vertices.push_back(Vec3d(1e6, 0, 0));  // referenced by none
-  dirty.vertices.push_back(mesh.vertices[5]);  // a double, in triangles without area
+  dirty.vertices.push_back(Vec3d(1e6, 0, 0));  // without a triangle
+  dirty.vertices.push_back(mesh.vertices[5]);  // a copy, in triangles without area
   const auto twin = static_cast<uint32_t>(dirty.vertices.size() - 1);
   dirty.vertices.push_back((mesh.vertices[5] + mesh.vertices[6]) / 2);
   dirty.triangles.insert(dirty.triangles.end(),
@@ -200,7 +200,7 @@ TEST(Curvature, FollowsARigidMotion) {
   for (size_t t = 0; t < original.size(); ++t) {
     EXPECT_NEAR(curvature[t].kappa1, original[t].kappa1, 1e-7);
     EXPECT_NEAR(curvature[t].kappa2, original[t].kappa2, 1e-7);
-    if (original[t].kappa1 - original[t].kappa2 < 0.1) continue;  // directions are loose
+    if (original[t].kappa1 - original[t].kappa2 < 0.1) continue;  // directions are not well defined
     EXPECT_NEAR(std::abs(curvature[t].v1.dot(rotation * original[t].v1)), 1, 1e-7);
   }
 }
@@ -215,7 +215,7 @@ TEST(Curvature, AveragingSteadiesANoisySphere) {
 }
 
 TEST(Curvature, AveragingByAFewSamplesOfManyVerticesStaysTrue) {
-  // Hundreds of vertices to each cube of the averaging grid.
+  // Puts hundreds of vertices into each cube of the averaging grid.
   const Curvature averaged = closed_curvature(shaken(test_sphere(5, 1), 0.002), 0.5);
   for (const TriangleCurvature& c : averaged) {
     EXPECT_NEAR(c.kappa1, 1, 0.15);
@@ -224,7 +224,7 @@ TEST(Curvature, AveragingByAFewSamplesOfManyVerticesStaysTrue) {
 }
 
 TEST(Curvature, AveragingDoesNotReachThroughAThinSheet) {
-  // Two walls back to back, each curved away from the other like a lens.
+  // Two walls back to back, each curved away from the other, like a lens.
   TriangleMesh lens = test_patch(20, [](double u, double v) {
     return Vec3d(u, v, 0.01 - 0.1 * ((u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5)));
   });

@@ -33,7 +33,7 @@ bool has(Passages passages, int slot) {
   return (passages >> slot & 1) != 0;
 }
 
-// Index of the cell at a slot of another; -1 for none.
+// Returns the index of the cell at a slot of another; -1 for none.
 ptrdiff_t neighbour(const PreparedMesh& mesh, size_t cell, int slot) {
   const MortonKey key = morton_key(morton_point(mesh.cells[cell]) + offset_of_slot(slot));
   const auto at = std::ranges::lower_bound(mesh.cells, key);
@@ -53,7 +53,7 @@ void expect_symmetric(const PreparedMesh& mesh) {
   }
 }
 
-// How many parts the cells fall into for someone who walks through passages.
+// Returns how many parts the cells form if one walks through passages.
 size_t part_count(const PreparedMesh& mesh) {
   std::vector<size_t> parent(mesh.cells.size());
   std::iota(parent.begin(), parent.end(), 0);
@@ -75,7 +75,8 @@ TriangleMesh flat_sheet(double from, double to, double z, int side = 7) {
       side, [=](double u, double v) { return Vec3d(from + u * (to - from), v - 0.5, z * kCell); });
 }
 
-// No passage leaves a layer of cells; in it each leads to all neighbours at a side.
+// Checks that no passage leaves a layer of cells, and that within it each cell leads to all its
+// neighbours.
 void expect_passages_in_layers(const PreparedMesh& mesh) {
   for (size_t c = 0; c < mesh.cells.size(); ++c)
     for (int slot = 0; slot < kSlots; ++slot) {
@@ -88,7 +89,7 @@ void expect_passages_in_layers(const PreparedMesh& mesh) {
     }
 }
 
-// All cells of a triangle, and from each to all others beside it.
+// Checks all cells of a triangle, and the passages from each to all others beside it.
 void expect_passages_between_all_cells(const Corners& triangle) {
   std::vector<CellColumn> columns;
   find_columns(triangle, columns);

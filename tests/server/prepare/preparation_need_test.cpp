@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Takes everything up to a limit, and keeps what it was last asked for.
+/// Admits everything up to a limit, and records the last request.
 class TestBudget : public PreparationBudget {
  public:
   explicit TestBudget(uint64_t bytes_max = UINT64_MAX / 2) : bytes_max_(bytes_max) {}
@@ -57,7 +57,7 @@ TEST_P(PreparationPeak, IsPredictedAndThePredictionIsNotFarAbove) {
       test.vertices == 4 ? two_triangles() : scan_of_kind(test.kind, test.vertices);
   const uint64_t of_mesh = mesh.vertices.size() * sizeof(Vec3d) +
                            mesh.triangles.size() * sizeof(Triangle) + mesh.colours.size() * 4;
-  ASSERT_TRUE(prepare(mesh, {4, 0.02, 0}).is_ok());  // threads and their stacks are there
+  ASSERT_TRUE(prepare(mesh, {4, 0.02, 0}).is_ok());  // starts the threads and their stacks
   malloc_trim(0);
   const uint64_t before = resident_bytes();
   TestBudget budget;

@@ -28,7 +28,7 @@ const std::vector<Sample>& samples() {
   return all;
 }
 
-// The stored pairs, with the diagonal that makes row a sum to row_sum(a).
+// Returns the stored pairs as a full matrix; its diagonal makes row a sum to row_sum(a).
 template <typename RowSum>
 Matrix8d expanded(const std::array<double, 28>& pairs, RowSum&& row_sum) {
   Matrix8d full = Matrix8d::Zero();
@@ -46,7 +46,7 @@ Matrix8d stiffness_of(const CellIntegrals& cell, int direction) {
   return expanded(cell.stiffness[direction], [](int) { return 0; });
 }
 
-// Calls compare(reference cell, index of the product's cell) for the cells that both have.
+// Calls compare(reference cell, index of the product's cell) for the cells in both.
 template <typename Compare>
 void for_each_common_cell(const Sample& sample, Compare&& compare) {
   const PreparedMesh& prepared = *sample.prepared;

@@ -108,7 +108,7 @@ TEST(Prepare, ReportsItsPhasesInOrder) {
   PrepareReport report;
   ASSERT_TRUE(prepare(make_icosphere(4, 1), at_depth(6), watch, &report).is_ok());
   EXPECT_THAT(phases, testing::ElementsAre("grid", "curvature", "integrals", "evaluation"));
-  EXPECT_EQ(report.phases.size(), 5u);  // statistics before them
+  EXPECT_EQ(report.phases.size(), 5u);  // and statistics before them
 }
 
 TEST(Prepare, CanBeCancelledWheneverItReports) {
@@ -180,7 +180,7 @@ TEST(Prepare, NamesTheCellInWhichAScanIsLostBesideAFarVertex) {
   EXPECT_THAT(prepared.status().message(), HasSubstr("whose cells measure 6.9"));
 }
 
-// Counting the cells of all of them would not come to an end.
+// Counting the cells of all of them would never end.
 TEST(Prepare, CountsNoMorePiecesThanItMay) {
   const std::vector<Vec3d> triangle = {{0.5, 0, 0}, {0.5, 4096, 0}, {0.5, 0, 4096}};
   const std::vector<Triangle> triangles(5'000'000, Triangle{0, 1, 2});

@@ -18,7 +18,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-// A small mesh whose values are told apart; what they mean does not matter to the file.
+// A small mesh with distinct values; their meaning does not matter to the file.
 struct Sample {
   std::vector<Vec3d> vertices = {{0, 0, 0}, {1, 0, 0.5}, {0, 1, 0}, {0.25, 1, 1}};
   std::vector<Triangle> triangles = {{0, 1, 2}, {1, 3, 2}};
@@ -73,13 +73,13 @@ class PreparedFile : public testing::Test {
     EXPECT_TRUE(write_prepared_mesh(mesh, folder_ / "written").is_ok());
     return content_of(folder_ / "written");
   }
-  // The file of a mesh that contradicts itself, with every checksum right.
+  // Returns the status of a file whose mesh contradicts itself, with correct checksums.
   Status status_of_lie(const std::function<void(Sample&)>& lie) {
     Sample sample;
     lie(sample);
     return map_status(written(sample.mesh()));
   }
-  // The file with a changed header, whose checksum is right again.
+  // Returns the status of a file with a changed header and its correct checksum.
   Status status_of_header(const std::function<void(PreparedHeader&)>& change) {
     std::string content = written(Sample().mesh());
     PreparedHeader header;
@@ -250,7 +250,7 @@ TEST_F(PreparedFile, SheetsThatContradictTheirCellsAreRefused) {
                   for (uint32_t i = 4; i < 12; ++i) s.sheets.push_back({1, i, 0});
                   s.sheet_integrals.resize(s.sheets.size());
                 }),
-                "is one of more than 8 of cell 1");
+                "number 9 of cell 1, the limit is 8");
 }
 
 TEST_F(PreparedFile, IndicesOutsideTheirArraysAreRefused) {

@@ -13,7 +13,7 @@ static TriangleMesh icosahedron() {
   TriangleMesh mesh;
   mesh.vertices = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                    {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-  // Its faces are the triples at the shortest distance, turned outwards.
+  // Its faces are the triples at the shortest distance, facing outwards.
   for (uint32_t a = 0; a < 12; ++a)
     for (uint32_t b = a + 1; b < 12; ++b)
       for (uint32_t c = b + 1; c < 12; ++c) {

@@ -16,7 +16,7 @@ TriangleMesh test_patch(int side, const std::function<Vec3d(double, double)>& su
 /// An open cylinder around z, facing outwards, with a seam of doubled vertices at x = radius.
 TriangleMesh test_cylinder(double radius, double height);
 
-/// Box and volume; `is_closed` as told.
+/// Box and volume of the mesh; `is_closed` as given.
 MeshStatistics test_statistics(const TriangleMesh& mesh, bool is_closed);
 
 /// The same surface facing the other way.

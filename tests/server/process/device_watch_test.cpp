@@ -42,7 +42,7 @@ TEST(DeviceWatch, AProbeThatHangsIsAFailureAfterTheLongestTimeOfAnAnswer) {
       },
       {std::chrono::hours(1), std::chrono::hours(2)}, clock.clock());
   begin.get_future().wait();
-  clock.put_forward(std::chrono::hours(2));  // with the hour between two probes it has one more
+  clock.put_forward(std::chrono::hours(2));  // with the hour between two probes it is one more
   EXPECT_TRUE(watch.status().is_ok());
   clock.put_forward(std::chrono::hours(1) + milliseconds(1));
   EXPECT_THAT(watch.status().message(), testing::HasSubstr("has not answered for 7200"));

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// One line as the formatter writes it.
+/// Returns one line of the formatter.
 std::string written(std::unique_ptr<spdlog::formatter> formatter, const std::string& message) {
   std::ostringstream out;
   const auto sink = std::make_shared<spdlog::sinks::ostream_sink_st>(out);

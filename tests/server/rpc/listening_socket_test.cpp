@@ -21,7 +21,7 @@ TEST(ListeningSocket, Port0TakesAFreePort) {
   ASSERT_TRUE(first.is_ok()) << first.status().message();
   EXPECT_GT(first.value().port(), 0);
   EXPECT_EQ(first.value().address(), "127.0.0.1:" + std::to_string(first.value().port()));
-  if (!second.is_ok()) return;  // a machine without IPv6
+  if (!second.is_ok()) return;  // this machine has no IPv6
   EXPECT_THAT(second.value().address(), HasSubstr("[::1]:"));
 }
 
@@ -75,7 +75,7 @@ TEST(ListeningSocket, AStaleUnixSocketIsReplacedAndAnyOtherFileIsNot) {
   const auto name = folder / "s", kept = folder / "kept";
   {
     const auto socket = ListeningSocket::unix_domain(name);
-    fs::rename(name, kept);  // it survives its server as after a kill
+    fs::rename(name, kept);  // like a socket after a kill
   }
   fs::rename(kept, name);
   EXPECT_TRUE(ListeningSocket::unix_domain(name).is_ok());

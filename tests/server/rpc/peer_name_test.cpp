@@ -12,7 +12,7 @@
 namespace burnish {
 namespace {
 
-/// The peer of a connection that a server has accepted at `to`, a family's loopback.
+/// Returns the peer of a connection that a server has accepted at `to`, the loopback of a family.
 Peer peer_at(const ListeningSocket& server, sockaddr_storage to, socklen_t length) {
   const int client = socket(to.ss_family, SOCK_STREAM | SOCK_CLOEXEC, 0);
   EXPECT_EQ(connect(client, reinterpret_cast<const sockaddr*>(&to), length), 0);

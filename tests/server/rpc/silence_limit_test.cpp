@@ -27,18 +27,18 @@ TEST(SilenceLimit, TellsOfAClientThatIsWaitedForAndSendsNothing) {
   const Status status = call->ended.get_future().get();
   EXPECT_EQ(status.code(), StatusCode::kDeadlineExceeded);
   EXPECT_THAT(status.message(), testing::HasSubstr("the client has sent nothing"));
-  EXPECT_FALSE(call->silence.heard());  // what comes now is too late
+  EXPECT_FALSE(call->silence.heard());  // a message comes too late
 }
 
 TEST(SilenceLimit, WhoIsNotWaitedForMayBeSilent) {
   const auto busy = std::make_shared<Call>(milliseconds(1));
   busy->start();
   busy->silence.wait();
-  const bool was_in_time = busy->silence.heard();  // perhaps not: this machine may be slow
+  const bool was_in_time = busy->silence.heard();  // may be false on a slow machine
   const auto other = std::make_shared<Call>(milliseconds(1));
   other->start();
   other->silence.wait();
-  other->ended.get_future().wait();  // by now the first one's alarm has rung, too
+  other->ended.get_future().wait();  // by now the first one's alarm has also rung
   EXPECT_EQ(busy->silence.heard(), was_in_time);
 }
 

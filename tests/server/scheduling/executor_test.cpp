@@ -13,7 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Work that ends when it is told to.
+/// Work that ends on request.
 class Gate {
  public:
   std::function<void()> work() {
@@ -57,7 +57,7 @@ TEST(Executor, WorkThatThrowsFailsAloneAndTheNextRuns) {
 
 TEST(Executor, HoldersTakeTurnsHoweverMuchOneOfThemHasWaiting) {
   Gate gate;
-  std::string order;  // of one thread
+  std::string order;  // written by one thread
   {
     Executor executor(1);
     executor.post({gate.work(), {}, "anna"});
@@ -89,7 +89,7 @@ TEST(Executor, AHolderThatWaitsInAllItsThreadsLeavesTheOthersFree) {
 
 class FullExecutor : public testing::Test {
  protected:
-  /// What a piece is refused with; "" when it is let in.
+  /// Returns the refusal of a piece; "" if it is admitted.
   std::string refusal(const std::string& holder, uint64_t bytes = 0) {
     std::string why;
     executor_.post({[] {},
@@ -124,14 +124,14 @@ TEST_F(FullExecutor, RefusesTheRequestsOfAHolderBeyondItsLimit) {
 TEST_F(FullExecutor, RefusesTheBytesOfAHolderBeyondItsLimit) {
   EXPECT_EQ(refusal("anna", 60), "");
   EXPECT_EQ(refusal("anna", 41),
-            "requests of anna hold 60 bytes and this one 41 more, the limit is 100");
+            "requests of anna hold 60 bytes and this one needs 41 more, the limit is 100");
   EXPECT_EQ(refusal("anna", 40), "");
 }
 
 TEST_F(FullExecutor, RefusesWhatAllHoldersTogetherAskBeyondTheLimit) {
   EXPECT_EQ(refusal("anna", 90), "");
   EXPECT_EQ(refusal("bert", 61),
-            "requests of all users hold 90 bytes and this one 61 more, the limit is 150");
+            "requests of all users hold 90 bytes and this one needs 61 more, the limit is 150");
   EXPECT_EQ(refusal("bert"), "");
   EXPECT_EQ(refusal("carl"), "");
   EXPECT_EQ(refusal("dora"), "the server has 3 requests waiting, the limit is 3");
@@ -142,7 +142,7 @@ TEST(ExecutorBytes, ComeBackWhenTheWorkIsDone) {
   for (int i = 0; i < 3; ++i) {
     std::promise<void> done;
     std::atomic<bool> refused{true};
-    while (refused) {  // the last piece's bytes come back a moment after its work
+    while (refused) {  // the last piece gives its bytes back a moment after its work
       refused = false;
       executor.post(
           {[&] { done.set_value(); }, [&](const Status&) { refused = true; }, "anna", 100});

@@ -21,7 +21,7 @@ TEST(FairMutex, WhoWaitsGetsItBeforeWhoComesBack) {
     had_it = true;
     mutex.unlock();
   });
-  // Turn by turn without a pause, as a solver works: the waiter comes in between.
+  // Works turn by turn without a pause, like a solver: the waiter must get in between.
   while (!had_it) {
     mutex.unlock();
     mutex.lock();
@@ -39,13 +39,13 @@ TEST(FairMutex, WaitingEndsWhenItIsToldAndLeavesNoTrace) {
   EXPECT_TRUE(mutex.try_lock());
 }
 
-/// Somebody who waits in a thread, and says so.
+/// Waits in a thread, and says when it waits.
 class InLine {
  public:
   InLine(FairMutex& mutex, std::function<void()> work)
       : thread_([this, &mutex, work = std::move(work)] {
           const bool got = mutex.lock_while([this] {
-            waits_ = true;  // asked for the first time after a while in the line
+            waits_ = true;  // first called after a while in the line
             return true;
           });
           EXPECT_TRUE(got);

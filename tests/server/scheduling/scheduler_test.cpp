@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-/// Takes a turn of so many milliseconds of the test's clock, so many times.
+/// Takes a number of turns, each some milliseconds of the test's clock.
 struct Worker : Scheduled {
   Worker(double& test_clock, double turn_ms, int turns_to_do)
       : clock(test_clock), cost_ms(turn_ms), left(turns_to_do) {}

@@ -22,7 +22,7 @@ class EditedFieldsTest : public testing::Test {
             {Vec3d(std::cos(0.3 * i), std::sin(0.3 * i), 0)}};
   }
 
-  /// Painted in several pieces: it has so many dabs.
+  /// A stroke with so many dabs that it is painted in several pieces.
   static Stroke long_stroke(int i) {
     Stroke stroke{{0.8, 0.3, 0.1 * i, FallOff::kSmooth}, {}};
     for (int turn = 0; turn < 400; ++turn)
@@ -43,7 +43,7 @@ class EditedFieldsTest : public testing::Test {
     return {view.begin(), view.end()};
   }
 
-  /// How many strokes painting cost the last call.
+  /// Returns how many strokes the call has painted.
   static uint64_t painted_by(EditedFields& edited, const std::function<void()>& call) {
     const uint64_t before = edited.painted_strokes();
     call();
@@ -158,7 +158,7 @@ TEST_F(EditedFieldsTest, AReplayThatPausesAnywhereGivesTheSameFields) {
   };
   for (size_t i = 0; i < edits.size(); ++i) {
     ASSERT_TRUE(in_pieces.record({&edits[i], 1}).is_ok());
-    // New edits come before the last ones are painted, an undo of a stroke half painted among them.
+    // New edits come before the last ones are painted; one undoes a stroke that is half painted.
     pauses += in_pieces.catch_up(one_piece(3)).is_ok() ? 0 : 1;
   }
   while (!in_pieces.catch_up(one_piece(1)).is_ok()) ++pauses;

@@ -18,7 +18,7 @@ class HistoryTest : public testing::Test {
   uint64_t undo(const std::string& author) { return apply(author, Undo{}).value(); }
   uint64_t redo(const std::string& author) { return apply(author, Redo{}).value(); }
 
-  /// The numbers of the entries that are on.
+  /// Returns the numbers of the entries that are on.
   std::vector<uint64_t> enabled() const {
     std::vector<uint64_t> numbers;
     for (const auto& entry : history_.entries())

@@ -18,7 +18,7 @@ std::shared_ptr<const PreparedMesh> prepared_sphere() {
   return *prepare(make_icosphere(2, 1), options);
 }
 
-/// What a solver would see.
+/// Everything that a solver would see.
 struct Cells {
   explicit Cells(const Fields& fields) : alphas(fields.alphas()) {
     const std::span<const float> of_cells = fields.view().beta;
@@ -100,7 +100,7 @@ TEST_F(PreviewsTest, SetAsideTheyComeBack) {
   EXPECT_EQ(shown(), during);
 }
 
-/// Several users who drag, drop, apply and undo at random, beside a plain replay of their edits.
+/// Several users who drag, drop, apply and undo at random, next to a plain replay of their edits.
 class Crowd {
  public:
   Crowd(const PreparedMesh& prepared, uint64_t seed)

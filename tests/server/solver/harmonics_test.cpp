@@ -1,5 +1,5 @@
-// Spherical harmonics of order two and three as scalar signals, filtered by the system that is
-// assembled: what backends do with the coordinates, which are of order one, tests/backends says.
+// Spherical harmonics of order two and three as scalar signals, filtered by the assembled system.
+// tests/backends checks the backends' work on the coordinates, which are of order one.
 
 #include <cmath>
 
@@ -44,7 +44,8 @@ Sparse exact_matrix(const TestSystem& system) {
 
 class SphericalHarmonics : public testing::Test {
  protected:
-  // Root mean square over the vertices, by signal, of the filtered signal less H times it, β = 0.
+  // Returns, per signal, the root mean square over the vertices of the filtered signal less H times
+  // it, at β = 0.
   Vec3d error(int depth) const {
     TestSystem system(sphere_, depth);
     const SparseGrid& grid = system.hierarchy->at(depth).grid;
@@ -74,8 +75,8 @@ class SphericalHarmonics : public testing::Test {
     return (a2 / (a2 + lambda2.array())).matrix();
   }
 
-  // Solves (α² M + L) x = α² M f: Eq. 4 at β = 0. Of S at α and 2 α, α² M is a third of the
-  // difference.
+  // Solves (α² M + L) x = α² M f: Eq. 4 at β = 0. α² M is a third of the difference of S at 2 α and
+  // at α.
   static Signals filter(TestSystem& system, const Signals& signal) {
     system.fields.set_transfer_curve(TransferCurve(kAlpha));
     const Sparse s = exact_matrix(system);

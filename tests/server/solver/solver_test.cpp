@@ -57,7 +57,7 @@ TEST(Solver, EnergyNeverRises) {
   }
 }
 
-// Where one term of S is a million times the other, float32 tables alone would not be definite.
+// If one term of S is a million times the other, float32 tables alone would not be definite.
 TEST(Solver, IsStableAtTheLimitsOfAlphaAndContrast) {
   const TransferCurve curves[] = {TransferCurve(kAlphaMin), TransferCurve(1e3), TransferCurve(1e4),
                                   TransferCurve(kAlphaMax), test_curve(kCurveContrastMax)};
@@ -100,7 +100,7 @@ TEST(Solver, HoldsTheSurfaceAsTheReferenceDoesWhereAlphaIsVeryLarge) {
   }
 }
 
-// Of small steps of α the largest eigenvalue is not estimated each time.
+// Small steps of α do not estimate the largest eigenvalue each time.
 TEST(Solver, AfterADragOfAlphaConvergesAsAFreshOne) {
   TestSystem system(reference::bumpy_sphere(5), 6);
   system.fields.set_gradient_scale(0);
@@ -120,7 +120,7 @@ TEST(Solver, AfterADragOfAlphaConvergesAsAFreshOne) {
   EXPECT_LE(after_drag.cycles, from_cold.cycles + 1);
 }
 
-/// All that a session ever asks of a solver, and every number that it gives back on the way.
+/// All calls of a session to a solver, and every number that it returns.
 struct Life {
   std::vector<double> numbers;
   std::vector<Vec3d> vertices;
@@ -231,7 +231,8 @@ TEST(Solver, ConvergesToTheSameSurfaceFromAnyStart) {
             1e-3);
 }
 
-// The largest distance of any vertex from `converged`, over the box's diagonal, after some steps.
+// Returns the largest distance of any vertex from `converged` after some steps, over the box's
+// diagonal.
 double distance_after(int steps, const TestSystem& system, const std::vector<Vec3d>& converged) {
   const auto solver = solver_of(system);
   for (int i = 0; i < steps; ++i) solver->step();
@@ -273,7 +274,7 @@ TEST(Solver, CrumbsConvergeFasterWhenTheyAreKeptApart) {
   EXPECT_LT(distance_after(10, system, converged), 0.01 * distance_after(10, together, converged));
 }
 
-// Seven times as far off where their patches are left out.
+// Without their patches they are seven times as far off.
 TEST(Solver, CrumbsThatHangOnASurfaceFollowItInThreeSteps) {
   TestSystem system(reference::crumbs_over_a_sphere(), 6);
   system.fields.set_transfer_curve(TransferCurve(5));
@@ -283,7 +284,7 @@ TEST(Solver, CrumbsThatHangOnASurfaceFollowItInThreeSteps) {
   EXPECT_LT(distance_after(3, system, solver->evaluate_vertices()), 1e-4);
 }
 
-// Twenty times as far off without patches.
+// Without patches they are twenty times as far off.
 TEST(Solver, SpikesSettleInTenStepsAsTheRest) {
   TestSystem system(reference::spiked_sphere(), 6);
   system.fields.set_gradient_scale(0);
@@ -292,8 +293,8 @@ TEST(Solver, SpikesSettleInTenStepsAsTheRest) {
   EXPECT_LT(distance_after(10, system, solver->evaluate_vertices()), 1e-6);
 }
 
-// Corners of triangles hang across a plane there. Twelve times as far off, though settled after
-// eight steps, where that is the trial's only milestone.
+// Corners of triangles hang across a plane there. If settling after eight steps is the trial's only
+// milestone, the rim is twelve times as far off.
 TEST(Solver, ATornRimIsSettledAfterFiveSteps) {
   TestSystem system(generate_scan({.kind = "tablet", .vertices = 5000}).value(), 6);
   system.fields.set_gradient_scale(0);

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "server/prepare/prepare.h"
 #include "server/solver/cpu/assembly/assembly.h"
+#include "server/solver/hierarchy/half_way.h"
 #include "server/solver/tuning/plan_cycle.h"
 
 namespace burnish {

@@ -3,7 +3,6 @@
 #include <Eigen/Sparse>
 
 #include "server/fields/fields.h"
-#include "server/prepare/prepare.h"
 #include "server/solver/cpu/cpu_depth.h"
 #include "server/solver/cycle/multigrid.h"
 
@@ -17,18 +16,19 @@ struct TestSystem : Multigrid {
 
   Fields fields;
 
-  /// The matrices of all depths from the coarsest, as the CPU backend makes them of the fields.
+  /// Returns the matrices of all depths, the coarsest first, as the CPU backend makes them of the
+  /// fields.
   std::vector<cpu::CpuDepth> assembled(cpu::ExactMatrix* exact = nullptr) const;
 };
 
-/// Strong anisotropy: α1 and α2 differ by up to `contrast` over curvatures of a unit sphere's
-/// scale.
+/// Returns a curve of strong anisotropy: α1 and α2 differ by up to `contrast` over curvatures at a
+/// unit sphere's scale.
 TransferCurve test_curve(double contrast);
 
-/// S of one depth. Rows and columns of pinned corners are kept.
+/// Returns S of one depth, with rows and columns of pinned corners.
 Sparse system_matrix(const cpu::CpuDepth& depth);
 
-/// P from the coarser depth to `fine`.
+/// Returns P from the coarser depth to `fine`.
 Sparse prolongation_matrix(const HierarchyDepth& fine, const HierarchyDepth& coarse);
 
 }  // namespace burnish

@@ -50,7 +50,7 @@ TEST_F(ReloadedTest, AChangeThatCannotBeReadLeavesWhatThereWas) {
   write("bad");
   EXPECT_FALSE(file->refresh(false).is_ok());
   EXPECT_EQ(*file->get(), "one");
-  EXPECT_FALSE(file->refresh(false).value());  // told once
+  EXPECT_FALSE(file->refresh(false).value());  // reported once
   write("three");
   EXPECT_TRUE(file->refresh(false).value());
   EXPECT_EQ(*file->get(), "three");

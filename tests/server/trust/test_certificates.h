@@ -3,11 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "tests/common/temporary_folder.h"
-
 namespace burnish {
 
-/// A CA of the test's own. Certificates are PEM text.
+/// A CA of the test. Certificates are PEM text.
 class TestCa {
  public:
   struct Issued {
@@ -20,8 +18,8 @@ class TestCa {
 
   const std::string& certificate() const { return own_.certificate; }
 
-  /// A certificate for 127.0.0.1 and localhost, of servers and clients alike, good from yesterday
-  /// until `days` from now; negative: it has ended.
+  /// Issues a certificate for 127.0.0.1 and localhost, for servers and clients, valid from
+  /// yesterday until `days` from now; negative: expired.
   Issued issue(const std::string& common_name, int days = 30) const;
 
  private:

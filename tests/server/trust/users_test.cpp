@@ -11,7 +11,7 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 
-// Of the token "abc", as FIPS 180-2 gives it.
+// SHA-256 of the token "abc" from FIPS 180-2.
 constexpr char kAbcHash[] = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
 
 Result<UserTable> read(const std::string& text) {

@@ -15,7 +15,7 @@ namespace {
 constexpr double kPinnedBelow = 1e-12;  // of the median diagonal
 constexpr size_t kMedianSamplesMax = 1 << 12;
 
-// The median of an even sample: exact enough for a threshold twelve decades below it.
+// Returns the median of an even sample: exact enough for a threshold far below it.
 double sampled_median(const std::vector<float>& values) {
   const size_t stride = std::max<size_t>(1, values.size() / kMedianSamplesMax);
   std::vector<float> sample;

@@ -7,9 +7,9 @@
 
 namespace burnish::cpu {
 
-/// The matrices and inverse diagonals of all depths, the coarsest first, and the finest matrix in
-/// double if `exact` is given. A coarse depth's cells are Σ over children of Pᵀ K P. Source:
-/// section 5.2.
+/// Makes the matrices and inverse diagonals of all depths, the coarsest first, and the finest
+/// matrix in double if `exact` is given. A coarse depth's cells are Σ over children of Pᵀ K P.
+/// Source: section 5.2.
 void assemble(const PreparedMesh& prepared, const CellAlphas& alphas, std::span<CpuDepth> depths,
               ExactMatrix* exact = nullptr);
 

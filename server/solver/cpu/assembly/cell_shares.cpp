@@ -3,12 +3,13 @@
 #include <utility>
 
 #include "common/base/dispatch.h"
+#include "server/solver/hierarchy/half_way.h"
 
 namespace burnish::cpu {
 
 namespace {
 
-constexpr size_t kTargetsAlone = 128;  // for fewer, threads take longer to wake
+constexpr size_t kTargetsAlone = 128;  // for fewer, waking threads takes longer
 
 /// An 8×8 matrix by rows.
 struct Square {
@@ -36,7 +37,7 @@ Square square_of(const double* tie, bool is_transposed) {
   return k;
 }
 
-// What corner a of a part takes of the coarse cell's corners.
+// Finds the weights of the coarse cell's corners at corner a of a part.
 void find_weights(const CellPart& part, int a, Double8& weights) {
   const auto& half_way = half_way_weights()[part.place[a]];
   for (int v = 0; v < 8; ++v) weights[v] = double{part.weight[a]} * half_way[v];

@@ -4,11 +4,11 @@
 
 namespace burnish::cpu {
 
-/// Writes a cell's numbers as a tie has them.
+/// Writes a cell's numbers in the layout of a tie.
 void write_square(const CellMatrix& cell, double* square);
 
-/// Adds a coarse depth's shares of the finer one's numbers to its cells, and makes its ties of
-/// them.
+/// Adds the shares of the finer depth's numbers to the cells of a coarse depth, and makes its ties
+/// of them.
 void add_shares(const HierarchyDepth& fine, const HierarchyDepth& coarse,
                 const CombinedCells& fine_cells, CombinedCells& coarse_cells);
 

@@ -4,7 +4,7 @@
 
 namespace burnish::cpu {
 
-// P of a child: the weights of its parent's eight corners at each of its own.
+// P of a child: the weights of its parent's eight corners at each of its own corners.
 using ChildWeights = std::array<std::array<double, 8>, 8>;
 
 static constexpr std::array<ChildWeights, 8> make_weights() {
@@ -24,8 +24,8 @@ static constexpr std::array<ChildWeights, 8> make_weights() {
 
 alignas(64) static constexpr std::array<ChildWeights, 8> kWeights = make_weights();
 
-// Pᵀ from the left: along each axis the child's corner in the parent's middle shares itself out by
-// halves.
+// Does Pᵀ from the left. Along each axis the child's corner in the parent's middle gives half to
+// each side.
 [[gnu::always_inline]] static inline void restrict_rows(int octant, Double8 (&rows)[8]) {
   for (int axis = 0; axis < 3; ++axis) {
     const int bit = 1 << axis;

@@ -5,7 +5,7 @@
 
 namespace burnish::cpu {
 
-/// Σ Pᵀ K P over the children of one coarse cell, in full; its rows, and their sums.
+/// Σ Pᵀ K P over the children of one coarse cell: all rows, and their sums.
 struct RestrictedCell {
   Double8 row[8] = {};
   Double8 row_sum = {};

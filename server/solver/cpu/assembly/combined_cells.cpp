@@ -8,8 +8,8 @@ namespace burnish::cpu {
 
 namespace {
 
-constexpr int kCellsAlone = 1024;  // for fewer, threads take longer to wake
-constexpr int kCellsAtOnce = 256;  // to a thread
+constexpr int kCellsAlone = 1024;  // for fewer, waking threads takes longer
+constexpr int kCellsAtOnce = 256;  // per thread
 
 BURNISH_DISPATCH void combine(const CellIntegrals& of, const CombineWeights& by, CellMatrix& out) {
   for (int p = 0; p < kPairsPerCell; ++p)
@@ -32,7 +32,7 @@ void combine_sheets(const PreparedMesh& prepared, const Metric& metric,
   }
 }
 
-// `child_of(cell)` gives the cells of the finer depth, each once.
+// `child_of(cell)` returns the cells of the finer depth, each once.
 template <typename ChildOf>
 CombinedCells restrict_children(const HierarchyDepth& fine, const HierarchyDepth& coarse,
                                 ChildOf&& child_of) {

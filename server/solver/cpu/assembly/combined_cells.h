@@ -31,14 +31,14 @@ struct Metric {
   double scale;
 };
 
-/// Those of the finest depth, and of the one above it if there is one: combined while they are
-/// restricted.
+/// Combines the numbers of the finest depth, and of the one above it if there is one. Restricts
+/// them in the same pass.
 void combine_cells(const PreparedMesh& prepared, const Metric& metric, CombinedCells& cells);
 CombinedCells combine_and_down_sample(const PreparedMesh& prepared, const Metric& metric,
                                       const HierarchyDepth& fine, const HierarchyDepth& coarse,
                                       CombinedCells& fine_cells);
 
-/// Those of the depth above: Σ Pᵀ K P over its cells' children, and over all shares.
+/// Makes the numbers of the depth above: Σ Pᵀ K P over its cells' children, and over all shares.
 CombinedCells down_sample(const HierarchyDepth& fine, const HierarchyDepth& coarse,
                           const CombinedCells& fine_cells);
 

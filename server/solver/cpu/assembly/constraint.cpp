@@ -9,17 +9,18 @@
 
 namespace burnish::cpu {
 
-// With fewer changed cells than this part of all, their corners are summed one by one: a cell's
-// share is then computed for each of its corners anew.
+// With fewer changed cells than this part of all, their corners are summed one by one. A cell's
+// share is then computed anew for each of its corners.
 static constexpr int64_t kFewCellsDivisor = 8;
 
 namespace {
 
-// The last corner's share is minus the sum of the others', since Σ_a ∇B_a = 0.
+// The last corner's share is minus the sum of the others, because Σ_a ∇B_a = 0.
 BURNISH_DISPATCH void combine(const CellIntegrals& of, double first, double second,
                               std::array<double, 24>& out) {
   std::array<double, kPairsPerCell> pair;
-  for (int p = 0; p < kPairsPerCell; ++p) pair[p] = first * of.stiffness[0][p] + second * of.stiffness[1][p];
+  for (int p = 0; p < kPairsPerCell; ++p)
+    pair[p] = first * of.stiffness[0][p] + second * of.stiffness[1][p];
 #pragma GCC unroll 3
   for (int axis = 0; axis < 3; ++axis) {
     double others = 0;
@@ -96,7 +97,7 @@ void Constraint::share(int32_t cell, CellShare& out) const {
   combine(prepared_.integrals[cell], ratio_[cell], 1 / ratio_[cell], out);
 }
 
-// Without paint not by steps: b is nothing again where β is one again.
+// Without paint b is set, not moved by steps, so that it is exactly zero again at β = 1.
 void Constraint::slide(double by, std::vector<Double3>& b, std::vector<Double3>& r) const {
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < per_slider_.size(); ++i) {
@@ -106,7 +107,7 @@ void Constraint::slide(double by, std::vector<Double3>& b, std::vector<Double3>&
   }
 }
 
-// Sums what `share_of` says of the cells around a corner.
+// Sums `share_of` over the cells around a corner.
 template <typename ShareOf>
 void Constraint::sum_corner(int32_t corner, ShareOf&& share_of, Double3& b, Double3& r) {
   double of_slider[3] = {}, of_paint[3] = {};
@@ -144,7 +145,7 @@ bool Constraint::is_pin_new(int32_t corner) const {
   return is_pinned_[corner] != (finest_.inverse_diagonal[corner] == 0);
 }
 
-// Only the corners of cells whose paint is new, and those that are pinned or free since.
+// Sums only the corners of cells with new paint, and those that became pinned or free.
 void Constraint::sum_changed(std::vector<Double3>& b, std::vector<Double3>& r) {
   const auto is_changed = [&](int32_t cell) { return cell != kNone && is_changed_[cell] != 0; };
 #pragma omp parallel for schedule(static)

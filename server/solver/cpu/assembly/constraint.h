@@ -10,24 +10,25 @@
 
 namespace burnish::cpu {
 
-/// α2/α1 of every cell.
+/// Returns α2/α1 of every cell.
 std::vector<double> ratios_of(const CellAlphas& alphas);
 
 /// b_I = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²)_I, the right-hand side for the displacement: Eq. 4's
-/// constraint less S c°. What of b follows the slider is kept: of a slider that moves nothing is
-/// summed again, of a dab what is at its corners, of a new metric with the same ratios of α, as one
-/// α for another, what is at corners that are pinned no more.
+/// constraint less S c°. It keeps the part of b that follows the slider, so a slider that moves
+/// sums nothing again. A dab sums its corners again. A new metric with the same ratios of α, such
+/// as another α for all cells, sums the corners that are no longer pinned.
 class Constraint {
  public:
-  /// No paint, and β one everywhere. Both live longer.
+  /// Begins without paint and with β = 1 everywhere. Both arguments must live longer.
   Constraint(const PreparedMesh& prepared, const CpuDepth& finest);
 
-  /// After a new metric. `ratio`: α2/α1 of every cell; with another assemble() sums all anew.
+  /// Call after a new metric. `ratio`: α2/α1 of every cell; if it changed, assemble() sums
+  /// everything again.
   void set_ratio(std::vector<double> ratio);
   std::span<const double> ratio() const { return ratio_; }
 
-  /// b as the fields have it; the residual r changes by as much. Needs: b as it was left the last
-  /// time. Shapes: one per corner. Zero where pinned.
+  /// Makes b of the fields. Changes the residual r by the same amount. Needs: b as the last call
+  /// left it. Shapes: one per corner. Zero at pinned corners.
   void assemble(const FieldsView& fields, std::vector<Double3>& b, std::vector<Double3>& r);
   uint64_t byte_count() const;
 
@@ -55,11 +56,11 @@ class Constraint {
   std::vector<double> ratio_;
   bool ratio_is_new_ = true, pins_are_new_ = false;
   double slider_ = 1;
-  std::vector<Double3> per_slider_;  // of each corner: b's change as the slider goes up by one
-  std::vector<uint8_t> is_pinned_;   // of each corner, when it was summed
+  std::vector<Double3> per_slider_;  // per corner: the change of b when the slider goes up by one
+  std::vector<uint8_t> is_pinned_;   // per corner, at its last sum
   std::vector<Paint> paint_;
-  std::vector<uint8_t> has_paint_;   // of each stretch of cells, whether any may have some
-  std::vector<uint8_t> is_changed_;  // of each cell, whether its paint is new
+  std::vector<uint8_t> has_paint_;   // per stretch of cells: a cell of it may have paint
+  std::vector<uint8_t> is_changed_;  // per cell: its paint is new
   bool is_painted_ = false;
 };
 

@@ -4,16 +4,17 @@
 #include <array>
 #include <cstdint>
 
+#include "common/grid/stencil_slots.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 #include "server/solver/hierarchy/hierarchy.h"
 
 namespace burnish::cpu {
 
-/// What says which cells' numbers make up the stored rows of a stencil, as plain pointers.
+/// The cells whose numbers make up the stored rows of a stencil, as plain pointers.
 struct RowSources {
-  const int32_t* corner;  ///< of a row
+  const int32_t* corner;  ///< corner of a row
   const int64_t* start;
-  const uint32_t* mask;                               ///< by corner
+  const uint32_t* mask;                               ///< per corner
   const std::array<int32_t, kCornersPerCell>* cells;  ///< around a corner
 
   int32_t last;  ///< row
@@ -29,14 +30,14 @@ struct RowSources {
 /// A row of the stencil, summed from the symmetric 8×8 matrices of the cells around its corner.
 template <typename T>
 struct GatheredRow {
-  /// Its entries as they are stored: present slots in order, then zeros.
+  /// The entries in their stored form: present slots in order, then zeros.
   alignas(64) T entry[kSlots + 5] = {};
   T off_diagonal = 0;  ///< the sum of the entries
-  T own = 0;           ///< the sum of the cells' own numbers of this corner
+  T own = 0;           ///< sum of the cells' own numbers of this corner
 };
 
-/// Asks for what rows further on will need. Cells come nearly in the order of rows, but too
-/// irregularly for a processor to foresee.
+/// Prefetches the sources of rows further on. Cells come nearly in the order of rows, but too
+/// irregularly for a processor to predict.
 template <typename T>
 [[gnu::always_inline]] inline void prefetch_sources(const RowSources& sources, const T* cells,
                                                     int32_t stored) {
@@ -50,10 +51,10 @@ template <typename T>
   for (size_t i = 0; i < kNumbersPerCell * sizeof(T); i += 64) __builtin_prefetch(ahead + i);
 }
 
-/// Gathers one stored row, which is not irregular. Where there is no cell zeros are added, and an
-/// entry is put down before it is known whether it is there: rows differ too much for a processor
-/// to guess branches. Shapes: `cells` has kNumbersPerCell numbers per cell: 28 pairs, then eight of
-/// its own, which belong to one corner each.
+/// Gathers one stored row, which is not irregular. It has no branches, because rows differ too much
+/// for a processor to predict: a missing cell adds zeros, and each entry is written before it is
+/// known to be present. Shapes: `cells` has kNumbersPerCell numbers per cell: 28 pairs, then eight
+/// own numbers, one per corner.
 template <typename T>
 [[gnu::always_inline]] inline GatheredRow<T> gather_row(const RowSources& sources, const T* cells,
                                                         int32_t stored) {

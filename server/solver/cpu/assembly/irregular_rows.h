@@ -7,11 +7,11 @@
 namespace burnish::cpu {
 
 /// Calls store(corner, first entry's place in the stencil, entries, row sum) for every irregular
-/// row, made of a depth's numbers. Those from `number_count` on are zero.
+/// row. Makes the row from a depth's numbers. Numbers from `number_count` on are zero.
 template <typename T, typename Store>
 void sum_irregular_rows(const Stencil& stencil, const T* numbers, size_t number_count,
                         Store&& store) {
-  constexpr int32_t kRowsAlone = 128;  // for fewer, threads take longer to wake
+  constexpr int32_t kRowsAlone = 128;  // for fewer, waking threads takes longer
   const IrregularRows& rows = stencil.irregular;
 #pragma omp parallel for schedule(dynamic, 64) if (rows.count() > kRowsAlone)
   for (int32_t i = 0; i < rows.count(); ++i) {

@@ -21,7 +21,7 @@ struct Sums {
   }
 };
 
-// A column that has nothing left to do has a zero divisor and takes a zero step.
+// A column that is solved has a zero divisor; its step is zero.
 Double3 quotient(const Double3& dividend, const Double3& divisor) {
   return (divisor > 0).select(dividend / divisor, Double3::Zero());
 }
@@ -111,7 +111,8 @@ void ConjugateGradients::advance() {
   moved_max_ = largest_move(finest_.topology.grid, points_, p_, with_spare(step_));
 }
 
-// u += a p and r −= a q, f with it, with the sums of measure() while the numbers are at hand.
+// Does u += a p and r −= a q; f follows r. Takes the sums of measure() while the numbers are in
+// cache.
 ConjugateGradients::Totals ConjugateGradients::move_along(int32_t begin, int32_t end) {
   Totals sum;
   for (int32_t i = begin; i < end; ++i) {

@@ -8,11 +8,12 @@
 
 namespace burnish::cpu {
 
-/// The outer iteration's matrix, vectors and steps, all in double: what float32 loses at small α
-/// and on flat pieces it loses here, so here it is not used.
+/// The outer iteration's matrix, vectors and steps, all in double: float32 would lose too much at
+/// small α and on flat pieces.
 ///
-/// Flexible (Polak-Ribière) directions, because the V-cycle runs in float32 and is symmetric only
-/// to its rounding; z_{k+1}·(r_{k+1} − r_k) is −a z_{k+1}·q_k, so that no old residual is kept.
+/// The directions are flexible (Polak-Ribière), because the V-cycle runs in float32 and is
+/// symmetric only to its rounding. z_{k+1}·(r_{k+1} − r_k) is −a z_{k+1}·q_k, so no old residual is
+/// kept.
 class ConjugateGradients {
  public:
   ConjugateGradients(CpuDepth& finest, const PointsByCell& points);
@@ -24,7 +25,7 @@ class ConjugateGradients {
 
   void recompute_residual();
   void rescale();
-  /// f = r, after r was changed from outside. The others keep it so.
+  /// Sets f = r after a change of r from outside. The other functions keep f = r.
   void load_residual();
   void update_direction(bool restart);
   void advance();
@@ -51,7 +52,7 @@ class ConjugateGradients {
   std::vector<Float4> p_;  // any direction will do; q = S p is exact
   Double3 z_dot_r_ = Double3::Zero();
   Double3 step_ = Double3::Zero();  // a of the last advance()
-  Totals totals_;                   // and what it left
+  Totals totals_;                   // after the last advance()
   double moved_max_ = 0;
 };
 

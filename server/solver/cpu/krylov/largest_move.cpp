@@ -12,7 +12,8 @@ namespace {
 
 using Lanes = float __attribute__((vector_size(16)));
 
-// The largest squared way of any vertex in the cells [begin, end): E by one axis after the other.
+// Returns the largest squared move of any vertex in the cells [begin, end). Evaluates E by one axis
+// after the other.
 BURNISH_DISPATCH float largest_of_cells(const std::array<int32_t, kCornersPerCell>* cell_corners,
                                         const int32_t* start, const std::array<float, 3>* local,
                                         const Lanes* p, const Lanes* a, int32_t begin,

@@ -6,9 +6,9 @@
 
 namespace burnish::cpu {
 
-/// The direct solve of the coarsest depth: a sparse Cholesky factor in double of the diagonally
-/// scaled matrix, regularised by 1e-5 (less lets rounding grow over hundreds of idle cycles).
-/// Separate pieces of surface are separate blocks, so that thousands of them stay cheap.
+/// Solves the coarsest depth directly: a sparse Cholesky factor in double of the diagonally scaled
+/// matrix, regularised by 1e-5. With less, rounding grows over hundreds of idle cycles. Separate
+/// pieces of surface are separate blocks, so thousands of them stay cheap.
 class CoarsestSolver {
  public:
   void factor(const CpuDepth& depth);

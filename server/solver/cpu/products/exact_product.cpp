@@ -7,7 +7,7 @@ namespace burnish::cpu {
 
 namespace {
 
-// Σ_J S_IJ (p_J − p_I) of a row.
+// Returns Σ_J S_IJ (p_J − p_I) of a row.
 template <typename Number, typename At>
 [[gnu::always_inline]] inline void sum_row(const double* entry, int64_t begin, int64_t end,
                                            const Number& at_corner, const At& at,

@@ -8,7 +8,7 @@ namespace burnish::cpu {
 
 namespace {
 
-// Σ_J A_IJ x_J of a row: entries in fours, two to a register.
+// Returns Σ_J A_IJ x_J of a row: entries in fours, two to a register.
 template <typename At>
 [[gnu::always_inline]] inline void sum_row(const float* entry, int64_t begin, int64_t end,
                                            const At& at, Lanes& sum) {
@@ -26,7 +26,7 @@ template <typename At>
         __builtin_shufflevector(first, first, 4, 5, 6, 7);
 }
 
-// Calls finish(corner, A x there) for the corners of whole tiles, and ask_for(corner) before.
+// Calls finish(corner, A x there) for the corners of whole tiles, and ask_for(corner) before it.
 template <typename AskFor, typename Finish>
 [[gnu::always_inline]] inline void multiply(const Rows<float>& a, const Lanes* x,
                                             Room<Lanes, Lanes>& room, int32_t begin, int32_t end,

@@ -7,17 +7,18 @@
 #include <span>
 #include <vector>
 
+#include "common/grid/stencil_slots.h"
 #include "server/solver/cpu/cpu_depth.h"
 
-/// What products of a depth's rows with a vector have in common: how they go through the rows of a
-/// tile. All of it is inlined into loops for each level of x86-64 (dispatch.h), lambdas too.
+/// The common part of products of a depth's rows with a vector: the way through the rows of a tile.
+/// All of it, lambdas too, is inlined into loops for each level of x86-64 (dispatch.h).
 #define BURNISH_INLINE __attribute__((always_inline))
 
 namespace burnish::cpu {
 
-inline constexpr int32_t kRowsAtOnce = 4;  // as a cache line has that many corners' numbers
+inline constexpr int32_t kRowsAtOnce = 4;  // a cache line holds the numbers of this many corners
 
-/// A corner's three columns and a spare, as the compiler's own registers.
+/// A corner's three columns and a spare one, as the compiler's own registers.
 using Lanes = float __attribute__((vector_size(16)));
 using DoubleLanes = double __attribute__((vector_size(32)));
 
@@ -43,8 +44,7 @@ inline Lanes* lanes(std::vector<Float4>& v) {
 
 enum class Use { kRead, kWrite };
 
-/// Asks for `count` numbers that are needed in a while: into the second cache, as what a thread has
-/// at hand of a tile fills the first.
+/// Prefetches `count` numbers into the second cache: the working set of a tile fills the first.
 template <Use kUse = Use::kRead, typename Number>
 [[gnu::always_inline]] inline void ask(const Number* numbers, size_t count = kRowsAtOnce) {
   constexpr size_t kCacheLine = 64;
@@ -61,7 +61,7 @@ struct Rows {
   const int32_t* column;
   const RowTiles& tiles;
   const T* entry;
-  const T* diagonal;  // by corner; of the exact matrix the row sum
+  const T* diagonal;  // by corner; for the exact matrix, the row sum
 
   Rows(const Stencil& stencil, const std::vector<T>& entries, const std::vector<T>& diagonals)
       : start(stencil.row_start.data()),
@@ -71,8 +71,8 @@ struct Rows {
         diagonal(diagonals.data()) {}
 };
 
-/// What a thread has at hand of a tile: a vector's numbers at its corners and halo, and the sums of
-/// its rows by corner. Not cleared: that would take as long as some of the rows.
+/// A thread's working set of a tile: a vector's numbers at its corners and halo, and the sums of
+/// its rows by corner. It is not cleared: that would take as long as some of the rows.
 template <typename Number, typename Sum>
 struct Room {
   std::unique_ptr<Number[]> x;
@@ -83,7 +83,7 @@ struct Room {
         sum(std::make_unique_for_overwrite<Sum[]>(RowTiles::kRows)) {}
 };
 
-/// Where in x a tile finds its numbers of other tiles' corners.
+/// Returns where in x a tile finds its numbers of other tiles' corners.
 [[gnu::always_inline]] inline std::span<const int32_t> halo_of(const RowTiles& tiles,
                                                                int32_t tile) {
   return tile < tiles.count() ? tiles.halo[tile] : std::span<const int32_t>();
@@ -98,7 +98,7 @@ template <typename Number, typename Vector>
   for (const int32_t i : halo) load(x[i], *room++);
 }
 
-/// A vector's number at the column of entry k.
+/// Returns a vector's number at the column of entry k.
 template <typename Vector>
 struct AtColumn {
   const Vector* x;
@@ -106,8 +106,8 @@ struct AtColumn {
   [[gnu::always_inline]] const Vector& operator()(int64_t k) const { return x[column[k]]; }
 };
 
-/// The same in a tile's room: of four floats it needs no arithmetic, as a processor multiplies an
-/// index by eight.
+/// Returns the same number from a tile's room. Four floats need no arithmetic, because a processor
+/// multiplies an index by eight.
 template <typename Number>
 struct AtPlace {
   const Number* x;
@@ -119,16 +119,16 @@ struct AtPlace {
 };
 
 /// Sums a tile's rows into the room: sum_row(begin, end, x at the row's corner, x at columns, sum)
-/// has a row's entries. What comes later is asked for meanwhile, as a processor's own foresight
-/// ends at each page: the entries of rows further on, what the next tile will copy, and by
-/// ask_for(corner) what is done with the sums of kRowsAtOnce corners.
+/// gets a row's entries. It prefetches later numbers meanwhile, because a processor's own
+/// prefetching ends at each page: the entries of rows further on, the next tile's copies, and by
+/// ask_for(corner) the numbers that finish the sums of kRowsAtOnce corners.
 template <typename T, typename Vector, typename Number, typename Sum, typename SumRow,
           typename AskFor>
 [[gnu::always_inline]] inline void sum_rows(const Rows<T>& a, const Vector* x,
                                             Room<Number, Sum>& room, int32_t first, int32_t last,
                                             SumRow&& sum_row, AskFor&& ask_for) {
   constexpr int64_t kEntriesAhead = 768;
-  constexpr int64_t kLongestRow = kSlots;  // a line left out costs more than one too many
+  constexpr int64_t kLongestRow = kSlots;  // a missing line costs more than an extra one
   constexpr size_t kHaloAhead = 2 * kRowsAtOnce;
   const RowTiles& tiles = a.tiles;
   const int32_t tile = first / RowTiles::kRows;

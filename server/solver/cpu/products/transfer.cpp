@@ -1,6 +1,7 @@
 #include "server/solver/cpu/products/transfer.h"
 
 #include "server/solver/cpu/blocks.h"
+#include "server/solver/hierarchy/half_way.h"
 
 namespace burnish::cpu {
 
@@ -15,7 +16,7 @@ void restrict_to_coarse(const CpuDepth& fine, const std::vector<Float4>& r, CpuD
   }
 }
 
-static constexpr int32_t kCornersAlone = 1024;  // for fewer, threads take longer to wake
+static constexpr int32_t kCornersAlone = 1024;  // for fewer, waking threads takes longer
 
 static void add_prolonged(const DepthTransfer::SharedCorners& shared, const CpuDepth& coarse,
                           CpuDepth& fine) {
@@ -38,7 +39,7 @@ void add_prolonged(const CpuDepth& coarse, CpuDepth& fine) {
     const FromCell from = transfer.prolongation[i];
     const auto& weights = weights_of_place[from.place];
     const auto& corners = coarse.topology.grid.cell_corners[from.cell];
-    // Those that weigh nothing as well: which they are a processor cannot guess.
+    // Also adds zero weights: a processor cannot guess which weights are zero.
     Float4 sum = fine.x[i];
 #pragma GCC unroll 8
     for (int a = 0; a < kCornersPerCell; ++a) sum += weights[a] * coarse.x[corners[a]];

@@ -4,10 +4,10 @@
 
 namespace burnish::cpu {
 
-/// coarse.f = Pᵀ r, zero where pinned. Shapes: one r per corner of `fine`.
+/// Does coarse.f = Pᵀ r, zero at pinned corners. Shapes: one r per corner of `fine`.
 void restrict_to_coarse(const CpuDepth& fine, const std::vector<Float4>& r, CpuDepth& coarse);
 
-/// fine.x += P coarse.x, but not where pinned.
+/// Does fine.x += P coarse.x, except at pinned corners.
 void add_prolonged(const CpuDepth& coarse, CpuDepth& fine);
 
 }  // namespace burnish::cpu

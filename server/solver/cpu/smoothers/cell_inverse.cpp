@@ -4,18 +4,21 @@
 #include <cmath>
 
 #include "common/base/dispatch.h"
+#include "common/grid/stencil_slots.h"
+#include "server/solver/hierarchy/cell_matrix.h"
 
 namespace burnish::cpu {
 
-// On the unit diagonal of the scaled blocks. At the finest depth as little as float32 allows, whose
-// rounding is a tenth of it: of a thin crumb that hangs by two corners the block's least eigenvalue
-// is far below, and what is added hides it from the smoother. At coarser depths less than 1e-3
-// would show the cycle more such functions than it can resolve: skins converge more slowly with it.
+// Added to the unit diagonal of the scaled blocks. At the finest depth it is as small as float32
+// allows, whose rounding is a tenth of it. The block of a thin crumb that hangs by two corners has
+// its least eigenvalue far below, so the addition hides the crumb from the smoother. At coarser
+// depths less than 1e-3 would show the cycle more such functions than it can resolve: skins would
+// converge more slowly.
 static constexpr float kFinestRegularisation = 1e-5f;
 static constexpr float kCoarseRegularisation = 1e-3f;
 static constexpr int32_t kCellsPerBlock = 1024;
 static constexpr int32_t kCellsAhead = 32;
-static constexpr int kLanes = 16;  // cells that are inverted side by side
+static constexpr int kLanes = 16;  // cells that are inverted together
 
 namespace {
 
@@ -51,7 +54,7 @@ struct Blocks {
   }
 }
 
-// Rows of corners that no earlier cell has.
+// Prefetches the rows of corners that no earlier cell has.
 [[gnu::always_inline]] static inline void prefetch_cell(const Source& source, int32_t cell) {
   const auto& corners = source.cell_corners[cell];
 #pragma GCC unroll 8
@@ -68,7 +71,7 @@ struct Blocks {
       blocks.pair[pair_index(a, b)] *= blocks.scale[a] * blocks.scale[b];
 }
 
-// −m⁻¹ by sweeping each pivot in turn, which keeps a block symmetric, so that half of it will do.
+// Makes −m⁻¹ by sweeping each pivot in turn. This keeps a block symmetric, so half of it is enough.
 // No pivoting: a block is positive definite with a condition number of at most 8 / reg.
 [[gnu::always_inline]] static inline void sweep(Blocks& blocks) {
 #pragma GCC unroll 8
@@ -126,7 +129,7 @@ BURNISH_DISPATCH static void invert_range(const Source& source, int32_t begin, i
   }
 }
 
-// Cells with an irregular corner, whose entries are not found by slots.
+// Reads cells with an irregular corner: slots do not find their entries.
 static void read_irregular_cell(const Source& source, int32_t i, int lane, Blocks& blocks) {
   const IrregularCells& cells = source.stencil.irregular_cells;
   const auto& corners = source.cell_corners[cells.cell[i]];

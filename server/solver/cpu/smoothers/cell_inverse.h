@@ -7,15 +7,15 @@
 
 namespace burnish::cpu {
 
-/// D^-½ (B_c + reg)⁻¹ D^-½ of one cell, zero at pinned corners; B_c is the 8×8 block of the
-/// diagonally scaled S at the cell's corners, D the diagonal of S. The pairs are packed as
-/// pair_index() says.
+/// D^-½ (B_c + reg)⁻¹ D^-½ of one cell, zero at pinned corners. B_c is the 8×8 block of the
+/// diagonally scaled S at the cell's corners, D the diagonal of S. pair_index() gives the order of
+/// the pairs.
 struct CellInverse {
   std::array<float, kPairsPerCell> pair;
   std::array<float, 8> diagonal;
 };
 
-/// The inverse blocks of all cells.
+/// Returns the inverse blocks of all cells.
 Scratch<CellInverse> invert_cells(const CpuDepth& depth);
 
 }  // namespace burnish::cpu

@@ -10,8 +10,8 @@ struct ChebyshevStep {
   float length = 0;
 };
 
-/// The steps that damp the eigenvalues of M⁻¹S in [λmax / `range`, λmax] the most. The first has
-/// no momentum.
+/// Returns the steps that best damp the eigenvalues of M⁻¹S in [λmax / `range`, λmax]. The first
+/// step has no momentum.
 template <int kDegree>
 std::array<ChebyshevStep, kDegree> chebyshev_steps(float lambda_max, float range) {
   const float centre = lambda_max * (1 + 1 / range) / 2;

@@ -11,11 +11,11 @@
 
 namespace burnish::cpu {
 
-// On the unit diagonal of the scaled block: ten times float32's rounding. What hangs by a sliver
-// has eigenvalues of 1e-5; of less than 1e-6 rounding grows over idle steps.
+// Added to the unit diagonal of the scaled block: ten times float32's rounding. Surface that hangs
+// by a sliver has eigenvalues of 1e-5. With less than 1e-6 rounding grows over idle steps.
 static constexpr double kRegularisation = 1e-6;
 static constexpr double kRegularisationMax = 100;  // rows have 27 entries of at most about 1
-static constexpr int32_t kPatchesAlone = 16;       // for fewer, threads take longer to wake
+static constexpr int32_t kPatchesAlone = 16;       // for fewer, waking threads takes longer
 
 namespace {
 
@@ -60,7 +60,7 @@ Float4 residual_at(const CpuDepth& depth, int32_t corner) {
   return depth.f[corner] - product_row(depth.topology.stencil, depth.system, depth.x, corner);
 }
 
-// x = (L Lᵀ)⁻¹ x, row by row, and back.
+// Does x = (L Lᵀ)⁻¹ x, row by row, and back.
 void solve_factored(const float* entry, std::span<Float4> x) {
   const float* row = entry;
   for (size_t i = 0; i < x.size(); row += ++i) {
@@ -99,7 +99,7 @@ void PatchSolver::factor(const CpuDepth& depth, int32_t patch) {
   }
 }
 
-// x += S⁻¹ (f − S x) at the patch's corners.
+// Does x += S⁻¹ (f − S x) at the patch's corners.
 void PatchSolver::relax(CpuDepth& depth, int32_t patch) const {
   const std::span<const int32_t> corners = corners_of(patches_, patch);
   std::array<Float4, kPatchCornersMax> room;

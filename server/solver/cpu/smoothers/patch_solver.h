@@ -5,17 +5,17 @@
 
 namespace burnish::cpu {
 
-/// Solves a depth's patches one by one for what is left of the residual: Gauss-Seidel over patches,
-/// colour after colour. Each has the Cholesky factor L of its block of S, so that what is solved
-/// stays positive definite in float32, whatever its condition number.
+/// Solves a depth's patches one by one for the current residual: Gauss-Seidel over patches, colour
+/// after colour. Each patch has the Cholesky factor L of its block of S, so the solved matrix stays
+/// positive definite in float32, whatever its condition number.
 class PatchSolver {
  public:
-  /// Keeps `patches`.
+  /// Keeps a reference to `patches`.
   explicit PatchSolver(const Patches& patches);
 
-  void factor(const CpuDepth& depth);  ///< after a new matrix
+  void factor(const CpuDepth& depth);  ///< call after a new matrix
   void relax_forwards(CpuDepth& depth) const;
-  void relax_backwards(CpuDepth& depth) const;  ///< the transpose: the colours backwards
+  void relax_backwards(CpuDepth& depth) const;  ///< the transpose: colours in reverse
   uint64_t byte_count() const { return bytes_of(entry_); }
 
  private:
@@ -24,7 +24,7 @@ class PatchSolver {
   void relax_colour(CpuDepth& depth, int32_t colour) const;
 
   const Patches& patches_;
-  std::vector<float> entry_;  // L of every patch by rows, its diagonal inverted: 0 where pinned
+  std::vector<float> entry_;  // L of every patch by rows with an inverted diagonal; 0 where pinned
 };
 
 }  // namespace burnish::cpu

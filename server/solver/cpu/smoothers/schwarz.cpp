@@ -61,7 +61,7 @@ class Schwarz final : public DepthSmoother {
     relax_by(depth, inverse_, depth.r, steps_[1].length, 1 + steps_[1].momentum);
   }
 
-  // The second d is M⁻¹ of what both residuals come to.
+  // The second d is M⁻¹ of the sum of both residuals.
   void relax(CpuDepth& depth) override {
     compute_residual(depth, steps_[0].length);
     relax_by(depth, inverse_, depth.r, 1, 1);

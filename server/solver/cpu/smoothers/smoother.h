@@ -8,42 +8,42 @@
 
 namespace burnish::cpu {
 
-/// Relaxes one depth. relax() is the transpose of relax_from_zero(), so that the V-cycle stays
-/// symmetric. One object per depth.
+/// Relaxes one depth. relax() is the transpose of relax_from_zero(), so the V-cycle stays
+/// symmetric. One object serves one depth.
 class DepthSmoother {
  public:
   virtual ~DepthSmoother() = default;
-  virtual void set_up(CpuDepth& depth) = 0;  ///< after a new matrix; leaves x, f, r changed
+  virtual void set_up(CpuDepth& depth) = 0;           ///< call after a new matrix; changes x, f, r
   virtual void relax_from_zero(CpuDepth& depth) = 0;  ///< x from zero
-  virtual void relax(CpuDepth& depth) = 0;            ///< x further
+  virtual void relax(CpuDepth& depth) = 0;            ///< continues from x
   virtual uint64_t byte_count() const = 0;
 };
 
-/// Chebyshev of degree 2 on additive Schwarz over cells: M⁻¹ = Σ_c R_cᵀ (B_c + reg)⁻¹ R_c with B_c
-/// the 8×8 block of the diagonally scaled S at the corners of cell c.
+/// Makes Chebyshev of degree 2 on additive Schwarz over cells: M⁻¹ = Σ_c R_cᵀ (B_c + reg)⁻¹ R_c
+/// with B_c the 8×8 block of the diagonally scaled S at the corners of cell c.
 std::unique_ptr<DepthSmoother> make_schwarz(const HierarchyDepth& topology);
 
-/// The same blocks one after the other, one sweep: multiplicative, where Schwarz is additive.
-/// Bricks of cells in eight colours (the parity of the brick); backwards after the coarse
-/// correction.
+/// Makes one sweep over the same blocks one after the other: multiplicative, while Schwarz is
+/// additive. Bricks of cells have eight colours (the parity of the brick). After the coarse
+/// correction the sweep runs backwards.
 std::unique_ptr<DepthSmoother> make_cell_blocks(const HierarchyDepth& topology);
 
-/// Chebyshev of degree 4 on the diagonal.
+/// Makes Chebyshev of degree 4 on the diagonal.
 std::unique_ptr<DepthSmoother> make_chebyshev_jacobi(const HierarchyDepth& topology);
 
-/// True Gauss-Seidel in eight colours (the parity of the corner), two sweeps, as the paper's
-/// V(2,2) relaxes; the colours run backwards after the coarse correction.
+/// Makes true Gauss-Seidel in eight colours (the parity of the corner), two sweeps, like the
+/// paper's V(2,2). After the coarse correction the colours run backwards.
 std::unique_ptr<DepthSmoother> make_gauss_seidel(const HierarchyDepth& topology);
 
 struct SliceOptions {
-  int sweeps = 2;  ///< as the paper's V(2,2)
+  int sweeps = 2;  ///< like the paper's V(2,2)
   int blocks = 0;  ///< 0: one per thread; any number gives the same bits
   bool temporal_blocking = false;
 };
 
-/// Gauss-Seidel over slices of corners, the even slices of a sweep before the odd ones. A thread
-/// does all sweeps on its block of slices and an overlap, without waiting for others in between.
-/// Source: section 5.2, "Parallelization" and "Temporal Blocking".
+/// Makes Gauss-Seidel over slices of corners: in a sweep the even slices come before the odd ones.
+/// A thread does all sweeps on its block of slices and an overlap, without waiting for other
+/// threads. Source: section 5.2, "Parallelization" and "Temporal Blocking".
 std::unique_ptr<DepthSmoother> make_slices(const HierarchyDepth& topology,
                                            const SliceOptions& options);
 

@@ -31,7 +31,7 @@ static void scale_all(std::vector<Float4>& x, float factor) {
   for (size_t i = 0; i < x.size(); ++i) x[i] *= factor;
 }
 
-// Three columns of noise that leave no eigenvector out.
+// Sets three columns of noise, which leave no eigenvector out.
 void LambdaMax::set_start(const std::vector<float>& inverse_diagonal) {
   std::minstd_rand noise(1);
   const auto next = [&] { return static_cast<float>(noise()) / std::minstd_rand::max() - 0.5f; };
@@ -54,7 +54,7 @@ float LambdaMax::estimate(CpuDepth& depth, Bounds bounds, const std::function<vo
   }
   const double after = -dot(depth.x, depth.r);
   depth.x.swap(eigenvector_);
-  if (!(before > 0 && after > 0)) {  // nothing but pinned corners
+  if (!(before > 0 && after > 0)) {  // all corners are pinned
     started_ = false;
     return static_cast<float>(bounds.most);
   }

@@ -8,20 +8,20 @@
 
 namespace burnish::cpu {
 
-/// What is known of an eigenvalue beforehand.
+/// Bounds of an eigenvalue that hold for any matrix.
 struct Bounds {
   double least;
   double most;
 };
 
-/// Estimates the largest eigenvalue of M⁻¹S by power iteration, from one matrix to the next: each
-/// starts from the last one's eigenvector, because between two edits little changes.
+/// Estimates the largest eigenvalue of M⁻¹S by power iteration. Each estimate starts from the last
+/// matrix's eigenvector, because little changes between two edits.
 class LambdaMax {
  public:
   explicit LambdaMax(size_t corner_count) : eigenvector_(corner_count) {}
 
-  /// With a margin, so that it is not below; the last one while depth.is_spectrum_new is false.
-  /// `apply` sets depth.x = −M⁻¹ depth.r. Changes x, f, r.
+  /// Returns the estimate with a margin, so that it is not too small; the last one while
+  /// depth.is_spectrum_new is false. `apply` sets depth.x = −M⁻¹ depth.r. Changes x, f, r.
   float estimate(CpuDepth& depth, Bounds bounds, const std::function<void()>& apply);
   uint64_t byte_count() const { return bytes_of(eigenvector_); }
 

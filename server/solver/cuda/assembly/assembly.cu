@@ -13,7 +13,7 @@ namespace {
 constexpr float kPinnedBelow = 1e-12f;  // of the median diagonal
 constexpr int kMedianSamples = 64;
 
-// A cell's share of a diagonal.
+// Returns a cell's share of a diagonal.
 template <typename Real>
 __device__ Real diagonal_of(const CellSquares<Real>& cells, int64_t cell, int a) {
   Real diagonal = own_of(cells, cell, a);
@@ -22,8 +22,8 @@ __device__ Real diagonal_of(const CellSquares<Real>& cells, int64_t cell, int a)
   return diagonal;
 }
 
-// The median of an even sample, by one block with eight threads for each: the number that half of
-// the others precede. Irregular rows are no part of it.
+// Finds the median of an even sample in one block, with eight threads for each number: the median
+// is the number that half of the others precede. Leaves out irregular rows.
 template <typename Real>
 __global__ void pinned_below_kernel(Topology topology, CellSquares<Real> cells,
                                     float* pinned_below) {
@@ -117,7 +117,7 @@ void assemble(Stream& stream, const CellSquares<Real>& cells, const Depth& depth
   const Rows& rows = depth.topology.rows;
   launch_products<float4>(stream, choose_kernel<Real>(beside), rows, rows.group_count, cells, depth,
                           beside, probe, pinned_below);
-  if constexpr (std::is_same_v<Real, float>)  // the finest depth, in double, is regular
+  if constexpr (std::is_same_v<Real, float>)  // the finest depth, in double, has only regular rows
     assemble_irregular_rows(stream, cells, depth, probe, pinned_below);
 }
 

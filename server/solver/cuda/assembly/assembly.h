@@ -5,16 +5,16 @@
 
 namespace burnish::cuda {
 
-/// What the finest depth's rows leave beside S: their sums, and what b has per slider where nobody
-/// has painted. Null where it is not wanted.
+/// Two more results of the finest depth's rows beside S: their sums, and the change of b per slider
+/// step without paint. Null if not wanted.
 struct BesideMatrix {
   double* row_sum = nullptr;
   CellGradients gradients = {};
   Double3* per_slider = nullptr;
 };
 
-/// The depth's matrix and inverse diagonal from its cells, and in r the product with `probe` unless
-/// that is null. `pinned_below` is one number of working memory. Source: section 5.2.
+/// Makes the depth's matrix and inverse diagonal from its cells. Unless `probe` is null, r becomes
+/// the product with it. `pinned_below` is one number of working memory. Source: section 5.2.
 template <typename Real>
 void assemble(Stream& stream, const CellSquares<Real>& cells, const Depth& depth,
               const BesideMatrix& beside, const float4* probe, float* pinned_below);

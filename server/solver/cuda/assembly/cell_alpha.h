@@ -6,7 +6,7 @@
 
 namespace burnish::cuda {
 
-/// TransferCurve::alpha(). Needs: two points or more.
+/// Does TransferCurve::alpha(). Needs: two points or more.
 __device__ inline float alpha_at(const AlphaSource& source, double kappa) {
   int right = 1;
   while (right < source.point_count - 1 && source.kappa[right] <= kappa) ++right;
@@ -16,7 +16,7 @@ __device__ inline float alpha_at(const AlphaSource& source, double kappa) {
       exp(source.log_alpha[right - 1] * (1 - t) + source.log_alpha[right] * t));
 }
 
-/// Null where the cell follows the curve.
+/// Returns null if the cell follows the curve.
 __device__ inline const OwnAlpha* own_alpha_of(const AlphaSource& source, int64_t cell) {
   int32_t first = 0, end = source.own_count;
   while (first < end) {
@@ -30,7 +30,7 @@ __device__ inline const OwnAlpha* own_alpha_of(const AlphaSource& source, int64_
   return nullptr;
 }
 
-/// α1 and α2 of a cell. Units: user units.
+/// Returns α1 and α2 of a cell. Units: user units.
 __device__ inline float2 alpha_of(const AlphaSource& source, const Curvature* curvature,
                                   int64_t cell) {
   if (const OwnAlpha* own = own_alpha_of(source, cell)) return {own->alpha1, own->alpha2};

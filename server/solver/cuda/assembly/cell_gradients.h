@@ -5,9 +5,8 @@
 
 namespace burnish::cuda {
 
-/// One axis of a cell's gradients. They must add up to zero, since Σ_a ∇B_a = 0: a sum that is off
-/// by rounding would push the surface as a whole. Hence what the last one's floats leave is kept
-/// too.
+/// Writes one axis of a cell's gradients. They must add up to zero, because Σ_a ∇B_a = 0: with a
+/// rounded sum the whole surface would drift. So the rest of the last one's float is kept too.
 template <int kAxis, bool kRests, typename Pair>
 __device__ void write_axis(Pair&& stiffness_of_pair, int64_t cell, const CellGradients& to) {
   double last = 0;

@@ -7,9 +7,9 @@ namespace burnish::cuda {
 
 namespace {
 
-// A share takes a group of eight threads, one for each row. A target has kGroups of them, of which
-// each does every kGroups th share: all of a warp's while they fit on the device at once, and else
-// one, since most targets have a share or two.
+// A share takes a group of eight threads, one for each row. A target has kGroups of them, and each
+// does every kGroups th share. A target gets all groups of a warp while they fit on the device at
+// once, else one: most targets have a share or two.
 constexpr int kWarpGroups = 4;
 constexpr int32_t kTargetsAtOnce = 4096;
 
@@ -24,7 +24,7 @@ __device__ void fill(HalfWay& weights) {
   __syncthreads();
 }
 
-// What a thread has of a share: the weights and places of its corner.
+// A thread's part of a share: the weights and places of its corner.
 struct FetchedShare {
   int32_t source;
   bool is_transposed;
@@ -75,7 +75,7 @@ __device__ SourceRow read_row(const CellSquares<Real>& cells, const FetchedShare
   return row;
 }
 
-// The threads of a group, and what one of them has.
+// The threads of a group, and the values of one of them.
 struct Group {
   unsigned mask;
   int first_lane;
@@ -86,8 +86,8 @@ struct Group {
   }
 };
 
-// Adds row v = `a` of Lᵀ N R, and in [8] its row sum. R's rows add up to their weights: what N's
-// row sum has of a common weight needs no difference of large numbers.
+// Adds row v = `a` of Lᵀ N R, and in [8] its row sum. R's rows add up to their weights, so N's row
+// sum times a common weight needs no difference of large numbers.
 __device__ void add_share(const FetchedShare& share, const SourceRow& row, const HalfWay& half_way,
                           const Group& group, int a, float (&sum)[9]) {
   float product[9] = {};
@@ -109,7 +109,7 @@ __device__ void add_share(const FetchedShare& share, const SourceRow& row, const
   }
 }
 
-// Row a of the target's numbers.
+// Adds row a of the target's numbers.
 __device__ void add_to(const CellSquares<float>& cells, int64_t target, int a,
                        const float (&sum)[9]) {
   if (target >= cells.cells) {

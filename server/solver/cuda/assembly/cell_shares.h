@@ -5,8 +5,8 @@
 
 namespace burnish::cuda {
 
-/// Adds a coarse depth's shares (cell_shares.h) to the numbers of its cells, and sets those of its
-/// ties, which stand behind the cells' on both depths. After what children give.
+/// Adds a coarse depth's shares (cell_shares.h) to the numbers of its cells. Sets the numbers of
+/// its ties, which stand after the cells' on both depths. Call after the children's sums.
 template <typename Real>
 void add_shares(Stream& stream, const Shares& shares, const CellSquares<Real>& fine,
                 const CellSquares<float>& coarse);

@@ -3,11 +3,12 @@
 #include "server/solver/cuda/device/kernel.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 
-// Σ Pᵀ K P over the children of coarse cells, read once through a block's shared memory.
+// Σ Pᵀ K P over the children of coarse cells; reads each child once through a block's shared
+// memory.
 
 namespace burnish::cuda {
 
-/// A cell's numbers are shared out among the warps of a block: so many each, one after the other.
+/// The warps of a block divide a cell's numbers: this many each, one after the other.
 inline constexpr int kWarps = kThreads / 32;
 inline constexpr int kEach = CellSquares<float>::kNumbers / kWarps;
 inline constexpr int kPairsOfEach = kPairsPerCell / kWarps;
@@ -16,14 +17,14 @@ __device__ inline int number_of(int n) {
   return n * kWarps + static_cast<int>(threadIdx.x / 32);
 }
 
-/// The children of a block's parents, each read once.
+/// The children of a block's parents; each is read once.
 inline constexpr int kParents = kThreads / 8;
 inline constexpr int kChildren = 8 * kParents;
 inline constexpr int kRounds = kChildren / 32;
 struct Children {
   const int32_t* cell;
   int count;
-  int32_t before;  // of all children
+  int32_t before;  // children before these
 };
 
 __device__ inline Children children_of_block(const Topology& coarse) {
@@ -35,12 +36,12 @@ __device__ inline Children children_of_block(const Topology& coarse) {
 
 struct ChildNumbers {
   int octant[kChildren];
-  float numbers[CellSquares<float>::kNumbers][kChildren + 1];  // one more: banks
+  float numbers[CellSquares<float>::kNumbers][kChildren + 1];  // one more avoids bank conflicts
 };
 
-/// In rounds of 32 children. load(cell, number, is_pair) is what a number is made of by make(round,
-/// cell, n, loaded), n being the number's among those of the thread, which loads all that it has of
-/// a child at once; after its first loads it calls prepare(), as every thread does.
+/// Reads children in rounds of 32. load(cell, number, is_pair) loads the sources of a number.
+/// make(round, cell, n, loaded) makes the number; n is its index among the thread's numbers. A
+/// thread loads all sources of a child at once. After its first loads every thread calls prepare().
 template <int kUnroll, typename Load, typename Prepare, typename Make>
 __device__ void read_children(const Children& children, const uint8_t* octant, Load&& load,
                               Prepare&& prepare, Make&& make, ChildNumbers& read) {
@@ -63,7 +64,7 @@ __device__ void read_children(const Children& children, const uint8_t* octant, L
   __syncthreads();
 }
 
-/// Row a of K; its last number is the row sum.
+/// Reads row a of K; its last number is the row sum.
 __device__ inline void read_row(const ChildNumbers& children, int i, int a, float (&row)[9]) {
   row[8] = children.numbers[kPairsPerCell + a][i];
   float diagonal = row[8];
@@ -77,8 +78,8 @@ __device__ inline void read_row(const ChildNumbers& children, int i, int a, floa
     if (a == b) row[b] = diagonal;
 }
 
-/// K P within a row. Along each axis the child's corner in the parent's middle shares itself out by
-/// halves.
+/// Does K P within a row. Along each axis the child's corner in the parent's middle gives half to
+/// each side.
 __device__ inline void restrict_columns(int octant, float (&row)[9]) {
 #pragma unroll
   for (int bit = 1; bit < 8; bit *= 2)
@@ -92,7 +93,7 @@ __device__ inline void restrict_columns(int octant, float (&row)[9]) {
     }
 }
 
-/// Pᵀ from the left, among the eight neighbouring threads that hold a row each.
+/// Does Pᵀ from the left, among the eight neighbouring threads that hold a row each.
 __device__ inline void restrict_rows(int octant, int a, unsigned group, float (&row)[9]) {
 #pragma unroll
   for (int bit = 1; bit < 8; bit *= 2) {
@@ -105,7 +106,7 @@ __device__ inline void restrict_rows(int octant, int a, unsigned group, float (&
   }
 }
 
-/// Eight threads per coarse cell, each with a row.
+/// Uses eight threads per coarse cell, one per row.
 __device__ inline void sum_children(const Topology& coarse, const Children& children,
                                     const ChildNumbers& read,
                                     const CellSquares<float>& coarse_cells) {

@@ -11,7 +11,7 @@ namespace burnish::cuda {
 
 namespace {
 
-// Numbers that are at least one compare as their bits do, and a largest has no order.
+// Numbers of at least one compare like their bits. A maximum does not depend on the order.
 __device__ void keep_largest(float number, float* largest) {
   for (int offset = 16; offset > 0; offset /= 2)
     number = fmaxf(number, __shfl_xor_sync(0xffffffffu, number, offset));
@@ -23,15 +23,16 @@ __device__ CombineWeights weights_of(const Metric& metric, float2 alpha) {
   return combine_weights(alpha.x * metric.scale, alpha.y * metric.scale);
 }
 
-// The same, and what is kept of the metric. Each warp of a block calls it whole; cell < 0 for none.
+// Does the same and keeps what the metric asks for. Each warp of a block calls it as a whole; cell
+// < 0 for none.
 __device__ CombineWeights take_weights(const Metric& metric, int64_t cell) {
   const float2 alpha = cell >= 0 ? alpha_of(*metric.alpha, metric.curvature, cell) : float2{1, 1};
   keep_largest(fmaxf(alpha.x / alpha.y, alpha.y / alpha.x), metric.anisotropy);
   return weights_of(metric, alpha);
 }
 
-// A number's three integrals. Pairs come first, then row sums, which are the mass's alone. They
-// never change: such loads need not wait for the stores before.
+// A number's three integrals. Pairs come first, then row sums, which only the mass has. They never
+// change, so their loads need not wait for earlier stores.
 struct ThreeIntegrals {
   double mass, stiffness1, stiffness2;
 };
@@ -59,15 +60,15 @@ __device__ double combine(const ThreeIntegrals& of, const CombineWeights& weight
 
 enum class Gradients { kNone, kFloats, kWithRests };
 
-// 32 cells a block: those that are listed, or all. It may run beside the kernel that combines all
-// other cells, none of whose numbers it needs, and which writes the same where both write: what it
-// waits for is that it ends after it.
+// Combines 32 cells per block: the listed cells, or all. It may run next to the kernel that
+// combines all other cells. It needs none of that kernel's numbers, and both write the same values
+// to the same places. Its wait only makes it end after that kernel.
 template <Gradients kGradients>
 __global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
                                const int32_t* list, int64_t count) {
   constexpr bool kAny = kGradients != Gradients::kNone;
   __shared__ CombineWeights weights[32];
-  __shared__ double stiffness[kAny ? kPairsPerCell : 1][32 + 1];  // one more: banks
+  __shared__ double stiffness[kAny ? kPairsPerCell : 1][32 + 1];  // one more avoids bank conflicts
   let_next_start();
   const auto lane = static_cast<int>(threadIdx.x % 32);
   const int64_t i = int64_t{blockIdx.x} * 32 + lane, there = min(i, count - 1);
@@ -94,7 +95,7 @@ __global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<d
   await_previous();
 }
 
-// The same of sheets, as 8×8 matrices one after the other.
+// Does the same for sheets, as 8×8 matrices one after the other.
 __global__ void combine_sheets_kernel(SheetIntegrals sheets, Metric metric, double* squares) {
   __shared__ CombineWeights weights[32];
   __shared__ double numbers[CellSquares<double>::kNumbers][32 + 1];
@@ -124,8 +125,8 @@ __global__ void combine_sheets_kernel(SheetIntegrals sheets, Metric metric, doub
   await_previous();
 }
 
-// What of stiffness gradients are made of waits in registers until the shared memory is free: with
-// room of its own fewer blocks would be under way.
+// The stiffness for the gradients waits in registers until the shared memory is free: with its own
+// shared memory fewer blocks would run at once.
 template <bool kGradients>
 __global__ void __launch_bounds__(kThreads, 5)
     combine_and_down_sample_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
@@ -197,7 +198,7 @@ static Gradients gradients_of(const Metric& metric) {
   return metric.gradients.rests == nullptr ? Gradients::kFloats : Gradients::kWithRests;
 }
 
-// With `list` null: all cells.
+// `list` null: all cells.
 static void combine(Stream& stream, const Integrals& integrals, const Metric& metric,
                     const CellSquares<double>& combined, const int32_t* list, int64_t count) {
   auto* kernel = combine_kernel<Gradients::kNone>;
@@ -220,8 +221,8 @@ void combine_integrals(Stream& stream, const Integrals& integrals, const SheetIn
          gradients == Gradients::kFloats ? combine_and_down_sample_kernel<true>
                                          : combine_and_down_sample_kernel<false>,
          8 * coarse_cells.cells, integrals, metric, combined, fine, coarse, coarse_cells);
-  // Rests need doubles, which take more shared memory than that kernel has: all cells are combined
-  // once more, to the same.
+  // Rests need doubles, which take more shared memory than that kernel has. So all cells are
+  // combined once more, with the same result.
   if (gradients == Gradients::kWithRests)
     combine(stream, integrals, metric, combined, nullptr, combined.cells);
   else

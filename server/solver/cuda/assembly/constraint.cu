@@ -7,7 +7,8 @@ namespace burnish::cuda {
 
 namespace {
 
-// Paint that is new, and the corners that it touches. Many threads mark a slice, all alike.
+// Takes new paint and marks the corners that it touches. Many threads mark a slice, all with the
+// same value.
 __global__ void take_paint_kernel(NewGradientScale beta, Topology finest, uint8_t* is_touched) {
   await_previous();
   const auto place = static_cast<int32_t>(thread_index()), i = place / int32_t{kChunk};
@@ -27,8 +28,8 @@ __global__ void tell_slider_kernel(double less_one, double* to) {
   *to = less_one;
 }
 
-// The slices that are touched; after new gradients all with paint, and r is left to be computed
-// anew. A slice is a warp's.
+// Gathers the touched slices. After new gradients it gathers all slices with paint; r must then be
+// recomputed. Each slice takes a warp.
 template <bool kRests>
 __global__ void gather_painted_kernel(Depth finest, CellGradients combined, const Paint* paint,
                                       double slider_less_one, bool gradients_are_new, Constraint b,
@@ -76,8 +77,8 @@ __global__ void gather_painted_kernel(Depth finest, CellGradients combined, cons
   if (is_painted) b.own[corner] = own_part;
 }
 
-// The slider from one place to another: r and f alone. Numbers one after the other, whichever
-// corner's they are, so that threads side by side write side by side.
+// Moves the slider: changes r and f only. Works on numbers in memory order, whichever corner they
+// belong to, so that neighbouring threads write neighbouring numbers.
 __global__ void slide_kernel(Depth finest, double before, double slider, Constraint b, Double3* r) {
   __shared__ float written[3 * kThreads];
   await_previous();

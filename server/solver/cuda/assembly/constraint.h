@@ -5,12 +5,12 @@
 
 namespace burnish::cuda {
 
-/// b_I = Σ_c (β−1) combined_I, the right-hand side for the displacement: Eq. 4's constraint less
-/// S c°, in what is the slider's of it and what is paint's own. The residual r changes by as much,
-/// unless gradients are new, which only a new metric makes them: then it is to be recomputed
-/// anyway. A slider alone moves r by what b has per slider, whatever is painted; new paint gathers
-/// the slices of corners that it touches. Needs: b is as it was left here; what it has per slider
-/// of gradients that are new is there (assembly.h).
+/// Makes b_I = Σ_c (β−1) combined_I, the right-hand side for the displacement: Eq. 4's constraint
+/// less S c°. Keeps the slider's part and paint's own part apart. Changes r by the same amount,
+/// unless gradients are new: only a new metric makes them new, and then r is recomputed anyway. A
+/// slider without new paint moves r by b's change per slider step, whatever is painted. New paint
+/// gathers the slices of corners that it touches. Needs: b as the last call left it; after new
+/// gradients, assembly.h has made b's change per slider step.
 void assemble_constraint(Stream& stream, const Depth& finest, const CellGradients& combined,
                          const NewGradientScale& beta, bool gradients_are_new, const Constraint& b,
                          Double3* r);

@@ -8,13 +8,13 @@
 
 namespace burnish::cuda {
 
-/// A session's metric as its kernels find it: the curve and overrides, from which they work out α
-/// of each cell.
+/// A session's metric for its kernels: the curve and overrides. The kernels compute α of each cell
+/// from them.
 class DeviceAlpha {
  public:
   explicit DeviceAlpha(Stream& stream) : source_(stream, 1) {}
 
-  /// Needs: no kernel that reads it is under way.
+  /// Needs: no running kernel reads it.
   void set(Stream& stream, const MetricView& metric);
   const AlphaSource* data() const { return source_.data(); }
   uint64_t byte_count() const { return source_.byte_count() + own_.byte_count(); }

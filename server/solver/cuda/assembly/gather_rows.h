@@ -11,26 +11,26 @@ template <typename Real>
 struct GatheredRow {
   Real by_slot[kSlots];
   Real own;
-  /// The row sum less the others. In double: at corners of little weight the others may be much
-  /// larger than it, and a cycle that goes by what float32 leaves of it does not converge.
+  /// The row sum less the other entries. In double: at corners of little weight the other entries
+  /// may be much larger than it. The cycle would not converge with float32's remainder.
   double diagonal;
 };
 
-/// The cells of a corner; none of no corner, which is -1.
+/// Returns the cells of a corner; no cells for corner -1.
 __device__ inline Eight cells_around(const Topology& topology, int32_t corner) {
   if (corner >= 0) return topology.cells_of_corner[corner];
   return {-1, -1, -1, -1, -1, -1, -1, -1};
 }
 
-/// Whether a corner has cells by side: those of irregular rows have not.
+/// Returns whether a corner has cells by side; a corner of an irregular row has none.
 __device__ inline bool is_regular(const Eight& cells) {
-  int all = cells.at[0];  // negative while all are
+  int all = cells.at[0];  // negative while all are negative
 #pragma unroll
   for (int a = 1; a < 8; ++a) all &= cells.at[a];
   return all >= 0;
 }
 
-// A cell that is not there counts as the first, times zero: its loads need not wait for a branch.
+// A missing cell counts as the first one, times zero, so its loads need not wait for a branch.
 template <typename Real>
 __device__ GatheredRow<Real> gather_row(const CellSquares<Real>& cells, const Eight& cells_here) {
   GatheredRow<Real> row = {};
@@ -53,16 +53,16 @@ __device__ GatheredRow<Real> gather_row(const CellSquares<Real>& cells, const Ei
   return row;
 }
 
-/// Room of a block for the rows that it stores.
+/// A block's room for the rows that it stores.
 struct RowRoom {
   float by_slot[kSlots][kThreads];
 };
 
-/// Calls store(k, value, local) for the present slots of a row, k being the entry's place, `local`
-/// that of its column in the group's tile, and value value_of(number of the slot); then with zeros
-/// to the end of its slice, because a sector of memory that is written in part is read first. The
-/// row goes through shared memory, so that all rows of a slice store their first entries, then
-/// their second.
+/// Calls store(k, value, local) for the present slots of a row: k is the entry's place, `local` its
+/// column's place in the group's tile, and value is value_of(number of the slot). Then stores zeros
+/// up to the end of the slice, because a partly written sector of memory is read first. The row
+/// goes through shared memory, so that all rows of a slice store their first entries, then their
+/// second.
 template <typename Real, typename ValueOf, typename Store>
 __device__ void store_row(const Rows& rows, int32_t corner, const GatheredRow<Real>& row,
                           RowRoom& room, ValueOf&& value_of, Store&& store) {
@@ -74,7 +74,7 @@ __device__ void store_row(const Rows& rows, int32_t corner, const GatheredRow<Re
       (rows.slice_start[corner / kSliceRows + 1] - rows.slice_start[corner / kSliceRows]) /
       kSliceRows);
   uint32_t mask = rows.mask[corner];
-  uint16_t local[kSlots - 1];  // all at once: one after the other they would take most of the time
+  uint16_t local[kSlots - 1];  // loaded at once: single loads would take most of the time
 #pragma unroll
   for (int j = 0; j < kSlots - 1; ++j)
     local[j] = j < longest ? rows.local[begin + kSliceRows * j] : 0;

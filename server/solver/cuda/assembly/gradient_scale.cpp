@@ -38,7 +38,7 @@ void GradientScale::set(const FieldsView& fields) {
   view_.is_painted = std::ranges::count(has_paint_, 0) < chunks;
 }
 
-// Returns whether anything there is new.
+// Returns whether the chunk has new paint.
 bool GradientScale::take(const CellPaint& paint, int64_t chunk) {
   const std::span follow = chunk_of(paint.follow, chunk), own = chunk_of(paint.own, chunk);
   Paint* to = host_.data() + chunk * kChunk;
@@ -60,7 +60,7 @@ void GradientScale::list_changed() {
   if (list.is_all) list.count = chunks;
 }
 
-// Of so few that they can be listed, one after the other, so that little is read from afar.
+// Gathers one chunk after the other: so few chunks are listed that little is read from far away.
 void GradientScale::gather_changed() {
   const ChunkList& list = view_.changed;
   view_.from = list.is_all ? host_.data() : changed_.data();

@@ -8,14 +8,14 @@
 
 namespace burnish::cuda {
 
-/// β of the cells on its way to the device: the slider goes with the kernels, and of paint those
-/// chunks of cells alone are read from memory of the host where some is new.
+/// β of the cells on its way to the device. The slider goes with the kernels. The device reads only
+/// the chunks with new paint, from memory of the host.
 class GradientScale {
  public:
-  /// No paint, and the slider where it is at first.
+  /// Begins without paint and with the slider's default.
   GradientScale(Stream& stream, size_t cells);
 
-  /// Needs: no kernel that reads it is under way.
+  /// Needs: no running kernel reads it.
   void set(const FieldsView& fields);
   const NewGradientScale& view() const { return view_; }
   uint64_t byte_count() const { return paint_.byte_count(); }
@@ -25,9 +25,9 @@ class GradientScale {
   void list_changed();
   void gather_changed();
 
-  PinnedArray<Paint> host_, changed_;  // of all cells as of the last set(); of the listed chunks
+  PinnedArray<Paint> host_, changed_;  // all cells at the last set(); the listed chunks
   DeviceArray<Paint> paint_;
-  std::vector<uint8_t> has_paint_, is_changed_;  // of each chunk
+  std::vector<uint8_t> has_paint_, is_changed_;  // per chunk
   NewGradientScale view_;
 };
 

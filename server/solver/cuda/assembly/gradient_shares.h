@@ -6,13 +6,12 @@
 
 namespace burnish::cuda {
 
-/// A cell's share of b for one axis: with rests, or a float where these will do.
+/// A cell's share of b for one axis: a double with rests, else a float.
 template <bool kRests>
 using Share = std::conditional_t<kRests, double, float>;
 
-/// One axis of the shares of a corner's cells, and what the float of the last one leaves. A cell
-/// that is not there counts as the first, to be taken zero times: its loads need not wait for a
-/// branch.
+/// One axis of the shares of a corner's cells, and the rest of the last float. A missing cell
+/// counts as the first one, times zero, so its loads need not wait for a branch.
 template <bool kRests>
 struct AxisShares {
   Share<kRests> at[8];
@@ -43,10 +42,10 @@ __device__ double weighed(const AxisShares<kRests>& shares, const float (&weight
   return sum;
 }
 
-/// What b has per slider at a corner where nobody has painted: the sum over its cells.
+/// Returns the change of b per slider step at a corner without paint: the sum over its cells.
 template <bool kRests>
 __device__ Double3 sum_shares(const CellGradients& combined, const Eight& cells) {
-  float weight[8];  // 1, or 0 where no cell is
+  float weight[8];  // 1, or 0 for a missing cell
 #pragma unroll
   for (int a = 0; a < 8; ++a) weight[a] = static_cast<float>(min(cells.at[a], 0) + 1);
   double sum[3];

@@ -2,7 +2,7 @@
 
 namespace burnish::cuda {
 
-/// The weight of corner a of a cell at one of its 3×3×3 half-way points.
+/// Returns the weight of corner a of a cell at one of its 3×3×3 half-way points.
 __device__ inline float half_way_weight(int place, int a) {
   float weight = 1;
 #pragma unroll

@@ -6,14 +6,14 @@ namespace burnish::cuda {
 
 namespace {
 
-// An irregular row, done by a warp.
+// An irregular row; a warp does it.
 struct Row {
   int32_t corner;
   int64_t first_sum;
-  int count;  // of its entries, each a sum; the one after them is the row's own
+  int count;  // entries, each a sum; the row's own sum comes after them
 };
 
-// Entry p of a row. Long rows have the last ones elsewhere.
+// Entry p of a row. Long rows have their last entries elsewhere.
 struct Place {
   bool is_packed;
   int64_t at;
@@ -41,7 +41,7 @@ __device__ Place place_of(const Rows& rows, int32_t corner, int p) {
   return {true, at, local, column_of(group_of(rows, corner / rows.group_rows), local)};
 }
 
-// Returns what products will find.
+// Returns the value as products will read it.
 __device__ float store(const Matrix& matrix, const Place& place, float value) {
   if (!place.is_packed) return matrix.long_entries[place.at] = value;
   return value_of(matrix.packed[place.at] = pack(value, place.local));
@@ -53,8 +53,8 @@ __device__ float entry_at(const Depth& depth, int32_t corner, int p) {
   return value_of(depth.system.packed[row_begin(depth.topology.rows, corner) + kSliceRows * p]);
 }
 
-// A sum of listed numbers, every `step` th of them. The places of the first few are found at once,
-// which may come before await_previous().
+// A sum of listed numbers, of every `step` th. Finds the places of the first few at once, which may
+// come before await_previous().
 class ListedSum {
  public:
   __device__ ListedSum(const Irregular& irregular, int64_t sum, int first, int step)
@@ -65,7 +65,7 @@ class ListedSum {
     fetch();
   }
 
-  /// Of the numbers before `number_count` only. In double: diagonals need it (gather_rows.h).
+  /// Sums only the numbers before `number_count`. In double: diagonals need it (gather_rows.h).
   __device__ double of(const float* numbers, int32_t number_count) {
     double total = sum_of_fetched(numbers, number_count);
     while (next_ < end_) {
@@ -158,7 +158,7 @@ __global__ void invert_irregular_kernel(Depth depth, CellSquares<float> inverses
   store_block(block, cell, inverses);
 }
 
-// The numbers of cells alone: M⁻¹ has no part for ties.
+// Uses the numbers of cells only: ties have no part in M⁻¹.
 __global__ void inverse_rows_kernel(Depth depth, CellSquares<float> inverses, Matrix inverse,
                                     const float4* vector, float4* next) {
   let_next_start();

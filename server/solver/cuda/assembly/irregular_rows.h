@@ -5,19 +5,21 @@
 #include "server/solver/cuda/smoothers/spectrum.h"
 
 // A depth's irregular rows (stencil.h), whose entries are sums of listed numbers. Kernels for all
-// rows leave them out or write zeros; these come before or after, where there are any.
+// rows skip them or write zeros. If a depth has irregular rows, these functions run before or
+// after.
 
 namespace burnish::cuda {
 
-/// After the other rows of S: as assemble() (assembly.h), from the numbers of cells and ties.
+/// Call after the other rows of S. Does the work of assemble() (assembly.h) with the numbers of
+/// cells and ties.
 void assemble_irregular_rows(Stream& stream, const CellSquares<float>& cells, const Depth& depth,
                              const float4* probe, const float* pinned_below);
 
-/// After the other cells: as invert_cells() (cell_inverse.h).
+/// Call after the other cells. Does the work of invert_cells() (cell_inverse.h).
 void invert_irregular_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses);
 
-/// Before the other rows of M⁻¹: as assemble_inverse() (cell_inverse.h), and in `next` the products
-/// with power.product, which that iteration goes on from.
+/// Call before the other rows of M⁻¹. Does the work of assemble_inverse() (cell_inverse.h). Puts
+/// the products with power.product into `next`; that iteration continues from them.
 void assemble_irregular_inverse(Stream& stream, const Depth& depth,
                                 const CellSquares<float>& inverses, const Matrix& inverse,
                                 const PowerStep& power, float4* next);

@@ -4,8 +4,8 @@
 
 namespace burnish::cuda {
 
-/// Work beside a stream's own, which goes before it: it may run at the same time as what the stream
-/// is given between fork() and join(). Recorded in a graph it becomes a branch of it.
+/// Work next to a stream's own work, which has priority. It may run at the same time as the
+/// stream's work between fork() and join(). Recorded in a graph it becomes a branch of the graph.
 class Branch {
  public:
   explicit Branch(Stream& trunk);
@@ -13,11 +13,11 @@ class Branch {
   Branch(const Branch&) = delete;
   Branch& operator=(const Branch&) = delete;
 
-  /// What follows here comes after all that the trunk has been given so far, and shares memory as
-  /// the trunk does.
+  /// Later work of the branch comes after all earlier work of the trunk. The branch shares memory
+  /// as the trunk does.
   void fork();
   Stream& stream() { return stream_; }
-  /// What follows in the trunk comes after all that was given here; failures are the trunk's.
+  /// Later work of the trunk comes after all work of the branch. The trunk takes over its failures.
   void join();
 
  private:

@@ -6,10 +6,9 @@
 
 namespace burnish::cuda {
 
-/// Fields of cells are looked through in chunks of so many.
+/// Fields of cells are searched in chunks of this many.
 inline constexpr int64_t kChunk = 1024;
-inline constexpr int64_t kParallelMin = 256;  ///< chunks; of fewer one thread is done before others
-                                              ///< wake
+inline constexpr int64_t kParallelMin = 256;  ///< chunks; fewer end before other threads wake
 
 template <typename T>
 std::span<const T> chunk_of(std::span<const T> field, int64_t chunk) {

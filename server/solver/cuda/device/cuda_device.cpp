@@ -35,7 +35,7 @@ class DeviceProbe {
     stream_.get();
     stream_.check(cudaMallocHost(&word_, sizeof(int)), "pinning a word");
   }
-  // The device writes a word of ours: its own memory may be full.
+  // The device writes a word of the host: the device's own memory may be full.
   Status run() {
     if (stream_.is_ok() &&
         stream_.check(cudaMemsetAsync(word_, 0, sizeof(int), stream_.get()), "probing"))
@@ -44,7 +44,7 @@ class DeviceProbe {
   }
 
  private:
-  cuda::Stream stream_;  // its first failure stays, as the device's does
+  cuda::Stream stream_;  // keeps its first failure, as the device does
   void* word_ = nullptr;
 };
 

@@ -12,7 +12,7 @@ namespace burnish {
 
 static std::atomic<uint64_t> budget = std::numeric_limits<uint64_t>::max();
 
-// One number for each device.
+// One number per device.
 static std::vector<std::atomic<uint64_t>>& used() {
   static std::vector<std::atomic<uint64_t>> by_device([] {
     int count = 0;
@@ -47,7 +47,7 @@ static Status beyond_device(uint64_t bytes) {
                             std::to_string(free) + " of " + std::to_string(total) + " are free");
 }
 
-// What sessions give back stays in the driver's pool for the next one.
+// Keeps freed memory of sessions in the driver's pool for the next session.
 static void keep_freed_memory() {
   static std::once_flag once;
   std::call_once(once, [] {
@@ -74,7 +74,7 @@ void* allocate(Stream& stream, uint64_t bytes) {
   if (error == cudaSuccess) return memory;
   used_there -= bytes;
   if (error == cudaErrorMemoryAllocation) {
-    cudaGetLastError();  // this one does not stick
+    cudaGetLastError();  // this error does not stay
     stream.check(beyond_device(bytes));
   } else {
     stream.check(error, "taking memory");

@@ -10,13 +10,13 @@
 
 namespace burnish::cuda {
 
-/// Takes device memory from the pool; a failure goes to the stream, with what was asked for and
-/// what is free.
+/// Takes device memory from the pool. A failure goes to the stream, with the requested and the free
+/// bytes.
 void* allocate(Stream& stream, uint64_t bytes);
-/// Gives it back to the pool, once the device is through with it.
+/// Gives memory back to the pool after the device's last use of it.
 void release(int device, void* memory, uint64_t bytes);
 
-/// Takes memory of the host that the device copies to at full speed.
+/// Takes host memory that the device copies to at full speed.
 void* allocate_pinned(Stream& stream, uint64_t bytes);
 void release_pinned(void* memory);
 
@@ -39,7 +39,7 @@ void download(Stream& stream, const T* device, std::span<T> host) {
   stream.synchronize();
 }
 
-/// An array on the device, zero at first. Empty when the stream has failed.
+/// An array on the device, zero at first. It is empty if the stream has failed.
 template <typename T>
 class DeviceArray {
  public:
@@ -53,7 +53,7 @@ class DeviceArray {
   DeviceArray(Stream& stream, std::span<const T> host) : DeviceArray(stream, host.size()) {
     upload(stream, host);
   }
-  /// From an array of another type with the same bytes.
+  /// Copies an array of another type with the same bytes.
   template <typename Host>
   static DeviceArray copy_of(Stream& stream, std::span<const Host> host) {
     static_assert(sizeof(Host) == sizeof(T));
@@ -89,7 +89,7 @@ class DeviceArray {
   size_t size_ = 0;
 };
 
-/// An array on the host for copies from the device. Empty when the stream has failed.
+/// An array on the host for copies from the device. It is empty if the stream has failed.
 template <typename T>
 class PinnedArray {
  public:

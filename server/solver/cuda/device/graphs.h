@@ -7,7 +7,7 @@
 
 namespace burnish::cuda {
 
-/// Recorded sequences of work, each started as one: a launch costs more than most kernels take.
+/// Recorded sequences of work. Each starts as one: a launch costs more than most kernels take.
 class Graphs {
  public:
   explicit Graphs(Stream& stream) : stream_(stream) {}
@@ -15,8 +15,8 @@ class Graphs {
   Graphs(const Graphs&) = delete;
   Graphs& operator=(const Graphs&) = delete;
 
-  /// Does `work`, which queues the same kernels whenever `key` is the same. It runs as it is the
-  /// first time (kernels are loaded then), is recorded the second time and replayed from then on.
+  /// Does `work`. Needs: `work` queues the same kernels for the same `key`. The first time it just
+  /// runs, which loads the kernels. The second time it is recorded; later times replay it.
   void run(int key, const std::function<void()>& work);
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the .cu files share: vectors of three columns, rows, and how a kernel is started.
+// The common part of the .cu files: vectors of three columns, rows, and the start of kernels.
 
 #include "server/solver/cuda/device/stream.h"
 #include "server/solver/cuda/device/views.h"
@@ -9,9 +9,9 @@ namespace burnish::cuda {
 
 inline constexpr int kThreads = 128;
 
-/// Starts blocks of threads with so much shared memory beside what they declare. Where the device
-/// can, they come up while the kernel before still runs, and wait in await_previous(): much of a
-/// small depth's time would else be the starting of kernels.
+/// Starts blocks of threads with this much shared memory beyond what they declare. If the device
+/// can, blocks start while the previous kernel still runs, and wait in await_previous(). Otherwise
+/// the starts of kernels would take much of a small depth's time.
 template <typename... Params, typename... Args>
 void launch_blocks(Stream& stream, void (*kernel)(Params...), dim3 blocks, dim3 threads,
                    size_t shared_bytes, Args... args) {
@@ -37,7 +37,7 @@ void launch_blocks(Stream& stream, void (*kernel)(Params...), dim3 blocks, dim3 
                "starting a kernel");
 }
 
-/// How many blocks have a thread for each of `count` items.
+/// Returns how many blocks give a thread to each of `count` items.
 inline unsigned block_count(int64_t count) {
   return static_cast<unsigned>((count + kThreads - 1) / kThreads);
 }
@@ -49,17 +49,17 @@ void launch(Stream& stream, void (*kernel)(Params...), int64_t count, Args... ar
     launch_blocks(stream, kernel, dim3(block_count(count)), dim3(kThreads), 0, args...);
 }
 
-/// Lets the kernel after this one come up. The first statement of a kernel that has something to do
-/// before await_previous().
+/// Lets the next kernel start. The first statement of a kernel that has work before
+/// await_previous().
 __device__ inline void let_next_start() {
 #if __CUDA_ARCH__ >= 900
   cudaTriggerProgrammaticLaunchCompletion();
 #endif
 }
 
-/// What the kernels before have written is there afterwards. Before, a kernel may read what none of
-/// those has written that it was not kept from by a host that waits, another graph, a copy or a
-/// memset: the mesh, and within a cycle the matrices.
+/// Waits for the writes of the previous kernels. Before this call a kernel may read only data that
+/// no kernel wrote since a host's wait, another graph, a copy or a memset: the mesh, and within a
+/// cycle the matrices.
 __device__ inline void await_previous() {
   let_next_start();
 #if __CUDA_ARCH__ >= 900
@@ -67,8 +67,8 @@ __device__ inline void await_previous() {
 #endif
 }
 
-/// The same, but the next kernel comes up only then: of a long chain no more than two are on the
-/// device, where all that wait would else keep other work from it.
+/// Does the same, but the next kernel starts only then. So at most two kernels of a long chain are
+/// on the device; more waiting ones would keep other work from it.
 __device__ inline void await_previous_alone() {
 #if __CUDA_ARCH__ >= 900
   cudaGridDependencySynchronize();
@@ -130,7 +130,7 @@ __device__ inline int64_t row_begin(const Rows& rows, int32_t i) {
 __device__ inline int64_t row_end(const Rows& rows, int32_t i, int64_t begin) {
   return begin + kSliceRows * __popc(rows.mask[i]);
 }
-/// Where slot s of row i stands. Needs: the slot is present.
+/// Returns where slot s of row i stands. Needs: the row has the slot.
 __device__ inline int64_t entry_position(const Rows& rows, int32_t i, int slot) {
   return row_begin(rows, i) + kSliceRows * __popc(rows.mask[i] & ((1u << slot) - 1));
 }

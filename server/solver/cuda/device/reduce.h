@@ -4,12 +4,12 @@
 
 #include "server/solver/cuda/device/kernel.h"
 
-// Sums in an order that the count alone fixes: a bounded number of blocks stride over the items,
-// and the last of them to end adds what all have found.
+// Sums in an order that depends on the count only: a bounded number of blocks stride over the
+// items, and the last block to end adds all partial sums.
 
 namespace burnish::cuda {
 
-/// How many blocks, and so how many partial sums, a sum over `count` items takes.
+/// Returns how many blocks, and so how many partial sums, a sum over `count` items takes.
 inline int partial_count(int64_t count) {
   return static_cast<int>(std::min<int64_t>(kPartialsMax, (count + kThreads - 1) / kThreads));
 }
@@ -23,7 +23,7 @@ __device__ inline int64_t stride() {
   return static_cast<int64_t>(gridDim.x) * blockDim.x;
 }
 
-/// The block's sum, in its first thread. Every thread of the block calls it.
+/// Returns the block's sum in its first thread. Every thread of the block calls it.
 template <int kCount>
 __device__ Sums<kCount> block_sum(Sums<kCount> sum) {
   __shared__ Sums<kCount> of_warp[kThreads / 32];
@@ -38,8 +38,8 @@ __device__ Sums<kCount> block_sum(Sums<kCount> sum) {
   return sum;
 }
 
-/// Every block of the kernel calls it with its sum, all threads of it. Returns true in the first
-/// thread of the block that comes last, which then has the total.
+/// Every block of the kernel calls it with its sum, with all its threads. Returns true in the first
+/// thread of the last block, which then has the total.
 template <int kCount>
 __device__ bool add_up(Sums<kCount> sum, const Partials<kCount>& partials, Sums<kCount>* total) {
   __shared__ bool is_last;

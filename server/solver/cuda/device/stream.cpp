@@ -26,7 +26,7 @@ Stream::~Stream() {
   if (stream_ != nullptr) cudaStreamDestroy(stream_);
 }
 
-// If there is no such device the call that this is for will say so.
+// If there is no such device, the next call of CUDA says so.
 void Stream::use_device() const {
   int current = -1;
   if (cudaGetDevice(&current) != cudaSuccess || current != device_) cudaSetDevice(device_);

@@ -5,8 +5,8 @@
 
 #include "common/grid/cell_corners.h"
 
-// What kernels see: plain structs of device pointers, the same for nvcc and the host's compiler.
-// Arrays that come from the host's structs have their layout (checked in device_mesh.cpp).
+// The data that kernels see: plain structs of device pointers, the same for nvcc and the host's
+// compiler. Arrays from the host's structs have their layout (checked in device_mesh.cpp).
 
 namespace burnish::cuda {
 
@@ -14,8 +14,8 @@ struct Double3 {
   double x, y, z;
 };
 
-/// Eight indices, -1 where there is none: SparseGrid's cell_corners and cells_of_corner. Aligned so
-/// that two loads bring them.
+/// Eight indices, -1 for none: SparseGrid's cell_corners and cells_of_corner. The alignment lets
+/// two loads read them.
 struct alignas(16) Eight {
   int32_t at[8];
 };
@@ -31,19 +31,19 @@ struct Integrals {
   int64_t cells;
 };
 
-/// PreparedMesh::sheets that a hierarchy uses, with a sheet's integrals in place of a cell's.
+/// The PreparedMesh::sheets that a hierarchy uses, with a sheet's integrals in place of a cell's.
 struct SheetIntegrals {
   Integrals integrals;
-  const int32_t* cell;  ///< of every sheet
+  const int32_t* cell;  ///< per sheet
 };
 
-/// What β−1 is multiplied by in each cell, α2/α1 g¹ + α1/α2 g²: for each corner three axes, and
-/// what the floats of a = 7 leave. Where parts are weak also what all others leave: on cells with
-/// next to no surface floats are enough to move such parts by 1e-4 of the diagonal.
+/// The factor of β−1 in each cell, α2/α1 g¹ + α1/α2 g²: three axes for each corner, and the rests
+/// of the floats of a = 7. At weak parts it also has the other rests: there the rounding of floats
+/// on cells with almost no surface is enough to move the parts by 1e-4 of the diagonal.
 struct CellGradients {
   static constexpr int kNumbers = 27, kRests = 21;
   float* numbers;
-  float* rests;  ///< of a = 0..6; null where floats will do
+  float* rests;  ///< of a = 0..6; null if floats are enough
   int64_t cells;
 };
 
@@ -60,22 +60,23 @@ struct OwnAlpha {
   float alpha1, alpha2;
 };
 
-/// MetricView: what kernels work α of the cells out from.
+/// MetricView: the kernels compute α of the cells from it.
 struct AlphaSource {
   static constexpr int kPointsMax = 64;
-  int32_t point_count;  ///< of the curve; with one of them and no `own` all cells have its α
+  int32_t point_count;  ///< of the curve; one point without `own` gives all cells its α
   int32_t own_count;
   const OwnAlpha* own;  ///< by rising cell
   double kappa[kPointsMax], log_alpha[kPointsMax];
 };
 
-/// What a cell makes of the slider: its β is 1 + follow·(slider − 1) + own.
+/// A cell's dependence on the slider: its β is 1 + follow·(slider − 1) + own.
 struct alignas(8) Paint {
   float follow, own;
 };
 inline constexpr Paint kNoPaint = {1, 0};
 
-/// Some chunks (chunks.h) of cells, or all: what a kernel is started with rather than reads.
+/// Some chunks (chunks.h) of cells, or all. A kernel takes it as an argument, so it need not read
+/// it.
 struct ChunkList {
   static constexpr int kMax = 512;
   int32_t count;
@@ -83,24 +84,24 @@ struct ChunkList {
   int32_t chunk[kMax];
 };
 
-/// The slider as it was and as it is, and paint that is new in some chunks of cells.
+/// The slider before and now, and new paint in some chunks of cells.
 struct NewGradientScale {
   double slider_before, slider;
-  bool is_painted;    ///< whether any cell may have paint
-  Paint* paint;       ///< of every cell, as it was until it is taken over
-  const Paint* from;  ///< of the changed chunks' cells, one chunk after the other; may be
-                      ///< the host's: each is read once
+  bool is_painted;    ///< a cell may have paint
+  Paint* paint;       ///< of every cell, as before the change
+  const Paint* from;  ///< of the changed chunks' cells, one chunk after the other; it may be the
+                      ///< host's: each value is read once
   ChunkList changed;
 };
 
-/// The right-hand side for the displacement: of corner I it is slider_less_one · per_slider[I], and
-/// own[I] as well where slice I / kSliceRows of the corners is painted. Where I is pinned it counts
-/// as zero; which corners are is the metric's to say, and these numbers outlive it.
+/// The right-hand side for the displacement. For corner I it is slider_less_one · per_slider[I]; if
+/// slice I / kSliceRows of the corners is painted, plus own[I]. At pinned corners it counts as
+/// zero. The metric says which corners are pinned, and these numbers outlive it.
 struct Constraint {
   Double3 *per_slider, *own;
   double* slider_less_one;
-  uint8_t* is_painted;  ///< of each slice: whether any cell there has paint
-  uint8_t* is_touched;  ///< working memory: slices with cells whose paint is new
+  uint8_t* is_painted;  ///< per slice: a cell there has paint
+  uint8_t* is_touched;  ///< working memory: slices with cells of new paint
 };
 
 /// Symmetric 8×8 matrices: off-diagonal pairs (28), and row sums or the diagonal (8).
@@ -111,13 +112,13 @@ struct CellSquares {
   int64_t cells;
 };
 
-/// FromCell of coarse_grid.h; of a shared corner the cell is -1.
+/// FromCell of coarse_grid.h; a shared corner has cell -1.
 struct FromCell {
   int32_t cell;
   uint8_t place;
 };
 
-/// Some corners, and those of another depth that each takes from, by weight.
+/// Some corners, and the corners of another depth that each takes from, with weights.
 struct ListedCorners {
   int32_t count;
   const int32_t* corner;
@@ -132,7 +133,7 @@ struct VertexPlace {
   float local[3];
 };
 
-/// What rows have beyond kEntriesMax entries (packed.h): see long_rows.h. Null where none has any.
+/// The entries of rows beyond kEntriesMax (packed.h): see long_rows.h. Null if no row has any.
 struct LongRows {
   const int32_t* start;  ///< corners + 1
   const int32_t* column;
@@ -140,15 +141,14 @@ struct LongRows {
 };
 
 /// A depth's stencil in slices of 32 rows, so that neighbouring threads read neighbouring entries:
-/// entry k of row I stands at slice_start[I / 32] + 32 k + I % 32. Slices make groups, of which a
-/// block of threads does one: see row_groups.h.
+/// entry k of row I stands at slice_start[I / 32] + 32 k + I % 32. Slices form groups; a block of
+/// threads does one group: see row_groups.h.
 struct Rows {
   int32_t count;
   const int64_t* slice_start;
-  const uint32_t* mask;   ///< Stencil::mask; of an irregular row one with as many bits as it has
-                          ///< entries here, the highest ones
-  const uint16_t* local;  ///< one per entry: where in its group's tile its column stands
-  int32_t group_rows;     ///< of every group but the last
+  const uint32_t* mask;   ///< Stencil::mask; an irregular row has its entries as the highest bits
+  const uint16_t* local;  ///< one per entry: its column's place in the group's tile
+  int32_t group_rows;     ///< of every group except the last
   int32_t tile_max;       ///< the largest tile of a group
   int32_t group_count;
   const int32_t* halo_start;  ///< groups + 1
@@ -161,9 +161,8 @@ struct PairEntries {
   uint16_t at[kPairsPerCell];
 };
 
-/// A depth's irregular rows and the cells at them (stencil.h). Sources are places among the depth's
-/// numbers, which are CellSquares and behind them 64 of each tie; at the finest depth 64 of each
-/// sheet.
+/// A depth's irregular rows and their cells (stencil.h). Sources are places among the depth's
+/// numbers: CellSquares, then 64 of each tie; at the finest depth 64 of each sheet.
 struct Irregular {
   int32_t row_count;
   const int32_t* corner;
@@ -184,7 +183,7 @@ struct CellShare {
   int32_t source, left, right, is_transposed;
 };
 
-/// What a depth's numbers take from those of the finer one beyond what children give: CellShares.
+/// The shares of the finer depth's numbers beyond the children's: CellShares.
 struct Shares {
   int32_t target_count;
   const CellPart* part;
@@ -199,62 +198,63 @@ struct Shares {
 struct PatchList {
   const int32_t* start;        ///< patches + 1, into `corner`
   const int32_t* corner;       ///< rising within a patch
-  const int64_t* entry_start;  ///< patches + 1: of their lower triangles, by rows
+  const int64_t* entry_start;  ///< patches + 1; the patches' lower triangles, by rows
 };
 
 /// One depth without any number that depends on the metric.
 struct Topology {
   int32_t corner_count;
   int32_t cell_count;
-  int64_t number_count;  ///< of its cells and ties: see Irregular
+  int64_t number_count;  ///< of cells and ties: see Irregular
   int64_t entry_count;   ///< of its rows, packed
   Rows rows;
   const Eight* cell_corners;
-  const Eight* cells_of_corner;  ///< none of the corner of an irregular row
-  const uint8_t* octant;         ///< which child of its parent a cell is
-  const int32_t* child_start;    ///< null at the finest depth, as `child`
+  const Eight* cells_of_corner;  ///< none for the corner of an irregular row
+  const uint8_t* octant;         ///< the octant of each cell in its parent
+  const int32_t* child_start;    ///< null at the finest depth, like `child`
   const int32_t* child;
-  const FromCell* prolongation;  ///< null at the coarsest depth, as the next two
+  const FromCell* prolongation;  ///< null at the coarsest depth, like the next two
   const int64_t* restriction_start;
   const uint32_t* restriction;  ///< packed.h
   ListedCorners shared;         ///< DepthTransfer::SharedCorners
   ListedCorners listed;         ///< coarse corners that are not packed
   Irregular irregular;
-  Shares shares;            ///< of this depth's numbers
-  const uint8_t* is_exact;  ///< of each group of rows: whether residuals take S to all digits that
-                            ///< are there, as around patches; null where none does
+  Shares shares;            ///< for this depth's numbers
+  const uint8_t* is_exact;  ///< per group of rows: residuals use all digits of S, as around
+                            ///< patches; null if no group does
 };
 
 /// A symmetric matrix on a depth's stencil: off-diagonal entries with their columns (packed.h).
 struct Matrix {
   uint32_t* packed;
   float* diagonal;
-  float* long_entries;  ///< as they are, of LongRows::column; null where there are none
-  float* rest;          ///< what the packed entries leave of each; null where that will do
+  float* long_entries;  ///< not packed, for LongRows::column; null if there are none
+  float* rest;          ///< the rounding rest of each packed entry; null if not needed
 };
 
 /// One session's numbers at one depth.
 struct Depth {
   Topology topology;
-  Matrix system;     ///< S, with rests at the finest and coarsest depths and where is_exact
-  float* remainder;  ///< what rests leave as well; at the finest depth where is_exact, else null
+  Matrix system;     ///< S; with rests at the finest and coarsest depths and where is_exact
+  float* remainder;  ///< the rounding of the rests; null except at the finest depth with is_exact
   float* inverse_diagonal;  ///< 0 where pinned
   float4* x;
   float4* f;
   float4* r;
 };
 
-/// A partial sum of a reduction (reduce.h), and how many of them one over all corners has at most.
+/// A partial sum of a reduction (reduce.h), and the largest number of them for a sum over all
+/// corners.
 template <int kCount>
 struct Sums {
   double at[kCount];
 };
 inline constexpr int kPartialsMax = 1024;
 
-/// Where the blocks of a kernel leave their sums, and how many have. Zero at first.
+/// The sums of a kernel's blocks, and the number of blocks that are done. Zero at first.
 template <int kCount>
 struct Partials {
-  Sums<kCount>* sums;  ///< one a block
+  Sums<kCount>* sums;  ///< one per block
   unsigned* arrived;
 };
 

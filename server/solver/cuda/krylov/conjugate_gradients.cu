@@ -31,7 +31,7 @@ __device__ Double3 constraint_of(const Vectors& v, int64_t i) {
   return v.b.is_painted[i / kSliceRows] ? of_slider + v.b.own[i] : of_slider;
 }
 
-// A column that has nothing left to do has a zero divisor and takes a zero step.
+// A column that is solved has a zero divisor; its step is zero.
 __device__ double quotient(double dividend, double divisor) {
   return divisor > 0 ? dividend / divisor : 0;
 }
@@ -58,7 +58,7 @@ __global__ void pin_kernel(Vectors v) {
     v.u[i] = Double3{0, 0, 0};
 }
 
-// u·b and u·Su, Su being b − r.
+// Sums u·b and u·Su; Su is b − r.
 __global__ void scale_sums_kernel(Vectors v) {
   await_previous();
   Sums<9> sums = {};
@@ -83,17 +83,16 @@ __global__ void rescale_kernel(Vectors v) {
   v.finest.f[i] = to_float(r);
 }
 
-// What p = z + m p' will have with q and r, from the sums that p' had itself. That p is conjugate
-// to p', and r orthogonal to it, would do with fewer; but it is so to rounding only, and a step
-// that goes by it stops being the one of least energy where nothing but rounding is left to
-// correct.
+// Computes the products of p = z + m p' with q and r from the last sums of p'. Exact conjugacy of p
+// to p', and of r to p', would need fewer sums. But they hold only to rounding. A step that relies
+// on them is no longer the one of least energy once only rounding is left to correct.
 __device__ void choose_step(const Sums<9>& products, bool restart, Scalars& scalars) {
   for (int n = 0; n < 3; ++n) {
     const double z_dot_r = products.at[n], z_dot_q = products.at[3 + n],
                  z_dot_w = products.at[6 + n], last_p_dot_q = scalars.p_dot_q[n];
     const double momentum = restart ? 0 : quotient(-z_dot_q, last_p_dot_q);
     const double p_dot_q = z_dot_w + momentum * (2 * z_dot_q + momentum * last_p_dot_q);
-    const bool is_sound = p_dot_q > 0;  // else nothing but rounding is left of it
+    const bool is_sound = p_dot_q > 0;  // else only rounding is left
     scalars.momentum[n] = is_sound ? momentum : 0;
     scalars.z_dot_r[n] = z_dot_r;
     scalars.step[n] =
@@ -101,7 +100,7 @@ __device__ void choose_step(const Sums<9>& products, bool restart, Scalars& scal
   }
 }
 
-// w = S z, z·r, z·q and z·w.
+// Makes w = S z, z·r, z·q and z·w.
 template <bool kRemainder>
 __global__ void __launch_bounds__(kThreads, 6) product_kernel(Vectors v, bool restart) {
   float4* tile = tile_of_block<float4>();
@@ -130,7 +129,7 @@ __global__ void __launch_bounds__(kThreads, 6) product_kernel(Vectors v, bool re
   if (add_up(sums, v.products, &total)) choose_step(total, restart, *v.scalars);
 }
 
-// E z at every vertex.
+// Makes E z at every vertex.
 __global__ void evaluate_correction_kernel(Vectors v, const VertexPlace* places) {
   await_previous();
   for (int64_t i = thread_index(); i < v.vertex_count; i += stride()) {
@@ -146,8 +145,8 @@ __global__ void evaluate_correction_kernel(Vectors v, const VertexPlace* places)
   }
 }
 
-// E p at every vertex after the step, and the largest E a p. Numbers that are not negative compare
-// as their bits do, and a largest has no order.
+// Makes E p at every vertex after the step, and the largest E a p. Numbers that are not negative
+// compare like their bits, and a maximum does not depend on the order.
 __device__ void move_vertices(const Vectors& v, const Double3& step, const Double3& momentum) {
   float most = 0;
   for (int64_t i = thread_index(); i < v.vertex_count; i += stride()) {
@@ -162,7 +161,8 @@ __device__ void move_vertices(const Vectors& v, const Double3& step, const Doubl
     atomicMax(reinterpret_cast<unsigned*>(&v.scalars->moved_squared_max), __float_as_uint(most));
 }
 
-// p, q, u and r after the step, what the next step needs of p, and the parts of the measures.
+// Makes p, q, u and r after the step, the sums of p for the next step, and the parts of the
+// measures.
 __global__ void advance_kernel(Vectors v) {
   await_previous();
   Sums<9> sums = {};

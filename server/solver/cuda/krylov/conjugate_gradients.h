@@ -6,18 +6,18 @@
 
 namespace burnish::cuda {
 
-/// Flexible conjugate gradients in double, as on the CPU: see cpu/conjugate_gradients.h. Steps and
-/// sums stay on the device; only measure() waits for them.
+/// Flexible conjugate gradients in double, as on the CPU: see cpu/krylov/conjugate_gradients.h.
+/// Steps and sums stay on the device; only measure() waits for them.
 ///
-/// A step has two passes over the depth. With z the V-cycle's correction, the first makes w = S z
-/// and its sums; what p, q = S p and p·q are follows from these and the last p's. The second makes
-/// p, q, u and r with their sums, and E p of the vertices, which tells how far they move: E z is
-/// made beside the first.
+/// A step has two passes over the depth. z is the V-cycle's correction. The first pass makes w = S
+/// z and its sums; p, q = S p and p·q follow from these and the last p's. The second makes p, q, u
+/// and r with their sums, and E p of the vertices, which gives their moves. E z is made next to the
+/// first.
 ///
-/// Whatever writes r writes it in float32 too, as the next cycle's f.
+/// Each kernel that writes r also writes it in float32, as the next cycle's f.
 class ConjugateGradients {
  public:
-  /// What one step hands to the next, per column.
+  /// The values of one step that the next one needs, per column.
   struct Scalars {
     double z_dot_r[3];
     double p_dot_q[3], p_dot_r[3];  ///< after the last advance()
@@ -27,7 +27,7 @@ class ConjugateGradients {
     float moved_squared_max;  ///< of |E a p| at a vertex
     double energy, residual, constraint;
   };
-  /// What the kernels work on.
+  /// The data of the kernels.
   struct Vectors {
     Depth finest;
     double* row_sum;  ///< of S
@@ -38,7 +38,7 @@ class ConjugateGradients {
     Partials<9> products;
     Partials<9> measures;
     Scalars* scalars;
-    Scalars* measured;  ///< the same on the host, after advance()
+    Scalars* measured;  ///< a copy on the host, after advance()
   };
 
   ConjugateGradients(Stream& stream, const Depth& finest, const VertexPlace* evaluation,
@@ -53,8 +53,8 @@ class ConjugateGradients {
   void rescale();
   void update_direction(bool restart);
   void advance();
-  /// The sums of backend.h's Measures after the last advance(), not yet divided and rooted. Waits
-  /// for the device.
+  /// Returns the sums of backend.h's Measures after the last advance(), before division and root.
+  /// Waits for the device.
   Scalars measure() const;
   uint64_t byte_count() const;
 

@@ -6,14 +6,15 @@
 
 namespace burnish::cuda {
 
-/// Where number `source` of a depth's cells and ties (number_of_cell(), number_of_tie()) stands on
-/// the device, which has all cells' first numbers, then all cells' second, and ties as they are.
+/// Returns where number `source` of a depth's cells and ties (number_of_cell(), number_of_tie())
+/// stands on the device. The device has all cells' first numbers, then all cells' second; ties keep
+/// their order.
 inline int32_t place_of_number(int32_t source, int32_t cells) {
   const int32_t of_cells = kNumbersPerCell * cells;
   return source < of_cells ? source % kNumbersPerCell * cells + source / kNumbersPerCell : source;
 }
 
-/// A depth's irregular rows and cells on the device: nothing where it has none.
+/// A depth's irregular rows and cells on the device; empty if it has none.
 class DeviceIrregular {
  public:
   DeviceIrregular() = default;

@@ -21,7 +21,7 @@ static std::vector<uint8_t> octants(const SparseGrid& grid) {
   return octants;
 }
 
-// Those of irregular rows count the entries that are packed.
+// Returns masks that count only the packed entries of irregular rows.
 static std::vector<uint32_t> masks_of_packed(const Stencil& stencil) {
   std::vector<uint32_t> masks = stencil.mask;
   for (const int32_t i : stencil.irregular.corner) {
@@ -31,8 +31,8 @@ static std::vector<uint32_t> masks_of_packed(const Stencil& stencil) {
   return masks;
 }
 
-// A piece that hangs on another by a sliver has eigenvalues below what packing rounds off. None
-// where no group has such a piece.
+// Finds groups with a piece that hangs on another by a sliver: its eigenvalues are below the
+// rounding of packed entries. Returns an empty list if no group has such a piece.
 static std::vector<uint8_t> groups_with_weak_parts(const HierarchyDepth& depth,
                                                    const CyclePlan& plan, const RowGroups& groups) {
   const bool is_weak = plan.has_weak_parts(depth.grid.depth);
@@ -153,8 +153,7 @@ static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(int device, Mult
   return std::shared_ptr<const DeviceMesh>(std::move(mesh));
 }
 
-// The mesh keeps hierarchy and plan alive, so that their addresses stand for them as long as it
-// does.
+// The mesh keeps hierarchy and plan alive, so their addresses identify them while it lives.
 Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device, Multigrid on) {
   static std::mutex mutex;
   using Key = std::tuple<int, const Hierarchy*, const CyclePlan*>;

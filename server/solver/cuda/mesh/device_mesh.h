@@ -34,7 +34,7 @@ class DeviceTopology {
   Topology view_{};
 };
 
-/// PreparedMesh::sheets on the device, as far as a hierarchy uses them.
+/// The PreparedMesh::sheets that a hierarchy uses, on the device.
 class DeviceSheets {
  public:
   DeviceSheets() = default;
@@ -50,11 +50,11 @@ class DeviceSheets {
   DeviceArray<int32_t> cell_;
 };
 
-/// Everything about a prepared mesh that no edit changes, immutable and shared by its sessions.
+/// The part of a prepared mesh that no edit changes. Immutable; its sessions share it.
 struct DeviceMesh {
   int device = 0;
   Multigrid on;
-  std::vector<DeviceTopology> depths;  ///< from the coarsest
+  std::vector<DeviceTopology> depths;  ///< the coarsest first
   DeviceArray<double> integral_numbers;
   DeviceSheets sheets;
   DevicePatches patches;
@@ -66,8 +66,8 @@ struct DeviceMesh {
   uint64_t byte_count() const;
 };
 
-/// The mesh on a device: copied there, or what another session has there already.
-/// Fails: resource_exhausted, internal.
+/// Copies the mesh to a device, or returns another session's copy there. Fails: resource_exhausted,
+/// internal.
 Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device, Multigrid on);
 
 }  // namespace burnish::cuda

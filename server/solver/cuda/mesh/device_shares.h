@@ -6,7 +6,7 @@
 
 namespace burnish::cuda {
 
-/// A coarse depth's CellShares on the device: nothing where it has none.
+/// A coarse depth's CellShares on the device; empty if it has none.
 class DeviceShares {
  public:
   DeviceShares() = default;

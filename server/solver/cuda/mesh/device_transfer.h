@@ -30,13 +30,13 @@ class DeviceListedCorners {
   DeviceArray<float> weight_;
 };
 
-/// A depth's DepthTransfer on the device: nothing of the coarsest.
+/// A depth's DepthTransfer on the device; empty for the coarsest.
 class DeviceTransfer {
  public:
   DeviceTransfer() = default;
   DeviceTransfer(Stream& stream, const DepthTransfer& transfer);
 
-  /// Fills in what of a depth's topology is of this.
+  /// Fills in its part of a depth's topology.
   void put_into(Topology& topology) const;
   uint64_t byte_count() const;
 

@@ -7,18 +7,18 @@
 
 namespace burnish::cuda {
 
-/// A cell's 28 masses ρ_ab are 19 different numbers: along an axis a product of two trilinear
-/// functions is (1 − x)², x(1 − x) or x², whichever function has which, and ρ_ab is the integral of
-/// three of these (prepare/cell_moments.h).
+/// The 19 different numbers among a cell's 28 masses ρ_ab. Along an axis a product of two trilinear
+/// functions is (1 − x)², x(1 − x) or x², whichever function has which part. ρ_ab is the integral
+/// of three of these (prepare/cell_moments.h).
 struct MassPlaces {
   static constexpr int kDifferent = 19;
-  std::array<uint8_t, kPairsPerCell> of_pair = {};             ///< which of them a pair has
-  std::array<uint8_t, kDifferent> first_pair = {};  ///< that has it
+  std::array<uint8_t, kPairsPerCell> of_pair = {};  ///< index of each pair's number
+  std::array<uint8_t, kDifferent> first_pair = {};  ///< the first pair with each number
 };
 
 constexpr MassPlaces mass_places() {
   MassPlaces places;
-  int place_of_moment[27] = {};  // and one: 0 where there is none yet
+  int place_of_moment[27] = {};  // plus one; 0 while unknown
   uint8_t count = 0;
   for (int a = 0; a < 8; ++a)
     for (int b = a + 1; b < 8; ++b) {

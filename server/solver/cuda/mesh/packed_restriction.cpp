@@ -6,7 +6,7 @@
 
 namespace burnish::cuda {
 
-// By how many halvings a weight is 1, 1/2, 1/4 or 1/8, else -1.
+// Returns how many halvings make a weight of 1, 1/2, 1/4 or 1/8; -1 for other weights.
 static int halvings_of(float weight) {
   for (int halvings = 0; halvings < 4; ++halvings)
     if (weight == 1 / static_cast<float>(1 << halvings)) return halvings;

@@ -7,12 +7,12 @@
 
 namespace burnish::cuda {
 
-// On the unit diagonal of the scaled blocks. Packed entries are off by half of the first in a
-// block's norm; with their rests as little will do as on the CPU.
+// Added to the unit diagonal of the scaled blocks. Packed entries change a block's norm by half of
+// the first value. With their rests the CPU's small value is enough.
 inline constexpr float kRegularisation = 1e-3f;
 inline constexpr float kRegularisationWithRests = 1e-5f;
 
-/// The block of the diagonally scaled S, entry_of(a, b) being S's between corners a and b, a < b.
+/// Reads the block of the diagonally scaled S; entry_of(a, b) is S's entry between corners a < b.
 template <typename EntryOf>
 __device__ void read_scaled_block(const Depth& depth, const Eight& corners, float regularisation,
                                   EntryOf&& entry_of, float (&block)[8][8]) {
@@ -28,8 +28,8 @@ __device__ void read_scaled_block(const Depth& depth, const Eight& corners, floa
   }
 }
 
-/// Gauss-Jordan without pivoting: the block is symmetric positive definite with a condition number
-/// of at most 8 / reg.
+/// Does Gauss-Jordan without pivoting: the block is symmetric positive definite with a condition
+/// number of at most 8 / reg.
 __device__ inline void invert(float (&m)[8][8]) {
 #pragma unroll
   for (int p = 0; p < 8; ++p) {

@@ -19,7 +19,7 @@ void CoarsestSolver::factor() {
   if (stream_.is_ok()) host_solver_.factor(*host_);
 }
 
-// From the device's slices into the host's rows.
+// Copies the device's slices into the host's rows.
 void CoarsestSolver::read_matrix() {
   const Stencil& stencil = host_->topology.stencil;
   const std::vector<int64_t> starts = slice_starts(stencil);

@@ -8,16 +8,16 @@
 
 namespace burnish::cuda {
 
-/// The direct solve of the coarsest depth. On the device up to DenseInverse::kCornersMax corners;
-/// above, which takes hundreds of separate pieces of surface, the host's sparse factor, at a copy
-/// there and back in every cycle.
+/// Solves the coarsest depth directly. Up to DenseInverse::kCornersMax corners it solves on the
+/// device. More corners need hundreds of separate pieces of surface; then the host's sparse factor
+/// solves, with a copy there and back in every cycle.
 class CoarsestSolver {
  public:
   CoarsestSolver(Stream& stream, const HierarchyDepth& topology, const Depth& depth);
 
   void factor();
   void solve();  ///< x = S⁻¹ f
-  /// Whether solve() stays on the device, and so may be part of a graph.
+  /// Returns whether solve() stays on the device, so that it can be part of a graph.
   bool on_device() const { return !host_.has_value(); }
   uint64_t byte_count() const { return dense_.byte_count(); }
 

@@ -10,12 +10,13 @@ namespace {
 constexpr double kRegularisation = 1e-5;
 constexpr int kSide = 32;
 
-/// Rows of the square, a whole number of tiles; those beyond the corners are the identity's.
+/// Returns the rows of the square, a whole number of tiles. The rows beyond the corners are the
+/// identity's.
 int64_t padded(int64_t corner_count) {
   return (corner_count + kSide - 1) / kSide * kSide;
 }
 
-// n is padded. A warp for each row, a lane for each entry.
+// n is padded. Uses a warp for each row, a lane for each entry.
 __global__ void fill_kernel(int64_t n, Depth depth, double* square) {
   await_previous();
   const Rows& rows = depth.topology.rows;
@@ -41,8 +42,8 @@ __global__ void fill_kernel(int64_t n, Depth depth, double* square) {
     store(rows.long_rows.column[k], depth.system.long_entries[k]);
 }
 
-// A block does one tile, each of its threads kEach numbers of a column, kThreadRows rows apart:
-// with a thread for each number a step would fill the device and keep all else from it.
+// A block does one tile. Each thread does kEach numbers of a column, kThreadRows rows apart: with
+// one thread per number a step would fill the device and keep all other work from it.
 constexpr int kThreadRows = 4;
 constexpr int kEach = kSide / kThreadRows;
 using Tile = double[kSide][kSide];
@@ -53,15 +54,15 @@ __device__ void for_own_rows(Visit&& visit) {
   for (int j = 0; j < kEach; ++j) visit(j, static_cast<int>(threadIdx.y) + kThreadRows * j);
 }
 
-// The tile's inverse, in place, by Gauss-Jordan without pivoting, two pivots at a time: the matrix
-// is definite and, by the regularisation, its condition number is bounded.
+// Makes the tile's inverse in place, by Gauss-Jordan without pivoting, two pivots at a time. The
+// matrix is definite, and the regularisation bounds its condition number.
 __device__ void invert_tile(Tile& tile) {
   const auto column = static_cast<int>(threadIdx.x);
   for (int p = 0; p < kSide; p += 2) {
     const double a = tile[p][p], b = tile[p][p + 1], c = tile[p + 1][p], d = tile[p + 1][p + 1];
     const double scale = 1 / (a * d - b * c);
     const bool on_columns = column / 2 == p / 2;
-    // What the two pivot rows become, above and below, in this column.
+    // The new values of the two pivot rows, above and below, in this column.
     const double above = on_columns ? double(column == p) : tile[p][column];
     const double below = on_columns ? double(column == p + 1) : tile[p + 1][column];
     const double new_above = scale * (d * above - b * below);
@@ -78,7 +79,7 @@ __device__ void invert_tile(Tile& tile) {
   }
 }
 
-// Where a block's number of a tile stands.
+// Returns where a block's number of a tile stands.
 __device__ int64_t place_in(int64_t n, int tile_row, int tile_column, int row) {
   return (static_cast<int64_t>(tile_row) * kSide + row) * n + tile_column * kSide + threadIdx.x;
 }
@@ -91,7 +92,7 @@ __device__ void store_inverse(Tile& tile, const double (&value)[kEach], double* 
   for_own_rows([&](int, int row) { inverse[row * kSide + column] = tile[row][column]; });
 }
 
-// The inverse of the first pivot tile, by one block.
+// Makes the inverse of the first pivot tile in one block.
 __global__ void first_inverse_kernel(int64_t n, const double* square, double* inverse) {
   __shared__ Tile tile;
   await_previous();
@@ -100,8 +101,8 @@ __global__ void first_inverse_kernel(int64_t n, const double* square, double* in
   store_inverse(tile, value, inverse);
 }
 
-// One step of Gauss-Jordan by tiles, one block per tile. With D the inverse of the pivot tile, row
-// tiles become D A, column tiles −A D, and all others lose A D A. The block that has the next pivot
+// Does one step of Gauss-Jordan by tiles, one block per tile. D is the inverse of the pivot tile:
+// row tiles become D A, column tiles −A D, and all others lose A D A. The block with the next pivot
 // tile inverts it for the next step.
 __global__ void eliminate_kernel(int64_t n, int pivot, const double* pivot_inverse,
                                  const double* from, double* to, double* next_inverse) {
@@ -114,7 +115,7 @@ __global__ void eliminate_kernel(int64_t n, int pivot, const double* pivot_inver
     value[j] = from[place_in(n, tile_row, tile_column, row)];
     inverse[row][column] = pivot_inverse[row * kSide + column];
     on_column[row][column] = from[place_in(n, tile_row, pivot, row)];
-    // The pivot's own column of tiles counts as the identity, and so it is that D stays there.
+    // The pivot's own column of tiles counts as the identity, so D stays there.
     on_row[row][column] =
         tile_column == pivot ? double(row == column) : from[place_in(n, pivot, tile_column, row)];
   });
@@ -155,7 +156,7 @@ __global__ void scale_kernel(int64_t n, Depth depth, const double* square, float
                            sqrt(static_cast<double>(depth.inverse_diagonal[column])));
 }
 
-constexpr int kAhead = 5;  // of a thread's numbers of a row: all of them at most coarsest depths
+constexpr int kAhead = 5;  // numbers of a row per thread: all at most coarsest depths
 
 // One block per row.
 __global__ void multiply_kernel(Depth depth, const float* inverse) {

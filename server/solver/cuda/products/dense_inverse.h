@@ -5,11 +5,11 @@
 
 namespace burnish::cuda {
 
-/// The explicit inverse of a small depth's matrix, scaled and regularised as cpu/coarsest.h has it,
-/// made and applied on the device.
+/// The explicit inverse of a small depth's matrix, scaled and regularised as in
+/// cpu/products/coarsest.h, made and applied on the device.
 class DenseInverse {
  public:
-  static constexpr int32_t kCornersMax = 4096;  ///< twice 134 MB of double at most
+  static constexpr int32_t kCornersMax = 4096;  ///< at most two squares of 134 MB in double
 
   DenseInverse() = default;
   /// Needs: at most kCornersMax corners.
@@ -21,7 +21,7 @@ class DenseInverse {
 
  private:
   Depth depth_{};
-  DeviceArray<double> square_[2];         // the elimination goes from one to the other
+  DeviceArray<double> square_[2];         // the elimination alternates between them
   DeviceArray<double> pivot_inverse_[2];  // likewise
   DeviceArray<float> inverse_;
 };

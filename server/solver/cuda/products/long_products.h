@@ -2,17 +2,17 @@
 
 #include "server/solver/cuda/products/products.h"
 
-// What long rows (long_rows.h) have beyond their packed entries, as a part of products. A group has
-// few such entries, and some rows have most of them: all threads of its block share them out.
+// The part of products from long rows (long_rows.h), beyond their packed entries. A group has few
+// such entries, and some rows have most of them: all threads of the block share them.
 
 namespace burnish::cuda {
 
-/// Whether products have such a part.
+/// Returns whether products have such a part.
 inline bool has_long(const Rows& rows) {
   return rows.long_rows.entry_count > 0;
 }
 
-/// Where no row is long: nothing.
+/// Does nothing if no row is long.
 template <bool kLong>
 class LongPart {
  public:
@@ -22,8 +22,8 @@ class LongPart {
   __device__ float4 added_to(float4 product) const { return product; }
 };
 
-/// By chunks of four entries for each thread. Of the first chunk all but the vector's numbers waits
-/// in the block's room; each thread's first number comes together with the tile's.
+/// Works by chunks of four entries per thread. The first chunk, except the vector's numbers, waits
+/// in the block's room. Each thread's first number comes together with the tile's.
 template <>
 class LongPart<true> {
  public:
@@ -39,11 +39,11 @@ class LongPart<true> {
     fetch_chunk(begin_);
   }
 
-  /// Before the tile is filled.
+  /// Call before the tile is filled.
   __device__ void start(const float4* x) {
     if (begin_ + own(0) < end_) first_there_ = x[__float_as_int(room()[own(0)].w)];
   }
-  /// Afterwards. Every thread of the block calls it.
+  /// Call after the tile is filled. Every thread of the block calls it.
   __device__ void finish(const float4* x) {
     if (begin_ == end_) return;
     room()[own(0)] = room()[own(0)].x * first_there_;
@@ -66,7 +66,7 @@ class LongPart<true> {
     __shared__ float4 room[kRoom];
     return room;
   }
-  // The place of the thread's entry j of a chunk.
+  // Returns the place of the thread's entry j of a chunk.
   __device__ static int32_t own(int j) { return static_cast<int32_t>(threadIdx.x) + j * kThreads; }
 
   __device__ void fetch_chunk(int32_t first) const {
@@ -75,7 +75,7 @@ class LongPart<true> {
                         __int_as_float(rows_.column[first + own(j)])};
   }
 
-  // The thread's entries from kFrom on.
+  // Multiplies the thread's entries from kFrom on.
   template <int kFrom>
   __device__ void multiply_chunk(const float4* x, int32_t first) const {
     float4 there[kEach];
@@ -96,8 +96,8 @@ class LongPart<true> {
 
   const LongRows& rows_;
   const float* entries_;
-  int32_t begin_, end_;          // of the group's entries
-  int32_t own_begin_, own_end_;  // of the thread's row
+  int32_t begin_, end_;          // the group's entries
+  int32_t own_begin_, own_end_;  // entries of the thread's row
   float4 first_there_ = {0, 0, 0, 0}, sum_ = {0, 0, 0, 0};
 };
 

@@ -4,15 +4,15 @@
 #include "server/solver/cuda/device/packed.h"
 
 // Products of a matrix with a vector: a block of threads for each group of rows, a thread for each
-// row. Whatever a cycle leaves as it is, a thread fetches before it waits for the kernel before;
-// after that a small depth's product is hardly more than one read of the vector.
+// row. A thread fetches all data that a cycle does not change before it waits for the previous
+// kernel. After the wait a small depth's product is hardly more than one read of the vector.
 
 namespace burnish::cuda {
 
-inline constexpr int kEntriesUsual = 18;  // rows of the surface's inside have 17 or 26
-inline constexpr int kHaloAhead = 2;      // of a thread; as much as most groups have
+inline constexpr int kEntriesUsual = 18;  // rows inside the surface have 17 or 26
+inline constexpr int kHaloAhead = 2;      // per thread; enough for most groups
 
-/// The rows that a block does.
+/// The rows of a block.
 struct Group {
   int32_t first, count;
   const int32_t* halo;
@@ -25,19 +25,19 @@ __device__ inline Group group_of(const Rows& rows, int32_t g) {
           rows.halo_start[g + 1] - halo};
 }
 
-/// The corner of a column by its place in the group's tile.
+/// Returns the corner of a column from its place in the group's tile.
 __device__ inline int32_t column_of(const Group& group, uint32_t local) {
   const auto at = static_cast<int32_t>(local);
   return at < group.count ? group.first + at : group.halo[at - group.count];
 }
 
-/// The corner whose row this thread does, or -1.
+/// Returns the corner of this thread's row, or -1.
 __device__ inline int32_t row_of(const Group& group) {
   const auto t = static_cast<int32_t>(threadIdx.x);
   return t < group.count ? group.first + t : -1;
 }
 
-/// What a thread brings to its group's tile: its row's number and some of the halo's.
+/// A thread's part of its group's tile: its row's number and some of the halo's.
 struct TilePart {
   Group group;
   int32_t corner;  // -1 for none
@@ -56,10 +56,10 @@ __device__ inline TilePart fetch_part(const Rows& rows, int32_t g) {
   return part;
 }
 
-/// The same with the entries of its row.
+/// Also holds the entries of its row.
 struct FetchedRow : TilePart {
-  int count;      // of its entries
-  int64_t begin;  // of its entries
+  int count;      // entries
+  int64_t begin;  // first entry
   uint32_t packed[kEntriesMax];
 };
 
@@ -74,7 +74,7 @@ __device__ inline FetchedRow fetch_row(const Rows& rows, const uint32_t* packed,
   return row;
 }
 
-/// A block's tile, for which launch_products() has made room: what it leaves is the cache's.
+/// Returns a block's tile. launch_products() has made room for it; the cache gets the rest.
 template <typename Vector>
 __device__ Vector* tile_of_block() {
   extern __shared__ float4 room[];
@@ -91,7 +91,7 @@ __device__ void fill_tile(const Group& group, const Vector* x, Vector* tile) {
   __syncthreads();
 }
 
-/// Fills the block's tile with number_of(corner) of the group's rows and halo. Every thread calls
+/// Fills the block's tile with number_of(corner) at the group's rows and halo. Every thread calls
 /// it.
 template <typename Number, typename NumberOf>
 __device__ void fill_tile_with(const TilePart& part, NumberOf&& number_of, Number* tile) {
@@ -108,14 +108,14 @@ __device__ void fill_tile_with(const TilePart& part, NumberOf&& number_of, Numbe
   __syncthreads();
 }
 
-/// The same with the numbers of x.
+/// Does the same with the numbers of x.
 template <typename Vector>
 __device__ void fill_tile(const TilePart& part, const Vector* x, Vector* tile) {
   fill_tile_with(
       part, [x](int32_t corner) { return x[corner]; }, tile);
 }
 
-/// The row's off-diagonal entries times the tile.
+/// Returns the row's off-diagonal entries times the tile.
 __device__ inline float4 product_of(const FetchedRow& row, const float4* tile) {
   float4 sum = zero4();
 #pragma unroll
@@ -129,7 +129,7 @@ __device__ inline float4 product_of(const FetchedRow& row, const float4* tile) {
   return sum;
 }
 
-/// What the row's packed entries leave of it, times the tile.
+/// Returns the rests of the row's packed entries times the tile.
 __device__ inline float4 rest_of_product(const float* rest, const FetchedRow& row,
                                          const float4* tile) {
   float4 sum = zero4();
@@ -146,15 +146,16 @@ __device__ inline Double3 exactly(Double3 a) {
   return a;
 }
 
-/// S of the finest depth to 38 bits: packed entries, what they leave, and row sums. With what both
-/// leave, to all of double's.
+/// S of the finest depth to 38 bits: packed entries, their rests, and row sums. With the rounding
+/// of the rests it has all of double's bits.
 struct ExactMatrix {
   const uint32_t* packed;
   const float *rest, *remainder;
   const double* row_sum;
 };
 
-/// The row times the tile as Σ_j S_ij (x_j − x_i) + m_i x_i, which loses nothing for smooth x.
+/// Returns the row times the tile as Σ_j S_ij (x_j − x_i) + m_i x_i, which loses nothing for smooth
+/// x.
 template <bool kRemainder, typename Vector>
 __device__ Double3 product_of(const FetchedRow& row, const ExactMatrix& matrix,
                               const Vector* tile) {
@@ -182,7 +183,7 @@ __device__ Double3 product_of(const FetchedRow& row, const ExactMatrix& matrix,
   return sum;
 }
 
-/// Starts blocks for a depth's groups, with a tile of such vectors each.
+/// Starts blocks for a depth's groups, each with a tile of such vectors.
 template <typename Vector, typename... Params, typename... Args>
 void launch_products(Stream& stream, void (*kernel)(Params...), const Rows& rows, int32_t blocks,
                      Args... args) {

@@ -6,7 +6,7 @@ namespace burnish::cuda {
 
 namespace {
 
-constexpr int kLanes = 4;  // threads for one coarse corner
+constexpr int kLanes = 4;  // threads per coarse corner
 constexpr int kGatheredMax = (kRestrictionMax + kLanes - 1) / kLanes;
 
 template <bool kLong, bool kExactInSomeGroups>
@@ -30,7 +30,7 @@ __global__ void __launch_bounds__(kThreads, kLong ? 6 : 8) residual_kernel(Depth
   depth.r[i] = is_free ? f - diagonal * tile[threadIdx.x] - product : zero4();
 }
 
-// The sum over kCount neighbouring threads, in each of them.
+// Returns the sum over kCount neighbouring threads, in each of them.
 template <int kCount>
 __device__ float4 sum_of_lanes(float4 sum) {
   const unsigned group = ((1u << kCount) - 1) << (threadIdx.x % 32 / kCount * kCount);
@@ -43,21 +43,20 @@ __device__ float4 sum_of_lanes(float4 sum) {
   return sum;
 }
 
-// Corners that take from a list have blocks of their own, the first ones of a kernel: these take
-// longest.
+// Corners with a list have their own blocks, the first ones of a kernel: they take longest.
 struct ListedBlocks {
   unsigned count;
 
   __device__ bool has_block() const { return blockIdx.x < count; }
-  // Of all but these.
+  // Index among the other threads.
   __device__ int64_t other_thread() const { return thread_index() - int64_t{count} * kThreads; }
 };
 
-constexpr int kListedLanes = 8;  // threads for one of them
-constexpr int kListedAhead = 4;  // of a thread's numbers
+constexpr int kListedLanes = 8;  // threads per listed corner
+constexpr int kListedAhead = 4;  // numbers per thread
 
-// What a listed corner takes, shared out among the threads of a group. Where from, as far as kept
-// in registers, is found at once, which may come before await_previous().
+// The weighted sum of a listed corner, shared among the threads of a group. Finds the first places,
+// as many as registers keep, at once; this may come before await_previous().
 class WeightedSum {
  public:
   __device__ WeightedSum(const ListedCorners& list, int64_t number)
@@ -71,7 +70,7 @@ class WeightedSum {
     }
   }
 
-  // The group's sum, in each of its threads. All of them call it.
+  // Returns the group's sum in each of its threads. All of them call it.
   __device__ float4 of(const float4* vector) const {
     float4 sum = zero4();
 #pragma unroll
@@ -177,8 +176,8 @@ __global__ void prolong_kernel(Depth coarse, Depth fine, ListedBlocks shared) {
     prolong_from_cell<kShared>(coarse, fine, kShared ? shared.other_thread() : thread_index());
 }
 
-// Starts one of two kernels with a thread for each of `count` items and, the first one, with blocks
-// for listed corners.
+// Starts one of two kernels with a thread for each of `count` items. The first kernel also has
+// blocks for listed corners.
 template <typename Kernel>
 void launch_with_listed(Stream& stream, Kernel* with_listed, Kernel* without, int64_t count,
                         const ListedCorners& list, const Depth& from, const Depth& to) {

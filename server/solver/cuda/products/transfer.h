@@ -5,16 +5,16 @@
 
 namespace burnish::cuda {
 
-/// r = f − S x, zero where pinned.
+/// Does r = f − S x, zero at pinned corners.
 void compute_residual(Stream& stream, const Depth& depth);
 
-/// coarse.f = Pᵀ fine.r, zero where pinned.
+/// Does coarse.f = Pᵀ fine.r, zero at pinned corners.
 void restrict_to_coarse(Stream& stream, const Depth& fine, const Depth& coarse);
 
-/// fine.x = 0, coarse.f = Pᵀ fine.f, zero where pinned.
+/// Does fine.x = 0, coarse.f = Pᵀ fine.f, zero at pinned corners.
 void restrict_from_zero(Stream& stream, const Depth& fine, const Depth& coarse);
 
-/// fine.x += P coarse.x, but not where pinned.
+/// Does fine.x += P coarse.x, except at pinned corners.
 void add_prolonged(Stream& stream, const Depth& coarse, const Depth& fine);
 
 }  // namespace burnish::cuda

@@ -9,7 +9,7 @@ namespace burnish::cuda {
 
 namespace {
 
-// Of irregular cells it reads some other entries: their inverses come after.
+// It reads some wrong entries for irregular cells: their inverses are made later.
 template <bool kRests>
 __global__ void invert_cells_kernel(Depth depth, CellSquares<float> inverses) {
   await_previous();
@@ -28,7 +28,7 @@ __global__ void invert_cells_kernel(Depth depth, CellSquares<float> inverses) {
 }
 
 // The tile has the power iteration's S x, and in w the square root of the inverse diagonal.
-// Irregular rows are there already, with what the iteration has next in them.
+// Irregular rows are done already; `next` holds their values.
 template <bool kIrregular>
 __global__ void assemble_inverse_kernel(Depth depth, CellSquares<float> inverses, Matrix inverse,
                                         PowerStep power, const float4* irregular_next) {

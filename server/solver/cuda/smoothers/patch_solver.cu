@@ -7,7 +7,7 @@ namespace burnish::cuda {
 
 namespace {
 
-constexpr double kRegularisation = 1e-6;  // cpu/patch_solver.cpp says why
+constexpr double kRegularisation = 1e-6;  // cpu/smoothers/patch_solver.cpp says why
 constexpr int kWarps = kThreads / 32;
 static_assert(kPatchCornersMax <= kThreads, "a thread for each corner");
 
@@ -21,12 +21,12 @@ __device__ Patch patch_at(const PatchList& list, int32_t p) {
   return {list.start[p + 1] - list.start[p], list.corner + list.start[p], list.entry_start[p]};
 }
 
-/// Where row i of a lower triangle begins.
+/// Returns where row i of a lower triangle begins.
 __host__ __device__ constexpr int row_of_triangle(int i) {
   return i * (i + 1) / 2;
 }
 
-/// Visits (column, entry) of a row of S, to all digits that are there.
+/// Visits (column, entry) of a row of S, with all stored digits.
 template <typename Visit>
 __device__ void visit_row(const Depth& depth, int32_t corner, int first, int step, Visit&& visit) {
   const Rows& rows = depth.topology.rows;
@@ -39,7 +39,7 @@ __device__ void visit_row(const Depth& depth, int32_t corner, int first, int ste
   }
 }
 
-/// What the threads of a patch share beside its triangle.
+/// The shared data of a patch's threads beside its triangle.
 struct FactorRoom {
   int32_t corner[kPatchCornersMax];
   float scale[kPatchCornersMax];
@@ -55,7 +55,7 @@ __device__ int place_of(int32_t corner, const int32_t* corners, int count) {
   return begin < count && corners[begin] == corner ? begin : -1;
 }
 
-// The lower triangle of the scaled, regularised block: a warp for each row.
+// Fills the lower triangle of the scaled, regularised block: a warp for each row.
 __device__ void fill(const Depth& depth, const Patch& patch, FactorRoom& room, double* triangle) {
   const auto t = static_cast<int>(threadIdx.x), warp = t / 32, lane = t % 32;
   if (t < patch.count) {
@@ -76,8 +76,8 @@ __device__ void fill(const Depth& depth, const Patch& patch, FactorRoom& room, d
   __syncthreads();
 }
 
-// Cholesky's factor in place, column by column. The regularisation keeps pivots above it but for
-// rounding.
+// Makes Cholesky's factor in place, column by column. The regularisation keeps pivots above itself,
+// except for rounding.
 __device__ void factor_in_place(int count, FactorRoom& room, double* triangle) {
   const auto t = static_cast<int>(threadIdx.x), warp = t / 32, lane = t % 32;
   for (int p = 0; p < count; ++p) {
@@ -92,8 +92,8 @@ __device__ void factor_in_place(int count, FactorRoom& room, double* triangle) {
   }
 }
 
-// The factor's inverse in place, row by row, a thread for each column: W_ij = −Σ_k L_ik W_kj /
-// L_ii.
+// Makes the factor's inverse in place, row by row, a thread for each column: W_ij = −Σ_k L_ik W_kj
+// / L_ii.
 __device__ void invert_in_place(int count, double* triangle) {
   const auto j = static_cast<int>(threadIdx.x);
   for (int i = 0; i < count; ++i) {
@@ -121,12 +121,12 @@ __global__ void factor_kernel(Depth depth, PatchList list, float* factor_inverse
         static_cast<float>(triangle[row_of_triangle(i) + j] * room.scale[j]);
 }
 
-// Some of the threads of a block share each corner: one alone would wait for its loads one after
-// the other, and colours come one after the other too.
+// Several threads of a block share each corner. A single thread would wait for its loads one after
+// the other, and colours also come one after the other.
 constexpr int kQuarters = 4;
 constexpr int kRelaxThreads = kQuarters * kThreads;
 
-// The part that one quarter takes of S x at a corner.
+// Returns one quarter's part of S x at a corner.
 __device__ float4 part_of_product(const Depth& depth, int32_t corner, int quarter) {
   float4 product = quarter == 0 ? depth.system.diagonal[corner] * depth.x[corner] : zero4();
   visit_row(depth, corner, quarter, kQuarters,
@@ -147,8 +147,8 @@ __device__ float4 sum_of_quarters(const float4 (&part)[kQuarters][kThreads], int
   return (part[0][t] + part[1][t]) + (part[2][t] + part[3][t]);
 }
 
-// x += WᵀW (f − S x) at the patch's corners: W by a warp for each row, Wᵀ by quarters of rows for
-// each column.
+// Does x += WᵀW (f − S x) at the patch's corners: W by a warp for each row, Wᵀ by quarters of rows
+// for each column.
 __global__ void __launch_bounds__(kRelaxThreads)
     relax_kernel(Depth depth, PatchList list, int32_t first, const float* entries) {
   __shared__ float4 part[kQuarters][kThreads], residual[kThreads], middle[kThreads];

@@ -6,14 +6,14 @@
 
 namespace burnish::cuda {
 
-/// Solves the finest depth's patches for what is left of the residual, a block of threads for each,
-/// colour after colour: cpu/patch_solver.h.
+/// Solves the finest depth's patches for the current residual, a block of threads for each, colour
+/// after colour: see cpu/smoothers/patch_solver.h.
 class PatchSolver {
  public:
-  /// Keeps `patches`.
+  /// Keeps a reference to `patches`.
   PatchSolver(Stream& stream, const Depth& depth, const Patches& patches, const PatchList& list);
 
-  void factor(Stream& stream);  ///< after a new matrix
+  void factor(Stream& stream);  ///< call after a new matrix
   void relax_forwards();
   void relax_backwards();
   uint64_t byte_count() const { return factor_inverse_.byte_count(); }
@@ -26,7 +26,7 @@ class PatchSolver {
   const Patches& patches_;
   PatchList list_;
   DeviceArray<float> factor_inverse_;  // W of every patch, its lower triangle by rows
-  size_t shared_bytes_;                // of the kernel that factors the largest
+  size_t shared_bytes_;                // of the kernel that factors the largest patch
 };
 
 }  // namespace burnish::cuda

@@ -4,7 +4,7 @@
 #include "server/solver/cuda/smoothers/spectrum.h"
 #include "server/solver/cycle/schwarz_bounds.h"
 
-// What a kernel that multiplies by M⁻¹ does to make a power iteration of it.
+// The part of a kernel for M⁻¹ that makes it a power iteration.
 
 namespace burnish::cuda {
 
@@ -26,7 +26,7 @@ __device__ inline void set_steps(float lambda_max, Spectrum& spectrum) {
   spectrum.second_step = 2 * rho / half_width;
 }
 
-/// Every thread of every block calls it with its sums; the last block makes the steps of them.
+/// Every thread of every block calls it with its sums. The last block makes the steps from them.
 __device__ inline void update_spectrum(const PowerStep& power, const Sums<2>& sums) {
   Sums<2> total;
   if (!add_up(sums, power.partials, &total)) return;

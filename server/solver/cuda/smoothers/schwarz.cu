@@ -10,11 +10,11 @@ namespace burnish::cuda {
 
 namespace {
 
-constexpr int kIterationsFirst = 15;  // one beside each new matrix after the first
+constexpr int kIterationsFirst = 15;  // each later matrix takes one
 
 enum class Step { kFromZero, kSecondFromZero, kFirst, kSecond };
 
-// d = momentum·d + length·M⁻¹ source; x += d, or x = d from zero, where d need not be kept.
+// Does d = momentum·d + length·M⁻¹ source; x += d, or x = d from zero without keeping d.
 template <Step kStep, bool kLong, bool kRests>
 __global__ void __launch_bounds__(kThreads, kLong ? 6 : 8)
     step_kernel(Depth depth, Matrix inverse, const float4* source, const Spectrum* spectrum,
@@ -45,7 +45,7 @@ __global__ void __launch_bounds__(kThreads, kLong ? 6 : 8)
   depth.x[i] = x + d;
 }
 
-// Rests are where no row is long, at the finest depth.
+// Rests exist at the finest depth, which has no long rows.
 template <Step kStep>
 auto* kernel_of(const Rows& rows, const Matrix& inverse) {
   if (inverse.rest != nullptr) return step_kernel<kStep, false, true>;
@@ -60,7 +60,7 @@ __device__ float noise(uint32_t seed) {
   return static_cast<float>(seed) * 0x1p-32f - 0.5f;
 }
 
-// Three columns of noise that leave no eigenvector out.
+// Sets three columns of noise, which leave no eigenvector out.
 __global__ void start_kernel(Depth depth, float4* eigenvector, Spectrum* spectrum) {
   await_previous();
   const int64_t i = thread_index();
@@ -82,7 +82,7 @@ __global__ void power_kernel(Depth depth, Matrix inverse, PowerStep power) {
   beyond.finish(power.product);
   Sums<2> sums = {};
   if (const int32_t i = row.corner; i >= 0) {
-    // What is there is the residual −S x.
+    // The tile holds the residual −S x.
     const float4 product = -1 * tile[threadIdx.x];
     float4 off_diagonal = beyond.added_to(product_of(row, tile));
     if (inverse.rest != nullptr)
@@ -129,7 +129,7 @@ void Schwarz::start_estimate(const PowerStep& power) {
   Depth depth = depth_;
   depth.x = power.x;
   launch(stream, start_kernel, rows.count, depth_, power.x, power.spectrum);
-  // A memset, which also keeps the products from fetching rows before they are there.
+  // Uses a memset, which also keeps the products from fetching rows too early.
   if (stream.is_ok())
     stream.check(cudaMemsetAsync(depth.f, 0, rows.count * sizeof(float4), stream.get()),
                  "clearing f");

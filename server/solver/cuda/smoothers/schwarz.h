@@ -13,8 +13,8 @@ namespace burnish::cuda {
 /// relax_from_zero().
 class Schwarz final : public DepthSmoother {
  public:
-  /// With rests M⁻¹ has all digits of a float, and next to no regularisation. Needs for that: rests
-  /// of S, and no irregular row.
+  /// With rests M⁻¹ has all digits of a float, and almost no regularisation. This needs rests of S,
+  /// and no irregular row.
   Schwarz(Stream& stream, const Depth& depth, bool with_rests);
 
   Stream& fork() override;

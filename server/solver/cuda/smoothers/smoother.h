@@ -12,25 +12,25 @@ struct HierarchyDepth;
 
 namespace burnish::cuda {
 
-/// Relaxes one depth. relax() is the transpose of relax_from_zero(), so that the V-cycle stays
-/// symmetric. One object per depth.
+/// Relaxes one depth. relax() is the transpose of relax_from_zero(), so the V-cycle stays
+/// symmetric. One object serves one depth.
 class DepthSmoother {
  public:
   virtual ~DepthSmoother() = default;
 
-  /// Where set_up() works, until finish_set_up() beside what else the stream does. It comes after
-  /// all that the stream has been given so far.
+  /// Returns the stream of set_up(). Until finish_set_up() it runs next to the main stream. Its
+  /// work comes after all earlier work of the main stream.
   virtual Stream& fork() = 0;
-  virtual Stream& beside() = 0;  ///< the same without a fork: after what is done there
-  /// What assemble() is to leave S times in r, for set_up() to go on from; null for nothing.
+  virtual Stream& beside() = 0;  ///< the same stream without a fork: after its earlier work
+  /// Returns the vector whose product with S assemble() leaves in r for set_up(); null for none.
   virtual const float4* probe() const { return nullptr; }
-  /// After a new matrix. Leaves r changed, f too the first time. `inverses` is working memory;
-  /// `anisotropy` the largest ratio of α1 and α2 of any cell, on the device.
+  /// Call after a new matrix. Changes r, and the first time f too. `inverses` is working memory;
+  /// `anisotropy` is the largest ratio of α1 to α2, or α2 to α1, in any cell, on the device.
   virtual void set_up(const CellSquares<float>& inverses, const float* anisotropy) = 0;
   virtual void finish_set_up() = 0;
 
   virtual void relax_from_zero() = 0;  ///< x from zero
-  virtual void relax() = 0;            ///< x further
+  virtual void relax() = 0;            ///< continues from x
   virtual uint64_t byte_count() const = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "common/base/sort_once.h"
+#include "server/solver/hierarchy/half_way.h"
 
 namespace burnish {
 
@@ -21,7 +22,7 @@ int32_t octant_of(const GridKey& cell) {
   return static_cast<int32_t>(cell.place & 7);
 }
 
-// The corners of the coarse cell that weigh on these corners of a part.
+// Returns the corners of the coarse cell that weigh on these corners of a part.
 uint8_t weighing_on(const CellPart& part, uint8_t corners) {
   unsigned weighing = 0;
   for (int a = 0; a < kCornersPerCell; ++a) {
@@ -32,7 +33,7 @@ uint8_t weighing_on(const CellPart& part, uint8_t corners) {
   return static_cast<uint8_t>(weighing);
 }
 
-/// Shares by the two coarse cells that they are between: a cell's own where these are the same.
+/// Collects shares by the two coarse cells that they couple. Equal cells mean a cell's own numbers.
 class Collector {
  public:
   Collector() {
@@ -44,7 +45,7 @@ class Collector {
     return static_cast<int32_t>(part_.size()) - 1;
   }
 
-  /// `rows` and `columns`: the corners of L's and R's side where the source has any numbers.
+  /// `rows` and `columns`: the corners of L's and R's side at which the source has numbers.
   void add(int32_t left_cell, int32_t right_cell, CellShare share, uint8_t rows, uint8_t columns) {
     uint8_t left = weighing_on(part_[share.left], rows);
     uint8_t right = weighing_on(part_[share.right], columns);
@@ -95,7 +96,7 @@ class Collector {
   std::vector<Summand> summands_;
 };
 
-/// A cell's parts, each of another coarse cell.
+/// The parts of a cell, each of another coarse cell.
 class Parts {
  public:
   explicit Parts(const CoarseGrid& coarse) : coarse_(coarse) {}
@@ -112,7 +113,7 @@ class Parts {
     to.place[a] = from.place;
   }
 
-  /// Whether two coarse cells say the same of a point.
+  /// Returns whether two coarse cells give the same value at a point.
   bool are_alike(const FromCell& a, const FromCell& b) const {
     return corners_of(a) == corners_of(b);
   }
@@ -121,7 +122,7 @@ class Parts {
   const std::vector<CellPart>& parts() const { return parts_; }
 
  private:
-  // The corners that weigh on a point, in the order of space.
+  // Returns the corners that weigh on a point, in the order of space.
   std::vector<int32_t> corners_of(const FromCell& from) const {
     std::vector<int32_t> corners;
     const PositiveWeights& weights = positive_weights(from.place);
@@ -158,7 +159,8 @@ Parts parts_of(int32_t sheet, int32_t cell, const SparseGrid& finest, const Shee
   return parts;
 }
 
-// Cells that are no plain child of their parent: with a shared corner, or several sheets.
+// Returns the cells that are not a plain child of their parent: they have a shared corner, or
+// several sheets.
 std::vector<int32_t> cells_apart(const SparseGrid& finest, const SheetCorners& sheets) {
   std::vector<int32_t> cells;
   for (int32_t corner : sheets.shared)

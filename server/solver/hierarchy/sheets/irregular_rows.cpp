@@ -6,7 +6,7 @@ namespace burnish {
 
 namespace {
 
-/// A number that is a part of the entry in `column`, or of the row sum where that is kRowSum.
+/// A number that is part of the entry in `column`, or of the row sum if `column` is kRowSum.
 struct Source {
   static constexpr int32_t kRowSum = INT32_MAX;
   int32_t column;
@@ -50,7 +50,7 @@ class Sources {
   }
 
   std::vector<int32_t> corners() const { return corners_; }
-  /// By column; those of a column in the order in which they were added.
+  /// By column; sources of one column stay in the order in which they were added.
   const std::vector<Source>& sorted_row(size_t i) {
     std::ranges::stable_sort(rows_[i], {}, &Source::column);
     return rows_[i];
@@ -64,7 +64,7 @@ class Sources {
   }
 
   const SparseGrid& grid_;
-  std::vector<int32_t> row_of_corner_;  // kNone of the regular
+  std::vector<int32_t> row_of_corner_;  // kNone for regular corners
   std::vector<int32_t> corners_;
   std::vector<std::vector<Source>> rows_;
 };

@@ -10,7 +10,7 @@ namespace burnish {
 
 namespace {
 
-/// A sheet that has a corner as its local corner `side`, and the copy of the corner that is its.
+/// A sheet that has a corner as its local corner `side`, and the sheet's copy of the corner.
 struct SheetAtCorner {
   int side;
   int32_t sheet;
@@ -95,7 +95,7 @@ class SheetFinder {
     return i < 0 ? prepared_.integrals[found_.source[sheet]] : prepared_.sheet_integrals[i];
   }
 
-  // Whether a sheet has a passage at this slot, which would lead to the other one.
+  // Returns whether a sheet has a passage at this slot to the other sheet.
   bool pass_to(int32_t sheet, int32_t other, int slot) const {
     const CellSheet *one = of_several(sheet), *two = of_several(other);
     if (one != nullptr && two != nullptr && one->component != two->component) return false;
@@ -126,8 +126,8 @@ class SheetFinder {
     return around;
   }
 
-  // Sheets that hang together by cells nearby are one: there the surface only bends around the
-  // corner.
+  // Joins sheets that hang together by cells nearby: the surface only bends around the corner
+  // there.
   void join_what_is_near(int32_t corner, const SheetAtCorner& from, Around& around) const {
     Vicinity near = {morton_point(finest_.corners[corner].place) - Vec3i::Constant(2)};
     struct Reached {
@@ -171,7 +171,7 @@ class SheetFinder {
     --around.copies;
   }
 
-  // The diagonal of ℓ¹ + ℓ² at a sheet's corner.
+  // Returns the diagonal of ℓ¹ + ℓ² at a sheet's corner.
   double energy_of(const SheetAtCorner& at) const {
     const CellIntegrals& of = integrals(at.sheet);
     double energy = 0;

@@ -8,8 +8,8 @@
 namespace burnish {
 namespace {
 
-/// After `steps` steps, the last of length 1. Lengths shrink by the one factor, errors in the
-/// energy norm by the other; rᵀz goes by their squares.
+/// Returns the estimate after `steps` steps, the last of length 1. Lengths shrink by `lengths`,
+/// errors in the energy norm by `errors`; rᵀz shrinks by its square.
 double distance_after(int steps, double lengths, double errors) {
   ConvergenceRate rate;
   for (int to_come = steps - 1; to_come >= 0; --to_come)

@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::FieldsAre;
 using testing::IsEmpty;
 
-/// Coarse cells with these corners, of which there are so many; nothing follows from them yet.
+/// Returns coarse cells with these corners; nothing follows from them yet. `corners`: their number.
 CoarseGrid coarse_cells(std::vector<CellCorners> cell_corners, size_t corners) {
   CoarseGrid coarse;
   coarse.grid.cells.resize(cell_corners.size());
@@ -30,8 +30,8 @@ TEST(DepthTransferTest, OfNoCornersIsEmpty) {
   EXPECT_THAT(transfer.shared.start, ElementsAre(0));
 }
 
-// Fine corner 0 stands at corner 0 of the cell, 1 between 0 and 1 (place 1), 2 in the middle (13).
-// So corner 0 gathers all three, corner 1 the last two, and the others the last alone.
+// Fine corner 0 lies at corner 0 of the cell, 1 between 0 and 1 (place 1), 2 in the middle (13). So
+// corner 0 gathers all three, corner 1 the last two, and the others only the last.
 TEST(DepthTransferTest, WeighsByTheDistanceAlongEachAxis) {
   CoarseGrid coarse = coarse_cells({corners_from(0)}, 8);
   coarse.from = {{0, 0}, {0, 1}, {0, 13}};
@@ -47,7 +47,7 @@ TEST(DepthTransferTest, WeighsByTheDistanceAlongEachAxis) {
   EXPECT_FALSE(transfer.is_shared(0));
 }
 
-// Cells of a place share no corner: what follows from the one has nothing of the other.
+// Cells of a place share no corner: a corner that follows from one takes nothing from the other.
 TEST(DepthTransferTest, TakesEachCornerFromTheCellOfItsSheet) {
   CoarseGrid coarse = coarse_cells({corners_from(0), corners_from(8)}, 16);
   coarse.from = {{1, 0}, {0, 0}};
@@ -57,8 +57,8 @@ TEST(DepthTransferTest, TakesEachCornerFromTheCellOfItsSheet) {
   EXPECT_THAT(transfer.restriction_corner, ElementsAre(1, 0));  // of coarse corners 0 and 8
 }
 
-/// Fine corner 0 has copies 0 and 2, corner 1 is copy 1. The copies of 0 are between corners 0 and
-/// 1 of a cell each (place 1). The cells have corner 0 in common: corner 1 of the second is 8.
+/// Fine corner 0 has copies 0 and 2, corner 1 is copy 1. Each copy of 0 lies between corners 0 and
+/// 1 of its own cell (place 1). The cells share corner 0; corner 1 of the second is 8.
 DepthTransfer transfer_with_a_shared_corner() {
   CoarseGrid coarse = coarse_cells({corners_from(0), {0, 8, 9, 10, 11, 12, 13, 14}}, 15);
   coarse.from = {{0, 1}, {0, 26}, {1, 1}};
@@ -88,7 +88,7 @@ TEST(DepthTransferTest, ASharedCornerIsTheMeanOfItsCopiesByTheirWeights) {
   EXPECT_THAT(shared.weight, ElementsAre(0.5f, 0.375f, 0.125f));
 }
 
-// Coarse corner 7 gathers fine corner 1, which stands at it (place 26).
+// Coarse corner 7 gathers fine corner 1, which lies at it (place 26).
 TEST(DepthTransferTest, RestrictionGathersSharedCornersWithTheSameWeights) {
   const DepthTransfer transfer = transfer_with_a_shared_corner();
   EXPECT_THAT(transfer.restriction_start,

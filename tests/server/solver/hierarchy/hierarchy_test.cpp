@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/grid/stencil_slots.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 #include "tests/reference/awkward_meshes.h"
 #include "tests/server/solver/test_system.h"
@@ -18,7 +19,7 @@ struct Sample {
   std::shared_ptr<const Hierarchy> apart, together;
 };
 
-// Spheres of which some touch, and two sheets a small part of a cell apart.
+// Spheres, some of which touch, and two sheets a small part of a cell apart.
 const Sample& sample() {
   static const Sample made = [] {
     const TestSystem system(
@@ -156,7 +157,7 @@ TEST(Hierarchy, SheetsThatMeetInCornersAreTiedWhenTheyAreApart) {
   EXPECT_TRUE(apart.at(apart.finest).stencil.irregular.corner.empty());
 }
 
-// The two sheets are some cells apart at the finest depth and in one coarse cell.
+// The two sheets are some cells apart at the finest depth and lie in one coarse cell.
 TEST(Hierarchy, SheetsInOneCoarseCellHaveACornerEach) {
   const TestSystem system(reference::two_near_sheets(40, 0.2), 5);
   const SparseGrid& coarsest = system.hierarchy->depths.front().grid;

@@ -22,8 +22,8 @@ std::vector<int32_t> numbers(int32_t first, int32_t last) {
   return all;
 }
 
-/// One sheet for each cell, but that A = (0, 0, 0), which has corners 0 to 7, is apart from the
-/// others in its corner 7: its copy of that is the first number beyond all corners.
+/// Returns one sheet for each cell. A = (0, 0, 0), which has corners 0 to 7, is apart from the
+/// others in its corner 7: its copy is the first number beyond all corners.
 SheetCorners sheets_with_a_apart(const SparseGrid& grid) {
   SheetCorners sheets = one_sheet_per_cell(grid);
   sheets.corners[0][7] = sheets.copy_count++;
@@ -34,7 +34,7 @@ SheetCorners sheets_with_a_apart(const SparseGrid& grid) {
   return sheets;
 }
 
-/// A, and a row of cells that begins at (1, 1, 1) and goes along x.
+/// Returns A and a row of cells along x that begins at (1, 1, 1).
 SparseGrid a_and_row(int cells) {
   std::vector<MortonKey> keys = {morton_key({0, 0, 0})};
   for (int x = 1; x <= cells; ++x) keys.push_back(morton_key({x, 1, 1}));
@@ -51,9 +51,9 @@ TEST(Crumbs, AreNoneWhereNoCornerIsShared) {
   EXPECT_THAT(find_crumbs(grid, one_sheet_per_cell(grid)), IsEmpty());
 }
 
-// Corners of D = (1, 1, 1) and E = (2, 1, 1) in Morton order are 7 to 18: D's are 7, 8, 10, 11, 13,
-// 14, 16 and 17, E's 8, 9, 11, 12, 14, 15, 17 and 18. Around corner 7, in which A hangs on them,
-// are A and D.
+// Corners of D = (1, 1, 1) and E = (2, 1, 1) in Morton order are 7 to 18. D has 7, 8, 10, 11, 13,
+// 14, 16 and 17, E has 8, 9, 11, 12, 14, 15, 17 and 18. A hangs on them in corner 7; A and D are
+// around it.
 TEST(Crumbs, AreAPieceWithTheCellsAroundTheCornerInWhichItHangs) {
   const SparseGrid grid = a_and_row(2);
   ASSERT_EQ(grid.corner_count(), 19);
@@ -96,8 +96,8 @@ TEST(Crumbs, APieceIsAloneWhereItsSurroundingsAreTooMany) {
   EXPECT_EQ(crumbs[1].size(), 15u);
 }
 
-// A row of 40 cells from (1, 1, 1) to (40, 1, 1), and one more cell at each end. The row, which
-// holds the 41 · 4 = 164 corners from 7, is looked at twice: from either end it has too many.
+// A row of 40 cells from (1, 1, 1) to (40, 1, 1), and one more cell at each end. The row has the 41
+// · 4 = 164 corners from 7 on. It is visited twice: from either end it has too many.
 TEST(Crumbs, ALargePieceIsNoneFromWhicheverEnd) {
   std::vector<MortonKey> keys = {morton_key({0, 0, 0}), morton_key({41, 2, 2})};
   for (int x = 1; x <= 40; ++x) keys.push_back(morton_key({x, 1, 1}));

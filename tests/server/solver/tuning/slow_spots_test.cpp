@@ -11,7 +11,7 @@
 namespace burnish {
 namespace {
 
-// Before anything was done about them.
+// The slow spots of a scan whose cycle has no patches.
 class SlowSpots : public testing::Test {
  protected:
   SlowSpots() : system_(reference::spiked_sphere(), 6) {

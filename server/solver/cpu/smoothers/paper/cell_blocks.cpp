@@ -10,9 +10,9 @@ namespace burnish::cpu {
 namespace {
 
 constexpr int kColours = 8;
-constexpr int kBrickShift = 6;  // Morton bits: bricks of 4×4×4 cells, whose rows stay in cache
+constexpr int kBrickShift = 6;  // Morton bits: the rows of a brick of 4×4×4 cells stay in cache
 
-/// Cells that one thread relaxes one after the other: [first, last).
+/// Cells that one thread relaxes in order: [first, last).
 struct Brick {
   int32_t first;
   int32_t last;
@@ -20,8 +20,8 @@ struct Brick {
 
 class CellBlocks final : public DepthSmoother {
  public:
-  // Cells of two bricks of one colour are a brick apart. (Colours of single cells would need 27:
-  // a cell's residual reaches one cell further than its corners.)
+  // Two bricks of one colour are at least a brick apart. (Colours of single cells would need 27
+  // colours: a cell's residual reaches one cell further than its corners.)
   explicit CellBlocks(const HierarchyDepth& topology) : inverses_(topology.grid.cells.size()) {
     const auto& cells = topology.grid.cells;
     for (int32_t first = 0, last = 0; first < topology.grid.cell_count(); first = last) {
@@ -66,7 +66,7 @@ class CellBlocks final : public DepthSmoother {
     for (size_t i = 0; i < bricks.size(); ++i) relax_brick(bricks[i]);
   }
 
-  // x += R_cᵀ (B_c + reg)⁻¹ R_c (f − S x).
+  // Does x += R_cᵀ (B_c + reg)⁻¹ R_c (f − S x).
   void relax_cell(CpuDepth& depth, int32_t cell) const {
     const auto& corners = depth.topology.grid.cell_corners[cell];
     const CellInverse& inverse = inverses_[cell];

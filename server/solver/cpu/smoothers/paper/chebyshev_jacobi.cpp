@@ -9,7 +9,8 @@ namespace {
 
 constexpr int kDegree = 4;
 constexpr float kRange = 30;
-// The mean eigenvalue of D⁻¹S is 1. A cell's share has none above its eight corners.
+// The mean eigenvalue of D⁻¹S is 1. No eigenvalue of a cell's share is above 8, its number of
+// corners.
 constexpr Bounds kLambdaMaxBounds = {1, 8};
 
 class ChebyshevJacobi final : public DepthSmoother {
@@ -39,7 +40,7 @@ class ChebyshevJacobi final : public DepthSmoother {
     relax_along(depth, depth.r, now, false);
   }
 
-  // d = momentum·d + length·D⁻¹ source; x += d, or x = d from zero.
+  // Does d = momentum·d + length·D⁻¹ source; x += d, or x = d from zero.
   void relax_along(CpuDepth& depth, const std::vector<Float4>& source, ChebyshevStep now,
                    bool from_zero) {
 #pragma omp parallel for schedule(static)

@@ -7,8 +7,9 @@
 
 namespace burnish::cpu {
 
-/// S with its rows in slices: corners of one coordinate along the axis that has most slices. Within
-/// a slice they keep their order. A corner's neighbours are in its own slice and the two beside it.
+/// S with its rows in slices: a slice has the corners of one coordinate along the axis with most
+/// slices. Corners keep their order within a slice. A corner's neighbours are in its own slice and
+/// the two next to it.
 struct SliceRows {
   std::vector<int32_t> slice_start;  ///< slices + 1, places
   std::vector<int32_t> corner;       ///< the corner at each place
@@ -19,7 +20,7 @@ struct SliceRows {
   std::vector<float> inverse_diagonal;
 
   explicit SliceRows(const HierarchyDepth& topology);
-  void read(const CpuDepth& depth);  ///< after a new matrix
+  void read(const CpuDepth& depth);  ///< call after a new matrix
 
   int slice_count() const { return static_cast<int>(slice_start.size()) - 1; }
   uint64_t byte_count() const;
@@ -31,7 +32,7 @@ struct SliceRange {
   int last;
 };
 
-/// All slices in at most `count` ranges with about as many corners in each.
+/// Splits all slices into at most `count` ranges with about as many corners in each.
 std::vector<SliceRange> partition_slices(const SliceRows& rows, int count);
 
 }  // namespace burnish::cpu

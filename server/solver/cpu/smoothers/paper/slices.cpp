@@ -8,10 +8,11 @@ namespace burnish::cpu {
 
 namespace {
 
-/// Backwards is forwards in reverse: odd slices before even ones, a slice's corners from the last.
+/// kBackwards is the reverse of kForwards: odd slices before even ones, a slice's corners from the
+/// last.
 enum class Order { kForwards, kBackwards };
 
-/// The slices of one thread, and its own copy of x there and in the slices around.
+/// The slices of one thread, and its own copy of x in them and in the slices around them.
 struct Block {
   SliceRange own;
   SliceRange copied;
@@ -19,7 +20,7 @@ struct Block {
   std::vector<Float4> x;
 };
 
-/// A sweep is two half-sweeps: the even slices, then the odd ones. (Relaxed from end to end, each
+/// A sweep is two half-sweeps: the even slices, then the odd ones. (In a sweep from end to end each
 /// slice would depend on all before it, and no overlap could make a block equal to the whole.)
 class Slices final : public DepthSmoother {
  public:
@@ -74,13 +75,13 @@ class Slices final : public DepthSmoother {
         depth.x[rows_.corner[p]] = block.x[p - block.first_place];
   }
 
-  // What half-sweep h has to relax for the block's own slices to be right at the end: one slice
-  // more on either side for each half-sweep that follows (Figure 4).
+  // Returns the slices that half-sweep h must relax, so that the block's own slices are right at
+  // the end: one more slice on either side for each later half-sweep (Figure 4).
   SliceRange extent(const Block& block, int h) const {
     return widened(block.own, half_sweeps_ - 1 - h);
   }
 
-  // Which slices half-sweep h relaxes: the even or the odd ones.
+  // Returns the parity of the slices that half-sweep h relaxes.
   static int parity(int h, Order order) {
     return (h + (order == Order::kBackwards)) & 1;
   }
@@ -94,7 +95,7 @@ class Slices final : public DepthSmoother {
     }
   }
 
-  // Half-sweep h runs h slices behind the front: when it comes to a slice, half-sweep h − 1 has
+  // Half-sweep h runs h slices behind the front. When it comes to a slice, half-sweep h − 1 has
   // just left both neighbours, and all of them are still in cache.
   void sweep_in_a_window(const CpuDepth& depth, Block& block, Order order) const {
     const SliceRange all = block.copied;

@@ -48,7 +48,7 @@ std::vector<int32_t> columns_of(const Stencil& stencil, std::span<const int32_t>
   return columns;
 }
 
-// Of the packed entries alone, as the residual is: a cycle with two matrices is not symmetric.
+// Copies only the packed entries, like the residual: a cycle with two matrices is not symmetric.
 __global__ void copy_rows_kernel(Depth depth, GaussSeidel::Rows rows, int64_t places) {
   await_previous();
   const int64_t place = thread_index();
@@ -61,7 +61,7 @@ __global__ void copy_rows_kernel(Depth depth, GaussSeidel::Rows rows, int64_t pl
     rows.entry[to + k] = value_of(depth.system.packed[from + k]);
 }
 
-// x_I += D_I⁻¹ (f_I − Σ_J S_IJ x_J) at all corners of one colour.
+// Does x_I += D_I⁻¹ (f_I − Σ_J S_IJ x_J) at all corners of one colour.
 __global__ void relax_kernel(Depth depth, GaussSeidel::Rows rows, int64_t first_place,
                              int64_t places) {
   let_next_start();

@@ -8,18 +8,18 @@
 
 namespace burnish::cuda {
 
-/// Point Gauss-Seidel in eight colours (the parity of the corner), two sweeps, as the paper's
-/// V(2,2) relaxes; the colours run backwards after the coarse correction. Corners of one colour
-/// share no cell: a launch relaxes them all. For comparison, as plain as it can be. Needs: no
+/// Point Gauss-Seidel in eight colours (the parity of the corner), two sweeps, like the paper's
+/// V(2,2). After the coarse correction the colours run backwards. Corners of one colour share no
+/// cell, so a launch relaxes them all. It is for comparison, and as plain as possible. Needs: no
 /// irregular rows (Sheets::kTogether).
 class GaussSeidel final : public DepthSmoother {
  public:
   static constexpr int kColours = 8;
 
-  /// S once more, by colour: a place for every corner, those of one colour from a whole slice to
-  /// the next. Entry k of the corner at place p stands at slice_start[p / 32] + 32 k + p % 32.
+  /// A copy of S by colour: a place for every corner; each colour starts with a whole slice. Entry
+  /// k of the corner at place p stands at slice_start[p / 32] + 32 k + p % 32.
   struct Rows {
-    const int32_t* corner;  ///< -1 where a colour's last slice has no more
+    const int32_t* corner;  ///< -1 in the unused places of a colour's last slice
     const int64_t* slice_start;
     const int32_t* column;  ///< -1 beyond the end of a row
     float* entry;

@@ -1,4 +1,3 @@
-#include "server/solver/cpu/assembly/assembly.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +8,7 @@
 namespace burnish::cpu {
 namespace {
 
-// The largest |row of found - row of expected| over |row of expected|. Both are symmetric.
+// Returns the largest |row of found - row of expected| over |row of expected|. Both are symmetric.
 double row_difference(const Sparse& found, const Sparse& expected) {
   const Sparse difference = found - expected;
   double worst = 0;

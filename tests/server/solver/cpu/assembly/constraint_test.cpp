@@ -12,7 +12,7 @@ namespace {
 
 using Vector = std::vector<Double3>;
 
-/// A constraint of the system's metric, and the vectors that it is assembled into.
+/// A constraint of the system's metric, and its vectors.
 struct Assembled {
   Assembled(const TestSystem& system, const CpuDepth& finest, const Double3& before,
             const Double3& residual)
@@ -92,7 +92,7 @@ TEST(Constraint, AfterADabIsBitForBitWhatAFullSumGives) {
   EXPECT_LT(changed, full.size() / 2);
 }
 
-// Edits one after the other, each of which leaves something alone that the next may need.
+// Each edit leaves something unchanged that a later one may need.
 TEST(Constraint, AfterSlidersAndPaintInTurnIsWhatAFullSumGives) {
   TestSystem system(reference::bumpy_sphere(3), 5);
   system.fields.set_transfer_curve(test_curve(100));
@@ -121,7 +121,7 @@ TEST(Constraint, AfterSlidersAndPaintInTurnIsWhatAFullSumGives) {
   expect_sound("no paint");
 }
 
-// One α for another leaves b as it is, but for corners that have become pinned or free by it.
+// Another α for all cells leaves b unchanged, except at corners that become pinned or free.
 TEST(Constraint, AfterANewMetricWithTheSameRatiosIsBitForBitWhatAFullSumGives) {
   TestSystem system(reference::bumpy_sphere(3), 5);
   system.fields.set_transfer_curve(TransferCurve(1));

@@ -17,7 +17,7 @@ Float4 wave(int32_t i) {
   return {at, 1 - at, at * at, 0};
 }
 
-// Of the finest depth, with tiles of at most such a width.
+// Products of the finest depth, with tiles of at most this width.
 struct Products {
   Products(const TestSystem& system, int32_t width_max) {
     Hierarchy hierarchy = *system.hierarchy;

@@ -28,7 +28,7 @@ class PatchSolverTest : public testing::Test {
   CpuDepth& finest() { return depths_.back(); }
   const Patches& patches() { return system_.plan->patches; }
 
-  // Every corner weighs the same in the norm of the scaled matrix.
+  // Returns noise in which every corner weighs the same in the norm of the scaled matrix.
   Vector noise(int seed) {
     std::mt19937 random(seed);
     Vector f(finest().corner_count(), Float4::Zero());

@@ -9,7 +9,6 @@
 #include "server/solver/cpu/products/products.h"
 #include "server/solver/cpu/products/transfer.h"
 #include "tests/reference/awkward_meshes.h"
-#include "tests/reference/shapes.h"
 #include "tests/server/solver/test_system.h"
 
 namespace burnish::cpu {
@@ -17,7 +16,8 @@ namespace {
 
 using Vector = std::vector<Float4>;
 
-// Noise whose every corner weighs the same in the norm of the scaled matrix; zero where pinned.
+// Returns noise in which every corner weighs the same in the norm of the scaled matrix; zero where
+// pinned.
 Vector noise(const CpuDepth& depth, int seed) {
   std::mt19937 random(seed);
   Vector f(depth.corner_count());
@@ -107,7 +107,8 @@ std::string case_name(const testing::TestParamInfo<Smoother>& smoother) {
 
 INSTANTIATE_TEST_SUITE_P(All, SmootherTest, testing::ValuesIn(all_smoothers()), case_name);
 
-// Of float32, times ten with inverses of the finest depth's blocks, which reach 1e5.
+// Returns the bound for float32's rounding: ten times larger with inverses of the finest depth's
+// blocks, which reach 1e5.
 double rounding(Smoother smoother, double otherwise) {
   const bool has_blocks = smoother == Smoother::kSchwarz || smoother == Smoother::kCellBlocks;
   return has_blocks ? 10 * otherwise : otherwise;
@@ -149,7 +150,7 @@ TEST_P(SmootherTest, LeavesPinnedCornersAtZero) {
 }
 
 TEST_P(SmootherTest, ReducesTheError) {
-  // The solution of S x = 0 is 0: what is left of a start is the error, measured in S's own norm.
+  // The solution of S x = 0 is 0, so x itself is the error. It is measured in S's own norm.
   CpuDepth& finest = cycle_.finest();
   const auto energy = [&] {
     std::fill(finest.f.begin(), finest.f.end(), Float4::Zero());

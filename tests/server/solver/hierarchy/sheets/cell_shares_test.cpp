@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/solver/hierarchy/half_way.h"
 #include "tests/server/solver/hierarchy/small_grids.h"
 
 namespace burnish {
@@ -13,10 +14,10 @@ using testing::ElementsAre;
 using testing::FieldsAre;
 using testing::IsEmpty;
 
-// A CellTie is (first, second, first's corners, second's), a CellShare (source, left, right, is it
-// transposed), a CellPart (weights, places). Parts 0 to 7 are those of octants, others follow.
+// A CellTie is (first, second, first's corners, second's), a CellShare (source, left, right, is
+// transposed), a CellPart (weights, places). Parts 0 to 7 belong to octants; others follow.
 
-/// Coarse cells with these corners, and the parents of the cells or sheets below.
+/// Returns coarse cells with these corners, and the parents of the finer cells or sheets.
 CoarseGrid coarse_cells(std::vector<CellCorners> cell_corners, std::vector<int32_t> parent_cell) {
   CoarseGrid coarse;
   coarse.grid.cells.resize(cell_corners.size());
@@ -25,7 +26,7 @@ CoarseGrid coarse_cells(std::vector<CellCorners> cell_corners, std::vector<int32
   return coarse;
 }
 
-/// One sheet for each cell, of which D has the first copy of corner 7, and A the second.
+/// Returns one sheet for each cell; D has the first copy of corner 7, A the second.
 SheetCorners sheets_apart_in_corner_7(const SparseGrid& grid) {
   SheetCorners sheets = one_sheet_per_cell(grid);
   sheets.corners[0][7] = 15;
@@ -46,7 +47,7 @@ TEST(SharesOfCells, AreNoneWithoutCells) {
 }
 
 // Octant 1 of a cell begins at x = 1: its corners' places are x + 3y + 9z of (1 or 2, y, z). Octant
-// 7 begins in the middle, place 13, and ends at 26.
+// 7 begins in the middle, at place 13, and ends at 26.
 TEST(SharesOfCells, BeginWithThePartsOfTheOctants) {
   const SparseGrid grid = two_cells_with_a_common_face();
   const TiesAndShares found =
@@ -67,11 +68,11 @@ TEST(SharesOfCells, AreNoneWhereEachCornerHasOneCopy) {
   EXPECT_THAT(found.shares.apart, IsEmpty());
 }
 
-// A = (0, 0, 0) and D = (1, 1, 1) lie in one place and meet in its middle without hanging together,
-// so that they have the parents 0 and 1. Corner 7 is the mean of both: 1/4 of D's copy and 3/4 of
-// A's. So A's part of parent 0 (number 8) has weight 1 but for 3/4 at its corner 7, and its part of
-// parent 1 (9) has 1/4 there and nothing else. D's of parent 1 (10) has 1/4 at its corner 0, and
-// its part of parent 0 (11) 3/4 there.
+// A = (0, 0, 0) and D = (1, 1, 1) lie in one place and meet in its middle without hanging together.
+// So they have the parents 0 and 1. Corner 7 is the mean of both: 1/4 of D's copy and 3/4 of A's.
+// A's part of parent 0 (number 8) has weight 1, except 3/4 at its corner 7. A's part of parent 1
+// (9) has only 1/4 there. D's part of parent 1 (10) has 1/4 at its corner 0. D's part of parent 0
+// (11) has 3/4 there.
 class SheetsThatMeetInACorner : public testing::Test {
  protected:
   SheetsThatMeetInACorner() {
@@ -104,8 +105,8 @@ TEST_F(SheetsThatMeetInACorner, TieTheirParents) {
   EXPECT_THAT(found_.ties, ElementsAre(FieldsAre(0, 1, 0xff, 0xff)));
 }
 
-// Targets: parents 0 and 1, and the tie, which is number 2 after them. With parts in the order of
-// its parents, D's share of the tie is (11, 10): D came with (10, 11), hence the transpose.
+// Targets: parents 0 and 1, and the tie, which is number 2 after them. The parts of the tie are in
+// the order of its parents: D's share is (11, 10), but D came with (10, 11), hence the transpose.
 TEST_F(SheetsThatMeetInACorner, GiveSharesToBothParentsAndTheTie) {
   const CellShares& shares = found_.shares;
   EXPECT_THAT(shares.target, ElementsAre(0, 1, 2));
@@ -119,9 +120,9 @@ TEST_F(SheetsThatMeetInACorner, AreNoPlainChildren) {
   EXPECT_THAT(found_.shares.apart, ElementsAre(0, 1));
 }
 
-// Now A and D have parents that are joined in the corner, by cells that are not here: it is corner
-// 7 of the first and 0 of the second. Either says the same of it, so that each cell keeps to its
-// own parent, with weight 1.
+// Now the parents of A and D are joined in the corner, by cells that are not here: it is corner 7
+// of the first and 0 of the second. Both give the same value, so each cell keeps its own parent,
+// with weight 1.
 TEST(SharesOfCells, MakeNoTieWhereBothParentsSayTheSame) {
   const SparseGrid grid = two_cells_with_a_common_corner();
   CoarseGrid coarse = coarse_cells({corners_from(0), corners_from(7)}, {0, 1});
@@ -139,9 +140,9 @@ TEST(SharesOfCells, MakeNoTieWhereBothParentsSayTheSame) {
   EXPECT_THAT(found.shares.part[9].weight, Each(1));
 }
 
-// A cell with two sheets, whose every corner is the mean of two copies, one of each parent. The
-// numbers of sheets 0 and 1 are 1 and 2, after the only cell's. Either takes half of all corners
-// from parent 0 (parts 8 and 10), and half from parent 1 (9 and 11).
+// A cell with two sheets; each of its corners is the mean of two copies, one of each parent. The
+// numbers of sheets 0 and 1 are 1 and 2, after the only cell's. Each takes half of all corners from
+// parent 0 (parts 8 and 10), and half from parent 1 (9 and 11).
 TEST(SharesOfCells, TieTheParentsOfTwoSheetsInACell) {
   const SparseGrid grid = grid_of(2, {{0, 0, 0}});
   SheetCorners sheets;
@@ -172,7 +173,7 @@ TEST(SharesOfCells, TieTheParentsOfTwoSheetsInACell) {
     EXPECT_THAT(found.shares.part[part].weight, Each(0.5f)) << part;
 }
 
-/// Fine cells (1, 0, 0) and (2, 0, 0): octant 1 of one place, octant 0 of the next.
+/// Returns fine cells (1, 0, 0) and (2, 0, 0): octant 1 of one place, octant 0 of the next.
 SparseGrid cells_of_two_places() {
   SparseGrid fine;
   fine.cells = {cell_at(1, 0, 0), cell_at(2, 0, 0)};
@@ -187,8 +188,8 @@ TEST(SharesOfTies, AreNoneWithoutTies) {
   EXPECT_THAT(found.shares.apart, IsEmpty());
 }
 
-// The tie is number 2 after two cells, above as below. It pulls at corner 0 of the first cell, half
-// way between its parent's corners 0 and 1, and at corner 0 of the second, its parent's 0.
+// The tie is number 2 after two cells, at both depths. It couples corner 0 of the first cell,
+// half-way between its parent's corners 0 and 1, to corner 0 of the second, its parent's 0.
 TEST(SharesOfTies, TieTheParentsByTheCornersThatWeighOnTheTiedOnes) {
   const std::vector<CellTie> ties = {{0, 1, 1 << 0, 1 << 0}};
   const TiesAndShares found =
@@ -199,7 +200,7 @@ TEST(SharesOfTies, TieTheParentsByTheCornersThatWeighOnTheTiedOnes) {
   EXPECT_THAT(found.shares.share, ElementsAre(FieldsAre(2, 1, 0, 0)));
 }
 
-// As above, but the second cell's parent comes first.
+// As in the last test, but the second cell's parent comes first.
 TEST(SharesOfTies, AreTransposedWhereTheParentsAreInTheOtherOrder) {
   const std::vector<CellTie> ties = {{0, 1, 1 << 0, 1 << 0}};
   const TiesAndShares found =
@@ -208,7 +209,7 @@ TEST(SharesOfTies, AreTransposedWhereTheParentsAreInTheOtherOrder) {
   EXPECT_THAT(found.shares.share, ElementsAre(FieldsAre(2, 0, 1, 1)));
 }
 
-// N and its transpose both are a part of what couples the parent's corners.
+// Both N and its transpose couple the parent's corners.
 TEST(SharesOfTies, AreAPartOfTheParentThatBothCellsHave) {
   const std::vector<CellTie> ties = {{0, 1, 1 << 0, 1 << 0}};
   const TiesAndShares found = share_ties(cells_of_two_places(), ties, coarse_cells({{}}, {0, 0}));
@@ -218,9 +219,9 @@ TEST(SharesOfTies, AreAPartOfTheParentThatBothCellsHave) {
   EXPECT_THAT(found.shares.share, ElementsAre(FieldsAre(2, 1, 0, 0), FieldsAre(2, 0, 1, 1)));
 }
 
-// Two ties between cells of the same two parents, at corner 0 of each and at corner 7: (1, 1, 1) of
-// octant 1 is (2, 1, 1) of its parent, in the middle of the face of 1, 3, 5 and 7. That of octant 0
-// is in the middle of the parent.
+// Two ties between cells of the same two parents, at corner 0 of each and at corner 7. (1, 1, 1) of
+// octant 1 is (2, 1, 1) of its parent, in the middle of the face of 1, 3, 5 and 7. (1, 1, 1) of
+// octant 0 is in the middle of the parent.
 TEST(SharesOfTies, AreOneTieForEachPairOfParents) {
   const std::vector<CellTie> ties = {{0, 1, 1 << 0, 1 << 0}, {0, 1, 1 << 7, 1 << 7}};
   const TiesAndShares found =

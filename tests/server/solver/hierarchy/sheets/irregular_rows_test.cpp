@@ -11,11 +11,11 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// A cell's numbers: 7 pairs of its corner 0 are 0 to 6, 6 more of 1 are 7 to 12, of 2 13 to 17, of
-// 3 18 to 21, of 4 22 to 24, of 5 25 and 26, and (6, 7) is 27. Row sums are 28 to 35. The second
-// cell's begin at 36, and two cells' ties at 72.
+// A cell's numbers: the 7 pairs of its corner 0 are 0 to 6, 6 more of 1 are 7 to 12, of 2 13 to 17,
+// of 3 18 to 21, of 4 22 to 24, of 5 25 and 26, and (6, 7) is 27. Row sums are 28 to 35. The second
+// cell's numbers begin at 36, and two cells' ties at 72.
 
-/// The rows of these corners of a grid.
+/// Finds the rows of these corners of a grid.
 struct Found {
   Found(const SparseGrid& grid, const std::vector<CellTie>& ties,
         std::initializer_list<int32_t> irregular) {
@@ -28,7 +28,7 @@ struct Found {
   IrregularColumns columns;
 };
 
-/// Cells that share no corner: 0 to 7 are those of the first, 8 to 15 those of the second.
+/// Returns cells that share no corner: the first has 0 to 7, the second 8 to 15.
 SparseGrid two_loose_cells() {
   SparseGrid grid;
   grid.cells = {cell_at(0, 0, 0), cell_at(2, 0, 0)};
@@ -61,8 +61,8 @@ TEST(IrregularRowsTest, ACornerOfOneCellHasItsPairsAndItsRowSum) {
   EXPECT_THAT(found.rows.source, ElementsAre(0, 1, 2, 3, 4, 5, 6, 28));
 }
 
-// Corner 1 is 1 of A and 0 of B, so its neighbours on the face, 3, 5 and 7, are 3, 5 and 7 of A and
-// 2, 4 and 6 of B: each of these entries is a sum of two numbers, as is the row sum.
+// Corner 1 is 1 of A and 0 of B. So its neighbours on the face, 3, 5 and 7, are 3, 5 and 7 of A and
+// 2, 4 and 6 of B. Each of these entries is a sum of two numbers, and so is the row sum.
 TEST(IrregularRowsTest, EntriesOnACommonFaceAreSumsOverBothCells) {
   const Found found(two_cells_with_a_common_face(), {}, {1});
   EXPECT_THAT(found.columns.column, ElementsAre(0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11));
@@ -81,8 +81,8 @@ TEST(IrregularRowsTest, EntriesOnACommonFaceAreSumsOverBothCells) {
   EXPECT_THAT(found.rows.source_start, ElementsAre(0, 1, 2, 4, 5, 7, 8, 10, 11, 12, 13, 14, 16));
 }
 
-// The tie couples corner 7 of the first cell to corner 0 of the second, which is 8: number
-// 72 + 8 · 7 + 0 = 128. Both rows have it as an entry and in their row sum.
+// The tie couples corner 7 of the first cell to corner 0 of the second, which is 8: number 72 + 8 ·
+// 7 + 0 = 128. Both rows have it as an entry and in their row sum.
 TEST(IrregularRowsTest, ATieIsAnEntryOfTheRowsAtBothEnds) {
   const Found found(two_loose_cells(), {{0, 1, 1 << 7, 1 << 0}}, {7, 8});
   EXPECT_THAT(found.rows.corner, ElementsAre(7, 8));
@@ -109,7 +109,7 @@ TEST(IrregularRowsTest, ATieCouplesOnlyTheCornersThatHaveAPartInIt) {
                                         36 + 17, 36 + 28 + 2, 82, 98));
 }
 
-// Corner 1 is 1 of A and 0 of B: number 72 + 8 · 1 + 0 = 80. It is no entry, but N and its
+// Corner 1 is 1 of A and 0 of B: number 72 + 8 · 1 + 0 = 80. It is not an entry, but N and its
 // transpose both add to the row sum.
 TEST(IrregularRowsTest, ATieOfACornerToItselfCountsTwiceInTheRowSum) {
   const Found found(two_cells_with_a_common_face(), {{0, 1, 1 << 1, 1 << 0}}, {1});

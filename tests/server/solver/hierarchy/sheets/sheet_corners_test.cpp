@@ -14,10 +14,10 @@ using testing::Each;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// What find_sheet_corners() reads of a prepared mesh.
+/// The parts of a prepared mesh that find_sheet_corners() reads.
 class SheetCornersTest : public testing::Test {
  protected:
-  /// Cells of one sheet, without passages and without energy.
+  /// Sets cells of one sheet, without passages and without energy.
   void set_grid(const SparseGrid& grid) {
     grid_ = grid;
     passages_.assign(grid.cells.size(), 0);
@@ -64,8 +64,8 @@ TEST_F(SheetCornersTest, CellsWithAPassageShareTheCornersOfTheirFace) {
   EXPECT_FALSE(found.has_several(0));
 }
 
-// B is at side 0, 2, 4 and 6 of corners 1, 3, 5 and 7, and A at the next one each: B comes first
-// and keeps them. A's copies follow the 12 corners.
+// B is at side 0, 2, 4 and 6 of corners 1, 3, 5 and 7, and A at the next side of each: B comes
+// first and keeps them. A's copies follow the 12 corners.
 TEST_F(SheetCornersTest, CellsWithoutAPassageHaveCopiesOfTheCornersOfTheirFace) {
   set_grid(two_cells_with_a_common_face());
   const SheetCorners found = find();
@@ -75,7 +75,7 @@ TEST_F(SheetCornersTest, CellsWithoutAPassageHaveCopiesOfTheCornersOfTheirFace) 
   EXPECT_EQ(found.copy_count, 16);
   EXPECT_THAT(found.corners, ElementsAre(ElementsAre(0, 12, 2, 13, 4, 14, 6, 15),
                                          ElementsAre(1, 8, 3, 9, 5, 10, 7, 11)));
-  EXPECT_THAT(found.weight, Each(0.5f));  // as there is no energy to go by
+  EXPECT_THAT(found.weight, Each(0.5f));  // equal without energy
 }
 
 TEST_F(SheetCornersTest, APassageOfOneCellAloneJoinsNothing) {
@@ -106,21 +106,21 @@ TEST_F(SheetCornersTest, CellsThatHangTogetherAtACornerShareIt) {
   EXPECT_EQ(found.corners[0][7], 7);
 }
 
-// E = (0, 1, 0) touches A = (0, 0, 0) and B = (1, 0, 0) along y = 1 alone. At y = 0 A and B, which
-// have no passage to each other, hang together by E only: there the surface bends around the edge.
+// E = (0, 1, 0) touches A = (0, 0, 0) and B = (1, 0, 0) along y = 1 only. At y = 0 A and B have no
+// passage to each other and hang together only through E: the surface bends around the edge there.
 TEST_F(SheetCornersTest, CellsThatHangTogetherByOneNearbyShareTheirCorners) {
   set_grid(grid_of(2, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   const uint32_t from_a = passage(0, 1, 0), from_b = passage(-1, 1, 0);
   const uint32_t from_e = passage(0, -1, 0) | passage(1, -1, 0);
   passages_ = {from_a, from_b, from_e};
   EXPECT_THAT(find().shared, IsEmpty());
-  // Without E's passage to A, A is apart from both: its face to B has corners 1, 3, 5 and 7, its
-  // face to E 2, 3, 6 and 7.
+  // Without E's passage to A, A is apart from both. Its face to B has corners 1, 3, 5 and 7, its
+  // face to E has 2, 3, 6 and 7.
   passages_ = {from_a, from_b, passage(1, -1, 0)};
   EXPECT_THAT(find().shared, ElementsAre(1, 2, 3, 5, 6, 7));
 }
 
-// All is twice: the first sheet has the grid's corners, the second copies 8 to 15 of them.
+// All corners exist twice: the first sheet has the grid's corners, the second copies 8 to 15.
 TEST_F(SheetCornersTest, TwoSheetsInACellHaveEightCornersEach) {
   set_grid(grid_of(2, {{0, 0, 0}}));
   sheets_ = {{0, 5, 0}, {0, 9, 0}};
@@ -133,7 +133,7 @@ TEST_F(SheetCornersTest, TwoSheetsInACellHaveEightCornersEach) {
   EXPECT_EQ(found.copy_count, 16);
 }
 
-// At corners 0 and 1 the sheets have energies 3 = -(-3) and 1 = -(-1), and none at the others.
+// At corners 0 and 1 the sheets have energies 3 = -(-3) and 1 = -(-1), at the others none.
 TEST_F(SheetCornersTest, CopiesAreWeighedByTheirEnergyAtTheCorner) {
   set_grid(grid_of(2, {{0, 0, 0}}));
   sheets_ = {{0, 5, 0}, {0, 9, 0}};
@@ -147,7 +147,7 @@ TEST_F(SheetCornersTest, CopiesAreWeighedByTheirEnergyAtTheCorner) {
   EXPECT_EQ(found.weight, expected);
 }
 
-// B hangs together with the one sheet of A that leads to it. The other has eight copies.
+// B hangs together with the one sheet of A that leads to it. The other sheet has eight copies.
 TEST_F(SheetCornersTest, ANeighbourHangsTogetherWithTheSheetThatLeadsToIt) {
   set_grid(two_cells_with_a_common_face());
   passages_ = {passage(1, 0, 0), passage(-1, 0, 0)};
@@ -159,7 +159,7 @@ TEST_F(SheetCornersTest, ANeighbourHangsTogetherWithTheSheetThatLeadsToIt) {
                                          ElementsAre(1, 8, 3, 9, 5, 10, 7, 11)));
 }
 
-// Components 5 and 9 pass through A and B both. Each corner i of 12 has a second copy, 12 + i.
+// Components 5 and 9 both pass through A and B. Each corner i of 12 has a second copy, 12 + i.
 TEST_F(SheetCornersTest, SheetsOfDifferentComponentsNeverHangTogether) {
   set_grid(two_cells_with_a_common_face());
   passages_ = {passage(1, 0, 0), passage(-1, 0, 0)};

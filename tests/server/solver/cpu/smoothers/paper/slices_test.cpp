@@ -48,7 +48,7 @@ class SlicesTest : public testing::Test {
     return relaxed;
   }
 
-  // Gauss-Seidel on S itself, corner after corner.
+  // Does Gauss-Seidel on S itself, corner after corner.
   void relax_corners(std::span<const int32_t> corners) {
     for (int32_t i : corners)
       finest_.x[i] +=
@@ -73,8 +73,8 @@ class SlicesTest : public testing::Test {
     return relaxed;
   }
 
-  // The largest difference of two vectors and the largest entry, where they are measured by the
-  // square root of the diagonal.
+  // Returns the largest difference of two vectors over the largest entry, both scaled by the square
+  // root of the diagonal.
   double relative_distance(const Vector& x, const Vector& y) const {
     double difference = 0, most = 0;
     for (size_t i = 0; i < x.size(); ++i) {

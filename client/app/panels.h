@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+
+#include "client/model/workspace.h"
+
+namespace burnish {
+
+/// A part of the window. Draws with ImGui, and holds only text that the user is typing.
+class Panel {
+ public:
+  virtual ~Panel() = default;
+  virtual void draw(Workspace& workspace) = 0;
+};
+
+/// Gradient scale, fidelity and presets: the edit outside of painted areas.
+class FilterPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+/// The transfer curve over the histogram of curvature.
+class CurvePanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+/// The airbrush.
+class BrushPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+/// Settings of how the surface is shown.
+class ViewPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+/// The session's edits, newest first. Each can be switched off.
+class HistoryPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+
+ private:
+  void draw_buttons(Document& document);
+  void draw_checkpoint_row(Workspace& workspace);
+
+  std::string checkpoint_name_;
+};
+
+/// The people in the session and their roles.
+class PeoplePanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+}  // namespace burnish
