@@ -40,6 +40,14 @@ float area_of(const PagePiece& piece, const Triangle& t) {
   return (b - a).cross(c - a).norm() / 2;
 }
 
+float longest_edge(const PagePiece& piece, const Triangle& t) {
+  float longest = 0;
+  for (int corner = 0; corner < 3; ++corner)
+    longest = std::max(longest,
+                       (piece.positions[t[corner]] - piece.positions[t[(corner + 1) % 3]]).norm());
+  return longest;
+}
+
 }  // namespace
 
 SimplePiece cluster_vertices(const PagePiece& piece, size_t triangles_wanted) {
@@ -64,12 +72,13 @@ SimplePiece drop_small_triangles(const PagePiece& piece, size_t triangles_wanted
   std::ranges::sort(by_area, [&](uint32_t a, uint32_t b) {
     return areas[a] != areas[b] ? areas[a] > areas[b] : a < b;
   });
-  by_area.resize(std::min(by_area.size(), triangles_wanted));
-  std::ranges::sort(by_area);
+  const auto end = by_area.begin() + std::min(by_area.size(), triangles_wanted);
   SimplePiece simple;
-  for (const uint32_t t : by_area) simple.triangles.push_back(piece.triangles[t]);
-  const float dropped = by_area.size() < areas.size() ? *std::ranges::max_element(areas) : 0;
-  simple.error = std::sqrt(dropped);
+  for (auto dropped = end; dropped != by_area.end(); ++dropped)
+    simple.error = std::max(simple.error, longest_edge(piece, piece.triangles[*dropped]));
+  std::sort(by_area.begin(), end);
+  for (auto kept = by_area.begin(); kept != end; ++kept)
+    simple.triangles.push_back(piece.triangles[*kept]);
   return simple;
 }
 
