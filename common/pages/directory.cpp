@@ -29,9 +29,9 @@ int PageHead::level_of(PageId page) const {
 }
 
 uint32_t PageHead::block_count() const {
-  uint32_t blocks = 0;
-  for (const uint32_t pages : level_pages) blocks += blocks_of(pages);
-  return blocks;
+  uint32_t count = 0;
+  for (const uint32_t pages : level_pages) count += blocks_of(pages);
+  return count;
 }
 
 uint32_t PageHead::block_of(PageId page) const {
