@@ -1,5 +1,6 @@
 #include "common/pages/octahedral.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdlib>

@@ -40,11 +40,16 @@ class Checker {
 
   Status check_patches() const {
     RETURN_IF_ERROR(count("patches", page_.patches.size(), 1, page_.triangles.size()));
+    if (page_.patches.back().finer == kNoPage)
+      RETURN_IF_ERROR(count("patches of level 0", page_.patches.size(), 1, 1));
     size_t triangles = 0;
     for (size_t p = 0; p < page_.patches.size(); ++p) {
       const PagePatch& patch = page_.patches[p];
       const std::string name = "patch " + std::to_string(p);
       if (patch.triangles == 0) return wrong(name + " has no triangle");
+      if (patch.finer != kNoPage && patch.finer >= page_.id)
+        return wrong(name + " replaces page " + std::to_string(patch.finer) +
+                     ", which is not finer");
       if (p > 0 && patch.finer <= page_.patches[p - 1].finer)
         return wrong(name + " replaces page " + std::to_string(patch.finer) +
                      ", which is not above the one before");
