@@ -45,11 +45,21 @@ uint64_t checksum_of(std::span<const uint8_t> bytes) {
   return sealed_checksum(bytes, offsetof(RawHead, checksum), sizeof(RawHead));
 }
 
-template <typename T>
-void append_raw(const T& raw, std::vector<uint8_t>& bytes) {
-  const auto* begin = reinterpret_cast<const uint8_t*>(&raw);
-  bytes.insert(bytes.end(), begin, begin + sizeof(raw));
-}
+/// Writes parts one behind the other. Needs: room for all.
+class RawWriter {
+ public:
+  explicit RawWriter(std::span<uint8_t> bytes) : bytes_(bytes) {}
+
+  template <typename T>
+  void add(const T& raw) {
+    std::memcpy(bytes_.data() + done_, &raw, sizeof(raw));
+    done_ += sizeof(raw);
+  }
+
+ private:
+  std::span<uint8_t> bytes_;
+  size_t done_ = 0;
+};
 
 template <typename T>
 T raw_at(std::span<const uint8_t> bytes, size_t offset) {
@@ -176,10 +186,12 @@ std::vector<uint8_t> encode_head(const PageHead& head) {
               .page_bytes = head.page_bytes,
               .block_bytes = head.block_bytes};
   for (int axis = 0; axis < 3; ++axis) raw.origin[axis] = head.grid.origin[axis];
-  std::vector<uint8_t> bytes;
-  append_raw(raw, bytes);
-  for (const uint32_t pages : head.level_pages) append_raw(pages, bytes);
-  for (const PageBlock& block : head.blocks) append_raw(raw_of(block), bytes);
+  std::vector<uint8_t> bytes(sizeof(raw) + head.level_pages.size() * sizeof(uint32_t) +
+                             head.blocks.size() * sizeof(RawBlock));
+  RawWriter writer(bytes);
+  writer.add(raw);
+  for (const uint32_t pages : head.level_pages) writer.add(pages);
+  for (const PageBlock& block : head.blocks) writer.add(raw_of(block));
   raw.checksum = checksum_of(bytes);
   std::memcpy(bytes.data(), &raw, sizeof(raw));
   return bytes;

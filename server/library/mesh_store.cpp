@@ -12,6 +12,7 @@
 #include "server/library/scan_files.h"
 #include "server/library/scan_record.h"
 #include "server/memory/library_budget.h"
+#include "server/prepare/pages/build_pages.h"
 #include "server/prepare/prepare.h"
 #include "server/scheduling/cancellable_lock.h"
 
@@ -148,7 +149,7 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
   RETURN_IF_ERROR(budget.ask_to_read(header.size_bytes));
   ASSIGN_OR_RETURN(const TriangleMesh mesh, read_original(original, header.format, header.name));
   ASSIGN_OR_RETURN(
-      const auto prepared,
+      auto prepared,
       prepare(mesh, {header.key.depth, header.key.curvature_radius, options_.threads, &budget},
               progress));
   const ScanInfo scan = make_scan_info(id, header, *prepared);
@@ -156,6 +157,10 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
 
   if (!report(progress, "storing", 0)) return cancelled("the import was cancelled");
   RETURN_IF_ERROR(write_prepared_mesh(*prepared, staging.path() / "prepared" / prepared_name));
+  prepared.reset();  // pages need the memory
+  RETURN_IF_ERROR(build_pages({mesh.vertices, mesh.triangles, mesh.colours, scan.statistics},
+                              staging.path() / pages_file_name(), {options_.threads, &budget},
+                              progress));
   RETURN_IF_ERROR(write_file(staging.path() / "info.json", scan_to_json(scan)));
   RETURN_IF_ERROR(sync_folder(staging.path()));
   RETURN_IF_ERROR(put_scan_in_place(staging.path(), scan_folder(id)));
