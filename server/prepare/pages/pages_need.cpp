@@ -1,15 +1,22 @@
 #include "server/prepare/pages/pages_need.h"
 
+#include <algorithm>
+
 #include "server/prepare/pages/triangle_runs.h"
 
 namespace burnish {
 
 namespace {
 
-constexpr uint64_t kBytesInAnyCase = 64 << 20;  // a batch of pages, threads' stacks
-constexpr uint64_t kHeapLostDivisor = 8;        // what the heap loses between blocks
-constexpr uint64_t kFileBytesPerTriangle = 8;   // of the scan, all levels
-constexpr uint64_t kColourBytesPerVertex = 8;   // all levels
+constexpr uint64_t kBytesInAnyCase = 8 << 20;  // threads' stacks, digits
+constexpr uint64_t kBatchBytesMax = 24 << 20;  // of pages on their way to the file
+constexpr uint64_t kBatchBytesPerElement = 32;
+constexpr uint64_t kHeapLostDivisor = 8;  // what the heap loses between blocks
+
+// Of the file, all levels together.
+constexpr uint64_t kFileBytesPerTriangle = 6;
+constexpr uint64_t kFileBytesPerVertex = 5;
+constexpr uint64_t kFileBytesPerColour = 8;
 
 uint64_t scan_bytes(const PagesInput& scan) {
   return scan.vertices.size_bytes() + scan.triangles.size_bytes() + scan.colours.size_bytes();
@@ -29,6 +36,11 @@ uint64_t triangle_bytes(const PagesInput& scan) {
          (sizeof(Triangle) + sizeof(uint32_t) + std::max(cutting, replacing));
 }
 
+uint64_t batch_bytes(const PagesInput& scan) {
+  return std::min(kBatchBytesMax,
+                  (scan.triangles.size() + scan.vertices.size()) * kBatchBytesPerElement);
+}
+
 std::string mebibytes(uint64_t bytes) {
   return std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB";
 }
@@ -41,9 +53,10 @@ PreparationNeed predict_pages(const PagesInput& scan) {
   need.counts.triangles = scan.triangles.size();
   need.counts.has_colours = !scan.colours.empty();
   const uint64_t bytes = scan_bytes(scan) + vertex_bytes(scan) + triangle_bytes(scan);
-  need.memory_bytes = bytes + bytes / kHeapLostDivisor + kBytesInAnyCase;
+  need.memory_bytes = bytes + bytes / kHeapLostDivisor + batch_bytes(scan) + kBytesInAnyCase;
   need.file_bytes = scan.triangles.size() * kFileBytesPerTriangle +
-                    scan.colours.size() * kColourBytesPerVertex + (1 << 16);
+                    scan.vertices.size() * kFileBytesPerVertex +
+                    scan.colours.size() * kFileBytesPerColour + (1 << 16);
   return need;
 }
 

@@ -34,7 +34,7 @@ TEST_P(PagesPeak, IsPredictedAndThePredictionIsNotFarAbove) {
   RecordProperty("taken", std::to_string(taken));
   RecordProperty("predicted", std::to_string(need.memory_bytes));
   EXPECT_LE(taken, need.memory_bytes);
-  EXPECT_LE(need.memory_bytes, 1.5 * taken + (64 << 20));
+  EXPECT_LE(need.memory_bytes, 1.5 * taken + (16 << 20));
   EXPECT_LE(std::filesystem::file_size(folder / "scan.pages"), need.file_bytes);
 }
 
