@@ -60,8 +60,9 @@ Status MeshStore::make_pages(const std::string& id, const Progress& progress) {
   RETURN_IF_ERROR(budget.ask_to_read(scan.size_bytes));
   ASSIGN_OR_RETURN(const TriangleMesh mesh,
                    read_original(folder / original_file_name(scan.format), scan.format, scan.name));
-  return build_pages({mesh, compute_statistics(mesh)}, pages_path(id), {options_.threads, &budget},
-                     progress);
+  const MeshStatistics statistics = compute_statistics(mesh);
+  return build_pages({mesh.vertices, mesh.triangles, mesh.colours, statistics}, pages_path(id),
+                     {options_.threads, &budget}, progress);
 }
 
 // The coarsest blocks are the last ones; a client begins with them.
