@@ -45,21 +45,11 @@ uint64_t checksum_of(std::span<const uint8_t> bytes) {
   return sealed_checksum(bytes, offsetof(RawHead, checksum), sizeof(RawHead));
 }
 
-/// Writes parts one behind the other. Needs: room for all.
-class RawWriter {
- public:
-  explicit RawWriter(std::span<uint8_t> bytes) : bytes_(bytes) {}
-
-  template <typename T>
-  void add(const T& raw) {
-    std::memcpy(bytes_.data() + done_, &raw, sizeof(raw));
-    done_ += sizeof(raw);
-  }
-
- private:
-  std::span<uint8_t> bytes_;
-  size_t done_ = 0;
-};
+template <typename T>
+void append_raw(const T& raw, std::vector<uint8_t>& bytes) {
+  bytes.resize(bytes.size() + sizeof(raw));
+  std::memcpy(bytes.data() + bytes.size() - sizeof(raw), &raw, sizeof(raw));
+}
 
 template <typename T>
 T raw_at(std::span<const uint8_t> bytes, size_t offset) {
@@ -186,12 +176,10 @@ std::vector<uint8_t> encode_head(const PageHead& head) {
               .page_bytes = head.page_bytes,
               .block_bytes = head.block_bytes};
   for (int axis = 0; axis < 3; ++axis) raw.origin[axis] = head.grid.origin[axis];
-  std::vector<uint8_t> bytes(sizeof(raw) + head.level_pages.size() * sizeof(uint32_t) +
-                             head.blocks.size() * sizeof(RawBlock));
-  RawWriter writer(bytes);
-  writer.add(raw);
-  for (const uint32_t pages : head.level_pages) writer.add(pages);
-  for (const PageBlock& block : head.blocks) writer.add(raw_of(block));
+  std::vector<uint8_t> bytes;
+  append_raw(raw, bytes);
+  for (const uint32_t pages : head.level_pages) append_raw(pages, bytes);
+  for (const PageBlock& block : head.blocks) append_raw(raw_of(block), bytes);
   raw.checksum = checksum_of(bytes);
   std::memcpy(bytes.data(), &raw, sizeof(raw));
   return bytes;
