@@ -49,6 +49,17 @@ std::vector<uint32_t> join_places(const std::vector<Vec3i>& positions) {
   return joined;
 }
 
+Vec3i place_vertex(const Vec3d& vertex, const PlaneSides& sides, const PageGrid& grid) {
+  Vec3i position = grid.quantise(vertex);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(sides.on >> axis & 1)) continue;
+    const double plane = std::round((vertex[axis] - grid.origin[axis]) / grid.step());
+    position[axis] =
+        static_cast<int>(std::clamp(plane, 0.0, grid.steps() - 1.0)) - (sides.below >> axis & 1);
+  }
+  return position;
+}
+
 }  // namespace
 
 PageGrid choose_page_grid(const MeshStatistics& statistics) {
@@ -65,17 +76,10 @@ PageVertices place_vertices(const PagesInput& scan) {
   PageVertices placed;
   placed.grid = choose_page_grid(scan.statistics);
   placed.positions.resize(scan.vertices.size());
-  const std::vector<uint8_t> below = find_vertices_below_planes(scan, placed.grid);
-  const double scale = placed.grid.steps() / placed.grid.side;
+  const std::vector<PlaneSides> sides = find_plane_sides(scan, placed.grid);
 #pragma omp parallel for schedule(static)
-  for (size_t v = 0; v < scan.vertices.size(); ++v) {
-    Vec3i& position = placed.positions[v] = placed.grid.quantise(scan.vertices[v]);
-    for (int axis = 0; axis < 3; ++axis)
-      if (below[v] >> axis & 1)
-        position[axis] = static_cast<int>(std::round(
-                             (scan.vertices[v][axis] - placed.grid.origin[axis]) * scale)) -
-                         1;
-  }
+  for (size_t v = 0; v < scan.vertices.size(); ++v)
+    placed.positions[v] = place_vertex(scan.vertices[v], sides[v], placed.grid);
   placed.joined = join_places(placed.positions);
   return placed;
 }

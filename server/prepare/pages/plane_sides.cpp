@@ -46,7 +46,7 @@ uint16_t sides_of(const Vec3d& place, uint16_t planes, const Vec3d& other) {
 
 }  // namespace
 
-std::vector<uint8_t> find_vertices_below_planes(const PagesInput& scan, const PageGrid& grid) {
+std::vector<PlaneSides> find_plane_sides(const PagesInput& scan, const PageGrid& grid) {
   // A vertex without triangles may lie anywhere outside.
   const auto place = [&](uint32_t v) -> Vec3d {
     const Vec3d inside = (scan.vertices[v] - grid.origin) / grid.side;
@@ -64,10 +64,12 @@ std::vector<uint8_t> find_vertices_below_planes(const PagesInput& scan, const Pa
         std::atomic_ref(bits[v]).fetch_or(sides_of(place(v), planes, place(other)),
                                           std::memory_order_relaxed);
     }
-  std::vector<uint8_t> below(bits.size());
-  for (size_t v = 0; v < bits.size(); ++v)
-    below[v] = static_cast<uint8_t>(bits[v] >> kBelow & ~(bits[v] >> kAbove) & 7);
-  return below;
+  std::vector<PlaneSides> sides(bits.size());
+  for (size_t v = 0; v < bits.size(); ++v) {
+    const uint16_t below = bits[v] >> kBelow & ~(bits[v] >> kAbove) & 7;
+    sides[v] = {static_cast<uint8_t>(bits[v] & 7), static_cast<uint8_t>(below)};
+  }
+  return sides;
 }
 
 }  // namespace burnish

@@ -7,9 +7,16 @@
 
 namespace burnish {
 
-/// Per vertex a bit for each axis: the vertex lies on a plane between cells of some depth, and all
-/// its triangles lie below the plane or in it, one at least below.
-/// Rounding down would put such a vertex into a cell without surface.
-std::vector<uint8_t> find_vertices_below_planes(const PagesInput& scan, const PageGrid& grid);
+/// The planes between cells, of any depth, on which a vertex lies: a bit for each axis.
+struct PlaneSides {
+  uint8_t on = 0;
+  /// All triangles of the vertex lie below the plane or in it, one at least below. The cell above
+  /// has no surface then.
+  uint8_t below = 0;
+};
+
+/// Finds the planes of every vertex. A vertex so near a plane that snap_to_planes() puts it there
+/// lies on it.
+std::vector<PlaneSides> find_plane_sides(const PagesInput& scan, const PageGrid& grid);
 
 }  // namespace burnish

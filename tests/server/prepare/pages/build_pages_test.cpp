@@ -134,6 +134,18 @@ TEST_F(BuildPages, TheErrorBoundsHowFarASphereIsLeft) {
   }
 }
 
+TEST_F(BuildPages, TheSphereOfAPageHoldsAllItsVertices) {
+  const ReadPages read = pages_of(scan_of_kind("tablet", 20'000));
+  const PageGrid& grid = read.directory.head.grid;
+  for (const Page& page : read.pages) {
+    const PageBounds& bounds = read.directory.entries[page.id].bounds;
+    for (const Vec3i& position : page.positions) {
+      const Vec3d place = grid.to_file(position) - grid.origin;
+      EXPECT_LE((place - bounds.centre.cast<double>()).norm(), bounds.radius);
+    }
+  }
+}
+
 TEST_F(BuildPages, BorderVerticesHaveOneNormalInAllPagesOfTheirLevel) {
   const ReadPages read = pages_of(scan_of_kind("tablet", 20'000));
   std::map<std::array<int, 4>, Vec3f> normals;

@@ -31,8 +31,8 @@ TEST(PageVertices, TheCubeIsThatOfAllGrids) {
   }
 }
 
-// The box of this sheet is flat, so all of it lies on the plane in the middle of the cube.
-TriangleMesh flat_sheet_with_peak(double peak) {
+// Two triangles whose corners lie on the plane in the middle of the cube, all but one each.
+TriangleMesh triangles_at_the_middle_plane(double peak) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, peak}, {0.5, 0.5, -peak}};
   mesh.triangles = {{0, 1, 4}, {2, 3, 5}};
@@ -40,14 +40,23 @@ TriangleMesh flat_sheet_with_peak(double peak) {
 }
 
 TEST(PageVertices, VerticesOnAPlaneGoToTheSideOfTheirTriangles) {
-  const PageVertices placed = place(flat_sheet_with_peak(0.2));
+  const PageVertices placed = place(triangles_at_the_middle_plane(0.2));
   const int middle = placed.grid.steps() / 2;
   EXPECT_EQ(placed.positions[0].z(), middle);      // its triangle rises
   EXPECT_EQ(placed.positions[2].z(), middle - 1);  // its triangle falls
 }
 
+TEST(PageVertices, VerticesThatTheGridSnapsToAPlaneCountAsOnIt) {
+  TriangleMesh mesh = triangles_at_the_middle_plane(0.2);
+  mesh.vertices[0].z() = -1e-10;
+  mesh.vertices[2].z() = 1e-10;
+  const PageVertices placed = place(mesh);
+  EXPECT_EQ(placed.positions[0].z(), placed.grid.steps() / 2);
+  EXPECT_EQ(placed.positions[2].z(), placed.grid.steps() / 2 - 1);
+}
+
 TEST(PageVertices, TrianglesInAPlaneGoAbove) {
-  TriangleMesh mesh = flat_sheet_with_peak(0);
+  TriangleMesh mesh = triangles_at_the_middle_plane(0);
   const PageVertices placed = place(mesh);
   for (const Vec3i& position : placed.positions) EXPECT_EQ(position.z(), placed.grid.steps() / 2);
 }
