@@ -72,7 +72,7 @@ TEST_F(PageFileTest, HeadAndBlocksDecodeByThemselves) {
   const PageFile file = PageFile::open(path_).value();
   const PageHead head = decode_head(file.head_bytes()).value();
   for (uint32_t block = 0; block < head.block_count(); ++block)
-    EXPECT_TRUE(decode_block(file.block_bytes(block), head, block).is_ok()) << block;
+    EXPECT_TRUE(decode_block(file.read_block_bytes(block).value(), head, block).is_ok()) << block;
 }
 
 TEST_F(PageFileTest, TheSameScanGivesTheSameBytes) {
@@ -105,14 +105,18 @@ TEST_F(PageFileTest, AMissingFileIsNotFoundAndAFolderIsRefused) {
 
 TEST_F(PageFileTest, APageInAnothersPlaceIsNamed) {
   std::string content = content_of(path_);
-  const PageFile file = PageFile::open(path_).value();
-  const auto bytes = file.page_bytes(0);
-  ASSERT_GE(file.page_bytes(1).size(), 0u);
   // The header's number, and the checksum as it is: the checksum tells.
   content[8] = 1;
   const PageFile spoilt = PageFile::open(folder_.write("bad", content)).value();
   EXPECT_THAT(spoilt.read_page(0).status().message(), HasSubstr("page 1"));
-  EXPECT_EQ(spoilt.page_bytes(0).size(), bytes.size());
+  EXPECT_EQ(spoilt.read_page_bytes(0).status().code(), StatusCode::kDataLoss);
+}
+
+TEST_F(PageFileTest, AFileThatIsCutWhileItIsOpenIsDataLoss) {
+  const PageFile file = PageFile::open(path_).value();
+  std::filesystem::resize_file(path_, 10);
+  EXPECT_EQ(file.read_page_bytes(0).status().code(), StatusCode::kDataLoss);
+  EXPECT_EQ(file.read_page(1).status().code(), StatusCode::kDataLoss);
 }
 
 TEST_F(PageFileTest, NothingIsLeftOfAFileThatIsNotFinished) {
