@@ -4,6 +4,7 @@
 #include <cstring>
 #include <string>
 
+#include "common/base/limits.h"
 #include "common/packing/checksum.h"
 #include "common/packing/word_section.h"
 #include "common/pages/bounds_checks.h"

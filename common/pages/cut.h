@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "common/base/status.h"
 #include "common/pages/directory.h"
 
 namespace burnish {

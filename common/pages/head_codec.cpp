@@ -3,6 +3,7 @@
 #include <cstring>
 #include <string>
 
+#include "common/base/limits.h"
 #include "common/packing/checksum.h"
 #include "common/pages/bounds_checks.h"
 #include "common/pages/directory_codec.h"

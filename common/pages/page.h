@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/base/limits.h"
 #include "common/base/status.h"
 #include "common/base/types.h"
 #include "common/mesh/triangle_mesh.h"

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "common/base/limits.h"
 #include "common/pages/page.h"
 
 namespace burnish {

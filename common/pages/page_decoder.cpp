@@ -3,6 +3,7 @@
 #include <numeric>
 #include <string>
 
+#include "common/base/limits.h"
 #include "common/packing/byte_planes.h"
 #include "common/packing/zigzag.h"
 #include "common/packing/zstd_frame.h"

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <string>
 
+#include "common/base/limits.h"
 #include "common/pages/directory_codec.h"
 #include "common/pages/page_file.h"
 #include "common/pages/page_format.h"

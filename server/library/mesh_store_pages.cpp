@@ -2,7 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include "common/base/out_of_memory.h"
 #include "common/mesh/statistics.h"
 #include "server/library/mesh_store.h"
 #include "server/library/read_original.h"

@@ -5,9 +5,7 @@
 #include <filesystem>
 #include <unistd.h>
 
-#include "server/prepare/pages/build_pages.h"
 #include "tests/bench/bench_main.h"
-#include "tests/bench/timing.h"
 #include "tests/server/prepare/pages/crack_finder.h"
 #include "tests/server/prepare/pages/random_cut.h"
 

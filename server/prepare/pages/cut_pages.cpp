@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "common/base/limits.h"
-#include "common/base/parallel.h"
 #include "server/prepare/pages/kd_cut.h"
 #include "server/prepare/pages/triangle_runs.h"
 

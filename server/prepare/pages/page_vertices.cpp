@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/base/limits.h"
 #include "common/base/parallel.h"
 #include "common/grid/grid.h"
 #include "server/prepare/pages/plane_sides.h"

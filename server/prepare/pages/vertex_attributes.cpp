@@ -3,6 +3,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "common/base/limits.h"
 #include "common/base/parallel.h"
 #include "server/prepare/pages/local_vertices.h"
 

@@ -3,8 +3,8 @@
 #include <cstring>
 
 #include "common/base/check.h"
-#include "common/packing/zstd_frame.h"
 #include "common/frame_codec/frame_decoder.h"
+#include "common/packing/zstd_frame.h"
 
 namespace burnish {
 

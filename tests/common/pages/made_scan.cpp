@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "common/pages/directory_codec.h"
 #include "common/pages/page_codec.h"
 #include "tests/common/pages/made_pages.h"
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/base/limits.h"
 #include "tests/common/pages/made_pages.h"
 
 namespace burnish {
