@@ -47,7 +47,7 @@ TEST(ZstdFrame, AnotherSizeThanExpectedIsDataLoss) {
 TEST(ZstdFrame, BytesBehindTheFrameAreDataLoss) {
   std::vector<uint8_t> frame;
   append_compressed(rising_bytes(100), 1, frame);
-  frame.push_back(0);
+  frame.resize(frame.size() + 1);
   EXPECT_EQ(decompress(frame, 100).status().code(), StatusCode::kDataLoss);
 }
 

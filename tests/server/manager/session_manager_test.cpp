@@ -106,7 +106,7 @@ TEST_F(SessionManagerTest, ACellThatAnEditSetsTwiceIsRefusedAndNotStored) {
   };
   EXPECT_THAT(apply("one", {setting(2)}).status().message(), HasSubstr("twice"));
   EXPECT_THAT(apply("one", {setting(mesh->prepared->cells.size() + 1)}).status().message(),
-              HasSubstr("cells of " + std::to_string(mesh->prepared->cells.size())));
+              HasSubstr("the limit is " + std::to_string(mesh->prepared->cells.size())));
   EXPECT_EQ(journal_->edit_count(manager_->list()[0].id).value(), 0u);
   EXPECT_TRUE(apply("one", {setting(1)}).is_ok());
 }

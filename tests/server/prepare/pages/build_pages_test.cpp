@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/mesh/statistics.h"
+#include "server/prepare/pages/page_vertices.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/server/prepare/pages/pages_test_meshes.h"
 #include "tests/server/prepare/pages/read_pages.h"
@@ -60,11 +62,14 @@ std::multiset<Corners> level_0_of(const ReadPages& read) {
   return all;
 }
 
-std::multiset<Corners> corners_of(const TriangleMesh& mesh, const PageGrid& grid) {
+std::multiset<Corners> corners_of(const TriangleMesh& mesh) {
+  const MeshStatistics statistics = compute_statistics(mesh);
+  const PageVertices placed =
+      place_vertices({mesh.vertices, mesh.triangles, mesh.colours, statistics});
   std::multiset<Corners> all;
   for (const Triangle& t : mesh.triangles)
-    all.insert(corners_of({grid.quantise(mesh.vertices[t[0]]), grid.quantise(mesh.vertices[t[1]]),
-                           grid.quantise(mesh.vertices[t[2]])}));
+    all.insert(
+        corners_of({placed.positions[t[0]], placed.positions[t[1]], placed.positions[t[2]]}));
   return all;
 }
 
@@ -79,13 +84,13 @@ TEST_F(BuildPages, EveryLevelHasAtMostThreeQuartersOfTheFinerOneDownToOnePage) {
 TEST_F(BuildPages, Level0IsTheScan) {
   const TriangleMesh mesh = scan_of_kind("tablet", 20'000);
   const ReadPages read = pages_of(mesh);
-  EXPECT_EQ(level_0_of(read), corners_of(mesh, read.directory.head.grid));
+  EXPECT_EQ(level_0_of(read), corners_of(mesh));
 }
 
 TEST_F(BuildPages, VerticesOfOnePlaceStayApartAtLevel0AndAreJoinedAbove) {
   const TriangleMesh mesh = scan_of_kind("soup", 60'000);
   const ReadPages read = pages_of(mesh);
-  EXPECT_EQ(level_0_of(read), corners_of(mesh, read.directory.head.grid));
+  EXPECT_EQ(level_0_of(read), corners_of(mesh));
   for (const Page& page : read.pages) {
     if (read.directory.head.level_of(page.id) == 0)
       EXPECT_EQ(page.positions.size(), 3 * page.triangles.size());
@@ -191,7 +196,7 @@ TEST_F(BuildPages, AScanThatFitsAPageIsItsOwnRoot) {
   const TriangleMesh mesh = scan_of_kind("blob", 1'000);
   const ReadPages read = pages_of(mesh);
   EXPECT_EQ(read.pages.size(), 1u);
-  EXPECT_EQ(level_0_of(read), corners_of(mesh, read.directory.head.grid));
+  EXPECT_EQ(level_0_of(read), corners_of(mesh));
 }
 
 TEST_F(BuildPages, OneTriangleIsAPage) {
@@ -215,7 +220,7 @@ TEST_F(BuildPages, SurveysFarFromTheOriginHaveTheStepsThatTheyHaveAtIt) {
   const ReadPages far = pages_of(mesh);
   EXPECT_EQ(near.directory.head.grid.bits, far.directory.head.grid.bits);
   EXPECT_EQ(near.directory.head.level_pages, far.directory.head.level_pages);
-  EXPECT_EQ(level_0_of(far), corners_of(mesh, far.directory.head.grid));
+  EXPECT_EQ(level_0_of(far), corners_of(mesh));
 }
 
 TEST_F(BuildPages, HugeCoordinatesAreNoTrouble) {
