@@ -99,7 +99,8 @@ TEST_F(SessionDamageTest, ASessionWhoseRecordIsDamagedSaysSo) {
   damage("UPDATE sessions SET curvature_radius = 0.25");
   const Status status = manager_->state("one", {}).status();
   EXPECT_EQ(status.code(), StatusCode::kDataLoss);
-  EXPECT_THAT(status.message(), HasSubstr("row in the journal (its name, scan and depth) is damaged"));
+  EXPECT_THAT(status.message(),
+              HasSubstr("row in the journal (its name, scan and depth) is damaged"));
 }
 
 TEST_F(SessionDamageTest, ADamagedScanIsDeletedByItsFullId) {
