@@ -91,7 +91,7 @@ TEST(MeshStore, AnUploadAboveTheLimitIsRefusedWithBothNumbers) {
   TestLibrary library(options);
   const auto outcome = library.import(std::string(101, 'x'), "big");
   EXPECT_EQ(outcome.status().code(), StatusCode::kResourceExhausted);
-  EXPECT_THAT(outcome.status().message(), HasSubstr("101 bytes; upload_bytes_max is 100"));
+  EXPECT_THAT(outcome.status().message(), HasSubstr("101 bytes; limits.upload_bytes_max is 100"));
 }
 
 TEST(MeshStore, AMissingOrDamagedPreparedFileIsMadeAgain) {
