@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-static constexpr const char* kTitle = "Export the edited scan";
+static constexpr const char* kExportTitle = "Export the edited scan";
 
 static std::string suggested_path(const Document& document) {
   std::error_code error;
@@ -19,11 +19,11 @@ static std::string suggested_path(const Document& document) {
 void ExportDialog::draw(Workspace& workspace) {
   if (std::exchange(opening_, false)) {
     if (path_.empty()) path_ = suggested_path(*workspace.document());
-    ImGui::OpenPopup(kTitle);
+    ImGui::OpenPopup(kExportTitle);
   }
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
-  open_ = ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+  open_ = ImGui::BeginPopupModal(kExportTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize);
   if (!open_) return;
   ImGui::TextUnformatted("File (.ply, .obj or .stl)");
   ImGui::SetNextItemWidth(em(32));

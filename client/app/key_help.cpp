@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-static void row(const char* key, const char* what) {
+static void key_row(const char* key, const char* what) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextColored(theme::kAccent, "%s", key);
@@ -13,13 +13,13 @@ static void row(const char* key, const char* what) {
 }
 
 static void draw_mouse_rows() {
-  row("Left", "Paint with the brush");
-  row("Ctrl+Left", "Paint the opposite: sharpen instead of smooth");
-  row("Shift+Left", "Restore the original (β = 1)");
-  row("Middle, Alt+Left", "Turn");
-  row("Shift+Middle, Right", "Move");
-  row("Wheel", "Zoom at the cursor");
-  row("Space (hold)", "Show the original");
+  key_row("Left", "Paint with the brush");
+  key_row("Ctrl+Left", "Paint the opposite: sharpen instead of smooth");
+  key_row("Shift+Left", "Restore the original (β = 1)");
+  key_row("Middle, Alt+Left", "Turn");
+  key_row("Shift+Middle, Right", "Move");
+  key_row("Wheel", "Zoom at the cursor");
+  key_row("Space (hold)", "Show the original");
 }
 
 void draw_key_help(const Bindings& bindings, bool& is_open) {
@@ -31,7 +31,7 @@ void draw_key_help(const Bindings& bindings, bool& is_open) {
     if (ImGui::BeginTable("##keys", 2, ImGuiTableFlags_SizingFixedFit)) {
       draw_mouse_rows();
       for (const ActionInfo& info : actions())
-        row(bindings.key_of(info.action).c_str(), info.description.data());
+        key_row(bindings.key_of(info.action).c_str(), info.description.data());
       ImGui::EndTable();
     }
   }

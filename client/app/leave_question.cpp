@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-static constexpr const char* kTitle = "Edits are not saved yet";
+static constexpr const char* kQuestion = "Edits are not saved yet";
 
 static const char* reason(LinkState link) {
   switch (link) {
@@ -24,10 +24,10 @@ static const char* reason(LinkState link) {
 void draw_leave_question(const Workspace& workspace, Leaving::Step step, Leaving& leaving) {
   const bool is_waiting = step == Leaving::Step::kWait;
   const bool is_wanted = is_waiting || step == Leaving::Step::kAsk;
-  if (is_wanted && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+  if (is_wanted && !ImGui::IsPopupOpen(kQuestion)) ImGui::OpenPopup(kQuestion);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
-  if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+  if (!ImGui::BeginPopupModal(kQuestion, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
   const LinkState link = workspace.link();
   ImGui::Text("%s yet.", unsaved_text(workspace.unsaved_edits()).c_str());
   faint_text("%s", reason(link));

@@ -10,7 +10,7 @@ namespace burnish {
 
 namespace {
 
-struct Options {
+struct DescribeOptions {
   ServerOption server;
   std::string scan;
   int depth = 0;
@@ -51,7 +51,7 @@ void print(const PreparedDescription& prepared) {
               prepared.histogram_range);
 }
 
-Status run(const Options& options) {
+Status run(const DescribeOptions& options) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   ASSIGN_OR_RETURN(const ScanDescription description,
                    connection.describe_scan(options.scan, options.depth));
@@ -67,7 +67,7 @@ Status run(const Options& options) {
 }  // namespace
 
 void add_describe_command(CommandTable& table) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DescribeOptions>();
   CLI::App* command = table.add("describe", "Show what the server knows about a scan",
                                 [options] { return run(*options); });
   command->add_option("SCAN", options->scan, "Name, id, or the beginning of an id")->required();

@@ -13,7 +13,7 @@ namespace burnish {
 
 namespace {
 
-struct Options {
+struct EditOptions {
   ServerOption server;
   std::string session;
   std::optional<double> beta;
@@ -25,7 +25,7 @@ struct Options {
 };
 
 /// Makes the edits in the order of application: metric, gradient scale, paint, cells.
-Result<std::vector<Edit>> make_edits(const Options& options) {
+Result<std::vector<Edit>> make_edits(const EditOptions& options) {
   std::vector<Edit> edits;
   const std::string prefix = options.id.empty() ? random_id() : options.id;
   const auto add = [&](auto change) {
@@ -48,7 +48,7 @@ Result<std::vector<Edit>> make_edits(const Options& options) {
   return edits;
 }
 
-Status run(const Options& options) {
+Status run(const EditOptions& options) {
   ASSIGN_OR_RETURN(const std::vector<Edit> edits, make_edits(options));
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   ASSIGN_OR_RETURN(const ApplyOutcome outcome, connection.apply(options.session, edits));
@@ -62,7 +62,7 @@ Status run(const Options& options) {
   return Status::ok();
 }
 
-void add_change_options(CLI::App& command, Options& options) {
+void add_change_options(CLI::App& command, EditOptions& options) {
   CLI::Option_group* changes = command.add_option_group("Changes", "At least one of them");
   changes->require_option(1, 0);
   changes->add_option("--beta", options.beta, "Gradient scale: < 1 smooths, 1 keeps, > 1 sharpens")
@@ -85,7 +85,7 @@ void add_change_options(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_edit_command(CommandTable& table) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EditOptions>();
   CLI::App* command = table.add("edit", "Change a session", [options] { return run(*options); });
   command->add_option("SESSION", options->session, "Name or id")->required();
   add_change_options(*command, *options);

@@ -10,7 +10,7 @@ namespace burnish {
 
 namespace {
 
-struct Options {
+struct ExportOptions {
   ServerOption server;
   std::string session;
   std::string out;
@@ -25,7 +25,7 @@ void print(const ExportSummary& summary, const std::string& out) {
               summary.assemble_seconds + summary.solve_seconds, summary.distance);
 }
 
-Status run(const Options& options) {
+Status run(const ExportOptions& options) {
   ExportWish wish = options.wish;
   ASSIGN_OR_RETURN(wish.format, mesh_format_of_path(options.out));
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
@@ -44,7 +44,7 @@ Status run(const Options& options) {
 }  // namespace
 
 void add_export_command(CommandTable& table) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   CLI::App* command =
       table.add("export", "Write a session's edited mesh", [options] { return run(*options); });
   command->add_option("SESSION", options->session, "Name or id")->required();

@@ -9,12 +9,12 @@ namespace burnish {
 
 namespace {
 
-struct Options {
+struct GenerateOptions {
   GeneratedScan scan;
   std::string out;
 };
 
-Status run(const Options& options) {
+Status run(const GenerateOptions& options) {
   ASSIGN_OR_RETURN(const TriangleMesh mesh, generate_scan(options.scan));
   RETURN_IF_ERROR(write_mesh(mesh, options.out));
   std::cout << options.out << ": " << mesh.vertices.size() << " vertices, " << mesh.triangles.size()
@@ -25,7 +25,7 @@ Status run(const Options& options) {
 }  // namespace
 
 void add_generate_command(CommandTable& table) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GenerateOptions>();
   CLI::App* command =
       table.add("generate", "Write a generated scan", [options] { return run(*options); });
   std::string kinds = "Kinds:";

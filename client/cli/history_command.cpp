@@ -12,7 +12,7 @@ namespace burnish {
 
 namespace {
 
-struct Options {
+struct HistoryOptions {
   ServerOption server;
   std::string session;
   std::vector<uint64_t> off, on;
@@ -27,7 +27,7 @@ std::string local_time(int64_t unix_ms) {
   return text;
 }
 
-Status switch_entries(const Options& options, Connection& connection) {
+Status switch_entries(const HistoryOptions& options, Connection& connection) {
   std::vector<Edit> edits;
   for (const uint64_t entry : options.off)
     edits.push_back({random_id(), SwitchEntry{entry, false}});
@@ -35,7 +35,7 @@ Status switch_entries(const Options& options, Connection& connection) {
   return edits.empty() ? Status::ok() : connection.apply(options.session, edits).status();
 }
 
-Status run(const Options& options) {
+Status run(const HistoryOptions& options) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   RETURN_IF_ERROR(switch_entries(options, connection));
   ASSIGN_OR_RETURN(const std::vector<HistoryEntry> history, connection.history(options.session));
@@ -58,7 +58,7 @@ Status run(const Options& options) {
 }  // namespace
 
 void add_history_command(CommandTable& table) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<HistoryOptions>();
   CLI::App* command = table.add("history", "List a session's edits; switch some off or on",
                                 [options] { return run(*options); });
   command->add_option("SESSION", options->session, "Name or id")->required();

@@ -11,7 +11,7 @@ namespace burnish {
 
 namespace {
 
-struct Options {
+struct ImportOptions {
   ServerOption server;
   std::string file;
   std::string name;
@@ -26,7 +26,7 @@ void print(const ImportOutcome& outcome) {
             << "\n";
 }
 
-Status run(const Options& options) {
+Status run(const ImportOptions& options) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   const std::string name =
       options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name;
@@ -46,7 +46,7 @@ Status run(const Options& options) {
 }  // namespace
 
 void add_import_command(CommandTable& table) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ImportOptions>();
   CLI::App* command = table.add("import", "Send a scan to the server, which prepares and keeps it",
                                 [options] { return run(*options); });
   command->add_option("SCAN", options->file, "Mesh file: .ply, .obj, .stl or .off")->required();

@@ -9,7 +9,7 @@ namespace burnish {
 
 namespace {
 
-void print(const ScanInfo& scan) {
+void print_line(const ScanInfo& scan) {
   std::string depths;
   for (const PreparedInfo& prepared : scan.prepared)
     depths += (depths.empty() ? "" : ",") + std::to_string(prepared.key.depth);
@@ -29,7 +29,7 @@ Status run(const ServerOption& option) {
     return Status::ok();
   }
   std::printf("%-12s  %10s  %10s  %-8s  %s\n", "id", "vertices", "triangles", "depths", "name");
-  for (const ScanInfo& scan : scans) print(scan);
+  for (const ScanInfo& scan : scans) print_line(scan);
   return Status::ok();
 }
 

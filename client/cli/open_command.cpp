@@ -9,12 +9,12 @@ namespace burnish {
 
 namespace {
 
-struct Options {
+struct OpenOptions {
   ServerOption server;
   SessionWish wish;
 };
 
-Status run(const Options& options) {
+Status run(const OpenOptions& options) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   ASSIGN_OR_RETURN(const OpenedSession opened, connection.open_session(options.wish));
   const SessionInfo& session = opened.session;
@@ -33,7 +33,7 @@ Status run(const Options& options) {
 }  // namespace
 
 void add_open_command(CommandTable& table) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<OpenOptions>();
   CLI::App* command = table.add("open", "Open a session over a scan, or attach to it",
                                 [options] { return run(*options); });
   command->add_option("SCAN", options->wish.scan, "Name, id, or the beginning of an id")

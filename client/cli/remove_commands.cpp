@@ -9,13 +9,13 @@ namespace burnish {
 
 namespace {
 
-struct Options {
+struct RemoveOptions {
   ServerOption server;
   std::string subject;
   bool forget = false;
 };
 
-Status close_session(const Options& options) {
+Status close_session(const RemoveOptions& options) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   RETURN_IF_ERROR(options.forget ? connection.delete_session(options.subject)
                                  : connection.close_session(options.subject));
@@ -28,7 +28,7 @@ Status close_session(const Options& options) {
   return Status::ok();
 }
 
-Status delete_scan(const Options& options) {
+Status delete_scan(const RemoveOptions& options) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   ASSIGN_OR_RETURN(const std::string id, connection.delete_scan(options.subject));
   if (options.server.json) {
@@ -42,7 +42,7 @@ Status delete_scan(const Options& options) {
 }  // namespace
 
 void add_close_command(CommandTable& table) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RemoveOptions>();
   CLI::App* command = table.add("close", "Unload a session from memory; its edits stay",
                                 [options] { return close_session(*options); });
   command->add_option("SESSION", options->subject, "Name or id")->required();
@@ -51,7 +51,7 @@ void add_close_command(CommandTable& table) {
 }
 
 void add_delete_command(CommandTable& table) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RemoveOptions>();
   CLI::App* command = table.add("delete", "Delete a scan that no session edits",
                                 [options] { return delete_scan(*options); });
   command->add_option("SCAN", options->subject, "Name, id, or the beginning of an id")->required();

@@ -9,7 +9,7 @@ namespace burnish {
 
 namespace {
 
-struct Options {
+struct SessionsOptions {
   ServerOption server;
   std::string session;
 };
@@ -55,7 +55,7 @@ Status show(Connection& connection, const std::string& name, bool json) {
   return Status::ok();
 }
 
-Status run(const Options& options) {
+Status run(const SessionsOptions& options) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   return options.session.empty() ? list(connection, options.server.json)
                                  : show(connection, options.session, options.server.json);
@@ -64,7 +64,7 @@ Status run(const Options& options) {
 }  // namespace
 
 void add_sessions_command(CommandTable& table) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SessionsOptions>();
   CLI::App* command = table.add("sessions", "List the server's sessions, or show one",
                                 [options] { return run(*options); });
   command->add_option("SESSION", options->session, "Name or id of the one to show");

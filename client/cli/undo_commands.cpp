@@ -13,7 +13,7 @@ namespace burnish {
 
 namespace {
 
-struct Options {
+struct UndoOptions {
   ServerOption server;
   std::string session;
   size_t steps = 1;
@@ -22,7 +22,7 @@ struct Options {
 };
 
 /// Prints in words what each edit changed.
-Status print_outcome(Connection& connection, const Options& options, const char* done,
+Status print_outcome(Connection& connection, const UndoOptions& options, const char* done,
                      const std::vector<uint64_t>& numbers) {
   ASSIGN_OR_RETURN(const std::vector<HistoryEntry> history, connection.history(options.session));
   auto array = nlohmann::ordered_json::array();
@@ -41,14 +41,14 @@ Status print_outcome(Connection& connection, const Options& options, const char*
 }
 
 template <typename Change>
-Status apply_steps(const Options& options, const Change& change, const char* done) {
+Status apply_steps(const UndoOptions& options, const Change& change, const char* done) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   const std::vector<Edit> edits = make_edits_of(options.steps, change);
   ASSIGN_OR_RETURN(const ApplyOutcome outcome, connection.apply(options.session, edits));
   return print_outcome(connection, options, done, outcome.entries);
 }
 
-Status set_or_restore(const Options& options) {
+Status set_or_restore(const UndoOptions& options) {
   if (!options.restore) return apply_steps(options, SetCheckpoint{options.checkpoint}, "set");
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   const std::vector<Edit> edits = make_edits_of(1, RestoreCheckpoint{options.checkpoint});
@@ -61,7 +61,7 @@ Status set_or_restore(const Options& options) {
   return Status::ok();
 }
 
-void add_steps_option(CLI::App& command, Options& options, const char* description) {
+void add_steps_option(CLI::App& command, UndoOptions& options, const char* description) {
   command.add_option("SESSION", options.session, "Name or id")->required();
   command.add_option("--steps", options.steps, description)
       ->check(CLI::Range(size_t{1}, kEditsPerFrameMax))
@@ -72,21 +72,21 @@ void add_steps_option(CLI::App& command, Options& options, const char* descripti
 }  // namespace
 
 void add_undo_command(CommandTable& table) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<UndoOptions>();
   CLI::App* command = table.add("undo", "Undo your last edits of a session; edits of others stay",
                                 [=] { return apply_steps(*options, Undo{}, "undone"); });
   add_steps_option(*command, *options, "How many edits");
 }
 
 void add_redo_command(CommandTable& table) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<UndoOptions>();
   CLI::App* command = table.add("redo", "Redo the edits that you undid last",
                                 [=] { return apply_steps(*options, Redo{}, "redone"); });
   add_steps_option(*command, *options, "How many edits");
 }
 
 void add_checkpoint_command(CommandTable& table) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<UndoOptions>();
   CLI::App* command = table.add("checkpoint", "Name a session's state, or go back to a named one",
                                 [options] { return set_or_restore(*options); });
   command->add_option("SESSION", options->session, "Name or id")->required();

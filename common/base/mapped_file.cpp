@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-static Result<size_t> size_of_regular_file(int fd, const std::filesystem::path& path) {
+static Result<size_t> size_to_map(int fd, const std::filesystem::path& path) {
   struct stat status;
   if (fstat(fd, &status) != 0) return errno_status("cannot examine " + path.string(), errno);
   if (S_ISDIR(status.st_mode))
@@ -24,7 +24,7 @@ Result<MappedFile> MappedFile::open(const std::filesystem::path& path) {
   // Without O_NONBLOCK open() would wait at a pipe that nobody writes to.
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (fd < 0) return errno_status("cannot open " + path.string(), errno);
-  const Result<size_t> size = size_of_regular_file(fd, path);
+  const Result<size_t> size = size_to_map(fd, path);
   void* data = nullptr;
   int map_error = 0;
   if (size.is_ok() && *size > 0) {

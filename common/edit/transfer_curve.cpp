@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-static std::string number(double x) {
+static std::string shortest(double x) {
   char text[32];
   const auto [end, error] = std::to_chars(text, text + sizeof text, x);
   return error == std::errc() ? std::string(text, end) : "?";
@@ -17,8 +17,8 @@ static std::string number(double x) {
 
 static Status check_range(const char* what, double x, double min, double max) {
   if (x >= min && x <= max) return Status::ok();  // false for NaN
-  return invalid_argument(std::string(what) + " " + number(x) + " is outside " + number(min) +
-                          ".." + number(max));
+  return invalid_argument(std::string(what) + " " + shortest(x) + " is outside " + shortest(min) +
+                          ".." + shortest(max));
 }
 
 Status check_alpha(double alpha) {
@@ -52,13 +52,14 @@ Result<TransferCurve> TransferCurve::create(std::vector<Point> points) {
     RETURN_IF_ERROR(check_point(i, points[i]));
     if (i > 0 && !(points[i].kappa > points[i - 1].kappa))
       return invalid_argument("curve point " + std::to_string(i + 1) + ": kappa " +
-                              number(points[i].kappa) + " must be above the kappa before it, " +
-                              number(points[i - 1].kappa));
+                              shortest(points[i].kappa) + " must be above the kappa before it, " +
+                              shortest(points[i - 1].kappa));
   }
   TransferCurve curve(std::move(points));
   if (curve.contrast() > kCurveContrastMax * (1 + 1e-12))
     return invalid_argument("curve contrast (largest over least alpha) " +
-                            number(curve.contrast()) + " is above " + number(kCurveContrastMax));
+                            shortest(curve.contrast()) + " is above " +
+                            shortest(kCurveContrastMax));
   return curve;
 }
 
@@ -120,7 +121,7 @@ std::string TransferCurve::to_string() const {
   std::string text;
   for (const Point& point : points_) {
     if (!text.empty()) text += ',';
-    text += number(point.kappa) + ":" + number(point.alpha);
+    text += shortest(point.kappa) + ":" + shortest(point.alpha);
   }
   return text;
 }

@@ -9,7 +9,7 @@
 namespace burnish {
 namespace {
 
-v1::FallOff to_wire(FallOff fall_off) {
+v1::FallOff fall_off_to_wire(FallOff fall_off) {
   switch (fall_off) {
     case FallOff::kSmooth:
       return v1::FALL_OFF_SMOOTH;
@@ -23,7 +23,7 @@ v1::FallOff to_wire(FallOff fall_off) {
   return v1::FALL_OFF_UNSPECIFIED;
 }
 
-Result<FallOff> from_wire(v1::FallOff fall_off) {
+Result<FallOff> fall_off_from_wire(v1::FallOff fall_off) {
   switch (fall_off) {
     case v1::FALL_OFF_SMOOTH:
       return FallOff::kSmooth;
@@ -40,13 +40,13 @@ Result<FallOff> from_wire(v1::FallOff fall_off) {
                           " is none of 1 (smooth), 2 (linear), 3 (sharp), 4 (constant)");
 }
 
-Result<Stroke> from_wire(const v1::Stroke& message) {
+Result<Stroke> stroke_from_wire(const v1::Stroke& message) {
   Stroke stroke;
   stroke.brush.radius = message.brush().radius();
   stroke.brush.strength = message.brush().strength();
   stroke.brush.beta = message.brush().beta();
-  ASSIGN_OR_RETURN(stroke.brush.fall_off, from_wire(message.brush().fall_off()));
-  for (const v1::Point& point : message.path()) stroke.path.push_back(burnish::from_wire(point));
+  ASSIGN_OR_RETURN(stroke.brush.fall_off, fall_off_from_wire(message.brush().fall_off()));
+  for (const v1::Point& point : message.path()) stroke.path.push_back(from_wire(point));
   return stroke;
 }
 
@@ -58,13 +58,11 @@ struct ChangeWriter {
     message.mutable_gradient_scale()->set_beta(change.beta);
   }
   void operator()(const SetTransferCurve& change) const {
-    *message.mutable_transfer_curve() = burnish::to_wire(change.curve);
+    *message.mutable_transfer_curve() = to_wire(change.curve);
   }
-  void operator()(const Stroke& stroke) const {
-    *message.mutable_stroke() = burnish::to_wire(stroke);
-  }
+  void operator()(const Stroke& stroke) const { *message.mutable_stroke() = to_wire(stroke); }
   void operator()(const SetCellFields& change) const {
-    *message.mutable_cell_fields() = burnish::to_wire(change, 0, change.cells.size());
+    *message.mutable_cell_fields() = to_wire(change, 0, change.cells.size());
   }
   void operator()(const Undo&) const { message.mutable_undo(); }
   void operator()(const Redo&) const { message.mutable_redo(); }
@@ -87,12 +85,12 @@ Status read_change(const v1::Edit& message, Edit& edit) {
       edit.change = SetGradientScale{message.gradient_scale().beta()};
       return Status::ok();
     case v1::Edit::kTransferCurve: {
-      ASSIGN_OR_RETURN(TransferCurve curve, burnish::from_wire(message.transfer_curve()));
+      ASSIGN_OR_RETURN(TransferCurve curve, from_wire(message.transfer_curve()));
       edit.change = SetTransferCurve{std::move(curve)};
       return Status::ok();
     }
     case v1::Edit::kStroke: {
-      ASSIGN_OR_RETURN(edit.change, from_wire(message.stroke()));
+      ASSIGN_OR_RETURN(edit.change, stroke_from_wire(message.stroke()));
       return Status::ok();
     }
     case v1::Edit::kCellFields:
@@ -135,7 +133,7 @@ v1::Stroke to_wire(const Stroke& stroke) {
   brush->set_radius(stroke.brush.radius);
   brush->set_strength(stroke.brush.strength);
   brush->set_beta(stroke.brush.beta);
-  brush->set_fall_off(to_wire(stroke.brush.fall_off));
+  brush->set_fall_off(fall_off_to_wire(stroke.brush.fall_off));
   for (const Vec3d& point : stroke.path) *message.add_path() = to_wire(point);
   return message;
 }

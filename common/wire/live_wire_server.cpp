@@ -127,7 +127,7 @@ Result<HistoryState> read_history(const v1::HistoryChanged& message) {
 using AnyServerMessage = std::optional<ServerMessage>;
 
 template <typename Part>
-Result<AnyServerMessage> whole(Result<Part> part) {
+Result<AnyServerMessage> whole_answer(Result<Part> part) {
   if (!part.is_ok()) return part.status();
   return AnyServerMessage(std::move(part).value());
 }
@@ -157,7 +157,7 @@ Result<AnyServerMessage> from_wire(v1::ServerMessage message) {
       return AnyServerMessage(
           ProgressReport{message.progress().phase(), message.progress().fraction()});
     case v1::ServerMessage::kWelcome:
-      return whole(read_welcome(message.welcome()));
+      return whole_answer(read_welcome(message.welcome()));
     case v1::ServerMessage::kFrame:
       return AnyServerMessage(LiveFrame{std::move(*message.mutable_frame()->mutable_data()),
                                         read_stats(message.frame())});
@@ -167,9 +167,9 @@ Result<AnyServerMessage> from_wire(v1::ServerMessage message) {
     case v1::ServerMessage::kRefused:
       return AnyServerMessage(read_refused(message.refused()));
     case v1::ServerMessage::kHistory:
-      return whole(read_history(message.history()));
+      return whole_answer(read_history(message.history()));
     case v1::ServerMessage::kPeople:
-      return whole(from_wire(message.people()));
+      return whole_answer(from_wire(message.people()));
     case v1::ServerMessage::kHeartbeat:
       return AnyServerMessage(Heartbeat{message.heartbeat().client_time_us()});
     case v1::ServerMessage::kGoAway:

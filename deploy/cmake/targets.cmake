@@ -1,5 +1,6 @@
 # The packages of the whole tree, and the two functions that make a folder a target.
 
+set(THREADS_PREFER_PTHREAD_FLAG ON)  # gRPC has it too, and precompiled headers need one set of flags
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 if(BURNISH_OPENMP)
@@ -56,11 +57,18 @@ if(BURNISH_SANITIZE MATCHES thread)
 endif()
 target_link_libraries(burnish_options INTERFACE burnish_sanitizer)
 
-# burnish_folder(NAME SOURCES a.cpp ... DEPENDS burnish_base ...): one folder, one static library.
+include(deploy/cmake/full_build.cmake)
+
+# burnish_folder(NAME [HOT] SOURCES a.cpp ... DEPENDS burnish_base ...): one folder, one static
+# library. HOT: its loops take the time of an edit.
 function(burnish_folder name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "HOT" "" "SOURCES;DEPENDS" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC burnish_options ${arg_DEPENDS})
+  burnish_precompile(${name} burnish_base ${burnish_common_headers})
+  if(NOT arg_HOT)
+    burnish_unity(${name})
+  endif()
 endfunction()
 
 # burnish_test(NAME SOURCES a_test.cpp ... DEPENDS burnish_mesh ...): one test program.
@@ -68,6 +76,8 @@ function(burnish_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gtest GTest::gmock GTest::gtest_main)
+  burnish_precompile(${name} base_test ${burnish_common_headers} <gmock/gmock.h> <gtest/gtest.h>)
+  burnish_unity(${name})
   set(properties TIMEOUT 600 ENVIRONMENT OMP_WAIT_POLICY=passive)  # tests run side by side
   if(BURNISH_SANITIZE MATCHES thread)
     # The programs that a test starts inherit this too.

@@ -36,13 +36,6 @@ class StagingFolder {
   fs::path path_;
 };
 
-Status move_path(const fs::path& from, const fs::path& to) {
-  std::error_code error;
-  fs::rename(from, to, error);
-  return error ? errno_status("cannot move " + from.string() + " to " + to.string(), error.value())
-               : Status::ok();
-}
-
 Status make_folders(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);

@@ -12,7 +12,7 @@ namespace burnish {
 
 namespace fs = std::filesystem;
 
-static Status move_path(const fs::path& from, const fs::path& to) {
+Status move_path(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
   return error ? errno_status("cannot move " + from.string() + " to " + to.string(), error.value())

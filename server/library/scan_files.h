@@ -8,6 +8,9 @@
 
 namespace burnish {
 
+/// Moves a file or a folder within a file system. Fails with a message that names both paths.
+Status move_path(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// Reads a scan's stored original and compares its SHA-256 with the scan's id. Fails: data_loss if
 /// it differs or is missing; the message names the file and the remedy.
 Status check_original(const std::filesystem::path& folder, const ScanInfo& scan);

@@ -90,14 +90,14 @@ TEST_P(AgainstReference, APaintedSphereMeetsTheBars) {
   EXPECT_LE(exact.rms, kExportRms);
 }
 
-std::string case_name(const testing::TestParamInfo<Case>& info) {
+std::string reference_case_name(const testing::TestParamInfo<Case>& info) {
   return std::get<0>(info.param).name + "_" + std::get<1>(info.param).name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, AgainstReference,
                          testing::Combine(testing::ValuesIn(backend_cases()),
                                           testing::ValuesIn(filters())),
-                         case_name);
+                         reference_case_name);
 
 }  // namespace
 }  // namespace burnish

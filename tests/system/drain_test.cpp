@@ -19,8 +19,8 @@ constexpr char kHealth[] = "/grpc.health.v1.Health/Check";
 const std::string kNotServing = "\x08\x02";  // field 1, NOT_SERVING
 
 /// An import that waits for its chunks.
-struct Import {
-  Import(const std::string& address, uint64_t size_bytes)
+struct LongImport {
+  LongImport(const std::string& address, uint64_t size_bytes)
       : library(v1::Library::NewStub(wire_channel(address))), stream(library->Import(&context)) {
     v1::ImportRequest request;
     request.mutable_header()->set_name("test");
@@ -64,7 +64,7 @@ TEST(Drain, LetsRunningCallsEndAndLetsNobodyElseIn) {
   const auto channel = wire_channel(server.address);
   ASSERT_TRUE(call(channel, {kHealth, {""}}).status.ok());
   const std::string scan = content_of(write_sphere(folder));
-  Import import(server.address, scan.size());
+  LongImport import(server.address, scan.size());
 
   server.process->signal(SIGTERM);
   ASSERT_TRUE(server.process->wait_for_output("draining; 1 running calls", kPatience));
@@ -86,7 +86,7 @@ TEST(Drain, LetsRunningCallsEndAndLetsNobodyElseIn) {
 TEST(Drain, CancelsWhatDoesNotEndInTime) {
   const TemporaryFolder folder;
   ServerProcess server(drain_seconds(folder, 0));
-  Import import(server.address, 1000);
+  LongImport import(server.address, 1000);
   server.process->signal(SIGTERM);
   EXPECT_FALSE(import.finish().ok());
   EXPECT_EQ(server.process->wait(kPatience), 0) << server.process->output();
@@ -96,7 +96,7 @@ TEST(Drain, CancelsWhatDoesNotEndInTime) {
 TEST(Drain, ASecondSignalEndsAtOnce) {
   const TemporaryFolder folder;
   ServerProcess server(drain_seconds(folder, 600));
-  Import import(server.address, 1000);
+  LongImport import(server.address, 1000);
   server.process->signal(SIGTERM);
   ASSERT_TRUE(server.process->wait_for_output("draining", kPatience));
   for (int i = 0; i < 1000 && !server.process->wait(std::chrono::milliseconds(20)); ++i)

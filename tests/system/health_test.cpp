@@ -15,14 +15,14 @@ grpc::ByteBuffer to_buffer(const string& bytes) {
   return {&slice, 1};
 }
 
-string to_bytes(grpc::ByteBuffer& buffer) {
+string bytes_of(grpc::ByteBuffer& buffer) {
   grpc::Slice slice;
   return buffer.DumpToSingleSlice(&slice).ok() ? string(slice.begin(), slice.end()) : string();
 }
 
 /// Calls a method by its name with raw bytes, as a client in any language may: one request, one
 /// answer.
-string call(const string& address, const string& method, const string& request) {
+string answer_to(const string& address, const string& method, const string& request) {
   const auto channel = grpc::CreateChannel(address, grpc::InsecureChannelCredentials());
   grpc::GenericStub stub(channel);
   grpc::ClientContext context;
@@ -40,7 +40,7 @@ string call(const string& address, const string& method, const string& request) 
   if (!wait()) return "no write";
   grpc::ByteBuffer answer;
   stream->Read(&answer, nullptr);
-  const string bytes = wait() ? to_bytes(answer) : "no answer";
+  const string bytes = wait() ? bytes_of(answer) : "no answer";
   context.TryCancel();
   grpc::Status status;
   stream->Finish(&status, nullptr);
@@ -52,14 +52,14 @@ TEST(Health, TheServerAndBothServicesServe) {
   const ServerProcess server;
   const string method = "/grpc.health.v1.Health/Check";
   const string serving = "\x08\x01";  // field 1, SERVING
-  EXPECT_EQ(call(server.address, method, ""), serving);
-  EXPECT_EQ(call(server.address, method,
-                 "\x0a\x12"
-                 "burnish.v1.Library"),
+  EXPECT_EQ(answer_to(server.address, method, ""), serving);
+  EXPECT_EQ(answer_to(server.address, method,
+                      "\x0a\x12"
+                      "burnish.v1.Library"),
             serving);
-  EXPECT_EQ(call(server.address, method,
-                 "\x0a\x12"
-                 "burnish.v1.Editing"),
+  EXPECT_EQ(answer_to(server.address, method,
+                      "\x0a\x12"
+                      "burnish.v1.Editing"),
             serving);
 }
 
@@ -67,8 +67,8 @@ TEST(Reflection, NamesTheServices) {
   const ServerProcess server;
   const string list_services("\x3a\x00", 2);  // field 7, empty
   const string answer =
-      call(server.address, "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo",
-           list_services);
+      answer_to(server.address, "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo",
+                list_services);
   EXPECT_THAT(answer, testing::HasSubstr("burnish.v1.Library"));
   EXPECT_THAT(answer, testing::HasSubstr("burnish.v1.Editing"));
 }

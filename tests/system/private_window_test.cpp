@@ -17,8 +17,8 @@
 namespace burnish {
 namespace {
 
-constexpr ImageSize kScreen{1280, 720};
-constexpr int kPictureX = 660, kPictureY = 380, kReach = 100;
+constexpr ImageSize kDesktop{1280, 720};
+constexpr int kBrushX = 660, kBrushY = 380, kBrushReach = 100;
 
 bool eventually(const std::function<bool()>& holds) {
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
@@ -52,10 +52,10 @@ class PrivateWindow {
   bool shows_clay() {
     const Image image = screen.capture();
     long warmth = 0;
-    for (int y = kPictureY - kReach; y < kPictureY + kReach; ++y)
-      for (int x = kPictureX - kReach; x < kPictureX + kReach; ++x)
+    for (int y = kBrushY - kBrushReach; y < kBrushY + kBrushReach; ++y)
+      for (int x = kBrushX - kBrushReach; x < kBrushX + kBrushReach; ++x)
         warmth += int{image.pixel(x, y)[0]} - int{image.pixel(x, y)[2]};
-    return warmth > 5L * (2 * kReach) * (2 * kReach);
+    return warmth > 5L * (2 * kBrushReach) * (2 * kBrushReach);
   }
 
   bool until_it_shows_clay() {
@@ -63,10 +63,10 @@ class PrivateWindow {
   }
 
   void paint() {
-    screen.drag(kPictureX - 60, kPictureY, kPictureX + 60, kPictureY);
+    screen.drag(kBrushX - 60, kBrushY, kBrushX + 60, kBrushY);
   }
 
-  XDisplay screen{kScreen};
+  XDisplay screen{kDesktop};
   std::unique_ptr<Process> process;
 
  private:
@@ -120,11 +120,11 @@ TEST_F(PrivateWindows, OneComesBackWithItsEditsWhenTheServerIsKilled) {
   PrivateWindow window(data_, {scan_.string()});
   ASSERT_TRUE(window.until_it_shows_clay()) << window.process->output();
   const pid_t server = data_.server();
-  window.screen.move(kPictureX - 60, kPictureY);
+  window.screen.move(kBrushX - 60, kBrushY);
   window.screen.press(1);
-  for (int x = kPictureX - 60; x <= kPictureX + 60; x += 10) {
-    window.screen.move(x, kPictureY);
-    if (x == kPictureX) kill(server, SIGKILL);
+  for (int x = kBrushX - 60; x <= kBrushX + 60; x += 10) {
+    window.screen.move(x, kBrushY);
+    if (x == kBrushX) kill(server, SIGKILL);
   }
   window.screen.release(1);
   EXPECT_TRUE(until_edits_are(1)) << window.process->output();

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 constexpr char kFolder[] = SOURCE_ROOT "/tests/system/";
 
-CommandOutcome run(const TemporaryFolder& folder, const std::vector<std::string>& words) {
+CommandOutcome run_soak(const TemporaryFolder& folder, const std::vector<std::string>& words) {
   Process process(words, folder / "output");
   const int exit_code = process.wait(kPatience).value_or(-1);
   return {exit_code, process.output()};
@@ -25,9 +25,9 @@ CommandOutcome slope_of(const std::function<double(int)>& megabytes_at) {
   std::string readings;
   for (int minute = 0; minute <= 60; ++minute)
     readings += std::to_string(60 * minute) + " " + std::to_string(megabytes_at(minute)) + "\n";
-  return run(folder,
-             {"/usr/bin/env", "awk", "-v", "limit=10", "-v", "floor=2", "-f",
-              std::string(kFolder) + "slope.awk", folder.write("readings", readings).string()});
+  return run_soak(
+      folder, {"/usr/bin/env", "awk", "-v", "limit=10", "-v", "floor=2", "-f",
+               std::string(kFolder) + "slope.awk", folder.write("readings", readings).string()});
 }
 
 TEST(Slope, WarmingUpAndAFewPeaksAreNoLeak) {
@@ -50,9 +50,10 @@ TEST(Soak, CatchesAServerThatLosesMemoryWithEachConnection) {
 #endif
   const TemporaryFolder folder;
   const std::string programs = std::filesystem::path(BURNISH_BINARY).parent_path().string();
-  const CommandOutcome outcome = run(folder, {"/usr/bin/env", "BURNISH_BIN=" + programs,
-                                              std::string("BURNISH_SOAK_PRELOAD=") + LEAK_LIBRARY,
-                                              std::string(kFolder) + "soak", "0", "0.5"});
+  const CommandOutcome outcome =
+      run_soak(folder, {"/usr/bin/env", "BURNISH_BIN=" + programs,
+                        std::string("BURNISH_SOAK_PRELOAD=") + LEAK_LIBRARY,
+                        std::string(kFolder) + "soak", "0", "0.5"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("FAILED: resident memory grows"));
 }

@@ -21,7 +21,7 @@ using grpc::StatusCode;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr char kListScans[] = "/burnish.v1.Library/ListScans";
+constexpr char kListScansMethod[] = "/burnish.v1.Library/ListScans";
 
 std::string hex(const TokenHash& hash) {
   std::string text;
@@ -52,7 +52,7 @@ class UsersTest : public testing::Test {
   }
 
   grpc::Status list_as(const std::string& token) {
-    return call(channel_, {kListScans, {""}, token}).status;
+    return call(channel_, {kListScansMethod, {""}, token}).status;
   }
 
   double refusals(const std::string& reason) const {

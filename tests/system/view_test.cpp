@@ -50,7 +50,7 @@ TEST_F(Views, OfAProxyHaveNoMoreTrianglesThanAskedFor) {
 TEST_F(Views, AreFetchedUntilCancelled) {
   const Progress cancel = [](std::string_view, double) { return false; };
   EXPECT_EQ(connection_.fetch_view({"ball", {5, 0}}, cancel).status().code(),
-            StatusCode::kCancelled);
+            burnish::StatusCode::kCancelled);
   EXPECT_TRUE(connection_.fetch_view({"ball", {5, 0}}, {}).is_ok());
 }
 
@@ -76,7 +76,8 @@ TEST_F(Views, CellsHaveTheValuesOfTheSession) {
   for (const float kappa : values(CellValue::kKappa1)) mean += kappa / static_cast<double>(count);
   // 1/r times L = sqrt(4 pi r^2).
   EXPECT_NEAR(mean, 3.545, 0.05);
-  EXPECT_EQ(connection_.cells("none", CellValue::kBeta).status().code(), StatusCode::kNotFound);
+  EXPECT_EQ(connection_.cells("none", CellValue::kBeta).status().code(),
+            burnish::StatusCode::kNotFound);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace burnish {
 
 static constexpr const char* kXvfb = "/usr/bin/Xvfb";
-static constexpr std::chrono::seconds kPatience{60};
+static constexpr std::chrono::seconds kScreenPatience{60};
 // Between two events: the window is another process, which handles all of a picture's at once, and
 // does not say when.
 static constexpr auto kHumanPause = std::chrono::milliseconds(15);
@@ -36,7 +36,7 @@ XDisplay::XDisplay(const ImageSize& size) : size_(size) {
   server_ = std::make_unique<Process>(std::vector<std::string>{kXvfb, "-displayfd", "1", "-screen",
                                                                "0", screen, "-nolisten", "tcp"},
                                       folder_ / "xvfb.log");
-  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  const auto deadline = std::chrono::steady_clock::now() + kScreenPatience;
   while (name_.empty() && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     name_ = announced_display(server_->output());
@@ -68,7 +68,7 @@ bool XDisplay::has_window() {
 }
 
 void XDisplay::focus_window() {
-  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  const auto deadline = std::chrono::steady_clock::now() + kScreenPatience;
   while (std::chrono::steady_clock::now() < deadline) {
     window_ = find_window();
     if (window_ != 0) break;

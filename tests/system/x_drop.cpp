@@ -10,7 +10,7 @@
 namespace burnish {
 namespace {
 
-constexpr std::chrono::seconds kPatience{60};
+constexpr std::chrono::seconds kDropPatience{60};
 constexpr long kXdndVersion = 5;
 
 /// A drop from its own hidden window onto another window.
@@ -51,7 +51,7 @@ class Drop {
 
   // Sends the names on request until this answer comes.
   void serve_until(const char* answer) const {
-    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    const auto deadline = std::chrono::steady_clock::now() + kDropPatience;
     while (std::chrono::steady_clock::now() < deadline) {
       XEvent event;
       if (XCheckTypedWindowEvent(display_, source_, SelectionRequest, &event))

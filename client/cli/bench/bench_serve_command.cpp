@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::chrono::seconds kSettlePatience{300};
 
-struct Options {
+struct BenchOptions {
   ServerOption server;
   std::vector<std::string> sessions;
   int clients = 1;
@@ -47,7 +47,7 @@ Result<std::shared_ptr<const View>> fetch_view_of(Connection& connection,
   return std::make_shared<const View>(std::move(view));
 }
 
-Result<Load> connect_clients(const Options& options, const LoadMix& mix) {
+Result<Load> connect_clients(const BenchOptions& options, const LoadMix& mix) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   std::map<std::string, std::shared_ptr<const View>> views;
   for (const std::string& session : options.sessions) {
@@ -113,7 +113,7 @@ Status check_session(Connection& connection, const std::string& session, Load& l
   return Status::ok();
 }
 
-Result<LoadChecks> check(const Options& options, Load& load) {
+Result<LoadChecks> check(const BenchOptions& options, Load& load) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   LoadChecks checks;
   checks.clients_agree = checks.replay_agrees = true;
@@ -127,7 +127,7 @@ Result<LoadChecks> check(const Options& options, Load& load) {
   return checks;
 }
 
-Status bench(const Options& options) {
+Status bench(const BenchOptions& options) {
   ASSIGN_OR_RETURN(const LoadMix mix, parse_load_mix(options.mix));
   ASSIGN_OR_RETURN(Load load, connect_clients(options, mix));
   for (Load::Seat& seat : load.seats)
@@ -148,7 +148,7 @@ Status bench(const Options& options) {
 }  // namespace
 
 void add_bench_command(CommandTable& table) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BenchOptions>();
   CLI::App* command = table.add("bench", "Measure a server", [options] { return bench(*options); });
   command->require_subcommand(1);
   CLI::App* serve = command->add_subcommand(

@@ -8,7 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string refusal(const std::string& text) {
+std::string field_refusal(const std::string& text) {
   const auto fields = parse_cell_fields(text, "c.txt");
   return fields.is_ok() ? "accepted" : fields.status().message();
 }
@@ -24,12 +24,12 @@ TEST(CellFieldFile, LinesAreReadAndFurtherColumnsPassedOver) {
 }
 
 TEST(CellFieldFile, ErrorsNameFileAndLine) {
-  EXPECT_THAT(refusal("1 2 3 4 5\n"), HasSubstr("c.txt:1: a line must be"));
-  EXPECT_THAT(refusal("1 2 3 4 5 1\n1.5 2 3 4 5 1\n"),
+  EXPECT_THAT(field_refusal("1 2 3 4 5\n"), HasSubstr("c.txt:1: a line must be"));
+  EXPECT_THAT(field_refusal("1 2 3 4 5 1\n1.5 2 3 4 5 1\n"),
               HasSubstr("c.txt:2: '1.5' is not an integer"));
-  EXPECT_THAT(refusal("1 2 3 0 5 1\n"), HasSubstr("c.txt:1: alpha1: alpha 0"));
-  EXPECT_THAT(refusal("1 2 3 4 5 nan\n"), HasSubstr("outside 0..10"));
-  EXPECT_THAT(refusal(""), HasSubstr("c.txt has no cells"));
+  EXPECT_THAT(field_refusal("1 2 3 0 5 1\n"), HasSubstr("c.txt:1: alpha1: alpha 0"));
+  EXPECT_THAT(field_refusal("1 2 3 4 5 nan\n"), HasSubstr("outside 0..10"));
+  EXPECT_THAT(field_refusal(""), HasSubstr("c.txt has no cells"));
 }
 
 }  // namespace

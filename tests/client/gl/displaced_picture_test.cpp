@@ -9,7 +9,7 @@
 namespace burnish {
 namespace {
 
-constexpr ImageSize kSize{400, 300};
+constexpr ImageSize kDisplacedSize{400, 300};
 
 class DisplacedPicture : public testing::Test {
  protected:
@@ -30,7 +30,7 @@ class DisplacedPicture : public testing::Test {
   }
 
   Image draw(const DrawStyle& style = {}) {
-    EXPECT_TRUE(renderer_->draw(camera_, kSize, style).is_ok());
+    EXPECT_TRUE(renderer_->draw(camera_, kDisplacedSize, style).is_ok());
     return std::move(renderer_->read_pixels()).value();
   }
 
@@ -136,10 +136,10 @@ TEST_F(DisplacedPicture, ARingIsDrawnAroundItsCentreAndATintInside) {
   const Vec3d front = mesh_.box.center() + Vec3d(0, 0, 1);
   const Image plain = draw();
   const Image ring = draw({.rings = {{front, 0.4, Vec3f(1, 0, 0)}}});
-  const Eigen::Vector2d edge = pixel_of(camera_, kSize, front + Vec3d(0.392, 0, -0.08));
+  const Eigen::Vector2d edge = pixel_of(camera_, kDisplacedSize, front + Vec3d(0.392, 0, -0.08));
   int red = 0;  // the ring is several pixels wide
   for (int x = int(edge.x()) - 4; x <= int(edge.x()) + 4; ++x) {
-    const uint8_t* rgb = ring.pixel(x, kSize.height / 2);
+    const uint8_t* rgb = ring.pixel(x, kDisplacedSize.height / 2);
     red += rgb[0] > 200 && rgb[1] < 80;
   }
   EXPECT_GT(red, 0);
@@ -157,13 +157,14 @@ TEST_F(DisplacedPicture, ARingHoldsWhatTheBrushChangesWhereverItIsNow) {
   const Vec3d front = mesh_.box.center() + Vec3d(0, 0, 1);
   const Image ring = draw({.rings = {{front, 0.4, Vec3f(1, 0, 0)}}});
   int drawn = 0;
-  for (int y = 0; y < kSize.height; ++y) {
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kDisplacedSize.height; ++y) {
+    for (int x = 0; x < kDisplacedSize.width; ++x) {
       const uint8_t* rgb = ring.pixel(x, y);
       if (rgb[0] < 200 || rgb[1] > 80) continue;
-      const auto triangle = std::move(renderer_->pick(camera_, kSize, {x, y}, false)).value();
+      const auto triangle =
+          std::move(renderer_->pick(camera_, kDisplacedSize, {x, y}, false)).value();
       ASSERT_TRUE(triangle.has_value());
-      const Ray ray = pixel_ray(camera_, kSize, Eigen::Vector2d(x + 0.5, y + 0.5));
+      const Ray ray = pixel_ray(camera_, kDisplacedSize, Eigen::Vector2d(x + 0.5, y + 0.5));
       const auto hit = point_on_triangle({mesh_, displacements}, ray, *triangle);
       ASSERT_TRUE(hit.has_value());
       EXPECT_NEAR((hit->original - front).norm(), 0.4, 0.04) << x << " " << y;
@@ -183,14 +184,16 @@ TEST_F(DisplacedPicture, PicksTheTriangleThatAllTriangleTestsFind) {
     DisplacedSurface surface{mesh_, displacements};
     if (original) surface.displacements = {};
     int hits = 0, same = 0;
-    for (int y = 5; y < kSize.height; y += 20) {
-      for (int x = 5; x < kSize.width; x += 20) {
-        const auto found = std::move(renderer_->pick(camera_, kSize, {x, y}, original)).value();
-        const auto expected = std::move(reference.pick(camera_, kSize, {x, y}, original)).value();
+    for (int y = 5; y < kDisplacedSize.height; y += 20) {
+      for (int x = 5; x < kDisplacedSize.width; x += 20) {
+        const auto found =
+            std::move(renderer_->pick(camera_, kDisplacedSize, {x, y}, original)).value();
+        const auto expected =
+            std::move(reference.pick(camera_, kDisplacedSize, {x, y}, original)).value();
         hits += expected.has_value();
         same += found == expected;
         if (!found || !expected) continue;
-        const Ray ray = pixel_ray(camera_, kSize, Eigen::Vector2d(x + 0.5, y + 0.5));
+        const Ray ray = pixel_ray(camera_, kDisplacedSize, Eigen::Vector2d(x + 0.5, y + 0.5));
         const auto a = point_on_triangle(surface, ray, *found);
         const auto b = nearest_hit(surface, ray);
         ASSERT_TRUE(a && b);

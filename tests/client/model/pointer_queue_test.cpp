@@ -14,11 +14,11 @@ TEST(PointerQueue, ADragBetweenTwoPicturesIsSeenFromItsBeginningToItsEnd) {
   for (int x = 6; x <= 9; ++x) pointer.move({x, 0});
   pointer.press(0, false);
   pointer.move({20, 0});
-  struct Step {
+  struct Picture {
     double x;
     bool down;
   };
-  for (const Step& step : {Step{5, false}, {5, true}, {9, true}, {9, false}, {20, false}}) {
+  for (const Picture& step : {Picture{5, false}, {5, true}, {9, true}, {9, false}, {20, false}}) {
     EXPECT_TRUE(pointer.has_more());
     const PointerQueue::State& state = pointer.next();
     EXPECT_EQ(state.place.x(), step.x);

@@ -7,11 +7,11 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr MeshFormat kObj = MeshFormat::kObj;
-const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string kObjSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST(ObjReader, ReadsPolygonsInEveryCornerForm) {
   const std::string content =
-      "# a square\nmtllib m.mtl\no square\n" + kSquare +
+      "# a square\nmtllib m.mtl\no square\n" + kObjSquare +
       "vt 0 0\nvn 0 0 1\ng one\nusemtl red\ns 1\n"
       "f 1 2 3 4\nf 1/1 2/1 3/1\nf 1//1 2//1 3//1\nf 1/1/1 2/1/1 4/1/1 # the last\nl 1 2\n";
   for (const std::string& text : {content, with_crlf(content), "\xEF\xBB\xBF" + content}) {
@@ -26,12 +26,12 @@ TEST(ObjReader, ReadsPolygonsInEveryCornerForm) {
 }
 
 TEST(ObjReader, NegativeIndicesCountBackFromTheLastVertex) {
-  const TriangleMesh mesh = parsed(kObj, kSquare + "f -4 -3 -2\nv 5 5 5\nf -4/-1 -3/-1 -1/-1");
+  const TriangleMesh mesh = parsed(kObj, kObjSquare + "f -4 -3 -2\nv 5 5 5\nf -4/-1 -3/-1 -1/-1");
   EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{1, 2, 4}));
 }
 
 TEST(ObjReader, FacesMayComeBeforeTheirVertices) {
-  EXPECT_THAT(parsed(kObj, "f 1 2 3\n" + kSquare).triangles, ElementsAre(Triangle{0, 1, 2}));
+  EXPECT_THAT(parsed(kObj, "f 1 2 3\n" + kObjSquare).triangles, ElementsAre(Triangle{0, 1, 2}));
 }
 
 TEST(ObjReader, BackslashContinuesALine) {
@@ -74,7 +74,7 @@ TEST(ObjReader, RefusesBadCoordinates) {
 }
 
 TEST(ObjReader, RefusesBadCorners) {
-  const auto refused = [](const std::string& face) { return refusal(kObj, kSquare + face); };
+  const auto refused = [](const std::string& face) { return refusal(kObj, kObjSquare + face); };
   EXPECT_THAT(refused("f 1 2\n"), HasSubstr("line 5: face 0 has 2 corners; a face needs at least"));
   EXPECT_THAT(refused("f\n"), HasSubstr("face 0 has 0 corners"));
   EXPECT_THAT(refused("f 1 2 0\n"), HasSubstr("refers to vertex 0; OBJ counts vertices from 1"));
@@ -89,13 +89,13 @@ TEST(ObjReader, RefusesBadCorners) {
 
 TEST(ObjReader, RefusesFilesWithoutFaces) {
   EXPECT_THAT(refusal(kObj, ""), HasSubstr("scan: the file is empty"));
-  EXPECT_THAT(refusal(kObj, kSquare), HasSubstr("scan: mesh has no triangles"));
+  EXPECT_THAT(refusal(kObj, kObjSquare), HasSubstr("scan: mesh has no triangles"));
   EXPECT_THAT(refusal(kObj, "not a mesh at all"), HasSubstr("scan: mesh has no triangles"));
   EXPECT_THAT(refusal(kObj, "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), HasSubstr("no area"));
 }
 
 TEST(ObjReader, RefusesOverlongLines) {
-  EXPECT_THAT(refusal(kObj, kSquare + std::string(1 << 20, '#') + "x\nf 1 2 3\n"),
+  EXPECT_THAT(refusal(kObj, kObjSquare + std::string(1 << 20, '#') + "x\nf 1 2 3\n"),
               HasSubstr("line 5 has 1048577 bytes, the limit is 1048576"));
 }
 

@@ -7,12 +7,12 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr MeshFormat kOff = MeshFormat::kOff;
-const std::string kSquare = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string kOffSquare = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 TEST(OffReader, ReadsCountsOnTheFirstLineOrTheNext) {
   for (const std::string start :
        {"OFF\n4 2 0\n", "OFF 4 2\n", "# c\n\nOFF # c\n# c\n\n4 2 5 # c\n"}) {
-    const std::string content = start + kSquare + "# faces\n4 0 1 2 3 255 0 0\n3 1 1 2";
+    const std::string content = start + kOffSquare + "# faces\n4 0 1 2 3 255 0 0\n3 1 1 2";
     for (const std::string& text : {content, with_crlf(content), content + "\nnoise\n"}) {
       const TriangleMesh mesh = parsed(kOff, text);
       EXPECT_THAT(mesh.vertices,
@@ -59,16 +59,16 @@ TEST(OffReader, RefusesBadCounts) {
   EXPECT_THAT(refusal(kOff, "OFF\n-4 1 0\n"),
               HasSubstr("the vertex count -4 is outside 0 to 2147483648"));
   EXPECT_THAT(refusal(kOff, "OFF\n4 3000000000 0\n"), HasSubstr("the face count 3000000000 is"));
-  EXPECT_THAT(refusal(kOff, "OFF\n2000000000 1 0\n" + kSquare),
+  EXPECT_THAT(refusal(kOff, "OFF\n2000000000 1 0\n" + kOffSquare),
               HasSubstr("promises 2000000000 vertices and 1 faces, at least 12000000001 bytes, "
                         "but only 24 follow"));
 }
 
 TEST(OffReader, TruncatedFilesNameWhatIsMissing) {
-  const std::string content = "OFF\n4 2 0\n" + kSquare + "3 0 1 2  \n3 0 2 3";
+  const std::string content = "OFF\n4 2 0\n" + kOffSquare + "3 0 1 2  \n3 0 2 3";
   EXPECT_THAT(refusal(kOff, content.substr(0, content.size() - 7)),
               HasSubstr("line 7: the file ends before face 1 of 2"));
-  EXPECT_THAT(refusal(kOff, "OFF\n4 1 0\n" + kSquare.substr(0, 18) + "      \n"),
+  EXPECT_THAT(refusal(kOff, "OFF\n4 1 0\n" + kOffSquare.substr(0, 18) + "      \n"),
               HasSubstr("the file ends before vertex 3 of 4"));
   EXPECT_THAT(refusal(kOff, content.substr(0, content.size() - 2)),
               HasSubstr("line 8: face 1 has 2 of its 3 corners"));
@@ -78,7 +78,7 @@ TEST(OffReader, TruncatedFilesNameWhatIsMissing) {
 
 TEST(OffReader, RefusesBadFaces) {
   const auto refused = [](const std::string& face) {
-    return refusal(kOff, "OFF\n4 1 0\n" + kSquare + face + "\n");
+    return refusal(kOff, "OFF\n4 1 0\n" + kOffSquare + face + "\n");
   };
   EXPECT_THAT(refused("2 0 1"), HasSubstr("line 7: face 0 has 2 corners; a face needs at least 3"));
   EXPECT_THAT(refused("-3 0 1 2"), HasSubstr("face 0 has -3 corners"));
@@ -102,7 +102,7 @@ TEST(OffReader, RefusesBadCoordinates) {
 }
 
 TEST(OffReader, RefusesFilesWithoutFacesAndOverlongLines) {
-  EXPECT_THAT(refusal(kOff, "OFF\n4 0 0\n" + kSquare), HasSubstr("mesh has no triangles"));
+  EXPECT_THAT(refusal(kOff, "OFF\n4 0 0\n" + kOffSquare), HasSubstr("mesh has no triangles"));
   EXPECT_THAT(refusal(kOff, "OFF\n" + std::string((1 << 20) + 1, ' ') + "\n4 0 0\n"),
               HasSubstr("line 2 has 1048577 bytes, the limit is 1048576"));
 }

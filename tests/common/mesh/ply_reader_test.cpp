@@ -20,10 +20,10 @@ std::string header(const std::string& format, int64_t vertices, int64_t faces) {
          kXyz + "element face " + std::to_string(faces) + "\n" + kFaceList + "end_header\n";
 }
 
-const std::string kSquare = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string kPlySquare = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 std::string square_with_faces(const std::string& faces) {
-  return header("ascii", 4, std::count(faces.begin(), faces.end(), '\n')) + kSquare + faces;
+  return header("ascii", 4, std::count(faces.begin(), faces.end(), '\n')) + kPlySquare + faces;
 }
 
 /// Returns an ascii mesh of one triangle whose x has the declared type and this text.
@@ -115,7 +115,7 @@ TEST(PlyReader, StripsAlternateRestartAtMinusOneAndDropTheirJoints) {
   const std::string start = "ply\nformat ascii 1.0\nelement vertex 4\n" + std::string(kXyz) +
                             "element tristrips 1\nproperty list int int vertex_indices\n"
                             "end_header\n" +
-                            kSquare;
+                            kPlySquare;
   EXPECT_THAT(parsed(kPly, start + "4 0 1 3 2\n").triangles,
               ElementsAre(Triangle{0, 1, 3}, Triangle{3, 1, 2}));
   EXPECT_THAT(parsed(kPly, start + "8 0 1 3 -1 1\n2 3 -1\n").triangles,
@@ -236,7 +236,8 @@ TEST(PlyReader, RefusesHeadersWithoutPositionsOrFaces) {
               HasSubstr("element 'vertex' has no numeric property 'z'"));
   EXPECT_THAT(refusal(kPly, start + "element vertex 0\nproperty list uchar float x\nend_header\n"),
               HasSubstr("no numeric property 'x'"));
-  EXPECT_THAT(refusal(kPly, header("ascii", 4, 0) + kSquare), HasSubstr("no faces, only points"));
+  EXPECT_THAT(refusal(kPly, header("ascii", 4, 0) + kPlySquare),
+              HasSubstr("no faces, only points"));
   EXPECT_THAT(refusal(kPly, start + "element vertex 0\n" + kXyz +
                                 "element face 1\nproperty int vertex_indices\nend_header\n0 0\n"),
               HasSubstr("element 'face' has no integer list 'vertex_indices'"));
@@ -246,7 +247,7 @@ TEST(PlyReader, AbsurdCountsAreRefusedBeforeMemoryIsTaken) {
   EXPECT_THAT(refusal(kPly, header("binary_little_endian", 2'000'000'000, 1) + triangle_body()),
               AllOf(HasSubstr("promises 2000000000 of element 'vertex', at least 12 bytes each"),
                     HasSubstr("49 of the file's"), HasSubstr("vertex 4 is not complete")));
-  EXPECT_THAT(refusal(kPly, header("ascii", 4, 2'000'000'000) + kSquare),
+  EXPECT_THAT(refusal(kPly, header("ascii", 4, 2'000'000'000) + kPlySquare),
               HasSubstr("promises 2000000000 of element 'face', at least 2 bytes each"));
   EXPECT_THAT(refusal(kPly,
                       "ply\nformat binary_big_endian 1.0\nelement big 9223372036854775807\n"

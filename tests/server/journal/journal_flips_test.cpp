@@ -18,7 +18,7 @@ namespace burnish {
 namespace {
 
 constexpr int kSessions = 3;
-constexpr uint64_t kEdits = 100;
+constexpr uint64_t kFlippedEdits = 100;
 
 std::string id_of(int session) {
   return "0123456789abcde" + std::to_string(session);
@@ -44,7 +44,7 @@ void write_journal(const std::filesystem::path& path) {
                                       1234},
                                      SessionRoles::of_new_session("ann"))
                     .is_ok());
-  for (uint64_t number = 1; number <= kEdits; ++number)
+  for (uint64_t number = 1; number <= kFlippedEdits; ++number)
     for (int session = 0; session < kSessions; ++session)
       ASSERT_TRUE(journal->append(id_of(session), number, {edit_of(number)}).is_ok());
 }

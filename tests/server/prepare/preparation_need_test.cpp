@@ -83,9 +83,9 @@ INSTANTIATE_TEST_SUITE_P(Shapes, PreparationPeak,
                                          Case{"soup", 30000, 8}, Case{"fan", 20000, 8},
                                          Case{"sheets", 20000, 8}, Case{"part", 20000, 8},
                                          Case{"blob", 100000, 5}),
-                         [](const auto& info) {
-                           return info.param.kind + std::to_string(info.param.vertices) +
-                                  "AtDepth" + std::to_string(info.param.depth);
+                         [](const auto& test) {
+                           return test.param.kind + std::to_string(test.param.vertices) +
+                                  "AtDepth" + std::to_string(test.param.depth);
                          });
 
 TEST(Preparation, ThatDoesNotFitNamesDepthBytesLimitAndTheDeepestDepthThatDoes) {

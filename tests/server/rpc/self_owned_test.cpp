@@ -5,14 +5,14 @@
 namespace burnish {
 namespace {
 
-class Call : public SelfOwned<Call> {
+class OwnedCall : public SelfOwned<OwnedCall> {
  public:
-  explicit Call(bool& is_alive) : is_alive_(is_alive) { is_alive_ = true; }
-  ~Call() { is_alive_ = false; }
+  explicit OwnedCall(bool& is_alive) : is_alive_(is_alive) { is_alive_ = true; }
+  ~OwnedCall() { is_alive_ = false; }
 
   void begin() {}
   void end() { release(); }
-  std::shared_ptr<Call> work() { return self(); }
+  std::shared_ptr<OwnedCall> work() { return self(); }
 
  private:
   bool& is_alive_;
@@ -20,7 +20,7 @@ class Call : public SelfOwned<Call> {
 
 TEST(SelfOwned, ACallWithoutWorkGoesWithItsEnd) {
   bool is_alive = false;
-  Call* call = Call::start(is_alive);
+  OwnedCall* call = OwnedCall::start(is_alive);
   EXPECT_TRUE(is_alive);
   call->end();
   EXPECT_FALSE(is_alive);
@@ -28,8 +28,8 @@ TEST(SelfOwned, ACallWithoutWorkGoesWithItsEnd) {
 
 TEST(SelfOwned, WorkUnderWayMayAskForMoreAfterTheCallsEnd) {
   bool is_alive = false;
-  Call* call = Call::start(is_alive);
-  std::shared_ptr<Call> work = call->work();
+  OwnedCall* call = OwnedCall::start(is_alive);
+  std::shared_ptr<OwnedCall> work = call->work();
   call->end();
   EXPECT_TRUE(is_alive);
   EXPECT_EQ(call->work(), work);

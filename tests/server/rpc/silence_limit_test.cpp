@@ -11,8 +11,8 @@ namespace {
 using std::chrono::milliseconds;
 
 /// A call with a limit.
-struct Call : std::enable_shared_from_this<Call> {
-  explicit Call(milliseconds limit) : silence(limit) {}
+struct TimedCall : std::enable_shared_from_this<TimedCall> {
+  explicit TimedCall(milliseconds limit) : silence(limit) {}
   void start() {
     silence.start(weak_from_this(), [this](const Status& status) { ended.set_value(status); });
   }
@@ -21,7 +21,7 @@ struct Call : std::enable_shared_from_this<Call> {
 };
 
 TEST(SilenceLimit, TellsOfAClientThatIsWaitedForAndSendsNothing) {
-  const auto call = std::make_shared<Call>(milliseconds(1));
+  const auto call = std::make_shared<TimedCall>(milliseconds(1));
   call->start();
   call->silence.wait();
   const Status status = call->ended.get_future().get();
@@ -31,11 +31,11 @@ TEST(SilenceLimit, TellsOfAClientThatIsWaitedForAndSendsNothing) {
 }
 
 TEST(SilenceLimit, WhoIsNotWaitedForMayBeSilent) {
-  const auto busy = std::make_shared<Call>(milliseconds(1));
+  const auto busy = std::make_shared<TimedCall>(milliseconds(1));
   busy->start();
   busy->silence.wait();
   const bool was_in_time = busy->silence.heard();  // may be false on a slow machine
-  const auto other = std::make_shared<Call>(milliseconds(1));
+  const auto other = std::make_shared<TimedCall>(milliseconds(1));
   other->start();
   other->silence.wait();
   other->ended.get_future().wait();  // by now the first one's alarm has also rung
@@ -43,7 +43,7 @@ TEST(SilenceLimit, WhoIsNotWaitedForMayBeSilent) {
 }
 
 TEST(SilenceLimit, ACallThatIsGoneHearsNothing) {
-  auto call = std::make_shared<Call>(milliseconds(1));
+  auto call = std::make_shared<TimedCall>(milliseconds(1));
   call->start();
   call->silence.wait();
   call->silence.stop();

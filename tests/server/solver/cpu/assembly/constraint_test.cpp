@@ -10,7 +10,7 @@
 namespace burnish::cpu {
 namespace {
 
-using Vector = std::vector<Double3>;
+using Doubles = std::vector<Double3>;
 
 /// A constraint of the system's metric, and its vectors.
 struct Assembled {
@@ -26,14 +26,14 @@ struct Assembled {
       : Assembled(system, finest, Double3::Zero(), Double3::Zero()) {}
 
   Constraint constraint;
-  Vector b, r;
+  Doubles b, r;
 };
 
-Vector constraint_of(const TestSystem& system, const CpuDepth& finest) {
+Doubles constraint_of(const TestSystem& system, const CpuDepth& finest) {
   return Assembled(system, finest).b;
 }
 
-double largest(const Vector& b) {
+double largest(const Doubles& b) {
   double most = 0;
   for (const Double3& at : b) most = std::max(most, at.abs().maxCoeff());
   return most;
@@ -76,12 +76,12 @@ TEST(Constraint, AfterADabIsBitForBitWhatAFullSumGives) {
   system.fields.set_gradient_scale(0.5);
   const auto depths = system.assembled();
   Assembled dabbed(system, depths.back());
-  const Vector undabbed = dabbed.b;
+  const Doubles undabbed = dabbed.b;
   dabbed.r.assign(undabbed.size(), Double3::Zero());
 
   system.fields.paint({{.radius = 0.3, .strength = 1, .beta = 2}, {system.prepared->vertices[0]}});
   dabbed.constraint.assemble(system.fields.view(), dabbed.b, dabbed.r);
-  const Vector full = constraint_of(system, depths.back());
+  const Doubles full = constraint_of(system, depths.back());
   size_t changed = 0;
   for (size_t i = 0; i < full.size(); ++i) {
     ASSERT_TRUE((dabbed.b[i] == full[i]).all());
@@ -100,7 +100,7 @@ TEST(Constraint, AfterSlidersAndPaintInTurnIsWhatAFullSumGives) {
   Assembled edited(system, depths.back());
   const auto expect_sound = [&](const char* edit) {
     edited.constraint.assemble(system.fields.view(), edited.b, edited.r);
-    const Vector full = constraint_of(system, depths.back());
+    const Doubles full = constraint_of(system, depths.back());
     const double least = 1e-14 * largest(full);
     for (size_t i = 0; i < full.size(); ++i) {
       ASSERT_LE((edited.b[i] - full[i]).abs().maxCoeff(), least) << edit;
@@ -138,7 +138,7 @@ TEST(Constraint, AfterANewMetricWithTheSameRatiosIsBitForBitWhatAFullSumGives) {
   const FieldsView view = system.fields.view();
   edited.constraint.set_ratio(ratios_of(system.fields.alphas()));
   edited.constraint.assemble(view, edited.b, edited.r);
-  const Vector full = constraint_of(system, depths.back());
+  const Doubles full = constraint_of(system, depths.back());
   for (size_t i = 0; i < full.size(); ++i) ASSERT_TRUE((edited.b[i] == full[i]).all()) << i;
 }
 

@@ -51,7 +51,7 @@ class PatchSolverTest : public testing::Test {
   std::optional<PatchSolver> solver_;
 };
 
-double dot(const Vector& x, const Vector& y) {
+double product(const Vector& x, const Vector& y) {
   double sum = 0;
   for (size_t i = 0; i < x.size(); ++i) sum += (x[i].cast<double>() * y[i].cast<double>()).sum();
   return sum;
@@ -83,10 +83,10 @@ TEST_F(PatchSolverTest, TouchesNoOtherCorner) {
 
 TEST_F(PatchSolverTest, BackwardsIsTheTransposeOfForwards) {
   const Vector f = noise(3), g = noise(4);
-  const double one = dot(g, relaxed_from_zero(f, &PatchSolver::relax_forwards));
-  const double other = dot(f, relaxed_from_zero(g, &PatchSolver::relax_backwards));
-  const double norm = std::sqrt(dot(f, relaxed_from_zero(f, &PatchSolver::relax_forwards)) *
-                                dot(g, relaxed_from_zero(g, &PatchSolver::relax_forwards)));
+  const double one = product(g, relaxed_from_zero(f, &PatchSolver::relax_forwards));
+  const double other = product(f, relaxed_from_zero(g, &PatchSolver::relax_backwards));
+  const double norm = std::sqrt(product(f, relaxed_from_zero(f, &PatchSolver::relax_forwards)) *
+                                product(g, relaxed_from_zero(g, &PatchSolver::relax_forwards)));
   EXPECT_NEAR(one / norm, other / norm, 1e-3);
 }
 
