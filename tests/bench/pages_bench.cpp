@@ -79,7 +79,8 @@ Status check_cuts(const std::string& name, const std::filesystem::path& path, Be
     cracks += finder.count_cracks(cut);
     pages += static_cast<size_t>(std::ranges::count(cut, 1));
   }
-  table.add({name, kCuts, number(pages) / kCuts, number(finder.count_misfits()), number(cracks)});
+  table.add(
+      {name, number(kCuts), number(pages) / kCuts, number(finder.count_misfits()), number(cracks)});
   return Status::ok();
 }
 

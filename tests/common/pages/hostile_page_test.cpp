@@ -28,7 +28,7 @@ std::string spoilt(Spoil spoil) {
 
 /// Returns what check_page() says of two triangles that `spoil` has changed.
 template <typename Spoil>
-std::string checked(Spoil spoil) {
+std::string checked_page(Spoil spoil) {
   Page page = two_triangles();
   spoil(page);
   return check_page(page).message();
@@ -83,33 +83,34 @@ TEST(HostilePage, ACoordinateOutsideEveryLatticeIsNamed) {
 }
 
 TEST(PageChecks, LimitsAreNamed) {
-  EXPECT_EQ(checked([](Page&) {}), "");
-  EXPECT_THAT(checked([](Page& p) { p.positions.resize(2049, Vec3i::Zero()); }),
+  EXPECT_EQ(checked_page([](Page&) {}), "");
+  EXPECT_THAT(checked_page([](Page& p) { p.positions.resize(2049, Vec3i::Zero()); }),
               HasSubstr("2049 vertices, it must be 1..2048"));
-  EXPECT_THAT(checked([](Page& p) {
+  EXPECT_THAT(checked_page([](Page& p) {
                 p.triangles.resize(4097, {0, 1, 2});
               }),
               HasSubstr("4097 triangles, it must be 1..4096"));
-  EXPECT_THAT(checked([](Page& p) { p.border_vertices = 5; }), HasSubstr("5 border vertices"));
-  EXPECT_THAT(checked([](Page& p) { p.positions[1].x() = 1 << 24; }), HasSubstr("16777216"));
-  EXPECT_THAT(checked([](Page& p) { p.positions[1].x() = -1; }), HasSubstr("vertex 1 lies at -1"));
-  EXPECT_THAT(checked([](Page& p) { p.colours.resize(3); }), HasSubstr("3 colours"));
+  EXPECT_THAT(checked_page([](Page& p) { p.border_vertices = 5; }), HasSubstr("5 border vertices"));
+  EXPECT_THAT(checked_page([](Page& p) { p.positions[1].x() = 1 << 24; }), HasSubstr("16777216"));
+  EXPECT_THAT(checked_page([](Page& p) { p.positions[1].x() = -1; }),
+              HasSubstr("vertex 1 lies at -1"));
+  EXPECT_THAT(checked_page([](Page& p) { p.colours.resize(3); }), HasSubstr("3 colours"));
 }
 
 TEST(PageChecks, PatchesThatCannotBeAreNamed) {
-  EXPECT_THAT(checked([](Page& p) { p.patches.clear(); }), HasSubstr("0 patches"));
-  EXPECT_THAT(checked([](Page& p) { p.patches[0].triangles = 3; }), HasSubstr("3 triangles"));
-  EXPECT_THAT(checked([](Page& p) {
+  EXPECT_THAT(checked_page([](Page& p) { p.patches.clear(); }), HasSubstr("0 patches"));
+  EXPECT_THAT(checked_page([](Page& p) { p.patches[0].triangles = 3; }), HasSubstr("3 triangles"));
+  EXPECT_THAT(checked_page([](Page& p) {
                 p.patches = {{kNoPage, 2}, {kNoPage, 0}};
               }),
               HasSubstr("2 patches of level 0"));
-  EXPECT_THAT(checked([](Page& p) { p.patches = {{0, 2}}; }), HasSubstr("is not finer"));
-  EXPECT_THAT(checked([](Page& p) {
+  EXPECT_THAT(checked_page([](Page& p) { p.patches = {{0, 2}}; }), HasSubstr("is not finer"));
+  EXPECT_THAT(checked_page([](Page& p) {
                 p.id = 9;
                 p.patches = {{4, 1}, {4, 1}};
               }),
               HasSubstr("patch 1 replaces page 4"));
-  EXPECT_THAT(checked([](Page& p) {
+  EXPECT_THAT(checked_page([](Page& p) {
                 p.id = 9;
                 p.patches = {{4, 2}, {5, 0}};
               }),
@@ -117,16 +118,16 @@ TEST(PageChecks, PatchesThatCannotBeAreNamed) {
 }
 
 TEST(PageChecks, VerticesWithoutATriangleAndIndicesOutsideAreNamed) {
-  EXPECT_THAT(checked([](Page& p) { p.triangles[1][2] = 0; }), HasSubstr("vertex 3 has no"));
-  EXPECT_THAT(checked([](Page& p) { p.triangles[1][2] = 4; }), HasSubstr("vertex 4 of 4"));
+  EXPECT_THAT(checked_page([](Page& p) { p.triangles[1][2] = 0; }), HasSubstr("vertex 3 has no"));
+  EXPECT_THAT(checked_page([](Page& p) { p.triangles[1][2] = 4; }), HasSubstr("vertex 4 of 4"));
 }
 
 TEST(PageChecks, NormalsOfAnotherLengthOrNumberAreNamed) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   for (const float length : {0.0f, 2.0f, kNan})
-    EXPECT_THAT(checked([&](Page& p) { p.normals[1] = Vec3f(0, length, 0); }),
+    EXPECT_THAT(checked_page([&](Page& p) { p.normals[1] = Vec3f(0, length, 0); }),
                 HasSubstr("normal of vertex 1"));
-  EXPECT_THAT(checked([](Page& p) { p.normals.pop_back(); }), HasSubstr("1 normals"));
+  EXPECT_THAT(checked_page([](Page& p) { p.normals.pop_back(); }), HasSubstr("1 normals"));
 }
 
 }  // namespace
