@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -19,11 +20,11 @@ void append_planes(std::span<const Word> numbers, size_t planes, std::vector<uin
 /// Reads them again. Needs: as many numbers as were appended, in so many planes.
 template <std::unsigned_integral Word>
 void read_planes(std::span<const uint8_t> bytes, size_t planes, std::span<Word> numbers) {
-  for (size_t i = 0; i < numbers.size(); ++i) {
-    Word number = 0;
-    for (size_t plane = 0; plane < planes; ++plane)
-      number |= static_cast<Word>(Word{bytes[plane * numbers.size() + i]} << 8 * plane);
-    numbers[i] = number;
+  std::ranges::fill(numbers, Word{0});
+  for (size_t plane = 0; plane < planes; ++plane) {
+    const auto of_plane = bytes.subspan(plane * numbers.size(), numbers.size());
+    for (size_t i = 0; i < numbers.size(); ++i)
+      numbers[i] |= static_cast<Word>(Word{of_plane[i]} << 8 * plane);
   }
 }
 

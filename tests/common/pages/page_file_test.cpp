@@ -7,6 +7,7 @@
 
 #include "common/pages/directory_codec.h"
 #include "common/pages/page_codec.h"
+#include "common/pages/page_format.h"
 #include "tests/common/pages/made_pages.h"
 #include "tests/common/pages/made_scan.h"
 #include "tests/common/temporary_folder.h"
@@ -103,7 +104,7 @@ TEST_F(PageFileTest, AMissingFileIsNotFoundAndAFolderIsRefused) {
   EXPECT_EQ(PageFile::open(path_.parent_path()).status().code(), StatusCode::kInvalidArgument);
 }
 
-TEST_F(PageFileTest, APageInAnothersPlaceIsNamed) {
+TEST_F(PageFileTest, ADamagedPageIsNamedAndTheOthersAreRead) {
   std::string content = content_of(path_);
   // The header's number, and the checksum as it is: the checksum tells.
   content[8] = 1;
