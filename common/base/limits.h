@@ -46,6 +46,7 @@ inline constexpr int kPageGridBitsMax = 24;  // floats hold such integers exactl
 inline constexpr int kPageLevelsMax = 64;
 inline constexpr uint32_t kPagesMax = 1u << 24;      // of a scan
 inline constexpr uint32_t kPagesPerBlock = 256;      // of the directory
+inline constexpr size_t kShownPagesMax = 4096;       // of one client
 inline constexpr uint32_t kPageBytesMax = 1u << 18;  // encoded
 
 inline constexpr int kImageSidePixelsMin = 16;
