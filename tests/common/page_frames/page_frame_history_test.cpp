@@ -200,7 +200,6 @@ TEST_P(PageFrameHistory, SharedVerticesAreEqualAndRoundedWhateverTheLinkLoses) {
     refused += link.refused();
     shared_vertices += link.shared_vertices();
   }
-  std::printf("%d %d %d\n", decoded, refused, shared_vertices);
   EXPECT_GT(decoded, 150);
   EXPECT_GT(refused, 3);
   EXPECT_GT(shared_vertices, 10000);
