@@ -1,0 +1,154 @@
+#include "server/prepare/pages/build_pages.h"
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+
+#include "common/base/parallel.h"
+#include "server/prepare/pages/level_writer.h"
+#include "server/prepare/pages/pages_need.h"
+
+namespace burnish {
+
+namespace {
+
+constexpr double kReplaceShare = 0.45;  // of the time of a level; writing takes the rest
+
+/// One level of the surface while its pages are made.
+struct Level {
+  int number = 0;                   ///< 0: the scan itself
+  std::vector<Triangle> triangles;  ///< vertices of the scan
+  std::vector<PageId> finer;        ///< per triangle, rising; empty at level 0
+  double vertices_per_triangle = 0.5;
+};
+
+/// Adds up the seconds of each phase over all levels.
+class PhaseTimes {
+ public:
+  explicit PhaseTimes(PagesReport& report) : report_(report) {}
+
+  void end(const char* name) {
+    const auto now = std::chrono::steady_clock::now();
+    auto phase = std::ranges::find(report_.phases, name, &PagesReport::Phase::name);
+    if (phase == report_.phases.end()) phase = report_.phases.insert(phase, {name});
+    phase->seconds += std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+  }
+
+ private:
+  PagesReport& report_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+Level make_level_0(const PagesInput& scan) {
+  Level level;
+  level.triangles.reserve(scan.triangles.size());
+  for (const Triangle& t : scan.triangles)
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) level.triangles.push_back(t);
+  const auto referenced =
+      static_cast<double>(scan.statistics.vertices - scan.statistics.unreferenced_vertices);
+  // Pages share vertices, so together they have more than the scan.
+  level.vertices_per_triangle = 1.06 * referenced / static_cast<double>(level.triangles.size());
+  return level;
+}
+
+Level make_coarser(const Level& level, const PagesReport::Level& report,
+                   const std::vector<Replacement>& replacements, PageId first_page) {
+  Level coarser;
+  coarser.number = level.number + 1;
+  for (size_t page = 0; page < replacements.size(); ++page) {
+    const std::vector<Triangle>& triangles = replacements[page].triangles;
+    coarser.triangles.insert(coarser.triangles.end(), triangles.begin(), triangles.end());
+    coarser.finer.resize(coarser.triangles.size(), first_page + static_cast<PageId>(page));
+  }
+  coarser.vertices_per_triangle =
+      static_cast<double>(report.vertices) / static_cast<double>(report.triangles);
+  return coarser;
+}
+
+class PagesBuilder {
+ public:
+  PagesBuilder(const PagesInput& scan, const Progress& progress, PagesReport& report)
+      : scan_(scan), progress_(progress), report_(report), times_(report) {}
+
+  Status build(PageFileWriter& file) {
+    vertices_ = place_vertices(scan_);
+    times_.end("vertices");
+    LevelWriter writer(file, vertices_, attributes_);
+    for (Level level = make_level_0(scan_); !level.triangles.empty();) {
+      ASSIGN_OR_RETURN(level, make_level(level, file, writer));
+    }
+    const Status status = file.finish();
+    times_.end("writing");
+    return status;
+  }
+
+ private:
+  // Returns the next level, or one without triangles after the root.
+  Result<Level> make_level(const Level& level, PageFileWriter& file, LevelWriter& writer) {
+    const PageGroups pages = cut_pages({level.triangles, vertices_.positions, vertices_.grid.bits,
+                                        level.number, level.vertices_per_triangle});
+    const CutLevel cut = {level.triangles, vertices_.joined, pages};
+    const std::vector<uint8_t> shared = find_shared_vertices(cut);
+    report_.levels.push_back({level.triangles.size(), pages.count()});
+    times_.end("cutting");
+    if (level.number == 0) {
+      attributes_ = make_scan_attributes(scan_, cut, shared);
+      times_.end("normals");
+    }
+    Replacements replacements;
+    const PageWork replacing = work(kReplaceShare), writing = work(1 - kReplaceShare);
+    if (pages.count() > 1) {
+      ASSIGN_OR_RETURN(replacements, replace_pages(cut, vertices_, shared, replacing));
+    }
+    times_.end("simplifying");
+    PagesReport::Level& report = report_.levels.back();
+    report.clustered_pages = replacements.clustered_pages;
+    report.torn_pages = replacements.torn_pages;
+    const PageId first_page = file.next_page();
+    const LevelToDraw to_draw = {cut, level.finer, shared, vertices_, attributes_};
+    RETURN_IF_ERROR(writer.write(to_draw, replacements.of_pages, writing, report));
+    times_.end("writing");
+    return make_coarser(level, report, replacements.of_pages, first_page);
+  }
+
+  // All levels together have about twice the triangles of the scan.
+  PageWork work(double share) {
+    const double begin = done_;
+    done_ += share / 2 * static_cast<double>(report_.levels.back().triangles) /
+             static_cast<double>(report_.levels.front().triangles);
+    return {progress_, std::min(begin, 1.0), std::min(done_, 1.0)};
+  }
+
+  const PagesInput& scan_;
+  const Progress& progress_;
+  PagesReport& report_;
+  PhaseTimes times_;
+  PageVertices vertices_;
+  VertexAttributes attributes_;  ///< of the level that is made
+  double done_ = 0;
+};
+
+}  // namespace
+
+Status build_pages(const PagesInput& scan, const std::filesystem::path& path,
+                   const PagesOptions& options, const Progress& progress, PagesReport* report) try {
+  use_threads(options.threads);
+  MachineBudget machine;
+  PreparationBudget& budget = options.budget != nullptr ? *options.budget : machine;
+  const PreparationNeed need = predict_pages(scan);
+  RETURN_IF_ERROR(budget.ask(need).with_context(pages_need_text(need)));
+  PagesReport own_report;
+  PagesReport& filled = report != nullptr ? *report : own_report;
+  filled = {};
+  PagesBuilder builder(scan, progress, filled);
+  const PageScan described = {choose_page_grid(scan.statistics), !scan.colours.empty(),
+                              scan.vertices.size(), scan.triangles.size()};
+  ASSIGN_OR_RETURN(PageFileWriter file, PageFileWriter::create(path, described));
+  return builder.build(file);
+} catch (const std::bad_alloc&) {
+  return resource_exhausted("making pages of a scan of " + std::to_string(scan.triangles.size()) +
+                            " triangles: not enough memory");
+}
+
+}  // namespace burnish

@@ -1,0 +1,56 @@
+#include "server/prepare/pages/cut_pages.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/base/limits.h"
+#include "common/base/parallel.h"
+#include "server/prepare/pages/kd_cut.h"
+#include "server/prepare/pages/triangle_runs.h"
+
+namespace burnish {
+
+namespace {
+
+constexpr double kVerticesWanted = 0.96 * kPageVerticesMax;  // pages differ from their mean
+constexpr double kTrianglesWanted = 3900;
+constexpr std::array<double, 2> kRatios = {0.36, 0.64};  // of the cuts, in turn
+
+KdRule rule_of(const LevelToCut& level) {
+  KdRule rule;
+  rule.triangles_wanted = static_cast<size_t>(
+      std::min(kTrianglesWanted, kVerticesWanted / std::max(level.vertices_per_triangle, 0.01)));
+  rule.ratio = kRatios[level.level % 2];
+  rule.triangles = level.triangles;
+  return rule;
+}
+
+// Where pages begin among the sorted centres.
+std::vector<uint64_t> page_starts(const std::vector<uint8_t>& is_start) {
+  std::vector<uint64_t> starts;
+  for (size_t i = 0; i < is_start.size(); ++i)
+    if (is_start[i]) starts.push_back(i);
+  starts.push_back(is_start.size());
+  return starts;
+}
+
+}  // namespace
+
+PageGroups cut_pages(const LevelToCut& level) {
+  TriangleRuns runs = make_triangle_runs(level);
+  std::vector<uint8_t> is_start(level.triangles.size());
+  const KdCut cut(rule_of(level), runs.centres, is_start);
+#pragma omp parallel
+#pragma omp single
+  for (size_t run = 0; run + 1 < runs.starts.size(); ++run)
+    cut.split(runs.starts[run], runs.starts[run + 1]);
+
+  PageGroups pages;
+  pages.start = page_starts(is_start);
+  pages.item.resize(runs.centres.size());
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < pages.item.size(); ++i) pages.item[i] = runs.centres[i].triangle;
+  return pages;
+}
+
+}  // namespace burnish

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/base/groups.h"
+#include "common/base/types.h"
+
+namespace burnish {
+
+/// Triangles of one level by page.
+using PageGroups = Groups<uint32_t, uint64_t>;
+
+/// The triangles of one level, and what decides where its pages end.
+struct LevelToCut {
+  std::span<const Triangle> triangles;
+  std::span<const Vec3i> positions;    ///< per vertex of the scan, steps of the grid
+  int bits = 0;                        ///< of the grid
+  int level = 0;                       ///< moves the cuts, so that borders are not borders again
+  double vertices_per_triangle = 0.5;  ///< expected of a page; decides how full pages get
+};
+
+/// Cuts a level into pages of at most kPageVerticesMax vertices and kPageTrianglesMax triangles.
+/// Triangles are first dealt into runs of a Morton curve, then each run is halved again and again
+/// across the longest side of its box. Pages come in this order; the triangles of a page rise.
+/// Deterministic: the same groups for any number of threads.
+PageGroups cut_pages(const LevelToCut& level);
+
+}  // namespace burnish

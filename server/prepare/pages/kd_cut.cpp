@@ -1,0 +1,73 @@
+#include "server/prepare/pages/kd_cut.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/base/limits.h"
+#include "server/prepare/pages/local_vertices.h"
+
+namespace burnish {
+
+namespace {
+
+constexpr size_t kTaskTriangles = 16384;  // for fewer, waking a thread takes longer
+
+int longest_axis(std::span<const TriangleCentre> piece) {
+  std::array<int32_t, 3> low = piece[0].at, high = piece[0].at;
+  for (const TriangleCentre& centre : piece)
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], centre.at[axis]);
+      high[axis] = std::max(high[axis], centre.at[axis]);
+    }
+  int longest = 0;
+  for (int axis = 1; axis < 3; ++axis)
+    if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
+  return longest;
+}
+
+}  // namespace
+
+bool KdCut::fits_page(std::span<const TriangleCentre> piece) const {
+  if (piece.size() > kPageTrianglesMax) return false;
+  LocalVertices locals;
+  for (const TriangleCentre& centre : piece)
+    for (const uint32_t v : rule_.triangles[centre.triangle])
+      if (locals.add(v) == LocalVertices::kFull) return false;
+  return true;
+}
+
+// Gives the first part a whole number of pages, so that pages come out full. Two pages have room to
+// move the cut between them.
+size_t KdCut::size_of_first_part(size_t size) const {
+  const double wanted = static_cast<double>(rule_.triangles_wanted);
+  const double pages = std::max(2.0, std::ceil(size / wanted));
+  double part = std::clamp(std::round(pages * rule_.ratio), 1.0, pages - 1) / pages;
+  if (pages == 2) {
+    const double room = std::clamp(wanted / size, 0.5, 1.0);
+    part = std::clamp(rule_.ratio, 1 - room, room);
+  }
+  return std::clamp<size_t>(static_cast<size_t>(size * part), 1, size - 1);
+}
+
+void KdCut::split(size_t begin, size_t end) const {
+  const std::span<TriangleCentre> piece = centres_.subspan(begin, end - begin);
+  if (fits_page(piece)) {
+    std::ranges::sort(piece, {}, &TriangleCentre::triangle);
+    is_start_[begin] = 1;
+    return;
+  }
+  const int axis = longest_axis(piece);
+  const size_t first = size_of_first_part(piece.size());
+  std::ranges::nth_element(piece, piece.begin() + first,
+                           [axis](const TriangleCentre& a, const TriangleCentre& b) {
+                             if (a.at[axis] != b.at[axis]) return a.at[axis] < b.at[axis];
+                             return a.triangle < b.triangle;
+                           });
+  const size_t middle = begin + first;
+#pragma omp task if (piece.size() > kTaskTriangles) firstprivate(begin, middle)
+  split(begin, middle);
+#pragma omp task if (piece.size() > kTaskTriangles) firstprivate(middle, end)
+  split(middle, end);
+}
+
+}  // namespace burnish

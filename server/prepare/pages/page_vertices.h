@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/mesh/statistics.h"
+#include "common/mesh/triangle_mesh.h"
+#include "common/pages/page_grid.h"
+
+namespace burnish {
+
+/// A scan whose pages are made. The spans belong to the caller.
+struct PagesInput {
+  std::span<const Vec3d> vertices;  ///< file units
+  std::span<const Triangle> triangles;
+  std::span<const Rgba8> colours;  ///< empty, or one per vertex
+  const MeshStatistics& statistics;
+};
+
+/// The vertices of a scan on the lattice of its pages.
+struct PageVertices {
+  PageGrid grid;
+  std::vector<Vec3i> positions;  ///< per vertex of the scan, steps
+  /// Per vertex the least vertex at the same place. Edits move all vertices of one place together.
+  /// Level 0 keeps them apart, as the scan does. Coarser levels join them: a scan without shared
+  /// vertices, as some programs write, would else fall into single triangles there.
+  std::vector<uint32_t> joined;
+};
+
+/// Chooses the cube of all grids of the scan, and steps of at most 1/256 of the mean edge where
+/// kPageGridBitsMax allows it.
+PageGrid choose_page_grid(const MeshStatistics& statistics);
+
+/// Rounds every vertex down to a step. A vertex on a plane between cells goes to the side on which
+/// its triangles lie, so that its cell holds surface at every depth.
+/// Deterministic: the same bits for any number of threads.
+PageVertices place_vertices(const PagesInput& scan);
+
+}  // namespace burnish

@@ -1,0 +1,73 @@
+#include "server/prepare/pages/plane_sides.h"
+
+#include <atomic>
+#include <cmath>
+
+namespace burnish {
+
+namespace {
+
+constexpr double kSnapDistance = 1e-7;  // cells, as snap_to_planes() of common/grid/grid.h
+constexpr int kCellsPerSide = 1 << kDepthMax;
+constexpr int kDepths = kDepthMax - kDepthMin;
+
+// Bits of a vertex by axis: on a plane; a neighbour is above it; a neighbour is below it.
+constexpr int kOnPlane = 0, kAbove = 3, kBelow = 6;
+
+// Returns how far a coordinate is above the nearest plane of the deepest grid, in its cells. Zero:
+// on the plane, as the coarsest grid that has this plane sees it.
+double above_plane(double coordinate) {
+  const double plane = std::round(coordinate);
+  int zeros = 0;
+  for (auto index = static_cast<int64_t>(plane); zeros < kDepths && index % 2 == 0; index /= 2)
+    ++zeros;
+  const double distance = coordinate - plane;
+  return std::abs(distance) < kSnapDistance * (1 << zeros) ? 0 : distance;
+}
+
+uint16_t planes_of(const Vec3d& place) {
+  uint16_t bits = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    if (above_plane(place[axis]) == 0) bits |= 1 << (kOnPlane + axis);
+  return bits;
+}
+
+// Returns on which sides of the planes of `place` another corner of its triangle lies.
+uint16_t sides_of(const Vec3d& place, uint16_t planes, const Vec3d& other) {
+  uint16_t bits = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(planes >> axis & 1)) continue;
+    const double plane = std::round(place[axis]);
+    if (std::round(other[axis]) == plane && above_plane(other[axis]) == 0) continue;
+    bits |= 1 << ((other[axis] > plane ? kAbove : kBelow) + axis);
+  }
+  return bits;
+}
+
+}  // namespace
+
+std::vector<uint8_t> find_vertices_below_planes(const PagesInput& scan, const PageGrid& grid) {
+  // A vertex without triangles may lie anywhere outside.
+  const auto place = [&](uint32_t v) -> Vec3d {
+    const Vec3d inside = (scan.vertices[v] - grid.origin) / grid.side;
+    return inside.cwiseMax(0.0).cwiseMin(1.0) * kCellsPerSide;
+  };
+  std::vector<uint16_t> bits(scan.vertices.size());
+#pragma omp parallel for schedule(static)
+  for (size_t v = 0; v < bits.size(); ++v) bits[v] = planes_of(place(static_cast<uint32_t>(v)));
+#pragma omp parallel for schedule(static)
+  for (size_t t = 0; t < scan.triangles.size(); ++t)
+    for (const uint32_t v : scan.triangles[t]) {
+      const uint16_t planes = std::atomic_ref(bits[v]).load(std::memory_order_relaxed) & 7;
+      if (planes == 0) continue;
+      for (const uint32_t other : scan.triangles[t])
+        std::atomic_ref(bits[v]).fetch_or(sides_of(place(v), planes, place(other)),
+                                          std::memory_order_relaxed);
+    }
+  std::vector<uint8_t> below(bits.size());
+  for (size_t v = 0; v < bits.size(); ++v)
+    below[v] = static_cast<uint8_t>(bits[v] >> kBelow & ~(bits[v] >> kAbove) & 7);
+  return below;
+}
+
+}  // namespace burnish

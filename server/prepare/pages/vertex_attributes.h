@@ -1,0 +1,63 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/mesh/triangle_mesh.h"
+#include "server/prepare/pages/page_vertices.h"
+#include "server/prepare/pages/shared_vertices.h"
+
+namespace burnish {
+
+/// What a level's vertices carry besides their place, per vertex of the scan.
+struct VertexAttributes {
+  std::vector<Vec3f> normals;  ///< unit length
+  std::vector<Rgba8> colours;  ///< empty, or one per vertex
+};
+
+/// What the triangles of a level say of its vertices, before it is divided by the weight.
+struct AttributeSum {
+  Vec3d normal = Vec3d::Zero();
+  std::array<double, 4> colour = {};
+  double weight = 0;
+};
+
+/// Sums of one page's triangles by vertex.
+struct PageSums {
+  std::vector<uint32_t> vertices;  ///< of the scan
+  std::vector<AttributeSum> sums;  ///< as many
+};
+
+/// Takes the scan's own colours, and means its triangles' normals by their angles at each vertex.
+/// A vertex whose triangles have no area or cancel out gets the normal +z.
+/// `shared` is find_shared_vertices() of level 0.
+VertexAttributes make_scan_attributes(const PagesInput& scan, const CutLevel& level,
+                                      std::span<const uint8_t> shared);
+
+/// Sums what one page of a level says of the next level's vertices, which are joined: the means of
+/// its triangles' corners, weighted by area. So a coarse surface is shaded as the mean of the fine
+/// one, and has its mean colour.
+PageSums sum_page(const CutLevel& level, const VertexAttributes& attributes,
+                  std::span<const Vec3i> positions, size_t page);
+
+/// Adds up sums that several pages have of one vertex, and sets the attributes that they mean.
+class AttributeSums {
+ public:
+  /// `shared` is find_shared_vertices() of the level.
+  AttributeSums(std::span<const uint8_t> shared, std::span<const uint32_t> joined, size_t pages)
+      : shared_(shared), joined_(joined), of_pages_(pages) {}
+
+  /// Sets the vertices that are this page's alone, and keeps the sums of the others. Threads may
+  /// call it for different pages.
+  void take(size_t page, const PageSums& sums, VertexAttributes& attributes);
+
+  /// Sets the vertices of several pages. The order of pages decides how sums round.
+  void set_shared(VertexAttributes& attributes) const;
+
+ private:
+  std::span<const uint8_t> shared_;
+  std::span<const uint32_t> joined_;
+  std::vector<PageSums> of_pages_;  ///< of shared vertices alone
+};
+
+}  // namespace burnish

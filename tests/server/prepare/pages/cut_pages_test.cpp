@@ -1,0 +1,84 @@
+#include "server/prepare/pages/cut_pages.h"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "common/base/limits.h"
+#include "common/base/parallel.h"
+#include "server/prepare/pages/page_vertices.h"
+#include "tests/server/prepare/pages/pages_test_meshes.h"
+
+namespace burnish {
+namespace {
+
+class CutPages : public testing::Test {
+ protected:
+  PageGroups cut(const TriangleMesh& mesh, int level = 0) {
+    const MeshStatistics statistics = compute_statistics(mesh);
+    const PageVertices placed = place_vertices({mesh.vertices, mesh.triangles, {}, statistics});
+    return cut_pages({mesh.triangles, placed.positions, placed.grid.bits, level,
+                      1.05 * mesh.vertices.size() / mesh.triangles.size()});
+  }
+};
+
+TEST_F(CutPages, EveryTriangleIsInOnePageThatIsNotTooLarge) {
+  const TriangleMesh meshes[] = {scan_of_kind("tablet", 60'000), scan_of_kind("soup", 60'000),
+                                 tangle(5000, 50'000)};
+  for (const TriangleMesh& mesh : meshes) {
+    const PageGroups pages = cut(mesh);
+    std::vector<uint32_t> all(pages.item);
+    std::ranges::sort(all);
+    for (uint32_t t = 0; t < mesh.triangles.size(); ++t) ASSERT_EQ(all[t], t);
+    for (size_t page = 0; page < pages.count(); ++page) {
+      std::set<uint32_t> vertices;
+      for (const uint32_t t : pages[page])
+        vertices.insert(mesh.triangles[t].begin(), mesh.triangles[t].end());
+      EXPECT_LE(vertices.size(), kPageVerticesMax);
+      EXPECT_LE(pages[page].size(), kPageTrianglesMax);
+      EXPECT_TRUE(std::ranges::is_sorted(pages[page]));
+    }
+  }
+}
+
+TEST_F(CutPages, PagesOfACleanScanAreNearlyFull) {
+  const TriangleMesh mesh = scan_of_kind("blob", 100'000);
+  EXPECT_GT(static_cast<double>(mesh.triangles.size()) / cut(mesh).count(), 3400);
+}
+
+TEST_F(CutPages, SeveralRunsOfTheCurveHoldEveryTriangleOnce) {
+  const TriangleMesh mesh = scan_of_kind("icosphere", 400'000);
+  const PageGroups pages = cut(mesh, 3);
+  std::vector<uint32_t> all(pages.item);
+  std::ranges::sort(all);
+  ASSERT_EQ(all.size(), mesh.triangles.size());
+  for (uint32_t t = 0; t < all.size(); ++t) ASSERT_EQ(all[t], t);
+}
+
+TEST_F(CutPages, ThreadsDoNotMatter) {
+  const TriangleMesh mesh = scan_of_kind("blob", 100'000);
+  use_threads(1);
+  const PageGroups alone = cut(mesh);
+  use_threads(4);
+  const PageGroups together = cut(mesh);
+  EXPECT_EQ(alone.item, together.item);
+  EXPECT_EQ(alone.start, together.start);
+}
+
+TEST_F(CutPages, BordersMoveFromLevelToLevel) {
+  const TriangleMesh mesh = scan_of_kind("blob", 100'000);
+  const auto page_of = [&](const PageGroups& pages) {
+    std::vector<size_t> of_triangle(mesh.triangles.size());
+    for (size_t page = 0; page < pages.count(); ++page)
+      for (const uint32_t t : pages[page]) of_triangle[t] = page;
+    return of_triangle;
+  };
+  const std::vector<size_t> first = page_of(cut(mesh, 0)), second = page_of(cut(mesh, 1));
+  std::set<std::pair<size_t, size_t>> overlaps;
+  for (size_t t = 0; t < first.size(); ++t) overlaps.emplace(first[t], second[t]);
+  EXPECT_GT(overlaps.size(), 2 * cut(mesh, 0).count());
+}
+
+}  // namespace
+}  // namespace burnish

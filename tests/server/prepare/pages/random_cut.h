@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstdint>
+
+#include "common/pages/cut.h"
+
+namespace burnish {
+
+/// Makes a legal cut in one of three ways: any pages and what they need; detail around a place;
+/// pages that arrived one by one until some moment.
+PageSet random_legal_cut(const PageDirectory& directory, uint32_t seed);
+
+}  // namespace burnish
