@@ -71,14 +71,17 @@ EvaluationPoint locate_corner(MortonKey place, const SparseGrid& grid) {
 
 PageEvaluation make_page_evaluation(const Page& page, int bits, const SparseGrid& grid,
                                     PageFrameKind kind) {
-  PageEvaluation evaluation{page.id, {}};
+  PageEvaluation evaluation;
   if (kind == PageFrameKind::kVertices) {
+    evaluation.shown = {page.id, std::make_shared<const PageLayout>(make_vertex_page_layout(page))};
     evaluation.points.reserve(page.positions.size());
     for (const Vec3i& position : page.positions)
       evaluation.points.push_back(locate_vertex(position, bits, grid));
     return evaluation;
   }
   const PageCorners corners = make_page_corners(page.positions, bits, grid.depth);
+  evaluation.shown = {page.id,
+                      std::make_shared<const PageLayout>(make_corner_page_layout(corners))};
   evaluation.points.reserve(corners.places.size());
   for (const MortonKey place : corners.places)
     evaluation.points.push_back(locate_corner(place, grid));

@@ -7,18 +7,19 @@
 #include "common/evaluation/evaluation.h"
 #include "common/grid/sparse_grid.h"
 #include "common/page_frames/page_kind.h"
-#include "common/pages/page.h"
+#include "common/page_frames/shown_pages.h"
 
 namespace burnish {
 
 /// Where the values of one page lie in a session's grid. A server makes it once per page, depth and
 /// kind, and shares it among the clients that show the page.
 struct PageEvaluation {
-  PageId page = 0;
+  ShownPage shown;
   std::vector<EvaluationPoint> points;  ///< one per value
 
-  uint32_t value_count() const { return static_cast<uint32_t>(points.size()); }
-  uint64_t byte_count() const { return points.capacity() * sizeof(points[0]); }
+  uint64_t byte_count() const {
+    return points.capacity() * sizeof(points[0]) + shown.layout->byte_count();
+  }
 };
 
 /// Finds the values of a page in the grid of the session's depth. The point of a vertex follows

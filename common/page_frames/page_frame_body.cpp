@@ -4,6 +4,7 @@
 #include <string>
 
 #include "common/page_frames/page_frame_header.h"
+#include "common/page_frames/page_kind.h"
 
 namespace burnish {
 
@@ -13,7 +14,7 @@ constexpr uint8_t kValuesFlag = 1;
 constexpr uint8_t kGainFlag = 2;
 
 size_t width_bytes_of_page(const ShownPage& page) {
-  return size_t{3} * width_bytes(static_cast<int>(page.values));
+  return size_t{3} * width_bytes(static_cast<int>(page.value_count()));
 }
 
 Status check_flags(std::span<const uint8_t> flags, uint32_t sent_pages) {
@@ -99,7 +100,7 @@ void PageFrameBodyReader::read_values(std::span<uint32_t> residuals) {
 
 uint64_t page_body_bytes_max(std::span<const ShownPage> pages) {
   uint64_t bytes = 0;
-  for (const ShownPage& page : pages) bytes += page_key_bytes_max(page.values);
+  for (const ShownPage& page : pages) bytes += page_key_bytes_max(page.value_count());
   return bytes;
 }
 

@@ -21,7 +21,7 @@ void decode_tile(int step_shift, PageFrameBodyReader& body, PageTile& tile) {
   std::vector<int32_t> values(tile.value_count());
   body.read_values(residuals);
   tile.read(values);
-  undo_page(residuals, step_shift, values);
+  undo_page(*tile.shown.layout, residuals, step_shift, values);
   tile.narrowed = std::make_shared<const NarrowValues>(values);
 }
 

@@ -31,7 +31,7 @@ class PageFrameDecoder {
   explicit PageFrameDecoder(PageFrameKind kind, ShownPages shown = {});
 
   /// Notes a change of the shown pages. Call it before the server hears of the change.
-  /// Needs: `values` of the added pages as the stream's kind says, at most kPageValuesMax each.
+  /// Needs: the layouts of the added pages, so the client holds them already.
   /// Fails: as ShownPages::check(); resource_exhausted (kPageChangesInFlightMax).
   Status show(const PageChange& change, uint32_t page_count);
 

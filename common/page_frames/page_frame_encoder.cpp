@@ -22,7 +22,7 @@ void encode_page_values(const WantedPage& wanted, int step_shift, size_t place, 
   scratch.values.resize(wanted.steps.size());
   scratch.residuals.resize(wanted.steps.size());
   tile.read(scratch.values);
-  if (code_page(wanted.steps, step_shift, scratch.values, scratch.residuals)) {
+  if (code_page(*tile.shown.layout, wanted.steps, step_shift, scratch.values, scratch.residuals)) {
     tile.narrowed = std::make_shared<const NarrowValues>(scratch.values);
     body.add_values(place, scratch.residuals);
   }
@@ -36,7 +36,7 @@ void check_moment(const PageMoment& moment) {
   const auto shown = moment.shown.pages();
   BURNISH_CHECK(moment.pages.size() == shown.size(), "one wanted page per shown page");
   for (size_t i = 0; i < shown.size(); ++i) {
-    BURNISH_CHECK(moment.pages[i].steps.size() == size_t{3} * shown[i].values,
+    BURNISH_CHECK(moment.pages[i].steps.size() == size_t{3} * shown[i].value_count(),
                   "the values are of another page or kind");
     BURNISH_CHECK(moment.pages[i].gain <= kPageGainExponentMax, "the gain is too large");
   }

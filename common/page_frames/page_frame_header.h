@@ -68,8 +68,14 @@ namespace burnish {
 //     byte 1   groups of 16 and 32 bits
 //     byte 2   groups of 32 bits: byte 2 of a group's values, then byte 3
 //
-// A width w <= 6 means 0 bits for 0, else 2^(w-1) bits. The values are the differences of k to the
-// k before it in the same page and axis, in zigzag form (0, -1, 1, -2, ... become 0, 1, 2, 3, ...).
+// A width w <= 6 means 0 bits for 0, else 2^(w-1) bits. The values are residuals of k against its
+// prediction, in zigzag form (0, -1, 1, -2, ... become 0, 1, 2, 3, ...). The prediction is the mean
+// of k of the n predictors, which are earlier values of the page (page_layout.h):
+//
+//     floor((2 * sum + n) / (2 * n))                  0 for the first value, which has none
+//
+// The sum is exact, each axis for itself. On scans the mean of all earlier neighbours took fewer
+// bytes than parallelograms, which add up the rounding of three values (docs/lab/service.md).
 //
 // The gain of a page is 2^e, and no cell of the page has a larger beta. Like a value it lasts from
 // the reference on; e is 0 in pages that the reference did not show. A client coarsens a page less

@@ -17,7 +17,7 @@ void PageTile::read_displacements(std::span<Vec3f> displacements) const {
   std::vector<int32_t> values(value_count());
   read(values);
   constexpr auto kCellsPerStep = static_cast<float>(1 / kStepsPerCell);
-  const size_t size = shown.values;
+  const size_t size = shown.value_count();
   for (size_t i = 0; i < size; ++i)
     displacements[i] =
         kCellsPerStep *
@@ -37,13 +37,18 @@ uint64_t PageFrameState::byte_count() const {
   return bytes;
 }
 
+// Both ends compare so: a page that is shown again may have another copy of its layout.
+static bool is_same_page(const ShownPage& a, const ShownPage& b) {
+  return a.page == b.page && a.value_count() == b.value_count();
+}
+
 PageFrameState start_page_frame(const ShownPages& shown, const PageFrameState& reference) {
   PageFrameState state;
   state.tiles.reserve(shown.pages().size());
   auto old = reference.tiles.begin();
   for (const ShownPage& page : shown.pages()) {
     while (old != reference.tiles.end() && old->shown.page < page.page) ++old;
-    if (old != reference.tiles.end() && old->shown == page)
+    if (old != reference.tiles.end() && is_same_page(old->shown, page))
       state.tiles.push_back(*old);
     else
       state.tiles.push_back({.shown = page});
@@ -54,7 +59,8 @@ PageFrameState start_page_frame(const ShownPages& shown, const PageFrameState& r
 uint64_t page_state_bytes_max(std::span<const ShownPage> pages) {
   uint64_t bytes = 0;
   for (const ShownPage& page : pages)
-    bytes += sizeof(PageTile) + sizeof(NarrowValues) + uint64_t{3} * page.values * sizeof(int16_t);
+    bytes += sizeof(PageTile) + sizeof(NarrowValues) +
+             uint64_t{3} * page.value_count() * sizeof(int16_t);
   return bytes;
 }
 

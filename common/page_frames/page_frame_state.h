@@ -17,7 +17,7 @@ struct PageTile {
   uint8_t gain = 0;                              ///< exponent of two
   std::shared_ptr<const NarrowValues> narrowed;  ///< null: all zero
 
-  size_t value_count() const { return size_t{3} * shown.values; }
+  size_t value_count() const { return size_t{3} * shown.value_count(); }
   /// Copies the values out, in 1/256 cell: all x, then all y, then all z.
   /// Needs: values.size() is value_count().
   void read(std::span<int32_t> values) const;

@@ -12,11 +12,11 @@ namespace burnish {
 
 namespace {
 
-// Returns the first value that is not finite, or value_count().
+// Returns the first value that is not finite, or the number of values.
 uint32_t sample_page(const SparseGrid& grid, const PageEvaluation& evaluation,
                      std::span<const Vec3f> corner_displacements, PageSample& sample) {
-  const uint32_t size = evaluation.value_count();
-  sample.page = evaluation.page;
+  const auto size = static_cast<uint32_t>(evaluation.points.size());
+  sample.page = evaluation.shown.page;
   sample.steps.resize(size_t{3} * size);
   for (uint32_t i = 0; i < size; ++i) {
     const Vec3f u = evaluate(grid, evaluation.points[i], corner_displacements);
@@ -42,9 +42,9 @@ Result<std::vector<PageSample>> sample_pages(
         [&] { finite[i] = sample_page(grid, *pages[i], corner_displacements, samples[i]); });
   failure.rethrow();
   for (size_t i = 0; i < pages.size(); ++i)
-    if (finite[i] < pages[i]->value_count())
+    if (finite[i] < pages[i]->points.size())
       return internal_error("displacement of value " + std::to_string(finite[i]) + " of page " +
-                            std::to_string(pages[i]->page) + " is not finite");
+                            std::to_string(pages[i]->shown.page) + " is not finite");
   return samples;
 }
 

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <span>
 
+#include "common/page_frames/page_layout.h"
+
 namespace burnish {
 
 /// Rounds a value in steps of 1/256 cell to whole steps of 2^shift such steps; halves go up.
@@ -20,10 +22,11 @@ constexpr int32_t value_of_step(int32_t steps, int shift) {
 
 /// Codes wanted values against old ones, and rounds `values`, which are the old ones at first, to
 /// the new ones. Returns whether any value has changed. The formula is in page_frame_header.h.
-bool code_page(std::span<const int32_t> wanted, int shift, std::span<int32_t> values,
-               std::span<uint32_t> residuals);
+bool code_page(const PageLayout& layout, std::span<const int32_t> wanted, int shift,
+               std::span<int32_t> values, std::span<uint32_t> residuals);
 
 /// Turns the old values into the new ones. Takes any residuals.
-void undo_page(std::span<const uint32_t> residuals, int shift, std::span<int32_t> values);
+void undo_page(const PageLayout& layout, std::span<const uint32_t> residuals, int shift,
+               std::span<int32_t> values);
 
 }  // namespace burnish

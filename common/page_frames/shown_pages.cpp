@@ -64,7 +64,7 @@ Status ShownPages::check(const PageChange& change, uint32_t page_count) const {
 
 ShownPages ShownPages::changed(const PageChange& change) const {
   for (const ShownPage& added : change.added)
-    BURNISH_CHECK(added.values <= kPageValuesMax, name_of(added.page));
+    BURNISH_CHECK(added.layout != nullptr, name_of(added.page) + " has no layout");
   std::vector<PageId> removed = change.removed;
   std::ranges::sort(removed);
   std::vector<ShownPage> kept;

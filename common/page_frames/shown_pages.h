@@ -1,20 +1,21 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "common/base/status.h"
-#include "common/page_frames/page_kind.h"
-#include "common/pages/page.h"
+#include "common/page_frames/page_layout.h"
 
 namespace burnish {
 
 /// A page in a stream of frames.
 struct ShownPage {
   PageId page = 0;
-  uint32_t values = 0;  ///< vertices or corners, as the stream's kind says
-  bool operator==(const ShownPage&) const = default;
+  std::shared_ptr<const PageLayout> layout;  ///< of the stream's kind
+
+  uint32_t value_count() const { return layout->value_count(); }
 };
 
 /// A client's wish to show other pages (ShowPages). Pages come in any order.
@@ -32,13 +33,13 @@ class ShownPages {
   std::span<const ShownPage> pages() const { return pages_; }  ///< rising
   bool shows(PageId page) const;
 
-  /// Checks a change that a client asks for; does not look at `values`, so that a server can check
-  /// page numbers before it looks the pages up.
+  /// Checks a change that a client asks for; does not look at the layouts, so that a server can
+  /// check page numbers before it looks the pages up.
   /// Fails: invalid_argument (a revision that does not follow, a page that the scan does not have,
   /// is named twice, is shown already, or is not shown), resource_exhausted (kShownPagesMax).
   Status check(const PageChange& change, uint32_t page_count) const;
 
-  /// Makes the next revision. Needs: check() is ok, and at most kPageValuesMax values a page.
+  /// Makes the next revision. Needs: check() is ok, and the layouts of the added pages.
   ShownPages changed(const PageChange& change) const;
 
  private:

@@ -155,6 +155,7 @@ constexpr FuzzedReader kReaders[] = {
     {"curve", read_curve},
     {"edit", read_edit},
     {"live", read_live_messages},
+    {"page_frames", read_page_frames},
     {"painted", read_painted},
     {"preferences", read_fuzzed_preferences},
     {"prepared", read_prepared},

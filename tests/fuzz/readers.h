@@ -27,4 +27,13 @@ bool read_live_messages(std::span<const uint8_t> bytes);
 /// One message of a live session as the server sends it: the bytes of a burnish.v1.ServerMessage.
 bool read_server_message(std::span<const uint8_t> bytes);
 
+/// Frames by page for one decoder, and the changes of its shown pages. Each begins with a byte for
+/// its kind and two bytes of length, low first:
+///   0  a frame, unchanged;
+///   1  a frame whose header is sealed again, so that its checksum is right;
+///   2  a frame whose body is compressed first, then sealed;
+///   3  a change: each byte is a page to add, or to remove if its highest bit is set.
+/// A refused frame must not change the decoder's state.
+bool read_page_frames(std::span<const uint8_t> bytes);
+
 }  // namespace burnish

@@ -31,7 +31,7 @@ class HostilePageFrame : public testing::Test {
     return decoder_.decode(frame).status();
   }
 
-  const PageChange change_ = {1, {{7, 40}, {8, 300}, {9, kPageValuesMax}}, {}};
+  const PageChange change_ = {1, {plain_page(7, 40), plain_page(8, 300), plain_page(9, 2048)}, {}};
   PageFrameDecoder decoder_{PageFrameKind::kVertices};
   PageFrameHeader header_;
   std::vector<uint8_t> body_;  // a correct body of zeros
@@ -111,7 +111,8 @@ TEST_F(HostilePageFrame, AnotherKindIsRefused) {
 TEST_F(HostilePageFrame, LargestResidualsEverywhereWrapAround) {
   PageFrameBodyWriter writer(change_.added.size());
   for (size_t place = 0; place < change_.added.size(); ++place)
-    writer.add_values(place, std::vector<uint32_t>(size_t{3} * change_.added[place].values, ~0u));
+    writer.add_values(place,
+                      std::vector<uint32_t>(size_t{3} * change_.added[place].value_count(), ~0u));
   header_.sent_pages = writer.sent_pages();
   header_.step_shift = kPageStepShiftMax;
   EXPECT_TRUE(decode_status(writer.bytes()).is_ok());

@@ -150,7 +150,7 @@ class LossyPageLink {
   }
 
   std::vector<Vec3f> drawn(const PageTile& tile, const std::vector<Vec3i>& positions) const {
-    std::vector<Vec3f> values(tile.shown.values);
+    std::vector<Vec3f> values(tile.shown.value_count());
     tile.read_displacements(values);
     if (sampler_.kind() == PageFrameKind::kVertices) return values;
     const int bits = small_pages().lattice.bits, depth = small_pages().grid.depth;

@@ -2,11 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/common/page_frames/small_pages.h"
+
 namespace burnish {
 namespace {
 
-ShownPages showing(const std::vector<ShownPage>& pages) {
-  return ShownPages().changed({.revision = 1, .added = pages});
+/// A page and its values.
+using Size = std::pair<PageId, uint32_t>;
+
+ShownPages showing(const std::vector<Size>& sizes) {
+  PageChange change{.revision = 1};
+  for (const auto& [page, values] : sizes) change.added.push_back(plain_page(page, values));
+  return ShownPages().changed(change);
 }
 
 PageFrameState filled(const ShownPages& shown, int32_t value) {
@@ -30,6 +37,11 @@ TEST(PageFrameState, APageThatTheReferenceDoesNotShowBeginsWithZero) {
   EXPECT_EQ(values(state.tiles[0]), std::vector<int32_t>(3, 0));
   EXPECT_EQ(values(state.tiles[1]), std::vector<int32_t>(6, 7));
   EXPECT_EQ(values(state.tiles[2]), std::vector<int32_t>(3, 0));
+}
+
+TEST(PageFrameState, APageOfAnotherSizeIsAnotherPage) {
+  const PageFrameState reference = filled(showing({{2, 3}}), 7);
+  EXPECT_EQ(start_page_frame(showing({{2, 4}}), reference).tiles[0].narrowed, nullptr);
 }
 
 TEST(PageFrameState, TakesTheGainOfTheReference) {
@@ -60,7 +72,7 @@ TEST(PageFrameState, StaysWithinItsLimitWhileDisplacementsAreSmall) {
 }
 
 TEST(PageFrameState, DisplacementsAreInCells) {
-  PageTile tile = {.shown = {4, 2}};
+  PageTile tile = {.shown = plain_page(4, 2)};
   tile.narrowed =
       std::make_shared<const NarrowValues>(std::vector<int32_t>{128, 0, -64, 0, 1, 256});
   std::vector<Vec3f> displacements(2);

@@ -57,7 +57,7 @@ TEST(PageSample, CornersGetTheirOwnDisplacement) {
   sampler.sample(field);
   const PageCorners corners =
       make_page_corners(small.pages[3].positions, small.lattice.bits, small.grid.depth);
-  ASSERT_EQ(sampler.shown(3).values, corners.places.size());
+  ASSERT_EQ(sampler.shown(3).value_count(), corners.places.size());
   for (size_t i = 0; i < corners.places.size(); ++i) {
     const auto at = std::ranges::find(small.grid.corners, corners.places[i], &GridKey::place);
     const Vec3f& u = field[at - small.grid.corners.begin()];

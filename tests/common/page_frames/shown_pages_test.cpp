@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/common/page_frames/small_pages.h"
+
 namespace burnish {
 namespace {
 
@@ -11,8 +13,14 @@ using testing::HasSubstr;
 
 constexpr uint32_t kPages = 100;
 
-ShownPages showing(const std::vector<ShownPage>& pages) {
-  return ShownPages().changed({.revision = 1, .added = pages});
+std::vector<ShownPage> pages_of(const std::vector<PageId>& numbers) {
+  std::vector<ShownPage> pages;
+  for (const PageId number : numbers) pages.push_back(plain_page(number, 10 * number));
+  return pages;
+}
+
+ShownPages showing(const std::vector<PageId>& pages) {
+  return ShownPages().changed({.revision = 1, .added = pages_of(pages)});
 }
 
 TEST(ShownPages, BeginWithNothingAtRevisionZero) {
@@ -22,11 +30,14 @@ TEST(ShownPages, BeginWithNothingAtRevisionZero) {
 
 TEST(ShownPages, AreSortedWhateverTheOrderOfAChange) {
   const ShownPages shown =
-      showing({{9, 90}, {2, 20}, {5, 50}})
-          .changed({.revision = 2, .added = {{7, 70}, {1, 10}}, .removed = {5}});
+      showing({9, 2, 5}).changed({.revision = 2, .added = pages_of({7, 1}), .removed = {5}});
   EXPECT_EQ(shown.revision(), 2u);
-  EXPECT_THAT(shown.pages(),
-              ElementsAre(ShownPage{1, 10}, ShownPage{2, 20}, ShownPage{7, 70}, ShownPage{9, 90}));
+  std::vector<PageId> numbers;
+  for (const ShownPage& page : shown.pages()) {
+    numbers.push_back(page.page);
+    EXPECT_EQ(page.value_count(), 10 * page.page);
+  }
+  EXPECT_THAT(numbers, ElementsAre(1, 2, 7, 9));
   EXPECT_TRUE(shown.shows(7));
   EXPECT_FALSE(shown.shows(5));
 }
@@ -41,33 +52,33 @@ TEST(ShownPages, ARevisionThatDoesNotFollowIsRefused) {
 }
 
 TEST(ShownPages, AnUnknownPageIsRefused) {
-  const Status status = ShownPages().check({.revision = 1, .added = {{kPages, 1}}}, kPages);
+  const Status status = ShownPages().check({.revision = 1, .added = {{kPages, {}}}}, kPages);
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
   EXPECT_THAT(status.message(), HasSubstr("page 100 is unknown: the scan has 100"));
 }
 
 TEST(ShownPages, APageThatIsShownCannotBeAdded) {
-  EXPECT_THAT(showing({{7, 1}}).check({.revision = 2, .added = {{7, 1}}}, kPages).message(),
+  EXPECT_THAT(showing({7}).check({.revision = 2, .added = {{7, {}}}}, kPages).message(),
               HasSubstr("page 7 is shown already"));
 }
 
 TEST(ShownPages, APageThatIsNotShownCannotBeRemoved) {
-  EXPECT_THAT(showing({{7, 1}}).check({.revision = 2, .removed = {8}}, kPages).message(),
+  EXPECT_THAT(showing({7}).check({.revision = 2, .removed = {8}}, kPages).message(),
               HasSubstr("page 8 is removed but not shown"));
 }
 
 TEST(ShownPages, AChangeNamesAPageOnce) {
-  const ShownPages shown = showing({{7, 1}});
-  for (const PageChange& change : {PageChange{2, {{3, 1}, {3, 1}}, {}}, PageChange{2, {}, {7, 7}},
-                                   PageChange{2, {{7, 1}}, {7}}})
+  const ShownPages shown = showing({7});
+  for (const PageChange& change : {PageChange{2, pages_of({3, 3}), {}}, PageChange{2, {}, {7, 7}},
+                                   PageChange{2, pages_of({7}), {7}}})
     EXPECT_THAT(shown.check(change, kPages).message(), HasSubstr("named twice"));
 }
 
 TEST(ShownPages, TooManyPagesAreRefused) {
   PageChange change{.revision = 1};
-  for (PageId page = 0; page < kShownPagesMax; ++page) change.added.push_back({page, 1});
+  for (PageId page = 0; page < kShownPagesMax; ++page) change.added.push_back({page, {}});
   EXPECT_TRUE(ShownPages().check(change, kPagesMax).is_ok());
-  change.added.push_back({kShownPagesMax, 1});
+  change.added.push_back({kShownPagesMax, {}});
   const Status status = ShownPages().check(change, kPagesMax);
   EXPECT_EQ(status.code(), StatusCode::kResourceExhausted);
   EXPECT_THAT(status.message(), HasSubstr("4097 pages are shown, the limit is 4096"));

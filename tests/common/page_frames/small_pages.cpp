@@ -30,6 +30,14 @@ Page page_of(PageId id, std::vector<Vec3i> positions) {
   return page;
 }
 
+void add_triangle(const std::array<Vec3i, 3>& corners, Page& page) {
+  PageTriangle triangle;
+  for (int k = 0; k < 3; ++k)
+    triangle[k] = static_cast<uint16_t>(
+        std::ranges::lower_bound(page.positions, corners[k], before) - page.positions.begin());
+  page.triangles.push_back(triangle);
+}
+
 // Cuts the triangles, in the order of their Morton keys, into runs.
 void cut_fine_pages(const TriangleMesh& mesh, SmallPages& small) {
   std::vector<std::pair<MortonKey, size_t>> order;
@@ -37,11 +45,17 @@ void cut_fine_pages(const TriangleMesh& mesh, SmallPages& small) {
     order.emplace_back(morton_key(small.lattice.quantise(mesh.vertices[mesh.triangles[t][0]])), t);
   std::ranges::sort(order);
   for (size_t begin = 0; begin < order.size(); begin += kTrianglesPerPage) {
+    std::vector<std::array<Vec3i, 3>> triangles;
     std::vector<Vec3i> positions;
-    for (size_t i = begin; i < std::min(begin + kTrianglesPerPage, order.size()); ++i)
-      for (const uint32_t v : mesh.triangles[order[i].second])
-        positions.push_back(small.lattice.quantise(mesh.vertices[v]));
+    for (size_t i = begin; i < std::min(begin + kTrianglesPerPage, order.size()); ++i) {
+      std::array<Vec3i, 3> corners;
+      for (int k = 0; k < 3; ++k)
+        corners[k] = small.lattice.quantise(mesh.vertices[mesh.triangles[order[i].second][k]]);
+      triangles.push_back(corners);
+      positions.insert(positions.end(), corners.begin(), corners.end());
+    }
     small.pages.push_back(page_of(static_cast<PageId>(small.pages.size()), positions));
+    for (const auto& corners : triangles) add_triangle(corners, small.pages.back());
   }
 }
 
@@ -126,6 +140,12 @@ std::vector<WantedPage> PageSampler::wanted(const ShownPages& shown) const {
   std::vector<WantedPage> wanted;
   for (const ShownPage& page : shown.pages()) wanted.push_back({.steps = steps(page.page)});
   return wanted;
+}
+
+ShownPage plain_page(PageId page, uint32_t values) {
+  Page bare;
+  bare.positions.resize(values);
+  return {page, std::make_shared<const PageLayout>(make_vertex_page_layout(bare))};
 }
 
 std::vector<int32_t> values_of(const PageFrameState& state) {

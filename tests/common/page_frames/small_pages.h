@@ -12,8 +12,8 @@
 namespace burnish {
 
 /// A generated scan in small pages of two levels, and a grid of the cells that hold its vertices.
-/// Neighbours share vertices; a page of the coarse level has vertices of several fine ones. Pages
-/// have positions alone: enough for frames.
+/// Neighbours share vertices; a page of the coarse level has vertices of several fine ones, and no
+/// triangles. That is enough for frames.
 struct SmallPages {
   PageGrid lattice;
   SparseGrid grid;
@@ -33,7 +33,7 @@ class PageSampler {
 
   PageFrameKind kind() const { return kind_; }
   uint32_t page_count() const { return static_cast<uint32_t>(evaluations_.size()); }
-  ShownPage shown(PageId page) const { return {page, evaluations_[page]->value_count()}; }
+  ShownPage shown(PageId page) const { return evaluations_[page]->shown; }
   /// Returns a change that shows these pages.
   PageChange adding(uint32_t revision, const std::vector<PageId>& pages) const;
 
@@ -46,6 +46,9 @@ class PageSampler {
   std::vector<std::shared_ptr<const PageEvaluation>> evaluations_;  // by page
   std::vector<PageSample> samples_;                                 // by page
 };
+
+/// Returns a made-up page whose values are each predicted by the one before.
+ShownPage plain_page(PageId page, uint32_t values);
 
 /// Returns all values of a state, page by page.
 std::vector<int32_t> values_of(const PageFrameState& state);
