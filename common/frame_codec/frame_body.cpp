@@ -19,23 +19,6 @@ Status check_sent_tiles(std::span<const uint8_t> sent, uint32_t sent_tiles) {
                    std::to_string(sent_tiles));
 }
 
-Result<std::array<size_t, kGroupStreams>> stream_sizes(std::span<const uint8_t> widths) {
-  std::array<size_t, 16> groups_of_width = {};
-  for (const uint8_t pair : widths) {
-    ++groups_of_width[pair & 15];
-    ++groups_of_width[pair >> 4];
-  }
-  std::array<size_t, kGroupStreams> sizes = {};
-  for (int width = 0; width < 16; ++width) {
-    if (groups_of_width[width] == 0) continue;
-    if (width > kGroupWidthMax)
-      return data_loss("a group has width " + std::to_string(width) + ", the largest is 6");
-    const auto bytes = bytes_of_group(width);
-    for (int s = 0; s < kGroupStreams; ++s) sizes[s] += groups_of_width[width] * bytes[s];
-  }
-  return sizes;
-}
-
 }  // namespace
 
 void FrameBodyWriter::add_tile(int tile, std::span<const uint32_t> residuals) {
@@ -46,42 +29,24 @@ void FrameBodyWriter::add_tile(int tile, std::span<const uint32_t> residuals) {
 }
 
 size_t FrameBodyWriter::byte_count() const {
-  size_t count = sent_.size() + groups_.widths.size();
-  for (const auto& stream : groups_.streams) count += stream.size();
-  return count;
+  return sent_.size() + groups_.byte_count();
 }
 
 std::vector<uint8_t> FrameBodyWriter::bytes() const {
   std::vector<uint8_t> bytes = sent_;
-  bytes.insert(bytes.end(), groups_.widths.begin(), groups_.widths.end());
-  for (const auto& stream : groups_.streams)
-    bytes.insert(bytes.end(), stream.begin(), stream.end());
+  groups_.append_to(bytes);
   return bytes;
 }
 
 Result<FrameBodyReader> FrameBodyReader::open(const FrameLayout& layout, uint32_t sent_tiles,
                                               std::span<const uint8_t> bytes) {
-  const auto take = [&bytes](size_t count) -> Result<std::span<const uint8_t>> {
-    if (count > bytes.size())
-      return data_loss("a stream has " + std::to_string(count) + " bytes, but only " +
-                       std::to_string(bytes.size()) + " are left");
-    const auto taken = bytes.first(count);
-    bytes = bytes.subspan(count);
-    return taken;
-  };
   FrameBodyReader reader;
-  ASSIGN_OR_RETURN(reader.sent_, take(layout.tile_count()));
+  ASSIGN_OR_RETURN(reader.sent_, take_stream(bytes, layout.tile_count()));
   RETURN_IF_ERROR(check_sent_tiles(reader.sent_, sent_tiles));
   size_t all_width_bytes = 0;
   for (int tile = 0; tile < layout.tile_count(); ++tile)
     if (reader.is_sent(tile)) all_width_bytes += width_bytes_of_tile(layout, tile);
-  ASSIGN_OR_RETURN(reader.groups_.widths, take(all_width_bytes));
-  ASSIGN_OR_RETURN(const auto sizes, stream_sizes(reader.groups_.widths));
-  for (int s = 0; s < kGroupStreams; ++s) {
-    ASSIGN_OR_RETURN(reader.groups_.streams[s], take(sizes[s]));
-  }
-  if (!bytes.empty())
-    return data_loss(std::to_string(bytes.size()) + " bytes follow the last stream");
+  ASSIGN_OR_RETURN(reader.groups_, GroupUnpacker::open(all_width_bytes, bytes));
   return reader;
 }
 

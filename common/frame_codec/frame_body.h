@@ -6,7 +6,7 @@
 
 #include "common/base/status.h"
 #include "common/frame_codec/frame_layout.h"
-#include "common/frame_codec/group_packing.h"
+#include "common/packing/group_packing.h"
 
 namespace burnish {
 

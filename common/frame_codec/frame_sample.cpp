@@ -2,15 +2,11 @@
 
 #include <cmath>
 
+#include "common/evaluation/displacement_steps.h"
+
 namespace burnish {
 
 namespace {
-
-// Rounds half steps away from zero. Needs: finite `cells`.
-int32_t to_steps(double cells) {
-  const double cut = std::clamp(cells, -kDisplacementCellsMax, kDisplacementCellsMax);
-  return static_cast<int32_t>(cut * kStepsPerCell + (cut < 0 ? -0.5 : 0.5));
-}
 
 template <typename Displacement>
 Displacement value_at(const FrameLayout& layout, const FrameMesh& mesh,

@@ -9,10 +9,6 @@
 
 namespace burnish {
 
-inline constexpr double kStepsPerCell = 256;
-/// Displacements beyond this are cut off: only corners that hardly weigh on a vertex have them.
-inline constexpr double kDisplacementCellsMax = 1 << 20;
-
 /// A displacement rounded to 1/256 cell, ready for the encoders of all clients of one layout.
 struct FrameSample {
   std::vector<int32_t> steps;  ///< tile by tile, in a tile all x, then all y, then all z

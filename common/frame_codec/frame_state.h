@@ -7,6 +7,7 @@
 
 #include "common/base/types.h"
 #include "common/frame_codec/frame_layout.h"
+#include "common/packing/narrow_values.h"
 
 namespace burnish {
 
@@ -32,12 +33,7 @@ class FrameState {
   static uint64_t byte_count_max(const FrameLayout& layout);
 
  private:
-  // Two bytes per value while they fit: displacements below 128 cells.
-  struct Tile {
-    std::vector<int16_t> narrow;
-    std::vector<int32_t> wide;
-  };
-  std::vector<std::shared_ptr<const Tile>> tiles_;  // null: all zero
+  std::vector<std::shared_ptr<const NarrowValues>> tiles_;  // null: all zero
 };
 
 /// Writes the displacements of one tile to their corners or vertices, as layout.content says.

@@ -1,6 +1,6 @@
 // Measures bytes and milliseconds of frames on one core: key frame, slider step, curve step, brush
 // dab and the still frames after them; as coefficients, as vertices, and for a proxy; next to other
-// encodings.
+// encodings. Then measures frames by page, for levels of detail.
 //
 //     codec_bench [--json FILE] [SCAN DEPTH]...
 //
@@ -27,6 +27,7 @@
 #include "server/session/session.h"
 #include "server/solver/tuning/plan_cycle.h"
 #include "tests/bench/codec_alternatives.h"
+#include "tests/bench/codec_pages.h"
 
 namespace burnish {
 namespace {
@@ -195,6 +196,48 @@ void report_client(const std::string& name, const FrameLayout& client_layout, co
   std::printf("    encoder remembers %.1f MB\n", static_cast<double>(encoder.byte_count()) * 1e-6);
 }
 
+const Scene& scene_of(const std::vector<Scene>& scenes, const std::string& name) {
+  return *std::ranges::find(scenes, name, &Scene::name);
+}
+
+/// Frames by page, for clients that show the whole surface at some level of detail.
+void report_pages(const PreparedMesh& prepared, const SparseGrid& grid,
+                  const std::vector<Scene>& scenes, ordered_json& out) {
+  std::printf("  frames by page: key, and a slider step of 0.02; bytes a vertex of the pages\n");
+  std::printf(
+      "    level  pages vertices  kind      values a vertex  step     key  slider"
+      "  sample  encode  decode\n");
+  for (const PageLevel& level : build_page_levels(prepared)) {
+    size_t vertices = 0;
+    for (const Page& page : level.pages) vertices += page.positions.size();
+    for (const PageFrameKind kind : {PageFrameKind::kVertices, PageFrameKind::kCorners})
+      for (const int shift : {2, 0}) {
+        const PageFrameCost cost = page_frame_cost(
+            level, grid, kind, shift, scene_of(scenes, "key frame, settled").displacement,
+            scene_of(scenes, "slider step of 0.02").displacement);
+        const auto a_vertex = [&](size_t count) {
+          return static_cast<double>(count) / static_cast<double>(vertices);
+        };
+        const char* name = kind == PageFrameKind::kVertices ? "vertices" : "corners";
+        std::printf("    %5d %6zu %8zu  %-8s %16.2f 1/%3d %8.2f%8.2f%8.2f%8.2f%8.2f\n", level.level,
+                    level.pages.size(), vertices, name, a_vertex(cost.values), 256 >> shift,
+                    a_vertex(cost.key_bytes), a_vertex(cost.change_bytes), cost.sample_ms,
+                    cost.encode_ms, cost.decode_ms);
+        out["pages"].push_back({{"level", level.level},
+                                {"pages", level.pages.size()},
+                                {"vertices", vertices},
+                                {"kind", name},
+                                {"values", cost.values},
+                                {"step_shift", shift},
+                                {"key_bytes", cost.key_bytes},
+                                {"slider_bytes", cost.change_bytes},
+                                {"sample_ms", cost.sample_ms},
+                                {"encode_ms", cost.encode_ms},
+                                {"decode_ms", cost.decode_ms}});
+      }
+  }
+}
+
 ordered_json run(const std::string& scan, int depth) {
   const auto prepared = prepare(load(scan), {.depth = depth}).value();
   const Multigrid multigrid = make_multigrid(prepared).value();
@@ -211,6 +254,7 @@ ordered_json run(const std::string& scan, int depth) {
   const FrameMesh full = {grid, prepared->evaluation};
   report_client("coefficients", make_coefficient_layout(full), full, scenes, out);
   report_client("vertices", make_vertex_layout(full), full, scenes, out);
+  report_pages(*prepared, grid, scenes, out);
 
   Proxy proxy;
   const double making = median_milliseconds([&] {

@@ -140,6 +140,7 @@ constexpr FuzzedReader kReaders[] = {
     {"page", read_fuzzed_page},
     {"page_block", read_page_block},
     {"page_file", read_page_file},
+    {"page_frames", read_page_frames},
     {"painted", read_painted},
     {"preferences", read_fuzzed_preferences},
     {"prepared", read_prepared},

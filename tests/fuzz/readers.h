@@ -36,4 +36,13 @@ bool read_page_block(std::span<const uint8_t> bytes);
 /// A page file, with the checksums of its head and blocks made right.
 bool read_page_file(std::span<const uint8_t> bytes);
 
+/// Frames by page for one decoder, and the changes of its shown pages. Each begins with a byte for
+/// its kind and two bytes of length, low first:
+///   0  a frame, unchanged;
+///   1  a frame whose header is sealed again, so that its checksum is right;
+///   2  a frame whose body is compressed first, then sealed;
+///   3  a change: each byte is a page to add, or to remove if its highest bit is set.
+/// A refused frame must not change the decoder's state.
+bool read_page_frames(std::span<const uint8_t> bytes);
+
 }  // namespace burnish

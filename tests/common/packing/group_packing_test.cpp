@@ -1,4 +1,4 @@
-#include "common/frame_codec/group_packing.h"
+#include "common/packing/group_packing.h"
 
 #include <random>
 

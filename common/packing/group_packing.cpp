@@ -1,4 +1,4 @@
-#include "common/frame_codec/group_packing.h"
+#include "common/packing/group_packing.h"
 
 #include <algorithm>
 #include <bit>
@@ -86,6 +86,23 @@ Group unpack(int width, std::array<std::span<const uint8_t>, kGroupStreams>& str
   return group;
 }
 
+Result<std::array<size_t, kGroupStreams>> stream_sizes(std::span<const uint8_t> widths) {
+  std::array<size_t, 16> groups_of_width = {};
+  for (const uint8_t pair : widths) {
+    ++groups_of_width[pair & 15];
+    ++groups_of_width[pair >> 4];
+  }
+  std::array<size_t, kGroupStreams> sizes = {};
+  for (int width = 0; width < 16; ++width) {
+    if (groups_of_width[width] == 0) continue;
+    if (width > kGroupWidthMax)
+      return data_loss("a group has width " + std::to_string(width) + ", the largest is 6");
+    const auto bytes = bytes_of_group(width);
+    for (int s = 0; s < kGroupStreams; ++s) sizes[s] += groups_of_width[width] * bytes[s];
+  }
+  return sizes;
+}
+
 }  // namespace
 
 std::array<size_t, kGroupStreams> bytes_of_group(int width) {
@@ -108,6 +125,29 @@ void GroupPacker::add_axis(std::span<const uint32_t> values) {
   }
 }
 
+size_t GroupPacker::byte_count() const {
+  size_t count = widths.size();
+  for (const auto& stream : streams) count += stream.size();
+  return count;
+}
+
+void GroupPacker::append_to(std::vector<uint8_t>& bytes) const {
+  bytes.insert(bytes.end(), widths.begin(), widths.end());
+  for (const auto& stream : streams) bytes.insert(bytes.end(), stream.begin(), stream.end());
+}
+
+Result<GroupUnpacker> GroupUnpacker::open(size_t width_bytes, std::span<const uint8_t> bytes) {
+  GroupUnpacker groups;
+  ASSIGN_OR_RETURN(groups.widths, take_stream(bytes, width_bytes));
+  ASSIGN_OR_RETURN(const auto sizes, stream_sizes(groups.widths));
+  for (int s = 0; s < kGroupStreams; ++s) {
+    ASSIGN_OR_RETURN(groups.streams[s], take_stream(bytes, sizes[s]));
+  }
+  if (!bytes.empty())
+    return data_loss(std::to_string(bytes.size()) + " bytes follow the last stream");
+  return groups;
+}
+
 void GroupUnpacker::read_axis(std::span<uint32_t> values) {
   const auto axis_widths = take(widths, width_bytes(static_cast<int>(values.size())));
   for (size_t begin = 0, g = 0; begin < values.size(); begin += kGroupValues, ++g) {
@@ -116,6 +156,13 @@ void GroupUnpacker::read_axis(std::span<uint32_t> values) {
     std::copy_n(group.begin(), std::min<size_t>(kGroupValues, values.size() - begin),
                 values.begin() + static_cast<std::ptrdiff_t>(begin));
   }
+}
+
+Result<std::span<const uint8_t>> take_stream(std::span<const uint8_t>& bytes, size_t count) {
+  if (count > bytes.size())
+    return data_loss("a stream has " + std::to_string(count) + " bytes, but only " +
+                     std::to_string(bytes.size()) + " are left");
+  return take(bytes, count);
 }
 
 }  // namespace burnish

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "common/base/limits.h"
+#include "common/grid/cell_corners.h"
+
+namespace burnish {
+
+/// What the values of a page are. All frames of a stream have one kind.
+enum class PageFrameKind : uint8_t {
+  kVertices,  ///< the displacement of each vertex, in the page's order
+  kCorners,   ///< the displacement of the corners of the vertices' cells (page_corners.h)
+};
+
+/// Limit of the values of a page of either kind.
+inline constexpr uint32_t kPageValuesMax = kCornersPerCell * kPageVerticesMax;
+
+/// Returns the largest number of bytes that the key of a page takes in a frame, before compression.
+size_t page_key_bytes_max(uint32_t values);
+
+/// Returns the kind that likely takes fewer bytes. Takes the values of all shown pages, if the
+/// pages had this kind.
+PageFrameKind cheaper_kind(uint64_t vertices, uint64_t corners);
+
+}  // namespace burnish

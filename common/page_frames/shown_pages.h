@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "common/base/status.h"
+#include "common/page_frames/page_layout.h"
+
+namespace burnish {
+
+/// A page in a stream of frames.
+struct ShownPage {
+  PageId page = 0;
+  std::shared_ptr<const PageLayout> layout;  ///< of the stream's kind
+
+  uint32_t value_count() const { return layout->value_count(); }
+};
+
+/// A client's wish to show other pages (ShowPages). Pages come in any order.
+struct PageChange {
+  uint32_t revision = 0;
+  std::vector<ShownPage> added;
+  std::vector<PageId> removed;
+};
+
+/// The pages that a client shows at a revision. Both ends keep the same lists: a stream begins with
+/// revision 0, which shows nothing, and each change makes the next revision.
+class ShownPages {
+ public:
+  uint32_t revision() const { return revision_; }
+  std::span<const ShownPage> pages() const { return pages_; }  ///< rising
+  bool shows(PageId page) const;
+
+  /// Checks a change that a client asks for; does not look at the layouts, so that a server can
+  /// check page numbers before it looks the pages up.
+  /// Fails: invalid_argument (a revision that does not follow, a page that the scan does not have,
+  /// is named twice, is shown already, or is not shown), resource_exhausted (kShownPagesMax).
+  Status check(const PageChange& change, uint32_t page_count) const;
+
+  /// Makes the next revision. Needs: check() is ok, and the layouts of the added pages.
+  ShownPages changed(const PageChange& change) const;
+
+ private:
+  uint32_t revision_ = 0;
+  std::vector<ShownPage> pages_;
+};
+
+}  // namespace burnish
