@@ -3,6 +3,7 @@
 
 #include "common/packing/zstd_frame.h"
 #include "common/page_frames/page_frame_body.h"
+#include "common/page_frames/page_frame_decoder.h"
 #include "tests/common/page_frames/small_pages.h"
 
 namespace burnish {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/page_frames/page_frame_decoder.h"
 #include "tests/common/page_frames/small_pages.h"
 
 namespace burnish {

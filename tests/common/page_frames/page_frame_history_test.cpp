@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/page_frames/page_corners.h"
+#include "common/page_frames/page_frame_decoder.h"
 #include "tests/common/page_frames/small_pages.h"
 
 namespace burnish {
