@@ -59,6 +59,13 @@ std::vector<std::string> import(const std::string& scan, uint64_t announced) {
           })};
 }
 
+std::string first_page_of(const std::string& scan) {
+  v1::FetchPagesRequest request;
+  request.set_scan(scan);
+  request.add_pages(0);
+  return request.SerializeAsString();
+}
+
 std::string open_session(const std::string& scan) {
   return bytes<v1::OpenSessionRequest>([&](v1::OpenSessionRequest& request) {
     request.set_scan(scan);
@@ -139,6 +146,10 @@ std::vector<Rpc> rpcs_in_order(const std::string& scan) {
       {library + "FetchView",
        {of_scan<v1::FetchViewRequest>("ball")},
        {of_scan<v1::FetchViewRequest>("none")}},
+      {library + "DescribePages",
+       {of_scan<v1::DescribePagesRequest>("ball")},
+       {of_scan<v1::DescribePagesRequest>("none")}},
+      {library + "FetchPages", {first_page_of("ball")}, {first_page_of("none")}},
       {editing + "OpenSession", {open_session("ball")}, {open_session("none")}},
       {editing + "ListSessions", {""}},
       {editing + "Apply", {apply("work")}, {apply("none")}},

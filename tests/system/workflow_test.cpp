@@ -70,7 +70,7 @@ TEST(Workflow, AScanGoesInAndComesOutEdited) {
 
   const CommandOutcome refused = server.burnish({"delete", "ball"});
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.output, HasSubstr("edited by session work"));
+  EXPECT_THAT(refused.output, HasSubstr("session work edits scan ball"));
   done(server, {"close", "work", "--delete"});
   done(server, {"delete", "ball"});
   EXPECT_EQ(done_json(server, {"meshes"}).size(), 0u);
