@@ -177,7 +177,7 @@ TEST(Prepare, NamesTheCellInWhichAScanIsLostBesideAFarVertex) {
   mesh.triangles.push_back({0, 1, static_cast<uint32_t>(mesh.vertices.size() - 1)});
   const auto prepared = prepare(mesh, at_depth(4));
   EXPECT_EQ(prepared.status().code(), StatusCode::kInvalidArgument);
-  EXPECT_THAT(prepared.status().message(), HasSubstr("whose cells measure 6.9"));
+  EXPECT_THAT(prepared.status().message(), HasSubstr("cells of 6.9"));
 }
 
 // Counting the cells of all of them would never end.
