@@ -4,6 +4,8 @@
 #include <iterator>
 #include <string>
 
+#include "common/base/limits.h"
+
 namespace burnish {
 
 namespace {

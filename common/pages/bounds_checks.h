@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "common/base/limits.h"
 #include "common/base/status.h"
 #include "common/pages/directory.h"
 

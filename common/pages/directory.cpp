@@ -5,6 +5,8 @@
 #include <numeric>
 #include <string>
 
+#include "common/base/limits.h"
+
 namespace burnish {
 
 namespace {

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "common/base/limits.h"
+
 namespace burnish {
 
 namespace {

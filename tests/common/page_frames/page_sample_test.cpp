@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/base/limits.h"
 #include "common/page_frames/page_corners.h"
 #include "tests/common/page_frames/small_pages.h"
 

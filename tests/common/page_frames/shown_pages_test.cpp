@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/base/limits.h"
 #include "tests/common/page_frames/small_pages.h"
 
 namespace burnish {
