@@ -7,21 +7,21 @@
 namespace burnish {
 namespace {
 
-constexpr int kBits = 10;
-constexpr int kDepth = 4;
-constexpr int kSide = 1 << (kBits - kDepth);  // steps of a cell
+constexpr int kPointBits = 10;
+constexpr int kPointDepth = 4;
+constexpr int kSide = 1 << (kPointBits - kPointDepth);  // steps of a cell
 
 SparseGrid grid_of(std::vector<Vec3i> cells) {
   std::vector<MortonKey> keys;
   for (const Vec3i& cell : cells) keys.push_back(morton_key(cell));
   std::ranges::sort(keys);
-  return make_finest_grid(kDepth, keys);
+  return make_finest_grid(kPointDepth, keys);
 }
 
 EvaluationPoint vertex_in(const SparseGrid& grid, const Vec3i& position) {
   Page page;
   page.positions = {position};
-  return make_page_evaluation(page, kBits, grid, PageFrameKind::kVertices).points[0];
+  return make_page_evaluation(page, kPointBits, grid, PageFrameKind::kVertices).points[0];
 }
 
 TEST(PageEvaluation, AVertexLiesInItsCell) {
@@ -62,10 +62,10 @@ class CornerEvaluation : public testing::Test {
   // Returns the displacement of the corner at `place` when each corner of the grid has its
   // coordinates.
   Vec3f at(const Vec3i& place) const {
-    const PageCorners corners = make_page_corners(page_.positions, kBits, kDepth);
+    const PageCorners corners = make_page_corners(page_.positions, kPointBits, kPointDepth);
     const auto found = std::ranges::find(corners.places, morton_key(place));
     const PageEvaluation evaluation =
-        make_page_evaluation(page_, kBits, grid_, PageFrameKind::kCorners);
+        make_page_evaluation(page_, kPointBits, grid_, PageFrameKind::kCorners);
     std::vector<Vec3f> field;
     for (const GridKey& corner : grid_.corners)
       field.push_back(morton_point(corner.place).cast<float>());

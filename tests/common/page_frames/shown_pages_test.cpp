@@ -20,7 +20,7 @@ std::vector<ShownPage> pages_of(const std::vector<PageId>& numbers) {
   return pages;
 }
 
-ShownPages showing(const std::vector<PageId>& pages) {
+ShownPages showing_numbers(const std::vector<PageId>& pages) {
   return ShownPages().changed({.revision = 1, .added = pages_of(pages)});
 }
 
@@ -30,8 +30,8 @@ TEST(ShownPages, BeginWithNothingAtRevisionZero) {
 }
 
 TEST(ShownPages, AreSortedWhateverTheOrderOfAChange) {
-  const ShownPages shown =
-      showing({9, 2, 5}).changed({.revision = 2, .added = pages_of({7, 1}), .removed = {5}});
+  const ShownPages shown = showing_numbers({9, 2, 5}).changed(
+      {.revision = 2, .added = pages_of({7, 1}), .removed = {5}});
   EXPECT_EQ(shown.revision(), 2u);
   std::vector<PageId> numbers;
   for (const ShownPage& page : shown.pages()) {
@@ -45,11 +45,11 @@ TEST(ShownPages, AreSortedWhateverTheOrderOfAChange) {
 
 TEST(ShownPages, ARevisionThatDoesNotFollowIsRefused) {
   for (const uint32_t revision : {0u, 1u, 3u}) {
-    const Status status = showing({}).check({.revision = revision}, kPages);
+    const Status status = showing_numbers({}).check({.revision = revision}, kPages);
     EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
     EXPECT_THAT(status.message(), HasSubstr("must be 2"));
   }
-  EXPECT_TRUE(showing({}).check({.revision = 2}, kPages).is_ok());
+  EXPECT_TRUE(showing_numbers({}).check({.revision = 2}, kPages).is_ok());
 }
 
 TEST(ShownPages, AnUnknownPageIsRefused) {
@@ -59,17 +59,17 @@ TEST(ShownPages, AnUnknownPageIsRefused) {
 }
 
 TEST(ShownPages, APageThatIsShownCannotBeAdded) {
-  EXPECT_THAT(showing({7}).check({.revision = 2, .added = {{7, {}}}}, kPages).message(),
+  EXPECT_THAT(showing_numbers({7}).check({.revision = 2, .added = {{7, {}}}}, kPages).message(),
               HasSubstr("page 7 is shown already"));
 }
 
 TEST(ShownPages, APageThatIsNotShownCannotBeRemoved) {
-  EXPECT_THAT(showing({7}).check({.revision = 2, .removed = {8}}, kPages).message(),
+  EXPECT_THAT(showing_numbers({7}).check({.revision = 2, .removed = {8}}, kPages).message(),
               HasSubstr("page 8 is removed but not shown"));
 }
 
 TEST(ShownPages, AChangeNamesAPageOnce) {
-  const ShownPages shown = showing({7});
+  const ShownPages shown = showing_numbers({7});
   for (const PageChange& change : {PageChange{2, pages_of({3, 3}), {}}, PageChange{2, {}, {7, 7}},
                                    PageChange{2, pages_of({7}), {7}}})
     EXPECT_THAT(shown.check(change, kPages).message(), HasSubstr("named twice"));

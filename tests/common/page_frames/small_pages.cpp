@@ -11,8 +11,8 @@ namespace burnish {
 
 namespace {
 
-constexpr int kDepth = 5;
-constexpr int kBits = 14;
+constexpr int kSmallDepth = 5;
+constexpr int kSmallBits = 14;
 constexpr size_t kTrianglesPerPage = 300;
 constexpr size_t kFinePerCoarse = 4;
 
@@ -78,14 +78,14 @@ SmallPages make_small_pages() {
     greatest = greatest.cwiseMax(vertex);
   }
   SmallPages small;
-  small.lattice = {least, 1.01 * (greatest - least).maxCoeff(), kBits};
+  small.lattice = {least, 1.01 * (greatest - least).maxCoeff(), kSmallBits};
   cut_fine_pages(mesh, small);
   cut_coarse_pages(small);
   std::set<MortonKey> cells;
   for (const Page& page : small.pages)
     for (const Vec3i& position : page.positions)
-      cells.insert(morton_key(cell_place(position, kBits, kDepth).cell));
-  small.grid = make_finest_grid(kDepth, std::vector<MortonKey>(cells.begin(), cells.end()));
+      cells.insert(morton_key(cell_place(position, kSmallBits, kSmallDepth).cell));
+  small.grid = make_finest_grid(kSmallDepth, std::vector<MortonKey>(cells.begin(), cells.end()));
   return small;
 }
 
