@@ -46,7 +46,7 @@ Piece take_piece(std::span<const uint8_t>& stream) {
 }
 
 // Corrects checksum and reference, so that the decoder reaches the rest.
-void seal(std::vector<uint8_t>& frame, uint64_t reference_checksum) {
+void seal_frame_bytes(std::vector<uint8_t>& frame, uint64_t reference_checksum) {
   PageFrameHeader header{.step_shift = static_cast<uint8_t>(frame[6] & kPageStepShiftMax),
                          .sequence = frame[8],
                          .reference = frame[16],
@@ -68,7 +68,7 @@ void repair(Piece& piece, uint64_t reference_checksum) {
     frame.resize(kPageFrameHeaderBytes);
     append_compressed(body, 1, frame);
   }
-  seal(frame, reference_checksum);
+  seal_frame_bytes(frame, reference_checksum);
 }
 
 // Each byte adds a page, or removes it if its highest bit is set.

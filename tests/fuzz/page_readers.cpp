@@ -17,7 +17,7 @@ namespace burnish {
 namespace {
 
 /// Makes the checksum at the end of a header right. Leaves bytes that are shorter.
-void seal(std::span<uint8_t> bytes, size_t header_bytes) {
+void seal_part(std::span<uint8_t> bytes, size_t header_bytes) {
   if (bytes.size() < header_bytes) return;
   const size_t at = header_bytes - sizeof(uint64_t);
   const uint64_t checksum = sealed_checksum(bytes, at, header_bytes);
@@ -30,14 +30,14 @@ std::vector<uint8_t> compressed(std::span<const uint8_t> bytes, size_t header_by
   const size_t header = std::min(header_bytes, bytes.size());
   std::vector<uint8_t> sealed(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(header));
   append_compressed(bytes.subspan(header), 1, sealed);
-  seal(sealed, header_bytes);
+  seal_part(sealed, header_bytes);
   return sealed;
 }
 
 void seal_blocks(const PageHead& head, std::span<uint8_t> blocks) {
   for (const PageBlock& block : head.blocks) {
     if (block.bytes > blocks.size()) return;
-    seal(blocks.first(block.bytes), kPageBlockHeaderBytes);
+    seal_part(blocks.first(block.bytes), kPageBlockHeaderBytes);
     blocks = blocks.subspan(block.bytes);
   }
 }
@@ -49,7 +49,7 @@ void seal_file(std::span<uint8_t> file) {
   std::memcpy(&tail, file.data() + end, sizeof(tail));
   if (tail.head_bytes > end) return;
   const auto head_bytes = file.subspan(end - tail.head_bytes, tail.head_bytes);
-  seal(head_bytes, kPageHeadHeaderBytes);
+  seal_part(head_bytes, kPageHeadHeaderBytes);
   const auto head = decode_head(head_bytes);
   if (head.is_ok() && head->page_bytes <= file.size())
     seal_blocks(*head, file.subspan(head->page_bytes));
