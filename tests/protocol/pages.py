@@ -1,4 +1,4 @@
-"""Pages, decoded as docs/protocol.md says in section 9. Arrays are NumPy's, a row per element."""
+"""Pages, decoded as docs/protocol.md says in section 10. Arrays are NumPy's, a row per element."""
 
 import dataclasses
 import struct
