@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "common/frame_codec/body_compression.h"
 #include "common/frame_codec/frame_body.h"
 #include "common/frame_codec/frame_encoder.h"
 #include "common/frame_codec/tile_prediction.h"
+#include "common/packing/zstd_frame.h"
 
 namespace burnish {
 
@@ -36,8 +36,9 @@ Status decode_body(const FrameLayout& layout, const FrameHeader& header,
   if (header.body_bytes > body_bytes_max(layout))
     return data_loss("the body has " + std::to_string(header.body_bytes) + " bytes, the limit is " +
                      std::to_string(body_bytes_max(layout)));
-  ASSIGN_OR_RETURN(const auto bytes, decompress(compressed, header.body_bytes));
-  ASSIGN_OR_RETURN(auto body, FrameBodyReader::open(layout, header.sent_tiles, bytes));
+  const auto bytes = decompress(compressed, header.body_bytes);
+  if (!bytes.is_ok()) return bytes.status().with_context("the body");
+  ASSIGN_OR_RETURN(auto body, FrameBodyReader::open(layout, header.sent_tiles, *bytes));
   for (int tile = 0; tile < layout.tile_count(); ++tile)
     if (body.is_sent(tile)) decode_tile(layout, tile, header.step_shift, body, state);
   return Status::ok();

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <array>
 
-#include "common/frame_codec/body_compression.h"
 #include "common/frame_codec/frame_body.h"
 #include "common/frame_codec/tile_prediction.h"
+#include "common/packing/zstd_frame.h"
 
 namespace burnish {
 
 namespace {
+
+constexpr int kZstdLevel = 1;  // level 3 is slower but not smaller: residuals do not repeat
 
 // Moves one tile of the client's state towards the sample, unless it is near enough.
 void encode_tile(const FrameLayout& layout, int tile, std::span<const int32_t> wanted,
@@ -84,7 +86,7 @@ EncodedFrame FrameEncoder::encode(const FrameSample& sample, FrameStep step, siz
   }
   EncodedFrame frame{header.sequence, header.reference, header.sent_tiles, made.is_complete, {}};
   frame.bytes.resize(kFrameHeaderBytes);
-  append_compressed(body_bytes, frame.bytes);
+  append_compressed(body_bytes, kZstdLevel, frame.bytes);
   const uint64_t checksum = seal_frame(header, frame.bytes);
   remember({header.sequence, header.reference, checksum, std::move(made.state)});
   return frame;

@@ -2,7 +2,8 @@
 
 #include <bit>
 #include <cstring>
-#include <xxhash.h>
+
+#include "common/packing/checksum.h"
 
 namespace burnish {
 
@@ -30,9 +31,7 @@ static_assert(sizeof(RawHeader) == kFrameHeaderBytes);
 constexpr std::array<char, 4> kMagic = {'B', 'n', 'F', 'r'};
 
 uint64_t checksum_of(std::span<const uint8_t> frame) {
-  const uint64_t of_header = XXH3_64bits(frame.data(), offsetof(RawHeader, checksum));
-  const auto body = frame.subspan(kFrameHeaderBytes);
-  return XXH3_64bits_withSeed(body.data(), body.size(), of_header);
+  return sealed_checksum(frame, offsetof(RawHeader, checksum), kFrameHeaderBytes);
 }
 
 }  // namespace

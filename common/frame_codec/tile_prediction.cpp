@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdlib>
 
+#include "common/packing/zigzag.h"
+
 namespace burnish {
 
 namespace {
@@ -15,14 +17,6 @@ int32_t predict(const Rows& rows, const Predictor& from, int axis) {
   return static_cast<int32_t>(static_cast<uint32_t>(rows[from.a][axis]) +
                               static_cast<uint32_t>(rows[from.b][axis]) -
                               static_cast<uint32_t>(rows[from.c][axis]));
-}
-
-uint32_t to_zigzag(uint32_t difference) {
-  return difference << 1 ^ -(difference >> 31);
-}
-
-uint32_t from_zigzag(uint32_t residual) {
-  return residual >> 1 ^ -(residual & 1);
 }
 
 int half_step(int step_shift) {

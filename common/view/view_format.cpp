@@ -2,9 +2,9 @@
 
 #include <bit>
 #include <cstring>
-#include <xxhash.h>
 
-#include "common/view/word_section.h"
+#include "common/packing/checksum.h"
+#include "common/packing/word_section.h"
 
 namespace burnish {
 
@@ -41,9 +41,7 @@ constexpr std::array<uint64_t, kViewSections> kElementMemoryBytes = {600, 36, 52
 constexpr uint64_t kSectionElementsMax = kVerticesMax;
 
 uint64_t checksum_of(std::span<const uint8_t> bytes) {
-  const uint64_t of_header = XXH3_64bits(bytes.data(), offsetof(RawHeader, checksum));
-  const auto body = bytes.subspan(kViewHeaderBytes);
-  return XXH3_64bits_withSeed(body.data(), body.size(), of_header);
+  return sealed_checksum(bytes, offsetof(RawHeader, checksum), kViewHeaderBytes);
 }
 
 size_t element_bytes(const WordLayout& layout) {

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "common/base/check.h"
-#include "common/frame_codec/body_compression.h"
+#include "common/packing/zstd_frame.h"
 #include "common/frame_codec/frame_decoder.h"
 
 namespace burnish {
@@ -67,7 +67,7 @@ void repair(Piece& piece, const FrameLayout& layout, uint64_t reference_checksum
     const auto size = static_cast<uint32_t>(body.size());
     std::memcpy(&frame[44], &size, sizeof(size));
     frame.resize(kFrameHeaderBytes);
-    append_compressed(body, frame);
+    append_compressed(body, 1, frame);
   }
   seal(frame, layout, reference_checksum);
 }

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/frame_codec/body_compression.h"
+#include "common/packing/zstd_frame.h"
 #include "common/frame_codec/frame_body.h"
 #include "tests/common/frame_codec/small_scan.h"
 
@@ -29,7 +29,7 @@ class HostileFrame : public testing::Test {
   }
   Status decode_with_header(const std::vector<uint8_t>& body) {
     std::vector<uint8_t> frame(kFrameHeaderBytes);
-    append_compressed(body, frame);
+    append_compressed(body, 1, frame);
     seal_frame(header_, frame);
     return decoder_.decode(frame).status();
   }

@@ -1,4 +1,4 @@
-#include "common/view/word_section.h"
+#include "common/packing/word_section.h"
 
 #include <cstring>
 #include <random>

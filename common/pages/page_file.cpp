@@ -1,0 +1,1 @@
+#include "common/pages/page_file.h"
