@@ -1,0 +1,105 @@
+#include "client/pages/cut_chooser.h"
+
+#include <algorithm>
+#include <ranges>
+
+namespace burnish {
+
+CutChooser::CutChooser(const KnownPages& known)
+    : known_(known),
+      finder_(known),
+      is_used_(known.head().page_count()),
+      replaced_(known.head().page_count()),
+      was_shown_(known.head().page_count()) {
+  cut_.set.resize(known.head().page_count());
+}
+
+const ChosenCut& CutChooser::choose(const CutQuestion& question, const FindReady& find_ready) {
+  const PageDemand& demand =
+      finder_.find(question.view, question.frame, question.targets, is_used_);
+  cut_.blocks = demand.blocks;
+  tally(demand);
+  cut_.coarseness = next_coarseness(usage_, question.budget, cut_.coarseness, question.is_at_rest);
+  use(demand);
+  select(find_ready);
+  // The directory tells how many triangles a page has, not how many it replaces.
+  while (cut_.triangles > question.budget.triangles && cut_.used.size() > 1) {
+    ++cut_.coarseness;
+    use(demand);
+    select(find_ready);
+  }
+  cut_.usage = usage_.at(cut_.coarseness);
+  cut_.limit = limit_on(question.budget);
+  return cut_;
+}
+
+CutLimit CutChooser::limit_on(const PageBudget& budget) const {
+  if (cut_.coarseness == 0) return CutLimit::kNone;
+  const CutUsage& finer = usage_.at(cut_.coarseness - 1);
+  const CutLimit limit = exceeded_limit(finer, budget, kBudgetAim);
+  return limit != CutLimit::kNone ? limit : exceeded_limit(finer, budget, kBudgetRefine);
+}
+
+void CutChooser::tally(const PageDemand& demand) {
+  usage_.clear();
+  coarseness_.clear();
+  for (const WantedPage& wanted : demand.pages) {
+    const bool is_root = wanted.page == known_.head().root();
+    coarseness_.push_back(is_root ? kCoarsenessMax + 1 : coarseness_of(wanted.excess));
+    usage_.add(coarseness_.back(), usage_of(wanted));
+  }
+  usage_.sum();
+}
+
+CutUsage CutChooser::usage_of(const WantedPage& wanted) const {
+  const PageEntry& entry = *wanted.entry;
+  // Half of the triangles is what a level aims at.
+  const uint32_t replaced = wanted.coarser.empty()         ? 0
+                            : was_shown_[wanted.page] != 0 ? replaced_[wanted.page]
+                                                           : entry.triangles / 2u;
+  CutUsage usage;
+  if (wanted.is_seen)
+    usage.triangles = entry.triangles - std::min<uint32_t>(replaced, entry.triangles);
+  usage.vertices = entry.vertices;
+  usage.resident_bytes = resident_bytes_of(entry, known_.head().has_colours);
+  usage.slots = 1;
+  return usage;
+}
+
+void CutChooser::use(const PageDemand& demand) {
+  for (const WantedPage& wanted : cut_.used) is_used_[wanted.page] = 0;
+  cut_.used.clear();
+  for (size_t i = 0; i < demand.pages.size(); ++i)
+    if (coarseness_[i] >= cut_.coarseness) cut_.used.push_back(demand.pages[i]);
+  for (const WantedPage& wanted : cut_.used) is_used_[wanted.page] = 1;
+}
+
+void CutChooser::select(const FindReady& find_ready) {
+  for (const PageId page : cut_.pages) cut_.set[page] = 0;
+  cut_.pages.clear();
+  cut_.visible_pages.clear();
+  cut_.triangles = 0;
+  for (const WantedPage& wanted : std::views::reverse(cut_.used)) {
+    if (!has_all_coarser(wanted)) continue;
+    if (const Page* page = find_ready(wanted.page)) take(wanted, *page);
+  }
+}
+
+bool CutChooser::has_all_coarser(const WantedPage& wanted) const {
+  return std::ranges::all_of(wanted.coarser,
+                             [&](PageId coarser) { return cut_.set[coarser] != 0; });
+}
+
+void CutChooser::take(const WantedPage& wanted, const Page& page) {
+  cut_.set[wanted.page] = 1;
+  cut_.pages.push_back(wanted.page);
+  if (wanted.is_seen) cut_.visible_pages.push_back(wanted.page);
+  if (was_shown_[wanted.page] == 0) {
+    was_shown_[wanted.page] = 1;
+    for (const PagePatch& patch : page.patches)
+      if (patch.finer != kNoPage) replaced_[patch.finer] += patch.triangles;
+  }
+  cut_.triangles += usage_of(wanted).triangles;
+}
+
+}  // namespace burnish
