@@ -44,8 +44,9 @@ inline constexpr size_t kPageVerticesMax = 2048;
 inline constexpr size_t kPageTrianglesMax = 4096;
 inline constexpr int kPageGridBitsMax = 24;  // floats hold such integers exactly
 inline constexpr int kPageLevelsMax = 64;
-inline constexpr uint32_t kPagesMax = 1u << 24;      // of a scan
-inline constexpr uint32_t kPagesPerBlock = 256;      // of the directory
+inline constexpr uint32_t kPagesMax = 1u << 24;  // of a scan
+inline constexpr uint32_t kPagesPerBlock = 256;  // of the directory
+inline constexpr uint32_t kCoarserPerBlockMax = 1u << 14;
 inline constexpr uint32_t kPageBytesMax = 1u << 18;  // encoded
 
 inline constexpr int kImageSidePixelsMin = 16;

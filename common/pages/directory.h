@@ -75,6 +75,8 @@ struct PageHead {
   uint32_t block_of(PageId page) const;
   /// Needs: a block.
   PageRange pages_of(uint32_t block) const;
+  /// Where the pages of a block end in the file, bytes. Needs: a block.
+  uint64_t page_end(uint32_t block) const;
 };
 
 /// The entries of one block. Blocks are decoded by themselves.
@@ -100,5 +102,9 @@ PageBounds join_bounds(std::span<const PageEntry> entries);
 /// positions are on the grid, its patches replace pages of the next finer level, and it has colours
 /// when the scan has. Fails: data_loss that names the page, the thing, its value and its limit.
 Status check_page_in_scan(const Page& page, PageId id, const PageHead& head);
+
+/// Checks the same, that the page is as large as its entry says, and that its patches are those of
+/// the `coarser` lists. Fails: as check_page_in_scan() does.
+Status check_page_in_directory(const Page& page, PageId id, const PageDirectory& directory);
 
 }  // namespace burnish

@@ -15,7 +15,8 @@ std::vector<uint8_t> encode_head(const PageHead& head);
 /// Safe for any bytes. Fails: data_loss that names the damage; unimplemented (another version).
 Result<PageHead> decode_head(std::span<const uint8_t> bytes);
 
-/// Packs one block of a directory. Needs: at most kPagesPerBlock entries.
+/// Packs one block of a directory. Needs: at most kPagesPerBlock entries and kCoarserPerBlockMax
+/// coarser pages.
 std::vector<uint8_t> encode_block(const DirectoryBlock& block);
 
 /// Safe for any bytes. Fails: data_loss that names the damage, also if the block is not the one

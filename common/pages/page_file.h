@@ -43,6 +43,7 @@ class PageFileWriter {
 
   /// Appends the directory and puts the file in its place. Call once, last.
   /// Needs: the last level has one page; every other page is in a patch of the next level.
+  /// Fails: resource_exhausted (the disk, or kCoarserPerBlockMax).
   Status finish();
 
  private:
@@ -87,6 +88,7 @@ class PageFile {
 
   MappedFile file_;
   PageDirectory directory_;
+  size_t head_begin_ = 0;
   std::vector<uint64_t> page_offsets_;   ///< pages + 1
   std::vector<uint64_t> block_offsets_;  ///< blocks + 1
 };

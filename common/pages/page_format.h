@@ -106,11 +106,16 @@ inline constexpr uint8_t kPageFormatVersion = 1;
 inline constexpr size_t kPageHeaderBytes = 48;
 inline constexpr size_t kPageBlockHeaderBytes = 32;
 inline constexpr size_t kPageHeadHeaderBytes = 80;
-inline constexpr size_t kPageTailBytes = 8;
 
 inline constexpr std::array<char, 4> kPageMagic = {'B', 'n', 'P', 'g'};
 inline constexpr std::array<char, 4> kPageBlockMagic = {'B', 'n', 'P', 'd'};
 inline constexpr std::array<char, 4> kPageHeadMagic = {'B', 'n', 'P', 'h'};
 inline constexpr std::array<char, 4> kPageTailMagic = {'B', 'n', 'P', 't'};
+
+struct PageTail {
+  uint32_t head_bytes = 0;
+  std::array<char, 4> magic = kPageTailMagic;
+};
+static_assert(sizeof(PageTail) == 8);
 
 }  // namespace burnish
