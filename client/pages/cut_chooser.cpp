@@ -22,7 +22,7 @@ const ChosenCut& CutChooser::choose(const CutQuestion& question, const FindReady
   cut_.coarseness = next_coarseness(usage_, question.budget, cut_.coarseness, question.is_at_rest);
   use(demand);
   select(find_ready);
-  // The directory tells how many triangles a page has, not how many it replaces.
+  // Some were estimates.
   while (cut_.triangles > question.budget.triangles && cut_.used.size() > 1) {
     ++cut_.coarseness;
     use(demand);
@@ -51,15 +51,20 @@ void CutChooser::tally(const PageDemand& demand) {
   usage_.sum();
 }
 
+// The directory tells how many triangles a page has, not how many replace it: half is what each
+// level aims at. The patches tell it once all coarser pages were shown.
+uint32_t CutChooser::replaced_by(const WantedPage& wanted) const {
+  if (wanted.coarser.empty()) return 0;
+  const bool is_known =
+      std::ranges::all_of(wanted.coarser, [&](PageId coarser) { return was_shown_[coarser] != 0; });
+  const uint32_t triangles = wanted.entry->triangles;
+  return is_known ? std::min(replaced_[wanted.page], triangles) : triangles / 2;
+}
+
 CutUsage CutChooser::usage_of(const WantedPage& wanted) const {
   const PageEntry& entry = *wanted.entry;
-  // Half of the triangles is what a level aims at.
-  const uint32_t replaced = wanted.coarser.empty()         ? 0
-                            : was_shown_[wanted.page] != 0 ? replaced_[wanted.page]
-                                                           : entry.triangles / 2u;
   CutUsage usage;
-  if (wanted.is_seen)
-    usage.triangles = entry.triangles - std::min<uint32_t>(replaced, entry.triangles);
+  if (wanted.is_seen) usage.triangles = entry.triangles - replaced_by(wanted);
   usage.vertices = entry.vertices;
   usage.resident_bytes = resident_bytes_of(entry, known_.head().has_colours);
   usage.slots = 1;

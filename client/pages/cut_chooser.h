@@ -47,6 +47,7 @@ class CutChooser {
   bool has_all_coarser(const WantedPage& wanted) const;
   void take(const WantedPage& wanted, const Page& page);
   CutLimit limit_on(const PageBudget& budget) const;
+  uint32_t replaced_by(const WantedPage& wanted) const;
   CutUsage usage_of(const WantedPage& wanted) const;
 
   const KnownPages& known_;
@@ -55,8 +56,7 @@ class CutChooser {
   std::vector<int> coarseness_;  ///< by page of the demand, the largest at which it is used
   ChosenCut cut_;
   PageSet is_used_;
-  /// By page: triangles of the patches that replace it, in the pages that were ever shown. The sum
-  /// is whole for pages that were ever shown themselves, since all their coarser pages were.
+  /// By page: triangles of the patches that replace it, in the pages that were ever shown.
   std::vector<uint32_t> replaced_;
   PageSet was_shown_;
 };

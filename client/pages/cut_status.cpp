@@ -58,7 +58,8 @@ std::string count_text(uint64_t count) {
 std::string status_text(const CutStatus& status) {
   if (status.is_full_detail) return "full detail";
   char percent[32];
-  std::snprintf(percent, sizeof percent, "%.2g %%", 100 * status.drawn_part());
+  const double part = 100 * status.drawn_part();
+  std::snprintf(percent, sizeof percent, part < 10 ? "%.2g %%" : "%.0f %%", part);
   return percent + (" of " + count_text(status.triangles_in_view)) +
          " triangles: " + reason_text(status);
 }

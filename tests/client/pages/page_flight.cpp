@@ -1,5 +1,7 @@
 #include "tests/client/pages/page_flight.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "client/pages/drawn_ranges.h"
@@ -8,14 +10,6 @@
 namespace burnish {
 
 static constexpr std::chrono::microseconds kPicture{16'667};
-
-Camera camera_over(double x, double y, double distance) {
-  Camera camera;
-  camera.target = Vec3d(100 + x, 200 + y, -49.5);
-  camera.distance = distance;
-  camera.scene_radius = 2;
-  return camera;
-}
 
 PageFlight::PageFlight(const SyntheticScan& scan, const PageFlightOptions& options)
     : scan_(scan),

@@ -58,9 +58,4 @@ class PageFlight {
   size_t given_up_ = 0;
 };
 
-inline constexpr ImageSize kFlightPicture = {1280, 720};
-
-/// Looks down at a place of the synthetic scan's square.
-Camera camera_over(double x, double y, double distance);
-
 }  // namespace burnish

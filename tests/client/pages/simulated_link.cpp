@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/generate/random.h"
+#include "common/generate/noise.h"
 
 namespace burnish {
 

@@ -46,6 +46,8 @@ class SimulatedLink {
 
   void set_faults(const LinkFaults& faults) { options_.faults = faults; }
   void set_broken(bool broken) { broken_ = broken; }
+  /// Loses what is on its way.
+  void forget() { coming_.clear(), asked_.clear(); }
 
   uint64_t bytes_asked() const { return bytes_asked_; }
   size_t on_their_way() const { return asked_.size(); }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/generate/random.h"
+#include "common/generate/noise.h"
 
 namespace burnish {
 
@@ -162,6 +162,14 @@ class Builder {
 
 SyntheticScan make_synthetic_scan(const SyntheticScanOptions& options) {
   return Builder(options).build();
+}
+
+Camera camera_over(double x, double y, double distance) {
+  Camera camera;
+  camera.target = Vec3d(100 + x, 200 + y, -49.5);
+  camera.distance = distance;
+  camera.scene_radius = 2;
+  return camera;
 }
 
 Page SyntheticScan::page(PageId id) const {

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "client/scene/camera.h"
+#include "client/scene/image.h"
 #include "common/base/groups.h"
 #include "common/pages/cut.h"
 #include "common/pages/directory.h"
@@ -34,5 +36,10 @@ struct SyntheticScan {
 };
 
 SyntheticScan make_synthetic_scan(const SyntheticScanOptions& options = {});
+
+inline constexpr ImageSize kFlightPicture = {1280, 720};
+
+/// Looks straight at a place of the square, which fills the picture's height at distance 1.9.
+Camera camera_over(double x, double y, double distance);
 
 }  // namespace burnish
