@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -171,8 +172,8 @@ std::vector<uint8_t> encode_block(const DirectoryBlock& block) {
   RawBlockHeader raw{.begin = block.begin,
                      .pages = static_cast<uint32_t>(pages),
                      .coarser = static_cast<uint32_t>(block.coarser.item.size())};
-  std::vector<uint8_t> bytes(sizeof(raw));
-  bytes.insert(bytes.end(), section.begin(), section.end());
+  std::vector<uint8_t> bytes(sizeof(raw) + section.size());
+  std::ranges::copy(section, bytes.begin() + sizeof(raw));
   std::memcpy(bytes.data(), &raw, sizeof(raw));
   raw.checksum = checksum_of(bytes);
   std::memcpy(bytes.data(), &raw, sizeof(raw));

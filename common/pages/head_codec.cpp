@@ -47,8 +47,8 @@ uint64_t checksum_of(std::span<const uint8_t> bytes) {
 
 template <typename T>
 void append_raw(const T& raw, std::vector<uint8_t>& bytes) {
-  const auto* begin = reinterpret_cast<const uint8_t*>(&raw);
-  bytes.insert(bytes.end(), begin, begin + sizeof(raw));
+  bytes.resize(bytes.size() + sizeof(raw));
+  std::memcpy(bytes.data() + bytes.size() - sizeof(raw), &raw, sizeof(raw));
 }
 
 template <typename T>

@@ -9,8 +9,8 @@ namespace burnish {
 
 // A direction as two integers: it is stretched onto the octahedron |x| + |y| + |z| = 1. The half
 // below, z < 0, is folded outwards, so that the octahedron becomes the square -1 <= u, v <= 1. A
-// code (u, v) means (u, v) / kOctahedralLimit. So the axes are exact. The angle is off by 0.25
-// degrees on average, 0.6 at most.
+// code (u, v) means (u, v) / kOctahedralLimit. So the axes are exact. Others are off by a third of
+// a degree on average, by 0.94 at most.
 
 inline constexpr int kOctahedralLimit = 127;
 

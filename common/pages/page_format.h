@@ -95,12 +95,18 @@ namespace burnish {
 //     patches   named by turns                                      2 planes
 //     border    one per vertex, 1 if it is on the border            1 bit, low bit first
 //     places    x of all vertices, then y, then z; zigzag           planes as the header says
-//     border n  u of border vertices, then v                        2 planes
-//     inner n   u of the others, then v, if the header says so      1 plane
+//     normals   u of those that have one, then v; zigzag             1 plane
 //     colours   green, red - green, blue - green, alpha             1 plane each
 //
 //     The walk (page_walk.h) gives triangles and vertices in its order. Vertices are then sorted
 //     into those on the border and the others; triangles are sorted by patch.
+//
+//     Places, normals and colours are differences to a prediction. Places: a + b - c of the walk;
+//     the first vertex is in the header. Normals: octahedral codes modulo 256, predicted from the
+//     page's triangles in integers (octahedral.h). Colours: half the sum of those at a and b,
+//     rounded down, modulo 256; the first is predicted as 0.
+//
+// docs/protocol.md describes the format for clients in other languages.
 
 inline constexpr uint8_t kPageFormatVersion = 1;
 inline constexpr size_t kPageHeaderBytes = 48;

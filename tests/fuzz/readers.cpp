@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
-#include <unistd.h>
 #include <vector>
 #include <xxhash.h>
-
-#include <sys/mman.h>
-#include <sys/stat.h>
 
 #include "client/cli/cell_field_file.h"
 #include "client/cli/stroke_file.h"
@@ -24,6 +20,7 @@
 #include "server/library/scan_record.h"
 #include "server/prepare/prepared_file.h"
 #include "server/trust/users.h"
+#include "tests/fuzz/memory_file.h"
 
 namespace burnish {
 namespace {
@@ -34,21 +31,6 @@ constexpr size_t kPaintedCells = 1000;
 std::string_view text_of(std::span<const uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
-
-/// A file in memory, for readers that take a path.
-class MemoryFile {
- public:
-  explicit MemoryFile(std::span<const uint8_t> bytes) : fd_(memfd_create("fuzzed", MFD_CLOEXEC)) {
-    BURNISH_CHECK(::fchmod(fd_, 0600) == 0, "the file in memory cannot be closed to others");
-    BURNISH_CHECK(::write(fd_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()),
-                  "the file in memory cannot be written");
-  }
-  ~MemoryFile() { ::close(fd_); }
-  std::string path() const { return "/proc/self/fd/" + std::to_string(fd_); }
-
- private:
-  const int fd_;
-};
 
 /// toml++ 3.3 reaches its own "unreachable" at letters beyond ASCII outside of texts: undefined,
 /// and not ours. So such files are not fed.
@@ -155,6 +137,9 @@ constexpr FuzzedReader kReaders[] = {
     {"curve", read_curve},
     {"edit", read_edit},
     {"live", read_live_messages},
+    {"page", read_fuzzed_page},
+    {"page_block", read_page_block},
+    {"page_file", read_page_file},
     {"painted", read_painted},
     {"preferences", read_fuzzed_preferences},
     {"prepared", read_prepared},

@@ -27,4 +27,13 @@ bool read_live_messages(std::span<const uint8_t> bytes);
 /// One message of a live session as the server sends it: the bytes of a burnish.v1.ServerMessage.
 bool read_server_message(std::span<const uint8_t> bytes);
 
+/// One encoded page. It is compressed and its checksum is made right before it is decoded.
+bool read_fuzzed_page(std::span<const uint8_t> bytes);
+
+/// One block of a directory of three, two and one pages, likewise.
+bool read_page_block(std::span<const uint8_t> bytes);
+
+/// A page file, with the checksums of its head and blocks made right.
+bool read_page_file(std::span<const uint8_t> bytes);
+
 }  // namespace burnish

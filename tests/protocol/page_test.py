@@ -8,6 +8,7 @@ import numpy as np
 
 from frame import FrameDecoder, MissingReference, read_frame_header
 from layout import COEFFICIENTS, Layout
+from pages import read_page
 from view import read_view
 from wire import Damaged, morton_point
 
@@ -41,9 +42,22 @@ class Page(unittest.TestCase):
         expected[0, 0] += 8
         np.testing.assert_array_equal(self.decoder.state, expected)
 
+    def test_the_page_of_the_scan_says_what_the_page_says(self):
+        page = read_page(*examples("page"))
+        self.assertEqual((page.number, page.border), (9, 2))
+        self.assertEqual(page.patches, [(3, 4), (5, 2)])
+        self.assertEqual(sorted(map(tuple, page.positions.tolist())), [
+            (1000, 1000, 1000), (1000, 1200, 1000), (1100, 1100, 1150), (1200, 1000, 1000),
+            (1200, 1200, 1000)])
+        tip = page.positions[:, 2].argmax()
+        self.assertEqual((page.triangles == tip).sum(axis=1).tolist(), [1, 1, 1, 1, 0, 0])
+        np.testing.assert_array_equal(page.normals[tip], (0, 0, 1))
+        self.assertEqual(page.colours[tip].tolist(), [255] * 4)
+
     def test_a_flipped_bit_is_found(self):
         for data, read in [(*examples("view"), read_view),
-                           (examples("frame")[0], read_frame_header)]:
+                           (examples("frame")[0], read_frame_header),
+                           (*examples("page"), read_page)]:
             for byte in range(len(data)):
                 flipped = bytearray(data)
                 flipped[byte] ^= 1 << byte % 8

@@ -44,7 +44,7 @@ void add_patches(int patches, Random& random, Page& page) {
   PageId finer = 0;
   for (int p = 0; p + 1 < patches; ++p) {
     finer += 1 + static_cast<PageId>(below(random, 3));
-    const uint32_t count = left / 2;
+    const uint32_t count = left / static_cast<uint32_t>(patches - p);
     page.patches.push_back({finer, count});
     left -= count;
   }
@@ -64,10 +64,11 @@ PageMeaning meaning_of(const Page& page) {
   size_t t = 0;
   for (const PagePatch& patch : page.patches)
     for (uint32_t i = 0; i < patch.triangles; ++i, ++t) {
-      std::array<PageMeaning::Vertex, 3> corners;
-      for (int k = 0; k < 3; ++k) corners[k] = meaning.vertices[page.triangles[t][k]];
-      std::ranges::rotate(corners, std::ranges::min_element(corners));
-      meaning.triangles.emplace_back(patch.finer, corners);
+      const PageTriangle& triangle = page.triangles[t];
+      std::array<std::array<PageMeaning::Vertex, 3>, 3> turned;
+      for (int turn = 0; turn < 3; ++turn)
+        for (int k = 0; k < 3; ++k) turned[turn][k] = meaning.vertices[triangle[(k + turn) % 3]];
+      meaning.triangles.emplace_back(patch.finer, std::ranges::min(turned));
     }
   std::ranges::sort(meaning.triangles);
   std::ranges::sort(meaning.vertices);

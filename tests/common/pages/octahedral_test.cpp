@@ -18,7 +18,7 @@ double degrees_between(const Vec3f& a, const Vec3f& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / M_PI;
 }
 
-TEST(Octahedral, RoundingTurnsByAQuarterOfADegreeOnAverage) {
+TEST(Octahedral, RoundingTurnsByAThirdOfADegreeOnAverage) {
   std::mt19937 random(1);
   double sum = 0;
   double largest = 0;
@@ -29,8 +29,8 @@ TEST(Octahedral, RoundingTurnsByAQuarterOfADegreeOnAverage) {
     sum += turn;
     largest = std::max(largest, turn);
   }
-  EXPECT_LT(sum / kRuns, 0.3);
-  EXPECT_LT(largest, 0.7);
+  EXPECT_LT(sum / kRuns, 0.35);
+  EXPECT_LT(largest, 1.0);
 }
 
 TEST(Octahedral, AxesAreExact) {
