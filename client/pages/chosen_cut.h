@@ -19,7 +19,7 @@ struct ChosenCut {
   std::vector<WantedPage> used;      ///< what is to be shown when all is there, from fine to coarse
   std::vector<WantedBlock> blocks;   ///< unknown, the most urgent first
   CutUsage usage;                    ///< of `used`
-  int coarseness = 0;                ///< `used` meets 1.05^coarseness times the targets
+  int coarseness = 0;                ///< as in cut_usage.h: 0 if budgets take nothing away
   CutLimit limit = CutLimit::kNone;  ///< what keeps it there; kNone: it is 0 or on its way to 0
 };
 

@@ -29,15 +29,12 @@ const ChosenCut& CutChooser::choose(const CutQuestion& question, const FindReady
     select(find_ready);
   }
   cut_.usage = usage_.at(cut_.coarseness);
-  cut_.limit = limit_on(question.budget);
+  if (cut_.coarseness == 0)
+    cut_.limit = CutLimit::kNone;
+  else
+    cut_.limit = exceeded_limit(usage_.at(cut_.coarseness - 1), question.budget,
+                                question.is_at_rest ? kBudgetAim : kBudgetRefine);
   return cut_;
-}
-
-CutLimit CutChooser::limit_on(const PageBudget& budget) const {
-  if (cut_.coarseness == 0) return CutLimit::kNone;
-  const CutUsage& finer = usage_.at(cut_.coarseness - 1);
-  const CutLimit limit = exceeded_limit(finer, budget, kBudgetAim);
-  return limit != CutLimit::kNone ? limit : exceeded_limit(finer, budget, kBudgetRefine);
 }
 
 void CutChooser::tally(const PageDemand& demand) {

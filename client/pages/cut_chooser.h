@@ -46,7 +46,6 @@ class CutChooser {
   void select(const FindReady& find_ready);
   bool has_all_coarser(const WantedPage& wanted) const;
   void take(const WantedPage& wanted, const Page& page);
-  CutLimit limit_on(const PageBudget& budget) const;
   uint32_t replaced_by(const WantedPage& wanted) const;
   CutUsage usage_of(const WantedPage& wanted) const;
 

@@ -32,12 +32,11 @@ inline constexpr double kBudgetAim = 0.9;
 /// and becomes finer while something moves only when it takes less than this.
 inline constexpr double kBudgetRefine = 0.7;
 
-/// How many times coarser than its targets a cut is: 1.05^coarseness.
+/// A cut of a coarseness uses the pages that exceed full detail 1.05^coarseness times.
 inline constexpr float kCoarsenessBase = 1.05f;
 inline constexpr int kCoarsenessMax = 512;  // of any page but the root: 7·10^10 times
 
 /// Returns the largest coarseness at which a page of this excess is used, 0..kCoarsenessMax.
-/// Needs: excess > 1.
 int coarseness_of(float excess);
 
 /// The usage of a picture's cut at any coarseness.
@@ -60,7 +59,8 @@ class UsageByCoarseness {
 
 /// Returns the coarseness of the next cut. It rises at once to what fits. It falls one step a
 /// picture: while something moves, only far below the budget, so that the picture does not flicker;
-/// at rest as far as fits, so that what rests follows from the view alone.
+/// at rest as far as fits, so that what rests follows from the view alone. It measures what budgets
+/// take away: it may be 0 while CutTargets::take asks for less.
 int next_coarseness(const UsageByCoarseness& usage, const PageBudget& budget, int last,
                     bool is_at_rest);
 

@@ -14,8 +14,8 @@ namespace burnish {
 /// A page that a picture wants.
 struct WantedPage {
   PageId page = 0;
-  /// How many times over its targets the picture is without the page or without a finer page that
-  /// needs it. So a coarser page has never less than a finer one.
+  /// How many times the picture exceeds full detail without the page, or without a finer page that
+  /// needs it: a coarser page has never less than a finer one.
   float excess = 0;
   bool is_seen = false;  ///< it, or a finer page that needs it, may be in the picture
   const PageEntry* entry = nullptr;
@@ -50,11 +50,12 @@ class DemandFinder {
                          const PageSet& was_used);
 
   /// Returns whether the last find() looked at the pages of a known block.
-  bool has_visited(uint32_t block) const { return is_begun_[block] != 0; }
+  bool has_visited(uint32_t block) const { return visits_[block] == Visit::kDone; }
 
  private:
+  enum class Visit : uint8_t { kNone, kBegun, kDone };
   struct Wish {
-    float excess = 0;
+    float excess = 0;  ///< 0: there is no wish
     bool is_seen = false;
 
     void raise(const Wish& other);
@@ -67,9 +68,10 @@ class DemandFinder {
   };
 
   void visit(const Picture& picture, uint32_t block);
-  void visit_unknown(const Picture& picture, uint32_t block, float excess);
   void visit_known(const Picture& picture, uint32_t block);
-  Wish wish_for(const Picture& picture, PageId page, const PageBounds& bounds) const;
+  static Wish own_wish(const Picture& picture, const PageBounds& bounds, float wanted_above,
+                       bool is_needed);
+  Wish page_wish(const Picture& picture, PageId page, const PageBounds& bounds) const;
   void begin_wishes(uint32_t block);
   void order_blocks();
 
@@ -77,7 +79,7 @@ class DemandFinder {
   PageDemand demand_;
   std::vector<Wish> page_wishes_;   ///< by page, of finer pages; valid where the block's is begun
   std::vector<Wish> block_wishes_;  ///< by block, the largest of its pages'
-  std::vector<uint8_t> is_begun_;   ///< by block
+  std::vector<Visit> visits_;       ///< by block
 };
 
 }  // namespace burnish

@@ -4,9 +4,6 @@
 
 namespace burnish {
 
-// 10^6 pages and 10^9 triangles, in about 60 MB.
-static constexpr size_t kKnownBlocksMax = 4096;
-
 PageLoader::PageLoader(PageHead head, const PageBudget& budget, bool is_software)
     : budget_(budget),
       is_software_(is_software),
@@ -25,11 +22,11 @@ const ChosenCut& PageLoader::look(const PictureQuestion& question, Time now) {
   return cut();
 }
 
-// Full detail is for pictures at rest whose still cut is there.
+// Full detail is for pictures at rest that are all there.
 void PageLoader::see(const PictureQuestion& question) {
   is_at_rest_ =
       has_looked_ && !question.surface_moves && question.view == view_ && question.frame == frame_;
-  wants_full_ = is_at_rest_ && (wants_full_ || has_come_to_rest());
+  wants_full_ = is_at_rest_ && (wants_full_ || todo_.open_in_view == 0);
   view_ = question.view;
   frame_ = question.frame;
   has_looked_ = true;
@@ -40,10 +37,8 @@ CutQuestion PageLoader::cut_question(const PictureQuestion& question) const {
   if (question.surface_moves) {
     asked.targets = moving_surface_targets();
     if (question.frame_vertices_max > 0) asked.budget.vertices = question.frame_vertices_max;
-  } else if (is_at_rest_) {
-    asked.targets = wants_full_ ? full_targets(is_software_) : still_targets(is_software_);
   } else {
-    asked.targets = moving_eye_targets(is_software_);
+    asked.targets = wants_full_ ? full_targets(is_software_) : prompt_targets(is_software_);
   }
   return asked;
 }
@@ -65,6 +60,8 @@ void PageLoader::take_stock() {
     const uint32_t bytes = known_.head().blocks[wanted.block].bytes;
     if (make_room_for_blocks(todo_.missing.size() + 1))
       miss({item, bytes, wanted.excess}, wanted.is_seen);
+    else
+      ++todo_.blocks_left_out;
   }
   for (const WantedPage& wanted : cut().used) take_stock_of(wanted);
   std::ranges::sort(todo_.held, is_more_urgent);
@@ -109,10 +106,10 @@ bool PageLoader::place(PageId page) {
 // Forgets blocks that the picture did not look at.
 bool PageLoader::make_room_for_blocks(size_t count) {
   for (uint32_t block = 0; block < known_.block_count(); ++block) {
-    if (known_.known_blocks() + count <= kKnownBlocksMax) return true;
+    if (known_.known_blocks() + count <= budget_.directory_blocks) return true;
     if (!chooser_.has_visited(block)) known_.forget(block);
   }
-  return known_.known_blocks() + count <= kKnownBlocksMax;
+  return known_.known_blocks() + count <= budget_.directory_blocks;
 }
 
 bool PageLoader::is_wanted(PageItem item) const {
@@ -131,13 +128,9 @@ std::vector<PageUpload> PageLoader::take_uploads() {
   return uploads;
 }
 
-bool PageLoader::has_come_to_rest() const {
-  const bool is_coarseness_final = cut().coarseness == 0 || cut().limit != CutLimit::kNone;
-  return todo_.open_in_view == 0 && is_coarseness_final;
-}
-
 bool PageLoader::is_settled() const {
-  return wants_full_ && has_come_to_rest() && todo_.open == 0 && !lacks_values_;
+  const bool is_coarseness_final = cut().coarseness == 0 || cut().limit != CutLimit::kNone;
+  return wants_full_ && is_coarseness_final && todo_.open == 0 && !lacks_values_;
 }
 
 CutReason PageLoader::reason() const {
@@ -145,6 +138,7 @@ CutReason PageLoader::reason() const {
   if (!wants_full_) return CutReason::kMoving;
   if (todo_.failed > 0) return CutReason::kFailed;
   if (lacks_values_) return CutReason::kFrame;
+  if (todo_.blocks_left_out > 0) return CutReason::kMemory;
   switch (cut().limit) {
     case CutLimit::kTriangles:
       return CutReason::kTriangles;

@@ -87,10 +87,11 @@ class PageLoader {
     std::vector<MissingItem> missing;
     std::vector<MissingItem> held;
     std::vector<MissingItem> decoded;
-    size_t open = 0;          ///< items that are not on the card
-    size_t open_in_view = 0;  ///< those of them that may be in the picture
-    uint64_t bytes_left = 0;  ///< to load, for the picture
-    uint64_t failed = 0;      ///< given up, for the picture
+    size_t open = 0;             ///< items that are not on the card
+    size_t open_in_view = 0;     ///< those of them that may be in the picture
+    uint64_t bytes_left = 0;     ///< to load, for the picture
+    uint64_t failed = 0;         ///< given up, for the picture
+    size_t blocks_left_out = 0;  ///< more than the directory's budget
   };
 
   void see(const PictureQuestion& question);
@@ -103,7 +104,6 @@ class PageLoader {
   bool make_room_for_blocks(size_t count);
   bool place(PageId page);
   bool is_wanted(PageItem item) const;
-  bool has_come_to_rest() const;
   CutReason reason() const;
 
   PageBudget budget_;

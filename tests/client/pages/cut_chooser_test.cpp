@@ -1,5 +1,7 @@
 #include "client/pages/cut_chooser.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "common/generate/noise.h"
@@ -49,6 +51,18 @@ TEST_F(CutChooserOn, WhatIsUsedAndReadyIsShown) {
   for (const WantedPage& wanted : cut.used) {
     EXPECT_EQ(cut.set[wanted.page], 1);
     EXPECT_TRUE(chooser_.is_used(wanted.page));
+  }
+}
+
+TEST_F(CutChooserOn, EveryPageOfTheCutThatIsInViewIsDrawn) {
+  for (const double distance : {500.0, 3.0, 0.1, 0.01}) {
+    const CutQuestion asked = question(camera_over(0.3, 0.6, distance));
+    const ChosenCut& cut = choose(asked);
+    for (const PageId page : cut.pages) {
+      const bool is_in_view = is_visible(asked.view, scan_.directory.entries[page].bounds, 0);
+      const bool is_drawn = std::ranges::find(cut.visible_pages, page) != cut.visible_pages.end();
+      ASSERT_TRUE(is_drawn || !is_in_view) << page << " at " << distance;
+    }
   }
 }
 

@@ -21,7 +21,7 @@ PageView view_of(const Camera& camera) {
 }
 
 PageDemand demand_of(const KnownPages& known, const Camera& camera,
-                     const CutTargets& targets = still_targets(false),
+                     const CutTargets& targets = full_targets(false),
                      const PageSet& was_used = {}) {
   DemandFinder finder(known);
   PageSet used = was_used;
@@ -50,10 +50,10 @@ PageSet wanted_by_definition(const PageView& view, const CutTargets& targets) {
     const PageBounds& bounds = scan().directory.entries[page].bounds;
     const double distance =
         std::max<double>((bounds.centre - view.eye).norm() - bounds.radius, view.nearest);
-    const double error_px = bounds.error * view.pixels_at_one / distance;
-    const double edge_px = bounds.edge * view.pixels_at_one / distance;
+    const double error = bounds.error * view.pixels_at_one / distance / targets.error_px;
+    const double edge = bounds.edge * view.pixels_at_one / distance / targets.edge_px;
     const double weight = is_visible(view, bounds, 0) ? 1 : kUnseenWeight;
-    set[page] = weight * error_px > targets.error_px || weight * edge_px > targets.edge_px ? 1 : 0;
+    set[page] = weight * std::max(error, edge) > targets.take ? 1 : 0;
   }
   set.back() = 1;
   close_cut(scan().directory, set);
@@ -64,7 +64,7 @@ TEST(PageDemand, IsTheClosureOfWhatIsTooCoarse) {
   const KnownPages known = know_all(scan());
   for (const double distance : {5.0, 1.0, 0.2, 0.01}) {
     const Camera camera = camera_over(0.6, 0.4, distance);
-    const CutTargets targets = still_targets(false);
+    const CutTargets targets = full_targets(false);
     EXPECT_EQ(set_of(demand_of(known, camera, targets)),
               wanted_by_definition(view_of(camera), targets))
         << distance;
@@ -117,7 +117,7 @@ size_t count_dropped(const PageSet& before, const PageDemand& after) {
 
 TEST(PageDemand, AUsedPageStaysAWhileWhenTheCameraMoves) {
   const KnownPages known = know_all(scan());
-  const CutTargets targets = {.error_px = 1, .edge_px = 6, .keep = 0.9f};
+  const CutTargets targets = {.error_px = 1, .edge_px = 6, .take = 1, .keep = 0.9f};
   const PageSet before = set_of(demand_of(known, camera_over(0.5, 0.5, 3), targets));
   double farther = 3;
   while (farther < 10 &&
@@ -133,14 +133,14 @@ TEST(PageDemand, WithoutKeepingTheLastCutIsOfNoInfluence) {
   const KnownPages known = know_all(scan());
   const Camera camera = camera_over(0.5, 0.5, 4);
   const PageSet all(scan().directory.entries.size(), 1);
-  EXPECT_EQ(set_of(demand_of(known, camera, still_targets(false), all)),
-            set_of(demand_of(known, camera, still_targets(false))));
+  EXPECT_EQ(set_of(demand_of(known, camera, full_targets(false), all)),
+            set_of(demand_of(known, camera, full_targets(false))));
 }
 
 TEST(PageDemand, SharpeningWantsMoreOfTheError) {
   const KnownPages known = know_all(scan());
   const PageSet nothing(known.head().page_count());
-  const CutTargets targets = {.error_px = 1, .edge_px = 1000, .keep = 1};
+  const CutTargets targets = {.error_px = 1, .edge_px = 1000};
   const PageView view = view_of(camera_over(0.5, 0.5, 1));
   DemandFinder finder(known);
   const size_t plain = finder.find(view, {.gain = 1}, targets, nothing).pages.size();

@@ -116,6 +116,45 @@ TEST(PageLoader, DetailStaysWhileTheCameraMoves) {
   EXPECT_GE(flight.cut().triangles, triangles * 9 / 10);
 }
 
+TEST(PageLoader, DetailStaysWhenTheCameraStops) {
+  PageFlight flight(scan(), {});
+  flight.settle(kWhole);
+  const uint64_t triangles = flight.cut().triangles;
+  const Camera beside = camera_over(0.501, 0.5, 3);
+  for (int i = 0; i < 4; ++i) {
+    flight.picture(beside);
+    EXPECT_GE(flight.cut().triangles, triangles * 9 / 10);
+  }
+}
+
+TEST(PageLoader, ADirectoryBeyondItsBudgetIsForgottenAndFetchedAgain) {
+  const SyntheticScan large = make_synthetic_scan({.side = 128});
+  PageFlight full(large, {}), thrifty(large, options_with({.directory_blocks = 84}));
+  for (const Camera& camera : {kNear, kBeside, kNear}) {
+    full.settle(camera);
+    thrifty.settle(camera);
+    EXPECT_EQ(thrifty.cut().set, full.cut().set);
+    EXPECT_LE(thrifty.loader().known().known_blocks(), 84u);
+  }
+  EXPECT_GT(full.loader().known().known_blocks(), 84u);
+}
+
+TEST(PageLoader, ADirectoryThatIsTooLargeIsNamed) {
+  PageFlight flight(scan(), options_with({.directory_blocks = 8}));
+  flight.settle(kWhole);
+  EXPECT_EQ(flight.loader().status().reason, CutReason::kMemory);
+}
+
+TEST(PageLoader, UnderABudgetTooDetailStaysWhenTheCameraBeginsToMove) {
+  PageFlight flight(scan(), options_with({.triangles = 12'000}));
+  flight.settle(kWhole);
+  const uint64_t triangles = flight.cut().triangles;
+  for (int i = 1; i <= 5; ++i) {
+    flight.picture(camera_over(0.5 + 0.0002 * i, 0.5, 3));
+    EXPECT_GE(flight.cut().triangles, triangles * 9 / 10);
+  }
+}
+
 TEST(PageLoader, LookingBackAsksForNothing) {
   PageFlight flight(scan(), {});
   flight.settle(kWhole);

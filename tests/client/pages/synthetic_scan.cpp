@@ -84,6 +84,7 @@ class Builder {
     std::vector<PagePatch> patches;
     float error = 0, edge = 0;
     for (PageId finer = begin; finer < end; ++finer) {
+      if (!box.intersects(scan_.places[finer])) continue;
       const double common = area_where_they_meet(box, scan_.places[finer]);
       if (common <= 0) continue;
       const PageEntry& entry = scan_.directory.entries[finer];
