@@ -1,0 +1,36 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+#include "common/pages/page.h"
+
+namespace burnish {
+
+/// Something that a client asks a server for: a page, or a block of the directory.
+struct PageItem {
+  enum class Kind : uint8_t { kBlock, kPage };
+
+  Kind kind = Kind::kPage;
+  uint32_t number = 0;  ///< of the page or the block
+
+  static PageItem of_page(PageId page) { return {Kind::kPage, page}; }
+  static PageItem of_block(uint32_t block) { return {Kind::kBlock, block}; }
+  auto operator<=>(const PageItem&) const = default;
+};
+
+/// An item that the current picture misses.
+struct MissingItem {
+  PageItem item;
+  uint32_t bytes = 0;
+  float excess = 0;  ///< as in WantedPage
+};
+
+/// Orders by urgency: most pixels of error first, coarse before fine, blocks before pages.
+inline bool is_more_urgent(const MissingItem& one, const MissingItem& other) {
+  if (one.excess != other.excess) return one.excess > other.excess;
+  if (one.item.kind != other.item.kind) return one.item.kind < other.item.kind;
+  return one.item.number > other.item.number;
+}
+
+}  // namespace burnish
