@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/client/pages/page_flight.h"
 #include "tests/client/pages/ready_pages.h"
 
 namespace burnish {

@@ -5,19 +5,18 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/client/pages/page_flight.h"
 #include "tests/client/pages/ready_pages.h"
 
 namespace burnish {
 namespace {
 
-const SyntheticScan& scan() {
+const SyntheticScan& demanded_scan() {
   static const SyntheticScan made = make_synthetic_scan();
   return made;
 }
 
 PageView view_of(const Camera& camera) {
-  return make_page_view(camera, kFlightPicture, scan().directory.head.grid);
+  return make_page_view(camera, kFlightPicture, demanded_scan().directory.head.grid);
 }
 
 PageDemand demand_of(const KnownPages& known, const Camera& camera,
@@ -30,24 +29,24 @@ PageDemand demand_of(const KnownPages& known, const Camera& camera,
 }
 
 PageSet set_of(const PageDemand& demand) {
-  PageSet set(scan().directory.entries.size());
+  PageSet set(demanded_scan().directory.entries.size());
   for (const WantedPage& wanted : demand.pages) set[wanted.page] = 1;
   return set;
 }
 
 TEST(PageDemand, IsALegalCutFromEverywhere) {
-  const KnownPages known = know_all(scan());
+  const KnownPages known = know_all(demanded_scan());
   for (const double distance : {10.0, 2.0, 0.5, 0.05, 0.001})
     for (const double x : {-0.5, 0.0, 0.4})
-      EXPECT_TRUE(
-          is_legal_cut(scan().directory, set_of(demand_of(known, camera_over(x, 0.3, distance)))));
+      EXPECT_TRUE(is_legal_cut(demanded_scan().directory,
+                               set_of(demand_of(known, camera_over(x, 0.3, distance)))));
 }
 
 // The definition, without blocks, order or bookkeeping.
 PageSet wanted_by_definition(const PageView& view, const CutTargets& targets) {
-  PageSet set(scan().directory.entries.size());
+  PageSet set(demanded_scan().directory.entries.size());
   for (PageId page = 0; page < set.size(); ++page) {
-    const PageBounds& bounds = scan().directory.entries[page].bounds;
+    const PageBounds& bounds = demanded_scan().directory.entries[page].bounds;
     const double distance =
         std::max<double>((bounds.centre - view.eye).norm() - bounds.radius, view.nearest);
     const double error = bounds.error * view.pixels_at_one / distance / targets.error_px;
@@ -56,12 +55,12 @@ PageSet wanted_by_definition(const PageView& view, const CutTargets& targets) {
     set[page] = weight * std::max(error, edge) > targets.take ? 1 : 0;
   }
   set.back() = 1;
-  close_cut(scan().directory, set);
+  close_cut(demanded_scan().directory, set);
   return set;
 }
 
 TEST(PageDemand, IsTheClosureOfWhatIsTooCoarse) {
-  const KnownPages known = know_all(scan());
+  const KnownPages known = know_all(demanded_scan());
   for (const double distance : {5.0, 1.0, 0.2, 0.01}) {
     const Camera camera = camera_over(0.6, 0.4, distance);
     const CutTargets targets = full_targets(false);
@@ -72,28 +71,28 @@ TEST(PageDemand, IsTheClosureOfWhatIsTooCoarse) {
 }
 
 TEST(PageDemand, HasTheRootAlwaysAndLast) {
-  const KnownPages known = know_all(scan());
+  const KnownPages known = know_all(demanded_scan());
   Camera away = camera_over(0.5, 0.5, 3);
   away.target.x() += 1000;
   const PageDemand demand = demand_of(known, away);
   ASSERT_FALSE(demand.pages.empty());
-  EXPECT_EQ(demand.pages.back().page, scan().directory.head.root());
+  EXPECT_EQ(demand.pages.back().page, demanded_scan().directory.head.root());
 }
 
 TEST(PageDemand, ACoarserPageIsNeverLessUrgent) {
-  const KnownPages known = know_all(scan());
+  const KnownPages known = know_all(demanded_scan());
   std::map<PageId, WantedPage> by_page;
   for (const WantedPage& wanted : demand_of(known, camera_over(0.2, 0.7, 0.1)).pages)
     by_page[wanted.page] = wanted;
   for (const auto& [page, wanted] : by_page)
-    for (const PageId coarser : scan().directory.coarser[page]) {
+    for (const PageId coarser : demanded_scan().directory.coarser[page]) {
       ASSERT_GE(by_page.at(coarser).excess, wanted.excess);
       ASSERT_GE(by_page.at(coarser).is_seen, wanted.is_seen);
     }
 }
 
 TEST(PageDemand, WhatIsOutOfViewCountsAHundredth) {
-  const KnownPages known = know_all(scan());
+  const KnownPages known = know_all(demanded_scan());
   const Camera camera = camera_over(0.5, 0.5, 0.02);
   const PageView view = view_of(camera);
   const CutTargets targets = full_targets(false);
@@ -116,7 +115,7 @@ size_t count_dropped(const PageSet& before, const PageDemand& after) {
 }
 
 TEST(PageDemand, AUsedPageStaysAWhileWhenTheCameraMoves) {
-  const KnownPages known = know_all(scan());
+  const KnownPages known = know_all(demanded_scan());
   const CutTargets targets = {.error_px = 1, .edge_px = 6, .take = 1, .keep = 0.9f};
   const PageSet before = set_of(demand_of(known, camera_over(0.5, 0.5, 3), targets));
   double farther = 3;
@@ -130,15 +129,15 @@ TEST(PageDemand, AUsedPageStaysAWhileWhenTheCameraMoves) {
 }
 
 TEST(PageDemand, WithoutKeepingTheLastCutIsOfNoInfluence) {
-  const KnownPages known = know_all(scan());
+  const KnownPages known = know_all(demanded_scan());
   const Camera camera = camera_over(0.5, 0.5, 4);
-  const PageSet all(scan().directory.entries.size(), 1);
+  const PageSet all(demanded_scan().directory.entries.size(), 1);
   EXPECT_EQ(set_of(demand_of(known, camera, full_targets(false), all)),
             set_of(demand_of(known, camera, full_targets(false))));
 }
 
 TEST(PageDemand, SharpeningWantsMoreOfTheError) {
-  const KnownPages known = know_all(scan());
+  const KnownPages known = know_all(demanded_scan());
   const PageSet nothing(known.head().page_count());
   const CutTargets targets = {.error_px = 1, .edge_px = 1000};
   const PageView view = view_of(camera_over(0.5, 0.5, 1));
@@ -148,11 +147,11 @@ TEST(PageDemand, SharpeningWantsMoreOfTheError) {
 }
 
 TEST(PageDemand, AnUnknownDirectoryIsWantedFromCoarseToFine) {
-  const KnownPages known(scan().directory.head);
+  const KnownPages known(demanded_scan().directory.head);
   const PageDemand demand = demand_of(known, camera_over(0.5, 0.5, 0.5));
   ASSERT_FALSE(demand.blocks.empty());
   EXPECT_TRUE(demand.pages.empty());
-  int level = scan().directory.head.level_count();
+  int level = demanded_scan().directory.head.level_count();
   for (const WantedBlock& wanted : demand.blocks) {
     const int next = known.head().level_of(known.pages_of(wanted.block).begin);
     EXPECT_LE(next, level);
@@ -162,18 +161,18 @@ TEST(PageDemand, AnUnknownDirectoryIsWantedFromCoarseToFine) {
 }
 
 TEST(PageDemand, ABlockThatIsTooFineIsNotWanted) {
-  const KnownPages known(scan().directory.head);
+  const KnownPages known(demanded_scan().directory.head);
   for (const WantedBlock& wanted : demand_of(known, camera_over(0.5, 0.5, 30)).blocks)
     EXPECT_GE(wanted.block, known.level_zero_blocks());
 }
 
 TEST(PageDemand, AFinePageMakesItsCoarserPagesBlocksWanted) {
-  KnownPages known(scan().directory.head);
-  known.add(0, scan().block(0));
+  KnownPages known(demanded_scan().directory.head);
+  known.add(0, demanded_scan().block(0));
   const PageId page = 10;
-  const Eigen::Vector2d at = scan().places[page].center();
+  const Eigen::Vector2d at = demanded_scan().places[page].center();
   const PageDemand demand = demand_of(known, camera_over(at.x(), at.y(), 0.01));
-  for (const PageId coarser : scan().directory.coarser[page])
+  for (const PageId coarser : demanded_scan().directory.coarser[page])
     EXPECT_TRUE(std::ranges::any_of(demand.blocks, [&](const WantedBlock& wanted) {
       return wanted.block == known.block_of(coarser);
     }));

@@ -9,7 +9,7 @@
 namespace burnish {
 namespace {
 
-const SyntheticScan& scan() {
+const SyntheticScan& faulty_scan() {
   static const SyntheticScan made = make_synthetic_scan();
   return made;
 }
@@ -47,18 +47,18 @@ constexpr LinkFaults kAllFaults = {.lost = 0.02,
 
 TEST(PageLoaderFaults, EveryPictureIsWholeWhateverTheLinkDoes) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {
-    PageFlight flight(scan(), faulty(seed, kAllFaults));
+    PageFlight flight(faulty_scan(), faulty(seed, kAllFaults));
     fly_about(flight, seed, 12, 40);
   }
 }
 
 TEST(PageLoaderFaults, AFaultyLinkLeadsToTheSameCutAsAGoodOne) {
   const Camera camera = camera_over(0.5, 0.5, 1);
-  PageFlight good(scan(), {});
+  PageFlight good(faulty_scan(), {});
   good.settle(camera);
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     PageFlight flight(
-        scan(),
+        faulty_scan(),
         faulty(seed, {.lost = 0.01, .failed = 0.03, .damaged = 0.03, .doubled = 0.2, .late = 0.2}));
     flight.settle(camera);
     EXPECT_EQ(flight.given_up(), 0u);
@@ -70,13 +70,13 @@ TEST(PageLoaderFaults, BudgetsHoldWhileAFaultyLinkIsFlownOver) {
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     PageFlightOptions options = faulty(seed, kAllFaults);
     options.budget = {.triangles = 4'000, .resident_bytes = 700'000, .card_bytes = 90 * kSlotBytes};
-    PageFlight flight(scan(), options);
+    PageFlight flight(faulty_scan(), options);
     fly_about(flight, seed, 12, 40);
   }
 }
 
 TEST(PageLoaderFaults, AServerThatSendsRubbishIsAskedAFewTimesAndNamed) {
-  PageFlight flight(scan(), slow_link());
+  PageFlight flight(faulty_scan(), slow_link());
   const Camera camera = camera_over(0.5, 0.5, 1);
   while (flight.cut().pages.empty()) flight.picture(camera);
   flight.link().set_faults({.damaged = 1});
@@ -91,7 +91,7 @@ TEST(PageLoaderFaults, AServerThatSendsRubbishIsAskedAFewTimesAndNamed) {
 }
 
 TEST(PageLoaderFaults, ABrokenLinkIsMadeGoodByTheNext) {
-  PageFlight flight(scan(), slow_link());
+  PageFlight flight(faulty_scan(), slow_link());
   const Camera camera = camera_over(0.5, 0.5, 1);
   for (int i = 0; i < 20; ++i) flight.picture(camera);
   flight.link().set_broken(true);
@@ -125,14 +125,14 @@ Peak peak_of(PageFlight& flight, uint64_t seed, int legs) {
 TEST(PageLoaderFaults, NothingGrowsOnALongFlight) {
   PageFlightOptions options = faulty(5, kAllFaults);
   options.budget = {.triangles = 4'000, .resident_bytes = 500'000, .card_bytes = 90 * kSlotBytes};
-  PageFlight flight(scan(), options);
+  PageFlight flight(faulty_scan(), options);
   peak_of(flight, 4, 20);
   const Peak first = peak_of(flight, 5, 60), second = peak_of(flight, 6, 60);
   EXPECT_LE(second.pages, first.pages + first.pages / 20);
   EXPECT_LE(second.slots, 90u);
   EXPECT_LE(second.in_flight, 2 * first.in_flight);
   EXPECT_LE(flight.loader().in_flight().failures().count(),
-            scan().directory.entries.size() + scan().directory.head.block_count());
+            faulty_scan().directory.entries.size() + faulty_scan().directory.head.block_count());
 }
 
 }  // namespace

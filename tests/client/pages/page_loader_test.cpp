@@ -7,7 +7,7 @@
 namespace burnish {
 namespace {
 
-const SyntheticScan& scan() {
+const SyntheticScan& loaded_scan() {
   static const SyntheticScan made = make_synthetic_scan();
   return made;
 }
@@ -28,13 +28,13 @@ PageFlightOptions small_card() {
 }
 
 PageSet fresh_cut(const Camera& camera, const PageFlightOptions& options) {
-  PageFlight flight(scan(), options);
+  PageFlight flight(loaded_scan(), options);
   flight.settle(camera);
   return flight.cut().set;
 }
 
 TEST(PageLoader, ALinkThatDeliversLeadsToFullDetail) {
-  PageFlight flight(scan(), {});
+  PageFlight flight(loaded_scan(), {});
   flight.settle(kWhole);
   EXPECT_TRUE(flight.loader().status().is_full_detail);
   EXPECT_EQ(flight.cut().pages.size(), flight.cut().used.size());
@@ -42,7 +42,7 @@ TEST(PageLoader, ALinkThatDeliversLeadsToFullDetail) {
 }
 
 TEST(PageLoader, TheFirstPictureComesAfterTwoRoundTrips) {
-  PageFlight flight(scan(), {});
+  PageFlight flight(loaded_scan(), {});
   const auto begin = flight.now();
   while (flight.cut().pages.empty() && flight.now() < begin + std::chrono::seconds(1))
     flight.picture(kWhole);
@@ -51,7 +51,7 @@ TEST(PageLoader, TheFirstPictureComesAfterTwoRoundTrips) {
 
 TEST(PageLoader, ZoomingInAndOutEndsWhereAFreshClientEnds) {
   for (const PageFlightOptions& options : {PageFlightOptions(), small_card()}) {
-    PageFlight flight(scan(), options);
+    PageFlight flight(loaded_scan(), options);
     flight.settle(kWhole);
     flight.fly(kWhole, kNear, 60);
     flight.settle(kNear);
@@ -64,7 +64,7 @@ TEST(PageLoader, ZoomingInAndOutEndsWhereAFreshClientEnds) {
 
 TEST(PageLoader, PanningEndsWhereAFreshClientEnds) {
   for (const PageFlightOptions& options : {PageFlightOptions(), small_card()}) {
-    PageFlight flight(scan(), options);
+    PageFlight flight(loaded_scan(), options);
     flight.settle(kNear);
     flight.fly(kNear, kBeside, 40);
     flight.settle(kBeside);
@@ -74,7 +74,7 @@ TEST(PageLoader, PanningEndsWhereAFreshClientEnds) {
 
 TEST(PageLoader, UnderATriangleBudgetPathsEndAlikeToo) {
   const PageFlightOptions options = options_with({.triangles = 12'000});
-  PageFlight flight(scan(), options);
+  PageFlight flight(loaded_scan(), options);
   flight.settle(kWhole);
   flight.fly(kWhole, kNear, 30);
   flight.fly(kNear, kWhole, 30);
@@ -88,7 +88,7 @@ TEST(PageLoader, EachBudgetIsNamedWhenItStopsTheCut) {
       {{.resident_bytes = 1'000'000}, CutReason::kMemory},
       {{.card_bytes = 100 * kSlotBytes}, CutReason::kCard}};
   for (const auto& [budget, reason] : cases) {
-    PageFlight flight(scan(), options_with(budget));
+    PageFlight flight(loaded_scan(), options_with(budget));
     flight.settle(kWhole);
     const CutStatus status = flight.loader().status();
     EXPECT_EQ(status.reason, reason) << status_text(status);
@@ -100,7 +100,7 @@ TEST(PageLoader, EachBudgetIsNamedWhenItStopsTheCut) {
 TEST(PageLoader, LoadingIsSaidWithTheBytesThatAreLeft) {
   PageFlightOptions slow;
   slow.link.speed.bytes_per_second = 3e5;
-  PageFlight flight(scan(), slow);
+  PageFlight flight(loaded_scan(), slow);
   for (int i = 0; i < 20; ++i) flight.picture(kWhole);
   const CutStatus status = flight.loader().status();
   EXPECT_EQ(status.reason, CutReason::kLoading);
@@ -108,7 +108,7 @@ TEST(PageLoader, LoadingIsSaidWithTheBytesThatAreLeft) {
 }
 
 TEST(PageLoader, DetailStaysWhileTheCameraMoves) {
-  PageFlight flight(scan(), {});
+  PageFlight flight(loaded_scan(), {});
   flight.settle(kWhole);
   const uint64_t triangles = flight.cut().triangles;
   flight.picture(camera_over(0.501, 0.5, 3));
@@ -117,7 +117,7 @@ TEST(PageLoader, DetailStaysWhileTheCameraMoves) {
 }
 
 TEST(PageLoader, DetailStaysWhenTheCameraStops) {
-  PageFlight flight(scan(), {});
+  PageFlight flight(loaded_scan(), {});
   flight.settle(kWhole);
   const uint64_t triangles = flight.cut().triangles;
   const Camera beside = camera_over(0.501, 0.5, 3);
@@ -140,13 +140,13 @@ TEST(PageLoader, ADirectoryBeyondItsBudgetIsForgottenAndFetchedAgain) {
 }
 
 TEST(PageLoader, ADirectoryThatIsTooLargeIsNamed) {
-  PageFlight flight(scan(), options_with({.directory_blocks = 8}));
+  PageFlight flight(loaded_scan(), options_with({.directory_blocks = 8}));
   flight.settle(kWhole);
   EXPECT_EQ(flight.loader().status().reason, CutReason::kMemory);
 }
 
 TEST(PageLoader, UnderABudgetTooDetailStaysWhenTheCameraBeginsToMove) {
-  PageFlight flight(scan(), options_with({.triangles = 12'000}));
+  PageFlight flight(loaded_scan(), options_with({.triangles = 12'000}));
   flight.settle(kWhole);
   const uint64_t triangles = flight.cut().triangles;
   for (int i = 1; i <= 5; ++i) {
@@ -156,7 +156,7 @@ TEST(PageLoader, UnderABudgetTooDetailStaysWhenTheCameraBeginsToMove) {
 }
 
 TEST(PageLoader, LookingBackAsksForNothing) {
-  PageFlight flight(scan(), {});
+  PageFlight flight(loaded_scan(), {});
   flight.settle(kWhole);
   flight.settle(kNear);
   const uint64_t asked = flight.link().bytes_asked();
@@ -165,7 +165,7 @@ TEST(PageLoader, LookingBackAsksForNothing) {
 }
 
 TEST(PageLoader, AMovingSurfaceIsShownAsFineAsItsFramesCarry) {
-  PageFlight flight(scan(), {});
+  PageFlight flight(loaded_scan(), {});
   flight.settle(kWhole);
   flight.surface_moves = true;
   flight.frame_vertices_max = 1'500;
@@ -179,7 +179,7 @@ TEST(PageLoader, AMovingSurfaceIsShownAsFineAsItsFramesCarry) {
 }
 
 TEST(PageLoader, APageWithoutValuesOfTheShownFrameIsNotShown) {
-  PageFlight flight(scan(), {});
+  PageFlight flight(loaded_scan(), {});
   flight.settle(kNear);
   const PageId fine = flight.cut().pages.back();
   flight.has_values = [fine](PageId page) { return page != fine; };

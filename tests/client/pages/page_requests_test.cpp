@@ -5,13 +5,13 @@
 namespace burnish {
 namespace {
 
-constexpr uint32_t kBytes = 10'000;
+constexpr uint32_t kPartBytes = 10'000;
 constexpr LinkSpeed kUnknownLink = {};
 
 std::vector<MissingItem> pages(PageId begin, PageId end) {
   std::vector<MissingItem> missing;
   for (PageId page = begin; page < end; ++page)
-    missing.push_back({PageItem::of_page(page), kBytes, static_cast<float>(page)});
+    missing.push_back({PageItem::of_page(page), kPartBytes, static_cast<float>(page)});
   return missing;
 }
 
@@ -46,13 +46,13 @@ TEST_F(PageRequestsAt, TwoRoundTripsAreInFlightOnAKnownLink) {
 
 TEST_F(PageRequestsAt, ACoarserPageGoesBeforeAFinerOneOfTheSameUrgency) {
   const auto& asked =
-      plan({{PageItem::of_page(1), kBytes, 5}, {PageItem::of_page(9), kBytes, 5}}).ask;
+      plan({{PageItem::of_page(1), kPartBytes, 5}, {PageItem::of_page(9), kPartBytes, 5}}).ask;
   EXPECT_EQ(asked.front(), PageItem::of_page(9));
 }
 
 TEST_F(PageRequestsAt, ABlockGoesBeforeAPageOfTheSameUrgency) {
   const auto& asked =
-      plan({{PageItem::of_page(1), kBytes, 5}, {PageItem::of_block(0), kBytes, 5}}).ask;
+      plan({{PageItem::of_page(1), kPartBytes, 5}, {PageItem::of_block(0), kPartBytes, 5}}).ask;
   EXPECT_EQ(asked.front(), PageItem::of_block(0));
 }
 
@@ -65,10 +65,10 @@ TEST_F(PageRequestsAt, WhatIsInFlightIsNotAskedForAgain) {
 
 TEST_F(PageRequestsAt, AnItemLargerThanTheLimitGoesAlone) {
   const MissingItem large = {PageItem::of_page(1), 200'000, 9};
-  EXPECT_EQ(plan({large, {PageItem::of_page(0), kBytes, 1}}).ask.size(), 1u);
-  EXPECT_TRUE(plan({{PageItem::of_page(0), kBytes, 1}}).ask.empty());
+  EXPECT_EQ(plan({large, {PageItem::of_page(0), kPartBytes, 1}}).ask.size(), 1u);
+  EXPECT_TRUE(plan({{PageItem::of_page(0), kPartBytes, 1}}).ask.empty());
   requests_.on_arrival(PageItem::of_page(1));
-  EXPECT_EQ(plan({{PageItem::of_page(0), kBytes, 1}}).ask.size(), 1u);
+  EXPECT_EQ(plan({{PageItem::of_page(0), kPartBytes, 1}}).ask.size(), 1u);
 }
 
 TEST_F(PageRequestsAt, StaleItemsAreCancelledWhenOthersWait) {
