@@ -53,7 +53,9 @@ void GlPageRenderer::draw_pages(const Camera& camera, double aspect, const DrawS
   programs_.page.use();
   set_place(programs_.page, place_, camera, aspect, original);
   set_style(programs_.page, place_, style);
-  glEnable(GL_POLYGON_OFFSET_FILL);  // leaves room for the edges in front
+  // Leaves room for the edges in front. Without edges a triangle that is seen from its side would
+  // fall behind what it hides.
+  if (style.wireframe) glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 1);
   arena_.draw();
   glDisable(GL_POLYGON_OFFSET_FILL);

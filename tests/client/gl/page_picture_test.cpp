@@ -64,7 +64,7 @@ TEST_F(PagePicture, PagesLookAsTheWholeMeshDoes) {
     const Image empty = draw({}, {});
     const Image still = draw_whole(whole, none);
     EXPECT_GT(mean_luminance_difference(empty, still), 10);
-    EXPECT_LT(mean_luminance_difference(draw(), still), 0.05);
+    EXPECT_LT(mean_luminance_difference(draw(), still), 0.2);
     const std::vector<Vec3f> moves = displace_corners(view, wave);
     move_as(whole, moves);
     const Image moved = draw_whole(whole, moves);
