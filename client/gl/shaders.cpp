@@ -26,6 +26,7 @@ out vec3 original_position;  // not centroid: its derivatives must not jump from
 centroid out float value;
 centroid out float tint;
 centroid out float moved;  // along the normal, cells
+centroid out vec3 scan_colour;
 
 vec3 moved_by = vec3(0.0);
 mat3 gradient = mat3(0.0);  // columns are derivatives along x, y, z
@@ -82,6 +83,7 @@ void main() {
   seen_normal = mat3(model_view) * n;
   seen_ridge = has_grid ? 0.0 : ridge;
   original_position = position;
+  scan_colour = vec3(0.0);
   gl_Position = projection * seen;
 }
 )";
@@ -96,6 +98,7 @@ in vec3 original_position;
 centroid in float value;
 centroid in float tint;
 centroid in float moved;
+centroid in vec3 scan_colour;  // sRGB
 uniform bool flat_normals;
 uniform bool edges;
 uniform bool faded;
@@ -140,6 +143,7 @@ vec3 base_colour() {
   vec3 base = kClay;
   if (colouring == 1) base = blue_to_red(value);
   if (colouring == 2) base = blue_to_red(moved / displacement_range);
+  if (colouring == 3) base = linear(scan_colour);
   return mix(base, linear(tint_colour), 0.75 * tint);
 }
 
@@ -168,9 +172,10 @@ void main() {
 )";
 
 const char* const kPickFragmentShader = R"(#version 330 core
+uniform int first_number;
 out uint number;
 void main() {
-  number = uint(gl_PrimitiveID) + 1u;
+  number = uint(first_number + gl_PrimitiveID) + 1u;
 }
 )";
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "client/scene/camera.h"
+#include "client/scene/surface_hit.h"
 #include "client/scene/view_mesh.h"
 
 namespace burnish {
@@ -12,15 +12,6 @@ namespace burnish {
 struct DisplacedSurface {
   const ViewMesh& mesh;
   std::span<const Vec3f> displacements;  ///< one per corner, cells; empty: nothing moved
-};
-
-/// A point where a ray meets the surface.
-struct SurfaceHit {
-  uint32_t triangle = 0;
-  Vec3d weights = Vec3d::Zero();    ///< barycentric, not negative, sum 1
-  Vec3d displaced = Vec3d::Zero();  ///< file units, displaced
-  Vec3d original = Vec3d::Zero();   ///< file units, the same point before all edits
-  double distance = 0;              ///< from the ray's origin, file units
 };
 
 /// Returns the position in file units.

@@ -18,6 +18,7 @@ enum class Colouring {
   kClay,          ///< only the shape
   kCells,         ///< the values of upload_cell_values(): blue at -1, red at 1
   kDisplacement,  ///< movement along the normal: blue inwards, red outwards
+  kScan,          ///< the scan's own colours, of pages alone
 };
 
 /// A brush's outline: all points of the original surface at this distance from its centre, drawn at

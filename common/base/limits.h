@@ -49,6 +49,7 @@ inline constexpr uint32_t kPagesMax = 1u << 24;  // of a scan
 inline constexpr uint32_t kPagesPerBlock = 256;  // of the directory
 inline constexpr uint32_t kCoarserPerBlockMax = 1u << 14;
 inline constexpr uint32_t kPageBytesMax = 1u << 18;  // encoded
+inline constexpr uint32_t kPageSlotsMax = 1u << 18;  // on the graphics card
 
 inline constexpr int kImageSidePixelsMin = 16;
 inline constexpr int kImageSidePixelsMax = 8192;

@@ -1,0 +1,43 @@
+#include "client/gl/arena_buffer.h"
+
+#include <utility>
+
+#include "client/gl/gl_error.h"
+
+namespace burnish {
+
+Result<ArenaBuffer> ArenaBuffer::create(size_t bytes, const std::string& what) {
+  GLuint name = 0;
+  glGenBuffers(1, &name);
+  ArenaBuffer buffer(name);
+  buffer.bind(GL_COPY_WRITE_BUFFER);
+  glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_DRAW);
+  RETURN_IF_ERROR(check_gl(what));
+  return buffer;
+}
+
+ArenaBuffer::ArenaBuffer(ArenaBuffer&& other) noexcept : buffer_(std::exchange(other.buffer_, 0)) {}
+
+ArenaBuffer& ArenaBuffer::operator=(ArenaBuffer&& other) noexcept {
+  std::swap(buffer_, other.buffer_);
+  return *this;
+}
+
+ArenaBuffer::~ArenaBuffer() {
+  glDeleteBuffers(1, &buffer_);
+}
+
+void ArenaBuffer::write(size_t first_byte, std::span<const std::byte> bytes) const {
+  bind(GL_COPY_WRITE_BUFFER);
+  glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(first_byte),
+                  static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+}
+
+void ArenaBuffer::copy_from(const ArenaBuffer& other, size_t bytes) const {
+  other.bind(GL_COPY_READ_BUFFER);
+  bind(GL_COPY_WRITE_BUFFER);
+  glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
+                      static_cast<GLsizeiptr>(bytes));
+}
+
+}  // namespace burnish

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+
+#include "client/gl/background.h"
+#include "client/gl/mesh_uniforms.h"
+#include "client/gl/page_arena.h"
+#include "client/gl/pick_target.h"
+#include "client/gl/picture_target.h"
+#include "client/gl/shader_program.h"
+#include "client/scene/page_renderer.h"
+
+namespace burnish {
+
+/// Draws pages with the OpenGL context that is current on the calling thread. Needs: the context
+/// outlives this object.
+class GlPageRenderer : public PageRenderer {
+ public:
+  /// Fails: internal_error when the driver refuses a shader.
+  static Result<std::unique_ptr<GlPageRenderer>> create();
+
+  void open(const PageSpace& space) override;
+  Status reserve(uint32_t slots) override { return arena_.reserve(slots); }
+  Status upload_page(uint32_t slot, const PageMesh& mesh) override {
+    return arena_.upload_page(slot, mesh);
+  }
+  Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
+                   std::span<const Vec3f> normals) override {
+    return arena_.move_page(slot, displacements, normals);
+  }
+  Status mark_page(uint32_t slot, std::span<const VertexMark> marks) override {
+    return arena_.mark_page(slot, marks);
+  }
+  Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
+              std::span<const PatchRange> patches) override;
+  Result<Image> read_pixels() override { return target_.read(); }
+  Result<std::optional<PagePick>> pick(const Camera& camera, const ImageSize& size,
+                                       const Eigen::Vector2i& pixel, bool original,
+                                       std::span<const PatchRange> patches) override;
+
+ private:
+  struct Programs {
+    ShaderProgram page;
+    ShaderProgram pick;
+    std::unique_ptr<Background> background;
+  };
+  explicit GlPageRenderer(Programs programs) : programs_(std::move(programs)) {}
+  void draw_split(const Camera& camera, const ImageSize& size, const DrawStyle& style) const;
+  void draw_pages(const Camera& camera, double aspect, const DrawStyle& style, bool original) const;
+  void draw_edges() const;
+
+  Programs programs_;
+  PageArena arena_;
+  PictureTarget target_;
+  PickTarget pick_target_;
+  MeshPlace place_;
+};
+
+}  // namespace burnish

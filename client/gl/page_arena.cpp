@@ -1,0 +1,94 @@
+#include "client/gl/page_arena.h"
+
+#include "client/gl/gl_error.h"
+#include "common/base/check.h"
+
+namespace burnish {
+
+PageArena::PageArena() {
+  glGenVertexArrays(1, &vertex_array_);
+}
+
+PageArena::~PageArena() {
+  glDeleteVertexArrays(1, &vertex_array_);
+}
+
+Status PageArena::reserve(uint32_t slots) {
+  if (slots <= slots_.size()) return Status::ok();
+  RETURN_IF_ERROR(check_page_slots(slots));
+  ASSIGN_OR_RETURN(PageStreams larger, PageStreams::create(slots));
+  if (!slots_.empty()) larger.copy_from(streams_, static_cast<uint32_t>(slots_.size()));
+  RETURN_IF_ERROR(check_gl("room for " + std::to_string(slots) + " pages"));
+  streams_ = std::move(larger);
+  slots_.resize(slots);
+  glBindVertexArray(vertex_array_);
+  streams_.bind();
+  return Status::ok();
+}
+
+Status PageArena::upload_page(uint32_t slot, const PageMesh& mesh) {
+  const size_t vertices = mesh.positions.size(), triangles = mesh.triangles.size();
+  BURNISH_CHECK(slot < slots_.size(), "slots are reserved");
+  BURNISH_CHECK(vertices <= kPageVerticesMax, "pages are checked where they are decoded");
+  BURNISH_CHECK(triangles <= kPageTrianglesMax, "pages are checked where they are decoded");
+  slots_[slot] = {};  // nothing half written is drawn
+  streams_.write_page(slot, mesh);
+  streams_.write_moves(slot, std::vector<Vec3f>(vertices, Vec3f::Zero()), mesh.normals);
+  streams_.write_marks(slot, std::vector<VertexMark>(vertices));
+  RETURN_IF_ERROR(check_gl("page of " + std::to_string(vertices) + " vertices"));
+  slots_[slot] = {static_cast<uint32_t>(vertices), static_cast<uint32_t>(triangles)};
+  return Status::ok();
+}
+
+void PageArena::check_vertices(uint32_t slot, size_t count) const {
+  BURNISH_CHECK(slot < slots_.size(), "slots are reserved");
+  BURNISH_CHECK(count == slots_[slot].vertices, "one per vertex of the page in the slot");
+}
+
+Status PageArena::move_page(uint32_t slot, std::span<const Vec3f> displacements,
+                            std::span<const Vec3f> normals) {
+  check_vertices(slot, displacements.size());
+  check_vertices(slot, normals.size());
+  streams_.write_moves(slot, displacements, normals);
+  return check_gl("displacements of a page");
+}
+
+Status PageArena::mark_page(uint32_t slot, std::span<const VertexMark> marks) {
+  check_vertices(slot, marks.size());
+  streams_.write_marks(slot, marks);
+  return check_gl("marks of a page");
+}
+
+void PageArena::check_patch(const PatchRange& patch) const {
+  BURNISH_CHECK(patch.slot < slots_.size(), "slots are reserved");
+  BURNISH_CHECK(size_t{patch.first} + patch.count <= slots_[patch.slot].triangles,
+                "patches lie inside the page in their slot");
+}
+
+void PageArena::choose(std::span<const PatchRange> patches) {
+  index_counts_.clear();
+  first_indices_.clear();
+  first_vertices_.clear();
+  for (const PatchRange& patch : patches) {
+    check_patch(patch);
+    index_counts_.push_back(static_cast<GLsizei>(3 * patch.count));
+    first_indices_.push_back(PageStreams::first_index(patch));
+    first_vertices_.push_back(PageStreams::first_vertex(patch));
+  }
+}
+
+void PageArena::draw() const {
+  glBindVertexArray(vertex_array_);
+  glMultiDrawElementsBaseVertex(GL_TRIANGLES, index_counts_.data(), GL_UNSIGNED_SHORT,
+                                first_indices_.data(), static_cast<GLsizei>(index_counts_.size()),
+                                first_vertices_.data());
+}
+
+void PageArena::draw(const PatchRange& patch) const {
+  check_patch(patch);
+  glBindVertexArray(vertex_array_);
+  glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(3 * patch.count), GL_UNSIGNED_SHORT,
+                           PageStreams::first_index(patch), PageStreams::first_vertex(patch));
+}
+
+}  // namespace burnish

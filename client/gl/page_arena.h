@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <epoxy/gl.h>
+
+#include "client/gl/page_streams.h"
+#include "client/scene/page_renderer.h"
+
+namespace burnish {
+
+/// The pages on the graphics card. Knows what each slot holds, so that nothing else of a slot is
+/// drawn. Needs: a current context for its whole life.
+class PageArena {
+ public:
+  PageArena();
+  ~PageArena();
+  PageArena(const PageArena&) = delete;
+  PageArena& operator=(const PageArena&) = delete;
+
+  void clear() { slots_.assign(slots_.size(), {}); }
+
+  // Work as PageRenderer's functions of these names.
+  Status reserve(uint32_t slots);
+  Status upload_page(uint32_t slot, const PageMesh& mesh);
+  Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
+                   std::span<const Vec3f> normals);
+  Status mark_page(uint32_t slot, std::span<const VertexMark> marks);
+
+  /// Chooses the patches that draw() draws. Needs: ranges inside the pages of their slots.
+  void choose(std::span<const PatchRange> patches);
+  void draw() const;
+  /// Draws one patch. OpenGL numbers its triangles from 0 on.
+  void draw(const PatchRange& patch) const;
+
+ private:
+  struct Slot {
+    uint32_t vertices = 0;
+    uint32_t triangles = 0;
+  };
+  void check_vertices(uint32_t slot, size_t count) const;
+  void check_patch(const PatchRange& patch) const;
+
+  GLuint vertex_array_ = 0;
+  PageStreams streams_;
+  std::vector<Slot> slots_;
+  // The chosen patches, as OpenGL takes them.
+  std::vector<GLsizei> index_counts_;
+  std::vector<const void*> first_indices_;
+  std::vector<GLint> first_vertices_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,42 @@
+#include "client/gl/shaders.h"
+
+namespace burnish {
+
+// A page's vertices come with displacements and with normals of both surfaces. Products with
+// cell_size, a power of two, are exact. So vertices that pages share end at the same place.
+const char* const kPageVertexShader = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 normal;  // xyz times 511
+layout(location = 2) in vec4 colour;
+layout(location = 3) in vec3 displacement;  // cells
+layout(location = 4) in vec4 displaced_normal;
+layout(location = 5) in float marked_value;  // -127 to 127
+layout(location = 6) in float marked_tint;   // 0 to 1
+uniform mat4 model_view;
+uniform mat4 projection;
+uniform float cell_size;  // 0: nothing moves
+centroid out vec3 seen_position;  // camera space
+centroid out vec3 seen_normal;
+centroid out float seen_ridge;
+out vec3 original_position;
+centroid out float value;
+centroid out float tint;
+centroid out float moved;  // along the normal, cells
+centroid out vec3 scan_colour;
+
+void main() {
+  bool still = cell_size == 0.0;
+  vec4 seen = model_view * vec4(position + cell_size * displacement, 1.0);
+  seen_position = seen.xyz;
+  seen_normal = mat3(model_view) * normalize(still ? normal.xyz : displaced_normal.xyz);
+  seen_ridge = 0.0;
+  original_position = position;
+  value = marked_value / 127.0;
+  tint = marked_tint;
+  moved = still ? 0.0 : dot(displacement, normalize(normal.xyz));
+  scan_colour = colour.rgb;
+  gl_Position = projection * seen;
+}
+)";
+
+}  // namespace burnish

@@ -1,0 +1,95 @@
+#include "client/gl/page_streams.h"
+
+#include <vector>
+
+#include "client/gl/page_vertex.h"
+
+namespace burnish {
+
+template <typename Vertex>
+static constexpr size_t vertex_bytes(uint32_t slots) {
+  return slots * kPageVerticesMax * sizeof(Vertex);
+}
+
+static constexpr size_t index_bytes(uint32_t slots) {
+  return slots * kPageTrianglesMax * sizeof(PageTriangle);
+}
+
+template <typename Vertex>
+static void write(const ArenaBuffer& stream, uint32_t slot, const std::vector<Vertex>& vertices) {
+  stream.write(vertex_bytes<Vertex>(slot), std::as_bytes(std::span(vertices)));
+}
+
+Result<PageStreams> PageStreams::create(uint32_t slots) {
+  const std::string what = "room for " + std::to_string(slots) + " pages";
+  PageStreams made;
+  ASSIGN_OR_RETURN(made.still_, ArenaBuffer::create(vertex_bytes<StillVertex>(slots), what));
+  ASSIGN_OR_RETURN(made.moving_, ArenaBuffer::create(vertex_bytes<MovingVertex>(slots), what));
+  ASSIGN_OR_RETURN(made.marked_, ArenaBuffer::create(vertex_bytes<MarkedVertex>(slots), what));
+  ASSIGN_OR_RETURN(made.triangles_, ArenaBuffer::create(index_bytes(slots), what));
+  return made;
+}
+
+void PageStreams::copy_from(const PageStreams& other, uint32_t slots) const {
+  still_.copy_from(other.still_, vertex_bytes<StillVertex>(slots));
+  moving_.copy_from(other.moving_, vertex_bytes<MovingVertex>(slots));
+  marked_.copy_from(other.marked_, vertex_bytes<MarkedVertex>(slots));
+  triangles_.copy_from(other.triangles_, index_bytes(slots));
+}
+
+void PageStreams::write_page(uint32_t slot, const PageMesh& mesh) const {
+  std::vector<StillVertex> still(mesh.positions.size());
+  for (size_t v = 0; v < still.size(); ++v)
+    still[v] = {mesh.positions[v], packed_normal(mesh.normals[v]),
+                mesh.colours.empty() ? Rgba8{} : mesh.colours[v]};
+  write(still_, slot, still);
+  triangles_.write(index_bytes(slot), std::as_bytes(std::span(mesh.triangles)));
+}
+
+void PageStreams::write_moves(uint32_t slot, std::span<const Vec3f> displacements,
+                              std::span<const Vec3f> normals) const {
+  std::vector<MovingVertex> moving(displacements.size());
+  for (size_t v = 0; v < moving.size(); ++v)
+    moving[v] = {displacements[v], packed_normal(normals[v])};
+  write(moving_, slot, moving);
+}
+
+void PageStreams::write_marks(uint32_t slot, std::span<const VertexMark> marks) const {
+  std::vector<MarkedVertex> marked(marks.size());
+  for (size_t v = 0; v < marked.size(); ++v) marked[v] = {marks[v]};
+  write(marked_, slot, marked);
+}
+
+template <typename Vertex>
+static void bind_attribute(GLuint index, GLint components, GLenum type, GLboolean normalised,
+                           size_t offset) {
+  glVertexAttribPointer(index, components, type, normalised, sizeof(Vertex),
+                        reinterpret_cast<const void*>(offset));
+  glEnableVertexAttribArray(index);
+}
+
+void PageStreams::bind() const {
+  still_.bind(GL_ARRAY_BUFFER);
+  bind_attribute<StillVertex>(0, 3, GL_FLOAT, GL_FALSE, offsetof(StillVertex, position));
+  bind_attribute<StillVertex>(1, 4, GL_INT_2_10_10_10_REV, GL_FALSE, offsetof(StillVertex, normal));
+  bind_attribute<StillVertex>(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(StillVertex, colour));
+  moving_.bind(GL_ARRAY_BUFFER);
+  bind_attribute<MovingVertex>(3, 3, GL_FLOAT, GL_FALSE, offsetof(MovingVertex, displacement));
+  bind_attribute<MovingVertex>(4, 4, GL_INT_2_10_10_10_REV, GL_FALSE,
+                               offsetof(MovingVertex, normal));
+  marked_.bind(GL_ARRAY_BUFFER);
+  bind_attribute<MarkedVertex>(5, 1, GL_BYTE, GL_FALSE, offsetof(VertexMark, value));
+  bind_attribute<MarkedVertex>(6, 1, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(VertexMark, tint));
+  triangles_.bind(GL_ELEMENT_ARRAY_BUFFER);
+}
+
+const void* PageStreams::first_index(const PatchRange& patch) {
+  return reinterpret_cast<const void*>(index_bytes(patch.slot) +
+                                       patch.first * sizeof(PageTriangle));
+}
+
+GLint PageStreams::first_vertex(const PatchRange& patch) {
+  return static_cast<GLint>(patch.slot * kPageVerticesMax);
+}
+
+}  // namespace burnish

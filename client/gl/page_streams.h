@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+
+#include "client/gl/arena_buffer.h"
+#include "client/scene/page_renderer.h"
+
+namespace burnish {
+
+/// The numbers of all slots' pages on the graphics card. A slot has room for kPageVerticesMax
+/// vertices and kPageTrianglesMax triangles, which is 104 KB. Needs: a current context for its
+/// whole life; slots inside the room, pages within the limits.
+class PageStreams {
+ public:
+  PageStreams() = default;
+  /// Fails: resource_exhausted.
+  static Result<PageStreams> create(uint32_t slots);
+  /// Copies the first `slots` slots of other streams.
+  void copy_from(const PageStreams& other, uint32_t slots) const;
+
+  void write_page(uint32_t slot, const PageMesh& mesh) const;
+  void write_moves(uint32_t slot, std::span<const Vec3f> displacements,
+                   std::span<const Vec3f> normals) const;
+  void write_marks(uint32_t slot, std::span<const VertexMark> marks) const;
+
+  /// Makes all of it the input of the current vertex array.
+  void bind() const;
+
+  /// Returns where a patch's indices and its page's vertices begin, as OpenGL takes it.
+  static const void* first_index(const PatchRange& patch);
+  static GLint first_vertex(const PatchRange& patch);
+
+ private:
+  ArenaBuffer still_;
+  ArenaBuffer moving_;
+  ArenaBuffer marked_;
+  ArenaBuffer triangles_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "client/scene/page_mesh.h"
+#include "client/scene/page_space.h"
+#include "client/scene/renderer.h"
+
+namespace burnish {
+
+/// Triangles first..first+count of the page in a slot.
+struct PatchRange {
+  uint32_t slot = 0;
+  uint32_t first = 0;
+  uint32_t count = 0;
+};
+
+/// A triangle of the page in a slot.
+struct PagePick {
+  uint32_t slot = 0;
+  uint32_t triangle = 0;
+
+  bool operator==(const PagePick&) const = default;
+};
+
+/// What colours a vertex besides its light.
+struct VertexMark {
+  int8_t value = 0;  ///< what Colouring::kCells shows: -127 is blue, 127 is red
+  uint8_t tint = 0;  ///< how strongly it shows DrawStyle::tint: 255 is fully
+};
+
+/// Fails: resource_exhausted above kPageSlotsMax.
+inline Status check_page_slots(uint32_t slots) {
+  if (slots <= kPageSlotsMax) return Status::ok();
+  return resource_exhausted("room for " + std::to_string(slots) + " pages: the limit is " +
+                            std::to_string(kPageSlotsMax));
+}
+
+/// Draws pages: with OpenGL (client/gl), or without pictures (NullPageRenderer). A slot holds one
+/// page. Used from one thread.
+class PageRenderer {
+ public:
+  virtual ~PageRenderer() = default;
+
+  /// Begins with another scan or another depth. All slots are empty.
+  virtual void open(const PageSpace& space) = 0;
+
+  /// Makes room for slots 0..slots and keeps what they hold. Never takes room away.
+  /// Fails: resource_exhausted; then nothing changes.
+  virtual Status reserve(uint32_t slots) = 0;
+
+  /// Puts a page in the place of what the slot held: not moved, without marks. Needs: a reserved
+  /// slot and a page within the limits. Fails: resource_exhausted; then the slot is empty.
+  virtual Status upload_page(uint32_t slot, const PageMesh& mesh) = 0;
+
+  /// Moves the page in a slot. `normals` are of displace(). Shapes: one per vertex of the page.
+  /// Units: displacements in cells.
+  virtual Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
+                           std::span<const Vec3f> normals) = 0;
+
+  /// Shapes: one per vertex of the page in the slot.
+  virtual Status mark_page(uint32_t slot, std::span<const VertexMark> marks) = 0;
+
+  /// Draws these patches in front of the background. Needs: ranges inside the pages of their slots.
+  /// Fails: invalid_argument (size), resource_exhausted.
+  virtual Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
+                      std::span<const PatchRange> patches) = 0;
+
+  /// Returns the last drawn picture. Fails: failed_precondition before the first draw().
+  virtual Result<Image> read_pixels() = 0;
+
+  /// Returns the triangle of these patches at the middle of a pixel, if any, on the displaced or on
+  /// the original surface. Needs: as draw().
+  virtual Result<std::optional<PagePick>> pick(const Camera& camera, const ImageSize& size,
+                                               const Eigen::Vector2i& pixel, bool original,
+                                               std::span<const PatchRange> patches) = 0;
+};
+
+}  // namespace burnish
