@@ -44,7 +44,7 @@ class GlPicture : public testing::Test {
   std::unique_ptr<GlRenderer> renderer_;
 };
 
-int count_different(const Image& a, const Image& b) {
+int count_changed(const Image& a, const Image& b) {
   int count = 0;
   for (int y = 0; y < kSize.height; ++y)
     for (int x = 0; x < kSize.width; ++x)
@@ -67,7 +67,7 @@ TEST_F(GlPicture, ASpheresSilhouetteHasTheAreaThatPerspectiveGives) {
   const double area = std::numbers::pi * radius_pixels * radius_pixels;
   // Every pixel that the edge touches differs: half a pixel around the whole circle.
   const double edge = std::numbers::pi * radius_pixels;
-  EXPECT_NEAR(count_different(sphere, background), area + edge, edge);
+  EXPECT_NEAR(count_changed(sphere, background), area + edge, edge);
 }
 
 TEST_F(GlPicture, TheSideTowardsTheKeyLightIsBrighter) {
@@ -94,8 +94,8 @@ TEST_F(GlPicture, AMovedMeshGivesAnotherPictureAndAnUnmovedOneTheSame) {
   const Image first = draw_sphere(Vec3d::Zero(), camera);
   const Image moved = draw_sphere(Vec3d(0.1, 0, 0), camera);
   const Image again = draw_sphere(Vec3d::Zero(), camera);
-  EXPECT_GT(count_different(first, moved), 1000);
-  EXPECT_EQ(count_different(first, again), 0);
+  EXPECT_GT(count_changed(first, moved), 1000);
+  EXPECT_EQ(count_changed(first, again), 0);
 }
 
 TEST_F(GlPicture, DoesNotDependOnTheFilesUnitsOrOrigin) {
@@ -119,8 +119,8 @@ TEST_F(GlPicture, FlatAndWireframeStylesDiffer) {
   const Image smooth = draw_sphere(Vec3d::Zero(), camera);
   const Image flat = draw_sphere(Vec3d::Zero(), camera, {.flat = true});
   const Image wires = draw_sphere(Vec3d::Zero(), camera, {.wireframe = true});
-  EXPECT_GT(count_different(smooth, flat), 1000);
-  EXPECT_GT(count_different(smooth, wires), 1000);
+  EXPECT_GT(count_changed(smooth, flat), 1000);
+  EXPECT_GT(count_changed(smooth, wires), 1000);
   EXPECT_LT(brightness(wires, kSize.width / 2, kSize.height / 2 - 40),
             brightness(smooth, kSize.width / 2, kSize.height / 2 - 40));
 }

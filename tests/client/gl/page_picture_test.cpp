@@ -40,7 +40,7 @@ class PagePicture : public PageStage {
   }
 };
 
-Vec3f wave(const Vec3d& corner) {
+Vec3f page_wave(const Vec3d& corner) {
   return Vec3d(0.6 * std::sin(0.5 * corner.y()), 0.8 * std::cos(0.4 * corner.x()),
                0.05 * corner.x())
       .cast<float>();

@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr ImageSize kSize{32, 24};
+constexpr ImageSize kNullSize{32, 24};
 
 class NullPages : public testing::Test {
  protected:
@@ -24,7 +24,7 @@ class NullPages : public testing::Test {
   }
 
   std::optional<PagePick> pick(bool original) {
-    return renderer_.pick(camera_, kSize, {16, 12}, original, {&all_, 1}).value();
+    return renderer_.pick(camera_, kNullSize, {16, 12}, original, {&all_, 1}).value();
   }
 
   const SplitMesh split_ = split_into_pages(make_icosphere(2, 1), 1000);
@@ -35,11 +35,11 @@ class NullPages : public testing::Test {
 };
 
 TEST_F(NullPages, RemembersWhatItWasAskedToDraw) {
-  ASSERT_TRUE(renderer_.draw(camera_, kSize, {.flat = true}, {&all_, 1}).is_ok());
+  ASSERT_TRUE(renderer_.draw(camera_, kNullSize, {.flat = true}, {&all_, 1}).is_ok());
   EXPECT_TRUE(renderer_.style().flat);
   EXPECT_EQ(renderer_.camera(), camera_);
   EXPECT_EQ(renderer_.patches().size(), 1u);
-  EXPECT_EQ(renderer_.read_pixels().value().size, kSize);
+  EXPECT_EQ(renderer_.read_pixels().value().size, kNullSize);
 }
 
 TEST_F(NullPages, PicksTheMovedSurfaceOrTheOriginal) {

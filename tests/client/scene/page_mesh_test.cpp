@@ -13,7 +13,7 @@
 namespace burnish {
 namespace {
 
-constexpr int kDepth = 6;
+constexpr int kPageDepth = 6;
 
 double degrees_between(const Vec3f& a, const Vec3f& b) {
   const Vec3d u = a.cast<double>(), v = b.cast<double>();
@@ -38,7 +38,7 @@ std::map<std::array<int, 3>, std::vector<std::pair<size_t, size_t>>> shared_poin
 
 TEST(PageMesh, PositionsAreTheLatticePointsInFileUnitsWithoutRounding) {
   const SplitMesh split = split_into_pages(make_test_sphere(Vec3d(5e6, -4e6, 2e5), 3), 4000);
-  const PageSpace space = make_page_space(split.grid, kDepth);
+  const PageSpace space = make_page_space(split.grid, kPageDepth);
   for (const Page& page : split.pages) {
     const PageMesh mesh = make_page_mesh(page, split.grid);
     for (size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -83,7 +83,7 @@ TEST(MovedPage, SharedPointsHaveTheSameBitsInAllPages) {
     std::vector<MovedPage> moved;
     for (const Page& page : split.pages)
       moved.push_back(displace(make_page_mesh(page, split.grid), random_moves(page.positions, seed),
-                               make_page_space(split.grid, kDepth).cell_size));
+                               make_page_space(split.grid, kPageDepth).cell_size));
     for (const auto& [point, places] : shared)
       for (const auto& [page, vertex] : places)
         ASSERT_EQ(moved[page].positions[vertex],
@@ -134,7 +134,7 @@ TEST(MovedPage, NormalsOfBordersTurnWithTheirOwnTriangles) {
 TEST(MovedPage, NormalsOfASmoothFieldAreThoseOfTheMovedMesh) {
   const SplitMesh split = split_into_pages(make_icosphere(4, 1), 1500);
   TriangleMesh whole = split.rounded;
-  const PageSpace space = make_page_space(split.grid, kDepth);
+  const PageSpace space = make_page_space(split.grid, kPageDepth);
   const auto wave = [](const Vec3f& at) {
     return Vec3f(2 * std::sin(4 * at.y()), 0, std::cos(5 * at.x()));
   };
