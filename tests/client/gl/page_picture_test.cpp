@@ -65,7 +65,7 @@ TEST_F(PagePicture, PagesLookAsTheWholeMeshDoes) {
     const Image still = draw_whole(whole, none);
     EXPECT_GT(mean_luminance_difference(empty, still), 10);
     EXPECT_LT(mean_luminance_difference(draw(), still), 0.2);
-    const std::vector<Vec3f> moves = displace_corners(view, wave);
+    const std::vector<Vec3f> moves = displace_corners(view, page_wave);
     move_as(whole, moves);
     const Image moved = draw_whole(whole, moves);
     EXPECT_GT(mean_luminance_difference(moved, still), 1);
@@ -77,7 +77,7 @@ TEST_F(PagePicture, AllStylesLookAsThoseOfTheWholeMesh) {
   show(split_into_pages(make_icosphere(4, 1), 1280));
   const View view = make_gridded_view(split_.rounded, kDepth);
   const ViewMesh whole = make_view_mesh(view);
-  const std::vector<Vec3f> moves = displace_corners(view, wave);
+  const std::vector<Vec3f> moves = displace_corners(view, page_wave);
   move_as(whole, moves);
   const Vec3d front = split_.rounded.vertices[7];
   for (const DrawStyle& style :
