@@ -15,6 +15,10 @@ std::vector<uint8_t> encode_head(const PageHead& head);
 /// Safe for any bytes. Fails: data_loss that names the damage; unimplemented (another version).
 Result<PageHead> decode_head(std::span<const uint8_t> bytes);
 
+/// Returns the checksum in an encoded head. It names the pages of a scan: page files with the same
+/// head have the same pages. Needs: a whole head.
+uint64_t pages_fingerprint(std::span<const uint8_t> encoded_head);
+
 /// Packs one block of a directory. Needs: at most kPagesPerBlock entries and kCoarserPerBlockMax
 /// coarser pages.
 std::vector<uint8_t> encode_block(const DirectoryBlock& block);

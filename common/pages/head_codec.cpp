@@ -3,6 +3,7 @@
 #include <cstring>
 #include <string>
 
+#include "common/base/check.h"
 #include "common/base/limits.h"
 #include "common/packing/checksum.h"
 #include "common/pages/bounds_checks.h"
@@ -190,6 +191,13 @@ Result<PageHead> decode_head(std::span<const uint8_t> bytes) {
   auto head = decode(bytes);
   if (!head.is_ok()) return head.status().with_context("head of pages");
   return head;
+}
+
+uint64_t pages_fingerprint(std::span<const uint8_t> encoded_head) {
+  BURNISH_CHECK(encoded_head.size() >= sizeof(RawHead), "a fingerprint needs an encoded head");
+  RawHead raw;
+  std::memcpy(&raw, encoded_head.data(), sizeof raw);
+  return raw.checksum;
 }
 
 }  // namespace burnish

@@ -9,7 +9,8 @@
 #include "common/base/limits.h"
 #include "common/base/status.h"
 #include "common/edit/edit.h"
-#include "common/frame_codec/frame_content.h"
+#include "common/page_frames/page_kind.h"
+#include "common/pages/page.h"
 #include "common/service/session_info.h"
 #include "common/service/session_people.h"
 
@@ -20,9 +21,8 @@ namespace burnish {
 
 /// From the client, first and once.
 struct Greeting {
-  std::string session;                  ///< name or id
-  uint64_t triangles_max = 0;           ///< of the mesh that the client draws; 0: the whole scan
-  std::optional<FrameContent> content;  ///< of the frames; nothing: whichever is likely smaller
+  std::string session;                ///< name or id
+  std::optional<PageFrameKind> kind;  ///< of all frames; nothing: the server chooses
 };
 
 /// From the server, while it brings the session back into its memory.
@@ -34,11 +34,10 @@ struct ProgressReport {
 /// From the server, once: the client is in the session.
 struct Welcome {
   SessionInfo session;
-  uint64_t connection = 0;                             ///< as in PresentUser
-  SessionRole role = SessionRole::kViewer;             ///< of this client in this session
-  FrameContent content = FrameContent::kCoefficients;  ///< of all frames
-  uint64_t layout_fingerprint = 0;                     ///< FrameLayout::fingerprint of all frames
-  std::string backend;                                 ///< that solves: "cpu", "cuda"
+  uint64_t connection = 0;                  ///< as in PresentUser
+  SessionRole role = SessionRole::kViewer;  ///< of this client in this session
+  uint64_t pages_fingerprint = 0;           ///< pages_fingerprint() of the scan's pages
+  std::string backend;                      ///< that solves: "cpu", "cuda"
 };
 
 /// Credits that the server keeps for one client, frames.
@@ -54,6 +53,13 @@ struct FrameCredit {
   std::vector<uint64_t> refused;  ///< sequence numbers of frames whose reference it does not hold
   bool key_frame = false;         ///< the client holds no frame
   uint32_t frame_bytes = 0;       ///< wanted at most while the surface moves; 0: any size
+};
+
+/// Changes the pages that the client shows. A stream begins with revision 0, which shows nothing.
+struct ShowPages {
+  uint32_t revision = 0;  ///< one more than the last one
+  std::vector<PageId> added;
+  std::vector<PageId> removed;
 };
 
 /// Edits that take effect together or not at all: 1 to kEditsPerFrameMax.
@@ -82,8 +88,8 @@ struct Heartbeat {
   uint64_t client_time_us = 0;  ///< by the client's own clock
 };
 
-using ClientMessage =
-    std::variant<Greeting, FrameCredit, ApplyEdits, Preview, DropPreview, MoveBrush, Heartbeat>;
+using ClientMessage = std::variant<Greeting, FrameCredit, ApplyEdits, Preview, DropPreview,
+                                   MoveBrush, Heartbeat, ShowPages>;
 
 /// Describes the surface that a frame shows, and what it took to make the frame.
 struct FrameStats {

@@ -18,12 +18,9 @@ v1::ClientMessage to_wire(const ClientMessage& message);
 /// program does not know.
 Result<ClientMessage> from_wire(const v1::ClientMessage& message);
 
-v1::FrameContent to_wire(FrameContent content);
-/// Returns nothing for an unspecified or unknown content.
-std::optional<FrameContent> from_wire(v1::FrameContent content);
-
 v1::Greeting to_wire(const Greeting& greeting);
-/// Fails: invalid_argument for an unknown content.
+/// Fails: invalid_argument for an unknown kind of frames; failed_precondition for a client that
+/// does not know pages.
 Result<Greeting> from_wire(const v1::Greeting& message);
 
 /// Returns the ids that a refusal of the message names: of its edits, or of its preview. Leaves out

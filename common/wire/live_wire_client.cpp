@@ -1,6 +1,6 @@
 // What the client says in a live session.
 
-#include "common/service/scan_info.h"
+#include "common/base/limits.h"
 #include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
 #include "common/wire/live_wire.h"
@@ -48,6 +48,12 @@ struct ClientWriter {
   void operator()(const Heartbeat& beat) const {
     message.mutable_heartbeat()->set_client_time_us(beat.client_time_us);
   }
+  void operator()(const ShowPages& change) const {
+    v1::ShowPages& sent = *message.mutable_show_pages();
+    sent.set_revision(change.revision);
+    sent.mutable_added()->Add(change.added.begin(), change.added.end());
+    sent.mutable_removed()->Add(change.removed.begin(), change.removed.end());
+  }
 };
 
 Result<FrameCredit> read_credit(const v1::Credit& message) {
@@ -90,6 +96,32 @@ Result<ApplyEdits> read_apply(const v1::ApplyEdits& message) {
   return ApplyEdits{std::move(edits)};
 }
 
+Result<ShowPages> read_show_pages(const v1::ShowPages& message) {
+  const auto added = static_cast<size_t>(message.added_size());
+  const auto removed = static_cast<size_t>(message.removed_size());
+  if (added > kShownPagesMax || removed > kShownPagesMax)
+    return invalid_argument("a change adds " + std::to_string(added) + " pages and removes " +
+                            std::to_string(removed) + ", the limit is " +
+                            std::to_string(kShownPagesMax));
+  return ShowPages{message.revision(),
+                   {message.added().begin(), message.added().end()},
+                   {message.removed().begin(), message.removed().end()}};
+}
+
+v1::FrameKind kind_to_wire(PageFrameKind kind) {
+  return kind == PageFrameKind::kVertices ? v1::FRAME_KIND_VERTICES : v1::FRAME_KIND_CORNERS;
+}
+
+/// Returns nothing for an unspecified kind. Fails: invalid_argument for an unknown one.
+Result<std::optional<PageFrameKind>> kind_from_wire(v1::FrameKind kind) {
+  using Kind = std::optional<PageFrameKind>;
+  if (kind == v1::FRAME_KIND_UNSPECIFIED) return Kind();
+  if (kind == v1::FRAME_KIND_CORNERS) return Kind(PageFrameKind::kCorners);
+  if (kind == v1::FRAME_KIND_VERTICES) return Kind(PageFrameKind::kVertices);
+  return invalid_argument("frame kind " + std::to_string(kind) +
+                          " is none of 0 (whichever is smaller), 1 (corners), 2 (vertices)");
+}
+
 template <typename Part>
 Result<ClientMessage> whole(Result<Part> part) {
   if (!part.is_ok()) return part.status();
@@ -101,17 +133,18 @@ Result<ClientMessage> whole(Result<Part> part) {
 v1::Greeting to_wire(const Greeting& greeting) {
   v1::Greeting message;
   message.set_session(greeting.session);
-  message.set_triangles_max(greeting.triangles_max);
-  if (greeting.content) message.set_content(to_wire(*greeting.content));
+  message.set_pages(true);
+  if (greeting.kind) message.set_kind(kind_to_wire(*greeting.kind));
   return message;
 }
 
 Result<Greeting> from_wire(const v1::Greeting& message) {
-  const std::optional<FrameContent> content = from_wire(message.content());
-  if (!content && message.content() != v1::FRAME_CONTENT_UNSPECIFIED)
-    return invalid_argument("frame content " + std::to_string(message.content()) +
-                            " is none of 0 (whichever is smaller), 1 (coefficients), 2 (vertices)");
-  return Greeting{message.session(), message.triangles_max(), content};
+  if (!message.pages())
+    return failed_precondition(
+        "this server sends frames by pages, and the client does not say that it knows pages: a "
+        "newer client is needed");
+  ASSIGN_OR_RETURN(const auto kind, kind_from_wire(message.kind()));
+  return Greeting{message.session(), kind};
 }
 
 v1::ClientMessage to_wire(const ClientMessage& message) {
@@ -136,6 +169,8 @@ Result<ClientMessage> from_wire(const v1::ClientMessage& message) {
       return whole(read_move_brush(message.move_brush()));
     case v1::ClientMessage::kHeartbeat:
       return ClientMessage(Heartbeat{message.heartbeat().client_time_us()});
+    case v1::ClientMessage::kShowPages:
+      return whole(read_show_pages(message.show_pages()));
     case v1::ClientMessage::MESSAGE_NOT_SET:
       break;
   }

@@ -56,8 +56,7 @@ struct ServerWriter {
     *sent.mutable_session() = burnish::to_wire(welcome.session);
     sent.set_connection(welcome.connection);
     sent.set_role(burnish::to_wire(welcome.role));
-    sent.set_content(burnish::to_wire(welcome.content));
-    sent.set_layout_fingerprint(welcome.layout_fingerprint);
+    sent.set_pages_fingerprint(welcome.pages_fingerprint);
     sent.set_backend(welcome.backend);
   }
   void operator()(LiveFrame& frame) const {
@@ -94,16 +93,11 @@ struct ServerWriter {
 };
 
 Result<Welcome> read_welcome(const v1::Welcome& message) {
-  const std::optional<FrameContent> content = from_wire(message.content());
-  if (!content)
-    return invalid_argument("frames of content " + std::to_string(message.content()) +
-                            " are not known here");
   Welcome welcome;
-  welcome.content = *content;
   ASSIGN_OR_RETURN(welcome.session, from_wire(message.session()));
   ASSIGN_OR_RETURN(welcome.role, from_wire(message.role()));
   welcome.connection = message.connection();
-  welcome.layout_fingerprint = message.layout_fingerprint();
+  welcome.pages_fingerprint = message.pages_fingerprint();
   welcome.backend = message.backend();
   return welcome;
 }
@@ -133,17 +127,6 @@ Result<AnyServerMessage> whole_answer(Result<Part> part) {
 }
 
 }  // namespace
-
-v1::FrameContent to_wire(FrameContent content) {
-  return content == FrameContent::kVertices ? v1::FRAME_CONTENT_VERTICES
-                                            : v1::FRAME_CONTENT_COEFFICIENTS;
-}
-
-std::optional<FrameContent> from_wire(v1::FrameContent content) {
-  if (content == v1::FRAME_CONTENT_COEFFICIENTS) return FrameContent::kCoefficients;
-  if (content == v1::FRAME_CONTENT_VERTICES) return FrameContent::kVertices;
-  return std::nullopt;
-}
 
 v1::ServerMessage to_wire(ServerMessage message) {
   v1::ServerMessage sent;

@@ -70,6 +70,14 @@ TEST(HeadCodec, EveryChangedBitAndEveryOtherLengthIsRefused) {
   EXPECT_FALSE(decode_head(good).is_ok());
 }
 
+TEST(HeadCodec, OtherPagesHaveAnotherFingerprint) {
+  PageHead head = made_directory().head;
+  const uint64_t fingerprint = pages_fingerprint(encode_head(head));
+  EXPECT_EQ(pages_fingerprint(encode_head(head)), fingerprint);
+  head.blocks.front().bounds.error *= 2;
+  EXPECT_NE(pages_fingerprint(encode_head(head)), fingerprint);
+}
+
 TEST(HeadCodec, AnotherVersionIsUnimplemented) {
   std::vector<uint8_t> bytes = encode_head(made_directory().head);
   bytes[4] = 2;

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/base/limits.h"
+
 namespace burnish {
 namespace {
 
@@ -62,7 +64,7 @@ TransferCurve curve() {
 }
 
 TEST(LiveWire, EveryMessageOfTheClientComesBackUnchanged) {
-  expect_unchanged<ClientMessage>(Greeting{"work", 1000, FrameContent::kVertices});
+  expect_unchanged<ClientMessage>(Greeting{"work", PageFrameKind::kVertices});
   expect_unchanged<ClientMessage>(FrameCredit{2, {7, 8}, {9}, true, 4096});
   expect_unchanged<ClientMessage>(ApplyEdits{{{"a", SetGradientScale{0.25}}, {"b", stroke()}}});
   expect_unchanged<ClientMessage>(Preview{"drag", SetGradientScale{0.25}});
@@ -71,6 +73,7 @@ TEST(LiveWire, EveryMessageOfTheClientComesBackUnchanged) {
   expect_unchanged<ClientMessage>(DropPreview{"drag"});
   expect_unchanged<ClientMessage>(MoveBrush{BrushRing{Vec3d(1, 2, 3), 0.5}});
   expect_unchanged<ClientMessage>(Heartbeat{123456789});
+  expect_unchanged<ClientMessage>(ShowPages{3, {7, 8}, {9}});
 }
 
 TEST(LiveWire, EveryMessageOfTheServerComesBackUnchanged) {
@@ -79,8 +82,7 @@ TEST(LiveWire, EveryMessageOfTheServerComesBackUnchanged) {
   const SessionPeople people{SessionRoles({{"ann", SessionRole::kOwner}}),
                              {{3, "ann", 0xE69F00, BrushRing{Vec3d(1, 2, 3), 0.5}}}};
   expect_unchanged<ServerMessage>(ProgressReport{"reading the journal", 0.5});
-  expect_unchanged<ServerMessage>(
-      Welcome{session, 7, SessionRole::kEditor, FrameContent::kVertices, 0xfeed, "cpu"});
+  expect_unchanged<ServerMessage>(Welcome{session, 7, SessionRole::kEditor, 0xfeed, "cpu"});
   expect_unchanged<ServerMessage>(LiveFrame{std::string("\0\xff bytes", 8), stats});
   expect_unchanged<ServerMessage>(EditsAcknowledged{{"a", "b"}, {1, 2, 3, {4, 5}}});
   expect_unchanged<ServerMessage>(EditsRefused{{"a", "b"}, unavailable("later")});
@@ -107,9 +109,9 @@ TEST(LiveWire, ValuesArriveInTheirOwnFields) {
 }
 
 TEST(LiveWire, NothingIsKeptApartFromZero) {
-  EXPECT_FALSE(std::get<Greeting>(returned(Greeting{"work"})).content.has_value());
-  EXPECT_EQ(std::get<Greeting>(returned(Greeting{"w", 0, FrameContent::kCoefficients})).content,
-            FrameContent::kCoefficients);
+  EXPECT_FALSE(std::get<Greeting>(returned(Greeting{"work"})).kind.has_value());
+  EXPECT_EQ(std::get<Greeting>(returned(Greeting{"w", PageFrameKind::kCorners})).kind,
+            PageFrameKind::kCorners);
   EXPECT_FALSE(std::get<MoveBrush>(returned(MoveBrush{})).ring.has_value());
 }
 
@@ -131,10 +133,26 @@ TEST(LiveWire, AClientsMessageThatSaysNothingIsRefused) {
   EXPECT_THAT(refusal(v1::ClientMessage()), HasSubstr("says nothing"));
 }
 
-TEST(LiveWire, AGreetingAsksForAContentThatThereIs) {
-  v1::ClientMessage message;
-  message.mutable_greeting()->set_content(static_cast<v1::FrameContent>(3));
-  EXPECT_THAT(refusal(message), HasSubstr("frame content 3 is none of 0"));
+TEST(LiveWire, AGreetingAsksForAKindThatThereIs) {
+  v1::ClientMessage message = to_wire(ClientMessage(Greeting{"work"}));
+  message.mutable_greeting()->set_kind(static_cast<v1::FrameKind>(3));
+  EXPECT_THAT(refusal(message), HasSubstr("frame kind 3 is none of 0"));
+}
+
+TEST(LiveWire, AClientThatDoesNotKnowPagesIsTold) {
+  v1::ClientMessage message = to_wire(ClientMessage(Greeting{"work"}));
+  message.mutable_greeting()->set_pages(false);
+  const auto said = from_wire(message);
+  EXPECT_EQ(said.status().code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(said.status().message(), HasSubstr("a newer client"));
+}
+
+TEST(LiveWire, AChangeNamesAsManyPagesAsAClientMayShow) {
+  ShowPages change{1, std::vector<PageId>(kShownPagesMax), {}};
+  EXPECT_EQ(refusal(to_wire(ClientMessage(change))), "accepted");
+  change.removed.resize(kShownPagesMax + 1);
+  EXPECT_THAT(refusal(to_wire(ClientMessage(change))),
+              HasSubstr("removes 4097, the limit is 4096"));
 }
 
 TEST(LiveWire, ACreditNames256FramesOfAKindAtMost) {
@@ -215,15 +233,10 @@ TEST(LiveWire, AServersMessageOfAnUnknownKindIsPassedOver) {
   EXPECT_FALSE(said->has_value());
 }
 
-TEST(LiveWire, AWelcomeSaysWhatItsFramesAreAndWhoTheClientIs) {
-  v1::ServerMessage message = to_wire(Welcome{{}, 7, SessionRole::kEditor, {}, 1, "cpu"});
+TEST(LiveWire, AWelcomeSaysWhoTheClientIs) {
+  v1::ServerMessage message = to_wire(Welcome{{}, 7, SessionRole::kEditor, 1, "cpu"});
   EXPECT_EQ(refusal(message), "accepted");
   v1::Welcome& welcome = *message.mutable_welcome();
-  for (const int content : {0, 3}) {
-    welcome.set_content(static_cast<v1::FrameContent>(content));
-    EXPECT_THAT(refusal(message), HasSubstr("content " + std::to_string(content)));
-  }
-  welcome.set_content(v1::FRAME_CONTENT_VERTICES);
   welcome.set_role(static_cast<v1::Role>(4));
   EXPECT_THAT(refusal(message), HasSubstr("role 4"));
   welcome.mutable_session()->set_depth(13);
