@@ -14,7 +14,6 @@
 #include "common/service/session_history.h"
 #include "common/service/session_info.h"
 #include "common/service/session_people.h"
-#include "common/view/view.h"
 
 namespace burnish {
 
@@ -63,9 +62,6 @@ class Connection {
   Result<ScanDescription> describe_scan(const std::string& scan, int depth);
   Result<ScanInfo> prepare_scan(const std::string& scan, const PreparedKey& key,
                                 const Progress& progress);
-  /// What to draw a prepared scan from. Fails: failed_precondition when that depth is not prepared;
-  /// data_loss and resource_exhausted as read_view() does; cancelled.
-  Result<View> fetch_view(const ViewWish& wish, const Progress& progress);
   /// Has the scan's pages made where they are missing. Fails: as the server says; cancelled.
   Result<PagesDescription> describe_pages(const std::string& scan, const Progress& progress);
   /// Takers return false to cancel.
@@ -94,7 +90,7 @@ class Connection {
   Status set_role(const std::string& session, const std::string& user, SessionRole role);
 
   Result<SessionState> state(const std::string& session);
-  /// One value per cell, in the order of the view's grid.
+  /// One value per cell, in the Morton order of the cells.
   Result<std::vector<float>> cells(const std::string& session, CellValue value);
 
   /// Solves on the server and writes the edited mesh to `file`, whole or not at all.

@@ -17,7 +17,7 @@ class FrameBudget {
   /// A frame of so many bytes was so long in the link, beyond what a small message takes.
   void on_frame(size_t bytes, double transfer_ms);
 
-  /// 0: not known yet.
+  /// Returns 0 while it is not known.
   uint32_t bytes() const;
 
  private:

@@ -1,62 +1,92 @@
 #include "client/connection/frame_receiver.h"
 
-#include <numeric>
+#include <algorithm>
 #include <utility>
 
 namespace burnish {
 
-Status FrameReceiver::welcome(const Welcome& welcome) {
-  layout_ = layout_of(welcome.content);
-  if (layout_->fingerprint != welcome.layout_fingerprint)
-    return failed_precondition(
-        "the frames are not of the mesh that is open here: it has to be fetched again");
-  decoder_.emplace(layout_);
+// A stream's first frame tells its kind. Until then one kind is as good as the other.
+static PageFrameReader first_reader(const FrameSource& source) {
+  return {{PageFrameKind::kVertices, source.head.grid.bits, source.depth},
+          source.head.page_count()};
+}
+
+FrameReceiver::FrameReceiver(const FrameSource& source)
+    : source_(source), reader_(first_reader(source)) {}
+
+void FrameReceiver::restart() {
+  reader_ = first_reader(source_);
   answers_ = {};
-  all_changed_ = true;
+}
+
+Status FrameReceiver::welcome(const Welcome& welcome) const {
+  if (source_.pages_fingerprint != 0 && welcome.pages_fingerprint != source_.pages_fingerprint)
+    return failed_precondition(
+        "the scan's pages have changed on the server: the session must be opened again");
+  if (welcome.session.key.depth != source_.depth)
+    return failed_precondition("the session has depth " +
+                               std::to_string(welcome.session.key.depth) + ", not " +
+                               std::to_string(source_.depth) + ": it must be opened again");
+  if (source_.depth > source_.head.grid.bits)
+    return failed_precondition("depth " + std::to_string(source_.depth) +
+                               " is finer than the lattice of the scan's pages, " +
+                               std::to_string(source_.head.grid.bits) + " bits");
   return Status::ok();
 }
 
-std::shared_ptr<const FrameLayout> FrameReceiver::layout_of(FrameContent content) {
-  auto& layout = layouts_[static_cast<size_t>(content)];
-  if (layout) return layout;
-  const FrameMesh mesh{view_->grid, view_->points};
-  layout = std::make_shared<FrameLayout>(content == FrameContent::kCoefficients
-                                             ? make_coefficient_layout(mesh)
-                                             : make_vertex_layout(mesh));
-  return layout;
+Status FrameReceiver::show(const ShowPages& change,
+                           const std::vector<std::shared_ptr<const Page>>& added) {
+  return reader_.show(change, added);
 }
 
-Result<std::optional<Displacement>> FrameReceiver::receive(const std::string& data) {
-  if (!decoder_) return data_loss("a frame came before the welcome");
-  if (data.empty()) return std::optional<Displacement>();
+Result<std::shared_ptr<const SurfaceFrame>> FrameReceiver::receive(const std::string& data) {
+  const std::shared_ptr<const SurfaceFrame> nothing;
+  if (data.empty()) return nothing;
   const std::span<const uint8_t> bytes(reinterpret_cast<const uint8_t*>(data.data()), data.size());
-  const auto frame = decoder_->decode(bytes);
+  const auto frame = decode(bytes);
   if (frame.is_ok()) {
     answers_.decoded.push_back(frame->sequence);
-    return moved(*frame);
+    return surface_of(*frame);
   }
   switch (frame.status().code()) {
     case StatusCode::kAlreadyExists:
-      return std::optional<Displacement>();
+      return nothing;
     case StatusCode::kFailedPrecondition:
-      answers_.refused.push_back(read_frame_header(bytes)->sequence);
-      return std::optional<Displacement>();
+      answers_.refused.push_back(read_page_frame_header(bytes)->sequence);
+      return nothing;
     case StatusCode::kDataLoss:
       answers_.key_frame = true;
-      return std::optional<Displacement>();
+      return nothing;
     default:
       return frame.status();
   }
 }
 
-std::optional<Displacement> FrameReceiver::moved(const DecodedFrame& frame) {
-  Displacement displacement{layout_, decoder_->state(), frame.changed_tiles};
-  if (all_changed_) {
-    displacement.changed_tiles.resize(static_cast<size_t>(layout_->tile_count()));
-    std::iota(displacement.changed_tiles.begin(), displacement.changed_tiles.end(), 0);
-    all_changed_ = false;
+// The server may begin another kind with any key frame.
+Result<DecodedPageFrame> FrameReceiver::decode(std::span<const uint8_t> bytes) {
+  ASSIGN_OR_RETURN(const PageFrameHeader header, read_page_frame_header(bytes));
+  if (header.kind == reader_.kind()) return reader_.decode(bytes);
+  PageFrameReader other = reader_.in_other_kind();
+  ASSIGN_OR_RETURN(DecodedPageFrame frame, other.decode(bytes));
+  reader_ = std::move(other);
+  return frame;
+}
+
+std::shared_ptr<const SurfaceFrame> FrameReceiver::surface_of(const DecodedPageFrame& frame) {
+  auto surface = std::make_shared<SurfaceFrame>();
+  surface->number = surface_->number + 1;
+  surface->is_exact = frame.step_shift == 0;
+  surface->largest_move = frame.largest_move;
+  for (const PageTile& tile : reader_.state().tiles) {
+    const PageId page = tile.shown.page;
+    surface->pages.push_back(page);
+    const auto before = surface_->share(page);
+    const bool is_as_before = before && before->gain == tile.gain &&
+                              !std::ranges::binary_search(frame.changed_pages, page);
+    surface->moves.push_back(is_as_before ? before : reader_.move_of(tile));
   }
-  return displacement;
+  surface_ = std::move(surface);
+  return surface_;
 }
 
 bool FrameReceiver::has_answers() const {

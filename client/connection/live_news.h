@@ -2,13 +2,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "common/frame_codec/frame_layout.h"
-#include "common/frame_codec/frame_state.h"
+#include "client/connection/surface_frame.h"
 #include "common/service/live.h"
 
 namespace burnish {
@@ -25,13 +23,6 @@ enum class LinkState {
 /// "connecting", "live", "lost", "ended".
 const char* link_state_name(LinkState state);
 
-/// Where the surface is. Values follow write_displacement().
-struct Displacement {
-  std::shared_ptr<const FrameLayout> layout;
-  FrameState state;
-  std::vector<int> changed_tiles;  ///< since the one that was taken before; rising
-};
-
 /// How the link does.
 struct LinkStats {
   FrameStats frame;     ///< of the newest frame
@@ -46,6 +37,8 @@ struct LinkStats {
   double megabits_per_second = 0;
   uint64_t bytes = 0;     ///< of all frames so far
   int credit_window = 1;  ///< frames that may be on their way at once
+  /// A frame of so many bytes takes the link no longer than FrameBudget::kTransferMs; 0: unknown.
+  uint32_t frame_bytes_max = 0;
 };
 
 struct LinkChanged {
@@ -69,7 +62,8 @@ using LiveEvent = std::variant<LinkChanged, ProgressReport, Welcome, EditsAcknow
 
 struct LiveNews {
   LinkState link = LinkState::kConnecting;
-  std::optional<Displacement> displacement;  ///< where it has changed since the last time
+  /// The newest; null before the first.
+  std::shared_ptr<const SurfaceFrame> frame;
   LinkStats stats;
   std::vector<LiveEvent> events;  ///< in order; of what replaces itself the newest only
   size_t unacknowledged = 0;      ///< edits

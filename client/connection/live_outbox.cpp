@@ -40,6 +40,7 @@ void LiveOutbox::move_brush(const std::optional<BrushRing>& ring) {
 
 void LiveOutbox::restart() {
   greeted_ = false;
+  pages_.restart();
   for (Batch& batch : batches_) batch.sent = false;
   if (gesture_) gesture_->sent = false, gesture_->sent_points = 0;
   dropped_preview_.clear();
@@ -59,6 +60,7 @@ Preview LiveOutbox::next_part(Gesture& gesture) {
 
 std::optional<ClientMessage> LiveOutbox::next() {
   if (!std::exchange(greeted_, true)) return greeting_;
+  if (auto change = pages_.next()) return *change;
   const auto batch = std::ranges::find(batches_, false, &Batch::sent);
   if (batch != batches_.end()) {
     batch->sent = true;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "client/connection/pages_to_show.h"
 #include "common/edit/edit.h"
 #include "common/service/live.h"
 
@@ -26,14 +27,18 @@ class LiveOutbox {
     bool sent = false;
   };
 
-  explicit LiveOutbox(Greeting greeting) : greeting_(std::move(greeting)) {}
+  LiveOutbox(Greeting greeting, uint32_t page_count)
+      : greeting_(std::move(greeting)), pages_(page_count) {}
 
   void apply(std::vector<Edit> edits, Time now);
   void preview(const std::string& edit_id, PreviewChange change, Time now);
   void drop_preview(const std::string& edit_id);
   void move_brush(const std::optional<BrushRing>& ring);
 
-  /// A new stream: the greeting, all edits, the preview and the brush are to be said.
+  /// The pages of frames. Their changes are said right after the greeting.
+  PagesToShow& pages() { return pages_; }
+
+  /// A new stream: the greeting, the pages, all edits, the preview and the brush are to be said.
   void restart();
 
   /// The next message, or nothing.
@@ -61,6 +66,7 @@ class LiveOutbox {
 
   const Greeting greeting_;
   bool greeted_ = false;
+  PagesToShow pages_;
   std::deque<Batch> batches_;
   std::optional<Gesture> gesture_;
   std::string dropped_preview_;

@@ -31,8 +31,8 @@ SessionLink::Worker::Worker(const std::string& server, const ConnectionTrust& tr
       user_(user),
       starter_(std::move(starter)),
       options_(std::move(options)),
-      receiver_(options_.view),
-      outbox_(options_.greeting),
+      receiver_({options_.head, options_.depth, options_.pages_fingerprint}),
+      outbox_(options_.greeting, options_.head.page_count()),
       pacer_(options_.draw_interval) {
   thread_ = std::thread([this] { run(); });
 }
@@ -84,7 +84,7 @@ Status SessionLink::Worker::converse() {
     budget_.restart();
     shown_.restart();
   }
-  receiver_.take_answers();
+  receiver_.restart();
   last_heard_ = next_heartbeat_ = options_.clock();
   leaving_ = false;
   farewell_.clear();
@@ -113,6 +113,7 @@ Status SessionLink::Worker::speak_and_listen(LiveStream& stream) {
     }
     if (stream.can_write()) {
       if (const auto message = next_message(now)) {
+        RETURN_IF_ERROR(prepare_to_say(*message));
         stream.write(*message);
         continue;
       }
@@ -138,6 +139,8 @@ std::optional<ClientMessage> SessionLink::Worker::next_message(Time now) {
   if (auto message = outbox_.next()) {
     if (outbox_.previews_sent() > previews)
       shown_.preview_sent(outbox_.previews_sent(), outbox_.preview_since());
+    if (const auto* change = std::get_if<ShowPages>(&*message))
+      added_pages_ = outbox_.pages().find(change->added);
     return message;
   }
   const int due = pacer_.due(now);
@@ -153,6 +156,12 @@ std::optional<ClientMessage> SessionLink::Worker::next_message(Time now) {
   pacer_.granted(now, due);
   beat_for_credit_ = false;
   return credit;
+}
+
+// Lays out the pages of a change without the lock: callers do not wait for it.
+Status SessionLink::Worker::prepare_to_say(const ClientMessage& message) {
+  const auto* change = std::get_if<ShowPages>(&message);
+  return change ? receiver_.show(*change, std::exchange(added_pages_, {})) : Status::ok();
 }
 
 Heartbeat SessionLink::Worker::heartbeat(Time now) {

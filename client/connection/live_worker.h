@@ -30,6 +30,8 @@ class SessionLink::Worker {
   void preview(const std::string& edit_id, PreviewChange change);
   void drop_preview(const std::string& edit_id);
   void move_brush(const std::optional<BrushRing>& ring);
+  Status show_pages(const std::vector<std::shared_ptr<const Page>>& added,
+                    const std::vector<PageId>& removed);
   LiveNews take();
   bool wait_until_acknowledged(std::chrono::milliseconds patience);
 
@@ -44,6 +46,7 @@ class SessionLink::Worker {
 
   // What is said.
   std::optional<ClientMessage> next_message(Time now);
+  Status prepare_to_say(const ClientMessage& message);
   Heartbeat heartbeat(Time now);
   Time next_deadline();
 
@@ -72,6 +75,7 @@ class SessionLink::Worker {
 
   // Of the thread alone.
   FrameReceiver receiver_;
+  std::vector<std::shared_ptr<const Page>> added_pages_;  // of the next message, if it adds pages
   Time last_heard_;
   Time next_heartbeat_;
   bool leaving_ = false;  // the stream is to end: it is silent, or has said farewell
@@ -88,7 +92,6 @@ class SessionLink::Worker {
   LiveNews news_;
   Time last_decoded_;
   bool has_new_frame_ = false;
-  std::vector<bool> changed_tiles_;  // of news_.displacement
   bool stopping_ = false;
 
   std::thread thread_;  // last: it uses all of the above

@@ -36,7 +36,7 @@ Status SessionLink::Worker::hear(Welcome& welcome) {
 }
 
 Status SessionLink::Worker::hear(const LiveFrame& frame) {
-  ASSIGN_OR_RETURN(auto displacement, receiver_.receive(frame.data));
+  ASSIGN_OR_RETURN(auto surface, receiver_.receive(frame.data));
   const Time decoded = options_.clock();
   const FrameStats& made = frame.stats;
   const double server_ms = made.assemble_ms + made.solve_ms + made.encode_ms;
@@ -57,11 +57,8 @@ Status SessionLink::Worker::hear(const LiveFrame& frame) {
   stats.credit_window = pacer_.window();
   shown_.frame(made.edits, made.previews, decoded);
   tell_shown();
-  if (!displacement) return Status::ok();
-  changed_tiles_.resize(static_cast<size_t>(displacement->layout->tile_count()), true);
-  for (const int tile : displacement->changed_tiles)
-    changed_tiles_[static_cast<size_t>(tile)] = true;
-  news_.displacement = std::move(displacement);
+  outbox_.pages().shown(receiver_.shown_revision());
+  if (surface) news_.frame = std::move(surface);
   return Status::ok();
 }
 

@@ -44,6 +44,11 @@ void SessionLink::move_brush(const std::optional<BrushRing>& ring) {
   worker_->move_brush(ring);
 }
 
+Status SessionLink::show_pages(std::vector<std::shared_ptr<const Page>> added,
+                               std::vector<PageId> removed) {
+  return worker_->show_pages(added, removed);
+}
+
 LiveNews SessionLink::take() {
   return worker_->take();
 }
@@ -86,6 +91,16 @@ void SessionLink::Worker::move_brush(const std::optional<BrushRing>& ring) {
   wakeup_->wake();
 }
 
+Status SessionLink::Worker::show_pages(const std::vector<std::shared_ptr<const Page>>& added,
+                                       const std::vector<PageId>& removed) {
+  {
+    const std::lock_guard lock(mutex_);
+    RETURN_IF_ERROR(outbox_.pages().change(added, removed));
+  }
+  wakeup_->wake();
+  return Status::ok();
+}
+
 LiveNews SessionLink::Worker::take() {
   const auto now = options_.clock();
   LiveNews news;
@@ -98,17 +113,11 @@ LiveNews SessionLink::Worker::take() {
     news.link = news_.link;
     news.stats = news_.stats;
     news.stats.frames_per_second = rate_.frames_per_second(now);
+    news.stats.frame_bytes_max = budget_.bytes();
     news.stats.megabits_per_second = rate_.megabits_per_second(now);
     news.unacknowledged = outbox_.unacknowledged();
     news.events.swap(news_.events);
-    if (news_.displacement) {
-      news.displacement.swap(news_.displacement);
-      news.displacement->changed_tiles.clear();
-      for (size_t tile = 0; tile < changed_tiles_.size(); ++tile)
-        if (changed_tiles_[tile])
-          news.displacement->changed_tiles.push_back(static_cast<int>(tile));
-      changed_tiles_.assign(changed_tiles_.size(), false);
-    }
+    news.frame = news_.frame;
   }
   wakeup_->wake();
   return news;

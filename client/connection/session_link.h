@@ -11,13 +11,15 @@
 #include "client/connection/live_news.h"
 #include "common/base/clock.h"
 #include "common/edit/edit.h"
-#include "common/view/view.h"
+#include "common/pages/directory.h"
 
 namespace burnish {
 
 struct LiveOptions {
-  Greeting greeting;                 ///< with the triangles_max that the view was fetched with
-  std::shared_ptr<const View> view;  ///< what is drawn, of the session's scan, depth and radius
+  Greeting greeting;
+  PageHead head;                   ///< of the scan's pages
+  int depth = 0;                   ///< of the session
+  uint64_t pages_fingerprint = 0;  ///< pages_fingerprint() of the encoded head; 0: not checked
   /// Between two pictures; frames are asked for so that they come just before the next one.
   std::chrono::microseconds draw_interval{16'667};
   /// Called from a thread of the session's own when there is something to take. Must not block.
@@ -36,7 +38,6 @@ struct LiveOptions {
 class SessionLink {
  public:
   /// Begins to connect, by a connection of its own: what else is fetched does not hold up frames.
-  /// Needs: options.view.
   SessionLink(const Connection& connection, LiveOptions options);
   /// Edits that are not acknowledged are given up; see wait_until_acknowledged().
   ~SessionLink();
@@ -55,6 +56,11 @@ class SessionLink {
 
   /// Where this person's brush is; nothing: it left the surface.
   void move_brush(const std::optional<BrushRing>& ring);
+
+  /// Changes the pages that frames carry; at first there are none. They are kept until they are
+  /// removed, and told to every new stream. Needs: pages as decode_page() made them.
+  /// Fails, and changes nothing: as ShownPages::check().
+  Status show_pages(std::vector<std::shared_ptr<const Page>> added, std::vector<PageId> removed);
 
   /// What is new. To be called once per picture, just before it is drawn: more frames are asked
   /// for then.
