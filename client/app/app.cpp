@@ -13,6 +13,7 @@ namespace burnish {
 // ImGui needs a second picture to show the effect of a click.
 static constexpr int kPicturesAfterEvent = 3;
 static constexpr double kIdleSeconds = 0.5;
+static constexpr double kFinerSeconds = 0.016;  // while the picture becomes finer
 
 static volatile std::sig_atomic_t ended_by_signal = 0;
 
@@ -37,19 +38,23 @@ Status App::run(AppOptions options, Preferences preferences) {
   return status;
 }
 
+// Leaves half of the card's free memory to others.
+static PageBudget budget_of(const Capabilities& card, uint64_t triangles_max) {
+  PageBudget budget = card.is_software ? software_budget() : PageBudget();
+  if (triangles_max > 0) budget.triangles = triangles_max;
+  if (card.free_bytes > 0) budget.card_bytes = std::min(budget.card_bytes, card.free_bytes / 2);
+  return budget;
+}
+
 Status App::start(Preferences preferences) {
   ImageSize size = options_.size;
   if (size.width == 0) size = {preferences.window_width, preferences.window_height};
   const double scale = options_.scale > 0 ? options_.scale : preferences.scale;
   ASSIGN_OR_RETURN(window_, Window::create(size, scale, make_events()));
-  ASSIGN_OR_RETURN(renderer_, GlRenderer::create());
+  ASSIGN_OR_RETURN(renderer_, GlPageRenderer::create());
   const Capabilities card = card_capabilities();
-  if (options_.workspace.triangles_max == 0) {
-    options_.workspace.triangles_max = card.triangles_max;
-    options_.workspace.triangles_why = card.triangles_why;
-  } else {
-    options_.workspace.triangles_why = "as requested";
-  }
+  options_.workspace.is_software = card.is_software;
+  options_.workspace.budget = budget_of(card, options_.triangles_max);
   options_.workspace.wake = [this] {
     news_ = true;
     Window::wake();
@@ -77,7 +82,7 @@ void App::open_what_was_asked() {
 Status App::loop() {
   int pictures = kPicturesAfterEvent;
   for (;;) {
-    window_->wait(pictures > 0 ? 0 : kIdleSeconds);
+    window_->wait(pictures > 0 ? 0 : is_picture_settled() ? kIdleSeconds : kFinerSeconds);
     const bool timed_out = !window_->take_dirty() && !news_.exchange(false);
     pictures = timed_out ? std::max(pictures, 1) : kPicturesAfterEvent;
     RETURN_IF_ERROR(workspace_->update());
@@ -87,6 +92,11 @@ Status App::loop() {
   }
   if (leave_step_ == Leaving::Step::kLeave) return Status::ok();
   return failed_precondition(unsaved_text(workspace_->unsaved_edits()) + " and will be lost");
+}
+
+bool App::is_picture_settled() const {
+  const Document* const document = workspace_->document();
+  return document == nullptr || document->is_picture_settled();
 }
 
 bool App::may_close() {

@@ -9,7 +9,7 @@
 #include "client/app/start_page.h"
 #include "client/app/toasts.h"
 #include "client/app/window.h"
-#include "client/gl/gl_renderer.h"
+#include "client/gl/gl_page_renderer.h"
 #include "client/model/bindings.h"
 #include "client/model/leaving.h"
 #include "client/model/workspace.h"
@@ -21,6 +21,7 @@ struct AppOptions {
   std::string server;            ///< empty: the private server if there is something to open
   std::string session;           ///< session to join, or the name of the new session
   ImageSize size;                ///< of the window; 0x0: as in the last run
+  uint64_t triangles_max = 0;    ///< of a picture; 0: as many as the graphics card draws well
   double scale = 0;              ///< 0: from the configuration, else from the screen
   std::filesystem::path record;  ///< script file that records the user's actions; empty: none
   WorkspaceOptions workspace;
@@ -39,6 +40,7 @@ class App {
   Status start(Preferences preferences);
   Status loop();
   bool may_close();
+  bool is_picture_settled() const;
   void open_what_was_asked();
   WindowEvents make_events();
   void handle_key(const std::string& key);
@@ -61,7 +63,7 @@ class App {
   Bindings bindings_;
   std::atomic<bool> news_{true};
   std::unique_ptr<Window> window_;
-  std::unique_ptr<GlRenderer> renderer_;
+  std::unique_ptr<GlPageRenderer> renderer_;
   std::unique_ptr<Workspace> workspace_;
 
   StartPage start_page_;
@@ -90,7 +92,7 @@ class App {
 
   /// State that the renderer's picture shows. While it is the same, nothing is drawn again.
   struct Shown {
-    std::shared_ptr<const View> view;  // held, so that no other view gets its address
+    uint64_t document = 0;  // counts opened documents
     uint64_t changes = 0;
     ImageSize size;
     Camera camera;

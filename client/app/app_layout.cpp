@@ -27,10 +27,11 @@ Status App::draw_picture() {
   if (!check_image_size(picture_.size).is_ok()) return Status::ok();
   Workspace& workspace = *workspace_;
   workspace.viewport.set_size(picture_.size);
+  RETURN_IF_ERROR(workspace.look());
   const Document& document = *workspace.document();
-  Shown now{document.opened().view, document.picture_changes(), picture_.size,
+  Shown now{workspace.documents_opened(), document.picture_changes(), picture_.size,
             workspace.viewport.camera, workspace.viewport.style(document)};
-  if (!(now == shown_)) RETURN_IF_ERROR(renderer_->draw(now.camera, now.size, now.style));
+  if (!(now == shown_)) RETURN_IF_ERROR(workspace.viewport.draw(*renderer_, document));
   shown_ = std::move(now);
   const int bottom = window_->framebuffer_size().height - picture_.y - picture_.size.height;
   renderer_->show({picture_.x, bottom});

@@ -35,7 +35,7 @@ static void draw_beta(Document& document) {
 static void draw_fidelity(Document& document) {
   ImGui::TextUnformatted("Fidelity α");
   ImGui::SameLine();
-  const double unit = document.view().length_unit;
+  const double unit = document.length_unit();
   double alpha = document.curve().fidelity();
   faint_text("detail size %.3g", detail_size(unit, alpha));
   hint(
@@ -47,7 +47,7 @@ static void draw_fidelity(Document& document) {
     document.preview_curve();
   }
   if (change == SliderChange::kDone) document.commit_curve();
-  if (alpha > unit / document.view().frame.cell_size)
+  if (alpha > unit / document.cell_size())
     ImGui::TextColored(theme::kBusy, "finer than the grid can resolve");
 }
 

@@ -3,13 +3,13 @@
 #include <iostream>
 
 #include "client/gl/context_egl.h"
-#include "client/scene/null_renderer.h"
+#include "client/scene/null_page_renderer.h"
 #include "client/script/script_runner.h"
 #include "common/base/text_lines.h"
 
 namespace burnish {
 
-static Status run_with(Renderer& renderer, const std::vector<ScriptLine>& script,
+static Status run_with(PageRenderer& renderer, const std::vector<ScriptLine>& script,
                        const std::string& name, const AppOptions& options) {
   ScriptOptions script_options{.server = options.server, .workspace = options.workspace};
   if (options.size.width > 0) script_options.size = options.size;
@@ -18,17 +18,26 @@ static Status run_with(Renderer& renderer, const std::vector<ScriptLine>& script
   return runner.run(script, name);
 }
 
+/// Pictures of scripts take their time, and show full detail.
+static PageBudget script_budget(uint64_t triangles_max) {
+  return {.triangles = triangles_max > 0 ? triangles_max : 20'000'000,
+          .resident_bytes = 4'000'000'000,
+          .card_bytes = 2'000'000'000};
+}
+
 Status run_script_file(const std::filesystem::path& script, AppOptions options) {
   ASSIGN_OR_RETURN(const std::string text, read_text_file(script));
   ASSIGN_OR_RETURN(const std::vector<ScriptLine> lines, parse_script(text, script.string()));
   options.workspace.preferences.clear();  // a script leaves no traces
+  options.workspace.pages.clear();
+  options.workspace.budget = script_budget(options.triangles_max);
   const auto context = EglContext::create();
   if (!context.is_ok()) {
     std::cerr << "burnish: pictures will be black: " << context.status().message() << "\n";
-    NullRenderer renderer;
+    NullPageRenderer renderer;
     return run_with(renderer, lines, script.string(), options);
   }
-  ASSIGN_OR_RETURN(const auto renderer, GlRenderer::create());
+  ASSIGN_OR_RETURN(const auto renderer, GlPageRenderer::create());
   return run_with(*renderer, lines, script.string(), options);
 }
 

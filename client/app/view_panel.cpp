@@ -54,10 +54,9 @@ void ViewPanel::draw(Workspace& workspace) {
   draw_toggles(workspace.viewport.options);
   draw_bookmarks(workspace.viewport, document);
   ImGui::Checkbox("Left button turns the view", &workspace.viewport.navigate_mode);
-  const View& view = document.view();
   ImGui::PushTextWrapPos(0);
-  faint_text("%zu triangles%s, depth %d", view.triangles.size(),
-             view.is_proxy() ? " (reduced)" : "", view.grid.depth);
+  faint_text("%s", status_text(document.surface().status()).c_str());
+  faint_text("depth %d", document.depth());
   ImGui::PopTextWrapPos();
 }
 

@@ -26,6 +26,7 @@ Status run(const Options& given) {
   app.workspace.timeout =
       std::chrono::milliseconds(static_cast<int64_t>(given.server.timeout_seconds * 1000));
   app.workspace.preferences = given.config.empty() ? preferences_path() : given.config;
+  app.workspace.pages = page_cache_folder();
   app.workspace.private_server.data = given.data.empty() ? private_data_folder() : given.data;
   ASSIGN_OR_RETURN(Preferences preferences, read_preferences(app.workspace.preferences));
   if (!given.server.user.empty()) preferences.user = given.server.user;
@@ -50,8 +51,8 @@ void add_window_command(CommandTable& table) {
       ->check(CLI::Range(320, kImageSidePixelsMax));
   command->add_option("--height", options->app.size.height, "Of the window, in pixels")
       ->check(CLI::Range(240, kImageSidePixelsMax));
-  command->add_option("--triangles", options->app.workspace.triangles_max,
-                      "Draw at most this many; edits and exports use all");
+  command->add_option("--triangles", options->app.triangles_max,
+                      "Draw at most this many in a picture; edits and exports use all");
   command->add_option("--config", options->config, "Configuration file");
   command->add_option("--data", options->data, "Folder of the private server");
   command

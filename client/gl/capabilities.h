@@ -1,14 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 namespace burnish {
 
-/// Limits of the graphics card of the current context.
+/// What is known of the graphics card of the current context.
 struct Capabilities {
-  uint64_t triangles_max = 0;  ///< 0: no known limit
-  std::string triangles_why;   ///< in words
+  bool is_software = false;  ///< there is none: the processor draws
+  uint64_t free_bytes = 0;   ///< of the card's memory; 0: unknown
 };
 
 Capabilities card_capabilities();

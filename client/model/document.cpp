@@ -13,27 +13,32 @@ static double kappa_range(const ScanDescription& scan) {
 }
 
 Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorder& recorder,
-                   std::function<void()> wake, Clock clock)
+                   DocumentOptions options)
     : opened_(std::move(opened)),
       tasks_(tasks),
       log_(log),
       recorder_(recorder),
-      wake_(std::move(wake)),
-      displacements_(opened_.mesh.corner_count, Vec3f::Zero()),
+      wake_(options.wake),
       beta_(opened_.state.gradient_scale),
       curve_(kappa_range(opened_.scan), opened_.state.transfer_curve),
-      tint_(*opened_.view),
       history_(std::move(opened_.history)),
       edits_known_(opened_.session.edits),
       told_{edits_known_, opened_.state.gradient_scale, opened_.state.transfer_curve} {
   welcome_.session = opened_.session;
   welcome_.role = SessionRole::kEditor;  // until the server tells the role
-  LiveOptions options;
-  options.greeting = {opened_.session.id, opened_.triangles_max, FrameContent::kCoefficients};
-  options.view = opened_.view;
-  options.on_news = wake_;
-  options.clock = std::move(clock);
-  live_ = std::make_unique<SessionLink>(*opened_.connection, std::move(options));
+  const MeshStatistics& statistics = opened_.scan.scan.statistics;
+  box_ = {statistics.box_min, statistics.box_max};
+  LiveOptions live;
+  live.greeting = {opened_.session.id, std::nullopt};
+  live.head = opened_.pages.head;
+  live.depth = depth();
+  live.pages_fingerprint = opened_.pages.fingerprint;
+  live.on_news = wake_;
+  live.clock = options.clock;
+  live_ = std::make_unique<SessionLink>(*opened_.connection, std::move(live));
+  SurfaceOptions shown{options.budget, options.is_software, options.pages, wake_, options.clock};
+  surface_ = std::make_unique<PagedSurface>(std::move(opened_.pages), depth(),
+                                            *opened_.connection, *live_, std::move(shown));
 }
 
 void Document::send(Change change) {
@@ -87,7 +92,7 @@ void Document::begin_stroke(BrushMode mode, const Vec3d& point) {
 void Document::show_begun_stroke() {
   gesture_ = random_id();
   last_dab_ = brush_.stroke().path.front();
-  tint_changed_ = united(tint_changed_, tint_.add_dab(brush_.stroke().brush, last_dab_));
+  surface_->tint().add_dab(brush_.stroke().brush, last_dab_);
   live_->preview(gesture_, Stroke{brush_.stroke().brush, brush_.take_new_points()});
 }
 
@@ -109,8 +114,7 @@ void Document::add_dabs(const std::vector<Vec3d>& points) {
   Stroke way{brush_.stroke().brush, {last_dab_}};
   way.path.insert(way.path.end(), points.begin(), points.end());
   const std::vector<Vec3d> dabs = dab_centres(way);
-  for (size_t i = 1; i < dabs.size(); ++i)
-    tint_changed_ = united(tint_changed_, tint_.add_dab(way.brush, dabs[i]));
+  for (size_t i = 1; i < dabs.size(); ++i) surface_->tint().add_dab(way.brush, dabs[i]);
   last_dab_ = dabs.back();
 }
 
@@ -123,14 +127,14 @@ void Document::end_stroke() {
 void Document::cancel_stroke() {
   brush_.cancel();
   live_->drop_preview(std::exchange(gesture_, {}));
-  tint_changed_ = united(tint_changed_, tint_.clear());
+  surface_->tint().clear();
 }
 
 // Forgets strokes that no frame will show.
 void Document::forget_strokes() {
   if (brush_.is_drawing()) cancel_stroke();
   tinted_.clear();
-  tint_changed_ = united(tint_changed_, tint_.clear());
+  surface_->tint().clear();
 }
 
 void Document::set_role(const std::string& user, SessionRole role) {
@@ -148,6 +152,10 @@ bool Document::is_settled() const {
   return link_ == LinkState::kLive && unacknowledged_ == 0 && gesture_.empty() &&
          stats_.frames > 0 && stats_.frame.settled && stats_.frame.edits >= edits_known_ &&
          told_.edits >= edits_known_ && !history_fetch_->running;
+}
+
+bool Document::is_picture_settled() const {
+  return surface_->is_settled() && !is_fetching_values_;
 }
 
 }  // namespace burnish

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,8 @@
 #include "client/model/message_log.h"
 #include "client/model/recorder.h"
 #include "client/model/tasks.h"
-#include "client/scene/displaced_surface.h"
-#include "client/scene/renderer.h"
+#include "client/surface/paged_surface.h"
 #include "client/tools/brush_tool.h"
-#include "client/tools/cell_tint.h"
 #include "client/tools/curve_editor.h"
 #include "client/tools/presets.h"
 #include "common/edit/edit.h"
@@ -25,11 +24,18 @@ struct OpenedDocument {
   std::shared_ptr<Connection> connection;
   SessionInfo session;
   ScanDescription scan;
-  std::shared_ptr<const View> view;
-  uint64_t triangles_max = 0;  ///< limit of the fetched view
-  ViewMesh mesh;
+  OpenedPages pages;
   SessionState state;
   std::vector<HistoryEntry> history;
+};
+
+/// Where a document's pictures are drawn, and what they may cost.
+struct DocumentOptions {
+  PageBudget budget;
+  bool is_software = false;        ///< pictures are drawn without a graphics card
+  std::filesystem::path pages;     ///< folder that keeps fetched pages; empty: none
+  std::function<void()> wake;      ///< called from any thread when update() has something to do
+  Clock clock = std::chrono::steady_clock::now;
 };
 
 /// The quantity that colours the surface.
@@ -39,22 +45,26 @@ enum class ColourBy { kNothing, kBeta, kCurvature, kDisplacement };
 /// the user makes. Never waits for the network. Used from one thread.
 class Document {
  public:
-  /// Other threads call `wake` when update() has something to do. The server link uses `clock`.
   Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorder& recorder,
-           std::function<void()> wake, Clock clock = std::chrono::steady_clock::now);
+           DocumentOptions options);
 
   const SessionInfo& session() const { return opened_.session; }
   const ScanDescription& scan() const { return opened_.scan; }
   const OpenedDocument& opened() const { return opened_; }
-  const View& view() const { return *opened_.view; }
-  DisplacedSurface surface() const { return {opened_.mesh, displacements_}; }
-  double diagonal() const { return 2 * opened_.mesh.unit(); }
+  const PagedSurface& surface() const { return *surface_; }
+  const Eigen::AlignedBox3d& box() const { return box_; }  ///< of the scan, file units
+  double diagonal() const { return box_.diagonal().norm(); }
+  double length_unit() const { return prepared().length_unit; }  ///< L, file units
+  double cell_size() const { return prepared().cell_size; }      ///< file units
+  int depth() const { return opened_.session.key.depth; }
 
-  /// Call once, before the first update(). Fails: as the renderer does.
-  Status show(Renderer& renderer) const { return renderer.upload_mesh(opened_.mesh); }
+  /// Empties the renderer for this surface. Call once, first. Fails: as the renderer does.
+  Status open(PageRenderer& renderer) { return surface_->open(renderer); }
 
-  /// Handles news from the server and updates the drawn surface. Call once per picture.
-  Status update(Renderer& renderer);
+  /// Handles news from the server. Call once per picture.
+  void update();
+  /// Brings what this picture needs to the renderer. Fails: as the renderer does.
+  Status look(const Camera& camera, const ImageSize& size, PageRenderer& renderer);
 
   // During a drag, preview the gradient scale and the curve; at its end, commit.
   double beta() const { return beta_; }
@@ -98,11 +108,13 @@ class Document {
   const ProgressReport& progress() const { return progress_; }
   bool is_viewer() const { return welcome_.role == SessionRole::kViewer; }
 
-  /// Returns a number that rises when update() changes the picture.
-  uint64_t picture_changes() const { return picture_changes_; }
+  /// Returns a number that rises when look() changes the picture.
+  uint64_t picture_changes() const { return surface_->changes(); }
 
   /// Returns true if every edit is applied and shown, in the surface, the values and the history.
   bool is_settled() const;
+  /// Returns true if the picture of the last look() is as fine as it will become.
+  bool is_picture_settled() const;
   /// Returns true if the session has ended.
   bool has_ended() const { return link_ == LinkState::kEnded; }
 
@@ -111,36 +123,36 @@ class Document {
   void send(Change change);
   void send_as(const std::string& id, Change change);
 
-  Status take_displacement(const Displacement& displacement, Renderer& renderer);
+  const PreparedDescription& prepared() const { return *opened_.scan.prepared; }
   void handle(const LiveEvent& event);
   void follow_server();
   void show_begun_stroke();
   void forget_strokes();
   void add_dabs(const std::vector<Vec3d>& points);
   void refresh_history();
-  void refresh_cells();
-  void fetch_curvature();
+  void forget_values();
+  void fetch_values();
+  void take_values(const Result<std::vector<PageValues>>& first,
+                   const Result<std::vector<PageValues>>& second);
 
   OpenedDocument opened_;
+  Eigen::AlignedBox3d box_;
   Tasks& tasks_;
   MessageLog& log_;
   Recorder& recorder_;
   std::function<void()> wake_;
-  std::vector<Vec3f> displacements_;
 
   double beta_;
   CurveEditor curve_;
   BrushTool brush_;
-  CellTint tint_;
-  IndexRange tint_changed_;
   Vec3d last_dab_ = Vec3d::Zero();
   std::string gesture_;              // id of the edit of the running drag or stroke; else empty
   std::vector<std::string> tinted_;  // strokes that no frame shows yet
 
   ColourBy colour_ = ColourBy::kNothing;
-  std::vector<float> cell_values_;
-  bool cell_values_changed_ = false;
-  std::vector<float> curvature_;  // fetched only once
+  uint64_t values_version_ = 0;  // counts forget_values()
+  bool is_fetching_values_ = false;
+  std::set<PageId> fetched_;  // pages whose values of this version were asked for
 
   std::vector<HistoryEntry> history_;
   SessionPeople people_;
@@ -150,7 +162,6 @@ class Document {
   std::string link_reason_;
   ProgressReport progress_;
   size_t unacknowledged_ = 0;
-  uint64_t picture_changes_ = 0;
   uint64_t edits_known_ = 0;  // the session's edits on disk
   HistoryState told_;         // the newest values of the session
   bool is_told_taken_ = true;
@@ -162,9 +173,9 @@ class Document {
     bool again = false;
   };
   std::shared_ptr<Fetch> history_fetch_ = std::make_shared<Fetch>();
-  std::shared_ptr<Fetch> cells_fetch_ = std::make_shared<Fetch>();
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may outlive us
-  std::unique_ptr<SessionLink> live_;                           // last: its thread calls wake_
+  std::unique_ptr<SessionLink> live_;                           // its thread calls wake_
+  std::unique_ptr<PagedSurface> surface_;                       // last: it uses live_
 };
 
 }  // namespace burnish

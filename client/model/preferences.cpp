@@ -26,6 +26,11 @@ std::filesystem::path preferences_path() {
   return folder.empty() ? folder : folder / "window.toml";
 }
 
+std::filesystem::path page_cache_folder() {
+  const std::filesystem::path folder = folder_of("XDG_CACHE_HOME", ".cache");
+  return folder.empty() ? folder : folder / "pages";
+}
+
 std::filesystem::path private_data_folder() {
   return folder_of("XDG_DATA_HOME", ".local/share");
 }

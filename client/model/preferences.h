@@ -40,6 +40,9 @@ std::filesystem::path preferences_path();
 /// ~/.local/share.
 std::filesystem::path private_data_folder();
 
+/// Returns the folder that keeps fetched pages of scans; empty without a home folder.
+std::filesystem::path page_cache_folder();
+
 /// Returns defaults if there is no file. Fails: invalid_argument that names the file and the error.
 Result<Preferences> read_preferences(const std::filesystem::path& path);
 

@@ -90,7 +90,7 @@ void Viewport::begin(const Document& document) {
 }
 
 void Viewport::frame_all(const Document& document) {
-  camera = burnish::frame_all(camera, document.surface().mesh.box, size_.aspect());
+  camera = burnish::frame_all(camera, document.box(), size_.aspect());
 }
 
 void Viewport::focus() {
@@ -132,18 +132,12 @@ void Viewport::drag_value(Document& document) {
     document.brush().brush.strength = std::clamp(value_from_ + by * kStrengthPerPixel, 0.01, 1.0);
 }
 
-Result<std::optional<SurfaceHit>> Viewport::hit_at(Renderer& renderer, const Document& document,
+Result<std::optional<SurfaceHit>> Viewport::hit_at(PageRenderer& renderer, const Document& document,
                                                    const Vector2d& pixel) const {
   const Eigen::Vector2i at = pixel.array().floor().cast<int>();
   if (at.minCoeff() < 0 || at.x() >= size_.width || at.y() >= size_.height)
     return std::optional<SurfaceHit>();
-  const bool original = shows_original(pixel);
-  ASSIGN_OR_RETURN(const auto triangle, renderer.pick(camera, size_, at, original));
-  if (!triangle) return std::optional<SurfaceHit>();
-  DisplacedSurface surface = document.surface();
-  if (original) surface.displacements = {};
-  const Ray ray = pixel_ray(camera, size_, at.cast<double>() + Vector2d(0.5, 0.5));
-  return point_on_triangle(surface, ray, *triangle);
+  return document.surface().hit_at(renderer, camera, size_, at, shows_original(pixel));
 }
 
 bool Viewport::shows_original(const Vector2d& pixel) const {
@@ -151,8 +145,8 @@ bool Viewport::shows_original(const Vector2d& pixel) const {
          (options.split && pixel.x() < split_column(options.split_at, size_.width));
 }
 
-Status Viewport::update(Renderer& renderer, Document& document) {
-  camera = with_depth_of(camera, document.surface().mesh.box);
+Status Viewport::update(PageRenderer& renderer, Document& document) {
+  camera = with_depth_of(camera, document.box());
   if (std::exchange(value_changes_, false)) drag_value(document);
   for (const Event& event : std::exchange(events_, {}))
     RETURN_IF_ERROR(paint(event, renderer, document));
@@ -162,10 +156,14 @@ Status Viewport::update(Renderer& renderer, Document& document) {
   return Status::ok();
 }
 
+Status Viewport::draw(PageRenderer& renderer, const Document& document) const {
+  return renderer.draw(camera, size_, style(document), document.surface().patches());
+}
+
 // Finds the surface under the pointer again, even a still one, when the camera or the surface
 // moves.
-Status Viewport::look_at(const Vector2d& pixel, Renderer& renderer, const Document& document) {
-  const Look look{pixel, camera, size_, document.stats().frames, shows_original(pixel)};
+Status Viewport::look_at(const Vector2d& pixel, PageRenderer& renderer, const Document& document) {
+  const Look look{pixel, camera, size_, document.picture_changes(), shows_original(pixel)};
   if (looked_ == look) return Status::ok();
   ASSIGN_OR_RETURN(hover_, hit_at(renderer, document, pixel));
   looked_ = look;
@@ -173,7 +171,7 @@ Status Viewport::look_at(const Vector2d& pixel, Renderer& renderer, const Docume
 }
 
 // Paints the surface under the pointer. Beside the surface nothing happens.
-Status Viewport::paint(const Event& event, Renderer& renderer, Document& document) {
+Status Viewport::paint(const Event& event, PageRenderer& renderer, Document& document) {
   if (event.kind == Event::Kind::kRelease) {
     if (document.brush().is_drawing()) document.end_stroke();
     return Status::ok();

@@ -5,7 +5,7 @@
 
 #include "client/model/document.h"
 #include "client/scene/camera.h"
-#include "client/scene/renderer.h"
+#include "client/scene/page_renderer.h"
 
 namespace burnish {
 
@@ -56,7 +56,13 @@ class Viewport {
   bool cancel(Document& document);
 
   /// Handles the pointer's events. Fails: as the renderer does.
-  Status update(Renderer& renderer, Document& document);
+  Status update(PageRenderer& renderer, Document& document);
+
+  /// Prepares the picture of the document; draw() then draws it. Fails: as the renderer does.
+  Status look(PageRenderer& renderer, Document& document) const {
+    return document.look(camera, size_, renderer);
+  }
+  Status draw(PageRenderer& renderer, const Document& document) const;
 
   /// Returns the surface point under the pointer at the last update().
   const std::optional<SurfaceHit>& hover() const { return hover_; }
@@ -78,17 +84,17 @@ class Viewport {
     Eigen::Vector2d pixel;
     Camera camera;
     ImageSize size;
-    uint64_t frames = 0;  // frames that have moved the surface
+    uint64_t changes = 0;  // of the drawn surface
     bool original = false;
 
     bool operator==(const Look&) const = default;
   };
 
   bool shows_original(const Eigen::Vector2d& pixel) const;
-  Status look_at(const Eigen::Vector2d& pixel, Renderer& renderer, const Document& document);
-  Result<std::optional<SurfaceHit>> hit_at(Renderer& renderer, const Document& document,
+  Status look_at(const Eigen::Vector2d& pixel, PageRenderer& renderer, const Document& document);
+  Result<std::optional<SurfaceHit>> hit_at(PageRenderer& renderer, const Document& document,
                                            const Eigen::Vector2d& pixel) const;
-  Status paint(const Event& event, Renderer& renderer, Document& document);
+  Status paint(const Event& event, PageRenderer& renderer, Document& document);
   void drag_camera(const Eigen::Vector2d& by);
   void drag_value(Document& document);
   void send_ring(Document& document);

@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-Workspace::Workspace(Renderer& renderer, Preferences remembered, WorkspaceOptions options)
+Workspace::Workspace(PageRenderer& renderer, Preferences remembered, WorkspaceOptions options)
     : preferences(std::move(remembered)), renderer_(renderer), options_(std::move(options)) {
   if (!options_.wake) options_.wake = [] {};
 }
@@ -12,8 +12,12 @@ Workspace::Workspace(Renderer& renderer, Preferences remembered, WorkspaceOption
 Status Workspace::update() {
   tasks_.drain();
   if (!document_) return Status::ok();
-  RETURN_IF_ERROR(document_->update(renderer_));
+  document_->update();
   return viewport.update(renderer_, *document_);
+}
+
+Status Workspace::look() {
+  return document_ ? viewport.look(renderer_, *document_) : Status::ok();
 }
 
 void Workspace::start_activity(const std::string& title, Step step) {

@@ -21,8 +21,9 @@ struct WorkspaceOptions {
   PrivateServerOptions private_server;
   ConnectionTrust trust;
   std::chrono::milliseconds timeout{10'000};
-  uint64_t triangles_max = 0;                    ///< limit of drawn triangles; 0: all
-  std::string triangles_why;                     ///< why not all triangles
+  PageBudget budget;                             ///< of pictures
+  bool is_software = false;                      ///< pictures are drawn without a graphics card
+  std::filesystem::path pages;                   ///< folder that keeps fetched pages; empty: none
   std::function<void()> wake;                    ///< called from any thread when update() has work
   Clock clock = std::chrono::steady_clock::now;  ///< used by the server link
 };
@@ -42,7 +43,7 @@ struct Library {
 /// network; update() handles the results, once per picture. Used from one thread.
 class Workspace {
  public:
-  Workspace(Renderer& renderer, Preferences preferences, WorkspaceOptions options);
+  Workspace(PageRenderer& renderer, Preferences preferences, WorkspaceOptions options);
 
   Preferences preferences;
   MessageLog log;
@@ -51,6 +52,8 @@ class Workspace {
 
   /// Handles all news since the last picture. Fails: as the renderer does.
   Status update();
+  /// Brings what the viewport's picture needs to the renderer. Fails: as the renderer does.
+  Status look();
 
   // The start page.
   const Library& library() const { return library_; }
@@ -71,6 +74,7 @@ class Workspace {
 
   // The open session; null on the start page.
   Document* document() { return document_.get(); }
+  uint64_t documents_opened() const { return documents_opened_; }
   void close_document();
   void export_mesh(const std::filesystem::path& file, bool exact);
   void fork(const std::string& name, const std::string& checkpoint);
@@ -100,7 +104,7 @@ class Workspace {
   bool need_connection(const std::string& what);
   void wake() const { options_.wake(); }
 
-  Renderer& renderer_;
+  PageRenderer& renderer_;
   WorkspaceOptions options_;
   std::shared_ptr<Connection> connection_;
   Library library_;
@@ -108,6 +112,7 @@ class Workspace {
   std::vector<std::shared_ptr<Activity>> activities_;
   bool opening_ = false;
   uint64_t exports_done_ = 0;
+  uint64_t documents_opened_ = 0;
   std::unique_ptr<Document> document_;
   Tasks tasks_;  // last member: its threads end before the objects that they use
 };
@@ -123,7 +128,6 @@ std::string unsaved_text(size_t edits);
 
 /// Fetches all data of a document. Fails: as the server says; cancelled.
 Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
-                                     const SessionWish& wish, uint64_t triangles_max,
-                                     const Progress& progress);
+                                     const SessionWish& wish, const Progress& progress);
 
 }  // namespace burnish

@@ -7,10 +7,9 @@ namespace burnish {
 void Workspace::open(const SessionWish& wish) {
   if (!need_connection("open") || opening_) return;
   opening_ = true;
-  start_activity("Opening", [this, connection = connection_, wish,
-                             triangles_max = options_.triangles_max](const Progress& progress) {
+  start_activity("Opening", [this, connection = connection_, wish](const Progress& progress) {
     auto opened = std::make_shared<Result<OpenedDocument>>(
-        open_document(connection, wish, triangles_max, progress));
+        open_document(connection, wish, progress));
     return [this, opened] {
       opening_ = false;
       if (!opened->is_ok()) return log.failure("open", opened->status());
@@ -49,18 +48,17 @@ void Workspace::reopen(const RecentSession& recent) {
 
 void Workspace::show(OpenedDocument opened) {
   leave_document();
-  auto document = std::make_unique<Document>(std::move(opened), tasks_, log, recorder,
-                                             options_.wake, options_.clock);
-  const Status shown = document->show(renderer_);
+  auto document = std::make_unique<Document>(
+      std::move(opened), tasks_, log, recorder,
+      DocumentOptions{options_.budget, options_.is_software, options_.pages, options_.wake,
+                      options_.clock});
+  const Status shown = document->open(renderer_);
   if (!shown.is_ok()) return log.failure("open", shown);
   document->brush().brush = {.radius = preferences.brush_radius_part * document->diagonal(),
                              .strength = preferences.brush_strength,
                              .beta = preferences.brush_beta};
   document_ = std::move(document);
-  if (document_->view().is_proxy())
-    log.warning("shown with " + std::to_string(document_->view().triangles.size()) + " of " +
-                std::to_string(document_->view().scan_triangles) +
-                " triangles: " + options_.triangles_why + "; edits and exports use all");
+  ++documents_opened_;
   viewport.begin(*document_);
   recorder.record("join " + document_->session().name);
   remember(preferences, {library_.is_private ? "" : library_.server, document_->session().name,

@@ -132,7 +132,7 @@ Status ScriptRunner::run_view(const ScriptLine& line) {
   if (command == "colour") {
     ASSIGN_OR_RETURN(const ColourBy colour, parse_colour(line.words[0]));
     document.set_colour(colour);
-    return update_until([this] { return workspace_->is_idle(); }, "fetching colours");
+    return finish_picture();
   }
   if (command == "size") {
     ImageSize size;
@@ -154,6 +154,7 @@ Status ScriptRunner::run_view(const ScriptLine& line) {
 Status ScriptRunner::run_pointer(const ScriptLine& line) {
   ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(line.words, 0));
   if (numbers.size() % 2 != 0) return invalid_argument("a pixel must be two numbers");
+  RETURN_IF_ERROR(finish_picture());  // the same points on every run
   Viewport& viewport = workspace_->viewport;
   const auto button = line.command == "drag" ? PointerButton::kLeft : PointerButton::kMiddle;
   viewport.press(button, {}, {numbers[0], numbers[1]});

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-ScriptRunner::ScriptRunner(Renderer& renderer, ScriptOptions options)
+ScriptRunner::ScriptRunner(PageRenderer& renderer, ScriptOptions options)
     : renderer_(renderer), options_(std::move(options)) {
   options_.workspace.wake = [this] {
     const std::lock_guard lock(mutex_);
@@ -39,6 +39,7 @@ Status ScriptRunner::connect() {
 
 Status ScriptRunner::update() {
   RETURN_IF_ERROR(workspace_->update());
+  RETURN_IF_ERROR(workspace_->look());
   const auto& messages = workspace_->log.messages();
   for (; messages_seen_ < messages.size(); ++messages_seen_)
     if (messages[messages_seen_].severity == Severity::kError)
@@ -118,11 +119,15 @@ Status ScriptRunner::run_export(const ScriptLine& line) {
   return update_until([this, before] { return workspace_->exports_done() > before; }, "exporting");
 }
 
-Status ScriptRunner::take_screenshot(const std::filesystem::path& path) {
+// Waits for all detail that the picture can have.
+Status ScriptRunner::finish_picture() {
   RETURN_IF_ERROR(update());
-  const Viewport& viewport = workspace_->viewport;
-  RETURN_IF_ERROR(
-      renderer_.draw(viewport.camera, viewport.size(), viewport.style(*workspace_->document())));
+  return update_until([this] { return workspace_->document()->is_picture_settled(); }, "drawing");
+}
+
+Status ScriptRunner::take_screenshot(const std::filesystem::path& path) {
+  RETURN_IF_ERROR(finish_picture());
+  RETURN_IF_ERROR(workspace_->viewport.draw(renderer_, *workspace_->document()));
   ASSIGN_OR_RETURN(const Image image, renderer_.read_pixels());
   return write_png(image, path);
 }

@@ -20,7 +20,7 @@ struct ScriptOptions {
 /// Runs a script with a Workspace, as the window would, but without a window.
 class ScriptRunner {
  public:
-  ScriptRunner(Renderer& renderer, ScriptOptions options);
+  ScriptRunner(PageRenderer& renderer, ScriptOptions options);
 
   /// Stops at the first command that fails. Fails: as the command does, with its line;
   /// deadline_exceeded; failed_precondition if edits could not be saved before a session was left.
@@ -37,6 +37,7 @@ class ScriptRunner {
   Status run_view(const ScriptLine& line);
   Status run_pointer(const ScriptLine& line);
   Status run_export(const ScriptLine& line);
+  Status finish_picture();
   Status take_screenshot(const std::filesystem::path& path);
   void print_state() const;
 
@@ -48,7 +49,7 @@ class ScriptRunner {
                       std::chrono::milliseconds patience);
   Status update();
 
-  Renderer& renderer_;
+  PageRenderer& renderer_;
   ScriptOptions options_;
   std::mutex mutex_;
   std::condition_variable news_;

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "client/scene/page_renderer.h"
+#include "client/tools/stroke_tint.h"
+#include "common/pages/page.h"
+
+namespace burnish {
+
+/// What colours the vertices of pages besides the light: a value of their cells, and the tint of
+/// strokes that no frame shows yet.
+class PageMarks {
+ public:
+  /// What a page was marked with.
+  struct Mark {
+    std::shared_ptr<const std::vector<int8_t>> values;  ///< one per vertex; null: all 0
+    TintProgress tint;
+    std::vector<float> weights;  ///< of the tint, one per vertex; empty: all 0
+    std::vector<VertexMark> marks;
+  };
+
+  /// Needs: `tint` outlives this.
+  explicit PageMarks(const StrokeTint& tint) : tint_(tint) {}
+
+  /// Values are those of VertexMark. Shapes: one per vertex.
+  void set_values(PageId page, std::vector<int8_t> values);
+  void clear_values() { values_.clear(); }
+  bool has_values(PageId page) const { return values_.contains(page); }
+
+  /// Brings a page's marks up to date. Returns whether they have changed. Shapes: one cell per
+  /// vertex. Units: cells of the session's depth.
+  bool update(PageId page, std::span<const Vec3i> cells, Mark& mark) const;
+
+ private:
+  const StrokeTint& tint_;
+  std::unordered_map<PageId, std::shared_ptr<const std::vector<int8_t>>> values_;
+};
+
+}  // namespace burnish

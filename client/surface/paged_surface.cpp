@@ -1,0 +1,196 @@
+#include "client/surface/paged_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/pages/directory_codec.h"
+
+namespace burnish {
+
+/// Bytes that a value takes in a frame before compression while a surface moves; an estimate.
+static constexpr double kBytesPerVertexMoving = 1.2;
+/// The same of a page that a frame carries for the first time.
+static constexpr double kBytesPerVertexNew = 3;
+
+Result<OpenedPages> open_pages(const PagesDescription& description, const std::string& scan) {
+  OpenedPages pages;
+  pages.scan = scan;
+  ASSIGN_OR_RETURN(pages.head, decode_head(description.head));
+  pages.fingerprint = pages_fingerprint(description.head);
+  for (const PagePart& part : description.blocks) {
+    ASSIGN_OR_RETURN(DirectoryBlock block, decode_block(part.bytes, pages.head, part.number));
+    pages.blocks.emplace_back(part.number, std::move(block));
+  }
+  return pages;
+}
+
+PagedSurface::PagedSurface(OpenedPages pages, int depth, const Connection& connection,
+                           SessionLink& link, SurfaceOptions options)
+    : pages_(std::move(pages)),
+      link_(link),
+      options_(std::move(options)),
+      cell_size_(std::ldexp(pages_.head.grid.side, -depth)),
+      tint_(pages_.head.grid, depth),
+      marks_(tint_),
+      card_(pages_.head.grid, depth),
+      fetcher_(connection, pages_.scan, options_.on_news,
+               std::make_shared<PageDisk>(options_.disk, pages_.fingerprint)),
+      decoder_(pages_.head, options_.on_news) {}
+
+Status PagedSurface::open(PageRenderer& renderer) {
+  PageBudget budget = options_.budget;
+  const uint64_t slots = std::min<uint64_t>(budget.slots(), pages_.head.page_count());
+  ASSIGN_OR_RETURN(const uint32_t room, card_.open(renderer, static_cast<uint32_t>(slots)));
+  budget.card_bytes = room * kSlotBytes;
+  loader_ = std::make_unique<PageLoader>(pages_.head, budget, options_.is_software);
+  for (auto& [number, block] : pages_.blocks)
+    loader_->on_block(number, std::move(block), options_.clock());
+  pages_.blocks.clear();
+  return Status::ok();
+}
+
+void PagedSurface::take(const LiveNews& news) {
+  stats_ = news.stats;
+  frame_ = news.frame;
+}
+
+Status PagedSurface::look(const Camera& camera, const ImageSize& size, bool is_dragging,
+                          PageRenderer& renderer) {
+  hand_in_arrivals();
+  loader_->look(question(camera, size, is_dragging), options_.clock());
+  start_decoding();
+  ask_for_items();
+  RETURN_IF_ERROR(upload(renderer));
+  RETURN_IF_ERROR(show_pages());
+  list_patches();
+  if (!frame_) return Status::ok();
+  ASSIGN_OR_RETURN(const bool is_changed, card_.update(renderer, drawn_, *frame_, marks_));
+  changes_ += is_changed;
+  return Status::ok();
+}
+
+void PagedSurface::hand_in_arrivals() {
+  const auto now = options_.clock();
+  for (PageFetcher::Arrival& arrival : fetcher_.take()) {
+    if (arrival.item.kind == PageItem::Kind::kBlock && arrival.bytes.is_ok()) {
+      hand_in_block(arrival.item.number, std::move(arrival.bytes));
+    } else if (arrival.bytes.is_ok()) {
+      loader_->on_page(arrival.item.number, std::move(*arrival.bytes), now);
+    } else {
+      loader_->on_failure(arrival.item, arrival.bytes.status(), now);
+    }
+  }
+  for (DecodedPage& decoded : decoder_.take()) {
+    if (decoded.mesh) meshes_[decoded.id] = std::move(decoded.mesh);
+    loader_->on_decoded(decoded.id, std::move(decoded.page), now);
+  }
+}
+
+void PagedSurface::hand_in_block(uint32_t number, Result<std::vector<uint8_t>> bytes) {
+  loader_->on_block(number, decode_block(*bytes, pages_.head, number), options_.clock());
+}
+
+PictureQuestion PagedSurface::question(const Camera& camera, const ImageSize& size,
+                                       bool is_dragging) const {
+  PictureQuestion asked;
+  asked.view = make_page_view(camera, size, pages_.head.grid);
+  asked.frame = frame_bounds();
+  asked.surface_moves = moves(is_dragging);
+  asked.frame_vertices_max =
+      static_cast<uint64_t>(stats_.frame_bytes_max / kBytesPerVertexMoving);
+  asked.has_values = [frame = frame_.get()](PageId page) {
+    return frame != nullptr && frame->find(page) != nullptr;
+  };
+  asked.link = fetcher_.speed();
+  return asked;
+}
+
+FrameBounds PagedSurface::frame_bounds() const {
+  if (!frame_) return {};
+  uint8_t gain = 0;
+  for (const auto& move : frame_->moves) gain = std::max(gain, move->gain);
+  return {static_cast<float>(frame_->largest_move * cell_size_), std::ldexp(1.0f, gain)};
+}
+
+// A dab moves few pages, and the server has no need to round them: the fine cut stays.
+bool PagedSurface::moves(bool is_dragging) const {
+  return is_dragging || (frame_ && !stats_.frame.settled && !frame_->is_exact);
+}
+
+void PagedSurface::start_decoding() {
+  for (const PageId page : loader_->to_decode()) {
+    if (!decoder_.has_room()) return;
+    if (!decoder_.has(page)) decoder_.decode(page, loader_->bytes_of(page));
+  }
+}
+
+void PagedSurface::ask_for_items() {
+  const PageRequests::Plan& plan = loader_->requests();
+  fetcher_.cancel(plan.cancel);
+  fetcher_.ask(plan.ask);
+}
+
+Status PagedSurface::upload(PageRenderer& renderer) {
+  const auto uploads = loader_->take_uploads();
+  for (const PageUpload& each : uploads) {
+    const auto ready = meshes_.extract(each.page);
+    auto mesh = ready ? ready.mapped()
+                      : std::make_shared<const PageMesh>(
+                            make_page_mesh(*each.content, pages_.head.grid));
+    RETURN_IF_ERROR(card_.upload(renderer, each.slot, *each.content, std::move(mesh)));
+  }
+  changes_ += !uploads.empty();
+  std::erase_if(meshes_, [this](const auto& mesh) {  // the cache had no room for them
+    return loader_->cache().state_of(mesh.first) < PageState::kDecoded;
+  });
+  return Status::ok();
+}
+
+Status PagedSurface::show_pages() {
+  const auto in_flight_max =
+      static_cast<uint64_t>(2 * stats_.frame_bytes_max / kBytesPerVertexNew);
+  ShownSet::Change change =
+      shown_.change(loader_->cut(), loader_->cache(), frame_.get(), in_flight_max);
+  if (change.is_empty()) return Status::ok();
+  return link_.show_pages(std::move(change.added), std::move(change.removed));
+}
+
+void PagedSurface::list_patches() {
+  drawn_ = drawn_ranges(loader_->cut(), loader_->cache());
+  std::vector<PatchRange> patches;
+  patches.reserve(drawn_.size());
+  for (const DrawnRange& range : drawn_)
+    patches.push_back({range.slot, range.first_triangle, range.triangles});
+  if (patches == patches_) return;
+  patches_ = std::move(patches);
+  ++changes_;
+}
+
+Result<std::optional<SurfaceHit>> PagedSurface::hit_at(PageRenderer& renderer,
+                                                       const Camera& camera, const ImageSize& size,
+                                                       const Eigen::Vector2i& pixel,
+                                                       bool original) const {
+  ASSIGN_OR_RETURN(const auto pick, renderer.pick(camera, size, pixel, original, patches_));
+  if (!pick) return std::optional<SurfaceHit>();
+  const Ray ray = pixel_ray(camera, size, pixel.cast<double>() + Eigen::Vector2d(0.5, 0.5));
+  return card_.hit(*pick, ray, original);
+}
+
+std::optional<size_t> PagedSurface::vertex_count(PageId page) const {
+  const CachedPage* cached = loader_->cache().find(page);
+  if (cached == nullptr || cached->page == nullptr) return std::nullopt;
+  return cached->page->positions.size();
+}
+
+bool PagedSurface::is_settled() const {
+  return frame_ != nullptr && loader_->is_settled();
+}
+
+std::string PagedSurface::take_failures() {
+  const std::vector<GivenUpItem> items = loader_->take_given_up();
+  if (items.empty()) return {};
+  return std::to_string(items.size()) + " pieces of the surface could not be fetched: " +
+         items.front().last_failure.message();
+}
+
+}  // namespace burnish

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "client/connection/page_disk.h"
+#include "client/connection/page_fetcher.h"
+#include "client/connection/session_link.h"
+#include "client/pages/page_loader.h"
+#include "client/scene/page_renderer.h"
+#include "client/surface/card_pages.h"
+#include "client/surface/page_decoder.h"
+#include "client/surface/page_marks.h"
+#include "client/surface/shown_set.h"
+#include "common/base/clock.h"
+
+namespace burnish {
+
+/// What a client knows of a scan's pages when it opens it.
+struct OpenedPages {
+  std::string scan;  ///< id
+  PageHead head;
+  uint64_t fingerprint = 0;  ///< pages_fingerprint() of the encoded head
+  std::vector<std::pair<uint32_t, DirectoryBlock>> blocks;
+};
+
+/// Fails: data_loss that names the damage; unimplemented (another version).
+Result<OpenedPages> open_pages(const PagesDescription& description, const std::string& scan);
+
+struct SurfaceOptions {
+  PageBudget budget;
+  bool is_software = false;  ///< pictures are drawn without a graphics card
+  std::filesystem::path disk;      ///< folder that keeps fetched pages; empty: none
+  std::function<void()> on_news;   ///< called from any thread: another look() helps
+  Clock clock = std::chrono::steady_clock::now;
+};
+
+/// A session's surface as pictures show it: brings the pages that a picture needs to the card,
+/// moves them by the frames of the session, and finds points on them. What is drawn is always a
+/// whole surface at one moment. Never waits. Used from one thread.
+class PagedSurface {
+ public:
+  /// Needs: `connection` and `link` outlive this; `link` is the session's, of this depth.
+  PagedSurface(OpenedPages pages, int depth, const Connection& connection, SessionLink& link,
+               SurfaceOptions options);
+
+  /// Empties the renderer for this surface. Call once, first. Fails: resource_exhausted.
+  Status open(PageRenderer& renderer);
+
+  /// Takes the newest frame of the link.
+  void take(const LiveNews& news);
+  /// The link has come back: all that failed is asked for again.
+  void on_link_made() { loader_->on_link_made(); }
+
+  /// Prepares the picture: chooses its pages, brings what has come to the card, and asks for the
+  /// rest. `is_dragging`: a slider or curve moves the whole surface now.
+  /// Fails: as the renderer does.
+  Status look(const Camera& camera, const ImageSize& size, bool is_dragging,
+              PageRenderer& renderer);
+
+  /// What the last look() draws.
+  std::span<const PatchRange> patches() const { return patches_; }
+  /// The pages of it, coarse before fine.
+  const std::vector<PageId>& drawn_pages() const { return loader_->cut().visible_pages; }
+
+  /// Returns the point of the last picture under the middle of a pixel.
+  Result<std::optional<SurfaceHit>> hit_at(PageRenderer& renderer, const Camera& camera,
+                                           const ImageSize& size, const Eigen::Vector2i& pixel,
+                                           bool original) const;
+
+  PageMarks& marks() { return marks_; }
+  StrokeTint& tint() { return tint_; }
+  /// Returns nothing for a page that is not in memory.
+  std::optional<size_t> vertex_count(PageId page) const;
+
+  CutStatus status() const { return loader_->status(); }
+  /// Returns a number that rises when look() changes the picture.
+  uint64_t changes() const { return changes_; }
+  /// Returns whether the next look() with the same arguments changes nothing, until on_news.
+  bool is_settled() const;
+  /// Returns what could not be fetched since the last call, in words; empty: nothing.
+  std::string take_failures();
+
+  const PageHead& head() const { return pages_.head; }
+
+ private:
+  void hand_in_arrivals();
+  void hand_in_block(uint32_t number, Result<std::vector<uint8_t>> bytes);
+  void start_decoding();
+  void ask_for_items();
+  Status upload(PageRenderer& renderer);
+  Status show_pages();
+  void list_patches();
+  PictureQuestion question(const Camera& camera, const ImageSize& size, bool is_dragging) const;
+  FrameBounds frame_bounds() const;
+  bool moves(bool is_dragging) const;
+
+  OpenedPages pages_;
+  SessionLink& link_;
+  SurfaceOptions options_;
+  double cell_size_;  // file units
+  StrokeTint tint_;
+  PageMarks marks_;
+  CardPages card_;
+  ShownSet shown_;
+  std::unique_ptr<PageLoader> loader_;
+  std::unordered_map<PageId, std::shared_ptr<const PageMesh>> meshes_;  // decoded, not uploaded
+
+  std::shared_ptr<const SurfaceFrame> frame_;
+  LinkStats stats_;
+  std::vector<DrawnRange> drawn_;
+  std::vector<PatchRange> patches_;
+  uint64_t changes_ = 0;
+
+  PageFetcher fetcher_;  // their threads call on_news
+  PageDecoder decoder_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,51 @@
+#include "client/surface/shown_set.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "common/base/limits.h"
+
+namespace burnish {
+
+ShownSet::Change ShownSet::change(const ChosenCut& cut, const PageCache& cache,
+                                  const SurfaceFrame* frame, uint64_t vertices_in_flight_max) {
+  Change change;
+  remove(cut, change);
+  add(cut, cache, frame, vertices_in_flight_max, change);
+  return change;
+}
+
+// `used` lists fine pages first; a coarse page must have its values before a finer one helps.
+void ShownSet::add(const ChosenCut& cut, const PageCache& cache, const SurfaceFrame* frame,
+                   uint64_t vertices_in_flight_max, Change& change) {
+  uint64_t in_flight = 0;
+  for (const auto& [page, vertices] : shown_)
+    if (frame == nullptr || frame->find(page) == nullptr) in_flight += vertices;
+  for (auto wanted = cut.used.rbegin(); wanted != cut.used.rend(); ++wanted) {
+    if (shown_.size() >= kShownPagesMax) return;
+    const CachedPage* cached = cache.find(wanted->page);
+    if (cached == nullptr || cached->page == nullptr || shown_.contains(wanted->page)) continue;
+    const auto vertices = static_cast<uint32_t>(cached->page->positions.size());
+    const bool fits = vertices_in_flight_max == 0 || in_flight == 0 ||
+                      in_flight + vertices <= vertices_in_flight_max;
+    if (!fits) return;
+    in_flight += vertices;
+    shown_[wanted->page] = vertices;
+    change.added.push_back(cached->page);
+  }
+}
+
+void ShownSet::remove(const ChosenCut& cut, Change& change) {
+  std::unordered_set<PageId> needed(cut.pages.begin(), cut.pages.end());
+  for (const WantedPage& wanted : cut.used) needed.insert(wanted.page);
+  std::vector<PageId> unneeded;
+  for (const auto& [page, vertices] : shown_)
+    if (!needed.contains(page)) unneeded.push_back(page);
+  const size_t kept_max = std::max<size_t>(16, shown_.size() / 5);
+  const bool is_room_short = needed.size() + unneeded.size() > kShownPagesMax;
+  if (unneeded.size() <= kept_max && !is_room_short) return;
+  for (const PageId page : unneeded) shown_.erase(page);
+  change.removed = std::move(unneeded);
+}
+
+}  // namespace burnish

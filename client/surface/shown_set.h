@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "client/connection/surface_frame.h"
+#include "client/pages/chosen_cut.h"
+#include "client/pages/page_cache.h"
+
+namespace burnish {
+
+/// Decides which pages the frames of a live session carry: those of which the picture is made, and
+/// those that will make it finer. Removes pages late, because a camera comes back.
+class ShownSet {
+ public:
+  struct Change {
+    std::vector<std::shared_ptr<const Page>> added;
+    std::vector<PageId> removed;
+    bool is_empty() const { return added.empty() && removed.empty(); }
+  };
+
+  /// Returns what to change for this picture. New pages come as whole keys, so on a slow link only
+  /// as many vertices are added as fit `vertices_in_flight_max`, the most urgent first; 0: any
+  /// number. `frame` may be null.
+  Change change(const ChosenCut& cut, const PageCache& cache, const SurfaceFrame* frame,
+                uint64_t vertices_in_flight_max);
+
+  size_t page_count() const { return shown_.size(); }
+
+ private:
+  void add(const ChosenCut& cut, const PageCache& cache, const SurfaceFrame* frame,
+           uint64_t vertices_in_flight_max, Change& change);
+  void remove(const ChosenCut& cut, Change& change);
+
+  std::unordered_map<PageId, uint32_t> shown_;  // vertices by page
+};
+
+}  // namespace burnish
