@@ -38,6 +38,12 @@ class GlPageRenderer : public PageRenderer {
                                        const Eigen::Vector2i& pixel, bool original,
                                        std::span<const PatchRange> patches) override;
 
+  /// Copies the last drawn picture into the window's own buffer, with its lower left corner at this
+  /// place.
+  void show(const Eigen::Vector2i& lower_left) const { target_.show(lower_left); }
+  /// Clears the window's own buffer to dark and makes it the drawing target.
+  void clear_window() const;
+
  private:
   struct Programs {
     ShaderProgram page;

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "client/gl/shader_program.h"
-#include "client/scene/renderer.h"
+#include "client/scene/camera.h"
+#include "client/scene/draw_style.h"
 
 namespace burnish {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "client/scene/draw_style.h"
 #include "client/scene/image.h"
-#include "client/scene/renderer.h"
 #include "common/base/status.h"
 #include "common/mesh/triangle_mesh.h"
 

@@ -4,9 +4,12 @@
 #include <span>
 #include <string>
 
+#include "client/scene/camera.h"
+#include "client/scene/draw_style.h"
+#include "client/scene/image.h"
 #include "client/scene/page_mesh.h"
 #include "client/scene/page_space.h"
-#include "client/scene/renderer.h"
+#include "common/base/status.h"
 
 namespace burnish {
 
