@@ -18,6 +18,8 @@ struct PatchRange {
   uint32_t slot = 0;
   uint32_t first = 0;
   uint32_t count = 0;
+
+  bool operator==(const PatchRange&) const = default;
 };
 
 /// A triangle of the page in a slot.
