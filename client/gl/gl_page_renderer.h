@@ -25,8 +25,8 @@ class GlPageRenderer : public PageRenderer {
     return arena_.upload_page(slot, mesh);
   }
   Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
-                   std::span<const Vec3f> normals) override {
-    return arena_.move_page(slot, displacements, normals);
+                   const MovedPage& moved) override {
+    return arena_.move_page(slot, displacements, moved);
   }
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks) override {
     return arena_.mark_page(slot, marks);

@@ -33,8 +33,6 @@ Status PageArena::upload_page(uint32_t slot, const PageMesh& mesh) {
   BURNISH_CHECK(triangles <= kPageTrianglesMax, "pages are checked where they are decoded");
   slots_[slot] = {};  // nothing half written is drawn
   streams_.write_page(slot, mesh);
-  streams_.write_moves(slot, std::vector<Vec3f>(vertices, Vec3f::Zero()), mesh.normals);
-  streams_.write_marks(slot, std::vector<VertexMark>(vertices));
   RETURN_IF_ERROR(check_gl("page of " + std::to_string(vertices) + " vertices"));
   slots_[slot] = {static_cast<uint32_t>(vertices), static_cast<uint32_t>(triangles)};
   return Status::ok();
@@ -46,10 +44,11 @@ void PageArena::check_vertices(uint32_t slot, size_t count) const {
 }
 
 Status PageArena::move_page(uint32_t slot, std::span<const Vec3f> displacements,
-                            std::span<const Vec3f> normals) {
+                            const MovedPage& moved) {
   check_vertices(slot, displacements.size());
-  check_vertices(slot, normals.size());
-  streams_.write_moves(slot, displacements, normals);
+  check_vertices(slot, moved.normals.size());
+  check_vertices(slot, moved.ridges.size());
+  streams_.write_moves(slot, displacements, moved);
   return check_gl("displacements of a page");
 }
 

@@ -6,10 +6,10 @@ namespace burnish {
 // cell_size, a power of two, are exact. So vertices that pages share end at the same place.
 const char* const kPageVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 position;
-layout(location = 1) in vec4 normal;  // xyz times 511
+layout(location = 1) in int shade;
 layout(location = 2) in vec4 colour;
 layout(location = 3) in vec3 displacement;  // cells
-layout(location = 4) in vec4 displaced_normal;
+layout(location = 4) in int displaced_shade;
 layout(location = 5) in float marked_value;  // -127 to 127
 layout(location = 6) in float marked_tint;   // 0 to 1
 uniform mat4 model_view;
@@ -24,16 +24,26 @@ centroid out float tint;
 centroid out float moved;  // along the normal, cells
 centroid out vec3 scan_colour;
 
+// Unpack packed_shade(). Shifts to the right keep the sign.
+vec3 normal_of(int shade) {
+  vec2 square = vec2(shade << 20 >> 20, shade << 8 >> 20) / 2047.0;
+  float height = 1.0 - abs(square.x) - abs(square.y);
+  vec2 unfolded = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(square, vec2(0.0))) * (1.0 - abs(square.yx));
+  return normalize(vec3(height < 0.0 ? unfolded : square, height));
+}
+float ridge_of(int shade) { return float(shade >> 24) / 127.0; }
+
 void main() {
   bool still = cell_size == 0.0;
   vec4 seen = model_view * vec4(position + cell_size * displacement, 1.0);
   seen_position = seen.xyz;
-  seen_normal = mat3(model_view) * normalize(still ? normal.xyz : displaced_normal.xyz);
-  seen_ridge = 0.0;
+  int seen_shade = still ? shade : displaced_shade;
+  seen_normal = mat3(model_view) * normal_of(seen_shade);
+  seen_ridge = ridge_of(seen_shade);
   original_position = position;
   value = marked_value / 127.0;
   tint = marked_tint;
-  moved = still ? 0.0 : dot(displacement, normalize(normal.xyz));
+  moved = still ? 0.0 : dot(displacement, normal_of(shade));
   scan_colour = colour.rgb;
   gl_Position = projection * seen;
 }

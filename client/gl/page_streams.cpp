@@ -39,18 +39,23 @@ void PageStreams::copy_from(const PageStreams& other, uint32_t slots) const {
 
 void PageStreams::write_page(uint32_t slot, const PageMesh& mesh) const {
   std::vector<StillVertex> still(mesh.positions.size());
-  for (size_t v = 0; v < still.size(); ++v)
-    still[v] = {mesh.positions[v], packed_normal(mesh.normals[v]),
-                mesh.colours.empty() ? Rgba8{} : mesh.colours[v]};
+  std::vector<MovingVertex> moving(still.size());
+  for (size_t v = 0; v < still.size(); ++v) {
+    const PackedShade shade = packed_shade(mesh.normals[v], mesh.ridges[v]);
+    still[v] = {mesh.positions[v], shade, mesh.colours.empty() ? Rgba8{} : mesh.colours[v]};
+    moving[v] = {Vec3f::Zero(), shade};
+  }
   write(still_, slot, still);
+  write(moving_, slot, moving);
+  write_marks(slot, std::vector<VertexMark>(still.size()));
   triangles_.write(index_bytes(slot), std::as_bytes(std::span(mesh.triangles)));
 }
 
 void PageStreams::write_moves(uint32_t slot, std::span<const Vec3f> displacements,
-                              std::span<const Vec3f> normals) const {
+                              const MovedPage& moved) const {
   std::vector<MovingVertex> moving(displacements.size());
   for (size_t v = 0; v < moving.size(); ++v)
-    moving[v] = {displacements[v], packed_normal(normals[v])};
+    moving[v] = {displacements[v], packed_shade(moved.normals[v], moved.ridges[v])};
   write(moving_, slot, moving);
 }
 
@@ -68,15 +73,20 @@ static void bind_attribute(GLuint index, GLint components, GLenum type, GLboolea
   glEnableVertexAttribArray(index);
 }
 
+template <typename Vertex>
+static void bind_integer(GLuint index, size_t offset) {
+  glVertexAttribIPointer(index, 1, GL_INT, sizeof(Vertex), reinterpret_cast<const void*>(offset));
+  glEnableVertexAttribArray(index);
+}
+
 void PageStreams::bind() const {
   still_.bind(GL_ARRAY_BUFFER);
   bind_attribute<StillVertex>(0, 3, GL_FLOAT, GL_FALSE, offsetof(StillVertex, position));
-  bind_attribute<StillVertex>(1, 4, GL_INT_2_10_10_10_REV, GL_FALSE, offsetof(StillVertex, normal));
+  bind_integer<StillVertex>(1, offsetof(StillVertex, shade));
   bind_attribute<StillVertex>(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(StillVertex, colour));
   moving_.bind(GL_ARRAY_BUFFER);
   bind_attribute<MovingVertex>(3, 3, GL_FLOAT, GL_FALSE, offsetof(MovingVertex, displacement));
-  bind_attribute<MovingVertex>(4, 4, GL_INT_2_10_10_10_REV, GL_FALSE,
-                               offsetof(MovingVertex, normal));
+  bind_integer<MovingVertex>(4, offsetof(MovingVertex, shade));
   marked_.bind(GL_ARRAY_BUFFER);
   bind_attribute<MarkedVertex>(5, 1, GL_BYTE, GL_FALSE, offsetof(VertexMark, value));
   bind_attribute<MarkedVertex>(6, 1, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(VertexMark, tint));

@@ -18,9 +18,10 @@ class PageStreams {
   /// Copies the first `slots` slots of other streams.
   void copy_from(const PageStreams& other, uint32_t slots) const;
 
+  /// Writes a page that is not moved and not marked.
   void write_page(uint32_t slot, const PageMesh& mesh) const;
   void write_moves(uint32_t slot, std::span<const Vec3f> displacements,
-                   std::span<const Vec3f> normals) const;
+                   const MovedPage& moved) const;
   void write_marks(uint32_t slot, std::span<const VertexMark> marks) const;
 
   /// Makes all of it the input of the current vertex array.

@@ -1,22 +1,23 @@
 #include "client/gl/picture.h"
 
 #include "client/gl/context_egl.h"
-#include "client/gl/gl_renderer.h"
+#include "client/gl/gl_page_renderer.h"
+#include "client/scene/raw_pages.h"
 
 namespace burnish {
 
 Result<Image> draw_picture(const TriangleMesh& mesh, const PictureOptions& options) {
   RETURN_IF_ERROR(check_image_size(options.size));
   ASSIGN_OR_RETURN(const auto context, EglContext::create());
-  ASSIGN_OR_RETURN(const auto renderer, GlRenderer::create());
-  const ViewMesh view = make_view_mesh(mesh);
-  RETURN_IF_ERROR(renderer->upload_mesh(view));
+  ASSIGN_OR_RETURN(const auto renderer, GlPageRenderer::create());
+  const RawPages raw = make_raw_pages(mesh);
+  ASSIGN_OR_RETURN(const auto patches, upload_pages(raw, *renderer));
   Camera camera;
   camera.azimuth_degrees = options.azimuth_degrees;
   camera.elevation_degrees = options.elevation_degrees;
   camera.zoom = options.zoom;
-  camera = frame_all(camera, view.box, options.size.aspect());
-  RETURN_IF_ERROR(renderer->draw(camera, options.size, options.style));
+  camera = frame_all(camera, raw.box, options.size.aspect());
+  RETURN_IF_ERROR(renderer->draw(camera, options.size, options.style, patches));
   return renderer->read_pixels();
 }
 

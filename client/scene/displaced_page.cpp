@@ -2,15 +2,18 @@
 
 namespace burnish {
 
+Vec3d displaced_position(const DisplacedPage& page, size_t vertex) {
+  const Vec3f& position = page.mesh.positions[vertex];
+  if (page.displacements.empty()) return page.space.to_file(position);
+  return page.space.to_file(position, page.displacements[vertex]);
+}
+
 static TriangleCorners corners_of(const DisplacedPage& page, uint32_t triangle) {
   TriangleCorners corners;
   for (int i = 0; i < 3; ++i) {
     const uint16_t vertex = page.mesh.triangles[triangle][i];
-    const Vec3f& position = page.mesh.positions[vertex];
-    corners.original[i] = page.space.to_file(position);
-    corners.displaced[i] = page.displacements.empty()
-                               ? corners.original[i]
-                               : page.space.to_file(position, page.displacements[vertex]);
+    corners.original[i] = page.space.to_file(page.mesh.positions[vertex]);
+    corners.displaced[i] = displaced_position(page, vertex);
   }
   return corners;
 }

@@ -16,7 +16,12 @@ struct DisplacedPage {
   std::span<const Vec3f> displacements;  ///< one per vertex, cells; empty: nothing moved
 };
 
-/// Does what point_on_triangle() does, for a triangle of a page.
+/// Returns the position in file units.
+Vec3d displaced_position(const DisplacedPage& page, size_t vertex);
+
+/// Returns the point of this triangle that the ray meets, or the nearest point to it in the
+/// triangle's plane: by rounding, the ray of a pixel may miss the triangle that the picture shows
+/// there. Returns nothing if the ray runs along the plane or away from it.
 std::optional<SurfaceHit> point_on_page_triangle(const DisplacedPage& page, const Ray& ray,
                                                  uint32_t triangle);
 

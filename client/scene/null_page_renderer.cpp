@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "client/scene/displaced_page.h"
+#include "client/scene/ray_box.h"
 #include "common/base/check.h"
 
 namespace burnish {
@@ -18,9 +19,16 @@ Status NullPageRenderer::reserve(uint32_t slots) {
   return Status::ok();
 }
 
+static Eigen::AlignedBox3d page_box(const DisplacedPage& page) {
+  Eigen::AlignedBox3d box;
+  for (size_t v = 0; v < page.mesh.positions.size(); ++v) box.extend(displaced_position(page, v));
+  return box;
+}
+
 Status NullPageRenderer::upload_page(uint32_t slot, const PageMesh& mesh) {
   BURNISH_CHECK(slot < slots_.size(), "slots are reserved");
-  slots_[slot] = {mesh, {}};
+  const Eigen::AlignedBox3d box = page_box({mesh, space_, {}});
+  slots_[slot] = {mesh, {}, {}, box, box};
   return Status::ok();
 }
 
@@ -31,13 +39,15 @@ NullPageRenderer::Slot& NullPageRenderer::filled(uint32_t slot, size_t vertices)
 }
 
 Status NullPageRenderer::move_page(uint32_t slot, std::span<const Vec3f> displacements,
-                                   std::span<const Vec3f>) {
-  filled(slot, displacements.size()).displacements = {displacements.begin(), displacements.end()};
+                                   const MovedPage&) {
+  Slot& moved = filled(slot, displacements.size());
+  moved.displacements = {displacements.begin(), displacements.end()};
+  moved.displaced_box = page_box({moved.mesh, space_, displacements});
   return Status::ok();
 }
 
 Status NullPageRenderer::mark_page(uint32_t slot, std::span<const VertexMark> marks) {
-  filled(slot, marks.size());
+  filled(slot, marks.size()).marks = {marks.begin(), marks.end()};
   return Status::ok();
 }
 
@@ -48,12 +58,12 @@ Status NullPageRenderer::draw(const Camera& camera, const ImageSize& size, const
   size_ = size;
   style_ = style;
   patches_ = {patches.begin(), patches.end()};
-  has_drawn_ = true;
+  ++draw_count_;
   return Status::ok();
 }
 
 Result<Image> NullPageRenderer::read_pixels() {
-  if (!has_drawn_) return failed_precondition("nothing has been drawn yet");
+  if (draw_count_ == 0) return failed_precondition("nothing has been drawn yet");
   return Image{size_, std::vector<uint8_t>(3 * size_t(size_.width) * size_.height)};
 }
 
@@ -65,6 +75,8 @@ Result<std::optional<PagePick>> NullPageRenderer::pick(const Camera& camera, con
   double nearest = std::numeric_limits<double>::infinity();
   for (const PatchRange& patch : patches) {
     const Slot& slot = slots_[patch.slot];
+    const auto reached = distance_to_box(ray, original ? slot.original_box : slot.displaced_box);
+    if (!reached || *reached > nearest) continue;
     const std::span<const Vec3f> nowhere;
     const DisplacedPage page{slot.mesh, space_, original ? nowhere : slot.displacements};
     const auto hit = nearest_hit(page, ray, patch.first, patch.count);

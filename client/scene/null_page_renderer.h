@@ -1,20 +1,21 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "client/scene/page_renderer.h"
 
 namespace burnish {
 
-/// A renderer of pages without pictures: it remembers the last draw() and returns black pictures.
-/// It picks by trying all triangles.
+/// A renderer of pages without pictures: it remembers what it was given and returns black pictures.
+/// It picks by trying all triangles of the pages whose boxes the ray meets.
 class NullPageRenderer : public PageRenderer {
  public:
   void open(const PageSpace& space) override;
   Status reserve(uint32_t slots) override;
   Status upload_page(uint32_t slot, const PageMesh& mesh) override;
   Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
-                   std::span<const Vec3f> normals) override;
+                   const MovedPage& moved) override;
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks) override;
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
               std::span<const PatchRange> patches) override;
@@ -23,20 +24,29 @@ class NullPageRenderer : public PageRenderer {
                                        const Eigen::Vector2i& pixel, bool original,
                                        std::span<const PatchRange> patches) override;
 
+  uint64_t draw_count() const { return draw_count_; }
   const Camera& camera() const { return camera_; }                  ///< of the last draw()
   const DrawStyle& style() const { return style_; }                 ///< of the last draw()
   std::span<const PatchRange> patches() const { return patches_; }  ///< of the last draw()
+
+  // What a slot holds. Empty: the page is not moved, or not marked. Needs: a reserved slot.
+  const PageMesh& page(uint32_t slot) const { return slots_[slot].mesh; }
+  std::span<const Vec3f> displacements(uint32_t slot) const { return slots_[slot].displacements; }
+  std::span<const VertexMark> marks(uint32_t slot) const { return slots_[slot].marks; }
 
  private:
   struct Slot {
     PageMesh mesh;
     std::vector<Vec3f> displacements;
+    std::vector<VertexMark> marks;
+    Eigen::AlignedBox3d original_box;   // file units
+    Eigen::AlignedBox3d displaced_box;  // file units
   };
   Slot& filled(uint32_t slot, size_t vertices);
 
   PageSpace space_;
   std::vector<Slot> slots_;
-  bool has_drawn_ = false;
+  uint64_t draw_count_ = 0;
   Camera camera_;
   DrawStyle style_;
   ImageSize size_;

@@ -1,6 +1,7 @@
 #include "client/scene/page_mesh.h"
 
 #include "client/scene/page_normals.h"
+#include "client/scene/ridges.h"
 #include "common/base/check.h"
 
 namespace burnish {
@@ -28,6 +29,7 @@ PageMesh make_page_mesh(const Page& page, const PageGrid& grid) {
     mesh.own_normals.push_back(unit_or(sums[v], Vec3f::Zero()));
   for (size_t v = page.normals.size(); v < sums.size(); ++v)
     mesh.normals.push_back(unit_or(sums[v], Vec3f::UnitZ()));
+  mesh.ridges = vertex_ridges(mesh.positions, mesh.normals, mesh.triangles);
   return mesh;
 }
 
@@ -49,6 +51,7 @@ MovedPage displace(const PageMesh& mesh, std::span<const Vec3f> displacements, f
   moved.normals = sum_corner_normals(moved.positions, mesh.triangles);
   for (size_t v = 0; v < moved.normals.size(); ++v)
     moved.normals[v] = displaced_normal(mesh, v, moved.normals[v]);
+  moved.ridges = vertex_ridges(moved.positions, moved.normals, mesh.triangles);
   return moved;
 }
 

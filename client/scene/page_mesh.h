@@ -15,6 +15,7 @@ struct PageMesh {
   /// Those of this page's triangles alone, for the first vertices, whose normals the page carries.
   /// Unit length, or zero if these triangles have no area.
   std::vector<Vec3f> own_normals;
+  std::vector<float> ridges;            ///< one per vertex, of vertex_ridges()
   std::vector<PageTriangle> triangles;  ///< patch by patch, as in Page
   std::vector<Rgba8> colours;           ///< empty, or one per vertex
 };
@@ -27,6 +28,7 @@ PageMesh make_page_mesh(const Page& page, const PageGrid& grid);
 struct MovedPage {
   std::vector<Vec3f> positions;  ///< one per vertex
   std::vector<Vec3f> normals;    ///< one per vertex, unit length
+  std::vector<float> ridges;     ///< one per vertex, of vertex_ridges()
 };
 
 /// Moves the vertices. The same lattice point and displacement give the same floats in all pages.

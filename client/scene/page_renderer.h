@@ -60,10 +60,10 @@ class PageRenderer {
   /// slot and a page within the limits. Fails: resource_exhausted; then the slot is empty.
   virtual Status upload_page(uint32_t slot, const PageMesh& mesh) = 0;
 
-  /// Moves the page in a slot. `normals` are of displace(). Shapes: one per vertex of the page.
-  /// Units: displacements in cells.
+  /// Moves the page in a slot. `moved` is what displace() makes of the displacements. Shapes: one
+  /// per vertex of the page. Units: displacements in cells.
   virtual Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
-                           std::span<const Vec3f> normals) = 0;
+                           const MovedPage& moved) = 0;
 
   /// Shapes: one per vertex of the page in the slot.
   virtual Status mark_page(uint32_t slot, std::span<const VertexMark> marks) = 0;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -36,17 +35,5 @@ ViewMesh make_view_mesh(const TriangleMesh& mesh);
 
 /// Makes the mesh of a session's view, with its grid.
 ViewMesh make_view_mesh(const View& view);
-
-/// Returns unit normals: the mean of the adjacent triangles' normals, weighted by their angle at
-/// the vertex. A vertex without a triangle of positive area gets (0, 0, 1).
-/// Shapes: one per vertex.
-std::vector<Vec3f> vertex_normals(std::span<const Vec3d> vertices,
-                                  std::span<const Triangle> triangles);
-
-/// Returns how much the surface bends at each vertex: the divergence of normals along its edges,
-/// averaged twice over neighbours against noise, and mapped to -1 (groove) to 1 (ridge).
-/// Shapes: one per vertex. Units: positions in half diagonals, as in ViewMesh.
-std::vector<float> vertex_ridges(std::span<const Vec3f> positions, std::span<const Vec3f> normals,
-                                 std::span<const Triangle> triangles);
 
 }  // namespace burnish

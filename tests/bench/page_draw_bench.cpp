@@ -38,7 +38,7 @@ class Bench {
       for (const Vec3f& at : meshes_[slot].positions)
         moves.emplace_back(amplitude_ * at.y(), amplitude_ * at.z(), amplitude_ * at.x());
       const MovedPage moved = displace(meshes_[slot], moves, space_.cell_size);
-      RETURN_IF_ERROR(renderer_->move_page(slot, moves, moved.normals));
+      RETURN_IF_ERROR(renderer_->move_page(slot, moves, moved));
     }
     return Status::ok();
   }

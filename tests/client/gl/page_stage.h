@@ -44,7 +44,7 @@ class PageStage : public testing::Test {
 
   void move(uint32_t slot, const PageMesh& mesh, const std::vector<Vec3f>& displacements) {
     const MovedPage moved = displace(mesh, displacements, space_.cell_size);
-    ASSERT_TRUE(renderer_->move_page(slot, displacements, moved.normals).is_ok());
+    ASSERT_TRUE(renderer_->move_page(slot, displacements, moved).is_ok());
   }
 
   PatchRange all_of(uint32_t slot) const {

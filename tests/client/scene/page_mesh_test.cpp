@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "client/scene/mesh_normals.h"
 #include "client/scene/page_space.h"
+#include "client/scene/ridges.h"
 #include "common/generate/generate.h"
 #include "tests/client/scene/page_splitter.h"
 #include "tests/client/scene/random_moves.h"
@@ -73,6 +75,38 @@ TEST(PageMesh, NormalsThatThePageCarriesAreTaken) {
   Page page = split_blob(100'000).pages.at(0);
   page.normals.assign(page.positions.size(), Vec3f(0.6f, 0, 0.8f));
   EXPECT_EQ(make_page_mesh(page, PageGrid{}).normals, page.normals);
+}
+
+TEST(PageMesh, RidgesInsideAPageAreThoseOfTheWholeMesh) {
+  const SplitMesh split = split_blob(2000);
+  std::vector<Vec3f> positions(split.rounded.vertices.size());
+  std::vector<float> least(positions.size(), 2), most(positions.size(), -2);
+  for (size_t p = 0; p < split.pages.size(); ++p) {
+    const PageMesh mesh = make_page_mesh(split.pages[p], split.grid);
+    for (size_t i = 0; i < mesh.positions.size(); ++i) {
+      const uint32_t v = split.vertices[p][i];
+      positions[v] = mesh.positions[i];
+      least[v] = std::min(least[v], mesh.ridges[i]);
+      most[v] = std::max(most[v], mesh.ridges[i]);
+    }
+  }
+  const auto normals = vertex_normals(split.rounded.vertices, split.rounded.triangles);
+  const auto whole = vertex_ridges(positions, normals, split.rounded.triangles);
+  size_t same = 0;
+  for (size_t v = 0; v < whole.size(); ++v)
+    same += std::abs(least[v] - whole[v]) < 1e-3 && std::abs(most[v] - whole[v]) < 1e-3;
+  EXPECT_GT(double(same), 0.5 * double(whole.size()));  // others are near borders
+}
+
+TEST(MovedPage, RidgesAreThoseOfTheMovedSurface) {
+  const SplitMesh split = split_into_pages(make_icosphere(4, 1), 100'000);
+  const PageMesh mesh = make_page_mesh(split.pages.at(0), split.grid);
+  std::vector<Vec3f> moves;
+  for (const Vec3f& at : mesh.positions) moves.push_back(-0.9f * at);  // a tenth as large
+  const MovedPage moved = displace(mesh, moves, 1);
+  const float curvature = 10 / mesh.positions[0].norm();
+  for (const float ridge : moved.ridges) ASSERT_NEAR(ridge, curvature / (60 + curvature), 0.01);
+  EXPECT_LT(mesh.ridges[0], 0.05f);
 }
 
 TEST(MovedPage, SharedPointsHaveTheSameBitsInAllPages) {

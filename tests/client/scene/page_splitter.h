@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "client/scene/view_mesh.h"
+#include "client/scene/mesh_normals.h"
 #include "common/grid/grid.h"
 #include "common/mesh/statistics.h"
 #include "common/pages/page.h"

@@ -1,0 +1,112 @@
+#include "client/scene/raw_pages.h"
+
+#include <utility>
+
+#include "client/scene/mesh_normals.h"
+#include "client/scene/ridges.h"
+#include "client/scene/spatial_order.h"
+
+namespace burnish {
+namespace {
+
+/// What pages take of each vertex of the mesh.
+struct VertexLooks {
+  std::vector<Vec3f> positions;
+  std::vector<Vec3f> normals;
+  std::vector<float> ridges;
+  const std::vector<Rgba8>& colours;
+};
+
+/// Fills one page after the other.
+class PageCutter {
+ public:
+  explicit PageCutter(const VertexLooks& looks)
+      : looks_(looks), page_of_(looks.positions.size(), kNoPage), place_of_(page_of_.size()) {}
+
+  void add(const Triangle& triangle) {
+    if (!has_room(triangle)) begin_page();
+    PageTriangle local;
+    for (int corner = 0; corner < 3; ++corner) local[corner] = place_of(triangle[corner]);
+    pages_.back().triangles.push_back(local);
+  }
+
+  std::vector<PageMesh> take() { return std::move(pages_); }
+
+ private:
+  uint32_t newest() const { return static_cast<uint32_t>(pages_.size() - 1); }
+
+  bool has_room(const Triangle& triangle) const {
+    if (pages_.empty()) return false;
+    size_t vertices = pages_.back().positions.size();
+    for (const uint32_t vertex : triangle) vertices += page_of_[vertex] != newest();
+    return vertices <= kPageVerticesMax && pages_.back().triangles.size() < kPageTrianglesMax;
+  }
+
+  void begin_page() {
+    PageMesh& page = pages_.emplace_back();
+    page.positions.reserve(kPageVerticesMax);
+    page.normals.reserve(kPageVerticesMax);
+    page.ridges.reserve(kPageVerticesMax);
+    if (!looks_.colours.empty()) page.colours.reserve(kPageVerticesMax);
+    page.triangles.reserve(kPageTrianglesMax);
+  }
+
+  uint16_t place_of(uint32_t vertex) {
+    if (std::exchange(page_of_[vertex], newest()) == newest()) return place_of_[vertex];
+    PageMesh& page = pages_.back();
+    place_of_[vertex] = static_cast<uint16_t>(page.positions.size());
+    page.positions.push_back(looks_.positions[vertex]);
+    page.normals.push_back(looks_.normals[vertex]);
+    page.ridges.push_back(looks_.ridges[vertex]);
+    if (!looks_.colours.empty()) page.colours.push_back(looks_.colours[vertex]);
+    return place_of_[vertex];
+  }
+
+  const VertexLooks& looks_;
+  std::vector<PageMesh> pages_;
+  std::vector<uint32_t> page_of_;   // per vertex, the last page that has it
+  std::vector<uint16_t> place_of_;  // per vertex, its number in that page
+};
+
+}  // namespace
+
+static Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Triangle& triangle : mesh.triangles)
+    for (const uint32_t vertex : triangle) box.extend(mesh.vertices[vertex]);
+  return box;
+}
+
+static VertexLooks looks_of(const TriangleMesh& mesh, const PageSpace& space) {
+  VertexLooks looks{{}, vertex_normals(mesh.vertices, mesh.triangles), {}, mesh.colours};
+  looks.positions.reserve(mesh.vertices.size());
+  for (const Vec3d& vertex : mesh.vertices)
+    looks.positions.push_back(((vertex - space.centre) / space.unit).cast<float>());
+  looks.ridges = vertex_ridges(looks.positions, looks.normals, mesh.triangles);
+  return looks;
+}
+
+RawPages make_raw_pages(const TriangleMesh& mesh) {
+  RawPages raw;
+  raw.box = box_of(mesh);
+  raw.space = {raw.box.center(), 0.5 * raw.box.diagonal().norm(), 0};
+  const VertexLooks looks = looks_of(mesh, raw.space);
+  PageCutter cutter(looks);
+  for (const uint32_t triangle : spatial_order(mesh, raw.box)) cutter.add(mesh.triangles[triangle]);
+  raw.pages = cutter.take();
+  return raw;
+}
+
+Result<std::vector<PatchRange>> upload_pages(const RawPages& raw, PageRenderer& renderer) {
+  const auto count = static_cast<uint32_t>(raw.pages.size());
+  renderer.open(raw.space);
+  RETURN_IF_ERROR(renderer.reserve(count));
+  std::vector<PatchRange> patches;
+  for (uint32_t slot = 0; slot < count; ++slot) {
+    RETURN_IF_ERROR(renderer.upload_page(slot, raw.pages[slot]));
+    patches.push_back({slot, 0, static_cast<uint32_t>(raw.pages[slot].triangles.size())});
+  }
+  return patches;
+}
+
+}  // namespace burnish

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "client/scene/page_mesh.h"
+#include "client/scene/page_renderer.h"
+#include "client/scene/page_space.h"
+#include "common/base/status.h"
+#include "common/mesh/triangle_mesh.h"
+
+namespace burnish {
+
+/// A mesh without a session, in pages that are near each other in space. Nothing moves them.
+struct RawPages {
+  PageSpace space;              ///< around the box, in half diagonals
+  Eigen::AlignedBox3d box;      ///< of the referenced vertices, file units
+  std::vector<PageMesh> pages;  ///< each within kPageVerticesMax and kPageTrianglesMax
+};
+
+/// Cuts a mesh. Vertices of several pages have the same bits in each: position, normal, ridge and
+/// colour are those of the whole mesh. Needs: a valid mesh. Cost: O(vertices + triangles).
+RawPages make_raw_pages(const TriangleMesh& mesh);
+
+/// Puts page i into slot i. Returns what draw() needs to draw all of them.
+/// Fails: resource_exhausted.
+Result<std::vector<PatchRange>> upload_pages(const RawPages& raw, PageRenderer& renderer);
+
+}  // namespace burnish
