@@ -59,7 +59,7 @@ Status CardPages::move_to(std::shared_ptr<const PageMove> move, PageSlot number,
   Slot& slot = slots_[number];
   slot.moved = std::move(move);
   const MovedPage moved = displace(*slot.mesh, slot.moved->displacements, space_.cell_size);
-  return renderer.move_page(number, slot.moved->displacements, moved.normals);
+  return renderer.move_page(number, slot.moved->displacements, moved);
 }
 
 std::optional<SurfaceHit> CardPages::hit(const PagePick& pick, const Ray& ray,
