@@ -80,4 +80,13 @@ ShownPages ShownPages::changed(const PageChange& change) const {
   return next;
 }
 
+ShownPages ShownPages::with_layouts(std::vector<ShownPage> pages) const {
+  BURNISH_CHECK(std::ranges::equal(pages, pages_, {}, &ShownPage::page, &ShownPage::page),
+                "other pages have the layouts");
+  ShownPages other;
+  other.revision_ = revision_;
+  other.pages_ = std::move(pages);
+  return other;
+}
+
 }  // namespace burnish

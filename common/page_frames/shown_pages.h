@@ -42,6 +42,10 @@ class ShownPages {
   /// Makes the next revision. Needs: check() is ok, and the layouts of the added pages.
   ShownPages changed(const PageChange& change) const;
 
+  /// Returns the same revision with other layouts, for frames of another kind.
+  /// Needs: the same pages, rising.
+  ShownPages with_layouts(std::vector<ShownPage> pages) const;
+
  private:
   uint32_t revision_ = 0;
   std::vector<ShownPage> pages_;
