@@ -21,6 +21,7 @@ class PageFrameBodyWriter {
   void add_values(size_t page, std::span<const uint32_t> residuals);
 
   uint32_t sent_pages() const { return sent_pages_; }
+  uint32_t sent_gains() const { return static_cast<uint32_t>(gains_.size()); }
   size_t byte_count() const;  ///< of bytes()
   std::vector<uint8_t> bytes() const;
 

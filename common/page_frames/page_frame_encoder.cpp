@@ -97,7 +97,12 @@ EncodedPageFrame PageFrameEncoder::encode(const PageMoment& moment, const StepCh
   }
   revision_ = moment.shown.revision();
   const PageFrameHeader header = next_header(moment, made);
-  EncodedPageFrame frame{header.sequence, header.reference, header.sent_pages, made.step_shift, {}};
+  EncodedPageFrame frame{.sequence = header.sequence,
+                         .reference = header.reference,
+                         .sent_pages = header.sent_pages,
+                         .sent_gains = made.body.sent_gains(),
+                         .step_shift = made.step_shift,
+                         .bytes = {}};
   frame.bytes.resize(kPageFrameHeaderBytes);
   append_compressed(made.body.bytes(), kZstdLevel, frame.bytes);
   const uint64_t checksum = seal_page_frame(header, frame.bytes);

@@ -44,6 +44,7 @@ struct EncodedPageFrame {
   uint64_t sequence = 0;
   uint64_t reference = 0;   ///< 0: a key frame
   uint32_t sent_pages = 0;  ///< 0: the reference already has all these values
+  uint32_t sent_gains = 0;  ///< 0: the reference already has all these gains
   int step_shift = 0;
   std::vector<uint8_t> bytes;
 };
@@ -52,7 +53,12 @@ struct EncodedPageFrame {
 /// acknowledged, or a key frame when there is none. Not thread-safe.
 class PageFrameEncoder {
  public:
-  explicit PageFrameEncoder(PageFrameKind kind) : kind_(kind) {}
+  /// An encoder that replaces another in the middle of a stream goes on with its numbers.
+  explicit PageFrameEncoder(PageFrameKind kind, uint64_t first_sequence = 1)
+      : kind_(kind), next_sequence_(first_sequence) {}
+
+  PageFrameKind kind() const { return kind_; }
+  uint64_t next_sequence() const { return next_sequence_; }
 
   /// Encodes the next frame. It is complete: the client then has the wanted values of all shown
   /// pages, rounded to the frame's step. Needs: a revision that is not below the last frame's;
@@ -85,7 +91,7 @@ class PageFrameEncoder {
 
   PageFrameKind kind_;
   SentPageFrames sent_;
-  uint64_t next_sequence_ = 1;
+  uint64_t next_sequence_;
   uint32_t revision_ = 0;  // of the last frame
 };
 

@@ -49,10 +49,10 @@ Result<std::vector<PageSample>> sample_pages(
 }
 
 float largest_move(const SparseGrid& grid, std::span<const EvaluationPoint> points,
-                   std::span<const Vec3f> corner_displacements) {
+                   std::span<const Vec3f> corner_displacements, size_t stride) {
   float largest = 0;
 #pragma omp parallel for schedule(static) reduction(max : largest)
-  for (size_t i = 0; i < points.size(); ++i)
+  for (size_t i = 0; i < points.size(); i += stride)
     largest = std::max(largest, evaluate(grid, points[i], corner_displacements).squaredNorm());
   return std::sqrt(largest);
 }

@@ -70,14 +70,7 @@ MeshStore::MeshStore(const DataFolder& folder, const MeshStoreOptions& options)
       options_(options),
       memory_("bytes of meshes and sessions", "limits.memory_bytes_max", options.memory_bytes_max),
       uploads_("bytes of uploads under way", "limits.upload_bytes_per_user",
-               options.upload_bytes_per_user),
-      views_(options.view_bytes_max) {
-  memory_.set_reserve([this](uint64_t missing) { views_.give_back(missing); });
-}
-
-MeshStore::~MeshStore() {
-  memory_.set_reserve(nullptr);  // shares may outlive the store
-}
+               options.upload_bytes_per_user) {}
 
 Result<std::unique_ptr<MeshStore>> MeshStore::open(const DataFolder& folder,
                                                    const MeshStoreOptions& options) {
@@ -212,7 +205,6 @@ Status MeshStore::remove(const std::string& id) {
     RETURN_IF_ERROR(move_path(scan_folder(id), bin.path()));
     index_.erase(id);
   }
-  views_.forget(id);
   pages_.forget(id);
   return sync_folder(folder_.scans());
 }

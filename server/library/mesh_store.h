@@ -15,7 +15,6 @@
 #include "server/library/open_pages.h"
 #include "server/library/scan_index.h"
 #include "server/library/upload.h"
-#include "server/library/view_cache.h"
 #include "server/memory/quota.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/scheduling/fair_mutex.h"
@@ -26,7 +25,6 @@ struct MeshStoreOptions {
   uint64_t upload_bytes_max = uint64_t{8} << 30;
   uint64_t upload_bytes_per_user = uint64_t{16} << 30;  ///< uploads that are not finished
   uint64_t memory_bytes_max = uint64_t{16} << 30;       ///< meshes, sessions, their clients
-  uint64_t view_bytes_max = uint64_t{1} << 30;          ///< views kept for the next client
   int threads = 0;                                      ///< for preparing; 0: all cores
 };
 
@@ -37,7 +35,6 @@ class MeshStore {
   /// Reads the library. Needs: `folder` outlives the store. Fails: as errno says.
   static Result<std::unique_ptr<MeshStore>> open(const DataFolder& folder,
                                                  const MeshStoreOptions& options);
-  ~MeshStore();
 
   /// Fails: resource_exhausted above upload_bytes_max, or if the user's unfinished uploads together
   /// are above upload_bytes_per_user.
@@ -78,14 +75,6 @@ class MeshStore {
   Result<std::shared_ptr<const SharedMesh>> open_mesh(const std::string& id, const PreparedKey& key,
                                                       const Progress& progress);
 
-  /// Returns the view that a client draws of a prepared mesh, kept from before or made now.
-  /// triangles_max: 0 for the whole scan, see rounded_triangles_max(). Needs: a resolved key.
-  /// Fails: failed_precondition if that depth is not prepared; not_found; resource_exhausted;
-  /// cancelled.
-  Result<std::shared_ptr<const PackedView>> open_view(const std::string& id, const PreparedKey& key,
-                                                      uint64_t triangles_max,
-                                                      const Progress& progress);
-
   /// Describes a scan's pages. Makes missing and damaged ones now.
   /// Fails: resource_exhausted when the memory or the disk has no room; not_found; cancelled.
   Result<PagesDescription> describe_pages(const std::string& id, const Progress& progress);
@@ -101,13 +90,22 @@ class MeshStore {
   Status read_pages(const std::string& id, const PagesWish& wish, const PageTaker& take,
                     const Progress& progress);
 
+  /// Opens a scan's page file. Makes a missing or damaged one now. Fails: as describe_pages().
+  Result<std::shared_ptr<const ScanPages>> open_pages(const std::string& id,
+                                                      const Progress& progress);
+  /// Opens it as it is. Fails: failed_precondition when the scan has no pages.
+  Result<std::shared_ptr<const ScanPages>> find_pages(const std::string& id);
+  /// Reads and decodes a page. Needs: a page of the scan. Fails: data_loss when it is damaged: the
+  /// next open_pages() makes all pages again.
+  Result<Page> read_page(const ScanPages& pages, PageId page);
+
   /// Sets a function that says whether somebody may soon want a prepared mesh again. At most
   /// kPreparedPerScanMax of the others are kept per scan. Null: nobody wants any. Needs: it
   /// outlives the calls.
   using IsWanted = std::function<bool(const std::string& id, const PreparedKey& key)>;
   void set_wanted(IsWanted is_wanted);
 
-  /// The budget of meshes, sessions, their clients and views together, and the meshes' part of it.
+  /// The budget of meshes, sessions and their clients together, and the meshes' part of it.
   Quota& memory() { return memory_; }
   uint64_t mesh_bytes() const { return cache_.byte_count(); }
 
@@ -128,20 +126,15 @@ class MeshStore {
   Status rebuild(const std::string& id, const PreparedKey& key, const Progress& progress);
   Status make_room(const std::string& id, const PreparedKey& key);
   bool is_in_use(const std::string& id, const PreparedKey& key);
-  enum class Charged { kMeshAlone, kWithHierarchy };
-  Result<std::shared_ptr<SharedMesh>> read_charged(const std::string& id, const PreparedKey& key,
-                                                   Charged what);
+  Result<std::shared_ptr<SharedMesh>> read_charged(const std::string& id, const PreparedKey& key);
   Result<std::shared_ptr<SharedMesh>> read_with_hierarchy(const std::string& id,
                                                           const PreparedKey& key,
                                                           const Progress& progress);
-  Result<std::shared_ptr<const SharedMesh>> find_prepared(const std::string& id,
-                                                          const PreparedKey& key);
 
   std::filesystem::path pages_path(const std::string& id) const;
   Status make_pages(const std::string& id, const Progress& progress);
-  Result<std::shared_ptr<const ScanPages>> open_pages(const std::string& id);
-  Result<std::shared_ptr<const ScanPages>> open_or_make_pages(const std::string& id,
-                                                              const Progress& progress);
+  Result<std::shared_ptr<const ScanPages>> open_page_file(const std::string& id);
+  void drop_damaged_pages(const std::string& id, const Status& damage);
 
   const DataFolder& folder_;
   const MeshStoreOptions options_;
@@ -150,12 +143,10 @@ class MeshStore {
   Quota memory_;
   Quota uploads_;
   MeshCache cache_;
-  ViewCache views_;
   OpenPages pages_;
   std::mutex wanted_mutex_;
   IsWanted is_wanted_;
-  FairMutex preparing_;    // one at a time: each uses all cores and much memory
-  FairMutex making_view_;  // one at a time: the next may want the same
+  FairMutex preparing_;  // one at a time: each uses all cores and much memory
 };
 
 /// Returns the key with its depth chosen: 0 becomes the scan's default depth.

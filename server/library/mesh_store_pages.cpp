@@ -21,7 +21,7 @@ fs::path MeshStore::pages_path(const std::string& id) const {
   return scan_folder(id) / pages_file_name();
 }
 
-Result<std::shared_ptr<const ScanPages>> MeshStore::open_pages(const std::string& id) {
+Result<std::shared_ptr<const ScanPages>> MeshStore::open_page_file(const std::string& id) {
   if (auto open = pages_.find(id)) return open;
   auto file = PageFile::open(pages_path(id));
   RETURN_IF_ERROR(file.status());
@@ -36,18 +36,38 @@ static bool can_be_made_again(StatusCode code) {
          code == StatusCode::kUnimplemented;
 }
 
-Result<std::shared_ptr<const ScanPages>> MeshStore::open_or_make_pages(const std::string& id,
-                                                                       const Progress& progress) {
-  auto pages = open_pages(id);
+Result<std::shared_ptr<const ScanPages>> MeshStore::open_pages(const std::string& id,
+                                                               const Progress& progress) {
+  auto pages = open_page_file(id);
   if (pages.is_ok() || !can_be_made_again(pages.status().code())) return pages;
   ASSIGN_OR_RETURN(const auto lock,
                    lock_or_cancel(preparing_, "waiting for another scan", progress));
-  pages = open_pages(id);  // somebody else may have made them meanwhile
+  pages = open_page_file(id);  // somebody else may have made them meanwhile
   if (pages.is_ok() || !can_be_made_again(pages.status().code())) return pages;
   if (pages.status().code() == StatusCode::kDataLoss)
     spdlog::warn("making pages again: {}", pages.status().message());
   RETURN_IF_ERROR(make_pages(id, progress));
-  return open_pages(id);
+  return open_page_file(id);
+}
+
+Result<std::shared_ptr<const ScanPages>> MeshStore::find_pages(const std::string& id) {
+  auto pages = open_page_file(id);
+  if (!can_be_made_again(pages.status().code())) return pages;
+  return failed_precondition("scan " + short_id(id) + " has no pages; call DescribePages");
+}
+
+void MeshStore::drop_damaged_pages(const std::string& id, const Status& damage) {
+  spdlog::warn("a page file is damaged and goes: {}", damage.message());
+  pages_.forget(id);
+  std::error_code ignored;
+  fs::remove(pages_path(id), ignored);
+}
+
+Result<Page> MeshStore::read_page(const ScanPages& pages, PageId page) {
+  auto read = pages.file.read_page(page);
+  if (read.status().code() == StatusCode::kDataLoss)
+    drop_damaged_pages(pages.scan_id, read.status());
+  return read;
 }
 
 Status MeshStore::make_pages(const std::string& id, const Progress& progress) {
@@ -79,7 +99,7 @@ static Result<std::vector<PagePart>> last_blocks(const PageFile& file) {
 
 Result<PagesDescription> MeshStore::describe_pages(const std::string& id,
                                                    const Progress& progress) {
-  ASSIGN_OR_RETURN(const auto pages, open_or_make_pages(id, progress));
+  ASSIGN_OR_RETURN(const auto pages, open_pages(id, progress));
   PagesDescription description;
   const auto head = pages->file.head_bytes();
   description.head.assign(head.begin(), head.end());
@@ -113,17 +133,9 @@ static Status read_parts(const PageFile& file, const PagesWish& wish,
 
 Status MeshStore::read_pages(const std::string& id, const PagesWish& wish, const PageTaker& take,
                              const Progress& progress) {
-  const auto pages = open_pages(id);
-  if (can_be_made_again(pages.status().code()))
-    return failed_precondition("scan " + short_id(id) + " has no pages; call DescribePages");
-  RETURN_IF_ERROR(pages.status());
-  const Status status = read_parts((*pages)->file, wish, take, progress);
-  if (status.code() == StatusCode::kDataLoss) {
-    spdlog::warn("a page file is damaged and goes: {}", status.message());
-    pages_.forget(id);
-    std::error_code ignored;
-    fs::remove(pages_path(id), ignored);
-  }
+  ASSIGN_OR_RETURN(const auto pages, find_pages(id));
+  const Status status = read_parts(pages->file, wish, take, progress);
+  if (status.code() == StatusCode::kDataLoss) drop_damaged_pages(id, status);
   return status;
 }
 

@@ -96,13 +96,11 @@ bool MeshStore::is_in_use(const std::string& id, const PreparedKey& key) {
 }
 
 Result<std::shared_ptr<SharedMesh>> MeshStore::read_charged(const std::string& id,
-                                                            const PreparedKey& key, Charged what) {
+                                                            const PreparedKey& key) {
   const fs::path path = prepared_path(id, key);
   ASSIGN_OR_RETURN(const PreparedSummary summary, read_prepared_summary(path));
   auto mesh = std::make_shared<SharedMesh>();
-  const uint64_t bytes =
-      what == Charged::kMeshAlone ? summary.byte_count : predict_mesh_bytes(summary);
-  ASSIGN_OR_RETURN(mesh->memory, memory_.take(kServer, bytes));
+  ASSIGN_OR_RETURN(mesh->memory, memory_.take(kServer, predict_mesh_bytes(summary)));
   ASSIGN_OR_RETURN(mesh->prepared, read_prepared_mesh(path));
   std::error_code ignored;  // a prepared file's time is its last opening
   fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
@@ -115,11 +113,11 @@ Result<std::shared_ptr<SharedMesh>> MeshStore::read_with_hierarchy(const std::st
   ASSIGN_OR_RETURN(const auto lock,
                    lock_or_cancel(preparing_, "waiting for another scan", progress));
   RETURN_IF_ERROR(make_prepared(id, key, progress));
-  auto read = read_charged(id, key, Charged::kWithHierarchy);
+  auto read = read_charged(id, key);
   if (can_be_made_again(read.status())) {
     spdlog::warn("preparing again: {}", read.status().message());
     RETURN_IF_ERROR(rebuild(id, key, progress));
-    read = read_charged(id, key, Charged::kWithHierarchy);
+    read = read_charged(id, key);
   }
   ASSIGN_OR_RETURN(auto mesh, std::move(read));
   RETURN_IF_ERROR(with_memory_for("the hierarchy of scan " + short_id(id), [&]() -> Status {

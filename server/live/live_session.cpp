@@ -129,29 +129,31 @@ FrameStats LiveSession::stats_of(SessionTurn& at) const {
           .solve_ms = solve_ms_};
 }
 
+std::vector<LiveSession::Wish> LiveSession::wishes(bool settled) const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Wish> wishes;
+  for (const auto& [connection, seat] : seats_)
+    if (seat.subscriber->wants_frame(version_, settled))
+      wishes.push_back({seat, seat.subscriber->pages()});
+  return wishes;
+}
+
 Status LiveSession::send_frames(SessionTurn& at) {
   Session& session = at.session();
-  const bool settled = session.is_settled(at.last());
-  std::vector<Seat> wanting;
-  {
-    const std::lock_guard lock(mutex_);
-    for (const auto& [connection, seat] : seats_)
-      if (seat.subscriber->wants_frame(version_, settled)) wanting.push_back(seat);
-  }
-  if (wanting.empty()) return Status::ok();
   FrameStats stats = stats_of(at);
-  const std::span<const Vec3f> displacement = session.solver().displacement();
-  std::map<const FrameTarget*, std::shared_ptr<const FrameSample>> samples;
-  for (const Seat& seat : wanting) {
-    const FrameTarget& target = *seat.subscriber->target;
-    auto& sample = samples[&target];
-    if (!sample) {
-      ASSIGN_OR_RETURN(FrameSample made, sample_displacement<Vec3f>(
-                                             *target.layout, target.frame_mesh(), displacement));
-      sample = std::make_shared<const FrameSample>(std::move(made));
-    }
-    stats.previews = seat.previews_taken;
-    seat.subscriber->show({sample, version_, stats});
+  std::vector<Wish> wanting = wishes(stats.settled);
+  if (wanting.empty()) return Status::ok();
+  std::vector<std::shared_ptr<const ClientPages>> pages;
+  for (const Wish& wish : wanting) pages.push_back(wish.pages);
+  const Hierarchy& hierarchy = at.hierarchy();
+  const SurfaceMoment moment{hierarchy.at(hierarchy.finest).grid, session.prepared().evaluation,
+                             session.solver().displacement(), session.shown_fields().view().beta,
+                             stats.settled};
+  ASSIGN_OR_RETURN(SurfaceShot taken, SurfaceShot::take(moment, pages));
+  const auto surface = std::make_shared<const SurfaceShot>(std::move(taken));
+  for (Wish& wish : wanting) {
+    stats.previews = wish.seat.previews_taken;
+    wish.seat.subscriber->show({surface, std::move(wish.pages), version_, stats});
   }
   return Status::ok();
 }

@@ -65,6 +65,10 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
     uint64_t previews = 0;        // received messages
     uint64_t previews_taken = 0;  // those that the session's previews have
   };
+  struct Wish {
+    Seat seat;
+    std::shared_ptr<const ClientPages> pages;  // of the frame that it wishes
+  };
   struct EditMessage {
     std::shared_ptr<Subscriber> from;
     std::vector<Edit> edits;
@@ -85,6 +89,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   void tell_state(SessionTurn& at);
   Status relax(SessionTurn& at);
   FrameStats stats_of(SessionTurn& at) const;
+  std::vector<Wish> wishes(bool settled) const;
   Status send_frames(SessionTurn& at);
   void tell_people();
   std::vector<std::shared_ptr<Subscriber>> subscribers() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "common/pages/directory_codec.h"
 #include "server/memory/memory_need.h"
 
 namespace burnish {
@@ -13,7 +14,7 @@ static int encoder_threads() {
 
 LiveSessions::LiveSessions(SessionManager& manager, int solver_threads)
     : manager_(manager),
-      targets_(manager.memory()),
+      sources_(manager.store()),
       encoders_(encoder_threads()),
       scheduler_(solver_threads) {
   manager_.set_listener(this);
@@ -31,9 +32,10 @@ Result<LiveClient> LiveSessions::join(const Greeting& greeting, const Caller& ca
                                       SubscriberWiring wiring, const Progress& progress) {
   ASSIGN_OR_RETURN(const SessionManager::Attached attached,
                    manager_.attach(greeting.session, caller, progress));
-  ASSIGN_OR_RETURN(auto target, targets_.find_or_make(attached.mesh, greeting.triangles_max,
-                                                      greeting.content, progress));
-  auto memory = manager_.memory().take(kServer, predict_client_bytes(*target->layout));
+  ASSIGN_OR_RETURN(auto pages, manager_.store().open_pages(attached.info.scan_id,
+                                                           give_way_to(scheduler_, progress)));
+  const uint64_t fingerprint = pages_fingerprint(pages->file.head_bytes());
+  auto memory = manager_.memory().take(kServer, predict_client_bytes({}));
   if (!memory.is_ok())
     return memory.status().with_context("frames for a client of session " + attached.info.name);
   const std::lock_guard lock(mutex_);
@@ -45,14 +47,14 @@ Result<LiveClient> LiveSessions::join(const Greeting& greeting, const Caller& ca
     if (const auto live = weak.lock()) live->wake();
   };
   const uint64_t connection = attached.entry->presence.join(caller.user);
-  auto subscriber =
-      std::make_shared<Subscriber>(connection, caller, std::move(target), std::move(memory).value(),
-                                   encoders_, std::move(wiring));
+  auto wishes = std::make_unique<PageWishes>(sources_.find_or_make(std::move(pages), attached.mesh),
+                                             greeting.kind, std::move(memory).value());
+  auto subscriber = std::make_shared<Subscriber>(connection, caller, std::move(wishes), encoders_,
+                                                 std::move(wiring));
   session->join(subscriber);
-  const FrameLayout& layout = *subscriber->target->layout;
   return LiveClient{session, subscriber,
-                    Welcome{attached.info, connection, role_in(attached.roles, caller),
-                            layout.content, layout.fingerprint, attached.backend}};
+                    Welcome{attached.info, connection, role_in(attached.roles, caller), fingerprint,
+                            attached.backend}};
 }
 
 void LiveSessions::leave(const LiveClient& client) {

@@ -24,9 +24,9 @@ class LiveSessions final : public SessionListener {
   LiveSessions(SessionManager& manager, int solver_threads);
   ~LiveSessions() override;
 
-  /// Brings the session back if needed, and joins. The client sets all of `wiring` except on_wish.
-  /// Each joined client must leave. Fails: not_found, resource_exhausted, unavailable (draining),
-  /// cancelled.
+  /// Brings the session back if needed, makes missing pages of its scan, and joins. The client sets
+  /// all of `wiring` except on_wish. Each joined client must leave. Fails: not_found,
+  /// resource_exhausted, unavailable (draining), cancelled.
   Result<LiveClient> join(const Greeting& greeting, const Caller& caller, SubscriberWiring wiring,
                           const Progress& progress);
   void leave(const LiveClient& client);
@@ -58,7 +58,7 @@ class LiveSessions final : public SessionListener {
   std::shared_ptr<LiveSession> find(const std::string& id) const;
 
   SessionManager& manager_;
-  FrameTargets targets_;
+  PageSources sources_;
 
   mutable std::mutex mutex_;                                      // guards the following members
   std::map<std::string, std::shared_ptr<LiveSession>> sessions_;  // by id

@@ -9,19 +9,21 @@
 #include <optional>
 #include <string>
 
-#include "common/frame_codec/frame_encoder.h"
+#include "common/page_frames/page_frame_encoder.h"
 #include "common/service/live.h"
-#include "server/live/frame_target.h"
+#include "server/live/client_pages.h"
+#include "server/live/surface_shot.h"
 #include "server/manager/caller.h"
 #include "server/metrics/live_objects.h"
 #include "server/scheduling/executor.h"
 
 namespace burnish {
 
-/// The surface at one moment, sampled for the frames of one target.
+/// The surface at one moment, sampled for the frames of some clients.
 struct Shot {
-  std::shared_ptr<const FrameSample> sample;
-  uint64_t version = 0;  ///< of the surface; grows with every cycle
+  std::shared_ptr<const SurfaceShot> surface;
+  std::shared_ptr<const ClientPages> pages;  ///< of this client; the surface has them
+  uint64_t version = 0;                      ///< of the surface; grows with every cycle
   FrameStats stats;
 };
 
@@ -41,16 +43,18 @@ struct SubscriberWiring {
 /// Thread-safe.
 class Subscriber : public std::enable_shared_from_this<Subscriber> {
  public:
-  /// `memory`: the frames' share of the server's memory. Needs: `encoders` outlives it.
-  Subscriber(uint64_t connection, Caller caller, std::shared_ptr<const FrameTarget> target,
-             Quota::Share memory, Executor& encoders, SubscriberWiring wiring);
+  /// Begins with no page. Needs: `encoders` outlives it.
+  Subscriber(uint64_t connection, Caller caller, std::unique_ptr<PageWishes> wishes,
+             Executor& encoders, SubscriberWiring wiring);
 
   const uint64_t connection;
   const Caller caller;
-  const std::shared_ptr<const FrameTarget> target;
 
   // Messages from the client.
   void grant(const FrameCredit& credit);
+  /// Checks the change at once; an encoder's thread makes the pages. If it cannot, the client gets
+  /// a farewell that says why. Fails: as PageWishes::want().
+  Status show_pages(const ShowPages& change);
   void beat(uint64_t client_time_us);
   void heard();
 
@@ -87,6 +91,9 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
 
   bool is_closed() const;
 
+  /// Returns the pages that the next frame shows.
+  std::shared_ptr<const ClientPages> pages() const { return wishes_->made(); }
+
   /// Returns whether a frame of this surface would be new for the client and may be made.
   bool wants_frame(uint64_t version, bool settled) const;
 
@@ -101,32 +108,41 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
 
   uint32_t credits() const;
 
-  /// Returns the bytes of frames held for this client alone.
+  /// Returns the bytes held for this client alone: of frames and of lists of pages.
   uint64_t byte_count() const;
 
  private:
   void answer(ServerMessage message, size_t bytes);
+  void post_pages();
   void encode(const Shot& shot);
+  void hear(const FrameCredit& unseen);
+  void begin_kind(PageFrameKind kind);
+  EncodedPageFrame encode(const Shot& shot, uint32_t bytes_max);
+  bool shows_the_last(const EncodedPageFrame& frame, uint32_t revision) const;
   void on_message() const;
   void on_wish() const;
 
-  const Quota::Share memory_;
+  const std::unique_ptr<PageWishes> wishes_;
   Executor& encoders_;
   const SubscriberWiring wiring_;
   const LiveObject live_{LiveKind::kStream};
   // Used by the one encode() under way only.
-  FrameEncoder encoder_;
-  uint64_t last_sequence_ = 0;  // of the last frame with data
+  PageFrameEncoder encoder_;
+  uint64_t last_sequence_ = 0;   // of the last frame with data
+  uint32_t last_revision_ = 0;   // likewise
+  bool last_was_exact_ = false;  // the last frame had the finest step
 
   mutable std::mutex mutex_;  // guards the following members
   uint32_t credits_ = 0;
-  FrameCredit unseen_;        // not yet seen by the encoder: the outcome of its frames
+  FrameCredit unseen_;           // not yet seen by the encoder: the outcome of its frames
+  uint64_t first_sequence_ = 1;  // of the present kind
   bool holds_frame_ = false;  // as far as the server knows; if false, every frame is a key frame,
   bool key_frame_allowed_ = false;  // and each message of the client allows one
   bool making_frame_ = false;       // from show() until the frame is taken
   std::optional<LiveFrame> frame_;
   uint64_t encoder_bytes_ = 0;
   std::optional<uint64_t> shown_version_;
+  uint32_t shown_revision_ = 0;
   bool shown_settled_ = false;
 
   std::deque<ServerMessage> answers_;

@@ -72,6 +72,9 @@ class SessionManager {
   };
   Usage usage() const;
 
+  /// The scans.
+  MeshStore& store() { return store_; }
+
   /// The common budget of meshes, sessions and the listener.
   Quota& memory() { return store_.memory(); }
 

@@ -1,15 +1,15 @@
 #include "server/memory/memory_need.h"
 
-#include <algorithm>
-
-#include "common/frame_codec/frame_encoder.h"
+#include "common/evaluation/evaluation.h"
+#include "common/page_frames/page_frame_encoder.h"
 
 namespace burnish {
 
 static constexpr uint64_t kSessionBytesPerCorner = 700;  // of any depth
 static constexpr uint64_t kSessionBytesPerCell = 60;     // fields, paint, a gesture's copy
-static constexpr uint64_t kLayoutBytesPerValue = 12;
 static constexpr uint64_t kFrameInTheMaking = 36;    // per value: its sample, two drafts, its bytes
+static constexpr uint64_t kPageBytes = 512;          // of a page's own, without its values
+static constexpr uint64_t kPageInLists = 128;        // of a client: wanted, made and shown pages
 static constexpr uint64_t kCoarsestBytes = 6 << 20;  // the direct solver of the coarsest depth
 
 uint64_t predict_session_bytes(const Multigrid& on) {
@@ -22,22 +22,22 @@ uint64_t predict_session_bytes(const Multigrid& on) {
          on.plan->patches.entry_count() * sizeof(float);
 }
 
-// A client may ask for either content, so the larger one counts.
-uint64_t predict_target_bytes(const PreparedMesh& prepared, const Hierarchy& hierarchy,
-                              uint64_t triangles_max) {
-  const uint64_t corners = hierarchy.at(hierarchy.finest).grid.corners.size();
-  const uint64_t vertices = prepared.vertices.size();
-  if (triangles_max == 0) return std::max(corners, vertices) * kLayoutBytesPerValue;
-  const uint64_t points = std::min(vertices, 3 * triangles_max);
-  return std::max(corners, points) * kLayoutBytesPerValue + points * sizeof(EvaluationPoint);
+uint64_t predict_page_bytes(const PageSize& page, PageFrameKind kind) {
+  const bool has_corners = kind == PageFrameKind::kCorners;
+  const uint64_t values = has_corners ? page.corners : page.vertices;
+  // A vertex has a predictor for each edge to an earlier vertex, or one. A corner has three at
+  // most.
+  const uint64_t predictors = has_corners ? 3 * values : values + uint64_t{3} * page.triangles;
+  constexpr uint64_t kGrowth = 2;  // of a vector that grows by itself
+  return kPageBytes + values * sizeof(EvaluationPoint) + page.vertices * sizeof(int32_t) +
+         kGrowth * (values + predictors) * sizeof(uint16_t);
 }
 
-uint64_t predict_client_bytes(const FrameLayout& layout) {
-  return FrameEncoder::byte_count_max(layout) + kFrameInTheMaking * layout.value_count();
-}
-
-uint64_t predict_proxy_bytes(const PreparedMesh& prepared) {
-  return prepared.vertices.size() * 24 + prepared.triangles.size() * 40;
+uint64_t predict_client_bytes(std::span<const ShownPage> pages) {
+  uint64_t values = 0;
+  for (const ShownPage& page : pages) values += page.value_count();
+  return PageFrameEncoder::byte_count_max(pages) + kPageInLists * pages.size() +
+         kFrameInTheMaking * values;
 }
 
 }  // namespace burnish

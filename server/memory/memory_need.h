@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
-#include "common/frame_codec/frame_layout.h"
+#include "common/page_frames/page_kind.h"
+#include "common/page_frames/shown_pages.h"
 #include "server/solver/cycle/multigrid.h"
 
 namespace burnish {
@@ -12,18 +14,20 @@ namespace burnish {
 /// backend, and less than twice that from some ten thousand corners on.
 uint64_t predict_session_bytes(const Multigrid& on);
 
-/// Returns the bytes that all clients with the same drawn mesh will take for their frames' layout.
-/// If the mesh is a proxy of at most `triangles_max` triangles, its points count too; 0 means the
-/// whole scan.
-uint64_t predict_target_bytes(const PreparedMesh& prepared, const Hierarchy& hierarchy,
-                              uint64_t triangles_max);
+/// The size of a page, whatever the kind of frames.
+struct PageSize {
+  uint32_t vertices = 0;
+  uint32_t triangles = 0;
+  uint32_t corners = 0;  ///< count_page_corners()
+};
 
-/// Returns the bytes that a client's encoder will take for the frames that it remembers and one in
-/// the making. Accuracy: no less than it takes while displacements are below 128 cells. Less than
-/// twice what a client takes that acknowledges late.
-uint64_t predict_client_bytes(const FrameLayout& layout);
+/// Returns the bytes that a page in a mesh's grid will take for the frames of one kind, for all
+/// clients together. Accuracy: no less than it takes. Less than twice that for pages of a surface.
+uint64_t predict_page_bytes(const PageSize& page, PageFrameKind kind);
 
-/// Returns the bytes that are taken only while a proxy is made.
-uint64_t predict_proxy_bytes(const PreparedMesh& prepared);
+/// Returns the bytes that a client will take for the lists of its pages, for the frames that its
+/// encoder remembers and for one in the making. Accuracy: no less than it takes while displacements
+/// are below 128 cells. Less than twice what a client takes that acknowledges late.
+uint64_t predict_client_bytes(std::span<const ShownPage> pages);
 
 }  // namespace burnish

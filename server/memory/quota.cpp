@@ -11,27 +11,16 @@ struct Quota::State {
   const uint64_t max;
   std::mutex mutex;
   std::map<std::string, uint64_t> taken;  // a holder of nothing is not in it
-  std::function<void(uint64_t)> reserve;
-
-  // Returns how much is missing for `more`.
-  uint64_t add(const std::string& holder, uint64_t more) {
-    const std::lock_guard lock(mutex);
-    const uint64_t has = of(holder);
-    if (more > max - std::min(has, max)) return more - (max - std::min(has, max));
-    if (more > 0) taken[holder] = has + more;
-    return 0;
-  }
 
   Status take(const std::string& holder, uint64_t more) {
-    uint64_t missing = add(holder, more);
-    if (missing > 0 && more <= max) {
-      if (const auto give_back = reserve_now()) give_back(missing);
-      missing = add(holder, more);
-    }
-    if (missing == 0) return Status::ok();
     const std::lock_guard lock(mutex);
-    return resource_exhausted(holder + " has " + std::to_string(of(holder)) + " " + what +
-                              " and needs " + std::to_string(more) + " more; " + key + " is " +
+    const uint64_t has = of(holder);
+    if (more <= max - std::min(has, max)) {
+      if (more > 0) taken[holder] = has + more;
+      return Status::ok();
+    }
+    return resource_exhausted(holder + " has " + std::to_string(has) + " " + what + " and needs " +
+                              std::to_string(more) + " more; " + key + " is " +
                               std::to_string(max));
   }
 
@@ -47,10 +36,6 @@ struct Quota::State {
   uint64_t of(const std::string& holder) const {
     const auto found = taken.find(holder);
     return found == taken.end() ? 0 : found->second;
-  }
-  std::function<void(uint64_t)> reserve_now() {
-    const std::lock_guard lock(mutex);
-    return reserve;
   }
 };
 
@@ -97,17 +82,12 @@ void Quota::Share::absorb(Share&& other) {
 }
 
 Quota::Quota(std::string what, std::string key, uint64_t max)
-    : state_(new State{std::move(what), std::move(key), max, {}, {}, {}}) {}
+    : state_(new State{std::move(what), std::move(key), max, {}, {}}) {}
 
 Result<Quota::Share> Quota::take(const std::string& holder, uint64_t amount) {
   Share share(state_, holder, 0);  // its memory first: a taken amount must have an owner
   RETURN_IF_ERROR(share.resize(amount));
   return share;
-}
-
-void Quota::set_reserve(std::function<void(uint64_t)> give_back) {
-  const std::lock_guard lock(state_->mutex);
-  state_->reserve = std::move(give_back);
 }
 
 uint64_t Quota::taken() const {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -55,10 +54,6 @@ class Quota {
   /// Fails: resource_exhausted "user anna has 8 streams and needs 1 more;
   /// limits.streams_per_user is 8".
   Result<Share> take(const std::string& holder, uint64_t amount);
-
-  /// Sets a function that frees the missing amount; it is called without a lock. Afterwards the
-  /// quota is asked again. Null: no function.
-  void set_reserve(std::function<void(uint64_t missing)> give_back);
 
   /// Amounts of all holders together.
   uint64_t taken() const;

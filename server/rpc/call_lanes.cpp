@@ -12,7 +12,6 @@ static constexpr std::pair<std::string_view, Lane> kLanes[] = {
     {"/burnish.v1.Editing/ListSessions", Lane::kShort},
 
     {"/burnish.v1.Library/PrepareScan", Lane::kLong},
-    {"/burnish.v1.Library/FetchView", Lane::kLong},
     {"/burnish.v1.Library/DescribePages", Lane::kLong},
     {"/burnish.v1.Editing/OpenSession", Lane::kLong},
     {"/burnish.v1.Editing/ForkSession", Lane::kLong},

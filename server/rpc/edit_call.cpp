@@ -131,6 +131,10 @@ Status EditCall::take(const Heartbeat& beat) {
   return Status::ok();
 }
 
+Status EditCall::take(const ShowPages& change) {
+  return client_->subscriber->show_pages(change);
+}
+
 // Does not read a client that does not take its answers, or sends edits faster than they are done.
 void EditCall::read_on() {
   if (!reading_paused_ || !client_->subscriber->may_send() || !reading_paused_.exchange(false))

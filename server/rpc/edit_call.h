@@ -43,6 +43,7 @@ class EditCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::By
   Status take(const DropPreview& drop);
   Status take(const MoveBrush& move);
   Status take(const Heartbeat& beat);
+  Status take(const ShowPages& change);
   uint64_t connection() const { return client_->subscriber->connection; }
   void read_on();
 

@@ -6,6 +6,7 @@
 #include "server/rpc/edit_call.h"
 #include "server/rpc/export_call.h"
 #include "server/rpc/get_cells_call.h"
+#include "server/rpc/get_page_values_call.h"
 #include "server/rpc/start_call.h"
 #include "server/rpc/upload_cell_fields_call.h"
 #include "server/rpc/watch_call.h"
@@ -143,6 +144,11 @@ grpc::ServerWriteReactor<v1::ServerMessage>* EditingService::Watch(
 grpc::ServerWriteReactor<v1::Chunk>* EditingService::GetCells(grpc::CallbackServerContext* context,
                                                               const v1::GetCellsRequest* request) {
   return start_call<GetCellsCall>(calls_, context, *request);
+}
+
+grpc::ServerWriteReactor<v1::PageValues>* EditingService::GetPageValues(
+    grpc::CallbackServerContext* context, const v1::GetPageValuesRequest* request) {
+  return start_call<GetPageValuesCall>(calls_, context, *request);
 }
 
 grpc::ServerWriteReactor<v1::ExportEvent>* EditingService::Export(

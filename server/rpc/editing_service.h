@@ -15,7 +15,7 @@ using EditingCalls = WithCalls<
     v1::Editing::WithCallbackMethod_ForkSession, v1::Editing::WithCallbackMethod_GetPeople,
     v1::Editing::WithCallbackMethod_SetRole, v1::Editing::WithCallbackMethod_GetState,
     v1::Editing::WithCallbackMethod_Watch, v1::Editing::WithCallbackMethod_GetCells,
-    v1::Editing::WithCallbackMethod_Export>::Type;
+    v1::Editing::WithCallbackMethod_GetPageValues, v1::Editing::WithCallbackMethod_Export>::Type;
 
 /// burnish.v1.Editing over the session manager; only converts messages.
 class EditingService final : public EditingCalls {
@@ -60,6 +60,8 @@ class EditingService final : public EditingCalls {
                                                      const v1::WatchRequest* request) override;
   grpc::ServerWriteReactor<v1::Chunk>* GetCells(grpc::CallbackServerContext* context,
                                                 const v1::GetCellsRequest* request) override;
+  grpc::ServerWriteReactor<v1::PageValues>* GetPageValues(
+      grpc::CallbackServerContext* context, const v1::GetPageValuesRequest* request) override;
   grpc::ServerWriteReactor<v1::ExportEvent>* Export(grpc::CallbackServerContext* context,
                                                     const v1::ExportRequest* request) override;
 

@@ -6,7 +6,6 @@
 #include "common/wire/library_wire.h"
 #include "server/rpc/describe_pages_call.h"
 #include "server/rpc/fetch_pages_call.h"
-#include "server/rpc/fetch_view_call.h"
 #include "server/rpc/import_call.h"
 #include "server/rpc/prepare_call.h"
 #include "server/rpc/start_call.h"
@@ -42,11 +41,6 @@ grpc::ServerUnaryReactor* LibraryService::DescribeScan(grpc::CallbackServerConte
 grpc::ServerWriteReactor<v1::PrepareEvent>* LibraryService::PrepareScan(
     grpc::CallbackServerContext* context, const v1::PrepareScanRequest* request) {
   return start_call<PrepareCall>(calls_, context, *request);
-}
-
-grpc::ServerWriteReactor<v1::FetchViewEvent>* LibraryService::FetchView(
-    grpc::CallbackServerContext* context, const v1::FetchViewRequest* request) {
-  return start_call<FetchViewCall>(calls_, context, *request);
 }
 
 grpc::ServerWriteReactor<v1::DescribePagesEvent>* LibraryService::DescribePages(

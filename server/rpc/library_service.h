@@ -9,9 +9,8 @@ namespace burnish {
 using LibraryCalls = WithCalls<
     v1::Library::Service, v1::Library::WithRawCallbackMethod_Import,
     v1::Library::WithCallbackMethod_ListScans, v1::Library::WithCallbackMethod_DescribeScan,
-    v1::Library::WithCallbackMethod_PrepareScan, v1::Library::WithCallbackMethod_FetchView,
-    v1::Library::WithCallbackMethod_DescribePages, v1::Library::WithCallbackMethod_FetchPages,
-    v1::Library::WithCallbackMethod_DeleteScan>::Type;
+    v1::Library::WithCallbackMethod_PrepareScan, v1::Library::WithCallbackMethod_DescribePages,
+    v1::Library::WithCallbackMethod_FetchPages, v1::Library::WithCallbackMethod_DeleteScan>::Type;
 
 /// burnish.v1.Library over the mesh store; only converts messages.
 class LibraryService final : public LibraryCalls {
@@ -28,8 +27,6 @@ class LibraryService final : public LibraryCalls {
                                          v1::ScanDescription* response) override;
   grpc::ServerWriteReactor<v1::PrepareEvent>* PrepareScan(
       grpc::CallbackServerContext* context, const v1::PrepareScanRequest* request) override;
-  grpc::ServerWriteReactor<v1::FetchViewEvent>* FetchView(
-      grpc::CallbackServerContext* context, const v1::FetchViewRequest* request) override;
   grpc::ServerWriteReactor<v1::DescribePagesEvent>* DescribePages(
       grpc::CallbackServerContext* context, const v1::DescribePagesRequest* request) override;
   grpc::ServerWriteReactor<v1::FetchPagesEvent>* FetchPages(

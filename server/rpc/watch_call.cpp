@@ -40,7 +40,18 @@ Result<LiveClient> WatchCall::join() {
     if (const auto call = weak.lock()) call->cut();
   };
   wiring.may_stay = calls_.may_stay;
-  return calls_.live.join(greeting, calls_.caller, std::move(wiring), progress);
+  ASSIGN_OR_RETURN(const LiveClient client,
+                   calls_.live.join(greeting, calls_.caller, std::move(wiring), progress));
+  const Status shown = show_pages(client);
+  if (shown.is_ok()) return client;
+  calls_.live.leave(client);
+  return shown;
+}
+
+// The client cannot show other pages later.
+Status WatchCall::show_pages(const LiveClient& client) const {
+  if (request_.pages().empty()) return Status::ok();
+  return client.subscriber->show_pages({1, {request_.pages().begin(), request_.pages().end()}, {}});
 }
 
 // The client never says which frames it holds, so every frame is a key frame. No frame is made of a

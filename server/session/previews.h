@@ -46,6 +46,9 @@ class Previews {
   /// `changes` says what has changed in the edited fields. Adds the changes by gestures.
   const Fields& over(const Fields& edited, Changes& changes);
 
+  /// Returns the result of the last over(). Needs: the same edited fields.
+  const Fields& shown(const Fields& edited) const { return copy_ ? *copy_ : edited; }
+
   /// For a solve without gestures: returns the changes that leave them out. The next over() brings
   /// them back.
   Changes set_aside();

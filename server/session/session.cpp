@@ -56,6 +56,10 @@ Previews& Session::previews() {
   return state_->previews;
 }
 
+const Fields& Session::shown_fields() const {
+  return state_->previews.shown(state_->edited.fields());
+}
+
 bool Session::is_changed() const {
   const EditedFields& edited = state_->edited;
   return edited.is_behind() || edited.changes().any() || state_->previews.is_changed();

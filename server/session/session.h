@@ -67,6 +67,8 @@ class Session {
 
   const PreparedMesh& prepared() const;
   const Fields& fields() const { return edited().fields(); }
+  /// Returns the fields with the previews, as the last update() saw them.
+  const Fields& shown_fields() const;
   const Solver& solver() const;
   uint64_t byte_count() const;  ///< of this session alone
 

@@ -24,7 +24,9 @@ static std::optional<std::string_view> bearer_token(std::string_view authorizati
 
 Result<Identity> Guard::check(std::string_view method, const Proof& proof) const {
   const auto needed = least_role(method);
-  if (!needed) return unimplemented("this server has no RPC " + std::string(method));
+  if (!needed)
+    return unimplemented("this server has no RPC " + std::string(method) +
+                         ": client and server are of different versions");
   if (*needed == Role::kAnyone) return Identity{};
   if (closed_) return unavailable("the server is draining");
   ASSIGN_OR_RETURN(Identity identity, identify(proof));

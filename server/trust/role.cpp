@@ -13,7 +13,6 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
 
     {"/burnish.v1.Library/ListScans", Role::kViewer},
     {"/burnish.v1.Library/DescribeScan", Role::kViewer},
-    {"/burnish.v1.Library/FetchView", Role::kViewer},
     {"/burnish.v1.Library/DescribePages", Role::kViewer},
     {"/burnish.v1.Library/FetchPages", Role::kViewer},
     {"/burnish.v1.Library/Import", Role::kEditor},
@@ -25,6 +24,7 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
     {"/burnish.v1.Editing/GetHistory", Role::kViewer},
     {"/burnish.v1.Editing/GetPeople", Role::kViewer},
     {"/burnish.v1.Editing/GetCells", Role::kViewer},
+    {"/burnish.v1.Editing/GetPageValues", Role::kViewer},
     {"/burnish.v1.Editing/Watch", Role::kViewer},
     {"/burnish.v1.Editing/Edit", Role::kViewer},  // as in any session, a viewer's edits are refused
     {"/burnish.v1.Editing/Export", Role::kViewer},

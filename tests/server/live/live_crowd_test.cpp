@@ -1,6 +1,7 @@
 // Many clients at once, each on its own thread, at sessions that solve on their own threads.
 
 #include <random>
+#include <set>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -24,7 +25,8 @@ class Visitor {
 
   void come_and_go() {
     for (int visit = 0; visit < kVisitsEach; ++visit) {
-      LiveGuest guest(live_, {pick(2) ? "one" : "two", pick(2) ? 0u : 200u}, name_);
+      LiveGuest guest(live_, manager_.store(), {pick(2) ? "one" : "two", kinds_[pick(3)]}, name_);
+      shown_.clear();
       for (int deed = 0; deed < kDeedsEach && !guest.finished; ++deed) {
         do_something(guest);
         guest.take_all();
@@ -43,6 +45,12 @@ class Visitor {
     const double angle = 0.1 * pick(60);
     return {{0.4, 0.5, 0.3, FallOff::kSmooth}, {{std::cos(angle), std::sin(angle), 0}}};
   }
+  void show_or_hide(LiveGuest& guest, PageId page) {
+    if (guest.pages.newest_revision() - guest.pages.revision() >= kPageChangesInFlightMax) return;
+    if (shown_.erase(page) > 0) return guest.show({}, {page});
+    shown_.insert(page);
+    guest.show({page});
+  }
   static void hear_all(LiveGuest& guest) {
     guest.subscriber().close(std::nullopt);
     for (; !guest.finished; guest.take_all()) std::this_thread::yield();
@@ -55,7 +63,7 @@ class Visitor {
 
   void do_something(LiveGuest& guest) {
     const uint64_t connection = guest.connection();
-    switch (pick(9)) {
+    switch (pick(11)) {
       case 0:
         return guest.edit({{new_id(), SetGradientScale{0.1 * pick(20)}}, {new_id(), stroke()}});
       case 1:
@@ -71,6 +79,9 @@ class Visitor {
       case 6:
         return guest.subscriber().beat(static_cast<uint64_t>(pick(1000)));
       case 7:
+      case 8:
+        return show_or_hide(guest, static_cast<PageId>(pick(guest.pages.head().page_count())));
+      case 9:
         if (pick(10) == 0) (void)manager_.close(pick(2) ? "one" : "two", name_, {});
         return;
       default:
@@ -81,13 +92,16 @@ class Visitor {
   SessionManager& manager_;
   LiveSessions& live_;
   const std::string name_;
+  const std::optional<PageFrameKind> kinds_[3] = {std::nullopt, PageFrameKind::kVertices,
+                                                  PageFrameKind::kCorners};
   std::mt19937_64 random_;
+  std::set<PageId> shown_;  // at this visit
   int last_id_ = 0;
 };
 
 TEST(LiveCrowd, LeavesWhatAPlainReplayGivesAndNothingElse) {
   TestLibrary library;
-  ASSERT_TRUE(library.import(sphere_file(), "ball").is_ok());
+  ASSERT_TRUE(library.import(sphere_file(1, 5), "ball").is_ok());
   const auto journal = std::move(Journal::open(library.folder->journal())).value();
   SessionManagerOptions options;
   options.solver.backend = BackendKind::kCpu;

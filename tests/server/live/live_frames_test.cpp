@@ -9,47 +9,56 @@ namespace {
 
 using LiveFrames = LiveWork;
 
+constexpr auto kVertices = PageFrameKind::kVertices;
+constexpr auto kCorners = PageFrameKind::kCorners;
+
 TEST_F(LiveFrames, SettledEveryClientHoldsTheRoundedDisplacement) {
-  auto whole = guest(), proxy = guest("bob", {"work", 200}),
-       vertices = guest("eve", {"work", 0, FrameContent::kVertices});
-  whole.edit({{"a", stroke()}, {"b", SetTransferCurve{TransferCurve(20)}}});
-  for (LiveGuest* each : {&whole, &proxy, &vertices}) each->settle();
-  for (LiveGuest* each : {&whole, &proxy, &vertices})
-    EXPECT_EQ(shown(*each).steps, sample(*each).steps);
+  auto corners = guest("ann", {"work", kCorners}), vertices = guest("bob", {"work", kVertices}),
+       coarse = guest("eve");
+  for (LiveGuest* each : {&corners, &vertices}) each->show_level(0);
+  coarse.show({coarse.pages.head().root()});
+  corners.edit({{"a", stroke()}, {"b", SetTransferCurve{TransferCurve(20)}}});
+  for (LiveGuest* each : {&corners, &vertices, &coarse}) {
+    each->settle();
+    EXPECT_EQ(each->pages.values(), sample(*each));
+  }
+  EXPECT_EQ(corners.pages.kind(), kCorners);
+  EXPECT_EQ(vertices.pages.kind(), kVertices);
 }
 
-TEST_F(LiveFrames, WhileItMovesAFrameIsOffByAtMostTheCodecsStep) {
-  auto ann = guest("ann", {"work", 0, FrameContent::kVertices});
+TEST_F(LiveFrames, WhileItMovesAFrameIsOffByAtMostHalfItsStep) {
+  auto ann = guest("ann", {"work", kVertices});
+  ann.show_level(0);
+  ann.run();
   ann.edit({{"a", SetGradientScale{0}}});
   ann.subscriber().grant({.frames = 1});
   ASSERT_TRUE(live_->scheduler().run_one());
-  const FrameSample exact = sample(ann);
-  while (ann.decoded.empty()) ann.run();
+  while (ann.frames.empty()) ann.take_all();
   ASSERT_EQ(ann.all<LiveFrame>().size(), 1u);
   EXPECT_FALSE(ann.all<LiveFrame>()[0].stats.settled);
-  const FrameSample seen = shown(ann);
-  for (size_t i = 0; i < exact.steps.size(); ++i)
-    ASSERT_LE(std::abs(exact.steps[i] - seen.steps[i]), 2);  // half of 1/64 cell
+  EXPECT_EQ(ann.frames[0].step_shift, 2);
+  const std::vector<int32_t> exact = sample(ann), seen = ann.pages.values();
+  for (size_t i = 0; i < exact.size(); ++i)
+    ASSERT_LE(std::abs(exact[i] - seen[i]), 2);  // half of 1/64 cell
 }
 
-TEST_F(LiveFrames, OverASlowLinkASettledSurfaceIsShownInPartsAndExactInTheEnd) {
-  ASSERT_TRUE(library_.import(sphere_file(1, 5), "large").is_ok());
-  ASSERT_TRUE(manager_->open({"large", "large", {5, 0}}, "ann", {}).is_ok());
-  const Greeting wish{"large", 0, FrameContent::kVertices};  // with several tiles
-  auto ann = guest("ann", wish), bob = guest("bob", wish);
+TEST_F(LiveFrames, OverASlowLinkAMovingSurfaceIsCoarserAndAStillOneExact) {
+  auto ann = guest();
+  ann.show_level(0);
+  ann.settle();
   ann.edit({{"a", SetGradientScale{0}}});
-  bob.settle();
-  size_t parts = 0;
-  for (;; ++parts) {
-    ann.run();
-    const auto frames = ann.all<LiveFrame>();
-    if (!frames.empty() && frames.back().stats.settled && ann.decoded.empty()) break;
-    ASSERT_LT(parts, 100u);
+  int coarsest = 0;
+  for (int turns = 0; turns < 100; ++turns) {
     ann.subscriber().grant(
-        {.frames = 1, .decoded = std::exchange(ann.decoded, {}), .frame_bytes = 1000});
+        {.frames = 1, .decoded = std::exchange(ann.decoded, {}), .frame_bytes = 100});
+    ann.run();
+    coarsest = std::max(coarsest, ann.frames.back().step_shift);
+    const FrameStats& stats = ann.all<LiveFrame>().back().stats;
+    if (stats.settled && stats.edits == 1) break;
   }
-  EXPECT_EQ(shown(ann).steps, shown(bob).steps);
-  EXPECT_GE(parts, 4u);
+  EXPECT_EQ(coarsest, 6);
+  EXPECT_EQ(ann.frames.back().step_shift, 0);
+  EXPECT_EQ(ann.pages.values(), sample(ann));
 }
 
 TEST_F(LiveFrames, WithoutAnAcknowledgementOneKeyFrameGoesOut) {
@@ -65,6 +74,7 @@ TEST_F(LiveFrames, WithoutAnAcknowledgementOneKeyFrameGoesOut) {
 
 TEST_F(LiveFrames, NoFrameGoesOutWithoutACredit) {
   auto ann = guest();
+  ann.show_level(0);
   ann.run();
   EXPECT_TRUE(ann.all<LiveFrame>().empty());
   for (int frames = 1; frames <= 3; ++frames) {
@@ -79,6 +89,7 @@ TEST_F(LiveFrames, NoFrameGoesOutWithoutACredit) {
 
 TEST_F(LiveFrames, SettledItIsSilentUntilSomethingChanges) {
   auto ann = guest();
+  ann.show_level(0);
   ann.settle();
   ann.subscriber().grant({.frames = 8});
   ann.run();
@@ -93,8 +104,30 @@ TEST_F(LiveFrames, SettledItIsSilentUntilSomethingChanges) {
   EXPECT_EQ(ann.all<LiveFrame>().back().stats.edits, 1u);
 }
 
+TEST_F(LiveFrames, AFrameThatShowsNothingNewCostsNothing) {
+  auto ann = guest();
+  ann.show_level(0);
+  ann.settle();
+  const size_t frames = ann.all<LiveFrame>().size(), with_data = ann.frames.size();
+  ASSERT_TRUE(manager_->export_mesh("work", {.format = MeshFormat::kPly, .cycles = 2}, {}).is_ok());
+  ann.settle();
+  EXPECT_GT(ann.all<LiveFrame>().size(), frames);
+  EXPECT_EQ(ann.all<LiveFrame>().back().data.size(), 0u);
+  EXPECT_EQ(ann.frames.size(), with_data);
+}
+
+TEST_F(LiveFrames, WhoShowsNothingHearsOfEditsAndOfTheEnd) {
+  auto ann = guest();
+  ann.edit({{"a", stroke()}});
+  ann.settle();
+  EXPECT_EQ(ann.all<LiveFrame>().back().stats.edits, 1u);
+  EXPECT_TRUE(ann.pages.values().empty());
+  EXPECT_GT(ann.frames.back().largest_move, 0);
+}
+
 TEST_F(LiveFrames, WhatAnExactExportRelaxedIsShownAsExact) {
   auto ann = guest();
+  ann.show_level(0);
   ann.edit({{"a", stroke()}});  // a slider alone would be exact at once
   ann.settle();
   EXPECT_FALSE(ann.all<LiveFrame>().back().stats.exact);
@@ -102,7 +135,7 @@ TEST_F(LiveFrames, WhatAnExactExportRelaxedIsShownAsExact) {
       manager_->export_mesh("work", {.format = MeshFormat::kPly, .exact = true}, {}).is_ok());
   ann.settle();
   EXPECT_TRUE(ann.all<LiveFrame>().back().stats.exact);
-  EXPECT_EQ(shown(ann).steps, sample(ann).steps);
+  EXPECT_EQ(ann.pages.values(), sample(ann));
   ann.edit({{"b", SetGradientScale{0.5}}});
   ann.settle();
   EXPECT_FALSE(ann.all<LiveFrame>().back().stats.exact);
@@ -113,19 +146,23 @@ TEST_F(LiveFrames, WhoComesToASettledSurfaceGetsOneStillFrameWithoutACycle) {
   ann.settle();
   const int cycles = ann.all<LiveFrame>().back().stats.cycles;
   auto bob = guest("bob");
+  bob.show_level(0);
   bob.settle();
   ASSERT_EQ(bob.all<LiveFrame>().size(), 1u);
   EXPECT_EQ(bob.all<LiveFrame>()[0].stats.cycles, cycles);
-  EXPECT_EQ(shown(bob).steps, sample(bob).steps);
+  EXPECT_EQ(bob.pages.values(), sample(bob));
 }
 
 TEST_F(LiveFrames, AFrameThatCouldNotBeDecodedIsMadeUpFor) {
   auto ann = guest();
+  ann.show_level(0);
+  ann.edit({{"a", stroke()}});
   ann.settle();
-  ann.decoder = FrameDecoder(ann.subscriber().target->layout);  // loses everything
+  ann.pages.forget();
   ann.subscriber().grant({.frames = 1, .key_frame = true});
   ann.run();
-  EXPECT_EQ(shown(ann).steps, sample(ann).steps);
+  EXPECT_TRUE(ann.frames.back().is_key);
+  EXPECT_EQ(ann.pages.values(), sample(ann));
 }
 
 }  // namespace

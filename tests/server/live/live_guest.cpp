@@ -1,5 +1,7 @@
 #include "tests/server/live/live_guest.h"
 
+#include <numeric>
+
 #include "common/base/check.h"
 
 namespace burnish {
@@ -33,17 +35,30 @@ static LiveClient join(LiveSessions& sessions, const Greeting& greeting, const C
   return std::move(client).value();
 }
 
-LiveGuest::LiveGuest(LiveSessions& sessions, const Greeting& greeting, const Caller& caller,
-                     SubscriberWiring wiring)
-    : LiveGuest(sessions, greeting, caller, std::move(wiring), std::make_shared<Bell>()) {}
+LiveGuest::LiveGuest(LiveSessions& sessions, MeshStore& store, const Greeting& greeting,
+                     const Caller& caller, SubscriberWiring wiring)
+    : LiveGuest(sessions, store, greeting, caller, std::move(wiring), std::make_shared<Bell>()) {}
 
-LiveGuest::LiveGuest(LiveSessions& sessions, const Greeting& greeting, const Caller& caller,
-                     SubscriberWiring wiring, std::shared_ptr<Bell> bell)
+LiveGuest::LiveGuest(LiveSessions& sessions, MeshStore& store, const Greeting& greeting,
+                     const Caller& caller, SubscriberWiring wiring, std::shared_ptr<Bell> bell)
     : sessions_(sessions),
       bell_(std::move(bell)),
       client_(join(sessions, greeting, caller, std::move(wiring), bell_)),
-      role(client_.welcome.role),
-      decoder(client_.subscriber->target->layout) {}
+      welcome(client_.welcome),
+      pages(store.find_pages(welcome.session.scan_id).value(), welcome.session.key.depth) {}
+
+void LiveGuest::show(const std::vector<PageId>& added, const std::vector<PageId>& removed) {
+  const ShowPages change{pages.newest_revision() + 1, added, removed};
+  pages.show(change);
+  const Status status = subscriber().show_pages(change);
+  BURNISH_CHECK(status.is_ok(), status.message());
+}
+
+void LiveGuest::show_level(int level) {
+  std::vector<PageId> numbers(pages.head().level_pages[level]);
+  std::iota(numbers.begin(), numbers.end(), pages.head().level_begin(level));
+  show(numbers);
+}
 
 void LiveGuest::leave() {
   if (!client_.session) return;
@@ -55,9 +70,8 @@ void LiveGuest::take_all() {
   while (auto message = subscriber().take()) {
     if (const auto* frame = std::get_if<LiveFrame>(&*message); frame && !frame->data.empty()) {
       const auto* bytes = reinterpret_cast<const uint8_t*>(frame->data.data());
-      const auto seen = decoder.decode({bytes, frame->data.size()});
-      BURNISH_CHECK(seen.is_ok(), seen.status().message());
-      decoded.push_back(seen.value().sequence);
+      frames.push_back(pages.decode({bytes, frame->data.size()}));
+      decoded.push_back(frames.back().sequence);
     }
     received.push_back(std::move(*message));
   }
@@ -79,8 +93,8 @@ void LiveGuest::run() {
 void LiveGuest::settle() {
   for (;;) {
     run();
-    const auto frames = all<LiveFrame>();
-    if (!frames.empty() && frames.back().stats.settled && decoded.empty()) return;
+    const auto shown = all<LiveFrame>();
+    if (!shown.empty() && shown.back().stats.settled && decoded.empty()) return;
     subscriber().grant({.frames = 1, .decoded = std::exchange(decoded, {})});
   }
 }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "common/frame_codec/frame_decoder.h"
 #include "server/live/live_sessions.h"
+#include "tests/server/live/guest_pages.h"
 
 namespace burnish {
 
@@ -16,8 +16,8 @@ namespace burnish {
 class LiveGuest {
  public:
   /// `wiring`: all but on_message and on_dead.
-  LiveGuest(LiveSessions& sessions, const Greeting& greeting, const Caller& caller,
-            SubscriberWiring wiring = {});
+  LiveGuest(LiveSessions& sessions, MeshStore& store, const Greeting& greeting,
+            const Caller& caller, SubscriberWiring wiring = {});
   ~LiveGuest() { leave(); }
   void leave();
 
@@ -34,6 +34,12 @@ class LiveGuest {
   /// Does run(), grants credits and acknowledges every frame, until the surface is settled.
   void settle();
 
+  /// Shows and hides pages from the next frames on.
+  void show(const std::vector<PageId>& added, const std::vector<PageId>& removed = {});
+
+  /// Shows all pages of a level; 0 is the scan itself.
+  void show_level(int level);
+
   void edit(std::vector<Edit> edits) { session().edit(connection(), std::move(edits), 0); }
 
   template <typename Message>
@@ -45,20 +51,21 @@ class LiveGuest {
   }
 
   std::vector<ServerMessage> received;
-  std::vector<uint64_t> decoded;  ///< sequence numbers not yet acknowledged
+  std::vector<uint64_t> decoded;         ///< sequence numbers not yet acknowledged
+  std::vector<DecodedPageFrame> frames;  ///< those with data
   bool finished = false;
 
  private:
   struct Bell;
-  LiveGuest(LiveSessions& sessions, const Greeting& greeting, const Caller& caller,
-            SubscriberWiring wiring, std::shared_ptr<Bell> bell);
+  LiveGuest(LiveSessions& sessions, MeshStore& store, const Greeting& greeting,
+            const Caller& caller, SubscriberWiring wiring, std::shared_ptr<Bell> bell);
   LiveSessions& sessions_;
   std::shared_ptr<Bell> bell_;
   LiveClient client_;
 
  public:
-  const SessionRole role;
-  FrameDecoder decoder;
+  const Welcome welcome;
+  GuestPages pages;
 };
 
 }  // namespace burnish

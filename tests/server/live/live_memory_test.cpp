@@ -11,31 +11,59 @@ namespace {
 
 using LiveMemory = LiveWork;
 
-TEST_F(LiveMemory, WhatClientsDrawIsAdmittedByItsBytes) {
+TEST_F(LiveMemory, PagesCountOnceForAllClientsAndFramesForEach) {
+  { auto first = guest(); }  // opens the page file
   Quota& memory = manager_->memory();
   const uint64_t before = memory.taken();
   {
-    const Quota::Share others = memory.take("others", memory.max() - 1000).value();
-    const Quota::Share own = memory.take(kServer, memory.max() - before - 1000).value();
-    const Status refused = live_->join({"work", 100}, "ann", {}, {}).status();
-    EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
-    EXPECT_THAT(refused.message(), testing::ContainsRegex("needs [0-9]+ more"));
-  }
-  uint64_t whole = 0;
-  {
     auto ann = guest(), bob = guest("bob");
-    whole = memory.taken() - before;
-    EXPECT_GE(whole, ann.subscriber().target->layout->byte_count());
-    const auto proxy = guest("eve", {"work", 100});
-    EXPECT_GT(memory.taken(), before + whole);
+    ann.show_level(0);
+    ann.run();
+    const uint64_t with_ann = memory.taken();
+    const uint64_t of_a_client = predict_client_bytes(ann.subscriber().pages()->shown.pages());
+    EXPECT_GT(with_ann, before + of_a_client);
+    bob.show_level(0);
+    bob.run();
+    EXPECT_EQ(memory.taken(), with_ann + of_a_client - predict_client_bytes({}));
   }
   EXPECT_EQ(memory.taken(), before);
 }
 
-TEST_F(LiveMemory, AClientIsAdmittedByTheBytesOfItsFrames) {
+TEST_F(LiveMemory, PagesThatDoNotFitEndTheStreamAndSayWhy) {
+  auto ann = guest(), bob = guest("bob");
+  Quota& memory = manager_->memory();
+  const Quota::Share rest = memory.take(kServer, memory.max() - memory.taken() - 1000).value();
+  ann.show_level(0);
+  ann.run();
+  const auto farewells = ann.all<Farewell>();
+  ASSERT_EQ(farewells.size(), 1u);
+  EXPECT_THAT(farewells[0].reason, testing::ContainsRegex("needs [0-9]+ more"));
+  EXPECT_TRUE(farewells[0].come_back);
+  bob.settle();
+  EXPECT_FALSE(bob.finished);
+}
+
+TEST_F(LiveMemory, HiddenPagesGiveTheirMemoryBack) {
+  auto ann = guest();
+  ann.settle();
+  Quota& memory = manager_->memory();
+  const uint64_t before = memory.taken();
+  ann.show({0});
+  ann.settle();
+  EXPECT_GT(memory.taken(), before);
+  ann.show({}, {0});
+  // The frames that had the page are forgotten when later ones are acknowledged.
+  for (const char* id : {"a", "b", "c"}) {
+    ann.edit({{id, stroke()}});
+    ann.settle();
+  }
+  EXPECT_EQ(memory.taken(), before);
+}
+
+TEST_F(LiveMemory, WhoDoesNotFitIsNotLetIn) {
   auto ann = guest();
   Quota& memory = manager_->memory();
-  const uint64_t of_a_client = predict_client_bytes(*ann.subscriber().target->layout);
+  const uint64_t of_a_client = predict_client_bytes({});
   const uint64_t taken = memory.taken(), left = of_a_client - 1;
   Quota::Share rest = memory.take(kServer, memory.max() - taken - left).value();
   const Status refused = live_->join({"work"}, "bob", {}, {}).status();
@@ -54,17 +82,18 @@ TEST_F(LiveMemory, AClientIsAdmittedByTheBytesOfItsFrames) {
 TEST_F(LiveMemory, ASessionsBytesAreWithThoseOfItsClientsFrames) {
   const auto bytes = [this] { return manager_->state("work", {}).value().memory_bytes; };
   auto ann = guest();
+  ann.show_level(0);
   ann.edit({{"a", SetTransferCurve{TransferCurve(5)}}, {"b", SetGradientScale{0}}});
   ann.settle();
   const uint64_t with_one = bytes();
   {
     auto bob = guest("bob");
+    bob.show_level(0);
     bob.settle();
     EXPECT_EQ(bytes(), with_one + bob.subscriber().byte_count());
     EXPECT_EQ(live_->usage().client_bytes,
               ann.subscriber().byte_count() + bob.subscriber().byte_count());
-    EXPECT_GT(bob.subscriber().byte_count(),
-              uint64_t{6} * bob.subscriber().target->layout->value_count());
+    EXPECT_GT(bob.subscriber().byte_count(), 2 * bob.pages.values().size());
   }
   EXPECT_EQ(bytes(), with_one);
 }
@@ -94,9 +123,10 @@ TEST_F(LiveMemory, UnusedSessionsLeaveMemoryAndComeBackAsTheyWere) {
   EXPECT_FALSE(manager_->list()[0].in_memory);
   EXPECT_EQ(manager_->usage().session_bytes, 0u);
   auto ann = guest();
+  ann.show_level(0);
   ann.settle();
   EXPECT_EQ(ann.all<LiveFrame>().back().stats.edits, 1u);
-  EXPECT_EQ(shown(ann).steps, sample(ann).steps);
+  EXPECT_EQ(ann.pages.values(), sample(ann));
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ TEST_F(LivePeople, ADrainingServerLetsNobodyIn) {
 
 TEST_F(LivePeople, WhoIsSilentIsSentAwayAndWatchersMayBe) {
   auto ann = guest();
-  auto eve = LiveGuest(*live_, {"work"}, "eve", {.may_be_silent = true});
+  auto eve = LiveGuest(*live_, *library_.store, {"work"}, "eve", {.may_be_silent = true});
   ann.run();
   ann.session().end_unwelcome(std::chrono::hours(1));
   ann.run();
@@ -94,7 +94,7 @@ TEST_F(LivePeople, WhoIsSilentIsSentAwayAndWatchersMayBe) {
 TEST_F(LivePeople, AViewerOfTheServerIsOneInEverySession) {
   Caller vera("vera");
   vera.most = SessionRole::kViewer;
-  auto guest = LiveGuest(*live_, {"work"}, vera);
+  auto guest = LiveGuest(*live_, *library_.store, {"work"}, vera);
   EXPECT_EQ(guest.role, SessionRole::kViewer);
   guest.edit({{"a", SetGradientScale{0}}});
   guest.run();
@@ -107,7 +107,7 @@ TEST_F(LivePeople, AViewerOfTheServerIsOneInEverySession) {
 
 TEST_F(LivePeople, WhoMayNotStayIsSentAwayForGood) {
   Status stays;
-  auto eve = LiveGuest(*live_, {"work"}, "eve",
+  auto eve = LiveGuest(*live_, *library_.store, {"work"}, "eve",
                        {.may_be_silent = true, .may_stay = [&] { return stays; }});
   eve.run();
   eve.session().end_unwelcome(std::chrono::hours(1));

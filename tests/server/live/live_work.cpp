@@ -17,30 +17,30 @@ LiveWork::LiveWork() {
   live_ = std::make_unique<LiveSessions>(*manager_, 0);
 }
 
-std::vector<Vec3f> LiveWork::displacement() {
+std::vector<Vec3f> LiveWork::displacement(const std::string& session) {
   std::vector<Vec3f> u;
-  const auto copy = [&](Session& session) {
-    const auto now = session.solver().displacement();
+  const auto copy = [&](Session& live) {
+    const auto now = live.solver().displacement();
     u.assign(now.begin(), now.end());
     return Status::ok();
   };
-  EXPECT_TRUE(manager_->visit("work", {}, copy).is_ok());
+  EXPECT_TRUE(manager_->visit(session, {}, copy).is_ok());
   return u;
 }
 
-FrameSample LiveWork::sample(LiveGuest& guest) {
-  const FrameTarget& target = *guest.subscriber().target;
-  return sample_displacement<Vec3f>(*target.layout, target.frame_mesh(), displacement()).value();
-}
-
-FrameSample LiveWork::shown(LiveGuest& guest) {
-  const FrameLayout& layout = *guest.subscriber().target->layout;
-  FrameSample seen;
-  seen.steps.resize(size_t{3} * layout.value_count());
-  for (int tile = 0; tile < layout.tile_count(); ++tile)
-    guest.decoder.state().read_tile(tile, {seen.steps.data() + size_t{3} * layout.tile_begin(tile),
-                                           size_t{3} * layout.tile_size(tile)});
-  return seen;
+std::vector<int32_t> LiveWork::sample(LiveGuest& guest) {
+  const std::string& session = guest.welcome.session.name;
+  const auto mesh = manager_->attach(session, {}).value().mesh;
+  const SparseGrid& grid = mesh->hierarchy->at(mesh->hierarchy->finest).grid;
+  std::vector<std::shared_ptr<const PageEvaluation>> pages;
+  for (const PageTile& tile : guest.pages.state().tiles)
+    pages.push_back(std::make_shared<const PageEvaluation>(
+        make_page_evaluation(guest.pages.page(tile.shown.page), guest.pages.head().grid.bits, grid,
+                             guest.pages.kind())));
+  std::vector<int32_t> values;
+  for (const PageSample& page : sample_pages(grid, pages, displacement(session)).value())
+    values.insert(values.end(), page.steps.begin(), page.steps.end());
+  return values;
 }
 
 }  // namespace burnish

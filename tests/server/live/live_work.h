@@ -16,15 +16,13 @@ class LiveWork : public testing::Test {
  protected:
   LiveWork();
 
+  /// Returns a guest that shows nothing yet.
   LiveGuest guest(const std::string& user = "ann", const Greeting& wish = {"work"}) {
-    return LiveGuest(*live_, wish, user);
+    return LiveGuest(*live_, *library_.store, wish, user);
   }
 
-  /// Returns what the guest must show of a settled session: the displacement, rounded.
-  FrameSample sample(LiveGuest& guest);
-
-  /// Returns what the guest shows, in the sample's order.
-  static FrameSample shown(LiveGuest& guest);
+  /// Returns what the guest must show of a settled session: the displacement of its pages, rounded.
+  std::vector<int32_t> sample(LiveGuest& guest);
 
   static Stroke stroke() { return {{0.4, 0.7, 0.2, FallOff::kSmooth}, {{1, 0, 0}, {0, 1, 0}}}; }
 
@@ -34,7 +32,7 @@ class LiveWork : public testing::Test {
   std::unique_ptr<LiveSessions> live_;
 
  private:
-  std::vector<Vec3f> displacement();
+  std::vector<Vec3f> displacement(const std::string& session);
 };
 
 }  // namespace burnish

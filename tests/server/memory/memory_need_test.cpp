@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "common/frame_codec/frame_encoder.h"
 #include "common/generate/generate.h"
-#include "server/live/frame_target.h"
+#include "common/page_frames/page_evaluation.h"
+#include "common/page_frames/page_frame_encoder.h"
 #include "server/memory/opening_need.h"
 #include "server/prepare/prepare.h"
 #include "server/session/session.h"
@@ -33,35 +33,23 @@ TEST_P(MemoryNeed, IsNoLessThanWhatIsTakenAndNotFarAbove) {
   EXPECT_LE(static_cast<double>(predict_session_bytes(multigrid)), 2 * own + (8 << 20));
 }
 
-TEST_P(MemoryNeed, OfFramesIsNoLessThanTheirLayoutAndPoints) {
-  const auto prepared = prepare(make_icosphere(5, 1), {GetParam(), 0, 1}, {}).value();
-  const auto shared = std::make_shared<const SharedMesh>(make_multigrid(prepared).value());
-  Quota memory("bytes", "max", UINT64_MAX);
-  FrameTargets targets(memory);
-  for (const uint64_t triangles_max : {0, 2000})
-    for (const FrameContent content : {FrameContent::kCoefficients, FrameContent::kVertices}) {
-      const auto target = targets.find_or_make(shared, triangles_max, content, {}).value();
-      const uint64_t taken =
-          target->layout->byte_count() + target->proxy_points.size() * sizeof(EvaluationPoint);
-      EXPECT_GE(predict_target_bytes(*prepared, *shared->hierarchy, triangles_max), taken);
-      EXPECT_EQ(memory.taken(), target->memory.amount());
-    }
-}
-
 TEST_P(MemoryNeed, OfAClientIsNoLessThanItsEncoderHoldsAndLessThanTwiceThat) {
   const auto prepared = prepare(make_icosphere(5, 1), {GetParam(), 0, 1}, {}).value();
-  const auto shared = std::make_shared<const SharedMesh>(make_multigrid(prepared).value());
-  Quota memory("bytes", "max", UINT64_MAX);
-  const auto target = FrameTargets(memory).find_or_make(shared, 0, {}, {}).value();
-  FrameEncoder encoder(target->layout);
-  FrameSample sample;
+  const SparseGrid grid = make_finest_grid(GetParam(), prepared->cells);
+  Page page;  // the vertices of a page, in a row
+  for (int x = 0; x < 2000; ++x) page.positions.push_back({x << 10, 1 << 20, 1 << 20});
+  const PageEvaluation made =
+      make_page_evaluation(page, kPageGridBitsMax, grid, PageFrameKind::kVertices);
+  const ShownPages shown = ShownPages().changed({1, {made.shown}, {}});
+  PageFrameEncoder encoder(PageFrameKind::kVertices);
   for (int i = 1; i <= 20; ++i) {
-    sample.steps.assign(size_t{3} * target->layout->value_count(), 100 * i);
-    const EncodedFrame frame = encoder.encode(sample, FrameStep::kMoving);
+    const std::vector<int32_t> steps(size_t{3} * made.shown.value_count(), 100 * i);
+    const WantedPage wanted{steps};
+    const EncodedPageFrame frame = encoder.encode({shown, {&wanted, 1}}, kStillSteps);
     if (i <= 2) encoder.acknowledge(frame.sequence);
   }
-  EXPECT_GE(predict_client_bytes(*target->layout), encoder.byte_count());
-  EXPECT_LE(predict_client_bytes(*target->layout), 2 * encoder.byte_count());
+  EXPECT_GE(predict_client_bytes(shown.pages()), encoder.byte_count());
+  EXPECT_LE(predict_client_bytes(shown.pages()), 2 * encoder.byte_count());
 }
 
 /// Records the need of a preparation.

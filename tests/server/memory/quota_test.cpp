@@ -50,21 +50,6 @@ TEST(Quota, AShareGrowsAndShrinksWithinTheWhole) {
   EXPECT_EQ(quota.taken(), 0u);
 }
 
-TEST(Quota, WhatIsInReserveIsGivenBackFirst) {
-  Quota quota("bytes", "k", 10);
-  Quota::Share kept = std::move(quota.take("a", 6)).value();
-  uint64_t asked = 0;
-  quota.set_reserve([&](uint64_t missing) {
-    asked = missing;
-    kept = {};
-  });
-  EXPECT_TRUE(quota.take("a", 9).is_ok());
-  EXPECT_EQ(asked, 5u);
-  kept = std::move(quota.take("a", 6)).value();
-  EXPECT_FALSE(quota.take("a", 11).is_ok());
-  EXPECT_EQ(kept.amount(), 6u) << "nothing is given back for what could never be had";
-}
-
 TEST(Quota, SharesOutliveIt) {
   Quota::Share share;
   {

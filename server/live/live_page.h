@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/page_frames/page_evaluation.h"
+#include "common/pages/page.h"
+#include "server/memory/memory_need.h"
+#include "server/memory/quota.h"
+
+namespace burnish {
+
+/// One page of a scan in the grid of one mesh, as frames of one kind need it. Clients share it.
+struct LivePage {
+  PageEvaluation evaluation;
+  PageSize size;
+  std::vector<int32_t> cells;  ///< that hold its vertices, each once, rising
+  Quota::Share memory;         ///< share of the server's memory
+
+  PageId number() const { return evaluation.shown.page; }
+  uint64_t byte_count() const {
+    return sizeof(LivePage) + evaluation.byte_count() + cells.capacity() * sizeof(cells[0]);
+  }
+};
+
+/// Measures a page. Needs: depth <= bits of the page's lattice.
+PageSize measure_page(const Page& page, int bits, int depth);
+
+/// Finds the page in the grid. Takes no share of the memory. Needs: as make_page_evaluation().
+LivePage make_live_page(const Page& page, const PageSize& size, int bits, const SparseGrid& grid,
+                        PageFrameKind kind);
+
+}  // namespace burnish

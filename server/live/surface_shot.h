@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "common/page_frames/page_frame_encoder.h"
+#include "common/page_frames/page_sample.h"
+#include "server/live/client_pages.h"
+
+namespace burnish {
+
+/// A session's surface at one moment.
+struct SurfaceMoment {
+  const SparseGrid& grid;
+  std::span<const EvaluationPoint> scan;  ///< one per vertex of the scan
+  std::span<const Vec3f> displacement;    ///< one per corner, cells
+  std::span<const float> beta;            ///< one per cell
+  bool settled = false;
+};
+
+/// The pages that some clients show, sampled at one moment. Immutable: encoders share it.
+class SurfaceShot {
+ public:
+  /// Takes a page once, however many clients show it. Fails: internal if a displacement is not
+  /// finite.
+  static Result<SurfaceShot> take(const SurfaceMoment& moment,
+                                  std::span<const std::shared_ptr<const ClientPages>> clients);
+
+  /// Returns what each page of one of these clients should have, in the order of its pages.
+  std::vector<WantedPage> wanted(const ClientPages& client) const;
+
+  float largest_move() const { return largest_move_; }  ///< of the whole surface, cells
+
+ private:
+  std::vector<const LivePage*> pages_;  // rising; the clients hold them
+  std::vector<PageSample> samples_;
+  std::vector<uint8_t> gains_;
+  float largest_move_ = 0;
+};
+
+}  // namespace burnish

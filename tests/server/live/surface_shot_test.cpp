@@ -1,0 +1,71 @@
+#include "server/live/surface_shot.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/server/manager/test_library.h"
+
+namespace burnish {
+namespace {
+
+/// A sphere of several pages at depth 5, and clients that show some of them.
+class SurfaceShotTest : public testing::Test {
+ protected:
+  SurfaceShotTest() {
+    const std::string id = library_.import(sphere_file(1, 5), "ball").value().scan.id;
+    MeshStore& store = *library_.store;
+    mesh_ = store.open_mesh(id, {5, 0}, {}).value();
+    source_ = std::make_unique<PageSource>(store, store.open_pages(id, {}).value(), mesh_);
+    displacement_.assign(grid().corners.size(), Vec3f(0.25F, 0, 0));
+    beta_.assign(grid().cells.size(), 1);
+  }
+  const SparseGrid& grid() const { return mesh_->hierarchy->at(mesh_->hierarchy->finest).grid; }
+  std::shared_ptr<const ClientPages> client(const std::vector<PageId>& numbers) {
+    ClientPages made;
+    made.pages = source_->find_or_make(numbers, PageFrameKind::kVertices).value();
+    return std::make_shared<const ClientPages>(made);
+  }
+  SurfaceMoment moment(bool settled = true) const {
+    return {grid(), mesh_->prepared->evaluation, displacement_, beta_, settled};
+  }
+
+  TestLibrary library_;
+  std::shared_ptr<const SharedMesh> mesh_;
+  std::unique_ptr<PageSource> source_;
+  std::vector<Vec3f> displacement_;
+  std::vector<float> beta_;
+};
+
+TEST_F(SurfaceShotTest, ClientsShareThePagesThatBothShow) {
+  const std::shared_ptr<const ClientPages> clients[] = {client({0, 1}), client({1, 2})};
+  const SurfaceShot shot = SurfaceShot::take(moment(), clients).value();
+  const auto first = shot.wanted(*clients[0]), second = shot.wanted(*clients[1]);
+  EXPECT_EQ(first[1].steps.data(), second[0].steps.data());
+  EXPECT_NE(first[0].steps.data(), second[1].steps.data());
+  EXPECT_EQ(first[0].steps[0], 64);
+}
+
+TEST_F(SurfaceShotTest, AGainFollowsTheLargestBetaInThePagesCells) {
+  const std::shared_ptr<const ClientPages> clients[] = {client({0, 1})};
+  const auto& cells = clients[0]->pages[0]->cells;
+  const auto& others = clients[0]->pages[1]->cells;
+  const auto own = std::ranges::find_if(
+      cells, [&](int32_t cell) { return !std::ranges::binary_search(others, cell); });
+  beta_[*own] = 5;
+  const SurfaceShot shot = SurfaceShot::take(moment(), clients).value();
+  EXPECT_EQ(shot.wanted(*clients[0])[0].gain, 3);
+  EXPECT_EQ(shot.wanted(*clients[0])[1].gain, 0);
+}
+
+TEST_F(SurfaceShotTest, TheLargestMoveIsOfTheWholeScan) {
+  for (const bool settled : {true, false})
+    EXPECT_FLOAT_EQ(SurfaceShot::take(moment(settled), {}).value().largest_move(), 0.25F);
+}
+
+TEST_F(SurfaceShotTest, ADisplacementThatIsNotFiniteIsAnError) {
+  const std::shared_ptr<const ClientPages> clients[] = {client({0})};
+  displacement_.assign(displacement_.size(), Vec3f::Constant(NAN));
+  EXPECT_EQ(SurfaceShot::take(moment(), clients).status().code(), StatusCode::kInternal);
+}
+
+}  // namespace
+}  // namespace burnish
