@@ -15,6 +15,7 @@
 #include "client/tools/curve_editor.h"
 #include "client/tools/presets.h"
 #include "common/edit/edit.h"
+#include "common/service/page_values.h"
 
 namespace burnish {
 

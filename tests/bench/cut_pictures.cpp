@@ -74,8 +74,7 @@ class CutScan {
         static_cast<uint32_t>(std::min<uint64_t>(budget().slots(), head.page_count()))));
     return cut;
   }
-  explicit CutScan(PageFile file)
-      : file_(std::move(file)), loader_(head(), budget(), false) {}
+  explicit CutScan(PageFile file) : file_(std::move(file)), loader_(head(), budget(), false) {}
 
   Result<Image> draw(const Camera& camera) {
     RETURN_IF_ERROR(settle(camera));
@@ -102,8 +101,8 @@ class CutScan {
       for (const PageId page : loader_.to_decode())
         loader_.on_decoded(page, decode_page(loader_.bytes_of(page)), {});
       for (const PageUpload& upload : loader_.take_uploads())
-        RETURN_IF_ERROR(renderer_->upload_page(
-            upload.slot, make_page_mesh(*upload.content, head().grid)));
+        RETURN_IF_ERROR(
+            renderer_->upload_page(upload.slot, make_page_mesh(*upload.content, head().grid)));
     }
     return internal_error("the cut does not settle: " + status_text(loader_.status()));
   }
@@ -148,14 +147,17 @@ Vec3d point_in_the_middle(const TriangleMesh& mesh, const Camera& camera, double
 }
 
 Status write_pair(const std::filesystem::path& out, const std::string& name, const Image& cut,
-                  const Image& whole) {
+                  const Image& whole, const PictureDifference& difference) {
   if (out.empty()) return Status::ok();
   RETURN_IF_ERROR(write_png(cut, out / (name + "-cut.png")));
+  RETURN_IF_ERROR(
+      write_png(picture_close_up(cut, whole, difference.blob_place), out / (name + "-close.png")));
   return write_png(whole, out / (name + "-whole.png"));
 }
 
 std::string file_name(std::string name) {
-  std::ranges::replace_if(name, [](char c) { return c == ':' || c == '/' || c == '@'; }, '-');
+  std::ranges::replace_if(
+      name, [](char c) { return c == ':' || c == '/' || c == '@'; }, '-');
   return name;
 }
 
@@ -178,9 +180,9 @@ Status compare_scan(const ScanArgument& scan, const BenchArguments& arguments, B
                static_cast<double>(status.triangles_in_view),
                std::string(status.is_full_detail ? "full" : "coarser"), difference.mean,
                static_cast<double>(difference.largest_blob)});
-    RETURN_IF_ERROR(write_pair(arguments.out,
-                               file_name(scan.name()) + "-" + std::to_string(static_cast<int>(zoom)),
-                               cut_picture, whole_picture));
+    RETURN_IF_ERROR(write_pair(
+        arguments.out, file_name(scan.name()) + "-" + std::to_string(static_cast<int>(zoom)),
+        cut_picture, whole_picture, difference));
   }
   return Status::ok();
 }
@@ -203,8 +205,6 @@ Status run(const BenchArguments& arguments, BenchReport& report) {
 }  // namespace burnish
 
 int main(int argc, char** argv) {
-  return burnish::bench_main({"cut_pictures",
-                              {"tablet:400000", "blob:400000", "soup:100000"},
-                              burnish::run},
-                             argc, argv);
+  return burnish::bench_main(
+      {"cut_pictures", {"tablet:400000", "blob:400000", "soup:100000"}, burnish::run}, argc, argv);
 }
