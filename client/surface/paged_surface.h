@@ -78,6 +78,7 @@ class PagedSurface {
 
   PageMarks& marks() { return marks_; }
   StrokeTint& tint() { return tint_; }
+  bool is_tinted() const { return !tint_.is_clear(); }
   /// Returns nothing for a page that is not in memory.
   std::optional<size_t> vertex_count(PageId page) const;
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/connection/session_link.h"
+#include "tests/system/fetched_pages.h"
 #include "tests/system/server_process.h"
 
 namespace burnish {
@@ -36,22 +36,22 @@ TEST_F(Links, PassAllBytesOnAndNoFasterThanTold) {
   const Link link(server_.address, {.megabits_per_second = 40, .delay = milliseconds(1)});
   Connection near = Connection::open(server_.address, kPatience).value();
   Connection far = Connection::open(link.address(), kPatience).value();
-  const View wanted = near.fetch_view({"ball", {5, 0}}, {}).value();
+  const FetchedPages wanted = fetch_all_pages(near, "ball");
   const auto begin = steady_clock::now();
-  const View view = far.fetch_view({"ball", {5, 0}}, {}).value();
-  // About 40,000 vertices, each of which takes more than five bytes.
-  EXPECT_GE(steady_clock::now() - begin, milliseconds(40));
-  EXPECT_EQ(view.triangles, wanted.triangles);
-  EXPECT_EQ(view.vertices, wanted.vertices);
+  const FetchedPages fetched = fetch_all_pages(far, "ball");
+  // About 160,000 triangles of all levels, each of which takes more than a byte.
+  EXPECT_GE(steady_clock::now() - begin, milliseconds(32));
+  ASSERT_EQ(fetched.pages.size(), wanted.pages.size());
+  for (size_t page = 0; page < wanted.pages.size(); ++page) {
+    EXPECT_EQ(fetched.pages[page]->positions, wanted.pages[page]->positions);
+    EXPECT_EQ(fetched.pages[page]->triangles, wanted.pages[page]->triangles);
+  }
 }
 
 TEST_F(Links, CarryALiveSession) {
   const Link link(server_.address, {});
   Connection connection = Connection::open(link.address(), kPatience).value();
-  LiveOptions options;
-  options.greeting.session = "work";
-  options.view = std::make_shared<const View>(connection.fetch_view({"ball", {5, 0}}, {}).value());
-  SessionLink session(connection, options);
+  SessionLink session(connection, fetch_all_pages(connection, "ball").live_options("work", 5));
   ASSERT_TRUE(session.apply({Edit{"a", SetGradientScale{0.5}}}).is_ok());
   EXPECT_TRUE(session.wait_until_acknowledged(kPatience));
   EXPECT_EQ(session.take().link, LinkState::kLive);

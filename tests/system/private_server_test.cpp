@@ -18,7 +18,7 @@
 #include <sys/wait.h>
 
 #include "client/connection/connection.h"
-#include "client/scene/null_renderer.h"
+#include "client/scene/null_page_renderer.h"
 #include "tests/system/private_data.h"
 #include "tests/system/workspace_pictures.h"
 
@@ -206,7 +206,7 @@ class PrivateWorkspace : public testing::Test {
   }
 
   PrivateData data_;
-  NullRenderer renderer_;
+  NullPageRenderer renderer_;
   Workspace workspace_{renderer_, Preferences(), WorkspaceOptions{.private_server = data_.options}};
 };
 

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/system/fetched_pages.h"
 #include "tests/system/server_process.h"
 
 namespace burnish {
@@ -15,35 +16,26 @@ using std::chrono::milliseconds;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A client of the session: its surface and its news.
+constexpr int kDepth = 5;
+
+/// A client of the session that shows the scan's own triangles: its surface and its news.
 class Client {
  public:
-  Client(const ServerProcess& server, const std::string& user, uint64_t triangles_max = 0,
-         FrameContent content = FrameContent::kCoefficients)
-      : connection(Connection::open(server.address, kPatience).value()) {
+  Client(const ServerProcess& server, const std::string& user,
+         std::optional<PageFrameKind> kind = std::nullopt)
+      : connection(Connection::open(server.address, kPatience).value()),
+        pages(fetch_all_pages(connection, "ball")) {
     connection.set_user(user);
-    LiveOptions options;
-    options.greeting.session = "work";
-    options.view = std::make_shared<const View>(
-        connection.fetch_view({"ball", {5, 0}, triangles_max}, {}).value());
-    options.greeting.triangles_max = triangles_max;
-    options.greeting.content = content;
+    LiveOptions options = pages.live_options("work", kDepth);
+    options.greeting.kind = kind;
     options.retry_after_min = milliseconds(20);
     options.retry_after_max = milliseconds(200);
-    view = options.view;
     session = std::make_unique<SessionLink>(connection, options);
+    EXPECT_TRUE(session->show_pages(pages.level(0), {}).is_ok());
   }
 
   void take() {
     news = session->take();
-    if (news.displacement) {
-      const FrameLayout& layout = *news.displacement->layout;
-      displacement.resize(layout.content == FrameContent::kVertices ? view->points.size()
-                                                                    : view->grid.corners.size(),
-                          Vec3f::Zero());
-      for (const int tile : news.displacement->changed_tiles)
-        write_displacement(layout, news.displacement->state, tile, displacement);
-    }
     for (LiveEvent& event : news.events) events.push_back(std::move(event));
   }
 
@@ -61,7 +53,10 @@ class Client {
     return until([this] { return news.link == LinkState::kLive; });
   }
   bool until_settled_with(uint64_t edits) {
-    return until([&] { return news.stats.frame.settled && news.stats.frame.edits >= edits; });
+    return until([&] {
+      const bool has_all = news.frame && news.frame->pages.size() == pages.level(0).size();
+      return has_all && news.stats.frame.settled && news.stats.frame.edits >= edits;
+    });
   }
 
   template <typename Event>
@@ -71,22 +66,26 @@ class Client {
     return nullptr;
   }
 
-  /// Returns the largest move of a vertex, in file units. Needs: coefficients.
+  /// Returns the moves of all shown vertices, in cells.
+  std::vector<Vec3f> moves() const {
+    std::vector<Vec3f> all;
+    if (!news.frame) return all;
+    for (const auto& move : news.frame->moves)
+      all.insert(all.end(), move->displacements.begin(), move->displacements.end());
+    return all;
+  }
+
+  /// Returns the largest move of a vertex, in file units.
   double largest_move() const {
     double largest = 0;
-    if (displacement.empty()) return largest;  // no frame has moved the surface
-    for (const EvaluationPoint& point : view->points) {
-      const Vec3f moved = evaluate<Vec3f>(view->grid, point, displacement);
-      largest = std::max(largest, moved.norm() * view->frame.cell_size);
-    }
-    return largest;
+    for (const Vec3f& move : moves()) largest = std::max<double>(largest, move.norm());
+    return largest * pages.cell_size(kDepth);
   }
 
   Connection connection;
-  std::shared_ptr<const View> view;
+  FetchedPages pages;
   std::unique_ptr<SessionLink> session;
   LiveNews news;
-  std::vector<Vec3f> displacement;
   std::vector<LiveEvent> events;
 };
 
@@ -115,7 +114,7 @@ TEST_F(LiveService, ShowsAnEditToAllItsClients) {
   ASSERT_TRUE(anna.until_settled_with(1));
   ASSERT_TRUE(bert.until_settled_with(1));
   EXPECT_GT(anna.largest_move(), 1e-4);
-  EXPECT_EQ(anna.displacement, bert.displacement);
+  EXPECT_EQ(anna.moves(), bert.moves());
   ASSERT_TRUE(anna.until([&] { return anna.told<EditsAcknowledged>(); }));
   EXPECT_THAT(anna.told<EditsAcknowledged>()->edit_ids, ElementsAre("a"));
   ASSERT_TRUE(bert.until([&] { return bert.told<HistoryState>(); }));
@@ -125,20 +124,32 @@ TEST_F(LiveService, ShowsAnEditToAllItsClients) {
   }));
 }
 
-TEST_F(LiveService, SendsVerticesOrAProxyWhereThatIsAskedFor) {
-  Client whole(server_, "anna", 0, FrameContent::kCoefficients);
-  Client vertices(server_, "bert", 0, FrameContent::kVertices);
-  Client proxy(server_, "carl", 500);
-  ASSERT_TRUE(whole.until_live());
-  ASSERT_TRUE(whole.session->apply(slider("a", 0)).is_ok());
-  for (Client* client : {&whole, &vertices, &proxy}) ASSERT_TRUE(client->until_settled_with(1));
-  EXPECT_TRUE(proxy.view->is_proxy());
-  ASSERT_EQ(vertices.displacement.size(), vertices.view->points.size());
-  for (size_t v = 0; v < vertices.displacement.size(); ++v) {
-    const Vec3f moved =
-        evaluate<Vec3f>(whole.view->grid, whole.view->points[v], whole.displacement);
-    EXPECT_LT((moved - vertices.displacement[v]).norm(), 1.0 / 128) << v;  // two roundings
-  }
+TEST_F(LiveService, SendsVerticesOrCornersAsTheClientInsists) {
+  Client corners(server_, "anna", PageFrameKind::kCorners);
+  Client vertices(server_, "bert", PageFrameKind::kVertices);
+  ASSERT_TRUE(corners.until_live());
+  ASSERT_TRUE(corners.session->apply(slider("a", 0)).is_ok());
+  for (Client* client : {&corners, &vertices}) ASSERT_TRUE(client->until_settled_with(1));
+  const std::vector<Vec3f> some = corners.moves(), others = vertices.moves();
+  ASSERT_EQ(some.size(), others.size());
+  for (size_t v = 0; v < some.size(); ++v)
+    EXPECT_LT((some[v] - others[v]).norm(), 1.0 / 128) << v;  // two roundings
+}
+
+TEST_F(LiveService, MovesThePagesThatAreShownAndNoOthers) {
+  Client anna(server_, "anna");
+  ASSERT_TRUE(anna.until_settled_with(0));
+  const auto fine = anna.pages.level(0);
+  std::vector<PageId> removed;
+  for (const auto& page : fine) removed.push_back(page->id);
+  const PageId root = anna.pages.head.root();
+  ASSERT_TRUE(anna.session->show_pages({anna.pages.pages[root]}, removed).is_ok());
+  ASSERT_TRUE(anna.session->apply(slider("a", 0)).is_ok());
+  ASSERT_TRUE(anna.until([&] {
+    return anna.news.stats.frame.settled && anna.news.stats.frame.edits == 1 &&
+           anna.news.frame->pages == std::vector<PageId>{root};
+  }));
+  EXPECT_GT(anna.largest_move(), 1e-4);
 }
 
 TEST_F(LiveService, ShowsAPreviewAndForgetsIt) {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "client/scene/null_renderer.h"
+#include "client/scene/null_page_renderer.h"
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/system/link.h"
@@ -71,7 +71,7 @@ class WindowImport : public testing::Test {
   }
 
   ServerProcess server_;
-  NullRenderer renderer_;
+  NullPageRenderer renderer_;
   Workspace workspace_{renderer_, Preferences(), WorkspaceOptions()};
 };
 

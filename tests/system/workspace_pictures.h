@@ -17,6 +17,7 @@ bool pictures_until(Workspace& workspace, What what) {
   const auto end = std::chrono::steady_clock::now() + kPatience;
   while (std::chrono::steady_clock::now() < end) {
     EXPECT_TRUE(workspace.update().is_ok());
+    EXPECT_TRUE(workspace.look().is_ok());
     if (what()) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }

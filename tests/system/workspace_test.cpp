@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "client/scene/null_renderer.h"
+#include "client/scene/null_page_renderer.h"
 #include "tests/common/fast_clock.h"
 #include "tests/system/link.h"
 #include "tests/system/server_process.h"
@@ -33,7 +33,9 @@ class WorkspaceService : public testing::Test {
   bool open_through(const std::string& server) {
     workspace_.when_connected([this] { workspace_.join_by_name("work"); });
     workspace_.connect(server);
-    return until([this] { return workspace_.document() && document().is_settled(); });
+    return until([this] {
+      return workspace_.document() && document().is_settled() && document().is_picture_settled();
+    });
   }
 
   bool until_link_is(LinkState state) {
@@ -70,7 +72,7 @@ class WorkspaceService : public testing::Test {
 
   ServerProcess server_;
   Connection owner_ = Connection::open(server_.address, kPatience).value();
-  NullRenderer renderer_;
+  NullPageRenderer renderer_;
   FastClock clock_;
   Workspace workspace_{renderer_, Preferences(), WorkspaceOptions{.clock = clock_.clock()}};
 };
@@ -99,7 +101,7 @@ TEST_F(WorkspaceService, OutlivesItsSessionAndItsScan) {
   use_everything();
   EXPECT_TRUE(workspace_.viewport.style(document()).faded);
   EXPECT_FALSE(document().brush().is_drawing());
-  EXPECT_THAT(renderer_.cell_tint(), testing::Each(0.0f));  // no frame will show those strokes
+  EXPECT_FALSE(document().surface().is_tinted()) << "no frame will show those strokes";
   workspace_.close_document();
   ASSERT_TRUE(until([this] { return workspace_.is_idle(); }));
   EXPECT_TRUE(workspace_.library().scans.empty());
@@ -210,6 +212,7 @@ TEST_F(WorkspaceService, APointerAtRestSeesTheSurfaceThatMovesUnderIt) {
   document().commit_beta();
   ASSERT_TRUE(
       until([&] { return document().is_settled() && document().stats().frame.edits == 2; }));
+  ASSERT_TRUE(workspace_.update().is_ok());  // looks under the pointer in the last picture
   ASSERT_TRUE(workspace_.viewport.hover().has_value());
   EXPECT_LT((ring_pixel() - middle).norm(), 0.1);
   EXPECT_GT((workspace_.viewport.hover()->original - before).norm(), 0.05);

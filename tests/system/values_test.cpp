@@ -1,0 +1,63 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/system/fetched_pages.h"
+#include "tests/system/server_process.h"
+
+namespace burnish {
+namespace {
+
+using testing::Each;
+
+/// A server with a sphere of radius 1 and a session over it.
+class SessionValues : public testing::Test {
+ protected:
+  SessionValues() : connection_(Connection::open(server_.address, kPatience).value()) {
+    EXPECT_TRUE(
+        connection_.import_scan(write_sphere(server_.folder, 4), "ball", {5, 0}, {}).is_ok());
+    EXPECT_TRUE(connection_.open_session({"ball", "work", {5, 0}}).is_ok());
+    const std::vector<Edit> edits = {{"a", SetGradientScale{0.25}},
+                                     {"b", SetTransferCurve{TransferCurve(7)}}};
+    EXPECT_TRUE(connection_.apply("work", edits).is_ok());
+  }
+
+  ServerProcess server_;
+  Connection connection_;
+};
+
+// 1/r times L = sqrt(4 pi r^2).
+constexpr double kKappaOfASphere = 3.545;
+
+TEST_F(SessionValues, ComeForAllCells) {
+  const auto count = connection_.describe_scan("ball", 5).value().prepared.value().cells;
+  const auto values = [&](CellValue value) { return connection_.cells("work", value).value(); };
+  EXPECT_EQ(values(CellValue::kBeta).size(), count);
+  EXPECT_THAT(values(CellValue::kBeta), Each(0.25f));
+  EXPECT_THAT(values(CellValue::kAlpha1), Each(7.f));
+  EXPECT_THAT(values(CellValue::kAlpha2), Each(7.f));
+  double mean = 0;
+  for (const float kappa : values(CellValue::kKappa1)) mean += kappa / static_cast<double>(count);
+  EXPECT_NEAR(mean, kKappaOfASphere, 0.05);
+  EXPECT_EQ(connection_.cells("none", CellValue::kBeta).status().code(),
+            burnish::StatusCode::kNotFound);
+}
+
+TEST_F(SessionValues, ComeForTheVerticesOfPages) {
+  const FetchedPages fetched = fetch_all_pages(connection_, "ball");
+  const std::vector<PageId> pages = {fetched.head.root(), 0};
+  const auto beta = connection_.page_values("work", CellValue::kBeta, pages).value();
+  ASSERT_EQ(beta.size(), 2u);
+  EXPECT_EQ(beta[0].page, fetched.head.root());
+  EXPECT_EQ(beta[1].page, 0u);
+  EXPECT_EQ(beta[0].at(0), 0.25f);
+  EXPECT_TRUE(beta[0].steps.empty()) << "all are alike";
+  const auto kappa = connection_.page_values("work", CellValue::kKappa1, pages).value();
+  const size_t vertices = fetched.pages[0]->positions.size();
+  ASSERT_EQ(kappa[1].steps.size(), vertices);
+  double mean = 0;
+  for (size_t v = 0; v < vertices; ++v) mean += kappa[1].at(v) / static_cast<double>(vertices);
+  EXPECT_NEAR(mean, kKappaOfASphere, 0.1);
+}
+
+}  // namespace
+}  // namespace burnish
