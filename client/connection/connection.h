@@ -98,6 +98,7 @@ class Connection {
                                     const std::filesystem::path& file, const Progress& progress);
 
  private:
+  friend class PageFetcher;
   friend class SessionLink;
   struct State;
   explicit Connection(std::unique_ptr<State> state);

@@ -1,3 +1,5 @@
+#include "client/connection/page_calls.h"
+
 #include <optional>
 
 #include "client/connection/connection_state.h"
@@ -27,9 +29,10 @@ Result<PagesDescription> Connection::describe_pages(const std::string& scan,
   return std::move(*description);
 }
 
-Status Connection::fetch_pages(const PagesWish& wish, const PageTaker& take) {
-  grpc::ClientContext context;
-  const auto reader = state_->library->FetchPages(&context, to_wire(wish));
+Status fetch_parts(const std::string& server, v1::Library::Stub& library,
+                   grpc::ClientContext& context, const PagesWish& wish,
+                   const Connection::PageTaker& take) {
+  const auto reader = library.FetchPages(&context, to_wire(wish));
   v1::FetchPagesEvent event;
   bool is_wanted = true;
   while (reader->Read(&event)) {
@@ -40,7 +43,12 @@ Status Connection::fetch_pages(const PagesWish& wish, const PageTaker& take) {
   }
   const grpc::Status there = reader->Finish();
   if (!is_wanted) return cancelled("fetching pages was cancelled");
-  return call_status(server(), there);
+  return call_status(server, there);
+}
+
+Status Connection::fetch_pages(const PagesWish& wish, const PageTaker& take) {
+  grpc::ClientContext context;
+  return fetch_parts(server(), *state_->library, context, wish, take);
 }
 
 }  // namespace burnish

@@ -13,6 +13,7 @@
 #include "common/base/check.h"
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
+#include "tests/system/fetched_pages.h"
 #include "tests/system/server_process.h"
 #include "tests/system/sheet.h"
 #include "tests/system/x_display.h"
@@ -123,13 +124,15 @@ class Studio {
   /// Adds another user, who works at the right of the inscription.
   void let_bert_in() {
     const SessionInfo session = connection_.list_sessions().value().at(1);
-    LiveOptions options;
-    options.greeting.session = "fresco";
-    options.view = std::make_shared<const View>(
-        connection_.fetch_view({session.scan_id, session.key, 0}, {}).value());
-    bert_ = std::make_unique<SessionLink>(connection_, options);
+    const FetchedPages fetched = fetch_all_pages(connection_, session.scan_id);
+    bert_ = std::make_unique<SessionLink>(connection_,
+                                          fetched.live_options("fresco", session.key.depth));
+    std::vector<Vec3d> vertices;
+    for (const auto& page : fetched.level(0))
+      for (const Vec3i& position : page->positions)
+        vertices.push_back(fetched.head.grid.to_file(position));
     Eigen::AlignedBox3d box;
-    for (const Vec3d& vertex : options.view->vertices) box.extend(vertex);
+    for (const Vec3d& vertex : vertices) box.extend(vertex);
     const Eigen::Matrix3d axes = camera_axes({.azimuth_degrees = 25, .elevation_degrees = 20});
     const double size = box.diagonal().norm();
     const auto badness = [&](const Vec3d& vertex) {  // beside the middle, and in front
@@ -137,7 +140,7 @@ class Studio {
       return (seen.head<2>() - Eigen::Vector2d(0.15, -0.05)).norm() - 0.1 * seen.z();
     };
     const auto best =
-        std::min_element(options.view->vertices.begin(), options.view->vertices.end(),
+        std::min_element(vertices.begin(), vertices.end(),
                          [&](const Vec3d& a, const Vec3d& b) { return badness(a) < badness(b); });
     bert_->move_brush(BrushRing{*best, 0.05 * size});
     pause(1500);

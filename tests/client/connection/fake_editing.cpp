@@ -3,16 +3,19 @@
 #include <algorithm>
 #include <thread>
 
-#include "common/frame_codec/frame_encoder.h"
-#include "tests/common/view/small_view.h"
+#include "common/page_frames/page_frame_encoder.h"
+#include "tests/client/connection/small_surface.h"
 
 namespace burnish {
 
 /// One stream.
 struct FakeEditing::Client {
-  explicit Client(const std::shared_ptr<const FrameLayout>& layout) : encoder(layout) {}
+  explicit Client(PageFrameKind of_kind) : kind(of_kind), encoder(of_kind) {}
 
-  FrameEncoder encoder;
+  PageFrameKind kind;
+  PageFrameEncoder encoder;
+  ShownPages shown;
+  uint32_t sent_revision = 0;
   std::deque<v1::ServerMessage> outgoing;
   uint32_t credits = 0;
   uint64_t shown_version = 0;
@@ -22,7 +25,7 @@ struct FakeEditing::Client {
   bool gone = false;
 };
 
-FakeEditing::FakeEditing() : layout_(small_layout(FrameContent::kCoefficients)) {
+FakeEditing::FakeEditing() {
   show(0);
   start();
 }
@@ -67,7 +70,16 @@ FakeEditing::Seen FakeEditing::seen() const {
 
 void FakeEditing::show(double phase) {
   const std::lock_guard lock(mutex_);
-  sample_ = sample_of(*layout_, wavy_displacement(small_scan().grid, 2, phase));
+  field_ = wavy_field(2, phase);
+  sampler_.sample(field_);
+  ++version_;
+  changed_.notify_all();
+}
+
+void FakeEditing::send(PageFrameKind kind) {
+  const std::lock_guard lock(mutex_);
+  sampler_ = PageSampler(kind);
+  sampler_.sample(field_);
   ++version_;
   changed_.notify_all();
 }
@@ -80,9 +92,32 @@ void FakeEditing::go_away(const std::string& reason, bool come_back) {
   changed_.notify_all();
 }
 
-std::vector<int32_t> FakeEditing::steps() const {
+bool FakeEditing::is_shown_by(const SurfaceFrame& frame, const std::vector<PageId>& pages) const {
   const std::lock_guard lock(mutex_);
-  return sample_.steps;
+  return shows(frame, sampler_, pages);
+}
+
+void FakeEditing::take_pages(Client& client, const v1::ShowPages& message) {
+  seen_.changes.push_back(message);
+  if (client.kind != sampler_.kind()) change_kind(client, sampler_);
+  PageChange change =
+      sampler_.adding(message.revision(), {message.added().begin(), message.added().end()});
+  change.removed.assign(message.removed().begin(), message.removed().end());
+  const Status wrong = client.shown.check(change, sampler_.page_count());
+  BURNISH_CHECK(wrong.is_ok(), wrong.message());
+  client.shown = client.shown.changed(change);
+}
+
+void FakeEditing::take_credit(Client& client, const v1::Credit& credit) {
+  if (client.shown.revision() == 0) ++seen_.credits_before_pages;
+  client.credits = std::min(8u, client.credits + credit.frames());
+  for (const uint64_t frame : credit.decoded()) client.encoder.acknowledge(frame);
+  for (const uint64_t frame : credit.refused()) client.encoder.refuse(frame);
+  seen_.refused_frames += credit.refused_size();
+  if (credit.refused_size() > 0 || credit.key_frame()) client.shown_version = 0;
+  if (!credit.key_frame()) return;
+  ++seen_.key_frame_requests;
+  client.encoder.request_key_frame();
 }
 
 void FakeEditing::take_edits(Client& client, const v1::ApplyEdits& apply) {
@@ -114,25 +149,18 @@ void FakeEditing::take(Client& client, const v1::ClientMessage& message) {
       v1::ServerMessage answer;
       v1::Welcome& welcome = *answer.mutable_welcome();
       welcome.mutable_session()->set_name(message.greeting().session());
-      welcome.mutable_session()->set_depth(6);
+      welcome.mutable_session()->set_depth(small_depth());
       welcome.set_connection(7);
       welcome.set_role(v1::ROLE_EDITOR);
-      welcome.set_content(v1::FRAME_CONTENT_COEFFICIENTS);
-      welcome.set_layout_fingerprint(layout_->fingerprint + faults_.fingerprint_change);
+      welcome.set_pages_fingerprint(kFakeFingerprint + faults_.fingerprint_change);
       client.outgoing.push_back(std::move(answer));
       break;
     }
     case v1::ClientMessage::kCredit:
-      client.credits = std::min(8u, client.credits + message.credit().frames());
-      for (const uint64_t frame : message.credit().decoded()) client.encoder.acknowledge(frame);
-      for (const uint64_t frame : message.credit().refused()) client.encoder.refuse(frame);
-      seen_.refused_frames += message.credit().refused_size();
-      if (message.credit().refused_size() > 0 || message.credit().key_frame())
-        client.shown_version = 0;
-      if (message.credit().key_frame()) {
-        ++seen_.key_frame_requests;
-        client.encoder.request_key_frame();
-      }
+      take_credit(client, message.credit());
+      break;
+    case v1::ClientMessage::kShowPages:
+      take_pages(client, message.show_pages());
       break;
     case v1::ClientMessage::kApply:
       take_edits(client, message.apply());
@@ -158,13 +186,26 @@ void FakeEditing::take(Client& client, const v1::ClientMessage& message) {
   }
 }
 
+void FakeEditing::change_kind(Client& client, const PageSampler& sampler) {
+  std::vector<ShownPage> relaid;
+  for (const ShownPage& page : client.shown.pages()) relaid.push_back(sampler.shown(page.page));
+  client.shown = client.shown.with_layouts(std::move(relaid));
+  client.kind = sampler.kind();
+  client.encoder = PageFrameEncoder(sampler.kind());
+}
+
 // Returns true if there was a reason and a credit for a frame.
 bool FakeEditing::make_frame(Client& client) {
-  if (faults_.silent || client.credits == 0 || client.shown_version == version_) return false;
+  const bool has_news =
+      client.shown_version != version_ || client.sent_revision != client.shown.revision();
+  if (faults_.silent || faults_.make_no_frames || client.credits == 0 || !has_news) return false;
   client.shown_version = version_;
+  client.sent_revision = client.shown.revision();
+  if (client.kind != sampler_.kind()) change_kind(client, sampler_);
   --client.credits;
   ++seen_.frames;
-  EncodedFrame frame = client.encoder.encode(sample_, FrameStep::kStill);
+  const std::vector<WantedPage> wanted = sampler_.wanted(client.shown);
+  EncodedPageFrame frame = client.encoder.encode({client.shown, wanted, 2}, kStillSteps);
   if (faults_.lost_frames > 0) {
     --faults_.lost_frames;
     ++client.credits;
@@ -193,7 +234,7 @@ grpc::Status FakeEditing::Edit(grpc::ServerContext* context, Stream* stream) {
   std::unique_lock lock(mutex_);
   if (faults_.refuse_greeting != grpc::StatusCode::OK)
     return {faults_.refuse_greeting, "go elsewhere"};
-  Client client(layout_);
+  Client client(sampler_.kind());
   client.farewells = farewells_;
   contexts_.push_back(context);
   std::thread reader([&] {
@@ -231,12 +272,6 @@ grpc::Status FakeEditing::Edit(grpc::ServerContext* context, Stream* stream) {
   context->TryCancel();  // ends the reader
   reader.join();
   return grpc::Status::OK;
-}
-
-std::shared_ptr<const View> fake_view() {
-  static const auto view =
-      std::make_shared<const View>(read_view(make_view(small_source(), 0).bytes).value());
-  return view;
 }
 
 }  // namespace burnish

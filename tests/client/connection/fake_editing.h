@@ -11,23 +11,23 @@
 #include <grpcpp/grpcpp.h>
 
 #include "burnish/v1/editing.grpc.pb.h"
-#include "common/frame_codec/frame_layout.h"
-#include "common/frame_codec/frame_sample.h"
-#include "common/view/view.h"
+#include "client/connection/surface_frame.h"
+#include "tests/common/page_frames/small_pages.h"
 
 namespace burnish {
 
-/// Serves Editing.Edit by its contract over the small scan, in this process. Frames come from the
+/// Serves Editing.Edit by its contract over the small pages, in this process. Frames come from the
 /// real encoder; a test can switch on faults. Edits survive stop() and start(), as on a disk.
 class FakeEditing final : public v1::Editing::Service {
  public:
   /// Faults. A test may change them at any time.
   struct Faults {
     bool answer_no_edits = false;  ///< edits are kept, but not acknowledged
-    bool silent = false;           ///< the server answers nothing
-    int corrupt_frames = 0;        ///< number of next frames to corrupt
-    int lost_frames = 0;           ///< frames to drop; the encoder takes them as received
-    int late_frames = 0;           ///< frames to send a second time
+    bool make_no_frames = false;
+    bool silent = false;     ///< the server answers nothing
+    int corrupt_frames = 0;  ///< number of next frames to corrupt
+    int lost_frames = 0;     ///< frames to drop; the encoder takes them as received
+    int late_frames = 0;     ///< frames to send a second time
     grpc::StatusCode refuse_edits = grpc::StatusCode::OK;
     grpc::StatusCode refuse_greeting = grpc::StatusCode::OK;
     uint64_t fingerprint_change = 0;
@@ -43,6 +43,8 @@ class FakeEditing final : public v1::Editing::Service {
     int heartbeats = 0;
     std::vector<v1::Preview> previews;
     std::vector<v1::MoveBrush> rings;
+    std::vector<v1::ShowPages> changes;  ///< of shown pages
+    int credits_before_pages = 0;        ///< credits on streams that have shown no page yet
   };
 
   FakeEditing();
@@ -57,11 +59,13 @@ class FakeEditing final : public v1::Editing::Service {
 
   /// Makes a new surface for all clients.
   void show(double phase);
+  /// Makes frames of this kind for all clients from now on.
+  void send(PageFrameKind kind);
   /// Ends the streams with a farewell.
   void go_away(const std::string& reason, bool come_back);
 
-  /// Returns the state that a client should hold in the end.
-  std::vector<int32_t> steps() const;
+  /// Says whether a client has these pages as it should in the end.
+  bool is_shown_by(const SurfaceFrame& frame, const std::vector<PageId>& pages) const;
 
   using Stream = grpc::ServerReaderWriter<v1::ServerMessage, v1::ClientMessage>;
   grpc::Status Edit(grpc::ServerContext* context, Stream* stream) override;
@@ -69,14 +73,17 @@ class FakeEditing final : public v1::Editing::Service {
  private:
   struct Client;
   void take(Client& client, const v1::ClientMessage& message);
+  void take_pages(Client& client, const v1::ShowPages& change);
+  void take_credit(Client& client, const v1::Credit& credit);
   void take_edits(Client& client, const v1::ApplyEdits& apply);
+  static void change_kind(Client& client, const PageSampler& sampler);
   bool make_frame(Client& client);
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::shared_ptr<const FrameLayout> layout_;
-  FrameSample sample_;
-  uint64_t version_ = 1;  // version of the sample
+  std::vector<Vec3f> field_;
+  PageSampler sampler_{PageFrameKind::kVertices};
+  uint64_t version_ = 1;  // of what the sampler has
   Faults faults_;
   Seen seen_;
   std::vector<grpc::ServerContext*> contexts_;
@@ -87,7 +94,7 @@ class FakeEditing final : public v1::Editing::Service {
   std::unique_ptr<grpc::Server> server_;
 };
 
-/// Returns the view that clients of the fake draw.
-std::shared_ptr<const View> fake_view();
+/// The fingerprint of the pages that the fake serves.
+inline constexpr uint64_t kFakeFingerprint = 0x1234;
 
 }  // namespace burnish

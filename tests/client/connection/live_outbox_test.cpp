@@ -6,6 +6,7 @@ namespace burnish {
 namespace {
 
 const LiveOutbox::Time kNow{};
+constexpr uint32_t kPages = 10;
 
 std::vector<Edit> slider(const std::string& id) {
   return {Edit{id, SetGradientScale{0.5}}};
@@ -32,7 +33,7 @@ std::string next_edit(LiveOutbox& outbox) {
 
 /// Returns an outbox that has sent its greeting.
 LiveOutbox greeted() {
-  LiveOutbox outbox{Greeting()};
+  LiveOutbox outbox(Greeting(), kPages);
   EXPECT_TRUE(says<Greeting>(outbox.next()));
   return outbox;
 }
@@ -43,6 +44,23 @@ TEST(LiveOutbox, SaysItsGreetingFirstAndOnce) {
   outbox.restart();
   EXPECT_TRUE(says<Greeting>(outbox.next()));
   EXPECT_FALSE(outbox.next());
+}
+
+TEST(LiveOutbox, SaysThePagesRightAfterItsGreeting) {
+  LiveOutbox outbox(Greeting(), kPages);
+  outbox.apply(slider("a"), kNow);
+  outbox.move_brush(BrushRing{});
+  auto page = std::make_shared<Page>();
+  page->id = 3;
+  ASSERT_TRUE(outbox.pages().change({std::move(page)}, {}).is_ok());
+  for (int stream = 0; stream < 2; ++stream) {
+    EXPECT_TRUE(says<Greeting>(outbox.next()));
+    const auto change = next<ShowPages>(outbox);
+    EXPECT_EQ(change.revision, 1u);
+    EXPECT_EQ(change.added, std::vector<PageId>{3});
+    EXPECT_TRUE(says<ApplyEdits>(outbox.next()));
+    outbox.restart();
+  }
 }
 
 TEST(LiveOutbox, SaysEditsOnceForEachStreamUntilTheyAreAnswered) {

@@ -6,9 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/page_frames/page_frame_decoder.h"
 #include "tests/client/connection/fake_editing.h"
+#include "tests/client/connection/small_surface.h"
 #include "tests/common/fast_clock.h"
-#include "tests/common/frame_codec/small_scan.h"
 
 namespace burnish {
 namespace {
@@ -23,7 +24,9 @@ class LiveSessions : public testing::Test {
  protected:
   LiveSessions() {
     options_.greeting.session = "work";
-    options_.view = fake_view();
+    options_.head = small_head();
+    options_.depth = small_depth();
+    options_.pages_fingerprint = kFakeFingerprint;
     options_.draw_interval = milliseconds(1);
     options_.retry_after_min = milliseconds(5);
     options_.retry_after_max = milliseconds(50);
@@ -33,6 +36,11 @@ class LiveSessions : public testing::Test {
   void connect() {
     connection_.emplace(Connection::open(server_.address(), milliseconds(10'000)).value());
     session_ = std::make_unique<SessionLink>(*connection_, options_);
+    show(pages_);
+  }
+  void show(const std::vector<PageId>& added, const std::vector<PageId>& removed = {}) {
+    const Status status = session_->show_pages(small_pages_of(added), removed);
+    EXPECT_TRUE(status.is_ok()) << status.message();
   }
 
   void take() {
@@ -40,14 +48,7 @@ class LiveSessions : public testing::Test {
     link_ = news.link;
     stats_ = news.stats;
     unacknowledged_ = news.unacknowledged;
-    if (news.displacement) {
-      if (!shown_.has_value()) shown_steps_.assign(3 * news.displacement->layout->value_count(), 0);
-      shown_ = std::move(news.displacement);
-      for (const int tile : shown_->changed_tiles)
-        shown_->state.read_tile(tile, std::span(shown_steps_)
-                                          .subspan(size_t{3} * shown_->layout->tile_begin(tile),
-                                                   size_t{3} * shown_->layout->tile_size(tile)));
-    }
+    shown_ = news.frame;
     for (LiveEvent& event : news.events) events_.push_back(std::move(event));
   }
 
@@ -72,7 +73,7 @@ class LiveSessions : public testing::Test {
     return until([this] { return link_ == LinkState::kLive; });
   }
   bool until_shown() {
-    return until([this] { return shown_ && shown_steps_ == server_.steps(); });
+    return until([this] { return shown_ && server_.is_shown_by(*shown_, pages_); });
   }
 
   template <typename Event>
@@ -97,8 +98,8 @@ class LiveSessions : public testing::Test {
   LinkState link_ = LinkState::kConnecting;
   LinkStats stats_;
   size_t unacknowledged_ = 0;
-  std::optional<Displacement> shown_;
-  std::vector<int32_t> shown_steps_;  // built from changed tiles only
+  std::vector<PageId> pages_ = {0, 2, 3};  // that are shown
+  std::shared_ptr<const SurfaceFrame> shown_;
   std::vector<LiveEvent> events_;
 };
 
@@ -172,14 +173,21 @@ TEST_F(LiveSessions, HaveAServerThatEndedStartedAgainHoweverOftenThatFails) {
   EXPECT_EQ(tries, 3);
 }
 
-TEST_F(LiveSessions, ShowTheWholeSurfaceAnewAfterTheyCameBack) {
+TEST_F(LiveSessions, ShowAllPagesAnewAfterTheyCameBack) {
   connect();
   ASSERT_TRUE(until_shown());
+  const auto before = shown_;
+  const int credits = server_.seen().credits_before_pages;
   server_.stop();
   server_.show(2);
   server_.start();
   ASSERT_TRUE(until_shown());
-  EXPECT_EQ(shown_->changed_tiles.size(), static_cast<size_t>(shown_->layout->tile_count()));
+  EXPECT_NE(shown_->find(0), before->find(0));
+  EXPECT_GT(shown_->number, before->number);
+  ASSERT_EQ(server_.seen().changes.size(), 2u);
+  EXPECT_EQ(server_.seen().changes[1].revision(), 1u);
+  EXPECT_EQ(server_.seen().changes[1].added_size(), 3);
+  EXPECT_EQ(server_.seen().credits_before_pages, credits);
 }
 
 TEST_F(LiveSessions, ComeBackManyTimes) {
@@ -269,11 +277,68 @@ TEST_F(LiveSessions, EndWhenTheServerWillNeverHaveThem) {
   EXPECT_THAT(told<LinkChanged>().back().reason, HasSubstr("go elsewhere"));
 }
 
-TEST_F(LiveSessions, EndWhenTheViewIsOfAnotherMesh) {
+TEST_F(LiveSessions, ShowOtherPagesAtAnyTime) {
+  pages_.clear();
+  connect();
+  ASSERT_TRUE(until_shown());
+  for (PageId page = 0; page < 6; ++page) {
+    show({page});
+    pages_.push_back(page);
+    ASSERT_TRUE(until_shown()) << page;
+  }
+  show({7}, {0, 3});
+  pages_ = {1, 2, 4, 5, 7};
+  ASSERT_TRUE(until_shown());
+  EXPECT_EQ(server_.seen().key_frame_requests, 0);
+}
+
+TEST_F(LiveSessions, RefuseAWrongChangeOfPagesAtOnce) {
+  connect();
+  EXPECT_EQ(session_->show_pages(small_pages_of({0}), {}).code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(session_->show_pages({}, {5}).code(), StatusCode::kInvalidArgument);
+  EXPECT_TRUE(until_shown());
+}
+
+TEST_F(LiveSessions, SayManyChangesOfPagesAsFewOnesWhileNoFrameComes) {
+  options_.heartbeat_interval = milliseconds(1);
+  connect();
+  ASSERT_TRUE(until_live());
+  server_.set_faults({.make_no_frames = true});
+  for (int i = 0; i < 300; ++i) {
+    show({5});
+    show({6}, {5});
+    take();
+    show({}, {6});
+  }
+  show({7});
+  pages_.push_back(7);
+  pass_heartbeats(3);
+  EXPECT_LE(server_.seen().changes.size(), kPageChangesInFlightMax + 1);
+  server_.set_faults({});
+  ASSERT_TRUE(until_shown());
+  EXPECT_EQ(server_.seen().greetings, 1);
+}
+
+TEST_F(LiveSessions, GoOnWhenTheServerChangesTheKindOfFrames) {
+  connect();
+  for (const PageFrameKind kind : {PageFrameKind::kCorners, PageFrameKind::kVertices}) {
+    ASSERT_TRUE(until_shown());
+    server_.send(kind);
+    ASSERT_TRUE(until_shown());
+    show({static_cast<PageId>(pages_.back() + 1)});
+    pages_.push_back(pages_.back() + 1);
+    server_.show(1);
+    ASSERT_TRUE(until_shown());
+  }
+  EXPECT_EQ(server_.seen().key_frame_requests, 0);
+  EXPECT_EQ(server_.seen().greetings, 1);
+}
+
+TEST_F(LiveSessions, EndWhenTheScanHasOtherPages) {
   server_.set_faults({.fingerprint_change = 1});
   connect();
   ASSERT_TRUE(until([this] { return link_ == LinkState::kEnded; }));
-  EXPECT_THAT(told<LinkChanged>().back().reason, HasSubstr("has to be fetched again"));
+  EXPECT_THAT(told<LinkChanged>().back().reason, HasSubstr("must be opened again"));
 }
 
 TEST_F(LiveSessions, LeaveAServerThatHasFallenSilent) {

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <set>
+#include <vector>
+
+#include "client/pages/page_item.h"
+
+namespace burnish {
+
+/// What a call of FetchPages asks for at once, bytes. More waits, so that it can be cancelled.
+inline constexpr uint64_t kFetchBytesMax = 256 * 1024;
+
+/// The items that are still to be brought: which wait, and which a call is bringing.
+class FetchQueue {
+ public:
+  void ask(PageItem item);
+  /// Nobody waits for the item any more. A call may bring it all the same.
+  void cancel(PageItem item) { open_.erase(item); }
+
+  /// Takes the items of the next call, in the order asked: at most kPagePartsPerFetchMax, and about
+  /// kFetchBytesMax by the mean of those that came.
+  std::vector<PageItem> take_batch();
+
+  /// A call has brought an item. Returns whether somebody waits for it.
+  bool come(PageItem item, uint64_t bytes);
+  bool is_open(PageItem item) const { return open_.contains(item); }
+
+  /// A call has ended. Returns its items that somebody waits for still. They are asked for no more.
+  std::vector<PageItem> end(const std::vector<PageItem>& batch);
+  /// Returns the items that no call is bringing. They are asked for no more.
+  std::vector<PageItem> give_up_waiting();
+
+ private:
+  std::deque<PageItem> waiting_;  // and some that were cancelled
+  std::set<PageItem> open_;       // somebody waits for them
+  std::set<PageItem> under_way_;
+  uint64_t parts_ = 0;  // that came
+  uint64_t bytes_ = 0;
+};
+
+}  // namespace burnish

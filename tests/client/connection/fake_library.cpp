@@ -1,0 +1,116 @@
+#include "tests/client/connection/fake_library.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+
+#include "common/packing/checksum.h"
+#include "common/pages/page_codec.h"
+#include "common/pages/page_format.h"
+#include "tests/common/pages/made_pages.h"
+
+namespace burnish {
+
+FakeLibrary::FakeLibrary() {
+  start();
+}
+
+FakeLibrary::~FakeLibrary() {
+  stop();
+}
+
+void FakeLibrary::start() {
+  stopping_ = false;
+  grpc::ServerBuilder builder;
+  int port = 0;
+  builder.AddListeningPort("127.0.0.1:" + std::to_string(port_), grpc::InsecureServerCredentials(),
+                           &port);
+  builder.RegisterService(this);
+  server_ = builder.BuildAndStart();
+  BURNISH_CHECK(server_ && port > 0, "the fake has its port");
+  port_ = port;
+}
+
+void FakeLibrary::stop() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  changed_.notify_all();
+  if (server_) server_->Shutdown(std::chrono::system_clock::now());
+  server_.reset();
+}
+
+void FakeLibrary::set_faults(const Faults& faults) {
+  const std::lock_guard lock(mutex_);
+  faults_ = faults;
+  changed_.notify_all();
+}
+
+FakeLibrary::Seen FakeLibrary::seen() const {
+  const std::lock_guard lock(mutex_);
+  return seen_;
+}
+
+// A block has the checksum of one; nobody here reads the rest.
+std::vector<uint8_t> FakeLibrary::bytes_of(PageItem item) {
+  if (item.kind == PageItem::Kind::kPage)
+    return encode_page(
+        made_sheet({.id = item.number, .columns = 4, .rows = 3, .patches = 0}, item.number));
+  std::vector<uint8_t> bytes(kPageBlockHeaderBytes + 50, static_cast<uint8_t>(item.number));
+  constexpr size_t kChecksumAt = kPageBlockHeaderBytes - sizeof(uint64_t);
+  const uint64_t checksum = sealed_checksum(bytes, kChecksumAt, kPageBlockHeaderBytes);
+  std::memcpy(&bytes[kChecksumAt], &checksum, sizeof checksum);
+  return bytes;
+}
+
+bool FakeLibrary::wait_while_held(grpc::ServerContext& context) {
+  std::unique_lock lock(mutex_);
+  while (faults_.holds && !stopping_ && !context.IsCancelled())
+    changed_.wait_for(lock, std::chrono::milliseconds(1));
+  return !stopping_ && !context.IsCancelled();
+}
+
+static v1::FetchPagesEvent event_of(PageItem item) {
+  v1::FetchPagesEvent event;
+  v1::PagePart& part =
+      item.kind == PageItem::Kind::kPage ? *event.mutable_page() : *event.mutable_block();
+  const std::vector<uint8_t> bytes = FakeLibrary::bytes_of(item);
+  part.set_number(item.number);
+  part.set_data(bytes.data(), bytes.size());
+  return event;
+}
+
+grpc::Status FakeLibrary::FetchPages(grpc::ServerContext* context,
+                                     const v1::FetchPagesRequest* request, Writer* writer) {
+  std::vector<PageItem> items;
+  for (const uint32_t block : request->blocks()) items.push_back(PageItem::of_block(block));
+  for (const uint32_t page : request->pages()) items.push_back(PageItem::of_page(page));
+  {
+    const std::lock_guard lock(mutex_);
+    seen_.calls.push_back(items);
+    seen_.scan = request->scan();
+    seen_.calls_at_once_max = std::max(seen_.calls_at_once_max, ++calls_now_);
+  }
+  const bool goes_on = wait_while_held(*context);
+  const std::lock_guard lock(mutex_);
+  --calls_now_;
+  if (!goes_on) {
+    ++seen_.cancelled;
+    return {grpc::StatusCode::UNAVAILABLE, "gone"};
+  }
+  if (faults_.turns_around) std::ranges::reverse(items);
+  int parts = 0;
+  for (const PageItem item : items) {
+    if (parts++ == faults_.parts_max) break;
+    if (!faults_.left_out.contains(item.number)) writer->Write(event_of(item));
+  }
+  return {faults_.ends_with, "not today"};
+}
+
+grpc::Status FakeLibrary::ListScans(grpc::ServerContext*, const v1::ListScansRequest*,
+                                    v1::ListScansResponse*) {
+  return grpc::Status::OK;
+}
+
+}  // namespace burnish
