@@ -10,6 +10,7 @@
 
 #include "common/base/progress.h"
 #include "common/edit/edit.h"
+#include "common/service/page_values.h"
 #include "common/service/scan_pages.h"
 #include "common/service/session_history.h"
 #include "common/service/session_info.h"
@@ -96,6 +97,11 @@ class Connection {
   Result<SessionState> state(const std::string& session);
   /// One value per cell, in the order of the view's grid.
   Result<std::vector<float>> cells(const std::string& session, CellValue value);
+
+  /// The value of the cell of each vertex, for pages of the session's scan, in the given order.
+  /// Fails: as the server says; data_loss when it sends other pages.
+  Result<std::vector<PageValues>> page_values(const std::string& session, CellValue value,
+                                              std::span<const PageId> pages);
 
   /// Solves on the server and writes the edited mesh to `file`, whole or not at all.
   Result<ExportSummary> export_mesh(const std::string& session, const ExportWish& wish,

@@ -9,8 +9,7 @@ namespace {
 
 using LiveFrames = LiveWork;
 
-constexpr auto kVertices = PageFrameKind::kVertices;
-constexpr auto kCorners = PageFrameKind::kCorners;
+using enum PageFrameKind;
 
 TEST_F(LiveFrames, SettledEveryClientHoldsTheRoundedDisplacement) {
   auto corners = guest("ann", {"work", kCorners}), vertices = guest("bob", {"work", kVertices}),

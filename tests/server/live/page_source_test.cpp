@@ -9,8 +9,7 @@
 namespace burnish {
 namespace {
 
-constexpr auto kVertices = PageFrameKind::kVertices;
-constexpr auto kCorners = PageFrameKind::kCorners;
+using enum PageFrameKind;
 
 /// A sphere of several pages at depth 5.
 class PageSourceTest : public testing::Test {
