@@ -45,6 +45,7 @@ TEST_F(LiveFrames, OverASlowLinkAMovingSurfaceIsCoarserAndAStillOneExact) {
   auto ann = guest();
   ann.show_level(0);
   ann.settle();
+  ann.subscriber().grant({.frame_bytes = 100});
   ann.edit({{"a", SetGradientScale{0}}});
   int coarsest = 0;
   for (int turns = 0; turns < 100; ++turns) {

@@ -174,7 +174,7 @@ TEST_F(LivePages, AHiddenPageGivesItsMemoryBack) {
   ann.show({}, {0});
   // The frames that had the page are forgotten when later ones are acknowledged.
   for (const double beta : {0.5, 0.25, 0.0}) {
-    ann.edit({{std::to_string(beta), SetGradientScale{beta}}});
+    ASSERT_TRUE(ann.session().preview(ann.connection(), {"slide", SetGradientScale{beta}}).is_ok());
     ann.settle();
   }
   EXPECT_EQ(memory.taken(), before);

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "server/solver/tuning/plan_cycle.h"
 #include "tests/server/manager/test_library.h"
 
 namespace burnish {
