@@ -63,13 +63,6 @@ struct ImportHeader {
   PreparedKey key;
 };
 
-/// The view of a scan that a client wants to draw.
-struct ViewWish {
-  std::string scan;  ///< name, id, or the beginning of one id
-  PreparedKey key;
-  uint64_t triangles_max = 0;  ///< of a proxy; 0: the whole scan
-};
-
 /// The result of an import.
 struct ImportOutcome {
   ScanInfo scan;

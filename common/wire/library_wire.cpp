@@ -31,24 +31,6 @@ Result<ImportHeader> from_wire(const v1::ImportHeader& message) {
   return header;
 }
 
-v1::FetchViewRequest to_wire(const ViewWish& wish) {
-  v1::FetchViewRequest message;
-  message.set_scan(wish.scan);
-  message.set_depth(wish.key.depth);
-  message.set_curvature_radius(wish.key.curvature_radius);
-  message.set_triangles_max(wish.triangles_max);
-  return message;
-}
-
-Result<ViewWish> from_wire(const v1::FetchViewRequest& message) {
-  ViewWish wish;
-  RETURN_IF_ERROR(check_name("the scan's name or id", message.scan()));
-  wish.scan = message.scan();
-  ASSIGN_OR_RETURN(wish.key, prepared_key_from_wire(message.depth(), message.curvature_radius()));
-  wish.triangles_max = message.triangles_max();
-  return wish;
-}
-
 static v1::ScanStatistics to_wire(const MeshStatistics& statistics) {
   v1::ScanStatistics message;
   message.set_vertices(statistics.vertices);

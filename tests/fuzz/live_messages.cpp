@@ -5,6 +5,7 @@
 
 #include "common/base/check.h"
 #include "common/generate/generate.h"
+#include "common/page_frames/shown_pages.h"
 #include "common/wire/live_wire.h"
 #include "server/prepare/prepare.h"
 #include "server/session/previews.h"
@@ -66,6 +67,16 @@ class Desk {
   bool act(const MoveBrush&) { return true; }
   bool act(const Heartbeat&) { return true; }
 
+  // like PageWishes::want()
+  bool act(const ShowPages& change) {
+    static const auto no_layout = std::make_shared<const PageLayout>();
+    PageChange numbers{change.revision, {}, change.removed};
+    for (const PageId page : change.added) numbers.added.push_back({page, no_layout});
+    if (!pages_.check(numbers, kPageCount).is_ok()) return false;
+    pages_ = pages_.changed(numbers);
+    return true;
+  }
+
   bool act(const ApplyEdits& apply) {
     std::vector<AuthoredEdit> fresh;
     std::map<std::string, int> seen;
@@ -92,6 +103,8 @@ class Desk {
     return true;
   }
 
+  static constexpr uint32_t kPageCount = 1000;  // of the scan
+  ShownPages pages_;
   EditedFields edited_{small_scan()};
   Previews previews_;
 };

@@ -63,6 +63,13 @@ class Calls(Served):
             self.assertFails(grpc.StatusCode.INVALID_ARGUMENT,
                              lambda: self.connect(name).apply(session, edits.slider(1)))
 
+    def test_a_call_of_another_version_is_told(self):
+        for method in ("/burnish.v1.Library/FetchView", "/burnish.v2.Editing/Edit"):
+            call = self.client.channel.unary_unary(method)
+            with self.assertRaisesRegex(grpc.RpcError, method + ".*different versions") as failed:
+                call(b"")
+            self.assertEqual(failed.exception.code(), grpc.StatusCode.UNIMPLEMENTED)
+
     def test_all_edits_of_a_message_are_applied_or_none(self):
         session = self.open()
         self.assertFails(grpc.StatusCode.INVALID_ARGUMENT, lambda: self.client.apply(

@@ -4,13 +4,15 @@ import queue
 import zlib
 
 import grpc
+import numpy as np
 
 import wire
 from burnish.v1 import common_pb2, editing_pb2, editing_pb2_grpc, library_pb2, library_pb2_grpc
-from view import read_view
+from pages import read_head, read_page
 
 PATIENCE_S = 120  # a call that takes longer counts as hanging
 CHUNK_BYTES = 1 << 20
+PAGES_AT_ONCE = 64
 
 
 def join_chunks(chunks):
@@ -64,16 +66,27 @@ class Client:
         request = editing_pb2.OpenSessionRequest(scan=scan, name=name, depth=depth)
         return self.call(self.editing.OpenSession, request).session
 
-    def fetch_view(self, session, triangles_max=0):
-        """Returns the view that a session's frames describe."""
-        request = library_pb2.FetchViewRequest(
-            scan=session.scan_id, depth=session.depth, curvature_radius=session.curvature_radius,
-            triangles_max=triangles_max)
-        events = list(self.call(self.library.FetchView, request))
-        header = next(event.header for event in events if event.HasField("header"))
-        data = join_chunks(event.chunk for event in events if event.HasField("chunk"))
-        wire.require(len(data) == header.size_bytes, "the view is cut off")
-        return read_view(data)
+    def describe_pages(self, scan_id):
+        """Returns the head of a scan's pages."""
+        request = library_pb2.DescribePagesRequest(scan=scan_id)
+        events = list(self.call(self.library.DescribePages, request))
+        return read_head(events[-1].done.head)
+
+    def fetch_pages(self, scan_id, numbers):
+        """Returns pages by their numbers."""
+        pages = {}
+        for begin in range(0, len(numbers), PAGES_AT_ONCE):
+            request = library_pb2.FetchPagesRequest(scan=scan_id,
+                                                    pages=numbers[begin:begin + PAGES_AT_ONCE])
+            for event in self.call(self.library.FetchPages, request):
+                pages[event.page.number] = read_page(event.page.data)
+        return pages
+
+    def page_values(self, session, value, numbers):
+        """Returns a value per vertex, by page."""
+        request = editing_pb2.GetPageValuesRequest(session=session.id, value=value, pages=numbers)
+        return {event.page: (event.low, event.high, np.frombuffer(event.steps, np.uint8))
+                for event in self.call(self.editing.GetPageValues, request)}
 
     def apply(self, session, *edits):
         request = editing_pb2.ApplyRequest(session=session.id, edits=edits)

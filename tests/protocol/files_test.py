@@ -1,4 +1,4 @@
-"""Scans, views and files (docs/protocol.md, section 3)."""
+"""Scans, pages and files (docs/protocol.md, section 3)."""
 
 import hashlib
 import unittest
@@ -9,7 +9,8 @@ import numpy as np
 from burnish.v1 import editing_pb2
 from client import join_chunks
 from served import DEPTH, Served
-from wire import morton_point
+from shown import Scan, match
+from wire import morton_key
 
 
 class Files(Served):
@@ -34,15 +35,26 @@ class Files(Served):
         self.assertFails(grpc.StatusCode.DATA_LOSS, lambda: self.client.import_scan(
             "another", self.ply, DEPTH, sha256="0" * 64))
 
-    def test_a_view_holds_the_scans_vertices_to_a_millionth_of_a_cell(self):
-        view = self.client.fetch_view(self.open())
-        np.testing.assert_array_equal(view.triangles, self.triangles)
-        off = np.abs(view.positions() - self.vertices).max() / view.cell_size
-        self.assertLess(off, 1e-6)
-        self.assertEqual(view.homes[-1], -1)
-        np.testing.assert_array_equal(view.strays, self.vertices[-1:])
+    def test_level_0_holds_the_scans_vertices_to_half_a_step(self):
+        scan = self.fetch(self.open())
+        step = scan.head.side / (1 << scan.head.bits)
+        triangles, seen = 0, set()
+        for page in scan.pages.values():
+            places = scan.head.places(page.positions)
+            vertices = match(places, self.vertices, step)
+            self.assertLess(np.abs(places - self.vertices[vertices]).max() / step, 0.51)
+            seen.update(vertices.tolist())
+            triangles += len(page.triangles)
+        self.assertEqual(triangles, len(self.triangles))
+        self.assertEqual(seen, set(range(len(self.vertices) - 1)))  # the last has no triangle
 
-    def test_a_view_has_the_scans_colours(self):
+    def fetch(self, session):
+        """Returns the pages of level 0."""
+        scan = Scan(self.client, session)
+        scan.fetch(scan.level_0)
+        return scan
+
+    def test_pages_have_the_scans_colours(self):
         corners = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)])
         faces = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
         text = ["ply", "format ascii 1.0", "element vertex 4",
@@ -52,29 +64,42 @@ class Files(Served):
                 *("%d %d %d %d %d %d" % (*corner, *(200 * corner + 5)) for corner in corners),
                 *("3 %d %d %d" % face for face in faces), ""]
         events = self.client.import_scan("coloured", "\n".join(text).encode(), 4)
-        view = self.client.fetch_view(
-            editing_pb2.SessionInfo(scan_id=events[-1].done.scan.id, depth=4))
-        np.testing.assert_array_equal(view.colours[:, :3], 200 * corners + 5)
-        np.testing.assert_array_equal(view.colours[:, 3], 255)
+        scan = self.fetch(editing_pb2.SessionInfo(scan_id=events[-1].done.scan.id, depth=4))
+        page = scan.pages[0]
+        nearest = np.rint(scan.head.places(page.positions)).astype(int)
+        np.testing.assert_array_equal(page.colours[:, :3], 200 * nearest + 5)
+        np.testing.assert_array_equal(page.colours[:, 3], 255)
 
-    def test_a_depth_that_nobody_prepared_is_a_failed_precondition(self):
-        self.assertFails(grpc.StatusCode.FAILED_PRECONDITION, lambda: self.client.fetch_view(
-            editing_pb2.SessionInfo(scan_id=self.scan.id, depth=5)))
-
-    def test_cells_come_in_the_views_order(self):
+    def test_cells_come_in_morton_order(self):
         session = self.open()
-        view = self.client.fetch_view(session)
-        i, j, k = morton_point(view.cells[7:8])[0].tolist()
+        scan = self.fetch(session)
+        cells = np.unique(np.concatenate([scan.cells(page) for page in scan.pages]), axis=0)
+        i, j, k = cells[7].tolist()
         cell = editing_pb2.CellField(i=i, j=j, k=k, alpha1=50, alpha2=50, beta=0.5)
         self.assertEqual(self.client.upload_cells(session, "upload", [cell]).applied, 1)
         self.assertEqual(self.client.upload_cells(session, "upload", [cell]).known, 1)
         request = editing_pb2.GetCellsRequest(session=session.id,
                                               value=editing_pb2.CELL_VALUE_BETA)
         data = join_chunks(self.client.call(self.client.editing.GetCells, request))
-        expected = np.ones(len(view.cells), np.float32)
-        expected[7] = 0.5
-        np.testing.assert_array_equal(np.frombuffer(data, "<f4"), expected)
+        betas = np.frombuffer(data, "<f4")
+        self.assertGreaterEqual(len(betas), len(cells))  # cells without a vertex come too
+        place = np.flatnonzero(betas == 0.5)
+        self.assertEqual(len(place), 1)
+        before = (morton_key(cells) < morton_key(cells[7:8])).sum()
+        self.assertGreaterEqual(place[0], before)
 
+        for page, (low, high, steps) in self.client.page_values(
+                session, editing_pb2.CELL_VALUE_BETA, list(scan.pages)).items():
+            own = (scan.cells(page) == (i, j, k)).all(axis=1)
+            self.assertEqual((low, high), (0.5, 1) if own.any() else (1, 1))
+            np.testing.assert_array_equal(steps, np.where(own, 0, 255) if own.any() else [])
+
+    def test_values_are_of_pages_that_there_are(self):
+        session = self.open()
+        count = Scan(self.client, session).head.page_count
+        for pages, text in ([count], f"0..{count - 1}"), ([], "1..4096"), ([0] * 4097, "4097"):
+            with self.assertRaisesRegex(grpc.RpcError, text):
+                self.client.page_values(session, editing_pb2.CELL_VALUE_BETA, pages)
 
     def test_an_upload_that_ends_early_is_data_loss(self):
         session = self.open()

@@ -1,55 +1,56 @@
-"""The layout of a view's frames, by section 7 of docs/protocol.md."""
+"""The values that frames carry for a page, by section 7 of docs/protocol.md."""
 
 import numpy as np
 
-from wire import morton_key, morton_point, xxh3
+from wire import morton_key
 
-TILE_VALUES = 2048
-NONE = TILE_VALUES  # of a predictor: means 0
-COEFFICIENTS, VERTICES = 0, 1
+VERTICES, CORNERS = 0, 1
+OFFSETS = np.array([(a & 1, a >> 1 & 1, a >> 2) for a in range(8)])
+
+
+def or_the_one_before(predictors):
+    """A value without predictors has the value before it; the first has none."""
+    return [tuple(sorted(found)) or ((index - 1,) if index else ())
+            for index, found in enumerate(predictors)]
+
+
+def vertex_predictors(page):
+    """The predictors of a vertex are the earlier vertices of its triangles."""
+    earlier = [set() for _ in page.positions]
+    for triangle in page.triangles.tolist():
+        for vertex in triangle:
+            earlier[vertex].update(other for other in triangle if other < vertex)
+    return or_the_one_before(earlier)
 
 
 class Layout:
-    """The values that the frames of a view carry, and the predictors of each."""
+    """The values of a page in frames of one kind, and the predictors of each. `shift`: bits of a
+    position below its cell."""
 
-    def __init__(self, view, content):
-        self.content = content
-        if content == COEFFICIENTS:
-            largest = np.zeros(len(view.corners), np.float32)
-            home = view.homes >= 0
-            np.maximum.at(largest, view.cell_corners[view.homes[home]], view.weights()[home])
-            self.source = np.flatnonzero(largest > 0).astype("<i4")
-            places = morton_point(view.corners[self.source])
-            tiles = [self._grid_predictors(places[begin:begin + TILE_VALUES])
-                     for begin in range(0, len(places), TILE_VALUES)]
-            self.predictors = np.concatenate(tiles) if tiles else np.empty((0, 3), "<u2")
-        else:
-            vertices = np.flatnonzero(view.homes >= 0)
-            within = np.minimum((view.locals[vertices] * np.float32(256)).astype(np.int64), 255)
-            order = np.lexsort((vertices, morton_key(within), view.homes[vertices]))
-            self.source = vertices[order].astype("<i4")
-            self.predictors = np.full((len(order), 3), NONE, "<u2")
-            index = np.arange(len(order)) % TILE_VALUES
-            self.predictors[index > 0, 0] = index[index > 0] - 1
-        self.fingerprint = xxh3(self.predictors.tobytes(),
-                                seed=xxh3(self.source.tobytes(), seed=content))
+    def __init__(self, page, shift, kind):
+        self.kind = kind
+        if kind == VERTICES:
+            self.predictors = vertex_predictors(page)
+            return
+        cells = page.positions.astype(np.int64) >> shift
+        places = (cells[:, None, :] + OFFSETS).reshape(-1, 3)
+        _, first, index = np.unique(morton_key(places), return_index=True, return_inverse=True)
+        self.corners = places[first]
+        self.of_vertex = index.reshape(-1, 8)
+        local = ((page.positions.astype(np.int64) & ((1 << shift) - 1)) + 0.5) / (1 << shift)
+        self.weights = np.prod(np.where(OFFSETS == 1, local[:, None, :], 1 - local[:, None, :]),
+                               axis=2)
+        self.predictors = self._corner_predictors()
 
-    @staticmethod
-    def _grid_predictors(places):
-        index_of = {tuple(place): index for index, place in enumerate(places)}
-        predictors = np.full((len(places), 3), NONE, "<u2")
-        for index, (i, j, k) in enumerate(places):
-            def at(x, y, z):
-                return index_of.get((i - x, j - y, k - z), NONE)
-            along = at(1, 0, 0), at(0, 1, 0), at(0, 0, 1)
-            squares = [(along[0], along[1], at(1, 1, 0)), (along[0], along[2], at(1, 0, 1)),
-                       (along[1], along[2], at(0, 1, 1))]
-            whole = [square for square in squares if NONE not in square]
-            alone = [one for one in along if one != NONE] + [index - 1 if index else NONE]
-            predictors[index] = whole[0] if whole else (alone[0], NONE, NONE)
-        return predictors
+    def _corner_predictors(self):
+        index_of = {tuple(corner): index for index, corner in enumerate(self.corners.tolist())}
+        down = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+        return or_the_one_before(
+            [index_of[below] for below in ((i - x, j - y, k - z) for x, y, z in down)
+             if below in index_of] for i, j, k in self.corners.tolist())
 
-    @property
-    def tile_sizes(self):
-        count = len(self.source)
-        return [min(TILE_VALUES, count - begin) for begin in range(0, count, TILE_VALUES)]
+    def at_vertices(self, displacements):
+        """Returns the displacement of each vertex from those of the values."""
+        if self.kind == VERTICES:
+            return displacements
+        return np.einsum("va,vax->vx", self.weights, displacements[self.of_vertex])

@@ -3,29 +3,35 @@
 import queue
 
 from burnish.v1 import editing_pb2
-from frame import FrameDecoder, MissingReference, read_frame_header
-from layout import VERTICES, Layout
+from frame import MissingReference, read_frame_header
+from shown import Scan
 
 
 class LiveSession:
-    """Decodes frames as they come, and names them in the next credit."""
+    """Decodes frames as they come, and names them in the next credit. Shows nothing at first."""
 
-    def __init__(self, client, session, view, content, triangles_max=0):
+    def __init__(self, client, session, kind=editing_pb2.FRAME_KIND_UNSPECIFIED):
         self._requests = queue.SimpleQueue()
         self._call = client.call(client.editing.Edit, iter(self._requests.get, None))
         self._decoded = []
-        self.view = view
         self.headers = []  # of the decoded frames
         self.frame = None  # the newest message
         self.is_shown = False  # the newest message was decoded
-        self.send(greeting=editing_pb2.Greeting(session=session.id, content=content,
-                                                triangles_max=triangles_max))
+        self.scan = Scan(client, session)
+        self.decoder = self.scan.decoder()
+        self.send(greeting=editing_pb2.Greeting(session=session.id, kind=kind, pages=True))
         self.welcome = self.receive("welcome")
-        self.layout = Layout(view, self.welcome.content - 1)
-        self.decoder = FrameDecoder(self.layout)
 
     def send(self, **message):
         self._requests.put(editing_pb2.ClientMessage(**message))
+
+    def show(self, added, removed=()):
+        """Shows other pages from the next frames on."""
+        self.scan.fetch(added)
+        revision = self.decoder.show(added, removed)
+        self.send(show_pages=editing_pb2.ShowPages(revision=revision, added=added,
+                                                   removed=removed))
+        return revision
 
     def receive(self, kind):
         """Returns the next message of this kind."""
@@ -56,17 +62,15 @@ class LiveSession:
                 return frame
 
     def settle(self, edits=0, previews=0, **credit):
-        """Waits until the surface with this many edits and previews is at rest."""
+        """Waits until the surface with this many edits and previews is at rest, and all pages that
+        were asked for are shown."""
         return self.receive_frame(lambda frame: (
             frame.state == editing_pb2.SOLVE_STATE_SETTLED and frame.edits >= edits and
-            frame.previews >= previews), **credit)
+            frame.previews >= previews and len(self.decoder.revisions) == 1), **credit)
 
-    def positions(self):
-        """Returns the positions of the view's vertices in the newest frame."""
-        if self.layout.content == VERTICES:
-            return self.view.positions(self.decoder.displacements(len(self.view.homes)))
-        at_corners = self.decoder.displacements(len(self.view.corners))
-        return self.view.positions(self.view.interpolate(at_corners))
+    def displacements(self):
+        """Returns the displacements of the shown pages' vertices in the newest frame, by page."""
+        return {page: self.decoder.displacements(page) for page in self.decoder.state}
 
     def leave(self):
         """Closes this side. Returns the remaining messages and the call's status."""

@@ -1,4 +1,4 @@
-"""Pages, decoded as docs/protocol.md says in section 10. Arrays are NumPy's, a row per element."""
+"""Pages, decoded as docs/protocol.md says in section 6. Arrays are NumPy's, a row per element."""
 
 import dataclasses
 import struct
@@ -17,6 +17,32 @@ class Page:
     patches: list               # (finer page, triangles)
     normals: np.ndarray         # of the border, or of all
     colours: np.ndarray         # n x 4 bytes, or empty
+
+
+@dataclasses.dataclass
+class Head:
+    bits: int            # Q
+    origin: np.ndarray   # the scan's units
+    side: float
+    level_pages: list    # level 0 first
+    fingerprint: int     # its checksum
+
+    @property
+    def page_count(self):
+        return sum(self.level_pages)
+
+    def places(self, positions):
+        """Returns what positions mean, in the scan's units."""
+        return self.origin + (positions + 0.5) * (self.side / (1 << self.bits))
+
+
+def read_head(data):
+    require(data[:4] == b"BnPh" and data[4] == 1, "not a head of version 1")
+    bits, levels = data[5], data[6]
+    numbers = struct.unpack_from("<4d4QQ", data, 8)
+    require(numbers[-1] == checksum(data, 80), "the head's checksum is wrong")
+    return Head(bits, np.array(numbers[:3]), numbers[3],
+                list(struct.unpack_from(f"<{levels}I", data, 80)), numbers[-1])
 
 
 @dataclasses.dataclass

@@ -43,10 +43,13 @@ class Served(unittest.TestCase):
             request = editing_pb2.DeleteSessionRequest(session=session.id)
             self.client.call(self.client.editing.DeleteSession, request)
 
-    def join(self, session, content=editing_pb2.FRAME_CONTENT_UNSPECIFIED, triangles_max=0):
-        view = self.client.fetch_view(session, triangles_max)
-        live = LiveSession(self.client, session, view, content, triangles_max)
+    def join(self, session, kind=editing_pb2.FRAME_KIND_UNSPECIFIED, pages=None):
+        """Shows `pages`, or the scan itself."""
+        live = LiveSession(self.client, session, kind)
         self.addCleanup(live.cancel)
+        pages = live.scan.level_0 if pages is None else pages
+        if pages:
+            live.show(pages)
         return live
 
     def assertFails(self, code, call):

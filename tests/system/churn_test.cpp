@@ -53,6 +53,7 @@ class IdleWatcher {
       : stub_(v1::Editing::NewStub(wire_channel(address))) {
     v1::WatchRequest request;
     request.mutable_greeting()->set_session("work");
+    request.mutable_greeting()->set_pages(true);
     stream_ = stub_->Watch(&context_, request);
   }
   ~IdleWatcher() {

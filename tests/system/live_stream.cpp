@@ -22,6 +22,7 @@ LiveStream::~LiveStream() {
 void LiveStream::greet(const std::string& session) {
   v1::ClientMessage message;
   message.mutable_greeting()->set_session(session);
+  message.mutable_greeting()->set_pages(true);
   send(message);
 }
 

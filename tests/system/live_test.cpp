@@ -158,6 +158,7 @@ TEST_F(Live, AStreamThatDoesNotBeginWithAGreetingIsEnded) {
 TEST_F(Live, AMessageThatItsStreamDoesNotTakeEndsItIsLoggedAndCounted) {
   v1::ClientMessage second_greeting, of_too_many, nothing;
   second_greeting.mutable_greeting()->set_session("work");
+  second_greeting.mutable_greeting()->set_pages(true);
   for (uint64_t i = 0; i < 257; ++i) of_too_many.mutable_credit()->add_decoded(i);
   double refused = 0;
   for (const v1::ClientMessage& wrong : {second_greeting, of_too_many, nothing}) {
@@ -177,6 +178,7 @@ TEST_F(Live, AMessageThatItsStreamDoesNotTakeEndsItIsLoggedAndCounted) {
 TEST_F(Live, BytesThatAreNoMessageEndTheirStreamAreLoggedAndCounted) {
   v1::ClientMessage greeting;
   greeting.mutable_greeting()->set_session("work");
+  greeting.mutable_greeting()->set_pages(true);
   const WireAnswer answer =
       call(channel(), {.method = "/burnish.v1.Editing/Edit",
                        .messages = {greeting.SerializeAsString(), "\xff\xff\xff"},
@@ -270,6 +272,8 @@ TEST_F(Live, WatchersGetKeyFrames) {
   grpc::ClientContext context;
   v1::WatchRequest request;
   request.mutable_greeting()->set_session("work");
+  request.mutable_greeting()->set_pages(true);
+  request.add_pages(0);
   const auto stream = stub->Watch(&context, request);
   v1::ServerMessage message;
   int frames = 0;

@@ -84,13 +84,18 @@ std::string apply(const std::string& session) {
 }
 
 std::string greeting(const std::string& session) {
-  return bytes<v1::ClientMessage>(
-      [&](v1::ClientMessage& message) { message.mutable_greeting()->set_session(session); });
+  return bytes<v1::ClientMessage>([&](v1::ClientMessage& message) {
+    message.mutable_greeting()->set_session(session);
+    message.mutable_greeting()->set_pages(true);
+  });
 }
 
 std::string watch(const std::string& session) {
-  return bytes<v1::WatchRequest>(
-      [&](v1::WatchRequest& request) { request.mutable_greeting()->set_session(session); });
+  return bytes<v1::WatchRequest>([&](v1::WatchRequest& request) {
+    request.mutable_greeting()->set_session(session);
+    request.mutable_greeting()->set_pages(true);
+    request.add_pages(0);
+  });
 }
 
 std::string set_role(const std::string& session) {
@@ -122,6 +127,14 @@ std::string cells(const std::string& session) {
   });
 }
 
+std::string page_values(const std::string& session) {
+  return bytes<v1::GetPageValuesRequest>([&](v1::GetPageValuesRequest& request) {
+    request.set_session(session);
+    request.set_value(v1::CELL_VALUE_BETA);
+    request.add_pages(0);
+  });
+}
+
 std::string export_of(const std::string& session) {
   return bytes<v1::ExportRequest>([&](v1::ExportRequest& request) {
     request.set_session(session);
@@ -143,9 +156,6 @@ std::vector<Rpc> rpcs_in_order(const std::string& scan) {
       {library + "PrepareScan",
        {of_scan<v1::PrepareScanRequest>("ball")},
        {of_scan<v1::PrepareScanRequest>("none")}},
-      {library + "FetchView",
-       {of_scan<v1::FetchViewRequest>("ball")},
-       {of_scan<v1::FetchViewRequest>("none")}},
       {library + "DescribePages",
        {of_scan<v1::DescribePagesRequest>("ball")},
        {of_scan<v1::DescribePagesRequest>("none")}},
@@ -164,6 +174,7 @@ std::vector<Rpc> rpcs_in_order(const std::string& scan) {
        {of_session<v1::GetPeopleRequest>("work")},
        {of_session<v1::GetPeopleRequest>("none")}},
       {editing + "GetCells", {cells("work")}, {cells("none")}},
+      {editing + "GetPageValues", {page_values("work")}, {page_values("none")}},
       {editing + "SetRole", {set_role("work")}, {set_role("none")}},
       {editing + "Edit", {greeting("work")}, {greeting("none")}},
       {editing + "Watch", {watch("work")}, {watch("none")}, StatusCode::NOT_FOUND, false, true},

@@ -5,8 +5,7 @@
 namespace burnish {
 namespace {
 
-constexpr auto kVertices = PageFrameKind::kVertices;
-constexpr auto kCorners = PageFrameKind::kCorners;
+using enum PageFrameKind;
 
 TEST(ChooseKind, AFreeChoiceTakesTheCheaperOne) {
   EXPECT_EQ(choose_kind({}, 1000, 700), kCorners);

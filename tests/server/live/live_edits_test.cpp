@@ -35,36 +35,39 @@ TEST_F(LiveEdits, EditsAreAnsweredOnceOnDiskAllOrNone) {
 
 TEST_F(LiveEdits, APreviewReachesEverybodyAndIsGoneWithItsConnection) {
   auto ann = guest(), bob = guest("bob");
+  bob.show_level(0);
   bob.settle();
-  const FrameSample before = shown(bob);
+  const std::vector<int32_t> before = bob.pages.values();
   ASSERT_TRUE(ann.session().preview(ann.connection(), {"drag", stroke()}).is_ok());
   bob.subscriber().grant({.frames = 1});
   bob.settle();
-  EXPECT_NE(shown(bob).steps, before.steps);
+  EXPECT_NE(bob.pages.values(), before);
   EXPECT_EQ(bob.all<LiveFrame>().back().stats.edits, 0u);
   ann.leave();
   bob.subscriber().grant({.frames = 1});
   bob.settle();
+  const std::vector<int32_t> after = bob.pages.values();
   int worst = 0;
-  for (size_t i = 0; i < before.steps.size(); ++i)
-    worst = std::max(worst, std::abs(before.steps[i] - shown(bob).steps[i]));
+  for (size_t i = 0; i < before.size(); ++i)
+    worst = std::max(worst, std::abs(before[i] - after[i]));
   EXPECT_LE(worst, 1);
   EXPECT_EQ(manager_->list()[0].edits, 0u);
 }
 
 TEST_F(LiveEdits, APreviewGivesWayToItsEditAndFramesCountIt) {
   auto ann = guest();
+  ann.show_level(0);
   ann.settle();
   ASSERT_TRUE(ann.session().preview(ann.connection(), {"drag", SetGradientScale{0.5}}).is_ok());
   ann.subscriber().grant({.frames = 1});
   ann.settle();
   EXPECT_EQ(ann.all<LiveFrame>().back().stats.previews, 1u);
-  const FrameSample dragged = shown(ann);
+  const std::vector<int32_t> dragged = ann.pages.values();
   ann.edit({{"drag", SetGradientScale{0.5}}});
   ann.subscriber().grant({.frames = 1});
   ann.settle();
   EXPECT_EQ(ann.all<LiveFrame>().back().stats.edits, 1u);
-  EXPECT_EQ(shown(ann).steps, dragged.steps);
+  EXPECT_EQ(ann.pages.values(), dragged);
 }
 
 TEST_F(LiveEdits, AnExportLeavesPreviewsOut) {

@@ -9,8 +9,7 @@ namespace {
 
 using LiveFrames = LiveWork;
 
-constexpr auto kVertices = PageFrameKind::kVertices;
-constexpr auto kCorners = PageFrameKind::kCorners;
+using enum PageFrameKind;
 
 TEST_F(LiveFrames, SettledEveryClientHoldsTheRoundedDisplacement) {
   auto corners = guest("ann", {"work", kCorners}), vertices = guest("bob", {"work", kVertices}),
@@ -46,6 +45,7 @@ TEST_F(LiveFrames, OverASlowLinkAMovingSurfaceIsCoarserAndAStillOneExact) {
   auto ann = guest();
   ann.show_level(0);
   ann.settle();
+  ann.subscriber().grant({.frame_bytes = 100});
   ann.edit({{"a", SetGradientScale{0}}});
   int coarsest = 0;
   for (int turns = 0; turns < 100; ++turns) {

@@ -43,23 +43,6 @@ TEST_F(LiveMemory, PagesThatDoNotFitEndTheStreamAndSayWhy) {
   EXPECT_FALSE(bob.finished);
 }
 
-TEST_F(LiveMemory, HiddenPagesGiveTheirMemoryBack) {
-  auto ann = guest();
-  ann.settle();
-  Quota& memory = manager_->memory();
-  const uint64_t before = memory.taken();
-  ann.show({0});
-  ann.settle();
-  EXPECT_GT(memory.taken(), before);
-  ann.show({}, {0});
-  // The frames that had the page are forgotten when later ones are acknowledged.
-  for (const char* id : {"a", "b", "c"}) {
-    ann.edit({{id, stroke()}});
-    ann.settle();
-  }
-  EXPECT_EQ(memory.taken(), before);
-}
-
 TEST_F(LiveMemory, WhoDoesNotFitIsNotLetIn) {
   auto ann = guest();
   Quota& memory = manager_->memory();

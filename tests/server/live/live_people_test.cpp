@@ -12,7 +12,7 @@ using LivePeople = LiveWork;
 TEST_F(LivePeople, AViewerNeitherEditsNorPreviews) {
   ASSERT_TRUE(manager_->set_role("work", "ann", "bob", SessionRole::kViewer, {}).is_ok());
   auto bob = guest("bob");
-  EXPECT_EQ(bob.role, SessionRole::kViewer);
+  EXPECT_EQ(bob.welcome.role, SessionRole::kViewer);
   bob.edit({{"a", SetGradientScale{0.5}}});
   bob.run();
   EXPECT_EQ(bob.all<EditsRefused>()[0].status.code(), StatusCode::kPermissionDenied);
@@ -95,7 +95,7 @@ TEST_F(LivePeople, AViewerOfTheServerIsOneInEverySession) {
   Caller vera("vera");
   vera.most = SessionRole::kViewer;
   auto guest = LiveGuest(*live_, *library_.store, {"work"}, vera);
-  EXPECT_EQ(guest.role, SessionRole::kViewer);
+  EXPECT_EQ(guest.welcome.role, SessionRole::kViewer);
   guest.edit({{"a", SetGradientScale{0}}});
   guest.run();
   ASSERT_EQ(guest.all<EditsRefused>().size(), 1u);

@@ -38,7 +38,8 @@ std::vector<int32_t> LiveWork::sample(LiveGuest& guest) {
         make_page_evaluation(guest.pages.page(tile.shown.page), guest.pages.head().grid.bits, grid,
                              guest.pages.kind())));
   std::vector<int32_t> values;
-  for (const PageSample& page : sample_pages(grid, pages, displacement(session)).value())
+  const auto samples = sample_pages(grid, pages, displacement(session));
+  for (const PageSample& page : samples.value())
     values.insert(values.end(), page.steps.begin(), page.steps.end());
   return values;
 }

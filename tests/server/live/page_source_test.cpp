@@ -3,14 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "server/solver/tuning/plan_cycle.h"
 #include "tests/server/manager/test_library.h"
 
 namespace burnish {
 namespace {
 
-constexpr auto kVertices = PageFrameKind::kVertices;
-constexpr auto kCorners = PageFrameKind::kCorners;
+using enum PageFrameKind;
 
 /// A sphere of several pages at depth 5.
 class PageSourceTest : public testing::Test {
