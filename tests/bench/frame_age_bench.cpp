@@ -1,7 +1,9 @@
 // Measures how old frames are when a client has them, and the cost of a stopped client to the
 // server.
 //
-//   frame_age_bench [SCAN [DEPTH]]       without a scan: a generated blob of 100,000 vertices
+//   frame_age_bench [SCAN [DEPTH [PAGES]]]   without a scan: a generated blob of 100,000 vertices
+//
+// Readers show the coarsest pages of the scan: 100, or PAGES; 0 stands for all.
 //
 // One person drags the slider without a pause, over links of several kinds. A frame's age comes
 // from the newest heartbeat that the server had when it made the frame, less half a round trip.
@@ -15,6 +17,7 @@
 
 #include "client/cli/bench/load_client.h"
 #include "client/cli/bench/load_report.h"
+#include "client/cli/bench/load_surface.h"
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/system/link.h"
@@ -27,6 +30,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr double kSecondsPerCase = 8;
+constexpr size_t kPagesOfADownload = 500;
 constexpr double kBarMs = 20;  // beyond the round trip
 
 struct Case {
@@ -35,7 +39,7 @@ struct Case {
   double megabits_per_second;  // 0 without a link
   double rtt_ms;
   int readers = 1;        // over one link; the first one drags
-  bool download = false;  // somebody fetches the scan through the same link again and again
+  bool download = false;  // somebody fetches pages through the same link again and again
 };
 constexpr Case kCases[] = {
     {"10 Hz reader", 10, 0, 0},
@@ -51,7 +55,7 @@ void must(const Status& status) {
   BURNISH_CHECK(status.is_ok(), status.message());
 }
 
-/// Fetches the scan through the link until the bench ends, if `download` asks for it.
+/// Fetches pages through the link until the bench ends, if `download` asks for it.
 class Download {
  public:
   Download(const std::string& server, bool wanted) {
@@ -65,9 +69,7 @@ class Download {
  private:
   void run(const std::string& server) {
     Connection connection = Connection::open(server, kPatience).value();
-    const PreparedKey key = connection.state("work").value().session.key;
-    const Progress go_on = [this](std::string_view, double) { return !stopping_; };
-    while (!stopping_) (void)connection.fetch_view({"scan", key}, go_on);
+    while (!stopping_) (void)fetch_load_surface(connection, "work", kPagesOfADownload);
   }
 
   std::atomic<bool> stopping_{false};
@@ -75,7 +77,7 @@ class Download {
 };
 
 nlohmann::ordered_json run_case(const ServerProcess& server,
-                                const std::shared_ptr<const View>& view, const Case& c) {
+                                const std::shared_ptr<const LoadSurface>& surface, const Case& c) {
   std::optional<Link> link;
   if (c.megabits_per_second > 0)
     link.emplace(
@@ -87,7 +89,7 @@ nlohmann::ordered_json run_case(const ServerProcess& server,
   std::vector<std::unique_ptr<LoadClient>> clients;
   for (int i = 0; i < c.readers; ++i) {
     LoadOptions options{.session = "work",
-                        .view = view,
+                        .surface = surface,
                         .pictures_per_second = c.pictures_per_second,
                         .mix = {{1, 0, 0}},
                         .heartbeat_interval = milliseconds(2)};
@@ -132,14 +134,14 @@ double resident_megabytes(pid_t pid) {
 }
 
 // One user works while another client of the session stands still.
-void run_stopped_client(ServerProcess& server, const std::shared_ptr<const View>& view) {
+void run_stopped_client(ServerProcess& server, const std::shared_ptr<const LoadSurface>& surface) {
   const auto other = server.start_burnish(
       {"bench", "serve", "--session", "work", "--seconds", "12", "--mix", "drag=1", "--json"});
   std::this_thread::sleep_for(seconds(4));
   const double before = resident_megabytes(server.process->pid());
   other->signal(SIGSTOP);
   const Connection connection = Connection::open(server.address, kPatience).value();
-  LoadClient client(connection, {.session = "work", .view = view, .mix = {{0, 1, 0}}}, 2);
+  LoadClient client(connection, {.session = "work", .surface = surface, .mix = {{0, 1, 0}}}, 2);
   client.start(seconds(12));
   double most = before;
   for (int i = 0; i < 110; ++i) {
@@ -164,17 +166,17 @@ int main_of(int argc, char** argv) {
     must(write_mesh(generate_scan({.kind = "blob", .vertices = 100'000}).value(), scan));
   Connection connection = Connection::open(server.address, kPatience).value();
   must(connection.import_scan(scan, "scan", {depth, 0}, {}).status());
-  const OpenedSession opened = connection.open_session({"scan", "work", {depth, 0}}).value();
-  const auto view =
-      std::make_shared<const View>(connection.fetch_view({"scan", opened.session.key}, {}).value());
-  std::printf("%zu vertices, %d corners at depth %d\n\n", view->vertices.size(),
-              view->grid.corner_count(), view->frame.depth);
+  must(connection.open_session({"scan", "work", {depth, 0}}).status());
+  const size_t pages = argc > 3 ? std::stoul(argv[3]) : kLoadPages;
+  const auto surface = fetch_load_surface(connection, "work", pages).value();
+  std::printf("%zu vertices in %zu of %u pages, depth %d\n\n", surface->points.size(),
+              surface->pages.size(), surface->head.page_count(), surface->depth);
   std::printf("%-28s %6s %7s   %-20s   %-13s\n", "", "frames", "Mbit/s", "age on arrival, ms",
               "when drawn");
   std::printf("%-28s %6s %7s   %6s %6s %6s   %6s %6s   %5s\n", "", "/ s", "", "p50", "p95", "p99",
               "p50", "p95", "bar");
-  for (const Case& c : kCases) print_case(c, run_case(server, view, c));
-  run_stopped_client(server, view);
+  for (const Case& c : kCases) print_case(c, run_case(server, surface, c));
+  run_stopped_client(server, surface);
   return 0;
 }
 

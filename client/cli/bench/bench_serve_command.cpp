@@ -8,6 +8,7 @@
 #include "client/cli/commands.h"
 #include "client/cli/json_output.h"
 #include "client/cli/server_option.h"
+#include "common/base/limits.h"
 #include "common/edit/edit_id.h"
 
 namespace burnish {
@@ -22,7 +23,7 @@ struct BenchOptions {
   int clients = 1;
   double seconds = 10;
   double pictures_per_second = 60;
-  uint64_t triangles_max = 0;
+  size_t pages = kLoadPages;
   uint32_t seed = 1;
   std::string mix = "draw=1,drag=1,paint=2";
 };
@@ -37,21 +38,11 @@ struct Load {
   std::vector<Seat> seats;
 };
 
-/// Fetches the view that clients of the session draw.
-Result<std::shared_ptr<const View>> fetch_view_of(Connection& connection,
-                                                  const std::string& session,
-                                                  uint64_t triangles_max) {
-  ASSIGN_OR_RETURN(const SessionState state, connection.state(session));
-  ASSIGN_OR_RETURN(View view, connection.fetch_view(
-                                  {state.session.scan_id, state.session.key, triangles_max}, {}));
-  return std::make_shared<const View>(std::move(view));
-}
-
 Result<Load> connect_clients(const BenchOptions& options, const LoadMix& mix) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
-  std::map<std::string, std::shared_ptr<const View>> views;
+  std::map<std::string, std::shared_ptr<const LoadSurface>> surfaces;
   for (const std::string& session : options.sessions) {
-    ASSIGN_OR_RETURN(views[session], fetch_view_of(connection, session, options.triangles_max));
+    ASSIGN_OR_RETURN(surfaces[session], fetch_load_surface(connection, session, options.pages));
   }
   Load load;
   for (int i = 0; i < options.clients; ++i) {
@@ -59,8 +50,7 @@ Result<Load> connect_clients(const BenchOptions& options, const LoadMix& mix) {
     ASSIGN_OR_RETURN(Connection own, options.server.connect());
     seat.connection = std::make_unique<Connection>(std::move(own));
     const LoadOptions client{.session = seat.session,
-                             .view = views[seat.session],
-                             .triangles_max = options.triangles_max,
+                             .surface = surfaces[seat.session],
                              .pictures_per_second = options.pictures_per_second,
                              .mix = mix};
     seat.client = std::make_unique<LoadClient>(*seat.connection, client,
@@ -169,8 +159,11 @@ void add_bench_command(CommandTable& table) {
   serve->add_option("--rate", options->pictures_per_second, "Pictures per second of a client")
       ->check(CLI::Range(1.0, 240.0))
       ->capture_default_str();
-  serve->add_option("--triangles-max", options->triangles_max,
-                    "Triangles of the proxy that clients draw; 0: the whole scan");
+  serve
+      ->add_option("--pages", options->pages,
+                   "Pages of the scan that clients show, the coarsest; 0: as many as they may")
+      ->check(CLI::Range(size_t{0}, kShownPagesMax))
+      ->capture_default_str();
   serve->add_option("--seed", options->seed, "Seed of the gestures")->capture_default_str();
   add_server_options(*serve, options->server);
 }

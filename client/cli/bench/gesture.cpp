@@ -12,17 +12,20 @@ static constexpr milliseconds kGestureMin{500}, kGestureMax{1500};
 static constexpr double kRadius = 0.02;  // of the box's diagonal
 static constexpr size_t kPathPointsMax = 300;
 
-static double diagonal_of(const View& view) {
-  Vec3d least = view.vertices.at(0), greatest = least;
-  for (const Vec3d& vertex : view.vertices) {
-    least = least.cwiseMin(vertex);
-    greatest = greatest.cwiseMax(vertex);
+static double diagonal_of(const LoadSurface& surface) {
+  Vec3d least = surface.points.at(0), greatest = least;
+  for (const Vec3d& point : surface.points) {
+    least = least.cwiseMin(point);
+    greatest = greatest.cwiseMax(point);
   }
   return (greatest - least).norm();
 }
 
-Gestures::Gestures(std::shared_ptr<const View> view, const LoadMix& mix, uint32_t seed)
-    : view_(std::move(view)), mix_(mix), random_(seed), radius_(kRadius * diagonal_of(*view_)) {}
+Gestures::Gestures(std::shared_ptr<const LoadSurface> surface, const LoadMix& mix, uint32_t seed)
+    : surface_(std::move(surface)),
+      mix_(mix),
+      random_(seed),
+      radius_(kRadius * diagonal_of(*surface_)) {}
 
 void Gestures::begin(Time now) {
   std::uniform_int_distribution<int64_t> length(kGestureMin.count(), kGestureMax.count());
@@ -32,7 +35,7 @@ void Gestures::begin(Time now) {
   edit_id_ = random_id();
   beta_ = beta(random_);
   beta_step_ = (beta(random_) - 1) / 60;
-  triangle_ = random_() % view_->triangles.size();
+  point_ = random_() % surface_->points.size();
   stroke_ = {{.radius = radius_, .strength = 0.5, .beta = beta_}, {}};
 }
 
@@ -57,10 +60,10 @@ void Gestures::advance_stroke(SessionLink& session) {
   session.move_brush(BrushRing{*point, radius_});
 }
 
-// Goes to the next triangle: neighbours in a scan's list mostly lie side by side.
+// Goes to the next vertex: those of a page mostly lie side by side.
 std::optional<Vec3d> Gestures::next_point() {
-  triangle_ = (triangle_ + 1) % view_->triangles.size();
-  const Vec3d& point = view_->vertices[view_->triangles[triangle_][0]];
+  point_ = (point_ + 1) % surface_->points.size();
+  const Vec3d& point = surface_->points[point_];
   if (!stroke_.path.empty() && (point - stroke_.path.back()).norm() > 2 * radius_)
     return std::nullopt;
   return point;

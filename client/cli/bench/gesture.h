@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "client/cli/bench/load_mix.h"
+#include "client/cli/bench/load_surface.h"
 #include "client/connection/session_link.h"
 
 namespace burnish {
@@ -18,7 +19,8 @@ class Gestures {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  Gestures(std::shared_ptr<const View> view, const LoadMix& mix, uint32_t seed);
+  /// Strokes go along the points of the surface. Needs: at least one.
+  Gestures(std::shared_ptr<const LoadSurface> surface, const LoadMix& mix, uint32_t seed);
 
   /// Continues the gesture, or begins the next.
   void advance(Time now, SessionLink& session);
@@ -33,7 +35,7 @@ class Gestures {
   std::optional<Vec3d> next_point();
   void apply(SessionLink& session, Edit edit);
 
-  const std::shared_ptr<const View> view_;
+  const std::shared_ptr<const LoadSurface> surface_;
   const LoadMix mix_;
   std::mt19937 random_;
   const double radius_;
@@ -44,7 +46,7 @@ class Gestures {
   double beta_ = 1;
   double beta_step_ = 0;
   Stroke stroke_;
-  size_t triangle_ = 0;  // last triangle of the stroke
+  size_t point_ = 0;  // of the surface, the stroke's last
   std::vector<std::string> applied_;
 };
 

@@ -1,5 +1,7 @@
 #include "client/cli/bench/load_client.h"
 
+#include <bit>
+
 namespace burnish {
 
 using std::chrono::steady_clock;
@@ -8,8 +10,10 @@ static constexpr std::chrono::minutes kAnswerPatience{2};
 
 static LiveOptions live_options(const LoadOptions& options) {
   LiveOptions live;
-  live.greeting = {options.session, options.triangles_max, {}};
-  live.view = options.view;
+  live.greeting = {.session = options.session, .kind = {}};
+  live.head = options.surface->head;
+  live.depth = options.surface->depth;
+  live.pages_fingerprint = options.surface->pages_fingerprint;
   live.draw_interval =
       std::chrono::microseconds(static_cast<int64_t>(1e6 / options.pictures_per_second));
   live.heartbeat_interval = options.heartbeat_interval;
@@ -19,7 +23,10 @@ static LiveOptions live_options(const LoadOptions& options) {
 LoadClient::LoadClient(const Connection& connection, const LoadOptions& options, uint32_t seed)
     : options_(options),
       session_(connection, live_options(options)),
-      gestures_(options.view, options.mix, seed) {}
+      gestures_(options.surface, options.mix, seed) {
+  const Status shown = session_.show_pages(options.surface->pages, {});
+  if (!shown.is_ok()) figures_.ended = shown.to_string();
+}
 
 void LoadClient::start(std::chrono::duration<double> length) {
   thread_ = std::thread([this, length] { run(length); });
@@ -56,14 +63,7 @@ void LoadClient::draw() {
     figures_.drawn_ms.push_back(news.stats.age_ms + news.stats.waited_ms);
   }
   stats_ = news.stats;
-  if (news.displacement) {
-    const FrameLayout& layout = *news.displacement->layout;
-    shown_.resize(size_t{3} * static_cast<size_t>(layout.value_count()));
-    for (const int tile : news.displacement->changed_tiles)
-      news.displacement->state.read_tile(
-          tile, std::span(shown_).subspan(size_t{3} * layout.tile_begin(tile),
-                                          size_t{3} * layout.tile_size(tile)));
-  }
+  shown_ = news.frame;
   for (const LiveEvent& event : news.events) {
     if (const auto* answer = std::get_if<EditsAcknowledged>(&event))
       figures_.acknowledged.insert(answer->edit_ids.begin(), answer->edit_ids.end());
@@ -84,7 +84,8 @@ bool LoadClient::settle(uint64_t edits, std::chrono::seconds patience) {
   const auto end = steady_clock::now() + patience;
   while (steady_clock::now() < end && figures_.ended.empty()) {
     draw();
-    if (stats_.frames > 0 && stats_.frame.settled && stats_.frame.edits >= edits) return true;
+    const bool has_all = shown_ && shown_->pages.size() == options_.surface->pages.size();
+    if (has_all && stats_.frame.settled && stats_.frame.edits >= edits) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   return false;
@@ -92,12 +93,12 @@ bool LoadClient::settle(uint64_t edits, std::chrono::seconds patience) {
 
 uint64_t LoadClient::shown_hash() const {
   uint64_t hash = 14695981039346656037u;  // FNV-1a
-  bool is_zero = true;
-  for (const int32_t step : shown_) {
-    hash = (hash ^ static_cast<uint32_t>(step)) * 1099511628211u;
-    is_zero = is_zero && step == 0;
-  }
-  return is_zero ? 0 : hash;  // a surface that never moved comes without values
+  if (!shown_) return 0;
+  for (const auto& move : shown_->moves)
+    for (const Vec3f& displacement : move->displacements)
+      for (const float part : displacement)
+        hash = (hash ^ std::bit_cast<uint32_t>(part)) * 1099511628211u;
+  return hash;
 }
 
 }  // namespace burnish

@@ -13,8 +13,7 @@ namespace burnish {
 
 struct LoadOptions {
   std::string session;
-  std::shared_ptr<const View> view;
-  uint64_t triangles_max = 0;
+  std::shared_ptr<const LoadSurface> surface;
   double pictures_per_second = 60;
   LoadMix mix;
   /// A frame's age is measured from the last heartbeat that it has seen, so it may be too large by
@@ -48,7 +47,8 @@ class LoadClient {
   /// Waits for the end of the gestures and for the answers to all edits.
   void join();
 
-  /// Draws until a settled frame has seen `edits` edits. Returns false after `patience`.
+  /// Draws until a settled frame of all pages has seen `edits` edits. Returns false after
+  /// `patience`.
   bool settle(uint64_t edits, std::chrono::seconds patience);
 
   const LoadFigures& figures() const { return figures_; }
@@ -64,7 +64,7 @@ class LoadClient {
   Gestures gestures_;
   LoadFigures figures_;
   LinkStats stats_;
-  std::vector<int32_t> shown_;  // steps, tile by tile
+  std::shared_ptr<const SurfaceFrame> shown_;
   std::thread thread_;
 };
 
