@@ -40,6 +40,7 @@ NullPageRenderer::Slot& NullPageRenderer::filled(uint32_t slot, size_t vertices)
 
 Status NullPageRenderer::move_page(uint32_t slot, std::span<const Vec3f> displacements,
                                    std::span<const Vec3f> normals, std::span<const float> ridges) {
+  ++move_count_;
   Slot& held = filled(slot, displacements.size());
   held.displacements = {displacements.begin(), displacements.end()};
   held.normals = {normals.begin(), normals.end()};

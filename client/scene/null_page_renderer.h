@@ -25,6 +25,7 @@ class NullPageRenderer : public PageRenderer {
                                        std::span<const PatchRange> patches) override;
 
   uint64_t draw_count() const { return draw_count_; }
+  uint64_t move_count() const { return move_count_; }               ///< of move_page()
   const Camera& camera() const { return camera_; }                  ///< of the last draw()
   const DrawStyle& style() const { return style_; }                 ///< of the last draw()
   std::span<const PatchRange> patches() const { return patches_; }  ///< of the last draw()
@@ -51,6 +52,7 @@ class NullPageRenderer : public PageRenderer {
   PageSpace space_;
   std::vector<Slot> slots_;
   uint64_t draw_count_ = 0;
+  uint64_t move_count_ = 0;
   Camera camera_;
   DrawStyle style_;
   ImageSize size_;

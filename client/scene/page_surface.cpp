@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "client/scene/page_normals.h"
-#include "client/scene/ridges.h"
 #include "common/base/check.h"
 
 namespace burnish {
@@ -58,78 +57,86 @@ void PageSurface::take(std::span<const PatchRange> patches) {
     const uint32_t number = patches_[first].slot;
     BURNISH_CHECK(number < slots_.size(), "slots are reserved");
     while (end < patches_.size() && patches_[end].slot == number) ++end;
-    const auto ranges = std::span(patches_).subspan(first, end - first);
+    begin(number, std::span(patches_).subspan(first, end - first));
     drawn.push_back(number);
-    Slot& slot = slots_[number];
-    const PatchRange& last = ranges.back();
-    BURNISH_CHECK(size_t{last.first} + last.count <= slot.mesh.triangles.size(),
-                  "patches lie inside the page in their slot");
-    if (std::ranges::equal(slot.drawn, ranges)) continue;
-    slot.drawn.assign(ranges.begin(), ranges.end());
-    slot.rim = find_rim(slot.mesh, ranges);
-    slot.still_sums = sum_rim_normals(slot.mesh.positions, slot.mesh, ranges, slot.rim);
-    slot.is_stale = true;
   }
   forget_undrawn(drawn);
   drawn_ = std::move(drawn);
   find_rims();
 }
 
+void PageSurface::begin(uint32_t number, std::span<const PatchRange> patches) {
+  Slot& slot = slots_[number];
+  const PatchRange& last = patches.back();
+  BURNISH_CHECK(size_t{last.first} + last.count <= slot.mesh.triangles.size(),
+                "patches lie inside the page in their slot");
+  if (std::ranges::equal(slot.shown.patches, patches)) return;
+  slot.shown = begin_drawing(slot.mesh, patches);
+  slot.is_stale = true;
+}
+
 void PageSurface::forget_undrawn(const std::vector<uint32_t>& drawn) {
   for (const uint32_t number : drawn_) {
     if (std::ranges::binary_search(drawn, number)) continue;
-    slots_[number].drawn.clear();
-    slots_[number].moved = {};
+    slots_[number].shown = {};
   }
 }
 
 void PageSurface::find_rims() {
   std::vector<RimmedPage> pages;
-  for (const uint32_t number : drawn_) pages.push_back({&slots_[number].mesh, &slots_[number].rim});
+  for (const uint32_t number : drawn_)
+    pages.push_back({&slots_[number].mesh, &slots_[number].shown.rim});
   shared_ = group_rims(pages);
 }
 
-// Moves a page by itself.
 void PageSurface::refresh(Slot& slot) const {
+  if (!slot.is_stale) return;
+  move_drawn_page(slot.shown, slot.mesh, slot.displacements, space_.cell_size);
+  slot.is_bent = true;
   slot.is_sent = slot.is_at_rest && slot.displacements.empty();
-  if (slot.displacements.empty()) {
-    slot.moved = {slot.mesh.positions, slot.mesh.normals};
-    slot.moved_sums = slot.still_sums;
-    return;
-  }
-  slot.moved = displace(slot.mesh, slot.displacements, space_.cell_size);
-  slot.moved_sums = sum_rim_normals(slot.moved.positions, slot.mesh, slot.drawn, slot.rim);
 }
 
 // Turns the normals of one lattice point in all pages that have it.
-void PageSurface::join(std::span<const RimPlace> group) {
-  const auto slot_of = [&](const RimPlace& place) -> Slot& { return slots_[drawn_[place.page]]; };
+void PageSurface::join_normals(Group group) {
   if (std::ranges::none_of(group, [&](const auto& place) { return slot_of(place).is_stale; }))
     return;
   Vec3f still = Vec3f::Zero(), moved = Vec3f::Zero();
   for (const RimPlace& place : group) {
-    still += slot_of(place).still_sums[place.index];
-    moved += slot_of(place).moved_sums[place.index];
+    still += slot_of(place).shown.still_sums[place.index];
+    moved += slot_of(place).shown.moved_sums[place.index];
   }
   for (const RimPlace& place : group) {
     Slot& slot = slot_of(place);
-    const uint16_t vertex = slot.rim[place.index];
+    const uint16_t vertex = slot.shown.rim[place.index];
     const Vec3f turned = turned_normal(slot.mesh.normals[vertex], still, moved);
-    if (slot.moved.normals[vertex] == turned) continue;
-    slot.moved.normals[vertex] = turned;
+    if (slot.shown.moved.normals[vertex] == turned) continue;
+    slot.shown.moved.normals[vertex] = turned;
+    slot.is_bent = true;
     slot.is_sent = false;
+  }
+}
+
+void PageSurface::join_ridges(Group group) {
+  if (std::ranges::none_of(group, [&](const auto& place) { return slot_of(place).is_bent; }))
+    return;
+  float sum = 0;
+  for (const RimPlace& place : group) sum += slot_of(place).shown.rim_ridges[place.index];
+  const float mean = sum / static_cast<float>(group.size());
+  for (const RimPlace& place : group) {
+    Slot& slot = slot_of(place);
+    float& ridge = slot.shown.ridges[slot.shown.rim[place.index]];
+    slot.is_sent = slot.is_sent && ridge == mean;
+    ridge = mean;
   }
 }
 
 Status PageSurface::send(uint32_t number) {
   Slot& slot = slots_[number];
-  slot.is_stale = false;
   if (slot.is_sent) return Status::ok();
   const bool is_moved = !slot.displacements.empty();
   const std::vector<Vec3f> nowhere(is_moved ? 0 : slot.mesh.positions.size(), Vec3f::Zero());
-  const auto& [positions, normals] = slot.moved;
-  RETURN_IF_ERROR(renderer_.move_page(number, is_moved ? slot.displacements : nowhere, normals,
-                                      vertex_ridges(positions, normals, slot.mesh.triangles)));
+  RETURN_IF_ERROR(renderer_.move_page(number, is_moved ? slot.displacements : nowhere,
+                                      slot.shown.moved.normals, slot.shown.ridges));
   slot.is_sent = true;
   slot.is_at_rest = false;
   return Status::ok();
@@ -138,9 +145,12 @@ Status PageSurface::send(uint32_t number) {
 Status PageSurface::draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
                          std::span<const PatchRange> patches) {
   take(patches);
+  for (const uint32_t number : drawn_) refresh(slots_[number]);
+  for (size_t group = 0; group < shared_.count(); ++group) join_normals(shared_[group]);
   for (const uint32_t number : drawn_)
-    if (slots_[number].is_stale) refresh(slots_[number]);
-  for (size_t group = 0; group < shared_.count(); ++group) join(shared_[group]);
+    if (slots_[number].is_bent) bend_drawn_page(slots_[number].shown, slots_[number].mesh);
+  for (size_t group = 0; group < shared_.count(); ++group) join_ridges(shared_[group]);
+  for (const uint32_t number : drawn_) slots_[number].is_stale = slots_[number].is_bent = false;
   for (const uint32_t number : drawn_) RETURN_IF_ERROR(send(number));
   return renderer_.draw(camera, size, style, patches);
 }

@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "client/scene/displaced_page.h"
+#include "client/scene/drawn_page.h"
 #include "client/scene/page_renderer.h"
-#include "client/scene/page_rims.h"
 
 namespace burnish {
 
 /// The pages of a session as a renderer shows them. A vertex of several drawn pages gets the normal
-/// that the drawn triangles of all of them give, so that no border shows, whatever an edit does.
+/// that the drawn triangles of all of them give, and the mean of their ridges, so that no border
+/// shows, whatever an edit does. The original alone has each page's own ridges.
 /// Used from the renderer's thread. Needs: the renderer outlives this object, and its pages are put
 /// and moved by this object alone.
 class PageSurface {
@@ -44,20 +45,21 @@ class PageSurface {
   struct Slot {
     PageMesh mesh;
     std::vector<Vec3f> displacements;  // empty: not moved
-    std::vector<PatchRange> drawn;     // of the last draw()
-    PageRim rim;
-    std::vector<Vec3f> still_sums;  // of the rim
-    std::vector<Vec3f> moved_sums;  // of the rim
-    MovedPage moved;                // while it is drawn
-    bool is_stale = false;          // moved or drawn in another way since the last draw()
-    bool is_at_rest = true;         // the renderer has the page as it was put
-    bool is_sent = true;            // the renderer has what `moved` is
+    DrawnPage shown;                   // while it is drawn
+    bool is_stale = false;             // moved or drawn in another way since the last draw()
+    bool is_bent = false;              // its normals changed since the last draw()
+    bool is_at_rest = true;            // the renderer has the page as it was put
+    bool is_sent = true;               // the renderer has what is shown
   };
+  using Group = std::span<const RimPlace>;
+  Slot& slot_of(const RimPlace& place) { return slots_[drawn_[place.page]]; }
   void take(std::span<const PatchRange> patches);
+  void begin(uint32_t slot, std::span<const PatchRange> patches);
   void forget_undrawn(const std::vector<uint32_t>& drawn);
   void find_rims();
   void refresh(Slot& slot) const;
-  void join(std::span<const RimPlace> group);
+  void join_normals(Group group);
+  void join_ridges(Group group);
   Status send(uint32_t slot);
 
   PageRenderer& renderer_;
