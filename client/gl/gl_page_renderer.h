@@ -25,8 +25,8 @@ class GlPageRenderer : public PageRenderer {
     return arena_.upload_page(slot, mesh);
   }
   Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
-                   const MovedPage& moved) override {
-    return arena_.move_page(slot, displacements, moved);
+                   std::span<const Vec3f> normals, std::span<const float> ridges) override {
+    return arena_.move_page(slot, displacements, normals, ridges);
   }
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks) override {
     return arena_.mark_page(slot, marks);

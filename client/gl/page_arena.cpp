@@ -44,11 +44,11 @@ void PageArena::check_vertices(uint32_t slot, size_t count) const {
 }
 
 Status PageArena::move_page(uint32_t slot, std::span<const Vec3f> displacements,
-                            const MovedPage& moved) {
+                            std::span<const Vec3f> normals, std::span<const float> ridges) {
   check_vertices(slot, displacements.size());
-  check_vertices(slot, moved.normals.size());
-  check_vertices(slot, moved.ridges.size());
-  streams_.write_moves(slot, displacements, moved);
+  check_vertices(slot, normals.size());
+  check_vertices(slot, ridges.size());
+  streams_.write_moves(slot, displacements, normals, ridges);
   return check_gl("displacements of a page");
 }
 

@@ -24,7 +24,8 @@ class PageArena {
   // Work as PageRenderer's functions of these names.
   Status reserve(uint32_t slots);
   Status upload_page(uint32_t slot, const PageMesh& mesh);
-  Status move_page(uint32_t slot, std::span<const Vec3f> displacements, const MovedPage& moved);
+  Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
+                   std::span<const Vec3f> normals, std::span<const float> ridges);
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks);
 
   /// Chooses the patches that draw() draws. Needs: ranges inside the pages of their slots.

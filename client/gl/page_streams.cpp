@@ -52,10 +52,10 @@ void PageStreams::write_page(uint32_t slot, const PageMesh& mesh) const {
 }
 
 void PageStreams::write_moves(uint32_t slot, std::span<const Vec3f> displacements,
-                              const MovedPage& moved) const {
+                              std::span<const Vec3f> normals, std::span<const float> ridges) const {
   std::vector<MovingVertex> moving(displacements.size());
   for (size_t v = 0; v < moving.size(); ++v)
-    moving[v] = {displacements[v], packed_shade(moved.normals[v], moved.ridges[v])};
+    moving[v] = {displacements[v], packed_shade(normals[v], ridges[v])};
   write(moving_, slot, moving);
 }
 

@@ -21,7 +21,7 @@ class PageStreams {
   /// Writes a page that is not moved and not marked.
   void write_page(uint32_t slot, const PageMesh& mesh) const;
   void write_moves(uint32_t slot, std::span<const Vec3f> displacements,
-                   const MovedPage& moved) const;
+                   std::span<const Vec3f> normals, std::span<const float> ridges) const;
   void write_marks(uint32_t slot, std::span<const VertexMark> marks) const;
 
   /// Makes all of it the input of the current vertex array.

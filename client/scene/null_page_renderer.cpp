@@ -28,7 +28,7 @@ static Eigen::AlignedBox3d page_box(const DisplacedPage& page) {
 Status NullPageRenderer::upload_page(uint32_t slot, const PageMesh& mesh) {
   BURNISH_CHECK(slot < slots_.size(), "slots are reserved");
   const Eigen::AlignedBox3d box = page_box({mesh, space_, {}});
-  slots_[slot] = {mesh, {}, {}, box, box};
+  slots_[slot] = {mesh, {}, {}, {}, {}, box, box};
   return Status::ok();
 }
 
@@ -39,10 +39,13 @@ NullPageRenderer::Slot& NullPageRenderer::filled(uint32_t slot, size_t vertices)
 }
 
 Status NullPageRenderer::move_page(uint32_t slot, std::span<const Vec3f> displacements,
-                                   const MovedPage&) {
-  Slot& moved = filled(slot, displacements.size());
-  moved.displacements = {displacements.begin(), displacements.end()};
-  moved.displaced_box = page_box({moved.mesh, space_, displacements});
+                                   std::span<const Vec3f> normals, std::span<const float> ridges) {
+  ++move_count_;
+  Slot& held = filled(slot, displacements.size());
+  held.displacements = {displacements.begin(), displacements.end()};
+  held.normals = {normals.begin(), normals.end()};
+  held.ridges = {ridges.begin(), ridges.end()};
+  held.displaced_box = page_box({held.mesh, space_, displacements});
   return Status::ok();
 }
 

@@ -15,7 +15,7 @@ class NullPageRenderer : public PageRenderer {
   Status reserve(uint32_t slots) override;
   Status upload_page(uint32_t slot, const PageMesh& mesh) override;
   Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
-                   const MovedPage& moved) override;
+                   std::span<const Vec3f> normals, std::span<const float> ridges) override;
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks) override;
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
               std::span<const PatchRange> patches) override;
@@ -25,6 +25,7 @@ class NullPageRenderer : public PageRenderer {
                                        std::span<const PatchRange> patches) override;
 
   uint64_t draw_count() const { return draw_count_; }
+  uint64_t move_count() const { return move_count_; }               ///< of move_page()
   const Camera& camera() const { return camera_; }                  ///< of the last draw()
   const DrawStyle& style() const { return style_; }                 ///< of the last draw()
   std::span<const PatchRange> patches() const { return patches_; }  ///< of the last draw()
@@ -32,12 +33,16 @@ class NullPageRenderer : public PageRenderer {
   // What a slot holds. Empty: the page is not moved, or not marked. Needs: a reserved slot.
   const PageMesh& page(uint32_t slot) const { return slots_[slot].mesh; }
   std::span<const Vec3f> displacements(uint32_t slot) const { return slots_[slot].displacements; }
+  std::span<const Vec3f> normals(uint32_t slot) const { return slots_[slot].normals; }
+  std::span<const float> ridges(uint32_t slot) const { return slots_[slot].ridges; }
   std::span<const VertexMark> marks(uint32_t slot) const { return slots_[slot].marks; }
 
  private:
   struct Slot {
     PageMesh mesh;
     std::vector<Vec3f> displacements;
+    std::vector<Vec3f> normals;  // displaced
+    std::vector<float> ridges;   // displaced
     std::vector<VertexMark> marks;
     Eigen::AlignedBox3d original_box;   // file units
     Eigen::AlignedBox3d displaced_box;  // file units
@@ -47,6 +52,7 @@ class NullPageRenderer : public PageRenderer {
   PageSpace space_;
   std::vector<Slot> slots_;
   uint64_t draw_count_ = 0;
+  uint64_t move_count_ = 0;
   Camera camera_;
   DrawStyle style_;
   ImageSize size_;

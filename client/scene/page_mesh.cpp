@@ -23,23 +23,15 @@ PageMesh make_page_mesh(const Page& page, const PageGrid& grid) {
   mesh.positions.reserve(page.positions.size());
   for (const Vec3i& lattice : page.positions)
     mesh.positions.push_back(position_of(lattice, grid.steps()));
-  const std::vector<Vec3f> sums = sum_corner_normals(mesh.positions, mesh.triangles);
+  mesh.border_vertices = page.border_vertices;
   mesh.normals = page.normals;
-  for (size_t v = 0; v < page.normals.size(); ++v)
-    mesh.own_normals.push_back(unit_or(sums[v], Vec3f::Zero()));
-  for (size_t v = page.normals.size(); v < sums.size(); ++v)
+  const std::vector<Vec3f> sums = sum_corner_normals(mesh.positions, mesh.triangles);
+  const size_t carried = page.normals.size();
+  mesh.own_sums.assign(sums.begin(), sums.begin() + static_cast<ptrdiff_t>(carried));
+  for (size_t v = carried; v < sums.size(); ++v)
     mesh.normals.push_back(unit_or(sums[v], Vec3f::UnitZ()));
   mesh.ridges = vertex_ridges(mesh.positions, mesh.normals, mesh.triangles);
   return mesh;
-}
-
-static Vec3f displaced_normal(const PageMesh& mesh, size_t vertex, const Vec3f& sum) {
-  const Vec3f& still = mesh.normals[vertex];
-  const float length = sum.norm();
-  if (!(length > 0)) return still;
-  if (vertex >= mesh.own_normals.size()) return sum / length;
-  const Vec3f& own = mesh.own_normals[vertex];
-  return own.isZero(0) ? still : turned_normal(still, own, sum / length);
 }
 
 MovedPage displace(const PageMesh& mesh, std::span<const Vec3f> displacements, float cell_size) {
@@ -49,9 +41,11 @@ MovedPage displace(const PageMesh& mesh, std::span<const Vec3f> displacements, f
   for (size_t v = 0; v < mesh.positions.size(); ++v)
     moved.positions[v] = mesh.positions[v] + cell_size * displacements[v];
   moved.normals = sum_corner_normals(moved.positions, mesh.triangles);
-  for (size_t v = 0; v < moved.normals.size(); ++v)
-    moved.normals[v] = displaced_normal(mesh, v, moved.normals[v]);
-  moved.ridges = vertex_ridges(moved.positions, moved.normals, mesh.triangles);
+  const size_t carried = mesh.own_sums.size();
+  for (size_t v = 0; v < carried; ++v)
+    moved.normals[v] = turned_normal(mesh.normals[v], mesh.own_sums[v], moved.normals[v]);
+  for (size_t v = carried; v < moved.normals.size(); ++v)
+    moved.normals[v] = unit_or(moved.normals[v], mesh.normals[v]);
   return moved;
 }
 

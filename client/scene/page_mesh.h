@@ -12,9 +12,10 @@ namespace burnish {
 struct PageMesh {
   std::vector<Vec3f> positions;  ///< one per vertex; the same lattice point gives the same floats
   std::vector<Vec3f> normals;    ///< one per vertex, unit length
-  /// Those of this page's triangles alone, for the first vertices, whose normals the page carries.
-  /// Unit length, or zero if these triangles have no area.
-  std::vector<Vec3f> own_normals;
+  /// What sum_corner_normals() makes of this page's triangles, for the first vertices, whose
+  /// normals the page carries.
+  std::vector<Vec3f> own_sums;
+  uint32_t border_vertices = 0;         ///< as in Page
   std::vector<float> ridges;            ///< one per vertex, of vertex_ridges()
   std::vector<PageTriangle> triangles;  ///< patch by patch, as in Page
   std::vector<Rgba8> colours;           ///< empty, or one per vertex
@@ -28,11 +29,11 @@ PageMesh make_page_mesh(const Page& page, const PageGrid& grid);
 struct MovedPage {
   std::vector<Vec3f> positions;  ///< one per vertex
   std::vector<Vec3f> normals;    ///< one per vertex, unit length
-  std::vector<float> ridges;     ///< one per vertex, of vertex_ridges()
 };
 
 /// Moves the vertices. The same lattice point and displacement give the same floats in all pages.
-/// Normals turn as those of the page's triangles do; they stay where the triangles have no area.
+/// Normals turn as those of this page's triangles do; they stay where the triangles have no area.
+/// One page alone says too little at its borders: PageSurface joins them.
 /// Shapes: one displacement per vertex. Units: displacements in cells, `cell_size` in PageSpace.
 MovedPage displace(const PageMesh& mesh, std::span<const Vec3f> displacements, float cell_size);
 

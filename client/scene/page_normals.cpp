@@ -120,10 +120,12 @@ std::vector<Vec3f> sum_corner_normals(std::span<const Vec3f> positions,
 }
 
 Vec3f turned_normal(const Vec3f& normal, const Vec3f& from, const Vec3f& to) {
-  const float nearness = 1 + from.dot(to);
-  if (nearness < kOpposite) return to;
-  const Vec3f sum = from + to;
-  return (normal - (sum.dot(normal) / nearness) * sum + 2 * from.dot(normal) * to).normalized();
+  if (from == to || from.isZero(0) || to.isZero(0)) return normal;
+  const Vec3f a = from.normalized(), b = to.normalized();
+  const float nearness = 1 + a.dot(b);
+  if (nearness < kOpposite) return b;
+  const Vec3f sum = a + b;
+  return (normal - (sum.dot(normal) / nearness) * sum + 2 * a.dot(normal) * b).normalized();
 }
 
 }  // namespace burnish

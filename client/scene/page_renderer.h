@@ -60,10 +60,10 @@ class PageRenderer {
   /// slot and a page within the limits. Fails: resource_exhausted; then the slot is empty.
   virtual Status upload_page(uint32_t slot, const PageMesh& mesh) = 0;
 
-  /// Moves the page in a slot. `moved` is what displace() makes of the displacements. Shapes: one
-  /// per vertex of the page. Units: displacements in cells.
+  /// Moves the page in a slot. PageSurface makes the normals, unit length, and the ridges of
+  /// vertex_ridges(). Shapes: one per vertex of the page. Units: displacements in cells.
   virtual Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
-                           const MovedPage& moved) = 0;
+                           std::span<const Vec3f> normals, std::span<const float> ridges) = 0;
 
   /// Shapes: one per vertex of the page in the slot.
   virtual Status mark_page(uint32_t slot, std::span<const VertexMark> marks) = 0;

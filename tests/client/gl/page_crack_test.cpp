@@ -34,7 +34,7 @@ class PageCracks : public PageStage {
       std::vector<Vec3f> moves = random_moves(split_.pages[slot].positions, seed);
       for (size_t v = 0; v < moves.size(); ++v)
         if (meshes_[slot].colours[v][1] == 0) moves[v] = Vec3f::Zero();
-      move(slot, meshes_[slot], moves);
+      move(slot, moves);
     }
   }
 
@@ -66,7 +66,7 @@ TEST_F(PageCracks, APageThatMovesAloneIsSeen) {
     if (meshes_[slot].positions[0].z() > meshes_[front].positions[0].z()) front = slot;
   std::vector<Vec3f> moves = random_moves(split_.pages[front].positions, 1);
   for (Vec3f& each : moves) each += Vec3f(0.2f, 0.2f, 0);
-  move(front, meshes_[front], moves);
+  move(front, moves);
   EXPECT_GT(count_red(), 10);
 }
 

@@ -18,10 +18,11 @@ class PagePicks : public PageStage {
     ASSERT_TRUE(reference_.reserve(static_cast<uint32_t>(meshes_.size())).is_ok());
     for (uint32_t slot = 0; slot < meshes_.size(); ++slot) {
       moves_.push_back(random_moves(split_.pages[slot].positions, 9));
-      move(slot, meshes_[slot], moves_[slot]);
+      move(slot, moves_[slot]);
       ASSERT_TRUE(reference_.upload_page(slot, meshes_[slot]).is_ok());
-      ASSERT_TRUE(reference_.move_page(slot, moves_[slot], {}).is_ok());
+      ASSERT_TRUE(reference_.move_page(slot, moves_[slot], {}, {}).is_ok());
     }
+    draw();  // moves the pages
   }
 
   // Halves of pages, in another order than the slots'.

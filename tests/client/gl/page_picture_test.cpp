@@ -39,12 +39,12 @@ class PagePicture : public PageStage {
     for (uint32_t slot = 0; slot < meshes_.size(); ++slot) {
       std::vector<Vec3f> moves;
       for (const Vec3f& at : meshes_[slot].positions) moves.push_back(field(at));
-      move(slot, meshes_[slot], moves);
+      move(slot, moves);
     }
   }
 
   void move_randomly(uint32_t slot, uint32_t seed) {
-    move(slot, meshes_[slot], random_moves(split_.pages[slot].positions, seed));
+    move(slot, random_moves(split_.pages[slot].positions, seed));
   }
 };
 
@@ -72,7 +72,7 @@ TEST_F(PagePicture, PagesLookAsTheWholeMeshDoes) {
       move_by(field);
       const Image moved = draw_whole(field);
       EXPECT_GT(mean_luminance_difference(moved, still), 1);
-      EXPECT_LT(mean_luminance_difference(draw(), moved), 0.3);
+      EXPECT_LT(mean_luminance_difference(draw(), moved), 0.2);
     }
   }
 }
@@ -110,7 +110,10 @@ TEST_F(PagePicture, AMovedPageChangesOnlyWhereItWasAndIs) {
   show(split_into_pages(make_icosphere(4, 1), 1280));
   const Image empty = draw({}, {});
   const Image still = draw(), still_alone = draw({}, {all_of(1)});
-  move_randomly(1, 5);
+  // Past the surface, which would turn the normals of the pages beside it.
+  const std::vector<Vec3f> moves = random_moves(split_.pages[1].positions, 5);
+  const MovedPage page = displace(meshes_[1], moves, space_.cell_size);
+  ASSERT_TRUE(renderer_->move_page(1, moves, page.normals, meshes_[1].ridges).is_ok());
   const Image moved = draw(), moved_alone = draw({}, {all_of(1)});
   int changed = 0, outside = 0;
   for_each_pixel([&](int x, int y) {

@@ -19,7 +19,7 @@ class PageSlots : public PageStage {
 
   void move_and_mark(uint32_t slot) {
     const PageMesh& mesh = meshes_[slot];
-    move(slot, mesh, random_moves(split_.pages[slot].positions, slot));
+    move(slot, random_moves(split_.pages[slot].positions, slot));
     const std::vector<VertexMark> marks(mesh.positions.size(), VertexMark{-90, 200});
     ASSERT_TRUE(renderer_->mark_page(slot, marks).is_ok());
   }
@@ -51,7 +51,7 @@ TEST_F(PageSlots, TrianglesBehindThePageOfASlotAreRefused) {
   EXPECT_DEATH(draw({}, {{0, 0, 2}}), "inside the page");
   EXPECT_DEATH(draw({}, {{0, 1, 1}}), "inside the page");
   EXPECT_DEATH(draw({}, {{4, 0, 1}}), "slots are reserved");
-  renderer_->open(space_);
+  surface_->open(space_);
   EXPECT_DEATH(draw({}, {{0, 0, 1}}), "inside the page");
 }
 
@@ -59,7 +59,7 @@ TEST_F(PageSlots, MoreRoomKeepsWhatTheSlotsHold) {
   for (uint32_t slot = 0; slot < meshes_.size(); ++slot) move_and_mark(slot);
   const DrawStyle style{.colouring = Colouring::kCells, .tint = Vec3f(1, 0, 0)};
   const Image before = draw(style);
-  ASSERT_TRUE(renderer_->reserve(100).is_ok());
+  ASSERT_TRUE(surface_->reserve(100).is_ok());
   EXPECT_EQ(count_different(draw(style), before), 0);
   put(99, meshes_[0]);
   EXPECT_EQ(count_different(draw(style), before), 0);
@@ -68,14 +68,14 @@ TEST_F(PageSlots, MoreRoomKeepsWhatTheSlotsHold) {
 TEST_F(PageSlots, AFailedReserveLeavesEverythingAsItWas) {
   move_and_mark(2);
   const Image before = draw();
-  const Status above = renderer_->reserve(kPageSlotsMax + 1);
+  const Status above = surface_->reserve(kPageSlotsMax + 1);
   EXPECT_EQ(above.code(), StatusCode::kResourceExhausted);
   EXPECT_THAT(above.message(), HasSubstr("262145"));
-  const Status driver = renderer_->reserve(kPageSlotsMax);  // 26 GB
+  const Status driver = surface_->reserve(kPageSlotsMax);  // 26 GB
   EXPECT_EQ(driver.code(), StatusCode::kResourceExhausted);
   EXPECT_THAT(driver.message(), HasSubstr("262144"));
   EXPECT_EQ(count_different(draw(), before), 0);
-  EXPECT_TRUE(renderer_->reserve(5).is_ok());
+  EXPECT_TRUE(surface_->reserve(5).is_ok());
   EXPECT_EQ(count_different(draw(), before), 0);
 }
 

@@ -4,6 +4,7 @@
 
 #include "client/gl/context_egl.h"
 #include "client/gl/gl_page_renderer.h"
+#include "client/scene/page_surface.h"
 #include "tests/client/scene/page_splitter.h"
 
 namespace burnish {
@@ -23,6 +24,7 @@ class PageStage : public testing::Test {
     auto renderer = GlPageRenderer::create();
     ASSERT_TRUE(renderer.is_ok()) << renderer.status().message();
     renderer_ = std::move(renderer).value();
+    surface_ = std::make_unique<PageSurface>(*renderer_);
   }
 
   void show(SplitMesh split) {
@@ -31,20 +33,17 @@ class PageStage : public testing::Test {
     camera_.target = space_.centre;
     camera_.distance = 4.5 * space_.unit;
     camera_.scene_radius = 2 * space_.unit;
-    renderer_->open(space_);
-    ASSERT_TRUE(renderer_->reserve(static_cast<uint32_t>(split_.pages.size())).is_ok());
+    surface_->open(space_);
+    ASSERT_TRUE(surface_->reserve(static_cast<uint32_t>(split_.pages.size())).is_ok());
     meshes_.clear();
     for (const Page& page : split_.pages) meshes_.push_back(make_page_mesh(page, split_.grid));
     for (uint32_t slot = 0; slot < meshes_.size(); ++slot) put(slot, meshes_[slot]);
   }
 
-  void put(uint32_t slot, const PageMesh& mesh) {
-    ASSERT_TRUE(renderer_->upload_page(slot, mesh).is_ok());
-  }
+  void put(uint32_t slot, const PageMesh& mesh) { ASSERT_TRUE(surface_->put(slot, mesh).is_ok()); }
 
-  void move(uint32_t slot, const PageMesh& mesh, const std::vector<Vec3f>& displacements) {
-    const MovedPage moved = displace(mesh, displacements, space_.cell_size);
-    ASSERT_TRUE(renderer_->move_page(slot, displacements, moved).is_ok());
+  void move(uint32_t slot, std::vector<Vec3f> displacements) {
+    surface_->move(slot, std::move(displacements));
   }
 
   PatchRange all_of(uint32_t slot) const {
@@ -58,7 +57,7 @@ class PageStage : public testing::Test {
   }
 
   Image draw(const DrawStyle& style, const std::vector<PatchRange>& patches) {
-    const Status drawn = renderer_->draw(camera_, kStageSize, style, patches);
+    const Status drawn = surface_->draw(camera_, kStageSize, style, patches);
     EXPECT_TRUE(drawn.is_ok()) << drawn.message();
     return std::move(renderer_->read_pixels()).value();
   }
@@ -70,6 +69,7 @@ class PageStage : public testing::Test {
   Camera camera_;
   std::unique_ptr<EglContext> context_;  // outlives the renderer
   std::unique_ptr<GlPageRenderer> renderer_;
+  std::unique_ptr<PageSurface> surface_;
 };
 
 inline bool same_pixel(const Image& a, const Image& b, int x, int y) {

@@ -22,7 +22,7 @@ class PageStyle : public PageStage {
     for (uint32_t slot = 0; slot < meshes_.size(); ++slot) {
       for (const Vec3f& at : meshes_[slot].positions)
         moves_[slot].push_back((cells + wave * std::sin(12 * at.x())) * at.normalized());
-      move(slot, meshes_[slot], moves_[slot]);
+      move(slot, moves_[slot]);
     }
   }
 

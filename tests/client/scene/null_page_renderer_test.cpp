@@ -45,7 +45,7 @@ TEST_F(NullPages, RemembersWhatItWasAskedToDraw) {
 TEST_F(NullPages, PicksTheMovedSurfaceOrTheOriginal) {
   EXPECT_TRUE(pick(false).has_value());
   const std::vector<Vec3f> away(mesh_.positions.size(), Vec3f(1000, 0, 0));
-  ASSERT_TRUE(renderer_.move_page(0, away, {}).is_ok());
+  ASSERT_TRUE(renderer_.move_page(0, away, {}, {}).is_ok());
   EXPECT_FALSE(pick(false).has_value());
   EXPECT_TRUE(pick(true).has_value());
 }
