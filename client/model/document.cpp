@@ -37,8 +37,8 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
   live.clock = options.clock;
   live_ = std::make_unique<SessionLink>(*opened_.connection, std::move(live));
   SurfaceOptions shown{options.budget, options.is_software, options.pages, wake_, options.clock};
-  surface_ = std::make_unique<PagedSurface>(std::move(opened_.pages), depth(),
-                                            *opened_.connection, *live_, std::move(shown));
+  surface_ = std::make_unique<PagedSurface>(std::move(opened_.pages), depth(), *opened_.connection,
+                                            *live_, std::move(shown));
 }
 
 void Document::send(Change change) {

@@ -33,9 +33,9 @@ struct OpenedDocument {
 /// Where a document's pictures are drawn, and what they may cost.
 struct DocumentOptions {
   PageBudget budget;
-  bool is_software = false;        ///< pictures are drawn without a graphics card
-  std::filesystem::path pages;     ///< folder that keeps fetched pages; empty: none
-  std::function<void()> wake;      ///< called from any thread when update() has something to do
+  bool is_software = false;     ///< pictures are drawn without a graphics card
+  std::filesystem::path pages;  ///< folder that keeps fetched pages; empty: none
+  std::function<void()> wake;   ///< called from any thread when update() has something to do
   Clock clock = std::chrono::steady_clock::now;
 };
 
@@ -64,8 +64,8 @@ class Document {
 
   /// Handles news from the server. Call once per picture.
   void update();
-  /// Brings what this picture needs to the renderer. Fails: as the renderer does.
-  Status look(const Camera& camera, const ImageSize& size, PageRenderer& renderer);
+  /// Brings what this picture needs to the renderer of open(). Fails: as the renderer does.
+  Status look(const Camera& camera, const ImageSize& size);
 
   // During a drag, preview the gradient scale and the curve; at its end, commit.
   double beta() const { return beta_; }

@@ -16,9 +16,9 @@ void Document::update() {
   follow_server();
 }
 
-Status Document::look(const Camera& camera, const ImageSize& size, PageRenderer& renderer) {
+Status Document::look(const Camera& camera, const ImageSize& size) {
   const bool is_dragging = !gesture_.empty() && !brush_.is_drawing();
-  RETURN_IF_ERROR(surface_->look(camera, size, is_dragging, renderer));
+  RETURN_IF_ERROR(surface_->look(camera, size, is_dragging));
   fetch_values();
   const std::string failures = surface_->take_failures();
   if (!failures.empty()) log_.warning(failures);

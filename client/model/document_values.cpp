@@ -43,8 +43,8 @@ void Document::fetch_values() {
                 version = values_version_, wake = wake_](std::stop_token) -> Tasks::Completion {
     connection->bring_back();
     const bool is_beta = colour == ColourBy::kBeta;
-    auto first = connection->page_values(
-        session, is_beta ? CellValue::kBeta : CellValue::kKappa1, pages);
+    auto first =
+        connection->page_values(session, is_beta ? CellValue::kBeta : CellValue::kKappa1, pages);
     auto second = is_beta ? first : connection->page_values(session, CellValue::kKappa2, pages);
     wake();
     return [this, alive, first = std::move(first), second = std::move(second), version] {
@@ -69,9 +69,9 @@ void Document::take_values(const Result<std::vector<PageValues>>& first,
     for (size_t v = 0; v < marks.size(); ++v) {
       const float a = one.at(v), b = other.at(v);
       const float value = std::abs(b) > std::abs(a) ? b : a;
-      marks[v] = to_mark(colour_ == ColourBy::kBeta
-                             ? signed_part_of_beta(value)
-                             : signed_part_of_kappa(value, curve_.kappa_range()));
+      marks[v] =
+          to_mark(colour_ == ColourBy::kBeta ? signed_part_of_beta(value)
+                                             : signed_part_of_kappa(value, curve_.kappa_range()));
     }
     surface_->marks().set_values(one.page, std::move(marks));
   }

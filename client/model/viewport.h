@@ -59,9 +59,7 @@ class Viewport {
   Status update(PageRenderer& renderer, Document& document);
 
   /// Prepares the picture of the document; draw() then draws it. Fails: as the renderer does.
-  Status look(PageRenderer& renderer, Document& document) const {
-    return document.look(camera, size_, renderer);
-  }
+  Status look(Document& document) const { return document.look(camera, size_); }
   Status draw(PageRenderer& renderer, const Document& document) const;
 
   /// Returns the surface point under the pointer at the last update().

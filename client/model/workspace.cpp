@@ -17,7 +17,7 @@ Status Workspace::update() {
 }
 
 Status Workspace::look() {
-  return document_ ? viewport.look(renderer_, *document_) : Status::ok();
+  return document_ ? viewport.look(*document_) : Status::ok();
 }
 
 void Workspace::start_activity(const std::string& title, Step step) {

@@ -8,8 +8,8 @@ void Workspace::open(const SessionWish& wish) {
   if (!need_connection("open") || opening_) return;
   opening_ = true;
   start_activity("Opening", [this, connection = connection_, wish](const Progress& progress) {
-    auto opened = std::make_shared<Result<OpenedDocument>>(
-        open_document(connection, wish, progress));
+    auto opened =
+        std::make_shared<Result<OpenedDocument>>(open_document(connection, wish, progress));
     return [this, opened] {
       opening_ = false;
       if (!opened->is_ok()) return log.failure("open", opened->status());
@@ -48,10 +48,10 @@ void Workspace::reopen(const RecentSession& recent) {
 
 void Workspace::show(OpenedDocument opened) {
   leave_document();
-  auto document = std::make_unique<Document>(
-      std::move(opened), tasks_, log, recorder,
-      DocumentOptions{options_.budget, options_.is_software, options_.pages, options_.wake,
-                      options_.clock});
+  auto document =
+      std::make_unique<Document>(std::move(opened), tasks_, log, recorder,
+                                 DocumentOptions{options_.budget, options_.is_software,
+                                                 options_.pages, options_.wake, options_.clock});
   const Status shown = document->open(renderer_);
   if (!shown.is_ok()) return log.failure("open", shown);
   document->brush().brush = {.radius = preferences.brush_radius_part * document->diagonal(),

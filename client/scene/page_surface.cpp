@@ -142,8 +142,7 @@ Status PageSurface::send(uint32_t number) {
   return Status::ok();
 }
 
-Status PageSurface::draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
-                         std::span<const PatchRange> patches) {
+Status PageSurface::show(std::span<const PatchRange> patches) {
   take(patches);
   for (const uint32_t number : drawn_) refresh(slots_[number]);
   for (size_t group = 0; group < shared_.count(); ++group) join_normals(shared_[group]);
@@ -152,6 +151,12 @@ Status PageSurface::draw(const Camera& camera, const ImageSize& size, const Draw
   for (size_t group = 0; group < shared_.count(); ++group) join_ridges(shared_[group]);
   for (const uint32_t number : drawn_) slots_[number].is_stale = slots_[number].is_bent = false;
   for (const uint32_t number : drawn_) RETURN_IF_ERROR(send(number));
+  return Status::ok();
+}
+
+Status PageSurface::draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
+                         std::span<const PatchRange> patches) {
+  RETURN_IF_ERROR(show(patches));
   return renderer_.draw(camera, size, style, patches);
 }
 

@@ -28,11 +28,15 @@ class PageSurface {
   /// Fails: resource_exhausted; then the slot is empty.
   Status put(uint32_t slot, PageMesh mesh);
 
-  /// Moves the page in a slot from the next draw() on. Shapes: one displacement per vertex.
+  /// Moves the page in a slot from the next show() on. Shapes: one displacement per vertex.
   /// Units: cells.
   void move(uint32_t slot, std::vector<Vec3f> displacements);
 
-  /// Draws these patches as PageRenderer::draw() does, each once. Fails: as it does.
+  /// Brings the renderer to what these patches show, each once, without drawing.
+  /// Fails: as PageRenderer::move_page() does.
+  Status show(std::span<const PatchRange> patches);
+
+  /// Shows these patches and draws them as PageRenderer::draw() does. Fails: as it does.
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
               std::span<const PatchRange> patches);
 

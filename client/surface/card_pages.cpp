@@ -5,19 +5,22 @@
 
 #include "client/scene/displaced_page.h"
 #include "common/base/check.h"
+#include "common/base/limits.h"
 #include "common/page_frames/page_corners.h"
 
 namespace burnish {
 
-CardPages::CardPages(const PageGrid& grid, int depth)
-    : grid_(grid), depth_(depth), space_(make_page_space(grid, depth)) {}
+CardPages::CardPages(const PageGrid& grid, int depth) : grid_(grid), depth_(depth) {}
 
 Result<uint32_t> CardPages::open(PageRenderer& renderer, uint32_t slots) {
-  renderer.open(space_);
+  renderer_ = &renderer;
+  surface_.emplace(renderer);
+  surface_->open(make_page_space(grid_, depth_));
+  patches_.clear();
   slots_.clear();
   slots = std::min(slots, kPageSlotsMax);
   for (;; slots /= 2) {
-    const Status reserved = renderer.reserve(slots);
+    const Status reserved = surface_->reserve(slots);
     if (reserved.is_ok()) break;
     if (slots < 2 * kSlotsMin) return reserved;
   }
@@ -25,48 +28,59 @@ Result<uint32_t> CardPages::open(PageRenderer& renderer, uint32_t slots) {
   return slots;
 }
 
-Status CardPages::upload(PageRenderer& renderer, PageSlot slot, const Page& page,
-                         std::shared_ptr<const PageMesh> mesh) {
+Status CardPages::put(PageSlot slot, const Page& page, PageMesh mesh) {
   BURNISH_CHECK(slot < slots_.size(), "slots are reserved");
-  slots_[slot] = {page.id, std::move(mesh), {}, nullptr, {}};
+  slots_[slot] = {page.id, {}, nullptr, {}};
   slots_[slot].cells.reserve(page.positions.size());
   for (const Vec3i& position : page.positions)
     slots_[slot].cells.push_back(cell_place(position, grid_.bits, depth_).cell);
-  return renderer.upload_page(slot, *slots_[slot].mesh);
+  return surface_->put(slot, std::move(mesh));
 }
 
-Result<bool> CardPages::update(PageRenderer& renderer, std::span<const DrawnRange> drawn,
-                               const SurfaceFrame& frame, const PageMarks& marks) {
-  bool is_changed = false;
+Result<bool> CardPages::show(std::span<const DrawnRange> drawn, const SurfaceFrame& frame,
+                             const PageMarks& marks) {
+  bool is_changed = list_patches(drawn);
   PageSlot done = kPageSlotsMax;  // the ranges of a page follow each other
   for (const DrawnRange& range : drawn) {
     if (std::exchange(done, range.slot) == range.slot) continue;
-    Slot& slot = slots_[range.slot];
-    if (auto move = frame.share(slot.page); move != slot.moved) {
-      RETURN_IF_ERROR(move_to(std::move(move), range.slot, renderer));
-      is_changed = true;
-    }
-    if (!marks.update(slot.page, slot.cells, slot.mark)) continue;
-    RETURN_IF_ERROR(renderer.mark_page(range.slot, slot.mark.marks));
-    is_changed = true;
+    is_changed |= move_to(frame.share(range.page), range.slot);
+    ASSIGN_OR_RETURN(const bool is_marked, mark_as(marks, range.slot));
+    is_changed |= is_marked;
   }
+  RETURN_IF_ERROR(surface_->show(patches_));
   return is_changed;
 }
 
-Status CardPages::move_to(std::shared_ptr<const PageMove> move, PageSlot number,
-                          PageRenderer& renderer) {
+bool CardPages::list_patches(std::span<const DrawnRange> drawn) {
+  std::vector<PatchRange> patches;
+  patches.reserve(drawn.size());
+  for (const DrawnRange& range : drawn)
+    patches.push_back({range.slot, range.first_triangle, range.triangles});
+  if (patches == patches_) return false;
+  patches_ = std::move(patches);
+  return true;
+}
+
+bool CardPages::move_to(std::shared_ptr<const PageMove> move, PageSlot number) {
   BURNISH_CHECK(move != nullptr, "a drawn page is in the frame");
   Slot& slot = slots_[number];
+  if (slot.moved == move) return false;
   slot.moved = std::move(move);
-  const MovedPage moved = displace(*slot.mesh, slot.moved->displacements, space_.cell_size);
-  return renderer.move_page(number, slot.moved->displacements, moved);
+  surface_->move(number, slot.moved->displacements);
+  return true;
+}
+
+Result<bool> CardPages::mark_as(const PageMarks& marks, PageSlot number) {
+  Slot& slot = slots_[number];
+  if (!marks.update(slot.page, slot.cells, slot.mark)) return false;
+  RETURN_IF_ERROR(renderer_->mark_page(number, slot.mark.marks));
+  return true;
 }
 
 std::optional<SurfaceHit> CardPages::hit(const PagePick& pick, const Ray& ray,
                                          bool original) const {
-  const Slot& slot = slots_[pick.slot];
-  DisplacedPage page{*slot.mesh, space_, {}};
-  if (!original && slot.moved) page.displacements = slot.moved->displacements;
+  DisplacedPage page = surface_->at(pick.slot);
+  if (original) page.displacements = {};
   return point_on_page_triangle(page, ray, pick.triangle);
 }
 

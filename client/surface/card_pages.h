@@ -8,33 +8,32 @@
 
 #include "client/connection/surface_frame.h"
 #include "client/pages/drawn_ranges.h"
-#include "client/scene/page_renderer.h"
+#include "client/scene/page_surface.h"
 #include "client/scene/surface_hit.h"
 #include "client/surface/page_marks.h"
-#include "common/pages/directory.h"
 
 namespace burnish {
 
-/// The pages in the renderer's slots: puts them there, moves and marks those that are drawn, and
+/// The pages in a renderer's slots: puts them there, moves and marks those that are drawn, and
 /// finds points on them. A page that is not drawn is brought up to date when it is drawn again.
 class CardPages {
  public:
   CardPages(const PageGrid& grid, int depth);
 
-  const PageSpace& space() const { return space_; }
-
   /// Begins with an empty renderer that has room for `slots` pages; takes fewer if the card has
   /// no room, and returns how many. Fails: resource_exhausted if there is no room for kSlotsMin.
+  /// Needs: the renderer outlives this object.
   Result<uint32_t> open(PageRenderer& renderer, uint32_t slots);
 
-  Status upload(PageRenderer& renderer, PageSlot slot, const Page& page,
-                std::shared_ptr<const PageMesh> mesh);
+  Status put(PageSlot slot, const Page& page, PageMesh mesh);
 
   /// Brings the drawn pages to this frame and these marks, and returns whether any changed. All are
-  /// of one moment, so that no crack
-  /// opens. Needs: the frame has all drawn pages.
-  Result<bool> update(PageRenderer& renderer, std::span<const DrawnRange> drawn,
-                const SurfaceFrame& frame, const PageMarks& marks);
+  /// of one moment, so that no crack opens. Needs: the frame has all drawn pages.
+  Result<bool> show(std::span<const DrawnRange> drawn, const SurfaceFrame& frame,
+                    const PageMarks& marks);
+
+  /// What the last show() has to draw.
+  std::span<const PatchRange> patches() const { return patches_; }
 
   /// Returns the point of a picked triangle that the ray meets.
   std::optional<SurfaceHit> hit(const PagePick& pick, const Ray& ray, bool original) const;
@@ -44,17 +43,20 @@ class CardPages {
  private:
   struct Slot {
     PageId page = kNoPage;
-    std::shared_ptr<const PageMesh> mesh;
     std::vector<Vec3i> cells;               // of the vertices, grid units
     std::shared_ptr<const PageMove> moved;  // as the renderer has it
     PageMarks::Mark mark;                   // likewise
   };
-  Status move_to(std::shared_ptr<const PageMove> move, PageSlot number, PageRenderer& renderer);
+  bool list_patches(std::span<const DrawnRange> drawn);
+  bool move_to(std::shared_ptr<const PageMove> move, PageSlot slot);
+  Result<bool> mark_as(const PageMarks& marks, PageSlot slot);
 
   PageGrid grid_;
   int depth_;
-  PageSpace space_;
+  PageRenderer* renderer_ = nullptr;
+  std::optional<PageSurface> surface_;
   std::vector<Slot> slots_;
+  std::vector<PatchRange> patches_;
 };
 
 }  // namespace burnish

@@ -47,10 +47,10 @@ void PageDecoder::run(const std::stop_token& stop) {
 
 DecodedPage PageDecoder::decode(const Job& job) const {
   Result<Page> page = decode_page(job.bytes);
-  if (!page.is_ok()) return {job.page, page.status(), nullptr};
+  if (!page.is_ok()) return {job.page, page.status(), {}};
   const Status fits = check_page_in_scan(*page, job.page, head_);
-  if (!fits.is_ok()) return {job.page, fits, nullptr};
-  auto mesh = std::make_shared<const PageMesh>(make_page_mesh(*page, head_.grid));
+  if (!fits.is_ok()) return {job.page, fits, {}};
+  PageMesh mesh = make_page_mesh(*page, head_.grid);
   return {job.page, std::move(page), std::move(mesh)};
 }
 

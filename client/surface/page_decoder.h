@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <set>
 #include <span>
@@ -20,7 +19,7 @@ namespace burnish {
 struct DecodedPage {
   PageId id = 0;
   Result<Page> page;
-  std::shared_ptr<const PageMesh> mesh;  ///< null if the page failed
+  PageMesh mesh;  ///< empty if the page failed
 };
 
 /// Decodes pages on a thread of its own, so that no picture waits. Used from one thread.

@@ -54,17 +54,19 @@ void PagedSurface::take(const LiveNews& news) {
   frame_ = news.frame;
 }
 
-Status PagedSurface::look(const Camera& camera, const ImageSize& size, bool is_dragging,
-                          PageRenderer& renderer) {
+Status PagedSurface::look(const Camera& camera, const ImageSize& size, bool is_dragging) {
   hand_in_arrivals();
   loader_->look(question(camera, size, is_dragging), options_.clock());
   start_decoding();
   ask_for_items();
-  RETURN_IF_ERROR(upload(renderer));
+  RETURN_IF_ERROR(put_on_card());
   RETURN_IF_ERROR(show_pages());
-  list_patches();
-  if (!frame_) return Status::ok();
-  ASSIGN_OR_RETURN(const bool is_changed, card_.update(renderer, drawn_, *frame_, marks_));
+  return frame_ ? show_frame() : Status::ok();
+}
+
+Status PagedSurface::show_frame() {
+  const std::vector<DrawnRange> drawn = drawn_ranges(loader_->cut(), loader_->cache());
+  ASSIGN_OR_RETURN(const bool is_changed, card_.show(drawn, *frame_, marks_));
   changes_ += is_changed;
   return Status::ok();
 }
@@ -81,7 +83,7 @@ void PagedSurface::hand_in_arrivals() {
     }
   }
   for (DecodedPage& decoded : decoder_.take()) {
-    if (decoded.mesh) meshes_[decoded.id] = std::move(decoded.mesh);
+    if (decoded.page.is_ok()) meshes_[decoded.id] = std::move(decoded.mesh);
     loader_->on_decoded(decoded.id, std::move(decoded.page), now);
   }
 }
@@ -96,8 +98,7 @@ PictureQuestion PagedSurface::question(const Camera& camera, const ImageSize& si
   asked.view = make_page_view(camera, size, pages_.head.grid);
   asked.frame = frame_bounds();
   asked.surface_moves = moves(is_dragging);
-  asked.frame_vertices_max =
-      static_cast<uint64_t>(stats_.frame_bytes_max / kBytesPerVertexMoving);
+  asked.frame_vertices_max = static_cast<uint64_t>(stats_.frame_bytes_max / kBytesPerVertexMoving);
   asked.has_values = [frame = frame_.get()](PageId page) {
     return frame != nullptr && frame->find(page) != nullptr;
   };
@@ -130,14 +131,13 @@ void PagedSurface::ask_for_items() {
   fetcher_.ask(plan.ask);
 }
 
-Status PagedSurface::upload(PageRenderer& renderer) {
+Status PagedSurface::put_on_card() {
   const auto uploads = loader_->take_uploads();
   for (const PageUpload& each : uploads) {
-    const auto ready = meshes_.extract(each.page);
-    auto mesh = ready ? ready.mapped()
-                      : std::make_shared<const PageMesh>(
-                            make_page_mesh(*each.content, pages_.head.grid));
-    RETURN_IF_ERROR(card_.upload(renderer, each.slot, *each.content, std::move(mesh)));
+    auto ready = meshes_.extract(each.page);
+    PageMesh mesh =
+        ready ? std::move(ready.mapped()) : make_page_mesh(*each.content, pages_.head.grid);
+    RETURN_IF_ERROR(card_.put(each.slot, *each.content, std::move(mesh)));
   }
   changes_ += !uploads.empty();
   std::erase_if(meshes_, [this](const auto& mesh) {  // the cache had no room for them
@@ -147,30 +147,18 @@ Status PagedSurface::upload(PageRenderer& renderer) {
 }
 
 Status PagedSurface::show_pages() {
-  const auto in_flight_max =
-      static_cast<uint64_t>(2 * stats_.frame_bytes_max / kBytesPerVertexNew);
+  const auto in_flight_max = static_cast<uint64_t>(2 * stats_.frame_bytes_max / kBytesPerVertexNew);
   ShownSet::Change change =
       shown_.change(loader_->cut(), loader_->cache(), frame_.get(), in_flight_max);
   if (change.is_empty()) return Status::ok();
   return link_.show_pages(std::move(change.added), std::move(change.removed));
 }
 
-void PagedSurface::list_patches() {
-  drawn_ = drawn_ranges(loader_->cut(), loader_->cache());
-  std::vector<PatchRange> patches;
-  patches.reserve(drawn_.size());
-  for (const DrawnRange& range : drawn_)
-    patches.push_back({range.slot, range.first_triangle, range.triangles});
-  if (patches == patches_) return;
-  patches_ = std::move(patches);
-  ++changes_;
-}
-
-Result<std::optional<SurfaceHit>> PagedSurface::hit_at(PageRenderer& renderer,
-                                                       const Camera& camera, const ImageSize& size,
+Result<std::optional<SurfaceHit>> PagedSurface::hit_at(PageRenderer& renderer, const Camera& camera,
+                                                       const ImageSize& size,
                                                        const Eigen::Vector2i& pixel,
                                                        bool original) const {
-  ASSIGN_OR_RETURN(const auto pick, renderer.pick(camera, size, pixel, original, patches_));
+  ASSIGN_OR_RETURN(const auto pick, renderer.pick(camera, size, pixel, original, patches()));
   if (!pick) return std::optional<SurfaceHit>();
   const Ray ray = pixel_ray(camera, size, pixel.cast<double>() + Eigen::Vector2d(0.5, 0.5));
   return card_.hit(*pick, ray, original);
@@ -189,8 +177,8 @@ bool PagedSurface::is_settled() const {
 std::string PagedSurface::take_failures() {
   const std::vector<GivenUpItem> items = loader_->take_given_up();
   if (items.empty()) return {};
-  return std::to_string(items.size()) + " pieces of the surface could not be fetched: " +
-         items.front().last_failure.message();
+  return std::to_string(items.size()) +
+         " pieces of the surface could not be fetched: " + items.front().last_failure.message();
 }
 
 }  // namespace burnish

@@ -37,9 +37,9 @@ Result<OpenedPages> open_pages(const PagesDescription& description, const std::s
 
 struct SurfaceOptions {
   PageBudget budget;
-  bool is_software = false;  ///< pictures are drawn without a graphics card
-  std::filesystem::path disk;      ///< folder that keeps fetched pages; empty: none
-  std::function<void()> on_news;   ///< called from any thread: another look() helps
+  bool is_software = false;       ///< pictures are drawn without a graphics card
+  std::filesystem::path disk;     ///< folder that keeps fetched pages; empty: none
+  std::function<void()> on_news;  ///< called from any thread: another look() helps
   Clock clock = std::chrono::steady_clock::now;
 };
 
@@ -52,7 +52,8 @@ class PagedSurface {
   PagedSurface(OpenedPages pages, int depth, const Connection& connection, SessionLink& link,
                SurfaceOptions options);
 
-  /// Empties the renderer for this surface. Call once, first. Fails: resource_exhausted.
+  /// Empties the renderer for this surface. Call once, first. Needs: it outlives this.
+  /// Fails: resource_exhausted.
   Status open(PageRenderer& renderer);
 
   /// Takes the newest frame of the link.
@@ -63,11 +64,10 @@ class PagedSurface {
   /// Prepares the picture: chooses its pages, brings what has come to the card, and asks for the
   /// rest. `is_dragging`: a slider or curve moves the whole surface now.
   /// Fails: as the renderer does.
-  Status look(const Camera& camera, const ImageSize& size, bool is_dragging,
-              PageRenderer& renderer);
+  Status look(const Camera& camera, const ImageSize& size, bool is_dragging);
 
   /// What the last look() draws.
-  std::span<const PatchRange> patches() const { return patches_; }
+  std::span<const PatchRange> patches() const { return card_.patches(); }
   /// The pages of it, coarse before fine.
   const std::vector<PageId>& drawn_pages() const { return loader_->cut().visible_pages; }
 
@@ -97,9 +97,9 @@ class PagedSurface {
   void hand_in_block(uint32_t number, Result<std::vector<uint8_t>> bytes);
   void start_decoding();
   void ask_for_items();
-  Status upload(PageRenderer& renderer);
+  Status put_on_card();
   Status show_pages();
-  void list_patches();
+  Status show_frame();
   PictureQuestion question(const Camera& camera, const ImageSize& size, bool is_dragging) const;
   FrameBounds frame_bounds() const;
   bool moves(bool is_dragging) const;
@@ -113,12 +113,10 @@ class PagedSurface {
   CardPages card_;
   ShownSet shown_;
   std::unique_ptr<PageLoader> loader_;
-  std::unordered_map<PageId, std::shared_ptr<const PageMesh>> meshes_;  // decoded, not uploaded
+  std::unordered_map<PageId, PageMesh> meshes_;  // of decoded pages that are not on the card
 
   std::shared_ptr<const SurfaceFrame> frame_;
   LinkStats stats_;
-  std::vector<DrawnRange> drawn_;
-  std::vector<PatchRange> patches_;
   uint64_t changes_ = 0;
 
   PageFetcher fetcher_;  // their threads call on_news

@@ -22,11 +22,9 @@ class CardPagesTest : public testing::Test {
     EXPECT_EQ(card_.open(renderer_, slots).value(), slots);
     for (uint32_t slot = 0; slot < slots; ++slot) {
       const Page& page = split_.pages[slot];
-      auto mesh = std::make_shared<const PageMesh>(make_page_mesh(page, split_.grid));
-      EXPECT_TRUE(card_.upload(renderer_, slot, page, std::move(mesh)).is_ok());
+      EXPECT_TRUE(card_.put(slot, page, make_page_mesh(page, split_.grid)).is_ok());
       const auto triangles = static_cast<uint32_t>(page.triangles.size());
       drawn_.push_back({slot, 0, triangles, page.id});
-      patches_.push_back({slot, 0, triangles});
     }
   }
 
@@ -47,7 +45,7 @@ class CardPagesTest : public testing::Test {
     Camera camera{.azimuth_degrees = 0, .elevation_degrees = 0};
     camera.distance = 5;
     const Eigen::Vector2i pixel(32, 32);
-    const auto pick = renderer_.pick(camera, size, pixel, original, patches_).value();
+    const auto pick = renderer_.pick(camera, size, pixel, original, card_.patches()).value();
     const Ray ray = pixel_ray(camera, size, pixel.cast<double>() + Eigen::Vector2d(0.5, 0.5));
     return card_.hit(pick.value(), ray, original).value();
   }
@@ -58,18 +56,17 @@ class CardPagesTest : public testing::Test {
   StrokeTint tint_{split_.grid, kSurfaceDepth};
   PageMarks marks_;
   std::vector<DrawnRange> drawn_;
-  std::vector<PatchRange> patches_;
 };
 
 TEST_F(CardPagesTest, AFrameMovesTheDrawnPagesOnce) {
   const SurfaceFrame moved = frame(Vec3f(0, 0, 4));
-  EXPECT_TRUE(card_.update(renderer_, drawn_, moved, marks_).value());
-  EXPECT_FALSE(card_.update(renderer_, drawn_, moved, marks_).value());
+  EXPECT_TRUE(card_.show(drawn_, moved, marks_).value());
+  EXPECT_FALSE(card_.show(drawn_, moved, marks_).value());
 }
 
 TEST_F(CardPagesTest, APointIsFoundOnTheDisplacedAndOnTheOriginalSurface) {
   const double cell = split_.grid.side / (1 << kSurfaceDepth);
-  ASSERT_TRUE(card_.update(renderer_, drawn_, frame(Vec3f(0, 0, 4)), marks_).is_ok());
+  ASSERT_TRUE(card_.show(drawn_, frame(Vec3f(0, 0, 4)), marks_).is_ok());
   const SurfaceHit displaced = hit(false);
   EXPECT_NEAR(displaced.displaced.z(), 1 + 4 * cell, 0.02);
   EXPECT_NEAR((displaced.displaced - displaced.original).norm(), 4 * cell, 1e-6);
@@ -78,20 +75,20 @@ TEST_F(CardPagesTest, APointIsFoundOnTheDisplacedAndOnTheOriginalSurface) {
 
 TEST_F(CardPagesTest, ADabMarksThePagesThatItTouches) {
   const SurfaceFrame still = frame(Vec3f::Zero());
-  card_.update(renderer_, drawn_, still, marks_).value();
+  card_.show(drawn_, still, marks_).value();
   tint_.add_dab({.radius = 0.2, .strength = 1, .beta = 0}, Vec3d(0, 0, 1));
-  EXPECT_TRUE(card_.update(renderer_, drawn_, still, marks_).value());
-  EXPECT_FALSE(card_.update(renderer_, drawn_, still, marks_).value());
+  EXPECT_TRUE(card_.show(drawn_, still, marks_).value());
+  EXPECT_FALSE(card_.show(drawn_, still, marks_).value());
   tint_.clear();
-  EXPECT_TRUE(card_.update(renderer_, drawn_, still, marks_).value());
+  EXPECT_TRUE(card_.show(drawn_, still, marks_).value());
 }
 
 TEST_F(CardPagesTest, ValuesOfAPageMarkItOnce) {
   const SurfaceFrame still = frame(Vec3f::Zero());
-  card_.update(renderer_, drawn_, still, marks_).value();
+  card_.show(drawn_, still, marks_).value();
   marks_.set_values(1, std::vector<int8_t>(split_.pages[1].positions.size(), 100));
-  EXPECT_TRUE(card_.update(renderer_, drawn_, still, marks_).value());
-  EXPECT_FALSE(card_.update(renderer_, drawn_, still, marks_).value());
+  EXPECT_TRUE(card_.show(drawn_, still, marks_).value());
+  EXPECT_FALSE(card_.show(drawn_, still, marks_).value());
 }
 
 /// A card that has room for some pages alone.

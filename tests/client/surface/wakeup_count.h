@@ -22,8 +22,7 @@ class WakeupCount {
   /// Fails the test if there are fewer calls after a minute.
   void wait_for(int calls) {
     std::unique_lock lock(mutex_);
-    EXPECT_TRUE(
-        changed_.wait_for(lock, std::chrono::minutes(1), [&] { return count_ >= calls; }));
+    EXPECT_TRUE(changed_.wait_for(lock, std::chrono::minutes(1), [&] { return count_ >= calls; }));
   }
 
  private:
