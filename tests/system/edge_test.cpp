@@ -21,7 +21,6 @@
 namespace burnish {
 namespace {
 
-using grpc::StatusCode;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -75,7 +74,7 @@ TEST(Edge, APackedMessageIsRefusedAndNotUnpacked) {
   ASSERT_TRUE(call(wire_channel(server.address), {kListScans, {""}}).status.ok());
   const uint64_t before = peak_bytes(server);
   const grpc::Status status = packed_call(server.address, std::string(128 * kMiB, '\0'));
-  EXPECT_EQ(status.error_code(), StatusCode::UNIMPLEMENTED) << status.error_message();
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::UNIMPLEMENTED) << status.error_message();
   EXPECT_LT(peak_bytes(server), before + 32 * kMiB);
 }
 
@@ -107,7 +106,7 @@ TEST_F(StrangerTest, HisMessagesAreNeitherReadNorParsed) {
   ASSERT_TRUE(call(channel, {kListScans, {""}, "abc"}).status.ok());
   const uint64_t before = peak_bytes(server_);
   const WireAnswer answer = call(channel, {"/burnish.v1.Editing/Apply", {edits}});
-  EXPECT_EQ(answer.status.error_code(), StatusCode::UNAUTHENTICATED);
+  EXPECT_EQ(answer.status.error_code(), grpc::StatusCode::UNAUTHENTICATED);
   EXPECT_LT(peak_bytes(server_), before + 32 * kMiB);
 }
 
@@ -116,7 +115,7 @@ TEST_F(StrangerTest, AUsersRequestThatTakesTooMuchMemoryIsRefusedWithTheNumbers)
   for (int i = 0; i < 7'000'000; ++i) edits += std::string("\x12\x00", 2);
   const WireAnswer answer =
       call(wire_channel(server_.address), {"/burnish.v1.Editing/Apply", {edits}, "abc"});
-  EXPECT_EQ(answer.status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(answer.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_THAT(answer.status.error_message(), HasSubstr("requests of user anna hold 0 bytes and"));
   EXPECT_THAT(answer.status.error_message(), HasSubstr("the limit is 67108864"));
 }
@@ -125,8 +124,9 @@ TEST_F(StrangerTest, TheMethodsThatHeMakesUpAreInNoMetric) {
   const auto channel = wire_channel(server_.address);
   for (int i = 0; i < 20; ++i) {
     const std::string method = "/evil." + std::to_string(i) + "/call";
-    EXPECT_EQ(call(channel, {method, {""}}).status.error_code(), StatusCode::UNIMPLEMENTED);
-    EXPECT_EQ(call(channel, {method, {""}, "abc"}).status.error_code(), StatusCode::UNIMPLEMENTED);
+    EXPECT_EQ(call(channel, {method, {""}}).status.error_code(), grpc::StatusCode::UNIMPLEMENTED);
+    EXPECT_EQ(call(channel, {method, {""}, "abc"}).status.error_code(),
+              grpc::StatusCode::UNIMPLEMENTED);
   }
   EXPECT_EQ(metrics().find("evil"), std::string::npos);
   EXPECT_EQ(metric(metrics(), "burnish_refusals_total{reason=\"unknown_rpc\"}"), 40);
@@ -144,7 +144,7 @@ TEST_F(StrangerTest, AFloodOfRefusalsIsCountedAndNotWritten) {
 TEST_F(StrangerTest, AnAnswerNeverRepeatsALongName) {
   const WireAnswer answer =
       call(wire_channel(server_.address), {"/" + std::string(4000, 'x'), {""}});
-  EXPECT_EQ(answer.status.error_code(), StatusCode::UNIMPLEMENTED);
+  EXPECT_EQ(answer.status.error_code(), grpc::StatusCode::UNIMPLEMENTED);
   EXPECT_LT(answer.status.error_message().size(), 1100u);
 }
 
@@ -184,7 +184,7 @@ TEST(Edge, ANameForgesNoLineOfTheLog) {
   request.set_format(v1::MESH_FORMAT_PLY);
   const WireAnswer answer = call(wire_channel(server.address),
                                  {"/burnish.v1.Editing/Export", {request.SerializeAsString()}});
-  EXPECT_EQ(answer.status.error_code(), StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(answer.status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
   EXPECT_THAT(server.process->output(), Not(HasSubstr("\n[2026-01-01")));
   EXPECT_THAT(server.process->output(), Not(HasSubstr("\x1b")));
 }
@@ -290,7 +290,7 @@ TEST_F(ConnectionsTest, AnUploadThatSendsNothingMoreIsEnded) {
     WireCall silent{method, {message}};
     silent.keep_open = true;
     const WireAnswer answer = call(wire_channel(server.address), silent);
-    EXPECT_EQ(answer.status.error_code(), StatusCode::DEADLINE_EXCEEDED) << method;
+    EXPECT_EQ(answer.status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED) << method;
     EXPECT_THAT(answer.status.error_message(), HasSubstr("the client has sent nothing"));
   }
   EXPECT_EQ(server.staged(), 0u);

@@ -54,12 +54,13 @@ class KilledServer {
     const fs::path scan = server_.folder / "scan.ply";
     EXPECT_TRUE(write_mesh(mesh, scan).is_ok());
     EXPECT_TRUE(connect().import_scan(scan, "scan", {}, {}).is_ok());
-    EditorPlace place{server_.address, "", {}, {}, 0.05 * (mesh.vertices.front()).norm()};
+    EditorPlace place{server_.address, "", {}, 0, {}, 0.05 * (mesh.vertices.front()).norm()};
     for (int i = 0; i < 50; ++i)
       place.surface.push_back(mesh.vertices[random_() % mesh.vertices.size()]);
-    place.view = std::make_shared<const View>(connect().fetch_view({"scan"}, {}).value());
+    Connection connection = connect();
+    place.pages = fetch_all_pages(connection, "scan");
     for (const std::string& session : kSessions)
-      EXPECT_TRUE(connect().open_session({"scan", session}).is_ok());
+      place.depth = connection.open_session({"scan", session}).value().session.key.depth;
     for (int i = 0; i < kEditors; ++i) {
       place.session = kSessions[i % kSessions.size()];
       editors_[place.session].push_back(

@@ -17,7 +17,6 @@
 namespace burnish {
 namespace {
 
-using grpc::StatusCode;
 using testing::HasSubstr;
 
 // The hash of the token "abc".
@@ -69,7 +68,7 @@ TEST_F(LimitsTest, StreamsOfAUser) {
   {
     const Upload second(channel, 10), third(channel, 10);
     EXPECT_TRUE(second.status.ok());
-    EXPECT_EQ(third.status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
+    EXPECT_EQ(third.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
     EXPECT_EQ(third.status.error_message(),
               "user anna has 2 streams and needs 1 more; limits.streams_per_user is 2");
   }
@@ -85,7 +84,7 @@ TEST_F(LimitsTest, UploadBytesOfAUser) {
   const Upload first(channel, 700);
   EXPECT_TRUE(first.status.ok());
   const Upload second(channel, 400);
-  EXPECT_EQ(second.status.error_code(), StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(second.status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
   EXPECT_THAT(second.status.error_message(),
               HasSubstr("has 700 bytes of uploads under way and needs 400 more; "
                         "limits.upload_bytes_per_user is 1000"));
@@ -191,7 +190,7 @@ TEST_F(LimitsTest, AnUploadOfMoreCellsThanThereAreIsRefusedAtItsHeader) {
       call(wire_channel(server->address),
            {"/burnish.v1.Editing/UploadCellFields", {header.SerializeAsString()}, "abc"})
           .status;
-  EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
   EXPECT_THAT(status.error_message(), HasSubstr("sets 4000000 cells, session work has "));
 }
 
@@ -220,16 +219,16 @@ TEST_F(LimitsTest, MessagesThatAreTooLargeOrNoneAreRefusedLoggedAndCounted) {
                   "burnish_refusals_total{reason=\"" + reason + "\"}");
   };
   const std::string nonsense = "\xff\xff\xff", large(17 << 20, 'x');
-  EXPECT_EQ(refused("/burnish.v1.Library/ListScans", nonsense), StatusCode::INVALID_ARGUMENT);
-  EXPECT_EQ(refused("/burnish.v1.Editing/Export", nonsense), StatusCode::INVALID_ARGUMENT);
-  EXPECT_EQ(refused("/burnish.v1.Library/Import", nonsense), StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(refused("/burnish.v1.Library/ListScans", nonsense), grpc::StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(refused("/burnish.v1.Editing/Export", nonsense), grpc::StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(refused("/burnish.v1.Library/Import", nonsense), grpc::StatusCode::INVALID_ARGUMENT);
   for (int i = 0; i < 1000 && counted("malformed") < 3; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_EQ(counted("malformed"), 3);
   EXPECT_THAT(server->process->output(), HasSubstr("the message is not a request of"));
 
-  EXPECT_EQ(refused("/burnish.v1.Editing/Apply", large), StatusCode::RESOURCE_EXHAUSTED);
-  EXPECT_EQ(refused("/burnish.v1.Library/Import", large), StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(refused("/burnish.v1.Editing/Apply", large), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(refused("/burnish.v1.Library/Import", large), grpc::StatusCode::RESOURCE_EXHAUSTED);
   for (int i = 0; i < 1000 && counted("cut_off") < 2; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   EXPECT_EQ(counted("cut_off"), 2);

@@ -15,7 +15,6 @@
 namespace burnish {
 namespace {
 
-using grpc::StatusCode;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using Case = v1::ServerMessage;
@@ -44,7 +43,7 @@ TEST_F(Live, AClientIsWelcomedAndSeesASettledSurfaceThenSilence) {
   const v1::Welcome welcome = ann.next(Case::kWelcome).welcome();
   EXPECT_EQ(welcome.session().name(), "work");
   EXPECT_EQ(welcome.role(), v1::ROLE_OWNER);
-  EXPECT_NE(welcome.layout_fingerprint(), 0u);
+  EXPECT_NE(welcome.pages_fingerprint(), 0u);
   EXPECT_EQ(welcome.backend(), "cpu");
   ann.credit(8);
   const v1::Frame frame = ann.settle();
@@ -123,10 +122,10 @@ TEST_F(Live, AViewerIsRefusedAndWatchesOn) {
   bob.slide("b1", 0.5);
   const v1::Refused refused = bob.next(Case::kRefused).refused();
   EXPECT_THAT(refused.edit_ids(), ElementsAre("b1"));
-  EXPECT_EQ(refused.code(), StatusCode::PERMISSION_DENIED);
+  EXPECT_EQ(refused.code(), grpc::StatusCode::PERMISSION_DENIED);
   EXPECT_THAT(refused.message(), HasSubstr("'bob' is viewer"));
   bob.preview_slide("b2", 0.5);
-  EXPECT_EQ(bob.next(Case::kRefused).refused().code(), StatusCode::PERMISSION_DENIED);
+  EXPECT_EQ(bob.next(Case::kRefused).refused().code(), grpc::StatusCode::PERMISSION_DENIED);
   bob.credit(1);
   EXPECT_TRUE(bob.next(Case::kFrame).has_frame());
 }
@@ -137,22 +136,22 @@ TEST_F(Live, WrongEditsAreRefusedWithTheValueAndItsLimit) {
   ann.next(Case::kWelcome);
   ann.slide("a1", 11);
   const v1::Refused refused = ann.next(Case::kRefused).refused();
-  EXPECT_EQ(refused.code(), StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(refused.code(), grpc::StatusCode::INVALID_ARGUMENT);
   EXPECT_THAT(refused.message(), HasSubstr("11"));
   EXPECT_THAT(refused.edit_ids(), ElementsAre("a1"));
   ann.preview_slide("a2", -1);
-  EXPECT_EQ(ann.next(Case::kRefused).refused().code(), StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(ann.next(Case::kRefused).refused().code(), grpc::StatusCode::INVALID_ARGUMENT);
 }
 
 TEST_F(Live, AStreamThatDoesNotBeginWithAGreetingIsEnded) {
   LiveStream ann(channel());
   ann.credit(1);
   const grpc::Status status = ann.end();
-  EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
   EXPECT_THAT(status.error_message(), HasSubstr("begin with a greeting"));
   LiveStream bob(channel());
   bob.greet("nothing");
-  EXPECT_EQ(bob.end().error_code(), StatusCode::NOT_FOUND);
+  EXPECT_EQ(bob.end().error_code(), grpc::StatusCode::NOT_FOUND);
 }
 
 TEST_F(Live, AMessageThatItsStreamDoesNotTakeEndsItIsLoggedAndCounted) {
@@ -167,7 +166,7 @@ TEST_F(Live, AMessageThatItsStreamDoesNotTakeEndsItIsLoggedAndCounted) {
     ann.next(Case::kWelcome);
     ann.send(wrong);
     const grpc::Status status = ann.end();
-    EXPECT_EQ(status.error_code(), StatusCode::INVALID_ARGUMENT);
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
     EXPECT_TRUE(server_.process->wait_for_output(status.error_message(), kPatience));
     const int port = std::stoi(server_.announced("metrics on port "));
     EXPECT_EQ(metric(http_get_metrics(port), "burnish_refusals_total{reason=\"malformed\"}"),
@@ -183,7 +182,7 @@ TEST_F(Live, BytesThatAreNoMessageEndTheirStreamAreLoggedAndCounted) {
       call(channel(), {.method = "/burnish.v1.Editing/Edit",
                        .messages = {greeting.SerializeAsString(), "\xff\xff\xff"},
                        .keep_open = true});
-  EXPECT_EQ(answer.status.error_code(), StatusCode::INVALID_ARGUMENT);
+  EXPECT_EQ(answer.status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
   EXPECT_THAT(answer.status.error_message(), HasSubstr("not a valid ClientMessage"));
   EXPECT_TRUE(server_.process->wait_for_output("not a valid ClientMessage", kPatience));
   const int port = std::stoi(server_.announced("metrics on port "));
@@ -254,7 +253,7 @@ TEST_F(Live, AfterAKilledServerAnEditSentAgainIsKnown) {
   before->slide("a1", 0.5);
   before->next(Case::kAcknowledged);
   server_.kill();
-  EXPECT_EQ(before->end().error_code(), StatusCode::UNAVAILABLE);
+  EXPECT_EQ(before->end().error_code(), grpc::StatusCode::UNAVAILABLE);
   server_.start();
   LiveStream after(channel(), "ann");
   after.greet("work");
@@ -289,7 +288,7 @@ TEST_F(Live, WatchersGetKeyFrames) {
   EXPECT_GT(frames, 0);
   EXPECT_TRUE(settled);
   context.TryCancel();
-  EXPECT_EQ(stream->Finish().error_code(), StatusCode::CANCELLED);
+  EXPECT_EQ(stream->Finish().error_code(), grpc::StatusCode::CANCELLED);
 }
 
 TEST_F(Live, NothingIsLeftOfStreamsThatHaveEnded) {

@@ -17,14 +17,12 @@
 namespace burnish {
 namespace {
 
-using grpc::StatusCode;
-
 /// Messages that make one RPC succeed, and messages that make it fail.
 struct Rpc {
   std::string method;
   std::vector<std::string> good;
   std::vector<std::string> bad = {};  ///< empty: only its bytes can be wrong
-  StatusCode refusal = StatusCode::NOT_FOUND;
+  grpc::StatusCode refusal = grpc::StatusCode::NOT_FOUND;
   bool is_there_already = false;  ///< called again, to tidy up
   bool is_endless = false;        ///< runs until its client ends it
 };
@@ -106,7 +104,7 @@ std::string set_role(const std::string& session) {
   });
 }
 
-std::string fork(const std::string& session) {
+std::string fork_request(const std::string& session) {
   return bytes<v1::ForkSessionRequest>([&](v1::ForkSessionRequest& request) {
     request.set_session(session);
     request.set_name("copy");
@@ -148,7 +146,7 @@ std::vector<Rpc> rpcs_in_order(const std::string& scan) {
   const std::string library = "/burnish.v1.Library/", editing = "/burnish.v1.Editing/";
   return {
       {library + "Import", import(scan, scan.size()), import(scan, scan.size() + 1),
-       StatusCode::DATA_LOSS},
+       grpc::StatusCode::DATA_LOSS},
       {library + "ListScans", {""}},
       {library + "DescribeScan",
        {of_scan<v1::DescribeScanRequest>("ball")},
@@ -177,12 +175,17 @@ std::vector<Rpc> rpcs_in_order(const std::string& scan) {
       {editing + "GetPageValues", {page_values("work")}, {page_values("none")}},
       {editing + "SetRole", {set_role("work")}, {set_role("none")}},
       {editing + "Edit", {greeting("work")}, {greeting("none")}},
-      {editing + "Watch", {watch("work")}, {watch("none")}, StatusCode::NOT_FOUND, false, true},
-      {editing + "ForkSession", {fork("work")}, {fork("none")}},
+      {editing + "Watch",
+       {watch("work")},
+       {watch("none")},
+       grpc::StatusCode::NOT_FOUND,
+       false,
+       true},
+      {editing + "ForkSession", {fork_request("work")}, {fork_request("none")}},
       {editing + "DeleteSession",
        {of_session<v1::DeleteSessionRequest>("copy")},
        {of_session<v1::DeleteSessionRequest>("none")},
-       StatusCode::NOT_FOUND,
+       grpc::StatusCode::NOT_FOUND,
        true},
       {editing + "Export", {export_of("work")}, {export_of("none")}},
       {editing + "CloseSession",
@@ -246,7 +249,7 @@ TEST_F(Outcomes, OfWrongCallsNameTheReason) {
     const std::vector<std::string> nonsense = {"\xff\xff\xff"};
     const grpc::Status malformed =
         run(rpc, [&](WireCall& wire) { wire.messages = nonsense; }).status;
-    EXPECT_EQ(malformed.error_code(), StatusCode::INVALID_ARGUMENT) << rpc.method;
+    EXPECT_EQ(malformed.error_code(), grpc::StatusCode::INVALID_ARGUMENT) << rpc.method;
     if (rpc.bad.empty()) continue;
     const grpc::Status status = run(rpc, [&](WireCall& wire) { wire.messages = rpc.bad; }).status;
     EXPECT_EQ(status.error_code(), rpc.refusal) << rpc.method << ": " << status.error_message();
@@ -259,11 +262,12 @@ TEST_F(Outcomes, OfCallsThatAreCancelledOrOverdueSaySo) {
     WireCall waiting{rpc.method, {}};  // any RPC waits here for messages that never come
     waiting.keep_open = true;
     waiting.deadline = std::chrono::milliseconds(100);  // gRPC's, by its own clock
-    EXPECT_EQ(call(channel_, waiting).status.error_code(), StatusCode::DEADLINE_EXCEEDED)
+    EXPECT_EQ(call(channel_, waiting).status.error_code(), grpc::StatusCode::DEADLINE_EXCEEDED)
         << rpc.method;
     waiting.deadline = kPatience;
     waiting.cancel = true;
-    EXPECT_EQ(call(channel_, waiting).status.error_code(), StatusCode::CANCELLED) << rpc.method;
+    EXPECT_EQ(call(channel_, waiting).status.error_code(), grpc::StatusCode::CANCELLED)
+        << rpc.method;
   }
   expect_nothing_left({"call", "mesh", "session", "upload", "export"});
 }
@@ -271,9 +275,10 @@ TEST_F(Outcomes, OfCallsThatAreCancelledOrOverdueSaySo) {
 TEST_F(Outcomes, OfCallsThatAreCancelledAtWorkLeaveNothing) {
   for (const Rpc& rpc : rpcs_) {
     // The call may end before its cancel arrives.
-    const StatusCode code =
+    const grpc::StatusCode code =
         run(rpc, [](WireCall& wire) { wire.cancel = true; }).status.error_code();
-    EXPECT_THAT(code, testing::AnyOf(StatusCode::CANCELLED, StatusCode::OK)) << rpc.method;
+    EXPECT_THAT(code, testing::AnyOf(grpc::StatusCode::CANCELLED, grpc::StatusCode::OK))
+        << rpc.method;
     run(rpc);
   }
   expect_nothing_left({"call", "mesh", "session", "upload", "export"});
@@ -288,15 +293,16 @@ TEST_F(Outcomes, OfAServerThatEndsAreOkOrUnavailable) {
     clients.emplace_back([&, this] {
       while (!gone)
         for (const Rpc& rpc : rpcs_) {
-          const StatusCode code = run(rpc).status.error_code();
+          const grpc::StatusCode code = run(rpc).status.error_code();
           // Four clients also delete each other's sessions and scans.
-          const bool right = code == StatusCode::OK || code == StatusCode::UNAVAILABLE ||
-                             code == StatusCode::CANCELLED || code == StatusCode::NOT_FOUND ||
-                             code == StatusCode::ALREADY_EXISTS ||
-                             code == StatusCode::FAILED_PRECONDITION;
+          const bool right =
+              code == grpc::StatusCode::OK || code == grpc::StatusCode::UNAVAILABLE ||
+              code == grpc::StatusCode::CANCELLED || code == grpc::StatusCode::NOT_FOUND ||
+              code == grpc::StatusCode::ALREADY_EXISTS ||
+              code == grpc::StatusCode::FAILED_PRECONDITION;
           others += right ? 0 : 1;
           ++answered;
-          if (code == StatusCode::UNAVAILABLE) gone = true;
+          if (code == grpc::StatusCode::UNAVAILABLE) gone = true;
         }
     });
   while (answered < rpcs_.size() && !gone)

@@ -16,12 +16,11 @@ RestlessEditor::RestlessEditor(const EditorPlace& place, const std::string& user
       random_(seed),
       connection_(Connection::open(place.address, kPatience).value()) {
   connection_.set_user(user);
-  LiveOptions options;
-  options.greeting.session = place.session;
-  options.view = place.view;
+  LiveOptions options = place.pages.live_options(place.session, place.depth);
   options.retry_after_min = milliseconds(20);
   options.retry_after_max = milliseconds(200);
   link_ = std::make_unique<SessionLink>(connection_, options);
+  EXPECT_TRUE(link_->show_pages({place.pages.pages.back()}, {}).is_ok());
 }
 
 Edit RestlessEditor::next_edit() {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "client/connection/session_link.h"
+#include "tests/system/fetched_pages.h"
 
 namespace burnish {
 
@@ -15,7 +16,8 @@ namespace burnish {
 struct EditorPlace {
   std::string address;  ///< of the server
   std::string session;
-  std::shared_ptr<const View> view;
+  FetchedPages pages;  ///< it shows the root
+  int depth = 0;
   std::vector<Vec3d> surface;  ///< points of the scan to paint on, file units
   double brush_radius = 0;     ///< file units
 };

@@ -17,7 +17,6 @@
 namespace burnish {
 namespace {
 
-using grpc::StatusCode;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -69,10 +68,10 @@ TEST_F(UsersTest, EveryRpcIsClosedToStrangers) {
   const auto methods = all_rpcs();
   ASSERT_GE(methods.size(), 13u);
   for (const std::string& method : methods) {
-    EXPECT_EQ(call(channel_, {method, {""}}).status.error_code(), StatusCode::UNAUTHENTICATED)
+    EXPECT_EQ(call(channel_, {method, {""}}).status.error_code(), grpc::StatusCode::UNAUTHENTICATED)
         << method;
     EXPECT_EQ(call(channel_, {method, {""}, "wrong-secret"}).status.error_code(),
-              StatusCode::UNAUTHENTICATED)
+              grpc::StatusCode::UNAUTHENTICATED)
         << method;
   }
   EXPECT_THAT(server_.process->output(), HasSubstr("refused " + methods.front() + ": "));
@@ -87,7 +86,7 @@ TEST_F(UsersTest, EveryRpcAsksForItsRole) {
       if (role >= least_role(method).value()) continue;
       const std::string token = role == Role::kViewer ? "vera-secret" : "eddy-secret";
       const grpc::Status status = call(channel_, {method, {""}, token}).status;
-      EXPECT_EQ(status.error_code(), StatusCode::PERMISSION_DENIED) << method;
+      EXPECT_EQ(status.error_code(), grpc::StatusCode::PERMISSION_DENIED) << method;
       EXPECT_THAT(status.error_message(), HasSubstr(method + " needs the role"));
       ++refused;
     }
@@ -99,7 +98,7 @@ TEST_F(UsersTest, EveryRpcAsksForItsRole) {
 TEST_F(UsersTest, AnUnknownRpcIsRefusedEvenToTheOwner) {
   for (const char* method : {"/burnish.v1.Library/Format", "/nonsense", "/a.B/C"})
     EXPECT_EQ(call(channel_, {method, {""}, "otto-secret"}).status.error_code(),
-              StatusCode::UNIMPLEMENTED)
+              grpc::StatusCode::UNIMPLEMENTED)
         << method;
 }
 
@@ -134,7 +133,7 @@ TEST_F(UsersTest, AChangedFileCountsWithoutARestart) {
   server_.process->signal(SIGHUP);
   ASSERT_TRUE(server_.process->wait_for_output("users read again", kPatience));
   EXPECT_TRUE(list_as("nina-secret").ok());
-  EXPECT_EQ(list_as("vera-secret").error_code(), StatusCode::UNAUTHENTICATED);
+  EXPECT_EQ(list_as("vera-secret").error_code(), grpc::StatusCode::UNAUTHENTICATED);
 }
 
 TEST_F(UsersTest, AChangeIsSeenWithoutASignalAndABrokenOneChangesNothing) {
