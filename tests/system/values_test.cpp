@@ -51,12 +51,18 @@ TEST_F(SessionValues, ComeForTheVerticesOfPages) {
   EXPECT_EQ(beta[1].page, 0u);
   EXPECT_EQ(beta[0].at(0), 0.25f);
   EXPECT_TRUE(beta[0].steps.empty()) << "all are alike";
-  const auto kappa = connection_.page_values("work", CellValue::kKappa1, pages).value();
-  const size_t vertices = fetched.pages[0]->positions.size();
-  ASSERT_EQ(kappa[1].steps.size(), vertices);
-  double mean = 0;
-  for (size_t v = 0; v < vertices; ++v) mean += kappa[1].at(v) / static_cast<double>(vertices);
-  EXPECT_NEAR(mean, kKappaOfASphere, 0.1);
+  const Stroke stroke{{.radius = 0.5, .strength = 1, .beta = 2}, {Vec3d(0, 0, 1)}};
+  ASSERT_TRUE(connection_.apply("work", std::vector<Edit>{{"c", stroke}}).is_ok());
+  const auto painted = connection_.page_values("work", CellValue::kBeta, pages).value();
+  EXPECT_EQ(painted[0].low, 0.25f);
+  EXPECT_NEAR(painted[0].high, 2, 0.1);
+  const Page& root = *fetched.pages.back();
+  ASSERT_EQ(painted[0].steps.size(), root.positions.size());
+  for (size_t v = 0; v < root.positions.size(); ++v) {
+    const double away = (fetched.head.grid.to_file(root.positions[v]) - Vec3d(0, 0, 1)).norm();
+    if (away > 0.65) EXPECT_EQ(painted[0].at(v), 0.25f);
+    if (away < 0.1) EXPECT_GT(painted[0].at(v), 1.5f);
+  }
 }
 
 }  // namespace
