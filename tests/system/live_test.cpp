@@ -44,7 +44,7 @@ TEST_F(Live, AClientIsWelcomedAndSeesASettledSurfaceThenSilence) {
   const v1::Welcome welcome = ann.next(Case::kWelcome).welcome();
   EXPECT_EQ(welcome.session().name(), "work");
   EXPECT_EQ(welcome.role(), v1::ROLE_OWNER);
-  EXPECT_NE(welcome.layout_fingerprint(), 0u);
+  EXPECT_NE(welcome.pages_fingerprint(), 0u);
   EXPECT_EQ(welcome.backend(), "cpu");
   ann.credit(8);
   const v1::Frame frame = ann.settle();
