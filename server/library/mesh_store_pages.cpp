@@ -65,8 +65,9 @@ void MeshStore::drop_damaged_pages(const std::string& id, const Status& damage) 
 
 Result<Page> MeshStore::read_page(const ScanPages& pages, PageId page) {
   auto read = pages.file.read_page(page);
-  if (read.status().code() == StatusCode::kDataLoss)
-    drop_damaged_pages(pages.scan_id, read.status());
+  if (read.status().code() != StatusCode::kDataLoss) return read;
+  const auto present = pages_.find(pages.scan_id);  // the pages may have been made again since
+  if (!present || present.get() == &pages) drop_damaged_pages(pages.scan_id, read.status());
   return read;
 }
 

@@ -10,7 +10,7 @@ namespace burnish {
 namespace {
 
 // So that one client's pages do not keep a thread from the others' frames.
-constexpr size_t kPagesAtOnce = 16;
+constexpr size_t kPagesAtOnce = 8;
 
 // A wish has no layouts: they come with the pages.
 const std::shared_ptr<const PageLayout>& no_layout() {

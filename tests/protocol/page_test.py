@@ -7,10 +7,9 @@ import unittest
 import numpy as np
 
 from frame import FrameDecoder, MissingReference, read_frame_header
-from layout import COEFFICIENTS, Layout
+from layout import VERTICES, Layout
 from pages import read_page
-from view import read_view
-from wire import Damaged, morton_point
+from wire import Damaged
 
 PAGE = pathlib.Path(__file__).parents[2] / "docs" / "protocol.md"
 
@@ -23,24 +22,23 @@ def examples(kind):
 
 class Page(unittest.TestCase):
     def setUp(self):
-        self.view = read_view(*examples("view"))
-        self.decoder = FrameDecoder(Layout(self.view, COEFFICIENTS))
-
-    def test_the_view_says_what_the_page_says(self):
-        np.testing.assert_array_equal(self.view.positions(), [
-            (-0.375, -0.75, -1.125), (-0.125, -0.75, -1.375), (-0.25, -0.5, -1.25), (1, 2, 3)])
-        self.assertEqual(morton_point(self.view.cells).tolist(), [[1, 2, 3]])
-        self.assertEqual(self.view.triangles.tolist(), [[0, 1, 2]])
+        page = read_page(*examples("page"))
+        self.decoder = FrameDecoder(lambda number, kind: Layout(page, 8, kind))
+        self.decoder.show([9], [])
 
     def test_the_frames_say_what_the_page_says(self):
         key, delta = examples("frame")
-        self.assertEqual(self.decoder.layout.fingerprint, 0x9da72cf5a4875830)
-        self.assertEqual(self.decoder.decode(key).reference, 0)
-        expected = np.array([(64, 0, -value) for value in range(8)])
-        np.testing.assert_array_equal(self.decoder.state, expected)
+        frame = self.decoder.decode(key)
+        self.assertEqual((frame.reference, frame.revision, frame.kind), (0, 1, VERTICES))
+        self.assertEqual(frame.largest_move, 0.25)
+        self.assertEqual(self.decoder.state[9].gain, 1)
+        expected = np.array([(64, 0, -value) for value in range(5)])
+        np.testing.assert_array_equal(self.decoder.state[9].values, expected)
+        np.testing.assert_array_equal(self.decoder.displacements(9), expected / 256)
         self.assertEqual(self.decoder.decode(delta).reference, 1)
         expected[0, 0] += 8
-        np.testing.assert_array_equal(self.decoder.state, expected)
+        expected[:, 2] = (0, 0, 0, -4, -4)
+        np.testing.assert_array_equal(self.decoder.state[9].values, expected)
 
     def test_the_page_of_the_scan_says_what_the_page_says(self):
         page = read_page(*examples("page"))
@@ -55,8 +53,7 @@ class Page(unittest.TestCase):
         self.assertEqual(page.colours[tip].tolist(), [255] * 4)
 
     def test_a_flipped_bit_is_found(self):
-        for data, read in [(*examples("view"), read_view),
-                           (examples("frame")[0], read_frame_header),
+        for data, read in [(examples("frame")[0], read_frame_header),
                            (*examples("page"), read_page)]:
             for byte in range(len(data)):
                 flipped = bytearray(data)

@@ -24,6 +24,9 @@ void LiveStream::greet(const std::string& session) {
   message.mutable_greeting()->set_session(session);
   message.mutable_greeting()->set_pages(true);
   send(message);
+  message.mutable_show_pages()->set_revision(1);
+  message.mutable_show_pages()->add_added(0);
+  send(message);
 }
 
 void LiveStream::credit(uint32_t frames, const std::vector<uint64_t>& decoded) {

@@ -18,6 +18,7 @@ class LiveStream {
   ~LiveStream();
 
   bool send(const v1::ClientMessage& message) { return stream_->Write(message); }
+  /// Greets, and shows the first page of the scan.
   void greet(const std::string& session);
   void credit(uint32_t frames, const std::vector<uint64_t>& decoded = {});
   void slide(const std::string& id, double beta);
