@@ -1,6 +1,5 @@
 # The packages of the whole tree, and the two functions that make a folder a target.
 
-set(THREADS_PREFER_PTHREAD_FLAG ON)  # gRPC has it too, and precompiled headers need one set of flags
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 if(BURNISH_OPENMP)
@@ -41,8 +40,9 @@ target_compile_definitions(burnish_options INTERFACE EIGEN_DONT_PARALLELIZE)
 if(BURNISH_OPENMP)
   target_link_libraries(burnish_options INTERFACE OpenMP::OpenMP_CXX)
 else()
+  # OpenMP's flag means -pthread too, which gRPC's targets have: precompiled headers need it in all.
   target_compile_options(burnish_options INTERFACE
-    "$<$<COMPILE_LANGUAGE:CXX>:-Wno-unknown-pragmas>")
+    "$<$<COMPILE_LANGUAGE:CXX>:-Wno-unknown-pragmas;-pthread>")
 endif()
 # A target of its own for generated sources, which take the same sanitizer but no warnings.
 add_library(burnish_sanitizer INTERFACE)
