@@ -3,11 +3,16 @@
 #include <span>
 #include <vector>
 
-#include "client/scene/renderer.h"
 #include "common/edit/brush.h"
 #include "common/view/view.h"
 
 namespace burnish {
+
+/// Elements first..first+count of an array.
+struct IndexRange {
+  size_t first = 0;
+  size_t count = 0;
+};
 
 /// The trace of a stroke, cell by cell, blended as the server's brush will blend it. It is shown
 /// before any answer comes.
