@@ -1,6 +1,7 @@
 #include "client/gl/gl_page_renderer.h"
 
 #include "client/gl/gl_error.h"
+#include "client/gl/page_uniforms.h"
 #include "client/gl/shaders.h"
 
 namespace burnish {
@@ -10,7 +11,7 @@ static_assert(uint64_t{kPageSlotsMax} * kNumbersPerSlot < uint64_t{1} << 31, "a 
 
 Result<std::unique_ptr<GlPageRenderer>> GlPageRenderer::create() {
   ASSIGN_OR_RETURN(ShaderProgram page,
-                   ShaderProgram::create("page", kPageVertexShader, kMeshFragmentShader));
+                   ShaderProgram::create("page", kPageVertexShader, kPageFragmentShader));
   ASSIGN_OR_RETURN(ShaderProgram pick,
                    ShaderProgram::create("page pick", kPageVertexShader, kPickFragmentShader));
   ASSIGN_OR_RETURN(auto background, Background::create());
@@ -19,7 +20,7 @@ Result<std::unique_ptr<GlPageRenderer>> GlPageRenderer::create() {
 }
 
 void GlPageRenderer::open(const PageSpace& space) {
-  place_ = {space.centre, space.unit, space.cell_size, true};
+  space_ = space;
   arena_.clear();
 }
 
@@ -57,8 +58,8 @@ void GlPageRenderer::draw_split(const Camera& camera, const ImageSize& size,
 void GlPageRenderer::draw_pages(const Camera& camera, double aspect, const DrawStyle& style,
                                 bool original) const {
   programs_.page.use();
-  set_place(programs_.page, place_, camera, aspect, original);
-  set_style(programs_.page, place_, style);
+  set_place(programs_.page, space_, camera, aspect, original);
+  set_style(programs_.page, space_, style);
   // Leaves room for the edges in front. Without edges a triangle that is seen from its side would
   // fall behind what it hides.
   if (style.wireframe) glEnable(GL_POLYGON_OFFSET_FILL);
@@ -84,7 +85,7 @@ Result<std::optional<PagePick>> GlPageRenderer::pick(const Camera& camera, const
                                                      std::span<const PatchRange> patches) {
   RETURN_IF_ERROR(pick_target_.bind());
   programs_.pick.use();
-  set_place(programs_.pick, place_, camera, size.aspect(), original, pick_matrix(size, pixel));
+  set_place(programs_.pick, space_, camera, size.aspect(), original, pick_matrix(size, pixel));
   glEnable(GL_DEPTH_TEST);
   for (const PatchRange& patch : patches) {
     programs_.pick.set("first_number",

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "client/gl/background.h"
-#include "client/gl/mesh_uniforms.h"
 #include "client/gl/page_arena.h"
 #include "client/gl/pick_target.h"
 #include "client/gl/picture_target.h"
@@ -59,7 +58,7 @@ class GlPageRenderer : public PageRenderer {
   PageArena arena_;
   PictureTarget target_;
   PickTarget pick_target_;
-  MeshPlace place_;
+  PageSpace space_;
 };
 
 }  // namespace burnish

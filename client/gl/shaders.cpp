@@ -2,95 +2,9 @@
 
 namespace burnish {
 
-// The displacement at a vertex is trilinear in its cell: the sum of corner displacements times
-// weights. A normal is mapped by the cofactors of the Jacobian F = I + grad u, so that it stays
-// normal to the displaced surface.
-const char* const kMeshVertexShader = R"(#version 330 core
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in float ridge;
-layout(location = 3) in int cell;
-layout(location = 4) in vec3 local;
-uniform mat4 model_view;
-uniform mat4 projection;
-uniform float cell_size;  // 0: nothing moves
-uniform isamplerBuffer cell_corners;
-uniform samplerBuffer displacements;
-uniform samplerBuffer cell_values;
-uniform samplerBuffer cell_tint;
-uniform bool has_grid;
-centroid out vec3 seen_position;  // camera space
-centroid out vec3 seen_normal;
-centroid out float seen_ridge;
-out vec3 original_position;  // not centroid: its derivatives must not jump from pixel to pixel
-centroid out float value;
-centroid out float tint;
-centroid out float moved;  // along the normal, cells
-centroid out vec3 scan_colour;
-
-vec3 moved_by = vec3(0.0);
-mat3 gradient = mat3(0.0);  // columns are derivatives along x, y, z
-
-void add_corner(int corner, vec3 at) {
-  vec3 u = texelFetch(displacements, corner).xyz;
-  vec3 w = mix(1.0 - local, local, at);
-  vec3 slope = 2.0 * at - 1.0;
-  moved_by += w.x * w.y * w.z * u;
-  gradient[0] += slope.x * w.y * w.z * u;
-  gradient[1] += w.x * slope.y * w.z * u;
-  gradient[2] += w.x * w.y * slope.z * u;
-}
-
-void evaluate() {
-  ivec4 low = texelFetch(cell_corners, 2 * cell);
-  ivec4 high = texelFetch(cell_corners, 2 * cell + 1);
-  add_corner(low.x, vec3(0, 0, 0));
-  add_corner(low.y, vec3(1, 0, 0));
-  add_corner(low.z, vec3(0, 1, 0));
-  add_corner(low.w, vec3(1, 1, 0));
-  add_corner(high.x, vec3(0, 0, 1));
-  add_corner(high.y, vec3(1, 0, 1));
-  add_corner(high.z, vec3(0, 1, 1));
-  add_corner(high.w, vec3(1, 1, 1));
-}
-
-vec3 transported(vec3 n) {
-  mat3 f = mat3(1.0) + gradient;
-  mat3 cofactors = mat3(cross(f[1], f[2]), cross(f[2], f[0]), cross(f[0], f[1]));
-  vec3 turned = cofactors * n;
-  float size = length(turned);
-  return size > 1e-6 ? turned / size : n;
-}
-
-void main() {
-  vec3 at = position;
-  vec3 n = normal;
-  value = 0.0;
-  tint = 0.0;
-  moved = 0.0;
-  if (has_grid && cell >= 0) {
-    value = texelFetch(cell_values, cell).x;
-    tint = texelFetch(cell_tint, cell).x;
-    if (cell_size > 0.0) {
-      evaluate();
-      at += cell_size * moved_by;
-      n = transported(normal);
-      moved = dot(moved_by, normal);
-    }
-  }
-  vec4 seen = model_view * vec4(at, 1.0);
-  seen_position = seen.xyz;
-  seen_normal = mat3(model_view) * n;
-  seen_ridge = has_grid ? 0.0 : ridge;
-  original_position = position;
-  scan_colour = vec3(0.0);
-  gl_Position = projection * seen;
-}
-)";
-
 // Clay: a hemisphere of sky and ground, a key light from the upper left, a weak fill from the
 // right, a broad highlight, a rim, and darker grooves.
-const char* const kMeshFragmentShader = R"(#version 330 core
+const char* const kPageFragmentShader = R"(#version 330 core
 centroid in vec3 seen_position;
 centroid in vec3 seen_normal;
 centroid in float seen_ridge;

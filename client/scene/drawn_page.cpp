@@ -8,7 +8,8 @@ DrawnPage begin_drawing(const PageMesh& mesh, std::span<const PatchRange> patche
   DrawnPage page;
   page.patches.assign(patches.begin(), patches.end());
   page.rim = find_rim(mesh, patches);
-  page.still_sums = sum_rim_normals(mesh.positions, mesh, patches, page.rim);
+  page.at_rim = triangles_at_rim(mesh, patches, page.rim);
+  page.still_sums = sum_rim_normals(mesh.positions, page.at_rim, page.rim);
   return page;
 }
 
@@ -20,7 +21,7 @@ void move_drawn_page(DrawnPage& page, const PageMesh& mesh, std::span<const Vec3
     return;
   }
   page.moved = displace(mesh, displacements, cell_size);
-  page.moved_sums = sum_rim_normals(page.moved.positions, mesh, page.patches, page.rim);
+  page.moved_sums = sum_rim_normals(page.moved.positions, page.at_rim, page.rim);
 }
 
 void bend_drawn_page(DrawnPage& page, const PageMesh& mesh) {

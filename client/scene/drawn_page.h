@@ -12,11 +12,12 @@ namespace burnish {
 struct DrawnPage {
   std::vector<PatchRange> patches;
   PageRim rim;
-  std::vector<Vec3f> still_sums;  ///< of sum_rim_normals(), before the displacement
-  std::vector<Vec3f> moved_sums;  ///< of sum_rim_normals()
-  std::vector<float> rim_ridges;  ///< of this page alone, one per rim vertex
-  MovedPage moved;                ///< normals of the rim are joined with other pages
-  std::vector<float> ridges;      ///< one per vertex; those of the rim are joined
+  std::vector<PageTriangle> at_rim;  ///< of triangles_at_rim()
+  std::vector<Vec3f> still_sums;     ///< of sum_rim_normals(), before the displacement
+  std::vector<Vec3f> moved_sums;     ///< of sum_rim_normals()
+  std::vector<float> rim_ridges;     ///< of this page alone, one per rim vertex
+  MovedPage moved;                   ///< normals of the rim are joined with other pages
+  std::vector<float> ridges;         ///< one per vertex; those of the rim are joined
 };
 
 /// Begins to draw a page in another way than before. Needs: as find_rim().

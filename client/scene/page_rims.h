@@ -16,9 +16,14 @@ using PageRim = std::vector<uint16_t>;
 /// Needs: ranges inside the page that do not overlap.
 PageRim find_rim(const PageMesh& mesh, std::span<const PatchRange> drawn);
 
-/// Returns what sum_corner_normals() makes of the drawn triangles. Shapes: one sum per rim vertex.
-std::vector<Vec3f> sum_rim_normals(std::span<const Vec3f> positions, const PageMesh& mesh,
-                                   std::span<const PatchRange> drawn, const PageRim& rim);
+/// Returns the drawn triangles that have a rim vertex.
+std::vector<PageTriangle> triangles_at_rim(const PageMesh& mesh, std::span<const PatchRange> drawn,
+                                           const PageRim& rim);
+
+/// Returns what sum_corner_normals() makes of the triangles at the rim. Shapes: one sum per rim
+/// vertex.
+std::vector<Vec3f> sum_rim_normals(std::span<const Vec3f> positions,
+                                   std::span<const PageTriangle> at_rim, const PageRim& rim);
 
 /// A vertex of a rim, in a list of pages.
 struct RimPlace {
@@ -32,8 +37,7 @@ struct RimmedPage {
   const PageRim* rim = nullptr;
 };
 
-/// Groups the rim vertices that are the same lattice point, two or more. Cost: O(n log n) in rim
-/// vertices.
+/// Groups the rim vertices that are the same lattice point. Cost: O(rim vertices).
 Groups<RimPlace> group_rims(std::span<const RimmedPage> pages);
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// Measures pictures per second of a displaced mesh, and the time from a dab of the brush to its
-// picture, without a window: draw_bench [TRIANGLES [PICTURES]]
+// Measures pictures per second of a displaced mesh in pages, the time from a dab of the brush to
+// its picture, and picks, without a window: draw_bench [TRIANGLES [PICTURES]]
 
 #include <cmath>
 #include <cstdio>
@@ -8,40 +8,49 @@
 #include <epoxy/gl.h>
 
 #include "client/gl/context_egl.h"
-#include "client/gl/gl_renderer.h"
-#include "client/scene/displaced_surface.h"
-#include "client/tools/cell_tint.h"
+#include "client/gl/gl_page_renderer.h"
+#include "client/scene/null_page_renderer.h"
+#include "client/scene/page_surface.h"
+#include "client/scene/raw_pages.h"
 #include "common/generate/generate.h"
 #include "tests/bench/timing.h"
-#include "tests/client/scene/gridded_sphere.h"
+#include "tests/client/scene/page_splitter.h"
 
 namespace burnish {
 namespace {
 
 constexpr ImageSize kSize{1280, 720};
 constexpr int kDepth = 8;
+constexpr size_t kPageTriangles = 3500;
 
-// Returns a move of some cells to and fro, like a strong edit.
-Vec3f wave(const Vec3d& corner) {
-  return Vec3d(std::sin(0.1 * corner.y()), std::cos(0.15 * corner.z()), std::sin(0.2 * corner.x()))
-      .cast<float>();
-}
-
-/// A mesh that is drawn many times.
+/// Pages that are drawn again and again.
 class Bench {
  public:
-  static Result<Bench> create(const View& view) {
-    ASSIGN_OR_RETURN(auto renderer, GlRenderer::create());
-    Bench bench(std::move(renderer), view);
-    RETURN_IF_ERROR(bench.renderer_->upload_mesh(bench.mesh_));
-    return bench;
+  Bench(PageRenderer& renderer, const SplitMesh& split)
+      : renderer_(renderer), surface_(renderer), space_(make_page_space(split.grid, kDepth)) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3d& vertex : split.rounded.vertices) box.extend(vertex);
+    camera_ = frame_all({}, box, kSize.aspect());
+    for (const Page& page : split.pages) {
+      const auto slot = static_cast<uint32_t>(meshes_.size());
+      patches_.push_back({slot, 0, static_cast<uint32_t>(page.triangles.size())});
+      meshes_.push_back(make_page_mesh(page, split.grid));
+    }
   }
 
-  /// Uploads a frame that changes every corner, like a key frame.
-  Status upload(const std::vector<Vec3f>& displacements) {
-    displacements_ = displacements;
-    const IndexRange all{0, displacements.size()};
-    return renderer_->upload_displacements(displacements, {&all, 1});
+  Status put_all() {
+    surface_.open(space_);
+    RETURN_IF_ERROR(surface_.reserve(static_cast<uint32_t>(meshes_.size())));
+    for (uint32_t slot = 0; slot < meshes_.size(); ++slot)
+      RETURN_IF_ERROR(surface_.put(slot, meshes_[slot]));
+    return draw();
+  }
+
+  /// A frame that moves every vertex to and fro, and a picture from a turned camera.
+  Status move_all() {
+    amplitude_ = -amplitude_;
+    for (uint32_t slot = 0; slot < meshes_.size(); ++slot) move(slot);
+    return turn();
   }
 
   /// Draws from a slightly turned camera.
@@ -50,80 +59,105 @@ class Bench {
     return draw();
   }
 
-  /// Returns the point of the surface under the pointer, which moves a little.
-  Result<Vec3d> look() {
+  /// Finds what lies under the pointer, which moves a little.
+  Result<PagePick> look() {
     x_ = kSize.width / 2 - 100 + (x_ + 7) % 200;
-    const Eigen::Vector2i pixel(x_, kSize.height / 2);
-    ASSIGN_OR_RETURN(const auto triangle, renderer_->pick(camera_, kSize, pixel, false));
-    if (!triangle) return not_found("nothing lies under the pointer");
-    const Ray ray = pixel_ray(camera_, kSize, pixel.cast<double>() + Eigen::Vector2d(0.5, 0.5));
-    const auto hit = point_on_triangle({mesh_, displacements_}, ray, *triangle);
-    return hit ? hit->original : Vec3d::Zero();
+    ASSIGN_OR_RETURN(const auto pick,
+                     renderer_.pick(camera_, kSize, {x_, kSize.height / 2}, false, patches_));
+    if (!pick) return not_found("nothing lies under the pointer");
+    return *pick;
   }
 
   /// Does all work between a move of the mouse and its picture: the surface under the pointer, the
-  /// cells in reach of the brush, the ring around it.
+  /// tint of its page, the ring around it, and the page's new displacements.
   Status dab() {
-    const Brush brush{.radius = 0.06 * mesh_.unit(), .strength = 0.6, .beta = 0};
-    ASSIGN_OR_RETURN(const Vec3d point, look());
-    const IndexRange changed = tint_.add_dab(brush, point);
-    RETURN_IF_ERROR(renderer_->upload_cell_tint(tint_.weights(), changed));
-    style_.rings = {{point, brush.radius}};
+    ASSIGN_OR_RETURN(const PagePick pick, look());
+    const PageMesh& mesh = meshes_[pick.slot];
+    const Vec3f& at = mesh.positions[mesh.triangles[pick.triangle][0]];
+    const std::vector<VertexMark> marks(mesh.positions.size(), VertexMark{0, 120});
+    RETURN_IF_ERROR(renderer_.mark_page(pick.slot, marks));
+    style_.rings = {{space_.to_file(at), 0.06 * space_.unit}};
+    amplitude_ = -amplitude_;
+    move(pick.slot);
     return draw();
   }
 
+  size_t pages() const { return meshes_.size(); }
+
  private:
-  Bench(std::unique_ptr<GlRenderer> renderer, const View& view)
-      : renderer_(std::move(renderer)),
-        mesh_(make_view_mesh(view)),
-        tint_(view),
-        camera_(frame_all({}, mesh_.box, kSize.aspect())) {}
+  void move(uint32_t slot) {
+    std::vector<Vec3f> moves;
+    for (const Vec3f& at : meshes_[slot].positions)
+      moves.emplace_back(amplitude_ * std::sin(20 * at.y()), amplitude_ * std::cos(15 * at.z()),
+                         amplitude_ * std::sin(30 * at.x()));
+    surface_.move(slot, std::move(moves));
+  }
 
   Status draw() {
-    RETURN_IF_ERROR(renderer_->draw(camera_, kSize, style_));
+    RETURN_IF_ERROR(surface_.draw(camera_, kSize, style_, patches_));
     glFinish();
     return Status::ok();
   }
 
-  std::unique_ptr<GlRenderer> renderer_;
-  ViewMesh mesh_;
-  CellTint tint_;
-  std::vector<Vec3f> displacements_;
+  PageRenderer& renderer_;
+  PageSurface surface_;
+  PageSpace space_;
+  std::vector<PageMesh> meshes_;
+  std::vector<PatchRange> patches_;
   Camera camera_;
   DrawStyle style_;
+  float amplitude_ = 1;
   int x_ = 0;
 };
 
-void report(const char* what, double ms) {
-  std::printf("%-28s %9.3f ms median, %8.1f pictures/s\n", what, ms, 1000 / ms);
-}
+/// Times works, and keeps the first failure.
+class Table {
+ public:
+  explicit Table(int repeats) : repeats_(repeats) {}
+
+  template <typename Work>
+  void add(const char* what, const Work& work) {
+    constexpr int kWarmUp = 3;
+    const double ms = median_milliseconds(repeats_, kWarmUp, [&] {
+      const Status done = work();
+      if (!done.is_ok()) status_ = done;
+    });
+    std::printf("%-32s %9.3f ms median, %8.1f a second\n", what, ms, 1000 / ms);
+  }
+  const Status& status() const { return status_; }
+
+ private:
+  int repeats_;
+  Status status_;
+};
 
 Status run(uint64_t triangles, int pictures) {
-  constexpr int kWarmUp = 3;
   ASSIGN_OR_RETURN(const auto context, EglContext::create());
   ASSIGN_OR_RETURN(const TriangleMesh scan,
                    generate_scan({.kind = "blob", .vertices = triangles / 2}));
-  const View view = make_gridded_view(scan, kDepth);
-  ASSIGN_OR_RETURN(Bench bench, Bench::create(view));
-  std::vector<Vec3f> frames[2] = {displace_corners(view, wave), {}};
-  for (const Vec3f& displacement : frames[0]) frames[1].push_back(-displacement);
-  std::printf("%s\n%zu triangles, %zu corners at depth %d, %dx%d\n",
-              reinterpret_cast<const char*>(glGetString(GL_RENDERER)), view.triangles.size(),
-              frames[0].size(), kDepth, kSize.width, kSize.height);
-  RETURN_IF_ERROR(bench.upload(frames[0]));
-  Status status;
-  const auto keep = [&status](const Status& each) { status = status.is_ok() ? each : status; };
-  report("turning", median_milliseconds(pictures, kWarmUp, [&] { keep(bench.turn()); }));
-  int number = 0;
-  report("turning, all corners changed", median_milliseconds(pictures, kWarmUp, [&] {
-           keep(bench.upload(frames[++number % 2]));
-           keep(bench.turn());
-         }));
-  report("what lies under the pointer",
-         median_milliseconds(pictures, kWarmUp, [&] { keep(bench.look().status()); }));
-  report("from a dab to its picture",
-         median_milliseconds(pictures, kWarmUp, [&] { keep(bench.dab()); }));
-  return status;
+  ASSIGN_OR_RETURN(const auto renderer, GlPageRenderer::create());
+  const SplitMesh split = split_into_pages(scan, kPageTriangles);
+  Bench bench(*renderer, split);
+  RETURN_IF_ERROR(bench.put_all());
+  std::printf("%s\n%zu triangles in %zu pages, %dx%d\n",
+              reinterpret_cast<const char*>(glGetString(GL_RENDERER)), scan.triangles.size(),
+              bench.pages(), kSize.width, kSize.height);
+  Table table(pictures);
+  table.add("turning", [&] { return bench.turn(); });
+  table.add("turning, all pages moved", [&] { return bench.move_all(); });
+  table.add("what lies under the pointer", [&] { return bench.look().status(); });
+  table.add("from a dab to its picture", [&] { return bench.dab(); });
+  table.add("all pages uploaded", [&] { return bench.put_all(); });
+  NullPageRenderer nothing;
+  Bench without(nothing, split);
+  RETURN_IF_ERROR(without.put_all());
+  RETURN_IF_ERROR(without.move_all());
+  table.add("all pages moved, not drawn", [&] { return without.move_all(); });
+  table.add("under the pointer, without OpenGL", [&] { return without.look().status(); });
+  table.add("a mesh cut into pages", [&] {
+    return make_raw_pages(scan).pages.empty() ? internal_error("no pages") : Status::ok();
+  });
+  return table.status();
 }
 
 }  // namespace

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "client/scene/view_mesh.h"
+#include "common/evaluation/evaluation.h"
 #include "common/mesh/statistics.h"
+#include "common/view/view.h"
 #include "tests/client/scene/sphere.h"
 
 namespace burnish {
@@ -37,15 +38,6 @@ inline View make_gridded_view(const TriangleMesh& mesh, int depth) {
 
 inline View make_sphere_view(int depth = 4) {
   return make_gridded_view(make_test_sphere(Vec3d(3, -2, 1), 1), depth);
-}
-
-/// Returns the displacement of every corner: a function of its place in grid units.
-template <typename Field>
-std::vector<Vec3f> displace_corners(const View& view, const Field& field) {
-  std::vector<Vec3f> displacements;
-  for (const GridKey& corner : view.grid.corners)
-    displacements.push_back(field(Vec3d(morton_point(corner.place).cast<double>())));
-  return displacements;
 }
 
 }  // namespace burnish

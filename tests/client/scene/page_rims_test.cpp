@@ -27,7 +27,7 @@ TEST(PageRims, EveryBorderVertexIsInAGroupAndAllOfAGroupAreOnePoint) {
     return split.vertices[place.page][rims[place.page][place.index]];
   };
   for (size_t g = 0; g < groups.count(); ++g) {
-    ASSERT_GE(groups[g].size(), 2u);
+    ASSERT_GE(groups[g].size(), 2u);  // border vertices are those of several pages
     for (const RimPlace& place : groups[g]) ASSERT_EQ(vertex_of(place), vertex_of(groups[g][0]));
   }
 }
@@ -40,10 +40,30 @@ TEST(PageRims, ARimOfDrawnPatchesIsBetweenThemAndTheOthers) {
   const std::vector<PatchRange> drawn = {{7, 0, 2}};
   const PageRim rim = find_rim(mesh, drawn);
   EXPECT_EQ(rim, (PageRim{0, 1, 2}));
-  for (const Vec3f& sum : sum_rim_normals(mesh.positions, mesh, drawn, rim))
-    EXPECT_LT((sum.normalized() - Vec3f::UnitZ()).norm(), 1e-6);
-  EXPECT_NEAR(sum_rim_normals(mesh.positions, mesh, drawn, rim)[1].norm(), std::numbers::pi, 1e-4);
+  const auto sums = sum_rim_normals(mesh.positions, triangles_at_rim(mesh, drawn, rim), rim);
+  for (const Vec3f& sum : sums) EXPECT_LT((sum.normalized() - Vec3f::UnitZ()).norm(), 1e-6);
+  EXPECT_NEAR(sums[1].norm(), std::numbers::pi, 1e-4);
   EXPECT_TRUE(find_rim(mesh, {{{7, 0, 4}}}).empty());
+}
+
+TEST(PageRims, TrianglesAtTheRimAreDrawnAndHaveARimVertex) {
+  PageMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {2, 2, 0}};
+  mesh.triangles = {{0, 1, 2}, {1, 3, 2}, {3, 4, 5}, {0, 1, 3}};
+  const std::vector<PatchRange> drawn = {{0, 0, 1}, {0, 2, 1}};
+  EXPECT_EQ(triangles_at_rim(mesh, drawn, {0}), (std::vector<PageTriangle>{{0, 1, 2}}));
+}
+
+TEST(PageRims, PagesThatShareNoPointHaveGroupsOfOne) {
+  PageMesh one, other;
+  one.positions = {{0, 0, 0}, {1, 0, 0}};
+  other.positions = {{0, 0, 1}};
+  const PageRim rim = {0, 1}, other_rim = {0};
+  const std::vector<RimmedPage> pages = {{&one, &rim}, {&other, &other_rim}};
+  const Groups<RimPlace> groups = group_rims(pages);
+  EXPECT_EQ(groups.count(), 3u);
+  EXPECT_EQ(groups.item.size(), 3u);
+  EXPECT_EQ(group_rims({}).count(), 0u);
 }
 
 }  // namespace

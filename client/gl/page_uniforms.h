@@ -1,0 +1,18 @@
+#pragma once
+
+#include "client/gl/shader_program.h"
+#include "client/scene/camera.h"
+#include "client/scene/draw_style.h"
+#include "client/scene/page_space.h"
+
+namespace burnish {
+
+/// Sets the uniforms of a page's vertex shader. `clip` is applied after the projection.
+void set_place(const ShaderProgram& program, const PageSpace& space, const Camera& camera,
+               double aspect, bool original,
+               const Eigen::Matrix4d& clip = Eigen::Matrix4d::Identity());
+
+/// Sets the uniforms of a page's fragment shader.
+void set_style(const ShaderProgram& program, const PageSpace& space, const DrawStyle& style);
+
+}  // namespace burnish
