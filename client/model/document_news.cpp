@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "client/model/document.h"
-#include "client/tools/colours.h"
 
 namespace burnish {
 

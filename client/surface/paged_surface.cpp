@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client/connection/page_disk.h"
 #include "common/pages/directory_codec.h"
 
 namespace burnish {

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "client/connection/page_disk.h"
 #include "client/connection/page_fetcher.h"
 #include "client/connection/session_link.h"
 #include "client/pages/page_loader.h"

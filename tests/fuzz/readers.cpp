@@ -12,8 +12,6 @@
 #include "client/script/script.h"
 #include "common/base/check.h"
 #include "common/edit/transfer_curve.h"
-#include "common/view/view.h"
-#include "common/view/view_format.h"
 #include "common/wire/edit_bytes.h"
 #include "server/config/config_file.h"
 #include "server/fields/paint_checkpoints.h"
@@ -25,7 +23,6 @@
 namespace burnish {
 namespace {
 
-constexpr uint64_t kViewMemoryBytes = uint64_t{64} << 20;
 constexpr size_t kPaintedCells = 1000;
 
 std::string_view text_of(std::span<const uint8_t> bytes) {
@@ -98,19 +95,6 @@ bool read_painted(std::span<const uint8_t> bytes) {
   return true;
 }
 
-/// Corrects its checksum first.
-bool read_fuzzed_view(std::span<const uint8_t> bytes) {
-  std::vector<uint8_t> sealed(bytes.begin(), bytes.end());
-  if (sealed.size() >= kViewHeaderBytes) {
-    const size_t at = kViewHeaderBytes - sizeof(uint64_t);
-    const uint64_t of_header = XXH3_64bits(sealed.data(), at);
-    const uint64_t checksum = XXH3_64bits_withSeed(sealed.data() + kViewHeaderBytes,
-                                                   sealed.size() - kViewHeaderBytes, of_header);
-    std::memcpy(sealed.data() + at, &checksum, sizeof checksum);
-  }
-  return read_view(sealed, kViewMemoryBytes).is_ok();
-}
-
 /// Corrects the checksums of the sections that lie within the file, and the header's.
 void seal_prepared(std::span<uint8_t> file) {
   if (file.size() < sizeof(PreparedHeader)) return;
@@ -149,7 +133,6 @@ constexpr FuzzedReader kReaders[] = {
     {"server_message", read_server_message},
     {"strokes", read_strokes},
     {"users", read_users},
-    {"view", read_fuzzed_view},
 };
 
 }  // namespace
