@@ -27,7 +27,7 @@ struct FetchedPages {
   double cell_size(int depth) const { return std::ldexp(head.grid.side, -depth); }
 };
 
-/// Fails the test if anything does not come.
+/// Ends the program if anything does not come.
 FetchedPages fetch_all_pages(Connection& connection, const std::string& scan);
 
 }  // namespace burnish

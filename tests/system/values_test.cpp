@@ -60,8 +60,12 @@ TEST_F(SessionValues, ComeForTheVerticesOfPages) {
   ASSERT_EQ(painted[0].steps.size(), root.positions.size());
   for (size_t v = 0; v < root.positions.size(); ++v) {
     const double away = (fetched.head.grid.to_file(root.positions[v]) - Vec3d(0, 0, 1)).norm();
-    if (away > 0.65) EXPECT_EQ(painted[0].at(v), 0.25f);
-    if (away < 0.1) EXPECT_GT(painted[0].at(v), 1.5f);
+    if (away > 0.65) {
+      EXPECT_EQ(painted[0].at(v), 0.25f);
+    }
+    if (away < 0.1) {
+      EXPECT_GT(painted[0].at(v), 1.5f);
+    }
   }
 }
 
