@@ -51,7 +51,9 @@ Result<bool> PageWishes::want(const ShowPages& change) {
     return resource_exhausted(std::to_string(waiting) +
                               " changes of the shown pages wait, the limit is " +
                               std::to_string(kPageChangesInFlightMax));
-  wanted_ = wanted_.changed(numbers);
+  ShownPages wanted = wanted_.changed(numbers);
+  RETURN_IF_ERROR(grow(predict_client_bytes(wanted.pages())));  // the list, without values
+  wanted_ = std::move(wanted);
   return !std::exchange(is_making_, true);
 }
 
@@ -112,11 +114,15 @@ ClientPages PageWishes::gather(const ShownPages& wanted) const {
 Result<bool> PageWishes::publish(ClientPages pages) {
   const uint64_t bytes = predict_client_bytes(pages.shown.pages());
   const std::lock_guard lock(mutex_);
-  // The encoder still remembers frames of the earlier pages.
-  if (bytes > memory_.amount()) RETURN_IF_ERROR(memory_.resize(bytes));
+  RETURN_IF_ERROR(grow(bytes));
   made_ = std::make_shared<const ClientPages>(std::move(pages));
   is_making_ = wanted_.revision() != made_->shown.revision();
   return is_making_;
+}
+
+// Never gives anything back: the encoder still remembers frames of the earlier pages.
+Status PageWishes::grow(uint64_t bytes) {
+  return bytes > memory_.amount() ? memory_.resize(bytes) : Status::ok();
 }
 
 std::shared_ptr<const ClientPages> PageWishes::made() const {
@@ -131,7 +137,8 @@ bool PageWishes::is_beginning() const {
 
 void PageWishes::note_encoder_bytes(uint64_t bytes) {
   const std::lock_guard lock(mutex_);
-  bytes = std::max(bytes, predict_client_bytes(made_->shown.pages()));
+  bytes = std::max(
+      {bytes, predict_client_bytes(made_->shown.pages()), predict_client_bytes(wanted_.pages())});
   if (bytes < memory_.amount()) (void)memory_.resize(bytes);  // less never fails
 }
 

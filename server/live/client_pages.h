@@ -33,7 +33,8 @@ class PageWishes {
              Quota::Share memory);
 
   /// Checks and notes a change. Returns true if somebody must now call make_some(), until that
-  /// returns false. Fails: as ShownPages::check(); resource_exhausted (kPageChangesInFlightMax).
+  /// returns false. Fails: as ShownPages::check(); resource_exhausted (kPageChangesInFlightMax, or
+  /// the server's memory has no room for the list).
   Result<bool> want(const ShowPages& change);
 
   /// Makes some of the wanted pages; made() has the newest revision as soon as it has all of them.
@@ -58,6 +59,7 @@ class PageWishes {
   PageFrameKind choose() const;
   ClientPages gather(const ShownPages& wanted) const;
   Result<bool> publish(ClientPages pages);
+  Status grow(uint64_t bytes);
 
   const std::shared_ptr<PageSource> source_;
   const std::optional<PageFrameKind> insisted_;

@@ -116,7 +116,7 @@ class Live:
 
     def __init__(self, client, session, timeout=PATIENCE_S):
         self._waiting = queue.Queue()
-        self.say(greeting=dict(session=session))
+        self.say(greeting=dict(session=session, pages=True))
         self.answers = client.talk("Edit", iter(self._waiting.get, None), timeout)
 
     def say(self, **message):

@@ -110,42 +110,42 @@ class LookingIsCountedAsOpening(Attack):
         return "%d of %d in memory; last: %s" % (in_memory, len(sessions), codes[-1])
 
 
-class ViewsHoldNoWorkersFromOthers(Attack):
-    """Views of one scan in many sizes; the server must make each."""
+class PageValuesHoldNoWorkersFromOthers(Attack):
+    """A viewer asks for the values of thousands of pages, in dozens of calls."""
     finding = "H6"
     scan_rows = 300
     answer_s_max = 3
     growth_mib_max = 600
     config = 'workers = 4\n'
-    triangles_min = 100_000
+    pages_per_call = 4096
 
     def attack(self, server):
         vera = Client(server, "vera")
         calls = self.size(CALLS_IN_FLIGHT, 3 * CALLS_IN_FLIGHT)
         self.outcomes, self.end = [], time.monotonic() + self.size(8, 60)
-        threads = [threading.Thread(target=self.fetch, args=(vera, number), daemon=True)
-                   for number in range(calls)]
+        threads = [threading.Thread(target=self.fetch, args=(vera,), daemon=True)
+                   for _ in range(calls)]
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
-        return "%d calls, %d with a view in time" % (calls, self.outcomes.count("OK"))
+        return "%d calls, %d answered in time" % (calls, self.outcomes.count("OK"))
 
-    def fetch(self, vera, number):
+    def fetch(self, vera):
         self.outcomes.append(end_of(vera.read(
-            "FetchView", timeout=max(1, self.end - time.monotonic()), scan="scan",
-            triangles_max=self.triangles_min + 13 * number)))
+            "GetPageValues", timeout=max(1, self.end - time.monotonic()), session="others",
+            value="CELL_VALUE_BETA", pages=[0] * self.pages_per_call)))
 
 
-class QueueOfMessagesHasAnEnd(ViewsHoldNoWorkersFromOthers):
-    """Large messages that wait behind those views."""
+class QueueOfMessagesHasAnEnd(PageValuesHoldNoWorkersFromOthers):
+    """Large messages that wait behind those calls."""
     finding = "M8"
     growth_mib_max = 500
     answer_s_max = 60  # another attack measures this
 
     def attack(self, server):
-        views = threading.Thread(target=super().attack, args=(server,), daemon=True)
-        views.start()
+        calls_before = threading.Thread(target=super().attack, args=(server,), daemon=True)
+        calls_before.start()
         time.sleep(0.5)
         mallory = Client(server, "mallory")
         name = "x" * (13 << 20)
@@ -153,5 +153,5 @@ class QueueOfMessagesHasAnEnd(ViewsHoldNoWorkersFromOthers):
         calls = [mallory.start("Apply", session="others", timeout=15, edits=[
             dict(id="q%d" % number, set_checkpoint=dict(name=name))]) for number in range(messages)]
         codes = [outcome_of(call) for call in calls]
-        views.join()
+        calls_before.join()
         return "%d messages of 13 MiB: %s" % (messages, ", ".join(sorted(set(codes))))

@@ -19,7 +19,7 @@ class NamesForgeNoLogLines(Attack):
         name = "x\n%s \x1b[31m" % FORGED
         before = server.log_bytes()
         codes = [end_of(mallory.read("Export", session=name, format=1)),
-                 end_of(mallory.read("Watch", greeting=dict(session=name))),
+                 end_of(mallory.read("Watch", greeting=dict(session=name, pages=True))),
                  mallory.code("GetState", session=name),
                  mallory.code("OpenSession", scan=name, name=name)]
         live = Live(mallory, name, timeout=10)
@@ -31,7 +31,7 @@ class NamesForgeNoLogLines(Attack):
             self.hole("the log has escape sequences")
         long = "y" * (4 << 20)
         for method, fields in (("Export", dict(session=long, format=1)),
-                               ("Watch", dict(greeting=dict(session=long)))):
+                               ("Watch", dict(greeting=dict(session=long, pages=True)))):
             end_of(mallory.read(method, **fields))
         written = server.log_bytes() - before
         if written > 64 << 10:

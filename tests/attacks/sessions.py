@@ -131,7 +131,7 @@ class IdleWatcherGetsNoFrames(Attack):
     def attack(self, server):
         Client(server, "alice").ask("OpenSession", scan="scan", name="idle")
         vera = Client(server, "vera")
-        messages = vera.read("Watch", greeting=dict(session="idle"), timeout=self.size(4, 30))
+        messages = vera.read("Watch", greeting=dict(session="idle", pages=True), timeout=self.size(4, 30))
         settled = frames = size = 0
         try:
             for message in messages:
@@ -156,7 +156,7 @@ class StreamsAtRestAreNotCut(Attack):
         Client(server, "alice").ask("OpenSession", scan="scan", name="rest")
         live = Live(Client(server, "alice"), "rest", timeout=200)
         live.next("welcome")
-        messages = Client(server, "vera").read("Watch", greeting=dict(session="rest"), timeout=200)
+        messages = Client(server, "vera").read("Watch", greeting=dict(session="rest", pages=True), timeout=200)
         next(messages)
         end = time.monotonic() + self.size(2, 75)
         while time.monotonic() < end:

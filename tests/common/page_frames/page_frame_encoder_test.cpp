@@ -62,6 +62,26 @@ TEST_P(PageFrames, AStillFrameIsExactlyTheSample) {
   for (PageId page = 0; page < 10; ++page) EXPECT_EQ(held(page), rounded(sampler_.steps(page), 0));
 }
 
+TEST_P(PageFrames, AnEncoderThatReplacesAnotherGoesOnWithItsNumbers) {
+  sampler_.sample(wavy_field(3, 0));
+  send();
+  encoder_ = PageFrameEncoder(GetParam(), encoder_.next_sequence());
+  encoder_.acknowledge(1);  // a frame of the other encoder
+  EXPECT_TRUE(send().is_key);
+  EXPECT_EQ(sent_.sequence, 2u);
+}
+
+TEST_P(PageFrames, AGainAloneIsNewsWithoutPages) {
+  sampler_.sample(wavy_field(3, 0));
+  send();
+  EXPECT_EQ(sent_.sent_gains, 0u);
+  std::vector<WantedPage> wanted = sampler_.wanted(shown_);
+  wanted[3].gain = 2;
+  const EncodedPageFrame frame = encoder_.encode({shown_, wanted, 1.5F}, kStillSteps);
+  EXPECT_EQ(frame.sent_pages, 0u);
+  EXPECT_EQ(frame.sent_gains, 1u);
+}
+
 TEST_P(PageFrames, AStillViewSendsNoPagesAndFewBytes) {
   sampler_.sample(wavy_field(3, 0));
   send();

@@ -87,6 +87,15 @@ TEST(PageSample, TheLargestMoveIsThatOfAPoint) {
   EXPECT_EQ(largest_move(small.grid, {}, field), 0);
 }
 
+TEST(PageSample, AStrideLooksAtSomePointsAlone) {
+  const SmallPages& small = small_pages();
+  std::vector<EvaluationPoint> points(7, {0, {0.5F, 0.5F, 0.5F}});
+  points[3].cell = kNone;
+  const std::vector<Vec3f> field(small.grid.corners.size(), Vec3f(3, 0, -4));
+  EXPECT_NEAR(largest_move(small.grid, points, field, 3), 5, 1e-5);
+  EXPECT_EQ(largest_move(small.grid, std::span(points).subspan(3, 2), field, 2), 0);
+}
+
 TEST(PageSample, TheGainIsThePowerOfTwoThatHoldsBeta) {
   EXPECT_EQ(gain_exponent(0), 0);
   EXPECT_EQ(gain_exponent(1), 0);

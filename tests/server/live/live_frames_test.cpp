@@ -53,7 +53,7 @@ TEST_F(LiveFrames, OverASlowLinkAMovingSurfaceIsCoarserAndAStillOneExact) {
         {.frames = 1, .decoded = std::exchange(ann.decoded, {}), .frame_bytes = 100});
     ann.run();
     coarsest = std::max(coarsest, ann.frames.back().step_shift);
-    const FrameStats& stats = ann.all<LiveFrame>().back().stats;
+    const FrameStats stats = ann.all<LiveFrame>().back().stats;
     if (stats.settled && stats.edits == 1) break;
   }
   EXPECT_EQ(coarsest, 6);

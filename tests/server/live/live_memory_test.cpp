@@ -32,7 +32,7 @@ TEST_F(LiveMemory, PagesCountOnceForAllClientsAndFramesForEach) {
 TEST_F(LiveMemory, PagesThatDoNotFitEndTheStreamAndSayWhy) {
   auto ann = guest(), bob = guest("bob");
   Quota& memory = manager_->memory();
-  const Quota::Share rest = memory.take(kServer, memory.max() - memory.taken() - 1000).value();
+  const Quota::Share rest = memory.take(kServer, memory.max() - memory.taken() - 10'000).value();
   ann.show_level(0);
   ann.run();
   const auto farewells = ann.all<Farewell>();

@@ -51,6 +51,7 @@ TEST_F(PreviewsTest, ShowWhatTheEditWouldDoAndDroppedTheyAreGone) {
   previews_.show(1, {"ann", "a", SetGradientScale{0.25}});
   EXPECT_TRUE(previews_.is_changed());
   const Cells during = shown();
+  EXPECT_EQ(Cells(previews_.shown(edited_.fields())), during);
   previews_.drop(1);
   EXPECT_EQ(shown(), before);
   EXPECT_FALSE(previews_.is_changed());
