@@ -3,7 +3,7 @@
 //
 //   frame_age_bench [SCAN [DEPTH [PAGES]]]   without a scan: a generated blob of 100,000 vertices
 //
-// Readers show the coarsest pages of the scan: 100, or PAGES; 0 stands for all.
+// Readers show the coarsest pages of the scan: kLoadPages, or PAGES; 0 stands for all.
 //
 // One person drags the slider without a pause, over links of several kinds. A frame's age comes
 // from the newest heartbeat that the server had when it made the frame, less half a round trip.

@@ -20,8 +20,9 @@ struct LoadSurface {
   std::vector<Vec3d> points;                       ///< of the pages' vertices, file units
 };
 
-/// Pages that clients show unless they are told otherwise: about those of a whole scan on a screen.
-inline constexpr size_t kLoadPages = 100;
+/// Pages that clients show unless they are told otherwise: about those that a window shows of a
+/// whole scan while the surface moves.
+inline constexpr size_t kLoadPages = 32;
 
 /// Fetches at most `pages_max` pages as a window would; 0: as many as a client may show.
 /// Fails: as the server says; data_loss (a damaged page).
