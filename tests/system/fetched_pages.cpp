@@ -1,6 +1,5 @@
 #include "tests/system/fetched_pages.h"
 
-
 #include "common/base/check.h"
 #include "common/pages/directory_codec.h"
 #include "common/pages/page_codec.h"
