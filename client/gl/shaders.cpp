@@ -77,7 +77,10 @@ void main() {
     return;
   }
   vec3 n = flat_normals ? cross(dFdx(seen_position), dFdy(seen_position)) : seen_normal;
-  float side = gl_FrontFacing || flat_normals ? 1.0 : -1.0;  // both sides of a surface are lit
+  // Both sides of a surface are lit. A triangle that is folded over shows its back, but its normals
+  // are those of the surface around it.
+  bool is_back = !gl_FrontFacing && dot(seen_normal, seen_position) > 0.0;
+  float side = is_back && !flat_normals ? -1.0 : 1.0;
   vec3 lit = shade(base_colour(), side * normalize(n), normalize(-seen_position),
                    side * seen_ridge);
   if (faded) lit = mix(vec3(dot(lit, vec3(0.30, 0.59, 0.11))), vec3(0.45), 0.4);

@@ -22,7 +22,7 @@ struct PageMesh {
 };
 
 /// Takes the normals that the page carries. Other vertices get the mean of the page's triangles,
-/// weighted by their angle; without area (0, 0, 1). Needs: check_page() is ok.
+/// as vertex_normals() does; without area (0, 0, 1). Needs: check_page() is ok.
 PageMesh make_page_mesh(const Page& page, const PageGrid& grid);
 
 /// What a displacement makes of a page.

@@ -2,13 +2,11 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "common/base/dispatch.h"
 
 namespace burnish {
 
-static constexpr auto kPi = std::numbers::pi_v<float>;
 static constexpr float kOpposite = 1e-3f;  // 1 + cosine
 
 namespace {
@@ -40,30 +38,21 @@ struct Vector {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-// The angle of the vector (cosine, sine), of any length, for sine >= 0. The polynomial is that of
-// Abramowitz and Stegun, 4.4.49.
-[[gnu::always_inline]] static inline float angle_of(float sine, float cosine) {
-  constexpr float kTiny = std::numeric_limits<float>::min();
-  const float width = std::abs(cosine);
-  const float longer = sine > width ? sine : width;
-  const float slope = (sine > width ? width : sine) / (longer > kTiny ? longer : kTiny);
-  const float s = slope * slope;
-  const float series =
-      0.9998660f + s * (-0.3302995f + s * (0.1801410f + s * (-0.0851330f + s * 0.0208351f)));
-  const float angle = sine > width ? kPi / 2 - slope * series : slope * series;
-  return cosine < 0 ? kPi - angle : angle;
+[[gnu::always_inline]] static inline float length_of(const Vector& vector) {
+  return __builtin_sqrtf(dot(vector, vector));
 }
 
-// Replaces the positions of corners by the triangle's normal times the angle at the corner.
+// Replaces the positions of corners by the corners' normals (common/mesh/corner_normals.h).
 [[gnu::always_inline]] static inline void weigh(Corners& corners, int lane) {
+  constexpr float kTiny = std::numeric_limits<float>::min();
   const Vector to_b = edge(corners, 0, 1, lane), to_c = edge(corners, 0, 2, lane);
   const Vector across = cross(to_b, to_c);
-  const float length = __builtin_sqrtf(dot(across, across));
-  const float scale = length > 0 ? 1 / length : 0;
-  const float at_a = angle_of(length, dot(to_b, to_c));
-  const float at_b = angle_of(length, -dot(to_b, edge(corners, 1, 2, lane)));
-  const float at_c = kPi - at_a - at_b;
-  const float weights[3] = {at_a * scale, at_b * scale, (at_c > 0 ? at_c : 0) * scale};
+  const float ab = length_of(to_b), ac = length_of(to_c);
+  const float bc = length_of(edge(corners, 1, 2, lane));
+  const float sides[3] = {ab * ac, ab * bc, ac * bc};
+  float weights[3];
+  for (int corner = 0; corner < 3; ++corner)
+    weights[corner] = sides[corner] > kTiny ? 1 / sides[corner] : 0;
 #pragma GCC unroll 3
   for (int corner = 0; corner < 3; ++corner) {
     corners.x[corner][lane] = across.x * weights[corner];

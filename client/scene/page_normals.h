@@ -9,8 +9,7 @@
 
 namespace burnish {
 
-/// Returns at each vertex the sum of its triangles' unit normals, weighted by their angle at the
-/// vertex (within 2e-5). Triangles without area add nothing. The length is not one.
+/// Returns at each vertex the sum of its triangles' corner_normals(). The length is not one.
 /// Shapes: one per position.
 std::vector<Vec3f> sum_corner_normals(std::span<const Vec3f> positions,
                                       std::span<const PageTriangle> triangles);

@@ -5,15 +5,12 @@
 
 #include "common/base/limits.h"
 #include "common/base/parallel.h"
+#include "common/mesh/corner_normals.h"
 #include "server/prepare/pages/local_vertices.h"
 
 namespace burnish {
 
 namespace {
-
-double angle_between(const Vec3d& a, const Vec3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 void add(const AttributeSum& term, AttributeSum& sum) {
   sum.normal += term.normal;
@@ -48,7 +45,7 @@ void set(uint32_t vertex, const AttributeSum& sum, VertexAttributes& attributes)
     attributes.colours[vertex][i] = static_cast<uint8_t>(std::lround(sum.colour[i] / sum.weight));
 }
 
-// Sums the normals of a page's triangles at the vertices of the scan, weighted by their angles.
+// Sums the normals of a page's triangles at the vertices of the scan, as corner_normals() does.
 PageSums sum_scan_normals(std::span<const Vec3d> vertices, const CutLevel& level,
                           size_t page_index) {
   LocalVertices locals;
@@ -58,13 +55,8 @@ PageSums sum_scan_normals(std::span<const Vec3d> vertices, const CutLevel& level
     const Triangle& triangle = level.triangles[t];
     std::array<Vec3d, 3> corners;
     for (int i = 0; i < 3; ++i) corners[i] = vertices[triangle[i]];
-    const Vec3d normal =
-        (corners[1] - corners[0]).cross(corners[2] - corners[0]).stableNormalized();
-    for (int i = 0; i < 3; ++i) {
-      const double angle =
-          angle_between(corners[(i + 1) % 3] - corners[i], corners[(i + 2) % 3] - corners[i]);
-      page.sums[locals.add(triangle[i])].normal += normal * angle;
-    }
+    const auto normals = corner_normals(corners[0], corners[1], corners[2]);
+    for (int i = 0; i < 3; ++i) page.sums[locals.add(triangle[i])].normal += normals[i];
   }
   page.vertices.assign(locals.all().begin(), locals.all().end());
   return page;

@@ -26,5 +26,15 @@ TEST(MeshNormals, AVertexWithoutAreaHasAUnitNormal) {
     EXPECT_EQ(normal, Vec3f::UnitZ());
 }
 
+// As in scans that were simplified: its angle at the middle vertex is nearly flat.
+TEST(MeshNormals, ANeedleThatFoldsOverTurnsNoNormal) {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 1e-4, 1e-4}};
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {1, 4, 0}, {0, 4, 2}, {0, 1, 2}};
+  mesh.vertices[0] = {0, 1e-5, 1e-5};  // the last triangle looks down
+  const auto normals = vertex_normals(mesh.vertices, mesh.triangles);
+  EXPECT_GT(normals[0].z(), 0.999f);
+}
+
 }  // namespace
 }  // namespace burnish
