@@ -6,16 +6,11 @@
 
 namespace burnish {
 
-static constexpr uint32_t kNumbersPerSlot = kPageTrianglesMax;
-static_assert(uint64_t{kPageSlotsMax} * kNumbersPerSlot < uint64_t{1} << 31, "a number is an int");
-
 Result<std::unique_ptr<GlPageRenderer>> GlPageRenderer::create() {
   ASSIGN_OR_RETURN(ShaderProgram page,
                    ShaderProgram::create("page", kPageVertexShader, kPageFragmentShader));
-  ASSIGN_OR_RETURN(ShaderProgram pick,
-                   ShaderProgram::create("page pick", kPageVertexShader, kPickFragmentShader));
   ASSIGN_OR_RETURN(auto background, Background::create());
-  Programs programs{std::move(page), std::move(pick), std::move(background)};
+  Programs programs{std::move(page), std::move(background)};
   return std::unique_ptr<GlPageRenderer>(new GlPageRenderer(std::move(programs)));
 }
 
@@ -77,25 +72,6 @@ void GlPageRenderer::draw_edges() const {
   arena_.draw();
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDisable(GL_BLEND);
-}
-
-// Patch by patch: OpenGL 3.3 does not tell a shader which of several draws it works for.
-Result<std::optional<PagePick>> GlPageRenderer::pick(const Camera& camera, const ImageSize& size,
-                                                     const Eigen::Vector2i& pixel, bool original,
-                                                     std::span<const PatchRange> patches) {
-  RETURN_IF_ERROR(pick_target_.bind());
-  programs_.pick.use();
-  set_place(programs_.pick, space_, camera, size.aspect(), original, pick_matrix(size, pixel));
-  glEnable(GL_DEPTH_TEST);
-  for (const PatchRange& patch : patches) {
-    programs_.pick.set("first_number",
-                       static_cast<int>(patch.slot * kNumbersPerSlot + patch.first));
-    arena_.draw(patch);
-  }
-  const std::optional<uint32_t> number = pick_target_.read();
-  RETURN_IF_ERROR(check_gl("picking"));
-  if (!number) return std::optional<PagePick>();
-  return std::optional(PagePick{*number / kNumbersPerSlot, *number % kNumbersPerSlot});
 }
 
 }  // namespace burnish

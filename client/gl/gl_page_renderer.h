@@ -4,7 +4,6 @@
 
 #include "client/gl/background.h"
 #include "client/gl/page_arena.h"
-#include "client/gl/pick_target.h"
 #include "client/gl/picture_target.h"
 #include "client/gl/shader_program.h"
 #include "client/scene/page_renderer.h"
@@ -33,9 +32,6 @@ class GlPageRenderer : public PageRenderer {
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
               std::span<const PatchRange> patches) override;
   Result<Image> read_pixels() override { return target_.read(); }
-  Result<std::optional<PagePick>> pick(const Camera& camera, const ImageSize& size,
-                                       const Eigen::Vector2i& pixel, bool original,
-                                       std::span<const PatchRange> patches) override;
 
   /// Copies the last drawn picture into the window's own buffer, with its lower left corner at this
   /// place.
@@ -46,7 +42,6 @@ class GlPageRenderer : public PageRenderer {
  private:
   struct Programs {
     ShaderProgram page;
-    ShaderProgram pick;
     std::unique_ptr<Background> background;
   };
   explicit GlPageRenderer(Programs programs) : programs_(std::move(programs)) {}
@@ -57,7 +52,6 @@ class GlPageRenderer : public PageRenderer {
   Programs programs_;
   PageArena arena_;
   PictureTarget target_;
-  PickTarget pick_target_;
   PageSpace space_;
 };
 

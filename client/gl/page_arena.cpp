@@ -83,11 +83,4 @@ void PageArena::draw() const {
                                 first_vertices_.data());
 }
 
-void PageArena::draw(const PatchRange& patch) const {
-  check_patch(patch);
-  glBindVertexArray(vertex_array_);
-  glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(3 * patch.count), GL_UNSIGNED_SHORT,
-                           PageStreams::first_index(patch), PageStreams::first_vertex(patch));
-}
-
 }  // namespace burnish

@@ -31,8 +31,6 @@ class PageArena {
   /// Chooses the patches that draw() draws. Needs: ranges inside the pages of their slots.
   void choose(std::span<const PatchRange> patches);
   void draw() const;
-  /// Draws one patch. OpenGL numbers its triangles from 0 on.
-  void draw(const PatchRange& patch) const;
 
  private:
   struct Slot {

@@ -16,11 +16,11 @@ static Eigen::Matrix4d model_view(const PageSpace& space, const Camera& camera) 
 }
 
 void set_place(const ShaderProgram& program, const PageSpace& space, const Camera& camera,
-               double aspect, bool original, const Eigen::Matrix4d& clip) {
+               double aspect, bool original) {
   Camera scaled = camera;
   scaled.distance /= space.unit;
   scaled.scene_radius /= space.unit;
-  const Eigen::Matrix4d projection = clip * projection_matrix(scaled, aspect);
+  const Eigen::Matrix4d projection = projection_matrix(scaled, aspect);
   program.set("model_view", Eigen::Matrix4f(model_view(space, camera).cast<float>()));
   program.set("projection", Eigen::Matrix4f(projection.cast<float>()));
   program.set("cell_size", original ? 0.0f : space.cell_size);

@@ -7,10 +7,9 @@
 
 namespace burnish {
 
-/// Sets the uniforms of a page's vertex shader. `clip` is applied after the projection.
+/// Sets the uniforms of a page's vertex shader.
 void set_place(const ShaderProgram& program, const PageSpace& space, const Camera& camera,
-               double aspect, bool original,
-               const Eigen::Matrix4d& clip = Eigen::Matrix4d::Identity());
+               double aspect, bool original);
 
 /// Sets the uniforms of a page's fragment shader.
 void set_style(const ShaderProgram& program, const PageSpace& space, const DrawStyle& style);

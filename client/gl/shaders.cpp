@@ -88,14 +88,6 @@ void main() {
 }
 )";
 
-const char* const kPickFragmentShader = R"(#version 330 core
-uniform int first_number;
-out uint number;
-void main() {
-  number = uint(first_number + gl_PrimitiveID) + 1u;
-}
-)";
-
 const char* const kBackgroundVertexShader = R"(#version 330 core
 out float height;
 void main() {

@@ -6,7 +6,6 @@ namespace burnish {
 /// with the camera.
 extern const char* const kPageVertexShader;
 extern const char* const kPageFragmentShader;  ///< with kPageVertexShader
-extern const char* const kPickFragmentShader;  ///< with kPageVertexShader
 extern const char* const kBackgroundVertexShader;
 extern const char* const kBackgroundFragmentShader;
 

@@ -132,12 +132,12 @@ void Viewport::drag_value(Document& document) {
     document.brush().brush.strength = std::clamp(value_from_ + by * kStrengthPerPixel, 0.01, 1.0);
 }
 
-Result<std::optional<SurfaceHit>> Viewport::hit_at(PageRenderer& renderer, const Document& document,
+Result<std::optional<SurfaceHit>> Viewport::hit_at(PageRenderer&, const Document& document,
                                                    const Vector2d& pixel) const {
   const Eigen::Vector2i at = pixel.array().floor().cast<int>();
   if (at.minCoeff() < 0 || at.x() >= size_.width || at.y() >= size_.height)
     return std::optional<SurfaceHit>();
-  return document.surface().hit_at(renderer, camera, size_, at, shows_original(pixel));
+  return document.surface().hit_at(camera, size_, at, shows_original(pixel));
 }
 
 bool Viewport::shows_original(const Vector2d& pixel) const {

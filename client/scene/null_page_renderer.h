@@ -8,7 +8,6 @@
 namespace burnish {
 
 /// A renderer of pages without pictures: it remembers what it was given and returns black pictures.
-/// It picks by trying all triangles of the pages whose boxes the ray meets.
 class NullPageRenderer : public PageRenderer {
  public:
   void open(const PageSpace& space) override;
@@ -20,9 +19,6 @@ class NullPageRenderer : public PageRenderer {
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
               std::span<const PatchRange> patches) override;
   Result<Image> read_pixels() override;
-  Result<std::optional<PagePick>> pick(const Camera& camera, const ImageSize& size,
-                                       const Eigen::Vector2i& pixel, bool original,
-                                       std::span<const PatchRange> patches) override;
 
   uint64_t draw_count() const { return draw_count_; }
   uint64_t move_count() const { return move_count_; }               ///< of move_page()
@@ -44,12 +40,9 @@ class NullPageRenderer : public PageRenderer {
     std::vector<Vec3f> normals;  // displaced
     std::vector<float> ridges;   // displaced
     std::vector<VertexMark> marks;
-    Eigen::AlignedBox3d original_box;   // file units
-    Eigen::AlignedBox3d displaced_box;  // file units
   };
   Slot& filled(uint32_t slot, size_t vertices);
 
-  PageSpace space_;
   std::vector<Slot> slots_;
   uint64_t draw_count_ = 0;
   uint64_t move_count_ = 0;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 
@@ -20,14 +19,6 @@ struct PatchRange {
   uint32_t count = 0;
 
   bool operator==(const PatchRange&) const = default;
-};
-
-/// A triangle of the page in a slot.
-struct PagePick {
-  uint32_t slot = 0;
-  uint32_t triangle = 0;
-
-  bool operator==(const PagePick&) const = default;
 };
 
 /// What colours a vertex besides its light.
@@ -75,12 +66,6 @@ class PageRenderer {
 
   /// Returns the last drawn picture. Fails: failed_precondition before the first draw().
   virtual Result<Image> read_pixels() = 0;
-
-  /// Returns the triangle of these patches at the middle of a pixel, if any, on the displaced or on
-  /// the original surface. Needs: as draw().
-  virtual Result<std::optional<PagePick>> pick(const Camera& camera, const ImageSize& size,
-                                               const Eigen::Vector2i& pixel, bool original,
-                                               std::span<const PatchRange> patches) = 0;
 };
 
 }  // namespace burnish

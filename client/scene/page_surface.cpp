@@ -1,10 +1,12 @@
 #include "client/scene/page_surface.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
 #include "client/scene/page_normals.h"
+#include "client/scene/ray_box.h"
 #include "common/base/check.h"
 
 namespace burnish {
@@ -24,12 +26,22 @@ Status PageSurface::reserve(uint32_t slots) {
   return Status::ok();
 }
 
+static Eigen::AlignedBox3f box_of(std::span<const Vec3f> positions,
+                                  std::span<const Vec3f> displacements, float cell_size) {
+  Eigen::AlignedBox3f box;
+  for (size_t v = 0; v < positions.size(); ++v)
+    box.extend(displacements.empty() ? positions[v]
+                                     : Vec3f(positions[v] + cell_size * displacements[v]));
+  return box;
+}
+
 Status PageSurface::put(uint32_t slot, PageMesh mesh) {
   BURNISH_CHECK(slot < slots_.size(), "slots are reserved");
   has_new_pages_ = true;
   slots_[slot] = {};
   RETURN_IF_ERROR(renderer_.upload_page(slot, mesh));
   slots_[slot].mesh = std::move(mesh);
+  slots_[slot].box = slots_[slot].moved_box = box_of(slots_[slot].mesh.positions, {}, 0);
   return Status::ok();
 }
 
@@ -37,6 +49,7 @@ void PageSurface::move(uint32_t slot, std::vector<Vec3f> displacements) {
   BURNISH_CHECK(slot < slots_.size(), "slots are reserved");
   BURNISH_CHECK(displacements.size() == slots_[slot].mesh.positions.size(),
                 "one displacement per vertex");
+  slots_[slot].moved_box = box_of(slots_[slot].mesh.positions, displacements, space_.cell_size);
   slots_[slot].displacements = std::move(displacements);
   slots_[slot].is_stale = true;
 }
@@ -158,6 +171,28 @@ Status PageSurface::draw(const Camera& camera, const ImageSize& size, const Draw
                          std::span<const PatchRange> patches) {
   RETURN_IF_ERROR(show(patches));
   return renderer_.draw(camera, size, style, patches);
+}
+
+// Rounding of the boxes' floats must not hide a page.
+static Eigen::AlignedBox3d in_file(const PageSpace& space, const Eigen::AlignedBox3f& box) {
+  const Vec3f touch = Vec3f::Constant(std::numeric_limits<float>::epsilon());
+  return {space.to_file(Vec3f(box.min() - touch)), space.to_file(Vec3f(box.max() + touch))};
+}
+
+std::optional<PageHit> PageSurface::hit(const Ray& ray, bool original) const {
+  std::optional<PageHit> nearest;
+  for (const PatchRange& patch : patches_) {
+    const Slot& slot = slots_[patch.slot];
+    const auto reached =
+        distance_to_box(ray, in_file(space_, original ? slot.box : slot.moved_box));
+    if (!reached || (nearest && *reached > nearest->point.distance)) continue;
+    DisplacedPage page = at(patch.slot);
+    if (original) page.displacements = {};
+    const auto found = nearest_hit(page, ray, patch.first, patch.count);
+    if (!found || (nearest && found->distance >= nearest->point.distance)) continue;
+    nearest = PageHit{patch.slot, *found};
+  }
+  return nearest;
 }
 
 }  // namespace burnish

@@ -1,13 +1,22 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "client/scene/displaced_page.h"
 #include "client/scene/drawn_page.h"
 #include "client/scene/page_renderer.h"
+#include "client/scene/page_rims.h"
+#include "client/scene/surface_hit.h"
 
 namespace burnish {
+
+/// A point on the page in a slot.
+struct PageHit {
+  uint32_t slot = 0;
+  SurfaceHit point;
+};
 
 /// The pages of a session as a renderer shows them. A vertex of several drawn pages gets the normal
 /// that the drawn triangles of all of them give, and the mean of their ridges, so that no border
@@ -40,6 +49,10 @@ class PageSurface {
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
               std::span<const PatchRange> patches);
 
+  /// Returns the first point where the ray meets what the last show() shows. Tries the pages whose
+  /// boxes the ray meets. `original`: on the surface without displacements.
+  std::optional<PageHit> hit(const Ray& ray, bool original) const;
+
   /// Returns the page in a slot as it is moved. Needs: a reserved slot.
   DisplacedPage at(uint32_t slot) const {
     return {slots_[slot].mesh, space_, slots_[slot].displacements};
@@ -50,6 +63,8 @@ class PageSurface {
     PageMesh mesh;
     std::vector<Vec3f> displacements;  // empty: not moved
     DrawnPage shown;                   // while it is drawn
+    Eigen::AlignedBox3f box;           // of the positions
+    Eigen::AlignedBox3f moved_box;     // of the displaced positions
     bool is_stale = false;             // moved or drawn in another way since the last draw()
     bool is_bent = false;              // its normals changed since the last draw()
     bool is_at_rest = true;            // the renderer has the page as it was put

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "client/scene/displaced_page.h"
 #include "common/base/check.h"
 #include "common/base/limits.h"
 #include "common/page_frames/page_corners.h"
@@ -77,11 +76,9 @@ Result<bool> CardPages::mark_as(const PageMarks& marks, PageSlot number) {
   return true;
 }
 
-std::optional<SurfaceHit> CardPages::hit(const PagePick& pick, const Ray& ray,
-                                         bool original) const {
-  DisplacedPage page = surface_->at(pick.slot);
-  if (original) page.displacements = {};
-  return point_on_page_triangle(page, ray, pick.triangle);
+std::optional<SurfaceHit> CardPages::hit(const Ray& ray, bool original) const {
+  const auto found = surface_->hit(ray, original);
+  return found ? std::optional(found->point) : std::nullopt;
 }
 
 }  // namespace burnish

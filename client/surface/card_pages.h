@@ -35,8 +35,8 @@ class CardPages {
   /// What the last show() has to draw.
   std::span<const PatchRange> patches() const { return patches_; }
 
-  /// Returns the point of a picked triangle that the ray meets.
-  std::optional<SurfaceHit> hit(const PagePick& pick, const Ray& ray, bool original) const;
+  /// Returns the first point of what the last show() shows, or of its original, on the ray.
+  std::optional<SurfaceHit> hit(const Ray& ray, bool original) const;
 
   static constexpr uint32_t kSlotsMin = 64;
 

@@ -155,14 +155,10 @@ Status PagedSurface::show_pages() {
   return link_.show_pages(std::move(change.added), std::move(change.removed));
 }
 
-Result<std::optional<SurfaceHit>> PagedSurface::hit_at(PageRenderer& renderer, const Camera& camera,
-                                                       const ImageSize& size,
-                                                       const Eigen::Vector2i& pixel,
-                                                       bool original) const {
-  ASSIGN_OR_RETURN(const auto pick, renderer.pick(camera, size, pixel, original, patches()));
-  if (!pick) return std::optional<SurfaceHit>();
+std::optional<SurfaceHit> PagedSurface::hit_at(const Camera& camera, const ImageSize& size,
+                                               const Eigen::Vector2i& pixel, bool original) const {
   const Ray ray = pixel_ray(camera, size, pixel.cast<double>() + Eigen::Vector2d(0.5, 0.5));
-  return card_.hit(*pick, ray, original);
+  return card_.hit(ray, original);
 }
 
 std::optional<size_t> PagedSurface::vertex_count(PageId page) const {

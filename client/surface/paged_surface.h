@@ -71,9 +71,8 @@ class PagedSurface {
   const std::vector<PageId>& drawn_pages() const { return loader_->cut().visible_pages; }
 
   /// Returns the point of the last picture under the middle of a pixel.
-  Result<std::optional<SurfaceHit>> hit_at(PageRenderer& renderer, const Camera& camera,
-                                           const ImageSize& size, const Eigen::Vector2i& pixel,
-                                           bool original) const;
+  std::optional<SurfaceHit> hit_at(const Camera& camera, const ImageSize& size,
+                                   const Eigen::Vector2i& pixel, bool original) const;
 
   PageMarks& marks() { return marks_; }
   StrokeTint& tint() { return tint_; }

@@ -60,25 +60,24 @@ class Bench {
   }
 
   /// Finds what lies under the pointer, which moves a little.
-  Result<PagePick> look() {
+  Result<PageHit> look() {
     x_ = kSize.width / 2 - 100 + (x_ + 7) % 200;
-    ASSIGN_OR_RETURN(const auto pick,
-                     renderer_.pick(camera_, kSize, {x_, kSize.height / 2}, false, patches_));
-    if (!pick) return not_found("nothing lies under the pointer");
-    return *pick;
+    const auto hit =
+        surface_.hit(pixel_ray(camera_, kSize, {x_ + 0.5, kSize.height / 2 + 0.5}), false);
+    if (!hit) return not_found("nothing lies under the pointer");
+    return *hit;
   }
 
   /// Does all work between a move of the mouse and its picture: the surface under the pointer, the
   /// tint of its page, the ring around it, and the page's new displacements.
   Status dab() {
-    ASSIGN_OR_RETURN(const PagePick pick, look());
-    const PageMesh& mesh = meshes_[pick.slot];
-    const Vec3f& at = mesh.positions[mesh.triangles[pick.triangle][0]];
-    const std::vector<VertexMark> marks(mesh.positions.size(), VertexMark{0, 120});
-    RETURN_IF_ERROR(renderer_.mark_page(pick.slot, marks));
-    style_.rings = {{space_.to_file(at), 0.06 * space_.unit}};
+    ASSIGN_OR_RETURN(const PageHit hit, look());
+    const size_t vertices = meshes_[hit.slot].positions.size();
+    const std::vector<VertexMark> marks(vertices, VertexMark{0, 120});
+    RETURN_IF_ERROR(renderer_.mark_page(hit.slot, marks));
+    style_.rings = {{hit.point.original, 0.06 * space_.unit}};
     amplitude_ = -amplitude_;
-    move(pick.slot);
+    move(hit.slot);
     return draw();
   }
 
@@ -153,7 +152,6 @@ Status run(uint64_t triangles, int pictures) {
   RETURN_IF_ERROR(without.put_all());
   RETURN_IF_ERROR(without.move_all());
   table.add("all pages moved, not drawn", [&] { return without.move_all(); });
-  table.add("under the pointer, without OpenGL", [&] { return without.look().status(); });
   table.add("a mesh cut into pages", [&] {
     return make_raw_pages(scan).pages.empty() ? internal_error("no pages") : Status::ok();
   });

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "client/scene/displaced_page.h"
 #include "common/generate/generate.h"
 #include "tests/client/gl/page_stage.h"
 
@@ -33,12 +32,9 @@ class PageStyle : public PageStage {
 
   // The original place of what the picture shows.
   std::optional<Vec3d> original_at(int x, int y) {
-    const auto found = renderer_->pick(camera_, kStageSize, {x, y}, false, all()).value();
-    if (!found) return std::nullopt;
     const Ray ray = pixel_ray(camera_, kStageSize, Eigen::Vector2d(x + 0.5, y + 0.5));
-    const DisplacedPage page{meshes_[found->slot], space_, moves_[found->slot]};
-    const auto hit = point_on_page_triangle(page, ray, found->triangle);
-    return hit ? std::optional(hit->original) : std::nullopt;
+    const auto hit = surface_->hit(ray, false);
+    return hit ? std::optional(hit->point.original) : std::nullopt;
   }
 
   std::vector<std::vector<Vec3f>> moves_;

@@ -23,10 +23,6 @@ class NullPages : public testing::Test {
     camera_.scene_radius = 3;
   }
 
-  std::optional<PagePick> pick(bool original) {
-    return renderer_.pick(camera_, kNullSize, {16, 12}, original, {&all_, 1}).value();
-  }
-
   const SplitMesh split_ = split_into_pages(make_icosphere(2, 1), 1000);
   const PageMesh mesh_ = make_page_mesh(split_.pages.at(0), split_.grid);
   const PatchRange all_{0, 0, static_cast<uint32_t>(mesh_.triangles.size())};
@@ -40,14 +36,6 @@ TEST_F(NullPages, RemembersWhatItWasAskedToDraw) {
   EXPECT_EQ(renderer_.camera(), camera_);
   EXPECT_EQ(renderer_.patches().size(), 1u);
   EXPECT_EQ(renderer_.read_pixels().value().size, kNullSize);
-}
-
-TEST_F(NullPages, PicksTheMovedSurfaceOrTheOriginal) {
-  EXPECT_TRUE(pick(false).has_value());
-  const std::vector<Vec3f> away(mesh_.positions.size(), Vec3f(1000, 0, 0));
-  ASSERT_TRUE(renderer_.move_page(0, away, {}, {}).is_ok());
-  EXPECT_FALSE(pick(false).has_value());
-  EXPECT_TRUE(pick(true).has_value());
 }
 
 TEST_F(NullPages, RefusesMoreSlotsThanTheLimit) {

@@ -222,5 +222,30 @@ TEST_F(JoinedPages, PatchesOfACoarserPageAreJoinedWithTheFinerPagesBesideThem) {
     ASSERT_LT(degrees_apart(renderer_.normals(1)[v], expected[split_.vertices[1][v]]), 0.1);
 }
 
+TEST_F(JoinedPages, ARayHitsTheNearestOfAllTriangles) {
+  move_all(3);
+  draw(all());
+  int hits = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Vec3d aside(0.1 * (i % 20 - 10), 0.1 * (i / 20 - 10), 0);
+    const Ray ray{space_.centre + space_.unit * Vec3d(0.3, 0.2, 5),
+                  (Vec3d(0, 0, -5) + aside).normalized()};
+    std::optional<SurfaceHit> expected;
+    for (uint32_t slot = 0; slot < split_.pages.size(); ++slot) {
+      const DisplacedPage page = surface_.at(slot);
+      const auto count = static_cast<uint32_t>(page.mesh.triangles.size());
+      const auto found = nearest_hit(page, ray, 0, count);
+      if (found && (!expected || found->distance < expected->distance)) expected = found;
+    }
+    const auto found = surface_.hit(ray, false);
+    ASSERT_EQ(found.has_value(), expected.has_value()) << i;
+    if (!found) continue;
+    ++hits;
+    EXPECT_EQ(found->point.distance, expected->distance);
+    EXPECT_EQ(found->point.original, expected->original);
+  }
+  EXPECT_GT(hits, 50);
+}
+
 }  // namespace
 }  // namespace burnish

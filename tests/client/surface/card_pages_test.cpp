@@ -45,9 +45,8 @@ class CardPagesTest : public testing::Test {
     Camera camera{.azimuth_degrees = 0, .elevation_degrees = 0};
     camera.distance = 5;
     const Eigen::Vector2i pixel(32, 32);
-    const auto pick = renderer_.pick(camera, size, pixel, original, card_.patches()).value();
     const Ray ray = pixel_ray(camera, size, pixel.cast<double>() + Eigen::Vector2d(0.5, 0.5));
-    return card_.hit(pick.value(), ray, original).value();
+    return card_.hit(ray, original).value();
   }
 
   SplitMesh split_;
