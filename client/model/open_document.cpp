@@ -5,13 +5,18 @@ namespace burnish {
 // Prepares the scan before its session opens, so that users see the preparation and can cancel it.
 Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
                                      const SessionWish& wish, const Progress& progress) {
-  OpenedDocument opened;
-  opened.server = connection->server();
-  opened.connection = connection;
   connection->bring_back(progress);
   RETURN_IF_ERROR(connection->prepare_scan(wish.scan, wish.key, progress).status());
   ASSIGN_OR_RETURN(const OpenedSession session, connection->open_session(wish));
-  opened.session = session.session;
+  return fetch_document(std::move(connection), session.session, progress);
+}
+
+Result<OpenedDocument> fetch_document(std::shared_ptr<Connection> connection,
+                                      const SessionInfo& session, const Progress& progress) {
+  OpenedDocument opened;
+  opened.server = connection->server();
+  opened.connection = connection;
+  opened.session = session;
   const std::string& scan = opened.session.scan_id;
   ASSIGN_OR_RETURN(opened.scan, connection->describe_scan(scan, opened.session.key.depth));
   if (!opened.scan.prepared)
