@@ -22,11 +22,11 @@ const ChosenCut& PageLoader::look(const PictureQuestion& question, Time now) {
   return cut();
 }
 
-// Full detail is for pictures at rest that are all there.
+// Full detail is for pictures at rest that are all there: it must not hold up their values.
 void PageLoader::see(const PictureQuestion& question) {
   is_at_rest_ =
       has_looked_ && !question.surface_moves && question.view == view_ && question.frame == frame_;
-  wants_full_ = is_at_rest_ && (wants_full_ || todo_.open_in_view == 0);
+  wants_full_ = is_at_rest_ && (wants_full_ || (todo_.open_in_view == 0 && !lacks_values_));
   view_ = question.view;
   frame_ = question.frame;
   has_looked_ = true;
@@ -134,10 +134,9 @@ bool PageLoader::is_settled() const {
 }
 
 CutReason PageLoader::reason() const {
-  if (todo_.open_in_view > 0 || !has_looked_) return CutReason::kLoading;
+  if (todo_.open_in_view > 0 || lacks_values_ || !has_looked_) return CutReason::kLoading;
   if (!wants_full_) return CutReason::kMoving;
   if (todo_.failed > 0) return CutReason::kFailed;
-  if (lacks_values_) return CutReason::kFrame;
   if (todo_.blocks_left_out > 0) return CutReason::kMemory;
   switch (cut().limit) {
     case CutLimit::kTriangles:

@@ -16,15 +16,22 @@ static Status measure_views(Viewer& viewer, ViewFigures& figures) {
   return Status::ok();
 }
 
+static Result<double> first_picture_ms(const Link& link, const SessionWish& wish) {
+  ASSIGN_OR_RETURN(const std::unique_ptr<Viewer> viewer, Viewer::open(link, wish));
+  ASSIGN_OR_RETURN(const ViewArrival first, viewer->first_picture());
+  return viewer->described.ms + first.ms;
+}
+
 Result<ViewFigures> run_view_case(const ViewCase& what) {
   const Link link(what.server, {.megabits_per_second = what.megabits_per_second});
-  ASSIGN_OR_RETURN(const std::unique_ptr<Viewer> viewer, Viewer::open(link, what.wish));
   ViewFigures figures;
+  ASSIGN_OR_RETURN(figures.unsolved_ms, first_picture_ms(link, what.wish));
+  ASSIGN_OR_RETURN(const std::unique_ptr<Viewer> viewer, Viewer::open(link, what.wish));
   figures.described = viewer->described;
   RETURN_IF_ERROR(measure_views(*viewer, figures));
   ASSIGN_OR_RETURN(figures.still_bytes, still_view_bytes(*viewer));
-  ASSIGN_OR_RETURN(figures.drag, drag_slider(*viewer));
   ASSIGN_OR_RETURN(figures.dab, paint_dab(*viewer));
+  ASSIGN_OR_RETURN(figures.drag, drag_slider(*viewer));
   if (what.flight_minutes > 0) {
     const uint64_t before = link.bytes_down();
     ASSIGN_OR_RETURN(figures.flight, fly(*viewer, what.flight_minutes));

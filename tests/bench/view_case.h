@@ -16,6 +16,7 @@ struct ViewArrival {
 };
 
 struct DragFigures {
+  double server_ms = 0;            ///< that it takes for a frame, median
   double pictures_per_second = 0;  ///< that show a newer frame
   double age_p50_ms = 0;           ///< of frames when they are drawn
   double age_p95_ms = 0;
@@ -41,11 +42,12 @@ struct FlightFigures {
 
 /// All that is measured over one link.
 struct ViewFigures {
-  ViewArrival described;  ///< from the answer of OpenSession until all but the surface is known
-  ViewArrival first;      ///< from there until the first picture that shows any surface
-  ViewArrival whole;      ///< from there until the view with errors of 1 and edges of 6 pixels
-  ViewArrival zoomed;     ///< the same twice as near
-  ViewArrival full;       ///< the whole in full detail, from there
+  double unsolved_ms = 0;  ///< until the first picture of a session that the server has not solved
+  ViewArrival described;   ///< from the answer of OpenSession until all but the surface is known
+  ViewArrival first;       ///< from there until the first picture that shows any surface
+  ViewArrival whole;       ///< from there until the view with errors of 1 and edges of 6 pixels
+  ViewArrival zoomed;      ///< the same twice as near
+  ViewArrival full;        ///< the whole in full detail, from there
   double still_bytes = 0;
   DragFigures drag;
   DabFigures dab;
@@ -59,7 +61,8 @@ struct ViewCase {
   double flight_minutes = 0;
 };
 
-/// Opens the session as a window does, over a link with a round trip of 40 ms, and measures.
+/// Opens the session as a window does, over a link with a round trip of 40 ms. Measures the first
+/// picture, then all figures with another window.
 Result<ViewFigures> run_view_case(const ViewCase& what);
 
 }  // namespace burnish

@@ -29,7 +29,7 @@ Result<double> still_view_bytes(Viewer& viewer) {
 
 Result<DragFigures> drag_slider(Viewer& viewer) {
   Document& document = viewer.document();
-  std::vector<double> ages, triangles;
+  std::vector<double> ages, triangles, server_ms;
   uint64_t frames = document.stats().frames;
   const auto start = steady_clock::now();
   double passed = 0;
@@ -38,13 +38,16 @@ Result<DragFigures> drag_slider(Viewer& viewer) {
     RETURN_IF_ERROR(viewer.picture());
     passed = ms_between(start, steady_clock::now()) / 1e3;
     if (std::exchange(frames, document.stats().frames) == document.stats().frames) continue;
+    const FrameStats& made = document.stats().frame;
+    server_ms.push_back(made.assemble_ms + made.solve_ms + made.encode_ms);
     ages.push_back(document.stats().age_ms + document.stats().waited_ms);
     triangles.push_back(static_cast<double>(document.surface().status().triangles_drawn));
   }
   document.commit_beta();
   ASSIGN_OR_RETURN(const ViewArrival full, viewer.full_view());
-  return DragFigures{static_cast<double>(ages.size()) / passed, quantile(ages, 0.5),
-                     quantile(ages, 0.95), quantile(triangles, 0.5), full.ms};
+  return DragFigures{quantile(server_ms, 0.5), static_cast<double>(ages.size()) / passed,
+                     quantile(ages, 0.5),      quantile(ages, 0.95),
+                     quantile(triangles, 0.5), full.ms};
 }
 
 Result<DabFigures> paint_dab(Viewer& viewer) {
