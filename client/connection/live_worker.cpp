@@ -53,6 +53,8 @@ void SessionLink::Worker::run() {
     {
       const std::lock_guard lock(mutex_);
       if (stopping_) return;
+      const bool was_live = news_.link == LinkState::kLive;
+      if (was_live && why.code() == StatusCode::kResourceExhausted) note_refused_pages();
     }
     if (!is_worth_another_try(why.code())) return set_link(LinkState::kEnded, why.to_string());
     set_link(news_.link == LinkState::kConnecting ? LinkState::kConnecting : LinkState::kLost,

@@ -64,6 +64,7 @@ class SessionLink::Worker {
 
   void tell(LiveEvent event);  // needs the lock
   void tell_shown();           // needs the lock
+  void note_refused_pages();   // needs the lock
   void wake_user();
 
   const std::string server_;

@@ -115,7 +115,15 @@ Status SessionLink::Worker::hear(const Farewell& farewell) {
   if (!farewell.come_back) return failed_precondition(farewell.reason);
   farewell_ = "server " + server_ + ": " + farewell.reason;
   leaving_ = true;
+  const std::lock_guard lock(mutex_);
+  note_refused_pages();
   return Status::ok();
+}
+
+// A server that is asked for pages and ends the stream by itself cannot show them. Where it ends
+// for another reason, the client shows less than it could for a while.
+void SessionLink::Worker::note_refused_pages() {
+  if (outbox_.pages().is_under_way()) ++news_.pages_refused;
 }
 
 void SessionLink::Worker::tell_shown() {

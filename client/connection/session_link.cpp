@@ -115,6 +115,7 @@ LiveNews SessionLink::Worker::take() {
     news.stats.frames_per_second = rate_.frames_per_second(now);
     news.stats.frame_bytes_max = budget_.bytes();
     news.stats.megabits_per_second = rate_.megabits_per_second(now);
+    news.pages_refused = news_.pages_refused;
     news.unacknowledged = outbox_.unacknowledged();
     news.events.swap(news_.events);
     news.frame = news_.frame;

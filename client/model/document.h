@@ -131,6 +131,7 @@ class Document {
   void forget_strokes();
   void add_dabs(const std::vector<Vec3d>& points);
   void refresh_history();
+  void renew_pages();
   void forget_values();
   void fetch_values();
   void take_values(const Result<std::vector<PageValues>>& first,
@@ -151,6 +152,7 @@ class Document {
   std::vector<std::string> tinted_;  // strokes that no frame shows yet
 
   ColourBy colour_ = ColourBy::kNothing;
+  bool is_renewing_pages_ = false;
   uint64_t values_version_ = 0;  // counts forget_values()
   bool is_fetching_values_ = false;
   std::set<PageId> fetched_;  // pages whose values of this version were asked for

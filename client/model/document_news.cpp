@@ -19,9 +19,30 @@ Status Document::look(const Camera& camera, const ImageSize& size) {
   const bool is_dragging = !gesture_.empty() && !brush_.is_drawing();
   RETURN_IF_ERROR(surface_->look(camera, size, is_dragging));
   fetch_values();
+  renew_pages();
   const std::string failures = surface_->take_failures();
   if (!failures.empty()) log_.warning(failures);
   return Status::ok();
+}
+
+// Describing the pages has the server make what it lacks.
+void Document::renew_pages() {
+  const std::optional<Status> damage = surface_->take_damage();
+  if (!damage || std::exchange(is_renewing_pages_, true)) return;
+  log_.warning("the server makes the pages of the scan again: " + damage->message());
+  tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
+                scan = opened_.session.scan_id,
+                wake = wake_](const std::stop_token& stop) -> Tasks::Completion {
+    const auto goes_on = [&](std::string_view, double) { return !stop.stop_requested(); };
+    const Status made = connection->describe_pages(scan, goes_on).status();
+    wake();
+    return [this, alive, made] {
+      if (alive.expired()) return;
+      is_renewing_pages_ = false;
+      if (!made.is_ok()) return log_.failure("pages", made);
+      surface_->on_pages_renewed();
+    };
+  });
 }
 
 namespace {

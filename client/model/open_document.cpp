@@ -1,3 +1,5 @@
+#include <future>
+
 #include "client/model/workspace.h"
 
 namespace burnish {
@@ -5,21 +7,32 @@ namespace burnish {
 // Prepares the scan before its session opens, so that users see the preparation and can cancel it.
 Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
                                      const SessionWish& wish, const Progress& progress) {
-  OpenedDocument opened;
-  opened.server = connection->server();
-  opened.connection = connection;
   connection->bring_back(progress);
   RETURN_IF_ERROR(connection->prepare_scan(wish.scan, wish.key, progress).status());
   ASSIGN_OR_RETURN(const OpenedSession session, connection->open_session(wish));
-  opened.session = session.session;
-  const std::string& scan = opened.session.scan_id;
-  ASSIGN_OR_RETURN(opened.scan, connection->describe_scan(scan, opened.session.key.depth));
+  return fetch_document(std::move(connection), session.session, progress);
+}
+
+// Each answer takes a round trip, so all are asked for at once.
+Result<OpenedDocument> fetch_document(std::shared_ptr<Connection> connection,
+                                      const SessionInfo& session, const Progress& progress) {
+  const auto ask = [](auto call) { return std::async(std::launch::async, std::move(call)); };
+  auto described =
+      ask([&] { return connection->describe_scan(session.scan_id, session.key.depth); });
+  auto state = ask([&] { return connection->state(session.id); });
+  auto history = ask([&] { return connection->history(session.id); });
+  OpenedDocument opened;
+  opened.server = connection->server();
+  opened.connection = connection;
+  opened.session = session;
+  ASSIGN_OR_RETURN(const PagesDescription pages,
+                   connection->describe_pages(session.scan_id, progress));
+  ASSIGN_OR_RETURN(opened.pages, open_pages(pages, session.scan_id));
+  ASSIGN_OR_RETURN(opened.scan, described.get());
   if (!opened.scan.prepared)
     return data_loss("server " + opened.server + " does not describe the prepared scan");
-  ASSIGN_OR_RETURN(const PagesDescription pages, connection->describe_pages(scan, progress));
-  ASSIGN_OR_RETURN(opened.pages, open_pages(pages, scan));
-  ASSIGN_OR_RETURN(opened.state, connection->state(opened.session.id));
-  ASSIGN_OR_RETURN(opened.history, connection->history(opened.session.id));
+  ASSIGN_OR_RETURN(opened.state, state.get());
+  ASSIGN_OR_RETURN(opened.history, history.get());
   return opened;
 }
 

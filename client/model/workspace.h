@@ -130,4 +130,9 @@ std::string unsaved_text(size_t edits);
 Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
                                      const SessionWish& wish, const Progress& progress);
 
+/// Fetches what a window must know of an open session before it shows it. Has pages made that are
+/// missing. Fails: as the server says; data_loss; cancelled.
+Result<OpenedDocument> fetch_document(std::shared_ptr<Connection> connection,
+                                      const SessionInfo& session, const Progress& progress);
+
 }  // namespace burnish

@@ -31,6 +31,8 @@ std::string reason_text(const CutStatus& status) {
       return "moving";
     case CutReason::kFrame:
       return "the link carries no more";
+    case CutReason::kServer:
+      return "the server has no memory for more";
     case CutReason::kTriangles:
       return "more is too much to draw";
     case CutReason::kMemory:

@@ -13,7 +13,8 @@ enum class CutReason {
   kNone,       ///< it does
   kLoading,    ///< pages are on their way
   kMoving,     ///< the camera or the surface moves, or has just stopped
-  kFrame,      ///< values of the shown frame are missing, or more of them do not fit the link
+  kFrame,      ///< more values than a frame has do not fit the link
+  kServer,     ///< the server has no memory for more
   kTriangles,  ///< the budget of drawn triangles
   kMemory,     ///< the budget of memory
   kCard,       ///< the budget of memory on the card

@@ -22,11 +22,12 @@ const ChosenCut& PageLoader::look(const PictureQuestion& question, Time now) {
   return cut();
 }
 
-// Full detail is for pictures at rest that are all there.
+// Full detail is for pictures at rest that are all there: it must not hold up their values.
 void PageLoader::see(const PictureQuestion& question) {
   is_at_rest_ =
       has_looked_ && !question.surface_moves && question.view == view_ && question.frame == frame_;
-  wants_full_ = is_at_rest_ && (wants_full_ || todo_.open_in_view == 0);
+  wants_full_ = is_at_rest_ && (wants_full_ || (todo_.open_in_view == 0 && !lacks_values_));
+  is_server_limit_ = !question.surface_moves && question.server_vertices_max > 0;
   view_ = question.view;
   frame_ = question.frame;
   has_looked_ = true;
@@ -40,6 +41,8 @@ CutQuestion PageLoader::cut_question(const PictureQuestion& question) const {
   } else {
     asked.targets = wants_full_ ? full_targets(is_software_) : prompt_targets(is_software_);
   }
+  if (question.server_vertices_max > 0)
+    asked.budget.vertices = std::min(asked.budget.vertices, question.server_vertices_max);
   return asked;
 }
 
@@ -134,16 +137,15 @@ bool PageLoader::is_settled() const {
 }
 
 CutReason PageLoader::reason() const {
-  if (todo_.open_in_view > 0 || !has_looked_) return CutReason::kLoading;
+  if (todo_.open_in_view > 0 || lacks_values_ || !has_looked_) return CutReason::kLoading;
   if (!wants_full_) return CutReason::kMoving;
   if (todo_.failed > 0) return CutReason::kFailed;
-  if (lacks_values_) return CutReason::kFrame;
   if (todo_.blocks_left_out > 0) return CutReason::kMemory;
   switch (cut().limit) {
     case CutLimit::kTriangles:
       return CutReason::kTriangles;
     case CutLimit::kVertices:
-      return CutReason::kFrame;
+      return is_server_limit_ ? CutReason::kServer : CutReason::kFrame;
     case CutLimit::kMemory:
       return CutReason::kMemory;
     case CutLimit::kCard:

@@ -23,6 +23,8 @@ struct PictureQuestion {
   bool surface_moves = false;  ///< frames come, or are about to
   /// The most values that a frame may have while the surface moves; 0 is unknown.
   uint64_t frame_vertices_max = 0;
+  /// The most vertices that the server has memory for; 0: any number.
+  uint64_t server_vertices_max = 0;
   /// Whether the shown frame has a page's values. Empty: no frame moves the surface.
   std::function<bool(PageId)> has_values;
   LinkSpeed link;
@@ -122,6 +124,7 @@ class PageLoader {
   bool is_at_rest_ = false;
   bool wants_full_ = false;
   bool lacks_values_ = false;
+  bool is_server_limit_ = false;  ///< the budget of vertices is the server's
 };
 
 }  // namespace burnish

@@ -12,6 +12,9 @@ namespace burnish {
 static constexpr double kBytesPerVertexMoving = 1.2;
 /// The same of a page that a frame carries for the first time.
 static constexpr double kBytesPerVertexNew = 3;
+/// New pages that are on their way at once, in frames of FrameBudget: 20 ms of the link while the
+/// surface moves, and 100 ms while nothing waits for the next frame.
+static constexpr double kNewFramesMoving = 2, kNewFramesStill = 10;
 
 Result<OpenedPages> open_pages(const PagesDescription& description, const std::string& scan) {
   OpenedPages pages;
@@ -51,12 +54,15 @@ Status PagedSurface::open(PageRenderer& renderer) {
 }
 
 void PagedSurface::take(const LiveNews& news) {
+  if (news.pages_refused > refusals_) room_.refuse(shown_.vertex_count(), options_.clock());
+  refusals_ = news.pages_refused;
   stats_ = news.stats;
   frame_ = news.frame;
 }
 
 Status PagedSurface::look(const Camera& camera, const ImageSize& size, bool is_dragging) {
   hand_in_arrivals();
+  server_vertices_max_ = room_.vertices_max(options_.clock());
   loader_->look(question(camera, size, is_dragging), options_.clock());
   start_decoding();
   ask_for_items();
@@ -72,6 +78,11 @@ Status PagedSurface::show_frame() {
   return Status::ok();
 }
 
+// A server that finds a page damaged drops them all, and has none until somebody describes them.
+static bool is_damage(StatusCode code) {
+  return code == StatusCode::kDataLoss || code == StatusCode::kFailedPrecondition;
+}
+
 void PagedSurface::hand_in_arrivals() {
   const auto now = options_.clock();
   for (PageFetcher::Arrival& arrival : fetcher_.take()) {
@@ -80,6 +91,7 @@ void PagedSurface::hand_in_arrivals() {
     } else if (arrival.bytes.is_ok()) {
       loader_->on_page(arrival.item.number, std::move(*arrival.bytes), now);
     } else {
+      if (is_damage(arrival.bytes.status().code())) damage_ = arrival.bytes.status();
       loader_->on_failure(arrival.item, arrival.bytes.status(), now);
     }
   }
@@ -100,6 +112,7 @@ PictureQuestion PagedSurface::question(const Camera& camera, const ImageSize& si
   asked.frame = frame_bounds();
   asked.surface_moves = moves(is_dragging);
   asked.frame_vertices_max = static_cast<uint64_t>(stats_.frame_bytes_max / kBytesPerVertexMoving);
+  asked.server_vertices_max = server_vertices_max_;
   asked.has_values = [frame = frame_.get()](PageId page) {
     return frame != nullptr && frame->find(page) != nullptr;
   };
@@ -147,10 +160,14 @@ Status PagedSurface::put_on_card() {
   return Status::ok();
 }
 
+uint64_t PagedSurface::vertices_in_flight_max() const {
+  const double frames = stats_.frame.settled ? kNewFramesStill : kNewFramesMoving;
+  return static_cast<uint64_t>(frames * stats_.frame_bytes_max / kBytesPerVertexNew);
+}
+
 Status PagedSurface::show_pages() {
-  const auto in_flight_max = static_cast<uint64_t>(2 * stats_.frame_bytes_max / kBytesPerVertexNew);
   ShownSet::Change change =
-      shown_.change(loader_->cut(), loader_->cache(), frame_.get(), in_flight_max);
+      shown_.change(loader_->cut(), loader_->cache(), frame_.get(), vertices_in_flight_max());
   if (change.is_empty()) return Status::ok();
   return link_.show_pages(std::move(change.added), std::move(change.removed));
 }

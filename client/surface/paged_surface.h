@@ -18,6 +18,7 @@
 #include "client/surface/card_pages.h"
 #include "client/surface/page_decoder.h"
 #include "client/surface/page_marks.h"
+#include "client/surface/server_room.h"
 #include "client/surface/shown_set.h"
 #include "common/base/clock.h"
 
@@ -85,6 +86,10 @@ class PagedSurface {
   uint64_t changes() const { return changes_; }
   /// Returns whether the next look() with the same arguments changes nothing, until on_news.
   bool is_settled() const;
+  /// Returns why the server must make the pages again, if it said so since the last call.
+  std::optional<Status> take_damage() { return std::exchange(damage_, std::nullopt); }
+  /// The server has made the pages again: all that failed is asked for again.
+  void on_pages_renewed() { loader_->on_link_made(); }
   /// Returns what could not be fetched since the last call, in words; empty: nothing.
   std::string take_failures();
 
@@ -100,6 +105,7 @@ class PagedSurface {
   Status show_frame();
   PictureQuestion question(const Camera& camera, const ImageSize& size, bool is_dragging) const;
   FrameBounds frame_bounds() const;
+  uint64_t vertices_in_flight_max() const;
   bool moves(bool is_dragging) const;
 
   OpenedPages pages_;
@@ -110,12 +116,16 @@ class PagedSurface {
   PageMarks marks_;
   CardPages card_;
   ShownSet shown_;
+  ServerRoom room_;
+  uint64_t server_vertices_max_ = 0;  // of the last look()
+  uint64_t refusals_ = 0;
   std::unique_ptr<PageLoader> loader_;
   std::unordered_map<PageId, PageMesh> meshes_;  // of decoded pages that are not on the card
 
   std::shared_ptr<const SurfaceFrame> frame_;
   LinkStats stats_;
   uint64_t changes_ = 0;
+  std::optional<Status> damage_;
 
   PageFetcher fetcher_;  // their threads call on_news
   PageDecoder decoder_;

@@ -15,6 +15,12 @@ ShownSet::Change ShownSet::change(const ChosenCut& cut, const PageCache& cache,
   return change;
 }
 
+uint64_t ShownSet::vertex_count() const {
+  uint64_t vertices = 0;
+  for (const auto& [page, count] : shown_) vertices += count;
+  return vertices;
+}
+
 // `used` lists fine pages first; a coarse page must have its values before a finer one helps.
 void ShownSet::add(const ChosenCut& cut, const PageCache& cache, const SurfaceFrame* frame,
                    uint64_t vertices_in_flight_max, Change& change) {

@@ -29,6 +29,7 @@ class ShownSet {
                 uint64_t vertices_in_flight_max);
 
   size_t page_count() const { return shown_.size(); }
+  uint64_t vertex_count() const;
 
  private:
   void add(const ChosenCut& cut, const PageCache& cache, const SurfaceFrame* frame,

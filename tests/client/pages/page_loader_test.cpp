@@ -185,10 +185,23 @@ TEST(PageLoader, APageWithoutValuesOfTheShownFrameIsNotShown) {
   flight.has_values = [fine](PageId page) { return page != fine; };
   flight.picture(kNear);
   EXPECT_EQ(flight.cut().set[fine], 0);
-  EXPECT_EQ(flight.loader().status().reason, CutReason::kFrame);
+  EXPECT_EQ(flight.loader().status().reason, CutReason::kLoading);
   flight.has_values = nullptr;
   flight.picture(kNear);
   EXPECT_EQ(flight.cut().set[fine], 1);
+}
+
+TEST(PageLoader, AtRestShowsAsManyVerticesAsTheServerHasMemoryFor) {
+  PageFlight flight(loaded_scan(), {});
+  flight.settle(kNear);
+  const uint64_t all = flight.cut().usage.vertices;
+  flight.server_vertices_max = all / 2;
+  flight.settle(kNear);
+  EXPECT_LE(flight.cut().usage.vertices, all / 2);
+  EXPECT_EQ(flight.loader().status().reason, CutReason::kServer);
+  flight.server_vertices_max = 0;
+  flight.settle(kNear);
+  EXPECT_EQ(flight.cut().usage.vertices, all);
 }
 
 TEST(PageLoader, DecodingAFewPagesAPictureEndsAtTheSameCut) {
