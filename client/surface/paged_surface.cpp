@@ -45,7 +45,8 @@ Status PagedSurface::open(PageRenderer& renderer) {
   PageBudget budget = options_.budget;
   const uint64_t slots = std::min<uint64_t>(budget.slots(), pages_.head.page_count());
   ASSIGN_OR_RETURN(const uint32_t room, card_.open(renderer, static_cast<uint32_t>(slots)));
-  budget.card_bytes = room * kSlotBytes;
+  // Where all pages fit they need no spare slots.
+  if (room < pages_.head.page_count()) budget.card_bytes = room * kSlotBytes;
   loader_ = std::make_unique<PageLoader>(pages_.head, budget, options_.is_software);
   for (auto& [number, block] : pages_.blocks)
     loader_->on_block(number, std::move(block), options_.clock());

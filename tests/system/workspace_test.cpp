@@ -77,6 +77,13 @@ class WorkspaceService : public testing::Test {
   Workspace workspace_{renderer_, Preferences(), WorkspaceOptions{.clock = clock_.clock()}};
 };
 
+TEST_F(WorkspaceService, AScanThatFitsIsShownInFullDetail) {
+  ASSERT_TRUE(open_through(server_.address));
+  const CutStatus status = document().surface().status();
+  EXPECT_EQ(status_text(status), "full detail");
+  EXPECT_EQ(status.triangles_drawn, document().scan().scan.statistics.triangles);
+}
+
 TEST_F(WorkspaceService, LeavesASessionThatItsOwnerClosedUntilItIsOpenedAgain) {
   ASSERT_TRUE(open_through(server_.address));
   ASSERT_TRUE(owner_.close_session("work").is_ok());
