@@ -5,6 +5,7 @@
 #include "client/cli/json_output.h"
 #include "client/cli/progress_printer.h"
 #include "client/cli/server_option.h"
+#include "client/cli/warn_of_left_out.h"
 
 namespace burnish {
 
@@ -33,6 +34,7 @@ Status run(const ExportOptions& options) {
   const auto summary =
       connection.export_mesh(options.session, wish, options.out, printer.progress());
   if (!summary.is_ok()) return summary.status().with_context("export of " + options.session);
+  warn_of_left_out(summary->left_out, options.out);
   if (options.server.json) {
     print_json(to_json(summary.value()));
   } else {
@@ -48,7 +50,11 @@ void add_export_command(CommandTable& table) {
   CLI::App* command =
       table.add("export", "Write a session's edited mesh", [options] { return run(*options); });
   command->add_option("SESSION", options->session, "Name or id")->required();
-  command->add_option("OUT", options->out, "File to write: .ply, .obj or .stl")->required();
+  command
+      ->add_option(
+          "OUT", options->out,
+          "File to write: .ply, .obj, .stl or .off; the scan's own format keeps all that it has")
+      ->required();
   CLI::Option* exact =
       command->add_flag("--exact", options->wish.exact, "Solve to the accuracy of final results");
   command->add_option("--cycles", options->wish.cycles, "Solve with this many cycles")

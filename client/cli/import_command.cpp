@@ -6,6 +6,8 @@
 #include "client/cli/json_output.h"
 #include "client/cli/progress_printer.h"
 #include "client/cli/server_option.h"
+#include "common/mesh/mesh_io.h"
+#include "common/mesh/rewrite/left_out.h"
 
 namespace burnish {
 
@@ -26,6 +28,16 @@ void print(const ImportOutcome& outcome) {
             << "\n";
 }
 
+/// A server keeps one file. Failing to look is no failure of the import.
+void tell_of_materials(const std::string& file) {
+  const auto format = mesh_format_of_path(file);
+  if (!format.is_ok()) return;
+  const auto named = names_material_files({file, *format, file});
+  if (named.is_ok() && *named)
+    std::cout << "the files that " << file
+              << " names (mtllib) stay where they are; an exported .obj names them again\n";
+}
+
 Status run(const ImportOptions& options) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   const std::string name =
@@ -35,6 +47,7 @@ Status run(const ImportOptions& options) {
   if (!outcome.is_ok()) return outcome.status().with_context("import of " + options.file);
   if (!options.server.json) {
     print(*outcome);
+    tell_of_materials(options.file);
     return Status::ok();
   }
   auto json = to_json(outcome->scan);

@@ -95,7 +95,8 @@ Json to_json(const ExportSummary& summary) {
           {"residual", summary.residual},
           {"distance", summary.distance},
           {"assemble_seconds", summary.assemble_seconds},
-          {"solve_seconds", summary.solve_seconds}};
+          {"solve_seconds", summary.solve_seconds},
+          {"left_out", summary.left_out}};
 }
 
 Json to_json(const HistoryEntry& entry) {

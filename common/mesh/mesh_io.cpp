@@ -60,7 +60,8 @@ Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
   if (format == MeshFormat::kOff)
     return invalid_argument("cannot write " + path.string() +
-                            ": Burnish reads OFF but does not write it; use .ply, .obj or .stl");
+                            ": only a scan from an OFF file is written as OFF; use .ply, .obj or "
+                            ".stl");
   RETURN_IF_ERROR(validate(mesh).with_context("cannot write " + path.string()));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
   const auto write = format == MeshFormat::kPly   ? write_ply

@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// The mesh formats that can be read. kOff cannot be written.
+/// The mesh formats that can be read. write_mesh() does not write kOff; rewrite/rewrite.h does.
 enum class MeshFormat { kPly, kObj, kStl, kOff };
 
 /// Returns the format by file extension, in any case. Fails: invalid_argument that names the path

@@ -1,8 +1,10 @@
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "common/base/limits.h"
 #include "common/mesh/mesh_formats.h"
+#include "common/mesh/off_kind.h"
 #include "common/mesh/polygon.h"
 #include "common/mesh/text_colours.h"
 #include "common/mesh/text_scanner.h"
@@ -31,13 +33,9 @@ class OffReader {
  private:
   Status read_magic() {
     const std::string_view magic = scanner_.next_line() ? scanner_.next_token() : "";
-    std::string_view kind = magic;
-    if (kind.starts_with("ST")) kind.remove_prefix(2);
-    has_colours_ = kind.starts_with('C');
-    if (has_colours_) kind.remove_prefix(1);
-    has_normals_ = kind.starts_with('N');
-    if (has_normals_) kind.remove_prefix(1);
-    if (kind == "OFF") return Status::ok();
+    const std::optional<OffKind> kind = parse_off_kind(magic);
+    kind_ = kind.value_or(OffKind());
+    if (kind) return Status::ok();
     return scanner_.error("not an OFF file: begins with " + in_quotes(magic) +
                           ", not OFF, COFF, NOFF or CNOFF");
   }
@@ -74,8 +72,8 @@ class OffReader {
   Status read_vertex(uint64_t v) {
     if (!scanner_.next_line()) return truncated("vertex", v, vertices_);
     RETURN_IF_ERROR(read_position(scanner_, {"vertex", v}, mesh_.vertices[v], mesh_));
-    for (int skipped = 0; has_normals_ && skipped < 3; ++skipped) scanner_.next_token();
-    if (has_colours_) read_colour(v);
+    for (int skipped = 0; kind_.has_normals && skipped < 3; ++skipped) scanner_.next_token();
+    if (kind_.has_colours) read_colour(v);
     return Status::ok();
   }
 
@@ -132,8 +130,7 @@ class OffReader {
   std::vector<uint32_t> corners_;
   uint64_t vertices_ = 0;
   uint64_t faces_ = 0;
-  bool has_colours_ = false;
-  bool has_normals_ = false;
+  OffKind kind_;
 };
 
 Result<TriangleMesh> read_off(std::span<const uint8_t> bytes, const std::string& name) {

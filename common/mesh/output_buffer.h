@@ -2,22 +2,30 @@
 
 #include <charconv>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "common/base/atomic_file.h"
 #include "common/base/status.h"
 
 namespace burnish {
 
+/// Takes the bytes of a file in their order.
+using ByteSink = std::function<Status(std::string_view)>;
+
 /// Gathers small values into large writes. Keeps the first failure for flush() and drops later
 /// values.
 class OutputBuffer {
  public:
-  explicit OutputBuffer(AtomicFile& file) : file_(file) { buffer_.reserve(kBytes); }
+  explicit OutputBuffer(AtomicFile& file)
+      : OutputBuffer([&file](std::string_view text) { return file.write(text); }) {}
+  explicit OutputBuffer(ByteSink sink) : sink_(std::move(sink)) { buffer_.reserve(kBytes); }
 
   void put_text(std::string_view text) {
     if (buffer_.size() + text.size() > kBytes) write();
+    if (text.size() > kBytes) return send(text);
     buffer_.append(text);
   }
 
@@ -44,12 +52,16 @@ class OutputBuffer {
  private:
   static constexpr size_t kBytes = 1 << 20;
 
+  void send(std::string_view text) {
+    if (status_.is_ok()) status_ = sink_(text);
+  }
+
   void write() {
-    if (status_.is_ok()) status_ = file_.write(buffer_);
+    send(buffer_);
     buffer_.clear();
   }
 
-  AtomicFile& file_;
+  ByteSink sink_;
   std::string buffer_;
   Status status_;
 };

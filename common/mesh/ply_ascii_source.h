@@ -49,6 +49,9 @@ class PlyAsciiSource {
 
   bool last_exceeds_float(double value) const { return exceeds_float(token_, value); }
 
+  /// Returns the text of the last value, inside the file's bytes.
+  std::string_view last_bytes() const { return token_; }
+
   std::string failure() const {
     if (token_.empty()) return "the file ends inside it";
     return in_quotes(token_) + " is not a value of the declared type";

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "common/base/status.h"
 #include "common/mesh/ply_header.h"
@@ -64,6 +65,12 @@ class PlyBinarySource {
   /// Returns whether the last value has more digits than a float holds: never, the type decides.
   bool last_exceeds_float(double) const { return false; }
 
+  /// Returns the bytes of the last value, inside the file's. Needs: the value was read, not
+  /// skipped.
+  std::string_view last_bytes() const {
+    return {reinterpret_cast<const char*>(bytes_.data() + position_ - last_size_), last_size_};
+  }
+
   /// Says why read() returned false.
   std::string failure() const { return "the file ends inside it"; }
 
@@ -80,11 +87,13 @@ class PlyBinarySource {
     if constexpr (kBigEndian) std::reverse(raw.begin(), raw.end());
     value = static_cast<double>(std::bit_cast<T>(raw));
     position_ += sizeof(T);
+    last_size_ = sizeof(T);
     return true;
   }
 
   std::span<const uint8_t> bytes_;
   size_t position_;
+  size_t last_size_ = 0;
   const std::string& name_;
 };
 

@@ -1,54 +1,33 @@
-#include <algorithm>
 #include <cstring>
 #include <string_view>
 
 #include "common/mesh/mesh_formats.h"
+#include "common/mesh/stl_layout.h"
 #include "common/mesh/text_scanner.h"
 #include "common/mesh/text_values.h"
 #include "common/mesh/vertex_welder.h"
 
 namespace burnish {
 
-static constexpr size_t kHeaderBytes = 84;  // 80 of text, then the number of facets
-static constexpr size_t kFacetBytes = 50;   // normal, three corners, an attribute of two bytes
-
-static uint64_t promised_bytes(std::span<const uint8_t> bytes) {
-  uint32_t facets;
-  std::memcpy(&facets, bytes.data() + kHeaderBytes - sizeof facets, sizeof facets);
-  return kHeaderBytes + uint64_t{facets} * kFacetBytes;
-}
-
-/// Returns whether the file is text. Binary files may begin with "solid" too. Then their length, or
-/// bytes in the header that text never has, reveal them.
-static bool is_ascii(std::span<const uint8_t> bytes) {
-  constexpr std::string_view kSolid = "solid";
-  if (bytes.size() >= kHeaderBytes && promised_bytes(bytes) == bytes.size()) return false;
-  const auto is_text = [](uint8_t c) { return c >= ' ' || (c >= '\t' && c <= '\r'); };
-  const auto start = bytes.first(std::min<size_t>(bytes.size(), 2 * kHeaderBytes));
-  if (!std::all_of(start.begin(), start.end(), is_text)) return false;
-  TextScanner scanner(start, "");
-  return scanner.next_line() && equals_ignoring_case(scanner.next_token(), kSolid);
-}
-
 static Result<TriangleMesh> read_binary(std::span<const uint8_t> bytes, const std::string& name) {
-  if (bytes.size() < kHeaderBytes)
+  if (bytes.size() < kStlHeaderBytes)
     return invalid_argument(name + ": neither text that begins with 'solid' nor a whole binary " +
                             "STL file: the header has 84 bytes, the file has " +
                             std::to_string(bytes.size()));
-  const uint64_t facets = (promised_bytes(bytes) - kHeaderBytes) / kFacetBytes;
-  if (promised_bytes(bytes) > bytes.size())
+  const uint64_t facets = (promised_stl_bytes(bytes) - kStlHeaderBytes) / kStlFacetBytes;
+  if (promised_stl_bytes(bytes) > bytes.size())
     return invalid_argument(
         name + ": neither text that begins with 'solid' nor a whole binary " +
         "STL file: the header promises " + std::to_string(facets) + " facets, " +
-        std::to_string(promised_bytes(bytes)) + " bytes, but the file has " +
+        std::to_string(promised_stl_bytes(bytes)) + " bytes, but the file has " +
         std::to_string(bytes.size()) + "; facet " +
-        std::to_string((bytes.size() - kHeaderBytes) / kFacetBytes) + " is not complete");
+        std::to_string((bytes.size() - kStlHeaderBytes) / kStlFacetBytes) + " is not complete");
   TriangleMesh mesh;
   mesh.triangles.resize(facets);
   VertexWelder welder(mesh.vertices);
   for (uint64_t facet = 0; facet < facets; ++facet) {
     float corners[3][3];
-    const size_t offset = kHeaderBytes + facet * kFacetBytes + 12;  // after the normal
+    const size_t offset = kStlHeaderBytes + facet * kStlFacetBytes + kStlNormalBytes;
     std::memcpy(corners, bytes.data() + offset, sizeof corners);
     for (int corner = 0; corner < 3; ++corner) {
       const float* p = corners[corner];
@@ -127,7 +106,7 @@ class AsciiStlReader {
 };
 
 Result<TriangleMesh> read_stl(std::span<const uint8_t> bytes, const std::string& name) {
-  if (!is_ascii(bytes)) return read_binary(bytes, name);
+  if (!is_stl_text(bytes)) return read_binary(bytes, name);
   RETURN_IF_ERROR(check_line_lengths(bytes, name));
   return AsciiStlReader(bytes, name).read();
 }

@@ -78,6 +78,7 @@ struct ExportSummary {
   double distance = 0;  ///< estimated, over the bounding-box diagonal
   double assemble_seconds = 0;
   double solve_seconds = 0;
+  std::vector<std::string> left_out;  ///< attributes of the scan's file that the format leaves out
 };
 
 }  // namespace burnish

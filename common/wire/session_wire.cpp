@@ -122,8 +122,6 @@ Result<CellValue> from_wire(v1::CellValue value) {
 Result<ExportWish> from_wire(const v1::ExportRequest& message) {
   ExportWish wish;
   ASSIGN_OR_RETURN(wish.format, from_wire(message.format()));
-  if (wish.format == MeshFormat::kOff)
-    return invalid_argument("OFF is read only; export as PLY, OBJ or STL");
   wish.exact = message.has_exact() && message.exact();
   if (message.has_cycles()) {
     if (message.cycles() < 1 || message.cycles() > kExportCyclesMax)
@@ -147,6 +145,7 @@ v1::ExportSummary to_wire(const ExportSummary& summary) {
   message.set_distance(summary.distance);
   message.set_assemble_seconds(summary.assemble_seconds);
   message.set_solve_seconds(summary.solve_seconds);
+  for (const std::string& name : summary.left_out) message.add_left_out(name);
   return message;
 }
 
@@ -163,6 +162,7 @@ ExportSummary from_wire(const v1::ExportSummary& message) {
   summary.distance = message.distance();
   summary.assemble_seconds = message.assemble_seconds();
   summary.solve_seconds = message.solve_seconds();
+  summary.left_out.assign(message.left_out().begin(), message.left_out().end());
   return summary;
 }
 

@@ -8,6 +8,7 @@
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
+#include "common/mesh/rewrite/rewrite.h"
 #include "common/service/scan_info.h"
 #include "common/service/scan_pages.h"
 #include "server/library/data_folder.h"
@@ -60,6 +61,10 @@ class MeshStore {
   /// Finds a scan by name, id, or the beginning of one id, from memory. Fails: not_found;
   /// invalid_argument if several scans match.
   Result<ScanInfo> find(const std::string& reference) const { return index_.find(reference); }
+
+  /// Returns the imported file of a scan, checked against its hash. Fails: not_found; data_loss if
+  /// the file is damaged.
+  Result<OriginalFile> find_original(const std::string& id) const;
 
   /// Describes the prepared mesh of `depth`; 0 means the deepest one.
   Result<ScanDescription> describe(const std::string& reference, int depth) const;

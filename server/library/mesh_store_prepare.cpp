@@ -26,6 +26,12 @@ static bool can_be_made_again(const Status& status) {
   return status.code() == StatusCode::kNotFound || status.code() == StatusCode::kDataLoss;
 }
 
+Result<OriginalFile> MeshStore::find_original(const std::string& id) const {
+  ASSIGN_OR_RETURN(const ScanInfo scan, find(id));
+  RETURN_IF_ERROR(check_original(scan_folder(id), scan));
+  return OriginalFile{scan_folder(id) / original_file_name(scan.format), scan.format, scan.name};
+}
+
 Status MeshStore::prepare_scan(const std::string& id, const PreparedKey& key,
                                const Progress& progress) {
   ASSIGN_OR_RETURN(const auto lock,

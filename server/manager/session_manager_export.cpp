@@ -1,9 +1,38 @@
 // The part of SessionManager that exports an edited mesh as a file.
 
+#include <spdlog/spdlog.h>
+
+#include "common/mesh/rewrite/left_out.h"
 #include "server/manager/session_manager_held.h"
 #include "server/metrics/metrics.h"
 
 namespace burnish {
+
+static Status check_format(const ScanInfo& scan, MeshFormat format) {
+  if (format != MeshFormat::kOff || scan.format == MeshFormat::kOff) return Status::ok();
+  return invalid_argument("scan " + scan.name + " was imported as " +
+                          std::string(mesh_format_name(scan.format)) +
+                          "; only a scan from an OFF file is exported as OFF");
+}
+
+/// Writes the surface by the scan's original. Returns the names of what the file leaves out. Edits
+/// must leave a server whose original is damaged: then writes what the prepared mesh knows.
+static Result<std::vector<std::string>> write_surface(const MeshStore& store,
+                                                      const std::string& scan_id,
+                                                      const MovedMesh& moved, MeshFormat format,
+                                                      const std::filesystem::path& path) {
+  const auto original = store.find_original(scan_id);
+  if (original.status().code() == StatusCode::kDataLoss && format != MeshFormat::kOff) {
+    spdlog::warn("an export without the original: {}", original.status().message());
+    RETURN_IF_ERROR(write_mesh(moved.after, path));
+    return std::vector<std::string>{
+        "all but positions, triangles and colours, because the original is damaged"};
+  }
+  RETURN_IF_ERROR(original.status());
+  ASSIGN_OR_RETURN(auto left_out, attributes_left_out(*original, format, moved.after));
+  RETURN_IF_ERROR(write_moved_mesh(*original, moved, path));
+  return left_out;
+}
 
 // Others may submit edits between two cycles, because a solve may last for seconds. These do not
 // touch the solved system: the fields follow the history only afterwards.
@@ -38,11 +67,14 @@ Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish
   metrics().observe(Measure::kSolveSeconds, report_of_solve.solve_seconds);
   metrics().observe(Measure::kResidual, report_of_solve.last.residual);
   const TriangleMesh mesh = held.entry->session->surface();
+  const std::shared_ptr<const SharedMesh> shared = held.entry->mesh;
   held.lock.unlock();
 
   if (!report(progress, "writing", 0)) return cancelled("the export was cancelled");
-  RETURN_IF_ERROR(write_mesh(mesh, path));
   ExportSummary summary;
+  ASSIGN_OR_RETURN(summary.left_out,
+                   write_surface(store_, held.entry->record.scan_id,
+                                 {shared->prepared->vertices, mesh}, wish.format, path));
   summary.vertices = mesh.vertices.size();
   summary.triangles = mesh.triangles.size();
   summary.cycles = report_of_solve.cycles;
@@ -60,6 +92,8 @@ Result<std::unique_ptr<ExportFile>> SessionManager::export_mesh(const std::strin
                                                                 const Caller& caller,
                                                                 const Progress& progress) {
   ASSIGN_OR_RETURN(Held held, use(reference, caller, progress));
+  ASSIGN_OR_RETURN(const ScanInfo scan, store_.find(held.entry->record.scan_id));
+  RETURN_IF_ERROR(check_format(scan, wish.format));
   const auto path = folder_.staging_path("." + std::string(mesh_format_name(wish.format)));
   ASSIGN_OR_RETURN(ExportSummary summary, solve_to_file(held, wish, path, progress));
   return ExportFile::adopt(path, std::move(summary));

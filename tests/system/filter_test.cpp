@@ -16,6 +16,7 @@ namespace burnish {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr std::chrono::minutes kPatience{2};
 
@@ -153,7 +154,32 @@ TEST_F(FilterCommand, AFullDiskLeavesWhatWasThere) {
 
 TEST_F(FilterCommand, AnOutputThatCannotBeWrittenIsRefusedBeforeTheWork) {
   EXPECT_EQ(burnish({"filter", in(), path("out.off")}), 1);
-  EXPECT_THAT(output_, HasSubstr("reads OFF but does not write it"));
+  EXPECT_THAT(output_, HasSubstr("only an OFF file is written as OFF"));
+}
+
+TEST_F(FilterCommand, BetaOneReturnsAFileOfItsFormatByteForByte) {
+  const std::string off =
+      "OFF\r\n# a tent\r\n4 2 0\r\n0 0 0\r\n1.0 0 0\r\n1 1 3e-1\r\n0 1 0\r\n"
+      "4 0 1 2 3 0.5 0.5 0.5\r\n3 0 1 2\r\n";
+  const std::string obj =
+      "mtllib a.mtl\nv 0 0 0\nv 1.000 0 0\nv 1 1 0.3\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
+      "usemtl a\nf 1/1/1 2/1/1 3/1/1 4/1/1\n";
+  for (const auto& [name, content] : {std::pair("tent.off", off), std::pair("tent.obj", obj)}) {
+    const std::string file = folder_.write(name, content).string();
+    ASSERT_EQ(burnish({"filter", file, path("out-") + name, "--depth", "4", "--cycles", "2"}), 0)
+        << output_;
+    EXPECT_EQ(content_of(path("out-") + name), content);
+    EXPECT_THAT(output_, Not(HasSubstr("warning")));
+  }
+}
+
+TEST_F(FilterCommand, AnotherFormatWarnsOfWhatItLeavesOut) {
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0.3\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n";
+  ASSERT_EQ(burnish({"filter", folder_.write("a.obj", obj).string(), out(), "--depth", "4",
+                     "--cycles", "1"}),
+            0)
+      << output_;
+  EXPECT_THAT(output_, HasSubstr("texture coordinates, materials"));
 }
 
 TEST_F(FilterCommand, ADepthBeyondTheMachinesMemoryIsRefusedWithWhatItTakes) {

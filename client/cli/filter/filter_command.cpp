@@ -10,9 +10,12 @@
 #include "client/cli/filter/filter_report.h"
 #include "client/cli/progress_printer.h"
 #include "client/cli/stroke_file.h"
+#include "client/cli/warn_of_left_out.h"
 #include "common/base/out_of_memory.h"
 #include "common/base/parallel.h"
 #include "common/mesh/mesh_io.h"
+#include "common/mesh/rewrite/left_out.h"
+#include "common/mesh/rewrite/rewrite.h"
 #include "server/memory/opening_need.h"
 #include "server/prepare/prepare.h"
 #include "server/session/session.h"
@@ -61,11 +64,20 @@ class Stopwatch {
 };
 
 /// Refuses wrong options before the long work begins.
-Status check_output(const FilterOptions& options) {
-  ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(options.out));
-  if (format == MeshFormat::kOff)
+Result<OriginalFile> check_files(const FilterOptions& options) {
+  ASSIGN_OR_RETURN(const MeshFormat in, mesh_format_of_path(options.in));
+  ASSIGN_OR_RETURN(const MeshFormat out, mesh_format_of_path(options.out));
+  if (out == MeshFormat::kOff && in != MeshFormat::kOff)
     return invalid_argument(options.out +
-                            ": Burnish reads OFF but does not write it; use .ply, .obj or .stl");
+                            ": only an OFF file is written as OFF; use .ply, .obj or .stl");
+  return OriginalFile{options.in, in, options.in};
+}
+
+Status warn_of_output(const FilterOptions& options, const OriginalFile& original,
+                      const TriangleMesh& mesh) {
+  ASSIGN_OR_RETURN(const MeshFormat out, mesh_format_of_path(options.out));
+  ASSIGN_OR_RETURN(const auto left_out, attributes_left_out(original, out, mesh));
+  warn_of_left_out(left_out, options.out);
   return Status::ok();
 }
 
@@ -103,7 +115,7 @@ void print_summary(const FilterOptions& options, const Session& session, const F
 }
 
 Status filter(const FilterOptions& options) {
-  RETURN_IF_ERROR(check_output(options));
+  ASSIGN_OR_RETURN(const OriginalFile original, check_files(options));
   use_threads(options.solver.threads);
   ASSIGN_OR_RETURN(const std::vector<Edit> edits, read_edits(options));
   FilterRun run;
@@ -115,6 +127,7 @@ Status filter(const FilterOptions& options) {
   const Stopwatch reading;
   ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(options.in));
   run.read_seconds = reading.seconds();
+  RETURN_IF_ERROR(warn_of_output(options, original, mesh));
   ASSIGN_OR_RETURN(const auto prepared,
                    prepare(mesh, prepare_options, printer.progress(), &run.prepare));
   const Stopwatch connecting;
@@ -134,7 +147,7 @@ Status filter(const FilterOptions& options) {
     RETURN_IF_ERROR(write_fields_file(*session, options.fields_file));
   ASSIGN_OR_RETURN(run.solve, session->solve(options.solve, printer.progress()));
   const Stopwatch writing;
-  RETURN_IF_ERROR(write_mesh(session->surface(), options.out));
+  RETURN_IF_ERROR(write_moved_mesh(original, {mesh.vertices, session->surface()}, options.out));
   run.write_seconds = writing.seconds();
   if (!options.report_file.empty())
     RETURN_IF_ERROR(write_filter_report(*session, run, options.report_file));
@@ -202,7 +215,8 @@ void add_filter_command(CommandTable& table) {
   CLI::App* command = table.add("filter", "Edit a scan in this process, without a server",
                                 [options] { return filter(*options); });
   command->add_option("IN", options->in, "Mesh file: .ply, .obj, .stl or .off")->required();
-  command->add_option("OUT", options->out, "File to write: .ply, .obj or .stl")->required();
+  command->add_option("OUT", options->out, "File to write; the format of IN keeps all that IN has")
+      ->required();
   command->add_option("--depth", options->prepare.depth, "Octree depth (default: by the mesh)")
       ->check(CLI::Range(kDepthMin, kDepthMax));
   command

@@ -8,10 +8,10 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(SessionWire, OffIsNotExported) {
-  v1::ExportRequest message;
-  message.set_format(v1::MESH_FORMAT_OFF);
-  EXPECT_THAT(from_wire(message).status().message(), HasSubstr("OFF"));
+TEST(SessionWire, ASummaryNamesWhatIsLeftOut) {
+  ExportSummary summary;
+  summary.left_out = {"normals", "materials"};
+  EXPECT_EQ(from_wire(to_wire(summary)).left_out, summary.left_out);
 }
 
 TEST(SessionWire, ExportCyclesHaveLimits) {

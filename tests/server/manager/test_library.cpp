@@ -18,8 +18,8 @@ void TestLibrary::restart() {
 }
 
 Result<ImportOutcome> TestLibrary::import(const std::string& bytes, const std::string& name,
-                                          const Progress& progress, int depth) {
-  const ImportHeader header{name, MeshFormat::kPly, bytes.size(), "", {depth, 0}};
+                                          const Progress& progress, int depth, MeshFormat format) {
+  const ImportHeader header{name, format, bytes.size(), "", {depth, 0}};
   ASSIGN_OR_RETURN(const auto upload, store->begin_upload(header));
   RETURN_IF_ERROR(upload->append(0, bytes, chunk_crc32(bytes)));
   return store->import(*upload, header, progress);

@@ -15,7 +15,8 @@ class TestLibrary {
 
   /// Imports the bytes of a file through an upload in one chunk.
   Result<ImportOutcome> import(const std::string& bytes, const std::string& name,
-                               const Progress& progress = {}, int depth = 5);
+                               const Progress& progress = {}, int depth = 5,
+                               MeshFormat format = MeshFormat::kPly);
 
   /// Closes and opens everything again, like a new server.
   void restart();

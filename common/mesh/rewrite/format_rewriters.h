@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "common/base/status.h"
+#include "common/mesh/output_buffer.h"
+#include "common/mesh/rewrite/moved_mesh.h"
+
+/// Private to this folder: one rewriter per format; rewrite.cpp chooses among them. A rewriter
+/// copies the original's bytes and replaces numbers. It keeps the bytes of a number that stays the
+/// same in the precision that it is written in. Fails: data_loss if the original is not the file
+/// that was read.
+namespace burnish {
+
+Status rewrite_ply(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
+                   OutputBuffer& output);
+Status rewrite_obj(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
+                   OutputBuffer& output);
+Status rewrite_stl(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
+                   OutputBuffer& output);
+Status rewrite_off(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
+                   OutputBuffer& output);
+
+}  // namespace burnish

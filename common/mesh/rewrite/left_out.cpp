@@ -1,0 +1,76 @@
+#include "common/mesh/rewrite/left_out.h"
+
+#include <algorithm>
+
+#include "common/base/mapped_file.h"
+#include "common/mesh/off_kind.h"
+#include "common/mesh/rewrite/left_out_list.h"
+#include "common/mesh/stl_layout.h"
+#include "common/mesh/text_scanner.h"
+#include "common/mesh/text_values.h"
+
+namespace burnish {
+
+static bool list_off_extras(std::span<const uint8_t> bytes, size_t triangles, LeftOutList& list) {
+  TextScanner scanner(bytes, "", {.hash_comments = true});
+  scanner.next_line();
+  const auto kind = parse_off_kind(scanner.next_token());
+  if (!kind) return false;
+  list.add_if(kind->has_normals, "normals");
+  list.add_if(kind->has_texture_coordinates, "texture coordinates");
+  const auto counts = scanner.next_token();
+  if (counts.empty()) scanner.next_line();
+  if (counts.empty()) scanner.next_token();
+  int64_t faces = 0;
+  parse_integer(scanner.next_token(), faces);
+  list.add_if(static_cast<uint64_t>(faces) < triangles, "polygons");
+  return true;
+}
+
+/// Some programs keep a facet's colour in its two last bytes.
+static bool list_stl_extras(std::span<const uint8_t> bytes, size_t triangles, LeftOutList& list) {
+  if (is_stl_text(bytes)) return true;
+  if (bytes.size() < kStlHeaderBytes + triangles * kStlFacetBytes) return false;
+  for (size_t facet = 1; facet <= triangles; ++facet) {
+    const uint8_t* end = bytes.data() + kStlHeaderBytes + facet * kStlFacetBytes;
+    list.add_if(end[-1] != 0 || end[-2] != 0, "attributes of facets");
+  }
+  return true;
+}
+
+static bool list_extras(std::span<const uint8_t> bytes, MeshFormat format, size_t triangles,
+                        LeftOutList& list) {
+  switch (format) {
+    case MeshFormat::kPly:
+      return list_ply_extras(bytes, triangles, list);
+    case MeshFormat::kObj:
+      return list_obj_extras(bytes, triangles, list);
+    case MeshFormat::kStl:
+      return list_stl_extras(bytes, triangles, list);
+    case MeshFormat::kOff:
+      return list_off_extras(bytes, triangles, list);
+  }
+  return false;
+}
+
+Result<std::vector<std::string>> attributes_left_out(const OriginalFile& original, MeshFormat to,
+                                                     const TriangleMesh& mesh) {
+  LeftOutList list;
+  if (to == original.format) return list.names();
+  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original.path));
+  if (!list_extras(file.bytes(), original.format, mesh.triangles.size(), list))
+    return changed_original(original.name, "its beginning is another format's");
+  const bool is_transparent = std::any_of(mesh.colours.begin(), mesh.colours.end(),
+                                          [](const Rgba8& c) { return c[3] != 255; });
+  list.add_if(to == MeshFormat::kStl && mesh.has_colours(), "colours");
+  list.add_if(to == MeshFormat::kObj && is_transparent, "transparency");
+  return list.names();
+}
+
+std::string left_out_text(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace burnish

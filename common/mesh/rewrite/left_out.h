@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/base/status.h"
+#include "common/mesh/rewrite/rewrite.h"
+
+namespace burnish {
+
+/// Names the attributes of a file that write_mesh() leaves out in another format, in a user's
+/// words: "normals", "materials", "property quality". At most kLeftOutMax names; the last is then
+/// "others". Empty for the file's own format. `mesh` is what read_mesh() made of the file. Fails:
+/// as the file cannot be read.
+Result<std::vector<std::string>> attributes_left_out(const OriginalFile& original, MeshFormat to,
+                                                     const TriangleMesh& mesh);
+
+inline constexpr size_t kLeftOutMax = 20;
+
+/// Returns whether an OBJ file names material files, which lie beside it; false for other formats.
+/// Fails: as the file cannot be read.
+Result<bool> names_material_files(const OriginalFile& original);
+
+/// Joins the names: "normals, materials".
+std::string left_out_text(const std::vector<std::string>& names);
+
+}  // namespace burnish

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "common/base/status.h"
+#include "common/base/types.h"
+#include "common/mesh/triangle_mesh.h"
+
+namespace burnish {
+
+/// A mesh as read_mesh() gave it, and the same mesh with other positions. Triangles and the order
+/// of vertices are the file's. Needs: as many positions before as after.
+struct MovedMesh {
+  std::span<const Vec3d> before;
+  const TriangleMesh& after;
+
+  /// Returns a position in the precision that a writer has for it: float unless
+  /// after.has_double_positions.
+  Vec3d written(const Vec3d& position) const {
+    return after.has_double_positions ? position : position.cast<float>().cast<double>();
+  }
+};
+
+/// Fails: data_loss if the original does not have this coordinate: it is not the file that was
+/// read.
+Status check_unchanged(const MovedMesh& moved, const std::string& name, uint64_t vertex, int axis,
+                       double value);
+
+/// "NAME is not the file that was read: WHAT".
+Status changed_original(const std::string& name, const std::string& what);
+
+}  // namespace burnish

@@ -1,0 +1,50 @@
+#include <string_view>
+#include <utility>
+
+#include "common/base/mapped_file.h"
+#include "common/mesh/rewrite/left_out_list.h"
+#include "common/mesh/rewrite/obj_normals.h"
+
+namespace burnish {
+
+static constexpr std::pair<std::string_view, const char*> kObjStatements[] = {
+    {"vt", "texture coordinates"},
+    {"vn", "normals"},
+    {"mtllib", "materials"},
+    {"usemtl", "materials"},
+    {"g", "groups"},
+    {"o", "groups"},
+    {"s", "smoothing groups"},
+    {"l", "lines and points"},
+    {"p", "lines and points"},
+    {"curv", "curves"},
+    {"surf", "curves"},
+};
+
+static bool has_comment(std::span<const uint8_t> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return text.starts_with('#') || text.find("\n#") != std::string_view::npos;
+}
+
+bool list_obj_extras(std::span<const uint8_t> bytes, size_t triangles, LeftOutList& list) {
+  size_t faces = 0;
+  for (TextScanner scanner(bytes, "", kObjSyntax); scanner.next_line();) {
+    const std::string_view keyword = scanner.next_token();
+    if (keyword == "v") continue;
+    faces += keyword == "f";
+    for (const auto& [statement, name] : kObjStatements) list.add_if(keyword == statement, name);
+  }
+  list.add_if(faces < triangles, "polygons");
+  list.add_if(has_comment(bytes), "comments");
+  return true;
+}
+
+Result<bool> names_material_files(const OriginalFile& original) {
+  if (original.format != MeshFormat::kObj) return false;
+  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original.path));
+  for (TextScanner scanner(file.bytes(), "", kObjSyntax); scanner.next_line();)
+    if (scanner.next_token() == "mtllib") return true;
+  return false;
+}
+
+}  // namespace burnish

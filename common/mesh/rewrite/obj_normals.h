@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/mesh/rewrite/moved_normals.h"
+#include "common/mesh/text_scanner.h"
+
+namespace burnish {
+
+inline constexpr TextSyntax kObjSyntax = {.hash_comments = true, .backslash_continues = true};
+
+/// Returns the area vectors of the faces that refer to each `vn` of an OBJ file, in the file's
+/// order; a face counts once for each of its corners. Ignores references that lead nowhere.
+std::vector<AreaVectors> gather_obj_normals(std::span<const uint8_t> bytes, const MovedMesh& moved);
+
+}  // namespace burnish

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "common/base/status.h"
+#include "common/mesh/mesh_io.h"
+#include "common/mesh/output_buffer.h"
+#include "common/mesh/rewrite/moved_mesh.h"
+
+namespace burnish {
+
+/// A file that a mesh was read from.
+struct OriginalFile {
+  std::filesystem::path path;
+  MeshFormat format = MeshFormat::kPly;
+  std::string name;  ///< for messages
+};
+
+/// Writes the file again with new positions, and with new normals where it has some. All else stays
+/// byte for byte: a mesh that did not move gives the same file. Numbers keep their type. Facets and
+/// vertices that did not move in the precision that is written keep their bytes. Takes 48 bytes a
+/// vertex if the file has normals. Needs: `moved` was read from these bytes.
+/// Fails: data_loss if it was not; as the sink does.
+Status rewrite_mesh(std::span<const uint8_t> original, MeshFormat format, const std::string& name,
+                    const MovedMesh& moved, OutputBuffer& output);
+
+/// Writes a moved mesh to `path` in the format of its extension: by rewrite_mesh() in the
+/// original's format, else by write_mesh(). A failed write leaves the old file. Fails: as
+/// rewrite_mesh() and write_mesh() do, and as the original cannot be read.
+Status write_moved_mesh(const OriginalFile& original, const MovedMesh& moved,
+                        const std::filesystem::path& path);
+
+}  // namespace burnish

@@ -1,0 +1,128 @@
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+
+#include "common/mesh/rewrite/format_rewriters.h"
+#include "common/mesh/rewrite/text_patch.h"
+#include "common/mesh/stl_layout.h"
+#include "common/mesh/text_values.h"
+
+namespace burnish {
+
+namespace {
+
+Status other_facets(const std::string& name, uint64_t facets, const MovedMesh& moved) {
+  return changed_original(name, "it has " + std::to_string(facets) + " facets, it had " +
+                                    std::to_string(moved.after.triangles.size()));
+}
+
+AreaVectors area_of_facet(const MovedMesh& moved, uint64_t facet) {
+  AreaVectors area;
+  area.add(moved, moved.after.triangles[facet]);
+  return area;
+}
+
+/// Replaces those of three floats that differ.
+void replace_floats(std::string_view piece, const Vec3f& before, const Vec3f& after,
+                    BytePatch& patch) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::isnan(before[axis]) || before[axis] == after[axis]) continue;
+    const auto* bytes = reinterpret_cast<const char*>(after.data() + axis);
+    patch.replace(piece.substr(axis * sizeof(float), sizeof(float)), {bytes, sizeof(float)});
+  }
+}
+
+Status rewrite_binary_facet(std::string_view facet, uint64_t number, const std::string& name,
+                            const MovedMesh& moved, BytePatch& patch) {
+  std::array<float, 12> numbers;  // of the normal, then of the corners
+  std::memcpy(numbers.data(), facet.data(), sizeof numbers);
+  const auto value = [&](size_t i) { return Vec3f(numbers.data() + 3 * i); };
+  const auto piece = [&](size_t i) { return facet.substr(i * sizeof(Vec3f), sizeof(Vec3f)); };
+  const Vec3d normal = area_of_facet(moved, number).turn(value(0).cast<double>());
+  replace_floats(piece(0), value(0), normal.cast<float>(), patch);
+  for (size_t corner = 0; corner < 3; ++corner) {
+    const uint32_t vertex = moved.after.triangles[number][corner];
+    const Vec3f before = value(corner + 1);
+    for (int axis = 0; axis < 3; ++axis)
+      RETURN_IF_ERROR(check_unchanged(moved, name, vertex, axis, double{before[axis]}));
+    replace_floats(piece(corner + 1), before, moved.after.vertices[vertex].cast<float>(), patch);
+  }
+  return Status::ok();
+}
+
+Status rewrite_binary(std::span<const uint8_t> bytes, const std::string& name,
+                      const MovedMesh& moved, OutputBuffer& output) {
+  const uint64_t facets = moved.after.triangles.size();
+  const uint64_t promised = bytes.size() < kStlHeaderBytes ? 0 : promised_stl_bytes(bytes);
+  if (promised != kStlHeaderBytes + facets * kStlFacetBytes || promised > bytes.size())
+    return other_facets(name, bytes.size() / kStlFacetBytes, moved);
+  BytePatch patch(bytes, output);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  for (uint64_t facet = 0; facet < facets; ++facet)
+    RETURN_IF_ERROR(
+        rewrite_binary_facet(text.substr(kStlHeaderBytes + facet * kStlFacetBytes, kStlFacetBytes),
+                             facet, name, moved, patch));
+  patch.finish();
+  return Status::ok();
+}
+
+/// Follows the statements as AsciiStlReader does.
+class AsciiStlRewriter {
+ public:
+  AsciiStlRewriter(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
+                   OutputBuffer& output)
+      : text_{TextScanner(bytes, name), BytePatch(bytes, output)}, name_(name), moved_(moved) {}
+
+  Status rewrite() {
+    while (text_.scanner.next_line()) {
+      const std::string_view keyword = text_.scanner.next_token();
+      const auto is = [&](const char* word) { return equals_ignoring_case(keyword, word); };
+      if (!in_solid_) {
+        in_solid_ = is("solid");
+      } else if (is("facet")) {
+        rewrite_facet_normal();
+      } else if (is("vertex")) {
+        RETURN_IF_ERROR(rewrite_corner());
+      } else if (is("endfacet")) {
+        ++facet_;
+        corner_ = 0;
+      } else if (is("endsolid")) {
+        in_solid_ = false;
+      }
+    }
+    if (facet_ != moved_.after.triangles.size()) return other_facets(name_, facet_, moved_);
+    text_.patch.finish();
+    return Status::ok();
+  }
+
+ private:
+  void rewrite_facet_normal() {
+    if (facet_ >= moved_.after.triangles.size()) return;
+    if (equals_ignoring_case(text_.scanner.next_token(), "normal"))
+      replace_normal(area_of_facet(moved_, facet_), text_);
+  }
+
+  Status rewrite_corner() {
+    if (facet_ >= moved_.after.triangles.size() || corner_ >= 3)
+      return other_facets(name_, facet_ + 1, moved_);
+    return replace_position(name_, moved_, moved_.after.triangles[facet_][corner_++], text_);
+  }
+
+  TextPatch text_;
+  const std::string& name_;
+  const MovedMesh& moved_;
+  bool in_solid_ = false;
+  uint64_t facet_ = 0;
+  size_t corner_ = 0;
+};
+
+}  // namespace
+
+Status rewrite_stl(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
+                   OutputBuffer& output) {
+  if (is_stl_text(bytes)) return AsciiStlRewriter(bytes, name, moved, output).rewrite();
+  return rewrite_binary(bytes, name, moved, output);
+}
+
+}  // namespace burnish

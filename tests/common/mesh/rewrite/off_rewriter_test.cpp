@@ -1,0 +1,32 @@
+#include "tests/common/mesh/rewrite/rewriting.h"
+
+namespace burnish {
+namespace {
+
+const std::string kOffText =
+    "STCNOFF\n# a square\n4 1 0\n\n0 0 0   0 0 1.00  0.5 0.5 0.5 1  0.0 0\n"
+    "1.0 0 0   0 0 1  1 0 0 1  1 0 # corner\n1 1 0   0 0 1  0 1 0 1  1 1\n"
+    "0 1 0   0 0 1  0 0 1 1  0 1\n4  0 1 2 3  0.25 0.5 1\n";
+
+TEST(OffRewriter, AnUnmovedTextIsTheSameBytes) {
+  EXPECT_EQ(rewritten(MeshFormat::kOff, kOffText), kOffText);
+  const std::string crlf = with_crlf(kOffText);
+  EXPECT_EQ(rewritten(MeshFormat::kOff, crlf), crlf);
+}
+
+TEST(OffRewriter, PositionsAndNormalsChangeAndColoursStay) {
+  const auto turn = [](size_t, const Vec3d& p) { return Vec3d(0, p[1], p[0]); };
+  EXPECT_EQ(rewritten(MeshFormat::kOff, kOffText, turn),
+            "STCNOFF\n# a square\n4 1 0\n\n0 0 0   -1 0 0  0.5 0.5 0.5 1  0.0 0\n"
+            "0 0 1   -1 0 0  1 0 0 1  1 0 # corner\n0 1 1   -1 0 0  0 1 0 1  1 1\n"
+            "0 1 0   -1 0 0  0 0 1 1  0 1\n4  0 1 2 3  0.25 0.5 1\n");
+}
+
+TEST(OffRewriter, CountsMayFollowTheFirstWord) {
+  const std::string text = "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const auto move = [](size_t, const Vec3d& p) -> Vec3d { return 2 * p; };
+  EXPECT_EQ(rewritten(MeshFormat::kOff, text, move), "OFF 3 1 0\n0 0 0\n2 0 0\n0 2 0\n3 0 1 2\n");
+}
+
+}  // namespace
+}  // namespace burnish

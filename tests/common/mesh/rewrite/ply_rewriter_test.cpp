@@ -1,0 +1,117 @@
+#include "tests/common/mesh/rewrite/rewriting.h"
+
+namespace burnish {
+namespace {
+
+const std::string kPlyText =
+    "ply\nformat ascii 1.0\ncomment TextureFile stone.png\nobj_info scanned\n"
+    "element camera 1\nproperty list uchar float pose\nproperty int id\n"
+    "element vertex 4\nproperty float quality\nproperty float x\nproperty double nx\n"
+    "property float y\nproperty double ny\nproperty float z\nproperty double nz\n"
+    "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+    "property list uchar short tags\n"
+    "element face 1\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+    "element note 2\nproperty float n\nend_header\n"
+    "3 1.0 2.0 3.0 7\n"
+    "nan 0.0  0.0 0 0 +0.00 1.0   1 2 3 2 5 6\n"
+    "0.1 1.0  0.0 0 0 0.00 1.0   1 2 3 0\n"
+    "0.2 1.0e0  0.0 1 0 0.00 1.0   1 2 3 1 9\n"
+    "0.3 0.0  0.0 1 0 0.00 1.0   1 2 3 0\n"
+    "4 0 1 2 3 2 0.5 0.25\n"
+    "-0\n1E+2\n";
+
+TEST(PlyRewriter, AnUnmovedTextIsTheSameBytes) {
+  EXPECT_EQ(rewritten(MeshFormat::kPly, kPlyText), kPlyText);
+  const std::string crlf = with_crlf(kPlyText);
+  EXPECT_EQ(rewritten(MeshFormat::kPly, crlf), crlf);
+}
+
+TEST(PlyRewriter, AMovedCoordinateIsAllThatChangesInATextWithoutNormals) {
+  const std::string text =
+      replaced(replaced(replaced(kPlyText, "double nx", "double ax"), "double ny", "double ay"),
+               "double nz", "double az");
+  const auto move = [](size_t v, const Vec3d& p) { return v == 2 ? Vec3d(1.25, p[1], p[2]) : p; };
+  EXPECT_EQ(rewritten(MeshFormat::kPly, text, move), replaced(text, "1.0e0", "1.25"));
+}
+
+TEST(PlyRewriter, NormalsFollowTheSurface) {
+  // Turns the square about the y axis: x becomes z.
+  const auto turn = [](size_t, const Vec3d& p) { return Vec3d(0, p[1], p[0]); };
+  const std::string text = rewritten(MeshFormat::kPly, kPlyText, turn);
+  EXPECT_THAT(text, testing::HasSubstr("0.2 0  -1 1 0 1 0   1 2 3 1 9\n"));
+}
+
+TEST(PlyRewriter, NormalsThatPointInwardsStayThere) {
+  std::string inwards = kPlyText;
+  for (size_t at; (at = inwards.find(" 1.0   1")) != std::string::npos;)
+    inwards.replace(at, 4, " -1.0");
+  const auto turn = [](size_t, const Vec3d& p) { return Vec3d(0, p[1], p[0]); };
+  EXPECT_THAT(rewritten(MeshFormat::kPly, inwards, turn),
+              testing::HasSubstr("0.2 0  1 1 0 1 0   1 2 3 1 9\n"));
+}
+
+/// A binary file with an element before the vertices, x y z of one type and a list behind them.
+template <typename Number>
+std::string binary_ply(const std::string& type, bool is_big_endian) {
+  const auto bytes = [&](auto value) {
+    std::string text = bytes_of(value);
+    if (is_big_endian) std::reverse(text.begin(), text.end());
+    return text;
+  };
+  std::string file = "ply\nformat binary_" + std::string(is_big_endian ? "big" : "little") +
+                     "_endian 1.0\nelement user 2\nproperty list int short a\n"
+                     "element vertex 3\nproperty uchar label\nproperty " +
+                     type + " x\nproperty " + type + " y\nproperty " + type +
+                     " z\nproperty list uchar uchar more\n"
+                     "element face 1\nproperty list uchar uint vertex_index\nend_header\n";
+  file += bytes(int32_t{1}) + bytes(int16_t{-5}) + bytes(int32_t{0});
+  for (const auto& [x, y] : {std::pair(0, 0), std::pair(100, 0), std::pair(0, 100)}) {
+    file += bytes(uint8_t{9}) + bytes(static_cast<Number>(x)) + bytes(static_cast<Number>(y));
+    file += bytes(static_cast<Number>(7)) + bytes(uint8_t{1}) + bytes(uint8_t{77});
+  }
+  file += bytes(uint8_t{3}) + bytes(uint32_t{0}) + bytes(uint32_t{1}) + bytes(uint32_t{2});
+  return file + "beyond the end";
+}
+
+template <typename Number>
+void expect_round_trip(const std::string& type, double moved_to, Number written) {
+  for (const bool is_big_endian : {false, true}) {
+    const std::string file = binary_ply<Number>(type, is_big_endian);
+    EXPECT_EQ(rewritten(MeshFormat::kPly, file), file) << type;
+    const auto move = [&](size_t v, const Vec3d& p) {
+      return v == 1 ? Vec3d(moved_to, p[1], p[2]) : p;
+    };
+    std::string before = bytes_of(static_cast<Number>(100)), after = bytes_of(written);
+    if (is_big_endian) {
+      std::reverse(before.begin(), before.end());
+      std::reverse(after.begin(), after.end());
+    }
+    std::string expected = file;
+    expected.replace(file.find("end_header\n") + 11 + 10 + 1 + 3 * sizeof(Number) + 2 + 1,
+                     sizeof(Number), after);
+    EXPECT_EQ(rewritten(MeshFormat::kPly, file, move), expected) << type << is_big_endian;
+  }
+}
+
+TEST(PlyRewriter, BinaryCoordinatesKeepTheirTypeAndByteOrder) {
+  expect_round_trip<float>("float", 0.1, 0.1F);
+  expect_round_trip<double>("double", 512345.678, 512345.678);
+  expect_round_trip<int32_t>("int", -70000.6, -70001);
+  expect_round_trip<uint8_t>("uchar", 300, 255);
+  expect_round_trip<int16_t>("int16", -40000, -32768);
+}
+
+TEST(PlyRewriter, AMoveBelowTheTypesPrecisionKeepsTheBytes) {
+  const std::string file = binary_ply<float>("float", false);
+  const auto move = [](size_t, const Vec3d& p) -> Vec3d { return p + Vec3d(0, 0, 1e-9); };
+  EXPECT_EQ(rewritten(MeshFormat::kPly, file, move), file);
+}
+
+TEST(PlyRewriter, LongDecimalsStayDoubles) {
+  std::string text = replaced(kPlyText, "0.1 1.0  0.0", "0.1 512345.678  0.0");
+  const auto move = [](size_t v, const Vec3d& p) { return v == 1 ? Vec3d(512345.679, 0, 0) : p; };
+  EXPECT_THAT(rewritten(MeshFormat::kPly, text, move), testing::HasSubstr("0.1 512345.679  "));
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,96 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/generate/generate.h"
+#include "server/manager/session_manager.h"
+#include "tests/server/manager/test_library.h"
+
+namespace burnish {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A sphere as other programs write it: with texture coordinates, a material and a comment.
+std::string textured_sphere() {
+  const TriangleMesh sphere = make_icosphere(3, 1);
+  std::string text = "# made elsewhere\r\nmtllib stone.mtl\r\n";
+  for (const Vec3d& p : sphere.vertices) {
+    text += "v ";
+    for (const double x : p) text += std::to_string(x) + " ";
+    text += "\r\n";
+  }
+  text += "vt 0.5 0.5\r\nusemtl stone\r\n";
+  for (const Triangle& triangle : sphere.triangles) {
+    text += "f";
+    for (const uint32_t v : triangle) text += " " + std::to_string(v + 1) + "/1";
+    text += "\r\n";
+  }
+  return text;
+}
+
+class SessionExport : public testing::Test {
+ protected:
+  SessionExport() {
+    scan_id_ = library_.import(file_, "ball", {}, 5, MeshFormat::kObj).value().scan.id;
+    journal_ = std::move(Journal::open(library_.folder->journal())).value();
+    SessionManagerOptions options;
+    options.solver.threads = 1;
+    manager_ =
+        std::move(SessionManager::create(*library_.folder, *library_.store, *journal_, options))
+            .value();
+    EXPECT_TRUE(manager_->open({"ball", "one", {5, 0}}, {}, {}).is_ok());
+  }
+
+  Result<std::unique_ptr<ExportFile>> exported(MeshFormat format) {
+    return manager_->export_mesh("one", {format, false, 1}, {});
+  }
+
+  const std::string file_ = textured_sphere();
+  TestLibrary library_;
+  std::unique_ptr<Journal> journal_;
+  std::unique_ptr<SessionManager> manager_;
+  std::string scan_id_;
+};
+
+TEST_F(SessionExport, AnUneditedScanComesBackByteForByte) {
+  const auto file = exported(MeshFormat::kObj);
+  ASSERT_TRUE(file.is_ok()) << file.status().message();
+  EXPECT_EQ(file.value()->read(0).value(), file_);
+  EXPECT_EQ(file.value()->summary().sha256, scan_id_);
+  EXPECT_THAT(file.value()->summary().left_out, IsEmpty());
+}
+
+TEST_F(SessionExport, AnEditedScanKeepsAllButItsPositions) {
+  const std::vector<Edit> edits = {{"a", SetGradientScale{0}}};
+  ASSERT_TRUE(manager_->apply("one", {}, edits, {}).is_ok());
+  const std::string text = exported(MeshFormat::kObj).value()->read(0).value();
+  EXPECT_NE(text, file_);
+  EXPECT_EQ(text.substr(text.find("vt 0.5")), file_.substr(file_.find("vt 0.5")));
+}
+
+TEST_F(SessionExport, AnotherFormatNamesWhatItLeavesOut) {
+  const auto file = exported(MeshFormat::kPly);
+  ASSERT_TRUE(file.is_ok()) << file.status().message();
+  EXPECT_THAT(file.value()->summary().left_out,
+              ElementsAre("materials", "texture coordinates", "comments"));
+}
+
+TEST_F(SessionExport, OffIsExportedFromOffOnly) {
+  const Status status = exported(MeshFormat::kOff).status();
+  EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+  EXPECT_THAT(status.message(), HasSubstr("imported as obj"));
+}
+
+TEST_F(SessionExport, EditsLeaveAServerWhoseOriginalIsDamaged) {
+  TemporaryFolder& root = library_.root;
+  std::ofstream(root / "data/scans" / scan_id_ / "original.obj") << "v 0 0 0\n";
+  const auto file = exported(MeshFormat::kObj);
+  ASSERT_TRUE(file.is_ok()) << file.status().message();
+  EXPECT_EQ(file.value()->summary().triangles, 1280u);
+  EXPECT_THAT(file.value()->summary().left_out, ElementsAre(HasSubstr("damaged")));
+}
+
+}  // namespace
+}  // namespace burnish
