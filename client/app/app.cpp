@@ -85,6 +85,7 @@ Status App::loop() {
     window_->wait(pictures > 0 ? 0 : is_picture_settled() ? kIdleSeconds : kFinerSeconds);
     const bool timed_out = !window_->take_dirty() && !news_.exchange(false);
     pictures = timed_out ? std::max(pictures, 1) : kPicturesAfterEvent;
+    window_->deliver();
     RETURN_IF_ERROR(workspace_->update());
     if (may_close()) break;
     RETURN_IF_ERROR(draw());

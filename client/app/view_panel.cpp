@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-static void draw_colours(Document& document, Viewport& viewport) {
+static void draw_colours(Document& document, Workspace& workspace) {
   static const char* const kNames[] = {"Clay", "Gradient scale β", "Curvature",
                                        "Displacement"};  // as ColourBy
   int chosen = static_cast<int>(document.colour());
@@ -13,7 +13,8 @@ static void draw_colours(Document& document, Viewport& viewport) {
     document.set_colour(static_cast<ColourBy>(chosen));
   if (document.colour() == ColourBy::kDisplacement) {
     faint_text("full colour at this many cells");
-    log_slider("##range", viewport.options.displacement_range, 0.05, 20, "%.2g");
+    log_slider({{"Displacement", 0.05, 20}, "%.2g", workspace.log},
+               workspace.viewport.options.displacement_range);
   }
 }
 
@@ -50,7 +51,7 @@ static void draw_bookmarks(Viewport& viewport, const Document& document) {
 
 void ViewPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
-  draw_colours(document, workspace.viewport);
+  draw_colours(document, workspace);
   draw_toggles(workspace.viewport.options);
   draw_bookmarks(workspace.viewport, document);
   ImGui::Checkbox("Left button turns the view", &workspace.viewport.navigate_mode);

@@ -1,0 +1,32 @@
+// The start page of a real window.
+
+#include "tests/system/window_fixture.h"
+
+namespace burnish {
+namespace {
+
+class StartPageTest : public WindowTest {
+ protected:
+  // Returns whether the start page says in green that it is connected.
+  bool window_is_connected() {
+    const Image image = screen_->capture();
+    for (int x = 136; x < 320; ++x) {
+      const uint8_t* rgb = image.pixel(x, 184);
+      if (rgb[1] > 150 && rgb[0] < 140) return true;
+    }
+    return false;
+  }
+};
+
+TEST_F(StartPageTest, FilesThatAreDroppedAreImportedAndTheFirstGoodOneIsOpened) {
+  start_window({"--scale", "1"});
+  ASSERT_TRUE(eventually([&] { return window_is_connected(); })) << window_->output();
+  const auto letter = server_->folder.write("letter.txt", "Dear Sir");
+  screen_->drop({letter, write_sphere(server_->folder, 3), write_sphere(server_->folder, 4)});
+  EXPECT_TRUE(eventually([&] { return connection_->list_scans()->size() == 3; }));
+  EXPECT_TRUE(eventually([&] { return is_surface(screen_->capture()); })) << window_->output();
+  EXPECT_EQ(connection_->list_sessions()->size(), 2u);
+}
+
+}  // namespace
+}  // namespace burnish
