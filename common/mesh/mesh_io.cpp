@@ -22,6 +22,17 @@ Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path) {
                           "' is not a mesh format; use .ply, .obj, .stl or .off");
 }
 
+Result<MeshFormat> written_format_of_path(const std::filesystem::path& path) {
+  static constexpr const char* kChoices = "; use .ply, .obj or .stl";
+  const auto format = mesh_format_of_path(path);
+  if (!format.is_ok())
+    return invalid_argument(path.string() + ": extension '" + path.extension().string() +
+                            "' is not a mesh format that Burnish writes" + kChoices);
+  if (*format == MeshFormat::kOff)
+    return invalid_argument(path.string() + ": Burnish reads OFF but does not write it" + kChoices);
+  return format;
+}
+
 static Result<TriangleMesh> parse_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                        const std::string& name) {
   switch (format) {
@@ -57,10 +68,7 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& path) {
 }
 
 Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path) {
-  ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
-  if (format == MeshFormat::kOff)
-    return invalid_argument("cannot write " + path.string() +
-                            ": Burnish reads OFF but does not write it; use .ply, .obj or .stl");
+  ASSIGN_OR_RETURN(const MeshFormat format, written_format_of_path(path));
   RETURN_IF_ERROR(validate(mesh).with_context("cannot write " + path.string()));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
   const auto write = format == MeshFormat::kPly   ? write_ply

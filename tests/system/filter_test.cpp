@@ -1,5 +1,6 @@
 // `burnish filter` and `generate` as users see them: files in, files out, exit codes.
 
+#include <filesystem>
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -154,6 +155,21 @@ TEST_F(FilterCommand, AFullDiskLeavesWhatWasThere) {
 TEST_F(FilterCommand, AnOutputThatCannotBeWrittenIsRefusedBeforeTheWork) {
   EXPECT_EQ(burnish({"filter", in(), path("out.off")}), 1);
   EXPECT_THAT(output_, HasSubstr("reads OFF but does not write it"));
+}
+
+TEST_F(FilterCommand, AnOutputInAFolderThatIsMissingIsRefusedBeforeTheWork) {
+  EXPECT_EQ(burnish({"filter", in(), path("nowhere/out.ply")}), 1);
+  EXPECT_THAT(output_, HasSubstr("nowhere/out.ply:"));
+  EXPECT_THAT(output_, testing::Not(HasSubstr("curvature")));
+}
+
+TEST_F(FilterCommand, TheInputIsReplacedOnlyByForce) {
+  const auto before = std::filesystem::file_size(in());
+  EXPECT_EQ(burnish({"filter", in(), in(), "--depth", "4", "--cycles", "1"}), 1);
+  EXPECT_THAT(output_, HasSubstr("--force"));
+  EXPECT_EQ(std::filesystem::file_size(in()), before);
+  EXPECT_EQ(burnish({"filter", in(), in(), "--depth", "4", "--cycles", "1", "--force"}), 0)
+      << output_;
 }
 
 TEST_F(FilterCommand, ADepthBeyondTheMachinesMemoryIsRefusedWithWhatItTakes) {

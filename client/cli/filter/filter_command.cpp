@@ -1,4 +1,5 @@
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "client/cli/filter/filter_report.h"
 #include "client/cli/progress_printer.h"
 #include "client/cli/stroke_file.h"
+#include "common/base/atomic_file.h"
 #include "common/base/out_of_memory.h"
 #include "common/base/parallel.h"
 #include "common/mesh/mesh_io.h"
@@ -27,6 +29,7 @@ constexpr int kThreadsMax = 1024;
 
 struct FilterOptions {
   std::string in, out;
+  bool force = false;
   PrepareOptions prepare;
   SolverOptions solver;
   SolveOptions solve;
@@ -62,11 +65,11 @@ class Stopwatch {
 
 /// Refuses wrong options before the long work begins.
 Status check_output(const FilterOptions& options) {
-  ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(options.out));
-  if (format == MeshFormat::kOff)
-    return invalid_argument(options.out +
-                            ": Burnish reads OFF but does not write it; use .ply, .obj or .stl");
-  return Status::ok();
+  RETURN_IF_ERROR(written_format_of_path(options.out).status());
+  std::error_code ignored;
+  if (!options.force && std::filesystem::equivalent(options.in, options.out, ignored))
+    return invalid_argument(options.out + " is the file to read; --force replaces it");
+  return check_writable(options.out);
 }
 
 Result<std::vector<Edit>> read_edits(const FilterOptions& options) {
@@ -203,6 +206,7 @@ void add_filter_command(CommandTable& table) {
                                 [options] { return filter(*options); });
   command->add_option("IN", options->in, "Mesh file: .ply, .obj, .stl or .off")->required();
   command->add_option("OUT", options->out, "File to write: .ply, .obj or .stl")->required();
+  command->add_flag("--force", options->force, "Replace IN where OUT is the same file");
   command->add_option("--depth", options->prepare.depth, "Octree depth (default: by the mesh)")
       ->check(CLI::Range(kDepthMin, kDepthMax));
   command
