@@ -5,11 +5,12 @@
 namespace burnish {
 
 static void draw_colours(Document& document, Workspace& workspace) {
-  static const char* const kNames[] = {"Clay", "Gradient scale β", "Curvature",
-                                       "Displacement"};  // as ColourBy
+  static const char* const kNames[] = {"Clay", "Gradient scale β", "Curvature", "Displacement",
+                                       "Colours of the scan"};  // as ColourBy
+  const int count = IM_ARRAYSIZE(kNames) - (document.has_colours() ? 0 : 1);
   int chosen = static_cast<int>(document.colour());
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::Combo("##colour", &chosen, kNames, IM_ARRAYSIZE(kNames)))
+  if (ImGui::Combo("##colour", &chosen, kNames, count))
     document.set_colour(static_cast<ColourBy>(chosen));
   if (document.colour() == ColourBy::kDisplacement) {
     faint_text("full colour at this many cells");

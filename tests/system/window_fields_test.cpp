@@ -10,6 +10,7 @@ namespace burnish {
 namespace {
 
 constexpr int kBetaFieldX = 238, kStrengthFieldX = 238, kStrengthY = 565;
+constexpr int kReplaceX = 450, kReplaceY = 420;
 
 class FieldWindow : public WindowTest {
  protected:
@@ -44,6 +45,33 @@ TEST_F(FieldWindow, TakesTheTextWhenTheUserGoesToTheSurface) {
   std::ifstream file(server_->folder / "window.toml");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   EXPECT_THAT(text, testing::HasSubstr("brush_strength = 0.25"));
+}
+
+// The field has the keyboard, and all of its text is chosen.
+TEST_F(FieldWindow, EnterExportsAndAFileIsReplacedOnlyAfterAQuestion) {
+  open_window();
+  const auto file = server_->folder / "out.ply";
+  const auto is_asked = [this] {  // the panel covers the surface
+    return eventually([this] { return !is_surface(screen_->capture()); });
+  };
+  const auto export_there = [&] {
+    screen_->key({"Control_L", "e"});
+    ASSERT_TRUE(is_asked()) << window_->output();
+    screen_->type(file.string());
+    screen_->key({"Return"});
+  };
+  export_there();
+  EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << window_->output();
+  EXPECT_TRUE(shows_surface());
+  server_->folder.write("out.ply", "mine");
+  export_there();
+  screen_->key({"Return"});
+  EXPECT_TRUE(is_asked());
+  save_screen("replace.png");
+  EXPECT_EQ(std::filesystem::file_size(file), 4u);
+  click(kReplaceX, kReplaceY);
+  EXPECT_TRUE(shows_surface());
+  EXPECT_TRUE(eventually([&] { return std::filesystem::file_size(file) > 1000; }));
 }
 
 }  // namespace

@@ -75,6 +75,23 @@ TEST_F(WindowTest, TheMiddleButtonTurnsAndHomeComesBackWithoutAnEdit) {
   EXPECT_TRUE(history().empty());
 }
 
+TEST_F(WindowTest, TheWheelNeverLosesTheScan) {
+  open_window();
+  const auto turn = [this](int button, int clicks) {
+    screen_->move(kPictureX, kPictureY);
+    for (int i = 0; i < clicks; ++i) {
+      screen_->press(button);
+      screen_->release(button);
+    }
+  };
+  constexpr int kUp = 4, kDown = 5;
+  turn(kUp, 80);
+  EXPECT_TRUE(shows_surface()) << window_->output();
+  screen_->key({"Home"});
+  turn(kDown, 150);
+  EXPECT_TRUE(shows_surface()) << window_->output();
+}
+
 // At 200 % there is one column, and the history is at its end.
 TEST_F(WindowTest, InASmallWindowAllPanelsAreInOneColumnThatScrolls) {
   middle_x_ = 920;
