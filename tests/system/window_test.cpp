@@ -89,7 +89,11 @@ TEST_F(WindowTest, TheWheelNeverLosesTheScan) {
   EXPECT_TRUE(shows_surface()) << window_->output();
   screen_->key({"Home"});
   turn(kDown, 150);
-  EXPECT_TRUE(shows_surface()) << window_->output();
+  EXPECT_TRUE(eventually([this] {
+    const Image image = screen_->capture();
+    const uint8_t* const middle = image.pixel(kPictureX, kPictureY + 20);
+    return middle[0] > middle[2] + 5;  // clay
+  })) << window_->output();
 }
 
 // At 200 % there is one column, and the history is at its end.
