@@ -67,15 +67,11 @@ Status App::start(Preferences preferences) {
 
 void App::open_what_was_asked() {
   Workspace& workspace = *workspace_;
+  if (!options_.server.empty()) workspace.connect(options_.server);
   if (!options_.scan.empty()) {
-    workspace.when_connected([this] { workspace_->import_scan(options_.scan); });
+    workspace.import_scan(options_.scan);
   } else if (!options_.session.empty()) {
     workspace.when_connected([this] { workspace_->join_by_name(options_.session); });
-  }
-  if (!options_.server.empty()) {
-    workspace.connect(options_.server);
-  } else if (!options_.scan.empty() || !options_.session.empty()) {
-    workspace.connect_privately();
   }
 }
 
@@ -85,13 +81,23 @@ Status App::loop() {
     window_->wait(pictures > 0 ? 0 : is_picture_settled() ? kIdleSeconds : kFinerSeconds);
     const bool timed_out = !window_->take_dirty() && !news_.exchange(false);
     pictures = timed_out ? std::max(pictures, 1) : kPicturesAfterEvent;
+    window_->deliver();
     RETURN_IF_ERROR(workspace_->update());
     if (may_close()) break;
+    show_title();
     RETURN_IF_ERROR(draw());
     --pictures;
   }
   if (leave_step_ == Leaving::Step::kLeave) return Status::ok();
   return failed_precondition(unsaved_text(workspace_->unsaved_edits()) + " and will be lost");
+}
+
+void App::show_title() {
+  const Document* const document = workspace_->document();
+  std::string title = "Burnish";
+  if (document)
+    title = document->scan().scan.name + " · " + document->session().name + " – Burnish";
+  if (std::exchange(title_, title) != title) window_->set_title(title);
 }
 
 bool App::is_picture_settled() const {
@@ -197,7 +203,8 @@ void App::take_screenshot() {
   const auto image = renderer_->read_pixels();
   const Status written = image.is_ok() ? write_png(*image, name) : image.status();
   if (!written.is_ok()) return workspace_->log.failure("screenshot", written);
-  workspace_->log.info(std::string("saved ") + name);
+  std::error_code ignored;
+  workspace_->log.info("saved " + std::filesystem::absolute(name, ignored).string());
 }
 
 }  // namespace burnish

@@ -41,6 +41,7 @@ class App {
   Status loop();
   bool may_close();
   bool is_picture_settled() const;
+  void show_title();
   void open_what_was_asked();
   WindowEvents make_events();
   void handle_key(const std::string& key);
@@ -53,7 +54,7 @@ class App {
   void draw_menu_bar();
   void draw_start_page();
   void draw_columns(float top, float left, float right);
-  void draw_split_line() const;
+  void draw_sides() const;
   void draw_overlays();
 
   bool is_in_picture(const Eigen::Vector2d& pixel) const;
@@ -62,6 +63,7 @@ class App {
   AppOptions options_;
   Bindings bindings_;
   std::atomic<bool> news_{true};
+  std::string title_;  // of the window
   std::unique_ptr<Window> window_;
   std::unique_ptr<GlPageRenderer> renderer_;
   std::unique_ptr<Workspace> workspace_;

@@ -151,29 +151,28 @@ void App::draw_columns(float top, float left, float right) {
   ImGui::End();
 }
 
-// Draws the line between the original and the edited side.
-void App::draw_split_line() const {
+// Says which surface is the original one, and draws the line between both.
+void App::draw_sides() const {
   const ViewOptions& view = workspace_->viewport.options;
-  if (!view.split || !workspace_->document()) return;
+  const bool is_original = workspace_->viewport.hold_original;
+  if (!(view.split || is_original) || !workspace_->document()) return;
   const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
-  const auto place = [&](double x, double y) {
-    return ImVec2(static_cast<float>(picture_.x + x) / pixels.x,
-                  static_cast<float>(picture_.y + y) / pixels.y);
-  };
-  const int middle = split_column(view.split_at, picture_.size.width);
-  const ImVec2 low = place(middle, 0), high = place(middle, picture_.size.height);
+  const int middle = split_column(is_original ? 0.5 : view.split_at, picture_.size.width);
+  const float x = static_cast<float>(picture_.x + middle) / pixels.x;
+  const float top = static_cast<float>(picture_.y) / pixels.y;
+  const float bottom = static_cast<float>(picture_.y + picture_.size.height) / pixels.y;
   ImDrawList* const list = ImGui::GetBackgroundDrawList();
   const ImU32 dark = ImGui::ColorConvertFloat4ToU32(theme::kPanel);
-  list->AddLine(low, high, dark, em(0.1f));
-  const float pad = em(0.6f);
-  const float line = ImGui::GetTextLineHeight();
-  const char* const left = "original";
-  list->AddText({low.x - ImGui::CalcTextSize(left).x - pad, high.y - line - pad}, dark, left);
-  list->AddText({low.x + pad, high.y - line - pad}, dark, "edited");
+  const float pad = em(0.6f), width = ImGui::CalcTextSize("original").x;
+  const float line = bottom - ImGui::GetTextLineHeight() - pad;
+  if (is_original) return list->AddText({x - width / 2, line}, dark, "original");
+  list->AddLine({x, top}, {x, bottom}, dark, em(0.1f));
+  list->AddText({x - width - pad, line}, dark, "original");
+  list->AddText({x + pad, line}, dark, "edited");
 }
 
 void App::draw_overlays() {
-  draw_split_line();
+  draw_sides();
   toasts_.draw(*workspace_);
   if (shows_log_) draw_message_log(workspace_->log, shows_log_);
   if (shows_help_) draw_key_help(bindings_, shows_help_);

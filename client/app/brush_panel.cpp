@@ -38,14 +38,16 @@ void BrushPanel::draw(Workspace& workspace) {
   ImGui::BeginDisabled(document.is_viewer());
   draw_mode_buttons(brush);
   ImGui::TextUnformatted("Painted β");
-  beta_slider("##beta", brush.beta, to_imgui(blue_to_red(signed_part_of_beta(brush.beta))));
+  beta_slider("Painted β", brush.beta, to_imgui(blue_to_red(signed_part_of_beta(brush.beta))),
+              workspace.log);
   ImGui::TextUnformatted("Radius");
   ImGui::SameLine();
   faint_text("in the scan's units");
-  log_slider("##radius", brush.radius, 1e-4 * document.diagonal(), 0.5 * document.diagonal(),
-             "%.3g");
+  log_slider(
+      {{"Radius", 1e-4 * document.diagonal(), 0.5 * document.diagonal()}, "%.3g", workspace.log},
+      brush.radius);
   ImGui::TextUnformatted("Strength");
-  linear_slider("##strength", brush.strength, 0.01, 1, "%.2f");
+  linear_slider({{"Strength", 0.01, 1}, "%.2f", workspace.log}, brush.strength);
   draw_fall_off(brush);
   ImGui::EndDisabled();
 }

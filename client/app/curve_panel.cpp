@@ -131,7 +131,9 @@ void CurvePanel::draw(Workspace& workspace) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const ImVec2 high{plot.low.x + plot.size.x, plot.low.y + plot.size.y};
   list->AddRectFilled(plot.low, high, colour(0.09f, 0.10f, 0.11f), em(0.2f));
-  list->PushClipRect(plot.low, high, true);
+  const float margin = em(0.5f);  // points on the border are drawn whole
+  list->PushClipRect({plot.low.x - margin, plot.low.y - margin}, {high.x + margin, high.y + margin},
+                     true);
   draw_histogram(plot, document.scan());
   draw_axes(plot);
   handle_mouse(plot, document);

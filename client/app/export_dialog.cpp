@@ -5,6 +5,7 @@
 #include <imgui_stdlib.h>
 
 #include "client/app/theme.h"
+#include "client/model/typed_path.h"
 
 namespace burnish {
 
@@ -18,7 +19,10 @@ static std::string suggested_path(const Document& document) {
 
 void ExportDialog::draw(Workspace& workspace) {
   if (std::exchange(opening_, false)) {
-    if (path_.empty()) path_ = suggested_path(*workspace.document());
+    const Document& document = *workspace.document();
+    if (session_ != document.session().id) path_ = suggested_path(document);
+    session_ = document.session().id;
+    asks_ = false;
     ImGui::OpenPopup(kExportTitle);
   }
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -28,16 +32,28 @@ void ExportDialog::draw(Workspace& workspace) {
   ImGui::TextUnformatted("File (.ply, .obj or .stl)");
   ImGui::SetNextItemWidth(em(32));
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  ImGui::InputText("##path", &path_);
+  bool wanted = ImGui::InputText(
+      "##path", &path_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  if (ImGui::IsItemEdited()) asks_ = false;
   ImGui::Checkbox("Exact", &exact_);
   hint("Solves until the surface is within 1e-5 of the diagonal; this takes longer.");
-  const bool wanted = ImGui::Button("Export", {em(8), 0});
+  if (asks_) ImGui::TextColored(theme::kBusy, "The file is there already.");
+  wanted |= ImGui::Button(asks_ ? "Replace" : "Export", {em(8), 0}) && !path_.empty();
   ImGui::SameLine();
   const bool unwanted = ImGui::Button("Cancel", {em(8), 0}) ||
                         ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-  if (wanted) workspace.export_mesh(path_, exact_);
-  if (wanted || unwanted) ImGui::CloseCurrentPopup();
+  if (unwanted || (wanted && start_export(workspace))) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
+}
+
+// Asks before it replaces a file.
+bool ExportDialog::start_export(Workspace& workspace) {
+  const std::filesystem::path file = typed_path(path_);
+  std::error_code ignored;
+  if (!std::exchange(asks_, true) && std::filesystem::exists(file, ignored)) return false;
+  asks_ = false;
+  workspace.export_mesh(file, exact_);
+  return true;
 }
 
 }  // namespace burnish

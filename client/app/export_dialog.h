@@ -14,9 +14,13 @@ class ExportDialog : public Panel {
   void draw(Workspace& workspace) override;
 
  private:
+  bool start_export(Workspace& workspace);
+
   bool opening_ = false;
   bool open_ = false;
+  std::string session_;  // that path_ is for
   std::string path_;
+  bool asks_ = false;  // whether to replace the file
   bool exact_ = false;
 };
 

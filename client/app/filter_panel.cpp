@@ -21,18 +21,18 @@ static void draw_presets(Document& document) {
   ImGui::EndCombo();
 }
 
-static void draw_beta(Document& document) {
+static void draw_beta(Document& document, MessageLog& log) {
   ImGui::TextUnformatted("Gradient scale β");
   ImGui::SameLine();
   faint_text(document.beta() < 1 ? "smooths" : document.beta() > 1 ? "sharpens" : "keeps");
   double beta = document.beta();
   const ImVec4 colour = to_imgui(blue_to_red(signed_part_of_beta(beta)));
-  const SliderChange change = beta_slider("##beta", beta, colour);
+  const SliderChange change = beta_slider("Gradient scale β", beta, colour, log);
   if (change != SliderChange::kStill) document.preview_beta(beta);
   if (change == SliderChange::kDone) document.commit_beta();
 }
 
-static void draw_fidelity(Document& document) {
+static void draw_fidelity(Document& document, MessageLog& log) {
   ImGui::TextUnformatted("Fidelity α");
   ImGui::SameLine();
   const double unit = document.length_unit();
@@ -41,7 +41,8 @@ static void draw_fidelity(Document& document) {
   hint(
       "In the scan's units. Waves on the surface shorter than about six times this size are "
       "smoothed or sharpened; longer waves stay.");
-  const SliderChange change = log_slider("##fidelity", alpha, kFidelityMin, kFidelityMax, "%.3g");
+  const SliderChange change =
+      log_slider({{"Fidelity α", kFidelityMin, kFidelityMax}, "%.3g", log}, alpha);
   if (change != SliderChange::kStill) {
     document.curve().set_fidelity(alpha);
     document.preview_curve();
@@ -55,8 +56,8 @@ void FilterPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
   ImGui::BeginDisabled(document.is_viewer());
   draw_presets(document);
-  draw_beta(document);
-  draw_fidelity(document);
+  draw_beta(document, workspace.log);
+  draw_fidelity(document, workspace.log);
   ImGui::EndDisabled();
 }
 

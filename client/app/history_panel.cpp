@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <imgui.h>
@@ -19,13 +20,27 @@ void HistoryPanel::draw_buttons(Document& document) {
   if (ImGui::Button("Redo", half)) document.redo();
 }
 
+static bool has_checkpoint(const Document& document, const std::string& name) {
+  const auto& history = document.history();
+  return std::any_of(history.begin(), history.end(), [&](const HistoryEntry& entry) {
+    return entry.kind == EditKind::kSetCheckpoint && entry.summary == name;
+  });
+}
+
+static void set_checkpoint(Workspace& workspace, const std::string& name) {
+  Document& document = *workspace.document();
+  if (has_checkpoint(document, name))
+    return workspace.log.warning("checkpoint " + name + " is there already; choose another name");
+  document.set_checkpoint(name);
+}
+
 void HistoryPanel::draw_checkpoint_row(Workspace& workspace) {
   const ImVec2 half{half_width(), 0};
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##checkpoint", "name of a checkpoint or fork", &checkpoint_name_);
   ImGui::BeginDisabled(checkpoint_name_.empty() || workspace.document()->is_viewer());
   if (ImGui::Button("Checkpoint", half)) {
-    workspace.document()->set_checkpoint(checkpoint_name_);
+    set_checkpoint(workspace, checkpoint_name_);
     checkpoint_name_.clear();
   }
   hint("Gives the current state a name, so that you can come back to it.");

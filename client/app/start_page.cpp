@@ -6,6 +6,7 @@
 
 #include "client/app/start_page_lists.h"
 #include "client/app/theme.h"
+#include "client/model/typed_path.h"
 
 namespace burnish {
 
@@ -62,13 +63,12 @@ void StartPage::draw_recent(Workspace& workspace) const {
 
 void StartPage::draw_import(Workspace& workspace) {
   ImGui::TextUnformatted("Import a scan");
-  ImGui::BeginDisabled(workspace.library().state != Library::State::kConnected);
   ImGui::SetNextItemWidth(-em(6));
   const bool entered = ImGui::InputTextWithHint("##file", "file: .ply, .obj, .stl, .off", &file_,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine();
-  if ((ImGui::Button("Import", {-1, 0}) || entered) && !file_.empty()) workspace.import_scan(file_);
-  ImGui::EndDisabled();
+  if ((ImGui::Button("Import", {-1, 0}) || entered) && !file_.empty())
+    workspace.import_scan(typed_path(file_));
   faint_text("or drop files on the window");
 }
 

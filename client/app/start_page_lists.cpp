@@ -1,5 +1,8 @@
 #include "client/app/start_page_lists.h"
 
+#include <algorithm>
+#include <ctime>
+
 #include "client/app/theme.h"
 
 namespace burnish {
@@ -18,66 +21,133 @@ static std::string scan_name(const Library& library, const std::string& id) {
   return short_id(id);
 }
 
+static uint64_t bytes_on_disk(const ScanInfo& scan) {
+  uint64_t bytes = scan.size_bytes;
+  for (const PreparedInfo& prepared : scan.prepared) bytes += prepared.size_bytes;
+  return bytes;
+}
+
+static std::string megabytes(uint64_t bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, bytes < 10'000'000 ? "%.1f MB" : "%.0f MB", double(bytes) / 1e6);
+  return text;
+}
+
+static std::string day_of(int64_t unix_seconds) {
+  const time_t seconds = unix_seconds;
+  std::tm local{};
+  localtime_r(&seconds, &local);
+  char text[32];
+  std::strftime(text, sizeof text, "%F", &local);
+  return text;
+}
+
+static size_t sessions_of(const Library& library, const std::string& scan) {
+  return static_cast<size_t>(
+      std::count_if(library.sessions.begin(), library.sessions.end(),
+                    [&](const SessionInfo& session) { return session.scan_id == scan; }));
+}
+
 static constexpr ImGuiTableFlags kTable =
     ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
 
-static void draw_delete(const ScanInfo& scan, Workspace& workspace) {
+static void add_column(const char* name, float width_em) {
+  ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, em(width_em));
+}
+
+// Draws a button that asks first. Returns true if the user is sure.
+static bool draw_delete(const std::string& question) {
   if (ImGui::SmallButton("Delete")) ImGui::OpenPopup("##sure");
-  if (!ImGui::BeginPopup("##sure")) return;
-  ImGui::Text("The server deletes %s.", scan.name.c_str());
-  if (ImGui::Button("Delete for good")) {
-    workspace.delete_scan(scan.id);
-    ImGui::CloseCurrentPopup();
-  }
+  if (!ImGui::BeginPopup("##sure")) return false;
+  ImGui::TextUnformatted(question.c_str());
+  const bool is_sure = ImGui::Button("Delete for good");
+  if (is_sure) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
+  return is_sure;
+}
+
+static std::string question_of(const ScanInfo& scan, size_t sessions) {
+  if (sessions == 0) return "The server deletes " + scan.name + ".";
+  return "The server deletes " + scan.name + ", and " + std::to_string(sessions) +
+         (sessions == 1 ? " session with its edits." : " sessions with their edits.");
+}
+
+static void draw_scan(const ScanInfo& scan, Workspace& workspace) {
+  const size_t sessions = sessions_of(workspace.library(), scan.id);
+  ImGui::TableNextColumn();
+  if (ImGui::Selectable(scan.name.c_str())) workspace.open_scan(scan, Opening::kGoOn);
+  hint(sessions == 0 ? "Opens it." : "Goes on where you left it.");
+  ImGui::TableNextColumn();
+  faint_text("%s", counted(scan.statistics.triangles).c_str());
+  ImGui::TableNextColumn();
+  faint_text("%s", scan.statistics.is_closed() ? "closed" : "open");
+  ImGui::TableNextColumn();
+  faint_text("%s", megabytes(bytes_on_disk(scan)).c_str());
+  ImGui::TableNextColumn();
+  faint_text("%s", day_of(scan.imported_unix_seconds).c_str());
+  ImGui::TableNextColumn();
+  if (ImGui::SmallButton("New")) workspace.open_scan(scan, Opening::kAnew);
+  hint("Opens it in a new session.");
+  ImGui::SameLine();
+  if (draw_delete(question_of(scan, sessions))) workspace.delete_scan(scan.id);
 }
 
 void draw_scans(Workspace& workspace) {
-  ImGui::TextUnformatted("Scans");
   const Library& library = workspace.library();
-  if (library.scans.empty()) faint_text("none yet");
-  if (library.scans.empty() || !ImGui::BeginTable("##scans", 4, kTable)) return;
+  uint64_t bytes = 0;
+  for (const ScanInfo& scan : library.scans) bytes += bytes_on_disk(scan);
+  ImGui::TextUnformatted("Scans");
+  if (library.scans.empty()) return faint_text("none yet");
+  ImGui::SameLine();
+  faint_text("%s on disk", megabytes(bytes).c_str());
+  if (!ImGui::BeginTable("##scans", 6, kTable)) return;
   ImGui::TableSetupColumn("name", 0, 1);
-  ImGui::TableSetupColumn("triangles", ImGuiTableColumnFlags_WidthFixed, em(5));
-  ImGui::TableSetupColumn("surface", ImGuiTableColumnFlags_WidthFixed, em(5));
-  ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, em(4.5f));
+  add_column("triangles", 5);
+  add_column("surface", 4);
+  add_column("on disk", 4.5f);
+  add_column("imported", 6);
+  add_column("", 7.5f);
   ImGui::TableHeadersRow();
   for (const ScanInfo& scan : library.scans) {
     ImGui::PushID(scan.id.c_str());
-    ImGui::TableNextColumn();
-    if (ImGui::Selectable(scan.name.c_str())) workspace.open({.scan = scan.id});
-    hint("Opens it in a new session.");
-    ImGui::TableNextColumn();
-    faint_text("%s", counted(scan.statistics.triangles).c_str());
-    ImGui::TableNextColumn();
-    faint_text("%s", scan.statistics.is_closed() ? "closed" : "open");
-    ImGui::TableNextColumn();
-    draw_delete(scan, workspace);
+    draw_scan(scan, workspace);
     ImGui::PopID();
   }
   ImGui::EndTable();
 }
 
+static void draw_session(const SessionInfo& session, Workspace& workspace) {
+  ImGui::TableNextColumn();
+  if (ImGui::Selectable(session.name.c_str())) workspace.join(session);
+  ImGui::TableNextColumn();
+  faint_text("%s", scan_name(workspace.library(), session.scan_id).c_str());
+  ImGui::TableNextColumn();
+  faint_text("%llu", static_cast<unsigned long long>(session.edits));
+  ImGui::TableNextColumn();
+  faint_text("%d", session.key.depth);
+  ImGui::TableNextColumn();
+  faint_text("%s", day_of(session.created_unix_seconds).c_str());
+  ImGui::TableNextColumn();
+  if (draw_delete("The server deletes " + session.name + " with " + std::to_string(session.edits) +
+                  (session.edits == 1 ? " edit." : " edits.")))
+    workspace.delete_session(session);
+}
+
 void draw_sessions(Workspace& workspace) {
   ImGui::TextUnformatted("Sessions");
   const Library& library = workspace.library();
-  if (library.sessions.empty()) faint_text("none yet");
-  if (library.sessions.empty() || !ImGui::BeginTable("##sessions", 4, kTable)) return;
+  if (library.sessions.empty()) return faint_text("none yet");
+  if (!ImGui::BeginTable("##sessions", 6, kTable)) return;
   ImGui::TableSetupColumn("name", 0, 1);
   ImGui::TableSetupColumn("scan", 0, 1);
-  ImGui::TableSetupColumn("edits", ImGuiTableColumnFlags_WidthFixed, em(3.5f));
-  ImGui::TableSetupColumn("depth", ImGuiTableColumnFlags_WidthFixed, em(4));
+  add_column("edits", 3.5f);
+  add_column("depth", 3.5f);
+  add_column("begun", 6);
+  add_column("", 5);
   ImGui::TableHeadersRow();
   for (const SessionInfo& session : library.sessions) {
     ImGui::PushID(session.id.c_str());
-    ImGui::TableNextColumn();
-    if (ImGui::Selectable(session.name.c_str())) workspace.join(session);
-    ImGui::TableNextColumn();
-    faint_text("%s", scan_name(library, session.scan_id).c_str());
-    ImGui::TableNextColumn();
-    faint_text("%llu", static_cast<unsigned long long>(session.edits));
-    ImGui::TableNextColumn();
-    faint_text("%d", session.key.depth);
+    draw_session(session, workspace);
     ImGui::PopID();
   }
   ImGui::EndTable();

@@ -11,9 +11,10 @@ static constexpr float kFontPixels = 14;
 static constexpr float kTitlePixels = 22;
 
 static void load_font(float scale) {
-  // Latin, Greek, general punctuation, arrows, mathematical operators.
-  static const ImWchar kRanges[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2044,
-                                    0x2190, 0x21ff, 0x2200, 0x22ff, 0};
+  // Latin with its extensions, Greek and Cyrillic, general punctuation, arrows, mathematical
+  // operators.
+  static const ImWchar kRanges[] = {0x20,   0x24f,  0x370,  0x52f,  0x1e00, 0x1eff, 0x2010,
+                                    0x2044, 0x2190, 0x21ff, 0x2200, 0x22ff, 0};
   ImGuiIO& io = ImGui::GetIO();
   io.Fonts->Clear();
   std::error_code error;

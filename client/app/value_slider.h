@@ -1,6 +1,10 @@
 #pragma once
 
 #include <imgui.h>
+#include <string>
+
+#include "client/model/message_log.h"
+#include "client/model/typed_number.h"
 
 namespace burnish {
 
@@ -10,14 +14,21 @@ enum class SliderChange {
   kDone,    ///< the value is what the user wants
 };
 
+/// A value with a slider and a field to type into.
+struct ValueField {
+  TypedValue limits;   ///< the name is unique in its panel
+  const char* format;  ///< for printf
+  MessageLog& log;     ///< hears of text that is refused, and of limits
+};
+
 /// Sliders with a field for the value to the right, as wide as there is room. Draws the slider of
 /// β: the left half smooths, the right half sharpens, up to 10.
-SliderChange beta_slider(const char* id, double& beta, const ImVec4& colour);
+SliderChange beta_slider(const std::string& name, double& beta, const ImVec4& colour,
+                         MessageLog& log);
 
 /// Draws a slider that is even in the logarithm.
-SliderChange log_slider(const char* id, double& value, double low, double high, const char* format);
+SliderChange log_slider(const ValueField& field, double& value);
 
-SliderChange linear_slider(const char* id, double& value, double low, double high,
-                           const char* format);
+SliderChange linear_slider(const ValueField& field, double& value);
 
 }  // namespace burnish

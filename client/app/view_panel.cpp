@@ -4,16 +4,18 @@
 
 namespace burnish {
 
-static void draw_colours(Document& document, Viewport& viewport) {
-  static const char* const kNames[] = {"Clay", "Gradient scale β", "Curvature",
-                                       "Displacement"};  // as ColourBy
+static void draw_colours(Document& document, Workspace& workspace) {
+  static const char* const kNames[] = {"Clay", "Gradient scale β", "Curvature", "Displacement",
+                                       "Colours of the scan"};  // as ColourBy
+  const int count = IM_ARRAYSIZE(kNames) - (document.has_colours() ? 0 : 1);
   int chosen = static_cast<int>(document.colour());
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::Combo("##colour", &chosen, kNames, IM_ARRAYSIZE(kNames)))
+  if (ImGui::Combo("##colour", &chosen, kNames, count))
     document.set_colour(static_cast<ColourBy>(chosen));
   if (document.colour() == ColourBy::kDisplacement) {
     faint_text("full colour at this many cells");
-    log_slider("##range", viewport.options.displacement_range, 0.05, 20, "%.2g");
+    log_slider({{"Displacement", 0.05, 20}, "%.2g", workspace.log},
+               workspace.viewport.options.displacement_range);
   }
 }
 
@@ -50,7 +52,7 @@ static void draw_bookmarks(Viewport& viewport, const Document& document) {
 
 void ViewPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
-  draw_colours(document, workspace.viewport);
+  draw_colours(document, workspace);
   draw_toggles(workspace.viewport.options);
   draw_bookmarks(workspace.viewport, document);
   ImGui::Checkbox("Left button turns the view", &workspace.viewport.navigate_mode);

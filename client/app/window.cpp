@@ -42,12 +42,12 @@ Result<std::unique_ptr<Window>> Window::create(const ImageSize& size, double sca
   glfwSetWindowUserPointer(handle, window.get());
   Eigen::Vector2d pointer;
   glfwGetCursorPos(handle, &pointer.x(), &pointer.y());
-  window->pointer_.move(pointer);
-  WindowCallbacks::install(handle);  // ImGui calls these after its own
+  window->input_.add({.kind = InputEvent::Kind::kMove, .place = pointer});
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // Burnish keeps its state in its own file
   apply_theme(static_cast<float>(scale > 0 ? scale : screen_scale(handle)));
-  ImGui_ImplGlfw_InitForOpenGL(handle, true);
+  ImGui_ImplGlfw_InitForOpenGL(handle, false);
+  WindowCallbacks::install(handle);
   ImGui_ImplOpenGL3_Init("#version 330 core");
   return window;
 }
@@ -112,11 +112,10 @@ Eigen::Vector2d Window::to_pixels(const Eigen::Vector2d& place) const {
 void Window::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
-  const PointerQueue::State& pointer = pointer_.next();
+  const InputQueue::Pointer& pointer = input_.pointer();
   ImGuiIO& io = ImGui::GetIO();
   io.MousePos = {static_cast<float>(pointer.place.x()), static_cast<float>(pointer.place.y())};
   std::copy(pointer.down.begin(), pointer.down.end(), io.MouseDown);
-  dirty_ |= pointer_.has_more();
   ImGui::NewFrame();
 }
 

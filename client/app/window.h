@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "client/model/pointer_queue.h"
+#include "client/model/input_queue.h"
 #include "client/model/viewport.h"
 #include "client/scene/image.h"
 #include "common/base/status.h"
@@ -17,7 +17,8 @@ struct GLFWwindow;
 
 namespace burnish {
 
-/// Events of the window. Pixels are the framebuffer's, from its upper left corner.
+/// Events of the window, in the order of the user's acts. Pixels are the framebuffer's, from its
+/// upper left corner.
 struct WindowEvents {
   std::function<void(PointerButton, Modifiers, const Eigen::Vector2d&)> press;
   std::function<void(PointerButton)> release;
@@ -50,6 +51,9 @@ class Window {
   /// Returns true if something has happened since the last call, so that a picture is due.
   bool take_dirty() { return std::exchange(dirty_, false); }
 
+  /// Hands the next step of input to the events and to ImGui. Call once per picture, before it.
+  void deliver();
+
   ImageSize framebuffer_size() const;  ///< 0x0 while it is minimised
   ImageSize size() const;              ///< in the screen's coordinates
   void set_title(const std::string& title);
@@ -65,10 +69,14 @@ class Window {
   Window(GLFWwindow* window, WindowEvents events) : window_(window), events_(std::move(events)) {}
   friend struct WindowCallbacks;
   Eigen::Vector2d to_pixels(const Eigen::Vector2d& place) const;
+  void deliver(const InputEvent& event);
+  void deliver_button(const InputEvent& event);
+  void deliver_key(const InputEvent& event);
+  void deliver_character(int code);
 
   GLFWwindow* window_;
   WindowEvents events_;
-  PointerQueue pointer_;  // in the screen's coordinates
+  InputQueue input_;  // in the screen's coordinates
   bool dirty_ = true;
 };
 

@@ -1,9 +1,7 @@
 #include "client/app/window_callbacks.h"
 
-#include <cctype>
-#include <imgui.h>
-
 #include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
 
 #include "client/app/window.h"
 
@@ -15,88 +13,40 @@ static Window& window_of(GLFWwindow* window) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
-// Names keys other than letters and digits by their character, not by their place: '?' and '[' are
-// elsewhere on other keyboards.
-static std::string key_name(int key, int scancode) {
-  switch (key) {
-    case GLFW_KEY_HOME:
-      return "Home";
-    case GLFW_KEY_END:
-      return "End";
-    case GLFW_KEY_ESCAPE:
-      return "Escape";
-    case GLFW_KEY_DELETE:
-      return "Delete";
-    case GLFW_KEY_TAB:
-      return "Tab";
-    default:
-      break;
-  }
-  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
-  const char* const name = glfwGetKeyName(key, scancode);
-  if (!name || !std::isalnum(static_cast<unsigned char>(name[0])) || name[1] != 0) return {};
-  return std::string(1, static_cast<char>(std::toupper(static_cast<unsigned char>(name[0]))));
-}
-
-static std::string with_modifiers(const std::string& name, int modifiers) {
-  std::string chord;
-  if (modifiers & GLFW_MOD_CONTROL) chord += "Ctrl+";
-  if (modifiers & GLFW_MOD_SHIFT) chord += "Shift+";
-  if (modifiers & GLFW_MOD_ALT) chord += "Alt+";
-  return chord + name;
-}
-
-static PointerButton button_of(int button) {
-  if (button == GLFW_MOUSE_BUTTON_MIDDLE) return PointerButton::kMiddle;
-  return button == GLFW_MOUSE_BUTTON_RIGHT ? PointerButton::kRight : PointerButton::kLeft;
-}
-
-// When pictures take long, events come in bulk. The pointer's place at the press is the last move
-// before it, not its place now.
-void WindowCallbacks::press(GLFWwindow* window, int button, int action, int modifiers) {
+void WindowCallbacks::add(GLFWwindow* window, const InputEvent& event) {
   Window& self = window_of(window);
   self.dirty_ = true;
-  if (button >= kPointerButtons) return;
-  self.pointer_.press(button, action == GLFW_PRESS);
-  const Modifiers held{(modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0,
-                       (modifiers & GLFW_MOD_ALT) != 0};
-  if (action == GLFW_PRESS) {
-    self.events_.press(button_of(button), held, self.to_pixels(self.pointer_.place()));
-  } else {
-    self.events_.release(button_of(button));
-  }
+  self.input_.add(event);
+}
+
+void WindowCallbacks::press(GLFWwindow* window, int button, int action, int modifiers) {
+  if (button >= kPointerButtons) return changed(window);
+  add(window, {.kind = InputEvent::Kind::kButton,
+               .code = button,
+               .down = action == GLFW_PRESS,
+               .modifiers = modifiers});
 }
 
 void WindowCallbacks::move(GLFWwindow* window, double x, double y) {
-  Window& self = window_of(window);
-  self.dirty_ = true;
-  self.pointer_.move({x, y});
-  self.events_.move(self.to_pixels({x, y}));
+  add(window, {.kind = InputEvent::Kind::kMove, .place = {x, y}});
 }
 
 void WindowCallbacks::wheel(GLFWwindow* window, double, double y) {
-  Window& self = window_of(window);
-  self.dirty_ = true;
-  self.events_.wheel(self.to_pixels(self.pointer_.place()), y);
+  add(window, {.kind = InputEvent::Kind::kWheel, .steps = y});
 }
 
+// Panels repeat a held key by their own clock.
 void WindowCallbacks::key(GLFWwindow* window, int key, int scancode, int action, int modifiers) {
-  Window& self = window_of(window);
-  self.dirty_ = true;
-  if (key == GLFW_KEY_SPACE && action != GLFW_REPEAT) {
-    self.events_.space(action == GLFW_PRESS && !ImGui::GetIO().WantTextInput);
-    return;
-  }
-  if (action != GLFW_PRESS || ImGui::GetIO().WantTextInput) return;
-  const std::string name = key_name(key, scancode);
-  if (!name.empty()) self.events_.key(with_modifiers(name, modifiers));
+  if (action == GLFW_REPEAT) return changed(window);
+  add(window, {.kind = InputEvent::Kind::kKey,
+               .code = key,
+               .down = action == GLFW_PRESS,
+               .modifiers = modifiers,
+               .scancode = scancode});
 }
 
 void WindowCallbacks::character(GLFWwindow* window, unsigned code) {
-  Window& self = window_of(window);
-  self.dirty_ = true;
-  if (ImGui::GetIO().WantTextInput || code > 126 || !std::ispunct(static_cast<int>(code))) return;
-  self.events_.key(std::string(1, static_cast<char>(code)));
+  add(window, {.kind = InputEvent::Kind::kCharacter, .code = static_cast<int>(code)});
 }
 
 void WindowCallbacks::drop(GLFWwindow* window, int count, const char** paths) {
@@ -106,9 +56,9 @@ void WindowCallbacks::drop(GLFWwindow* window, int count, const char** paths) {
 }
 
 void WindowCallbacks::left(GLFWwindow* window, int entered) {
-  Window& self = window_of(window);
-  self.dirty_ = true;
-  if (!entered) self.pointer_.move({kNowhere, kNowhere});
+  ImGui_ImplGlfw_CursorEnterCallback(window, entered);
+  if (entered) return changed(window);
+  add(window, {.kind = InputEvent::Kind::kLeave, .place = {kNowhere, kNowhere}});
 }
 
 void WindowCallbacks::changed(GLFWwindow* window) {
@@ -124,7 +74,10 @@ void WindowCallbacks::install(GLFWwindow* window) {
   glfwSetDropCallback(window, drop);
   glfwSetWindowRefreshCallback(window, changed);
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* one, int, int) { changed(one); });
-  glfwSetWindowFocusCallback(window, [](GLFWwindow* one, int) { changed(one); });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* one, int focused) {
+    ImGui_ImplGlfw_WindowFocusCallback(one, focused);
+    changed(one);
+  });
   glfwSetCursorEnterCallback(window, left);
 }
 

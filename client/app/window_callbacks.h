@@ -1,10 +1,13 @@
 #pragma once
 
+#include "client/model/input_queue.h"
+
 struct GLFWwindow;
 
 namespace burnish {
 
-/// Turns GLFW's events of a window into WindowEvents. The user pointer of the window is a Window.
+/// Takes GLFW's events of a window. Input waits in the window's queue until Window::deliver(). The
+/// user pointer of the window is a Window.
 struct WindowCallbacks {
   static void install(GLFWwindow* window);
 
@@ -16,6 +19,7 @@ struct WindowCallbacks {
   static void drop(GLFWwindow* window, int count, const char** paths);
   static void left(GLFWwindow* window, int entered);
   static void changed(GLFWwindow* window);
+  static void add(GLFWwindow* window, const InputEvent& event);
 };
 
 }  // namespace burnish

@@ -61,6 +61,7 @@ void add_window_command(CommandTable& table) {
   command->add_option("--record", options->record, "Write what you do in the window as a script");
   command->footer("A script has one command per line:\n" + script_help());
   add_server_options(*command, options->server);
+  command->remove_option(command->get_option("--json"));  // scripts print text
 }
 
 }  // namespace burnish

@@ -14,7 +14,16 @@ CLI::App* CommandTable::add(const std::string& name, const std::string& descript
   return command;
 }
 
+static bool has_command(const CLI::App& app, const std::string& name) {
+  return !app.get_subcommands([&](const CLI::App* one) { return one->get_name() == name; }).empty();
+}
+
 int CommandTable::run(int argc, char** argv) {
+  if (argc > 1 && argv[1][0] != '-' && !has_command(app_, argv[1])) {
+    std::cerr << app_.get_name() << ": '" << argv[1]
+              << "' is neither a command nor a mesh file; --help lists the commands\n";
+    return kExitUsage;
+  }
   app_.require_subcommand(1);
   try {
     app_.parse(argc, argv);

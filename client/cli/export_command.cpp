@@ -6,6 +6,7 @@
 #include "client/cli/progress_printer.h"
 #include "client/cli/server_option.h"
 #include "client/cli/warn_of_left_out.h"
+#include "common/base/atomic_file.h"
 
 namespace burnish {
 
@@ -28,7 +29,8 @@ void print(const ExportSummary& summary, const std::string& out) {
 
 Status run(const ExportOptions& options) {
   ExportWish wish = options.wish;
-  ASSIGN_OR_RETURN(wish.format, mesh_format_of_path(options.out));
+  ASSIGN_OR_RETURN(wish.format, written_format_of_path(options.out));
+  RETURN_IF_ERROR(check_writable(options.out));
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   ProgressPrinter printer;
   const auto summary =

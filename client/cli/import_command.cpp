@@ -45,6 +45,9 @@ Status run(const ImportOptions& options) {
   ProgressPrinter printer;
   auto outcome = connection.import_scan(options.file, name, options.key, printer.progress());
   if (!outcome.is_ok()) return outcome.status().with_context("import of " + options.file);
+  if (!options.name.empty() && outcome->scan.name != options.name)
+    std::cerr << "warning: the server has these bytes already; the scan keeps its name "
+              << outcome->scan.name << "\n";
   if (!options.server.json) {
     print(*outcome);
     tell_of_materials(options.file);

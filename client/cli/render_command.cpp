@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "client/cli/command.h"
@@ -15,6 +16,8 @@ struct RenderOptions {
   std::string scan;
   std::string out;
   PictureOptions picture;
+  bool colours = false;
+  bool clay = false;
 };
 
 // Both return the usage message that CLI11 expects from a check: empty if the text is right.
@@ -37,9 +40,20 @@ std::string parse_view(const std::string& text, PictureOptions& picture) {
   return {};
 }
 
+Status check_picture_name(const std::filesystem::path& path) {
+  if (path.extension() == ".png") return Status::ok();
+  return invalid_argument(path.string() + ": extension '" + path.extension().string() +
+                          "' is not a picture format; use .png");
+}
+
 Status render(const RenderOptions& options) {
+  RETURN_IF_ERROR(check_picture_name(options.out));
   ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(options.scan));
-  ASSIGN_OR_RETURN(const Image image, draw_picture(mesh, options.picture));
+  if (options.colours && mesh.colours.empty())
+    return failed_precondition(options.scan + " has no colours");
+  PictureOptions picture = options.picture;
+  if (!mesh.colours.empty() && !options.clay) picture.style.colouring = Colouring::kScan;
+  ASSIGN_OR_RETURN(const Image image, draw_picture(mesh, picture));
   RETURN_IF_ERROR(write_png(image, options.out));
   std::printf("%s: %dx%d pixels\n", options.out.c_str(), image.size.width, image.size.height);
   return Status::ok();
@@ -69,6 +83,11 @@ void add_render_command(CommandTable& commands) {
   command->add_option("--zoom", picture.zoom, "Magnification; 1 shows the whole scan")
       ->check(CLI::Range(0.01, 1000.0))
       ->capture_default_str();
+  CLI::Option* const clay = command->add_flag("--clay", options->clay, "Show the shape alone");
+  command
+      ->add_flag("--colours", options->colours,
+                 "Show the scan's own colours; the default for scans that have some")
+      ->excludes(clay);
   command->add_flag("--flat", picture.style.flat, "Give each triangle one shade");
   command->add_flag("--wireframe", picture.style.wireframe, "Draw the triangles' edges");
 }

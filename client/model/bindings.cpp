@@ -7,7 +7,7 @@ namespace burnish {
 const std::array<ActionInfo, 17>& actions() {
   static const std::array<ActionInfo, 17> kActions = {{
       {Action::kUndo, "undo", "Ctrl+Z", "Undo your last edit"},
-      {Action::kRedo, "redo", "Ctrl+Shift+Z", "Redo it"},
+      {Action::kRedo, "redo", "Ctrl+Shift+Z", "Redo it", "Ctrl+Y"},
       {Action::kFrameAll, "frame_all", "Home", "Show the whole scan"},
       {Action::kFocus, "focus", "C", "Turn around the point under the cursor"},
       {Action::kBrushRadius, "brush_radius", "F", "Move the mouse to set the brush's radius"},
@@ -37,7 +37,7 @@ Status Bindings::bind(std::string_view action_name, const std::string& key) {
                                  [&](const ActionInfo& one) { return one.name == action_name; });
   if (info == actions().end())
     return invalid_argument("keys: unknown action '" + std::string(action_name) + "'");
-  const auto other = action_of(key);
+  const auto other = bound_to(key);
   if (other && *other != info->action)
     return invalid_argument("keys: '" + key + "' is given to '" + std::string(action_name) +
                             "' and to another action");
@@ -45,9 +45,16 @@ Status Bindings::bind(std::string_view action_name, const std::string& key) {
   return Status::ok();
 }
 
-std::optional<Action> Bindings::action_of(const std::string& key) const {
+std::optional<Action> Bindings::bound_to(const std::string& key) const {
   for (const auto& [action, bound] : keys_)
     if (bound == key) return action;
+  return std::nullopt;
+}
+
+std::optional<Action> Bindings::action_of(const std::string& key) const {
+  if (const auto action = bound_to(key)) return action;
+  for (const ActionInfo& info : actions())
+    if (!key.empty() && info.also == key) return info.action;
   return std::nullopt;
 }
 

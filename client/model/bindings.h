@@ -36,6 +36,7 @@ struct ActionInfo {
   std::string_view name;  ///< in the configuration file
   std::string_view key;   ///< default key, e.g. "Ctrl+Z"
   std::string_view description;
+  std::string_view also = {};  ///< a second default key, unless another action has it
 };
 
 /// Returns all actions, in the order of the key help.
@@ -54,6 +55,8 @@ class Bindings {
   const std::string& key_of(Action action) const;
 
  private:
+  std::optional<Action> bound_to(const std::string& key) const;
+
   std::map<Action, std::string> keys_;
 };
 

@@ -24,6 +24,7 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
       history_(std::move(opened_.history)),
       edits_known_(opened_.session.edits),
       told_{edits_known_, opened_.state.gradient_scale, opened_.state.transfer_curve} {
+  if (has_colours()) colour_ = ColourBy::kScan;
   welcome_.session = opened_.session;
   welcome_.role = SessionRole::kEditor;  // until the server tells the role
   const MeshStatistics& statistics = opened_.scan.scan.statistics;
@@ -46,6 +47,7 @@ void Document::send(Change change) {
 }
 
 void Document::send_as(const std::string& id, Change change) {
+  preset_step_ = PresetStep::kNone;
   const Edit edit{id, std::move(change)};
   recorder_.record(edit);
   const Status sent = live_->apply({edit});
@@ -82,6 +84,23 @@ void Document::apply(const Preset& preset) {
   if (preset.brush_beta) brush_.brush.beta = *preset.brush_beta;
   commit_curve();
   commit_beta();
+  preset_step_ = PresetStep::kApplied;
+}
+
+void Document::undo() {
+  const bool is_preset = preset_step_ == PresetStep::kApplied;
+  send(Undo{});
+  if (!is_preset) return;
+  send(Undo{});
+  preset_step_ = PresetStep::kUndone;
+}
+
+void Document::redo() {
+  const bool is_preset = preset_step_ == PresetStep::kUndone;
+  send(Redo{});
+  if (!is_preset) return;
+  send(Redo{});
+  preset_step_ = PresetStep::kApplied;
 }
 
 void Document::begin_stroke(BrushMode mode, const Vec3d& point) {

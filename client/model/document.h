@@ -40,7 +40,7 @@ struct DocumentOptions {
 };
 
 /// The quantity that colours the surface.
-enum class ColourBy { kNothing, kBeta, kCurvature, kDisplacement };
+enum class ColourBy { kNothing, kBeta, kCurvature, kDisplacement, kScan };
 
 /// An open session as its window sees it: the surface, the state, the people, and the edits that
 /// the user makes. Never waits for the network. Used from one thread.
@@ -88,14 +88,17 @@ class Document {
   void cancel_stroke();
   void move_ring(const std::optional<BrushRing>& ring) { live_->move_brush(ring); }
 
-  void undo() { send(Undo{}); }
-  void redo() { send(Redo{}); }
+  /// Undo and redo take both edits of a preset at once, while the user has edited nothing else.
+  void undo();
+  void redo();
   void switch_entry(uint64_t number, bool on) { send(SwitchEntry{number, on}); }
   void set_checkpoint(const std::string& name) { send(SetCheckpoint{name}); }
   void restore_checkpoint(const std::string& name) { send(RestoreCheckpoint{name}); }
   void set_role(const std::string& user, SessionRole role);
 
+  /// A scan with colours of its own shows them at first.
   void set_colour(ColourBy colour);
+  bool has_colours() const { return opened_.scan.scan.has_colours; }
   ColourBy colour() const { return colour_; }
 
   const std::vector<HistoryEntry>& history() const { return history_; }
@@ -148,8 +151,10 @@ class Document {
   CurveEditor curve_;
   BrushTool brush_;
   Vec3d last_dab_ = Vec3d::Zero();
-  std::string gesture_;              // id of the edit of the running drag or stroke; else empty
-  std::vector<std::string> tinted_;  // strokes that no frame shows yet
+  std::string gesture_;  // id of the edit of the running drag or stroke; else empty
+  enum class PresetStep { kNone, kApplied, kUndone };
+  PresetStep preset_step_ = PresetStep::kNone;  // what the last edits of this user did
+  std::vector<std::string> tinted_;             // strokes that no frame shows yet
 
   ColourBy colour_ = ColourBy::kNothing;
   bool is_renewing_pages_ = false;

@@ -10,6 +10,7 @@ using Eigen::Vector2d;
 static constexpr double kDegreesPerPixel = 0.4;
 static constexpr double kZoomPerStep = 0.88;
 static constexpr int kMovesPerPictureMax = 4;
+static constexpr double kDiagonalsAwayMax = 6;
 
 static BrushMode mode_of(const Modifiers& modifiers) {
   if (modifiers.control) return BrushMode::kInvert;
@@ -67,8 +68,13 @@ void Viewport::release(PointerButton button) {
   gesture_ = Gesture::kIdle;
 }
 
+// Moves towards the surface under the pointer: the eye never passes it. Stays where the scan can
+// still be seen.
 void Viewport::wheel(const Vector2d& pixel, double steps) {
-  camera = zoomed_at(camera, size_, pixel, std::pow(kZoomPerStep, steps));
+  Camera from = hover_ ? with_target_as_deep_as(camera, hover_->displaced) : camera;
+  from = zoomed_at(from, size_, pixel, std::pow(kZoomPerStep, steps));
+  const bool is_lost = from.distance > kDiagonalsAwayMax * diagonal_;
+  if (steps > 0 || !is_lost) camera = from;
 }
 
 void Viewport::leave() {
@@ -85,6 +91,7 @@ void Viewport::begin(const Document& document) {
   bookmarks.clear();
   leave();
   sent_ring_.reset();
+  diagonal_ = document.diagonal();
   camera = {.azimuth_degrees = 25, .elevation_degrees = 20};
   frame_all(document);
 }

@@ -98,6 +98,7 @@ class Viewport {
   void send_ring(Document& document);
 
   ImageSize size_{1, 1};
+  double diagonal_ = 1;  // of the scan, file units
   Gesture gesture_ = Gesture::kIdle;
   PointerButton held_ = PointerButton::kLeft;
   std::optional<Eigen::Vector2d> pointer_;

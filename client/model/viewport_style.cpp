@@ -10,6 +10,8 @@ static Colouring colouring_of(ColourBy colour) {
       return Colouring::kCells;
     case ColourBy::kDisplacement:
       return Colouring::kDisplacement;
+    case ColourBy::kScan:
+      return Colouring::kScan;
     case ColourBy::kNothing:
       break;
   }

@@ -38,7 +38,16 @@ void Workspace::start_activity(const std::string& title, Step step) {
   });
 }
 
-void Workspace::connect(const std::string& server) {
+std::string with_port(const std::string& server) {
+  const bool is_path = server.starts_with("unix:");
+  const size_t colons = static_cast<size_t>(std::count(server.begin(), server.end(), ':'));
+  const bool has_port =
+      server.starts_with('[') ? server.find("]:") != std::string::npos : colons > 0;
+  return is_path || has_port ? server : server + ":7411";
+}
+
+void Workspace::connect(const std::string& typed) {
+  const std::string server = with_port(typed);
   library_ = {.state = Library::State::kConnecting, .server = server};
   connection_.reset();
   tasks_.start([this, server, timeout = options_.timeout, trust = options_.trust,
@@ -84,6 +93,7 @@ void Workspace::connect_privately() {
 void Workspace::take_connection(Result<Connection> connection) {
   if (!connection.is_ok()) {
     library_.state = Library::State::kFailed;
+    when_connected_.clear();
     library_.problem = connection.status().message();
     return log.failure("connection", connection.status());
   }
@@ -91,60 +101,7 @@ void Workspace::take_connection(Result<Connection> connection) {
   if (!library_.is_private) preferences.server = library_.server;
   connection_ = std::make_shared<Connection>(std::move(*connection));
   refresh_library();
-  if (const auto next = std::exchange(when_connected_, nullptr)) next();
-}
-
-bool Workspace::need_connection(const std::string& what) {
-  if (connection_) return true;
-  log.warning(what + ": connect to a server first");
-  return false;
-}
-
-void Workspace::refresh_library() {
-  if (!connection_) return;
-  tasks_.start([this, connection = connection_](std::stop_token) -> Tasks::Completion {
-    connection->bring_back();
-    auto scans = connection->list_scans();
-    auto sessions = connection->list_sessions();
-    wake();
-    return [this, connection, scans = std::move(scans), sessions = std::move(sessions)] {
-      if (connection != connection_) return;
-      if (!scans.is_ok()) return log.failure("list of scans", scans.status());
-      if (!sessions.is_ok()) return log.failure("list of sessions", sessions.status());
-      library_.scans = *scans;
-      library_.sessions = *sessions;
-    };
-  });
-}
-
-void Workspace::import_scan(const std::filesystem::path& file) {
-  if (!need_connection("import")) return;
-  const auto connection = connection_;
-  start_activity("Importing " + file.filename().string(),
-                 [this, connection, file](const Progress& progress) {
-                   connection->bring_back(progress);
-                   auto outcome = connection->import_scan(file, file.stem().string(), {}, progress);
-                   return [this, file, outcome = std::move(outcome)] {
-                     if (!outcome.is_ok())
-                       return log.failure("import of " + file.string(), outcome.status());
-                     log.info("imported " + outcome->scan.name);
-                     refresh_library();
-                     if (!document_ && !opening_) open({.scan = outcome->scan.id});
-                   };
-                 });
-}
-
-void Workspace::delete_scan(const std::string& id) {
-  if (!need_connection("delete")) return;
-  tasks_.start([this, connection = connection_, id](std::stop_token) -> Tasks::Completion {
-    connection->bring_back();
-    const Status status = connection->delete_scan(id).status();
-    wake();
-    return [this, status] {
-      if (!status.is_ok()) log.failure("delete", status);
-      refresh_library();
-    };
-  });
+  for (const auto& next : std::exchange(when_connected_, {})) next();
 }
 
 void Workspace::save_preferences() {

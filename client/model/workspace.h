@@ -39,6 +39,12 @@ struct Library {
   std::vector<SessionInfo> sessions;
 };
 
+/// The session in which a scan opens.
+enum class Opening {
+  kGoOn,  ///< where its editing goes on; a new session if there is none
+  kAnew,  ///< a new session
+};
+
 /// Everything that the window shows and a script can do, without the drawing. No call waits for the
 /// network; update() handles the results, once per picture. Used from one thread.
 class Workspace {
@@ -57,20 +63,26 @@ class Workspace {
 
   // The start page.
   const Library& library() const { return library_; }
+  /// Without a port it is the usual one, 7411.
   void connect(const std::string& server);
   void connect_privately();
   void refresh_library();
-  /// Imports a file, and opens it if no session is open at the end.
-  void import_scan(const std::filesystem::path& file);
+  /// Imports a file, and opens it if no session is open at the end. Uses this computer if no server
+  /// was chosen.
+  void import_scan(const std::filesystem::path& file, Opening opening = Opening::kGoOn);
+  void delete_session(const SessionInfo& session);
+  /// Deletes a scan with the sessions that edit it.
   void delete_scan(const std::string& id);
+  void open_scan(const ScanInfo& scan, Opening opening);
   void open(const SessionWish& wish);
   void join(const SessionInfo& session);
   /// Joins a session by name or id, once the list of sessions has arrived.
   void join_by_name(const std::string& session);
   void reopen(const RecentSession& recent);
 
-  /// Runs `what` once the server answers. Used for the wishes of the command line.
-  void when_connected(std::function<void()> what) { when_connected_ = std::move(what); }
+  /// Runs `what` once the server answers; forgets it if the server cannot be reached. Connects to
+  /// this computer if no server was chosen.
+  void when_connected(std::function<void()> what);
 
   // The open session; null on the start page.
   Document* document() { return document_.get(); }
@@ -98,7 +110,12 @@ class Workspace {
   using Step = std::function<Tasks::Completion(const Progress&)>;
   void start_activity(const std::string& title, Step step);
   void take_connection(Result<Connection> connection);
-  void open_in_background(SessionWish wish);
+  /// Chooses a session on a thread of its own.
+  using Choice = std::function<Result<SessionWish>(Connection&)>;
+  void open_chosen(Choice choice);
+  void import_there(const std::filesystem::path& file, Opening opening);
+  void tell_imported(const std::filesystem::path& file, const ImportOutcome& outcome);
+  void change_library(const std::string& what, std::function<Status(Connection&)> change);
   void show(OpenedDocument opened);
   void leave_document();
   bool need_connection(const std::string& what);
@@ -108,7 +125,7 @@ class Workspace {
   WorkspaceOptions options_;
   std::shared_ptr<Connection> connection_;
   Library library_;
-  std::function<void()> when_connected_;
+  std::vector<std::function<void()>> when_connected_;
   std::vector<std::shared_ptr<Activity>> activities_;
   bool opening_ = false;
   uint64_t exports_done_ = 0;
@@ -122,6 +139,9 @@ class Workspace {
 Result<Connection> open_private_connection(const PrivateServerOptions& options,
                                            std::chrono::milliseconds timeout,
                                            const Progress& progress);
+
+/// Returns HOST:PORT for HOST or HOST:PORT; a unix:PATH as it is.
+std::string with_port(const std::string& server);
 
 /// Returns "3 edits are not saved", or "1 edit is not saved".
 std::string unsaved_text(size_t edits);

@@ -1,15 +1,29 @@
 #include <algorithm>
 
 #include "client/model/workspace.h"
+#include "common/base/atomic_file.h"
 
 namespace burnish {
 
+static Result<OpenedDocument> open_choice(
+    const std::shared_ptr<Connection>& connection,
+    const std::function<Result<SessionWish>(Connection&)>& choice, const Progress& progress) {
+  connection->bring_back(progress);
+  ASSIGN_OR_RETURN(const SessionWish wish, choice(*connection));
+  return open_document(connection, wish, progress);
+}
+
 void Workspace::open(const SessionWish& wish) {
+  open_chosen([wish](Connection&) -> Result<SessionWish> { return wish; });
+}
+
+void Workspace::open_chosen(Choice choice) {
   if (!need_connection("open") || opening_) return;
   opening_ = true;
-  start_activity("Opening", [this, connection = connection_, wish](const Progress& progress) {
+  start_activity("Opening", [this, connection = connection_,
+                             choice = std::move(choice)](const Progress& progress) {
     auto opened =
-        std::make_shared<Result<OpenedDocument>>(open_document(connection, wish, progress));
+        std::make_shared<Result<OpenedDocument>>(open_choice(connection, choice, progress));
     return [this, opened] {
       opening_ = false;
       if (!opened->is_ok()) return log.failure("open", opened->status());
@@ -38,12 +52,13 @@ void Workspace::join_by_name(const std::string& session) {
 }
 
 void Workspace::reopen(const RecentSession& recent) {
-  when_connected_ = [this, recent] { open({.scan = recent.scan, .name = recent.session}); };
+  when_connected_.clear();
   if (recent.server.empty()) {
     connect_privately();
   } else {
     connect(recent.server);
   }
+  when_connected([this, recent] { open({.scan = recent.scan, .name = recent.session}); });
 }
 
 void Workspace::show(OpenedDocument opened) {
@@ -85,8 +100,10 @@ void Workspace::close_document() {
 
 void Workspace::export_mesh(const std::filesystem::path& file, bool exact) {
   if (!document_) return;
-  const auto format = mesh_format_of_path(file);
+  const auto format = written_format_of_path(file);
   if (!format.is_ok()) return log.failure("export", format.status());
+  const Status writable = check_writable(file);
+  if (!writable.is_ok()) return log.failure("export", writable);
   recorder.record("wait");
   recorder.record("export " + file.string() + (exact ? " exact" : ""));
   start_activity("Exporting " + file.filename().string(),

@@ -62,6 +62,10 @@ Camera panned(Camera camera, const ImageSize& size, const Eigen::Vector2d& pixel
 /// target, stays there.
 Camera zoomed_at(Camera camera, const ImageSize& size, const Eigen::Vector2d& pixel, double factor);
 
+/// Moves the target along the view to the depth of a point; the picture stays. A point behind the
+/// eye changes nothing.
+Camera with_target_as_deep_as(Camera camera, const Vec3d& point);
+
 /// Returns the camera with a depth range that holds the box, wherever the target is.
 Camera with_depth_of(Camera camera, const Eigen::AlignedBox3d& box);
 

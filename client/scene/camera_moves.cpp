@@ -65,6 +65,16 @@ Camera zoomed_at(Camera camera, const ImageSize& size, const Eigen::Vector2d& pi
   return camera;
 }
 
+Camera with_target_as_deep_as(Camera camera, const Vec3d& point) {
+  const Vec3d back = camera_axes(camera).row(2);
+  const Vec3d eye = camera.target + camera.distance * back;
+  const double depth = (eye - point).dot(back);
+  if (depth <= 0) return camera;
+  camera.target = eye - depth * back;
+  camera.distance = depth;
+  return camera;
+}
+
 Camera with_depth_of(Camera camera, const Eigen::AlignedBox3d& box) {
   camera.scene_radius = 0.53 * box.diagonal().norm() + (camera.target - box.center()).norm();
   return camera;

@@ -37,7 +37,7 @@ constexpr CommandForm kForms[] = {
     {"wait", 0, 0, "wait: waits until all edits are applied and the surface settles"},
     {"camera", 2, 6, "camera AZIMUTH ELEVATION [DISTANCE X Y Z]: without target, frames all"},
     {"frame", 0, 1, "frame [FARTHER]: shows the whole scan, from FARTHER times the distance"},
-    {"colour", 1, 1, "colour clay|beta|curvature|displacement"},
+    {"colour", 1, 1, "colour clay|beta|curvature|displacement|scan"},
     {"flat", 1, 1, "flat on|off"},
     {"wireframe", 1, 1, "wireframe on|off"},
     {"split", 1, 1, "split on|off"},

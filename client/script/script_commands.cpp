@@ -44,10 +44,11 @@ Result<Stroke> parse_stroke(const std::vector<std::string>& words) {
 }
 
 Result<ColourBy> parse_colour(const std::string& word) {
-  static constexpr std::string_view kNames[] = {"clay", "beta", "curvature", "displacement"};
+  static constexpr std::string_view kNames[] = {"clay", "beta", "curvature", "displacement",
+                                                "scan"};  // as ColourBy
   for (size_t i = 0; i < std::size(kNames); ++i)
     if (word == kNames[i]) return static_cast<ColourBy>(i);
-  return invalid_argument("'" + word + "' is not clay, beta, curvature or displacement");
+  return invalid_argument("'" + word + "' is not clay, beta, curvature, displacement or scan");
 }
 
 Status set_camera(const std::vector<double>& numbers, Viewport& viewport,
@@ -126,11 +127,17 @@ Status ScriptRunner::run_view(const ScriptLine& line) {
   const std::string& command = line.command;
   if (command == "camera") {
     ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(line.words, 0));
+    is_camera_placed_ = numbers.size() > 2;
     return set_camera(numbers, viewport, document);
   }
-  if (command == "frame") return frame(line.words, viewport, document);
+  if (command == "frame") {
+    is_camera_placed_ = false;
+    return frame(line.words, viewport, document);
+  }
   if (command == "colour") {
     ASSIGN_OR_RETURN(const ColourBy colour, parse_colour(line.words[0]));
+    if (colour == ColourBy::kScan && !document.has_colours())
+      return failed_precondition("scan " + document.scan().scan.name + " has no colours");
     document.set_colour(colour);
     return finish_picture();
   }
@@ -140,7 +147,7 @@ Status ScriptRunner::run_view(const ScriptLine& line) {
       return invalid_argument("'" + line.words[0] + "' is not WIDTHxHEIGHT");
     RETURN_IF_ERROR(check_image_size(size));
     viewport.set_size(size);
-    viewport.frame_all(document);
+    if (!is_camera_placed_) viewport.frame_all(document);
     return Status::ok();
   }
   ASSIGN_OR_RETURN(const bool on, parse_switch(line.words[0]));

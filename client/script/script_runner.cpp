@@ -100,7 +100,8 @@ Status ScriptRunner::run_session(const ScriptLine& line) {
     return update();
   }
   workspace_->close_document();
-  if (line.command == "open") workspace_->import_scan(line.rest());
+  is_camera_placed_ = false;
+  if (line.command == "open") workspace_->import_scan(line.rest(), Opening::kAnew);
   if (line.command == "join") workspace_->join_by_name(line.rest());
   return update_until(
       [this] {

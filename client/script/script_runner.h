@@ -55,6 +55,7 @@ class ScriptRunner {
   std::condition_variable news_;
   bool has_news_ = false;
   size_t messages_seen_ = 0;
+  bool is_camera_placed_ = false;         // by its distance: a new size of the picture keeps it
   std::unique_ptr<Workspace> workspace_;  // last member: its threads wake this object
 };
 

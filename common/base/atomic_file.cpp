@@ -41,7 +41,7 @@ Result<AtomicFile> AtomicFile::create(const fs::path& path, FileAccess access) {
     temporary = next_temporary_path(file.path_);
     file.fd_ = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
   } while (file.fd_ < 0 && errno == EEXIST);
-  if (file.fd_ < 0) return errno_status("cannot create " + temporary.string(), errno);
+  if (file.fd_ < 0) return errno_status("cannot write " + path.string(), errno);
   file.temporary_path_ = std::move(temporary);
 
   if (access == FileAccess::kUserOnly) return file;
@@ -88,6 +88,10 @@ Status AtomicFile::sync_and_close() {
   if (sync_error != 0) return errno_status("cannot sync " + path_.string(), sync_error);
   if (close_error != 0) return errno_status("cannot close " + path_.string(), close_error);
   return Status::ok();
+}
+
+Status check_writable(const fs::path& path) {
+  return AtomicFile::create(path).status();
 }
 
 Status sync_folder(const fs::path& folder) {

@@ -49,6 +49,9 @@ class AtomicFile {
   int fd_ = -1;
 };
 
+/// Checks before long work that a file can be written. Fails: as AtomicFile::create().
+Status check_writable(const std::filesystem::path& path);
+
 /// Makes the names in a folder survive a power cut. Fails: as errno says.
 Status sync_folder(const std::filesystem::path& folder);
 

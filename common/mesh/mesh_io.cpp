@@ -22,6 +22,13 @@ Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path) {
                           "' is not a mesh format; use .ply, .obj, .stl or .off");
 }
 
+Result<MeshFormat> written_format_of_path(const std::filesystem::path& path) {
+  const auto format = mesh_format_of_path(path);
+  if (format.is_ok()) return format;
+  return invalid_argument(path.string() + ": extension '" + path.extension().string() +
+                          "' is not a mesh format that Burnish writes; use .ply, .obj or .stl");
+}
+
 static Result<TriangleMesh> parse_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                        const std::string& name) {
   switch (format) {
@@ -57,7 +64,7 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& path) {
 }
 
 Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path) {
-  ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
+  ASSIGN_OR_RETURN(const MeshFormat format, written_format_of_path(path));
   if (format == MeshFormat::kOff)
     return invalid_argument("cannot write " + path.string() +
                             ": only a scan from an OFF file is written as OFF; use .ply, .obj or "

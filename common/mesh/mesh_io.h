@@ -17,6 +17,9 @@ enum class MeshFormat { kPly, kObj, kStl, kOff };
 /// and the choices.
 Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path);
 
+/// Does the same for a file to write: Burnish does not write OFF.
+Result<MeshFormat> written_format_of_path(const std::filesystem::path& path);
+
 /// Reads and validates a mesh. Messages name the file, the place in it, the value and the limit.
 /// Fails: not_found, permission_denied, invalid_argument (damaged, truncated, hostile, empty),
 /// resource_exhausted.

@@ -94,6 +94,11 @@ Status Journal::create_session(const SessionRecord& record, const SessionRoles& 
   return commit_.write([&](Database& database) { return insert_session(database, record, roles); });
 }
 
+Status Journal::rename_session(const std::string& id, const std::string& name) {
+  return commit_.write(
+      [&](Database& database) { return burnish::rename_session(database, id, name); });
+}
+
 Status Journal::remove_session(const std::string& id) {
   RETURN_IF_ERROR(commit_.write(
       [&](Database& database) { return run(database, "DELETE FROM sessions WHERE id = ?", id); }));

@@ -44,6 +44,9 @@ class Journal {
   Result<std::vector<SessionRecord>> sessions();
 
   Status create_session(const SessionRecord& record, const SessionRoles& roles);
+  /// Fails: already_exists (another session has the name), data_loss (the session's row is
+  /// damaged), not_found.
+  Status rename_session(const std::string& id, const std::string& name);
   Status remove_session(const std::string& id);
 
   /// Makes a session with the first `edits` edits of another session, and its paint.

@@ -53,6 +53,23 @@ Result<std::vector<SessionRecord>> read_sessions(Database& database) {
   return records;
 }
 
+// A new checksum must not turn a damaged row into a good one.
+Status rename_session(Database& database, const std::string& id, const std::string& name) {
+  ASSIGN_OR_RETURN(const auto sessions, read_sessions(database));
+  const auto same_id = [&](const SessionRecord& each) { return each.id == id; };
+  const auto session = std::find_if(sessions.begin(), sessions.end(), same_id);
+  if (session == sessions.end()) return not_found("no session has the id '" + id + "'");
+  if (session->is_damaged)
+    return data_loss("session " + session->name + ": its row in the journal is damaged");
+  for (const SessionRecord& other : sessions)
+    if (other.name == name && other.id != id)
+      return already_exists("session " + name + " already exists");
+  return run(database,
+             "UPDATE sessions SET name = ?2, checksum = row_checksum(id, ?2, scan_id, depth,"
+             " curvature_radius, created_unix_seconds) WHERE id = ?1",
+             id, name);
+}
+
 Status insert_role(Database& database, const std::string& session_id, const std::string& user,
                    SessionRole role) {
   return run(database, "INSERT OR REPLACE INTO roles VALUES (?1, ?2, ?3, row_checksum(?1, ?2, ?3))",

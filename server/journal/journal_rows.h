@@ -15,6 +15,10 @@ namespace burnish {
 
 Status insert_session(Database& database, const SessionRecord& record, const SessionRoles& roles);
 
+/// Fails: already_exists (another session has the name), data_loss (the session's row is damaged),
+/// not_found.
+Status rename_session(Database& database, const std::string& id, const std::string& name);
+
 /// Returns the sessions by name. Damaged ones are marked; each gets a name of its own.
 Result<std::vector<SessionRecord>> read_sessions(Database& database);
 

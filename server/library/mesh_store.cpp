@@ -195,6 +195,17 @@ Result<ScanDescription> MeshStore::describe(const std::string& reference, int de
   return description;
 }
 
+Result<ScanInfo> MeshStore::rename(const std::string& reference, const std::string& name) {
+  ASSIGN_OR_RETURN(const ScanInfo found, find(reference));
+  const fs::path folder = scan_folder(found.id);
+  const std::lock_guard lock(folders_mutex_);
+  ASSIGN_OR_RETURN(ScanInfo scan, read_scan_folder(folder));
+  scan.name = name;
+  RETURN_IF_ERROR(write_file(folder / "info.json", scan_to_json(scan)));
+  index_.put(scan);
+  return scan;
+}
+
 Status MeshStore::remove(const std::string& id) {
   std::error_code error;
   if (!is_content_hash(id) || !fs::exists(scan_folder(id), error))

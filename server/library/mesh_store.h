@@ -114,6 +114,9 @@ class MeshStore {
   Quota& memory() { return memory_; }
   uint64_t mesh_bytes() const { return cache_.byte_count(); }
 
+  /// Gives a scan another name. Fails: as find(); as errno says.
+  Result<ScanInfo> rename(const std::string& reference, const std::string& name);
+
   /// Also removes a damaged scan. Needs: no session edits it. Fails: not_found.
   Status remove(const std::string& id);
 

@@ -38,7 +38,7 @@ struct SessionEntry {
     in_memory = false;
   }
 
-  const SessionRecord record;
+  SessionRecord record;  // its name changes under this mutex and the map's together
   std::atomic<uint64_t> edits{0};
   std::atomic<bool> in_memory{false};
   std::atomic<bool> in_journal{false};  // else it is being made, and nobody knows of it

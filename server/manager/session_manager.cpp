@@ -153,7 +153,7 @@ std::vector<SessionInfo> SessionManager::list() const {
   const std::lock_guard lock(mutex_);
   std::vector<SessionInfo> sessions;
   for (const auto& [name, entry] : by_name_)
-    if (entry->in_journal) sessions.push_back(entry->info());
+    if (entry->in_journal && name == entry->record.name) sessions.push_back(entry->info());
   return sessions;
 }
 

@@ -81,6 +81,11 @@ class SessionManager {
   /// Sends everybody out of the session and frees its memory. The next opening brings it back.
   Status close(const std::string& reference, const Caller& caller, const Progress& progress = {});
 
+  /// Gives the session another name; people in it stay. Fails: not_found, invalid_argument (the
+  /// name is an id), already_exists (another session has the name).
+  Result<SessionInfo> rename(const std::string& reference, const std::string& name,
+                             const Caller& caller, const Progress& progress = {});
+
   /// Forgets the session and its edits.
   Status remove(const std::string& reference, const Caller& caller, const Progress& progress = {});
 

@@ -142,4 +142,25 @@ Result<SessionInfo> SessionManager::fork(const ForkWish& wish, const Caller& cal
   return entry.info();
 }
 
+// The session has both names until the disk has the new one, so that nobody takes either.
+Result<SessionInfo> SessionManager::rename(const std::string& reference, const std::string& name,
+                                           const Caller& caller, const Progress& progress) {
+  RETURN_IF_ERROR(check_is_no_id(name));
+  ASSIGN_OR_RETURN(const Held held, lock(reference, progress));
+  SessionEntry& entry = *held.entry;
+  RETURN_IF_ERROR(require_role(entry.roles, caller, SessionRole::kOwner, "renaming the session"));
+  if (entry.record.name == name) return entry.info();
+  {
+    const std::lock_guard map(mutex_);
+    if (!by_name_.emplace(name, held.entry).second)
+      return already_exists("session " + name + " already exists");
+  }
+  const Status renamed = journal_.rename_session(entry.record.id, name);
+  const std::lock_guard map(mutex_);
+  by_name_.erase(renamed.is_ok() ? entry.record.name : name);
+  RETURN_IF_ERROR(renamed);
+  entry.record.name = name;
+  return entry.info();
+}
+
 }  // namespace burnish

@@ -45,6 +45,19 @@ grpc::ServerUnaryReactor* EditingService::CloseSession(grpc::CallbackServerConte
   });
 }
 
+grpc::ServerUnaryReactor* EditingService::RenameSession(grpc::CallbackServerContext* context,
+                                                        const v1::RenameSessionRequest* request,
+                                                        v1::SessionInfo* response) {
+  return answer(calls_, context, *request, [=, this](const Progress& progress) -> Status {
+    RETURN_IF_ERROR(check_name("the session's name", request->name()));
+    ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
+    ASSIGN_OR_RETURN(const SessionInfo session,
+                     calls_.sessions.rename(request->session(), request->name(), caller, progress));
+    *response = to_wire(session);
+    return Status::ok();
+  });
+}
+
 grpc::ServerUnaryReactor* EditingService::DeleteSession(grpc::CallbackServerContext* context,
                                                         const v1::DeleteSessionRequest* request,
                                                         v1::DeleteSessionResponse*) {

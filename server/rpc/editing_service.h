@@ -10,12 +10,13 @@ using EditingCalls = WithCalls<
     v1::Editing::Service, v1::Editing::WithRawCallbackMethod_Edit,
     v1::Editing::WithRawCallbackMethod_UploadCellFields,
     v1::Editing::WithCallbackMethod_OpenSession, v1::Editing::WithCallbackMethod_ListSessions,
-    v1::Editing::WithCallbackMethod_CloseSession, v1::Editing::WithCallbackMethod_DeleteSession,
-    v1::Editing::WithCallbackMethod_Apply, v1::Editing::WithCallbackMethod_GetHistory,
-    v1::Editing::WithCallbackMethod_ForkSession, v1::Editing::WithCallbackMethod_GetPeople,
-    v1::Editing::WithCallbackMethod_SetRole, v1::Editing::WithCallbackMethod_GetState,
-    v1::Editing::WithCallbackMethod_Watch, v1::Editing::WithCallbackMethod_GetCells,
-    v1::Editing::WithCallbackMethod_GetPageValues, v1::Editing::WithCallbackMethod_Export>::Type;
+    v1::Editing::WithCallbackMethod_CloseSession, v1::Editing::WithCallbackMethod_RenameSession,
+    v1::Editing::WithCallbackMethod_DeleteSession, v1::Editing::WithCallbackMethod_Apply,
+    v1::Editing::WithCallbackMethod_GetHistory, v1::Editing::WithCallbackMethod_ForkSession,
+    v1::Editing::WithCallbackMethod_GetPeople, v1::Editing::WithCallbackMethod_SetRole,
+    v1::Editing::WithCallbackMethod_GetState, v1::Editing::WithCallbackMethod_Watch,
+    v1::Editing::WithCallbackMethod_GetCells, v1::Editing::WithCallbackMethod_GetPageValues,
+    v1::Editing::WithCallbackMethod_Export>::Type;
 
 /// burnish.v1.Editing over the session manager; only converts messages.
 class EditingService final : public EditingCalls {
@@ -31,6 +32,9 @@ class EditingService final : public EditingCalls {
   grpc::ServerUnaryReactor* CloseSession(grpc::CallbackServerContext* context,
                                          const v1::CloseSessionRequest* request,
                                          v1::CloseSessionResponse* response) override;
+  grpc::ServerUnaryReactor* RenameSession(grpc::CallbackServerContext* context,
+                                          const v1::RenameSessionRequest* request,
+                                          v1::SessionInfo* response) override;
   grpc::ServerUnaryReactor* DeleteSession(grpc::CallbackServerContext* context,
                                           const v1::DeleteSessionRequest* request,
                                           v1::DeleteSessionResponse* response) override;

@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "common/base/text.h"
 #include "common/wire/format_wire.h"
 #include "common/wire/library_wire.h"
 #include "server/rpc/describe_pages_call.h"
@@ -51,6 +52,17 @@ grpc::ServerWriteReactor<v1::DescribePagesEvent>* LibraryService::DescribePages(
 grpc::ServerWriteReactor<v1::FetchPagesEvent>* LibraryService::FetchPages(
     grpc::CallbackServerContext* context, const v1::FetchPagesRequest* request) {
   return start_call<FetchPagesCall>(calls_, context, *request);
+}
+
+grpc::ServerUnaryReactor* LibraryService::RenameScan(grpc::CallbackServerContext* context,
+                                                     const v1::RenameScanRequest* request,
+                                                     v1::ScanInfo* response) {
+  return answer(calls_, context, *request, [this, request, response](const Progress&) -> Status {
+    RETURN_IF_ERROR(check_name("the scan's name", request->name()));
+    ASSIGN_OR_RETURN(const ScanInfo scan, calls_.store.rename(request->scan(), request->name()));
+    *response = to_wire(scan);
+    return Status::ok();
+  });
 }
 
 grpc::ServerUnaryReactor* LibraryService::DeleteScan(grpc::CallbackServerContext* context,

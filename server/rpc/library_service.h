@@ -10,7 +10,8 @@ using LibraryCalls = WithCalls<
     v1::Library::Service, v1::Library::WithRawCallbackMethod_Import,
     v1::Library::WithCallbackMethod_ListScans, v1::Library::WithCallbackMethod_DescribeScan,
     v1::Library::WithCallbackMethod_PrepareScan, v1::Library::WithCallbackMethod_DescribePages,
-    v1::Library::WithCallbackMethod_FetchPages, v1::Library::WithCallbackMethod_DeleteScan>::Type;
+    v1::Library::WithCallbackMethod_FetchPages, v1::Library::WithCallbackMethod_RenameScan,
+    v1::Library::WithCallbackMethod_DeleteScan>::Type;
 
 /// burnish.v1.Library over the mesh store; only converts messages.
 class LibraryService final : public LibraryCalls {
@@ -31,6 +32,9 @@ class LibraryService final : public LibraryCalls {
       grpc::CallbackServerContext* context, const v1::DescribePagesRequest* request) override;
   grpc::ServerWriteReactor<v1::FetchPagesEvent>* FetchPages(
       grpc::CallbackServerContext* context, const v1::FetchPagesRequest* request) override;
+  grpc::ServerUnaryReactor* RenameScan(grpc::CallbackServerContext* context,
+                                       const v1::RenameScanRequest* request,
+                                       v1::ScanInfo* response) override;
   grpc::ServerUnaryReactor* DeleteScan(grpc::CallbackServerContext* context,
                                        const v1::DeleteScanRequest* request,
                                        v1::DeleteScanResponse* response) override;

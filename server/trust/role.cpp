@@ -17,6 +17,7 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
     {"/burnish.v1.Library/FetchPages", Role::kViewer},
     {"/burnish.v1.Library/Import", Role::kEditor},
     {"/burnish.v1.Library/PrepareScan", Role::kEditor},
+    {"/burnish.v1.Library/RenameScan", Role::kOwner},
     {"/burnish.v1.Library/DeleteScan", Role::kOwner},
 
     {"/burnish.v1.Editing/ListSessions", Role::kViewer},
@@ -29,8 +30,9 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
     {"/burnish.v1.Editing/Edit", Role::kViewer},  // as in any session, a viewer's edits are refused
     {"/burnish.v1.Editing/Export", Role::kViewer},
     {"/burnish.v1.Editing/OpenSession", Role::kEditor},
-    // These three also need the session's own roles.
+    // These four also need the session's own roles.
     {"/burnish.v1.Editing/CloseSession", Role::kEditor},
+    {"/burnish.v1.Editing/RenameSession", Role::kEditor},
     {"/burnish.v1.Editing/DeleteSession", Role::kEditor},
     {"/burnish.v1.Editing/SetRole", Role::kEditor},
     {"/burnish.v1.Editing/Apply", Role::kEditor},

@@ -1,5 +1,6 @@
 // `burnish filter` and `generate` as users see them: files in, files out, exit codes.
 
+#include <filesystem>
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -180,6 +181,21 @@ TEST_F(FilterCommand, AnotherFormatWarnsOfWhatItLeavesOut) {
             0)
       << output_;
   EXPECT_THAT(output_, HasSubstr("texture coordinates, materials"));
+}
+
+TEST_F(FilterCommand, AnOutputInAFolderThatIsMissingIsRefusedBeforeTheWork) {
+  EXPECT_EQ(burnish({"filter", in(), path("nowhere/out.ply")}), 1);
+  EXPECT_THAT(output_, HasSubstr("nowhere/out.ply:"));
+  EXPECT_THAT(output_, testing::Not(HasSubstr("curvature")));
+}
+
+TEST_F(FilterCommand, TheInputIsReplacedOnlyByForce) {
+  const auto before = std::filesystem::file_size(in());
+  EXPECT_EQ(burnish({"filter", in(), in(), "--depth", "4", "--cycles", "1"}), 1);
+  EXPECT_THAT(output_, HasSubstr("--force"));
+  EXPECT_EQ(std::filesystem::file_size(in()), before);
+  EXPECT_EQ(burnish({"filter", in(), in(), "--depth", "4", "--cycles", "1", "--force"}), 0)
+      << output_;
 }
 
 TEST_F(FilterCommand, ADepthBeyondTheMachinesMemoryIsRefusedWithWhatItTakes) {

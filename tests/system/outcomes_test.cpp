@@ -39,6 +39,20 @@ std::string of_session(const std::string& name) {
   return bytes<Message>([&](Message& message) { message.set_session(name); });
 }
 
+std::string rename_session(const std::string& from, const std::string& to) {
+  return bytes<v1::RenameSessionRequest>([&](v1::RenameSessionRequest& request) {
+    request.set_session(from);
+    request.set_name(to);
+  });
+}
+
+std::string rename_scan(const std::string& from, const std::string& to) {
+  return bytes<v1::RenameScanRequest>([&](v1::RenameScanRequest& request) {
+    request.set_scan(from);
+    request.set_name(to);
+  });
+}
+
 template <typename Message>
 std::string of_scan(const std::string& name) {
   return bytes<Message>([&](Message& message) { message.set_scan(name); });
@@ -154,6 +168,7 @@ std::vector<Rpc> rpcs_in_order(const std::string& scan) {
       {library + "PrepareScan",
        {of_scan<v1::PrepareScanRequest>("ball")},
        {of_scan<v1::PrepareScanRequest>("none")}},
+      {library + "RenameScan", {rename_scan("ball", "ball")}, {rename_scan("none", "ball")}},
       {library + "DescribePages",
        {of_scan<v1::DescribePagesRequest>("ball")},
        {of_scan<v1::DescribePagesRequest>("none")}},
@@ -162,6 +177,9 @@ std::vector<Rpc> rpcs_in_order(const std::string& scan) {
       {editing + "ListSessions", {""}},
       {editing + "Apply", {apply("work")}, {apply("none")}},
       {editing + "UploadCellFields", {cell_fields("work")}, {cell_fields("none")}},
+      {editing + "RenameSession",
+       {rename_session("work", "work")},
+       {rename_session("none", "work")}},
       {editing + "GetState",
        {of_session<v1::GetStateRequest>("work")},
        {of_session<v1::GetStateRequest>("none")}},

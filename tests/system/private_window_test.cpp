@@ -116,6 +116,13 @@ TEST_F(PrivateWindows, TheSecondGoesOnWhenTheFirstIsClosed) {
   EXPECT_EQ(data_.server(), server);
 }
 
+TEST_F(PrivateWindows, AFileDroppedBeforeAServerIsChosenOpensAtOnce) {
+  PrivateWindow window(data_, {});
+  window.screen.drop({scan_});
+  EXPECT_TRUE(window.until_it_shows_clay()) << window.process->output();
+  EXPECT_EQ(session(), "blob");
+}
+
 TEST_F(PrivateWindows, OneComesBackWithItsEditsWhenTheServerIsKilled) {
   PrivateWindow window(data_, {scan_.string()});
   ASSERT_TRUE(window.until_it_shows_clay()) << window.process->output();

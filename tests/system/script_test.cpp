@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/system/server_process.h"
 
@@ -63,6 +64,66 @@ TEST(Script, AFrameFromFartherShowsTheScanSmaller) {
   EXPECT_NE(after("frame 2").find(" 0 entries"), std::string::npos);
   EXPECT_NE(after("frame").find(" 1 entries"), std::string::npos);
   EXPECT_NE(after("frame 0").find("'0' times the distance is outside 1..10"), std::string::npos);
+}
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Script, ACameraThatIsPlacedStaysWhenThePictureGetsAnotherSize) {
+  ServerProcess server;
+  const std::string open = "open " + write_sphere(server.folder, 4) + "\n";
+  const std::string camera = "camera 25 20 2.5 0.1 0.2 0\n", size = "size 500x350\n";
+  const auto picture = [&](const std::string& name) { return server.folder / name; };
+  const CommandOutcome outcome = run_script(
+      server, open + camera + size + "screenshot " + picture("a.png").string() + "\nframe\n" +
+                  size + camera + "screenshot " + picture("b.png").string() + "\nframe\n" + size +
+                  "screenshot " + picture("c.png").string() + "\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_EQ(content_of(picture("a.png")), content_of(picture("b.png")));
+  EXPECT_NE(content_of(picture("a.png")), content_of(picture("c.png")));
+}
+
+TEST(Script, UndoAndRedoTakeAWholePreset) {
+  ServerProcess server;
+  const std::string script = "open " + write_sphere(server.folder, 3) +
+                             "\nbeta 0.5\nwait\npreset Sharpen grooves\nwait\nprint\nundo\nwait\n"
+                             "print\nredo\nwait\nprint\n";
+  const CommandOutcome outcome = run_script(server, script);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const auto count = [&](const std::string& text) {
+    int found = 0;
+    for (size_t at = 0; (at = outcome.output.find(text, at)) != std::string::npos; ++at) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("beta 3,"), 2) << outcome.output;
+  EXPECT_EQ(count("beta 0.5, curve 0:50,"), 1) << outcome.output;
+}
+
+std::string write_red_sphere(const ServerProcess& server) {
+  TriangleMesh mesh = make_icosphere(4, 1);
+  mesh.colours.assign(mesh.vertices.size(), Rgba8{200, 10, 10, 255});
+  const auto path = server.folder / "red.ply";
+  EXPECT_TRUE(write_mesh(mesh, path).is_ok());
+  return path.string();
+}
+
+TEST(Script, AScanWithColoursShowsThemAtFirst) {
+  ServerProcess server;
+  const auto shot = [&](const std::string& name) {
+    return "screenshot " + (server.folder / name).string() + "\n";
+  };
+  const CommandOutcome outcome = run_script(
+      server, "open " + write_red_sphere(server) + "\n" + shot("first.png") + "colour clay\n" +
+                  shot("clay.png") + "colour scan\n" + shot("scan.png"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_EQ(content_of(server.folder / "first.png"), content_of(server.folder / "scan.png"));
+  EXPECT_NE(content_of(server.folder / "first.png"), content_of(server.folder / "clay.png"));
+  const CommandOutcome plain =
+      run_script(server, "open " + write_sphere(server.folder, 3) + "\ncolour scan\n");
+  EXPECT_EQ(plain.exit_code, 1);
+  EXPECT_NE(plain.output.find("no colours"), std::string::npos) << plain.output;
 }
 
 TEST(Script, WhatIsRecordedDoesTheSameAgain) {

@@ -4,6 +4,7 @@
 #include <thread>
 #include <unistd.h>
 
+#include <X11/XKBlib.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 #include <X11/extensions/XTest.h>
@@ -136,6 +137,20 @@ void XDisplay::key(const std::vector<std::string>& names) {
   for (KeyCode code : codes) XTestFakeKeyEvent(display_, code, True, CurrentTime), flush();
   for (auto code = codes.rbegin(); code != codes.rend(); ++code)
     XTestFakeKeyEvent(display_, *code, False, CurrentTime), flush();
+}
+
+void XDisplay::type(const std::string& text) {
+  const KeyCode shift = XKeysymToKeycode(display_, XStringToKeysym("Shift_L"));
+  for (const char letter : text) {
+    const auto symbol = static_cast<KeySym>(letter);  // Latin letters are their own symbols
+    const KeyCode code = XKeysymToKeycode(display_, symbol);
+    const bool shifted = XkbKeycodeToKeysym(display_, code, 0, 0) != symbol;
+    if (shifted) XTestFakeKeyEvent(display_, shift, True, CurrentTime);
+    XTestFakeKeyEvent(display_, code, True, CurrentTime);
+    XTestFakeKeyEvent(display_, code, False, CurrentTime);
+    if (shifted) XTestFakeKeyEvent(display_, shift, False, CurrentTime);
+    flush();
+  }
 }
 
 Image XDisplay::capture() {

@@ -42,6 +42,9 @@ class XDisplay {
   /// Presses and releases keys by their names, and holds all but the last: key({"Control_L", "z"}).
   void key(const std::vector<std::string>& names);
 
+  /// Types text of ASCII on a US keyboard.
+  void type(const std::string& text);
+
   /// Drops files on the middle of the window. Their names need no escapes.
   void drop(const std::vector<std::filesystem::path>& files);
 

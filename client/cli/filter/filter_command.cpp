@@ -1,4 +1,5 @@
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "client/cli/progress_printer.h"
 #include "client/cli/stroke_file.h"
 #include "client/cli/warn_of_left_out.h"
+#include "common/base/atomic_file.h"
 #include "common/base/out_of_memory.h"
 #include "common/base/parallel.h"
 #include "common/mesh/mesh_io.h"
@@ -30,6 +32,7 @@ constexpr int kThreadsMax = 1024;
 
 struct FilterOptions {
   std::string in, out;
+  bool force = false;
   PrepareOptions prepare;
   SolverOptions solver;
   SolveOptions solve;
@@ -66,10 +69,14 @@ class Stopwatch {
 /// Refuses wrong options before the long work begins.
 Result<OriginalFile> check_files(const FilterOptions& options) {
   ASSIGN_OR_RETURN(const MeshFormat in, mesh_format_of_path(options.in));
-  ASSIGN_OR_RETURN(const MeshFormat out, mesh_format_of_path(options.out));
+  ASSIGN_OR_RETURN(const MeshFormat out, written_format_of_path(options.out));
   if (out == MeshFormat::kOff && in != MeshFormat::kOff)
     return invalid_argument(options.out +
                             ": only an OFF file is written as OFF; use .ply, .obj or .stl");
+  std::error_code ignored;
+  if (!options.force && std::filesystem::equivalent(options.in, options.out, ignored))
+    return invalid_argument(options.out + " is the file to read; --force replaces it");
+  RETURN_IF_ERROR(check_writable(options.out));
   return OriginalFile{options.in, in, options.in};
 }
 
@@ -217,6 +224,7 @@ void add_filter_command(CommandTable& table) {
   command->add_option("IN", options->in, "Mesh file: .ply, .obj, .stl or .off")->required();
   command->add_option("OUT", options->out, "File to write; the format of IN keeps all that IN has")
       ->required();
+  command->add_flag("--force", options->force, "Replace IN where OUT is the same file");
   command->add_option("--depth", options->prepare.depth, "Octree depth (default: by the mesh)")
       ->check(CLI::Range(kDepthMin, kDepthMax));
   command

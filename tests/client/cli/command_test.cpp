@@ -47,6 +47,12 @@ TEST(Command, ExitCodesAre0DoneAnd1FailedAnd2Usage) {
   EXPECT_EQ(Program().run({"paint", "--nonsense"}), 2);
 }
 
+TEST(Command, AnUnknownCommandIsNamed) {
+  Program program;
+  EXPECT_EQ(program.run({"dance"}), 2);
+  EXPECT_THAT(program.complained, testing::HasSubstr("'dance'"));
+}
+
 TEST(Command, HelpIsNoFailure) {
   Program program;
   EXPECT_EQ(program.run({"paint", "--help"}), 0);

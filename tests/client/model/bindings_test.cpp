@@ -23,6 +23,14 @@ TEST(Bindings, AKeyCanBeGivenToAnAction) {
   EXPECT_FALSE(bindings.action_of("Ctrl+Z").has_value());
 }
 
+TEST(Bindings, TheSecondKeyOfAnActionCanBeGivenToAnother) {
+  Bindings bindings;
+  EXPECT_EQ(bindings.action_of("Ctrl+Y"), Action::kRedo);
+  ASSERT_TRUE(bindings.bind("split", "Ctrl+Y").is_ok());
+  EXPECT_EQ(bindings.action_of("Ctrl+Y"), Action::kSplit);
+  EXPECT_FALSE(bindings.action_of("").has_value());
+}
+
 TEST(Bindings, UnknownActionsAndTakenKeysAreRefused) {
   Bindings bindings;
   EXPECT_EQ(bindings.bind("polish", "P").message(), "keys: unknown action 'polish'");

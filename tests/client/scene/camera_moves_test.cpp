@@ -61,6 +61,17 @@ TEST(CameraMoves, ZoomStopsBeforeTheEyeMeetsTheTarget) {
   EXPECT_LT(camera.distance, 1e4);
 }
 
+TEST(CameraMoves, ATargetAsDeepAsAPointKeepsThePicture) {
+  const Camera camera = some_camera();
+  const Vec3d point = camera.target + 0.3 * camera_axes(camera).row(2).transpose() +
+                      0.2 * camera_axes(camera).row(0).transpose();
+  const Camera deep = with_target_as_deep_as(camera, point);
+  EXPECT_NEAR(deep.distance, camera.distance - 0.3, 1e-12);
+  EXPECT_LT((pixel_of(deep, kSize, point) - pixel_of(camera, kSize, point)).norm(), 1e-9);
+  const Vec3d behind = camera.target + 9 * camera.distance * camera_axes(camera).row(2).transpose();
+  EXPECT_EQ(with_target_as_deep_as(camera, behind), camera);
+}
+
 TEST(CameraMoves, TheDepthRangeHoldsTheBoxAfterAPan) {
   const Eigen::AlignedBox3d box(Vec3d(0, 0, 0), Vec3d(1, 1, 1));
   Camera camera = some_camera();

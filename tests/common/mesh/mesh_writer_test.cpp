@@ -118,6 +118,8 @@ TEST(MeshWriter, RefusesOffOtherExtensionsAndBadMeshes) {
   EXPECT_THAT(write_mesh(wavy_sheet(3), folder / "a.off").message(), HasSubstr("written as OFF"));
   EXPECT_THAT(write_mesh(wavy_sheet(3), folder / "a.txt").message(),
               HasSubstr("'.txt' is not a mesh format"));
+  EXPECT_THAT(write_mesh(wavy_sheet(3), folder / "a.glb").message(),
+              testing::Not(HasSubstr(".off")));
   TriangleMesh mesh = wavy_sheet(3);
   mesh.vertices[4][1] = NAN;
   EXPECT_THAT(write_mesh(mesh, folder / "a.ply").message(), HasSubstr("vertex 4 has y = nan"));

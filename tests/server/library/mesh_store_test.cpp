@@ -60,6 +60,19 @@ TEST(MeshStore, AScanIsFoundByNameIdAndUniqueBeginning) {
   EXPECT_EQ(library.store->find("").status().code(), StatusCode::kNotFound);
 }
 
+TEST(MeshStore, ARenamedScanIsTheSameScanAndKeepsItsNameOverARestart) {
+  TestLibrary library;
+  const ScanInfo ball = library.import(sphere_file(), "ball").value().scan;
+  const auto renamed = library.store->rename("ball", "globe");
+  ASSERT_TRUE(renamed.is_ok()) << renamed.status().message();
+  EXPECT_EQ(renamed->id, ball.id);
+  EXPECT_EQ(renamed->prepared.size(), ball.prepared.size());
+  library.restart();
+  EXPECT_EQ(library.store->find("globe")->id, ball.id);
+  EXPECT_EQ(library.store->find("ball").status().code(), StatusCode::kNotFound);
+  EXPECT_EQ(library.store->rename("ball", "cube").status().code(), StatusCode::kNotFound);
+}
+
 TEST(MeshStore, ANameOfTwoScansIsAmbiguous) {
   TestLibrary library;
   ASSERT_TRUE(library.import(sphere_file(1), "twin").is_ok());

@@ -75,6 +75,32 @@ TEST_F(SessionManagerTest, SessionsBeyondTheLimitAreRefusedWithTheNumbers) {
   EXPECT_THAT(status.message(), HasSubstr("limits.sessions_max is 3"));
 }
 
+TEST_F(SessionManagerTest, ARenamedSessionKeepsItsEditsAndFreesItsOldName) {
+  const std::string id = open("one")->session.id;
+  ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0.5}}}).is_ok());
+  const auto renamed = manager_->rename("one", "two", {});
+  ASSERT_TRUE(renamed.is_ok()) << renamed.status().message();
+  EXPECT_EQ(renamed->name, "two");
+  EXPECT_EQ(renamed->id, id);
+  EXPECT_EQ(manager_->state("two", {})->gradient_scale, 0.5);
+  EXPECT_EQ(manager_->state("one", {}).status().code(), StatusCode::kNotFound);
+  start();
+  ASSERT_EQ(manager_->list().size(), 1u);
+  EXPECT_EQ(manager_->list()[0].name, "two");
+  EXPECT_EQ(manager_->state("two", {})->gradient_scale, 0.5);
+  EXPECT_FALSE(open("one")->attached);
+}
+
+TEST_F(SessionManagerTest, ASessionIsNotRenamedToATakenNameOrToAnId) {
+  ASSERT_TRUE(open("one").is_ok() && open("two").is_ok());
+  EXPECT_EQ(manager_->rename("one", "two", {}).status().code(), StatusCode::kAlreadyExists);
+  EXPECT_EQ(manager_->rename("one", "0123456789abcdef", {}).status().code(),
+            StatusCode::kInvalidArgument);
+  EXPECT_EQ(manager_->rename("none", "three", {}).status().code(), StatusCode::kNotFound);
+  EXPECT_TRUE(manager_->rename("one", "one", {}).is_ok());
+  EXPECT_EQ(manager_->list()[0].name, "one");
+}
+
 TEST_F(SessionManagerTest, AnEditIdAppliedTwiceChangesOnce) {
   ASSERT_TRUE(open("one").is_ok());
   const std::vector<Edit> edits = {{"a", SetGradientScale{0.5}}, {"b", SetGradientScale{0.25}}};

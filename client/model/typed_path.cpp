@@ -1,0 +1,13 @@
+#include "client/model/typed_path.h"
+
+#include <cstdlib>
+
+namespace burnish {
+
+std::filesystem::path typed_path(const std::string& text) {
+  const char* const home = std::getenv("HOME");
+  if (!home || !text.starts_with("~/")) return text;
+  return std::filesystem::path(home) / text.substr(2);
+}
+
+}  // namespace burnish

@@ -1,0 +1,107 @@
+#include <algorithm>
+
+#include "client/model/session_choice.h"
+#include "client/model/workspace.h"
+
+namespace burnish {
+
+bool Workspace::need_connection(const std::string& what) {
+  if (connection_) return true;
+  log.warning(what + ": connect to a server first");
+  return false;
+}
+
+void Workspace::when_connected(std::function<void()> what) {
+  if (connection_) return what();
+  when_connected_.push_back(std::move(what));
+  if (library_.state != Library::State::kConnecting) connect_privately();
+}
+
+void Workspace::refresh_library() {
+  if (!connection_) return;
+  tasks_.start([this, connection = connection_](std::stop_token) -> Tasks::Completion {
+    connection->bring_back();
+    auto scans = connection->list_scans();
+    auto sessions = connection->list_sessions();
+    wake();
+    return [this, connection, scans = std::move(scans), sessions = std::move(sessions)] {
+      if (connection != connection_) return;
+      if (!scans.is_ok()) return log.failure("list of scans", scans.status());
+      if (!sessions.is_ok()) return log.failure("list of sessions", sessions.status());
+      library_.scans = *scans;
+      library_.sessions = *sessions;
+    };
+  });
+}
+
+void Workspace::import_scan(const std::filesystem::path& file, Opening opening) {
+  when_connected([this, file, opening] { import_there(file, opening); });
+}
+
+void Workspace::import_there(const std::filesystem::path& file, Opening opening) {
+  const auto connection = connection_;
+  start_activity("Importing " + file.filename().string(),
+                 [this, connection, file, opening](const Progress& progress) {
+                   connection->bring_back(progress);
+                   auto outcome = connection->import_scan(file, file.stem().string(), {}, progress);
+                   return [this, file, opening, outcome = std::move(outcome)] {
+                     if (!outcome.is_ok())
+                       return log.failure("import of " + file.string(), outcome.status());
+                     tell_imported(file, *outcome);
+                     refresh_library();
+                     if (!document_ && !opening_) open_scan(outcome->scan, opening);
+                   };
+                 });
+}
+
+void Workspace::tell_imported(const std::filesystem::path& file, const ImportOutcome& outcome) {
+  const std::string& name = outcome.scan.name;
+  if (outcome.already_present && name != file.stem().string())
+    return log.warning(file.filename().string() + " has the bytes of the scan " + name +
+                       ", which is there already; it keeps that name");
+  log.info((outcome.already_present ? "already there: " : "imported ") + name);
+}
+
+void Workspace::open_scan(const ScanInfo& scan, Opening opening) {
+  std::vector<std::string> recent;
+  for (const RecentSession& each : preferences.recent)
+    if (each.server == (library_.is_private ? "" : library_.server)) recent.push_back(each.session);
+  open_chosen([scan, opening, recent](Connection& server) -> Result<SessionWish> {
+    ASSIGN_OR_RETURN(const auto sessions, server.list_sessions());
+    return opening == Opening::kGoOn ? session_to_go_on(scan, sessions, recent)
+                                     : new_session(scan, sessions);
+  });
+}
+
+void Workspace::delete_session(const SessionInfo& session) {
+  std::erase_if(preferences.recent, [&](const RecentSession& each) {
+    return each.session == session.name && each.scan == session.scan_id;
+  });
+  change_library("delete",
+                 [id = session.id](Connection& server) { return server.delete_session(id); });
+}
+
+void Workspace::delete_scan(const std::string& id) {
+  change_library("delete", [id](Connection& server) -> Status {
+    ASSIGN_OR_RETURN(const auto sessions, server.list_sessions());
+    for (const SessionInfo& session : sessions)
+      if (session.scan_id == id) RETURN_IF_ERROR(server.delete_session(session.id));
+    return server.delete_scan(id).status();
+  });
+}
+
+void Workspace::change_library(const std::string& what, std::function<Status(Connection&)> change) {
+  if (!need_connection(what)) return;
+  tasks_.start([this, connection = connection_, what,
+                change = std::move(change)](std::stop_token) -> Tasks::Completion {
+    connection->bring_back();
+    const Status status = change(*connection);
+    wake();
+    return [this, what, status] {
+      if (!status.is_ok()) log.failure(what, status);
+      refresh_library();
+    };
+  });
+}
+
+}  // namespace burnish

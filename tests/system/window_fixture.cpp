@@ -1,0 +1,114 @@
+#include "tests/system/window_fixture.h"
+
+#include "client/scene/png_writer.h"
+#include "common/generate/generate.h"
+#include "common/mesh/mesh_io.h"
+
+namespace burnish {
+
+void WindowTest::SetUp() {
+  if (!XDisplay::is_available()) GTEST_SKIP() << "Xvfb is not installed: deploy/setup installs it";
+  server_ = std::make_unique<ServerProcess>();
+  const auto scan = server_->folder / "blob.ply";
+  const auto mesh = generate_scan({.kind = "blob", .vertices = 20'000});
+  ASSERT_TRUE(mesh.is_ok());
+  ASSERT_TRUE(write_mesh(*mesh, scan).is_ok());
+  ASSERT_EQ(server_->burnish({"import", scan.string()}).exit_code, 0);
+  ASSERT_EQ(server_->burnish({"open", "blob", "--session", "desk"}).exit_code, 0);
+  connection_ = std::make_unique<Connection>(
+      std::move(Connection::open(server_->address, kPatience)).value());
+  screen_ = std::make_unique<XDisplay>(kScreen);
+}
+
+void WindowTest::start_window(std::vector<std::string> words) {
+  setenv("DISPLAY", screen_->name().c_str(), 1);
+#ifdef KEEP_LOADED_LIBRARY
+  setenv("LD_PRELOAD", KEEP_LOADED_LIBRARY, 1);
+  setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
+#endif
+  words.insert(words.begin(), "window");
+  words.insert(words.end(), {"--user", "ada", "--width", "1280", "--height", "720", "--config",
+                             (server_->folder / "window.toml").string()});
+  window_ = server_->start_burnish(std::move(words));
+  unsetenv("LD_PRELOAD");
+  screen_->focus_window();
+}
+
+void WindowTest::open_window(const std::string& timeout_seconds, const std::string& scale) {
+  start_window({"--session", "desk", "--scale", scale, "--timeout", timeout_seconds});
+  ASSERT_TRUE(shows_surface()) << window_->output();
+  settle();
+}
+
+bool WindowTest::eventually(const std::function<bool()>& holds) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  while (std::chrono::steady_clock::now() < deadline) {
+    if (holds()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return false;
+}
+
+WindowTest::Tone WindowTest::tone_of(const Image& image) const {
+  Tone sum;
+  for (int y = kPictureY - kReach; y < kPictureY + kReach; ++y) {
+    for (int x = middle_x_ - kReach; x < middle_x_ + kReach; ++x) {
+      const uint8_t* rgb = image.pixel(x, y);
+      sum.brightness += rgb[1];
+      sum.warmth += int{rgb[0]} - int{rgb[2]};
+    }
+  }
+  const double count = 4.0 * kReach * kReach;
+  return {sum.brightness / count, sum.warmth / count};
+}
+
+double WindowTest::difference(const Image& a, const Image& b) const {
+  double sum = 0;
+  int count = 0;
+  for (int y = kPictureY - kReach; y < kPictureY + kReach; ++y)
+    for (int x = middle_x_ - kReach; x < middle_x_ + kReach; ++x)
+      for (int c = 0; c < 3; ++c, ++count)
+        sum += std::abs(int{a.pixel(x, y)[c]} - int{b.pixel(x, y)[c]});
+  return sum / count;
+}
+
+Image WindowTest::settle() {
+  screen_->move(5, 700);
+  Image last = screen_->capture();
+  int still = 0;
+  eventually([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    Image now = screen_->capture();
+    still = is_surface(now) && difference(now, last) == 0 ? still + 1 : 0;
+    last = std::move(now);
+    return still >= 4;
+  });
+  return last;
+}
+
+void WindowTest::save_screen(const std::string& name) {
+  const char* const folder = std::getenv("BURNISH_SHOTS");
+  if (!folder) return;
+  EXPECT_TRUE(write_png(screen_->capture(), std::filesystem::path(folder) / name).is_ok());
+}
+
+std::vector<HistoryEntry> WindowTest::history() {
+  // After a restart gRPC may still use the connection to the last server.
+  EXPECT_TRUE(eventually([&] { return connection_->history("desk").is_ok(); }));
+  return connection_->history("desk").value();
+}
+
+HistoryEntry WindowTest::newest_of(size_t count) {
+  EXPECT_TRUE(eventually([&] { return history().size() >= count; })) << window_->output();
+  const auto entries = history();
+  EXPECT_EQ(entries.size(), count);
+  return entries.empty() ? HistoryEntry{} : entries.back();
+}
+
+size_t WindowTest::entries_on() {
+  size_t on = 0;
+  for (const HistoryEntry& entry : history()) on += entry.enabled;
+  return on;
+}
+
+}  // namespace burnish

@@ -1,0 +1,56 @@
+// The start page of a real window.
+
+#include "tests/system/window_fixture.h"
+
+namespace burnish {
+namespace {
+
+class StartPageTest : public WindowTest {
+ protected:
+  // Returns whether the start page says in green that it is connected.
+  bool window_is_connected() {
+    const Image image = screen_->capture();
+    for (int x = 136; x < 320; ++x) {
+      const uint8_t* rgb = image.pixel(x, 184);
+      if (rgb[1] > 150 && rgb[0] < 140) return true;
+    }
+    return false;
+  }
+};
+
+TEST_F(StartPageTest, FilesThatAreDroppedAreImportedAndTheFirstGoodOneIsOpened) {
+  start_window({"--scale", "1"});
+  ASSERT_TRUE(eventually([&] { return window_is_connected(); })) << window_->output();
+  const auto letter = server_->folder.write("letter.txt", "Dear Sir");
+  screen_->drop({letter, write_sphere(server_->folder, 3), write_sphere(server_->folder, 4)});
+  EXPECT_TRUE(eventually([&] { return connection_->list_scans()->size() == 3; }));
+  EXPECT_TRUE(eventually([&] { return is_surface(screen_->capture()); })) << window_->output();
+  EXPECT_EQ(connection_->list_sessions()->size(), 2u);
+}
+
+TEST_F(StartPageTest, AFileThatComesAgainGoesOnInItsSession) {
+  const auto file = server_->folder / "blob.ply";
+  start_window({file.string(), "--scale", "1"});
+  ASSERT_TRUE(shows_surface()) << window_->output();
+  EXPECT_EQ(connection_->list_sessions()->size(), 1u);
+  screen_->drag(kPictureX - 60, kPictureY, kPictureX + 60, kPictureY);
+  EXPECT_EQ(newest_of(1).kind, EditKind::kStroke);
+}
+
+TEST_F(StartPageTest, SessionsAndScansCanBeDeleted) {
+  constexpr int kDeleteX = 1110, kSessionY = 227, kScanY = 148, kSureX = 1128, kSureY = 37;
+  start_window({"--scale", "1"});
+  ASSERT_TRUE(eventually([&] { return window_is_connected(); })) << window_->output();
+  save_screen("start.png");
+  click(kDeleteX, kSessionY);
+  save_screen("start-sure.png");
+  click(kSureX, kSessionY + kSureY);
+  EXPECT_TRUE(eventually([&] { return connection_->list_sessions()->empty(); }));
+  EXPECT_EQ(connection_->list_scans()->size(), 1u);
+  click(kDeleteX, kScanY);
+  click(kSureX, kScanY + kSureY);
+  EXPECT_TRUE(eventually([&] { return connection_->list_scans()->empty(); }));
+}
+
+}  // namespace
+}  // namespace burnish
