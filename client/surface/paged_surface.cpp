@@ -43,7 +43,9 @@ PagedSurface::PagedSurface(OpenedPages pages, int depth, const Connection& conne
 
 Status PagedSurface::open(PageRenderer& renderer) {
   PageBudget budget = options_.budget;
-  const uint64_t slots = std::min<uint64_t>(budget.slots(), pages_.head.page_count());
+  // A cut leaves some slots free, even one of all pages.
+  const auto slots_for_all = static_cast<uint64_t>(pages_.head.page_count() / kBudgetAim) + 1;
+  const uint64_t slots = std::min(budget.slots(), slots_for_all);
   ASSIGN_OR_RETURN(const uint32_t room, card_.open(renderer, static_cast<uint32_t>(slots)));
   // Where all pages fit they need no spare slots.
   if (room < pages_.head.page_count()) budget.card_bytes = room * kSlotBytes;

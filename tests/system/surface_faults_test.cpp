@@ -21,14 +21,22 @@ using testing::HasSubstr;
 /// A window without pictures that is open on a ball of 163,842 vertices.
 class SurfaceFaults : public testing::Test {
  protected:
-  void open(const std::string& limits = "") {
-    if (!limits.empty())
-      server_.flags = {"--config", server_.folder.write("server.toml", limits).string()};
+  SurfaceFaults() {
+    server_.listen = server_.address;
+    const std::string ball = write_sphere(server_.folder, 7);
+    Connection owner = Connection::open(server_.address, kPatience).value();
+    EXPECT_TRUE(owner.import_scan(ball, "ball", {5, 0}, {}).is_ok());
+  }
+
+  /// Starts the server again with these limits.
+  void limit(const std::string& limits) {
+    server_.flags = {"--config", server_.folder.write("server.toml", limits).string()};
     server_.kill();
     server_.start();
-    server_.listen = server_.address;
+  }
+
+  void open() {
     Connection owner = Connection::open(server_.address, kPatience).value();
-    ASSERT_TRUE(owner.import_scan(write_sphere(server_.folder, 7), "ball", {5, 0}, {}).is_ok());
     ASSERT_TRUE(owner.open_session({"ball", "work", {5, 0}}).is_ok());
     link_ = std::make_unique<Link>(server_.address, LinkOptions{.delay = milliseconds(5)});
     workspace_.viewport.set_size({1280, 720});
@@ -79,7 +87,8 @@ class SurfaceFaults : public testing::Test {
 };
 
 TEST_F(SurfaceFaults, AServerWithoutMemoryForAllPagesIsAskedForFewer) {
-  open("[limits]\nmemory_bytes_max = 60000000\n");
+  limit("[limits]\nmemory_bytes_max = 40000000\n");
+  open();
   ASSERT_TRUE(shows_surface_until([this] {
     return document().is_settled() && document().is_picture_settled() &&
            status().reason == CutReason::kServer;
