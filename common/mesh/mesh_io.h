@@ -17,7 +17,7 @@ enum class MeshFormat { kPly, kObj, kStl, kOff };
 /// and the choices.
 Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path);
 
-/// Does the same for a file to write: Burnish does not write OFF.
+/// Does the same for a file to write, in other words. Only a scan from an OFF file becomes one.
 Result<MeshFormat> written_format_of_path(const std::filesystem::path& path);
 
 /// Reads and validates a mesh. Messages name the file, the place in it, the value and the limit.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <thread>
 
+#include "client/model/workspace.h"
 #include "common/base/clock.h"
 
 namespace burnish {
@@ -106,8 +107,8 @@ Result<ViewArrival> Viewer::full_view() {
 }
 
 Result<Vec3d> Viewer::middle() {
-  ASSIGN_OR_RETURN(const auto hit, document_->surface().hit_at(
-                                       camera, kSize, {kSize.width / 2, kSize.height / 2}, false));
+  const auto hit =
+      document_->surface().hit_at(camera, kSize, {kSize.width / 2, kSize.height / 2}, false);
   if (!hit) return not_found("no surface is in the middle of the picture");
   return hit->original;
 }
