@@ -82,7 +82,7 @@ Status App::loop() {
     const bool timed_out = !window_->take_dirty() && !news_.exchange(false);
     pictures = timed_out ? std::max(pictures, 1) : kPicturesAfterEvent;
     window_->deliver();
-    RETURN_IF_ERROR(workspace_->update());
+    workspace_->update();
     if (may_close()) break;
     show_title();
     RETURN_IF_ERROR(draw());

@@ -139,11 +139,9 @@ void Viewport::drag_value(Document& document) {
     document.brush().brush.strength = std::clamp(value_from_ + by * kStrengthPerPixel, 0.01, 1.0);
 }
 
-Result<std::optional<SurfaceHit>> Viewport::hit_at(PageRenderer&, const Document& document,
-                                                   const Vector2d& pixel) const {
+std::optional<SurfaceHit> Viewport::hit_at(const Document& document, const Vector2d& pixel) const {
   const Eigen::Vector2i at = pixel.array().floor().cast<int>();
-  if (at.minCoeff() < 0 || at.x() >= size_.width || at.y() >= size_.height)
-    return std::optional<SurfaceHit>();
+  if (at.minCoeff() < 0 || at.x() >= size_.width || at.y() >= size_.height) return std::nullopt;
   return document.surface().hit_at(camera, size_, at, shows_original(pixel));
 }
 
@@ -152,15 +150,13 @@ bool Viewport::shows_original(const Vector2d& pixel) const {
          (options.split && pixel.x() < split_column(options.split_at, size_.width));
 }
 
-Status Viewport::update(PageRenderer& renderer, Document& document) {
+void Viewport::update(Document& document) {
   camera = with_depth_of(camera, document.box());
   if (std::exchange(value_changes_, false)) drag_value(document);
-  for (const Event& event : std::exchange(events_, {}))
-    RETURN_IF_ERROR(paint(event, renderer, document));
+  for (const Event& event : std::exchange(events_, {})) paint(event, document);
   if (pointer_ && gesture_ != Gesture::kTurn && gesture_ != Gesture::kPan)
-    RETURN_IF_ERROR(look_at(*pointer_, renderer, document));
+    look_at(*pointer_, document);
   send_ring(document);
-  return Status::ok();
 }
 
 Status Viewport::draw(PageRenderer& renderer, const Document& document) const {
@@ -169,28 +165,26 @@ Status Viewport::draw(PageRenderer& renderer, const Document& document) const {
 
 // Finds the surface under the pointer again, even a still one, when the camera or the surface
 // moves.
-Status Viewport::look_at(const Vector2d& pixel, PageRenderer& renderer, const Document& document) {
+void Viewport::look_at(const Vector2d& pixel, const Document& document) {
   const Look look{pixel, camera, size_, document.picture_changes(), shows_original(pixel)};
-  if (looked_ == look) return Status::ok();
-  ASSIGN_OR_RETURN(hover_, hit_at(renderer, document, pixel));
+  if (looked_ == look) return;
+  hover_ = hit_at(document, pixel);
   looked_ = look;
-  return Status::ok();
 }
 
 // Paints the surface under the pointer. Beside the surface nothing happens.
-Status Viewport::paint(const Event& event, PageRenderer& renderer, Document& document) {
+void Viewport::paint(const Event& event, Document& document) {
   if (event.kind == Event::Kind::kRelease) {
     if (document.brush().is_drawing()) document.end_stroke();
-    return Status::ok();
+    return;
   }
-  RETURN_IF_ERROR(look_at(event.pixel, renderer, document));
-  if (!hover_) return Status::ok();
+  look_at(event.pixel, document);
+  if (!hover_) return;
   if (document.brush().is_drawing()) {
     document.extend_stroke(hover_->original);
   } else if (event.kind == Event::Kind::kPress) {
     document.begin_stroke(event.mode, hover_->original);
   }
-  return Status::ok();
 }
 
 void Viewport::send_ring(Document& document) {

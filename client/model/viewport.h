@@ -27,7 +27,7 @@ struct ViewOptions {
 };
 
 /// The picture of a document: the camera and the actions of the pointer. It keeps events until
-/// update(), which asks the renderer what lies under the pointer. Pixels count from the picture's
+/// update(), which looks at what lies under the pointer. Pixels count from the picture's
 /// upper left corner. Needs no window.
 class Viewport {
  public:
@@ -55,8 +55,8 @@ class Viewport {
   /// Cancels the pointer's gesture. Returns false if there was none.
   bool cancel(Document& document);
 
-  /// Handles the pointer's events. Fails: as the renderer does.
-  Status update(PageRenderer& renderer, Document& document);
+  /// Handles the pointer's events.
+  void update(Document& document);
 
   /// Prepares the picture of the document; draw() then draws it. Fails: as the renderer does.
   Status look(Document& document) const { return document.look(camera, size_); }
@@ -89,10 +89,9 @@ class Viewport {
   };
 
   bool shows_original(const Eigen::Vector2d& pixel) const;
-  Status look_at(const Eigen::Vector2d& pixel, PageRenderer& renderer, const Document& document);
-  Result<std::optional<SurfaceHit>> hit_at(PageRenderer& renderer, const Document& document,
-                                           const Eigen::Vector2d& pixel) const;
-  Status paint(const Event& event, PageRenderer& renderer, Document& document);
+  void look_at(const Eigen::Vector2d& pixel, const Document& document);
+  std::optional<SurfaceHit> hit_at(const Document& document, const Eigen::Vector2d& pixel) const;
+  void paint(const Event& event, Document& document);
   void drag_camera(const Eigen::Vector2d& by);
   void drag_value(Document& document);
   void send_ring(Document& document);

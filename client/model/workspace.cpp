@@ -9,11 +9,11 @@ Workspace::Workspace(PageRenderer& renderer, Preferences remembered, WorkspaceOp
   if (!options_.wake) options_.wake = [] {};
 }
 
-Status Workspace::update() {
+void Workspace::update() {
   tasks_.drain();
-  if (!document_) return Status::ok();
+  if (!document_) return;
   document_->update();
-  return viewport.update(renderer_, *document_);
+  viewport.update(*document_);
 }
 
 Status Workspace::look() {

@@ -56,8 +56,8 @@ class Workspace {
   Recorder recorder;
   Viewport viewport;
 
-  /// Handles all news since the last picture. Fails: as the renderer does.
-  Status update();
+  /// Handles all news since the last picture.
+  void update();
   /// Brings what the viewport's picture needs to the renderer. Fails: as the renderer does.
   Status look();
 

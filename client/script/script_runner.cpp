@@ -38,7 +38,7 @@ Status ScriptRunner::connect() {
 }
 
 Status ScriptRunner::update() {
-  RETURN_IF_ERROR(workspace_->update());
+  workspace_->update();
   RETURN_IF_ERROR(workspace_->look());
   const auto& messages = workspace_->log.messages();
   for (; messages_seen_ < messages.size(); ++messages_seen_)
