@@ -71,9 +71,8 @@ class Frames(Served):
 
     def test_borders_of_pages_have_no_cracks(self):
         live = self.join(self.open(), editing_pb2.FRAME_KIND_VERTICES)
-        live.grant(frame_bytes=1000)
-        live.apply(edits.slider(0), edits.curve((-3, 2), (3, 150)))
-        live.receive("frame")
+        edited = live.apply(edits.slider(0), edits.curve((-3, 2), (3, 150))).edits
+        live.receive_frame(lambda frame: frame.edits >= edited, frame_bytes=1000)
         shared, moves = 0, {}
         for page, moved in live.displacements().items():
             for place, move in zip(live.scan.pages[page].positions.tolist(), moved.tolist()):
