@@ -3,6 +3,7 @@
 #include <cmath>
 #include <thread>
 
+#include "client/model/workspace.h"
 #include "common/base/clock.h"
 
 namespace burnish {
