@@ -67,7 +67,8 @@ struct LiveNews {
   LinkStats stats;
   std::vector<LiveEvent> events;  ///< in order; of what replaces itself the newest only
   size_t unacknowledged = 0;      ///< edits
-  /// How often the server ended the stream while it had shown pages to make: it lacks the memory.
+  /// How often the server ended the stream again when it was told the pages: it has no room for so
+  /// many.
   uint64_t pages_refused = 0;
 };
 

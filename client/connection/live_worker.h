@@ -93,6 +93,7 @@ class SessionLink::Worker {
   LiveNews news_;
   Time last_decoded_;
   bool has_new_frame_ = false;
+  int refusals_in_a_row_ = 0;  // of pages, since a frame had all that were told
   bool stopping_ = false;
 
   std::thread thread_;  // last: it uses all of the above

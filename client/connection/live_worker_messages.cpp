@@ -58,6 +58,7 @@ Status SessionLink::Worker::hear(const LiveFrame& frame) {
   shown_.frame(made.edits, made.previews, decoded);
   tell_shown();
   outbox_.pages().shown(receiver_.shown_revision());
+  if (!outbox_.pages().is_under_way()) refusals_in_a_row_ = 0;
   if (surface) news_.frame = std::move(surface);
   return Status::ok();
 }
@@ -120,10 +121,10 @@ Status SessionLink::Worker::hear(const Farewell& farewell) {
   return Status::ok();
 }
 
-// A server that is asked for pages and ends the stream by itself cannot show them. Where it ends
-// for another reason, the client shows less than it could for a while.
+// A server may end a stream once because it goes down, or finds pages damaged. One that does so
+// again as soon as it is told the same pages has no room for them.
 void SessionLink::Worker::note_refused_pages() {
-  if (outbox_.pages().is_under_way()) ++news_.pages_refused;
+  if (outbox_.pages().is_under_way() && ++refusals_in_a_row_ > 1) ++news_.pages_refused;
 }
 
 void SessionLink::Worker::tell_shown() {

@@ -129,7 +129,10 @@ TEST_F(SurfaceFaults, PagesDamagedOnTheServerAreMadeAgain) {
        std::filesystem::recursive_directory_iterator(server_.folder / "data" / "scans"))
     if (entry.path().extension() == ".pages") std::filesystem::resize_file(entry.path(), 100);
   fly_nearer(20);
-  EXPECT_TRUE(shows_surface_until([this] { return is_full(); })) << status_text(status());
+  EXPECT_TRUE(shows_surface_until([this] {
+    EXPECT_NE(status().reason, CutReason::kServer);
+    return is_full();
+  })) << status_text(status());
   EXPECT_GE(count_of("makes the pages of the scan again"), 1u);
 }
 
