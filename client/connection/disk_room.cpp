@@ -41,7 +41,7 @@ bool DiskRoom::take(uint64_t bytes) {
   return true;
 }
 
-// Whoever has the files open keeps them until they are closed.
+// A program that has the files open keeps them until it closes them.
 void DiskRoom::remove_oldest() {
   const Scan oldest = others_.back();
   others_.pop_back();

@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-/// What a call of FetchPages asks for at once, bytes. More waits, so that it can be cancelled.
+/// Limit of what a call of FetchPages asks for, bytes. The rest waits, so that it can be cancelled.
 inline constexpr uint64_t kFetchBytesMax = 256 * 1024;
 
 /// The items that are still to be brought: which wait, and which a call is bringing.

@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// What tells the values of a page in frames, but for the page itself.
+/// Decides, together with a page, which values the page has in frames.
 struct FrameTerms {
   PageFrameKind kind = PageFrameKind::kVertices;
   int bits = 0;   ///< of the pages' lattice

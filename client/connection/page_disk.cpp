@@ -131,7 +131,7 @@ bool PageDisk::open(const fs::path& files) {
   return pages_ >= 0 && futimens(index_, nullptr) == 0;
 }
 
-// What follows the first damaged record is written again. A later record of an item is the better
+// New records overwrite all from the first damaged one on. A later record of an item is the better
 // one: the one before was found damaged.
 void PageDisk::read_index() {
   pages_end_ = bytes_of_file(pages_);

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// What lies behind the surface. Needs: a current context for its whole life.
+/// Draws what lies behind the surface. Needs: a current context for its whole life.
 class Background {
  public:
   /// Fails: internal_error when the driver refuses a shader.

@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// What is known of the graphics card of the current context.
+/// The graphics card of the current context, as far as it is known.
 struct Capabilities {
   bool is_software = false;  ///< there is none: the processor draws
   uint64_t free_bytes = 0;   ///< of the card's memory; 0: unknown

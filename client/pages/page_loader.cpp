@@ -17,7 +17,7 @@ const ChosenCut& PageLoader::look(const PictureQuestion& question, Time now) {
   chooser_.choose(cut_question(question), [&](PageId page) { return find_ready(page, question); });
   take_stock();
   put_on_card();
-  requests_.make_plan(todo_.missing, question.link, now,
+  requests_.make_plan(needs_.missing, question.link, now,
                       [this](PageItem item) { return is_wanted(item); });
   return cut();
 }
@@ -26,7 +26,7 @@ const ChosenCut& PageLoader::look(const PictureQuestion& question, Time now) {
 void PageLoader::see(const PictureQuestion& question) {
   is_at_rest_ =
       has_looked_ && !question.surface_moves && question.view == view_ && question.frame == frame_;
-  wants_full_ = is_at_rest_ && (wants_full_ || (todo_.open_in_view == 0 && !lacks_values_));
+  wants_full_ = is_at_rest_ && (wants_full_ || (needs_.open_in_view == 0 && !lacks_values_));
   is_server_limit_ = !question.surface_moves && question.server_vertices_max > 0;
   view_ = question.view;
   frame_ = question.frame;
@@ -56,20 +56,20 @@ const Page* PageLoader::find_ready(PageId page, const PictureQuestion& question)
 
 // Keeps what the cut uses, and sorts it by what it still needs.
 void PageLoader::take_stock() {
-  todo_ = {};
+  needs_ = {};
   cache_.begin_picture();
   for (const WantedBlock& wanted : cut().blocks) {
     const PageItem item = PageItem::of_block(wanted.block);
     const uint32_t bytes = known_.head().blocks[wanted.block].bytes;
-    if (make_room_for_blocks(todo_.missing.size() + 1))
+    if (make_room_for_blocks(needs_.missing.size() + 1))
       miss({item, bytes, wanted.excess}, wanted.is_seen);
     else
-      ++todo_.blocks_left_out;
+      ++needs_.blocks_left_out;
   }
   for (const WantedPage& wanted : cut().used) take_stock_of(wanted);
-  std::ranges::sort(todo_.held, is_more_urgent);
+  std::ranges::sort(needs_.held, is_more_urgent);
   to_decode_.clear();
-  for (const MissingItem& one : todo_.held) to_decode_.push_back(one.item.number);
+  for (const MissingItem& one : needs_.held) to_decode_.push_back(one.item.number);
 }
 
 void PageLoader::take_stock_of(const WantedPage& wanted) {
@@ -77,26 +77,26 @@ void PageLoader::take_stock_of(const WantedPage& wanted) {
   const CachedPage* cached = cache_.use(wanted.page);
   if (cached == nullptr) return miss(item, wanted.is_seen);
   if (cached->state == PageState::kOnCard) return;
-  (cached->state == PageState::kHeld ? todo_.held : todo_.decoded).push_back(item);
-  ++todo_.open;
-  if (wanted.is_seen) ++todo_.open_in_view;
+  (cached->state == PageState::kHeld ? needs_.held : needs_.decoded).push_back(item);
+  ++needs_.open;
+  if (wanted.is_seen) ++needs_.open_in_view;
 }
 
 void PageLoader::miss(const MissingItem& missing, bool is_seen) {
   if (requests_.failures().is_given_up(missing.item)) {
-    if (is_seen) ++todo_.failed;
+    if (is_seen) ++needs_.failed;
     return;
   }
-  todo_.missing.push_back(missing);
-  ++todo_.open;
+  needs_.missing.push_back(missing);
+  ++needs_.open;
   if (!is_seen) return;
-  ++todo_.open_in_view;
-  todo_.bytes_left += missing.bytes;
+  ++needs_.open_in_view;
+  needs_.bytes_left += missing.bytes;
 }
 
 void PageLoader::put_on_card() {
-  std::ranges::sort(todo_.decoded, is_more_urgent);
-  for (const MissingItem& one : todo_.decoded)
+  std::ranges::sort(needs_.decoded, is_more_urgent);
+  for (const MissingItem& one : needs_.decoded)
     if (!place(one.item.number)) return;
 }
 
@@ -133,14 +133,14 @@ std::vector<PageUpload> PageLoader::take_uploads() {
 
 bool PageLoader::is_settled() const {
   const bool is_coarseness_final = cut().coarseness == 0 || cut().limit != CutLimit::kNone;
-  return wants_full_ && is_coarseness_final && todo_.open == 0 && !lacks_values_;
+  return wants_full_ && is_coarseness_final && needs_.open == 0 && !lacks_values_;
 }
 
 CutReason PageLoader::reason() const {
-  if (todo_.open_in_view > 0 || lacks_values_ || !has_looked_) return CutReason::kLoading;
+  if (needs_.open_in_view > 0 || lacks_values_ || !has_looked_) return CutReason::kLoading;
   if (!wants_full_) return CutReason::kMoving;
-  if (todo_.failed > 0) return CutReason::kFailed;
-  if (todo_.blocks_left_out > 0) return CutReason::kMemory;
+  if (needs_.failed > 0) return CutReason::kFailed;
+  if (needs_.blocks_left_out > 0) return CutReason::kMemory;
   switch (cut().limit) {
     case CutLimit::kTriangles:
       return CutReason::kTriangles;
@@ -162,8 +162,8 @@ CutStatus PageLoader::status() const {
   status.is_full_detail = status.reason == CutReason::kNone;
   status.triangles_drawn = cut().triangles;
   status.triangles_in_view = scan_triangles_in_view(known_, view_, frame_.largest_move);
-  status.bytes_left = todo_.bytes_left;
-  status.failed_items = todo_.failed;
+  status.bytes_left = needs_.bytes_left;
+  status.failed_items = needs_.failed;
   return status;
 }
 

@@ -85,7 +85,7 @@ class PageLoader {
 
  private:
   /// What the picture's cut still needs. Items that were given up do not count.
-  struct Todo {
+  struct Needs {
     std::vector<MissingItem> missing;
     std::vector<MissingItem> held;
     std::vector<MissingItem> decoded;
@@ -114,7 +114,7 @@ class PageLoader {
   CutChooser chooser_;
   PageCache cache_;
   PageRequests requests_;
-  Todo todo_;
+  Needs needs_;
   std::vector<PageId> to_decode_;
   std::vector<PageId> uploads_;
 

@@ -32,7 +32,7 @@ class CardPages {
   Result<bool> show(std::span<const DrawnRange> drawn, const SurfaceFrame& frame,
                     const PageMarks& marks);
 
-  /// What the last show() has to draw.
+  /// The patches that the last show() has to draw.
   std::span<const PatchRange> patches() const { return patches_; }
 
   /// Returns the first point of what the last show() shows, or of its original, on the ray.

@@ -12,11 +12,11 @@
 
 namespace burnish {
 
-/// What colours the vertices of pages besides the light: a value of their cells, and the tint of
+/// Colours the vertices of pages besides the light: by a value of their cells, and by the tint of
 /// strokes that no frame shows yet.
 class PageMarks {
  public:
-  /// What a page was marked with.
+  /// The marks that a page has now.
   struct Mark {
     std::shared_ptr<const std::vector<int8_t>> values;  ///< one per vertex; null: all 0
     TintProgress tint;

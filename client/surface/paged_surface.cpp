@@ -43,12 +43,12 @@ PagedSurface::PagedSurface(OpenedPages pages, int depth, const Connection& conne
 
 Status PagedSurface::open(PageRenderer& renderer) {
   PageBudget budget = options_.budget;
-  // A cut leaves some slots free, even one of all pages.
-  const auto slots_for_all = static_cast<uint64_t>(pages_.head.page_count() / kBudgetAim) + 1;
-  const uint64_t slots = std::min(budget.slots(), slots_for_all);
-  ASSIGN_OR_RETURN(const uint32_t room, card_.open(renderer, static_cast<uint32_t>(slots)));
-  // Where all pages fit they need no spare slots.
-  if (room < pages_.head.page_count()) budget.card_bytes = room * kSlotBytes;
+  const uint32_t pages = pages_.head.page_count();
+  const auto slots = static_cast<uint32_t>(std::min<uint64_t>(budget.slots(), pages));
+  ASSIGN_OR_RETURN(const uint32_t room, card_.open(renderer, slots));
+  // A cut leaves some of its slots free. Where all pages fit, these need not be there.
+  const auto slots_for_all = static_cast<uint64_t>(pages / kBudgetAim) + 1;
+  budget.card_bytes = (room < pages ? room : slots_for_all) * kSlotBytes;
   loader_ = std::make_unique<PageLoader>(pages_.head, budget, options_.is_software);
   for (auto& [number, block] : pages_.blocks)
     loader_->on_block(number, std::move(block), options_.clock());

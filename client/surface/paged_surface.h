@@ -24,7 +24,7 @@
 
 namespace burnish {
 
-/// What a client knows of a scan's pages when it opens it.
+/// A scan's pages, as far as a client knows them when it opens the scan.
 struct OpenedPages {
   std::string scan;  ///< id
   PageHead head;
@@ -66,7 +66,7 @@ class PagedSurface {
   /// Fails: as the renderer does.
   Status look(const Camera& camera, const ImageSize& size, bool is_dragging);
 
-  /// What the last look() draws.
+  /// The patches that the last look() draws.
   std::span<const PatchRange> patches() const { return card_.patches(); }
   /// The pages of it, coarse before fine.
   const std::vector<PageId>& drawn_pages() const { return loader_->cut().visible_pages; }

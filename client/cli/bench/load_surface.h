@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-/// What the clients of a session show: the coarsest pages of its scan.
+/// The coarsest pages of a scan, which the clients of a session show.
 struct LoadSurface {
   int depth = 0;  ///< of the session
   PageHead head;

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "common/page_frames/page_frame_encoder.h"
+#include "tests/client/connection/fake_server.h"
 #include "tests/client/connection/small_surface.h"
 
 namespace burnish {
@@ -36,14 +37,7 @@ FakeEditing::~FakeEditing() {
 
 void FakeEditing::start() {
   stopping_ = false;
-  grpc::ServerBuilder builder;
-  int port = 0;
-  builder.AddListeningPort("127.0.0.1:" + std::to_string(port_), grpc::InsecureServerCredentials(),
-                           &port);
-  builder.RegisterService(this);
-  server_ = builder.BuildAndStart();
-  BURNISH_CHECK(server_ && port > 0, "the fake has its port");
-  port_ = port;
+  server_ = serve_fake(*this, port_);
 }
 
 void FakeEditing::stop() {

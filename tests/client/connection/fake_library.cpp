@@ -7,6 +7,7 @@
 #include "common/packing/checksum.h"
 #include "common/pages/page_codec.h"
 #include "common/pages/page_format.h"
+#include "tests/client/connection/fake_server.h"
 #include "tests/common/pages/made_pages.h"
 
 namespace burnish {
@@ -21,14 +22,7 @@ FakeLibrary::~FakeLibrary() {
 
 void FakeLibrary::start() {
   stopping_ = false;
-  grpc::ServerBuilder builder;
-  int port = 0;
-  builder.AddListeningPort("127.0.0.1:" + std::to_string(port_), grpc::InsecureServerCredentials(),
-                           &port);
-  builder.RegisterService(this);
-  server_ = builder.BuildAndStart();
-  BURNISH_CHECK(server_ && port > 0, "the fake has its port");
-  port_ = port;
+  server_ = serve_fake(*this, port_);
 }
 
 void FakeLibrary::stop() {
