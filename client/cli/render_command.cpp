@@ -40,6 +40,28 @@ std::string parse_view(const std::string& text, PictureOptions& picture) {
   return {};
 }
 
+std::string parse_light(const std::string& text, Lighting& lighting) {
+  const Result<LightKind> kind = parse_light_kind(text);
+  if (kind.is_ok()) lighting.kind = *kind;
+  return usage_message(kind.status());
+}
+
+std::string parse_up(const std::string& text, UpAxis& up) {
+  const Result<UpAxis> axis = parse_up_axis(text);
+  if (axis.is_ok()) up = *axis;
+  return usage_message(axis.status());
+}
+
+/// Parses two numbers that check_lighting() allows.
+std::string parse_pair(const std::string& text, double& first, double& second,
+                       const Lighting& lighting) {
+  int end = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf%n", &first, &second, &end) != 2 ||
+      static_cast<size_t>(end) != text.size())
+    return "'" + text + "' is not two numbers with a comma between";
+  return usage_message(check_lighting(lighting));
+}
+
 Status check_picture_name(const std::filesystem::path& path) {
   if (path.extension() == ".png") return Status::ok();
   return invalid_argument(path.string() + ": extension '" + path.extension().string() +
@@ -60,6 +82,47 @@ Status render(const RenderOptions& options) {
 }
 
 }  // namespace
+
+static void add_light_options(CLI::App& command, Lighting& lighting) {
+  const auto add = [&](const char* name, const char* help, const char* type, auto check) {
+    command
+        .add_option_function<std::string>(
+            name, [](const std::string&) {}, help)
+        ->type_name(type)
+        ->check(check);
+  };
+  add("--light", ("How it is lit: " + light_kind_names() + " (default clay)").c_str(), "KIND",
+      [&lighting](const std::string& text) { return parse_light(text, lighting); });
+  add("--light-direction",
+      "Of the lamp, in degrees: azimuth from the picture's right to its upper edge, elevation over "
+      "the picture's plane (default 137,25)",
+      "AZIMUTH,ELEVATION", [&lighting](const std::string& text) {
+        return parse_pair(text, lighting.azimuth_degrees, lighting.elevation_degrees, lighting);
+      });
+  add("--cavity", "With --light cavity: how bright ridges and how dark valleys are (default 1,1)",
+      "RIDGE,VALLEY", [&lighting](const std::string& text) {
+        return parse_pair(text, lighting.ridge, lighting.valley, lighting);
+      });
+  command.add_option("--radiance", lighting.radiance, "With --light radiance: how strongly")
+      ->check(CLI::Range(0.0, kRadianceMax))
+      ->capture_default_str();
+  command.add_option("--specular", lighting.specular, "Strength of the lamp's highlight")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command.add_option("--occlusion", lighting.occlusion, "How dark hollows are, in any light")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+}
+
+static void add_camera_options(CLI::App& command, PictureOptions& picture) {
+  command
+      .add_option_function<std::string>(
+          "--up", [](const std::string&) {},
+          "Axis that points up: x, y, z, -x, -y or -z (default y)")
+      ->type_name("AXIS")
+      ->check([&picture](const std::string& text) { return parse_up(text, picture.up); });
+  command.add_flag("--orthographic", picture.orthographic, "Draw without perspective");
+}
 
 void add_render_command(CommandTable& commands) {
   const auto options = std::make_shared<RenderOptions>();
@@ -83,6 +146,8 @@ void add_render_command(CommandTable& commands) {
   command->add_option("--zoom", picture.zoom, "Magnification; 1 shows the whole scan")
       ->check(CLI::Range(0.01, 1000.0))
       ->capture_default_str();
+  add_camera_options(*command, picture);
+  add_light_options(*command, picture.style.lighting);
   CLI::Option* const clay = command->add_flag("--clay", options->clay, "Show the shape alone");
   command
       ->add_flag("--colours", options->colours,

@@ -7,10 +7,11 @@
 namespace burnish {
 
 Result<std::unique_ptr<GlPageRenderer>> GlPageRenderer::create() {
-  ASSIGN_OR_RETURN(ShaderProgram page,
-                   ShaderProgram::create("page", kPageVertexShader, kPageFragmentShader));
+  ASSIGN_OR_RETURN(ShaderProgram page, ShaderProgram::create("page", kPageVertexShader,
+                                                             page_fragment_shader().c_str()));
   ASSIGN_OR_RETURN(auto background, Background::create());
-  Programs programs{std::move(page), std::move(background)};
+  ASSIGN_OR_RETURN(auto relief, ReliefLight::create());
+  Programs programs{std::move(page), std::move(background), std::move(relief)};
   return std::unique_ptr<GlPageRenderer>(new GlPageRenderer(std::move(programs)));
 }
 
@@ -23,9 +24,24 @@ Status GlPageRenderer::draw(const Camera& camera, const ImageSize& size, const D
                             std::span<const PatchRange> patches) {
   arena_.choose(patches);
   RETURN_IF_ERROR(target_.bind(size));
+  if (!patches.empty() && needs_surroundings(style.lighting))
+    return draw_relief(camera, size, style);
   programs_.background->draw();
   if (!patches.empty()) draw_split(camera, size, style);
   target_.resolve();
+  return check_gl("drawing");
+}
+
+Status GlPageRenderer::draw_relief(const Camera& camera, const ImageSize& size,
+                                   const DrawStyle& style) {
+  RETURN_IF_ERROR(relief_target_.bind_for_background(size));
+  programs_.background->draw();
+  relief_target_.bind_for_surfaces();
+  draw_split(camera, size, style);
+  const Camera scaled = in_units(space_, camera);
+  if (style.lighting.occlusion > 0) programs_.relief->occlude(relief_target_, scaled);
+  target_.bind_resolved();
+  programs_.relief->draw(relief_target_, scaled, style.lighting);
   return check_gl("drawing");
 }
 
@@ -66,12 +82,14 @@ void GlPageRenderer::draw_pages(const Camera& camera, double aspect, const DrawS
 
 void GlPageRenderer::draw_edges() const {
   programs_.page.set("edges", true);
+  glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);  // the surface's relief stays
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   arena_.draw();
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   glDisable(GL_BLEND);
+  glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 }  // namespace burnish

@@ -5,6 +5,8 @@
 #include "client/gl/background.h"
 #include "client/gl/page_arena.h"
 #include "client/gl/picture_target.h"
+#include "client/gl/relief_light.h"
+#include "client/gl/relief_target.h"
 #include "client/gl/shader_program.h"
 #include "client/scene/page_renderer.h"
 
@@ -43,8 +45,10 @@ class GlPageRenderer : public PageRenderer {
   struct Programs {
     ShaderProgram page;
     std::unique_ptr<Background> background;
+    std::unique_ptr<ReliefLight> relief;
   };
   explicit GlPageRenderer(Programs programs) : programs_(std::move(programs)) {}
+  Status draw_relief(const Camera& camera, const ImageSize& size, const DrawStyle& style);
   void draw_split(const Camera& camera, const ImageSize& size, const DrawStyle& style) const;
   void draw_pages(const Camera& camera, double aspect, const DrawStyle& style, bool original) const;
   void draw_edges() const;
@@ -52,6 +56,7 @@ class GlPageRenderer : public PageRenderer {
   Programs programs_;
   PageArena arena_;
   PictureTarget target_;
+  ReliefTarget relief_target_;
   PageSpace space_;
 };
 

@@ -5,8 +5,7 @@
 
 namespace burnish {
 
-// Returns the matrix to camera space in the units of PageSpace, so that floats suffice for any file
-// unit.
+// Returns the matrix to camera space in the units of PageSpace.
 static Eigen::Matrix4d model_view(const PageSpace& space, const Camera& camera) {
   Eigen::Matrix4d centre = Eigen::Matrix4d::Identity();
   centre.topRightCorner<3, 1>() = space.centre;
@@ -15,14 +14,18 @@ static Eigen::Matrix4d model_view(const PageSpace& space, const Camera& camera) 
   return seen;
 }
 
+Camera in_units(const PageSpace& space, Camera camera) {
+  camera.distance /= space.unit;
+  camera.scene_radius /= space.unit;
+  return camera;
+}
+
 void set_place(const ShaderProgram& program, const PageSpace& space, const Camera& camera,
                double aspect, bool original) {
-  Camera scaled = camera;
-  scaled.distance /= space.unit;
-  scaled.scene_radius /= space.unit;
-  const Eigen::Matrix4d projection = projection_matrix(scaled, aspect);
+  const Eigen::Matrix4d projection = projection_matrix(in_units(space, camera), aspect);
   program.set("model_view", Eigen::Matrix4f(model_view(space, camera).cast<float>()));
   program.set("projection", Eigen::Matrix4f(projection.cast<float>()));
+  program.set("parallel", camera.orthographic);
   program.set("cell_size", original ? 0.0f : space.cell_size);
 }
 
@@ -40,6 +43,12 @@ static void set_rings(const ShaderProgram& program, const PageSpace& space,
   }
 }
 
+static void set_light(const ShaderProgram& program, const Lighting& lighting) {
+  program.set("light_kind", static_cast<int>(lighting.kind));
+  program.set("to_lamp", to_lamp(lighting));
+  program.set("specular", static_cast<float>(lighting.specular));
+}
+
 void set_style(const ShaderProgram& program, const PageSpace& space, const DrawStyle& style) {
   program.set("flat_normals", style.flat);
   program.set("edges", false);
@@ -47,6 +56,7 @@ void set_style(const ShaderProgram& program, const PageSpace& space, const DrawS
   program.set("colouring", static_cast<int>(style.colouring));
   program.set("displacement_range", static_cast<float>(style.displacement_range));
   program.set("tint_colour", style.tint);
+  set_light(program, style.lighting);
   set_rings(program, space, style.rings);
 }
 

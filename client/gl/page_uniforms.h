@@ -7,6 +7,10 @@
 
 namespace burnish {
 
+/// Returns the camera in the units of PageSpace, so that floats suffice for any file unit. Only its
+/// projection has a meaning.
+Camera in_units(const PageSpace& space, Camera camera);
+
 /// Sets the uniforms of a page's vertex shader.
 void set_place(const ShaderProgram& program, const PageSpace& space, const Camera& camera,
                double aspect, bool original);

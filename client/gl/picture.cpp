@@ -16,6 +16,8 @@ Result<Image> draw_picture(const TriangleMesh& mesh, const PictureOptions& optio
   camera.azimuth_degrees = options.azimuth_degrees;
   camera.elevation_degrees = options.elevation_degrees;
   camera.zoom = options.zoom;
+  camera.up = options.up;
+  camera.orthographic = options.orthographic;
   camera = frame_all(camera, raw.box, options.size.aspect());
   RETURN_IF_ERROR(renderer->draw(camera, options.size, options.style, patches));
   return renderer->read_pixels();

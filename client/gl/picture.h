@@ -2,6 +2,7 @@
 
 #include "client/scene/draw_style.h"
 #include "client/scene/image.h"
+#include "client/scene/up_axis.h"
 #include "common/base/status.h"
 #include "common/mesh/triangle_mesh.h"
 
@@ -12,6 +13,8 @@ struct PictureOptions {
   double azimuth_degrees = 25;  ///< see Camera
   double elevation_degrees = 20;
   double zoom = 1;
+  UpAxis up = UpAxis::kY;
+  bool orthographic = false;
   DrawStyle style;
 };
 

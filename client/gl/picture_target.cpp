@@ -3,16 +3,9 @@
 #include <algorithm>
 
 #include "client/gl/gl_error.h"
+#include "client/gl/target_limits.h"
 
 namespace burnish {
-
-static constexpr GLint kSamplesWanted = 4;
-
-static GLint integer_limit(GLenum name) {
-  GLint value = 0;
-  glGetIntegerv(name, &value);
-  return value;
-}
 
 static void attach(GLenum attachment, GLuint buffer, GLint samples, GLenum format,
                    const ImageSize& size) {
@@ -38,12 +31,8 @@ PictureTarget::~PictureTarget() {
 }
 
 Status PictureTarget::allocate(const ImageSize& size) {
-  const std::string what =
-      "picture of " + std::to_string(size.width) + "x" + std::to_string(size.height) + " pixels";
-  const GLint side_max = integer_limit(GL_MAX_RENDERBUFFER_SIZE);
-  if (std::max(size.width, size.height) > side_max)
-    return resource_exhausted(what + ": the graphics driver's limit is " +
-                              std::to_string(side_max));
+  const std::string what = picture_name(size);
+  RETURN_IF_ERROR(check_side(size, GL_MAX_RENDERBUFFER_SIZE));
   const GLint samples = std::min(kSamplesWanted, integer_limit(GL_MAX_SAMPLES));
   glBindFramebuffer(GL_FRAMEBUFFER, resolved_);
   attach(GL_COLOR_ATTACHMENT0, resolved_colour_, 0, GL_RGBA8, size);
@@ -63,6 +52,10 @@ Status PictureTarget::bind(const ImageSize& size) {
   glBindFramebuffer(GL_FRAMEBUFFER, samples_);
   glViewport(0, 0, size.width, size.height);
   return Status::ok();
+}
+
+void PictureTarget::bind_resolved() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, resolved_);
 }
 
 void PictureTarget::resolve() const {

@@ -21,6 +21,9 @@ class PictureTarget {
   /// Fails: invalid_argument (check_image_size), resource_exhausted (the driver's limit or memory).
   Status bind(const ImageSize& size);
 
+  /// Makes the plain buffer ready for drawing, instead of the samples. Needs: bind() before.
+  void bind_resolved() const;
+
   /// Averages the samples into the plain buffer.
   void resolve() const;
 

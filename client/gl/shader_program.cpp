@@ -58,6 +58,14 @@ void ShaderProgram::set(const char* uniform, float value) const {
   glUniform1f(glGetUniformLocation(program_, uniform), value);
 }
 
+void ShaderProgram::set(const char* uniform, const Eigen::Vector2i& value) const {
+  glUniform2iv(glGetUniformLocation(program_, uniform), 1, value.data());
+}
+
+void ShaderProgram::set(const char* uniform, const Eigen::Vector2f& value) const {
+  glUniform2fv(glGetUniformLocation(program_, uniform), 1, value.data());
+}
+
 void ShaderProgram::set(const char* uniform, const Eigen::Vector3f& value) const {
   glUniform3fv(glGetUniformLocation(program_, uniform), 1, value.data());
 }

@@ -1,12 +1,27 @@
 #pragma once
 
+#include <string>
+
 namespace burnish {
 
 /// GLSL 3.30 sources. Shading is computed in linear light and in camera space, so the light moves
 /// with the camera.
 extern const char* const kPageVertexShader;
-extern const char* const kPageFragmentShader;  ///< with kPageVertexShader
+extern const char* const kPageLights;       ///< part of page_fragment_shader(): every LightKind
+extern const char* const kPagePixels;       ///< part of page_fragment_shader(): the rest
+extern const char* const kReliefParts;      ///< reads what ReliefTarget holds
+extern const char* const kOcclusionPixels;  ///< part of occlusion_shader()
+extern const char* const kReliefPixels;     ///< part of relief_shader()
 extern const char* const kBackgroundVertexShader;
 extern const char* const kBackgroundFragmentShader;
+
+/// With kPageVertexShader. Writes the lit colour, and for ReliefTarget the normal.
+std::string page_fragment_shader();
+
+/// With kBackgroundVertexShader. Writes ambient occlusion from 0 to 1.
+std::string occlusion_shader();
+
+/// With kBackgroundVertexShader. Averages the samples, each with the light of its surroundings.
+std::string relief_shader();
 
 }  // namespace burnish

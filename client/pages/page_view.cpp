@@ -25,8 +25,12 @@ PageView make_page_view(const Camera& camera, const ImageSize& size, const PageG
   const Vec3d back = camera_axes(camera).row(2).transpose();
   PageView view;
   view.eye = (camera.target + camera.distance * back - grid.origin).cast<float>();
-  view.pixels_at_one = static_cast<float>(0.5 * size.height * projection(1, 1));
-  view.nearest = static_cast<float>(projection(2, 3) / (projection(2, 2) - 1));
+  view.parallel = camera.orthographic;
+  const double nearest =
+      view.parallel ? camera.distance : projection(2, 3) / (projection(2, 2) - 1);
+  view.nearest = static_cast<float>(nearest);
+  view.pixels_at_one = static_cast<float>(0.5 * size.height * projection(1, 1) *
+                                          (view.parallel ? camera.distance : 1));
   for (int axis = 0; axis < 3; ++axis)
     for (const int side : {0, 1}) {
       const Eigen::Vector4d plane = clip.row(3) + (side == 0 ? 1.0 : -1.0) * clip.row(axis);

@@ -18,6 +18,7 @@ struct PageView {
   Vec3f eye = Vec3f::Zero();
   float pixels_at_one = 1;  ///< what a length of 1 measures at distance 1 in the picture's middle
   float nearest = 0;        ///< nothing nearer to the eye is drawn; above 0
+  bool parallel = false;    ///< orthographic: everything is as large as at `nearest`
   /// What is drawn lies on the positive side of each: n·x + d >= 0, |n| = 1.
   std::array<Eigen::Vector4f, 6> planes;
 
@@ -34,8 +35,10 @@ struct FrameBounds {
   bool operator==(const FrameBounds&) const = default;
 };
 
-/// Returns how near a sphere comes to the eye, PageView::nearest at least.
+/// Returns how near a sphere comes to the eye, PageView::nearest at least. Without perspective it
+/// is PageView::nearest.
 inline float distance_to(const PageView& view, const PageBounds& bounds, float largest_move) {
+  if (view.parallel) return view.nearest;
   const float to_centre = (bounds.centre - view.eye).norm();
   return std::max(to_centre - bounds.radius - largest_move, view.nearest);
 }

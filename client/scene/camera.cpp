@@ -22,7 +22,7 @@ Eigen::Matrix3d camera_axes(const Camera& camera) {
                    std::cos(azimuth) * std::cos(elevation));
   Eigen::Matrix3d axes;
   axes << right.transpose(), back.cross(right).transpose(), back.transpose();
-  return axes;
+  return axes * to_turntable(camera.up);
 }
 
 Eigen::Matrix4d view_matrix(const Camera& camera) {
@@ -33,7 +33,14 @@ Eigen::Matrix4d view_matrix(const Camera& camera) {
   return view;
 }
 
+static Eigen::Matrix4d parallel_projection(const Camera& camera, double aspect) {
+  const double scale = camera.zoom / (half_height_tangent(camera) * camera.distance);
+  return Eigen::Vector4d(scale / aspect, scale, -1 / camera.scene_radius, 1).asDiagonal() *
+         Eigen::Matrix4d(Eigen::Affine3d(Eigen::Translation3d(0, 0, camera.distance)).matrix());
+}
+
 Eigen::Matrix4d projection_matrix(const Camera& camera, double aspect) {
+  if (camera.orthographic) return parallel_projection(camera, aspect);
   const double scale = camera.zoom / half_height_tangent(camera);
   const double near =
       std::max(camera.distance - camera.scene_radius, kNearestDepth * camera.distance);
@@ -57,7 +64,7 @@ Camera frame_all(Camera camera, const Eigen::AlignedBox3d& box, double aspect) {
     const Vec3d seen =
         axes * (box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - camera.target);
     const double needed = std::max(std::abs(seen.x()) / aspect, std::abs(seen.y())) / tangent;
-    camera.distance = std::max(camera.distance, seen.z() + needed);
+    camera.distance = std::max(camera.distance, camera.orthographic ? needed : seen.z() + needed);
   }
   return camera;
 }

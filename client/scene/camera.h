@@ -4,11 +4,13 @@
 #include <Eigen/Geometry>
 
 #include "client/scene/image.h"
+#include "client/scene/up_axis.h"
 #include "common/base/types.h"
 
 namespace burnish {
 
-/// A turntable around a point. The y axis is up; azimuth 0 and elevation 0 look along -z.
+/// A turntable around a point. While y is up, azimuth 0 and elevation 0 look along -z; another axis
+/// turns as to_turntable() says.
 struct Camera {
   Vec3d target = Vec3d::Zero();       ///< file units; the middle of the picture
   double distance = 1;                ///< from the eye to the target, file units
@@ -17,6 +19,8 @@ struct Camera {
   double field_of_view_degrees = 30;  ///< of the picture's height at zoom 1
   double zoom = 1;                    ///< magnifies the picture, keeps the perspective
   double scene_radius = 1;            ///< around the target, file units; sets the depth range
+  UpAxis up = UpAxis::kY;
+  bool orthographic = false;  ///< no perspective: sizes are those at the target's distance
 
   bool operator==(const Camera&) const = default;
 };
@@ -42,7 +46,7 @@ struct Ray {
 };
 
 /// Returns the ray from the eye through a point of the picture, in pixels from the upper left
-/// corner. A pixel's middle lies at 0.5.
+/// corner. A pixel's middle lies at 0.5. An orthographic ray begins in front of the scene.
 Ray pixel_ray(const Camera& camera, const ImageSize& size, const Eigen::Vector2d& pixel);
 
 /// Returns the place of a world point in the picture, in the pixels of pixel_ray().
@@ -63,8 +67,12 @@ Camera panned(Camera camera, const ImageSize& size, const Eigen::Vector2d& pixel
 Camera zoomed_at(Camera camera, const ImageSize& size, const Eigen::Vector2d& pixel, double factor);
 
 /// Moves the target along the view to the depth of a point; the picture stays. A point behind the
-/// eye changes nothing.
+/// eye of a perspective changes nothing.
 Camera with_target_as_deep_as(Camera camera, const Vec3d& point);
+
+/// Returns what the scan's diagonal measures at the target's distance, as a part of the picture's
+/// height.
+double covered_part(const Camera& camera, double diagonal);
 
 /// Returns the camera with a depth range that holds the box, wherever the target is.
 Camera with_depth_of(Camera camera, const Eigen::AlignedBox3d& box);

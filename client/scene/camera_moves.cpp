@@ -26,13 +26,18 @@ static Eigen::Vector2d from_middle(const Camera& camera, const ImageSize& size,
 Ray pixel_ray(const Camera& camera, const ImageSize& size, const Eigen::Vector2d& pixel) {
   const Eigen::Matrix3d axes = camera_axes(camera);
   const Eigen::Vector2d seen = from_middle(camera, size, pixel);
+  if (camera.orthographic) {
+    const Vec3d place(seen.x() * camera.distance, seen.y() * camera.distance, camera.scene_radius);
+    return {camera.target + axes.transpose() * place, -axes.row(2).transpose()};
+  }
   const Vec3d direction = axes.transpose() * Vec3d(seen.x(), seen.y(), -1);
   return {camera.target + camera.distance * axes.row(2).transpose(), direction.normalized()};
 }
 
 Eigen::Vector2d pixel_of(const Camera& camera, const ImageSize& size, const Vec3d& point) {
   const Vec3d seen = (view_matrix(camera) * point.homogeneous()).head<3>();
-  const double scale = 1 / (pixel_tangent(camera, size) * -seen.z());
+  const double distance = camera.orthographic ? camera.distance : -seen.z();
+  const double scale = 1 / (pixel_tangent(camera, size) * distance);
   return {0.5 * size.width + scale * seen.x(), 0.5 * size.height - scale * seen.y()};
 }
 
@@ -69,10 +74,18 @@ Camera with_target_as_deep_as(Camera camera, const Vec3d& point) {
   const Vec3d back = camera_axes(camera).row(2);
   const Vec3d eye = camera.target + camera.distance * back;
   const double depth = (eye - point).dot(back);
+  if (camera.orthographic) {
+    camera.target += (camera.distance - depth) * back;
+    return camera;
+  }
   if (depth <= 0) return camera;
   camera.target = eye - depth * back;
   camera.distance = depth;
   return camera;
+}
+
+double covered_part(const Camera& camera, double diagonal) {
+  return diagonal / (pixel_tangent(camera, {1, 1}) * camera.distance);
 }
 
 Camera with_depth_of(Camera camera, const Eigen::AlignedBox3d& box) {

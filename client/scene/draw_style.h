@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "client/scene/lighting.h"
 #include "common/base/types.h"
 
 namespace burnish {
@@ -39,6 +40,7 @@ struct DrawStyle {
   bool faded = false;             ///< grey: the picture may be out of date
   std::vector<Ring> rings;        ///< at most kRingsDrawnMax are drawn
   Vec3f tint = Vec3f::Ones();     ///< sRGB, where VertexMark has a tint
+  Lighting lighting;
 
   bool operator==(const DrawStyle&) const = default;
 };

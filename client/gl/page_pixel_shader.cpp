@@ -1,0 +1,90 @@
+#include "client/gl/shaders.h"
+
+namespace burnish {
+
+const char* const kPagePixels = R"(
+centroid in vec3 seen_position;
+centroid in vec3 seen_normal;
+centroid in float seen_ridge;
+in vec3 original_position;
+centroid in float value;
+centroid in float tint;
+centroid in float moved;
+centroid in vec3 scan_colour;  // sRGB
+uniform bool parallel;         // orthographic
+uniform bool flat_normals;
+uniform bool edges;
+uniform bool faded;
+uniform int colouring;  // as Colouring
+uniform float displacement_range;
+uniform vec3 tint_colour;
+uniform int ring_count;
+uniform vec4 rings[8];  // centre, radius
+uniform vec3 ring_colours[8];
+layout(location = 0) out vec4 colour;
+layout(location = 1) out vec4 relief;  // as ReliefTarget
+
+const vec3 kPlain = vec3(0.62, 0.62, 0.62);
+const vec3 kBlue = vec3(0.03, 0.16, 0.72);
+const vec3 kRed = vec3(0.72, 0.04, 0.03);
+const float kGrazing = 0.02;  // cosine: the surface turns no farther from the eye
+
+vec3 linear(vec3 srgb) { return pow(srgb, vec3(2.2)); }
+
+vec3 blue_to_red(float signed_part) {
+  float part = clamp(signed_part, -1.0, 1.0);
+  return mix(kPlain, part < 0.0 ? kBlue : kRed, abs(part));
+}
+
+vec3 base_colour() {
+  vec3 base = kBaseOfKind[light_kind];
+  if (colouring == 1) base = blue_to_red(value);
+  if (colouring == 2) base = blue_to_red(moved / displacement_range);
+  if (colouring == 3) base = linear(scan_colour);
+  return mix(base, linear(tint_colour), 0.75 * tint);
+}
+
+// Rings keep their width in pixels, whatever the distance. The fourth part is how much of the
+// surface is left.
+vec4 with_rings(vec4 below) {
+  for (int i = 0; i < ring_count; ++i) {
+    float away = distance(original_position, rings[i].xyz) - rings[i].w;
+    float pixels = abs(away) / max(length(vec2(dFdx(away), dFdy(away))), 1e-12);
+    below = mix(below, vec4(linear(ring_colours[i]), 0.0), 1.0 - smoothstep(0.8, 1.8, pixels));
+  }
+  return below;
+}
+
+vec3 towards_eye(vec3 n, vec3 to_eye) {
+  return normalize(n + max(kGrazing - dot(n, to_eye), 0.0) * to_eye);
+}
+
+// The normal in a frame whose z runs to the eye.
+vec3 as_seen(vec3 n, vec3 to_eye) {
+  vec3 right = normalize(cross(vec3(0.0, 1.0, 0.0), to_eye));
+  return vec3(dot(n, right), dot(n, cross(to_eye, right)), dot(n, to_eye));
+}
+
+void main() {
+  relief = vec4(0.0);
+  if (edges) {
+    colour = vec4(0.05, 0.06, 0.08, 0.55);
+    return;
+  }
+  vec3 to_eye = parallel ? vec3(0.0, 0.0, 1.0) : normalize(-seen_position);
+  vec3 n = normalize(flat_normals ? cross(dFdx(seen_position), dFdy(seen_position)) : seen_normal);
+  // Both sides of a surface are lit. A triangle that is folded over shows its back, but its normals
+  // are those of the surface around it.
+  bool is_back = !gl_FrontFacing && dot(n, to_eye) < 0.0;
+  float side = is_back && !flat_normals ? -1.0 : 1.0;
+  n = towards_eye(side * n, to_eye);
+  vec3 seen = as_seen(n, to_eye);
+  Lit lit = light_of(base_colour(), n, seen, to_eye, side * seen_ridge);
+  if (faded) lit.colour = mix(vec3(luminance(lit.colour)), vec3(0.45), 0.4);
+  vec4 shown = with_rings(vec4(lit.colour, 1.0));
+  colour = vec4(pow(clamp(shown.rgb, 0.0, 1.0), vec3(1.0 / 2.2)), 1.0);
+  relief = vec4(0.5 + 0.5 * seen.xy, lit.strength, shown.a);
+}
+)";
+
+}  // namespace burnish

@@ -1,0 +1,92 @@
+#include "client/gl/relief_target.h"
+
+#include <algorithm>
+#include <array>
+
+#include "client/gl/gl_error.h"
+#include "client/gl/target_limits.h"
+
+namespace burnish {
+
+static GLint samples_of_textures() {
+  return std::min({kSamplesWanted, integer_limit(GL_MAX_COLOR_TEXTURE_SAMPLES),
+                   integer_limit(GL_MAX_DEPTH_TEXTURE_SAMPLES)});
+}
+
+static void attach_samples(GLenum attachment, GLuint texture, GLint samples, GLenum format,
+                           const ImageSize& size) {
+  glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture);
+  glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, format, size.width, size.height,
+                          GL_TRUE);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D_MULTISAMPLE, texture, 0);
+}
+
+static void attach_values(GLuint texture, const ImageSize& size) {
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, size.width, size.height, 0, GL_RED, GL_UNSIGNED_BYTE,
+               nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+}
+
+ReliefTarget::ReliefTarget() {
+  glGenFramebuffers(1, &surfaces_);
+  glGenFramebuffers(1, &occluded_);
+  for (GLuint* texture : {&colours_, &reliefs_, &depths_, &occlusions_}) glGenTextures(1, texture);
+}
+
+ReliefTarget::~ReliefTarget() {
+  for (const GLuint* texture : {&colours_, &reliefs_, &depths_, &occlusions_})
+    glDeleteTextures(1, texture);
+  glDeleteFramebuffers(1, &occluded_);
+  glDeleteFramebuffers(1, &surfaces_);
+}
+
+Status ReliefTarget::allocate(const ImageSize& size) {
+  const std::string what = picture_name(size);
+  RETURN_IF_ERROR(check_side(size, GL_MAX_TEXTURE_SIZE));
+  samples_ = samples_of_textures();
+  glBindFramebuffer(GL_FRAMEBUFFER, occluded_);
+  attach_values(occlusions_, size);
+  glBindFramebuffer(GL_FRAMEBUFFER, surfaces_);
+  attach_samples(GL_COLOR_ATTACHMENT0, colours_, samples_, GL_RGBA8, size);
+  attach_samples(GL_COLOR_ATTACHMENT1, reliefs_, samples_, GL_RGBA16, size);
+  attach_samples(GL_DEPTH_ATTACHMENT, depths_, samples_, GL_DEPTH_COMPONENT24, size);
+  RETURN_IF_ERROR(check_gl(what));
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    return resource_exhausted(what + ": the graphics driver offers no buffers for its light");
+  size_ = size;
+  return Status::ok();
+}
+
+Status ReliefTarget::bind_for_background(const ImageSize& size) {
+  if (size != size_) RETURN_IF_ERROR(allocate(size));
+  glBindFramebuffer(GL_FRAMEBUFFER, surfaces_);
+  glViewport(0, 0, size.width, size.height);
+  glDrawBuffer(GL_COLOR_ATTACHMENT0);
+  return Status::ok();
+}
+
+void ReliefTarget::bind_for_surfaces() const {
+  static constexpr std::array<GLenum, 2> kBoth = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+  static constexpr std::array<GLfloat, 4> kNothing = {};
+  glDrawBuffers(kBoth.size(), kBoth.data());
+  glClearBufferfv(GL_COLOR, 1, kNothing.data());
+}
+
+void ReliefTarget::bind_for_occlusion() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, occluded_);
+}
+
+void ReliefTarget::bind_textures() const {
+  const std::array<GLuint, 3> sampled = {colours_, reliefs_, depths_};
+  for (GLuint unit = 0; unit < sampled.size(); ++unit) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, sampled[unit]);
+  }
+  glActiveTexture(GL_TEXTURE0 + sampled.size());
+  glBindTexture(GL_TEXTURE_2D, occlusions_);
+  glActiveTexture(GL_TEXTURE0);
+}
+
+}  // namespace burnish

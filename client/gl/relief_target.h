@@ -1,0 +1,48 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include "client/scene/image.h"
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// Multisampled textures that a picture is drawn into when its light needs the pixels around each
+/// pixel. colours: sRGB. reliefs: 0.5 + 0.5 x and y of the normal in a frame whose z runs to the
+/// eye; strength of the light; part of the surface in the colour. Needs: a current context for its
+/// whole life.
+class ReliefTarget {
+ public:
+  ReliefTarget();
+  ~ReliefTarget();
+  ReliefTarget(const ReliefTarget&) = delete;
+  ReliefTarget& operator=(const ReliefTarget&) = delete;
+
+  /// Makes the target ready for the background, which has no relief. Needs: a valid size.
+  /// Fails: resource_exhausted (the driver's limit or memory).
+  Status bind_for_background(const ImageSize& size);
+  /// Makes the target ready for surfaces.
+  void bind_for_surfaces() const;
+  /// Makes the target of ambient occlusion ready, one value per pixel.
+  void bind_for_occlusion() const;
+
+  /// Bind the textures to units 0 (colours), 1 (reliefs), 2 (depths) and 3 (occlusions).
+  void bind_textures() const;
+
+  const ImageSize& size() const { return size_; }
+  int samples() const { return samples_; }
+
+ private:
+  Status allocate(const ImageSize& size);
+
+  ImageSize size_;
+  GLint samples_ = 1;
+  GLuint surfaces_ = 0;  // framebuffers
+  GLuint occluded_ = 0;
+  GLuint colours_ = 0;  // textures
+  GLuint reliefs_ = 0;
+  GLuint depths_ = 0;
+  GLuint occlusions_ = 0;
+};
+
+}  // namespace burnish
