@@ -199,6 +199,8 @@ void App::take_screenshot() {
   std::strftime(name, sizeof name, "burnish-%F-%H%M%S.png", &local);
   workspace_->recorder.record("wait");
   workspace_->recorder.record(workspace_->viewport.camera);
+  for (const std::string& line : script_lines(workspace_->viewport.options.lighting))
+    workspace_->recorder.record(line);
   workspace_->recorder.record(std::string("screenshot ") + name);
   const auto image = renderer_->read_pixels();
   const Status written = image.is_ok() ? write_png(*image, name) : image.status();

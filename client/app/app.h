@@ -52,6 +52,7 @@ class App {
   Status draw_picture();
   void draw_panels();
   void draw_menu_bar();
+  void draw_camera_menu();
   void draw_start_page();
   void draw_columns(float top, float left, float right);
   void draw_sides() const;
@@ -75,6 +76,8 @@ class App {
   HistoryPanel history_panel_;
   ViewPanel view_panel_;
   PeoplePanel people_panel_;
+  LightPanel light_panel_;
+  CameraPanel camera_panel_;
   FiguresPanel figures_panel_;
   Hud hud_;
   Toasts toasts_;

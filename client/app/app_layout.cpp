@@ -86,6 +86,7 @@ void App::draw_menu_bar() {
   }
   if (ImGui::BeginMenu("View")) {
     item("Frame all", Action::kFrameAll, workspace.document() != nullptr);
+    draw_camera_menu();
     item("Wireframe", Action::kWireframe, workspace.document() != nullptr);
     item("Split", Action::kSplit, workspace.document() != nullptr);
     ImGui::MenuItem("Figures", nullptr, &shows_hud_);
@@ -105,6 +106,16 @@ void App::draw_menu_bar() {
   ImGui::EndMainMenuBar();
 }
 
+void App::draw_camera_menu() {
+  if (!ImGui::BeginMenu("From", workspace_->document() != nullptr)) return;
+  for (const ActionInfo& info : actions()) {
+    if (info.action < Action::kFront || info.action > Action::kOrthographic) continue;
+    if (ImGui::MenuItem(info.description.data(), bindings_.key_of(info.action).c_str()))
+      do_action(info.action);
+  }
+  ImGui::EndMenu();
+}
+
 void App::draw_start_page() {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float top = ImGui::GetFrameHeight();
@@ -120,8 +131,9 @@ void App::draw_start_page() {
   toasts_.lower_left = {0, screen.y};
 }
 
-static void draw_section(const char* name, Panel& panel, Workspace& workspace) {
-  if (!ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen)) return;
+static void draw_section(const char* name, Panel& panel, Workspace& workspace,
+                         ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_DefaultOpen) {
+  if (!ImGui::CollapsingHeader(name, flags)) return;
   ImGui::PushID(name);
   panel.draw(workspace);
   ImGui::Dummy({0, em(0.25f)});
@@ -147,6 +159,8 @@ void App::draw_columns(float top, float left, float right) {
   draw_section("View", view_panel_, *workspace_);
   draw_section("History", history_panel_, *workspace_);
   draw_section("People", people_panel_, *workspace_);
+  draw_section("Light", light_panel_, *workspace_, ImGuiTreeNodeFlags_None);
+  draw_section("Camera", camera_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   if (right == 0 && shows_hud_) draw_section("Figures", figures_panel_, *workspace_);
   ImGui::End();
 }

@@ -32,6 +32,27 @@ static void draw_mode_buttons(Brush& brush) {
   button("Sharpen", 2);
 }
 
+static std::optional<MirrorPlane> plane_of(int chosen, const Document& document) {
+  if (chosen == 0) return std::nullopt;
+  return MirrorPlane{chosen - 1, document.box().center()[chosen - 1]};
+}
+
+static void draw_mirror(Document& document, MessageLog& log) {
+  static const char* const kNames[] = {"Off", "Across x", "Across y", "Across z"};
+  std::optional<MirrorPlane>& mirror = document.mirror;
+  int chosen = mirror ? mirror->axis + 1 : 0;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Mirror");
+  hint("Paints each stroke on both sides of a plane, as one step.");
+  ImGui::SameLine(em(6));
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::Combo("##mirror", &chosen, kNames, IM_ARRAYSIZE(kNames)))
+    mirror = plane_of(chosen, document);
+  if (!mirror) return;
+  const double low = document.box().min()[mirror->axis], high = document.box().max()[mirror->axis];
+  linear_slider({{"Mirror plane", low, high}, "%.4g", log}, mirror->at);
+}
+
 void BrushPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
   Brush& brush = document.brush().brush;
@@ -49,6 +70,7 @@ void BrushPanel::draw(Workspace& workspace) {
   ImGui::TextUnformatted("Strength");
   linear_slider({{"Strength", 0.01, 1}, "%.2f", workspace.log}, brush.strength);
   draw_fall_off(brush);
+  draw_mirror(document, workspace.log);
   ImGui::EndDisabled();
 }
 

@@ -37,6 +37,18 @@ class ViewPanel : public Panel {
   void draw(Workspace& workspace) override;
 };
 
+/// How the surface is lit.
+class LightPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+/// Where the surface is seen from.
+class CameraPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
 /// The session's edits, newest first. Each can be switched off.
 class HistoryPanel : public Panel {
  public:

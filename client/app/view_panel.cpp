@@ -40,7 +40,7 @@ static void draw_toggles(ViewOptions& options) {
 static void draw_bookmarks(Viewport& viewport, const Document& document) {
   if (ImGui::Button("Frame all")) viewport.frame_all(document);
   ImGui::SameLine();
-  if (ImGui::Button("Bookmark")) viewport.bookmarks.push_back(viewport.camera);
+  if (ImGui::Button("Bookmark")) viewport.add_bookmark();
   for (size_t i = 0; i < viewport.bookmarks.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     if (i % 6 != 0) ImGui::SameLine();

@@ -7,28 +7,14 @@ namespace burnish {
 const char* const kOcclusionPixels = R"(
 out vec4 occluded;
 
-const int kSteps = 10;
-const float kReach = 0.045;  // of the picture's height
-
-vec3 position_of(ivec2 pixel, Place at) {
-  vec2 part = 2.0 * (vec2(pixel) + 0.5) / vec2(size) - 1.0;
-  return vec3(part * half_view * (parallel ? 1.0 : at.away), -at.away);
-}
-
-// From the frame of the eye's ray to camera space.
-vec3 normal_in_camera(vec3 n, vec3 position) {
-  vec3 to_eye = parallel ? vec3(0.0, 0.0, 1.0) : normalize(-position);
-  vec3 right = normalize(cross(vec3(0.0, 1.0, 0.0), to_eye));
-  return n.x * right + n.y * cross(to_eye, right) + n.z * to_eye;
-}
+const int kSteps = 12;
+const float kReach = 0.07;  // of the picture's height
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   Place at = place_at(pixel, 0);
   occluded = vec4(0.0);
   if (at.away == 0.0) return;
-  vec3 position = position_of(pixel, at);
-  vec3 n = normal_in_camera(at.n, position);
   float pixels = kReach * float(size.y);
   float reach = pixels * pixel_length(at);
   float turn = float((pixel.x & 3) * 4 + (pixel.y & 3)) * 6.2832 / 16.0;
@@ -40,11 +26,12 @@ void main() {
     if (any(lessThan(there, ivec2(0))) || any(greaterThanEqual(there, size))) continue;
     Place other = place_at(there, 0);
     if (other.away == 0.0) continue;
-    vec3 to_other = position_of(there, other) - position;
+    vec3 to_other = other.position - at.position;
     float far = length(to_other) / reach;
-    sum += max(dot(to_other / max(length(to_other), 1e-9), n) - 0.08, 0.0) * max(1.0 - far * far, 0.0);
+    sum += max(dot(to_other / max(length(to_other), 1e-9), at.n) - 0.08, 0.0) *
+           max(1.0 - far * far, 0.0);
   }
-  occluded = vec4(min(2.2 * sum / float(kSteps), 1.0));
+  occluded = vec4(min(4.0 * sum / float(kSteps), 1.0));
 }
 )";
 

@@ -51,9 +51,9 @@ float window(vec3 n, vec2 middle, float half_side) {
 }
 
 Lit ceramic(vec3 base, vec3 n) {
-  float light = 0.25 + 0.85 * smoothstep(-0.7, 1.0, dot(n, normalize(vec3(-0.5, 0.6, 0.6))));
-  float shine = 0.45 * window(n, vec2(-0.50, 0.60), 0.22) + 0.12 * window(n, vec2(0.72, 0.1), 0.18);
-  return Lit(base * light + shine, light / 1.1);
+  float light = 0.10 + 0.75 * smoothstep(-0.2, 1.0, dot(n, normalize(vec3(-0.5, 0.6, 0.6))));
+  float shine = 0.35 * window(n, vec2(-0.50, 0.60), 0.22) + 0.12 * window(n, vec2(0.72, 0.1), 0.18);
+  return Lit(base * light + shine, light / 0.85);
 }
 
 Lit bronze(vec3 base, vec3 n) {
@@ -66,7 +66,7 @@ Lit bronze(vec3 base, vec3 n) {
 
 Lit slopes(vec3 base, vec3 n) {
   vec3 lamps = vec3(n.y, -0.87 * n.x - 0.5 * n.y, 0.87 * n.x - 0.5 * n.y);  // red from above
-  vec3 light = (0.55 + 0.75 * lamps) * mix(0.75, 1.0, n.z);
+  vec3 light = (0.50 + 0.15 * n.y + 0.45 * lamps) * mix(0.75, 1.0, n.z);
   return Lit(base * max(light, 0.04), luminance(light) / 1.3);
 }
 

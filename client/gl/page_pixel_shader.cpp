@@ -65,6 +65,13 @@ vec3 as_seen(vec3 n, vec3 to_eye) {
   return vec3(dot(n, right), dot(n, cross(to_eye, right)), dot(n, to_eye));
 }
 
+// Folds the sphere of directions to a square, from 0 to 1.
+vec2 folded(vec3 n) {
+  n /= abs(n.x) + abs(n.y) + abs(n.z);
+  vec2 turned = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(n.xy, vec2(0.0)));
+  return 0.5 + 0.5 * (n.z < 0.0 ? (1.0 - abs(n.yx)) * turned : n.xy);
+}
+
 void main() {
   relief = vec4(0.0);
   if (edges) {
@@ -83,7 +90,7 @@ void main() {
   if (faded) lit.colour = mix(vec3(luminance(lit.colour)), vec3(0.45), 0.4);
   vec4 shown = with_rings(vec4(lit.colour, 1.0));
   colour = vec4(pow(clamp(shown.rgb, 0.0, 1.0), vec3(1.0 / 2.2)), 1.0);
-  relief = vec4(0.5 + 0.5 * seen.xy, lit.strength, shown.a);
+  relief = vec4(folded(n), lit.strength, shown.a);
 }
 )";
 

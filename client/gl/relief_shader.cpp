@@ -11,29 +11,42 @@ uniform vec2 half_view;     // half the picture at distance 1, or anywhere witho
 uniform bool parallel;
 
 struct Place {
-  vec3 n;          // in a frame whose z runs to the eye
+  vec3 n;          // camera space
   float away;      // distance along the view; 0: nothing is there
+  vec3 position;   // camera space
   float strength;  // of the light, 0 to 1
   float part;      // of the surface in the colour
 };
 
-Place place_at(ivec2 pixel, int sample_index) {
+vec3 unfolded(vec2 square) {
+  square = 2.0 * square - 1.0;
+  float height = 1.0 - abs(square.x) - abs(square.y);
+  vec2 turned = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(square, vec2(0.0)));
+  return normalize(vec3(height < 0.0 ? (1.0 - abs(square.yx)) * turned : square, height));
+}
+
+// Where the ray of a pixel is at distance 1.
+vec2 across(ivec2 pixel) { return (2.0 * (vec2(pixel) + 0.5) / vec2(size) - 1.0) * half_view; }
+
+Place place_at(ivec2 pixel, int index) {
   pixel = clamp(pixel, ivec2(0), size - 1);
-  float depth = texelFetch(depths, pixel, sample_index).r;
-  vec4 relief = texelFetch(reliefs, pixel, sample_index);
-  if (depth == 1.0) return Place(vec3(0.0, 0.0, 1.0), 0.0, 0.0, 0.0);
+  float depth = texelFetch(depths, pixel, index).r;
+  if (depth == 1.0) return Place(vec3(0.0, 0.0, 1.0), 0.0, vec3(0.0), 0.0, 0.0);
+  vec4 relief = texelFetch(reliefs, pixel, index);
   float z = 2.0 * depth - 1.0;
   float away = (z * depth_terms.w - depth_terms.y) / (z * depth_terms.z - depth_terms.x);
-  vec2 across = 2.0 * relief.xy - 1.0;
-  return Place(vec3(across, sqrt(max(1.0 - dot(across, across), 0.0))), away, relief.z, relief.w);
+  vec3 position = vec3(across(pixel) * (parallel ? 1.0 : away), -away);
+  return Place(unfolded(relief.xy), away, position, relief.z, relief.w);
 }
+
+vec3 to_eye_from(Place at) { return parallel ? vec3(0.0, 0.0, 1.0) : normalize(-at.position); }
 
 float pixel_length(Place at) { return 2.0 * half_view.y / float(size.y) * (parallel ? 1.0 : at.away); }
 
 // How far another place lies from the plane of this one, in pixels.
-float off_plane(Place at, Place other, vec2 by) {
-  float expected = at.away + dot(at.n.xy, by) / max(at.n.z, 0.2) * pixel_length(at);
-  return abs(other.away - expected) / pixel_length(at);
+float off_plane(Place at, Place other) {
+  float facing = max(dot(at.n, to_eye_from(at)), 0.2);
+  return abs(dot(at.n, other.position - at.position)) / (facing * pixel_length(at));
 }
 )";
 
@@ -53,9 +66,11 @@ out vec4 colour;
 vec2 turn_to(Place at, ivec2 pixel, int index, ivec2 by) {
   Place other = place_at(pixel + by, index);
   if (other.away == 0.0) return vec2(0.0);
-  float reach = length(vec2(by));
-  float near = clamp(2.0 - off_plane(at, other, vec2(by)) / (1.5 * reach + 1.0), 0.0, 1.0);
-  return near * (other.n.xy - at.n.xy);
+  float near = clamp(2.0 - off_plane(at, other) / (1.5 * length(vec2(by)) + 1.0), 0.0, 1.0);
+  vec3 to_eye = to_eye_from(at);
+  vec3 right = normalize(cross(vec3(0.0, 1.0, 0.0), to_eye));
+  vec3 turn = other.n - at.n;
+  return near * vec2(dot(turn, right), dot(turn, cross(to_eye, right)));
 }
 
 float curvature(Place at, ivec2 pixel, int index) {
@@ -65,7 +80,7 @@ float curvature(Place at, ivec2 pixel, int index) {
     sum += turn_to(at, pixel, index, ivec2(reach, 0)).x - turn_to(at, pixel, index, ivec2(-reach, 0)).x;
     sum += turn_to(at, pixel, index, ivec2(0, reach)).y - turn_to(at, pixel, index, ivec2(0, -reach)).y;
   }
-  return sum * smoothstep(0.05, 0.45, at.n.z);
+  return sum * smoothstep(0.05, 0.45, dot(at.n, to_eye_from(at)));
 }
 
 // Vergne et al. 2010, equation 3: 1 where the light is kInvariant, convex places become brighter
@@ -88,7 +103,7 @@ float occlusion_at(Place at, ivec2 pixel) {
     for (int x = -2; x < 2; ++x) {
       Place other = place_at(pixel + ivec2(x, y), 0);
       if (other.away == 0.0) continue;
-      float weight = clamp(2.0 - off_plane(at, other, vec2(x, y)) / 3.0, 0.0, 1.0);
+      float weight = clamp(2.0 - off_plane(at, other) / 3.0, 0.0, 1.0);
       sum += weight * texelFetch(occlusions, clamp(pixel + ivec2(x, y), ivec2(0), size - 1), 0).r;
       weights += weight;
     }
@@ -110,7 +125,7 @@ bool is_one_surface(ivec2 pixel, Place first) {
   for (int i = 1; i < samples; ++i) {
     Place other = place_at(pixel, i);
     if ((other.away == 0.0) != (first.away == 0.0)) return false;
-    if (first.away > 0.0 && off_plane(first, other, vec2(0.0)) > 4.0) return false;
+    if (first.away > 0.0 && off_plane(first, other) > 4.0) return false;
   }
   return true;
 }

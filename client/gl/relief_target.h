@@ -8,8 +8,8 @@
 namespace burnish {
 
 /// Multisampled textures that a picture is drawn into when its light needs the pixels around each
-/// pixel. colours: sRGB. reliefs: 0.5 + 0.5 x and y of the normal in a frame whose z runs to the
-/// eye; strength of the light; part of the surface in the colour. Needs: a current context for its
+/// pixel. colours: sRGB. reliefs: the normal in camera space, folded to a square; strength of the
+/// light; part of the surface in the colour. Needs: a current context for its
 /// whole life.
 class ReliefTarget {
  public:

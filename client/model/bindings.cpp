@@ -4,8 +4,8 @@
 
 namespace burnish {
 
-const std::array<ActionInfo, 17>& actions() {
-  static const std::array<ActionInfo, 17> kActions = {{
+const std::array<ActionInfo, kActions>& actions() {
+  static const std::array<ActionInfo, kActions> kInfos = {{
       {Action::kUndo, "undo", "Ctrl+Z", "Undo your last edit"},
       {Action::kRedo, "redo", "Ctrl+Shift+Z", "Redo it", "Ctrl+Y"},
       {Action::kFrameAll, "frame_all", "Home", "Show the whole scan"},
@@ -21,11 +21,18 @@ const std::array<ActionInfo, 17>& actions() {
       {Action::kExport, "export", "Ctrl+E", "Export the edited scan"},
       {Action::kScreenshot, "screenshot", "F12", "Save a picture of the surface"},
       {Action::kBookmark, "bookmark", "B", "Remember this view"},
+      {Action::kFront, "front", "1", "View from the front"},
+      {Action::kBack, "back", "Ctrl+1", "View from the back"},
+      {Action::kRight, "right", "3", "View from the right"},
+      {Action::kLeft, "left", "Ctrl+3", "View from the left"},
+      {Action::kTop, "top", "7", "View from above"},
+      {Action::kBottom, "bottom", "Ctrl+7", "View from below"},
+      {Action::kOrthographic, "orthographic", "5", "With or without perspective"},
       {Action::kLog, "log", "L", "Show all messages"},
       {Action::kHelp, "help", "?", "Show the keys"},
       {Action::kCancel, "cancel", "Escape", "Cancel the stroke; close what is open"},
   }};
-  return kActions;
+  return kInfos;
 }
 
 Bindings::Bindings() {

@@ -26,10 +26,19 @@ enum class Action {
   kExport,
   kScreenshot,
   kBookmark,
+  kFront,
+  kBack,
+  kRight,
+  kLeft,
+  kTop,
+  kBottom,
+  kOrthographic,
   kLog,
   kHelp,
   kCancel,
 };
+
+inline constexpr size_t kActions = 24;
 
 struct ActionInfo {
   Action action;
@@ -40,7 +49,7 @@ struct ActionInfo {
 };
 
 /// Returns all actions, in the order of the key help.
-const std::array<ActionInfo, 17>& actions();
+const std::array<ActionInfo, kActions>& actions();
 
 /// Maps keys to actions. A key is written as modifiers (Ctrl, Shift, Alt in that order) and a name,
 /// joined by '+': "Ctrl+Shift+Z", "F", "[", "Home", "Escape".

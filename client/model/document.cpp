@@ -47,14 +47,23 @@ void Document::send(Change change) {
 }
 
 void Document::send_as(const std::string& id, Change change) {
-  preset_step_ = PresetStep::kNone;
   const Edit edit{id, std::move(change)};
   recorder_.record(edit);
   const Status sent = live_->apply({edit});
   unacknowledged_ += sent.is_ok();
-  if (sent.is_ok()) return;
+  if (sent.is_ok()) return count_step(edit.change);
   log_.failure("edit", sent);
   forget_strokes();
+}
+
+void Document::count_step(const Change& change) {
+  if (std::holds_alternative<SwitchEntry>(change) ||
+      std::holds_alternative<RestoreCheckpoint>(change))
+    return undo_steps_.clear();
+  const bool makes_entry = std::holds_alternative<Stroke>(change) ||
+                           std::holds_alternative<SetGradientScale>(change) ||
+                           std::holds_alternative<SetTransferCurve>(change);
+  if (makes_entry) undo_steps_.add();
 }
 
 void Document::preview_beta(double beta) {
@@ -84,23 +93,15 @@ void Document::apply(const Preset& preset) {
   if (preset.brush_beta) brush_.brush.beta = *preset.brush_beta;
   commit_curve();
   commit_beta();
-  preset_step_ = PresetStep::kApplied;
+  undo_steps_.join_last_two();
 }
 
 void Document::undo() {
-  const bool is_preset = preset_step_ == PresetStep::kApplied;
-  send(Undo{});
-  if (!is_preset) return;
-  send(Undo{});
-  preset_step_ = PresetStep::kUndone;
+  for (int edits = undo_steps_.undo(); edits > 0; --edits) send(Undo{});
 }
 
 void Document::redo() {
-  const bool is_preset = preset_step_ == PresetStep::kUndone;
-  send(Redo{});
-  if (!is_preset) return;
-  send(Redo{});
-  preset_step_ = PresetStep::kApplied;
+  for (int edits = undo_steps_.redo(); edits > 0; --edits) send(Redo{});
 }
 
 void Document::begin_stroke(BrushMode mode, const Vec3d& point) {
@@ -111,7 +112,7 @@ void Document::begin_stroke(BrushMode mode, const Vec3d& point) {
 void Document::show_begun_stroke() {
   gesture_ = random_id();
   last_dab_ = brush_.stroke().path.front();
-  surface_->tint().add_dab(brush_.stroke().brush, last_dab_);
+  tint_dab(brush_.stroke().brush, last_dab_);
   live_->preview(gesture_, Stroke{brush_.stroke().brush, brush_.take_new_points()});
 }
 
@@ -133,14 +134,33 @@ void Document::add_dabs(const std::vector<Vec3d>& points) {
   Stroke way{brush_.stroke().brush, {last_dab_}};
   way.path.insert(way.path.end(), points.begin(), points.end());
   const std::vector<Vec3d> dabs = dab_centres(way);
-  for (size_t i = 1; i < dabs.size(); ++i) surface_->tint().add_dab(way.brush, dabs[i]);
+  for (size_t i = 1; i < dabs.size(); ++i) tint_dab(way.brush, dabs[i]);
   last_dab_ = dabs.back();
+}
+
+void Document::tint_dab(const Brush& brush, const Vec3d& centre) {
+  surface_->tint().add_dab(brush, centre);
+  if (mirror) surface_->tint().add_dab(brush, mirrored(centre, *mirror));
 }
 
 void Document::end_stroke() {
   const std::string id = std::exchange(gesture_, {});
+  send_stroke(id, brush_.end());
+}
+
+void Document::paint(const Stroke& stroke) {
+  send_stroke(random_id(), stroke);
+}
+
+// The tint of both goes when a frame shows the last one.
+void Document::send_stroke(const std::string& id, const Stroke& stroke) {
   tinted_.push_back(id);
-  send_as(id, brush_.end());
+  send_as(id, stroke);
+  if (!mirror) return;
+  const std::string other = random_id();
+  tinted_.push_back(other);
+  send_as(other, mirrored(stroke, *mirror));
+  undo_steps_.join_last_two();
 }
 
 void Document::cancel_stroke() {

@@ -13,7 +13,9 @@
 #include "client/surface/paged_surface.h"
 #include "client/tools/brush_tool.h"
 #include "client/tools/curve_editor.h"
+#include "client/tools/mirror_plane.h"
 #include "client/tools/presets.h"
+#include "client/tools/undo_steps.h"
 #include "common/edit/edit.h"
 #include "common/service/page_values.h"
 
@@ -80,15 +82,17 @@ class Document {
   // Draw a stroke from point to point of the original surface.
   BrushTool& brush() { return brush_; }
   const BrushTool& brush() const { return brush_; }
+  /// While there is a plane, each stroke is also painted on its other side.
+  std::optional<MirrorPlane> mirror;
   void begin_stroke(BrushMode mode, const Vec3d& point);
   void extend_stroke(const Vec3d& point);
   void end_stroke();
   /// Paints a whole stroke.
-  void paint(Stroke stroke) { send(std::move(stroke)); }
+  void paint(const Stroke& stroke);
   void cancel_stroke();
   void move_ring(const std::optional<BrushRing>& ring) { live_->move_brush(ring); }
 
-  /// Undo and redo take both edits of a preset at once, while the user has edited nothing else.
+  /// Undo and redo take both edits of a preset at once, and a stroke with its mirror image.
   void undo();
   void redo();
   void switch_entry(uint64_t number, bool on) { send(SwitchEntry{number, on}); }
@@ -126,6 +130,9 @@ class Document {
   using Change = decltype(Edit::change);
   void send(Change change);
   void send_as(const std::string& id, Change change);
+  void count_step(const Change& change);
+  void send_stroke(const std::string& id, const Stroke& stroke);
+  void tint_dab(const Brush& brush, const Vec3d& centre);
 
   const PreparedDescription& prepared() const { return *opened_.scan.prepared; }
   void handle(const LiveEvent& event);
@@ -152,9 +159,8 @@ class Document {
   BrushTool brush_;
   Vec3d last_dab_ = Vec3d::Zero();
   std::string gesture_;  // id of the edit of the running drag or stroke; else empty
-  enum class PresetStep { kNone, kApplied, kUndone };
-  PresetStep preset_step_ = PresetStep::kNone;  // what the last edits of this user did
-  std::vector<std::string> tinted_;             // strokes that no frame shows yet
+  UndoSteps undo_steps_;
+  std::vector<std::string> tinted_;  // strokes that no frame shows yet
 
   ColourBy colour_ = ColourBy::kNothing;
   bool is_renewing_pages_ = false;

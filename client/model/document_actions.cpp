@@ -2,6 +2,11 @@
 
 namespace burnish {
 
+// The actions stand in the order of StandardView.
+static StandardView standard_view_of(Action action) {
+  return static_cast<StandardView>(static_cast<int>(action) - static_cast<int>(Action::kFront));
+}
+
 void do_document_action(Action action, Workspace& workspace) {
   constexpr double kRadiusStep = 1.15;
   Document& document = *workspace.document();
@@ -12,7 +17,17 @@ void do_document_action(Action action, Workspace& workspace) {
     case Action::kRedo:
       return document.redo();
     case Action::kFrameAll:
-      return viewport.frame_all(document);
+      return viewport.go_home(document);
+    case Action::kFront:
+    case Action::kBack:
+    case Action::kRight:
+    case Action::kLeft:
+    case Action::kTop:
+    case Action::kBottom:
+      return viewport.show_from(standard_view_of(action), document);
+    case Action::kOrthographic:
+      viewport.camera.orthographic = !viewport.camera.orthographic;
+      return;
     case Action::kFocus:
       return viewport.focus();
     case Action::kBrushRadius:
@@ -33,7 +48,7 @@ void do_document_action(Action action, Workspace& workspace) {
       viewport.options.split = !viewport.options.split;
       return;
     case Action::kBookmark:
-      return viewport.bookmarks.push_back(viewport.camera);
+      return viewport.add_bookmark();
     case Action::kExport:
     case Action::kScreenshot:
     case Action::kLog:

@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include "client/model/bindings.h"
+#include "client/model/lighting_toml.h"
 #include "client/model/private_folder.h"
 #include "common/base/atomic_file.h"
 #include "common/base/limits.h"
@@ -86,6 +87,7 @@ toml::table to_toml(const Preferences& preferences) {
                      {"scale", preferences.scale},
                      {"window_width", preferences.window_width},
                      {"window_height", preferences.window_height},
+                     {"light", to_toml(preferences.lighting)},
                      {"recent", recent},
                      {"keys", keys}};
 }
@@ -100,6 +102,8 @@ Result<Preferences> read_preferences(const std::filesystem::path& path) {
     const toml::table table = toml::parse_file(path.string());
     read_numbers(table, preferences);
     read_recent(table, preferences);
+    if (const toml::table* light = table["light"].as_table())
+      preferences.lighting = lighting_of(*light);
     if (const toml::table* keys = table["keys"].as_table())
       for (const auto& [action, key] : *keys)
         preferences.keys[std::string(action.str())] = key.value_or(std::string());

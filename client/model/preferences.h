@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "client/scene/lighting.h"
 #include "common/edit/brush.h"
 
 namespace burnish {
@@ -27,7 +28,8 @@ struct Preferences {
   double brush_radius_part = 0.03;  ///< of the scan's diagonal
   double brush_strength = 0.6;
   double brush_beta = 0;
-  double scale = 0;  ///< of fonts and panels; 0: the screen's scale
+  double scale = 0;   ///< of fonts and panels; 0: the screen's scale
+  Lighting lighting;  ///< of scans that are shown for the first time
   int window_width = 1280;
   int window_height = 720;
   std::map<std::string, std::string> keys;  ///< action to key, if not the default

@@ -56,6 +56,8 @@ void Recorder::record(const Edit& edit) {
 }
 
 void Recorder::record(const Camera& camera) {
+  record("up " + std::string(name_of(camera.up)));
+  record(std::string("orthographic ") + (camera.orthographic ? "on" : "off"));
   std::ostringstream line;
   line.precision(12);
   line << "camera " << camera.azimuth_degrees << ' ' << camera.elevation_degrees << ' '

@@ -1,16 +1,19 @@
 #include "client/model/viewport.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
+
+#include "client/model/zoom.h"
 
 namespace burnish {
 
 using Eigen::Vector2d;
 
 static constexpr double kDegreesPerPixel = 0.4;
-static constexpr double kZoomPerStep = 0.88;
+static constexpr double kLampPerPixel = 1.0 / 200;  // of the ball's radius
 static constexpr int kMovesPerPictureMax = 4;
-static constexpr double kDiagonalsAwayMax = 6;
+static constexpr double kDoubleClickMs = 400;
+static constexpr double kDoubleClickPixels = 6;
 
 static BrushMode mode_of(const Modifiers& modifiers) {
   if (modifiers.control) return BrushMode::kInvert;
@@ -25,16 +28,29 @@ void Viewport::press(PointerButton button, const Modifiers& modifiers, const Vec
   }
   if (gesture_ != Gesture::kIdle) return;
   held_ = button;
+  gesture_ = gesture_of(button, modifiers);
+  if (gesture_ == Gesture::kStroke)
+    events_.push_back({Event::Kind::kPress, pixel, mode_of(modifiers)});
+  if (gesture_ == Gesture::kTurn && is_second_press(button, pixel)) is_focus_asked_ = true;
+}
+
+Viewport::Gesture Viewport::gesture_of(PointerButton button, const Modifiers& modifiers) const {
   const bool turns = button == PointerButton::kMiddle ||
                      (button == PointerButton::kLeft && (modifiers.alt || navigate_mode));
-  if (button == PointerButton::kRight || (turns && modifiers.shift)) {
-    gesture_ = Gesture::kPan;
-  } else if (turns) {
-    gesture_ = Gesture::kTurn;
-  } else {
-    gesture_ = Gesture::kStroke;
-    events_.push_back({Event::Kind::kPress, pixel, mode_of(modifiers)});
-  }
+  if (button == PointerButton::kRight && modifiers.control && modifiers.shift)
+    return Gesture::kLight;
+  if (button == PointerButton::kRight || (turns && modifiers.shift)) return Gesture::kPan;
+  return turns ? Gesture::kTurn : Gesture::kStroke;
+}
+
+bool Viewport::is_second_press(PointerButton button, const Vector2d& pixel) {
+  const Press press{button, pixel, clock()};
+  const auto last = std::exchange(last_press_, press);
+  const bool is_second = last && last->button == button &&
+                         (pixel - last->pixel).norm() < kDoubleClickPixels &&
+                         ms_between(last->when, press.when) < kDoubleClickMs;
+  if (is_second) last_press_.reset();
+  return is_second;
 }
 
 void Viewport::move(const Vector2d& pixel) {
@@ -42,6 +58,10 @@ void Viewport::move(const Vector2d& pixel) {
   const Vector2d by = pixel - pointer_.value_or(pixel);
   pointer_ = pixel;
   if (gesture_ == Gesture::kTurn || gesture_ == Gesture::kPan) drag_camera(by);
+  if (gesture_ == Gesture::kLight)
+    options.lighting =
+        with_lamp_at(options.lighting,
+                     lamp_on_ball(options.lighting) + kLampPerPixel * Vector2d(by.x(), -by.y()));
   if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) value_changes_ = true;
   if (gesture_ != Gesture::kStroke) return;
   // Each move costs a look at the surface, so only some of the moves between two pictures count.
@@ -68,13 +88,10 @@ void Viewport::release(PointerButton button) {
   gesture_ = Gesture::kIdle;
 }
 
-// Moves towards the surface under the pointer: the eye never passes it. Stays where the scan can
-// still be seen.
 void Viewport::wheel(const Vector2d& pixel, double steps) {
-  Camera from = hover_ ? with_target_as_deep_as(camera, hover_->displaced) : camera;
-  from = zoomed_at(from, size_, pixel, std::pow(kZoomPerStep, steps));
-  const bool is_lost = from.distance > kDiagonalsAwayMax * diagonal_;
-  if (steps > 0 || !is_lost) camera = from;
+  ZoomPlace place{pixel};
+  if (hover_) place.surface = hover_->displaced;
+  camera = zoomed_by_wheel(camera, size_, place, steps, box_);
 }
 
 void Viewport::leave() {
@@ -91,17 +108,9 @@ void Viewport::begin(const Document& document) {
   bookmarks.clear();
   leave();
   sent_ring_.reset();
-  diagonal_ = document.diagonal();
-  camera = {.azimuth_degrees = 25, .elevation_degrees = 20};
-  frame_all(document);
-}
-
-void Viewport::frame_all(const Document& document) {
-  camera = burnish::frame_all(camera, document.box(), size_.aspect());
-}
-
-void Viewport::focus() {
-  if (hover_) camera.target = hover_->displaced;
+  box_ = document.box();
+  camera = {};
+  go_home(document);
 }
 
 void Viewport::begin_radius(const Document& document) {
@@ -154,6 +163,7 @@ void Viewport::update(Document& document) {
   camera = with_depth_of(camera, document.box());
   if (std::exchange(value_changes_, false)) drag_value(document);
   for (const Event& event : std::exchange(events_, {})) paint(event, document);
+  if (std::exchange(is_focus_asked_, false)) focus_nearer(document);
   if (pointer_ && gesture_ != Gesture::kTurn && gesture_ != Gesture::kPan)
     look_at(*pointer_, document);
   send_ring(document);

@@ -6,8 +6,12 @@
 #include "client/model/document.h"
 #include "client/scene/camera.h"
 #include "client/scene/page_renderer.h"
+#include "client/scene/standard_view.h"
+#include "common/base/clock.h"
 
 namespace burnish {
+
+inline constexpr size_t kBookmarksMax = 36;
 
 enum class PointerButton { kLeft, kMiddle, kRight };
 
@@ -24,6 +28,9 @@ struct ViewOptions {
   bool split = false;
   double split_at = 0.5;          ///< part of the width
   double displacement_range = 1;  ///< cells
+  Lighting lighting;
+
+  bool operator==(const ViewOptions&) const = default;
 };
 
 /// The picture of a document: the camera and the actions of the pointer. It keeps events until
@@ -33,9 +40,10 @@ class Viewport {
  public:
   Camera camera;
   ViewOptions options;
-  bool navigate_mode = false;  ///< the left button turns the view
-  bool hold_original = false;  ///< show the original
-  std::vector<Camera> bookmarks;
+  bool navigate_mode = false;                    ///< the left button turns the view
+  bool hold_original = false;                    ///< show the original
+  std::vector<Camera> bookmarks;                 ///< at most kBookmarksMax
+  Clock clock = std::chrono::steady_clock::now;  ///< tells a double click
 
   void set_size(const ImageSize& size) { size_ = size; }
   const ImageSize& size() const { return size_; }
@@ -50,6 +58,12 @@ class Viewport {
   void begin(const Document& document);
   void frame_all(const Document& document);
   void focus();  ///< turn around the point under the pointer
+  /// Shows the whole scan as at first, without a tilt of the user's.
+  void add_bookmark();  ///< of this camera, while there is room
+  void go_home(const Document& document);
+  /// Shows the whole scan from the same angles with another axis up.
+  void set_up(UpAxis up, const Document& document);
+  void show_from(StandardView view, const Document& document);
   void begin_radius(const Document& document);
   void begin_strength(const Document& document);
   /// Cancels the pointer's gesture. Returns false if there was none.
@@ -70,7 +84,7 @@ class Viewport {
   DrawStyle style(const Document& document) const;
 
  private:
-  enum class Gesture { kIdle, kStroke, kTurn, kPan, kRadius, kStrength };
+  enum class Gesture { kIdle, kStroke, kTurn, kPan, kLight, kRadius, kStrength };
   struct Event {
     enum class Kind { kPress, kMove, kRelease } kind;
     Eigen::Vector2d pixel;
@@ -88,6 +102,15 @@ class Viewport {
     bool operator==(const Look&) const = default;
   };
 
+  struct Press {
+    PointerButton button;
+    Eigen::Vector2d pixel;
+    std::chrono::steady_clock::time_point when;
+  };
+
+  Gesture gesture_of(PointerButton button, const Modifiers& modifiers) const;
+  bool is_second_press(PointerButton button, const Eigen::Vector2d& pixel);
+  void focus_nearer(const Document& document);
   bool shows_original(const Eigen::Vector2d& pixel) const;
   void look_at(const Eigen::Vector2d& pixel, const Document& document);
   std::optional<SurfaceHit> hit_at(const Document& document, const Eigen::Vector2d& pixel) const;
@@ -97,9 +120,11 @@ class Viewport {
   void send_ring(Document& document);
 
   ImageSize size_{1, 1};
-  double diagonal_ = 1;  // of the scan, file units
+  Eigen::AlignedBox3d box_{Vec3d::Zero(), Vec3d::Ones()};  // of the scan, file units
   Gesture gesture_ = Gesture::kIdle;
   PointerButton held_ = PointerButton::kLeft;
+  std::optional<Press> last_press_;  // that turned the view
+  bool is_focus_asked_ = false;
   std::optional<Eigen::Vector2d> pointer_;
   Eigen::Vector2d drag_from_ = Eigen::Vector2d::Zero();
   double value_from_ = 0;  // radius or strength when its drag began

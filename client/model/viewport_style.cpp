@@ -3,6 +3,8 @@
 
 namespace burnish {
 
+static const Vec3f kMirroredRing(0.75f, 0.75f, 0.75f);  // sRGB
+
 static Colouring colouring_of(ColourBy colour) {
   switch (colour) {
     case ColourBy::kBeta:
@@ -25,13 +27,18 @@ DrawStyle Viewport::style(const Document& document) const {
   style.colouring = colouring_of(document.colour());
   style.displacement_range = options.displacement_range;
   style.original = hold_original;
+  style.lighting = options.lighting;
   style.split = options.split ? options.split_at : 0;
   style.faded = document.link() == LinkState::kLost || document.link() == LinkState::kEnded;
   const BrushTool& brush = document.brush();
   const double beta = brush.is_drawing() ? brush.stroke().brush.beta : brush.brush.beta;
   style.tint = blue_to_red(signed_part_of_beta(beta));
-  if (hover_ && pointer_ && !navigate_mode && !document.is_viewer())
-    style.rings.push_back({hover_->original, brush.brush.radius, Vec3f(1, 1, 1)});
+  if (hover_ && pointer_ && !navigate_mode && !document.is_viewer()) {
+    const Vec3d& at = hover_->original;
+    style.rings.push_back({at, brush.brush.radius, Vec3f(1, 1, 1)});
+    if (document.mirror)
+      style.rings.push_back({mirrored(at, *document.mirror), brush.brush.radius, kMirroredRing});
+  }
   for (const PresentUser& user : document.people().present)
     if (user.ring && user.connection != document.welcome().connection)
       style.rings.push_back({user.ring->centre, user.ring->radius, colour_of_hex(user.colour)});

@@ -7,6 +7,7 @@ namespace burnish {
 Workspace::Workspace(PageRenderer& renderer, Preferences remembered, WorkspaceOptions options)
     : preferences(std::move(remembered)), renderer_(renderer), options_(std::move(options)) {
   if (!options_.wake) options_.wake = [] {};
+  viewport.options.lighting = preferences.lighting;
 }
 
 void Workspace::update() {
@@ -110,6 +111,8 @@ void Workspace::save_preferences() {
     preferences.brush_radius_part = brush.radius / document_->diagonal();
     preferences.brush_strength = brush.strength;
     preferences.brush_beta = brush.beta;
+    preferences.lighting = viewport.options.lighting;
+    save_view();
   }
   if (options_.preferences.empty()) return;
   const Status written = write_preferences(preferences, options_.preferences);

@@ -118,6 +118,8 @@ class Workspace {
   void change_library(const std::string& what, std::function<Status(Connection&)> change);
   void show(OpenedDocument opened);
   void leave_document();
+  void restore_view();
+  void save_view();
   bool need_connection(const std::string& what);
   void wake() const { options_.wake(); }
 
@@ -130,6 +132,7 @@ class Workspace {
   bool opening_ = false;
   uint64_t exports_done_ = 0;
   uint64_t documents_opened_ = 0;
+  std::string document_server_;  // empty: the private one
   std::unique_ptr<Document> document_;
   Tasks tasks_;  // last member: its threads end before the objects that they use
 };

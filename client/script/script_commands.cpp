@@ -1,23 +1,9 @@
 #include "client/script/script_runner.h"
+#include "client/script/script_view.h"
 #include "common/base/text_lines.h"
 
 namespace burnish {
 namespace {
-
-Result<bool> parse_switch(const std::string& word) {
-  if (word == "on") return true;
-  if (word == "off") return false;
-  return invalid_argument("'" + word + "' is neither on nor off");
-}
-
-Result<std::vector<double>> parse_numbers(const std::vector<std::string>& words, size_t first) {
-  std::vector<double> numbers;
-  for (size_t i = first; i < words.size(); ++i) {
-    ASSIGN_OR_RETURN(const double number, parse_real(words[i]));
-    numbers.push_back(number);
-  }
-  return numbers;
-}
 
 /// Parses RADIUS STRENGTH BETA [FALLOFF].
 Result<Brush> parse_brush(const std::vector<std::string>& words) {
@@ -98,8 +84,10 @@ Status ScriptRunner::run_edit(const ScriptLine& line) {
   } else if (command == "brush") {
     ASSIGN_OR_RETURN(document.brush().brush, parse_brush(line.words));
   } else if (command == "stroke") {
-    ASSIGN_OR_RETURN(Stroke stroke, parse_stroke(line.words));
-    document.paint(std::move(stroke));
+    ASSIGN_OR_RETURN(const Stroke stroke, parse_stroke(line.words));
+    document.paint(stroke);
+  } else if (command == "mirror") {
+    RETURN_IF_ERROR(change_mirror(line, document));
   } else if (command == "undo") {
     document.undo();
   } else if (command == "redo") {
@@ -130,6 +118,19 @@ Status ScriptRunner::run_view(const ScriptLine& line) {
     is_camera_placed_ = numbers.size() > 2;
     return set_camera(numbers, viewport, document);
   }
+  if (is_light_command(command)) return change_lighting(line, viewport.options.lighting);
+  if (command == "up") {
+    ASSIGN_OR_RETURN(const UpAxis up, parse_up_axis(line.words[0]));
+    is_camera_placed_ = false;
+    viewport.set_up(up, document);
+    return Status::ok();
+  }
+  if (command == "view") {
+    ASSIGN_OR_RETURN(const StandardView view, parse_standard_view(line.words[0]));
+    is_camera_placed_ = false;
+    viewport.show_from(view, document);
+    return Status::ok();
+  }
   if (command == "frame") {
     is_camera_placed_ = false;
     return frame(line.words, viewport, document);
@@ -155,6 +156,7 @@ Status ScriptRunner::run_view(const ScriptLine& line) {
   if (command == "wireframe") viewport.options.wireframe = on;
   if (command == "split") viewport.options.split = on;
   if (command == "original") viewport.hold_original = on;
+  if (command == "orthographic") viewport.camera.orthographic = on;
   return Status::ok();
 }
 

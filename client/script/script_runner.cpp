@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "client/scene/png_writer.h"
+#include "client/script/script_view.h"
 
 namespace burnish {
 
@@ -75,10 +76,12 @@ Status ScriptRunner::run_line(const ScriptLine& line) {
     return Status::ok();
   }
   if (command == "drag" || command == "turn") return run_pointer(line);
-  static constexpr std::string_view kViewCommands[] = {"camera",    "frame", "colour",   "flat",
-                                                       "wireframe", "split", "original", "size"};
+  static constexpr std::string_view kViewCommands[] = {"camera",    "frame", "colour",      "flat",
+                                                       "wireframe", "split", "up",          "view",
+                                                       "original",  "size",  "orthographic"};
   for (std::string_view each : kViewCommands)
     if (command == each) return run_view(line);
+  if (is_light_command(command)) return run_view(line);
   RETURN_IF_ERROR(run_edit(line));
   return update();
 }

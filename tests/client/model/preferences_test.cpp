@@ -17,6 +17,7 @@ TEST(Preferences, WhatIsWrittenIsReadAgain) {
   written.server = "host:1";
   written.brush_beta = 2.5;
   written.window_width = 1600;
+  written.lighting = {.kind = LightKind::kRaking, .specular = 0.5};
   written.keys["undo"] = "Ctrl+U";
   remember(written, {"", "desk", "abc"});
   remember(written, {"host:1", "wall", "def"});
@@ -27,6 +28,7 @@ TEST(Preferences, WhatIsWrittenIsReadAgain) {
   EXPECT_EQ(read->server, "host:1");
   EXPECT_EQ(read->brush_beta, 2.5);
   EXPECT_EQ(read->window_width, 1600);
+  EXPECT_EQ(read->lighting, written.lighting);
   EXPECT_EQ(read->keys.at("undo"), "Ctrl+U");
   EXPECT_EQ(read->recent, written.recent);
   EXPECT_EQ(read->recent[0].session, "wall");

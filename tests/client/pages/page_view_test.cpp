@@ -39,6 +39,22 @@ TEST(PageView, ALengthAtTheTargetMeasuresAsManyPixelsAsInThePicture) {
   EXPECT_NEAR(pixels, 1 / pixel_length(camera, kSize), 1e-3 * pixels);
 }
 
+TEST(PageView, WithoutPerspectiveALengthMeasuresTheSameAnywhere) {
+  Camera camera = far_from_the_origin();
+  camera.orthographic = true;
+  const PageGrid grid = grid_at(camera);
+  const PageView view = make_page_view(camera, kSize, grid);
+  const Vec3d back = camera_axes(camera).row(2);
+  for (const double depth : {-3.0, 0.0, 3.0}) {
+    const PageBounds bounds = sphere(camera.target + depth * back, grid, 0.5f);
+    const double pixels = view.pixels_at_one / distance_to(view, bounds, 0);
+    EXPECT_NEAR(pixels, 1 / pixel_length(camera, kSize), 1e-3 * pixels);
+    EXPECT_TRUE(is_inside(view, bounds, 0)) << depth;
+  }
+  const Vec3d right = camera_axes(camera).row(0);
+  EXPECT_FALSE(is_visible(view, sphere(camera.target + 9 * right, grid, 0.5f), 0));
+}
+
 TEST(PageView, TheEyeIsRelativeToTheGrid) {
   const Camera camera = far_from_the_origin();
   const PageGrid grid = grid_at(camera);

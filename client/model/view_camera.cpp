@@ -1,0 +1,44 @@
+#include "client/model/viewport.h"
+
+namespace burnish {
+
+static constexpr double kHomeAzimuth = 25, kHomeElevation = 20;  // degrees
+static constexpr double kFocusNearer = 0.5;                      // of the distance
+
+void Viewport::frame_all(const Document& document) {
+  camera = burnish::frame_all(camera, document.box(), size_.aspect());
+}
+
+void Viewport::go_home(const Document& document) {
+  camera.azimuth_degrees = kHomeAzimuth;
+  camera.elevation_degrees = kHomeElevation;
+  frame_all(document);
+}
+
+void Viewport::set_up(UpAxis up, const Document& document) {
+  camera.up = up;
+  frame_all(document);
+}
+
+void Viewport::show_from(StandardView view, const Document& document) {
+  camera = seen_from(camera, view);
+  frame_all(document);
+}
+
+void Viewport::add_bookmark() {
+  if (bookmarks.size() < kBookmarksMax) bookmarks.push_back(camera);
+}
+
+void Viewport::focus() {
+  if (hover_) camera.target = hover_->displaced;
+}
+
+void Viewport::focus_nearer(const Document& document) {
+  if (pointer_) look_at(*pointer_, document);
+  if (!hover_) return;
+  focus();
+  const Eigen::Vector2d middle(0.5 * size_.width, 0.5 * size_.height);
+  camera = zoomed_at(camera, size_, middle, kFocusNearer);
+}
+
+}  // namespace burnish

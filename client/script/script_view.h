@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "client/model/document.h"
+#include "client/scene/lighting.h"
+#include "client/script/script.h"
+
+namespace burnish {
+
+/// Fails: invalid_argument unless the word is "on" or "off".
+Result<bool> parse_switch(const std::string& word);
+
+/// Parses all words from `first` on. Fails: invalid_argument that names the word.
+Result<std::vector<double>> parse_numbers(const std::vector<std::string>& words, size_t first);
+
+/// Returns true for the commands of change_lighting().
+bool is_light_command(std::string_view command);
+
+/// Fails: invalid_argument that names the value and its limit; then nothing changes.
+Status change_lighting(const ScriptLine& line, Lighting& lighting);
+
+/// Does the command `mirror`. Without a place the plane cuts the middle of the scan's box.
+/// Fails: invalid_argument.
+Status change_mirror(const ScriptLine& line, Document& document);
+
+}  // namespace burnish
