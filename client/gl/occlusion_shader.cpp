@@ -31,7 +31,7 @@ void main() {
     sum += max(dot(to_other / max(length(to_other), 1e-9), at.n) - 0.08, 0.0) *
            max(1.0 - far * far, 0.0);
   }
-  occluded = vec4(min(4.0 * sum / float(kSteps), 1.0));
+  occluded = vec4(min(8.0 * sum / float(kSteps), 1.0));
 }
 )";
 

@@ -40,7 +40,7 @@ Lit lamp(vec3 base, vec3 n, vec3 to_eye, float ridge) {
 }
 
 Lit raking(vec3 base, vec3 n, vec3 to_eye) {
-  vec3 light = 0.12 * mix(kGround, kSky, 0.5 + 0.5 * n.y) + 1.7 * kKeyLight * max(dot(n, to_lamp), 0.0);
+  vec3 light = 0.2 * mix(kGround, kSky, 0.5 + 0.5 * n.y) + 1.7 * kKeyLight * max(dot(n, to_lamp), 0.0);
   return Lit(base * light + lamp_highlight(n, to_eye), min(luminance(light) / 1.7, 1.0));
 }
 

@@ -66,9 +66,35 @@ TEST(Script, AFrameFromFartherShowsTheScanSmaller) {
   EXPECT_NE(after("frame 0").find("'0' times the distance is outside 1..10"), std::string::npos);
 }
 
+TEST(Script, AMirroredStrokeIsTwoEntriesThatOneUndoTakesBack) {
+  ServerProcess server;
+  const std::string stroke = "open " + write_sphere(server.folder, 4) +
+                             "\nmirror x\nstroke 0.3 0.8 0 smooth 0.5 0 0.8\nwait\nprint\n";
+  const CommandOutcome outcome = run_script(server, stroke + "undo\nwait\nprint\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find(" 2 entries"), std::string::npos) << outcome.output;
+  EXPECT_NE(run_script(server, stroke + "mirror w\n").output.find("'w'"), std::string::npos);
+}
+
 std::string content_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(Script, LightUpAxisViewAndProjectionChangeThePicture) {
+  ServerProcess server;
+  const std::string sphere = write_sphere(server.folder, 3);
+  std::string script = "open " + sphere + "\nsize 300x200\nflat on\n";
+  std::vector<std::filesystem::path> pictures;
+  for (const std::string change : {"light clay", "light radiance", "occlusion 1", "up z",
+                                   "view right", "orthographic on", "light_direction 0 10"}) {
+    pictures.push_back(server.folder / (std::to_string(pictures.size()) + ".png"));
+    script += change + "\nscreenshot " + pictures.back().string() + "\n";
+  }
+  const CommandOutcome outcome = run_script(server, script);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  for (size_t i = 1; i < pictures.size(); ++i)
+    EXPECT_NE(content_of(pictures[i]), content_of(pictures[i - 1])) << i;
 }
 
 TEST(Script, ACameraThatIsPlacedStaysWhenThePictureGetsAnotherSize) {
