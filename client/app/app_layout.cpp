@@ -86,11 +86,11 @@ void App::draw_menu_bar() {
   }
   if (ImGui::BeginMenu("View")) {
     item("Frame all", Action::kFrameAll, workspace.document() != nullptr);
-    draw_camera_menu();
     item("Wireframe", Action::kWireframe, workspace.document() != nullptr);
     item("Split", Action::kSplit, workspace.document() != nullptr);
     ImGui::MenuItem("Figures", nullptr, &shows_hud_);
     item("Messages", Action::kLog);
+    draw_camera_menu();
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Help")) {

@@ -24,19 +24,39 @@ static void draw_mouse_rows() {
   key_row("Space (hold)", "Show the original");
 }
 
+static bool is_of_camera(Action action) {
+  return action >= Action::kFront && action <= Action::kOrthographic;
+}
+
+static void draw_action_rows(const Bindings& bindings, bool of_camera) {
+  for (const ActionInfo& info : actions())
+    if (is_of_camera(info.action) == of_camera)
+      key_row(bindings.key_of(info.action).c_str(), info.description.data());
+}
+
+static void draw_tables(const Bindings& bindings, bool side_by_side) {
+  if (ImGui::BeginTable("##mouse", 2,
+                        ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX)) {
+    draw_mouse_rows();
+    draw_action_rows(bindings, true);
+    ImGui::EndTable();
+  }
+  if (side_by_side) ImGui::SameLine(0, em(2));
+  if (ImGui::BeginTable("##keys", 2,
+                        ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX)) {
+    draw_action_rows(bindings, false);
+    ImGui::EndTable();
+  }
+}
+
 void draw_key_help(const Bindings& bindings, bool& is_open) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, screen);
   if (ImGui::Begin("Keys", &is_open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
-                       ImGuiWindowFlags_NoSavedSettings)) {
-    if (ImGui::BeginTable("##keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-      draw_mouse_rows();
-      for (const ActionInfo& info : actions())
-        key_row(bindings.key_of(info.action).c_str(), info.description.data());
-      ImGui::EndTable();
-    }
-  }
+                       ImGuiWindowFlags_NoSavedSettings))
+    draw_tables(bindings, screen.x > em(75));
   ImGui::End();
 }
 

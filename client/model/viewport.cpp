@@ -73,6 +73,7 @@ void Viewport::move(const Vector2d& pixel) {
 }
 
 void Viewport::drag_camera(const Vector2d& by) {
+  last_press_.reset();  // a drag is not a click
   if (gesture_ == Gesture::kPan) {
     camera = panned(camera, size_, by);
   } else {
