@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "client/model/view_state.h"
 #include "client/model/workspace.h"
 #include "common/base/atomic_file.h"
 
@@ -82,33 +81,6 @@ void Workspace::show(OpenedDocument opened) {
   remember(preferences, {library_.is_private ? "" : library_.server, document_->session().name,
                          document_->session().scan_id});
   save_preferences();
-}
-
-// The folder of the preferences keeps views, if there is one.
-static std::filesystem::path views_file(const std::filesystem::path& preferences) {
-  return preferences.empty() ? preferences
-                             : std::filesystem::path(preferences).replace_filename("views.toml");
-}
-
-void Workspace::restore_view() {
-  const std::filesystem::path file = views_file(options_.preferences);
-  if (file.empty()) return;
-  auto view = read_view(file, {document_server_, document_->session().id});
-  if (!view) return;
-  viewport.camera = view->camera;
-  viewport.options = view->options;
-  viewport.bookmarks = std::move(view->bookmarks);
-  if (view->colour != ColourBy::kScan || document_->has_colours())
-    document_->set_colour(view->colour);
-}
-
-void Workspace::save_view() {
-  const std::filesystem::path file = views_file(options_.preferences);
-  if (file.empty()) return;
-  const ViewKey key{document_server_, document_->session().id};
-  const Status written = write_view(
-      file, key, {viewport.camera, viewport.options, document_->colour(), viewport.bookmarks});
-  if (!written.is_ok()) log.failure("views", written);
 }
 
 std::string unsaved_text(size_t edits) {
