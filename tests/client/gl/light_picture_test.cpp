@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "common/generate/generate.h"
 #include "tests/client/gl/raw_stage.h"
 #include "tests/client/scene/sphere.h"
@@ -16,15 +18,29 @@ class LightPicture : public RawStage {
   void show_sheet(double height) { show(make_sheet(200, 1, height)); }
   void show_sphere() { show(make_test_sphere(Vec3d::Zero(), 1)); }
 
+  // A sheet with a small bump, seen from far away.
+  void show_small_bump() {
+    show_sheet(0.02);
+    camera_.distance *= 4;
+  }
+
   // The range of luminance around the middle of the picture.
   static double contrast(const Image& image) {
     double low = 255, high = 0;
-    for (int y = kMiddleY - 60; y < kMiddleY + 60; ++y)
-      for (int x = kMiddleX - 60; x < kMiddleX + 60; ++x) {
+    for (int y = kMiddleY - 20; y < kMiddleY + 20; ++y)
+      for (int x = kMiddleX - 20; x < kMiddleX + 20; ++x) {
         low = std::min(low, luminance_at(image, x, y));
         high = std::max(high, luminance_at(image, x, y));
       }
     return high - low;
+  }
+
+  // Of the bytes of two pictures. Averages of samples may be rounded in two ways.
+  static int largest_difference(const Image& a, const Image& b) {
+    int largest = 0;
+    for (size_t i = 0; i < a.rgb.size(); ++i)
+      largest = std::max(largest, std::abs(a.rgb[i] - b.rgb[i]));
+    return largest;
   }
 
   // Pixels that the surface covers, in part or as a whole.
@@ -39,19 +55,19 @@ class LightPicture : public RawStage {
 };
 
 TEST_F(LightPicture, RadianceScalingRaisesTheContrastOfABump) {
-  show_sheet(0.02);
+  show_small_bump();
   EXPECT_GT(contrast(draw(kRadiance)), 1.3 * contrast(draw()));
 }
 
 TEST_F(LightPicture, RadianceScalingAndCavityKeepAPlaneAsItIs) {
   show_sheet(0);
   const Image clay = draw();
-  EXPECT_EQ(draw(kRadiance).rgb, clay.rgb);
-  EXPECT_EQ(draw(kCavity).rgb, clay.rgb);
+  EXPECT_LE(largest_difference(draw(kRadiance), clay), 1);
+  EXPECT_LE(largest_difference(draw(kCavity), clay), 1);
 }
 
 TEST_F(LightPicture, MoreRadianceGivesMoreContrast) {
-  show_sheet(0.02);
+  show_small_bump();
   Lighting weak = kRadiance;
   weak.radiance = 0.3;
   EXPECT_GT(contrast(draw(kRadiance)), 1.2 * contrast(draw(weak)));
@@ -88,7 +104,7 @@ TEST_F(LightPicture, ALampFromAboveBrightensUpperSlopes) {
 
 TEST_F(LightPicture, OcclusionDarkensAHollowAndNeitherAPlaneNorASphere) {
   show_sheet(0);
-  EXPECT_EQ(draw(kOccluded).rgb, draw().rgb);
+  EXPECT_LE(largest_difference(draw(kOccluded), draw()), 1);
   show_sphere();
   EXPECT_NEAR(luminance_at(draw(kOccluded), kMiddleX, kMiddleY),
               luminance_at(draw(), kMiddleX, kMiddleY), 1);
@@ -127,7 +143,7 @@ TEST_F(LightPicture, RingsKeepTheirColourInEveryLight) {
   show_sheet(-0.1);
   DrawStyle style{.rings = {{Vec3d(0.5, 0.5, 0), 0.15, Vec3f(1, 0, 0)}}};
   style.lighting = {.kind = LightKind::kRadiance, .occlusion = 1};
-  const Image image = draw(style);
+  const Image image = draw_styled(style);
   int red = 0;
   for (int y = 0; y < kRawSize.height; ++y)
     for (int x = 0; x < kRawSize.width; ++x)
@@ -149,15 +165,15 @@ TEST_F(LightPicture, WithoutPerspectiveASphereHasTheAreaOfItsRadiusWhereverItIs)
   };
   const auto middle = area_at(0);
   EXPECT_GT(middle, 1000);
-  EXPECT_EQ(area_at(3), middle);
-  EXPECT_EQ(area_at(-3), middle);
+  EXPECT_NEAR(area_at(3), middle, 4);
+  EXPECT_NEAR(area_at(-3), middle, 4);
 }
 
 TEST_F(LightPicture, RadianceScalingKeepsAPlaneWithoutPerspectiveToo) {
   camera_.orthographic = true;
   camera_.azimuth_degrees = 30;
   show_sheet(0);
-  EXPECT_EQ(draw(kRadiance).rgb, draw().rgb);
+  EXPECT_LE(largest_difference(draw(kRadiance), draw()), 1);
 }
 
 }  // namespace

@@ -28,12 +28,16 @@ class RawStage : public testing::Test {
     camera_ = frame_all(camera_, raw.box, kRawSize.aspect());
   }
 
-  Image draw(const DrawStyle& style) {
+  Image draw_styled(const DrawStyle& style) {
     const Status drawn = renderer_->draw(camera_, kRawSize, style, patches_);
     EXPECT_TRUE(drawn.is_ok()) << drawn.message();
     return std::move(renderer_->read_pixels()).value();
   }
-  Image draw(const Lighting& lighting = {}) { return draw(DrawStyle{.lighting = lighting}); }
+  Image draw(const Lighting& lighting = {}) {
+    DrawStyle style;
+    style.lighting = lighting;
+    return draw_styled(style);
+  }
   Image draw_nothing() {
     patches_.clear();
     return draw();
