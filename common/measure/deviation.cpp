@@ -40,8 +40,7 @@ double volume_of(std::span<const Vec3d> vertices, std::span<const Triangle> tria
   const Vec3d origin = vertices[triangles.front()[0]];
   double six = 0;
   for (const Triangle& t : triangles)
-    six += (vertices[t[0]] - origin)
-               .dot((vertices[t[1]] - origin).cross(vertices[t[2]] - origin));
+    six += (vertices[t[0]] - origin).dot((vertices[t[1]] - origin).cross(vertices[t[2]] - origin));
   return six / 6;
 }
 

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "common/base/limits.h"
-#include "common/base/text.h"
 
 namespace burnish {
 

@@ -14,7 +14,8 @@ inline constexpr size_t kSectionPointsMax = 150'000;
 
 /// A line in which a plane cuts a surface, in the plane's axes: right, up.
 struct SectionLine {
-  std::vector<Eigen::Vector2d> points;  ///< two or more, file units; a closed line repeats its first
+  std::vector<Eigen::Vector2d>
+      points;  ///< two or more, file units; a closed line repeats its first
 
   bool is_closed() const { return points.size() > 2 && points.front() == points.back(); }
 };

@@ -47,7 +47,8 @@ TEST(Deviation, OfASphereThatShrinksIsTheSameEverywhere) {
 
 TEST(Deviation, WeighsAVertexByItsArea) {
   // Two unit squares; the one vertex that moves is the corner of one triangle of area 1/2.
-  const std::vector<Vec3d> before = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {7, 0, 0}, {5, 3, 0}};
+  const std::vector<Vec3d> before = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                     {5, 0, 0}, {7, 0, 0}, {5, 3, 0}};
   std::vector<Vec3d> after = before;
   after[0].z() = 6;
   const std::vector<Triangle> triangles = {{0, 1, 2}, {3, 4, 5}};

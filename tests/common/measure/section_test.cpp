@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "common/base/limits.h"
 #include "common/generate/generate.h"
 
 namespace burnish {
@@ -52,7 +51,8 @@ TEST(Section, OfSeveralPiecesHasALineForEach) {
   for (size_t v = 0; v < count; ++v) two.vertices.push_back(two.vertices[v] + Vec3d(5, 0, 0));
   const std::vector<Triangle> one = two.triangles;
   for (const Triangle& t : one)
-    two.triangles.push_back({t[0] + static_cast<uint32_t>(count), t[1] + static_cast<uint32_t>(count),
+    two.triangles.push_back({t[0] + static_cast<uint32_t>(count),
+                             t[1] + static_cast<uint32_t>(count),
                              t[2] + static_cast<uint32_t>(count)});
   const auto plane = make_plane({0, 0.1, 0}, {0, 1, 0});
   const auto lines = cut_surface(two.vertices, two.triangles, plane.value());
@@ -86,7 +86,8 @@ TEST(Section, WithTooManyPointsNamesTheLimit) {
 }
 
 TEST(Plane, HasAxesAtRightAngles) {
-  for (const Vec3d& direction : {Vec3d(0, 1, 0), Vec3d(0, 0, 1), Vec3d(3, -2, 0.5), Vec3d(0, -1, 0)}) {
+  for (const Vec3d& direction :
+       {Vec3d(0, 1, 0), Vec3d(0, 0, 1), Vec3d(3, -2, 0.5), Vec3d(0, -1, 0)}) {
     const auto plane = make_plane({1, 2, 3}, direction);
     const PlaneAxes axes = axes_of(plane.value());
     EXPECT_NEAR(axes.right.norm(), 1, 1e-12);
