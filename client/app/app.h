@@ -3,9 +3,11 @@
 #include <atomic>
 #include <memory>
 
+#include "client/app/colour_bar.h"
 #include "client/app/export_dialog.h"
 #include "client/app/hud.h"
 #include "client/app/panels.h"
+#include "client/app/section_window.h"
 #include "client/app/start_page.h"
 #include "client/app/toasts.h"
 #include "client/app/window.h"
@@ -75,7 +77,10 @@ class App {
   HistoryPanel history_panel_;
   ViewPanel view_panel_;
   PeoplePanel people_panel_;
+  NumbersPanel numbers_panel_;
   FiguresPanel figures_panel_;
+  ColourBar colour_bar_;
+  SectionWindow section_window_;
   Hud hud_;
   Toasts toasts_;
   ExportDialog export_dialog_;

@@ -47,6 +47,7 @@ class Connection {
 
   /// Who edits, where the server cannot know better: the author of edits, and the holder of roles.
   void set_user(std::string user);
+  const std::string& user() const;
 
   /// Starts the server where it does not run. From any thread; ends soon when progress says so.
   using Starter = std::function<Status(const Progress&)>;

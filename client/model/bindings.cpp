@@ -4,8 +4,8 @@
 
 namespace burnish {
 
-const std::array<ActionInfo, 17>& actions() {
-  static const std::array<ActionInfo, 17> kActions = {{
+const std::array<ActionInfo, 18>& actions() {
+  static const std::array<ActionInfo, 18> kActions = {{
       {Action::kUndo, "undo", "Ctrl+Z", "Undo your last edit"},
       {Action::kRedo, "redo", "Ctrl+Shift+Z", "Redo it", "Ctrl+Y"},
       {Action::kFrameAll, "frame_all", "Home", "Show the whole scan"},
@@ -16,6 +16,7 @@ const std::array<ActionInfo, 17>& actions() {
       {Action::kRadiusDown, "radius_down", "[", "Smaller brush"},
       {Action::kRadiusUp, "radius_up", "]", "Larger brush"},
       {Action::kNavigateMode, "navigate_mode", "N", "Left button turns instead of painting"},
+      {Action::kMeasureMode, "measure_mode", "M", "Left button measures distances"},
       {Action::kWireframe, "wireframe", "W", "Show the triangles' edges"},
       {Action::kSplit, "split", "S", "Original on the left, edited on the right"},
       {Action::kExport, "export", "Ctrl+E", "Export the edited scan"},

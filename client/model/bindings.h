@@ -21,6 +21,7 @@ enum class Action {
   kRadiusDown,
   kRadiusUp,
   kNavigateMode,
+  kMeasureMode,
   kWireframe,
   kSplit,
   kExport,
@@ -40,7 +41,7 @@ struct ActionInfo {
 };
 
 /// Returns all actions, in the order of the key help.
-const std::array<ActionInfo, 17>& actions();
+const std::array<ActionInfo, 18>& actions();
 
 /// Maps keys to actions. A key is written as modifiers (Ctrl, Shift, Alt in that order) and a name,
 /// joined by '+': "Ctrl+Shift+Z", "F", "[", "Home", "Escape".

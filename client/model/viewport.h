@@ -35,6 +35,7 @@ class Viewport {
   ViewOptions options;
   bool navigate_mode = false;  ///< the left button turns the view
   bool hold_original = false;  ///< show the original
+  bool measure_mode = false;   ///< the left button puts the ends of the ruler
   std::vector<Camera> bookmarks;
 
   void set_size(const ImageSize& size) { size_ = size; }
