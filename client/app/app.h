@@ -3,9 +3,11 @@
 #include <atomic>
 #include <memory>
 
+#include "client/app/colour_bar.h"
 #include "client/app/export_dialog.h"
 #include "client/app/hud.h"
 #include "client/app/panels.h"
+#include "client/app/section_window.h"
 #include "client/app/start_page.h"
 #include "client/app/toasts.h"
 #include "client/app/window.h"
@@ -78,7 +80,10 @@ class App {
   PeoplePanel people_panel_;
   LightPanel light_panel_;
   CameraPanel camera_panel_;
+  NumbersPanel numbers_panel_;
   FiguresPanel figures_panel_;
+  ColourBar colour_bar_;
+  SectionWindow section_window_;
   Hud hud_;
   Toasts toasts_;
   ExportDialog export_dialog_;

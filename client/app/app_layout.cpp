@@ -3,6 +3,7 @@
 #include "client/app/app.h"
 #include "client/app/key_help.h"
 #include "client/app/leave_question.h"
+#include "client/app/ruler_overlay.h"
 #include "client/app/theme.h"
 
 namespace burnish {
@@ -56,9 +57,13 @@ void App::draw_panels() {
                 {static_cast<int>((screen.x - left - right) * pixels.x),
                  static_cast<int>((screen.y - top) * pixels.y)}};
     hud_.upper_right = {screen.x - right, top};
+    colour_bar_.lower_right = {screen.x - right, screen.y};
     toasts_.lower_left = {left, screen.y};
     hud_.shows_figures = is_wide;
     if (shows_hud_) hud_.draw(*workspace_);
+    colour_bar_.draw(*workspace_);
+    draw_ruler_overlay(*workspace_, {left, top}, pixels);
+    section_window_.draw(*workspace_);
   }
   draw_overlays();
 }
@@ -157,6 +162,7 @@ void App::draw_columns(float top, float left, float right) {
     begin_column("##right", ImGui::GetIO().DisplaySize.x - right, top, right);
   }
   draw_section("View", view_panel_, *workspace_);
+  draw_section("Numbers", numbers_panel_, *workspace_);
   draw_section("History", history_panel_, *workspace_);
   draw_section("People", people_panel_, *workspace_);
   draw_section("Light", light_panel_, *workspace_, ImGuiTreeNodeFlags_None);

@@ -37,6 +37,11 @@ void ExportDialog::draw(Workspace& workspace) {
   if (ImGui::IsItemEdited()) asks_ = false;
   ImGui::Checkbox("Exact", &exact_);
   hint("Solves until the surface is within 1e-5 of the diagonal; this takes longer.");
+  ImGui::Checkbox("Processing record", &with_record_);
+  hint(
+      "Also writes who did what, how far the surface moved, and the hashes of both files: a page "
+      "to "
+      "print and JSON, beside the file.");
   if (asks_) ImGui::TextColored(theme::kBusy, "The file is there already.");
   wanted |= ImGui::Button(asks_ ? "Replace" : "Export", {em(8), 0}) && !path_.empty();
   ImGui::SameLine();
@@ -52,7 +57,7 @@ bool ExportDialog::start_export(Workspace& workspace) {
   std::error_code ignored;
   if (!std::exchange(asks_, true) && std::filesystem::exists(file, ignored)) return false;
   asks_ = false;
-  workspace.export_mesh(file, exact_);
+  workspace.export_mesh(file, exact_, with_record_);
   return true;
 }
 

@@ -22,6 +22,7 @@ class ExportDialog : public Panel {
   std::string path_;
   bool asks_ = false;  // whether to replace the file
   bool exact_ = false;
+  bool with_record_ = true;
 };
 
 }  // namespace burnish

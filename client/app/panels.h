@@ -61,6 +61,18 @@ class HistoryPanel : public Panel {
   std::string checkpoint_name_;
 };
 
+/// Lengths in the scan's unit: how far the surface moved, distances, sections.
+class NumbersPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+
+ private:
+  void draw_unit(Document& document);
+
+  std::string session_;  // that unit_ is of
+  std::string unit_;     // as it is typed
+};
+
 /// The people in the session and their roles.
 class PeoplePanel : public Panel {
  public:

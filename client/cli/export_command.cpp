@@ -6,6 +6,7 @@
 #include "client/cli/progress_printer.h"
 #include "client/cli/server_option.h"
 #include "client/cli/warn_of_left_out.h"
+#include "client/report/processing_record.h"
 #include "common/base/atomic_file.h"
 
 namespace burnish {
@@ -16,6 +17,7 @@ struct ExportOptions {
   ServerOption server;
   std::string session;
   std::string out;
+  std::string record;  ///< file; empty: none
   ExportWish wish;
 };
 
@@ -27,16 +29,31 @@ void print(const ExportSummary& summary, const std::string& out) {
               summary.assemble_seconds + summary.solve_seconds, summary.distance);
 }
 
+Status write_record_of(const ExportOptions& options, const ExportSummary& summary,
+                       Connection& connection) {
+  const RecordedExport made{options.server.user, options.out, summary};
+  const auto record = make_processing_record(connection, options.session, made);
+  RETURN_IF_ERROR(record.status().with_context("record of " + options.session));
+  return write_record(*record, options.record);
+}
+
+Status check_outputs(const ExportOptions& options) {
+  RETURN_IF_ERROR(check_writable(options.out));
+  return options.record.empty() ? Status::ok() : check_writable(options.record);
+}
+
 Status run(const ExportOptions& options) {
   ExportWish wish = options.wish;
+  wish.deviation = !options.record.empty();
   ASSIGN_OR_RETURN(wish.format, written_format_of_path(options.out));
-  RETURN_IF_ERROR(check_writable(options.out));
+  RETURN_IF_ERROR(check_outputs(options));
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   ProgressPrinter printer;
   const auto summary =
       connection.export_mesh(options.session, wish, options.out, printer.progress());
   if (!summary.is_ok()) return summary.status().with_context("export of " + options.session);
   warn_of_left_out(summary->left_out, options.out);
+  if (wish.deviation) RETURN_IF_ERROR(write_record_of(options, *summary, connection));
   if (options.server.json) {
     print_json(to_json(summary.value()));
   } else {
@@ -57,6 +74,11 @@ void add_export_command(CommandTable& table) {
           "OUT", options->out,
           "File to write: .ply, .obj, .stl or .off; the scan's own format keeps all that it has")
       ->required();
+  command
+      ->add_option("--record", options->record,
+                   "Also write who did what: a page (.html) or JSON (.json)")
+      ->type_name("FILE")
+      ->check([](const std::string& file) { return usage_message(check_record_name(file)); });
   CLI::Option* exact =
       command->add_flag("--exact", options->wish.exact, "Solve to the accuracy of final results");
   command->add_option("--cycles", options->wish.cycles, "Solve with this many cycles")

@@ -23,6 +23,7 @@ Json to_json(const ScanInfo& scan) {
                {"imported_unix_seconds", scan.imported_unix_seconds},
                {"default_depth", scan.default_depth},
                {"has_colours", scan.has_colours},
+               {"unit", scan.unit},
                {"vertices", s.vertices},
                {"triangles", s.triangles},
                {"boundary_edges", s.boundary_edges},
@@ -97,6 +98,22 @@ Json to_json(const ExportSummary& summary) {
           {"assemble_seconds", summary.assemble_seconds},
           {"solve_seconds", summary.solve_seconds},
           {"left_out", summary.left_out}};
+}
+
+Json to_json(const SessionDeviation& measured) {
+  const Deviation& deviation = measured.deviation;
+  return {{"max", deviation.max},
+          {"farthest", point(deviation.farthest)},
+          {"mean", deviation.mean},
+          {"rms", deviation.rms},
+          {"outward_max", deviation.outward_max},
+          {"inward_max", deviation.inward_max},
+          {"mean_along_normal", deviation.mean_along_normal},
+          {"area_before", deviation.area_before},
+          {"area_after", deviation.area_after},
+          {"volume_before", deviation.volume_before},
+          {"volume_after", deviation.volume_after},
+          {"settled", measured.settled}};
 }
 
 Json to_json(const HistoryEntry& entry) {

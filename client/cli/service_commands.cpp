@@ -16,6 +16,9 @@ void add_service_commands(CommandTable& table) {
   add_fork_command(table);
   add_people_command(table);
   add_export_command(table);
+  add_deviation_command(table);
+  add_section_command(table);
+  add_unit_command(table);
   add_bench_command(table);
   add_close_command(table);
   add_delete_command(table);

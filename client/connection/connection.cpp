@@ -59,6 +59,10 @@ void Connection::set_user(std::string user) {
   state_->user = std::move(user);
 }
 
+const std::string& Connection::user() const {
+  return state_->user;
+}
+
 void Connection::set_starter(Starter starter) {
   state_->starter = std::move(starter);
 }

@@ -10,11 +10,13 @@
 
 #include "common/base/progress.h"
 #include "common/edit/edit.h"
+#include "common/measure/section.h"
 #include "common/service/page_values.h"
 #include "common/service/scan_pages.h"
 #include "common/service/session_history.h"
 #include "common/service/session_info.h"
 #include "common/service/session_people.h"
+#include "common/service/surface_measures.h"
 
 namespace burnish {
 
@@ -45,6 +47,7 @@ class Connection {
 
   /// Who edits, where the server cannot know better: the author of edits, and the holder of roles.
   void set_user(std::string user);
+  const std::string& user() const;
 
   /// Starts the server where it does not run. From any thread; ends soon when progress says so.
   using Starter = std::function<Status(const Progress&)>;
@@ -98,6 +101,13 @@ class Connection {
   /// Fails: as the server says; data_loss when it sends other pages.
   Result<std::vector<PageValues>> page_values(const std::string& session, CellValue value,
                                               std::span<const PageId> pages);
+
+  /// How far the edits moved the surface as it is now.
+  Result<SessionDeviation> deviation(const std::string& session);
+  /// Where a plane cuts the surface, before the edits and as it is now.
+  Result<Section> section(const SectionWish& wish);
+  /// Names the unit of a scan's coordinates. Fails: invalid_argument as check_unit().
+  Result<ScanInfo> set_scan_unit(const std::string& scan, const std::string& unit);
 
   /// Solves on the server and writes the edited mesh to `file`, whole or not at all.
   Result<ExportSummary> export_mesh(const std::string& session, const ExportWish& wish,

@@ -37,6 +37,11 @@ class Download {
   uint64_t received_bytes_ = 0;
 };
 
+Status take_summary(const v1::ExportSummary& message, ExportSummary& summary) {
+  ASSIGN_OR_RETURN(summary, from_wire(message));
+  return Status::ok();
+}
+
 }  // namespace
 
 Result<ExportSummary> Connection::export_mesh(const std::string& session, const ExportWish& wish,
@@ -49,7 +54,7 @@ Result<ExportSummary> Connection::export_mesh(const std::string& session, const 
   ExportSummary summary;
   Status here;  // what went wrong on this side
   while (reader->Read(&event)) {
-    if (event.has_summary()) summary = from_wire(event.summary());
+    if (event.has_summary() && here.is_ok()) here = take_summary(event.summary(), summary);
     if (event.has_chunk() && here.is_ok()) here = download.append(event.chunk());
     if (event.has_progress() &&
         !report(progress, event.progress().phase(), event.progress().fraction()))

@@ -16,6 +16,7 @@ const std::array<ActionInfo, kActions>& actions() {
       {Action::kRadiusDown, "radius_down", "[", "Smaller brush"},
       {Action::kRadiusUp, "radius_up", "]", "Larger brush"},
       {Action::kNavigateMode, "navigate_mode", "N", "Left button turns instead of painting"},
+      {Action::kMeasureMode, "measure_mode", "M", "Left button measures distances"},
       {Action::kWireframe, "wireframe", "W", "Show the triangles' edges"},
       {Action::kSplit, "split", "S", "Original on the left, edited on the right"},
       {Action::kExport, "export", "Ctrl+E", "Export the edited scan"},

@@ -21,6 +21,7 @@ enum class Action {
   kRadiusDown,
   kRadiusUp,
   kNavigateMode,
+  kMeasureMode,
   kWireframe,
   kSplit,
   kExport,
@@ -38,7 +39,7 @@ enum class Action {
   kCancel,
 };
 
-inline constexpr size_t kActions = 24;
+inline constexpr size_t kActions = 25;
 
 struct ActionInfo {
   Action action;

@@ -23,7 +23,8 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
       curve_(kappa_range(opened_.scan), opened_.state.transfer_curve),
       history_(std::move(opened_.history)),
       edits_known_(opened_.session.edits),
-      told_{edits_known_, opened_.state.gradient_scale, opened_.state.transfer_curve} {
+      told_{edits_known_, opened_.state.gradient_scale, opened_.state.transfer_curve},
+      measuring_(opened_.connection, opened_.session.id, tasks, log, options.wake) {
   if (has_colours()) colour_ = ColourBy::kScan;
   welcome_.session = opened_.session;
   welcome_.role = SessionRole::kEditor;  // until the server tells the role
@@ -183,6 +184,23 @@ void Document::set_role(const std::string& user, SessionRole role) {
     const Status status = connection->set_role(session, user, role);
     return [status, &log] {
       if (!status.is_ok()) log.failure("role", status);
+    };
+  });
+}
+
+void Document::name_unit(const std::string& unit) {
+  const Status checked = check_unit(unit);
+  if (!checked.is_ok()) return log_.failure("unit", checked);
+  tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
+                scan = opened_.session.scan_id, unit,
+                wake = wake_](std::stop_token) -> Tasks::Completion {
+    connection->bring_back();
+    const auto named = connection->set_scan_unit(scan, unit);
+    wake();
+    return [this, alive, named] {
+      if (alive.expired()) return;
+      if (!named.is_ok()) return log_.failure("unit", named.status());
+      opened_.scan.scan.unit = named->unit;
     };
   });
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/connection/session_link.h"
+#include "client/model/measuring.h"
 #include "client/model/message_log.h"
 #include "client/model/recorder.h"
 #include "client/model/tasks.h"
@@ -105,6 +106,14 @@ class Document {
   bool has_colours() const { return opened_.scan.scan.has_colours; }
   ColourBy colour() const { return colour_; }
 
+  Measuring& measuring() { return measuring_; }
+  const Measuring& measuring() const { return measuring_; }
+  /// What measuring() is to follow.
+  Measuring::Shown shown() const { return {edits_known_, is_settled()}; }
+  /// Names the unit of the scan's coordinates for everybody.
+  void name_unit(const std::string& unit);
+  const std::string& unit() const { return opened_.scan.scan.unit; }
+
   const std::vector<HistoryEntry>& history() const { return history_; }
   const SessionPeople& people() const { return people_; }
   const Welcome& welcome() const { return welcome_; }
@@ -187,6 +196,7 @@ class Document {
     bool again = false;
   };
   std::shared_ptr<Fetch> history_fetch_ = std::make_shared<Fetch>();
+  Measuring measuring_;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may outlive us
   std::unique_ptr<SessionLink> live_;                           // its thread calls wake_
   std::unique_ptr<PagedSurface> surface_;                       // last: it uses live_

@@ -41,6 +41,9 @@ void do_document_action(Action action, Workspace& workspace) {
     case Action::kNavigateMode:
       viewport.navigate_mode = !viewport.navigate_mode;
       return;
+    case Action::kMeasureMode:
+      viewport.measure_mode = !viewport.measure_mode;
+      return;
     case Action::kWireframe:
       viewport.options.wireframe = !viewport.options.wireframe;
       return;

@@ -27,6 +27,7 @@ void Viewport::begin(const Document& document) {
   value_changes_ = false;
   events_.clear();
   bookmarks.clear();
+  measure_mode = false;
   leave();
   sent_ring_.reset();
   box_ = document.box();
@@ -111,6 +112,11 @@ void Viewport::paint(const Event& event, Document& document) {
   }
   look_at(event.pixel, document);
   if (!hover_) return;
+  if (measure_mode && !document.brush().is_drawing()) {
+    if (event.kind == Event::Kind::kPress)
+      document.measuring().ruler.put({hover_->displaced, hover_->original});
+    return;
+  }
   if (document.brush().is_drawing()) {
     document.extend_stroke(hover_->original);
   } else if (event.kind == Event::Kind::kPress) {
@@ -120,7 +126,7 @@ void Viewport::paint(const Event& event, Document& document) {
 
 void Viewport::send_ring(Document& document) {
   std::optional<BrushRing> ring;
-  if (hover_ && pointer_ && !navigate_mode)
+  if (hover_ && pointer_ && !navigate_mode && !measure_mode)
     ring = BrushRing{hover_->original, document.brush().brush.radius};
   if (ring == sent_ring_) return;
   document.move_ring(ring);

@@ -42,6 +42,7 @@ class Viewport {
   ViewOptions options;
   bool navigate_mode = false;                    ///< the left button turns the view
   bool hold_original = false;                    ///< show the original
+  bool measure_mode = false;                     ///< the left button puts the ruler's ends
   std::vector<Camera> bookmarks;                 ///< at most kBookmarksMax
   Clock clock = std::chrono::steady_clock::now;  ///< tells a double click
 

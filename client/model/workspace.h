@@ -86,9 +86,11 @@ class Workspace {
 
   // The open session; null on the start page.
   Document* document() { return document_.get(); }
+  const Document* document() const { return document_.get(); }
   uint64_t documents_opened() const { return documents_opened_; }
   void close_document();
-  void export_mesh(const std::filesystem::path& file, bool exact);
+  /// `with_record`: also writes who did what beside the file, as a page and as JSON.
+  void export_mesh(const std::filesystem::path& file, bool exact, bool with_record = false);
   void fork(const std::string& name, const std::string& checkpoint);
 
   /// Returns imports and other long work in progress.
@@ -114,6 +116,7 @@ class Workspace {
   using Choice = std::function<Result<SessionWish>(Connection&)>;
   void open_chosen(Choice choice);
   void import_there(const std::filesystem::path& file, Opening opening);
+  void tell_exported(const std::filesystem::path& file, const Result<ExportSummary>& outcome);
   void tell_imported(const std::filesystem::path& file, const ImportOutcome& outcome);
   void change_library(const std::string& what, std::function<Status(Connection&)> change);
   void show(OpenedDocument opened);

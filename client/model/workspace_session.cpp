@@ -1,7 +1,9 @@
 #include <algorithm>
 
 #include "client/model/workspace.h"
+#include "client/report/processing_record.h"
 #include "common/base/atomic_file.h"
+#include "common/mesh/rewrite/left_out.h"
 
 namespace burnish {
 
@@ -100,7 +102,29 @@ void Workspace::close_document() {
   refresh_library();
 }
 
-void Workspace::export_mesh(const std::filesystem::path& file, bool exact) {
+/// Writes STEM-record.html and STEM-record.json beside the export.
+static Status write_records(Connection& connection, const std::string& session,
+                            const RecordedExport& made) {
+  ASSIGN_OR_RETURN(const ProcessingRecord record,
+                   make_processing_record(connection, session, made));
+  const std::string stem = made.file.stem().string() + "-record";
+  RETURN_IF_ERROR(write_record(record, made.file.parent_path() / (stem + ".json")));
+  return write_record(record, made.file.parent_path() / (stem + ".html"));
+}
+
+static Result<ExportSummary> export_to(const std::filesystem::path& file, const ExportWish& wish,
+                                       const SessionInfo& session, Connection& connection,
+                                       const Progress& progress) {
+  connection.bring_back(progress);
+  ASSIGN_OR_RETURN(const ExportSummary summary,
+                   connection.export_mesh(session.id, wish, file, progress));
+  if (wish.deviation)
+    RETURN_IF_ERROR(write_records(connection, session.id, {connection.user(), file, summary})
+                        .with_context("record"));
+  return summary;
+}
+
+void Workspace::export_mesh(const std::filesystem::path& file, bool exact, bool with_record) {
   if (!document_) return;
   const auto format = written_format_of_path(file);
   if (!format.is_ok()) return log.failure("export", format.status());
@@ -108,19 +132,23 @@ void Workspace::export_mesh(const std::filesystem::path& file, bool exact) {
   if (!writable.is_ok()) return log.failure("export", writable);
   recorder.record("wait");
   recorder.record("export " + file.string() + (exact ? " exact" : ""));
-  start_activity("Exporting " + file.filename().string(),
-                 [this, file, wish = ExportWish{.format = *format, .exact = exact},
-                  connection = document_->opened().connection,
-                  session = document_->session().id](const Progress& progress) {
-                   connection->bring_back(progress);
-                   const auto outcome = connection->export_mesh(session, wish, file, progress);
-                   return [this, file, outcome] {
-                     if (!outcome.is_ok()) return log.failure("export", outcome.status());
-                     ++exports_done_;
-                     log.info("exported " + file.string() + ", " +
-                              std::to_string(outcome->vertices) + " vertices");
-                   };
-                 });
+  start_activity(
+      "Exporting " + file.filename().string(),
+      [this, file, wish = ExportWish{.format = *format, .exact = exact, .deviation = with_record},
+       connection = document_->opened().connection,
+       session = document_->session()](const Progress& progress) {
+        const auto outcome = export_to(file, wish, session, *connection, progress);
+        return [this, file, outcome] { tell_exported(file, outcome); };
+      });
+}
+
+void Workspace::tell_exported(const std::filesystem::path& file,
+                              const Result<ExportSummary>& outcome) {
+  if (!outcome.is_ok()) return log.failure("export", outcome.status());
+  ++exports_done_;
+  log.info("exported " + file.string() + ", " + std::to_string(outcome->vertices) + " vertices");
+  if (!outcome->left_out.empty())
+    log.warning("not in " + file.filename().string() + ": " + left_out_text(outcome->left_out));
 }
 
 void Workspace::fork(const std::string& name, const std::string& checkpoint) {

@@ -30,6 +30,8 @@ SurfaceHit make_hit(const TriangleCorners& corners, uint32_t triangle, const Pla
     hit.displaced += hit.weights[i] * corners.displaced[i];
     hit.original += hit.weights[i] * corners.original[i];
   }
+  const auto& [a, b, c] = corners.original;
+  hit.normal = (b - a).cross(c - a).stableNormalized();
   return hit;
 }
 

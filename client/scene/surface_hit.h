@@ -15,6 +15,11 @@ struct SurfaceHit {
   Vec3d displaced = Vec3d::Zero();  ///< file units, displaced
   Vec3d original = Vec3d::Zero();   ///< file units, the same point before all edits
   double distance = 0;              ///< from the ray's origin, file units
+  Vec3d normal = Vec3d::Zero();     ///< of the triangle before all edits, length 1
+  double mark = 0;                  ///< as VertexMark::value, between the vertices; 0 without marks
+
+  /// The move along the normal, file units; outwards is positive.
+  double moved() const { return normal.dot(displaced - original); }
 };
 
 /// The vertices of a triangle, file units.

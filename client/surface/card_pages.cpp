@@ -78,7 +78,13 @@ Result<bool> CardPages::mark_as(const PageMarks& marks, PageSlot number) {
 
 std::optional<SurfaceHit> CardPages::hit(const Ray& ray, bool original) const {
   const auto found = surface_->hit(ray, original);
-  return found ? std::optional(found->point) : std::nullopt;
+  if (!found) return std::nullopt;
+  SurfaceHit point = found->point;
+  const auto& values = slots_[found->slot].mark.values;
+  if (values == nullptr) return point;
+  const auto& triangle = surface_->at(found->slot).mesh.triangles[point.triangle];
+  for (int i = 0; i < 3; ++i) point.mark += point.weights[i] * (*values)[triangle[i]];
+  return point;
 }
 
 }  // namespace burnish

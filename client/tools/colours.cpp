@@ -16,6 +16,14 @@ float signed_part_of_kappa(double kappa, double range) {
   return static_cast<float>(std::clamp(std::asinh(kappa) / std::asinh(range), -1.0, 1.0));
 }
 
+double beta_of_signed_part(double part) {
+  return part <= 0 ? 1 + part : 1 + part * (kFullRedBeta - 1);
+}
+
+double kappa_of_signed_part(double part, double range) {
+  return std::sinh(part * std::asinh(range));
+}
+
 Vec3f blue_to_red(float signed_part) {
   static const Vec3f kBlue(0.20f, 0.44f, 0.86f), kGrey(0.80f, 0.80f, 0.80f),
       kRed(0.86f, 0.22f, 0.18f);

@@ -1,5 +1,7 @@
 #include "common/service/scan_info.h"
 
+#include "common/base/text.h"
+
 namespace burnish {
 
 std::string_view mesh_format_name(MeshFormat format) {
@@ -21,6 +23,14 @@ Result<MeshFormat> mesh_format_of_name(std::string_view name) {
     if (mesh_format_name(format) == name) return format;
   return invalid_argument("mesh format '" + std::string(name) +
                           "' is not one of ply, obj, stl, off");
+}
+
+Status check_unit(std::string_view unit) {
+  if (unit.empty()) return Status::ok();
+  if (unit.size() > kUnitBytesMax)
+    return invalid_argument("the scan's unit has " + std::to_string(unit.size()) +
+                            " bytes, the limit is " + std::to_string(kUnitBytesMax));
+  return check_name("the scan's unit", unit);
 }
 
 }  // namespace burnish

@@ -36,6 +36,7 @@ struct ScanInfo {
   bool has_colours = false;
   MeshStatistics statistics;
   std::vector<PreparedInfo> prepared;  ///< by depth
+  std::string unit;                    ///< of the coordinates: "mm"; empty: nobody named it
 };
 
 /// Describes a prepared mesh to clients.
@@ -70,6 +71,12 @@ struct ImportOutcome {
 };
 
 inline constexpr size_t kEditIdBytesMax = 64;
+
+inline constexpr size_t kUnitBytesMax = 16;
+
+/// Checks the name of a scan's unit: "" or up to kUnitBytesMax bytes as check_name() wants them.
+/// Fails: invalid_argument.
+Status check_unit(std::string_view unit);
 
 /// "ply", "obj", "stl", "off".
 std::string_view mesh_format_name(MeshFormat format);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/base/limits.h"
 #include "common/edit/transfer_curve.h"
+#include "common/measure/deviation.h"
 #include "common/mesh/mesh_io.h"
 #include "common/service/scan_info.h"
 
@@ -62,8 +64,9 @@ inline constexpr int kExportCyclesMax = 10'000;
 /// What to export: converged to the bar of a live session unless told otherwise.
 struct ExportWish {
   MeshFormat format = MeshFormat::kPly;
-  bool exact = false;  ///< to the export bar
-  int cycles = 0;      ///< > 0: exactly so many
+  bool exact = false;      ///< to the export bar
+  int cycles = 0;          ///< > 0: exactly so many
+  bool deviation = false;  ///< the summary says how far the surface moved
 };
 
 struct ExportSummary {
@@ -79,6 +82,8 @@ struct ExportSummary {
   double assemble_seconds = 0;
   double solve_seconds = 0;
   std::vector<std::string> left_out;  ///< attributes of the scan's file that the format leaves out
+  uint64_t edits = 0;                 ///< of the session, in the exported surface
+  std::optional<Deviation> deviation;
 };
 
 }  // namespace burnish

@@ -74,6 +74,7 @@ v1::ScanInfo to_wire(const ScanInfo& scan) {
   message.set_imported_unix_seconds(scan.imported_unix_seconds);
   message.set_default_depth(scan.default_depth);
   message.set_has_colours(scan.has_colours);
+  message.set_unit(scan.unit);
   *message.mutable_statistics() = to_wire(scan.statistics);
   for (const PreparedInfo& prepared : scan.prepared) {
     v1::PreparedInfo* entry = message.add_prepared();
@@ -95,6 +96,7 @@ Result<ScanInfo> from_wire(const v1::ScanInfo& message) {
   scan.imported_unix_seconds = message.imported_unix_seconds();
   scan.default_depth = message.default_depth();
   scan.has_colours = message.has_colours();
+  scan.unit = message.unit();
   scan.statistics = from_wire(message.statistics());
   for (const v1::PreparedInfo& entry : message.prepared()) {
     ASSIGN_OR_RETURN(const PreparedKey key,

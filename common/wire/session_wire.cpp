@@ -3,6 +3,7 @@
 #include "common/base/text.h"
 #include "common/wire/edit_wire.h"
 #include "common/wire/format_wire.h"
+#include "common/wire/measures_wire.h"
 
 namespace burnish {
 
@@ -104,6 +105,7 @@ v1::ExportRequest to_wire(const std::string& session, const ExportWish& wish) {
   } else if (wish.exact) {
     message.set_exact(true);
   }
+  message.set_deviation(wish.deviation);
   return message;
 }
 
@@ -123,6 +125,7 @@ Result<ExportWish> from_wire(const v1::ExportRequest& message) {
   ExportWish wish;
   ASSIGN_OR_RETURN(wish.format, from_wire(message.format()));
   wish.exact = message.has_exact() && message.exact();
+  wish.deviation = message.deviation();
   if (message.has_cycles()) {
     if (message.cycles() < 1 || message.cycles() > kExportCyclesMax)
       return invalid_argument("cycles " + std::to_string(message.cycles()) + " is outside 1.." +
@@ -146,10 +149,13 @@ v1::ExportSummary to_wire(const ExportSummary& summary) {
   message.set_assemble_seconds(summary.assemble_seconds);
   message.set_solve_seconds(summary.solve_seconds);
   for (const std::string& name : summary.left_out) message.add_left_out(name);
+  message.set_edits(summary.edits);
+  if (summary.deviation)
+    *message.mutable_deviation() = to_wire(SessionDeviation{*summary.deviation, summary.converged});
   return message;
 }
 
-ExportSummary from_wire(const v1::ExportSummary& message) {
+Result<ExportSummary> from_wire(const v1::ExportSummary& message) {
   ExportSummary summary;
   summary.size_bytes = message.size_bytes();
   summary.sha256 = message.sha256();
@@ -163,6 +169,11 @@ ExportSummary from_wire(const v1::ExportSummary& message) {
   summary.assemble_seconds = message.assemble_seconds();
   summary.solve_seconds = message.solve_seconds();
   summary.left_out.assign(message.left_out().begin(), message.left_out().end());
+  summary.edits = message.edits();
+  if (message.has_deviation()) {
+    ASSIGN_OR_RETURN(const SessionDeviation measured, from_wire(message.deviation()));
+    summary.deviation = measured.deviation;
+  }
   return summary;
 }
 

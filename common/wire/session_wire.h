@@ -27,6 +27,7 @@ v1::ExportRequest to_wire(const std::string& session, const ExportWish& wish);
 Result<ExportWish> from_wire(const v1::ExportRequest& message);
 
 v1::ExportSummary to_wire(const ExportSummary& summary);
-ExportSummary from_wire(const v1::ExportSummary& message);
+/// Fails: as the deviation is damaged.
+Result<ExportSummary> from_wire(const v1::ExportSummary& message);
 
 }  // namespace burnish

@@ -196,11 +196,20 @@ Result<ScanDescription> MeshStore::describe(const std::string& reference, int de
 }
 
 Result<ScanInfo> MeshStore::rename(const std::string& reference, const std::string& name) {
+  return change(reference, [&](ScanInfo& scan) { scan.name = name; });
+}
+
+Result<ScanInfo> MeshStore::set_unit(const std::string& reference, const std::string& unit) {
+  return change(reference, [&](ScanInfo& scan) { scan.unit = unit; });
+}
+
+Result<ScanInfo> MeshStore::change(const std::string& reference,
+                                   const std::function<void(ScanInfo&)>& by) {
   ASSIGN_OR_RETURN(const ScanInfo found, find(reference));
   const fs::path folder = scan_folder(found.id);
   const std::lock_guard lock(folders_mutex_);
   ASSIGN_OR_RETURN(ScanInfo scan, read_scan_folder(folder));
-  scan.name = name;
+  by(scan);
   RETURN_IF_ERROR(write_file(folder / "info.json", scan_to_json(scan)));
   index_.put(scan);
   return scan;

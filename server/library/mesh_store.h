@@ -116,6 +116,8 @@ class MeshStore {
 
   /// Gives a scan another name. Fails: as find(); as errno says.
   Result<ScanInfo> rename(const std::string& reference, const std::string& name);
+  /// Names the unit of a scan's coordinates. Fails: likewise.
+  Result<ScanInfo> set_unit(const std::string& reference, const std::string& unit);
 
   /// Also removes a damaged scan. Needs: no session edits it. Fails: not_found.
   Status remove(const std::string& id);
@@ -123,6 +125,8 @@ class MeshStore {
  private:
   MeshStore(const DataFolder& folder, const MeshStoreOptions& options);
 
+  /// Changes a scan's record, in memory and on disk.
+  Result<ScanInfo> change(const std::string& reference, const std::function<void(ScanInfo&)>& by);
   std::filesystem::path scan_folder(const std::string& id) const { return folder_.scans() / id; }
   std::filesystem::path prepared_path(const std::string& id, const PreparedKey& key) const;
   Result<ImportOutcome> import_new(Upload& upload, const std::string& id,

@@ -62,6 +62,7 @@ std::string scan_to_json(const ScanInfo& scan) {
                   {"imported_unix_seconds", scan.imported_unix_seconds},
                   {"default_depth", scan.default_depth},
                   {"has_colours", scan.has_colours},
+                  {"unit", scan.unit},
                   {"statistics", statistics_to_json(scan.statistics)}};
   return j.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
@@ -76,6 +77,7 @@ Result<ScanInfo> scan_from_json(const std::string& text) try {
   j.at("imported_unix_seconds").get_to(scan.imported_unix_seconds);
   j.at("default_depth").get_to(scan.default_depth);
   j.at("has_colours").get_to(scan.has_colours);
+  scan.unit = j.value("unit", "");  // scans of earlier versions have none
   scan.statistics = statistics_from_json(j.at("statistics"));
   return scan;
 } catch (const json::exception& error) {

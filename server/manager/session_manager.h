@@ -13,9 +13,11 @@
 #include <vector>
 
 #include "common/base/progress.h"
+#include "common/measure/section.h"
 #include "common/service/session_history.h"
 #include "common/service/session_info.h"
 #include "common/service/session_people.h"
+#include "common/service/surface_measures.h"
 #include "server/journal/journal.h"
 #include "server/library/export_file.h"
 #include "server/library/mesh_store.h"
@@ -150,6 +152,15 @@ class SessionManager {
                                                   const ExportWish& wish, const Caller& caller,
                                                   const Progress& progress = {});
 
+  /// Measures the present surface against the scan. Fails: as visit(); resource_exhausted (not
+  /// enough memory for a copy of the surface).
+  Result<SessionDeviation> deviation(const std::string& reference, const Caller& caller,
+                                     const Progress& progress = {});
+
+  /// Cuts the scan and the present surface. Fails: likewise; as cut_surface().
+  Result<Section> section(const SectionWish& wish, const Caller& caller,
+                          const Progress& progress = {});
+
   /// Deletes a scan of the store. Fails: failed_precondition that names a session that edits it.
   Result<std::string> delete_scan(const std::string& reference);
 
@@ -177,6 +188,9 @@ class SessionManager {
   Result<Reserved> find_or_reserve(const SessionWish& wish, const Caller& caller);
   Result<Held> reserve(SessionRecord record, const Caller& caller);  // needs the map's lock
   Status check_room() const;                                         // likewise
+  struct SurfaceCopy;
+  Result<SurfaceCopy> copy_surface(const std::string& reference, const Caller& caller,
+                                   const Progress& progress);
   Status make(SessionEntry& entry, const Caller& caller, const Progress& progress);
   void give_up(SessionEntry& entry);
 

@@ -59,6 +59,7 @@ Result<SolveReport> SessionManager::solve(Held& held, const ExportWish& wish,
 Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish& wish,
                                                     const std::filesystem::path& path,
                                                     const Progress& progress) {
+  const uint64_t edits = held.entry->edits;  // others may come during the solve
   const auto solved = solve(held, wish, progress);
   tell_changed(*held.entry);
   RETURN_IF_ERROR(solved.status());
@@ -75,6 +76,9 @@ Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish
   ASSIGN_OR_RETURN(summary.left_out,
                    write_surface(store_, held.entry->record.scan_id,
                                  {shared->prepared->vertices, mesh}, wish.format, path));
+  if (wish.deviation)
+    summary.deviation = deviation_of(shared->prepared->vertices, mesh.vertices, mesh.triangles);
+  summary.edits = edits;
   summary.vertices = mesh.vertices.size();
   summary.triangles = mesh.triangles.size();
   summary.cycles = report_of_solve.cycles;

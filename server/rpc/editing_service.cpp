@@ -2,6 +2,7 @@
 
 #include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
+#include "common/wire/measures_wire.h"
 #include "common/wire/session_wire.h"
 #include "server/rpc/edit_call.h"
 #include "server/rpc/export_call.h"
@@ -162,6 +163,30 @@ grpc::ServerWriteReactor<v1::Chunk>* EditingService::GetCells(grpc::CallbackServ
 grpc::ServerWriteReactor<v1::PageValues>* EditingService::GetPageValues(
     grpc::CallbackServerContext* context, const v1::GetPageValuesRequest* request) {
   return start_call<GetPageValuesCall>(calls_, context, *request);
+}
+
+grpc::ServerUnaryReactor* EditingService::GetDeviation(grpc::CallbackServerContext* context,
+                                                       const v1::GetDeviationRequest* request,
+                                                       v1::Deviation* response) {
+  return answer(calls_, context, *request, [=, this](const Progress& progress) -> Status {
+    ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
+    ASSIGN_OR_RETURN(const SessionDeviation measured,
+                     calls_.sessions.deviation(request->session(), caller, progress));
+    *response = to_wire(measured);
+    return Status::ok();
+  });
+}
+
+grpc::ServerUnaryReactor* EditingService::GetSection(grpc::CallbackServerContext* context,
+                                                     const v1::GetSectionRequest* request,
+                                                     v1::Section* response) {
+  return answer(calls_, context, *request, [=, this](const Progress& progress) -> Status {
+    ASSIGN_OR_RETURN(const SectionWish wish, from_wire(*request));
+    ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
+    ASSIGN_OR_RETURN(const Section section, calls_.sessions.section(wish, caller, progress));
+    *response = to_wire(section, wish.plane);
+    return Status::ok();
+  });
 }
 
 grpc::ServerWriteReactor<v1::ExportEvent>* EditingService::Export(

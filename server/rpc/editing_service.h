@@ -16,6 +16,7 @@ using EditingCalls = WithCalls<
     v1::Editing::WithCallbackMethod_GetPeople, v1::Editing::WithCallbackMethod_SetRole,
     v1::Editing::WithCallbackMethod_GetState, v1::Editing::WithCallbackMethod_Watch,
     v1::Editing::WithCallbackMethod_GetCells, v1::Editing::WithCallbackMethod_GetPageValues,
+    v1::Editing::WithCallbackMethod_GetDeviation, v1::Editing::WithCallbackMethod_GetSection,
     v1::Editing::WithCallbackMethod_Export>::Type;
 
 /// burnish.v1.Editing over the session manager; only converts messages.
@@ -66,6 +67,12 @@ class EditingService final : public EditingCalls {
                                                 const v1::GetCellsRequest* request) override;
   grpc::ServerWriteReactor<v1::PageValues>* GetPageValues(
       grpc::CallbackServerContext* context, const v1::GetPageValuesRequest* request) override;
+  grpc::ServerUnaryReactor* GetDeviation(grpc::CallbackServerContext* context,
+                                         const v1::GetDeviationRequest* request,
+                                         v1::Deviation* response) override;
+  grpc::ServerUnaryReactor* GetSection(grpc::CallbackServerContext* context,
+                                       const v1::GetSectionRequest* request,
+                                       v1::Section* response) override;
   grpc::ServerWriteReactor<v1::ExportEvent>* Export(grpc::CallbackServerContext* context,
                                                     const v1::ExportRequest* request) override;
 

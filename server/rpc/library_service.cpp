@@ -65,6 +65,17 @@ grpc::ServerUnaryReactor* LibraryService::RenameScan(grpc::CallbackServerContext
   });
 }
 
+grpc::ServerUnaryReactor* LibraryService::SetScanUnit(grpc::CallbackServerContext* context,
+                                                      const v1::SetScanUnitRequest* request,
+                                                      v1::ScanInfo* response) {
+  return answer(calls_, context, *request, [this, request, response](const Progress&) -> Status {
+    RETURN_IF_ERROR(check_unit(request->unit()));
+    ASSIGN_OR_RETURN(const ScanInfo scan, calls_.store.set_unit(request->scan(), request->unit()));
+    *response = to_wire(scan);
+    return Status::ok();
+  });
+}
+
 grpc::ServerUnaryReactor* LibraryService::DeleteScan(grpc::CallbackServerContext* context,
                                                      const v1::DeleteScanRequest* request,
                                                      v1::DeleteScanResponse* response) {

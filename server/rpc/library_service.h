@@ -11,7 +11,7 @@ using LibraryCalls = WithCalls<
     v1::Library::WithCallbackMethod_ListScans, v1::Library::WithCallbackMethod_DescribeScan,
     v1::Library::WithCallbackMethod_PrepareScan, v1::Library::WithCallbackMethod_DescribePages,
     v1::Library::WithCallbackMethod_FetchPages, v1::Library::WithCallbackMethod_RenameScan,
-    v1::Library::WithCallbackMethod_DeleteScan>::Type;
+    v1::Library::WithCallbackMethod_SetScanUnit, v1::Library::WithCallbackMethod_DeleteScan>::Type;
 
 /// burnish.v1.Library over the mesh store; only converts messages.
 class LibraryService final : public LibraryCalls {
@@ -35,6 +35,9 @@ class LibraryService final : public LibraryCalls {
   grpc::ServerUnaryReactor* RenameScan(grpc::CallbackServerContext* context,
                                        const v1::RenameScanRequest* request,
                                        v1::ScanInfo* response) override;
+  grpc::ServerUnaryReactor* SetScanUnit(grpc::CallbackServerContext* context,
+                                        const v1::SetScanUnitRequest* request,
+                                        v1::ScanInfo* response) override;
   grpc::ServerUnaryReactor* DeleteScan(grpc::CallbackServerContext* context,
                                        const v1::DeleteScanRequest* request,
                                        v1::DeleteScanResponse* response) override;

@@ -18,6 +18,7 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
     {"/burnish.v1.Library/Import", Role::kEditor},
     {"/burnish.v1.Library/PrepareScan", Role::kEditor},
     {"/burnish.v1.Library/RenameScan", Role::kOwner},
+    {"/burnish.v1.Library/SetScanUnit", Role::kEditor},
     {"/burnish.v1.Library/DeleteScan", Role::kOwner},
 
     {"/burnish.v1.Editing/ListSessions", Role::kViewer},
@@ -28,6 +29,8 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
     {"/burnish.v1.Editing/GetPageValues", Role::kViewer},
     {"/burnish.v1.Editing/Watch", Role::kViewer},
     {"/burnish.v1.Editing/Edit", Role::kViewer},  // as in any session, a viewer's edits are refused
+    {"/burnish.v1.Editing/GetDeviation", Role::kViewer},
+    {"/burnish.v1.Editing/GetSection", Role::kViewer},
     {"/burnish.v1.Editing/Export", Role::kViewer},
     {"/burnish.v1.Editing/OpenSession", Role::kEditor},
     // These four also need the session's own roles.

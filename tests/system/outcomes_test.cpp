@@ -53,6 +53,20 @@ std::string rename_scan(const std::string& from, const std::string& to) {
   });
 }
 
+std::string section_of(const std::string& session) {
+  return bytes<v1::GetSectionRequest>([&](v1::GetSectionRequest& request) {
+    request.set_session(session);
+    request.mutable_direction()->set_z(1);
+  });
+}
+
+std::string scan_unit(const std::string& scan) {
+  return bytes<v1::SetScanUnitRequest>([&](v1::SetScanUnitRequest& request) {
+    request.set_scan(scan);
+    request.set_unit("mm");
+  });
+}
+
 template <typename Message>
 std::string of_scan(const std::string& name) {
   return bytes<Message>([&](Message& message) { message.set_scan(name); });
@@ -169,6 +183,7 @@ std::vector<Rpc> rpcs_in_order(const std::string& scan) {
        {of_scan<v1::PrepareScanRequest>("ball")},
        {of_scan<v1::PrepareScanRequest>("none")}},
       {library + "RenameScan", {rename_scan("ball", "ball")}, {rename_scan("none", "ball")}},
+      {library + "SetScanUnit", {scan_unit("ball")}, {scan_unit("none")}},
       {library + "DescribePages",
        {of_scan<v1::DescribePagesRequest>("ball")},
        {of_scan<v1::DescribePagesRequest>("none")}},
@@ -191,6 +206,10 @@ std::vector<Rpc> rpcs_in_order(const std::string& scan) {
        {of_session<v1::GetPeopleRequest>("none")}},
       {editing + "GetCells", {cells("work")}, {cells("none")}},
       {editing + "GetPageValues", {page_values("work")}, {page_values("none")}},
+      {editing + "GetDeviation",
+       {of_session<v1::GetDeviationRequest>("work")},
+       {of_session<v1::GetDeviationRequest>("none")}},
+      {editing + "GetSection", {section_of("work")}, {section_of("none")}},
       {editing + "SetRole", {set_role("work")}, {set_role("none")}},
       {editing + "Edit", {greeting("work")}, {greeting("none")}},
       {editing + "Watch",

@@ -63,6 +63,8 @@ TEST_F(FieldWindow, EnterExportsAndAFileIsReplacedOnlyAfterAQuestion) {
   export_there();
   EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file); })) << window_->output();
   EXPECT_TRUE(shows_surface());
+  for (const char* record : {"out-record.json", "out-record.html"})
+    EXPECT_TRUE(eventually([&] { return std::filesystem::exists(server_->folder / record); }));
   server_->folder.write("out.ply", "mine");
   export_there();
   screen_->key({"Return"});

@@ -72,6 +72,17 @@ TEST_F(CardPagesTest, APointIsFoundOnTheDisplacedAndOnTheOriginalSurface) {
   EXPECT_NEAR(hit(true).displaced.z(), 1, 0.02);
 }
 
+TEST_F(CardPagesTest, APointKnowsItsMoveAlongTheNormalAndItsMark) {
+  const double cell = split_.grid.side / (1 << kSurfaceDepth);
+  for (const Page& page : split_.pages)
+    marks_.set_values(page.id, std::vector<int8_t>(page.positions.size(), 50));
+  ASSERT_TRUE(card_.show(drawn_, frame(Vec3f(0, 0, -4)), marks_).is_ok());
+  const SurfaceHit found = hit(false);
+  EXPECT_GT(found.normal.z(), 0.98);  // outwards
+  EXPECT_NEAR(found.moved(), -4 * cell, 0.02 * cell);
+  EXPECT_NEAR(found.mark, 50, 1e-9);
+}
+
 TEST_F(CardPagesTest, ADabMarksThePagesThatItTouches) {
   const SurfaceFrame still = frame(Vec3f::Zero());
   card_.show(drawn_, still, marks_).value();

@@ -11,7 +11,7 @@ using testing::HasSubstr;
 TEST(SessionWire, ASummaryNamesWhatIsLeftOut) {
   ExportSummary summary;
   summary.left_out = {"normals", "materials"};
-  EXPECT_EQ(from_wire(to_wire(summary)).left_out, summary.left_out);
+  EXPECT_EQ(from_wire(to_wire(summary))->left_out, summary.left_out);
 }
 
 TEST(SessionWire, ExportCyclesHaveLimits) {

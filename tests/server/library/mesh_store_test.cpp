@@ -73,6 +73,15 @@ TEST(MeshStore, ARenamedScanIsTheSameScanAndKeepsItsNameOverARestart) {
   EXPECT_EQ(library.store->rename("ball", "cube").status().code(), StatusCode::kNotFound);
 }
 
+TEST(MeshStore, AScanKeepsItsUnitOverARestart) {
+  TestLibrary library;
+  ASSERT_TRUE(library.import(sphere_file(), "ball").is_ok());
+  EXPECT_EQ(library.store->find("ball")->unit, "");
+  EXPECT_EQ(library.store->set_unit("ball", "mm")->unit, "mm");
+  library.restart();
+  EXPECT_EQ(library.store->find("ball")->unit, "mm");
+}
+
 TEST(MeshStore, ANameOfTwoScansIsAmbiguous) {
   TestLibrary library;
   ASSERT_TRUE(library.import(sphere_file(1), "twin").is_ok());

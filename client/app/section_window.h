@@ -1,0 +1,22 @@
+#pragma once
+
+#include "client/app/panels.h"
+
+namespace burnish {
+
+/// Returns the plane through both ends of a ruler and the eye's direction. Needs: two ends.
+Plane section_plane(const Ruler& ruler, const Camera& camera);
+
+/// The section through the original and the edited surface, with the ruler's way across the window.
+class SectionWindow : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+
+ private:
+  void draw_controls(Workspace& workspace);
+  void save(const std::string& ending, Workspace& workspace);
+
+  float exaggeration_ = 1;  // of heights
+};
+
+}  // namespace burnish

@@ -1,0 +1,38 @@
+#include "client/connection/connection_state.h"
+#include "common/wire/library_wire.h"
+#include "common/wire/measures_wire.h"
+
+namespace burnish {
+
+Result<SessionDeviation> Connection::deviation(const std::string& session) {
+  grpc::ClientContext context;
+  v1::GetDeviationRequest request;
+  request.set_session(session);
+  v1::Deviation response;
+  RETURN_IF_ERROR(
+      call_status(server(), state_->editing->GetDeviation(&context, request, &response)));
+  return from_wire(response);
+}
+
+Result<Section> Connection::section(const SectionWish& wish) {
+  grpc::ClientContext context;
+  v1::Section response;
+  RETURN_IF_ERROR(
+      call_status(server(), state_->editing->GetSection(&context, to_wire(wish), &response)));
+  return from_wire(response);
+}
+
+Result<ScanInfo> Connection::set_scan_unit(const std::string& scan, const std::string& unit) {
+  grpc::ClientContext context;
+  state_->set_deadline(context);
+  state_->set_user(context);
+  v1::SetScanUnitRequest request;
+  request.set_scan(scan);
+  request.set_unit(unit);
+  v1::ScanInfo response;
+  RETURN_IF_ERROR(
+      call_status(server(), state_->library->SetScanUnit(&context, request, &response)));
+  return from_wire(response);
+}
+
+}  // namespace burnish

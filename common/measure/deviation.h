@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "common/base/types.h"
+
+namespace burnish {
+
+/// How far an edit moved a surface. Lengths in file units; averages over the surface before. A
+/// vertex stands for a third of the area of its triangles.
+struct Deviation {
+  static constexpr int kBins = 64;
+
+  double max = 0;                  ///< the longest way of a vertex
+  Vec3d farthest = Vec3d::Zero();  ///< where this vertex was before
+  double mean = 0;                 ///< of the lengths of the ways
+  double rms = 0;                  ///< root of the mean of their squares
+  double outward_max = 0;          ///< the largest move along the normal
+  double inward_max = 0;           ///< the largest move against the normal; not negative
+  double mean_along_normal = 0;    ///< outward moves count positive
+  double area_before = 0;          ///< file units squared
+  double area_after = 0;
+  double volume_before = 0;  ///< file units cubed; means something for closed surfaces only
+  double volume_after = 0;
+  double histogram_range = 0;                ///< bins are even from -range to range
+  std::array<double, kBins> histogram = {};  ///< fraction of the area by its move along the normal
+
+  /// A way of no length anywhere.
+  bool is_zero() const { return max == 0; }
+};
+
+/// Needs: as many vertices before as after; triangles that index them. Vertices without a triangle
+/// do not count. Cost: linear; scratch of 32 bytes a vertex.
+Deviation deviation_of(std::span<const Vec3d> before, std::span<const Vec3d> after,
+                       std::span<const Triangle> triangles);
+
+}  // namespace burnish

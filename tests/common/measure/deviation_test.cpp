@@ -1,0 +1,83 @@
+#include "common/measure/deviation.h"
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "common/generate/generate.h"
+
+namespace burnish {
+namespace {
+
+std::vector<Vec3d> scaled(const std::vector<Vec3d>& points, double by) {
+  std::vector<Vec3d> result = points;
+  for (Vec3d& point : result) point *= by;
+  return result;
+}
+
+double share_of_bins(const Deviation& deviation, int from, int to) {
+  return std::accumulate(deviation.histogram.begin() + from, deviation.histogram.begin() + to, 0.0);
+}
+
+TEST(Deviation, OfASurfaceThatStaysIsZero) {
+  const TriangleMesh sphere = make_icosphere(3, 2);
+  const Deviation found = deviation_of(sphere.vertices, sphere.vertices, sphere.triangles);
+  EXPECT_TRUE(found.is_zero());
+  EXPECT_EQ(found.rms, 0);
+  EXPECT_EQ(found.volume_before, found.volume_after);
+  EXPECT_NEAR(share_of_bins(found, 0, Deviation::kBins), 1, 1e-12);
+}
+
+TEST(Deviation, OfASphereThatShrinksIsTheSameEverywhere) {
+  const TriangleMesh sphere = make_icosphere(5, 2);
+  const Deviation found =
+      deviation_of(sphere.vertices, scaled(sphere.vertices, 0.9), sphere.triangles);
+  EXPECT_NEAR(found.max, 0.2, 1e-12);
+  EXPECT_NEAR(found.mean, 0.2, 1e-12);
+  EXPECT_NEAR(found.rms, 0.2, 1e-12);
+  EXPECT_NEAR(found.mean_along_normal, -0.2, 1e-4);
+  EXPECT_NEAR(found.inward_max, 0.2, 1e-4);
+  EXPECT_EQ(found.outward_max, 0);
+  EXPECT_NEAR(found.volume_after / found.volume_before, 0.729, 1e-12);
+  EXPECT_NEAR(found.area_after / found.area_before, 0.81, 1e-12);
+  EXPECT_GT(share_of_bins(found, 0, 1), 0.9);
+}
+
+TEST(Deviation, WeighsAVertexByItsArea) {
+  // Two unit squares; the one vertex that moves is the corner of one triangle of area 1/2.
+  const std::vector<Vec3d> before = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                     {5, 0, 0}, {7, 0, 0}, {5, 3, 0}};
+  std::vector<Vec3d> after = before;
+  after[0].z() = 6;
+  const std::vector<Triangle> triangles = {{0, 1, 2}, {3, 4, 5}};
+  const Deviation found = deviation_of(before, after, triangles);
+  EXPECT_DOUBLE_EQ(found.area_before, 3.5);
+  EXPECT_DOUBLE_EQ(found.mean, 6 * (0.5 / 3) / 3.5);
+  EXPECT_DOUBLE_EQ(found.rms, std::sqrt(36 * (0.5 / 3) / 3.5));
+  EXPECT_DOUBLE_EQ(found.outward_max, 6);
+  EXPECT_EQ(found.farthest, Vec3d(0, 0, 0));
+}
+
+TEST(Deviation, DoesNotCountVerticesWithoutATriangle) {
+  const std::vector<Vec3d> before = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}};
+  std::vector<Vec3d> after = before;
+  after[3].x() = 100;
+  const std::vector<Triangle> triangles = {{0, 1, 2}};
+  EXPECT_TRUE(deviation_of(before, after, triangles).is_zero());
+}
+
+TEST(Deviation, IsExactFarFromZero) {
+  const TriangleMesh sphere = make_icosphere(4, 2);
+  std::vector<Vec3d> before = sphere.vertices, after = scaled(sphere.vertices, 0.5);
+  const Vec3d far(5e5, 5e6, 100);
+  for (Vec3d& point : before) point += far;
+  for (Vec3d& point : after) point += far;
+  const Deviation found = deviation_of(before, after, sphere.triangles);
+  EXPECT_NEAR(found.volume_after / found.volume_before, 0.125, 1e-7);
+  EXPECT_NEAR(found.max, 1, 1e-8);
+}
+
+}  // namespace
+}  // namespace burnish
