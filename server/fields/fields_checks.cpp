@@ -60,9 +60,9 @@ Status Fields::check_new(const Stroke& stroke) const {
   if (std::ranges::any_of(centres, [&](const Vec3d& c) { return touches(stroke.brush, c); }))
     return Status::ok();
   std::ostringstream text;
-  text << "the stroke touches nothing: its brush has radius " << stroke.brush.radius
-       << ", and no cell of the surface (" << prepared_.frame.cell_size
-       << " wide) has its middle within that of the path";
+  text << "the stroke touches nothing: no cell of the surface (" << prepared_.frame.cell_size
+       << " wide) has its middle within the brush's radius, " << stroke.brush.radius
+       << ", of the path";
   return invalid_argument(text.str());
 }
 
