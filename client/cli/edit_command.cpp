@@ -56,7 +56,8 @@ Status run(const EditOptions& options) {
     print_json({{"applied", outcome.applied}, {"known", outcome.known}, {"edits", outcome.edits}});
     return Status::ok();
   }
-  std::cout << options.session << ": " << outcome.applied << " edits applied";
+  std::cout << options.session << ": " << outcome.applied
+            << (outcome.applied == 1 ? " edit applied" : " edits applied");
   if (outcome.known > 0) std::cout << ", " << outcome.known << " already known";
   std::cout << ", " << outcome.edits << " in all\n";
   return Status::ok();

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include <grpcpp/grpcpp.h>
 
@@ -33,7 +34,15 @@ struct Connection::State {
   }
 };
 
-/// What a call ended with, in our words: "server HOST:PORT: ...".
+/// Returns what a call ended with, in our words: "server HOST:PORT: ...". The server's own texts
+/// stay as they are.
 Status call_status(const std::string& server, const grpc::Status& status);
+
+/// Returns in our words why gRPC could not connect. `text`: what it says. A text that is not known
+/// stays as it is.
+std::string no_link_words(std::string_view text);
+
+/// Returns "10 s", "0.25 s".
+std::string seconds_text(std::chrono::milliseconds time);
 
 }  // namespace burnish

@@ -67,8 +67,7 @@ struct LiveNews {
   LinkStats stats;
   std::vector<LiveEvent> events;  ///< in order; of what replaces itself the newest only
   size_t unacknowledged = 0;      ///< edits
-  /// How often the server ended the stream again when it was told the pages: it has no room for so
-  /// many.
+  /// How often the server ended the stream because it had no memory for the shown pages.
   uint64_t pages_refused = 0;
 };
 

@@ -54,7 +54,7 @@ void SessionLink::Worker::run() {
       const std::lock_guard lock(mutex_);
       if (stopping_) return;
       const bool was_live = news_.link == LinkState::kLive;
-      if (was_live && why.code() == StatusCode::kResourceExhausted) note_refused_pages();
+      news_.pages_refused += was_live && why.code() == StatusCode::kResourceExhausted;
     }
     if (!is_worth_another_try(why.code())) return set_link(LinkState::kEnded, why.to_string());
     set_link(news_.link == LinkState::kConnecting ? LinkState::kConnecting : LinkState::kLost,
@@ -127,8 +127,8 @@ Status SessionLink::Worker::speak_and_listen(LiveStream& stream) {
 
 bool SessionLink::Worker::must_leave(Time now) {
   if (now >= last_heard_ + options_.silence_max) {
-    farewell_ = "server " + server_ + ": nothing was heard for " +
-                std::to_string(options_.silence_max.count()) + " ms";
+    farewell_ =
+        "server " + server_ + ": nothing was heard for " + seconds_text(options_.silence_max);
     leaving_ = true;
   }
   const std::lock_guard lock(mutex_);

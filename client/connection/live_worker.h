@@ -64,7 +64,6 @@ class SessionLink::Worker {
 
   void tell(LiveEvent event);  // needs the lock
   void tell_shown();           // needs the lock
-  void note_refused_pages();   // needs the lock
   void wake_user();
 
   const std::string server_;
@@ -93,7 +92,6 @@ class SessionLink::Worker {
   LiveNews news_;
   Time last_decoded_;
   bool has_new_frame_ = false;
-  int refusals_in_a_row_ = 0;  // of pages, since a frame had all that were told
   bool stopping_ = false;
 
   std::thread thread_;  // last: it uses all of the above

@@ -58,7 +58,6 @@ Status SessionLink::Worker::hear(const LiveFrame& frame) {
   shown_.frame(made.edits, made.previews, decoded);
   tell_shown();
   outbox_.pages().shown(receiver_.shown_revision());
-  if (!outbox_.pages().is_under_way()) refusals_in_a_row_ = 0;
   if (surface) news_.frame = std::move(surface);
   return Status::ok();
 }
@@ -117,14 +116,8 @@ Status SessionLink::Worker::hear(const Farewell& farewell) {
   farewell_ = "server " + server_ + ": " + farewell.reason;
   leaving_ = true;
   const std::lock_guard lock(mutex_);
-  note_refused_pages();
+  news_.pages_refused += farewell.code == FarewellCode::kTooManyPages;
   return Status::ok();
-}
-
-// A server may end a stream once because it goes down, or finds pages damaged. One that does so
-// again as soon as it is told the same pages has no room for them.
-void SessionLink::Worker::note_refused_pages() {
-  if (outbox_.pages().is_under_way() && ++refusals_in_a_row_ > 1) ++news_.pages_refused;
 }
 
 void SessionLink::Worker::tell_shown() {

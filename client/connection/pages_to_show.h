@@ -28,8 +28,6 @@ class PagesToShow {
   /// Returns the change that the server has to hear next. Returns nothing while
   /// kPageChangesInFlightMax changes wait for a frame that shows them.
   std::optional<ShowPages> next();
-  /// Returns whether the server has a change that no frame shows yet.
-  bool is_under_way() const { return revision_ != shown_revision_; }
   /// Notes that a frame shows this revision.
   void shown(uint32_t revision) { shown_revision_ = revision; }
 

@@ -1,5 +1,7 @@
 #include "common/page_frames/page_frame_encoder.h"
 
+#include <algorithm>
+
 #include "common/packing/zstd_frame.h"
 #include "common/page_frames/page_frame_body.h"
 #include "common/page_frames/page_steps.h"
@@ -9,6 +11,9 @@ namespace burnish {
 namespace {
 
 constexpr int kZstdLevel = 1;  // level 3 is slower but not smaller: residuals do not repeat
+
+// A frame of at most one page of so many is never rounded more coarsely: that would send them all.
+constexpr size_t kFewPages = 8;
 
 /// Room for the values of one page.
 struct Scratch {
@@ -22,7 +27,9 @@ void encode_page_values(const WantedPage& wanted, int step_shift, size_t place, 
   scratch.values.resize(wanted.steps.size());
   scratch.residuals.resize(wanted.steps.size());
   tile.read(scratch.values);
-  if (code_page(*tile.shown.layout, wanted.steps, step_shift, scratch.values, scratch.residuals)) {
+  const bool is_there = step_shift == 0 && std::ranges::equal(scratch.values, wanted.steps);
+  if (!is_there &&
+      code_page(*tile.shown.layout, wanted.steps, step_shift, scratch.values, scratch.residuals)) {
     tile.narrowed = std::make_shared<const NarrowValues>(scratch.values);
     body.add_values(place, scratch.residuals);
   }
@@ -61,7 +68,8 @@ PageFrameEncoder::Draft PageFrameEncoder::draft(const PageMoment& moment, int st
   for (size_t place = 0; place < moment.pages.size() && made.is_complete; ++place) {
     encode_page_values(moment.pages[place], step_shift, place, scratch, made.state.tiles[place],
                        made.body);
-    made.is_complete = made.body.byte_count() <= bytes_max;
+    made.is_complete = made.body.byte_count() <= bytes_max ||
+                       kFewPages * made.body.sent_pages() <= moment.pages.size();
   }
   return made;
 }

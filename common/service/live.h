@@ -133,8 +133,21 @@ struct HistoryState {
   bool operator==(const HistoryState&) const = default;
 };
 
+/// Says why a stream ends.
+enum class FarewellCode {
+  kUnknown,       ///< of a server that knows no codes, or knows others
+  kGoingDown,     ///< the server ends
+  kSilent,        ///< the client has sent nothing for too long
+  kClosed,        ///< an owner has closed or deleted the session
+  kRemoved,       ///< the user may not be on the server any more
+  kTooManyPages,  ///< the server has no memory for the pages that the client shows
+  kDamagedPages,  ///< the page file is damaged
+  kFailed,        ///< a fault of the server, or no memory for the session
+};
+
 /// The last message.
 struct Farewell {
+  FarewellCode code = FarewellCode::kUnknown;
   std::string reason;      ///< in words
   bool come_back = false;  ///< greet again after a pause
 };

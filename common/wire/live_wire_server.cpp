@@ -1,5 +1,8 @@
 // What the server says in a live session.
 
+#include <algorithm>
+#include <iterator>
+
 #include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
 #include "common/wire/live_wire.h"
@@ -41,6 +44,18 @@ FrameStats read_stats(const v1::Frame& message) {
   stats.previews = message.previews();
   stats.held_ms = message.held_ms();
   return stats;
+}
+
+// In the order of FarewellCode.
+constexpr v1::GoAwayCode kGoAwayCodes[] = {
+    v1::GO_AWAY_CODE_UNSPECIFIED,   v1::GO_AWAY_CODE_GOING_DOWN, v1::GO_AWAY_CODE_SILENT,
+    v1::GO_AWAY_CODE_CLOSED,        v1::GO_AWAY_CODE_REMOVED,    v1::GO_AWAY_CODE_TOO_MANY_PAGES,
+    v1::GO_AWAY_CODE_DAMAGED_PAGES, v1::GO_AWAY_CODE_FAILED};
+
+FarewellCode read_code(v1::GoAwayCode code) {
+  const auto found = std::ranges::find(kGoAwayCodes, code);
+  return found == std::end(kGoAwayCodes) ? FarewellCode::kUnknown
+                                         : static_cast<FarewellCode>(found - kGoAwayCodes);
 }
 
 /// Sets the message's member of the oneof.
@@ -89,6 +104,7 @@ struct ServerWriter {
   void operator()(Farewell& farewell) const {
     message.mutable_go_away()->set_reason(std::move(farewell.reason));
     message.mutable_go_away()->set_come_back(farewell.come_back);
+    message.mutable_go_away()->set_code(kGoAwayCodes[static_cast<size_t>(farewell.code)]);
   }
 };
 
@@ -156,7 +172,8 @@ Result<AnyServerMessage> from_wire(v1::ServerMessage message) {
     case v1::ServerMessage::kHeartbeat:
       return AnyServerMessage(Heartbeat{message.heartbeat().client_time_us()});
     case v1::ServerMessage::kGoAway:
-      return AnyServerMessage(Farewell{message.go_away().reason(), message.go_away().come_back()});
+      return AnyServerMessage(Farewell{read_code(message.go_away().code()),
+                                       message.go_away().reason(), message.go_away().come_back()});
     case v1::ServerMessage::MESSAGE_NOT_SET:
       break;
   }

@@ -44,6 +44,8 @@ class Fields {
   /// Also refuses more cells than there are, and a cell that is set twice. For changes that are
   /// new. Fails: invalid_argument that names the count or the first such cell.
   Status check_new(const SetCellFields& change) const;
+  /// Fails: invalid_argument if no dab of the stroke reaches the middle of a cell.
+  Status check_new(const Stroke& stroke) const;
   void clear_overrides();
 
   PaintedCells painted() const;
@@ -59,6 +61,7 @@ class Fields {
  private:
   void update_beta() const;
   void update_beta(size_t stretch) const;
+  bool touches(const Brush& brush, const Vec3d& centre) const;
   /// Returns the index of an active cell. Fails: invalid_argument.
   Result<int32_t> index_of(const Vec3i& cell) const;
 

@@ -24,11 +24,12 @@ static Progress for_a_slice() {
 }
 
 LiveSession::LiveSession(SessionManager& manager, Scheduler& scheduler,
-                         std::shared_ptr<SessionEntry> entry, SessionRoles roles)
+                         const SessionManager::Attached& attached)
     : manager_(manager),
       scheduler_(scheduler),
-      entry_(std::move(entry)),
-      roles_(std::move(roles)) {}
+      entry_(attached.entry),
+      is_unmoved_(attached.cycles == 0),
+      roles_(attached.roles) {}
 
 void LiveSession::wake() {
   scheduler_.wake(shared_from_this());
@@ -85,6 +86,7 @@ Status LiveSession::work(SessionTurn& at, bool& more) {
   // relaxed the surface further.
   const Seen now{at.edits(), at.last().cycle};
   if (std::exchange(seen_, now) != now) ++version_;
+  if (now.cycle > 0) is_unmoved_ = false;
   tell_state(at);
   RETURN_IF_ERROR(relaxed);
   more = !at.session().is_settled(at.last()) || queued_edits() > 0;
@@ -113,48 +115,6 @@ Status LiveSession::relax(SessionTurn& at) {
   solve_ms_ = ms_between(assembled, steady_clock::now());
   if (is_assembled) metrics().observe(Measure::kFrameAssembleSeconds, assemble_ms_ / 1e3);
   metrics().observe(Measure::kFrameSolveSeconds, solve_ms_ / 1e3);
-  return Status::ok();
-}
-
-FrameStats LiveSession::stats_of(SessionTurn& at) const {
-  const StepReport& last = at.last();
-  return {.settled = at.session().is_settled(last),
-          .exact = at.session().is_exact(last),
-          .cycles = last.cycle,
-          .energy = last.energy,
-          .residual = last.residual,
-          .distance = last.distance,
-          .edits = at.edits(),
-          .assemble_ms = assemble_ms_,
-          .solve_ms = solve_ms_};
-}
-
-std::vector<LiveSession::Wish> LiveSession::wishes(bool settled) const {
-  const std::lock_guard lock(mutex_);
-  std::vector<Wish> wishes;
-  for (const auto& [connection, seat] : seats_)
-    if (seat.subscriber->wants_frame(version_, settled))
-      wishes.push_back({seat, seat.subscriber->pages()});
-  return wishes;
-}
-
-Status LiveSession::send_frames(SessionTurn& at) {
-  Session& session = at.session();
-  FrameStats stats = stats_of(at);
-  std::vector<Wish> wanting = wishes(stats.settled);
-  if (wanting.empty()) return Status::ok();
-  std::vector<std::shared_ptr<const ClientPages>> pages;
-  for (const Wish& wish : wanting) pages.push_back(wish.pages);
-  const Hierarchy& hierarchy = at.hierarchy();
-  const SurfaceMoment moment{hierarchy.at(hierarchy.finest).grid, session.prepared().evaluation,
-                             session.solver().displacement(), session.shown_fields().view().beta,
-                             stats.settled};
-  ASSIGN_OR_RETURN(SurfaceShot taken, SurfaceShot::take(moment, pages));
-  const auto surface = std::make_shared<const SurfaceShot>(std::move(taken));
-  for (Wish& wish : wanting) {
-    stats.previews = wish.seat.previews_taken;
-    wish.seat.subscriber->show({surface, std::move(wish.pages), version_, stats});
-  }
   return Status::ok();
 }
 
@@ -224,7 +184,7 @@ void LiveSession::close(const Farewell& farewell) {
 void LiveSession::fail(const Status& why) {
   spdlog::error("session {}: {}", entry_->record.id, why.to_string());
   const bool come_back = why.code() != StatusCode::kNotFound;
-  close({why.message(), come_back});
+  close({come_back ? FarewellCode::kFailed : FarewellCode::kClosed, why.message(), come_back});
   refuse_waiting(come_back ? unavailable(why.message()) : why);
 }
 
@@ -239,7 +199,7 @@ void LiveSession::end_unwelcome(steady_clock::duration silence_max) {
     const auto stays = subscriber->may_stay();
     if (!stays.is_ok()) subscriber->dismiss(stays.message(), kTimeToTakeIt);
     if (!subscriber->is_silent(silence_max)) continue;
-    subscriber->close(Farewell{silence_text(silence_max), true});
+    subscriber->close(Farewell{FarewellCode::kSilent, silence_text(silence_max), true});
     if (subscriber->is_silent(silence_max + kTimeToTakeIt)) subscriber->cut();
   }
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "server/live/held_surface.h"
 #include "server/live/subscriber.h"
 #include "server/manager/session_turn.h"
 #include "server/scheduling/scheduler.h"
@@ -22,8 +23,8 @@ namespace burnish {
 class LiveSession final : public Scheduled, public std::enable_shared_from_this<LiveSession> {
  public:
   /// Needs: manager and scheduler outlive it.
-  LiveSession(SessionManager& manager, Scheduler& scheduler, std::shared_ptr<SessionEntry> entry,
-              SessionRoles roles);
+  LiveSession(SessionManager& manager, Scheduler& scheduler,
+              const SessionManager::Attached& attached);
 
   void join(const std::shared_ptr<Subscriber>& subscriber);
 
@@ -41,8 +42,12 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
 
   void move_brush(uint64_t connection, const std::optional<BrushRing>& ring);
 
-  /// Call when there is work, or somebody wants a frame.
+  /// Call when there is work.
   void wake();
+
+  /// Call when somebody may want a frame. Before the session's first cycle they get the unmoved
+  /// surface at once: the first turn of a large scan takes seconds.
+  void wake_for_frames();
 
   /// Closes all subscribers.
   void close(const Farewell& farewell);
@@ -89,7 +94,10 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   void tell_state(SessionTurn& at);
   Status relax(SessionTurn& at);
   FrameStats stats_of(SessionTurn& at) const;
-  std::vector<Wish> wishes(bool settled) const;
+  std::vector<Wish> wishes(uint64_t version, bool settled) const;
+  void show_unmoved();
+  void begin_holding(SessionTurn& at);
+  std::span<const Vec3f> shown_displacement(SessionTurn& at, FrameStats& stats);
   Status send_frames(SessionTurn& at);
   void tell_people();
   std::vector<std::shared_ptr<Subscriber>> subscribers() const;
@@ -107,14 +115,21 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
     int cycle = 0;
     bool operator==(const Seen&) const = default;
   };
-  uint64_t version_ = 0;  // of the surface
+  uint64_t version_ = 0;  // of the surface; 0 is the unmoved one
   Seen seen_;
-  uint64_t life_ = 0;  // life of the session that shows the gestures
+  uint64_t life_ = 0;  // of the session that the next members are of; it shows the gestures
+  std::optional<HeldSurface> held_;
+  struct Still {
+    uint64_t version;
+    std::shared_ptr<const SurfaceShot> shot;
+  };
+  std::optional<Still> still_;  // the newest frame's surface, while it is settled
   double assemble_ms_ = 0;
   double solve_ms_ = 0;
   uint64_t roles_version_ = 0;  // of roles_
 
   std::atomic<bool> is_coming_back_{false};  // to memory
+  std::atomic<bool> is_unmoved_;             // before the first cycle
 
   mutable std::mutex mutex_;  // guards the following members
   std::map<uint64_t, Seat> seats_;

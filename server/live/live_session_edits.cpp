@@ -109,11 +109,10 @@ Status LiveSession::preview(uint64_t connection, Preview piece) {
     if (auto* stroke = std::get_if<Stroke>(&piece.change); stroke && goes_on) {
       const Stroke& begun = std::get<Stroke>(mine->second.change);
       if (!is_same(begun.brush, stroke->brush))
-        return invalid_argument("the brush of preview " + piece.edit_id +
-                                " differs from the brush at its beginning");
+        return invalid_argument("the brush of a preview differs from the brush at its beginning");
       stroke->path.insert(stroke->path.begin(), begun.path.begin(), begun.path.end());
     }
-    RETURN_IF_ERROR(check_piece(piece).with_context("preview " + piece.edit_id));
+    RETURN_IF_ERROR(check_piece(piece).with_context("preview"));
     gestures_[connection] = {caller.user, std::move(piece.edit_id), std::move(piece.change)};
     changed_gestures_.insert(connection);
   }
@@ -145,6 +144,8 @@ void LiveSession::show_gestures(SessionTurn& at) {
   Previews& previews = at.session().previews();
   const std::lock_guard lock(mutex_);
   if (std::exchange(life_, at.life()) != at.life()) {
+    held_.reset();
+    still_.reset();
     previews.clear();  // they belong to an earlier live session
     for (const auto& [connection, gesture] : gestures_) changed_gestures_.insert(connection);
   }

@@ -41,10 +41,9 @@ Result<LiveClient> LiveSessions::join(const Greeting& greeting, const Caller& ca
   const std::lock_guard lock(mutex_);
   if (draining_) return going_down();
   std::shared_ptr<LiveSession>& session = sessions_[attached.info.id];
-  if (!session)
-    session = std::make_shared<LiveSession>(manager_, scheduler_, attached.entry, attached.roles);
+  if (!session) session = std::make_shared<LiveSession>(manager_, scheduler_, attached);
   wiring.on_wish = [weak = std::weak_ptr(session)] {
-    if (const auto live = weak.lock()) live->wake();
+    if (const auto live = weak.lock()) live->wake_for_frames();
   };
   const uint64_t connection = attached.entry->presence.join(caller.user);
   auto wishes = std::make_unique<PageWishes>(sources_.find_or_make(std::move(pages), attached.mesh),
@@ -70,7 +69,8 @@ void LiveSessions::drain() {
     draining_ = true;
     sessions = sessions_;
   }
-  for (const auto& [id, session] : sessions) session->close({going_down().message(), true});
+  for (const auto& [id, session] : sessions)
+    session->close({FarewellCode::kGoingDown, going_down().message(), true});
 }
 
 void LiveSessions::end_unwelcome() {
@@ -112,7 +112,7 @@ uint64_t LiveSessions::client_bytes(const std::string& id) const {
 void LiveSessions::on_session_left(const std::string& id, const Status& why) {
   const auto session = find(id);
   if (!session) return;
-  session->close({why.message(), false});
+  session->close({FarewellCode::kClosed, why.message(), false});
   session->wake();  // to answer the remaining edits
 }
 

@@ -52,7 +52,7 @@ bool Subscriber::is_silent(steady_clock::duration time) const {
 }
 
 void Subscriber::dismiss(const std::string& why, steady_clock::duration time) {
-  close(Farewell{why, false});
+  close(Farewell{FarewellCode::kRemoved, why, false});
   {
     const std::lock_guard lock(mutex_);
     if (!dismissed_) dismissed_ = steady_clock::now();

@@ -24,6 +24,7 @@ struct Shot {
   std::shared_ptr<const SurfaceShot> surface;
   std::shared_ptr<const ClientPages> pages;  ///< of this client; the surface has them
   uint64_t version = 0;                      ///< of the surface; grows with every cycle
+  bool is_still = false;                     ///< the frame is exact, whatever its size
   FrameStats stats;
 };
 
@@ -97,7 +98,8 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   /// Returns whether a frame of this surface would be new for the client and may be made.
   bool wants_frame(uint64_t version, bool settled) const;
 
-  /// Takes a credit and makes a frame of the shot on an encoder's thread.
+  /// Takes a credit and makes a frame of the shot on an encoder's thread. Ignores a shot that is
+  /// older than the last one.
   void show(Shot shot);
 
   /// Returns the next message to send.

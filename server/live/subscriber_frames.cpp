@@ -41,10 +41,17 @@ Status Subscriber::show_pages(const ShowPages& change) {
   return Status::ok();
 }
 
+static Farewell farewell_of(const char* task, const Status& why) {
+  FarewellCode code = FarewellCode::kFailed;
+  if (why.code() == StatusCode::kResourceExhausted) code = FarewellCode::kTooManyPages;
+  if (why.code() == StatusCode::kDataLoss) code = FarewellCode::kDamagedPages;
+  return {code, "the server cannot " + std::string(task) + ": " + why.message(), true};
+}
+
 // Weak: nobody needs the pages of a client that has gone.
 void Subscriber::post_pages() {
   const auto fail = [](Subscriber& self, const Status& why) {
-    self.close(Farewell{"the server cannot show the pages: " + why.message(), true});
+    self.close(farewell_of("show the pages", why));
   };
   const auto make = [weak = weak_from_this(), fail] {
     const auto self = weak.lock();
@@ -61,8 +68,8 @@ void Subscriber::post_pages() {
 
 // A frame that touches few pages must not round the others anew, so after an exact frame the finest
 // step is tried first.
-static StepChoice steps_of(bool settled, bool last_was_exact, uint32_t bytes_max) {
-  if (settled) return kStillSteps;
+static StepChoice steps_of(bool is_still, bool last_was_exact, uint32_t bytes_max) {
+  if (is_still) return kStillSteps;
   StepChoice steps = moving_steps(bytes_max == 0 ? SIZE_MAX : bytes_max);
   if (last_was_exact) steps.finest = 0;
   return steps;
@@ -81,7 +88,7 @@ bool Subscriber::wants_frame(uint64_t version, bool settled) const {
 void Subscriber::show(Shot shot) {
   {
     const std::lock_guard lock(mutex_);
-    if (closed_ || credits_ == 0 || making_frame_) return;
+    if (closed_ || credits_ == 0 || making_frame_ || shown_version_ > shot.version) return;
     --credits_;
     making_frame_ = true;
     key_frame_allowed_ = false;
@@ -94,10 +101,7 @@ void Subscriber::show(Shot shot) {
   const auto self = shared_from_this();
   encoders_.post(
       {.work = [self, shot = std::move(shot)] { self->encode(shot); },
-       .on_failure =
-           [self](const Status& why) {
-             self->close(Farewell{"the server cannot make a frame: " + why.message(), true});
-           }});
+       .on_failure = [self](const Status& why) { self->close(farewell_of("make a frame", why)); }});
 }
 
 void Subscriber::hear(const FrameCredit& unseen) {
@@ -119,7 +123,7 @@ EncodedPageFrame Subscriber::encode(const Shot& shot, uint32_t bytes_max) {
   const std::vector<WantedPage> wanted = shot.surface->wanted(*shot.pages);
   EncodedPageFrame frame =
       encoder_.encode({shot.pages->shown, wanted, shot.surface->largest_move()},
-                      steps_of(shot.stats.settled, last_was_exact_, bytes_max));
+                      steps_of(shot.is_still, last_was_exact_, bytes_max));
   last_was_exact_ = frame.step_shift == 0;
   return frame;
 }

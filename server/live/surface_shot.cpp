@@ -34,18 +34,42 @@ float largest_move_of(const SurfaceMoment& moment) {
 
 }  // namespace
 
+const SurfaceShot::Part* SurfaceShot::find(const LivePage& page) const {
+  const auto found = std::ranges::lower_bound(pages_, &page);
+  if (found == pages_.end() || *found != &page) return nullptr;
+  const Part& part = parts_[found - pages_.begin()];
+  return part.page.expired() ? nullptr : &part;  // another page may have come to its place
+}
+
 Result<SurfaceShot> SurfaceShot::take(const SurfaceMoment& moment,
                                       std::span<const std::shared_ptr<const ClientPages>> clients) {
-  const SharedPages pages = pages_of(clients);
-  std::vector<std::shared_ptr<const PageEvaluation>> evaluations;
-  for (const auto& page : pages) evaluations.emplace_back(page, &page->evaluation);
   SurfaceShot shot;
-  ASSIGN_OR_RETURN(shot.samples_, sample_pages(moment.grid, evaluations, moment.displacement));
-  for (const auto& page : pages) {
+  std::vector<std::shared_ptr<const PageEvaluation>> missing;
+  std::vector<size_t> places;
+  for (const auto& page : pages_of(clients)) {
+    const Part* known = moment.last ? moment.last->find(*page) : nullptr;
+    if (!known) {
+      missing.emplace_back(page, &page->evaluation);
+      places.push_back(shot.parts_.size());
+    }
     shot.pages_.push_back(page.get());
-    shot.gains_.push_back(gain_of(*page, moment.beta));
+    shot.parts_.push_back(known ? *known : Part{page, nullptr, gain_of(*page, moment.beta)});
   }
-  shot.largest_move_ = largest_move_of(moment);
+  ASSIGN_OR_RETURN(auto samples, sample_pages(moment.grid, missing, moment.displacement));
+  for (size_t i = 0; i < samples.size(); ++i)
+    shot.parts_[places[i]].sample = std::make_shared<const PageSample>(std::move(samples[i]));
+  shot.largest_move_ = moment.last ? moment.last->largest_move_ : largest_move_of(moment);
+  return shot;
+}
+
+SurfaceShot SurfaceShot::unmoved(std::span<const std::shared_ptr<const ClientPages>> clients) {
+  SurfaceShot shot;
+  for (const auto& page : pages_of(clients)) {
+    const size_t values = size_t{3} * page->evaluation.shown.value_count();
+    shot.pages_.push_back(page.get());
+    const PageSample zeros{page->number(), std::vector<int32_t>(values)};
+    shot.parts_.push_back({page, std::make_shared<const PageSample>(zeros), 0});
+  }
   return shot;
 }
 
@@ -53,8 +77,8 @@ std::vector<WantedPage> SurfaceShot::wanted(const ClientPages& client) const {
   std::vector<WantedPage> wanted;
   wanted.reserve(client.pages.size());
   for (const auto& page : client.pages) {
-    const auto at = std::ranges::lower_bound(pages_, page.get()) - pages_.begin();
-    wanted.push_back({samples_[at].steps, gains_[at]});
+    const Part& part = *find(*page);
+    wanted.push_back({part.sample->steps, part.gain});
   }
   return wanted;
 }

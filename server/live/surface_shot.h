@@ -10,6 +10,8 @@
 
 namespace burnish {
 
+class SurfaceShot;
+
 /// A session's surface at one moment.
 struct SurfaceMoment {
   const SparseGrid& grid;
@@ -17,6 +19,7 @@ struct SurfaceMoment {
   std::span<const Vec3f> displacement;    ///< one per corner, cells
   std::span<const float> beta;            ///< one per cell
   bool settled = false;
+  const SurfaceShot* last = nullptr;  ///< of the same surface: is not done again
 };
 
 /// The pages that some clients show, sampled at one moment. Immutable: encoders share it.
@@ -27,15 +30,26 @@ class SurfaceShot {
   static Result<SurfaceShot> take(const SurfaceMoment& moment,
                                   std::span<const std::shared_ptr<const ClientPages>> clients);
 
+  /// Returns the surface of a session that has not moved yet. Needs no turn of the session.
+  static SurfaceShot unmoved(std::span<const std::shared_ptr<const ClientPages>> clients);
+
   /// Returns what each page of one of these clients should have, in the order of its pages.
   std::vector<WantedPage> wanted(const ClientPages& client) const;
 
   float largest_move() const { return largest_move_; }  ///< of the whole surface, cells
 
  private:
-  std::vector<const LivePage*> pages_;  // rising; the clients hold them
-  std::vector<PageSample> samples_;
-  std::vector<uint8_t> gains_;
+  /// A page's part.
+  struct Part {
+    std::weak_ptr<const LivePage> page;
+    std::shared_ptr<const PageSample> sample;
+    uint8_t gain = 0;
+  };
+
+  const Part* find(const LivePage& page) const;
+
+  std::vector<const LivePage*> pages_;  // rising; some may have gone
+  std::vector<Part> parts_;             // one per page
   float largest_move_ = 0;
 };
 

@@ -14,6 +14,7 @@
 #include "server/live/live_sessions.h"
 #include "server/main/daemon.h"
 #include "server/main/gauges.h"
+#include "server/process/hidden_folder.h"
 #include "server/process/log_setup.h"
 #include "server/scheduling/lanes.h"
 #include "server/solver/cuda/cuda_backend.h"
@@ -144,6 +145,10 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   remove_stale_files(*folder);
   ASSIGN_OR_RETURN(const auto opened_store, MeshStore::open(*folder, store_options(config)));
   MeshStore& store = *opened_store;
+  const HiddenFolder hidden(config.data, [&store](const std::string& id) {
+    const auto scan = store.find(id);
+    return scan.is_ok() ? scan->name : id;
+  });
   ASSIGN_OR_RETURN(const auto journal, Journal::open(folder->journal()));
   ASSIGN_OR_RETURN(const auto sessions,
                    SessionManager::create(*folder, store, *journal, session_options(config)));

@@ -127,6 +127,7 @@ class SessionManager {
     SessionInfo info;
     SessionRoles roles;
     std::string backend;
+    int cycles = 0;  ///< since it came into memory
   };
 
   /// Fails: not_found, resource_exhausted, cancelled.

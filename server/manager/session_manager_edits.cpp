@@ -55,14 +55,14 @@ Result<ApplyOutcome> SessionManager::submit(const std::string& reference, const 
 Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEntry>& held,
                                                  const Caller& caller, std::span<const Edit> edits,
                                                  GroupCommit::Done on_disk) {
-  for (const Edit& edit : edits) RETURN_IF_ERROR(validate(edit).with_context("edit " + edit.id));
+  for (const Edit& edit : edits) RETURN_IF_ERROR(about_edit(validate(edit), edit, edits.size()));
   SessionEntry& entry = *held;
   RETURN_IF_ERROR(require_role(entry.roles, caller, SessionRole::kEditor, "editing"));
   EditedFields& edited = entry.session->edited();
 
   std::vector<AuthoredEdit> fresh = new_edits(edited.history(), caller.user, edits);
   for (const AuthoredEdit& edit : fresh)
-    RETURN_IF_ERROR(edited.check_new(edit.edit).with_context("edit " + edit.edit.id));
+    RETURN_IF_ERROR(about_edit(edited.check_new(edit.edit), edit.edit, edits.size()));
   RETURN_IF_ERROR(charge_for(fresh, entry));
   const uint64_t first = edited.history().size() + 1;
   ASSIGN_OR_RETURN(const std::vector<uint64_t> numbers, edited.record(fresh));

@@ -28,8 +28,12 @@ Result<SessionManager::Attached> SessionManager::attach(const std::string& refer
                                                         const Progress& progress) {
   ASSIGN_OR_RETURN(const Held held, use(reference, caller, progress));
   const SessionEntry& entry = *held.entry;
-  return Attached{held.entry, entry.mesh, entry.info(), entry.roles,
-                  std::string(entry.session->solver().backend_name())};
+  return Attached{held.entry,
+                  entry.mesh,
+                  entry.info(),
+                  entry.roles,
+                  std::string(entry.session->solver().backend_name()),
+                  entry.last.cycle};
 }
 
 Result<std::optional<SessionTurn>> SessionManager::try_turn(

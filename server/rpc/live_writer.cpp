@@ -1,6 +1,7 @@
 #include "server/rpc/live_writer.h"
 
 #include "common/wire/live_wire.h"
+#include "server/process/hidden_folder.h"
 #include "server/rpc/call_context.h"
 
 namespace burnish {
@@ -41,11 +42,20 @@ void LiveWriter::unless_finished(const std::function<void()>& start) {
   if (!finished_ && !end_) start();
 }
 
+static void hide_paths(ServerMessage& message) {
+  if (auto* farewell = std::get_if<Farewell>(&message))
+    farewell->reason = text_for_client(farewell->reason);
+  if (auto* answer = std::get_if<EditsRefused>(&message))
+    answer->status = {answer->status.code(), text_for_client(answer->status.message())};
+}
+
 bool LiveWriter::take_next() {
   std::optional<ServerMessage> next = std::exchange(first_, std::nullopt);
   if (!next && subscriber_) next = subscriber_->take();
-  if (next) current_ = to_wire(std::move(*next));
-  return next.has_value();
+  if (!next) return false;
+  hide_paths(*next);
+  current_ = to_wire(std::move(*next));
+  return true;
 }
 
 void LiveWriter::advance() {

@@ -5,6 +5,7 @@
 #include "common/base/status.h"
 #include "common/base/text.h"
 #include "common/wire/status_wire.h"
+#include "server/process/hidden_folder.h"
 
 namespace burnish {
 
@@ -14,7 +15,7 @@ inline constexpr size_t kStatusBytesMax = 1000;
 inline grpc::Status to_grpc(const Status& status) {
   if (status.is_ok()) return grpc::Status::OK;
   return {static_cast<grpc::StatusCode>(status_code_to_wire(status.code())),
-          shortened(status.message(), kStatusBytesMax)};
+          shortened(text_for_client(status.message()), kStatusBytesMax)};
 }
 
 }  // namespace burnish

@@ -17,7 +17,7 @@ Result<std::vector<uint64_t>> EditedFields::record(std::span<const AuthoredEdit>
     const Result<uint64_t> number = record_one(edit);
     if (!number.is_ok()) {
       for (size_t i = 0; i < numbers.size(); ++i) history_.take_back();
-      return number.status().with_context("edit " + edit.edit.id);
+      return about_edit(number.status(), edit.edit, edits.size());
     }
     numbers.push_back(number.value());
   }
@@ -52,6 +52,13 @@ Status EditedFields::check(const Edit& edit) const {
   RETURN_IF_ERROR(validate(edit));
   const auto* cells = std::get_if<SetCellFields>(&edit.change);
   return cells ? fields_.check(*cells) : Status::ok();
+}
+
+Status EditedFields::check_new(const Edit& edit) const {
+  if (const auto* cells = std::get_if<SetCellFields>(&edit.change))
+    return fields_.check_new(*cells);
+  if (const auto* stroke = std::get_if<Stroke>(&edit.change)) return fields_.check_new(*stroke);
+  return Status::ok();
 }
 
 EditedFields::Counting EditedFields::counting() const {

@@ -12,6 +12,11 @@
 
 namespace burnish {
 
+/// Adds to a failure which edit of a message it is about. The only edit needs no name.
+inline Status about_edit(const Status& status, const Edit& edit, size_t edits) {
+  return edits == 1 ? status : status.with_context("edit " + edit.id);
+}
+
 /// The history of a session and the fields that it makes. Every change works in the same way,
 /// whether a new edit, an undo, a late join, a recovery or a fork: the history changes first, then
 /// a replay applies the entries that are on and not yet in the fields. The fields depend on the
@@ -56,11 +61,9 @@ class EditedFields {
   uint64_t restore(std::span<const AuthoredEdit> edits);
 
   /// Checks a new edit against the mesh; apply() is less strict because it takes older histories.
-  /// Fails: invalid_argument for a cell that is not active or set twice.
-  Status check_new(const Edit& edit) const {
-    const auto* cells = std::get_if<SetCellFields>(&edit.change);
-    return cells ? fields_.check_new(*cells) : Status::ok();
-  }
+  /// Fails: invalid_argument for a cell that is not active or set twice, and for a stroke that
+  /// touches no cell.
+  Status check_new(const Edit& edit) const;
 
   /// The changes since the last take_changes().
   const Changes& changes() const { return changes_; }

@@ -130,6 +130,7 @@ class Stream(Served):
         rest, code = live.leave()
         self.assertEqual(rest[-1].WhichOneof("message"), "go_away")
         self.assertFalse(rest[-1].go_away.come_back)
+        self.assertEqual(rest[-1].go_away.code, editing_pb2.GO_AWAY_CODE_CLOSED)
         self.assertEqual(code, grpc.StatusCode.OK)
 
 
@@ -140,6 +141,7 @@ class Drained(Served):
         rest, code = live.leave()
         self.assertEqual(rest[-1].WhichOneof("message"), "go_away")
         self.assertTrue(rest[-1].go_away.come_back)
+        self.assertEqual(rest[-1].go_away.code, editing_pb2.GO_AWAY_CODE_GOING_DOWN)
         self.assertEqual(code, grpc.StatusCode.OK)
 
 

@@ -78,8 +78,9 @@ void FakeEditing::send(PageFrameKind kind) {
   changed_.notify_all();
 }
 
-void FakeEditing::go_away(const std::string& reason, bool come_back) {
+void FakeEditing::go_away(const std::string& reason, bool come_back, v1::GoAwayCode code) {
   const std::lock_guard lock(mutex_);
+  farewell_.set_code(code);
   farewell_.set_reason(reason);
   farewell_.set_come_back(come_back);
   ++farewells_;

@@ -62,7 +62,8 @@ class FakeEditing final : public v1::Editing::Service {
   /// Makes frames of this kind for all clients from now on.
   void send(PageFrameKind kind);
   /// Ends the streams with a farewell.
-  void go_away(const std::string& reason, bool come_back);
+  void go_away(const std::string& reason, bool come_back,
+               v1::GoAwayCode code = v1::GO_AWAY_CODE_UNSPECIFIED);
 
   /// Says whether a client has these pages as it should in the end.
   bool is_shown_by(const SurfaceFrame& frame, const std::vector<PageId>& pages) const;

@@ -270,6 +270,18 @@ TEST_F(LiveSessions, ComeBackWhenTheServerSaysSoAndEndWhenItDoesNot) {
   EXPECT_EQ(session_->apply(slider("a")).code(), StatusCode::kFailedPrecondition);
 }
 
+TEST_F(LiveSessions, CountRefusedPagesWhenTheFarewellSaysSoAlone) {
+  connect();
+  ASSERT_TRUE(until_live());
+  server_.go_away("restarting", true, v1::GO_AWAY_CODE_GOING_DOWN);
+  ASSERT_TRUE(until([this] { return server_.seen().greetings == 2; }));
+  ASSERT_TRUE(until_live());
+  EXPECT_EQ(session_->take().pages_refused, 0u);
+  server_.go_away("too many", true, v1::GO_AWAY_CODE_TOO_MANY_PAGES);
+  ASSERT_TRUE(until([this] { return server_.seen().greetings == 3; }));
+  EXPECT_EQ(session_->take().pages_refused, 1u);
+}
+
 TEST_F(LiveSessions, EndWhenTheServerWillNeverHaveThem) {
   server_.set_faults({.refuse_greeting = grpc::StatusCode::NOT_FOUND});
   connect();
@@ -349,7 +361,7 @@ TEST_F(LiveSessions, LeaveAServerThatHasFallenSilent) {
     clock_.put_forward(seconds(1));
     return link_ == LinkState::kLost;
   }));
-  EXPECT_THAT(told<LinkChanged>().back().reason, HasSubstr("nothing was heard for 15000 ms"));
+  EXPECT_THAT(told<LinkChanged>().back().reason, HasSubstr("nothing was heard for 15 s"));
   server_.set_faults({});
   EXPECT_TRUE(until_live());
 }

@@ -104,6 +104,7 @@ TEST_P(PageFrames, AMovingFrameTooLargeForTheLinkTakesCoarserSteps) {
   const DecodedPageFrame coarser = send(moving_steps(bytes));
   EXPECT_GT(coarser.step_shift, 2);
   EXPECT_LT(coarser.step_shift, 6);
+  sampler_.sample(wavy_field(3.6, 0.2));
   EXPECT_EQ(send(moving_steps(1)).step_shift, 6);
   for (PageId page = 0; page < 10; ++page) EXPECT_EQ(held(page), rounded(sampler_.steps(page), 6));
 }
@@ -134,6 +135,24 @@ TEST_P(PageFrames, ADabSendsOnlyThePagesThatItTouches) {
   EXPECT_EQ(sent_.sent_pages, touched.size());
   EXPECT_GT(touched.size(), 0u);
   EXPECT_LT(touched.size(), before.size() / 2);
+}
+
+TEST_P(PageFrames, AFrameOfAnEighthOfThePagesIsNotRoundedWhateverItsSize) {
+  sampler_.sample(wavy_field(3, 0));
+  send();
+  std::vector<WantedPage> wanted = sampler_.wanted(shown_);
+  std::vector<std::vector<int32_t>> moved;
+  for (const PageId page : {3, 5}) {
+    moved.emplace_back(wanted[page].steps.begin(), wanted[page].steps.end());
+    for (int32_t& step : moved.back()) step += 5;
+  }
+  const StepChoice steps{.finest = 0, .coarsest = 6, .bytes_max = 1};
+  wanted[3].steps = moved[0];
+  const EncodedPageFrame one = encoder_.encode({shown_, wanted, 1.5F}, steps);
+  EXPECT_EQ(one.step_shift, 0);
+  EXPECT_EQ(one.sent_pages, 1u);
+  wanted[5].steps = moved[1];
+  EXPECT_EQ(encoder_.encode({shown_, wanted, 1.5F}, steps).step_shift, 6);
 }
 
 TEST_P(PageFrames, APageShownLaterHasTheValuesThatItWouldAlwaysHaveHad) {

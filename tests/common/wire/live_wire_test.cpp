@@ -89,7 +89,15 @@ TEST(LiveWire, EveryMessageOfTheServerComesBackUnchanged) {
   expect_unchanged<ServerMessage>(HistoryState{3, 0.5, curve()});
   expect_unchanged<ServerMessage>(people);
   expect_unchanged<ServerMessage>(Heartbeat{123456789});
-  expect_unchanged<ServerMessage>(Farewell{"the session was closed", true});
+  for (int code = 1; code <= static_cast<int>(FarewellCode::kFailed); ++code)
+    expect_unchanged<ServerMessage>(Farewell{static_cast<FarewellCode>(code), "so", true});
+}
+
+TEST(LiveWire, ACodeOfANewerServersFarewellIsUnknown) {
+  v1::ServerMessage message;
+  message.mutable_go_away()->set_code(static_cast<v1::GoAwayCode>(99));
+  const auto farewell = std::get<Farewell>(from_wire(message).value().value());
+  EXPECT_EQ(farewell.code, FarewellCode::kUnknown);
 }
 
 TEST(LiveWire, ValuesArriveInTheirOwnFields) {

@@ -110,7 +110,7 @@ TEST_F(LiveEdits, PreviewsAreCheckedAsAWhole) {
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
   EXPECT_THAT(status.message(), HasSubstr("more than 4096 dabs"));
   fine.brush.radius = 2;
-  EXPECT_THAT(grow(fine).message(), HasSubstr("brush of preview drag"));
+  EXPECT_THAT(grow(fine).message(), HasSubstr("brush of a preview"));
 }
 
 TEST_F(LiveEdits, SomebodyElseAtTheSessionHoldsUpOnlyItsOwnTurns) {

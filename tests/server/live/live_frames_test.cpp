@@ -1,5 +1,6 @@
 // The content of a live session's frames, and the times when they go out.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/server/live/live_work.h"
@@ -39,6 +40,36 @@ TEST_F(LiveFrames, WhileItMovesAFrameIsOffByAtMostHalfItsStep) {
   const std::vector<int32_t> exact = sample(ann), seen = ann.pages.values();
   for (size_t i = 0; i < exact.size(); ++i)
     ASSERT_LE(std::abs(exact[i] - seen[i]), 2);  // half of 1/64 cell
+}
+
+TEST_F(LiveFrames, BeforeTheFirstCycleTheUnmovedSurfaceIsShown) {
+  auto ann = guest();
+  ann.edit({{"a", SetGradientScale{0}}});
+  ann.show_level(0);
+  ann.subscriber().grant({.frames = 1});
+  while (ann.frames.empty()) ann.take_all();  // nobody takes a turn
+  const auto shown = ann.all<LiveFrame>();
+  ASSERT_EQ(shown.size(), 1u);
+  EXPECT_EQ(shown[0].stats.cycles, 0);
+  EXPECT_EQ(shown[0].stats.edits, 0u);
+  EXPECT_FALSE(shown[0].stats.settled);
+  EXPECT_EQ(ann.frames[0].step_shift, 0);
+  EXPECT_EQ(ann.frames[0].largest_move, 0);
+  EXPECT_THAT(ann.pages.values(), testing::Each(0));
+  ann.settle();
+  EXPECT_GT(ann.frames.back().largest_move, 0);
+  EXPECT_EQ(ann.pages.values(), sample(ann));
+}
+
+TEST_F(LiveFrames, WhoComesBackToASolvedSessionDoesNotSeeItUnmoved) {
+  auto ann = guest();
+  ann.edit({{"a", SetGradientScale{0}}});
+  ann.settle();
+  ann.leave();
+  auto bob = guest("bob");
+  bob.show_level(0);
+  bob.settle();
+  for (const LiveFrame& frame : bob.all<LiveFrame>()) EXPECT_GT(frame.stats.cycles, 0);
 }
 
 TEST_F(LiveFrames, OverASlowLinkAMovingSurfaceIsCoarserAndAStillOneExact) {

@@ -38,6 +38,7 @@ TEST_F(LiveMemory, PagesThatDoNotFitEndTheStreamAndSayWhy) {
   const auto farewells = ann.all<Farewell>();
   ASSERT_EQ(farewells.size(), 1u);
   EXPECT_THAT(farewells[0].reason, testing::ContainsRegex("needs [0-9]+ more"));
+  EXPECT_EQ(farewells[0].code, FarewellCode::kTooManyPages);
   EXPECT_TRUE(farewells[0].come_back);
   bob.settle();
   EXPECT_FALSE(bob.finished);

@@ -50,6 +50,7 @@ TEST_F(LivePeople, ClosedAndDeletedSessionsSendTheirClientsAway) {
   // Earlier edits are still answered.
   EXPECT_EQ(ann.all<EditsAcknowledged>().size(), 1u);
   EXPECT_EQ(ann.all<Farewell>()[0].reason, "the session was closed by ann");
+  EXPECT_EQ(ann.all<Farewell>()[0].code, FarewellCode::kClosed);
   EXPECT_FALSE(ann.all<Farewell>()[0].come_back);
   EXPECT_TRUE(ann.finished);
   auto again = guest();  // while the first is still leaving
@@ -69,6 +70,7 @@ TEST_F(LivePeople, ADrainingServerLetsNobodyIn) {
   auto ann = guest();
   live_->drain();
   ann.run();
+  EXPECT_EQ(ann.all<Farewell>()[0].code, FarewellCode::kGoingDown);
   EXPECT_TRUE(ann.all<Farewell>()[0].come_back);
   ann.edit({{"late", SetGradientScale{0.5}}});
   ann.run();
@@ -87,6 +89,7 @@ TEST_F(LivePeople, WhoIsSilentIsSentAwayAndWatchersMayBe) {
   ann.run();
   eve.run();
   ASSERT_EQ(ann.all<Farewell>().size(), 1u);
+  EXPECT_EQ(ann.all<Farewell>()[0].code, FarewellCode::kSilent);
   EXPECT_TRUE(ann.finished);
   EXPECT_TRUE(eve.all<Farewell>().empty());
 }
@@ -117,6 +120,7 @@ TEST_F(LivePeople, WhoMayNotStayIsSentAwayForGood) {
   eve.session().end_unwelcome(std::chrono::hours(1));
   eve.run();
   ASSERT_EQ(eve.all<Farewell>().size(), 1u);
+  EXPECT_EQ(eve.all<Farewell>()[0].code, FarewellCode::kRemoved);
   EXPECT_EQ(eve.all<Farewell>()[0].reason, "eve has left");
   EXPECT_FALSE(eve.all<Farewell>()[0].come_back);
   EXPECT_TRUE(eve.finished);

@@ -1,5 +1,6 @@
 #include "server/live/surface_shot.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/server/manager/test_library.h"
@@ -42,6 +43,28 @@ TEST_F(SurfaceShotTest, ClientsShareThePagesThatBothShow) {
   EXPECT_EQ(first[1].steps.data(), second[0].steps.data());
   EXPECT_NE(first[0].steps.data(), second[1].steps.data());
   EXPECT_EQ(first[0].steps[0], 64);
+}
+
+TEST_F(SurfaceShotTest, ThePagesOfTheLastShotAreNotDoneAgain) {
+  const std::shared_ptr<const ClientPages> before[] = {client({0, 1})};
+  const std::shared_ptr<const ClientPages> after[] = {client({1, 2})};
+  const SurfaceShot last = SurfaceShot::take(moment(), before).value();
+  SurfaceMoment same = moment();
+  same.last = &last;
+  const SurfaceShot shot = SurfaceShot::take(same, after).value();
+  EXPECT_EQ(shot.wanted(*after[0])[0].steps.data(), last.wanted(*before[0])[1].steps.data());
+  EXPECT_EQ(shot.wanted(*after[0])[1].steps[0], 64);
+  EXPECT_EQ(shot.largest_move(), last.largest_move());
+}
+
+TEST_F(SurfaceShotTest, AnUnmovedSurfaceNeedsNoSolver) {
+  const std::shared_ptr<const ClientPages> clients[] = {client({0, 1})};
+  const SurfaceShot shot = SurfaceShot::unmoved(clients);
+  for (const WantedPage& wanted : shot.wanted(*clients[0])) {
+    EXPECT_THAT(wanted.steps, testing::Each(0));
+    EXPECT_EQ(wanted.gain, 0);
+  }
+  EXPECT_EQ(shot.largest_move(), 0);
 }
 
 TEST_F(SurfaceShotTest, AGainFollowsTheLargestBetaInThePagesCells) {

@@ -1,0 +1,69 @@
+// What a change of the fields must be like.
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/grid/morton.h"
+#include "server/fields/fields.h"
+
+namespace burnish {
+
+static std::string text_of(const Vec3i& cell) {
+  return std::to_string(cell.x()) + " " + std::to_string(cell.y()) + " " + std::to_string(cell.z());
+}
+
+Result<int32_t> Fields::index_of(const Vec3i& cell) const {
+  const int side = prepared_.frame.cells_per_side();
+  if ((cell.array() < 0).any() || (cell.array() >= side).any())
+    return invalid_argument("cell " + text_of(cell) + " is outside the grid of 0.." +
+                            std::to_string(side - 1));
+  const MortonKey key = morton_key(cell);
+  const auto it = std::lower_bound(prepared_.cells.begin(), prepared_.cells.end(), key);
+  if (it == prepared_.cells.end() || *it != key)
+    return invalid_argument("cell " + text_of(cell) + " holds no surface at depth " +
+                            std::to_string(prepared_.frame.depth));
+  return static_cast<int32_t>(it - prepared_.cells.begin());
+}
+
+Status Fields::check(const SetCellFields& change) const {
+  for (const SetCellFields::Cell& cell : change.cells)
+    RETURN_IF_ERROR(index_of(cell.cell).status());
+  return Status::ok();
+}
+
+Status Fields::check_new(const SetCellFields& change) const {
+  if (change.cells.size() > prepared_.cells.size())
+    return invalid_argument("the edit sets " + std::to_string(change.cells.size()) +
+                            " cells, the limit is " + std::to_string(prepared_.cells.size()));
+  std::vector<char> is_set(prepared_.cells.size());
+  for (const SetCellFields::Cell& cell : change.cells) {
+    ASSIGN_OR_RETURN(const int32_t index, index_of(cell.cell));
+    if (std::exchange(is_set[index], 1) != 0)
+      return invalid_argument("the edit sets cell " + text_of(cell.cell) + " twice");
+  }
+  return Status::ok();
+}
+
+bool Fields::touches(const Brush& brush, const Vec3d& centre) const {
+  return std::ranges::any_of(cells_near(brush, {&centre, 1}), [&](int64_t c) {
+    const Vec3d middle = prepared_.frame.to_file(morton_point(prepared_.cells[c]).cast<double>() +
+                                                 Vec3d::Constant(0.5));
+    return (middle - centre).norm() < brush.radius;
+  });
+}
+
+Status Fields::check_new(const Stroke& stroke) const {
+  const auto centres = dab_centres(stroke);
+  if (std::ranges::any_of(centres, [&](const Vec3d& c) { return touches(stroke.brush, c); }))
+    return Status::ok();
+  std::ostringstream text;
+  text << "the stroke touches nothing: no cell of the surface (" << prepared_.frame.cell_size
+       << " wide) has its middle within the brush's radius, " << stroke.brush.radius
+       << ", of the path";
+  return invalid_argument(text.str());
+}
+
+}  // namespace burnish
