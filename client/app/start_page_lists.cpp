@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <ctime>
+#include <imgui_stdlib.h>
+#include <optional>
+#include <utility>
 
 #include "client/app/theme.h"
 
@@ -19,12 +22,6 @@ static std::string scan_name(const Library& library, const std::string& id) {
   for (const ScanInfo& scan : library.scans)
     if (scan.id == id) return scan.name;
   return short_id(id);
-}
-
-static uint64_t bytes_on_disk(const ScanInfo& scan) {
-  uint64_t bytes = scan.size_bytes;
-  for (const PreparedInfo& prepared : scan.prepared) bytes += prepared.size_bytes;
-  return bytes;
 }
 
 static std::string megabytes(uint64_t bytes) {
@@ -66,6 +63,25 @@ static bool draw_delete(const std::string& question) {
   return is_sure;
 }
 
+// Draws a button that asks for a name. Returns the name when the user is done.
+static std::optional<std::string> draw_rename(const std::string& name) {
+  static std::string typed;  // one popup is open at a time
+  if (ImGui::SmallButton("Rename")) {
+    typed = name;
+    ImGui::OpenPopup("##rename");
+  }
+  if (!ImGui::BeginPopup("##rename")) return std::nullopt;
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(em(16));
+  const bool entered = ImGui::InputText(
+      "##name", &typed, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::SameLine();
+  const bool is_done = (ImGui::Button("Rename") || entered) && !typed.empty();
+  if (is_done) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+  return is_done && typed != name ? std::optional(typed) : std::nullopt;
+}
+
 static std::string question_of(const ScanInfo& scan, size_t sessions) {
   if (sessions == 0) return "The server deletes " + scan.name + ".";
   return "The server deletes " + scan.name + ", and " + std::to_string(sessions) +
@@ -89,6 +105,8 @@ static void draw_scan(const ScanInfo& scan, Workspace& workspace) {
   if (ImGui::SmallButton("New")) workspace.open_scan(scan, Opening::kAnew);
   hint("Opens it in a new session.");
   ImGui::SameLine();
+  if (const auto name = draw_rename(scan.name)) workspace.rename_scan(scan.id, *name);
+  ImGui::SameLine();
   if (draw_delete(question_of(scan, sessions))) workspace.delete_scan(scan.id);
 }
 
@@ -106,7 +124,7 @@ void draw_scans(Workspace& workspace) {
   add_column("surface", 4);
   add_column("on disk", 4.5f);
   add_column("imported", 6);
-  add_column("", 7.5f);
+  add_column("", 12);
   ImGui::TableHeadersRow();
   for (const ScanInfo& scan : library.scans) {
     ImGui::PushID(scan.id.c_str());
@@ -128,6 +146,8 @@ static void draw_session(const SessionInfo& session, Workspace& workspace) {
   ImGui::TableNextColumn();
   faint_text("%s", day_of(session.created_unix_seconds).c_str());
   ImGui::TableNextColumn();
+  if (const auto name = draw_rename(session.name)) workspace.rename_session(session, *name);
+  ImGui::SameLine();
   if (draw_delete("The server deletes " + session.name + " with " + std::to_string(session.edits) +
                   (session.edits == 1 ? " edit." : " edits.")))
     workspace.delete_session(session);
@@ -143,7 +163,7 @@ void draw_sessions(Workspace& workspace) {
   add_column("edits", 3.5f);
   add_column("depth", 3.5f);
   add_column("begun", 6);
-  add_column("", 5);
+  add_column("", 9);
   ImGui::TableHeadersRow();
   for (const SessionInfo& session : library.sessions) {
     ImGui::PushID(session.id.c_str());

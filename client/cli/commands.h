@@ -31,5 +31,6 @@ void add_export_command(CommandTable& table);
 void add_bench_command(CommandTable& table);
 void add_close_command(CommandTable& table);
 void add_delete_command(CommandTable& table);
+void add_rename_command(CommandTable& table);
 
 }  // namespace burnish

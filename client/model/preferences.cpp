@@ -67,6 +67,10 @@ void read_recent(const toml::table& table, Preferences& preferences) {
     read(*entry, "server", session.server);
     read(*entry, "session", session.session);
     read(*entry, "scan", session.scan);
+    read(*entry, "id", session.id);
+    read(*entry, "scan_name", session.scan_name);
+    read(*entry, "shown", session.shown_unix_seconds);
+    session.size_bytes = static_cast<uint64_t>((*entry)["size_bytes"].value_or<int64_t>(0));
     preferences.recent.push_back(session);
   }
 }
@@ -74,8 +78,13 @@ void read_recent(const toml::table& table, Preferences& preferences) {
 toml::table to_toml(const Preferences& preferences) {
   toml::array recent;
   for (const RecentSession& session : preferences.recent)
-    recent.push_back(toml::table{
-        {"server", session.server}, {"session", session.session}, {"scan", session.scan}});
+    recent.push_back(toml::table{{"server", session.server},
+                                 {"session", session.session},
+                                 {"scan", session.scan},
+                                 {"id", session.id},
+                                 {"scan_name", session.scan_name},
+                                 {"shown", session.shown_unix_seconds},
+                                 {"size_bytes", static_cast<int64_t>(session.size_bytes)}});
   toml::table keys;
   for (const auto& [action, key] : preferences.keys) keys.insert(action, key);
   return toml::table{{"user", preferences.user},
@@ -124,12 +133,6 @@ Status write_preferences(const Preferences& preferences, const std::filesystem::
   std::ostringstream text;
   text << to_toml(preferences) << "\n";
   return write_file(path, text.str(), FileAccess::kUserOnly);
-}
-
-void remember(Preferences& preferences, const RecentSession& session) {
-  std::erase(preferences.recent, session);
-  preferences.recent.insert(preferences.recent.begin(), session);
-  if (preferences.recent.size() > kRecentMax) preferences.recent.resize(kRecentMax);
 }
 
 }  // namespace burnish

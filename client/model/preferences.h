@@ -5,19 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "client/model/recent_sessions.h"
 #include "common/edit/brush.h"
 
 namespace burnish {
-
-inline constexpr size_t kRecentMax = 12;
-
-/// A scan or session that was open.
-struct RecentSession {
-  std::string server;  ///< empty: the private server of this machine
-  std::string session;
-  std::string scan;  ///< name of the scan
-  bool operator==(const RecentSession&) const = default;
-};
 
 /// State that the window keeps between runs.
 struct Preferences {
@@ -48,8 +39,5 @@ Result<Preferences> read_preferences(const std::filesystem::path& path);
 
 /// Writes the file and makes its folder; only this user can read them. Fails: as errno says.
 Status write_preferences(const Preferences& preferences, const std::filesystem::path& path);
-
-/// Puts an entry first and drops the oldest.
-void remember(Preferences& preferences, const RecentSession& session);
 
 }  // namespace burnish

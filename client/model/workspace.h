@@ -71,8 +71,10 @@ class Workspace {
   /// was chosen.
   void import_scan(const std::filesystem::path& file, Opening opening = Opening::kGoOn);
   void delete_session(const SessionInfo& session);
+  void rename_session(const SessionInfo& session, const std::string& name);
   /// Deletes a scan with the sessions that edit it.
   void delete_scan(const std::string& id);
+  void rename_scan(const std::string& id, const std::string& name);
   void open_scan(const ScanInfo& scan, Opening opening);
   void open(const SessionWish& wish);
   void join(const SessionInfo& session);
@@ -117,8 +119,11 @@ class Workspace {
   void tell_imported(const std::filesystem::path& file, const ImportOutcome& outcome);
   void change_library(const std::string& what, std::function<Status(Connection&)> change);
   void show(OpenedDocument opened);
+  void remember_document();
   void leave_document();
   bool need_connection(const std::string& what);
+  /// The server as preferences.recent names it.
+  std::string recent_server() const { return library_.is_private ? "" : library_.server; }
   void wake() const { options_.wake(); }
 
   PageRenderer& renderer_;

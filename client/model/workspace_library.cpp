@@ -30,6 +30,7 @@ void Workspace::refresh_library() {
       if (!sessions.is_ok()) return log.failure("list of sessions", sessions.status());
       library_.scans = *scans;
       library_.sessions = *sessions;
+      if (follow_names(preferences.recent, recent_server(), *sessions, *scans)) save_preferences();
     };
   });
 }
@@ -58,14 +59,15 @@ void Workspace::tell_imported(const std::filesystem::path& file, const ImportOut
   const std::string& name = outcome.scan.name;
   if (outcome.already_present && name != file.stem().string())
     return log.warning(file.filename().string() + " has the bytes of the scan " + name +
-                       ", which is there already; it keeps that name");
+                       ", which is there already; it keeps that name. Rename on the start page "
+                       "changes it");
   log.info((outcome.already_present ? "already there: " : "imported ") + name);
 }
 
 void Workspace::open_scan(const ScanInfo& scan, Opening opening) {
   std::vector<std::string> recent;
   for (const RecentSession& each : preferences.recent)
-    if (each.server == (library_.is_private ? "" : library_.server)) recent.push_back(each.session);
+    if (each.server == recent_server()) recent.push_back(each.session);
   open_chosen([scan, opening, recent](Connection& server) -> Result<SessionWish> {
     ASSIGN_OR_RETURN(const auto sessions, server.list_sessions());
     return opening == Opening::kGoOn ? session_to_go_on(scan, sessions, recent)
@@ -88,6 +90,17 @@ void Workspace::delete_scan(const std::string& id) {
       if (session.scan_id == id) RETURN_IF_ERROR(server.delete_session(session.id));
     return server.delete_scan(id).status();
   });
+}
+
+void Workspace::rename_session(const SessionInfo& session, const std::string& name) {
+  change_library("rename", [id = session.id, name](Connection& server) {
+    return server.rename_session(id, name).status();
+  });
+}
+
+void Workspace::rename_scan(const std::string& id, const std::string& name) {
+  change_library("rename",
+                 [id, name](Connection& server) { return server.rename_scan(id, name).status(); });
 }
 
 void Workspace::change_library(const std::string& what, std::function<Status(Connection&)> change) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <ctime>
 
 #include "client/model/workspace.h"
 #include "common/base/atomic_file.h"
@@ -58,7 +59,12 @@ void Workspace::reopen(const RecentSession& recent) {
   } else {
     connect(recent.server);
   }
-  when_connected([this, recent] { open({.scan = recent.scan, .name = recent.session}); });
+  when_connected([this, recent] {
+    open_chosen([recent](Connection& server) -> Result<SessionWish> {
+      ASSIGN_OR_RETURN(const auto sessions, server.list_sessions());
+      return session_of_recent(recent, sessions);
+    });
+  });
 }
 
 void Workspace::show(OpenedDocument opened) {
@@ -76,9 +82,20 @@ void Workspace::show(OpenedDocument opened) {
   ++documents_opened_;
   viewport.begin(*document_);
   recorder.record("join " + document_->session().name);
-  remember(preferences, {library_.is_private ? "" : library_.server, document_->session().name,
-                         document_->session().scan_id});
+  remember_document();
   save_preferences();
+}
+
+void Workspace::remember_document() {
+  const SessionInfo& session = document_->session();
+  const ScanInfo& scan = document_->scan().scan;
+  remember(preferences.recent, {.server = recent_server(),
+                                .session = session.name,
+                                .scan = session.scan_id,
+                                .id = session.id,
+                                .scan_name = scan.name,
+                                .shown_unix_seconds = std::time(nullptr),
+                                .size_bytes = bytes_on_disk(scan)});
 }
 
 std::string unsaved_text(size_t edits) {

@@ -18,8 +18,8 @@ TEST(Preferences, WhatIsWrittenIsReadAgain) {
   written.brush_beta = 2.5;
   written.window_width = 1600;
   written.keys["undo"] = "Ctrl+U";
-  remember(written, {"", "desk", "abc"});
-  remember(written, {"host:1", "wall", "def"});
+  remember(written.recent, {"", "desk", "abc"});
+  remember(written.recent, {"host:1", "wall", "def", "id", "stone", 1'700'000'000, 5'000'000'000});
   ASSERT_TRUE(write_preferences(written, path).is_ok());
   const auto read = read_preferences(path);
   ASSERT_TRUE(read.is_ok()) << read.status().message();
@@ -78,15 +78,6 @@ TEST(Preferences, AFileInTheFolderWhereWeAreNeedsNoPath) {
   std::filesystem::current_path(before);
   ASSERT_TRUE(written.is_ok()) << written.message();
   EXPECT_EQ(read_preferences(folder / "window.toml")->user, "ada");
-}
-
-TEST(Preferences, ASessionIsRememberedOnceAndTheOldestIsForgotten) {
-  Preferences preferences;
-  for (int i = 0; i < 20; ++i) remember(preferences, {"", std::to_string(i), ""});
-  remember(preferences, {"", "15", ""});
-  EXPECT_EQ(preferences.recent.size(), kRecentMax);
-  EXPECT_EQ(preferences.recent[0].session, "15");
-  EXPECT_EQ(preferences.recent[1].session, "19");
 }
 
 }  // namespace
