@@ -4,6 +4,7 @@
 
 #include "client/connection/channel.h"
 #include "client/connection/connection_state.h"
+#include "client/connection/unreachable.h"
 #include "common/wire/library_wire.h"
 #include "common/wire/session_wire.h"
 
@@ -36,9 +37,8 @@ Result<Connection> Connection::open(const std::string& server, std::chrono::mill
   auto state = std::make_unique<State>();
   state->library = v1::Library::NewStub(channel);
   if (!wait_until_ready(*channel, timeout))
-    return unavailable("cannot reach server " + server + " within " +
-                       std::to_string(timeout.count()) + " ms (" +
-                       reason_of_failure(*state->library) + "); does burnish-server run there?");
+    return unavailable("cannot reach server " + server + ": " +
+                       why_unreachable(reason_of_failure(*state->library)));
   state->server = server;
   state->trust = trust;
   state->timeout = timeout;

@@ -4,8 +4,9 @@
 
 namespace burnish {
 
-const std::array<ActionInfo, 17>& actions() {
-  static const std::array<ActionInfo, 17> kActions = {{
+const std::array<ActionInfo, 18>& actions() {
+  static const std::array<ActionInfo, 18> kActions = {{
+      {Action::kOpen, "open", "Ctrl+O", "Open a scan"},
       {Action::kUndo, "undo", "Ctrl+Z", "Undo your last edit"},
       {Action::kRedo, "redo", "Ctrl+Shift+Z", "Redo it", "Ctrl+Y"},
       {Action::kFrameAll, "frame_all", "Home", "Show the whole scan"},

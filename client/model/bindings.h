@@ -12,6 +12,7 @@ namespace burnish {
 
 /// Actions of keys.
 enum class Action {
+  kOpen,
   kUndo,
   kRedo,
   kFrameAll,
@@ -40,7 +41,7 @@ struct ActionInfo {
 };
 
 /// Returns all actions, in the order of the key help.
-const std::array<ActionInfo, 17>& actions();
+const std::array<ActionInfo, 18>& actions();
 
 /// Maps keys to actions. A key is written as modifiers (Ctrl, Shift, Alt in that order) and a name,
 /// joined by '+': "Ctrl+Shift+Z", "F", "[", "Home", "Escape".

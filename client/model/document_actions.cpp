@@ -34,6 +34,7 @@ void do_document_action(Action action, Workspace& workspace) {
       return;
     case Action::kBookmark:
       return viewport.bookmarks.push_back(viewport.camera);
+    case Action::kOpen:
     case Action::kExport:
     case Action::kScreenshot:
     case Action::kLog:

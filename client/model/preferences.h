@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "client/model/known_servers.h"
 #include "client/model/recent_sessions.h"
 #include "common/edit/brush.h"
 
@@ -13,11 +14,14 @@ namespace burnish {
 /// State that the window keeps between runs.
 struct Preferences {
   std::string user;
-  std::string server;  ///< the last server that the user typed
+  std::vector<KnownServer> servers;  ///< latest first; a token is written only if it is kept
   std::vector<RecentSession> recent;
-  double brush_radius_part = 0.03;  ///< of the scan's diagonal
+  std::vector<std::filesystem::path> folders;  ///< of files that were opened or saved, latest first
+  bool native_dialogs = true;                  ///< the desktop's file dialogs, where there are some
+  double brush_radius_part = 0.03;             ///< of the scan's diagonal
   double brush_strength = 0.6;
   double brush_beta = 0;
+  bool light_theme = false;
   double scale = 0;  ///< of fonts and panels; 0: the screen's scale
   int window_width = 1280;
   int window_height = 720;
@@ -36,6 +40,11 @@ std::filesystem::path page_cache_folder();
 
 /// Returns defaults if there is no file. Fails: invalid_argument that names the file and the error.
 Result<Preferences> read_preferences(const std::filesystem::path& path);
+
+inline constexpr size_t kRecentFoldersMax = 6;
+
+/// Puts a folder first and drops the oldest.
+void remember_folder(Preferences& preferences, const std::filesystem::path& folder);
 
 /// Writes the file and makes its folder; only this user can read them. Fails: as errno says.
 Status write_preferences(const Preferences& preferences, const std::filesystem::path& path);

@@ -25,8 +25,9 @@ void Viewport::press(PointerButton button, const Modifiers& modifiers, const Vec
   }
   if (gesture_ != Gesture::kIdle) return;
   held_ = button;
-  const bool turns = button == PointerButton::kMiddle ||
-                     (button == PointerButton::kLeft && (modifiers.alt || navigate_mode));
+  const bool turns =
+      button == PointerButton::kMiddle ||
+      (button == PointerButton::kLeft && (modifiers.alt || navigate_mode || !paints_));
   if (button == PointerButton::kRight || (turns && modifiers.shift)) {
     gesture_ = Gesture::kPan;
   } else if (turns) {
@@ -85,19 +86,12 @@ void Viewport::leave() {
 }
 
 void Viewport::begin(const Document& document) {
-  gesture_ = Gesture::kIdle;
-  value_changes_ = false;
-  events_.clear();
-  bookmarks.clear();
-  leave();
-  sent_ring_.reset();
-  diagonal_ = document.diagonal();
-  camera = {.azimuth_degrees = 25, .elevation_degrees = 20};
-  frame_all(document);
+  begin(document.box());
+  paints_ = true;
 }
 
 void Viewport::frame_all(const Document& document) {
-  camera = burnish::frame_all(camera, document.box(), size_.aspect());
+  frame_all(document.box());
 }
 
 void Viewport::focus() {

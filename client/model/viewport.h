@@ -48,7 +48,12 @@ class Viewport {
 
   /// Resets for a newly opened document. Keeps only the settings of how surfaces are shown.
   void begin(const Document& document);
+  /// Does the same for a surface without a session: all buttons turn or move it.
+  void begin(const Eigen::AlignedBox3d& box);
+  /// Goes on with a document that has the same surface. The camera and its drag stay.
+  void take_over(const Document& document);
   void frame_all(const Document& document);
+  void frame_all(const Eigen::AlignedBox3d& box);
   void focus();  ///< turn around the point under the pointer
   void begin_radius(const Document& document);
   void begin_strength(const Document& document);
@@ -57,6 +62,7 @@ class Viewport {
 
   /// Handles the pointer's events.
   void update(Document& document);
+  void update(const Eigen::AlignedBox3d& box);
 
   /// Prepares the picture of the document; draw() then draws it. Fails: as the renderer does.
   Status look(Document& document) const { return document.look(camera, size_); }
@@ -88,6 +94,7 @@ class Viewport {
     bool operator==(const Look&) const = default;
   };
 
+  void reset(const Eigen::AlignedBox3d& box);
   bool shows_original(const Eigen::Vector2d& pixel) const;
   void look_at(const Eigen::Vector2d& pixel, const Document& document);
   std::optional<SurfaceHit> hit_at(const Document& document, const Eigen::Vector2d& pixel) const;
@@ -98,6 +105,7 @@ class Viewport {
 
   ImageSize size_{1, 1};
   double diagonal_ = 1;  // of the scan, file units
+  bool paints_ = true;   // there is a session to paint on
   Gesture gesture_ = Gesture::kIdle;
   PointerButton held_ = PointerButton::kLeft;
   std::optional<Eigen::Vector2d> pointer_;
