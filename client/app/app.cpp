@@ -17,6 +17,15 @@ static constexpr double kFinerSeconds = 0.016;  // while the picture becomes fin
 
 static volatile std::sig_atomic_t ended_by_signal = 0;
 
+static std::string picture_name() {
+  char name[64];
+  const time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::strftime(name, sizeof name, "burnish-%F-%H%M%S.png", &local);
+  return name;
+}
+
 Status App::run(AppOptions options, Preferences preferences) {
   // Ends in order: unsaved edits are saved or reported.
   for (int number : {SIGINT, SIGTERM, SIGHUP})
@@ -32,6 +41,7 @@ Status App::run(AppOptions options, Preferences preferences) {
     app.workspace_->preferences.window_width = size.width;
     app.workspace_->preferences.window_height = size.height;
   }
+  app.workspace_->keep_session_picture();
   app.workspace_->save_preferences();
   app.workspace_.reset();  // before the window: the workspace's threads wake the window
   app.renderer_.reset();
@@ -49,11 +59,12 @@ static PageBudget budget_of(const Capabilities& card, uint64_t triangles_max) {
 Status App::start(Preferences preferences) {
   ImageSize size = options_.size;
   if (size.width == 0) size = {preferences.window_width, preferences.window_height};
-  const double scale = options_.scale > 0 ? options_.scale : preferences.scale;
-  ASSIGN_OR_RETURN(window_, Window::create(size, scale, make_events()));
+  scale_at_start_ = preferences.scale;
+  ASSIGN_OR_RETURN(window_, Window::create(size, look_of(preferences), make_events()));
   ASSIGN_OR_RETURN(renderer_, GlPageRenderer::create());
   const Capabilities card = card_capabilities();
   options_.workspace.is_software = card.is_software;
+  options_.workspace.shows_raw = true;
   options_.workspace.budget = budget_of(card, options_.triangles_max);
   options_.workspace.wake = [this] {
     news_ = true;
@@ -85,6 +96,7 @@ Status App::loop() {
     workspace_->update();
     if (may_close()) break;
     show_title();
+    show_look();
     RETURN_IF_ERROR(draw());
     --pictures;
   }
@@ -92,12 +104,34 @@ Status App::loop() {
   return failed_precondition(unsaved_text(workspace_->unsaved_edits()) + " and will be lost");
 }
 
-void App::show_title() {
+// A session is named once its own surface is on the screen.
+std::string App::title() const {
+  if (const RawScan* const raw = workspace_->raw()) return raw->file.filename().string();
   const Document* const document = workspace_->document();
-  std::string title = "Burnish";
-  if (document)
-    title = document->scan().scan.name + " · " + document->session().name + " – Burnish";
-  if (std::exchange(title_, title) != title) window_->set_title(title);
+  if (!document) return {};
+  const std::string scan = document->scan().scan.name;
+  return keeps_raw_picture() ? scan : scan + " · " + document->session().name;
+}
+
+void App::show_title() {
+  const std::string what = title();
+  const std::string shown = what.empty() ? "Burnish" : what + " – Burnish";
+  if (std::exchange(title_, shown) != shown) window_->set_title(shown);
+}
+
+// --scale counts until the user chooses another size.
+WindowLook App::look_of(const Preferences& preferences) const {
+  const bool is_given = options_.scale > 0 && preferences.scale == scale_at_start_;
+  return {is_given ? options_.scale : preferences.scale, preferences.light_theme, letters_.all()};
+}
+
+// Loads letters as soon as a text has them.
+void App::show_look() {
+  add_letters(*workspace_, letters_);
+  const std::string missing = window_->set_look(look_of(workspace_->preferences));
+  if (missing.empty() || std::exchange(missing_letters_, missing) == missing) return;
+  workspace_->log.warning(
+      "no font here has some letters of this script; they are drawn as boxes: " + missing);
 }
 
 bool App::is_picture_settled() const {
@@ -112,24 +146,26 @@ bool App::may_close() {
   leave_step_ =
       leaving_.update(workspace_->unsaved_edits(), workspace_->link() == LinkState::kLive, now);
   if (ended_by_signal) return leave_step_ != Step::kSave;  // nobody can answer a question
+  if (leave_step_ == Step::kStay) open_next_.clear();
   if (leave_step_ != Step::kLeave) return false;
   if (leaving_.what() == Leaving::What::kWindow) return true;
   leaving_.stay();
   workspace_->close_document();
+  if (!open_next_.empty()) workspace_->import_scan(std::exchange(open_next_, {}));
   return false;
 }
 
 WindowEvents App::make_events() {
   WindowEvents events;
   events.press = [this](PointerButton button, Modifiers modifiers, const Eigen::Vector2d& pixel) {
-    if (workspace_ && workspace_->document() && is_in_picture(pixel))
+    if (workspace_ && workspace_->has_picture() && is_in_picture(pixel))
       workspace_->viewport.press(button, modifiers, in_picture(pixel));
   };
   events.release = [this](PointerButton button) {
     if (workspace_) workspace_->viewport.release(button);
   };
   events.move = [this](const Eigen::Vector2d& pixel) {
-    if (!workspace_ || !workspace_->document()) return;
+    if (!workspace_ || !workspace_->has_picture()) return;
     if (is_in_picture(pixel) || workspace_->viewport.is_busy()) {
       workspace_->viewport.move(in_picture(pixel));
     } else {
@@ -137,7 +173,7 @@ WindowEvents App::make_events() {
     }
   };
   events.wheel = [this](const Eigen::Vector2d& pixel, double steps) {
-    if (workspace_ && workspace_->document() && is_in_picture(pixel))
+    if (workspace_ && workspace_->has_picture() && is_in_picture(pixel))
       workspace_->viewport.wheel(in_picture(pixel), steps);
   };
   events.key = [this](const std::string& key) {
@@ -147,8 +183,7 @@ WindowEvents App::make_events() {
     if (workspace_) workspace_->viewport.hold_original = held;
   };
   events.drop = [this](const std::vector<std::filesystem::path>& files) {
-    if (!workspace_) return;
-    for (const auto& file : files) workspace_->import_scan(file);
+    if (workspace_) open_files(files);
   };
   return events;
 }
@@ -157,7 +192,7 @@ bool App::is_in_picture(const Eigen::Vector2d& pixel) const {
   const Eigen::Vector2d at = in_picture(pixel);
   if (at.x() < 0 || at.y() < 0 || at.x() >= picture_.size.width || at.y() >= picture_.size.height)
     return false;
-  if (shows_help_ || shows_log_ || export_dialog_.is_open()) return false;
+  if (shows_help_ || shows_log_ || export_dialog_.is_open() || file_dialog_.is_open()) return false;
   constexpr auto kAnyPopup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
   if (ImGui::IsPopupOpen("", kAnyPopup)) return false;  // a click beside the popup closes it
   return pixel.x() < toasts_.covered_low.x || pixel.x() >= toasts_.covered_high.x ||
@@ -174,10 +209,12 @@ void App::handle_key(const std::string& key) {
     if (action == Action::kCancel) leaving_.stay();
     return;
   }
-  if (action) do_action(*action);
+  const bool is_asked = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  if (action && !is_asked) do_action(*action);
 }
 
 void App::do_action(Action action) {
+  if (action == Action::kOpen) return ask_for_scan();
   if (action == Action::kHelp) shows_help_ = !shows_help_;
   if (action == Action::kLog) shows_log_ = !shows_log_;
   if (action == Action::kCancel) {
@@ -185,28 +222,52 @@ void App::do_action(Action action) {
         workspace_->document() && workspace_->viewport.cancel(*workspace_->document());
     if (!was_busy) shows_help_ = shows_log_ = false;
   }
+  if (workspace_->raw() && action == Action::kFrameAll) workspace_->viewport.go_home();
   if (!workspace_->document()) return;
   if (action == Action::kExport) export_dialog_.open();
-  if (action == Action::kScreenshot) return take_screenshot();
+  if (action == Action::kScreenshot) return take_screenshot(picture_name());
   do_document_action(action, *workspace_);
 }
 
-void App::take_screenshot() {
-  char name[64];
-  const time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  std::strftime(name, sizeof name, "burnish-%F-%H%M%S.png", &local);
+void App::ask_for_scan() {
+  file_dialog_.ask({.title = "Open a scan", .extensions = {".ply", ".obj", ".stl", ".off"}},
+                   workspace_->preferences,
+                   [this](const std::filesystem::path& file) { open_files({file}); });
+}
+
+// Opens the first file instead of the open session. The others are imported only.
+void App::open_files(const std::vector<std::filesystem::path>& files) {
+  for (const auto& file : files) {
+    const bool replaces = workspace_->document() && open_next_.empty() && &file == &files.front();
+    if (!replaces) {
+      workspace_->import_scan(file);
+      continue;
+    }
+    open_next_ = file;
+    leaving_.begin(Leaving::What::kSession, std::chrono::steady_clock::now());
+  }
+}
+
+void App::ask_for_picture() {
+  file_dialog_.ask({.purpose = FileQuestion::Purpose::kSave,
+                    .title = "Save a picture",
+                    .extensions = {".png"},
+                    .start = picture_name()},
+                   workspace_->preferences,
+                   [this](const std::filesystem::path& file) { take_screenshot(file); });
+}
+
+void App::take_screenshot(const std::filesystem::path& file) {
   workspace_->recorder.record("wait");
   workspace_->recorder.record(workspace_->viewport.camera);
   for (const std::string& line : script_lines(workspace_->viewport.options.lighting))
     workspace_->recorder.record(line);
-  workspace_->recorder.record(std::string("screenshot ") + name);
+  workspace_->recorder.record("screenshot " + file.string());
   const auto image = renderer_->read_pixels();
-  const Status written = image.is_ok() ? write_png(*image, name) : image.status();
+  const Status written = image.is_ok() ? write_png(*image, file) : image.status();
   if (!written.is_ok()) return workspace_->log.failure("screenshot", written);
   std::error_code ignored;
-  workspace_->log.info("saved " + std::filesystem::absolute(name, ignored).string());
+  workspace_->log.info("saved " + std::filesystem::absolute(file, ignored).string());
 }
 
 }  // namespace burnish

@@ -5,8 +5,10 @@
 
 #include "client/app/colour_bar.h"
 #include "client/app/export_dialog.h"
+#include "client/app/file_dialog.h"
 #include "client/app/hud.h"
 #include "client/app/panels.h"
+#include "client/app/preferences_dialog.h"
 #include "client/app/section_window.h"
 #include "client/app/start_page.h"
 #include "client/app/toasts.h"
@@ -14,6 +16,7 @@
 #include "client/gl/gl_page_renderer.h"
 #include "client/model/bindings.h"
 #include "client/model/leaving.h"
+#include "client/model/letters.h"
 #include "client/model/workspace.h"
 
 namespace burnish {
@@ -43,19 +46,28 @@ class App {
   Status loop();
   bool may_close();
   bool is_picture_settled() const;
+  std::string title() const;
   void show_title();
+  WindowLook look_of(const Preferences& preferences) const;
+  void show_look();
   void open_what_was_asked();
   WindowEvents make_events();
   void handle_key(const std::string& key);
   void do_action(Action action);
-  void take_screenshot();
+  void take_screenshot(const std::filesystem::path& file);
+  void ask_for_scan();
+  void ask_for_picture();
+  void open_files(const std::vector<std::filesystem::path>& files);
 
   Status draw();
   Status draw_picture();
+  Status draw_surface();
+  bool keeps_raw_picture() const;
   void draw_panels();
   void draw_menu_bar();
   void draw_camera_menu();
   void draw_start_page();
+  void draw_session_page();
   void draw_columns(float top, float left, float right);
   void draw_sides() const;
   void draw_overlays();
@@ -87,6 +99,12 @@ class App {
   Hud hud_;
   Toasts toasts_;
   ExportDialog export_dialog_;
+  FileDialog file_dialog_;
+  PreferencesDialog preferences_dialog_;
+  double scale_at_start_ = 0;  // of the preferences
+  Letters letters_;
+  std::string missing_letters_;      // that the user knows of
+  std::filesystem::path open_next_;  // file to open once the session is left
   Leaving leaving_;
   Leaving::Step leave_step_ = Leaving::Step::kStay;
   bool shows_hud_ = true;
@@ -102,7 +120,8 @@ class App {
 
   /// State that the renderer's picture shows. While it is the same, nothing is drawn again.
   struct Shown {
-    uint64_t document = 0;  // counts opened documents
+    uint64_t surface = 0;  // counts Workspace::pictures_begun()
+    bool is_raw = false;
     uint64_t changes = 0;
     ImageSize size;
     Camera camera;

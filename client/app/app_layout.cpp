@@ -3,8 +3,10 @@
 #include "client/app/app.h"
 #include "client/app/key_help.h"
 #include "client/app/leave_question.h"
+#include "client/app/raw_facts.h"
 #include "client/app/ruler_overlay.h"
 #include "client/app/theme.h"
+#include "client/app/words.h"
 
 namespace burnish {
 
@@ -18,7 +20,7 @@ Status App::draw() {
   window_->begin_frame();
   draw_panels();
   renderer_->clear_window();
-  const Status drawn = workspace_->document() ? draw_picture() : Status::ok();
+  const Status drawn = workspace_->has_picture() ? draw_picture() : Status::ok();
   window_->end_frame();
   return drawn;
 }
@@ -26,46 +28,75 @@ Status App::draw() {
 // Draws the picture between the panels, if they leave room.
 Status App::draw_picture() {
   if (!check_image_size(picture_.size).is_ok()) return Status::ok();
-  Workspace& workspace = *workspace_;
-  workspace.viewport.set_size(picture_.size);
-  RETURN_IF_ERROR(workspace.look());
-  const Document& document = *workspace.document();
-  Shown now{workspace.documents_opened(), document.picture_changes(), picture_.size,
-            workspace.viewport.camera, workspace.viewport.style(document)};
-  if (!(now == shown_)) RETURN_IF_ERROR(workspace.viewport.draw(*renderer_, document));
-  shown_ = std::move(now);
+  workspace_->viewport.set_size(picture_.size);
+  RETURN_IF_ERROR(workspace_->look());
+  RETURN_IF_ERROR(draw_surface());
   const int bottom = window_->framebuffer_size().height - picture_.y - picture_.size.height;
   renderer_->show({picture_.x, bottom});
   return Status::ok();
 }
 
+// Draws the surface again if its picture has changed.
+Status App::draw_surface() {
+  const Document* const document = workspace_->document();
+  Shown now{workspace_->pictures_begun(),
+            document == nullptr,
+            0,
+            picture_.size,
+            workspace_->viewport.camera,
+            {}};
+  if (document) {
+    now.changes = document->picture_changes();
+    now.style = workspace_->viewport.style(*document);
+  }
+  if (now == shown_ || keeps_raw_picture()) return Status::ok();
+  shown_ = std::move(now);
+  return workspace_->draw();
+}
+
+// The raw scan's picture stays until that of its session is as fine, or the user turns it.
+bool App::keeps_raw_picture() const {
+  const Document* const document = workspace_->document();
+  if (!document || !shown_.is_raw || document->is_picture_settled()) return false;
+  Camera camera = workspace_->viewport.camera;
+  camera.scene_radius = shown_.camera.scene_radius;
+  return camera == shown_.camera && picture_.size == shown_.size;
+}
+
 void App::draw_panels() {
   draw_menu_bar();
-  if (!workspace_->document()) {
+  if (workspace_->has_picture()) {
+    draw_session_page();
+  } else {
     picture_ = {};
     draw_start_page();
-  } else {
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
-    const float top = ImGui::GetFrameHeight();
-    const float left = em(kLeftPanelEm);
-    const bool is_wide = screen.x > em(kLeftPanelEm + kRightPanelEm + kPictureEm);
-    const float right = is_wide ? em(kRightPanelEm) : 0;
-    draw_columns(top, left, right);
-    picture_ = {static_cast<int>(left * pixels.x),
-                static_cast<int>(top * pixels.y),
-                {static_cast<int>((screen.x - left - right) * pixels.x),
-                 static_cast<int>((screen.y - top) * pixels.y)}};
-    hud_.upper_right = {screen.x - right, top};
-    colour_bar_.lower_right = {screen.x - right, screen.y};
-    toasts_.lower_left = {left, screen.y};
-    hud_.shows_figures = is_wide;
-    if (shows_hud_) hud_.draw(*workspace_);
-    colour_bar_.draw(*workspace_);
-    draw_ruler_overlay(*workspace_, {left, top}, pixels);
-    section_window_.draw(*workspace_);
   }
   draw_overlays();
+}
+
+// The columns with the panels, and the picture's place between them.
+void App::draw_session_page() {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
+  const float top = ImGui::GetFrameHeight();
+  const float left = em(kLeftPanelEm);
+  const bool is_wide = screen.x > em(kLeftPanelEm + kRightPanelEm + kPictureEm);
+  const float right = is_wide ? em(kRightPanelEm) : 0;
+  draw_columns(top, left, right);
+  picture_ = {static_cast<int>(left * pixels.x),
+              static_cast<int>(top * pixels.y),
+              {static_cast<int>((screen.x - left - right) * pixels.x),
+               static_cast<int>((screen.y - top) * pixels.y)}};
+  toasts_.lower_left = {left, screen.y};
+  hud_.upper_right = {screen.x - right, top};
+  hud_.shows_figures = is_wide;
+  hud_.room = {screen.x - left - right, screen.y - top};
+  if (!workspace_->document()) return;
+  if (shows_hud_) hud_.draw(*workspace_);
+  colour_bar_.lower_right = {screen.x - right, screen.y};
+  colour_bar_.draw(*workspace_);
+  draw_ruler_overlay(*workspace_, {left, top}, pixels);
+  section_window_.draw(*workspace_);
 }
 
 void App::draw_menu_bar() {
@@ -76,11 +107,16 @@ void App::draw_menu_bar() {
     if (ImGui::MenuItem(label, bindings_.key_of(action).c_str(), false, enabled)) do_action(action);
   };
   if (ImGui::BeginMenu("File")) {
+    item("Open…", Action::kOpen);
+    ImGui::Separator();
     item("Export…", Action::kExport, is_open);
     item("Save picture", Action::kScreenshot, is_open);
+    if (ImGui::MenuItem("Save picture as…", nullptr, false, is_open)) ask_for_picture();
+    ImGui::Separator();
     if (ImGui::MenuItem("Close session", nullptr, false, is_open))
       leaving_.begin(Leaving::What::kSession, std::chrono::steady_clock::now());
     ImGui::Separator();
+    if (ImGui::MenuItem("Preferences…")) preferences_dialog_.open();
     if (ImGui::MenuItem("Quit")) window_->close();
     ImGui::EndMenu();
   }
@@ -103,10 +139,13 @@ void App::draw_menu_bar() {
     ImGui::EndMenu();
   }
   if (Document* const document = workspace.document()) {
-    const std::string title = document->scan().scan.name + " · " + document->session().name;
+    const std::string whole = document->scan().scan.name + " · " + document->session().name;
+    const float room = ImGui::GetContentRegionAvail().x - em(3);
+    const std::string title = cut_to(whole, room);
     const float width = ImGui::CalcTextSize(title.c_str()).x;
     ImGui::SameLine(ImGui::GetWindowWidth() - width - em(1.6f));
     faint_text("%s", title.c_str());
+    if (title != whole) hint(whole.c_str());
   }
   ImGui::EndMainMenuBar();
 }
@@ -133,7 +172,7 @@ void App::draw_start_page() {
   ImGui::PopStyleVar();
   start_page_.draw(*workspace_);
   ImGui::End();
-  toasts_.lower_left = {0, screen.y};
+  toasts_.lower_left = {std::max(0.0f, (screen.x - width) / 2), screen.y};
 }
 
 static void draw_section(const char* name, Panel& panel, Workspace& workspace,
@@ -154,6 +193,13 @@ static void begin_column(const char* name, float from, float top, float width) {
 // If there is no room for a right column, all panels are in the left one, which scrolls.
 void App::draw_columns(float top, float left, float right) {
   begin_column("##left", 0, top, left);
+  if (const RawScan* const raw = workspace_->raw()) {
+    draw_raw_facts(*raw);
+    ImGui::End();
+    if (right > 0) begin_column("##right", ImGui::GetIO().DisplaySize.x - right, top, right);
+    if (right > 0) ImGui::End();
+    return;
+  }
   draw_section("Filter", filter_panel_, *workspace_);
   draw_section("Transfer curve α(κ)", curve_panel_, *workspace_);
   draw_section("Brush", brush_panel_, *workspace_);
@@ -182,7 +228,7 @@ void App::draw_sides() const {
   const float top = static_cast<float>(picture_.y) / pixels.y;
   const float bottom = static_cast<float>(picture_.y + picture_.size.height) / pixels.y;
   ImDrawList* const list = ImGui::GetBackgroundDrawList();
-  const ImU32 dark = ImGui::ColorConvertFloat4ToU32(theme::kPanel);
+  const ImU32 dark = ImGui::ColorConvertFloat4ToU32(theme::kOnPicture);
   const float pad = em(0.6f), width = ImGui::CalcTextSize("original").x;
   const float line = bottom - ImGui::GetTextLineHeight() - pad;
   if (is_original) return list->AddText({x - width / 2, line}, dark, "original");
@@ -197,6 +243,13 @@ void App::draw_overlays() {
   if (shows_log_) draw_message_log(workspace_->log, shows_log_);
   if (shows_help_) draw_key_help(bindings_, shows_help_);
   if (workspace_->document()) export_dialog_.draw(*workspace_);
+  file_dialog_.draw(*workspace_);
+  preferences_dialog_.draw(*workspace_);
+  if (start_page_.take_open_wish()) ask_for_scan();
+  if (auto wish = export_dialog_.take_question()) {
+    file_dialog_.ask(std::move(*wish), workspace_->preferences,
+                     [this](const std::filesystem::path& file) { export_dialog_.open(file); });
+  }
   draw_leave_question(*workspace_, leave_step_, leaving_);
 }
 

@@ -11,16 +11,23 @@ namespace burnish {
 
 static constexpr const char* kExportTitle = "Export the edited scan";
 
-static std::string suggested_path(const Document& document) {
+static std::string suggested_path(const Workspace& workspace) {
   std::error_code error;
-  const auto folder = std::filesystem::current_path(error);
-  return (folder / (document.scan().scan.name + "-edited.ply")).string();
+  const auto& folders = workspace.preferences.folders;
+  const auto folder = folders.empty() ? std::filesystem::current_path(error) : folders.front();
+  return (folder / (workspace.document()->scan().scan.name + "-edited.ply")).string();
+}
+
+void ExportDialog::open(const std::filesystem::path& file) {
+  path_ = file.string();
+  is_path_chosen_ = opening_ = true;
 }
 
 void ExportDialog::draw(Workspace& workspace) {
   if (std::exchange(opening_, false)) {
     const Document& document = *workspace.document();
-    if (session_ != document.session().id) path_ = suggested_path(document);
+    const bool is_chosen = std::exchange(is_path_chosen_, false);
+    if (!is_chosen && session_ != document.session().id) path_ = suggested_path(workspace);
     session_ = document.session().id;
     asks_ = false;
     ImGui::OpenPopup(kExportTitle);
@@ -35,6 +42,15 @@ void ExportDialog::draw(Workspace& workspace) {
   bool wanted = ImGui::InputText(
       "##path", &path_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   if (ImGui::IsItemEdited()) asks_ = false;
+  hint("The path of the file; its end chooses the format. ~ is your home folder.");
+  ImGui::SameLine();
+  const bool browses = ImGui::Button("Browse…");
+  hint("Chooses the file in a dialog.");
+  if (browses)
+    question_ = {FileQuestion::Purpose::kSave,
+                 "Export to",
+                 {".ply", ".obj", ".stl", ".off"},
+                 typed_path(path_)};
   ImGui::Checkbox("Exact", &exact_);
   hint("Solves until the surface is within 1e-5 of the diagonal; this takes longer.");
   ImGui::Checkbox("Processing record", &with_record_);
@@ -47,7 +63,7 @@ void ExportDialog::draw(Workspace& workspace) {
   ImGui::SameLine();
   const bool unwanted = ImGui::Button("Cancel", {em(8), 0}) ||
                         ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
-  if (unwanted || (wanted && start_export(workspace))) ImGui::CloseCurrentPopup();
+  if (unwanted || browses || (wanted && start_export(workspace))) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }
 
@@ -58,6 +74,7 @@ bool ExportDialog::start_export(Workspace& workspace) {
   if (!std::exchange(asks_, true) && std::filesystem::exists(file, ignored)) return false;
   asks_ = false;
   workspace.export_mesh(file, exact_, with_record_);
+  remember_folder(workspace.preferences, file.parent_path());
   return true;
 }
 

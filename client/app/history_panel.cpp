@@ -16,8 +16,10 @@ static float half_width() {
 void HistoryPanel::draw_buttons(Document& document) {
   const ImVec2 half{half_width(), 0};
   if (ImGui::Button("Undo", half)) document.undo();
+  hint("Takes back your last edit, not those of others.");
   ImGui::SameLine();
   if (ImGui::Button("Redo", half)) document.redo();
+  hint("Makes the edit again that you took back.");
 }
 
 static bool has_checkpoint(const Document& document, const std::string& name) {
@@ -38,6 +40,7 @@ void HistoryPanel::draw_checkpoint_row(Workspace& workspace) {
   const ImVec2 half{half_width(), 0};
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##checkpoint", "name of a checkpoint or fork", &checkpoint_name_);
+  hint("A checkpoint needs a name. A fork without one gets a name from the server.");
   ImGui::BeginDisabled(checkpoint_name_.empty() || workspace.document()->is_viewer());
   if (ImGui::Button("Checkpoint", half)) {
     set_checkpoint(workspace, checkpoint_name_);
@@ -58,6 +61,7 @@ static void draw_entry(const HistoryEntry& entry, Document& document) {
   if (entry.kind == EditKind::kSetCheckpoint) {
     ImGui::BeginDisabled(document.is_viewer());
     if (ImGui::SmallButton("Restore")) document.restore_checkpoint(entry.summary);
+    hint("Goes back to this state. The edits after it are switched off.");
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::TextColored(theme::kAccent, "%s", entry.summary.c_str());

@@ -61,6 +61,8 @@ void FiguresPanel::draw(Workspace& workspace) {
 }
 
 void Hud::draw(Workspace& workspace) {
+  if (room.x < em(16) || room.y < em(12)) return;
+  const bool has_room = room.x >= em(38) && room.y >= em(26);
   const Document& document = *workspace.document();
   const float margin = em(0.7f);
   ImGui::SetNextWindowPos({upper_right.x - margin, upper_right.y + margin}, 0, {1, 0});
@@ -71,7 +73,7 @@ void Hud::draw(Workspace& workspace) {
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings);
   const Chip chip = chip_of(document);
   ImGui::TextColored(chip.colour, "%s", chip.text);
-  if (shows_figures && document.stats().frames > 0) draw_stats(document);
+  if (shows_figures && has_room && document.stats().frames > 0) draw_stats(document);
   if (workspace.viewport.navigate_mode) faint_text("left button turns the view (N)");
   ImGui::End();
 }

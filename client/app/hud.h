@@ -18,6 +18,7 @@ class Hud : public Panel {
   void draw(Workspace& workspace) override;
 
   ImVec2 upper_right{0, 0};  ///< of the picture
+  ImVec2 room{0, 0};         ///< size of the picture: a small one is not covered
   bool shows_figures = true;
 };
 

@@ -1,5 +1,6 @@
 #include "client/app/panels.h"
 #include "client/app/theme.h"
+#include "client/app/words.h"
 #include "client/tools/colours.h"
 
 namespace burnish {
@@ -8,10 +9,11 @@ static void draw_role(Document& document, const PresentUser& user) {
   const SessionRole role = document.people().roles.of(user.user);
   if (document.welcome().role != SessionRole::kOwner || user.user.empty()) {
     faint_text("%s", session_role_name(role));
-    return;
+    return hint("Only an owner changes roles.");
   }
   ImGui::SetNextItemWidth(-1);
-  if (!ImGui::BeginCombo("##role", session_role_name(role))) return;
+  const bool is_open = ImGui::BeginCombo("##role", session_role_name(role));
+  if (!is_open) return hint("A viewer looks, an editor edits, an owner changes roles too.");
   for (SessionRole each : {SessionRole::kViewer, SessionRole::kEditor, SessionRole::kOwner})
     if (ImGui::Selectable(session_role_name(each), each == role))
       document.set_role(user.user, each);
@@ -29,7 +31,8 @@ static void draw_person(Document& document, const PresentUser& user) {
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   const bool is_me = user.connection == document.welcome().connection;
-  ImGui::Text("%s%s", user.user.empty() ? "guest" : user.user.c_str(), is_me ? " (you)" : "");
+  const std::string name = user.user.empty() ? "guest" : user.user;
+  text_with_ellipsis(is_me ? name + " (you)" : name, em(7));
   ImGui::SameLine(em(9));
   ImGui::AlignTextToFramePadding();
   draw_role(document, user);

@@ -1,5 +1,6 @@
 #include "client/app/start_page.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -30,50 +31,36 @@ static void draw_state(const Library& library) {
   }
 }
 
+void StartPage::draw_open(Workspace& workspace) {
+  ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccent);
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::kOnAccent);
+  ImGui::PushFont(title_font());
+  if (ImGui::Button("Open a scan…", {-1, em(4)})) wants_to_open_ = true;
+  ImGui::PopFont();
+  ImGui::PopStyleColor(2);
+  hint("Chooses a mesh file: .ply, .obj, .stl or .off (Ctrl+O).");
+  faint_text("or drop a file on the window, or type its path");
+  ImGui::SetNextItemWidth(-em(5));
+  const bool entered = ImGui::InputTextWithHint("##file", "~/scans/head.ply", &file_,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  hint("The path of a mesh file; ~ is your home folder.");
+  ImGui::SameLine();
+  if ((ImGui::Button("Open", {-1, 0}) || entered) && !file_.empty())
+    workspace.import_scan(typed_path(file_));
+}
+
 void StartPage::draw_server(Workspace& workspace) {
   ImGui::TextUnformatted("Server");
-  if (ImGui::Button("Use this computer", {-1, 0})) workspace.connect_privately();
+  const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+  if (ImGui::Button("Use this computer", {half, 0})) workspace.connect_privately();
   hint("Starts your own server, which keeps its scans in your home folder.");
-  ImGui::SetNextItemWidth(-em(6));
-  const bool entered = ImGui::InputTextWithHint("##server", "HOST:PORT", &server_,
-                                                ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine();
-  ImGui::BeginDisabled(server_.empty());
-  if (ImGui::Button("Connect", {-1, 0}) || (entered && !server_.empty()))
-    workspace.connect(server_);
-  ImGui::EndDisabled();
+  if (ImGui::Button("Another server…", {half, 0})) connection_dialog_.open();
+  hint("Connects to a server that others may use too.");
   draw_state(workspace.library());
 }
 
-void StartPage::draw_recent(Workspace& workspace) const {
-  ImGui::TextUnformatted("Recent");
-  if (workspace.preferences.recent.empty()) faint_text("nothing opened yet");
-  for (const RecentSession& recent : workspace.preferences.recent) {
-    ImGui::PushID(&recent);
-    if (ImGui::Selectable(recent.session.c_str())) {
-      workspace.reopen(RecentSession(recent));
-      ImGui::PopID();
-      return;  // the list has changed
-    }
-    ImGui::SameLine(em(10));
-    faint_text("%s", recent.server.empty() ? "this computer" : recent.server.c_str());
-    ImGui::PopID();
-  }
-}
-
-void StartPage::draw_import(Workspace& workspace) {
-  ImGui::TextUnformatted("Import a scan");
-  ImGui::SetNextItemWidth(-em(6));
-  const bool entered = ImGui::InputTextWithHint("##file", "file: .ply, .obj, .stl, .off", &file_,
-                                                ImGuiInputTextFlags_EnterReturnsTrue);
-  ImGui::SameLine();
-  if ((ImGui::Button("Import", {-1, 0}) || entered) && !file_.empty())
-    workspace.import_scan(typed_path(file_));
-  faint_text("or drop files on the window");
-}
-
 void StartPage::draw(Workspace& workspace) {
-  if (std::exchange(is_first_, false)) server_ = workspace.preferences.server;
   const float width = ImGui::GetContentRegionAvail().x;
   const float left = std::max(em(20), 0.34f * width);
   ImGui::SetCursorPosY(em(1.2f));
@@ -83,18 +70,20 @@ void StartPage::draw(Workspace& workspace) {
   faint_text("smooths and sharpens scanned surfaces");
   ImGui::Dummy({0, em(0.6f)});
   ImGui::BeginChild("##left", {left, 0});
+  draw_open(workspace);
+  ImGui::Dummy({0, em(0.8f)});
   draw_server(workspace);
-  ImGui::Dummy({0, em(0.8f)});
-  draw_import(workspace);
-  ImGui::Dummy({0, em(0.8f)});
-  draw_recent(workspace);
   ImGui::EndChild();
   ImGui::SameLine(0, em(1.6f));
   ImGui::BeginChild("##right");
+  ImGui::TextUnformatted("Recent");
+  cards_.draw(workspace);
+  ImGui::Dummy({0, em(0.8f)});
   draw_scans(workspace);
   ImGui::Dummy({0, em(0.8f)});
   draw_sessions(workspace);
   ImGui::EndChild();
+  connection_dialog_.draw(workspace);
 }
 
 }  // namespace burnish

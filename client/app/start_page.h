@@ -1,24 +1,29 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
+#include "client/app/connection_dialog.h"
 #include "client/app/panels.h"
+#include "client/app/session_cards.h"
 
 namespace burnish {
 
-/// The page while no session is open: servers, recent sessions, scans, import.
+/// The page while no session is open: a scan to open, recent sessions, the server and its scans.
 class StartPage : public Panel {
  public:
   void draw(Workspace& workspace) override;
+  /// Returns true if the user wants to choose a file since the last call.
+  bool take_open_wish() { return std::exchange(wants_to_open_, false); }
 
  private:
+  void draw_open(Workspace& workspace);
   void draw_server(Workspace& workspace);
-  void draw_recent(Workspace& workspace) const;
-  void draw_import(Workspace& workspace);
 
-  bool is_first_ = true;
-  std::string server_;
+  bool wants_to_open_ = false;
   std::string file_;
+  SessionCards cards_;
+  ConnectionDialog connection_dialog_;
 };
 
 }  // namespace burnish

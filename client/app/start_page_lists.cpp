@@ -1,45 +1,19 @@
 #include "client/app/start_page_lists.h"
 
 #include <algorithm>
-#include <ctime>
+#include <imgui_stdlib.h>
+#include <optional>
+#include <utility>
 
 #include "client/app/theme.h"
+#include "client/app/words.h"
 
 namespace burnish {
-
-static std::string counted(uint64_t count) {
-  if (count < 10'000) return std::to_string(count);
-  char text[32];
-  std::snprintf(text, sizeof text, count < 10'000'000 ? "%.0f k" : "%.1f M",
-                count < 10'000'000 ? count / 1e3 : count / 1e6);
-  return text;
-}
 
 static std::string scan_name(const Library& library, const std::string& id) {
   for (const ScanInfo& scan : library.scans)
     if (scan.id == id) return scan.name;
   return short_id(id);
-}
-
-static uint64_t bytes_on_disk(const ScanInfo& scan) {
-  uint64_t bytes = scan.size_bytes;
-  for (const PreparedInfo& prepared : scan.prepared) bytes += prepared.size_bytes;
-  return bytes;
-}
-
-static std::string megabytes(uint64_t bytes) {
-  char text[32];
-  std::snprintf(text, sizeof text, bytes < 10'000'000 ? "%.1f MB" : "%.0f MB", double(bytes) / 1e6);
-  return text;
-}
-
-static std::string day_of(int64_t unix_seconds) {
-  const time_t seconds = unix_seconds;
-  std::tm local{};
-  localtime_r(&seconds, &local);
-  char text[32];
-  std::strftime(text, sizeof text, "%F", &local);
-  return text;
 }
 
 static size_t sessions_of(const Library& library, const std::string& scan) {
@@ -58,12 +32,33 @@ static void add_column(const char* name, float width_em) {
 // Draws a button that asks first. Returns true if the user is sure.
 static bool draw_delete(const std::string& question) {
   if (ImGui::SmallButton("Delete")) ImGui::OpenPopup("##sure");
+  hint("Deletes it from the server, after a question.");
   if (!ImGui::BeginPopup("##sure")) return false;
   ImGui::TextUnformatted(question.c_str());
   const bool is_sure = ImGui::Button("Delete for good");
   if (is_sure) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
   return is_sure;
+}
+
+// Draws a button that asks for a name. Returns the name when the user is done.
+static std::optional<std::string> draw_rename(const std::string& name) {
+  static std::string typed;  // one popup is open at a time
+  if (ImGui::SmallButton("Rename")) {
+    typed = name;
+    ImGui::OpenPopup("##rename");
+  }
+  hint("Gives it another name. Its edits stay.");
+  if (!ImGui::BeginPopup("##rename")) return std::nullopt;
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(em(16));
+  const bool entered = ImGui::InputText(
+      "##name", &typed, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::SameLine();
+  const bool is_done = (ImGui::Button("Rename") || entered) && !typed.empty();
+  if (is_done) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+  return is_done && typed != name ? std::optional(typed) : std::nullopt;
 }
 
 static std::string question_of(const ScanInfo& scan, size_t sessions) {
@@ -75,8 +70,10 @@ static std::string question_of(const ScanInfo& scan, size_t sessions) {
 static void draw_scan(const ScanInfo& scan, Workspace& workspace) {
   const size_t sessions = sessions_of(workspace.library(), scan.id);
   ImGui::TableNextColumn();
-  if (ImGui::Selectable(scan.name.c_str())) workspace.open_scan(scan, Opening::kGoOn);
-  hint(sessions == 0 ? "Opens it." : "Goes on where you left it.");
+  const std::string shown = cut_to(scan.name, ImGui::GetContentRegionAvail().x);
+  if (ImGui::Selectable(shown.c_str())) workspace.open_scan(scan, Opening::kGoOn);
+  const char* const what = sessions == 0 ? "Opens it." : "Goes on where you left it.";
+  hint((shown == scan.name ? what : scan.name + "\n" + what).c_str());
   ImGui::TableNextColumn();
   faint_text("%s", counted(scan.statistics.triangles).c_str());
   ImGui::TableNextColumn();
@@ -88,6 +85,8 @@ static void draw_scan(const ScanInfo& scan, Workspace& workspace) {
   ImGui::TableNextColumn();
   if (ImGui::SmallButton("New")) workspace.open_scan(scan, Opening::kAnew);
   hint("Opens it in a new session.");
+  ImGui::SameLine();
+  if (const auto name = draw_rename(scan.name)) workspace.rename_scan(scan.id, *name);
   ImGui::SameLine();
   if (draw_delete(question_of(scan, sessions))) workspace.delete_scan(scan.id);
 }
@@ -106,7 +105,7 @@ void draw_scans(Workspace& workspace) {
   add_column("surface", 4);
   add_column("on disk", 4.5f);
   add_column("imported", 6);
-  add_column("", 7.5f);
+  add_column("", 12.6f);
   ImGui::TableHeadersRow();
   for (const ScanInfo& scan : library.scans) {
     ImGui::PushID(scan.id.c_str());
@@ -118,9 +117,12 @@ void draw_scans(Workspace& workspace) {
 
 static void draw_session(const SessionInfo& session, Workspace& workspace) {
   ImGui::TableNextColumn();
-  if (ImGui::Selectable(session.name.c_str())) workspace.join(session);
+  const std::string shown = cut_to(session.name, ImGui::GetContentRegionAvail().x);
+  if (ImGui::Selectable(shown.c_str())) workspace.join(session);
+  hint(shown == session.name ? "Goes on with it." : session.name.c_str());
   ImGui::TableNextColumn();
-  faint_text("%s", scan_name(workspace.library(), session.scan_id).c_str());
+  const std::string scan = scan_name(workspace.library(), session.scan_id);
+  faint_text("%s", cut_to(scan, ImGui::GetContentRegionAvail().x).c_str());
   ImGui::TableNextColumn();
   faint_text("%llu", static_cast<unsigned long long>(session.edits));
   ImGui::TableNextColumn();
@@ -128,6 +130,8 @@ static void draw_session(const SessionInfo& session, Workspace& workspace) {
   ImGui::TableNextColumn();
   faint_text("%s", day_of(session.created_unix_seconds).c_str());
   ImGui::TableNextColumn();
+  if (const auto name = draw_rename(session.name)) workspace.rename_session(session, *name);
+  ImGui::SameLine();
   if (draw_delete("The server deletes " + session.name + " with " + std::to_string(session.edits) +
                   (session.edits == 1 ? " edit." : " edits.")))
     workspace.delete_session(session);
@@ -143,7 +147,7 @@ void draw_sessions(Workspace& workspace) {
   add_column("edits", 3.5f);
   add_column("depth", 3.5f);
   add_column("begun", 6);
-  add_column("", 5);
+  add_column("", 9);
   ImGui::TableHeadersRow();
   for (const SessionInfo& session : library.sessions) {
     ImGui::PushID(session.id.c_str());

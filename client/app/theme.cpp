@@ -1,39 +1,17 @@
 #include "client/app/theme.h"
 
-#include <cmath>
 #include <cstdarg>
-#include <filesystem>
 
 namespace burnish {
 
-static constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-static constexpr float kFontPixels = 14;
-static constexpr float kTitlePixels = 22;
-
-static void load_font(float scale) {
-  // Latin with its extensions, Greek and Cyrillic, general punctuation, arrows, mathematical
-  // operators.
-  static const ImWchar kRanges[] = {0x20,   0x24f,  0x370,  0x52f,  0x1e00, 0x1eff, 0x2010,
-                                    0x2044, 0x2190, 0x21ff, 0x2200, 0x22ff, 0};
-  ImGuiIO& io = ImGui::GetIO();
-  io.Fonts->Clear();
-  std::error_code error;
-  if (std::filesystem::exists(kFontFile, error)) {
-    io.Fonts->AddFontFromFileTTF(kFontFile, std::round(kFontPixels * scale), nullptr, kRanges);
-    io.Fonts->AddFontFromFileTTF(kFontFile, std::round(kTitlePixels * scale));
-    return;
-  }
-  ImFontConfig config;
-  config.SizePixels = std::round(13 * scale);
-  io.Fonts->AddFontDefault(&config);
-}
-
-static void set_colours(ImGuiStyle& style) {
-  ImGui::StyleColorsDark(&style);
-  ImVec4* const colours = style.Colors;
-  colours[ImGuiCol_Text] = theme::kText;
-  colours[ImGuiCol_TextDisabled] = theme::kFaint;
-  colours[ImGuiCol_WindowBg] = theme::kPanel;
+static void set_dark_colours(ImVec4* colours) {
+  theme::kText = {0.90f, 0.91f, 0.92f, 1.0f};
+  theme::kFaint = {0.62f, 0.64f, 0.67f, 1.0f};
+  theme::kAccent = {0.33f, 0.58f, 0.88f, 1.0f};
+  theme::kGood = {0.45f, 0.80f, 0.50f, 1.0f};
+  theme::kBusy = {0.95f, 0.74f, 0.32f, 1.0f};
+  theme::kBad = {0.96f, 0.46f, 0.42f, 1.0f};
+  theme::kPanel = {0.145f, 0.155f, 0.170f, 1.0f};
   colours[ImGuiCol_PopupBg] = {0.12f, 0.13f, 0.14f, 0.98f};
   colours[ImGuiCol_MenuBarBg] = {0.11f, 0.12f, 0.13f, 1.0f};
   colours[ImGuiCol_Border] = {0.30f, 0.32f, 0.35f, 0.60f};
@@ -48,19 +26,62 @@ static void set_colours(ImGuiStyle& style) {
   colours[ImGuiCol_HeaderActive] = {0.28f, 0.38f, 0.50f, 1.0f};
   colours[ImGuiCol_Button] = {0.25f, 0.31f, 0.38f, 1.0f};
   colours[ImGuiCol_ButtonHovered] = {0.29f, 0.41f, 0.55f, 1.0f};
-  colours[ImGuiCol_ButtonActive] = theme::kAccent;
-  colours[ImGuiCol_CheckMark] = theme::kAccent;
-  colours[ImGuiCol_SliderGrab] = theme::kAccent;
   colours[ImGuiCol_SliderGrabActive] = {0.50f, 0.72f, 0.98f, 1.0f};
-  colours[ImGuiCol_PlotHistogram] = theme::kAccent;
   colours[ImGuiCol_ModalWindowDimBg] = {0.05f, 0.05f, 0.06f, 0.55f};
 }
 
-void apply_theme(float scale) {
-  load_font(scale);
+static void set_light_colours(ImVec4* colours) {
+  theme::kText = {0.11f, 0.12f, 0.14f, 1.0f};
+  theme::kFaint = {0.38f, 0.40f, 0.43f, 1.0f};
+  theme::kAccent = {0.16f, 0.42f, 0.76f, 1.0f};
+  theme::kGood = {0.08f, 0.46f, 0.18f, 1.0f};
+  theme::kBusy = {0.60f, 0.36f, 0.02f, 1.0f};
+  theme::kBad = {0.74f, 0.13f, 0.11f, 1.0f};
+  theme::kPanel = {0.955f, 0.960f, 0.968f, 1.0f};
+  colours[ImGuiCol_PopupBg] = {0.99f, 0.99f, 1.0f, 0.98f};
+  colours[ImGuiCol_MenuBarBg] = {0.90f, 0.91f, 0.92f, 1.0f};
+  colours[ImGuiCol_Border] = {0.62f, 0.64f, 0.67f, 0.60f};
+  colours[ImGuiCol_FrameBg] = {0.860f, 0.872f, 0.888f, 1.0f};
+  colours[ImGuiCol_FrameBgHovered] = {0.82f, 0.84f, 0.87f, 1.0f};
+  colours[ImGuiCol_FrameBgActive] = {0.77f, 0.80f, 0.84f, 1.0f};
+  colours[ImGuiCol_TableHeaderBg] = {0.88f, 0.89f, 0.91f, 1.0f};
+  colours[ImGuiCol_TableBorderLight] = {0.80f, 0.81f, 0.83f, 1.0f};
+  colours[ImGuiCol_TitleBgActive] = {0.80f, 0.85f, 0.92f, 1.0f};
+  colours[ImGuiCol_Header] = {0.82f, 0.86f, 0.92f, 1.0f};
+  colours[ImGuiCol_HeaderHovered] = {0.74f, 0.82f, 0.92f, 1.0f};
+  colours[ImGuiCol_HeaderActive] = {0.66f, 0.77f, 0.92f, 1.0f};
+  colours[ImGuiCol_Button] = {0.76f, 0.81f, 0.88f, 1.0f};
+  colours[ImGuiCol_ButtonHovered] = {0.67f, 0.76f, 0.88f, 1.0f};
+  colours[ImGuiCol_SliderGrabActive] = {0.10f, 0.34f, 0.66f, 1.0f};
+  colours[ImGuiCol_ModalWindowDimBg] = {0.30f, 0.31f, 0.33f, 0.45f};
+}
+
+// Colours that follow from others.
+static void set_common_colours(ImVec4* colours) {
+  colours[ImGuiCol_Text] = theme::kText;
+  colours[ImGuiCol_TextDisabled] = theme::kFaint;
+  colours[ImGuiCol_WindowBg] = theme::kPanel;
+  colours[ImGuiCol_TitleBg] = colours[ImGuiCol_TitleBgActive];
+  for (const ImGuiCol each :
+       {ImGuiCol_ButtonActive, ImGuiCol_CheckMark, ImGuiCol_SliderGrab, ImGuiCol_PlotHistogram})
+    colours[each] = theme::kAccent;
+}
+
+static void set_colours(ImGuiStyle& style, bool is_light) {
+  if (is_light) {
+    ImGui::StyleColorsLight(&style);
+    set_light_colours(style.Colors);
+  } else {
+    ImGui::StyleColorsDark(&style);
+    set_dark_colours(style.Colors);
+  }
+  set_common_colours(style.Colors);
+}
+
+void apply_theme(float scale, bool is_light) {
   ImGuiStyle& style = ImGui::GetStyle();
   style = ImGuiStyle();
-  set_colours(style);
+  set_colours(style, is_light);
   style.WindowRounding = 0;
   style.ChildRounding = style.FrameRounding = style.GrabRounding = style.PopupRounding = 3;
   style.WindowBorderSize = 0;

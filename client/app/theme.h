@@ -15,21 +15,23 @@ inline constexpr float kLeftPanelEm = 20;
 inline constexpr float kRightPanelEm = 17;
 inline constexpr float kPictureEm = 20;  // least width between both columns
 
-/// Sets fonts, colours and spacing for this scale (1: 96 dots per inch). Call it between frames.
-/// Without DejaVu Sans it uses ImGui's own font, which has no Greek letters.
-void apply_theme(float scale);
+/// Sets colours and spacing for this scale (1: 96 dots per inch). Call it between frames.
+void apply_theme(float scale, bool is_light);
 
-/// Returns the font for headings: larger, only Latin letters.
+/// Returns the font for headings: larger, only Latin, Greek and Cyrillic letters.
 ImFont* title_font();
 
+/// Colours of the present theme; apply_theme() sets them.
 namespace theme {
-inline const ImVec4 kText{0.90f, 0.91f, 0.92f, 1.0f};
-inline const ImVec4 kFaint{0.62f, 0.64f, 0.67f, 1.0f};
-inline const ImVec4 kAccent{0.33f, 0.58f, 0.88f, 1.0f};
-inline const ImVec4 kGood{0.45f, 0.80f, 0.50f, 1.0f};
-inline const ImVec4 kBusy{0.95f, 0.74f, 0.32f, 1.0f};
-inline const ImVec4 kBad{0.96f, 0.46f, 0.42f, 1.0f};
-inline const ImVec4 kPanel{0.145f, 0.155f, 0.170f, 1.0f};
+inline ImVec4 kText;
+inline ImVec4 kFaint;
+inline ImVec4 kAccent;
+inline ImVec4 kGood;
+inline ImVec4 kBusy;
+inline ImVec4 kBad;
+inline ImVec4 kPanel;
+inline const ImVec4 kOnAccent{1.0f, 1.0f, 1.0f, 1.0f};      ///< text on the accent
+inline const ImVec4 kOnPicture{0.12f, 0.13f, 0.15f, 1.0f};  ///< text on the picture
 }  // namespace theme
 
 inline ImVec4 to_imgui(const Vec3f& colour, float opacity = 1) {

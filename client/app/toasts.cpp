@@ -30,11 +30,13 @@ static void draw_activity(Activity& activity) {
   ImGui::PushID(&activity);
   const Activity::State state = activity.state();
   ImGui::TextUnformatted(activity.title().c_str());
-  const char* const phase = state.phase.empty() ? "…" : state.phase.c_str();
-  ImGui::ProgressBar(static_cast<float>(state.fraction), {em(19), 0}, phase);
+  std::string phase = state.phase.empty() ? "…" : state.phase;
+  if (state.seconds_left) phase += ", " + time_left_text(*state.seconds_left);
+  ImGui::ProgressBar(static_cast<float>(state.fraction), {em(21), 0}, phase.c_str());
   ImGui::SameLine();
   ImGui::BeginDisabled(activity.is_cancelled());
   if (ImGui::Button("Cancel")) activity.cancel();
+  hint("Ends this work. Nothing of it is left.");
   ImGui::EndDisabled();
   ImGui::PopID();
 }
@@ -45,7 +47,8 @@ void Toasts::draw(Workspace& workspace) {
   const float margin = em(0.7f);
   ImGui::SetNextWindowPos({lower_left.x + margin, lower_left.y - margin}, 0, {0, 1});
   ImGui::SetNextWindowBgAlpha(0.90f);
-  ImGui::SetNextWindowSizeConstraints({em(8), 0}, {em(34), em(20)});
+  ImGui::SetNextWindowSizeConstraints(
+      {em(8), 0}, {em(34), lower_left.y - 2 * margin - ImGui::GetFrameHeight()});
   ImGui::Begin("##toasts", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings);

@@ -37,8 +37,8 @@ static void draw_toggles(ViewOptions& options) {
     options.split_at = at;
 }
 
-static void draw_bookmarks(Viewport& viewport, const Document& document) {
-  if (ImGui::Button("Frame all")) viewport.frame_all(document);
+static void draw_bookmarks(Viewport& viewport) {
+  if (ImGui::Button("Frame all")) viewport.frame_all();
   ImGui::SameLine();
   if (ImGui::Button("Bookmark")) viewport.add_bookmark();
   for (size_t i = 0; i < viewport.bookmarks.size(); ++i) {
@@ -54,7 +54,7 @@ void ViewPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
   draw_colours(document, workspace);
   draw_toggles(workspace.viewport.options);
-  draw_bookmarks(workspace.viewport, document);
+  draw_bookmarks(workspace.viewport);
   ImGui::Checkbox("Left button turns the view", &workspace.viewport.navigate_mode);
   ImGui::PushTextWrapPos(0);
   faint_text("%s", status_text(document.surface().status()).c_str());

@@ -6,6 +6,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 
+#include "client/app/fonts.h"
 #include "client/app/theme.h"
 #include "client/app/window_callbacks.h"
 
@@ -23,7 +24,7 @@ static double screen_scale(GLFWwindow* window) {
   return std::max(1.0f, std::max(x, y));
 }
 
-Result<std::unique_ptr<Window>> Window::create(const ImageSize& size, double scale,
+Result<std::unique_ptr<Window>> Window::create(const ImageSize& size, const WindowLook& look,
                                                WindowEvents events) {
   if (!glfwInit()) return glfw_failure("cannot open a window");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -45,11 +46,22 @@ Result<std::unique_ptr<Window>> Window::create(const ImageSize& size, double sca
   window->input_.add({.kind = InputEvent::Kind::kMove, .place = pointer});
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // Burnish keeps its state in its own file
-  apply_theme(static_cast<float>(scale > 0 ? scale : screen_scale(handle)));
   ImGui_ImplGlfw_InitForOpenGL(handle, false);
   WindowCallbacks::install(handle);
   ImGui_ImplOpenGL3_Init("#version 330 core");
+  window->set_look(look);
   return window;
+}
+
+std::string Window::set_look(const WindowLook& look) {
+  if (look_ == look) return {};
+  look_ = look;
+  const auto scale = static_cast<float>(look.scale > 0 ? look.scale : screen_scale(window_));
+  apply_theme(scale, look.is_light);
+  std::string missing = load_fonts(scale, look.letters);
+  ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them again, with the fonts
+  dirty_ = true;
+  return missing;
 }
 
 Window::~Window() {

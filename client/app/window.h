@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,14 @@
 struct GLFWwindow;
 
 namespace burnish {
+
+/// The looks of the panels.
+struct WindowLook {
+  double scale = 0;  ///< of letters and panels; 0: the screen's
+  bool is_light = false;
+  std::set<char16_t> letters;  ///< besides Latin, Greek and Cyrillic
+  bool operator==(const WindowLook&) const = default;
+};
 
 /// Events of the window, in the order of the user's acts. Pixels are the framebuffer's, from its
 /// upper left corner.
@@ -33,8 +43,8 @@ struct WindowEvents {
 /// window at a time.
 class Window {
  public:
-  /// `scale` 0: the screen's scale. Fails: unavailable (no display, no driver).
-  static Result<std::unique_ptr<Window>> create(const ImageSize& size, double scale,
+  /// Fails: unavailable (no display, no driver).
+  static Result<std::unique_ptr<Window>> create(const ImageSize& size, const WindowLook& look,
                                                 WindowEvents events);
   ~Window();
   Window(const Window&) = delete;
@@ -58,6 +68,10 @@ class Window {
   ImageSize size() const;              ///< in the screen's coordinates
   void set_title(const std::string& title);
 
+  /// Changes the looks if they are others. Call it between frames. Returns letters of scripts that
+  /// no font here has; empty: all are drawn.
+  std::string set_look(const WindowLook& look);
+
   /// Begin and end ImGui's frame, which draws over the content of the framebuffer.
   void begin_frame();
   void end_frame();
@@ -76,6 +90,7 @@ class Window {
 
   GLFWwindow* window_;
   WindowEvents events_;
+  std::optional<WindowLook> look_;
   InputQueue input_;  // in the screen's coordinates
   bool dirty_ = true;
 };

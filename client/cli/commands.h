@@ -34,5 +34,6 @@ void add_unit_command(CommandTable& table);
 void add_bench_command(CommandTable& table);
 void add_close_command(CommandTable& table);
 void add_delete_command(CommandTable& table);
+void add_rename_command(CommandTable& table);
 
 }  // namespace burnish

@@ -47,7 +47,8 @@ Status run(const ImportOptions& options) {
   if (!outcome.is_ok()) return outcome.status().with_context("import of " + options.file);
   if (!options.name.empty() && outcome->scan.name != options.name)
     std::cerr << "warning: the server has these bytes already; the scan keeps its name "
-              << outcome->scan.name << "\n";
+              << outcome->scan.name << ". To change it: burnish rename scan "
+              << short_id(outcome->scan.id) << " '" << options.name << "'\n";
   if (!options.server.json) {
     print(*outcome);
     tell_of_materials(options.file);

@@ -22,6 +22,7 @@ void add_service_commands(CommandTable& table) {
   add_bench_command(table);
   add_close_command(table);
   add_delete_command(table);
+  add_rename_command(table);
 }
 
 }  // namespace burnish

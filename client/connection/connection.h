@@ -78,11 +78,15 @@ class Connection {
   Status fetch_pages(const PagesWish& wish, const PageTaker& take);
   /// Returns the id of what is gone.
   Result<std::string> delete_scan(const std::string& scan);
+  /// Returns the scan with its new name, 1 to 200 bytes of UTF-8. Fails: as the server says.
+  Result<ScanInfo> rename_scan(const std::string& scan, const std::string& name);
 
   Result<OpenedSession> open_session(const SessionWish& wish);
   Result<std::vector<SessionInfo>> list_sessions();
   Status close_session(const std::string& session);
   Status delete_session(const std::string& session);
+  /// Returns the session with its new name, 1 to 200 bytes of UTF-8. Fails: as the server says.
+  Result<SessionInfo> rename_session(const std::string& session, const std::string& name);
 
   /// Sends the edits in order, in as many requests as they need. Edits sent before a failure stay;
   /// sending all again is harmless.

@@ -1,11 +1,16 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "client/model/whole_progress.h"
 #include "common/base/progress.h"
 
 namespace burnish {
@@ -15,6 +20,9 @@ namespace burnish {
 class Activity {
  public:
   explicit Activity(std::string title) : title_(std::move(title)) {}
+  /// Work of several phases: the fraction is that of the whole.
+  Activity(std::string title, std::vector<PlannedPhase> plan)
+      : title_(std::move(title)), whole_(std::in_place, std::move(plan), Clock::now()) {}
 
   const std::string& title() const { return title_; }
   void cancel() { cancelled_ = true; }
@@ -22,29 +30,34 @@ class Activity {
 
   struct State {
     std::string phase;
-    double fraction = 0;  ///< 0 to 1
+    double fraction = 0;                 ///< 0 to 1
+    std::optional<double> seconds_left;  ///< of the whole
   };
-  State state() const {
+  State state() {
     const std::lock_guard lock(mutex_);
-    return state_;
+    if (!whole_) return state_;
+    return {state_.phase, whole_->fraction(Clock::now()), whole_->seconds_left(Clock::now())};
   }
-  void set_state(State state) {
+  void report(std::string_view phase, double fraction) {
     const std::lock_guard lock(mutex_);
-    state_ = std::move(state);
+    state_ = {std::string(phase), fraction, std::nullopt};
+    if (whole_) whole_->report(phase, fraction, Clock::now());
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
   const std::string title_;
   std::atomic<bool> cancelled_{false};
-  mutable std::mutex mutex_;
+  std::mutex mutex_;  // guards the following members
   State state_;
+  std::optional<WholeProgress> whole_;
 };
 
 /// Returns a Progress that reports to the activity and ends the work when either side asks for it.
 inline Progress progress_of(std::shared_ptr<Activity> activity, std::stop_token stop) {
   return [activity = std::move(activity), stop = std::move(stop)](std::string_view phase,
                                                                   double fraction) {
-    activity->set_state({std::string(phase), fraction});
+    activity->report(phase, fraction);
     return !activity->is_cancelled() && !stop.stop_requested();
   };
 }

@@ -6,6 +6,7 @@ namespace burnish {
 
 const std::array<ActionInfo, kActions>& actions() {
   static const std::array<ActionInfo, kActions> kInfos = {{
+      {Action::kOpen, "open", "Ctrl+O", "Open a scan"},
       {Action::kUndo, "undo", "Ctrl+Z", "Undo your last edit"},
       {Action::kRedo, "redo", "Ctrl+Shift+Z", "Redo it", "Ctrl+Y"},
       {Action::kFrameAll, "frame_all", "Home", "Show the whole scan"},

@@ -12,6 +12,7 @@ namespace burnish {
 
 /// Actions of keys.
 enum class Action {
+  kOpen,
   kUndo,
   kRedo,
   kFrameAll,
@@ -39,7 +40,7 @@ enum class Action {
   kCancel,
 };
 
-inline constexpr size_t kActions = 25;
+inline constexpr size_t kActions = 26;
 
 struct ActionInfo {
   Action action;

@@ -17,14 +17,14 @@ void do_document_action(Action action, Workspace& workspace) {
     case Action::kRedo:
       return document.redo();
     case Action::kFrameAll:
-      return viewport.go_home(document);
+      return viewport.go_home();
     case Action::kFront:
     case Action::kBack:
     case Action::kRight:
     case Action::kLeft:
     case Action::kTop:
     case Action::kBottom:
-      return viewport.show_from(standard_view_of(action), document);
+      return viewport.show_from(standard_view_of(action));
     case Action::kOrthographic:
       viewport.camera.orthographic = !viewport.camera.orthographic;
       return;
@@ -52,6 +52,7 @@ void do_document_action(Action action, Workspace& workspace) {
       return;
     case Action::kBookmark:
       return viewport.add_bookmark();
+    case Action::kOpen:
     case Action::kExport:
     case Action::kScreenshot:
     case Action::kLog:

@@ -65,7 +65,7 @@ void Document::handle(const LiveEvent& event) {
                      forget_strokes();
                    }
                    if (change.state == LinkState::kLive) {
-                     log_.info("connected to " + opened_.server);
+                     log_.info("connected");
                      surface_->on_link_made();
                    }
                  },

@@ -9,6 +9,7 @@ Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
                                      const SessionWish& wish, const Progress& progress) {
   connection->bring_back(progress);
   RETURN_IF_ERROR(connection->prepare_scan(wish.scan, wish.key, progress).status());
+  if (!report(progress, "opening the session", 0)) return cancelled("opening was cancelled");
   ASSIGN_OR_RETURN(const OpenedSession session, connection->open_session(wish));
   return fetch_document(std::move(connection), session.session, progress);
 }

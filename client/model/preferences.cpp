@@ -45,10 +45,10 @@ void read(const toml::table& table, const char* key, T& value) {
 
 void read_numbers(const toml::table& table, Preferences& preferences) {
   read(table, "user", preferences.user);
-  read(table, "server", preferences.server);
   read(table, "brush_radius_part", preferences.brush_radius_part);
   read(table, "brush_strength", preferences.brush_strength);
   read(table, "brush_beta", preferences.brush_beta);
+  read(table, "light_theme", preferences.light_theme);
   read(table, "scale", preferences.scale);
   read(table, "window_width", preferences.window_width);
   read(table, "window_height", preferences.window_height);
@@ -68,26 +68,83 @@ void read_recent(const toml::table& table, Preferences& preferences) {
     read(*entry, "server", session.server);
     read(*entry, "session", session.session);
     read(*entry, "scan", session.scan);
+    read(*entry, "id", session.id);
+    read(*entry, "scan_name", session.scan_name);
+    read(*entry, "shown", session.shown_unix_seconds);
+    session.size_bytes = static_cast<uint64_t>((*entry)["size_bytes"].value_or<int64_t>(0));
     preferences.recent.push_back(session);
   }
+}
+
+// Older versions kept the address of one server.
+void read_servers(const toml::table& table, Preferences& preferences) {
+  if (const auto server = table["server"].value<std::string>(); server && !server->empty())
+    preferences.servers.push_back({.address = *server});
+  const toml::array* servers = table["servers"].as_array();
+  if (!servers) return;
+  for (const toml::node& node : *servers) {
+    const toml::table* entry = node.as_table();
+    if (!entry || preferences.servers.size() == kKnownServersMax) continue;
+    KnownServer server;
+    read(*entry, "address", server.address);
+    read(*entry, "tls", server.tls);
+    read(*entry, "user", server.user);
+    read(*entry, "token", server.token);
+    server.ca = (*entry)["ca"].value_or(std::string());
+    server.keeps_token = !server.token.empty();
+    preferences.servers.push_back(server);
+  }
+}
+
+toml::array servers_to_toml(const std::vector<KnownServer>& servers) {
+  toml::array array;
+  for (const KnownServer& server : servers) {
+    toml::table entry{{"address", server.address},
+                      {"tls", server.tls},
+                      {"ca", server.ca.string()},
+                      {"user", server.user}};
+    if (server.keeps_token) entry.insert("token", server.token);
+    array.push_back(std::move(entry));
+  }
+  return array;
+}
+
+void read_folders(const toml::table& table, Preferences& preferences) {
+  const toml::array* folders = table["folders"].as_array();
+  if (!folders) return;
+  for (const toml::node& node : *folders)
+    if (const auto folder = node.value<std::string>();
+        folder && preferences.folders.size() < kRecentFoldersMax)
+      preferences.folders.emplace_back(*folder);
 }
 
 toml::table to_toml(const Preferences& preferences) {
   toml::array recent;
   for (const RecentSession& session : preferences.recent)
-    recent.push_back(toml::table{
-        {"server", session.server}, {"session", session.session}, {"scan", session.scan}});
+    recent.push_back(toml::table{{"server", session.server},
+                                 {"session", session.session},
+                                 {"scan", session.scan},
+                                 {"id", session.id},
+                                 {"scan_name", session.scan_name},
+                                 {"shown", session.shown_unix_seconds},
+                                 {"size_bytes", static_cast<int64_t>(session.size_bytes)}});
+  toml::array folders;
+  for (const std::filesystem::path& folder : preferences.folders)
+    folders.push_back(folder.string());
   toml::table keys;
   for (const auto& [action, key] : preferences.keys) keys.insert(action, key);
   return toml::table{{"user", preferences.user},
-                     {"server", preferences.server},
                      {"brush_radius_part", preferences.brush_radius_part},
                      {"brush_strength", preferences.brush_strength},
                      {"brush_beta", preferences.brush_beta},
+                     {"light_theme", preferences.light_theme},
                      {"scale", preferences.scale},
                      {"window_width", preferences.window_width},
                      {"window_height", preferences.window_height},
                      {"light", to_toml(preferences.lighting)},
+                     {"native_dialogs", preferences.native_dialogs},
+                     {"folders", folders},
+                     {"servers", servers_to_toml(preferences.servers)},
                      {"recent", recent},
                      {"keys", keys}};
 }
@@ -101,6 +158,9 @@ Result<Preferences> read_preferences(const std::filesystem::path& path) {
   try {
     const toml::table table = toml::parse_file(path.string());
     read_numbers(table, preferences);
+    read(table, "native_dialogs", preferences.native_dialogs);
+    read_folders(table, preferences);
+    read_servers(table, preferences);
     read_recent(table, preferences);
     if (const toml::table* light = table["light"].as_table())
       preferences.lighting = lighting_of(*light);
@@ -119,6 +179,13 @@ Result<Preferences> read_preferences(const std::filesystem::path& path) {
   return preferences;
 }
 
+void remember_folder(Preferences& preferences, const std::filesystem::path& folder) {
+  if (folder.empty()) return;
+  std::erase(preferences.folders, folder);
+  preferences.folders.insert(preferences.folders.begin(), folder);
+  if (preferences.folders.size() > kRecentFoldersMax) preferences.folders.resize(kRecentFoldersMax);
+}
+
 Status write_preferences(const Preferences& preferences, const std::filesystem::path& path) {
   if (path.empty()) return Status::ok();
   std::error_code error;
@@ -128,12 +195,6 @@ Status write_preferences(const Preferences& preferences, const std::filesystem::
   std::ostringstream text;
   text << to_toml(preferences) << "\n";
   return write_file(path, text.str(), FileAccess::kUserOnly);
-}
-
-void remember(Preferences& preferences, const RecentSession& session) {
-  std::erase(preferences.recent, session);
-  preferences.recent.insert(preferences.recent.begin(), session);
-  if (preferences.recent.size() > kRecentMax) preferences.recent.resize(kRecentMax);
 }
 
 }  // namespace burnish

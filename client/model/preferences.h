@@ -5,29 +5,24 @@
 #include <string>
 #include <vector>
 
+#include "client/model/known_servers.h"
+#include "client/model/recent_sessions.h"
 #include "client/scene/lighting.h"
 #include "common/edit/brush.h"
 
 namespace burnish {
 
-inline constexpr size_t kRecentMax = 12;
-
-/// A scan or session that was open.
-struct RecentSession {
-  std::string server;  ///< empty: the private server of this machine
-  std::string session;
-  std::string scan;  ///< name of the scan
-  bool operator==(const RecentSession&) const = default;
-};
-
 /// State that the window keeps between runs.
 struct Preferences {
   std::string user;
-  std::string server;  ///< the last server that the user typed
+  std::vector<KnownServer> servers;  ///< latest first; a token is written only if it is kept
   std::vector<RecentSession> recent;
-  double brush_radius_part = 0.03;  ///< of the scan's diagonal
+  std::vector<std::filesystem::path> folders;  ///< of files that were opened or saved, latest first
+  bool native_dialogs = true;                  ///< the desktop's file dialogs, where there are some
+  double brush_radius_part = 0.03;             ///< of the scan's diagonal
   double brush_strength = 0.6;
   double brush_beta = 0;
+  bool light_theme = false;
   double scale = 0;   ///< of fonts and panels; 0: the screen's scale
   Lighting lighting;  ///< of scans that are shown for the first time
   int window_width = 1280;
@@ -48,10 +43,12 @@ std::filesystem::path page_cache_folder();
 /// Returns defaults if there is no file. Fails: invalid_argument that names the file and the error.
 Result<Preferences> read_preferences(const std::filesystem::path& path);
 
+inline constexpr size_t kRecentFoldersMax = 6;
+
+/// Puts a folder first and drops the oldest.
+void remember_folder(Preferences& preferences, const std::filesystem::path& folder);
+
 /// Writes the file and makes its folder; only this user can read them. Fails: as errno says.
 Status write_preferences(const Preferences& preferences, const std::filesystem::path& path);
-
-/// Puts an entry first and drops the oldest.
-void remember(Preferences& preferences, const RecentSession& session);
 
 }  // namespace burnish

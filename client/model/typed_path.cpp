@@ -6,8 +6,8 @@ namespace burnish {
 
 std::filesystem::path typed_path(const std::string& text) {
   const char* const home = std::getenv("HOME");
-  if (!home || !text.starts_with("~/")) return text;
-  return std::filesystem::path(home) / text.substr(2);
+  if (!home || (text != "~" && !text.starts_with("~/"))) return text;
+  return text == "~" ? home : std::filesystem::path(home) / text.substr(2);
 }
 
 }  // namespace burnish

@@ -5,24 +5,24 @@ namespace burnish {
 static constexpr double kHomeAzimuth = 25, kHomeElevation = 20;  // degrees
 static constexpr double kFocusNearer = 0.5;                      // of the distance
 
-void Viewport::frame_all(const Document& document) {
-  camera = burnish::frame_all(camera, document.box(), size_.aspect());
+void Viewport::frame_all() {
+  camera = burnish::frame_all(camera, box_, size_.aspect());
 }
 
-void Viewport::go_home(const Document& document) {
+void Viewport::go_home() {
   camera.azimuth_degrees = kHomeAzimuth;
   camera.elevation_degrees = kHomeElevation;
-  frame_all(document);
+  frame_all();
 }
 
-void Viewport::set_up(UpAxis up, const Document& document) {
+void Viewport::set_up(UpAxis up) {
   camera.up = up;
-  frame_all(document);
+  frame_all();
 }
 
-void Viewport::show_from(StandardView view, const Document& document) {
+void Viewport::show_from(StandardView view) {
   camera = seen_from(camera, view);
-  frame_all(document);
+  frame_all();
 }
 
 void Viewport::add_bookmark() {

@@ -23,16 +23,8 @@ void Viewport::leave() {
 }
 
 void Viewport::begin(const Document& document) {
-  gesture_ = Gesture::kIdle;
-  value_changes_ = false;
-  events_.clear();
-  bookmarks.clear();
-  measure_mode = false;
-  leave();
-  sent_ring_.reset();
-  box_ = document.box();
-  camera = {};
-  go_home(document);
+  begin(document.box());
+  paints_ = true;
 }
 
 void Viewport::begin_radius(const Document& document) {

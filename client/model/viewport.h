@@ -57,14 +57,18 @@ class Viewport {
 
   /// Resets for a newly opened document. Keeps only the settings of how surfaces are shown.
   void begin(const Document& document);
-  void frame_all(const Document& document);
-  void focus();  ///< turn around the point under the pointer
-  /// Shows the whole scan as at first, without a tilt of the user's.
+  /// Does the same for a surface without a session: all buttons turn or move it.
+  void begin(const Eigen::AlignedBox3d& box);
+  /// Goes on with a document that has the same surface. The camera and its drag stay.
+  void take_over(const Document& document);
+  void frame_all();
+  void focus();         ///< turn around the point under the pointer
   void add_bookmark();  ///< of this camera, while there is room
-  void go_home(const Document& document);
+  /// Shows the whole scan as at first, without a tilt of the user's.
+  void go_home();
   /// Shows the whole scan from the same angles with another axis up.
-  void set_up(UpAxis up, const Document& document);
-  void show_from(StandardView view, const Document& document);
+  void set_up(UpAxis up);
+  void show_from(StandardView view);
   void begin_radius(const Document& document);
   void begin_strength(const Document& document);
   /// Cancels the pointer's gesture. Returns false if there was none.
@@ -72,6 +76,7 @@ class Viewport {
 
   /// Handles the pointer's events.
   void update(Document& document);
+  void update(const Eigen::AlignedBox3d& box);
 
   /// Prepares the picture of the document; draw() then draws it. Fails: as the renderer does.
   Status look(Document& document) const { return document.look(camera, size_); }
@@ -112,6 +117,7 @@ class Viewport {
   Gesture gesture_of(PointerButton button, const Modifiers& modifiers) const;
   bool is_second_press(PointerButton button, const Eigen::Vector2d& pixel);
   void focus_nearer(const Document& document);
+  void reset(const Eigen::AlignedBox3d& box);
   bool shows_original(const Eigen::Vector2d& pixel) const;
   void look_at(const Eigen::Vector2d& pixel, const Document& document);
   std::optional<SurfaceHit> hit_at(const Document& document, const Eigen::Vector2d& pixel) const;
@@ -122,6 +128,7 @@ class Viewport {
 
   ImageSize size_{1, 1};
   Eigen::AlignedBox3d box_{Vec3d::Zero(), Vec3d::Ones()};  // of the scan, file units
+  bool paints_ = true;                                     // there is a session to paint on
   Gesture gesture_ = Gesture::kIdle;
   PointerButton held_ = PointerButton::kLeft;
   std::optional<Press> last_press_;  // that turned the view

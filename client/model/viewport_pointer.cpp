@@ -33,8 +33,9 @@ void Viewport::press(PointerButton button, const Modifiers& modifiers, const Vec
 }
 
 Viewport::Gesture Viewport::gesture_of(PointerButton button, const Modifiers& modifiers) const {
-  const bool turns = button == PointerButton::kMiddle ||
-                     (button == PointerButton::kLeft && (modifiers.alt || navigate_mode));
+  const bool turns =
+      button == PointerButton::kMiddle ||
+      (button == PointerButton::kLeft && (modifiers.alt || navigate_mode || !paints_));
   if (button == PointerButton::kRight && modifiers.control && modifiers.shift)
     return Gesture::kLight;
   if (button == PointerButton::kRight || (turns && modifiers.shift)) return Gesture::kPan;

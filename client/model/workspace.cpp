@@ -12,6 +12,7 @@ Workspace::Workspace(PageRenderer& renderer, Preferences remembered, WorkspaceOp
 
 void Workspace::update() {
   tasks_.drain();
+  if (raw_) viewport.update(raw_->box);
   if (!document_) return;
   document_->update();
   viewport.update(*document_);
@@ -22,7 +23,10 @@ Status Workspace::look() {
 }
 
 void Workspace::start_activity(const std::string& title, Step step) {
-  const auto activity = std::make_shared<Activity>(title);
+  start_activity(std::make_shared<Activity>(title), std::move(step));
+}
+
+void Workspace::start_activity(const std::shared_ptr<Activity>& activity, Step step) {
   activities_.push_back(activity);
   tasks_.start([this, activity, step = std::move(step)](const std::stop_token& stop) {
     const Progress told = progress_of(activity, stop);
@@ -48,11 +52,17 @@ std::string with_port(const std::string& server) {
 }
 
 void Workspace::connect(const std::string& typed) {
-  const std::string server = with_port(typed);
+  connect(server_at(preferences.servers, with_port(typed)));
+}
+
+void Workspace::connect(const KnownServer& wanted) {
+  const std::string server = wanted.address;
   library_ = {.state = Library::State::kConnecting, .server = server};
   connection_.reset();
-  tasks_.start([this, server, timeout = options_.timeout, trust = options_.trust,
-                user = preferences.user](std::stop_token) -> Tasks::Completion {
+  connecting_ = wanted;
+  tasks_.start([this, server, timeout = options_.timeout, trust = trust_in(wanted, options_.trust),
+                user = wanted.user.empty() ? preferences.user
+                                           : wanted.user](std::stop_token) -> Tasks::Completion {
     auto opened = std::make_shared<Result<Connection>>(Connection::open(server, timeout, trust));
     if (opened->is_ok()) (*opened)->set_user(user);
     wake();
@@ -95,11 +105,12 @@ void Workspace::take_connection(Result<Connection> connection) {
   if (!connection.is_ok()) {
     library_.state = Library::State::kFailed;
     when_connected_.clear();
+    forget_raw();
     library_.problem = connection.status().message();
     return log.failure("connection", connection.status());
   }
   library_.state = Library::State::kConnected;
-  if (!library_.is_private) preferences.server = library_.server;
+  if (!library_.is_private) remember_server(preferences.servers, connecting_);
   connection_ = std::make_shared<Connection>(std::move(*connection));
   refresh_library();
   for (const auto& next : std::exchange(when_connected_, {})) next();

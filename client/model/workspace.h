@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "client/model/message_log.h"
 #include "client/model/preferences.h"
 #include "client/model/private_server.h"
+#include "client/model/raw_scan.h"
 #include "client/model/tasks.h"
 #include "client/model/viewport.h"
 
@@ -23,6 +25,7 @@ struct WorkspaceOptions {
   std::chrono::milliseconds timeout{10'000};
   PageBudget budget;                             ///< of pictures
   bool is_software = false;                      ///< pictures are drawn without a graphics card
+  bool shows_raw = false;                        ///< a file is shown before it is imported
   std::filesystem::path pages;                   ///< folder that keeps fetched pages; empty: none
   std::function<void()> wake;                    ///< called from any thread when update() has work
   Clock clock = std::chrono::steady_clock::now;  ///< used by the server link
@@ -65,14 +68,17 @@ class Workspace {
   const Library& library() const { return library_; }
   /// Without a port it is the usual one, 7411.
   void connect(const std::string& server);
+  void connect(const KnownServer& server);
   void connect_privately();
   void refresh_library();
   /// Imports a file, and opens it if no session is open at the end. Uses this computer if no server
   /// was chosen.
   void import_scan(const std::filesystem::path& file, Opening opening = Opening::kGoOn);
   void delete_session(const SessionInfo& session);
+  void rename_session(const SessionInfo& session, const std::string& name);
   /// Deletes a scan with the sessions that edit it.
   void delete_scan(const std::string& id);
+  void rename_scan(const std::string& id, const std::string& name);
   void open_scan(const ScanInfo& scan, Opening opening);
   void open(const SessionWish& wish);
   void join(const SessionInfo& session);
@@ -87,7 +93,14 @@ class Workspace {
   // The open session; null on the start page.
   Document* document() { return document_.get(); }
   const Document* document() const { return document_.get(); }
-  uint64_t documents_opened() const { return documents_opened_; }
+  /// Returns the file's surface that is shown until its session is there; null: none.
+  const RawScan* raw() const { return raw_ ? &*raw_ : nullptr; }
+  /// Returns whether there is a surface to look at.
+  bool has_picture() const { return document_ || raw_; }
+  /// Draws the document, or the raw scan. Fails: as the renderer does.
+  Status draw();
+  /// Returns a number that rises with each surface that begins to be shown.
+  uint64_t pictures_begun() const { return pictures_begun_; }
   void close_document();
   /// `with_record`: also writes who did what beside the file, as a page and as JSON.
   void export_mesh(const std::filesystem::path& file, bool exact, bool with_record = false);
@@ -104,6 +117,11 @@ class Workspace {
   bool is_opening() const { return opening_; }
   uint64_t exports_done() const { return exports_done_; }
 
+  /// Keeps a small picture of the open session, as it was drawn last.
+  void keep_session_picture();
+  /// Returns the folder of the sessions' pictures; empty: none are kept.
+  std::filesystem::path picture_folder() const;
+
   /// Saves the window's state. Failures go to the log.
   void save_preferences();
 
@@ -111,31 +129,49 @@ class Workspace {
   /// Work that returns a completion for the owner's thread.
   using Step = std::function<Tasks::Completion(const Progress&)>;
   void start_activity(const std::string& title, Step step);
+  void start_activity(const std::shared_ptr<Activity>& activity, Step step);
   void take_connection(Result<Connection> connection);
   /// Chooses a session on a thread of its own.
   using Choice = std::function<Result<SessionWish>(Connection&)>;
-  void open_chosen(Choice choice);
-  void import_there(const std::filesystem::path& file, Opening opening);
   void tell_exported(const std::filesystem::path& file, const Result<ExportSummary>& outcome);
+  void open_chosen(Choice choice) { open_chosen(std::move(choice), opening_activity()); }
+  void open_chosen(Choice choice, const std::shared_ptr<Activity>& activity);
+  static std::shared_ptr<Activity> opening_activity();
+  void open_scan(const ScanInfo& scan, Opening opening, const std::shared_ptr<Activity>& activity);
+  void import_there(const std::filesystem::path& file, Opening opening,
+                    const std::shared_ptr<Activity>& activity);
+  void show_raw_and_import(const std::filesystem::path& file, Opening opening);
+  void take_raw(const std::filesystem::path& file, Opening opening, Result<RawScan> read);
+  void close_raw(const std::filesystem::path& file);
+  void forget_raw();
+  /// Returns whether a file that was imported opens: no other surface is shown.
+  bool may_open(const std::filesystem::path& file) const;
   void tell_imported(const std::filesystem::path& file, const ImportOutcome& outcome);
   void change_library(const std::string& what, std::function<Status(Connection&)> change);
   void show(OpenedDocument opened);
+  void remember_document();
   void leave_document();
-  void restore_view();
+  void restore_view(bool keeps_camera);
   void save_view();
   bool need_connection(const std::string& what);
+  /// The server as preferences.recent names it.
+  std::string recent_server() const { return library_.is_private ? "" : library_.server; }
   void wake() const { options_.wake(); }
 
   PageRenderer& renderer_;
   WorkspaceOptions options_;
   std::shared_ptr<Connection> connection_;
+  KnownServer connecting_;  // becomes the first of preferences.servers
   Library library_;
   std::vector<std::function<void()>> when_connected_;
   std::vector<std::shared_ptr<Activity>> activities_;
   bool opening_ = false;
   uint64_t exports_done_ = 0;
-  uint64_t documents_opened_ = 0;
   std::string document_server_;  // empty: the private one
+  uint64_t pictures_begun_ = 0;
+  bool is_drawn_ = false;           // the renderer's picture is that of the document
+  std::filesystem::path raw_file_;  // the file that is read or shown raw; empty: none
+  std::optional<RawScan> raw_;
   std::unique_ptr<Document> document_;
   Tasks tasks_;  // last member: its threads end before the objects that they use
 };

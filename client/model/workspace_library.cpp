@@ -30,47 +30,61 @@ void Workspace::refresh_library() {
       if (!sessions.is_ok()) return log.failure("list of sessions", sessions.status());
       library_.scans = *scans;
       library_.sessions = *sessions;
+      if (follow_names(preferences.recent, recent_server(), *sessions, *scans)) save_preferences();
     };
   });
 }
 
 void Workspace::import_scan(const std::filesystem::path& file, Opening opening) {
-  when_connected([this, file, opening] { import_there(file, opening); });
+  if (options_.shows_raw && may_open(file) && raw_file_.empty() && can_be_raw(file))
+    return show_raw_and_import(file, opening);
+  const auto activity = std::make_shared<Activity>("Importing " + file.filename().string());
+  when_connected([this, file, opening, activity] { import_there(file, opening, activity); });
 }
 
-void Workspace::import_there(const std::filesystem::path& file, Opening opening) {
+void Workspace::import_there(const std::filesystem::path& file, Opening opening,
+                             const std::shared_ptr<Activity>& activity) {
   const auto connection = connection_;
-  start_activity("Importing " + file.filename().string(),
-                 [this, connection, file, opening](const Progress& progress) {
-                   connection->bring_back(progress);
-                   auto outcome = connection->import_scan(file, file.stem().string(), {}, progress);
-                   return [this, file, opening, outcome = std::move(outcome)] {
-                     if (!outcome.is_ok())
-                       return log.failure("import of " + file.string(), outcome.status());
-                     tell_imported(file, *outcome);
-                     refresh_library();
-                     if (!document_ && !opening_) open_scan(outcome->scan, opening);
-                   };
-                 });
+  start_activity(activity, [this, connection, file, opening, activity](const Progress& progress) {
+    connection->bring_back(progress);
+    auto outcome = connection->import_scan(file, file.stem().string(), {}, progress);
+    return [this, file, opening, activity, outcome = std::move(outcome)] {
+      if (!outcome.is_ok()) {
+        close_raw(file);
+        return log.failure("import of " + file.string(), outcome.status());
+      }
+      tell_imported(file, *outcome);
+      refresh_library();
+      if (may_open(file)) open_scan(outcome->scan, opening, activity);
+    };
+  });
 }
 
 void Workspace::tell_imported(const std::filesystem::path& file, const ImportOutcome& outcome) {
   const std::string& name = outcome.scan.name;
   if (outcome.already_present && name != file.stem().string())
     return log.warning(file.filename().string() + " has the bytes of the scan " + name +
-                       ", which is there already; it keeps that name");
+                       ", which is there already; it keeps that name. Rename on the start page "
+                       "changes it");
   log.info((outcome.already_present ? "already there: " : "imported ") + name);
 }
 
 void Workspace::open_scan(const ScanInfo& scan, Opening opening) {
+  open_scan(scan, opening, opening_activity());
+}
+
+void Workspace::open_scan(const ScanInfo& scan, Opening opening,
+                          const std::shared_ptr<Activity>& activity) {
   std::vector<std::string> recent;
   for (const RecentSession& each : preferences.recent)
-    if (each.server == (library_.is_private ? "" : library_.server)) recent.push_back(each.session);
-  open_chosen([scan, opening, recent](Connection& server) -> Result<SessionWish> {
-    ASSIGN_OR_RETURN(const auto sessions, server.list_sessions());
-    return opening == Opening::kGoOn ? session_to_go_on(scan, sessions, recent)
-                                     : new_session(scan, sessions);
-  });
+    if (each.server == recent_server()) recent.push_back(each.session);
+  open_chosen(
+      [scan, opening, recent](Connection& server) -> Result<SessionWish> {
+        ASSIGN_OR_RETURN(const auto sessions, server.list_sessions());
+        return opening == Opening::kGoOn ? session_to_go_on(scan, sessions, recent)
+                                         : new_session(scan, sessions);
+      },
+      activity);
 }
 
 void Workspace::delete_session(const SessionInfo& session) {
@@ -88,6 +102,17 @@ void Workspace::delete_scan(const std::string& id) {
       if (session.scan_id == id) RETURN_IF_ERROR(server.delete_session(session.id));
     return server.delete_scan(id).status();
   });
+}
+
+void Workspace::rename_session(const SessionInfo& session, const std::string& name) {
+  change_library("rename", [id = session.id, name](Connection& server) {
+    return server.rename_session(id, name).status();
+  });
+}
+
+void Workspace::rename_scan(const std::string& id, const std::string& name) {
+  change_library("rename",
+                 [id, name](Connection& server) { return server.rename_scan(id, name).status(); });
 }
 
 void Workspace::change_library(const std::string& what, std::function<Status(Connection&)> change) {

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <ctime>
 
+#include "client/model/session_pictures.h"
 #include "client/model/workspace.h"
 #include "client/report/processing_record.h"
 #include "common/base/atomic_file.h"
@@ -19,17 +21,23 @@ void Workspace::open(const SessionWish& wish) {
   open_chosen([wish](Connection&) -> Result<SessionWish> { return wish; });
 }
 
-void Workspace::open_chosen(Choice choice) {
-  if (!need_connection("open") || opening_) return;
+std::shared_ptr<Activity> Workspace::opening_activity() {
+  return std::make_shared<Activity>("Opening");
+}
+
+void Workspace::open_chosen(Choice choice, const std::shared_ptr<Activity>& activity) {
+  if (!need_connection("open")) return forget_raw();
+  if (opening_) return;
   opening_ = true;
-  start_activity("Opening", [this, connection = connection_,
-                             choice = std::move(choice)](const Progress& progress) {
+  start_activity(activity, [this, connection = connection_,
+                            choice = std::move(choice)](const Progress& progress) {
     auto opened =
         std::make_shared<Result<OpenedDocument>>(open_choice(connection, choice, progress));
     return [this, opened] {
       opening_ = false;
-      if (!opened->is_ok()) return log.failure("open", opened->status());
-      show(std::move(**opened));
+      if (opened->is_ok()) return show(std::move(**opened));
+      forget_raw();
+      log.failure("open", opened->status());
     };
   });
 }
@@ -60,7 +68,12 @@ void Workspace::reopen(const RecentSession& recent) {
   } else {
     connect(recent.server);
   }
-  when_connected([this, recent] { open({.scan = recent.scan, .name = recent.session}); });
+  when_connected([this, recent] {
+    open_chosen([recent](Connection& server) -> Result<SessionWish> {
+      ASSIGN_OR_RETURN(const auto sessions, server.list_sessions());
+      return session_of_recent(recent, sessions);
+    });
+  });
 }
 
 void Workspace::show(OpenedDocument opened) {
@@ -69,27 +82,57 @@ void Workspace::show(OpenedDocument opened) {
       std::make_unique<Document>(std::move(opened), tasks_, log, recorder,
                                  DocumentOptions{options_.budget, options_.is_software,
                                                  options_.pages, options_.wake, options_.clock});
+  // The surface is on the screen already.
+  const bool goes_on = raw_ && raw_->triangles == document->scan().scan.statistics.triangles;
+  forget_raw();
   const Status shown = document->open(renderer_);
   if (!shown.is_ok()) return log.failure("open", shown);
   document->brush().brush = {.radius = preferences.brush_radius_part * document->diagonal(),
                              .strength = preferences.brush_strength,
                              .beta = preferences.brush_beta};
   document_ = std::move(document);
-  document_server_ = library_.is_private ? "" : library_.server;
-  ++documents_opened_;
-  viewport.begin(*document_);
-  restore_view();
+  document_server_ = recent_server();
+  ++pictures_begun_;
+  goes_on ? viewport.take_over(*document_) : viewport.begin(*document_);
+  restore_view(goes_on);
   recorder.record("join " + document_->session().name);
-  remember(preferences, {library_.is_private ? "" : library_.server, document_->session().name,
-                         document_->session().scan_id});
+  remember_document();
   save_preferences();
+}
+
+void Workspace::remember_document() {
+  const SessionInfo& session = document_->session();
+  const ScanInfo& scan = document_->scan().scan;
+  remember(preferences.recent, {.server = recent_server(),
+                                .session = session.name,
+                                .scan = session.scan_id,
+                                .id = session.id,
+                                .scan_name = scan.name,
+                                .shown_unix_seconds = std::time(nullptr),
+                                .size_bytes = bytes_on_disk(scan)});
 }
 
 std::string unsaved_text(size_t edits) {
   return edits == 1 ? "1 edit is not saved" : std::to_string(edits) + " edits are not saved";
 }
 
+std::filesystem::path Workspace::picture_folder() const {
+  if (options_.preferences.empty()) return {};
+  return std::filesystem::absolute(options_.preferences).parent_path() / "pictures";
+}
+
+void Workspace::keep_session_picture() {
+  if (!document_ || !is_drawn_ || picture_folder().empty() || preferences.recent.empty()) return;
+  const auto image = renderer_.read_pixels();
+  if (!image.is_ok()) return;
+  const Status kept =
+      keep_picture(picture_folder(), preferences.recent.front(), *image, preferences.recent);
+  if (!kept.is_ok()) log.failure("picture of the session", kept);
+}
+
 void Workspace::leave_document() {
+  keep_session_picture();
+  is_drawn_ = false;
   save_preferences();
   if (unsaved_edits() > 0)
     log.warning(document_->session().name + ": " + unsaved_text(unsaved_edits()) +

@@ -9,12 +9,13 @@ static std::filesystem::path views_file(const std::filesystem::path& preferences
                              : std::filesystem::path(preferences).replace_filename("views.toml");
 }
 
-void Workspace::restore_view() {
+// The camera of a raw scan that the session takes over stays: the user may have turned it.
+void Workspace::restore_view(bool keeps_camera) {
   const std::filesystem::path file = views_file(options_.preferences);
   if (file.empty()) return;
   auto view = read_view(file, {document_server_, document_->session().id});
   if (!view) return;
-  viewport.camera = view->camera;
+  if (!keeps_camera) viewport.camera = view->camera;
   viewport.options = view->options;
   viewport.bookmarks = std::move(view->bookmarks);
   if (view->colour != ColourBy::kScan || document_->has_colours())

@@ -5,6 +5,7 @@
 #include "client/scene/mesh_normals.h"
 #include "client/scene/ridges.h"
 #include "client/scene/spatial_order.h"
+#include "client/scene/thinned_triangles.h"
 
 namespace burnish {
 namespace {
@@ -86,13 +87,22 @@ static VertexLooks looks_of(const TriangleMesh& mesh, const PageSpace& space) {
   return looks;
 }
 
-RawPages make_raw_pages(const TriangleMesh& mesh) {
+static void add_in_order(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box,
+                         PageCutter& cutter) {
+  for (const uint32_t triangle : spatial_order(mesh, box)) cutter.add(mesh.triangles[triangle]);
+}
+
+RawPages make_raw_pages(const TriangleMesh& mesh, uint64_t triangles_max) {
   RawPages raw;
   raw.box = box_of(mesh);
   raw.space = {raw.box.center(), 0.5 * raw.box.diagonal().norm(), 0};
   const VertexLooks looks = looks_of(mesh, raw.space);
   PageCutter cutter(looks);
-  for (const uint32_t triangle : spatial_order(mesh, raw.box)) cutter.add(mesh.triangles[triangle]);
+  if (mesh.triangles.size() <= triangles_max) {
+    add_in_order(mesh, raw.box, cutter);
+  } else {
+    add_in_order({mesh.vertices, thinned_triangles(mesh, triangles_max), {}}, raw.box, cutter);
+  }
   raw.pages = cutter.take();
   return raw;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -20,8 +22,10 @@ struct RawPages {
 };
 
 /// Cuts a mesh. Vertices of several pages have the same bits in each: position, normal, ridge and
-/// colour are those of the whole mesh. Needs: a valid mesh. Cost: O(vertices + triangles).
-RawPages make_raw_pages(const TriangleMesh& mesh);
+/// colour are those of the whole mesh. A mesh with more than `triangles_max` triangles is thinned.
+/// Needs: a valid mesh. Cost: O(vertices + triangles).
+RawPages make_raw_pages(const TriangleMesh& mesh,
+                        uint64_t triangles_max = std::numeric_limits<uint64_t>::max());
 
 /// Puts page i into slot i. Returns what draw() needs to draw all of them.
 /// Fails: resource_exhausted.

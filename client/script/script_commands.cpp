@@ -37,23 +37,22 @@ Result<ColourBy> parse_colour(const std::string& word) {
   return invalid_argument("'" + word + "' is not clay, beta, curvature, displacement or scan");
 }
 
-Status set_camera(const std::vector<double>& numbers, Viewport& viewport,
-                  const Document& document) {
+Status set_camera(const std::vector<double>& numbers, Viewport& viewport) {
   viewport.camera.azimuth_degrees = numbers[0];
   viewport.camera.elevation_degrees = numbers[1];
-  viewport.frame_all(document);
+  viewport.frame_all();
   if (numbers.size() > 2) viewport.camera.distance = numbers[2];
   if (numbers.size() == 6) viewport.camera.target = Vec3d(numbers[3], numbers[4], numbers[5]);
   return Status::ok();
 }
 
-Status frame(const std::vector<std::string>& words, Viewport& viewport, const Document& document) {
+Status frame(const std::vector<std::string>& words, Viewport& viewport) {
   static constexpr double kFartherMin = 1, kFartherMax = 10;
   ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(words, 0));
   const double farther = numbers.empty() ? 1 : numbers[0];
   if (!(farther >= kFartherMin && farther <= kFartherMax))
     return invalid_argument("'" + words[0] + "' times the distance is outside 1..10");
-  viewport.frame_all(document);
+  viewport.frame_all();
   viewport.camera.distance *= farther;
   return Status::ok();
 }
@@ -116,24 +115,24 @@ Status ScriptRunner::run_view(const ScriptLine& line) {
   if (command == "camera") {
     ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(line.words, 0));
     is_camera_placed_ = numbers.size() > 2;
-    return set_camera(numbers, viewport, document);
+    return set_camera(numbers, viewport);
   }
   if (is_light_command(command)) return change_lighting(line, viewport.options.lighting);
   if (command == "up") {
     ASSIGN_OR_RETURN(const UpAxis up, parse_up_axis(line.words[0]));
     is_camera_placed_ = false;
-    viewport.set_up(up, document);
+    viewport.set_up(up);
     return Status::ok();
   }
   if (command == "view") {
     ASSIGN_OR_RETURN(const StandardView view, parse_standard_view(line.words[0]));
     is_camera_placed_ = false;
-    viewport.show_from(view, document);
+    viewport.show_from(view);
     return Status::ok();
   }
   if (command == "frame") {
     is_camera_placed_ = false;
-    return frame(line.words, viewport, document);
+    return frame(line.words, viewport);
   }
   if (command == "colour") {
     ASSIGN_OR_RETURN(const ColourBy colour, parse_colour(line.words[0]));
@@ -148,7 +147,7 @@ Status ScriptRunner::run_view(const ScriptLine& line) {
       return invalid_argument("'" + line.words[0] + "' is not WIDTHxHEIGHT");
     RETURN_IF_ERROR(check_image_size(size));
     viewport.set_size(size);
-    if (!is_camera_placed_) viewport.frame_all(document);
+    if (!is_camera_placed_) viewport.frame_all();
     return Status::ok();
   }
   ASSIGN_OR_RETURN(const bool on, parse_switch(line.words[0]));

@@ -58,8 +58,10 @@ class PrivateWindow {
     return warmth > 5L * (2 * kBrushReach) * (2 * kBrushReach);
   }
 
+  /// Waits for the session: a raw scan is shown before.
   bool until_it_shows_clay() {
-    return eventually([this] { return shows_clay(); });
+    return eventually(
+        [this] { return screen.title().find("·") != std::string::npos && shows_clay(); });
   }
 
   void paint() {

@@ -36,7 +36,7 @@ void WindowTest::start_window(std::vector<std::string> words) {
 
 void WindowTest::open_window(const std::string& timeout_seconds, const std::string& scale) {
   start_window({"--session", "desk", "--scale", scale, "--timeout", timeout_seconds});
-  ASSERT_TRUE(shows_surface()) << window_->output();
+  ASSERT_TRUE(shows_session()) << window_->output();
   settle();
 }
 

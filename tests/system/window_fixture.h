@@ -42,6 +42,12 @@ class WindowTest : public testing::Test {
     return eventually([this] { return is_surface(screen_->capture()); });
   }
 
+  // Waits until a session is open and its surface is on the screen: a raw scan is shown before.
+  bool shows_session() {
+    return eventually([this] { return screen_->title().find("·") != std::string::npos; }) &&
+           shows_surface();
+  }
+
   // Returns the mean difference of a square around the middle of the picture.
   double difference(const Image& a, const Image& b) const;
 

@@ -19,6 +19,9 @@ using testing::HasSubstr;
 /// A start page connected to a server without scans.
 class WindowImport : public testing::Test {
  protected:
+  explicit WindowImport(WorkspaceOptions options = {})
+      : workspace_(renderer_, Preferences(), std::move(options)) {}
+
   template <typename What>
   bool until(What what) {
     return pictures_until(workspace_, what);
@@ -72,7 +75,13 @@ class WindowImport : public testing::Test {
 
   ServerProcess server_;
   NullPageRenderer renderer_;
-  Workspace workspace_{renderer_, Preferences(), WorkspaceOptions()};
+  Workspace workspace_;
+};
+
+/// A start page that shows files before it imports them, as the window does.
+class RawImport : public WindowImport {
+ protected:
+  RawImport() : WindowImport({.shows_raw = true}) {}
 };
 
 TEST_F(WindowImport, OpensWhatItImported) {
@@ -144,6 +153,64 @@ TEST_F(WindowImport, SaysWhenTheServerIsLostAndComesAgainThere) {
   EXPECT_EQ(server_.staged(), 0u);
   workspace_.import_scan(file);
   EXPECT_TRUE(until([this] { return workspace_.document() != nullptr; }));
+}
+
+TEST_F(RawImport, AFileIsSeenAndTurnedBeforeItsSessionIsThere) {
+  connect(server_.address);
+  workspace_.import_scan(write_large());
+  ASSERT_TRUE(until([this] { return workspace_.raw() != nullptr; }));
+  EXPECT_EQ(workspace_.document(), nullptr);
+  ASSERT_TRUE(workspace_.draw().is_ok());
+  EXPECT_FALSE(renderer_.patches().empty());
+  Viewport& viewport = workspace_.viewport;
+  const double azimuth = viewport.camera.azimuth_degrees;
+  viewport.press(PointerButton::kLeft, {}, {100, 100});
+  viewport.move({150, 100});
+  const double turned = viewport.camera.azimuth_degrees;
+  EXPECT_NE(turned, azimuth);
+  ASSERT_TRUE(until([this] { return workspace_.document() != nullptr; }));
+  EXPECT_EQ(workspace_.raw(), nullptr);
+  EXPECT_EQ(viewport.camera.azimuth_degrees, turned);
+  viewport.move({200, 100});  // the same drag
+  EXPECT_NE(viewport.camera.azimuth_degrees, turned);
+  viewport.release(PointerButton::kLeft);
+}
+
+TEST_F(RawImport, TheWholeHasOneProgressThatRises) {
+  connect(server_.address);
+  workspace_.import_scan(write_large());
+  double before = 0;
+  ASSERT_TRUE(until([this] { return workspace_.raw() != nullptr; }));
+  ASSERT_TRUE(until([&] {
+    if (workspace_.activities().empty()) return workspace_.document() != nullptr;
+    EXPECT_EQ(workspace_.activities().size(), 1u);
+    const double now = workspace_.activities().front()->state().fraction;
+    EXPECT_GE(now, before);
+    before = now;
+    return false;
+  }));
+  EXPECT_GT(before, 0.5);
+}
+
+TEST_F(RawImport, AFileThatCannotBeReadIsNamedAndNothingIsShown) {
+  connect(server_.address);
+  workspace_.import_scan(server_.folder.write("garbage.ply", "ply\nformat ascii 1.0\nnonsense\n"));
+  ASSERT_TRUE(until_idle());
+  EXPECT_THAT(last_message(Severity::kError), HasSubstr("garbage.ply"));
+  EXPECT_EQ(errors(), 1u);
+  EXPECT_FALSE(workspace_.has_picture());
+  workspace_.import_scan(write_sphere(server_.folder));
+  EXPECT_TRUE(until([this] { return workspace_.document() != nullptr; }));
+}
+
+TEST_F(RawImport, CancellingClosesTheRawScan) {
+  connect(server_.address);
+  workspace_.import_scan(write_large());
+  ASSERT_TRUE(until([this] { return workspace_.raw() && !workspace_.activities().empty(); }));
+  workspace_.activities().front()->cancel();
+  ASSERT_TRUE(until_idle());
+  EXPECT_FALSE(workspace_.has_picture());
+  EXPECT_EQ(errors(), 0u);
 }
 
 }  // namespace

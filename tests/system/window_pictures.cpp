@@ -1,5 +1,5 @@
 // Draws the README's pictures: uses the real window by mouse and keys on its own screen.
-// window_pictures OUT [SCALE]      SCALE 2: as on a screen with twice the resolution
+// window_pictures OUT [SCALE] [light]   SCALE 2: as on a screen with twice the resolution
 
 #include <cstdio>
 #include <functional>
@@ -31,7 +31,10 @@ constexpr Box kMiddle{400, 260, 340, 300};  // part of the picture without figur
 /// A window on a server with scans and people, and its user.
 class Studio {
  public:
-  Studio(std::filesystem::path out, int scale) : out_(std::move(out)), scale_(scale) {
+  Studio(std::filesystem::path out, int scale, bool is_light)
+      : out_(std::move(out)), scale_(scale) {
+    server_.folder.write("window.toml", std::string("native_dialogs = false\nlight_theme = ") +
+                                            (is_light ? "true\n" : "false\n"));
     BURNISH_CHECK(chdir((server_.folder / "").c_str()) == 0, "no folder");  // paths are typed
     for (const auto& [kind, name, vertices] :
          {std::tuple{"tablet", "tablet", 60'000}, {"blob", "figurine", 20'000}}) {
@@ -283,10 +286,10 @@ void draw_dialogs(Studio& studio) {
   studio.key({"Control_L", "e"});
   studio.move(640, 600);
   Studio::pause(1000);
-  studio.save("export", {395, 280, 490, 160});
-  studio.click(427, 381);  // exact
+  studio.save("export", {345, 280, 590, 160});
+  studio.click(382, 381);  // exact
   constexpr Box kToasts{280, 630, 520, 90};
-  studio.click(471, 409);
+  studio.click(420, 409);
   const Image exporting = studio.crop(kToasts);
   studio.rest();
   studio.save("exporting", in_rows({exporting, studio.crop(kToasts)}, 1));
@@ -298,17 +301,28 @@ void draw_dialogs(Studio& studio) {
 
 void draw_start_page(Studio& studio) {
   studio.click(24, 12);  // File
-  studio.click(60, 84);  // Close session
+  Studio::pause(500);
+  studio.save("menu", {0, 0, 280, 220});
+  studio.click(60, 132);  // Close session
   Studio::pause(1500);
-  studio.click(260, 246);
+  studio.save("start", {0, 0, 1280, 720});
+  studio.key({"Control_L", "o"});
+  Studio::pause(1000);
+  studio.save("open", {240, 110, 800, 500});
+  studio.key({"Escape"});
+  studio.click(390, 291);  // Another server
+  Studio::pause(1000);
+  studio.save("server", {300, 170, 680, 380});
+  studio.key({"Escape"});
+  studio.click(200, 225);
   studio.type("column.ply");
   studio.key({"Return"});
-  Studio::pause(700);
-  studio.save("start", {0, 0, 1280, 720});
+  Studio::pause(1500);
+  studio.save("raw", {0, 0, 1280, 720});
 }
 
-void draw_all(const std::filesystem::path& out, int scale) {
-  Studio studio(out, scale);
+void draw_all(const std::filesystem::path& out, int scale, bool is_light) {
+  Studio studio(out, scale, is_light);
   draw_an_edit(studio);
   draw_filter(studio);
   draw_curve(studio);
@@ -324,8 +338,10 @@ void draw_all(const std::filesystem::path& out, int scale) {
 
 int main(int count, char** words) {
   if (count < 2) {
-    std::fprintf(stderr, "usage: window_pictures OUT [SCALE]\n");
+    std::fprintf(stderr, "usage: window_pictures OUT [SCALE] [light]\n");
     return 2;
   }
-  burnish::draw_all(std::filesystem::absolute(words[1]), count > 2 ? std::stoi(words[2]) : 1);
+  const int scale = count > 2 ? std::stoi(words[2]) : 1;
+  const bool is_light = count > 3 && std::string(words[3]) == "light";
+  burnish::draw_all(std::filesystem::absolute(words[1]), scale, is_light);
 }

@@ -1,5 +1,9 @@
 // The start page of a real window.
 
+#include <utility>
+
+#include "common/generate/generate.h"
+#include "common/mesh/mesh_io.h"
 #include "tests/system/window_fixture.h"
 
 namespace burnish {
@@ -11,7 +15,7 @@ class StartPageTest : public WindowTest {
   bool window_is_connected() {
     const Image image = screen_->capture();
     for (int x = 136; x < 320; ++x) {
-      const uint8_t* rgb = image.pixel(x, 184);
+      const uint8_t* rgb = image.pixel(x, 315);
       if (rgb[1] > 150 && rgb[0] < 140) return true;
     }
     return false;
@@ -31,14 +35,40 @@ TEST_F(StartPageTest, FilesThatAreDroppedAreImportedAndTheFirstGoodOneIsOpened) 
 TEST_F(StartPageTest, AFileThatComesAgainGoesOnInItsSession) {
   const auto file = server_->folder / "blob.ply";
   start_window({file.string(), "--scale", "1"});
-  ASSERT_TRUE(shows_surface()) << window_->output();
+  ASSERT_TRUE(shows_session()) << window_->output();
   EXPECT_EQ(connection_->list_sessions()->size(), 1u);
   screen_->drag(kPictureX - 60, kPictureY, kPictureX + 60, kPictureY);
   EXPECT_EQ(newest_of(1).kind, EditKind::kStroke);
 }
 
+// The left button turns the raw scan. The picture of the session takes its place.
+TEST_F(StartPageTest, AFileIsSeenBeforeItIsPreparedAndTheCameraStays) {
+  const auto file = server_->folder / "large.ply";
+  const auto mesh = generate_scan({.kind = "blob", .vertices = 500'000});
+  ASSERT_TRUE(mesh.is_ok() && write_mesh(*mesh, file).is_ok());
+  start_window({"--scale", "1"});
+  ASSERT_TRUE(eventually([&] { return window_is_connected(); })) << window_->output();
+  screen_->drop({file});
+  ASSERT_TRUE(shows_surface()) << window_->output();
+  EXPECT_EQ(screen_->title(), "large.ply – Burnish");
+  const Image front = screen_->capture();
+  save_screen("raw.png");
+  screen_->drag(kPictureX, kPictureY, kPictureX + 200, kPictureY);
+  Image turned = front;
+  EXPECT_TRUE(eventually([&] {  // the window is behind the mouse
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    const Image before = std::exchange(turned, screen_->capture());
+    return difference(before, turned) == 0;
+  }));
+  EXPECT_EQ(screen_->title(), "large.ply – Burnish");
+  EXPECT_GT(difference(front, turned), 1);
+  ASSERT_TRUE(shows_session()) << window_->output();
+  EXPECT_TRUE(until_it_is(turned, 3));
+  EXPECT_TRUE(connection_->history("large")->empty());
+}
+
 TEST_F(StartPageTest, SessionsAndScansCanBeDeleted) {
-  constexpr int kDeleteX = 1110, kSessionY = 227, kScanY = 148, kSureX = 1128, kSureY = 37;
+  constexpr int kDeleteX = 1110, kSessionY = 284, kScanY = 205, kSureX = 1128, kSureY = 37;
   start_window({"--scale", "1"});
   ASSERT_TRUE(eventually([&] { return window_is_connected(); })) << window_->output();
   save_screen("start.png");

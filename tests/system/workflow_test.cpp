@@ -81,9 +81,24 @@ TEST(Workflow, ImportingTheSameBytesTwiceSaysSo) {
   ServerProcess server;
   const std::string scan = write_sphere(server.folder);
   done(server, {"import", scan, "--depth", "5"});
-  EXPECT_THAT(done(server, {"import", scan, "--depth", "5", "--name", "other"}),
-              HasSubstr("already there: sphere3"));
+  EXPECT_THAT(
+      done(server, {"import", scan, "--depth", "5", "--name", "other"}),
+      testing::AllOf(HasSubstr("already there: sphere3"), HasSubstr("burnish rename scan")));
   EXPECT_EQ(done_json(server, {"meshes"}).size(), 1u);
+}
+
+TEST(Workflow, AScanAndASessionTakeANewName) {
+  ServerProcess server;
+  done(server, {"import", write_sphere(server.folder), "--depth", "5", "--name", "ball"});
+  done(server, {"open", "ball", "--depth", "5", "--session", "work"});
+  EXPECT_THAT(done(server, {"rename", "scan", "ball", "globe"}), HasSubstr("globe"));
+  EXPECT_EQ(done_json(server, {"rename", "session", "work", "carving"})["name"], "carving");
+  EXPECT_EQ(done_json(server, {"meshes"})[0]["name"], "globe");
+  EXPECT_EQ(done_json(server, {"sessions"})[0]["name"], "carving");
+  const CommandOutcome unknown = server.burnish({"rename", "session", "work", "other"});
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_THAT(unknown.output, HasSubstr("work"));
+  EXPECT_EQ(server.burnish({"rename", "user", "ada", "eve"}).exit_code, 2);
 }
 
 TEST(Workflow, CellFieldsOfManyCellsTravelInParts) {

@@ -77,6 +77,20 @@ class WorkspaceService : public testing::Test {
   Workspace workspace_{renderer_, Preferences(), WorkspaceOptions{.clock = clock_.clock()}};
 };
 
+TEST_F(WorkspaceService, ARenamedSessionIsOpenedAgainUnderItsNewName) {
+  ASSERT_TRUE(open_through(server_.address));
+  ASSERT_EQ(workspace_.preferences.recent.size(), 1u);
+  workspace_.close_document();
+  ASSERT_TRUE(until([this] { return !workspace_.library().sessions.empty(); }));
+  workspace_.rename_session(workspace_.library().sessions[0], "carving");
+  ASSERT_TRUE(until([this] { return workspace_.preferences.recent[0].session == "carving"; }));
+  ASSERT_TRUE(owner_.rename_session("carving", "relief").is_ok());  // nobody tells the window
+  workspace_.reopen(RecentSession(workspace_.preferences.recent[0]));
+  ASSERT_TRUE(until([this] { return workspace_.document() != nullptr; }));
+  EXPECT_EQ(document().session().name, "relief");
+  EXPECT_EQ(owner_.list_sessions()->size(), 1u);
+}
+
 TEST_F(WorkspaceService, AScanThatFitsIsShownInFullDetail) {
   ASSERT_TRUE(open_through(server_.address));
   const CutStatus status = document().surface().status();

@@ -66,7 +66,7 @@ class WorkspaceViews : public testing::Test {
 
 TEST_F(WorkspaceViews, ASessionIsSeenAsItWasLeft) {
   ASSERT_TRUE(open("work"));
-  viewport().set_up(UpAxis::kZ, document());
+  viewport().set_up(UpAxis::kZ);
   viewport().camera.azimuth_degrees = 77;
   viewport().camera.orthographic = true;
   viewport().options.split = true;
@@ -125,7 +125,7 @@ TEST_F(WorkspaceViews, HomeResetsTheTilt) {
   ASSERT_TRUE(open("work"));
   const Camera first = viewport().camera;
   viewport().camera = turned(viewport().camera, 100, 50);
-  viewport().go_home(document());
+  viewport().go_home();
   workspace_.update();
   EXPECT_EQ(viewport().camera.azimuth_degrees, first.azimuth_degrees);
   EXPECT_EQ(viewport().camera.elevation_degrees, first.elevation_degrees);

@@ -80,6 +80,21 @@ void XDisplay::focus_window() {
   flush();
 }
 
+std::string XDisplay::title() {
+  const Atom name = XInternAtom(display_, "_NET_WM_NAME", False);
+  const Atom utf8 = XInternAtom(display_, "UTF8_STRING", False);
+  Atom type = 0;
+  int format = 0;
+  unsigned long count = 0, left = 0;
+  unsigned char* text = nullptr;
+  constexpr long kLongsMax = 256;
+  XGetWindowProperty(display_, window_, name, 0, kLongsMax, False, utf8, &type, &format, &count,
+                     &left, &text);
+  const std::string title(text ? reinterpret_cast<const char*>(text) : "");
+  if (text) XFree(text);
+  return title;
+}
+
 void XDisplay::resize_window(const ImageSize& size) {
   XResizeWindow(display_, window_, size.width, size.height);
   flush();

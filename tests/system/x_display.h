@@ -30,6 +30,8 @@ class XDisplay {
   void focus_window();
   /// Returns whether a window is visible.
   bool has_window();
+  /// Returns the window's title, UTF-8.
+  std::string title();
   void resize_window(const ImageSize& size);
   /// Closes the window like its close button.
   void close_window();

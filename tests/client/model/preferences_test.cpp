@@ -14,22 +14,30 @@ TEST(Preferences, WhatIsWrittenIsReadAgain) {
   const auto path = folder / "below/window.toml";
   Preferences written;
   written.user = "ada";
-  written.server = "host:1";
+  remember_server(written.servers, {.address = "host:1", .token = "secret"});
+  remember_server(written.servers,
+                  {"lab:2", true, "/lab.pem", "bert", "kept", /*keeps_token=*/true});
   written.brush_beta = 2.5;
   written.window_width = 1600;
   written.lighting = {.kind = LightKind::kRaking, .specular = 0.5};
   written.keys["undo"] = "Ctrl+U";
-  remember(written, {"", "desk", "abc"});
-  remember(written, {"host:1", "wall", "def"});
+  written.native_dialogs = false;
+  written.light_theme = true;
+  for (const char* each : {"/a", "/b", "/a"}) remember_folder(written, each);
+  remember(written.recent, {"", "desk", "abc"});
+  remember(written.recent, {"host:1", "wall", "def", "id", "stone", 1'700'000'000, 5'000'000'000});
   ASSERT_TRUE(write_preferences(written, path).is_ok());
   const auto read = read_preferences(path);
   ASSERT_TRUE(read.is_ok()) << read.status().message();
   EXPECT_EQ(read->user, "ada");
-  EXPECT_EQ(read->server, "host:1");
+  EXPECT_EQ(read->servers, (std::vector<KnownServer>{written.servers[0], {.address = "host:1"}}));
   EXPECT_EQ(read->brush_beta, 2.5);
   EXPECT_EQ(read->window_width, 1600);
   EXPECT_EQ(read->lighting, written.lighting);
   EXPECT_EQ(read->keys.at("undo"), "Ctrl+U");
+  EXPECT_FALSE(read->native_dialogs);
+  EXPECT_TRUE(read->light_theme);
+  EXPECT_EQ(read->folders, (std::vector<std::filesystem::path>{"/a", "/b"}));
   EXPECT_EQ(read->recent, written.recent);
   EXPECT_EQ(read->recent[0].session, "wall");
 }
@@ -80,15 +88,6 @@ TEST(Preferences, AFileInTheFolderWhereWeAreNeedsNoPath) {
   std::filesystem::current_path(before);
   ASSERT_TRUE(written.is_ok()) << written.message();
   EXPECT_EQ(read_preferences(folder / "window.toml")->user, "ada");
-}
-
-TEST(Preferences, ASessionIsRememberedOnceAndTheOldestIsForgotten) {
-  Preferences preferences;
-  for (int i = 0; i < 20; ++i) remember(preferences, {"", std::to_string(i), ""});
-  remember(preferences, {"", "15", ""});
-  EXPECT_EQ(preferences.recent.size(), kRecentMax);
-  EXPECT_EQ(preferences.recent[0].session, "15");
-  EXPECT_EQ(preferences.recent[1].session, "19");
 }
 
 }  // namespace

@@ -1,0 +1,73 @@
+#include "client/app/preferences_dialog.h"
+
+#include <cmath>
+#include <imgui_stdlib.h>
+#include <string>
+#include <utility>
+
+#include "client/app/theme.h"
+
+namespace burnish {
+
+static constexpr const char* kPreferencesTitle = "Preferences";
+static constexpr float kNameEm = 8, kChoiceEm = 14;
+static constexpr double kScales[] = {0, 1, 1.25, 1.5, 2, 2.5, 3};  // 0: the screen's
+
+static void begin_row(const char* label) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
+  ImGui::SameLine(em(kNameEm));
+  ImGui::SetNextItemWidth(em(kChoiceEm));
+}
+
+static std::string scale_text(double scale) {
+  if (scale == 0) return "As the screen";
+  return std::to_string(std::lround(100 * scale)) + " %";
+}
+
+static void draw_scale(double& scale) {
+  begin_row("Size");
+  if (ImGui::BeginCombo("##scale", scale_text(scale).c_str())) {
+    for (const double each : kScales)
+      if (ImGui::Selectable(scale_text(each).c_str(), each == scale)) scale = each;
+    ImGui::EndCombo();
+  }
+  hint("The size of letters and panels.");
+}
+
+static void draw_theme(Preferences& preferences) {
+  begin_row("Colours");
+  const char* const shown = preferences.light_theme ? "Light" : "Dark";
+  if (ImGui::BeginCombo("##theme", shown)) {
+    if (ImGui::Selectable("Dark", !preferences.light_theme)) preferences.light_theme = false;
+    if (ImGui::Selectable("Light", preferences.light_theme)) preferences.light_theme = true;
+    ImGui::EndCombo();
+  }
+  hint("The colours of the panels.");
+}
+
+void PreferencesDialog::draw(Workspace& workspace) {
+  if (std::exchange(opening_, false)) ImGui::OpenPopup(kPreferencesTitle);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  constexpr auto kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings;
+  if (!ImGui::BeginPopupModal(kPreferencesTitle, nullptr, kFlags)) return;
+  Preferences& preferences = workspace.preferences;
+  draw_theme(preferences);
+  draw_scale(preferences.scale);
+  begin_row("Your name");
+  ImGui::InputText("##user", &preferences.user);
+  hint("The author of your edits. It counts from the next connection on.");
+  ImGui::Checkbox("Use the desktop's file dialogs", &preferences.native_dialogs);
+  hint("zenity or kdialog, where one is installed.");
+  ImGui::Dummy({0, em(0.3f)});
+  const bool is_over = ImGui::Button("Close", {em(8), 0}) ||
+                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  if (is_over) {
+    workspace.save_preferences();
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace burnish

@@ -1,0 +1,46 @@
+#include "client/model/raw_scan.h"
+
+#include <utility>
+
+#include "client/scene/raw_pages.h"
+#include "common/mesh/mesh_io.h"
+
+namespace burnish {
+
+// A binary file takes up to ten times its size while it is read.
+static constexpr uint64_t kRawFileBytesMax = 1'000'000'000;
+
+bool can_be_raw(const std::filesystem::path& file) {
+  std::error_code error;
+  const uint64_t bytes = std::filesystem::file_size(file, error);
+  return !error && bytes <= kRawFileBytesMax && mesh_format_of_path(file).is_ok();
+}
+
+Result<RawScan> read_raw_scan(const std::filesystem::path& file, uint64_t triangles_max) {
+  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(file));
+  std::error_code ignored;
+  RawScan scan{.file = file,
+               .size_bytes = std::filesystem::file_size(file, ignored),
+               .vertices = mesh.vertices.size(),
+               .triangles = mesh.triangles.size(),
+               .has_colours = mesh.has_colours()};
+  RawPages raw = make_raw_pages(mesh, triangles_max);
+  scan.box = raw.box;
+  scan.pages = std::move(raw.pages);
+  scan.space = raw.space;
+  return scan;
+}
+
+Status put_into(PageRenderer& renderer, RawScan& scan) {
+  const RawPages raw{scan.space, scan.box, std::exchange(scan.pages, {})};
+  ASSIGN_OR_RETURN(scan.patches, upload_pages(raw, renderer));
+  return Status::ok();
+}
+
+DrawStyle style_of(const RawScan& scan) {
+  DrawStyle style;
+  if (scan.has_colours) style.colouring = Colouring::kScan;
+  return style;
+}
+
+}  // namespace burnish
