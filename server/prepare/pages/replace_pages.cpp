@@ -6,9 +6,10 @@ namespace burnish {
 
 namespace {
 
-// How far removed vertices lie from the simplified surface, in units of meshoptimizer's error. The
-// median is 1.4, and nine in ten lie within 2.3.
-constexpr float kErrorFactor = 2;
+// In units of meshoptimizer's error. On all levels of five scans 99 of 100 vertices of the scan
+// itself lie within this of the simplified surface, and on most levels 999 of 1,000 do. Crumbs that
+// vanish were farther away.
+constexpr float kErrorFactor = 1.5f;
 
 /// The pages of one level on their way.
 class Replacer {
@@ -56,14 +57,15 @@ Result<Replacements> replace_pages(const CutLevel& level, const PageVertices& ve
   RETURN_IF_ERROR(work.run(made.of_pages.size(), [&](size_t page) {
     made.of_pages[page] = replacer.replace(page, SimplifyBy::kCollapse);
   }));
-  for (const SimplifyBy by : {SimplifyBy::kCluster, SimplifyBy::kDrop}) {
+  for (const SimplifyBy by : {SimplifyBy::kCollapseMore, SimplifyBy::kCluster, SimplifyBy::kDrop}) {
     if (is_small_enough(made.of_pages, level.triangles.size())) break;
     std::vector<size_t> stuck;
     for (size_t page = 0; page < made.of_pages.size(); ++page)
       if (replacer.hardly_shrinks(page, made.of_pages[page])) stuck.push_back(page);
     RETURN_IF_ERROR(work.run(
         stuck.size(), [&](size_t i) { made.of_pages[stuck[i]] = replacer.replace(stuck[i], by); }));
-    (by == SimplifyBy::kCluster ? made.clustered_pages : made.torn_pages) += stuck.size();
+    if (by == SimplifyBy::kCluster) made.clustered_pages += stuck.size();
+    if (by == SimplifyBy::kDrop) made.torn_pages += stuck.size();
   }
   return made;
 }

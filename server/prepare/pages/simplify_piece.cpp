@@ -10,6 +10,8 @@ namespace burnish {
 
 namespace {
 
+constexpr double kTrianglesPerCollapse = 2;
+constexpr double kCollapsedPart = 0.6;  // of the vertices inside; half a usual page takes 0.54
 constexpr int kTries = 4;  // each locks more; a piece that still loses its border stays as it is
 
 // Locks all corners of the triangles around these vertices: such triangles stay.
@@ -21,15 +23,23 @@ void lock_around(const std::vector<uint32_t>& vertices, PagePiece& piece) {
       for (const uint32_t v : t) piece.locked[v] = 1;
 }
 
-SimplePiece simplify_once(const PagePiece& piece, SimplifyBy by, size_t triangles_wanted) {
-  if (by == SimplifyBy::kCollapse) return collapse_edges(piece, triangles_wanted);
-  return cluster_vertices(piece, triangles_wanted);
+size_t triangles_wanted(const PagePiece& piece, SimplifyBy by) {
+  const size_t triangles = piece.triangles.size(), half = std::max<size_t>(triangles / 2, 1);
+  if (by != SimplifyBy::kCollapse) return half;
+  const auto inside = static_cast<double>(std::ranges::count(piece.locked, 0));
+  const auto spared = static_cast<size_t>(kTrianglesPerCollapse * kCollapsedPart * inside);
+  return std::max(half, triangles - std::min(spared, triangles));
+}
+
+SimplePiece simplify_once(const PagePiece& piece, SimplifyBy by, size_t wanted) {
+  if (by == SimplifyBy::kCluster) return cluster_vertices(piece, wanted);
+  return collapse_edges(piece, wanted);
 }
 
 }  // namespace
 
 SimplePiece simplify_piece(const PagePiece& piece, SimplifyBy by) {
-  const size_t wanted = std::max<size_t>(piece.triangles.size() / 2, 1);
+  const size_t wanted = triangles_wanted(piece, by);
   if (by == SimplifyBy::kDrop) return drop_small_triangles(piece, wanted);
   const KeptBorder border(piece);
   PagePiece locked = piece;

@@ -109,6 +109,16 @@ TEST_F(BuildPages, TheBytesAreTheSameForAnyNumberOfThreads) {
   }
 }
 
+// One page whose error stands out brings all finer pages of its place into every picture.
+TEST_F(BuildPages, NoErrorOfTheFinestLevelStandsOut) {
+  const ReadPages read = pages_of(scan_of_kind("tablet", 400'000));
+  std::vector<float> errors;
+  for (PageId page = 0; page < read.directory.head.level_begin(1); ++page)
+    errors.push_back(read.directory.entries[page].bounds.error);
+  std::ranges::sort(errors);
+  EXPECT_LT(errors.back(), 2 * errors[errors.size() / 2]);
+}
+
 TEST_F(BuildPages, ErrorAndEdgeRiseTowardsTheRoot) {
   const ReadPages read = pages_of(scan_of_kind("blob", 30'000));
   for (PageId page = 0; page < read.directory.head.root(); ++page) {

@@ -64,6 +64,18 @@ TEST(SimplifyPiece, LeavesHalfTheTriangles) {
   EXPECT_NEAR(simplify_piece(piece, SimplifyBy::kCollapse).triangles.size(), half, 4);
 }
 
+TEST(SimplifyPiece, LeavesMoreWhereFewVerticesAreFree) {
+  const PagePiece piece =
+      piece_of(make_sheet(40, 1, 0.2), [](const Vec3d& p) { return p.x() < 0.3 || p.x() > 0.7; });
+  const size_t triangles = piece.triangles.size();
+  const SimplePiece some = simplify_piece(piece, SimplifyBy::kCollapse);
+  const SimplePiece more = simplify_piece(piece, SimplifyBy::kCollapseMore);
+  EXPECT_GT(some.triangles.size(), 0.7 * triangles);
+  EXPECT_LT(some.triangles.size(), 0.8 * triangles);
+  EXPECT_LT(more.triangles.size(), some.triangles.size());
+  EXPECT_LT(10 * some.error, more.error);
+}
+
 TEST(SimplifyPiece, ClusteringKeepsTheBorderToo) {
   const PagePiece piece = piece_of(make_sheet(40, 1, 0.2), is_on_the_left);
   const SimplePiece simple = simplify_piece(piece, SimplifyBy::kCluster);
