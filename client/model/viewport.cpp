@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client/tools/lasso.h"
+
 namespace burnish {
 
 using Eigen::Vector2d;
@@ -31,6 +33,9 @@ void Viewport::press(PointerButton button, const Modifiers& modifiers, const Vec
     gesture_ = Gesture::kPan;
   } else if (turns) {
     gesture_ = Gesture::kTurn;
+  } else if (lasso_wish) {
+    gesture_ = Gesture::kLasso;
+    lasso_ = {pixel};
   } else {
     gesture_ = Gesture::kStroke;
     events_.push_back({Event::Kind::kPress, pixel, mode_of(modifiers)});
@@ -43,6 +48,7 @@ void Viewport::move(const Vector2d& pixel) {
   pointer_ = pixel;
   if (gesture_ == Gesture::kTurn || gesture_ == Gesture::kPan) drag_camera(by);
   if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) value_changes_ = true;
+  if (gesture_ == Gesture::kLasso) lasso_.push_back(pixel);
   if (gesture_ != Gesture::kStroke) return;
   // Each move costs a look at the surface, so only some of the moves between two pictures count.
   const auto moves = std::count_if(events_.begin(), events_.end(), [](const Event& event) {
@@ -65,6 +71,7 @@ void Viewport::release(PointerButton button) {
   if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) return;
   if (gesture_ == Gesture::kStroke)
     events_.push_back({Event::Kind::kRelease, pointer_.value_or(Vector2d::Zero())});
+  if (gesture_ == Gesture::kLasso) lasso_is_drawn_ = true;
   gesture_ = Gesture::kIdle;
 }
 
@@ -88,6 +95,9 @@ void Viewport::begin(const Document& document) {
   gesture_ = Gesture::kIdle;
   value_changes_ = false;
   events_.clear();
+  lasso_.clear();
+  lasso_wish.reset();
+  lasso_is_drawn_ = false;
   bookmarks.clear();
   leave();
   sent_ring_.reset();
@@ -122,7 +132,9 @@ bool Viewport::cancel(Document& document) {
   if (gesture_ == Gesture::kRadius) document.brush().brush.radius = value_from_;
   if (gesture_ == Gesture::kStrength) document.brush().brush.strength = value_from_;
   if (document.brush().is_drawing()) document.cancel_stroke();
-  const bool was_busy = is_busy();
+  const bool was_busy = is_busy() || lasso_wish;
+  lasso_.clear();
+  lasso_wish.reset();
   gesture_ = Gesture::kIdle;
   value_changes_ = false;
   events_.clear();
@@ -153,6 +165,7 @@ bool Viewport::shows_original(const Vector2d& pixel) const {
 void Viewport::update(Document& document) {
   camera = with_depth_of(camera, document.box());
   if (std::exchange(value_changes_, false)) drag_value(document);
+  if (std::exchange(lasso_is_drawn_, false)) end_lasso(document);
   for (const Event& event : std::exchange(events_, {})) paint(event, document);
   if (pointer_ && gesture_ != Gesture::kTurn && gesture_ != Gesture::kPan)
     look_at(*pointer_, document);
@@ -185,6 +198,14 @@ void Viewport::paint(const Event& event, Document& document) {
   } else if (event.kind == Event::Kind::kPress) {
     document.begin_stroke(event.mode, hover_->original);
   }
+}
+
+void Viewport::end_lasso(Document& document) {
+  static constexpr size_t kPointsMin = 3;
+  const std::vector<Vector2d> line = std::exchange(lasso_, {});
+  const LassoWish wish = std::exchange(lasso_wish, {}).value_or(LassoWish{});
+  if (line.size() >= kPointsMin)
+    document.protect({lasso_in_picture(camera, size_, line, wish.through), wish.release});
 }
 
 void Viewport::send_ring(Document& document) {

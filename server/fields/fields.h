@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "common/edit/edit.h"
 #include "server/fields/alphas.h"
 #include "server/fields/fields_view.h"
+#include "server/fields/hold.h"
 #include "server/prepare/prepared_mesh.h"
 
 namespace burnish {
@@ -45,6 +47,9 @@ class Fields {
   /// new. Fails: invalid_argument that names the count or the first such cell.
   Status check_new(const SetCellFields& change) const;
   void clear_overrides();
+  /// Leads β to 1 and raises α in held cells, over all other sources. Null: nothing is held.
+  void set_hold(std::shared_ptr<const Hold> hold);
+  const std::shared_ptr<const Hold>& hold() const { return hold_; }
 
   PaintedCells painted() const;
   /// Replaces all paint. Needs: paint of the same prepared mesh.
@@ -59,6 +64,9 @@ class Fields {
  private:
   void update_beta() const;
   void update_beta(size_t stretch) const;
+  void mark_held();
+  void hold_beta() const;
+  void update_held_own() const;
   /// Returns the index of an active cell. Fails: invalid_argument.
   Result<int32_t> index_of(const Vec3i& cell) const;
 
@@ -71,10 +79,14 @@ class Fields {
   static constexpr size_t kStretch = CellPaint::kStretch;
   std::vector<uint8_t> may_have_paint_;
   std::vector<OwnFields> overrides_;  // by rising cell, each once
+  std::shared_ptr<const Hold> hold_;
 
   // The result of slider, paint and overrides at the last view().
   mutable std::vector<float> beta_, follow_, own_;
   mutable bool beta_is_old_ = false;
+  // The overrides with the hold on top, where there is one.
+  mutable std::vector<OwnFields> held_own_;
+  mutable bool held_own_is_old_ = false;
 };
 
 }  // namespace burnish

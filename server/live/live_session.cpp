@@ -147,7 +147,7 @@ Status LiveSession::send_frames(SessionTurn& at) {
   for (const Wish& wish : wanting) pages.push_back(wish.pages);
   const Hierarchy& hierarchy = at.hierarchy();
   const SurfaceMoment moment{hierarchy.at(hierarchy.finest).grid, session.prepared().evaluation,
-                             session.solver().displacement(), session.shown_fields().view().beta,
+                             session.displacement(), session.shown_fields().view().beta,
                              stats.settled};
   ASSIGN_OR_RETURN(SurfaceShot taken, SurfaceShot::take(moment, pages));
   const auto surface = std::make_shared<const SurfaceShot>(std::move(taken));
@@ -160,7 +160,8 @@ Status LiveSession::send_frames(SessionTurn& at) {
 
 void LiveSession::tell_state(SessionTurn& at) {
   const Fields& fields = at.session().fields();
-  const HistoryState history{at.edits(), fields.gradient_scale(), fields.transfer_curve()};
+  const HistoryState history{at.edits(), fields.gradient_scale(), fields.transfer_curve(),
+                             at.session().edited().controls()};
   bool roles_changed = false, history_changed = false;
   {
     const std::lock_guard lock(mutex_);
