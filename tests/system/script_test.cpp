@@ -101,6 +101,18 @@ TEST(Script, UndoAndRedoTakeAWholePreset) {
   EXPECT_EQ(count("beta 0.5, curve 0:50,"), 1) << outcome.output;
 }
 
+TEST(Script, ControlsProtectionAndStrengthAreEdits) {
+  ServerProcess server;
+  const std::string script = "open " + write_sphere(server.folder, 3) +
+                             "\ncontrols off 0.25 on\nprotect curvature -5 5\nprotect grow 2\n"
+                             "preset Bring out an inscription 0.5\nwait\nprint\n";
+  const CommandOutcome outcome = run_script(server, script);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("beta 2,"));
+  EXPECT_THAT(outcome.output, HasSubstr("5 entries"));
+  EXPECT_THAT(outcome.output, HasSubstr("rims free, at most 0.25, volume kept"));
+}
+
 std::string write_red_sphere(const ServerProcess& server) {
   TriangleMesh mesh = make_icosphere(4, 1);
   mesh.colours.assign(mesh.vertices.size(), Rgba8{200, 10, 10, 255});

@@ -15,6 +15,7 @@
 #include "client/cli/progress_printer.h"
 #include "client/cli/stroke_file.h"
 #include "client/cli/warn_of_left_out.h"
+#include "client/tools/own_presets.h"
 #include "common/base/atomic_file.h"
 #include "common/base/out_of_memory.h"
 #include "common/base/parallel.h"
@@ -80,6 +81,8 @@ Result<OriginalFile> check_files(const FilterOptions& options) {
   if (!options.force && std::filesystem::equivalent(options.in, options.out, ignored))
     return invalid_argument(options.out + " is the file to read; --force replaces it");
   RETURN_IF_ERROR(check_writable(options.out));
+  if (!options.filter.preset.empty())
+    RETURN_IF_ERROR(find_any_preset(options.filter.preset).status());
   return OriginalFile{options.in, in, options.in};
 }
 
