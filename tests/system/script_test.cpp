@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
@@ -108,9 +109,9 @@ TEST(Script, ControlsProtectionAndStrengthAreEdits) {
                              "preset Bring out an inscription 0.5\nwait\nprint\n";
   const CommandOutcome outcome = run_script(server, script);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_THAT(outcome.output, HasSubstr("beta 2,"));
-  EXPECT_THAT(outcome.output, HasSubstr("5 entries"));
-  EXPECT_THAT(outcome.output, HasSubstr("rims free, at most 0.25, volume kept"));
+  EXPECT_THAT(outcome.output, testing::HasSubstr("beta 2,"));
+  EXPECT_THAT(outcome.output, testing::HasSubstr("5 entries"));
+  EXPECT_THAT(outcome.output, testing::HasSubstr("rims free, at most 0.25, volume kept"));
 }
 
 std::string write_red_sphere(const ServerProcess& server) {
