@@ -70,6 +70,7 @@ class App {
   void draw_session_page();
   void draw_columns(float top, float left, float right);
   void draw_sides() const;
+  void draw_lasso() const;
   void draw_overlays();
 
   bool is_in_picture(const Eigen::Vector2d& pixel) const;
@@ -85,6 +86,7 @@ class App {
 
   StartPage start_page_;
   FilterPanel filter_panel_;
+  ProtectPanel protect_panel_;
   CurvePanel curve_panel_;
   BrushPanel brush_panel_;
   HistoryPanel history_panel_;

@@ -203,6 +203,7 @@ void App::draw_columns(float top, float left, float right) {
   draw_section("Filter", filter_panel_, *workspace_);
   draw_section("Transfer curve α(κ)", curve_panel_, *workspace_);
   draw_section("Brush", brush_panel_, *workspace_);
+  draw_section("Protection", protect_panel_, *workspace_);
   if (right > 0) {
     ImGui::End();
     begin_column("##right", ImGui::GetIO().DisplaySize.x - right, top, right);
@@ -237,8 +238,21 @@ void App::draw_sides() const {
   list->AddText({x + pad, line}, dark, "edited");
 }
 
+void App::draw_lasso() const {
+  const std::vector<Eigen::Vector2d>& pixels = workspace_->viewport.lasso();
+  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+  std::vector<ImVec2> line;
+  for (const Eigen::Vector2d& pixel : pixels)
+    line.emplace_back((picture_.x + float(pixel.x())) / scale.x,
+                      (picture_.y + float(pixel.y())) / scale.y);
+  ImGui::GetBackgroundDrawList()->AddPolyline(line.data(), static_cast<int>(line.size()),
+                                              ImGui::ColorConvertFloat4ToU32(theme::kBusy),
+                                              ImDrawFlags_Closed, em(0.12f));
+}
+
 void App::draw_overlays() {
   draw_sides();
+  draw_lasso();
   toasts_.draw(*workspace_);
   if (shows_log_) draw_message_log(workspace_->log, shows_log_);
   if (shows_help_) draw_key_help(bindings_, shows_help_);

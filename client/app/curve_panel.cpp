@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "client/app/panels.h"
@@ -43,13 +44,14 @@ void draw_histogram(const Plot& plot, const ScanDescription& scan) {
   }
 }
 
-void draw_axes(const Plot& plot) {
+void draw_axes(const Plot& plot, double alpha_max) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   list->AddLine(plot.at({0.5, 0}), plot.at({0.5, 1}), colour(0.6f, 0.6f, 0.6f, 0.5f));
   const ImU32 text = ImGui::ColorConvertFloat4ToU32(theme::kFaint);
   const float pad = em(0.3f);
   const float line = ImGui::GetTextLineHeight();
-  list->AddText({plot.low.x + pad, plot.low.y + pad}, text, "α 500");
+  list->AddText({plot.low.x + pad, plot.low.y + pad}, text,
+                ("α " + std::to_string(std::lround(alpha_max))).c_str());
   list->AddText({plot.low.x + pad, plot.low.y + plot.size.y - line - pad}, text, "1");
   const char* const right = "convex κ →";
   list->AddText({plot.low.x + plot.size.x - ImGui::CalcTextSize(right).x - pad, plot.low.y + pad},
@@ -135,7 +137,7 @@ void CurvePanel::draw(Workspace& workspace) {
   list->PushClipRect({plot.low.x - margin, plot.low.y - margin}, {high.x + margin, high.y + margin},
                      true);
   draw_histogram(plot, document.scan());
-  draw_axes(plot);
+  draw_axes(plot, document.curve().alpha_max());
   handle_mouse(plot, document);
   draw_curve(plot, document.curve());
   list->PopClipRect();

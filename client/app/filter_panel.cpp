@@ -1,24 +1,82 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include "client/app/panels.h"
 #include "client/app/theme.h"
 #include "client/app/value_slider.h"
 #include "client/tools/colours.h"
+#include "client/tools/own_presets.h"
+#include "common/edit/wavelength.h"
 
 namespace burnish {
 
-static void draw_presets(Document& document) {
+static bool draw_choice(const Preset& preset) {
+  const bool is_chosen = ImGui::Selectable(preset.name.c_str());
+  hint(preset.description.c_str());
+  return is_chosen;
+}
+
+void FilterPanel::draw_presets(Document& document, MessageLog& log) {
   ImGui::SetNextItemWidth(-1);
-  if (!ImGui::BeginCombo("##presets", "Presets", ImGuiComboFlags_HeightLarge)) return;
-  for (const Preset& preset : presets()) {
-    if (ImGui::Selectable(preset.name.data())) document.apply(preset);
-    hint(preset.description.data());
-    ImGui::SameLine(em(11));
-    faint_text("%s", preset.source.data());
+  const std::string title = preset_ ? preset_->name : "Presets";
+  if (ImGui::BeginCombo("##presets", title.c_str(), ImGuiComboFlags_HeightLarge)) {
+    if (ImGui::IsWindowAppearing()) read_own(log);
+    const auto choose = [&](const Preset& preset) {
+      preset_ = preset;
+      strength_ = 1;
+      document.apply(preset);
+    };
+    for (const Preset& preset : own_)
+      if (draw_choice(preset)) choose(preset);
+    if (!own_.empty()) ImGui::Separator();
+    for (const Preset& preset : presets())
+      if (draw_choice(preset)) choose(preset);
+    ImGui::EndCombo();
   }
-  ImGui::EndCombo();
+  if (preset_) draw_strength(document, log);
+}
+
+void FilterPanel::draw_strength(Document& document, MessageLog& log) {
+  ImGui::TextUnformatted("Strength");
+  ImGui::SameLine();
+  faint_text("of the preset");
+  const SliderChange change =
+      linear_slider({{"Strength of the preset", 0, 1}, "%.2f", log}, strength_);
+  if (change == SliderChange::kStill) return;
+  document.preview_beta(document.filter(*preset_, strength_).beta);
+  if (change == SliderChange::kDone) document.commit_beta();
+}
+
+void FilterPanel::draw_own(const Document& document, MessageLog& log) {
+  ImGui::SetNextItemWidth(-em(4));
+  ImGui::InputTextWithHint("##own", "name for this filter", &own_name_);
+  ImGui::SameLine();
+  ImGui::BeginDisabled(own_name_.empty());
+  if (ImGui::Button("Keep", {-1, 0})) {
+    Preset preset{own_name_, "Your own", document.beta(), document.curve().curve(), {}, {}};
+    const Status saved = save_own_preset(own_presets_path(), preset);
+    if (saved.is_ok()) {
+      preset_ = std::move(preset);
+      strength_ = 1;
+      own_name_.clear();
+    } else {
+      log.failure("preset", saved);
+    }
+  }
+  ImGui::EndDisabled();
+  hint("Keeps the gradient scale and the curve as a preset of your own");
+}
+
+void FilterPanel::read_own(MessageLog& log) {
+  auto own = read_own_presets(own_presets_path());
+  if (own.is_ok()) {
+    own_ = std::move(own).value();
+  } else {
+    log.failure("presets", own.status());
+  }
 }
 
 static void draw_beta(Document& document, MessageLog& log) {
@@ -37,27 +95,59 @@ static void draw_fidelity(Document& document, MessageLog& log) {
   ImGui::SameLine();
   const double unit = document.length_unit();
   double alpha = document.curve().fidelity();
-  faint_text("detail size %.3g", detail_size(unit, alpha));
+  faint_text("waves of %.3g change by half", wavelength_of_alpha(unit, alpha));
   hint(
-      "In the scan's units. Waves on the surface shorter than about six times this size are "
-      "smoothed or sharpened; longer waves stay.");
+      "In the scan's units. Shorter waves on the surface are smoothed or sharpened more; longer "
+      "waves stay. The slider ends at two cells of the grid.");
   const SliderChange change =
-      log_slider({{"Fidelity α", kFidelityMin, kFidelityMax}, "%.3g", log}, alpha);
+      log_slider({{"Fidelity α", kFidelityMin, document.curve().alpha_max()}, "%.3g", log}, alpha);
   if (change != SliderChange::kStill) {
     document.curve().set_fidelity(alpha);
     document.preview_curve();
   }
   if (change == SliderChange::kDone) document.commit_curve();
-  if (alpha > unit / document.cell_size())
-    ImGui::TextColored(theme::kBusy, "finer than the grid can resolve");
+}
+
+static void draw_cap(Document& document, MessageLog& log) {
+  ImGui::TextUnformatted("Largest move");
+  ImGui::SameLine();
+  faint_text("in the scan's units; at the right: any");
+  const double any = document.diagonal();
+  Controls controls = document.controls();
+  double cap = controls.cap > 0 ? std::min(controls.cap, any) : any;
+  const SliderChange change = log_slider({{"Largest move", 1e-6 * any, any}, "%.3g", log}, cap);
+  if (change == SliderChange::kStill) return;
+  controls.cap = cap < any ? cap : 0;
+  if (change == SliderChange::kDone) {
+    document.set_controls(controls);
+  } else {
+    document.show_controls(controls);
+  }
+}
+
+static void draw_controls(Document& document, MessageLog& log) {
+  Controls controls = document.controls();
+  ImGui::BeginDisabled(document.is_closed());
+  bool is_changed = ImGui::Checkbox("Rims stay", &controls.pin_rims);
+  ImGui::EndDisabled();
+  hint("The rims of an open scan stay where they are. A closed scan has none.");
+  ImGui::SameLine(em(9));
+  ImGui::BeginDisabled(!document.is_closed());
+  is_changed |= ImGui::Checkbox("Volume stays", &controls.keep_volume);
+  ImGui::EndDisabled();
+  hint("A closed scan keeps its volume. An open scan has none.");
+  if (is_changed) document.set_controls(controls);
+  draw_cap(document, log);
 }
 
 void FilterPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
   ImGui::BeginDisabled(document.is_viewer());
-  draw_presets(document);
+  draw_presets(document, workspace.log);
   draw_beta(document, workspace.log);
   draw_fidelity(document, workspace.log);
+  draw_own(document, workspace.log);
+  draw_controls(document, workspace.log);
   ImGui::EndDisabled();
 }
 

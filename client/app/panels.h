@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "client/model/workspace.h"
+#include "client/tools/presets.h"
 
 namespace burnish {
 
@@ -13,16 +16,40 @@ class Panel {
   virtual void draw(Workspace& workspace) = 0;
 };
 
-/// Gradient scale, fidelity and presets: the edit outside of painted areas.
+/// Gradient scale, fidelity, presets and controls: the edit outside of painted areas.
 class FilterPanel : public Panel {
  public:
   void draw(Workspace& workspace) override;
+
+ private:
+  void draw_presets(Document& document, MessageLog& log);
+  void draw_strength(Document& document, MessageLog& log);
+  void draw_own(const Document& document, MessageLog& log);
+  void read_own(MessageLog& log);
+
+  std::optional<Preset> preset_;  // chosen last
+  double strength_ = 1;           // of it
+  std::vector<Preset> own_;       // read when the list opens
+  std::string own_name_;          // for the filter as it is
 };
 
 /// The transfer curve over the histogram of curvature.
 class CurvePanel : public Panel {
  public:
   void draw(Workspace& workspace) override;
+};
+
+/// The region in which nothing moves.
+class ProtectPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+
+ private:
+  void draw_lasso_buttons(Viewport& viewport);
+  void draw_piece_buttons(Workspace& workspace);
+
+  bool through_ = false;             // of the next lasso
+  std::optional<Vec3d> last_hover_;  // on the original surface
 };
 
 /// The airbrush.

@@ -21,6 +21,7 @@ void add_describe_command(CommandTable& table);
 void add_open_command(CommandTable& table);
 void add_sessions_command(CommandTable& table);
 void add_edit_command(CommandTable& table);
+void add_protect_command(CommandTable& table);
 void add_undo_command(CommandTable& table);
 void add_redo_command(CommandTable& table);
 void add_history_command(CommandTable& table);

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "client/cli/commands.h"
+#include "client/cli/depth_table.h"
 #include "client/cli/json_output.h"
 #include "client/cli/server_option.h"
 #include "common/base/limits.h"
@@ -14,6 +15,7 @@ struct DescribeOptions {
   ServerOption server;
   std::string scan;
   int depth = 0;
+  bool depths = false;
 };
 
 void print_count(const char* what, uint64_t count) {
@@ -59,6 +61,10 @@ Status run(const DescribeOptions& options) {
     print_json(to_json(description));
     return Status::ok();
   }
+  if (options.depths) {
+    print_depths(description.scan.statistics, description.scan.default_depth);
+    return Status::ok();
+  }
   print(description.scan);
   if (description.prepared) print(*description.prepared);
   return Status::ok();
@@ -73,6 +79,8 @@ void add_describe_command(CommandTable& table) {
   command->add_option("SCAN", options->scan, "Name, id, or the beginning of an id")->required();
   command->add_option("--depth", options->depth, "Prepared mesh to describe; left out: deepest")
       ->check(CLI::Range(kDepthMin, kDepthMax));
+  command->add_flag("--depths", options->depths,
+                    "Tell what each depth would cost: cell size, memory, time to prepare");
   add_server_options(*command, options->server);
 }
 

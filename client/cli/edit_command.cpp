@@ -1,9 +1,10 @@
 #include <iostream>
 #include <memory>
-#include <optional>
 
 #include "client/cli/cell_field_file.h"
 #include "client/cli/commands.h"
+#include "client/cli/controls_options.h"
+#include "client/cli/filter_choice.h"
 #include "client/cli/json_output.h"
 #include "client/cli/server_option.h"
 #include "client/cli/stroke_file.h"
@@ -16,27 +17,46 @@ namespace {
 struct EditOptions {
   ServerOption server;
   std::string session;
-  std::optional<double> beta;
-  std::optional<double> alpha;
-  std::string curve;
+  FilterChoice filter;
   std::string stroke_file;
   std::string cell_field_file;
+  ControlsOptions controls;
   std::string id;
 };
 
-/// Makes the edits in the order of application: metric, gradient scale, paint, cells.
-Result<std::vector<Edit>> make_edits(const EditOptions& options) {
+/// The facts of a session that some edits need.
+struct EditedSession {
+  double length_unit = 1, cell_size = 1;  // file units
+  Controls controls;
+};
+
+/// Asks only for what these edits need.
+Result<EditedSession> look_at(const EditOptions& options, Connection& connection) {
+  EditedSession there;
+  if (!options.controls.is_given() && !options.filter.needs_scan()) return there;
+  ASSIGN_OR_RETURN(const SessionState state, connection.state(options.session));
+  there.controls = state.controls;
+  if (!options.filter.needs_scan()) return there;
+  const SessionInfo& session = state.session;
+  ASSIGN_OR_RETURN(const ScanDescription scan,
+                   connection.describe_scan(session.scan_id, session.key.depth));
+  if (!scan.prepared)
+    return failed_precondition("scan " + scan.scan.name + " is not prepared at depth " +
+                               std::to_string(session.key.depth));
+  there.length_unit = scan.prepared->length_unit;
+  there.cell_size = scan.prepared->cell_size;
+  return there;
+}
+
+/// Makes the edits in the order of application: metric, gradient scale, paint, cells, controls.
+Result<std::vector<Edit>> make_edits(const EditOptions& options, const EditedSession& there) {
   std::vector<Edit> edits;
   const std::string prefix = options.id.empty() ? random_id() : options.id;
   const auto add = [&](auto change) {
     edits.push_back({prefix + "-" + std::to_string(edits.size()), std::move(change)});
   };
-  if (options.alpha) add(SetTransferCurve{TransferCurve(*options.alpha)});
-  if (!options.curve.empty()) {
-    ASSIGN_OR_RETURN(TransferCurve curve, TransferCurve::parse(options.curve));
-    add(SetTransferCurve{std::move(curve)});
-  }
-  if (options.beta) add(SetGradientScale{*options.beta});
+  ASSIGN_OR_RETURN(auto changes, changes_of(options.filter, there.length_unit, there.cell_size));
+  for (auto& change : changes) add(std::move(change));
   if (!options.stroke_file.empty()) {
     ASSIGN_OR_RETURN(std::vector<Stroke> strokes, read_stroke_file(options.stroke_file));
     for (Stroke& stroke : strokes) add(std::move(stroke));
@@ -45,12 +65,14 @@ Result<std::vector<Edit>> make_edits(const EditOptions& options) {
     ASSIGN_OR_RETURN(SetCellFields fields, read_cell_field_file(options.cell_field_file));
     add(std::move(fields));
   }
+  if (options.controls.is_given()) add(SetControls{options.controls.over(there.controls)});
   return edits;
 }
 
 Status run(const EditOptions& options) {
-  ASSIGN_OR_RETURN(const std::vector<Edit> edits, make_edits(options));
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
+  ASSIGN_OR_RETURN(const EditedSession there, look_at(options, connection));
+  ASSIGN_OR_RETURN(const std::vector<Edit> edits, make_edits(options, there));
   ASSIGN_OR_RETURN(const ApplyOutcome outcome, connection.apply(options.session, edits));
   if (options.server.json) {
     print_json({{"applied", outcome.applied}, {"known", outcome.known}, {"edits", outcome.edits}});
@@ -66,21 +88,12 @@ Status run(const EditOptions& options) {
 void add_change_options(CLI::App& command, EditOptions& options) {
   CLI::Option_group* changes = command.add_option_group("Changes", "At least one of them");
   changes->require_option(1, 0);
-  changes->add_option("--beta", options.beta, "Gradient scale: < 1 smooths, 1 keeps, > 1 sharpens")
-      ->check(CLI::Range(kBetaMin, kBetaMax));
-  CLI::Option* alpha =
-      changes->add_option("--alpha", options.alpha, "Fidelity weight, the same everywhere")
-          ->check(CLI::Range(kAlphaMin, kAlphaMax));
-  changes->add_option("--curve", options.curve, "Transfer curve: alpha by curvature")
-      ->type_name("K:A,K:A,...")
-      ->check([](const std::string& text) {
-        return usage_message(TransferCurve::parse(text).status());
-      })
-      ->excludes(alpha);
+  add_filter_options(*changes, options.filter);
   changes->add_option("--stroke", options.stroke_file,
                       "File of strokes: 'brush RADIUS STRENGTH BETA FALLOFF', then 'X Y Z' lines");
   changes->add_option("--cell-field", options.cell_field_file,
                       "File of cells: 'i j k alpha1 alpha2 beta' lines");
+  add_controls_options(*changes, options.controls);
 }
 
 }  // namespace

@@ -74,6 +74,9 @@ Json to_json(const SessionState& state) {
   Json json = to_json(state.session);
   json["beta"] = state.gradient_scale;
   json["curve"] = state.transfer_curve.to_string();
+  json["controls"] = {{"pin_rims", state.controls.pin_rims},
+                      {"cap", state.controls.cap},
+                      {"keep_volume", state.controls.keep_volume}};
   json["memory_bytes"] = state.memory_bytes;
   json["backend"] = state.backend;
   if (state.cycles > 0) {

@@ -9,6 +9,7 @@ void add_service_commands(CommandTable& table) {
   add_open_command(table);
   add_sessions_command(table);
   add_edit_command(table);
+  add_protect_command(table);
   add_undo_command(table);
   add_redo_command(table);
   add_history_command(table);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/edit/edit_id.h"
+#include "common/edit/wavelength.h"
 
 namespace burnish {
 
@@ -10,6 +11,13 @@ static double kappa_range(const ScanDescription& scan) {
   constexpr double kWithoutHistogram = 100;
   return scan.prepared && scan.prepared->histogram_range > 0 ? scan.prepared->histogram_range
                                                              : kWithoutHistogram;
+}
+
+/// Returns the upper end of the slider and the plot: a fine grid holds waves of large α.
+static double alpha_max(const ScanDescription& scan) {
+  if (!scan.prepared || !(scan.prepared->cell_size > 0)) return kFidelityMax;
+  return std::max(kFidelityMax,
+                  alpha_of_grid_limit(scan.prepared->length_unit, scan.prepared->cell_size));
 }
 
 Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorder& recorder,
@@ -20,10 +28,12 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
       recorder_(recorder),
       wake_(options.wake),
       beta_(opened_.state.gradient_scale),
-      curve_(kappa_range(opened_.scan), opened_.state.transfer_curve),
+      curve_(kappa_range(opened_.scan), opened_.state.transfer_curve, alpha_max(opened_.scan)),
+      controls_(opened_.state.controls),
       history_(std::move(opened_.history)),
       edits_known_(opened_.session.edits),
-      told_{edits_known_, opened_.state.gradient_scale, opened_.state.transfer_curve},
+      told_{edits_known_, opened_.state.gradient_scale, opened_.state.transfer_curve,
+            opened_.state.controls},
       measuring_(opened_.connection, opened_.session.id, tasks, log, options.wake) {
   if (has_colours()) colour_ = ColourBy::kScan;
   welcome_.session = opened_.session;
@@ -88,13 +98,23 @@ void Document::commit_curve() {
   send_as(id, SetTransferCurve{curve_.curve()});
 }
 
-void Document::apply(const Preset& preset) {
-  beta_ = preset.beta;
-  curve_.set_curve(preset.curve);
+PresetFilter Document::filter(const Preset& preset, double strength) const {
+  return filter_of(preset, strength, length_unit(), cell_size());
+}
+
+void Document::apply(const Preset& preset, double strength) {
+  const PresetFilter applied = filter(preset, strength);
+  beta_ = applied.beta;
+  curve_.set_curve(applied.curve);
   if (preset.brush_beta) brush_.brush.beta = *preset.brush_beta;
   commit_curve();
   commit_beta();
   undo_steps_.join_last_two();
+}
+
+void Document::set_controls(const Controls& controls) {
+  controls_ = controls;
+  send(SetControls{controls});
 }
 
 void Document::undo() {

@@ -78,7 +78,18 @@ class Document {
   const CurveEditor& curve() const { return curve_; }
   void preview_curve();
   void commit_curve();
-  void apply(const Preset& preset);
+  /// Returns the filter of a preset on this scan.
+  PresetFilter filter(const Preset& preset, double strength) const;
+  void apply(const Preset& preset, double strength = 1);
+
+  /// Bounds on what all edits do: as the user or the session set them last.
+  const Controls& controls() const { return controls_; }
+  void set_controls(const Controls& controls);
+  /// Changes the region in which nothing moves.
+  void protect(Protect change) { send(std::move(change)); }
+  /// Shows values that a drag passes; set_controls() ends it.
+  void show_controls(const Controls& controls) { controls_ = controls; }
+  bool is_closed() const { return opened_.scan.scan.statistics.is_closed(); }
 
   // Draw a stroke from point to point of the original surface.
   BrushTool& brush() { return brush_; }
@@ -165,6 +176,7 @@ class Document {
 
   double beta_;
   CurveEditor curve_;
+  Controls controls_;
   BrushTool brush_;
   Vec3d last_dab_ = Vec3d::Zero();
   std::string gesture_;  // id of the edit of the running drag or stroke; else empty

@@ -109,6 +109,7 @@ void Document::follow_server() {
   if (is_told_taken_ || is_mine_newer || told_.edits < edits_known_) return;
   is_told_taken_ = true;
   beta_ = told_.gradient_scale;
+  controls_ = told_.controls;
   if (!(curve_.curve() == told_.transfer_curve)) curve_.set_curve(told_.transfer_curve);
 }
 

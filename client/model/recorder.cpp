@@ -3,6 +3,8 @@
 #include <cerrno>
 #include <sstream>
 
+#include "common/edit/protect_words.h"
+
 namespace burnish {
 
 Status Recorder::open(const std::filesystem::path& path) {
@@ -36,6 +38,12 @@ struct LineOf {
       line << ' ' << point.x() << ' ' << point.y() << ' ' << point.z();
   }
   void operator()(const SetCellFields&) const {}
+  void operator()(const SetControls& change) const {
+    const Controls& controls = change.controls;
+    line << "controls " << (controls.pin_rims ? "on " : "off ") << controls.cap
+         << (controls.keep_volume ? " on" : " off");
+  }
+  void operator()(const Protect& change) const { line << "protect " << to_words(change); }
   void operator()(const Undo&) const { line << "undo"; }
   void operator()(const Redo&) const { line << "redo"; }
   void operator()(const SwitchEntry& change) const {

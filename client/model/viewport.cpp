@@ -5,6 +5,8 @@
 
 #include "client/model/zoom.h"
 
+#include "client/tools/lasso.h"
+
 namespace burnish {
 
 using Eigen::Vector2d;
@@ -45,7 +47,9 @@ bool Viewport::cancel(Document& document) {
   if (gesture_ == Gesture::kRadius) document.brush().brush.radius = value_from_;
   if (gesture_ == Gesture::kStrength) document.brush().brush.strength = value_from_;
   if (document.brush().is_drawing()) document.cancel_stroke();
-  const bool was_busy = is_busy();
+  const bool was_busy = is_busy() || lasso_wish;
+  lasso_.clear();
+  lasso_wish.reset();
   gesture_ = Gesture::kIdle;
   value_changes_ = false;
   events_.clear();
@@ -76,6 +80,7 @@ bool Viewport::shows_original(const Vector2d& pixel) const {
 void Viewport::update(Document& document) {
   camera = with_depth_of(camera, document.box());
   if (std::exchange(value_changes_, false)) drag_value(document);
+  if (std::exchange(lasso_is_drawn_, false)) end_lasso(document);
   for (const Event& event : std::exchange(events_, {})) paint(event, document);
   if (std::exchange(is_focus_asked_, false)) focus_nearer(document);
   if (pointer_ && gesture_ != Gesture::kTurn && gesture_ != Gesture::kPan)
@@ -114,6 +119,14 @@ void Viewport::paint(const Event& event, Document& document) {
   } else if (event.kind == Event::Kind::kPress) {
     document.begin_stroke(event.mode, hover_->original);
   }
+}
+
+void Viewport::end_lasso(Document& document) {
+  static constexpr size_t kPointsMin = 3;
+  const std::vector<Vector2d> line = std::exchange(lasso_, {});
+  const LassoWish wish = std::exchange(lasso_wish, {}).value_or(LassoWish{});
+  if (line.size() >= kPointsMin)
+    document.protect({lasso_in_picture(camera, size_, line, wish.through), wish.release});
 }
 
 void Viewport::send_ring(Document& document) {

@@ -33,6 +33,12 @@ struct ViewOptions {
   bool operator==(const ViewOptions&) const = default;
 };
 
+/// The next drag of the left button draws a lasso.
+struct LassoWish {
+  bool through = false;  ///< also surface that faces away
+  bool release = false;  ///< what it holds is no longer protected
+};
+
 /// The picture of a document: the camera and the actions of the pointer. It keeps events until
 /// update(), which looks at what lies under the pointer. Pixels count from the picture's
 /// upper left corner. Needs no window.
@@ -43,6 +49,7 @@ class Viewport {
   bool navigate_mode = false;                    ///< the left button turns the view
   bool hold_original = false;                    ///< show the original
   bool measure_mode = false;                     ///< the left button puts the ruler's ends
+  std::optional<LassoWish> lasso_wish;
   std::vector<Camera> bookmarks;                 ///< at most kBookmarksMax
   Clock clock = std::chrono::steady_clock::now;  ///< tells a double click
 
@@ -85,12 +92,14 @@ class Viewport {
   /// Returns the surface point under the pointer at the last update().
   const std::optional<SurfaceHit>& hover() const { return hover_; }
   const std::optional<Eigen::Vector2d>& pointer() const { return pointer_; }
+  /// Returns the line of the lasso that is being drawn, in pixels.
+  const std::vector<Eigen::Vector2d>& lasso() const { return lasso_; }
   bool is_busy() const { return gesture_ != Gesture::kIdle; }
 
   DrawStyle style(const Document& document) const;
 
  private:
-  enum class Gesture { kIdle, kStroke, kTurn, kPan, kLight, kRadius, kStrength };
+  enum class Gesture { kIdle, kStroke, kLasso, kTurn, kPan, kLight, kRadius, kStrength };
   struct Event {
     enum class Kind { kPress, kMove, kRelease } kind;
     Eigen::Vector2d pixel;
@@ -122,6 +131,7 @@ class Viewport {
   void look_at(const Eigen::Vector2d& pixel, const Document& document);
   std::optional<SurfaceHit> hit_at(const Document& document, const Eigen::Vector2d& pixel) const;
   void paint(const Event& event, Document& document);
+  void end_lasso(Document& document);
   void drag_camera(const Eigen::Vector2d& by);
   void drag_value(Document& document);
   void send_ring(Document& document);
@@ -138,6 +148,8 @@ class Viewport {
   double value_from_ = 0;  // radius or strength when its drag began
   bool value_changes_ = false;
   std::vector<Event> events_;  // events of the brush
+  std::vector<Eigen::Vector2d> lasso_;
+  bool lasso_is_drawn_ = false;
   std::optional<SurfaceHit> hover_;
   std::optional<Look> looked_;  // the look that found hover_
   std::optional<BrushRing> sent_ring_;

@@ -27,6 +27,7 @@ void Viewport::press(PointerButton button, const Modifiers& modifiers, const Vec
   if (gesture_ != Gesture::kIdle) return;
   held_ = button;
   gesture_ = gesture_of(button, modifiers);
+  if (gesture_ == Gesture::kLasso) lasso_ = {pixel};
   if (gesture_ == Gesture::kStroke)
     events_.push_back({Event::Kind::kPress, pixel, mode_of(modifiers)});
   if (gesture_ == Gesture::kTurn && is_second_press(button, pixel)) is_focus_asked_ = true;
@@ -39,7 +40,8 @@ Viewport::Gesture Viewport::gesture_of(PointerButton button, const Modifiers& mo
   if (button == PointerButton::kRight && modifiers.control && modifiers.shift)
     return Gesture::kLight;
   if (button == PointerButton::kRight || (turns && modifiers.shift)) return Gesture::kPan;
-  return turns ? Gesture::kTurn : Gesture::kStroke;
+  if (turns) return Gesture::kTurn;
+  return lasso_wish ? Gesture::kLasso : Gesture::kStroke;
 }
 
 bool Viewport::is_second_press(PointerButton button, const Vector2d& pixel) {
@@ -62,6 +64,7 @@ void Viewport::move(const Vector2d& pixel) {
         with_lamp_at(options.lighting,
                      lamp_on_ball(options.lighting) + kLampPerPixel * Vector2d(by.x(), -by.y()));
   if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) value_changes_ = true;
+  if (gesture_ == Gesture::kLasso) lasso_.push_back(pixel);
   if (gesture_ != Gesture::kStroke) return;
   // Each move costs a look at the surface, so only some of the moves between two pictures count.
   const auto moves = std::count_if(events_.begin(), events_.end(), [](const Event& event) {
@@ -85,6 +88,7 @@ void Viewport::release(PointerButton button) {
   if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) return;
   if (gesture_ == Gesture::kStroke)
     events_.push_back({Event::Kind::kRelease, pointer_.value_or(Vector2d::Zero())});
+  if (gesture_ == Gesture::kLasso) lasso_is_drawn_ = true;
   gesture_ = Gesture::kIdle;
 }
 

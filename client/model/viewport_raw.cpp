@@ -24,6 +24,9 @@ void Viewport::reset(const Eigen::AlignedBox3d& box) {
   gesture_ = Gesture::kIdle;
   value_changes_ = false;
   events_.clear();
+  lasso_.clear();
+  lasso_wish.reset();
+  lasso_is_drawn_ = false;
   bookmarks.clear();
   measure_mode = false;
   leave();

@@ -1,9 +1,33 @@
 #include "client/script/script_runner.h"
 #include "client/script/script_view.h"
+#include "client/tools/own_presets.h"
 #include "common/base/text_lines.h"
+#include "common/edit/protect_words.h"
 
 namespace burnish {
 namespace {
+
+/// Applies NAME [STRENGTH]. The name may have several words; a number behind it is the strength.
+Status apply_preset(ScriptLine line, Document& document) {
+  const auto strength = parse_real(line.words.back());
+  if (strength.is_ok() && line.words.size() > 1) {
+    RETURN_IF_ERROR(check_strength(*strength));
+    line.words.pop_back();
+  }
+  ASSIGN_OR_RETURN(const Preset preset, find_any_preset(line.rest()));
+  document.apply(preset, strength.is_ok() ? *strength : 1);
+  return Status::ok();
+}
+
+/// Parses PIN CAP KEEP.
+Result<Controls> parse_controls(const std::vector<std::string>& words) {
+  Controls controls;
+  ASSIGN_OR_RETURN(controls.pin_rims, parse_switch(words[0]));
+  ASSIGN_OR_RETURN(controls.cap, parse_real(words[1]));
+  ASSIGN_OR_RETURN(controls.keep_volume, parse_switch(words[2]));
+  RETURN_IF_ERROR(check_controls(controls));
+  return controls;
+}
 
 /// Parses RADIUS STRENGTH BETA [FALLOFF].
 Result<Brush> parse_brush(const std::vector<std::string>& words) {
@@ -77,9 +101,13 @@ Status ScriptRunner::run_edit(const ScriptLine& line) {
     document.curve().set_curve(curve);
     document.commit_curve();
   } else if (command == "preset") {
-    const Preset* const preset = find_preset(line.rest());
-    if (!preset) return not_found("unknown preset '" + line.rest() + "'");
-    document.apply(*preset);
+    RETURN_IF_ERROR(apply_preset(line, document));
+  } else if (command == "controls") {
+    ASSIGN_OR_RETURN(const Controls controls, parse_controls(line.words));
+    document.set_controls(controls);
+  } else if (command == "protect") {
+    ASSIGN_OR_RETURN(Protect change, parse_protect(line.words));
+    document.protect(std::move(change));
   } else if (command == "brush") {
     ASSIGN_OR_RETURN(document.brush().brush, parse_brush(line.words));
   } else if (command == "stroke") {

@@ -10,22 +10,20 @@ namespace burnish {
 
 static constexpr double kNeighbourGap = 0.004;  // of the plot's width
 
-static double log_part(double alpha) {
-  return std::log(alpha / kFidelityMin) / std::log(kFidelityMax / kFidelityMin);
-}
-
-CurveEditor::CurveEditor(double kappa_range, const TransferCurve& curve)
+CurveEditor::CurveEditor(double kappa_range, const TransferCurve& curve, double alpha_max)
     : kappa_range_(std::min(kappa_range, 0.999 * kCurveKappaMagnitudeMax)),
+      alpha_max_(alpha_max),
       axis_end_(std::asinh(kappa_range_)),
       points_(curve.points()) {}
 
 Eigen::Vector2d CurveEditor::place_of(const TransferCurve::Point& point) const {
-  return {0.5 + 0.5 * std::asinh(point.kappa) / axis_end_, log_part(point.alpha)};
+  const double part = std::log(point.alpha / kFidelityMin) / std::log(alpha_max_ / kFidelityMin);
+  return {0.5 + 0.5 * std::asinh(point.kappa) / axis_end_, part};
 }
 
 TransferCurve::Point CurveEditor::point_at(const Eigen::Vector2d& place) const {
   return {std::sinh((2 * place.x() - 1) * axis_end_),
-          kFidelityMin * std::pow(kFidelityMax / kFidelityMin, place.y())};
+          kFidelityMin * std::pow(alpha_max_ / kFidelityMin, place.y())};
 }
 
 TransferCurve CurveEditor::curve() const {
@@ -81,7 +79,7 @@ void CurveEditor::drag_to(const Eigen::Vector2d& place) {
   if (i > 0) left = place_of(points_[i - 1]).x() + kNeighbourGap;
   if (i + 1 < points_.size()) right = place_of(points_[i + 1]).x() - kNeighbourGap;
   const double x = left <= right ? std::clamp(place.x(), left, right) : place_of(points_[i]).x();
-  double low = kFidelityMin, high = kFidelityMax;
+  double low = kFidelityMin, high = alpha_max_;
   for (size_t other = 0; other < points_.size(); ++other) {
     if (other == i) continue;
     low = std::max(low, points_[other].alpha / kCurveContrastMax * (1 + 1e-9));

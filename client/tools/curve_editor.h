@@ -9,18 +9,24 @@
 
 namespace burnish {
 
+inline constexpr double kFidelityMin = 1;    // of the slider and the plot
+inline constexpr double kFidelityMax = 500;  // at least; a fine grid has more
+
 /// A transfer curve as points that users drag in a plot. The plot's x runs from 0 to 1 evenly in
 /// asinh(κ), like the histogram's bins; y runs from 0 to 1 evenly in log α.
 class CurveEditor {
  public:
-  /// `kappa_range`: the plot's ends, equal to the histogram's. Needs: kappa_range > 0.
-  explicit CurveEditor(double kappa_range, const TransferCurve& curve = TransferCurve(50));
+  /// `kappa_range`: the plot's ends, equal to the histogram's; `alpha_max`: its upper end. Needs:
+  /// kappa_range > 0, alpha_max > kFidelityMin.
+  explicit CurveEditor(double kappa_range, const TransferCurve& curve = TransferCurve(50),
+                       double alpha_max = kFidelityMax);
 
   Eigen::Vector2d place_of(const TransferCurve::Point& point) const;
   TransferCurve::Point point_at(const Eigen::Vector2d& place) const;
 
   const std::vector<TransferCurve::Point>& points() const { return points_; }
   double kappa_range() const { return kappa_range_; }  ///< of the plot's ends
+  double alpha_max() const { return alpha_max_; }      ///< of the plot's upper end
 
   /// Returns the curve of the points, which is always valid.
   TransferCurve curve() const;
@@ -59,19 +65,11 @@ class CurveEditor {
 
  private:
   double kappa_range_;
+  double alpha_max_;
   double axis_end_;                           // asinh(kappa_range_)
   std::vector<TransferCurve::Point> points_;  // kappa rises
   std::optional<size_t> dragged_;
   std::vector<TransferCurve::Point> before_drag_;
 };
-
-inline constexpr double kFidelityMin = 1;  // of the slider and the plot
-inline constexpr double kFidelityMax = 500;
-
-/// Returns the detail size of α, in file units: surface waves shorter than 2π times this are
-/// changed.
-inline double detail_size(double length_unit, double alpha) {
-  return length_unit / alpha;
-}
 
 }  // namespace burnish

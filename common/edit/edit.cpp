@@ -34,6 +34,14 @@ static Status validate_change(const SetCellFields& change) {
   return Status::ok();
 }
 
+static Status validate_change(const SetControls& change) {
+  return check_controls(change.controls);
+}
+
+static Status validate_change(const Protect& change) {
+  return validate(change);
+}
+
 static Status validate_change(const Undo&) {
   return Status::ok();
 }
@@ -63,8 +71,9 @@ Status validate(const Edit& edit) {
 }
 
 const char* edit_kind_name(EditKind kind) {
-  static constexpr std::array kNames = {"slider", "curve",  "stroke",     "cells",   "undo",
-                                        "redo",   "switch", "checkpoint", "restore", "damaged"};
+  static constexpr std::array kNames = {"slider",   "curve",      "stroke",  "cells",
+                                        "controls", "protect",    "undo",    "redo",
+                                        "switch",   "checkpoint", "restore", "damaged"};
   return kNames[static_cast<size_t>(kind)];
 }
 
@@ -97,6 +106,8 @@ struct Summary {
   std::string operator()(const SetCellFields& change) const {
     return "fields of " + count(change.cells.size(), "cell");
   }
+  std::string operator()(const SetControls& change) const { return text_of(change.controls); }
+  std::string operator()(const Protect& change) const { return burnish::summary(change); }
   std::string operator()(const Undo&) const { return "undo"; }
   std::string operator()(const Redo&) const { return "redo"; }
   std::string operator()(const SwitchEntry& change) const {

@@ -7,6 +7,8 @@
 
 #include "common/base/limits.h"
 #include "common/edit/brush.h"
+#include "common/edit/controls.h"
+#include "common/edit/protect.h"
 #include "common/edit/transfer_curve.h"
 
 namespace burnish {
@@ -31,6 +33,11 @@ struct SetCellFields {
     double beta;
   };
   std::vector<Cell> cells;
+};
+
+/// Sets the bounds on what all edits do. The last such edit counts.
+struct SetControls {
+  Controls controls;
 };
 
 /// Switches off the author's newest entry that is on.
@@ -65,8 +72,8 @@ struct Damaged {
 /// One change of a session. The client chooses the id; applying an id twice is harmless.
 struct Edit {
   std::string id;
-  std::variant<SetGradientScale, SetTransferCurve, Stroke, SetCellFields, Undo, Redo, SwitchEntry,
-               SetCheckpoint, RestoreCheckpoint, Damaged>
+  std::variant<SetGradientScale, SetTransferCurve, Stroke, SetCellFields, SetControls, Protect,
+               Undo, Redo, SwitchEntry, SetCheckpoint, RestoreCheckpoint, Damaged>
       change;
 };
 
@@ -79,6 +86,8 @@ enum class EditKind {
   kTransferCurve,
   kStroke,
   kCellFields,
+  kControls,
+  kProtect,
   kUndo,
   kRedo,
   kSwitchEntry,
@@ -93,11 +102,11 @@ inline EditKind kind_of(const Edit& edit) {
 
 /// Returns true for edits that fields are made of. The other kinds only say which of these count.
 inline bool makes_fields(EditKind kind) {
-  return kind <= EditKind::kCellFields;
+  return kind <= EditKind::kProtect;
 }
 
-/// "slider", "curve", "stroke", "cells", "undo", "redo", "switch", "checkpoint", "restore",
-/// "damaged".
+/// "slider", "curve", "stroke", "cells", "controls", "protect", "undo", "redo", "switch",
+/// "checkpoint", "restore", "damaged".
 const char* edit_kind_name(EditKind kind);
 
 /// Describes the edit in a few words: "beta 0.25", "stroke of 12 points, radius 0.5, beta 2".

@@ -130,6 +130,7 @@ struct HistoryState {
   uint64_t edits = 0;  ///< of the session
   double gradient_scale = kBetaDefault;
   TransferCurve transfer_curve{kAlphaDefault};
+  Controls controls;
   bool operator==(const HistoryState&) const = default;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/base/limits.h"
+#include "common/edit/controls.h"
 #include "common/edit/transfer_curve.h"
 #include "common/measure/deviation.h"
 #include "common/mesh/mesh_io.h"
@@ -54,6 +55,7 @@ struct SessionState {
   double distance = 0;  ///< estimated, over the bounding-box diagonal
   uint64_t memory_bytes = 0;
   std::string backend;
+  Controls controls;
 };
 
 /// What a cell of the finest depth can be asked for. α and κ in user units.

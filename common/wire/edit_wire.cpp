@@ -5,6 +5,7 @@
 #include "common/service/scan_info.h"
 #include "common/wire/edit_bytes.h"
 #include "common/wire/format_wire.h"
+#include "common/wire/protect_wire.h"
 
 namespace burnish {
 namespace {
@@ -64,6 +65,10 @@ struct ChangeWriter {
   void operator()(const SetCellFields& change) const {
     *message.mutable_cell_fields() = to_wire(change, 0, change.cells.size());
   }
+  void operator()(const SetControls& change) const {
+    *message.mutable_controls() = to_wire(change.controls);
+  }
+  void operator()(const Protect& change) const { *message.mutable_protect() = to_wire(change); }
   void operator()(const Undo&) const { message.mutable_undo(); }
   void operator()(const Redo&) const { message.mutable_redo(); }
   void operator()(const SwitchEntry& change) const {
@@ -95,6 +100,13 @@ Status read_change(const v1::Edit& message, Edit& edit) {
     }
     case v1::Edit::kCellFields:
       return append_cells(message.cell_fields(), edit.change.emplace<SetCellFields>());
+    case v1::Edit::kControls:
+      edit.change = SetControls{from_wire(message.controls())};
+      return Status::ok();
+    case v1::Edit::kProtect: {
+      ASSIGN_OR_RETURN(edit.change, from_wire(message.protect()));
+      return Status::ok();
+    }
     case v1::Edit::kUndo:
       edit.change = Undo{};
       return Status::ok();
@@ -153,6 +165,18 @@ Result<TransferCurve> from_wire(const v1::SetTransferCurve& message) {
   for (const v1::CurvePoint& point : message.points())
     points.push_back({point.kappa(), point.alpha()});
   return TransferCurve::create(std::move(points));
+}
+
+v1::Controls to_wire(const Controls& controls) {
+  v1::Controls message;
+  message.set_pin_rims(controls.pin_rims);
+  message.set_cap(controls.cap);
+  message.set_keep_volume(controls.keep_volume);
+  return message;
+}
+
+Controls from_wire(const v1::Controls& message) {
+  return {message.pin_rims(), message.cap(), message.keep_volume()};
 }
 
 v1::SetCellFields to_wire(const SetCellFields& change, size_t first, size_t count) {

@@ -20,6 +20,10 @@ v1::Stroke to_wire(const Stroke& stroke);
 v1::SetTransferCurve to_wire(const TransferCurve& curve);
 Result<TransferCurve> from_wire(const v1::SetTransferCurve& message);
 
+v1::Controls to_wire(const Controls& controls);
+/// The range of the cap is checked with its edit.
+Controls from_wire(const v1::Controls& message);
+
 /// Appends the cells of a message, or of a part of an upload, to `change`.
 /// Fails: resource_exhausted above kCellFieldsPerEditMax.
 Status append_cells(const v1::SetCellFields& message, SetCellFields& change);

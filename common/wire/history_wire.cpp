@@ -20,7 +20,7 @@ static constexpr std::array<std::pair<EditKind, v1::EntryKind>, 6> kKinds = {{
 static v1::EntryKind kind_to_wire(EditKind kind) {
   for (const auto& [ours, theirs] : kKinds)
     if (ours == kind) return theirs;
-  return v1::ENTRY_KIND_UNSPECIFIED;
+  return v1::ENTRY_KIND_CELL_FIELDS;  // clients refuse kinds that they do not know
 }
 
 static Result<EditKind> kind_from_wire(v1::EntryKind kind) {

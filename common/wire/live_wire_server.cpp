@@ -94,6 +94,7 @@ struct ServerWriter {
     sent.set_edits(history.edits);
     sent.set_gradient_scale(history.gradient_scale);
     *sent.mutable_transfer_curve() = burnish::to_wire(history.transfer_curve);
+    *sent.mutable_controls() = burnish::to_wire(history.controls);
   }
   void operator()(const SessionPeople& people) const {
     *message.mutable_people() = burnish::to_wire(people);
@@ -131,7 +132,8 @@ EditsRefused read_refused(const v1::Refused& message) {
 
 Result<HistoryState> read_history(const v1::HistoryChanged& message) {
   ASSIGN_OR_RETURN(TransferCurve curve, from_wire(message.transfer_curve()));
-  return HistoryState{message.edits(), message.gradient_scale(), std::move(curve)};
+  return HistoryState{message.edits(), message.gradient_scale(), std::move(curve),
+                      from_wire(message.controls())};
 }
 
 using AnyServerMessage = std::optional<ServerMessage>;

@@ -57,6 +57,7 @@ v1::SessionState to_wire(const SessionState& state) {
   *message.mutable_session() = to_wire(state.session);
   message.set_gradient_scale(state.gradient_scale);
   *message.mutable_transfer_curve() = to_wire(state.transfer_curve);
+  *message.mutable_controls() = to_wire(state.controls);
   message.set_cycles(state.cycles);
   message.set_energy(state.energy);
   message.set_residual(state.residual);
@@ -71,6 +72,7 @@ Result<SessionState> from_wire(const v1::SessionState& message) {
   ASSIGN_OR_RETURN(state.session, from_wire(message.session()));
   state.gradient_scale = message.gradient_scale();
   ASSIGN_OR_RETURN(state.transfer_curve, from_wire(message.transfer_curve()));
+  state.controls = from_wire(message.controls());
   state.cycles = message.cycles();
   state.energy = message.energy();
   state.residual = message.residual();

@@ -25,6 +25,7 @@ Fields::Fields(const PreparedMesh& prepared)
 
 void Fields::set_transfer_curve(const TransferCurve& curve) {
   curve_ = curve;
+  held_own_is_old_ = true;
 }
 
 void Fields::set_gradient_scale(double beta) {
@@ -145,6 +146,7 @@ void Fields::set_painted(const PaintedCells& painted) {
   std::fill(own_.begin(), own_.end(), 0.0f);
   std::fill(may_have_paint_.begin(), may_have_paint_.end(), uint8_t{0});
   for (const OwnFields& own : overrides_) may_have_paint_[own.cell / kStretch] = 1;
+  mark_held();
   for (size_t i = 0; i < painted.cells.size(); ++i) {
     painted_beta_[painted.cells[i]] = painted.beta[i];
     painted_weight_[painted.cells[i]] = painted.weight[i];
@@ -167,19 +169,21 @@ Status Fields::override_cells(const SetCellFields& change) {
     overrides_.push_back(own);
     may_have_paint_[own.cell / kStretch] = 1;
   }
-  beta_is_old_ = true;
+  beta_is_old_ = held_own_is_old_ = true;
   return Status::ok();
 }
 
 void Fields::clear_overrides() {
   overrides_.clear();
-  beta_is_old_ = true;
+  beta_is_old_ = held_own_is_old_ = true;
 }
 
 FieldsView Fields::view() const {
   if (beta_is_old_) update_beta();
   beta_is_old_ = false;
-  return {{&curve_, overrides_}, beta_, beta_slider_, {follow_, own_, may_have_paint_}};
+  if (hold_ && held_own_is_old_) update_held_own();
+  const std::vector<OwnFields>& own = hold_ ? held_own_ : overrides_;
+  return {{&curve_, own}, beta_, beta_slider_, {follow_, own_, may_have_paint_}};
 }
 
 CellAlphas Fields::alphas() const {
@@ -190,7 +194,8 @@ CellAlphas Fields::alphas() const {
 
 uint64_t Fields::byte_count() const {
   return 5 * beta_.size() * sizeof(float) + may_have_paint_.size() +
-         overrides_.size() * sizeof(overrides_[0]);
+         (overrides_.size() + held_own_.size()) * sizeof(OwnFields) +
+         (hold_ ? hold_->byte_count() : 0);
 }
 
 void Fields::update_beta() const {
@@ -201,6 +206,7 @@ void Fields::update_beta() const {
     follow_[own.cell] = 0;
     own_[own.cell] = own.beta - 1;
   }
+  if (hold_) hold_beta();
 }
 
 void Fields::update_beta(size_t stretch) const {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "common/edit/edit.h"
 #include "server/fields/alphas.h"
 #include "server/fields/fields_view.h"
+#include "server/fields/hold.h"
 #include "server/prepare/prepared_mesh.h"
 
 namespace burnish {
@@ -47,6 +49,9 @@ class Fields {
   /// Fails: invalid_argument if no dab of the stroke reaches the middle of a cell.
   Status check_new(const Stroke& stroke) const;
   void clear_overrides();
+  /// Leads β to 1 and raises α in held cells, over all other sources. Null: nothing is held.
+  void set_hold(std::shared_ptr<const Hold> hold);
+  const std::shared_ptr<const Hold>& hold() const { return hold_; }
 
   PaintedCells painted() const;
   /// Replaces all paint. Needs: paint of the same prepared mesh.
@@ -62,6 +67,9 @@ class Fields {
   void update_beta() const;
   void update_beta(size_t stretch) const;
   bool touches(const Brush& brush, const Vec3d& centre) const;
+  void mark_held();
+  void hold_beta() const;
+  void update_held_own() const;
   /// Returns the index of an active cell. Fails: invalid_argument.
   Result<int32_t> index_of(const Vec3i& cell) const;
 
@@ -74,10 +82,14 @@ class Fields {
   static constexpr size_t kStretch = CellPaint::kStretch;
   std::vector<uint8_t> may_have_paint_;
   std::vector<OwnFields> overrides_;  // by rising cell, each once
+  std::shared_ptr<const Hold> hold_;
 
   // The result of slider, paint and overrides at the last view().
   mutable std::vector<float> beta_, follow_, own_;
   mutable bool beta_is_old_ = false;
+  // The overrides with the hold on top, where there is one.
+  mutable std::vector<OwnFields> held_own_;
+  mutable bool held_own_is_old_ = false;
 };
 
 }  // namespace burnish

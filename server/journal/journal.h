@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/edit/controls.h"
 #include "common/edit/edit.h"
 #include "common/service/scan_info.h"
 #include "common/service/session_roles.h"
@@ -23,6 +24,7 @@ struct SessionRecord {
   std::string scan_id;
   PreparedKey key;
   int64_t created_unix_seconds = 0;
+  Controls controls;        ///< that it was born with: none from before there were controls
   bool is_damaged = false;  ///< when read: no value can be trusted
 };
 

@@ -104,7 +104,7 @@ Status check_session(Database& database, const std::string& session_id) {
   ASSIGN_OR_RETURN(
       Statement query,
       database.prepare("SELECT checksum = row_checksum(id, name, scan_id, depth, curvature_radius,"
-                       " created_unix_seconds) FROM sessions WHERE id = ?"));
+                       " created_unix_seconds, pins_rims) FROM sessions WHERE id = ?"));
   ASSIGN_OR_RETURN(const bool is_there, query.bind(session_id).step());
   if (!is_there || query.integer(0) != 0) return Status::ok();
   return data_loss(

@@ -11,10 +11,12 @@ namespace burnish {
 
 Status insert_session(Database& database, const SessionRecord& record, const SessionRoles& roles) {
   RETURN_IF_ERROR(run(database,
-                      "INSERT INTO sessions"
-                      " VALUES (?1, ?2, ?3, ?4, ?5, ?6, row_checksum(?1, ?2, ?3, ?4, ?5, ?6))",
+                      "INSERT INTO sessions (id, name, scan_id, depth, curvature_radius,"
+                      " created_unix_seconds, pins_rims, checksum) VALUES"
+                      " (?1, ?2, ?3, ?4, ?5, ?6, ?7, row_checksum(?1, ?2, ?3, ?4, ?5, ?6, ?7))",
                       record.id, record.name, record.scan_id, int64_t{record.key.depth},
-                      record.key.curvature_radius, record.created_unix_seconds));
+                      record.key.curvature_radius, record.created_unix_seconds,
+                      int64_t{record.controls.pin_rims}));
   for (const auto& [user, role] : roles.by_user())
     RETURN_IF_ERROR(insert_role(database, record.id, user, role));
   return Status::ok();
@@ -39,14 +41,15 @@ Result<std::vector<SessionRecord>> read_sessions(Database& database) {
                        to_valid_utf8(row.text(2)),
                        {static_cast<int>(row.integer(3)), row.real(4)},
                        row.integer(5),
-                       row.integer(6) == 0});
+                       {.pin_rims = row.integer(6) != 0},
+                       row.integer(7) == 0});
     return Status::ok();
   };
   // Reads without the index of names, which may be damaged too.
   RETURN_IF_ERROR(read_rows(database,
                             "SELECT id, name, scan_id, depth, curvature_radius,"
-                            " created_unix_seconds, checksum = row_checksum(id, name, scan_id,"
-                            " depth, curvature_radius, created_unix_seconds)"
+                            " created_unix_seconds, pins_rims, checksum = row_checksum(id, name,"
+                            " scan_id, depth, curvature_radius, created_unix_seconds, pins_rims)"
                             " FROM sessions ORDER BY +name",
                             take));
   tell_apart(records);
@@ -66,7 +69,7 @@ Status rename_session(Database& database, const std::string& id, const std::stri
       return already_exists("session " + name + " already exists");
   return run(database,
              "UPDATE sessions SET name = ?2, checksum = row_checksum(id, ?2, scan_id, depth,"
-             " curvature_radius, created_unix_seconds) WHERE id = ?1",
+             " curvature_radius, created_unix_seconds, pins_rims) WHERE id = ?1",
              id, name);
 }
 

@@ -64,6 +64,16 @@ static constexpr std::array kSteps = {
     SELECT id, IFNULL((SELECT MAX(number) FROM edits WHERE session_id = sessions.id), 0) AS number
     FROM sessions);
   PRAGMA user_version = 3;
+)sql",
+    // Sessions get the controls that they were born with; old ones have none. A damaged row stays
+    // damaged.
+    R"sql(
+  ALTER TABLE sessions ADD COLUMN pins_rims INTEGER NOT NULL DEFAULT 0;
+  UPDATE sessions SET checksum =
+    row_checksum(id, name, scan_id, depth, curvature_radius, created_unix_seconds, pins_rims)
+    WHERE checksum =
+      row_checksum(id, name, scan_id, depth, curvature_radius, created_unix_seconds);
+  PRAGMA user_version = 4;
 )sql"};
 
 Status make_journal_schema(Database& database) {

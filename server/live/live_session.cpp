@@ -120,7 +120,8 @@ Status LiveSession::relax(SessionTurn& at) {
 
 void LiveSession::tell_state(SessionTurn& at) {
   const Fields& fields = at.session().fields();
-  const HistoryState history{at.edits(), fields.gradient_scale(), fields.transfer_curve()};
+  const HistoryState history{at.edits(), fields.gradient_scale(), fields.transfer_curve(),
+                             at.session().edited().controls()};
   bool roles_changed = false, history_changed = false;
   {
     const std::lock_guard lock(mutex_);

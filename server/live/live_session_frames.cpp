@@ -63,7 +63,7 @@ void LiveSession::begin_holding(SessionTurn& at) {
 
 // Until it has settled once, all of the surface moves, and nothing is held.
 std::span<const Vec3f> LiveSession::shown_displacement(SessionTurn& at, FrameStats& stats) {
-  const std::span<const Vec3f> now = at.session().solver().displacement();
+  const std::span<const Vec3f> now = at.session().displacement();
   if (!held_ && stats.settled) begin_holding(at);
   if (!held_) return now;
   std::span<const Vec3f> shown = held_->shown();

@@ -107,7 +107,7 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
   } else {
     RETURN_IF_ERROR(memory.resize(bytes));
   }
-  ASSIGN_OR_RETURN(auto session, Session::open(*mesh, options_.solver));
+  ASSIGN_OR_RETURN(auto session, Session::open(*mesh, options_.solver, record.controls));
   spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),
                session->solver().backend_reason());
   ASSIGN_OR_RETURN(auto kept, journal_.paint(record.id, mesh->prepared->cells.size()));
@@ -208,7 +208,8 @@ Result<SessionState> SessionManager::state(const std::string& reference, const C
                       entry.last.residual,
                       entry.last.distance,
                       memory_bytes,
-                      std::string(solver.backend_name())};
+                      std::string(solver.backend_name()),
+                      entry.session->edited().controls()};
 }
 
 Result<std::string> SessionManager::delete_scan(const std::string& reference) {

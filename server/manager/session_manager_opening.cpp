@@ -70,8 +70,8 @@ Result<SessionManager::Held> SessionManager::reserve(SessionRecord record, const
 Result<SessionManager::Reserved> SessionManager::find_or_reserve(const SessionWish& wish,
                                                                  const Caller& caller) {
   ASSIGN_OR_RETURN(const ScanInfo scan, store_.find(wish.scan));
-  SessionRecord record{random_name(), wish.name, scan.id, resolve(wish.key, scan),
-                       unix_seconds_now()};
+  SessionRecord record{random_name(),           wish.name,          scan.id,
+                       resolve(wish.key, scan), unix_seconds_now(), kNewSessionControls};
   if (record.name.empty()) record.name = "session-" + record.id.substr(0, 6);
 
   const std::lock_guard lock(mutex_);

@@ -7,6 +7,7 @@ namespace burnish {
 
 static constexpr uint64_t kSessionBytesPerCorner = 700;  // of any depth
 static constexpr uint64_t kSessionBytesPerCell = 60;     // fields, paint, a gesture's copy
+static constexpr uint64_t kShownBytesPerCorner = 36;     // of the finest depth, with all controls
 static constexpr uint64_t kFrameInTheMaking = 36;    // per value: its sample, two drafts, its bytes
 static constexpr uint64_t kPageBytes = 512;          // of a page's own, without its values
 static constexpr uint64_t kPageInLists = 128;        // of a client: wanted, made and shown pages
@@ -18,6 +19,7 @@ uint64_t predict_session_bytes(const Multigrid& on) {
   for (const HierarchyDepth& depth : hierarchy.depths)
     bytes += depth.grid.corners.size() * kSessionBytesPerCorner;
   const HierarchyDepth& finest = hierarchy.at(hierarchy.finest);
+  bytes += finest.grid.corners.size() * kShownBytesPerCorner;
   return bytes + finest.grid.cells.size() * kSessionBytesPerCell +
          on.plan->patches.entry_count() * sizeof(float);
 }

@@ -1,11 +1,21 @@
 #include "server/session/edited_fields.h"
 
 #include <algorithm>
+#include <iterator>
+
+#include "server/fields/rims.h"
 
 namespace burnish {
 
-EditedFields::EditedFields(const PreparedMesh& prepared)
-    : fields_(prepared), strokes_done_{begin_series(prepared)} {}
+EditedFields::EditedFields(const PreparedMesh& prepared, const Controls& born_with)
+    : prepared_(prepared),
+      fields_(prepared),
+      born_with_(born_with),
+      controls_(born_with),
+      protection_(prepared),
+      strokes_done_{begin_series(prepared)} {
+  if (born_with.pin_rims) hold();
+}
 
 Result<std::vector<uint64_t>> EditedFields::record(std::span<const AuthoredEdit> edits) {
   const auto record_one = [&](const AuthoredEdit& edit) -> Result<uint64_t> {
@@ -55,6 +65,9 @@ Status EditedFields::check(const Edit& edit) const {
 }
 
 Status EditedFields::check_new(const Edit& edit) const {
+  const auto* bounds = std::get_if<SetControls>(&edit.change);
+  if (bounds && bounds->controls.keep_volume && !is_closed(prepared_))
+    return failed_precondition("the scan is not closed, so it has no volume to keep");
   if (const auto* cells = std::get_if<SetCellFields>(&edit.change))
     return fields_.check_new(*cells);
   if (const auto* stroke = std::get_if<Stroke>(&edit.change)) return fields_.check_new(*stroke);
@@ -63,6 +76,7 @@ Status EditedFields::check_new(const Edit& edit) const {
 
 EditedFields::Counting EditedFields::counting() const {
   Counting counting;
+  counting.controls = born_with_;
   const SetTransferCurve* curve = nullptr;
   for (const History::Entry& entry : history_.entries()) {
     if (!entry.enabled) continue;
@@ -71,6 +85,9 @@ EditedFields::Counting EditedFields::counting() const {
     if (std::holds_alternative<SetCellFields>(change)) counting.cells.push_back(&entry);
     if (const auto* slider = std::get_if<SetGradientScale>(&change)) counting.slider = *slider;
     if (const auto* found = std::get_if<SetTransferCurve>(&change)) curve = found;
+    if (std::holds_alternative<Protect>(change)) counting.protects.push_back(&entry);
+    if (const auto* bounds = std::get_if<SetControls>(&change))
+      counting.controls = bounds->controls;
   }
   if (curve) counting.curve = *curve;
   return counting;
@@ -89,8 +106,43 @@ Status EditedFields::catch_up(const Progress& progress) {
     fields_.set_transfer_curve(wanted.curve.curve);
     changes_.metric = true;
   }
+  const bool is_protection_new = replay_protects(wanted);
+  const bool pins = wanted.controls.pin_rims != controls_.pin_rims;
+  bound(wanted.controls);
+  if (is_protection_new || pins) hold();
   is_behind_ = false;
   return Status::ok();
+}
+
+void EditedFields::bound(const Controls& controls) {
+  changes_.shown |= controls != controls_;
+  controls_ = controls;
+}
+
+/// Returns whether the protected region has changed.
+bool EditedFields::replay_protects(const Counting& wanted) {
+  std::vector<uint64_t> numbers;
+  for (const History::Entry* entry : wanted.protects) numbers.push_back(entry->number);
+  if (numbers == protects_done_) return false;
+  protection_.clear();
+  for (const History::Entry* entry : wanted.protects)
+    protection_.apply(std::get<Protect>(entry->made_by->edit.change));
+  protects_done_ = std::move(numbers);
+  return true;
+}
+
+/// Holds the rims, if they are pinned, and the protected region.
+void EditedFields::hold() {
+  std::vector<int32_t> cells = protection_.cells();
+  if (controls_.pin_rims) {
+    if (!rims_) rims_ = rim_cells(prepared_);
+    std::vector<int32_t> both;
+    std::ranges::set_union(cells, *rims_, std::back_inserter(both));
+    cells = std::move(both);
+  }
+  const bool was_held = fields_.hold() != nullptr;
+  fields_.set_hold(std::make_shared<const Hold>(make_hold(prepared_, std::move(cells))));
+  changes_.metric |= was_held || fields_.hold() != nullptr;
 }
 
 void EditedFields::replay_cells(const Counting& wanted) {

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "common/base/progress.h"
+#include "common/edit/controls.h"
 #include "server/fields/fields.h"
 #include "server/fields/paint_checkpoints.h"
+#include "server/fields/protection.h"
 #include "server/session/history.h"
 
 namespace burnish {
@@ -24,17 +27,20 @@ inline Status about_edit(const Status& status, const Edit& edit, size_t edits) {
 class EditedFields {
  public:
   /// Needs: prepared outlives this.
-  explicit EditedFields(const PreparedMesh& prepared);
+  /// `born_with` counts until an edit sets others.
+  explicit EditedFields(const PreparedMesh& prepared, const Controls& born_with = {});
 
   /// The changes, in the terms of the solver.
   struct Changes {
     bool metric = false;  ///< α1, α2: new matrices
     bool beta = false;    ///< only a new constraint
+    bool shown = false;   ///< nothing for the solver: what is shown of its result
 
-    bool any() const { return metric || beta; }
+    bool any() const { return metric || beta || shown; }
     Changes& operator|=(const Changes& other) {
       metric |= other.metric;
       beta |= other.beta;
+      shown |= other.shown;
       return *this;
     }
   };
@@ -62,7 +68,7 @@ class EditedFields {
 
   /// Checks a new edit against the mesh; apply() is less strict because it takes older histories.
   /// Fails: invalid_argument for a cell that is not active or set twice, and for a stroke that
-  /// touches no cell.
+  /// touches no cell; failed_precondition for a volume to keep of a scan that is not closed.
   Status check_new(const Edit& edit) const;
 
   /// The changes since the last take_changes().
@@ -80,6 +86,7 @@ class EditedFields {
 
   const History& history() const { return history_; }
   const Fields& fields() const { return fields_; }
+  const Controls& controls() const { return controls_; }
   uint64_t byte_count() const { return checkpoints_.byte_count() + history_.byte_count(); }
   /// Returns the strokes painted since this was made. Tests check with it how long replays are.
   uint64_t painted_strokes() const { return painted_strokes_; }
@@ -89,6 +96,8 @@ class EditedFields {
   struct Counting {
     SetGradientScale slider;
     SetTransferCurve curve;
+    Controls controls;
+    std::vector<const History::Entry*> protects;
     std::vector<const History::Entry*> strokes;
     std::vector<const History::Entry*> cells;
   };
@@ -103,14 +112,23 @@ class EditedFields {
 
   Status check(const Edit& edit) const;
   Counting counting() const;
+  void bound(const Controls& controls);
+  bool replay_protects(const Counting& counting);
+  void hold();
   void replay_cells(const Counting& counting);
   Status replay_strokes(const Counting& counting, const Progress& progress);
   void go_back_to_shared(const std::vector<uint64_t>& series);
   Status paint(const Stroke& stroke, uint64_t series, const Progress& progress, double done);
   void keep_checkpoint(uint64_t newest);
 
+  const PreparedMesh& prepared_;
   History history_;
   Fields fields_;
+  const Controls born_with_;
+  Controls controls_;                         // of the fields
+  std::optional<std::vector<int32_t>> rims_;  // cells; found when rims are first pinned
+  Protection protection_;
+  std::vector<uint64_t> protects_done_;  // entries whose cells are protected, in order
   Changes changes_{true, true};
   std::vector<uint64_t> cells_done_;    // entries whose cells the fields have, in order
   std::vector<uint64_t> strokes_done_;  // series of the strokes that the fields have

@@ -28,6 +28,10 @@ struct BytesBeside {
   uint64_t operator()(const SetCellFields& change) const {
     return change.cells.capacity() * sizeof(SetCellFields::Cell);
   }
+  uint64_t operator()(const Protect& change) const {
+    const auto* lasso = std::get_if<LassoRegion>(&change.way);
+    return lasso ? lasso->polygon.capacity() * sizeof(Eigen::Vector2d) : 0;
+  }
   uint64_t operator()(const SetCheckpoint& change) const { return 2 * change.name.size(); }
   uint64_t operator()(const RestoreCheckpoint& change) const { return change.name.size(); }
   template <typename Change>

@@ -1,7 +1,9 @@
 #include "server/session/session.h"
 
 #include "common/base/out_of_memory.h"
+#include "common/evaluation/evaluation.h"
 #include "server/metrics/live_objects.h"
+#include "server/session/shown_displacement.h"
 
 namespace burnish {
 
@@ -9,8 +11,12 @@ static constexpr double kExactDistance = 3e-7;  // below the bar of exports, 1e-
 static constexpr int kCyclesMax = 500;
 
 struct Session::State {
-  State(std::shared_ptr<const PreparedMesh> prepared_mesh, std::unique_ptr<Solver> session_solver)
-      : prepared(std::move(prepared_mesh)), edited(*prepared), solver(std::move(session_solver)) {}
+  State(const Multigrid& on, std::unique_ptr<Solver> session_solver, const Controls& born_with)
+      : prepared(on.prepared),
+        hierarchy(on.hierarchy),
+        edited(*prepared, born_with),
+        solver(std::move(session_solver)),
+        shown(*prepared, hierarchy->at(hierarchy->finest).grid) {}
 
   void update_solver(const Fields& fields, const EditedFields::Changes& changes) {
     if (changes.metric)
@@ -20,20 +26,26 @@ struct Session::State {
     if (changes.any()) cycles_since_change = 0;
   }
 
+  const Fields& shown_fields() const { return previews.shown(edited.fields()); }
+
   std::shared_ptr<const PreparedMesh> prepared;
+  std::shared_ptr<const Hierarchy> hierarchy;
   EditedFields edited;
   Previews previews;
   int cycles_since_change = 0;
+  bool is_settled = false;  // after the last step
   std::unique_ptr<Solver> solver;
+  ShownDisplacement shown;
   LiveObject live{LiveKind::kSession};
 };
 
-Result<std::unique_ptr<Session>> Session::open(const Multigrid& on, const SolverOptions& options) {
+Result<std::unique_ptr<Session>> Session::open(const Multigrid& on, const SolverOptions& options,
+                                               const Controls& born_with) {
   using Opened = Result<std::unique_ptr<Session>>;
   return with_memory_for("opening a session", [&]() -> Opened {
     ASSIGN_OR_RETURN(auto solver, Solver::create(on, options));
     return std::unique_ptr<Session>(
-        new Session(std::make_unique<State>(on.prepared, std::move(solver))));
+        new Session(std::make_unique<State>(on, std::move(solver), born_with)));
   });
 }
 
@@ -57,7 +69,7 @@ Previews& Session::previews() {
 }
 
 const Fields& Session::shown_fields() const {
-  return state_->previews.shown(state_->edited.fields());
+  return state_->shown_fields();
 }
 
 bool Session::is_changed() const {
@@ -75,7 +87,9 @@ void Session::update() {
 StepReport Session::step() {
   if (is_changed()) update();
   ++state_->cycles_since_change;
-  return state_->solver->step();
+  const StepReport report = state_->solver->step();
+  state_->is_settled = is_settled(report);
+  return report;
 }
 
 bool Session::is_settled(const StepReport& last) const {
@@ -101,10 +115,30 @@ Result<SolveReport> Session::solve(const SolveOptions& options, const Progress& 
   return solved;
 }
 
-TriangleMesh Session::surface() const {
+std::span<const Vec3f> Session::displacement() {
+  return state_->shown.of(state_->solver->displacement(), state_->edited.controls(),
+                          state_->shown_fields(), state_->is_settled);
+}
+
+std::vector<Vec3d> Session::moved_vertices() {
+  const PreparedMesh& prepared = *state_->prepared;
+  const Controls& controls = state_->edited.controls();
+  const Fields& fields = state_->edited.fields();
+  if (!ShownDisplacement::is_needed(controls, fields)) return state_->solver->evaluate_vertices();
+  const SparseGrid& grid = state_->hierarchy->at(state_->hierarchy->finest).grid;
+  const auto shown = state_->shown.of(state_->solver->displacement(), controls, fields, true);
+  std::vector<Vec3d> positions(prepared.vertices.begin(), prepared.vertices.end());
+#pragma omp parallel for schedule(static)
+  for (size_t v = 0; v < positions.size(); ++v)
+    positions[v] +=
+        prepared.frame.cell_size * evaluate(grid, prepared.evaluation[v], shown).cast<double>();
+  return positions;
+}
+
+TriangleMesh Session::surface() {
   const PreparedMesh& prepared = *state_->prepared;
   TriangleMesh mesh;
-  mesh.vertices = state_->solver->evaluate_vertices();
+  mesh.vertices = moved_vertices();
   mesh.triangles.assign(prepared.triangles.begin(), prepared.triangles.end());
   mesh.colours.assign(prepared.colours.begin(), prepared.colours.end());
   mesh.has_double_positions = prepared.has_double_positions;
@@ -118,7 +152,8 @@ const Solver& Session::solver() const {
   return *state_->solver;
 }
 uint64_t Session::byte_count() const {
-  return state_->solver->byte_count() + state_->edited.byte_count() + state_->previews.byte_count();
+  return state_->solver->byte_count() + state_->edited.byte_count() +
+         state_->previews.byte_count() + state_->shown.byte_count();
 }
 
 }  // namespace burnish

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
@@ -28,8 +30,10 @@ struct SolveOptions {
 /// its owner serialises calls.
 class Session {
  public:
-  /// Fails: failed_precondition (no such backend here); resource_exhausted (not enough memory).
-  static Result<std::unique_ptr<Session>> open(const Multigrid& on, const SolverOptions& options);
+  /// `born_with` counts until an edit sets others. Fails: failed_precondition (no such backend
+  /// here); resource_exhausted (not enough memory).
+  static Result<std::unique_ptr<Session>> open(const Multigrid& on, const SolverOptions& options,
+                                               const Controls& born_with = {});
   ~Session();
 
   /// Takes edits in, all of a batch or none. The next step shows them to the solver once, as new
@@ -62,8 +66,12 @@ class Session {
   /// Solves, without the previews, until the end in `options`. Fails: cancelled.
   Result<SolveReport> solve(const SolveOptions& options, const Progress& progress = {});
 
+  /// Returns the displacement of every corner that is shown, with controls and previews, valid
+  /// until the next call. Units: cells.
+  std::span<const Vec3f> displacement();
+
   /// Returns the present surface: same triangles, same colours, moved vertices.
-  TriangleMesh surface() const;
+  TriangleMesh surface();
 
   const PreparedMesh& prepared() const;
   const Fields& fields() const { return edited().fields(); }
@@ -73,6 +81,8 @@ class Session {
   uint64_t byte_count() const;  ///< of this session alone
 
  private:
+  std::vector<Vec3d> moved_vertices();  // of the edits, without the previews
+
   struct State;
   explicit Session(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;

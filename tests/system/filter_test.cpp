@@ -1,7 +1,9 @@
 // `burnish filter` and `generate` as users see them: files in, files out, exit codes.
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -66,6 +68,49 @@ TEST_F(FilterCommand, SmoothsASphereAndReportsTheRun) {
   EXPECT_LT(run["energy"], 0);
   EXPECT_LE(run["distance"], 3e-7);
   EXPECT_GT(run["memory"]["session_bytes"], 0);
+}
+
+TEST_F(FilterCommand, RimsStayUnlessTheyAreLetGo) {
+  const TriangleMesh sheet = make_sheet(30, 1, 0.1);
+  ASSERT_TRUE(write_mesh(sheet, in()).is_ok());
+  const std::vector<std::string> smooth = {"filter",  in(), out(),    "--depth", "5",
+                                           "--alpha", "10", "--beta", "0"};
+  ASSERT_EQ(burnish(smooth), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("--pin-rims off"));
+  EXPECT_EQ(read_mesh(out()).value().vertices[0], sheet.vertices[0]);
+  std::vector<std::string> free = smooth;
+  free.insert(free.end(), {"--pin-rims", "off"});
+  ASSERT_EQ(burnish(free), 0) << output_;
+  EXPECT_GT((read_mesh(out()).value().vertices[0] - sheet.vertices[0]).norm(), 0.02);
+  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-volume", "on"}), 1);
+  EXPECT_THAT(output_, HasSubstr("not closed"));
+}
+
+TEST_F(FilterCommand, APresetHasAStrengthAndAWaveALength) {
+  const auto radius_after = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"filter", in(), out(), "--depth", "5"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_EQ(burnish(arguments), 0) << output_;
+    return read_mesh(out()).value().vertices[0].norm();
+  };
+  const double all = radius_after({"--preset", "Smooth broadly"});
+  EXPECT_DOUBLE_EQ(radius_after({"--preset", "Smooth broadly", "--strength", "0"}), 10);
+  EXPECT_NEAR(radius_after({"--preset", "Smooth broadly", "--strength", "0.5"}), (10 + all) / 2,
+              1e-3);
+  const double length_unit = std::sqrt(4 * std::numbers::pi) * 10;
+  EXPECT_NEAR(radius_after({"--beta", "0", "--wavelength",
+                            std::to_string(2 * std::numbers::pi * length_unit / 10)}),
+              all, 0.01);
+  EXPECT_EQ(burnish({"filter", in(), out(), "--preset", "Nothing"}), 1);
+  EXPECT_THAT(output_, HasSubstr("Nothing"));
+  EXPECT_EQ(burnish({"filter", in(), out(), "--strength", "0.5"}), 2);
+}
+
+TEST_F(FilterCommand, DepthsAreToldBeforeAnyIsPrepared) {
+  ASSERT_EQ(burnish({"filter", in(), out(), "--depths"}), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("shortest wave"));
+  EXPECT_THAT(output_, HasSubstr("default"));
+  EXPECT_FALSE(std::filesystem::exists(out()));
 }
 
 TEST_F(FilterCommand, FieldsOutReadBackAsCellFieldGiveTheSameSurface) {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
@@ -125,6 +126,18 @@ TEST(Script, UndoAndRedoTakeAWholePreset) {
   };
   EXPECT_EQ(count("beta 3,"), 2) << outcome.output;
   EXPECT_EQ(count("beta 0.5, curve 0:50,"), 1) << outcome.output;
+}
+
+TEST(Script, ControlsProtectionAndStrengthAreEdits) {
+  ServerProcess server;
+  const std::string script = "open " + write_sphere(server.folder, 3) +
+                             "\ncontrols off 0.25 on\nprotect curvature -5 5\nprotect grow 2\n"
+                             "preset Bring out an inscription 0.5\nwait\nprint\n";
+  const CommandOutcome outcome = run_script(server, script);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, testing::HasSubstr("beta 2,"));
+  EXPECT_THAT(outcome.output, testing::HasSubstr("5 entries"));
+  EXPECT_THAT(outcome.output, testing::HasSubstr("rims free, at most 0.25, volume kept"));
 }
 
 std::string write_red_sphere(const ServerProcess& server) {

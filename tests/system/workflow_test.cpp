@@ -60,6 +60,16 @@ TEST(Workflow, AScanGoesInAndComesOutEdited) {
             3);
   EXPECT_EQ(done_json(server, {"sessions", "work"})["beta"], 0);
 
+  done(server, {"edit", "work", "--cap", "0.25", "--keep-volume", "on"});
+  EXPECT_THAT(done(server, {"protect", "work", "piece", "0", "0", "1"}),
+              HasSubstr("protect piece"));
+  done(server, {"protect", "work", "clear"});
+  done(server, {"edit", "work", "--keep-volume", "off"});
+  const json controls = done_json(server, {"sessions", "work"})["controls"];
+  EXPECT_EQ(controls["pin_rims"], true) << "as a new session has it";
+  EXPECT_EQ(controls["cap"], 0.25);
+  EXPECT_EQ(controls["keep_volume"], false);
+
   const json summary = done_json(server, {"export", "work", out, "--exact"});
   EXPECT_EQ(summary["vertices"], 2562);
   EXPECT_TRUE(summary["converged"]);

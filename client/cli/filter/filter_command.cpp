@@ -7,11 +7,15 @@
 
 #include "client/cli/cell_field_file.h"
 #include "client/cli/commands.h"
+#include "client/cli/controls_options.h"
+#include "client/cli/depth_table.h"
 #include "client/cli/filter/fields_file.h"
 #include "client/cli/filter/filter_report.h"
+#include "client/cli/filter_choice.h"
 #include "client/cli/progress_printer.h"
 #include "client/cli/stroke_file.h"
 #include "client/cli/warn_of_left_out.h"
+#include "client/tools/own_presets.h"
 #include "common/base/atomic_file.h"
 #include "common/base/out_of_memory.h"
 #include "common/base/parallel.h"
@@ -33,12 +37,12 @@ constexpr int kThreadsMax = 1024;
 struct FilterOptions {
   std::string in, out;
   bool force = false;
+  bool depths = false;
   PrepareOptions prepare;
   SolverOptions solver;
   SolveOptions solve;
-  double alpha = kAlphaDefault;
-  double beta = kBetaDefault;
-  std::optional<TransferCurve> curve;
+  FilterChoice filter;
+  ControlsOptions controls;
   std::string paint_file, cell_field_file, fields_file, report_file;
 };
 
@@ -77,6 +81,8 @@ Result<OriginalFile> check_files(const FilterOptions& options) {
   if (!options.force && std::filesystem::equivalent(options.in, options.out, ignored))
     return invalid_argument(options.out + " is the file to read; --force replaces it");
   RETURN_IF_ERROR(check_writable(options.out));
+  if (!options.filter.preset.empty())
+    RETURN_IF_ERROR(find_any_preset(options.filter.preset).status());
   return OriginalFile{options.in, in, options.in};
 }
 
@@ -90,9 +96,6 @@ Status warn_of_output(const FilterOptions& options, const OriginalFile& original
 
 Result<std::vector<Edit>> read_edits(const FilterOptions& options) {
   std::vector<Edit> edits;
-  edits.push_back(
-      {"curve", SetTransferCurve{options.curve.value_or(TransferCurve(options.alpha))}});
-  edits.push_back({"beta", SetGradientScale{options.beta}});
   if (!options.paint_file.empty()) {
     ASSIGN_OR_RETURN(std::vector<Stroke> strokes, read_stroke_file(options.paint_file));
     for (Stroke& stroke : strokes) edits.push_back({"paint", std::move(stroke)});
@@ -101,14 +104,22 @@ Result<std::vector<Edit>> read_edits(const FilterOptions& options) {
     ASSIGN_OR_RETURN(SetCellFields cells, read_cell_field_file(options.cell_field_file));
     edits.push_back({options.cell_field_file, std::move(cells)});
   }
+  edits.push_back({"controls", SetControls{options.controls.over(kNewSessionControls)}});
   return edits;
 }
 
 Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits, Session& session) {
-  if (options.curve && options.curve->contrast() > kCurveContrastWarn)
+  const PreparedMesh& prepared = session.prepared();
+  ASSIGN_OR_RETURN(const auto filter,
+                   changes_of(options.filter, prepared.length_unit, prepared.frame.cell_size));
+  for (const auto& change : filter) RETURN_IF_ERROR(session.apply({"filter", change}));
+  if (session.fields().transfer_curve().contrast() > kCurveContrastWarn)
     std::cerr << "warning: the curve's contrast is above " << kCurveContrastWarn
               << ": convergence is slower and accuracy is lower\n";
+  RETURN_IF_ERROR(session.edited().check_new(edits.back()));  // the controls
   for (const Edit& edit : edits) RETURN_IF_ERROR(session.apply(edit));
+  if (session.fields().hold() && !options.controls.pin_rims)
+    std::cerr << "the rims stay where they are; --pin-rims off lets them move\n";
   return Status::ok();
 }
 
@@ -134,6 +145,12 @@ Status filter(const FilterOptions& options) {
   const Stopwatch reading;
   ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(options.in));
   run.read_seconds = reading.seconds();
+  if (options.depths) {
+    const MeshStatistics statistics = compute_statistics(mesh);
+    print_depths(statistics, default_depth(statistics.box_min, statistics.box_max,
+                                           statistics.mean_edge_length));
+    return Status::ok();
+  }
   RETURN_IF_ERROR(warn_of_output(options, original, mesh));
   ASSIGN_OR_RETURN(const auto prepared,
                    prepare(mesh, prepare_options, printer.progress(), &run.prepare));
@@ -163,25 +180,7 @@ Status filter(const FilterOptions& options) {
 }
 
 void add_field_options(CLI::App& command, FilterOptions& options) {
-  CLI::Option* alpha =
-      command.add_option("--alpha", options.alpha, "Fidelity weight: larger keeps more in place")
-          ->check(CLI::Range(kAlphaMin, kAlphaMax))
-          ->capture_default_str();
-  command.add_option("--beta", options.beta, "Gradient scale: < 1 smooths, 1 keeps, > 1 sharpens")
-      ->check(CLI::Range(kBetaMin, kBetaMax))
-      ->capture_default_str();
-  command
-      .add_option_function<std::string>(
-          "--curve",
-          [&options](const std::string& text) {
-            options.curve = TransferCurve::parse(text).value();
-          },
-          "Transfer curve: alpha by curvature, both times L")
-      ->type_name("K:A,K:A,...")
-      ->check([](const std::string& text) {
-        return usage_message(TransferCurve::parse(text).status());
-      })
-      ->excludes(alpha);
+  add_filter_options(command, options.filter);
   command.add_option("--beta-paint", options.paint_file,
                      "File of strokes: 'brush RADIUS STRENGTH BETA FALLOFF', then 'X Y Z' lines");
   command.add_option("--cell-field", options.cell_field_file,
@@ -227,11 +226,14 @@ void add_filter_command(CommandTable& table) {
   command->add_flag("--force", options->force, "Replace IN where OUT is the same file");
   command->add_option("--depth", options->prepare.depth, "Octree depth (default: by the mesh)")
       ->check(CLI::Range(kDepthMin, kDepthMax));
+  command->add_flag("--depths", options->depths,
+                    "Only tell what each depth would cost: cell size, memory, time to prepare");
   command
       ->add_option("--curvature-radius", options->prepare.curvature_radius,
                    "Average the curvature over this fraction of L")
       ->check(CLI::Range(0.0, 0.2));
   add_field_options(*command, *options);
+  add_controls_options(*command, options->controls);
   add_solve_options(*command, *options);
 }
 

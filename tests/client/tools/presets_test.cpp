@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "common/base/limits.h"
+#include "common/edit/wavelength.h"
 
 namespace burnish {
 namespace {
@@ -23,6 +24,24 @@ TEST(Presets, AllAreWithinTheLimitsAndBelowTheContrastThatIsWarnedOf) {
     EXPECT_TRUE(check_beta(preset.beta).is_ok()) << preset.name;
     EXPECT_LE(preset.curve.contrast(), kCurveContrastWarn) << preset.name;
   }
+}
+
+TEST(Presets, StrengthGoesFromNothingToTheWholeFilter) {
+  const Preset& preset = *find_preset("Bring out an inscription");
+  EXPECT_EQ(filter_of(preset, 0, 10, 0.1).beta, 1);
+  EXPECT_DOUBLE_EQ(filter_of(preset, 0.5, 10, 0.1).beta, 2);
+  EXPECT_DOUBLE_EQ(filter_of(preset, 1, 10, 0.1).beta, 3);
+  EXPECT_EQ(filter_of(preset, 0.5, 10, 0.1).curve, preset.curve);
+  EXPECT_TRUE(check_strength(1).is_ok());
+  EXPECT_FALSE(check_strength(1.01).is_ok());
+}
+
+TEST(Presets, NoiseIsAsFineAsTheGrid) {
+  const Preset& preset = *find_preset("Reduce scanner noise");
+  const double length_unit = 10, cell_size = 0.1;
+  const double alpha = filter_of(preset, 1, length_unit, cell_size).curve.alpha(0);
+  EXPECT_NEAR(wavelength_of_alpha(length_unit, alpha), *preset.wave_cells * cell_size, 1e-12);
+  EXPECT_LE(alpha, alpha_of_grid_limit(length_unit, cell_size));
 }
 
 TEST(Presets, Figure3HoldsWhatItsNameSays) {

@@ -53,13 +53,17 @@ TEST(Edit, SaysWhatItDoesInAFewWords) {
             "stroke of 1 point, radius 0.5, beta 2");
   EXPECT_EQ(said(SetCellFields{}), "fields of 0 cells");
   EXPECT_EQ(said(SwitchEntry{3, false}), "switch off 3");
+  EXPECT_EQ(said(SetControls{}), "rims free");
+  EXPECT_EQ(said(SetControls{{true, 0.5, true}}), "rims pinned, at most 0.5, volume kept");
 }
 
 TEST(Edit, KindsAreNamedInTheOrderOfTheChanges) {
   EXPECT_STREQ(edit_kind_name(kind_of({"id", SetGradientScale{}})), "slider");
   EXPECT_STREQ(edit_kind_name(kind_of({"id", Undo{}})), "undo");
   EXPECT_STREQ(edit_kind_name(kind_of({"id", RestoreCheckpoint{}})), "restore");
+  EXPECT_STREQ(edit_kind_name(kind_of({"id", SetControls{}})), "controls");
   EXPECT_TRUE(makes_fields(EditKind::kCellFields));
+  EXPECT_TRUE(makes_fields(EditKind::kControls));
   EXPECT_FALSE(makes_fields(EditKind::kUndo));
 }
 

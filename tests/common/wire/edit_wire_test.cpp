@@ -1,5 +1,6 @@
 #include "common/wire/edit_wire.h"
 
+#include <cmath>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -46,6 +47,13 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
       {"g", SwitchEntry{7, true}},
       {"h", SetCheckpoint{"before"}},
       {"i", RestoreCheckpoint{"before"}},
+      {"k", Protect{CurvatureRegion{-3, 4.5}}},
+      {"l", Protect{PieceRegion{Vec3d(1, 2, 3)}, true}},
+      {"m", Protect{GrownRegion{-7}}},
+      {"n", Protect{InvertedRegion{}}},
+      {"o", Protect{NoRegion{}}},
+      {"p", Protect{LassoRegion{{1, 2, 3}, {{0, 0}, {0.5, 0}, {0, 0.25}}, true}}},
+      {"j", SetControls{{.pin_rims = true, .cap = 0.25, .keep_volume = true}}},
   };
   for (const Edit& edit : edits) {
     const auto back = edit_from_bytes(edit_to_bytes(edit));
@@ -60,6 +68,34 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
   EXPECT_EQ(
       std::get<SetTransferCurve>(edit_from_bytes(edit_to_bytes(edits[1])).value().change).curve,
       curve);
+}
+
+TEST(EditWire, TheCapOfControlsIsChecked) {
+  v1::Edit message = with_id();
+  message.mutable_controls()->set_cap(-0.5);
+  EXPECT_THAT(refusal(message), testing::AllOf(HasSubstr("cap -0.5"), HasSubstr("1e+18")));
+  message.mutable_controls()->set_cap(std::nan(""));
+  EXPECT_THAT(refusal(message), HasSubstr("cap nan"));
+  message.mutable_controls()->set_cap(2);
+  message.mutable_controls()->set_pin_rims(true);
+  EXPECT_EQ(std::get<SetControls>(from_wire(message).value().change).controls,
+            (Controls{.pin_rims = true, .cap = 2}));
+}
+
+TEST(EditWire, AProtectedRegionIsChecked) {
+  v1::Edit message = with_id();
+  EXPECT_THAT((message.mutable_protect(), refusal(message)), HasSubstr("no way"));
+  message.mutable_protect()->set_grow(65);
+  EXPECT_THAT(refusal(message), testing::AllOf(HasSubstr("65"), HasSubstr("64")));
+  v1::Lasso& lasso = *message.mutable_protect()->mutable_lasso();
+  EXPECT_THAT(refusal(message), HasSubstr("0 numbers, not 16"));
+  for (int i = 0; i < 16; ++i) lasso.add_view_projection(i);
+  for (int i = 0; i < 5; ++i) lasso.add_points(i);
+  EXPECT_THAT(refusal(message), HasSubstr("5 coordinates"));
+  lasso.add_points(1);
+  EXPECT_EQ(refusal(message), "accepted");
+  lasso.set_view_projection(3, std::nan(""));
+  EXPECT_THAT(refusal(message), HasSubstr("nan"));
 }
 
 TEST(EditWire, DamagedBytesAreDataLoss) {

@@ -59,7 +59,8 @@ void read_session(Journal& journal, const SessionRecord& record, Told& told) {
   told.of_damage |= record.is_damaged;
   told.values[record.id] = record.name + record.scan_id + std::to_string(record.key.depth) +
                            std::to_string(record.key.curvature_radius) +
-                           std::to_string(record.created_unix_seconds);
+                           std::to_string(record.created_unix_seconds) +
+                           std::to_string(record.controls.pin_rims);
   const auto edits = journal.edits(record.id);
   const auto roles = journal.roles(record.id);
   told.of_damage |= !edits.is_ok() || !roles.is_ok();

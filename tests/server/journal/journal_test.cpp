@@ -66,6 +66,19 @@ TEST_F(JournalTest, SessionsAndEditsComeBackFromANewProgram) {
   EXPECT_EQ(journal_->edit_count("id-b").value(), 0u);
 }
 
+TEST_F(JournalTest, ASessionKeepsTheControlsThatItWasBornWith) {
+  SessionRecord pinned = record("b");
+  pinned.controls.pin_rims = true;
+  ASSERT_TRUE(journal_->create_session(pinned, {}).is_ok());
+  ASSERT_TRUE(journal_->rename_session("id-b", "c").is_ok());
+  start();
+  const auto sessions = journal_->sessions().value();
+  ASSERT_EQ(sessions.size(), 2u);
+  EXPECT_FALSE(sessions[0].controls.pin_rims);
+  EXPECT_TRUE(sessions[1].controls.pin_rims);
+  EXPECT_FALSE(sessions[1].is_damaged);
+}
+
 TEST_F(JournalTest, ABatchWithAKnownIdIsKeptOutWhole) {
   ASSERT_TRUE(journal_->append("id-a", 1, {slider("x")}).is_ok());
   EXPECT_EQ(journal_->append("id-a", 2, {slider("y"), slider("x")}).code(),
@@ -210,7 +223,12 @@ TEST(Journal, OfTheFirstVersionOpensWithAllItsEdits) {
   }
   for (int time = 0; time < 2; ++time) {  // first to migrate, then to read the result
     const auto journal = std::move(Journal::open(folder / "j.sqlite")).value();
-    EXPECT_EQ(journal->sessions().value().size(), 2u);
+    const auto sessions = journal->sessions().value();
+    ASSERT_EQ(sessions.size(), 2u);
+    for (const SessionRecord& session : sessions) {
+      EXPECT_FALSE(session.is_damaged);
+      EXPECT_EQ(session.controls, Controls{}) << "its exports may not change";
+    }
     const auto edits = journal->edits("id-a").value();
     ASSERT_EQ(edits.size(), 2u);
     EXPECT_EQ(edits[0].edit.id, "x");

@@ -1,0 +1,69 @@
+#include "client/app/panels.h"
+#include "client/app/theme.h"
+
+namespace burnish {
+static float third_of_panel() {
+  return (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
+}
+
+static void draw_region_buttons(Document& document) {
+  const float width = third_of_panel();
+  const auto button = [&](const char* label, const char* what, Protect change) {
+    if (ImGui::Button(label, {width, 0})) document.protect(std::move(change));
+    hint(what);
+  };
+  button("Grow", "The region grows by a cell of the grid", {GrownRegion{1}});
+  ImGui::SameLine();
+  button("Shrink", "The region shrinks by a cell of the grid", {GrownRegion{-1}});
+  ImGui::SameLine();
+  button("Invert", "The region becomes what is not protected now", {InvertedRegion{}});
+}
+
+void ProtectPanel::draw_lasso_buttons(Viewport& viewport) {
+  const float width = third_of_panel();
+  const auto button = [&](const char* label, const char* what, bool release) {
+    const bool is_on = viewport.lasso_wish && viewport.lasso_wish->release == release;
+    if (is_on)
+      ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
+    if (ImGui::Button(label, {width, 0})) {
+      viewport.lasso_wish.reset();
+      if (!is_on) viewport.lasso_wish = LassoWish{through_, release};
+    }
+    hint(what);
+    if (is_on) ImGui::PopStyleColor();
+  };
+  button("Protect", "Draw a line around what shall not move", false);
+  ImGui::SameLine();
+  button("Release", "Draw a line around what may move again", true);
+  ImGui::SameLine();
+  if (ImGui::Checkbox("Through", &through_) && viewport.lasso_wish)
+    viewport.lasso_wish->through = through_;
+  hint("The line also takes surface that faces away");
+}
+
+void ProtectPanel::draw_piece_buttons(Workspace& workspace) {
+  const float width = third_of_panel();
+  Document& document = *workspace.document();
+  if (const auto& hover = workspace.viewport.hover()) last_hover_ = hover->original;
+  ImGui::BeginDisabled(!last_hover_);
+  if (ImGui::Button("Piece", {width, 0}))
+    document.protect({PieceRegion{last_hover_.value_or(Vec3d::Zero())}});
+  hint("Protects the whole piece that the pointer was on last");
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  if (ImGui::Button("Clear", {width, 0})) document.protect({NoRegion{}});
+  hint("Nothing is protected");
+}
+
+void ProtectPanel::draw(Workspace& workspace) {
+  Document& document = *workspace.document();
+  ImGui::BeginDisabled(document.is_viewer());
+  draw_lasso_buttons(workspace.viewport);
+  draw_region_buttons(document);
+  draw_piece_buttons(workspace);
+  ImGui::EndDisabled();
+  faint_text(workspace.viewport.lasso_wish ? "drag a line in the picture"
+                                           : "in the view of β it has no colour");
+}
+
+}  // namespace burnish

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "common/mesh/statistics.h"
+
+namespace burnish {
+
+/// Prints a line for each depth: cell size, shortest wave, and about how many cells, how much
+/// memory and how long preparing takes. Marks the default depth.
+void print_depths(const MeshStatistics& statistics, int default_depth);
+
+}  // namespace burnish

@@ -1,0 +1,64 @@
+#include "client/cli/filter_choice.h"
+
+#include "client/tools/own_presets.h"
+#include "common/edit/wavelength.h"
+
+namespace burnish {
+
+static void add_alpha_options(CLI::App& command, FilterChoice& choice) {
+  CLI::Option* alpha =
+      command.add_option("--alpha", choice.alpha, "Fidelity weight: larger keeps more in place")
+          ->check(CLI::Range(kAlphaMin, kAlphaMax));
+  CLI::Option* wavelength =
+      command
+          .add_option("--wavelength", choice.wavelength,
+                      "Fidelity as a length in the scan's units: at beta 0 this wave is halved")
+          ->check(CLI::PositiveNumber)
+          ->excludes(alpha);
+  command
+      .add_option_function<std::string>(
+          "--curve",
+          [&choice](const std::string& text) { choice.curve = TransferCurve::parse(text).value(); },
+          "Transfer curve: alpha by curvature, both times L")
+      ->type_name("K:A,K:A,...")
+      ->check([](const std::string& text) {
+        return usage_message(TransferCurve::parse(text).status());
+      })
+      ->excludes(alpha)
+      ->excludes(wavelength);
+}
+
+void add_filter_options(CLI::App& command, FilterChoice& choice) {
+  add_alpha_options(command, choice);
+  CLI::Option* preset = command.add_option("--preset", choice.preset,
+                                           "A preset of the window, by name, also one of your own");
+  command.add_option("--beta", choice.beta, "Gradient scale: < 1 smooths, 1 keeps, > 1 sharpens")
+      ->check(CLI::Range(kBetaMin, kBetaMax))
+      ->excludes(preset);
+  command
+      .add_option("--strength", choice.strength, "How much of the preset, 0 to 1 (default: all)")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(preset);
+  for (const char* name : {"--alpha", "--wavelength", "--curve"})
+    preset->excludes(command.get_option(name));
+}
+
+Result<std::vector<decltype(Edit::change)>> changes_of(const FilterChoice& choice,
+                                                       double length_unit, double cell_size) {
+  std::vector<decltype(Edit::change)> changes;
+  if (!choice.preset.empty()) {
+    ASSIGN_OR_RETURN(const Preset preset, find_any_preset(choice.preset));
+    const PresetFilter filter = filter_of(preset, choice.strength, length_unit, cell_size);
+    return std::vector<decltype(Edit::change)>{SetTransferCurve{filter.curve},
+                                               SetGradientScale{filter.beta}};
+  }
+  if (choice.alpha) changes.emplace_back(SetTransferCurve{TransferCurve(*choice.alpha)});
+  if (choice.wavelength)
+    changes.emplace_back(
+        SetTransferCurve{TransferCurve(alpha_of_wavelength(length_unit, *choice.wavelength))});
+  if (choice.curve) changes.emplace_back(SetTransferCurve{*choice.curve});
+  if (choice.beta) changes.emplace_back(SetGradientScale{*choice.beta});
+  return changes;
+}
+
+}  // namespace burnish

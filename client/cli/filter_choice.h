@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "common/edit/edit.h"
+
+namespace burnish {
+
+/// A filter as a user names it on the command line.
+struct FilterChoice {
+  std::optional<double> alpha, beta, wavelength;
+  std::optional<TransferCurve> curve;
+  std::string preset;
+  double strength = 1;
+
+  /// Returns whether the edits depend on the scan.
+  bool needs_scan() const { return wavelength || !preset.empty(); }
+};
+
+/// Adds --alpha, --wavelength, --curve, --beta, --preset and --strength to a command or a group of
+/// its options.
+void add_filter_options(CLI::App& command, FilterChoice& choice);
+
+/// Returns the edits that the choice stands for: curve, then β; none for what is not given. Units:
+/// both lengths in file units. Fails: not_found for an unknown preset.
+Result<std::vector<decltype(Edit::change)>> changes_of(const FilterChoice& choice,
+                                                       double length_unit, double cell_size);
+
+}  // namespace burnish

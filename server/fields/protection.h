@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/edit/protect.h"
+#include "server/prepare/prepared_mesh.h"
+
+namespace burnish {
+
+/// The cells in which nothing moves, as a series of edits chose them. The same edits in the same
+/// order choose the same cells.
+class Protection {
+ public:
+  /// Needs: prepared outlives this.
+  explicit Protection(const PreparedMesh& prepared) : prepared_(prepared) {}
+
+  void apply(const Protect& change);
+  void clear() { is_protected_.clear(); }
+
+  /// Returns the cells, rising.
+  std::vector<int32_t> cells() const;
+
+ private:
+  void grow(int cells);
+  std::vector<uint8_t> chosen(const LassoRegion& lasso) const;
+  std::vector<uint8_t> chosen(const CurvatureRegion& region) const;
+  std::vector<uint8_t> chosen(const PieceRegion& region) const;
+
+  const PreparedMesh& prepared_;
+  std::vector<uint8_t> is_protected_;  // per cell; empty: none
+};
+
+}  // namespace burnish

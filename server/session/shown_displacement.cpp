@@ -1,0 +1,47 @@
+#include "server/session/shown_displacement.h"
+
+namespace burnish {
+
+static constexpr int kUsesPerMeasure = 8;
+
+// A length that rounds above the cap would pass it by a float's last bit.
+static constexpr double kBelowCap = 1 - 1e-6;
+
+static void clamp_lengths(std::span<Vec3f> displacement, double cells_max) {
+  const auto most = static_cast<float>(kBelowCap * cells_max);
+#pragma omp parallel for schedule(static)
+  for (size_t corner = 0; corner < displacement.size(); ++corner) {
+    const float length = displacement[corner].norm();
+    if (length > most) displacement[corner] *= most / length;
+  }
+}
+
+static void still(const SparseGrid& grid, const Hold& hold, std::span<Vec3f> displacement) {
+  for (const int32_t cell : hold.cells)
+    for (const int32_t corner : grid.cell_corners[cell]) displacement[corner].setZero();
+}
+
+std::span<const Vec3f> ShownDisplacement::of(std::span<const Vec3f> solved,
+                                             const Controls& controls, const Fields& fields,
+                                             bool is_exact) {
+  if (!controls.keep_volume) volume_.reset();
+  if (!is_needed(controls, fields)) return solved;
+  shown_.assign(solved.begin(), solved.end());
+  if (controls.keep_volume) keep_volume(fields, is_exact);
+  if (controls.cap > 0) clamp_lengths(shown_, controls.cap / prepared_.frame.cell_size);
+  if (fields.hold()) still(grid_, *fields.hold(), shown_);
+  return shown_;
+}
+
+void ShownDisplacement::keep_volume(const Fields& fields, bool is_exact) {
+  const bool is_new = !volume_;
+  if (is_new) volume_.emplace(prepared_, grid_);
+  if (is_new || is_exact || uses_ >= kUsesPerMeasure) {
+    volume_->measure(shown_, fields.view().beta);
+    uses_ = 0;
+  }
+  ++uses_;
+  volume_->apply(shown_);
+}
+
+}  // namespace burnish

@@ -1,0 +1,52 @@
+#include "client/tools/own_presets.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/common/temporary_folder.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+Preset own(const std::string& name, double beta) {
+  return {name, "", beta, *TransferCurve::create({{-5, 20}, {5, 200}}), {}, {}};
+}
+
+TEST(OwnPresets, AreThereAgainAndReplacedByName) {
+  const TemporaryFolder folder;
+  const auto path = folder / "config/presets";
+  EXPECT_TRUE(read_own_presets(path)->empty());
+  ASSERT_TRUE(save_own_preset(path, own("faint lines", 2)).is_ok());
+  ASSERT_TRUE(save_own_preset(path, own("back of the stone", 0.5)).is_ok());
+  ASSERT_TRUE(save_own_preset(path, own("faint lines", 2.25)).is_ok());
+  const auto presets = *read_own_presets(path);
+  ASSERT_EQ(presets.size(), 2u);
+  EXPECT_EQ(presets[0].name, "back of the stone");
+  EXPECT_EQ(presets[1].name, "faint lines");
+  EXPECT_EQ(presets[1].beta, 2.25);
+  EXPECT_EQ(presets[1].curve, own("", 1).curve);
+}
+
+TEST(OwnPresets, HaveNamesThatScriptsCanSay) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& name) {
+    return save_own_preset(folder / "presets", own(name, 2)).message();
+  };
+  EXPECT_THAT(refusal("Soften"), HasSubstr("built in"));
+  EXPECT_THAT(refusal("stone 3"), HasSubstr("number"));
+  EXPECT_THAT(refusal("stone #3"), HasSubstr("#"));
+  EXPECT_THAT(refusal(""), HasSubstr("empty"));
+}
+
+TEST(OwnPresets, ABadLineIsNamed) {
+  const TemporaryFolder folder;
+  folder.write("presets", "2 0:50 good\n11 0:50 bad\n");
+  const auto presets = read_own_presets(folder / "presets");
+  EXPECT_THAT(presets.status().message(), HasSubstr("presets:2"));
+  EXPECT_THAT(presets.status().message(), HasSubstr("11"));
+}
+
+}  // namespace
+}  // namespace burnish

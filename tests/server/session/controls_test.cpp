@@ -1,0 +1,175 @@
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/edit/wavelength.h"
+#include "common/generate/generate.h"
+#include "common/mesh/statistics.h"
+#include "server/prepare/prepare.h"
+#include "server/session/session.h"
+#include "server/solver/tuning/plan_cycle.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+std::unique_ptr<Session> controlled(const TriangleMesh& mesh, const Controls& controls) {
+  PrepareOptions options;
+  options.depth = 5;
+  const auto prepared = *prepare(mesh, options);
+  auto opened =
+      Session::open(*make_multigrid(prepared, {}), {.backend = BackendKind::kCpu}, controls);
+  return std::move(opened).value();
+}
+
+/// Returns the surface after these changes, at the bar of exports.
+TriangleMesh exact_surface(Session& session, const std::vector<decltype(Edit::change)>& changes) {
+  for (const auto& change : changes)
+    EXPECT_TRUE(session.apply({std::to_string(session.edited().history().size()), change}).is_ok());
+  EXPECT_TRUE(session.solve({.exact = true}).is_ok());
+  return session.surface();
+}
+
+double farthest(const TriangleMesh& a, const TriangleMesh& b) {
+  double most = 0;
+  for (size_t v = 0; v < a.vertices.size(); ++v)
+    most = std::max(most, (a.vertices[v] - b.vertices[v]).norm());
+  return most;
+}
+
+const SetTransferCurve kBroad{TransferCurve(10)};
+const SetGradientScale kSmoothAll{0};
+
+TEST(Controls, PinnedRimsDoNotMoveAtAllAndTheInsideDoes) {
+  const TriangleMesh sheet = make_sheet(40, 1, 0.1);
+  const auto moved = exact_surface(*controlled(sheet, {.pin_rims = true}), {kBroad, kSmoothAll});
+  const auto free = exact_surface(*controlled(sheet, {}), {kBroad, kSmoothAll});
+  double rim_free = 0;
+  for (size_t v = 0; v < sheet.vertices.size(); ++v) {
+    const Vec3d& p = sheet.vertices[v];
+    if (p.x() != 0 && p.y() != 0 && p.x() != 1 && p.y() != 1) continue;
+    EXPECT_EQ(moved.vertices[v], p);
+    rim_free = std::max(rim_free, (free.vertices[v] - p).norm());
+  }
+  EXPECT_GT(rim_free, 0.05);
+  const size_t top = 20 * 41 + 20;
+  EXPECT_LT(moved.vertices[top].z(), 0.6 * sheet.vertices[top].z());
+}
+
+TEST(Controls, NextToAPinnedRimTheSurfaceHasNoStep) {
+  const TriangleMesh sheet = make_sheet(60, 1, 0);
+  const auto session = controlled(sheet, {.pin_rims = true});
+  const auto moved = exact_surface(*session, {kBroad, kSmoothAll});
+  EXPECT_LT(farthest(moved, sheet), 0.1 * session->prepared().frame.cell_size);
+}
+
+TEST(Controls, NothingMovesMoreThanTheCap) {
+  const TriangleMesh sheet = make_sheet(40, 1, 0.1);
+  const Controls capped{.cap = 0.01};
+  const auto moved = exact_surface(*controlled(sheet, capped), {kBroad, kSmoothAll});
+  const double diagonal = compute_statistics(sheet).diagonal();
+  EXPECT_LE(farthest(moved, sheet), capped.cap + 1e-6 * diagonal);
+  EXPECT_GT(farthest(moved, sheet), 0.99 * capped.cap);
+}
+
+TEST(Controls, AClosedScanKeepsItsVolume) {
+  const TriangleMesh sphere = make_icosphere(4, 1);
+  const auto volume = [](const TriangleMesh& mesh) {
+    return compute_statistics(mesh).signed_volume;
+  };
+  const auto free = exact_surface(*controlled(sphere, {}), {kBroad, kSmoothAll});
+  const auto kept = exact_surface(*controlled(sphere, {.keep_volume = true}), {kBroad, kSmoothAll});
+  EXPECT_LT(volume(free), 0.9 * volume(sphere));
+  EXPECT_NEAR(volume(kept) / volume(sphere), 1, 1e-6);
+}
+
+TEST(Controls, KeepingTheVolumeMovesNothingThatNoEditReaches) {
+  const TriangleMesh sphere = make_icosphere(4, 1);
+  const Stroke stroke{{0.4, 1, 0, FallOff::kSmooth}, {Vec3d(0, 0, 1)}};
+  const auto free = exact_surface(*controlled(sphere, {}), {stroke});
+  const auto kept = exact_surface(*controlled(sphere, {.keep_volume = true}), {stroke});
+  for (size_t v = 0; v < sphere.vertices.size(); ++v)
+    if (sphere.vertices[v].z() < 0) {
+      EXPECT_LT((kept.vertices[v] - free.vertices[v]).norm(), 1e-7);
+    }
+  EXPECT_NEAR(compute_statistics(kept).signed_volume / compute_statistics(sphere).signed_volume, 1,
+              1e-6);
+}
+
+TEST(Controls, ReturnTheScanExactlyWhereBetaIsOne) {
+  const Controls all{.pin_rims = true, .cap = 0.1};
+  const TriangleMesh sheet = make_sheet(20, 1, 0.1);
+  EXPECT_EQ(exact_surface(*controlled(sheet, all), {kBroad}).vertices, sheet.vertices);
+  const TriangleMesh sphere = make_icosphere(3, 1);
+  EXPECT_EQ(exact_surface(*controlled(sphere, {.keep_volume = true}), {kBroad}).vertices,
+            sphere.vertices);
+}
+
+TEST(Controls, AreEditsThatUndoTakesBackToThoseOfTheBirth) {
+  const auto session = controlled(make_sheet(20, 1, 0.1), {.pin_rims = true});
+  EXPECT_TRUE(session->fields().hold());
+  ASSERT_TRUE(session->apply({"1", SetControls{{.cap = 2}}}).is_ok());
+  EXPECT_FALSE(session->fields().hold());
+  EXPECT_EQ(session->edited().controls(), (Controls{.cap = 2}));
+  ASSERT_TRUE(session->apply({"2", Undo{}}).is_ok());
+  EXPECT_TRUE(session->fields().hold());
+  EXPECT_EQ(session->edited().controls(), (Controls{.pin_rims = true}));
+}
+
+TEST(Controls, RefuseAVolumeOfAScanThatIsNotClosed) {
+  const auto session = controlled(make_sheet(20, 1, 0.1), {});
+  const Status status = session->edited().check_new({"1", SetControls{{.keep_volume = true}}});
+  EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(status.message(), HasSubstr("not closed"));
+}
+
+TEST(Controls, AProtectedRegionDoesNotMoveWhateverIsEdited) {
+  const TriangleMesh sphere = make_icosphere(4, 1);
+  const auto session = controlled(sphere, {});
+  LassoRegion top;  // seen from above: x to the right, y upwards, z towards the viewer
+  top.view_projection = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.1, 0, 0, 0, 0, 1};
+  top.polygon = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
+  const Stroke stroke{{0.4, 1, 4, FallOff::kSmooth}, {Vec3d(0, 0, 1)}};
+  const auto moved = exact_surface(*session, {kBroad, kSmoothAll, Protect{top}, stroke});
+  for (size_t v = 0; v < sphere.vertices.size(); ++v) {
+    const Vec3d& p = sphere.vertices[v];
+    const double inside = 0.5 - std::max(std::abs(p.x()), std::abs(p.y()));
+    const double cell = session->prepared().frame.cell_size;
+    if (p.z() > 0 && inside > cell) {
+      EXPECT_EQ(moved.vertices[v], p);
+    }
+    if (p.z() < -0.5) {
+      EXPECT_GT((moved.vertices[v] - p).norm(), 0.01);
+    }
+  }
+  ASSERT_TRUE(session->apply({"u1", Undo{}}).is_ok());
+  ASSERT_TRUE(session->apply({"u2", Undo{}}).is_ok());
+  EXPECT_FALSE(session->fields().hold());
+}
+
+TEST(Controls, RimsStayPinnedBesideAProtectedRegion) {
+  const auto session = controlled(make_sheet(40, 1, 0.1), {.pin_rims = true});
+  const size_t rims = session->fields().hold()->cells.size();
+  ASSERT_TRUE(session->apply({"1", Protect{PieceRegion{Vec3d(0.5, 0.5, 0)}}}).is_ok());
+  EXPECT_EQ(session->fields().hold()->cells.size(), session->prepared().cells.size());
+  ASSERT_TRUE(session->apply({"2", Protect{NoRegion{}}}).is_ok());
+  EXPECT_EQ(session->fields().hold()->cells.size(), rims);
+}
+
+TEST(Wavelength, AWaveOfAlphasLengthIsHalvedByBetaZero) {
+  constexpr double kWave = 0.25, kHeight = 1e-3;
+  TriangleMesh sheet = make_sheet(80, 1, 0);
+  for (Vec3d& p : sheet.vertices) p.z() = kHeight * std::cos(2 * std::numbers::pi * p.x() / kWave);
+  const auto session = controlled(sheet, {});
+  const double alpha = alpha_of_wavelength(session->prepared().length_unit, kWave);
+  const auto moved = exact_surface(*session, {SetTransferCurve{TransferCurve(alpha)}, kSmoothAll});
+  const size_t crest = 40 * 81 + 40;  // x = y = 0.5
+  ASSERT_NEAR(sheet.vertices[crest].z(), kHeight, 1e-12);
+  EXPECT_NEAR(moved.vertices[crest].z() / kHeight, 0.5, 0.02);
+}
+
+}  // namespace
+}  // namespace burnish
