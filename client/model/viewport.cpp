@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "client/model/zoom.h"
-
 #include "client/tools/lasso.h"
 
 namespace burnish {

@@ -46,9 +46,9 @@ class Viewport {
  public:
   Camera camera;
   ViewOptions options;
-  bool navigate_mode = false;                    ///< the left button turns the view
-  bool hold_original = false;                    ///< show the original
-  bool measure_mode = false;                     ///< the left button puts the ruler's ends
+  bool navigate_mode = false;  ///< the left button turns the view
+  bool hold_original = false;  ///< show the original
+  bool measure_mode = false;   ///< the left button puts the ruler's ends
   std::optional<LassoWish> lasso_wish;
   std::vector<Camera> bookmarks;                 ///< at most kBookmarksMax
   Clock clock = std::chrono::steady_clock::now;  ///< tells a double click

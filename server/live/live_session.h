@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "server/live/held_surface.h"
+#include "server/live/steady_surface.h"
 #include "server/live/subscriber.h"
 #include "server/manager/session_turn.h"
 #include "server/scheduling/scheduler.h"
@@ -96,7 +96,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   FrameStats stats_of(SessionTurn& at) const;
   std::vector<Wish> wishes(uint64_t version, bool settled) const;
   void show_unmoved();
-  void begin_holding(SessionTurn& at);
+  void begin_steady_surface(SessionTurn& at);
   std::span<const Vec3f> shown_displacement(SessionTurn& at, FrameStats& stats);
   Status send_frames(SessionTurn& at);
   void tell_people();
@@ -118,7 +118,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   uint64_t version_ = 0;  // of the surface; 0 is the unmoved one
   Seen seen_;
   uint64_t life_ = 0;  // of the session that the next members are of; it shows the gestures
-  std::optional<HeldSurface> held_;
+  std::optional<SteadySurface> steady_;
   struct Still {
     uint64_t version;
     std::shared_ptr<const SurfaceShot> shot;

@@ -144,7 +144,7 @@ void LiveSession::show_gestures(SessionTurn& at) {
   Previews& previews = at.session().previews();
   const std::lock_guard lock(mutex_);
   if (std::exchange(life_, at.life()) != at.life()) {
-    held_.reset();
+    steady_.reset();
     still_.reset();
     previews.clear();  // they belong to an earlier live session
     for (const auto& [connection, gesture] : gestures_) changed_gestures_.insert(connection);

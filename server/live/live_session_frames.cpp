@@ -51,25 +51,27 @@ void LiveSession::show_unmoved() {
         {.surface = surface, .pages = std::move(wish.pages), .is_still = true, .stats = {}});
 }
 
-void LiveSession::begin_holding(SessionTurn& at) {
+void LiveSession::begin_steady_surface(SessionTurn& at) {
   const PreparedMesh& prepared = at.session().prepared();
   const Hierarchy& hierarchy = at.hierarchy();
   const SparseGrid& grid = hierarchy.at(hierarchy.finest).grid;
-  auto memory = manager_.memory().take(kServer, HeldSurface::byte_count(grid));
+  auto memory = manager_.memory().take(kServer, SteadySurface::byte_count(grid));
   if (!memory.is_ok()) return;  // frames are larger without
-  const double distance = kHeldDistance * prepared.statistics.diagonal() / prepared.frame.cell_size;
-  held_.emplace(grid, prepared.evaluation, static_cast<float>(distance), std::move(memory).value());
+  const double distance =
+      kSteadyDistance * prepared.statistics.diagonal() / prepared.frame.cell_size;
+  steady_.emplace(grid, prepared.evaluation, static_cast<float>(distance),
+                  std::move(memory).value());
 }
 
-// Until it has settled once, all of the surface moves, and nothing is held.
+// Until it has settled once, all of the surface moves, and nothing stays behind.
 std::span<const Vec3f> LiveSession::shown_displacement(SessionTurn& at, FrameStats& stats) {
   const std::span<const Vec3f> now = at.session().displacement();
-  if (!held_ && stats.settled) begin_holding(at);
-  if (!held_) return now;
-  std::span<const Vec3f> shown = held_->shown();
-  if (!still_ || shown.empty()) shown = stats.exact ? held_->show_all(now) : held_->show(now);
-  if (stats.settled) held_->rest();
-  if (held_->is_held()) stats.distance += kHeldDistance;
+  if (!steady_ && stats.settled) begin_steady_surface(at);
+  if (!steady_) return now;
+  std::span<const Vec3f> shown = steady_->shown();
+  if (!still_ || shown.empty()) shown = stats.exact ? steady_->show_all(now) : steady_->show(now);
+  if (stats.settled) steady_->rest();
+  if (steady_->is_behind()) stats.distance += kSteadyDistance;
   return shown;
 }
 

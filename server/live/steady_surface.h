@@ -12,22 +12,22 @@
 
 namespace burnish {
 
-/// A held part of a shown surface is at most so far from the session's surface, over the box's
-/// diagonal. With kSettledDistance it stays well below the bar of settled surfaces, 1e-4.
-inline constexpr double kHeldDistance = 1e-5;
+/// A part of the shown surface stays behind by at most so much from the session's surface, over the
+/// box's diagonal. With kSettledDistance it stays well below the bar of settled surfaces, 1e-4.
+inline constexpr double kSteadyDistance = 1e-5;
 
 /// The surface that a live session shows. After an edit of a small part the solver refines all of
 /// a settled surface by less than anybody sees; shown as it is, that would send every page. So a
 /// part stays as it was shown until it has moved by more than a distance. All clients and all pages
 /// show this one surface: there are no cracks.
-class HeldSurface {
+class SteadySurface {
  public:
   /// `distance`: in cells. `memory`: byte_count() of the server's. Needs: `grid` and `scan` outlive
   /// it. Shapes: one point per vertex of the scan.
-  HeldSurface(const SparseGrid& grid, std::span<const EvaluationPoint> scan, float distance,
-              Quota::Share memory);
+  SteadySurface(const SparseGrid& grid, std::span<const EvaluationPoint> scan, float distance,
+                Quota::Share memory);
 
-  /// The surface has come to rest: parts that move from now on are held again.
+  /// The surface has come to rest: parts stay behind again until they move.
   void rest();
 
   /// Moves the parts where a vertex is further than the distance from where it is shown, and all
@@ -42,7 +42,7 @@ class HeldSurface {
   std::span<const Vec3f> shown() const { return shown_; }
 
   /// Returns whether a part is not as the last displacement says.
-  bool is_held() const { return is_held_; }
+  bool is_behind() const { return is_behind_; }
 
   /// Returns the bytes of memory that it takes. O(corners).
   static uint64_t byte_count(const SparseGrid& grid);
@@ -70,7 +70,7 @@ class HeldSurface {
   Marks moves_;                // per brick: it has moved since rest()
   bool all_move_ = false;      // likewise
   std::vector<Vec3f> shown_;   // empty before the first call
-  bool is_held_ = false;
+  bool is_behind_ = false;
 };
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-#include "server/live/held_surface.h"
+#include "server/live/steady_surface.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,8 +11,8 @@ static MortonKey brick_key(const GridKey& key) {
   return key.place >> kBrickKeyBits;
 }
 
-HeldSurface::HeldSurface(const SparseGrid& grid, std::span<const EvaluationPoint> scan,
-                         float distance, Quota::Share memory)
+SteadySurface::SteadySurface(const SparseGrid& grid, std::span<const EvaluationPoint> scan,
+                             float distance, Quota::Share memory)
     : grid_(grid), scan_(scan), distance_(distance), memory_(std::move(memory)) {
   for (size_t i = 0; i < grid.corners.size(); ++i)
     if (bricks_.empty() || bricks_.back().key != brick_key(grid.corners[i]))
@@ -20,7 +20,7 @@ HeldSurface::HeldSurface(const SparseGrid& grid, std::span<const EvaluationPoint
   rest();
 }
 
-uint64_t HeldSurface::byte_count(const SparseGrid& grid) {
+uint64_t SteadySurface::byte_count(const SparseGrid& grid) {
   uint64_t bricks = 0;
   for (size_t i = 0; i < grid.corners.size(); ++i)
     bricks += i == 0 || brick_key(grid.corners[i]) != brick_key(grid.corners[i - 1]);
@@ -28,18 +28,18 @@ uint64_t HeldSurface::byte_count(const SparseGrid& grid) {
   return (sizeof(Vec3f) + 1) * grid.corners.size() + kBytesPerBrick * bricks;
 }
 
-void HeldSurface::rest() {
+void SteadySurface::rest() {
   moves_.assign(bricks_.size(), 0);
   all_move_ = false;
 }
 
-std::span<const Vec3f> HeldSurface::show_all(std::span<const Vec3f> displacement) {
+std::span<const Vec3f> SteadySurface::show_all(std::span<const Vec3f> displacement) {
   shown_.assign(displacement.begin(), displacement.end());
-  is_held_ = false;
+  is_behind_ = false;
   return shown_;
 }
 
-std::span<const Vec3f> HeldSurface::show(std::span<const Vec3f> displacement) {
+std::span<const Vec3f> SteadySurface::show(std::span<const Vec3f> displacement) {
   if (shown_.empty() || all_move_) return show_all(displacement);
   const Marks corners = find_moved_corners(displacement);
   const auto moved_corners = std::ranges::count(corners, 1);
@@ -51,11 +51,11 @@ std::span<const Vec3f> HeldSurface::show(std::span<const Vec3f> displacement) {
       if (moved[brick]) move_around(brick);
   }
   move_bricks(displacement);
-  is_held_ = !std::equal(shown_.begin(), shown_.end(), displacement.begin());
+  is_behind_ = !std::equal(shown_.begin(), shown_.end(), displacement.begin());
   return shown_;
 }
 
-HeldSurface::Marks HeldSurface::find_moved_corners(std::span<const Vec3f> displacement) const {
+SteadySurface::Marks SteadySurface::find_moved_corners(std::span<const Vec3f> displacement) const {
   const float limit = distance_ * distance_;
   Marks moved(shown_.size());
 #pragma omp parallel for schedule(static)
@@ -65,8 +65,8 @@ HeldSurface::Marks HeldSurface::find_moved_corners(std::span<const Vec3f> displa
 }
 
 // A vertex moves no further than the corners of its cell, so few vertices are evaluated.
-HeldSurface::Marks HeldSurface::find_moved_bricks(std::span<const Vec3f> displacement,
-                                                  const Marks& corners) const {
+SteadySurface::Marks SteadySurface::find_moved_bricks(std::span<const Vec3f> displacement,
+                                                      const Marks& corners) const {
   const std::span<const Vec3f> shown = shown_;
   const float limit = distance_ * distance_;
   const auto may_move = [&](int32_t cell) {
@@ -87,7 +87,7 @@ HeldSurface::Marks HeldSurface::find_moved_bricks(std::span<const Vec3f> displac
   return moved;
 }
 
-void HeldSurface::move_bricks(std::span<const Vec3f> displacement) {
+void SteadySurface::move_bricks(std::span<const Vec3f> displacement) {
   for (size_t brick = 0; brick < bricks_.size(); ++brick) {
     if (!moves_[brick]) continue;
     const size_t first = bricks_[brick].first;
@@ -96,14 +96,14 @@ void HeldSurface::move_bricks(std::span<const Vec3f> displacement) {
   }
 }
 
-std::optional<size_t> HeldSurface::find_brick(MortonKey key) const {
+std::optional<size_t> SteadySurface::find_brick(MortonKey key) const {
   const auto found = std::ranges::lower_bound(bricks_, key, {}, &Brick::key);
   if (found == bricks_.end() || found->key != key) return std::nullopt;
   return static_cast<size_t>(found - bricks_.begin());
 }
 
-// Its neighbours too: no cell with a moved vertex has a corner that is held.
-void HeldSurface::move_around(size_t brick) {
+// Its neighbours too: no cell with a moved vertex has a corner that stays behind.
+void SteadySurface::move_around(size_t brick) {
   const Vec3i middle = morton_point(bricks_[brick].key);
   for (int i = 0; i < 27; ++i) {
     const Vec3i place = middle + Vec3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);

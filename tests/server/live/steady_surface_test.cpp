@@ -1,4 +1,4 @@
-#include "server/live/held_surface.h"
+#include "server/live/steady_surface.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,17 +13,17 @@ namespace {
 constexpr float kDistance = 0.01F;
 
 /// A sphere at depth 6: many bricks.
-class HeldSurfaceTest : public testing::Test {
+class SteadySurfaceTest : public testing::Test {
  protected:
-  HeldSurfaceTest() {
+  SteadySurfaceTest() {
     PrepareOptions options;
     options.depth = 6;
     prepared_ = *prepare(make_icosphere(5, 1), options);
     hierarchy_ = make_hierarchy(*prepared_);
     displacement_.assign(grid().corners.size(), Vec3f(0.25F, 0, 0));
-    held_.emplace(grid(), prepared_->evaluation, kDistance, Quota::Share());
-    (void)held_->show(displacement_);
-    held_->rest();
+    steady_.emplace(grid(), prepared_->evaluation, kDistance, Quota::Share());
+    (void)steady_->show(displacement_);
+    steady_->rest();
   }
   const SparseGrid& grid() const { return hierarchy_->at(hierarchy_->finest).grid; }
   /// Moves the corners with i below `end` by so many cells.
@@ -40,27 +40,27 @@ class HeldSurfaceTest : public testing::Test {
   std::shared_ptr<const PreparedMesh> prepared_;
   std::shared_ptr<const Hierarchy> hierarchy_;
   std::vector<Vec3f> displacement_;
-  std::optional<HeldSurface> held_;
+  std::optional<SteadySurface> steady_;
 };
 
-TEST_F(HeldSurfaceTest, ASmallMoveIsNotShown) {
+TEST_F(SteadySurfaceTest, ASmallMoveIsNotShown) {
   move(64, 0.9F * kDistance);
-  EXPECT_EQ(moved_corners(held_->show(displacement_)), 0u);
-  EXPECT_TRUE(held_->is_held());
+  EXPECT_EQ(moved_corners(steady_->show(displacement_)), 0u);
+  EXPECT_TRUE(steady_->is_behind());
 }
 
-TEST_F(HeldSurfaceTest, SmallMovesAddUpUntilTheyAreShown) {
+TEST_F(SteadySurfaceTest, SmallMovesAddUpUntilTheyAreShown) {
   move(64, 0.9F * kDistance);
-  (void)held_->show(displacement_);
+  (void)steady_->show(displacement_);
   move(64, 0.9F * kDistance);
-  EXPECT_EQ(moved_corners(held_->show(displacement_)), displacement_.size());
-  EXPECT_FALSE(held_->is_held());
+  EXPECT_EQ(moved_corners(steady_->show(displacement_)), displacement_.size());
+  EXPECT_FALSE(steady_->is_behind());
 }
 
-TEST_F(HeldSurfaceTest, AMoveIsShownWhereItIsAndNotFarFromThere) {
+TEST_F(SteadySurfaceTest, AMoveIsShownWhereItIsAndNotFarFromThere) {
   move(64, 0.5F * kDistance);
   move(16, 10 * kDistance);
-  const auto shown = held_->show(displacement_);
+  const auto shown = steady_->show(displacement_);
   const size_t moved = moved_corners(shown);
   EXPECT_GT(moved, 0u);
   EXPECT_LT(2 * moved, displacement_.size());
@@ -70,23 +70,23 @@ TEST_F(HeldSurfaceTest, AMoveIsShownWhereItIsAndNotFarFromThere) {
   }
 }
 
-TEST_F(HeldSurfaceTest, WhatHasMovedGoesOnUntilItRests) {
+TEST_F(SteadySurfaceTest, WhatHasMovedGoesOnUntilItRests) {
   move(64, 10 * kDistance);
-  (void)held_->show(displacement_);
+  (void)steady_->show(displacement_);
   move(64, 0.1F * kDistance);
-  (void)held_->show(displacement_);
-  EXPECT_FALSE(held_->is_held());
-  held_->rest();
+  (void)steady_->show(displacement_);
+  EXPECT_FALSE(steady_->is_behind());
+  steady_->rest();
   move(64, 0.1F * kDistance);
-  (void)held_->show(displacement_);
-  EXPECT_TRUE(held_->is_held());
+  (void)steady_->show(displacement_);
+  EXPECT_TRUE(steady_->is_behind());
 }
 
-TEST_F(HeldSurfaceTest, AllIsShownOnDemand) {
+TEST_F(SteadySurfaceTest, AllIsShownOnDemand) {
   move(64, 0.1F * kDistance);
-  const auto shown = held_->show_all(displacement_);
+  const auto shown = steady_->show_all(displacement_);
   EXPECT_THAT(shown, testing::ElementsAreArray(displacement_));
-  EXPECT_FALSE(held_->is_held());
+  EXPECT_FALSE(steady_->is_behind());
 }
 
 }  // namespace
