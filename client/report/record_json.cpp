@@ -40,6 +40,7 @@ static Json method_of(const ProcessingRecord& record) {
           {"curvature_radius", record.state.session.key.curvature_radius},
           {"gradient_scale", record.state.gradient_scale},
           {"transfer_curve", record.state.transfer_curve.to_string()},
+          {"controls", text_of(record.state.controls)},
           {"backend", record.state.backend},
           {"cycles", record.result.cycles},
           {"converged", record.result.converged},

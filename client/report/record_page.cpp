@@ -99,6 +99,7 @@ std::string method(const ProcessingRecord& record) {
                        length_text(record.prepared.cell_size, scan.unit))
       .add("Gradient scale β", number(record.state.gradient_scale))
       .add("Transfer curve α(κ)", record.state.transfer_curve.to_string())
+      .add("Controls", text_of(record.state.controls))
       .add("Accuracy", number(record.result.distance) + " of the diagonal" +
                            (record.result.converged ? "" : ", not converged"))
       .end();
