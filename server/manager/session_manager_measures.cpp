@@ -23,7 +23,7 @@ Result<SessionManager::SurfaceCopy> SessionManager::copy_surface(const std::stri
   SurfaceCopy copy;
   ASSIGN_OR_RETURN(const Held held, use(reference, caller, progress));
   RETURN_IF_ERROR(catch_up(*held.entry, progress));
-  const Session& session = *held.entry->session;
+  Session& session = *held.entry->session;
   copy.mesh = held.entry->mesh;
   const uint64_t bytes = copy.before().vertices.size() * kMeasuringBytesPerVertex;
   ASSIGN_OR_RETURN(copy.memory, memory().take(kServer, bytes));
