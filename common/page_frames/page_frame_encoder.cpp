@@ -12,8 +12,9 @@ namespace {
 
 constexpr int kZstdLevel = 1;  // level 3 is slower but not smaller: residuals do not repeat
 
-// A frame of at most one page of so many is never rounded more coarsely: that would send them all.
-constexpr size_t kFewPages = 8;
+// A frame of at most one page of so many is never rounded more coarsely: that would send them all,
+// and once more when the surface is still.
+constexpr size_t kFewPages = 4;
 
 /// Room for the values of one page.
 struct Scratch {

@@ -25,7 +25,7 @@ struct PageMoment {
 
 /// How finely a frame may round: to 2^shift steps of 1/256 cell. The finest shift whose body has at
 /// most `bytes_max` before compression is taken, else the coarsest one. A body that has values of
-/// at most an eighth of the pages may be larger: a coarser shift would send all pages.
+/// at most a quarter of the pages may be larger: a coarser shift would send all pages.
 struct StepChoice {
   int finest = 0;
   int coarsest = 0;

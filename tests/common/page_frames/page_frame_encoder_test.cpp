@@ -137,21 +137,22 @@ TEST_P(PageFrames, ADabSendsOnlyThePagesThatItTouches) {
   EXPECT_LT(touched.size(), before.size() / 2);
 }
 
-TEST_P(PageFrames, AFrameOfAnEighthOfThePagesIsNotRoundedWhateverItsSize) {
+TEST_P(PageFrames, AFrameOfAQuarterOfThePagesIsNotRoundedWhateverItsSize) {
   sampler_.sample(wavy_field(3, 0));
   send();
   std::vector<WantedPage> wanted = sampler_.wanted(shown_);
   std::vector<std::vector<int32_t>> moved;
-  for (const PageId page : {3, 5}) {
+  for (const PageId page : {3, 5, 7}) {
     moved.emplace_back(wanted[page].steps.begin(), wanted[page].steps.end());
     for (int32_t& step : moved.back()) step += 5;
   }
   const StepChoice steps{.finest = 0, .coarsest = 6, .bytes_max = 1};
   wanted[3].steps = moved[0];
-  const EncodedPageFrame one = encoder_.encode({shown_, wanted, 1.5F}, steps);
-  EXPECT_EQ(one.step_shift, 0);
-  EXPECT_EQ(one.sent_pages, 1u);
   wanted[5].steps = moved[1];
+  const EncodedPageFrame two = encoder_.encode({shown_, wanted, 1.5F}, steps);
+  EXPECT_EQ(two.step_shift, 0);
+  EXPECT_EQ(two.sent_pages, 2u);
+  wanted[7].steps = moved[2];
   EXPECT_EQ(encoder_.encode({shown_, wanted, 1.5F}, steps).step_shift, 6);
 }
 
