@@ -5,6 +5,8 @@
 #include "client/scene/mesh_normals.h"
 #include "client/scene/ridges.h"
 #include "client/scene/spatial_order.h"
+#include "common/base/limits.h"
+#include "common/grid/grid.h"
 
 namespace burnish {
 namespace {
@@ -77,6 +79,14 @@ static Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
   return box;
 }
 
+// The window's cube, so that ridges are shaded alike: they depend on the unit.
+static PageSpace space_around(const Eigen::AlignedBox3d& box) {
+  if (box.sizes().maxCoeff() <= 0) return {box.center()};
+  const GridFrame frame = make_grid_frame(box.min(), box.max(), kDepthMin);
+  const double half = frame.cell_size * frame.cells_per_side() / 2;
+  return {frame.origin + Vec3d::Constant(half), half, 0};
+}
+
 static VertexLooks looks_of(const TriangleMesh& mesh, const PageSpace& space) {
   VertexLooks looks{{}, vertex_normals(mesh.vertices, mesh.triangles), {}, mesh.colours};
   looks.positions.reserve(mesh.vertices.size());
@@ -89,7 +99,7 @@ static VertexLooks looks_of(const TriangleMesh& mesh, const PageSpace& space) {
 RawPages make_raw_pages(const TriangleMesh& mesh) {
   RawPages raw;
   raw.box = box_of(mesh);
-  raw.space = {raw.box.center(), 0.5 * raw.box.diagonal().norm(), 0};
+  raw.space = space_around(raw.box);
   const VertexLooks looks = looks_of(mesh, raw.space);
   PageCutter cutter(looks);
   for (const uint32_t triangle : spatial_order(mesh, raw.box)) cutter.add(mesh.triangles[triangle]);
