@@ -140,7 +140,7 @@ void print_case(const nlohmann::ordered_json& row) {
 void add_to_file(const std::string& path, const std::vector<nlohmann::ordered_json>& rows) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   if (std::ifstream before(path); before) all = nlohmann::ordered_json::parse(before);
-  all.insert(all.end(), rows.begin(), rows.end());
+  for (const nlohmann::ordered_json& row : rows) all.push_back(row);
   std::ofstream(path) << all.dump(1) << "\n";
 }
 
