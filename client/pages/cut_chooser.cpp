@@ -16,7 +16,7 @@ CutChooser::CutChooser(const KnownPages& known)
 
 const ChosenCut& CutChooser::choose(const CutQuestion& question, const FindReady& find_ready) {
   const PageDemand& demand =
-      finder_.find(question.view, question.frame, question.targets, is_used_);
+      finder_.find(question.view, question.frame, question.targets, cut_.set);
   cut_.blocks = demand.blocks;
   tally(demand);
   cut_.coarseness = next_coarseness(usage_, question.budget, cut_.coarseness, question.is_at_rest);

@@ -16,7 +16,7 @@ struct CutTargets {
   float error_px = 1;  ///< full detail: no triangle is farther from the scan than this,
   float edge_px = 1;   ///< and the mean edge is no longer than this
   float take = 1;      ///< a page is wanted if the picture without it exceeds so many times the two
-  /// A page that the last cut used stays wanted above so many times the two. The same as `take`:
+  /// A page that the last cut showed stays wanted above so many times the two. The same as `take`:
   /// the last cut is of no influence.
   float keep = 1;
 
@@ -27,7 +27,7 @@ inline constexpr float kErrorPx = 1;
 inline constexpr float kEdgePx = 6;
 inline constexpr float kCoarseEdgePx = 12;  // while the surface moves, and without a graphics card
 inline constexpr float kFullEdgePx = 1;
-/// A page that was used counts so much more, where the last cut has an influence.
+/// A page that was shown counts so much more, where the last cut has an influence.
 inline constexpr float kHysteresis = 0.9f;
 
 /// Full detail of what is looked at, when nothing moves. The cut follows from the view alone.

@@ -19,13 +19,13 @@ DemandFinder::DemandFinder(const KnownPages& known)
       visits_(known.block_count()) {}
 
 const PageDemand& DemandFinder::find(const PageView& view, const FrameBounds& frame,
-                                     const CutTargets& targets, const PageSet& was_used) {
+                                     const CutTargets& targets, const PageSet& was_shown) {
   demand_.pages.clear();
   demand_.blocks.clear();
   std::ranges::fill(block_wishes_, Wish{});
   std::ranges::fill(visits_, Visit::kNone);
   block_wishes_.back().excess = kInfinite;  // the root is always wanted
-  const Picture picture = {view, frame, targets, was_used};
+  const Picture picture = {view, frame, targets, was_shown};
   for (uint32_t block = 0; block < known_.block_count(); ++block) visit(picture, block);
   order_blocks();
   return demand_;
@@ -75,7 +75,7 @@ void DemandFinder::visit_known(const Picture& picture, uint32_t block) {
 DemandFinder::Wish DemandFinder::page_wish(const Picture& picture, PageId page,
                                            const PageBounds& bounds) const {
   const CutTargets& targets = picture.targets;
-  const bool may_stay = targets.keep < targets.take && picture.was_used[page] != 0;
+  const bool may_stay = targets.keep < targets.take && picture.was_shown[page] != 0;
   Wish wish = page_wishes_[page];
   if (page == known_.head().root()) wish.excess = kInfinite;
   Wish own = own_wish(picture, bounds, may_stay ? targets.keep : targets.take, wish.excess > 0);

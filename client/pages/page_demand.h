@@ -45,9 +45,9 @@ class DemandFinder {
  public:
   explicit DemandFinder(const KnownPages& known);
 
-  /// `was_used`: what the last cut used, a byte per page. The result stays until the next call.
+  /// `was_shown`: what the last cut showed, a byte per page. The result stays until the next call.
   const PageDemand& find(const PageView& view, const FrameBounds& frame, const CutTargets& targets,
-                         const PageSet& was_used);
+                         const PageSet& was_shown);
 
   /// Returns whether the last find() looked at the pages of a known block.
   bool has_visited(uint32_t block) const { return visits_[block] == Visit::kDone; }
@@ -64,7 +64,7 @@ class DemandFinder {
     const PageView& view;
     const FrameBounds& frame;
     const CutTargets& targets;
-    const PageSet& was_used;
+    const PageSet& was_shown;
   };
 
   void visit(const Picture& picture, uint32_t block);

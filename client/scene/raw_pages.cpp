@@ -6,6 +6,8 @@
 #include "client/scene/ridges.h"
 #include "client/scene/spatial_order.h"
 #include "client/scene/thinned_triangles.h"
+#include "common/base/limits.h"
+#include "common/grid/grid.h"
 
 namespace burnish {
 namespace {
@@ -78,6 +80,14 @@ static Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
   return box;
 }
 
+// The window's cube, so that ridges are shaded alike: they depend on the unit.
+static PageSpace space_around(const Eigen::AlignedBox3d& box) {
+  if (box.sizes().maxCoeff() <= 0) return {box.center()};
+  const GridFrame frame = make_grid_frame(box.min(), box.max(), kDepthMin);
+  const double half = frame.cell_size * frame.cells_per_side() / 2;
+  return {frame.origin + Vec3d::Constant(half), half, 0};
+}
+
 static VertexLooks looks_of(const TriangleMesh& mesh, const PageSpace& space) {
   VertexLooks looks{{}, vertex_normals(mesh.vertices, mesh.triangles), {}, mesh.colours};
   looks.positions.reserve(mesh.vertices.size());
@@ -95,7 +105,7 @@ static void add_in_order(const TriangleMesh& mesh, const Eigen::AlignedBox3d& bo
 RawPages make_raw_pages(const TriangleMesh& mesh, uint64_t triangles_max) {
   RawPages raw;
   raw.box = box_of(mesh);
-  raw.space = {raw.box.center(), 0.5 * raw.box.diagonal().norm(), 0};
+  raw.space = space_around(raw.box);
   const VertexLooks looks = looks_of(mesh, raw.space);
   PageCutter cutter(looks);
   if (mesh.triangles.size() <= triangles_max) {

@@ -16,7 +16,7 @@ namespace burnish {
 
 /// A mesh without a session, in pages that are near each other in space. Nothing moves them.
 struct RawPages {
-  PageSpace space;              ///< around the box, in half diagonals
+  PageSpace space;              ///< as a session on the mesh has it
   Eigen::AlignedBox3d box;      ///< of the referenced vertices, file units
   std::vector<PageMesh> pages;  ///< each within kPageVerticesMax and kPageTrianglesMax
 };

@@ -116,6 +116,22 @@ TEST(PageLoader, DetailStaysWhileTheCameraMoves) {
   EXPECT_GE(flight.cut().triangles, triangles * 9 / 10);
 }
 
+TEST(PageLoader, AMovingCameraWantsNoFullDetailThatIsNotThere) {
+  PageFlight flight(loaded_scan(), {});
+  Camera camera = kNear;
+  const auto move_once = [&] {
+    camera.azimuth_degrees += 0.001;
+    flight.picture(camera);
+  };
+  do move_once();
+  while (flight.loader().status().reason != CutReason::kMoving);
+  const size_t prompt = flight.cut().used.size();
+  for (int i = 0; i < 3; ++i) flight.picture(camera);
+  EXPECT_GT(flight.cut().used.size(), 1.5 * prompt);
+  move_once();
+  EXPECT_LT(flight.cut().used.size(), 1.1 * prompt);
+}
+
 TEST(PageLoader, DetailStaysWhenTheCameraStops) {
   PageFlight flight(loaded_scan(), {});
   flight.settle(kWhole);

@@ -7,7 +7,9 @@
 #include "client/scene/mesh_normals.h"
 #include "client/scene/null_page_renderer.h"
 #include "client/scene/ridges.h"
+#include "common/base/limits.h"
 #include "common/generate/generate.h"
+#include "common/grid/grid.h"
 #include "tests/client/scene/sphere.h"
 
 namespace burnish {
@@ -87,6 +89,23 @@ TEST(RawPages, TheBoxLeavesOutVerticesThatNoTriangleReferences) {
   TriangleMesh mesh = make_test_sphere(Vec3d::Zero(), 2);
   mesh.vertices.emplace_back(1000, 1000, 1000);
   EXPECT_NEAR(make_raw_pages(mesh).box.max().maxCoeff(), 2, 1e-12);
+}
+
+TEST(RawPages, TheirUnitIsThatOfASessionOnTheMesh) {
+  const TriangleMesh mesh = make_test_sphere(Vec3d(1, 2, 3), 2);
+  const GridFrame frame = make_grid_frame({-1, 0, 1}, {3, 4, 5}, kDepthMin);
+  const PageGrid grid = {frame.origin, frame.cell_size * frame.cells_per_side()};
+  const PageSpace session = make_page_space(grid, kDepthMin);
+  const PageSpace raw = make_raw_pages(mesh).space;
+  EXPECT_NEAR(raw.unit, session.unit, 1e-3 * session.unit);
+  EXPECT_NEAR((raw.centre - session.centre).norm(), 0, 1e-3 * session.unit);
+}
+
+TEST(RawPages, AMeshAtOnePointHasAUnit) {
+  TriangleMesh mesh;
+  mesh.vertices.assign(3, Vec3d(1, 2, 3));
+  mesh.triangles = {{0, 1, 2}};
+  EXPECT_GT(make_raw_pages(mesh).space.unit, 0);
 }
 
 TEST(RawPages, ATriangleThatNamesAVertexTwiceIsKept) {
