@@ -44,11 +44,12 @@ static void draw_ball(Lighting& lighting) {
   const Eigen::Vector2f lamp = lamp_on_ball(lighting).cast<float>();
   ImDrawList* const list = ImGui::GetWindowDrawList();
   list->AddCircleFilled(middle, radius, ImGui::GetColorU32(ImGuiCol_FrameBg), 48);
-  for (int ring = 1; ring <= 6; ++ring) {  // brighter towards the lamp
-    const float part = static_cast<float>(ring) / 6;
-    list->AddCircleFilled(
-        {middle.x + part * 0.75f * radius * lamp.x(), middle.y - part * 0.75f * radius * lamp.y()},
-        radius * (1 - 0.9f * part) * 0.55f, IM_COL32(255, 245, 225, 24), 32);
+  constexpr int kRings = 14;
+  for (int ring = 0; ring < kRings; ++ring) {  // brighter towards the lamp
+    const float part = static_cast<float>(ring) / kRings;
+    const float away = part * radius;
+    list->AddCircleFilled({middle.x + away * lamp.x(), middle.y - away * lamp.y()},
+                          radius * (1 - part), IM_COL32(255, 245, 225, 18), 48);
   }
   list->AddCircleFilled({middle.x + radius * lamp.x(), middle.y - radius * lamp.y()}, em(0.35f),
                         ImGui::GetColorU32(theme::kAccent), 16);

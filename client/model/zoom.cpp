@@ -6,7 +6,7 @@
 namespace burnish {
 
 static constexpr double kZoomPerStep = 0.88;
-static constexpr double kCoveredMin = 0.05;    // of the picture's height
+static constexpr double kCoveredMin = 0.1;     // of the picture's height, by the diagonal
 static constexpr double kNearestToBox = 0.02;  // of the diagonal
 
 static bool is_in_picture(const Camera& camera, const ImageSize& size, const Vec3d& point) {

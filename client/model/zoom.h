@@ -16,7 +16,8 @@ struct ZoomPlace {
 
 /// Moves towards the surface at the pixel by wheel steps, away from it by negative ones. The eye
 /// never passes a surface that is there. Beside the surface it stays before the scan's box, and the
-/// box's middle stays in the picture. Away, the box keeps a twentieth of the picture's height.
+/// box's middle stays in the picture. Away, the box's diagonal keeps a tenth of the picture's
+/// height.
 Camera zoomed_by_wheel(const Camera& camera, const ImageSize& size, const ZoomPlace& place,
                        double steps, const Eigen::AlignedBox3d& box);
 

@@ -202,7 +202,7 @@ void draw_an_edit(Studio& studio) {
   for (int x = 560; x <= 690; x += 10) studio.move(x, 425);
   studio.settle();
   steps.push_back(studio.small(kPicture));
-  studio.save("brush", {0, 382, 280, 230});
+  studio.save("brush", {0, 382, 280, 260});
   studio.release();
   studio.rest();
   steps.push_back(studio.small(kPicture));
@@ -281,7 +281,7 @@ void draw_people(Studio& studio) {
 void draw_dialogs(Studio& studio) {
   studio.key({"Shift_L", "question"});
   Studio::pause(1000);
-  studio.save("keys", {400, 70, 490, 590});
+  studio.save("keys", {225, 178, 830, 364});
   studio.key({"Escape"});
   studio.key({"Control_L", "e"});
   studio.move(640, 600);
