@@ -30,7 +30,8 @@ TEST_F(LiveEdits, EditsAreAnsweredOnceOnDiskAllOrNone) {
   EXPECT_EQ(refused[0].status.code(), StatusCode::kNotFound);
   const std::string id = manager_->list()[0].id;
   EXPECT_EQ(journal_->edits(id).value().size(), 2u);
-  EXPECT_EQ(ann.all<HistoryState>().back(), (HistoryState{2, 0.5, TransferCurve(50)}));
+  EXPECT_EQ(ann.all<HistoryState>().back(),
+            (HistoryState{2, 0.5, TransferCurve(50), kNewSessionControls}));
 }
 
 TEST_F(LiveEdits, APreviewReachesEverybodyAndIsGoneWithItsConnection) {
