@@ -11,7 +11,7 @@ namespace burnish {
 
 namespace {
 
-constexpr float kWidthEm = 14, kHeightEm = 0.8f;
+constexpr float kBarWidthEm = 14, kBarHeightEm = 0.8f;
 
 /// What the colours mean: texts at -1, 0 and 1, and the value under the pointer.
 struct Scale {
@@ -81,23 +81,23 @@ ImU32 colour_at(float part) {
 
 void draw_bar(const ImVec2& at) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  const float middle = at.x + em(kWidthEm / 2), right = at.x + em(kWidthEm);
-  const float bottom = at.y + em(kHeightEm);
+  const float middle = at.x + em(kBarWidthEm / 2), right = at.x + em(kBarWidthEm);
+  const float bottom = at.y + em(kBarHeightEm);
   const ImU32 blue = colour_at(-1), grey = colour_at(0), red = colour_at(1);
   list->AddRectFilledMultiColor(at, {middle, bottom}, blue, grey, grey, blue);
   list->AddRectFilledMultiColor({middle, at.y}, {right, bottom}, grey, red, red, grey);
 }
 
 void draw_mark(const ImVec2& at, const Scale& scale) {
-  const float x = at.x + em(kWidthEm) * static_cast<float>(scale.part + 1) / 2;
-  const float y = at.y + em(kHeightEm), side = em(0.35f);
+  const float x = at.x + em(kBarWidthEm) * static_cast<float>(scale.part + 1) / 2;
+  const float y = at.y + em(kBarHeightEm), side = em(0.35f);
   const ImU32 colour = ImGui::ColorConvertFloat4ToU32(theme::kText);
   ImGui::GetWindowDrawList()->AddTriangleFilled({x, y - side}, {x - side, y + side},
                                                 {x + side, y + side}, colour);
 }
 
 void draw_ends(const Scale& scale) {
-  const float left = ImGui::GetCursorPosX(), width = em(kWidthEm);
+  const float left = ImGui::GetCursorPosX(), width = em(kBarWidthEm);
   ImGui::TextUnformatted(scale.low.c_str());
   ImGui::SameLine(left + (width - ImGui::CalcTextSize(scale.middle.c_str()).x) / 2);
   ImGui::TextUnformatted(scale.middle.c_str());
@@ -124,7 +124,7 @@ void ColourBar::draw(Workspace& workspace) {
   }
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_bar(at);
-  ImGui::Dummy({em(kWidthEm), em(kHeightEm + 0.3f)});
+  ImGui::Dummy({em(kBarWidthEm), em(kBarHeightEm + 0.3f)});
   if (!scale->value.empty()) draw_mark(at, *scale);
   draw_ends(*scale);
   ImGui::End();

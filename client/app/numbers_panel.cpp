@@ -1,4 +1,5 @@
 #include <cfloat>
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "client/app/panels.h"
