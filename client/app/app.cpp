@@ -128,6 +128,7 @@ WindowLook App::look_of(const Preferences& preferences) const {
 // Loads letters as soon as a text has them.
 void App::show_look() {
   add_letters(*workspace_, letters_);
+  file_dialog_.add_letters(letters_);
   const std::string missing = window_->set_look(look_of(workspace_->preferences));
   if (missing.empty() || std::exchange(missing_letters_, missing) == missing) return;
   workspace_->log.warning(

@@ -42,6 +42,12 @@ void FileDialog::draw(Workspace& workspace) {
   if (answer_) take(*std::exchange(answer_, std::nullopt), workspace);
 }
 
+void FileDialog::add_letters(Letters& letters) const {
+  if (!browser_) return;
+  letters.add(browser_->folder().native());
+  for (const ListedFile& file : browser_->shown()) letters.add(file.name);
+}
+
 void FileDialog::take(const std::filesystem::path& file, Workspace& workspace) {
   remember_folder(workspace.preferences, file.parent_path());
   std::exchange(take_, nullptr)(file);

@@ -4,6 +4,7 @@
 
 #include "client/app/panels.h"
 #include "client/model/file_browser.h"
+#include "client/model/letters.h"
 #include "client/model/tasks.h"
 
 namespace burnish {
@@ -19,6 +20,8 @@ class FileDialog : public Panel {
   void ask(FileQuestion question, const Preferences& preferences, Take take);
   bool is_open() const { return browser_.has_value() || is_asking_natively_; }
   void draw(Workspace& workspace) override;
+  /// Adds the letters of the names that it shows.
+  void add_letters(Letters& letters) const;
 
  private:
   void ask_desktop(const std::vector<std::string>& command);

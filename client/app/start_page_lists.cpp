@@ -22,11 +22,14 @@ static size_t sessions_of(const Library& library, const std::string& scan) {
                     [&](const SessionInfo& session) { return session.scan_id == scan; }));
 }
 
+static constexpr float kWideListEm = 40;
 static constexpr ImGuiTableFlags kTable =
     ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
 
-static void add_column(const char* name, float width_em) {
-  ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, em(width_em));
+// A column that is less important is left out where there is little room.
+static void add_column(const char* name, float width_em, bool is_shown = true) {
+  const auto hidden = is_shown ? ImGuiTableColumnFlags_None : ImGuiTableColumnFlags_Disabled;
+  ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed | hidden, em(width_em));
 }
 
 // Draws a button that asks first. Returns true if the user is sure.
@@ -99,12 +102,13 @@ void draw_scans(Workspace& workspace) {
   if (library.scans.empty()) return faint_text("none yet");
   ImGui::SameLine();
   faint_text("%s on disk", megabytes(bytes).c_str());
+  const bool has_room = ImGui::GetContentRegionAvail().x > em(kWideListEm);
   if (!ImGui::BeginTable("##scans", 6, kTable)) return;
   ImGui::TableSetupColumn("name", 0, 1);
   add_column("triangles", 5);
-  add_column("surface", 4);
+  add_column("surface", 4, has_room);
   add_column("on disk", 4.5f);
-  add_column("imported", 6);
+  add_column("imported", 6, has_room);
   add_column("", 12.6f);
   ImGui::TableHeadersRow();
   for (const ScanInfo& scan : library.scans) {
@@ -141,12 +145,13 @@ void draw_sessions(Workspace& workspace) {
   ImGui::TextUnformatted("Sessions");
   const Library& library = workspace.library();
   if (library.sessions.empty()) return faint_text("none yet");
+  const bool has_room = ImGui::GetContentRegionAvail().x > em(kWideListEm);
   if (!ImGui::BeginTable("##sessions", 6, kTable)) return;
   ImGui::TableSetupColumn("name", 0, 1);
   ImGui::TableSetupColumn("scan", 0, 1);
   add_column("edits", 3.5f);
-  add_column("depth", 3.5f);
-  add_column("begun", 6);
+  add_column("depth", 3.5f, has_room);
+  add_column("begun", 6, has_room);
   add_column("", 9);
   ImGui::TableHeadersRow();
   for (const SessionInfo& session : library.sessions) {

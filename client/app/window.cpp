@@ -55,11 +55,15 @@ Result<std::unique_ptr<Window>> Window::create(const ImageSize& size, const Wind
 
 std::string Window::set_look(const WindowLook& look) {
   if (look_ == look) return {};
+  const bool is_first = !look_.has_value();
   look_ = look;
   const auto scale = static_cast<float>(look.scale > 0 ? look.scale : screen_scale(window_));
   apply_theme(scale, look.is_light);
   std::string missing = load_fonts(scale, look.letters);
-  ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the next frame makes them again, with the fonts
+  if (!is_first) {  // the first frame makes the texture itself
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+  }
   dirty_ = true;
   return missing;
 }

@@ -128,6 +128,16 @@ TEST_F(DialogWindow, AServerThatWasConnectedToIsRememberedWithoutItsToken) {
   EXPECT_THAT(preferences(), Not(HasSubstr("token")));
 }
 
+TEST_F(DialogWindow, ASessionIsRenamedInTheList) {
+  constexpr int kRenameX = 1048, kRowY = 284;
+  open_start_page();
+  click(kRenameX, kRowY);
+  screen_->type("table");
+  save_screen("rename.png");
+  screen_->key({"Return"});
+  EXPECT_TRUE(eventually([this] { return connection_->list_sessions()->at(0).name == "table"; }));
+}
+
 TEST_F(DialogWindow, PanelsAreLightAndLargeIfThePreferencesSaySo) {
   configure("light_theme = true\nscale = 2.0\n");
   start_window({"--session", "desk"});
@@ -160,6 +170,9 @@ TEST_F(DialogWindow, NamesInChineseAreDrawn) {
   open_start_page();
   EXPECT_TRUE(eventually([&] { return bone == std::exchange(bone, name()) && !bone.empty(); }));
   EXPECT_NE(head, bone);  // two boxes would be equal
+  end_window();
+  open_window();  // its letters are loaded while it is shown
+  EXPECT_THAT(screen_->title(), HasSubstr("骨"));
 }
 
 }  // namespace

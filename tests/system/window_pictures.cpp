@@ -300,9 +300,7 @@ void draw_dialogs(Studio& studio) {
 }
 
 void draw_start_page(Studio& studio) {
-  studio.click(24, 12);  // File
-  Studio::pause(500);
-  studio.save("menu", {0, 0, 280, 220});
+  studio.click(24, 12);   // File
   studio.click(60, 132);  // Close session
   Studio::pause(1500);
   studio.save("start", {0, 0, 1280, 720});
