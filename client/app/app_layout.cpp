@@ -203,7 +203,7 @@ void App::draw_columns(float top, float left, float right) {
   draw_section("Filter", filter_panel_, *workspace_);
   draw_section("Transfer curve α(κ)", curve_panel_, *workspace_);
   draw_section("Brush", brush_panel_, *workspace_);
-  draw_section("Protection", protect_panel_, *workspace_);
+  draw_section("Limits", protect_panel_, *workspace_);
   if (right > 0) {
     ImGui::End();
     begin_column("##right", ImGui::GetIO().DisplaySize.x - right, top, right);

@@ -34,6 +34,8 @@ void FilterPanel::draw_presets(Document& document, MessageLog& log) {
     if (!own_.empty()) ImGui::Separator();
     for (const Preset& preset : presets())
       if (draw_choice(preset)) choose(preset);
+    ImGui::Separator();
+    draw_own(document, log);
     ImGui::EndCombo();
   }
   if (preset_) draw_strength(document, log);
@@ -108,46 +110,12 @@ static void draw_fidelity(Document& document, MessageLog& log) {
   if (change == SliderChange::kDone) document.commit_curve();
 }
 
-static void draw_cap(Document& document, MessageLog& log) {
-  ImGui::TextUnformatted("Largest move");
-  ImGui::SameLine();
-  faint_text("in the scan's units; at the right: any");
-  const double any = document.diagonal();
-  Controls controls = document.controls();
-  double cap = controls.cap > 0 ? std::min(controls.cap, any) : any;
-  const SliderChange change = log_slider({{"Largest move", 1e-6 * any, any}, "%.3g", log}, cap);
-  if (change == SliderChange::kStill) return;
-  controls.cap = cap < any ? cap : 0;
-  if (change == SliderChange::kDone) {
-    document.set_controls(controls);
-  } else {
-    document.show_controls(controls);
-  }
-}
-
-static void draw_controls(Document& document, MessageLog& log) {
-  Controls controls = document.controls();
-  ImGui::BeginDisabled(document.is_closed());
-  bool is_changed = ImGui::Checkbox("Rims stay", &controls.pin_rims);
-  ImGui::EndDisabled();
-  hint("The rims of an open scan stay where they are. A closed scan has none.");
-  ImGui::SameLine(em(9));
-  ImGui::BeginDisabled(!document.is_closed());
-  is_changed |= ImGui::Checkbox("Volume stays", &controls.keep_volume);
-  ImGui::EndDisabled();
-  hint("A closed scan keeps its volume. An open scan has none.");
-  if (is_changed) document.set_controls(controls);
-  draw_cap(document, log);
-}
-
 void FilterPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
   ImGui::BeginDisabled(document.is_viewer());
   draw_presets(document, workspace.log);
   draw_beta(document, workspace.log);
   draw_fidelity(document, workspace.log);
-  draw_own(document, workspace.log);
-  draw_controls(document, workspace.log);
   ImGui::EndDisabled();
 }
 

@@ -16,7 +16,7 @@ class Panel {
   virtual void draw(Workspace& workspace) = 0;
 };
 
-/// Gradient scale, fidelity, presets and controls: the edit outside of painted areas.
+/// Gradient scale, fidelity and presets: the edit outside of painted areas.
 class FilterPanel : public Panel {
  public:
   void draw(Workspace& workspace) override;
@@ -39,7 +39,7 @@ class CurvePanel : public Panel {
   void draw(Workspace& workspace) override;
 };
 
-/// The region in which nothing moves.
+/// The bounds on what edits do, and the region in which nothing moves.
 class ProtectPanel : public Panel {
  public:
   void draw(Workspace& workspace) override;

@@ -1,5 +1,8 @@
+#include <algorithm>
+
 #include "client/app/panels.h"
 #include "client/app/theme.h"
+#include "client/app/value_slider.h"
 
 namespace burnish {
 static float third_of_panel() {
@@ -55,9 +58,42 @@ void ProtectPanel::draw_piece_buttons(Workspace& workspace) {
   hint("Nothing is protected");
 }
 
+static void draw_cap(Document& document, MessageLog& log) {
+  ImGui::TextUnformatted("Largest move");
+  ImGui::SameLine();
+  faint_text("in the scan's units; at the right: any");
+  const double any = document.diagonal();
+  Controls controls = document.controls();
+  double cap = controls.cap > 0 ? std::min(controls.cap, any) : any;
+  const SliderChange change = log_slider({{"Largest move", 1e-6 * any, any}, "%.3g", log}, cap);
+  if (change == SliderChange::kStill) return;
+  controls.cap = cap < any ? cap : 0;
+  if (change == SliderChange::kDone) {
+    document.set_controls(controls);
+  } else {
+    document.show_controls(controls);
+  }
+}
+
+static void draw_controls(Document& document, MessageLog& log) {
+  Controls controls = document.controls();
+  ImGui::BeginDisabled(document.is_closed());
+  bool is_changed = ImGui::Checkbox("Rims stay", &controls.pin_rims);
+  ImGui::EndDisabled();
+  hint("The rims of an open scan stay where they are. A closed scan has none.");
+  ImGui::SameLine(em(9));
+  ImGui::BeginDisabled(!document.is_closed());
+  is_changed |= ImGui::Checkbox("Volume stays", &controls.keep_volume);
+  ImGui::EndDisabled();
+  hint("A closed scan keeps its volume. An open scan has none.");
+  if (is_changed) document.set_controls(controls);
+  draw_cap(document, log);
+}
+
 void ProtectPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
   ImGui::BeginDisabled(document.is_viewer());
+  draw_controls(document, workspace.log);
   draw_lasso_buttons(workspace.viewport);
   draw_region_buttons(document);
   draw_piece_buttons(workspace);
