@@ -49,7 +49,9 @@ Status Workspace::draw() {
   is_drawn_ = document_ != nullptr;
   if (document_) return viewport.draw(renderer_, *document_);
   if (!raw_) return Status::ok();
-  return renderer_.draw(viewport.camera, viewport.size(), style_of(*raw_), raw_->patches);
+  DrawStyle style = style_of(*raw_);
+  style.lighting = viewport.options.lighting;
+  return renderer_.draw(viewport.camera, viewport.size(), style, raw_->patches);
 }
 
 }  // namespace burnish
