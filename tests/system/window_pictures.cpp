@@ -234,13 +234,13 @@ void draw_curve(Studio& studio) {
 }
 
 void draw_history(Studio& studio) {
-  studio.click(1075, 307);  // switches off the curve's entry
+  studio.click(1075, 327);  // switches off the curve's entry
   studio.settle();
-  studio.click(1120, 470);
+  studio.click(1120, 490);
   studio.type("before the stamp");
-  studio.click(1105, 498);
+  studio.click(1105, 518);
   studio.rest();
-  studio.save("history", {1042, 230, 238, 288});
+  studio.save("history", {1042, 250, 238, 288});
 }
 
 void draw_views(Studio& studio) {
