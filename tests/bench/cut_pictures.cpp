@@ -9,14 +9,12 @@
 
 #include "client/gl/context_egl.h"
 #include "client/gl/gl_page_renderer.h"
+#include "client/pages/cut_status.h"
 #include "client/pages/drawn_ranges.h"
-#include "client/pages/page_loader.h"
 #include "client/scene/png_writer.h"
 #include "client/scene/raw_pages.h"
-#include "common/pages/directory_codec.h"
-#include "common/pages/page_codec.h"
-#include "common/pages/page_file.h"
 #include "tests/bench/bench_main.h"
+#include "tests/bench/local_pages.h"
 #include "tests/bench/picture_difference.h"
 #include "tests/server/prepare/pages/read_pages.h"
 
@@ -68,58 +66,38 @@ class CutScan {
     ASSIGN_OR_RETURN(PageFile file, PageFile::open(path));
     auto cut = std::make_unique<CutScan>(std::move(file));
     ASSIGN_OR_RETURN(cut->renderer_, GlPageRenderer::create());
-    const PageHead& head = cut->head();
+    const PageHead& head = cut->pages_.head();
     cut->renderer_->open(make_page_space(head.grid, kDepthOfNoMatter));
     RETURN_IF_ERROR(cut->renderer_->reserve(
-        static_cast<uint32_t>(std::min<uint64_t>(budget().slots(), head.page_count()))));
+        static_cast<uint32_t>(std::min<uint64_t>(PageBudget().slots(), head.page_count()))));
     return cut;
   }
-  explicit CutScan(PageFile file) : file_(std::move(file)), loader_(head(), budget(), false) {}
+  explicit CutScan(PageFile file) : pages_(std::move(file)) {}
 
   Result<Image> draw(const Camera& camera) {
-    RETURN_IF_ERROR(settle(camera));
+    RETURN_IF_ERROR(settle(make_page_view(camera, kPictureSize, pages_.head().grid)));
     std::vector<PatchRange> patches;
-    for (const DrawnRange& range : drawn_ranges(loader_.cut(), loader_.cache()))
+    const PageLoader& loader = pages_.loader();
+    for (const DrawnRange& range : drawn_ranges(loader.cut(), loader.cache()))
       patches.push_back({range.slot, range.first_triangle, range.triangles});
     RETURN_IF_ERROR(renderer_->draw(camera, kPictureSize, {}, patches));
     return renderer_->read_pixels();
   }
-  CutStatus status() const { return loader_.status(); }
+  CutStatus status() const { return pages_.loader().status(); }
 
  private:
-  static PageBudget budget() { return {}; }
-  const PageHead& head() const { return file_.directory().head; }
-
-  Status settle(const Camera& camera) {
-    PictureQuestion question;
-    question.view = make_page_view(camera, kPictureSize, head().grid);
-    question.link = {1e10, 1};
+  Status settle(const PageView& view) {
     for (int look = 0; look < 10'000; ++look) {
-      loader_.look(question, {});
-      if (loader_.is_settled()) return Status::ok();
-      for (const PageItem item : loader_.requests().ask) RETURN_IF_ERROR(bring(item));
-      for (const PageId page : loader_.to_decode())
-        loader_.on_decoded(page, decode_page(loader_.bytes_of(page)), {});
-      for (const PageUpload& upload : loader_.take_uploads())
-        RETURN_IF_ERROR(
-            renderer_->upload_page(upload.slot, make_page_mesh(*upload.content, head().grid)));
+      ASSIGN_OR_RETURN(const std::vector<PageUpload> uploads, pages_.look(view));
+      for (const PageUpload& upload : uploads)
+        RETURN_IF_ERROR(renderer_->upload_page(
+            upload.slot, make_page_mesh(*upload.content, pages_.head().grid)));
+      if (pages_.loader().is_settled()) return Status::ok();
     }
-    return internal_error("the cut does not settle: " + status_text(loader_.status()));
+    return internal_error("the cut does not settle: " + status_text(status()));
   }
 
-  Status bring(PageItem item) {
-    if (item.kind == PageItem::Kind::kPage) {
-      ASSIGN_OR_RETURN(std::vector<uint8_t> bytes, file_.read_page_bytes(item.number));
-      loader_.on_page(item.number, std::move(bytes), {});
-      return Status::ok();
-    }
-    ASSIGN_OR_RETURN(const std::vector<uint8_t> bytes, file_.read_block_bytes(item.number));
-    loader_.on_block(item.number, decode_block(bytes, head(), item.number), {});
-    return Status::ok();
-  }
-
-  PageFile file_;
-  PageLoader loader_;
+  LocalPages pages_;
   std::unique_ptr<GlPageRenderer> renderer_;
 };
 

@@ -1,11 +1,16 @@
 // Measures pictures per second of a displaced mesh in pages, the time from a dab of the brush to
-// its picture, and picks, without a window: draw_bench [TRIANGLES [PICTURES]]
+// its picture, and picks, without a window: draw_bench [TRIANGLES [PICTURES [FILE]]]
+//
+// Adds its figures to FILE, draw_bench.json for tests/bench/write_tables.
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <epoxy/gl.h>
+#include <nlohmann/json.hpp>
 
 #include "client/gl/context_egl.h"
 #include "client/gl/gl_page_renderer.h"
@@ -122,15 +127,27 @@ class Table {
       if (!done.is_ok()) status_ = done;
     });
     std::printf("%-32s %9.3f ms median, %8.1f a second\n", what, ms, 1000 / ms);
+    medians_ms_[what] = ms;
   }
   const Status& status() const { return status_; }
+  const nlohmann::ordered_json& medians_ms() const { return medians_ms_; }
 
  private:
   int repeats_;
   Status status_;
+  nlohmann::ordered_json medians_ms_;
 };
 
-Status run(uint64_t triangles, int pictures) {
+Status add_to_file(const std::filesystem::path& path, nlohmann::ordered_json figures) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  if (std::ifstream before(path); before) all = nlohmann::ordered_json::parse(before);
+  all.push_back(std::move(figures));
+  std::ofstream file(path);
+  file << all.dump(1) << "\n";
+  return file.flush() ? Status::ok() : internal_error("cannot write " + path.string());
+}
+
+Status run(uint64_t triangles, int pictures, const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const auto context, EglContext::create());
   ASSIGN_OR_RETURN(const TriangleMesh scan,
                    generate_scan({.kind = "blob", .vertices = triangles / 2}));
@@ -138,9 +155,9 @@ Status run(uint64_t triangles, int pictures) {
   const SplitMesh split = split_into_pages(scan, kPageTriangles);
   Bench bench(*renderer, split);
   RETURN_IF_ERROR(bench.put_all());
-  std::printf("%s\n%zu triangles in %zu pages, %dx%d\n",
-              reinterpret_cast<const char*>(glGetString(GL_RENDERER)), scan.triangles.size(),
-              bench.pages(), kSize.width, kSize.height);
+  const char* const card = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  std::printf("%s\n%zu triangles in %zu pages, %dx%d\n", card, scan.triangles.size(), bench.pages(),
+              kSize.width, kSize.height);
   Table table(pictures);
   table.add("turning", [&] { return bench.turn(); });
   table.add("turning, all pages moved", [&] { return bench.move_all(); });
@@ -155,7 +172,10 @@ Status run(uint64_t triangles, int pictures) {
   table.add("a mesh cut into pages", [&] {
     return make_raw_pages(scan).pages.empty() ? internal_error("no pages") : Status::ok();
   });
-  return table.status();
+  if (!table.status().is_ok() || path.empty()) return table.status();
+  return add_to_file(
+      path,
+      {{"card", card}, {"triangles", scan.triangles.size()}, {"medians_ms", table.medians_ms()}});
 }
 
 }  // namespace
@@ -164,7 +184,7 @@ Status run(uint64_t triangles, int pictures) {
 int main(int count, char** words) {
   const uint64_t triangles = count > 1 ? std::stoull(words[1]) : 1'000'000;
   const int pictures = count > 2 ? std::stoi(words[2]) : 30;
-  const burnish::Status status = burnish::run(triangles, pictures);
+  const burnish::Status status = burnish::run(triangles, pictures, count > 3 ? words[3] : "");
   if (!status.is_ok()) std::fprintf(stderr, "draw_bench: %s\n", status.message().c_str());
   return status.is_ok() ? 0 : 1;
 }

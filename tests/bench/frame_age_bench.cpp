@@ -1,9 +1,11 @@
 // Measures how old frames are when a client has them, and the cost of a stopped client to the
 // server.
 //
-//   frame_age_bench [SCAN [DEPTH [PAGES]]]   without a scan: a generated blob of 100,000 vertices
+//   frame_age_bench [SCAN [DEPTH [PAGES [FILE]]]]
 //
-// Readers show the coarsest pages of the scan: kLoadPages, or PAGES; 0 stands for all.
+// Without a scan it takes a generated blob of 100,000 vertices. Readers show the coarsest pages of
+// the scan: kLoadPages, or PAGES; 0 stands for all. Adds its figures to FILE, frame_age_bench.json
+// for tests/bench/write_tables.
 //
 // One person drags the slider without a pause, over links of several kinds. A frame's age comes
 // from the newest heartbeat that the server had when it made the frame, less half a round trip.
@@ -111,19 +113,35 @@ nlohmann::ordered_json run_case(const ServerProcess& server,
   return report;
 }
 
-void print_case(const Case& c, const nlohmann::ordered_json& report) {
+nlohmann::ordered_json figures_of(const Case& c, const nlohmann::ordered_json& report) {
   const auto& age = report["frame_age_ms"];
   const auto& drawn = report["drawn_age_ms"];
-  const auto ms = [](const nlohmann::ordered_json& values, const char* key) {
-    return values.value(key, 0.0);
-  };
-  const double bar_ms = c.rtt_ms + kBarMs;
-  std::printf("%-28s %6.1f %7.1f   %6.1f %6.1f %6.1f   %6.1f %6.1f   %5.0f %s\n", c.name,
-              report["frames_per_second"].get<double>(),
-              report["bytes_per_second"].get<double>() * 8e-6, ms(age, "p50"), ms(age, "p95"),
-              ms(age, "p99"), ms(drawn, "p50"), ms(drawn, "p95"), bar_ms,
-              ms(age, "p95") <= bar_ms ? "met" : "MISSED");
+  return {{"reader", c.name},
+          {"frames_per_s", report["frames_per_second"]},
+          {"mbit_per_s", report["bytes_per_second"].get<double>() * 8e-6},
+          {"age_p50_ms", age.value("p50", 0.0)},
+          {"age_p95_ms", age.value("p95", 0.0)},
+          {"age_p99_ms", age.value("p99", 0.0)},
+          {"drawn_p50_ms", drawn.value("p50", 0.0)},
+          {"drawn_p95_ms", drawn.value("p95", 0.0)},
+          {"bar_ms", c.rtt_ms + kBarMs}};
+}
+
+void print_case(const nlohmann::ordered_json& row) {
+  const auto value = [&](const char* key) { return row[key].get<double>(); };
+  std::printf("%-28s %6.1f %7.1f   %6.1f %6.1f %6.1f   %6.1f %6.1f   %5.0f %s\n",
+              row["reader"].get<std::string>().c_str(), value("frames_per_s"), value("mbit_per_s"),
+              value("age_p50_ms"), value("age_p95_ms"), value("age_p99_ms"), value("drawn_p50_ms"),
+              value("drawn_p95_ms"), value("bar_ms"),
+              value("age_p95_ms") <= value("bar_ms") ? "met" : "MISSED");
   std::fflush(stdout);
+}
+
+void add_to_file(const std::string& path, const std::vector<nlohmann::ordered_json>& rows) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  if (std::ifstream before(path); before) all = nlohmann::ordered_json::parse(before);
+  for (const nlohmann::ordered_json& row : rows) all.push_back(row);
+  std::ofstream(path) << all.dump(1) << "\n";
 }
 
 double resident_megabytes(pid_t pid) {
@@ -175,7 +193,13 @@ int main_of(int argc, char** argv) {
               "when drawn");
   std::printf("%-28s %6s %7s   %6s %6s %6s   %6s %6s   %5s\n", "", "/ s", "", "p50", "p95", "p99",
               "p50", "p95", "bar");
-  for (const Case& c : kCases) print_case(c, run_case(server, surface, c));
+  std::vector<nlohmann::ordered_json> rows;
+  for (const Case& c : kCases) {
+    rows.push_back(figures_of(c, run_case(server, surface, c)));
+    rows.back()["vertices"] = surface->points.size();
+    print_case(rows.back());
+  }
+  if (argc > 4) add_to_file(argv[4], rows);
   run_stopped_client(server, surface);
   return 0;
 }
