@@ -61,7 +61,8 @@ void ProtectPanel::draw_piece_buttons(Workspace& workspace) {
 static void draw_cap(Document& document, MessageLog& log) {
   ImGui::TextUnformatted("Largest move");
   ImGui::SameLine();
-  faint_text("in the scan's units; at the right: any");
+  faint_text("at the right: any");
+  hint("In the scan's units. No point of the surface moves farther.");
   const double any = document.diagonal();
   Controls controls = document.controls();
   double cap = controls.cap > 0 ? std::min(controls.cap, any) : any;
