@@ -209,9 +209,9 @@ void App::draw_columns(float top, float left, float right) {
     begin_column("##right", ImGui::GetIO().DisplaySize.x - right, top, right);
   }
   draw_section("View", view_panel_, *workspace_);
-  draw_section("Numbers", numbers_panel_, *workspace_);
   draw_section("History", history_panel_, *workspace_);
   draw_section("People", people_panel_, *workspace_);
+  draw_section("Numbers", numbers_panel_, *workspace_);
   draw_section("Light", light_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   draw_section("Camera", camera_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   if (right == 0 && shows_hud_) draw_section("Figures", figures_panel_, *workspace_);

@@ -42,7 +42,7 @@ static void draw_deviation(Document& document) {
   const std::string& unit = document.unit();
   number_row("largest move", length_text(deviation.max, unit));
   number_row("mean", length_text(deviation.mean, unit));
-  number_row("root mean square", length_text(deviation.rms, unit));
+  number_row("rms", length_text(deviation.rms, unit));
   number_row("outwards", length_text(deviation.outward_max, unit));
   number_row("inwards", length_text(deviation.inward_max, unit));
   if (document.scan().scan.statistics.is_closed() && deviation.volume_before != 0)

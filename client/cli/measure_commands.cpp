@@ -68,7 +68,7 @@ Status run_section(const MeasureOptions& options) {
   if (section.original.empty())
     return failed_precondition("the plane does not meet scan " + scan.name);
   RETURN_IF_ERROR(write_section(section, scan.unit, options.out));
-  std::printf("%s: %zu lines before the edits, %zu after\n", options.out.c_str(),
+  std::printf("%s: lines before the edits: %zu, after: %zu\n", options.out.c_str(),
               section.original.size(), section.edited.size());
   return Status::ok();
 }

@@ -46,7 +46,7 @@ class Fields {
   /// Also refuses more cells than there are, and a cell that is set twice. For changes that are
   /// new. Fails: invalid_argument that names the count or the first such cell.
   Status check_new(const SetCellFields& change) const;
-  /// Fails: invalid_argument if no dab of the stroke reaches the middle of a cell.
+  /// Fails: invalid_argument if no dab of the stroke reaches a cell.
   Status check_new(const Stroke& stroke) const;
   void clear_overrides();
   /// Leads β to 1 and raises α in held cells, over all other sources. Null: nothing is held.

@@ -47,11 +47,12 @@ Status Fields::check_new(const SetCellFields& change) const {
   return Status::ok();
 }
 
+// A fine brush on the surface may reach the middle of no cell: it touches the surface all the same.
 bool Fields::touches(const Brush& brush, const Vec3d& centre) const {
   return std::ranges::any_of(cells_near(brush, {&centre, 1}), [&](int64_t c) {
-    const Vec3d middle = prepared_.frame.to_file(morton_point(prepared_.cells[c]).cast<double>() +
-                                                 Vec3d::Constant(0.5));
-    return (middle - centre).norm() < brush.radius;
+    const Vec3d corner = prepared_.frame.to_file(morton_point(prepared_.cells[c]).cast<double>());
+    const Vec3d end = corner + Vec3d::Constant(prepared_.frame.cell_size);
+    return (centre.cwiseMax(corner).cwiseMin(end) - centre).norm() < brush.radius;
   });
 }
 
@@ -60,9 +61,8 @@ Status Fields::check_new(const Stroke& stroke) const {
   if (std::ranges::any_of(centres, [&](const Vec3d& c) { return touches(stroke.brush, c); }))
     return Status::ok();
   std::ostringstream text;
-  text << "the stroke touches nothing: no cell of the surface (" << prepared_.frame.cell_size
-       << " wide) has its middle within the brush's radius, " << stroke.brush.radius
-       << ", of the path";
+  text << "the stroke touches nothing: no part of the surface is within the brush's radius, "
+       << stroke.brush.radius << ", of its path";
   return invalid_argument(text.str());
 }
 

@@ -10,7 +10,7 @@ namespace burnish {
 namespace {
 
 constexpr int kBetaFieldX = 238, kStrengthFieldX = 238, kStrengthY = 565;
-constexpr int kReplaceX = 450, kReplaceY = 420;
+constexpr int kReplaceX = 432, kReplaceY = 443;
 
 class FieldWindow : public WindowTest {
  protected:

@@ -61,6 +61,8 @@ TEST_F(FieldsTest, ANewStrokeThatTouchesNoCellIsRefused) {
   EXPECT_TRUE(fields_.check_new(stroke(2)).is_ok());
   const Brush brush{.radius = 0.25, .beta = 2};
   EXPECT_TRUE(fields_.check_new(Stroke{brush, {{5, 0, 0}, {1, 0, 0}}}).is_ok());
+  const Brush fine{.radius = 1e-6, .beta = 2};
+  EXPECT_TRUE(fields_.check_new(Stroke{fine, {prepared_->vertices[0]}}).is_ok());
   const Status refused = fields_.check_new(Stroke{brush, {{5, 0, 0}, {5, 1, 0}}});
   EXPECT_EQ(refused.code(), StatusCode::kInvalidArgument);
   EXPECT_THAT(refused.message(), HasSubstr("0.25"));
