@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kBarWidthEm = 14, kBarHeightEm = 0.8f;
 
-/// What the colours mean: texts at -1, 0 and 1, and the value under the pointer.
+/// A legend of the colours: texts at -1, 0 and 1, and the value under the pointer.
 struct Scale {
   std::string title, low, middle, high;
   double part = 0;  // of the pointer, -1 to 1

@@ -110,7 +110,7 @@ float occlusion_at(Place at, ivec2 pixel) {
   return sum / weights;
 }
 
-// What multiplies the colour in sRGB.
+// Multiplies the colour in sRGB.
 float light_around(Place at, ivec2 pixel, int index) {
   if (at.away == 0.0) return 1.0;
   float factor = 1.0;

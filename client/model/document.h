@@ -119,7 +119,7 @@ class Document {
 
   Measuring& measuring() { return measuring_; }
   const Measuring& measuring() const { return measuring_; }
-  /// What measuring() is to follow.
+  /// Returns the state that measuring() follows.
   Measuring::Shown shown() const { return {edits_known_, is_settled()}; }
   /// Names the unit of the scan's coordinates for everybody.
   void name_unit(const std::string& unit);

@@ -14,7 +14,7 @@
 
 namespace burnish {
 
-/// What the server measures for the window: the deviation of the whole surface, and a section. Asks
+/// Has the server measure for the window: the deviation of the whole surface, and a section. Asks
 /// again after edits, once the surface has settled. Never waits. Used from one thread.
 class Measuring {
  public:

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// What was done to a scan until an export: who, what, when, with which parameters, how far the
+/// The story of a scan until an export: who did what, when, with which parameters, how far the
 /// surface moved, and the hashes of both files.
 struct ProcessingRecord {
   std::string program;  ///< "burnish 0.1.0"

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// What a depth costs, as far as is known before a scan is prepared.
+/// The cost of a depth, as far as it is known before a scan is prepared.
 struct DepthPlan {
   int depth = kDepthMin;
   double cell_size = 1;        ///< file units; the shortest wave is two cells

@@ -1,4 +1,4 @@
-// What a change of the fields must be like.
+// Checks of changes of the fields.
 
 #include <algorithm>
 #include <sstream>

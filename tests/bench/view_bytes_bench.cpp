@@ -29,7 +29,7 @@ struct Tables {
   BenchTable& levels;
 };
 
-/// What has come for a view.
+/// The bytes that have come for a view.
 struct Fetched {
   double kilobytes = 0;
   double triangles = 0;

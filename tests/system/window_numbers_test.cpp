@@ -1,4 +1,4 @@
-// What the window measures.
+// Lengths that the window measures.
 
 #include "tests/system/window_fixture.h"
 
