@@ -26,7 +26,7 @@ Status run(const OpenOptions& options) {
   }
   std::cout << (opened.attached ? "attached to " : "opened ") << session.name << ": scan "
             << short_id(session.scan_id) << ", depth " << session.key.depth << ", " << session.edits
-            << " edits\n";
+            << (session.edits == 1 ? " edit\n" : " edits\n");
   return Status::ok();
 }
 

@@ -24,7 +24,7 @@ Status fork(const ForkOptions& options) {
     print_json(to_json(session));
   } else {
     std::cout << "forked " << options.wish.source << ": " << session.name << ", " << session.edits
-              << " edits\n";
+              << (session.edits == 1 ? " edit\n" : " edits\n");
   }
   return Status::ok();
 }
