@@ -2,6 +2,8 @@
 
 #include <iostream>
 
+#include "client/report/deviation_json.h"
+
 namespace burnish {
 
 using Json = nlohmann::ordered_json;
@@ -104,19 +106,9 @@ Json to_json(const ExportSummary& summary) {
 }
 
 Json to_json(const SessionDeviation& measured) {
-  const Deviation& deviation = measured.deviation;
-  return {{"max", deviation.max},
-          {"farthest", point(deviation.farthest)},
-          {"mean", deviation.mean},
-          {"rms", deviation.rms},
-          {"outward_max", deviation.outward_max},
-          {"inward_max", deviation.inward_max},
-          {"mean_along_normal", deviation.mean_along_normal},
-          {"area_before", deviation.area_before},
-          {"area_after", deviation.area_after},
-          {"volume_before", deviation.volume_before},
-          {"volume_after", deviation.volume_after},
-          {"settled", measured.settled}};
+  Json json = deviation_json(measured.deviation);
+  json["settled"] = measured.settled;
+  return json;
 }
 
 Json to_json(const HistoryEntry& entry) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "client/report/deviation_json.h"
 #include "client/report/processing_record.h"
 #include "client/report/time_text.h"
 
@@ -47,22 +48,6 @@ static Json method_of(const ProcessingRecord& record) {
           {"distance", record.result.distance}};
 }
 
-static Json deviation_to_json(const Deviation& deviation) {
-  const Vec3d& farthest = deviation.farthest;
-  return {{"max", deviation.max},
-          {"farthest", {farthest.x(), farthest.y(), farthest.z()}},
-          {"mean", deviation.mean},
-          {"rms", deviation.rms},
-          {"outward_max", deviation.outward_max},
-          {"inward_max", deviation.inward_max},
-          {"mean_along_normal", deviation.mean_along_normal},
-          {"area_before", deviation.area_before},
-          {"area_after", deviation.area_after},
-          {"volume_before", deviation.volume_before},
-          {"volume_after", deviation.volume_after},
-          {"histogram", {{"range", deviation.histogram_range}, {"area", deviation.histogram}}}};
-}
-
 static Json edits_of(const ProcessingRecord& record) {
   Json edits = Json::array();
   for (const HistoryEntry& entry : record.edits)
@@ -76,19 +61,18 @@ static Json edits_of(const ProcessingRecord& record) {
 }
 
 std::string record_json(const ProcessingRecord& record) {
-  const Json json = {
-      {"burnish_record", kRecordVersion},
-      {"program", record.program},
-      {"time", utc_text(record.unix_ms)},
-      {"author", record.author},
-      {"session", record.state.session.name},
-      {"session_id", record.state.session.id},
-      {"input", input_of(record.scan)},
-      {"output", output_of(record)},
-      {"method", method_of(record)},
-      {"deviation", deviation_to_json(record.result.deviation.value_or(Deviation()))},
-      {"edits", edits_of(record)},
-      {"edited_since", record.is_edited_since}};
+  const Json json = {{"burnish_record", kRecordVersion},
+                     {"program", record.program},
+                     {"time", utc_text(record.unix_ms)},
+                     {"author", record.author},
+                     {"session", record.state.session.name},
+                     {"session_id", record.state.session.id},
+                     {"input", input_of(record.scan)},
+                     {"output", output_of(record)},
+                     {"method", method_of(record)},
+                     {"deviation", deviation_json(record.result.deviation.value_or(Deviation()))},
+                     {"edits", edits_of(record)},
+                     {"edited_since", record.is_edited_since}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -11,7 +11,7 @@ void ServerRoom::refuse(uint64_t vertices, Time now) {
   rises_at_ = now + pause_;
 }
 
-// What was refused may be tried again: others may have left the server.
+// A refused number of pages may be tried again: others may have left the server.
 uint64_t ServerRoom::vertices_max(Time now) {
   if (max_ == 0 || now < rises_at_) return max_;
   max_ += max_ / 8;

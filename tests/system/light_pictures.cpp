@@ -1,4 +1,4 @@
-// Draws the same scan in every light of `burnish render --light`, for docs/pictures.md.
+// Draws the same scan in every light of `burnish render --light`, for docs/light.md.
 // light_pictures OUT
 
 #include <cstdio>
@@ -13,8 +13,8 @@
 namespace burnish {
 namespace {
 
-constexpr ImageSize kTile{960, 720};  // drawn at twice the size of the sheet
-constexpr Box kScan{120, 60, 720, 600};
+constexpr ImageSize kTile{640, 480};  // drawn at twice the size of the sheet
+constexpr Box kScan{80, 40, 480, 400};
 
 Image draw(const TriangleMesh& mesh, const Lighting& lighting) {
   PictureOptions picture{

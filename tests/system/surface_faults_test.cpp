@@ -1,4 +1,4 @@
-// What a window shows while pages do not come: the server is full, dead, silent or damaged.
+// A window shows its surface while pages do not come: the server is full, dead, silent or damaged.
 
 #include <filesystem>
 

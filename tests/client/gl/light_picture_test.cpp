@@ -35,7 +35,7 @@ class LightPicture : public RawStage {
     return high - low;
   }
 
-  // Of the bytes of two pictures. Averages of samples may be rounded in two ways.
+  // Bytes of two pictures may differ by one: averages of samples may be rounded in two ways.
   static int largest_difference(const Image& a, const Image& b) {
     int largest = 0;
     for (size_t i = 0; i < a.rgb.size(); ++i)
