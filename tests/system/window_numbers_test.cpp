@@ -19,5 +19,22 @@ TEST_F(WindowTest, TheRulerMeasuresAndDoesNotPaint) {
   EXPECT_EQ(newest_of(1).kind, EditKind::kStroke);
 }
 
+// The bar lies at the lower right of the picture.
+TEST_F(WindowTest, TheColourBarIsThereWithTheColoursThatItExplains) {
+  constexpr int kColourX = 1160, kColourY = 71, kBetaColourY = 119, kBarX = 860, kBarY = 672;
+  open_window();
+  const auto is_blue = [&] {
+    const Image image = screen_->capture();
+    const uint8_t* rgb = image.pixel(kBarX, kBarY);
+    return rgb[2] > rgb[0] + 60;
+  };
+  EXPECT_FALSE(is_blue());
+  click(kColourX, kColourY);
+  click(kColourX, kBetaColourY);
+  screen_->move(kPictureX, kPictureY);
+  EXPECT_TRUE(eventually(is_blue));
+  save_screen("colour_bar.png");
+}
+
 }  // namespace
 }  // namespace burnish
