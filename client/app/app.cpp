@@ -189,6 +189,10 @@ WindowEvents App::make_events() {
   return events;
 }
 
+static bool lies_within(const Eigen::Vector2d& pixel, const ImVec2& low, const ImVec2& high) {
+  return pixel.x() >= low.x && pixel.x() < high.x && pixel.y() >= low.y && pixel.y() < high.y;
+}
+
 bool App::is_in_picture(const Eigen::Vector2d& pixel) const {
   const Eigen::Vector2d at = in_picture(pixel);
   if (at.x() < 0 || at.y() < 0 || at.x() >= picture_.size.width || at.y() >= picture_.size.height)
@@ -196,8 +200,8 @@ bool App::is_in_picture(const Eigen::Vector2d& pixel) const {
   if (shows_help_ || shows_log_ || export_dialog_.is_open() || file_dialog_.is_open()) return false;
   constexpr auto kAnyPopup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
   if (ImGui::IsPopupOpen("", kAnyPopup)) return false;  // a click beside the popup closes it
-  return pixel.x() < toasts_.covered_low.x || pixel.x() >= toasts_.covered_high.x ||
-         pixel.y() < toasts_.covered_low.y || pixel.y() >= toasts_.covered_high.y;
+  return !lies_within(pixel, toasts_.covered_low, toasts_.covered_high) &&
+         !lies_within(pixel, section_window_.covered_low, section_window_.covered_high);
 }
 
 Eigen::Vector2d App::in_picture(const Eigen::Vector2d& pixel) const {

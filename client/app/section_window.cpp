@@ -109,6 +109,7 @@ void SectionWindow::draw_controls(Workspace& workspace) {
 
 void SectionWindow::draw(Workspace& workspace) {
   Document& document = *workspace.document();
+  covered_low = covered_high = {0, 0};
   if (!document.measuring().plane()) return;
   document.measuring().follow_section(document.shown());
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -119,6 +120,9 @@ void SectionWindow::draw(Workspace& workspace) {
     draw_controls(workspace);
     draw_plot(document, exaggeration_);
   }
+  covered_low = ImGui::GetWindowPos();
+  covered_high = {covered_low.x + ImGui::GetWindowWidth(),
+                  covered_low.y + ImGui::GetWindowHeight()};
   ImGui::End();
   if (!is_open) document.measuring().forget_section();
 }

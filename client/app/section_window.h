@@ -1,5 +1,7 @@
 #pragma once
 
+#include <imgui.h>
+
 #include "client/app/panels.h"
 
 namespace burnish {
@@ -11,6 +13,9 @@ Plane section_plane(const Ruler& ruler, const Camera& camera);
 class SectionWindow : public Panel {
  public:
   void draw(Workspace& workspace) override;
+
+  /// The drawn area, which takes the mouse.
+  ImVec2 covered_low{0, 0}, covered_high{0, 0};
 
  private:
   void draw_controls(Workspace& workspace);

@@ -36,5 +36,28 @@ TEST_F(WindowTest, TheColourBarIsThereWithTheColoursThatItExplains) {
   save_screen("colour_bar.png");
 }
 
+TEST_F(WindowTest, ASectionAlongTheRulerIsShown) {
+  constexpr int kColumnX = 1160, kColumnY = 400, kWheelDown = 5;
+  constexpr int kSectionX = 1082, kSectionY = 635, kInWindowX = 700, kInWindowY = 540;
+  open_window();
+  screen_->key({"m"});
+  click(kPictureX - 60, kPictureY);
+  click(kPictureX + 60, kPictureY);
+  settle();
+  screen_->move(kColumnX, kColumnY);
+  for (int i = 0; i < 30; ++i) {
+    screen_->press(kWheelDown);
+    screen_->release(kWheelDown);
+  }
+  const Image before = settle();
+  click(kSectionX, kSectionY);
+  EXPECT_TRUE(until_it_differs(before, 1));
+  save_screen("section.png");
+  screen_->key({"m"});  // the brush again, which must not paint through the window
+  screen_->drag(kInWindowX - 100, kInWindowY, kInWindowX, kInWindowY);
+  settle();
+  EXPECT_TRUE(history().empty());
+}
+
 }  // namespace
 }  // namespace burnish
