@@ -14,6 +14,16 @@ inline constexpr int kDefaultDepthMax = 9;
 inline constexpr uint64_t kTrianglesMax = uint64_t{1} << 31;
 inline constexpr uint64_t kVerticesMax = uint64_t{1} << 31;
 inline constexpr uint64_t kReadingBytesPerFileByte = 12;  // memory while a mesh file is read
+inline constexpr size_t kArchiveEntriesMax = 10'000;
+inline constexpr size_t kArchiveNameBytesMax = 1024;                           // of one entry
+inline constexpr uint64_t kArchiveUnpackedBytesMax = uint64_t{16} << 30;       // of all entries
+inline constexpr uint64_t kArchiveUnpackedPerByteMax = 100;                    // of the archive
+inline constexpr uint64_t kArchiveUnpackedBytesInAnyCase = uint64_t{1} << 20;  // the ratio's floor
+inline constexpr uint64_t kPictureBytesMax = uint64_t{512} << 20;              // of its file
+inline constexpr uint64_t kPicturePixelsMax = uint64_t{1} << 28;               // 16384 x 16384
+inline constexpr uint64_t kPicturePixelsPerByteMax = 1024;                     // of its file
+inline constexpr uint64_t kPicturePixelsInAnyCase = uint64_t{1} << 24;         // that ratio's floor
+inline constexpr uint64_t kMaterialFileBytesMax = uint64_t{16} << 20;
 inline constexpr double kCoordinateMagnitudeMax = 1e18;  // file units; squares stay finite in float
 
 inline constexpr double kCurvatureRadiusMin = 1e-4;  // of L; smaller averages nothing: use 0

@@ -8,15 +8,12 @@
 
 namespace burnish {
 
-/// A colour per vertex (red, green, blue, alpha), kept from import to export.
-using Rgba8 = std::array<uint8_t, 4>;
-
 /// An indexed triangle mesh as scanners leave it: it may have boundary, non-manifold edges,
 /// zero-area triangles, several components, and vertices that no triangle references.
 struct TriangleMesh {
   std::vector<Vec3d> vertices;      ///< positions in the file's own units
   std::vector<Triangle> triangles;  ///< indices into `vertices`
-  std::vector<Rgba8> colours;       ///< empty, or one per vertex
+  std::vector<Rgba8> colours;       ///< empty, or one per vertex: of the file, or of its textures
 
   /// True if the source has more than float precision (PLY double, long decimals), as survey
   /// coordinates have. Writers then write doubles, else floats.

@@ -1,0 +1,111 @@
+#include <csetjmp>
+#include <cstddef>
+#include <cstdio>
+#include <jerror.h>
+#include <jpeglib.h>
+
+#include "common/picture/picture_formats.h"
+
+namespace burnish {
+
+namespace {
+
+constexpr int kScansMax = 100;  // a small progressive file may ask for thousands of passes
+
+/// The state of one decoding. libjpeg leaves by longjmp, so no frame between has a destructor.
+struct JpegDecoding {
+  jpeg_decompress_struct jpeg = {};
+  jpeg_error_mgr errors = {};
+  jpeg_progress_mgr progress = {};
+  std::jmp_buf failed;
+  char message[JMSG_LENGTH_MAX] = "";
+  bool is_cut = false;
+};
+
+JpegDecoding& decoding_of(j_common_ptr jpeg) {
+  return *static_cast<JpegDecoding*>(jpeg->client_data);
+}
+
+[[noreturn]] void leave(j_common_ptr jpeg) {
+  JpegDecoding& decoding = decoding_of(jpeg);
+  jpeg->err->format_message(jpeg, decoding.message);
+  std::longjmp(decoding.failed, 1);
+}
+
+void take_warning(j_common_ptr jpeg, int) {
+  if (jpeg->err->msg_code == JWRN_JPEG_EOF) decoding_of(jpeg).is_cut = true;
+}
+
+void check_scans(j_common_ptr jpeg) {
+  JpegDecoding& decoding = decoding_of(jpeg);
+  if (decoding.jpeg.input_scan_number <= kScansMax) return;
+  std::snprintf(decoding.message, sizeof decoding.message,
+                "picture with more than %d scans, which is the limit", kScansMax);
+  std::longjmp(decoding.failed, 1);
+}
+
+/// Each step returns false where libjpeg failed; `message` then says why.
+bool read_header(JpegDecoding& decoding, std::span<const uint8_t> bytes) {
+  if (setjmp(decoding.failed) != 0) return false;
+  jpeg_create_decompress(&decoding.jpeg);
+  decoding.jpeg.progress = &decoding.progress;
+  jpeg_mem_src(&decoding.jpeg, bytes.data(), static_cast<unsigned long>(bytes.size()));
+  jpeg_read_header(&decoding.jpeg, TRUE);
+  return true;
+}
+
+bool read_rows(JpegDecoding& decoding, Picture& picture) {
+  if (setjmp(decoding.failed) != 0) return false;
+  decoding.jpeg.out_color_space = JCS_EXT_RGBA;
+  jpeg_start_decompress(&decoding.jpeg);
+  while (decoding.jpeg.output_scanline < decoding.jpeg.output_height) {
+    const size_t first = size_t{decoding.jpeg.output_scanline} * picture.width;
+    JSAMPROW row = reinterpret_cast<JSAMPROW>(picture.pixels.data() + first);
+    jpeg_read_scanlines(&decoding.jpeg, &row, 1);
+  }
+  jpeg_finish_decompress(&decoding.jpeg);
+  return true;
+}
+
+/// Frees libjpeg's memory.
+class JpegCleaner {
+ public:
+  explicit JpegCleaner(jpeg_decompress_struct& jpeg) : jpeg_(jpeg) {}
+  ~JpegCleaner() { jpeg_destroy_decompress(&jpeg_); }
+
+ private:
+  jpeg_decompress_struct& jpeg_;
+};
+
+void prepare_decoding(JpegDecoding& decoding) {
+  decoding.jpeg.err = jpeg_std_error(&decoding.errors);
+  decoding.errors.error_exit = leave;
+  decoding.errors.emit_message = take_warning;
+  decoding.progress.progress_monitor = check_scans;
+  decoding.jpeg.client_data = &decoding;
+}
+
+Status jpeg_failure(const JpegDecoding& decoding) {
+  return invalid_argument(std::string("libjpeg: ") + decoding.message);
+}
+
+}  // namespace
+
+Result<Picture> read_jpeg_picture(std::span<const uint8_t> bytes) {
+  JpegDecoding decoding;
+  prepare_decoding(decoding);
+  const JpegCleaner cleaner(decoding.jpeg);
+  if (!read_header(decoding, bytes)) return jpeg_failure(decoding);
+  const auto& jpeg = decoding.jpeg;
+  RETURN_IF_ERROR(check_picture_size(jpeg.image_width, jpeg.image_height, bytes.size()));
+  if (jpeg.num_components != 1 && jpeg.num_components != 3)
+    return unimplemented("the JPEG has " + std::to_string(jpeg.num_components) +
+                         " colour channels; only 1 and 3 are read");
+  Picture picture{jpeg.image_width, jpeg.image_height, {}};
+  picture.pixels.resize(size_t{picture.width} * picture.height);
+  if (!read_rows(decoding, picture)) return jpeg_failure(decoding);
+  if (decoding.is_cut) return invalid_argument("the JPEG ends before its last row");
+  return picture;
+}
+
+}  // namespace burnish

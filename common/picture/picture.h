@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/base/status.h"
+#include "common/base/types.h"
+
+namespace burnish {
+
+/// A picture in memory: sRGB with alpha, row by row from the top.
+struct Picture {
+  uint32_t width = 0;         ///< pixels
+  uint32_t height = 0;        ///< pixels
+  std::vector<Rgba8> pixels;  ///< width * height
+
+  const Rgba8& at(uint32_t x, uint32_t y) const { return pixels[size_t{y} * width + x]; }
+};
+
+/// Decodes a PNG or JPEG file. `name` is for messages. Its size is checked before it is decoded.
+/// Fails: unimplemented (another kind of picture); invalid_argument that names the value and the
+/// limit (too large, damaged, cut off); resource_exhausted.
+Result<Picture> read_picture(std::span<const uint8_t> bytes, const std::string& name);
+
+}  // namespace burnish

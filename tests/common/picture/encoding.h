@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <jpeglib.h>
+#include <png.h>
+#include <string>
+#include <vector>
+
+#include "common/picture/picture.h"
+
+namespace burnish {
+
+/// Returns a picture whose pixels a function gives.
+template <typename Pixel>
+Picture drawn(uint32_t width, uint32_t height, const Pixel& pixel) {
+  Picture picture{width, height, {}};
+  for (uint32_t y = 0; y < height; ++y)
+    for (uint32_t x = 0; x < width; ++x) picture.pixels.push_back(pixel(x, y));
+  return picture;
+}
+
+/// Returns the picture as a PNG file.
+inline std::string png_of(const Picture& picture) {
+  png_image header = {};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = picture.width;
+  header.height = picture.height;
+  header.format = PNG_FORMAT_RGBA;
+  png_alloc_size_t bytes = PNG_IMAGE_PNG_SIZE_MAX(header);
+  std::string file(bytes, '\0');
+  if (!png_image_write_to_memory(&header, file.data(), &bytes, 0, picture.pixels.data(), 0,
+                                 nullptr))
+    std::abort();
+  file.resize(bytes);
+  return file;
+}
+
+/// Returns the picture as a JPEG file of the best quality.
+inline std::string jpeg_of(const Picture& picture) {
+  jpeg_compress_struct jpeg = {};
+  jpeg_error_mgr errors = {};
+  jpeg.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&jpeg);
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  jpeg_mem_dest(&jpeg, &bytes, &size);
+  jpeg.image_width = picture.width;
+  jpeg.image_height = picture.height;
+  jpeg.input_components = 4;
+  jpeg.in_color_space = JCS_EXT_RGBA;
+  jpeg_set_defaults(&jpeg);
+  jpeg_set_quality(&jpeg, 100, TRUE);
+  jpeg_start_compress(&jpeg, TRUE);
+  while (jpeg.next_scanline < jpeg.image_height) {
+    const auto* first = &picture.pixels[size_t{jpeg.next_scanline} * picture.width];
+    JSAMPROW row = reinterpret_cast<JSAMPROW>(const_cast<Rgba8*>(first));
+    jpeg_write_scanlines(&jpeg, &row, 1);
+  }
+  jpeg_finish_compress(&jpeg);
+  std::string file(reinterpret_cast<const char*>(bytes), size);
+  jpeg_destroy_compress(&jpeg);
+  std::free(bytes);
+  return file;
+}
+
+}  // namespace burnish

@@ -1,0 +1,80 @@
+#include "common/picture/picture.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/common/picture/encoding.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+Result<Picture> read(const std::string& file) {
+  return read_picture({reinterpret_cast<const uint8_t*>(file.data()), file.size()}, "skin");
+}
+
+Picture stripes() {
+  return drawn(16, 8, [](uint32_t x, uint32_t y) {
+    return Rgba8{static_cast<uint8_t>(8 * x), static_cast<uint8_t>(16 * y), 40, 255};
+  });
+}
+
+/// Returns a PNG that announces other sides; the header's sum is made right.
+std::string png_announcing(uint32_t width, uint32_t height) {
+  std::string file = png_of(stripes());
+  const auto put = [&](size_t at, uint32_t value) {
+    for (int i = 0; i < 4; ++i) file[at + i] = static_cast<char>(value >> (24 - 8 * i));
+  };
+  put(16, width);
+  put(20, height);
+  uint32_t crc = 0xffffffff;
+  for (size_t i = 12; i < 29; ++i) {
+    crc ^= static_cast<uint8_t>(file[i]);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xedb88320 : 0);
+  }
+  put(29, ~crc);
+  return file;
+}
+
+TEST(Picture, PngIsReadExactly) {
+  const Picture made = stripes();
+  const auto picture = read(png_of(made));
+  ASSERT_TRUE(picture.is_ok()) << picture.status().message();
+  EXPECT_EQ(picture->width, 16u);
+  EXPECT_EQ(picture->height, 8u);
+  EXPECT_EQ(picture->pixels, made.pixels);
+}
+
+TEST(Picture, JpegIsReadNearly) {
+  const Picture made = stripes();
+  const auto picture = read(jpeg_of(made));
+  ASSERT_TRUE(picture.is_ok()) << picture.status().message();
+  ASSERT_EQ(picture->pixels.size(), made.pixels.size());
+  for (size_t i = 0; i < made.pixels.size(); ++i)
+    for (size_t channel = 0; channel < 4; ++channel)
+      EXPECT_NEAR(picture->pixels[i][channel], made.pixels[i][channel], 12) << i;
+}
+
+TEST(Picture, TooManyPixelsAreRefusedBeforeDecoding) {
+  const Status status = read(png_announcing(50'000, 60'000)).status();
+  EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+  EXPECT_THAT(status.message(), HasSubstr("skin: "));
+  EXPECT_THAT(status.message(), HasSubstr("50000x60000"));
+  EXPECT_THAT(status.message(), HasSubstr(std::to_string(1 << 24)));
+}
+
+TEST(Picture, CutPicturesAreRefused) {
+  for (const std::string& file : {png_of(stripes()), jpeg_of(stripes())})
+    for (size_t length = 8; length + 16 < file.size(); length += 7)
+      EXPECT_EQ(read(file.substr(0, length)).status().code(), StatusCode::kInvalidArgument)
+          << length;
+}
+
+TEST(Picture, OtherKindsAreUnimplemented) {
+  EXPECT_EQ(read("GIF89a").status().code(), StatusCode::kUnimplemented);
+  EXPECT_EQ(read("").status().code(), StatusCode::kUnimplemented);
+}
+
+}  // namespace
+}  // namespace burnish
