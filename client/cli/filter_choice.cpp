@@ -1,5 +1,6 @@
 #include "client/cli/filter_choice.h"
 
+#include "client/cli/command.h"
 #include "client/tools/own_presets.h"
 #include "common/edit/wavelength.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <new>
+#include <string_view>
+#include <utility>
 
 #include "common/base/atomic_file.h"
 #include "common/base/mapped_file.h"
@@ -10,16 +12,25 @@
 
 namespace burnish {
 
+static constexpr std::pair<std::string_view, MeshFormat> kExtensions[] = {
+    {".ply", MeshFormat::kPly}, {".obj", MeshFormat::kObj}, {".stl", MeshFormat::kStl},
+    {".off", MeshFormat::kOff}, {".glb", MeshFormat::kGlb}, {".gltf", MeshFormat::kGltf},
+    {".zip", MeshFormat::kZip},
+};
+
+bool is_written_for_any_scan(MeshFormat format) {
+  return format == MeshFormat::kPly || format == MeshFormat::kObj || format == MeshFormat::kStl;
+}
+
 Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".ply") return MeshFormat::kPly;
-  if (extension == ".obj") return MeshFormat::kObj;
-  if (extension == ".stl") return MeshFormat::kStl;
-  if (extension == ".off") return MeshFormat::kOff;
-  return invalid_argument(path.string() + ": extension '" + extension +
-                          "' is not a mesh format; use .ply, .obj, .stl or .off");
+  for (const auto& [known, format] : kExtensions)
+    if (extension == known) return format;
+  return invalid_argument(
+      path.string() + ": extension '" + extension +
+      "' is not a mesh format; use .ply, .obj, .stl, .off, .glb, .gltf or .zip");
 }
 
 Result<MeshFormat> written_format_of_path(const std::filesystem::path& path) {
@@ -40,6 +51,11 @@ static Result<TriangleMesh> parse_mesh(std::span<const uint8_t> bytes, MeshForma
       return read_stl(bytes, name);
     case MeshFormat::kOff:
       return read_off(bytes, name);
+    case MeshFormat::kGlb:
+    case MeshFormat::kGltf:
+      return unimplemented(name + ": glTF files are not read yet");
+    case MeshFormat::kZip:
+      return unimplemented(name + ": ZIP archives are not read yet");
   }
   return invalid_argument(name + ": unknown mesh format");
 }
@@ -65,10 +81,10 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& path) {
 
 Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const MeshFormat format, written_format_of_path(path));
-  if (format == MeshFormat::kOff)
-    return invalid_argument("cannot write " + path.string() +
-                            ": only a scan from an OFF file is written as OFF; use .ply, .obj or "
-                            ".stl");
+  if (!is_written_for_any_scan(format))
+    return invalid_argument("cannot write " + path.string() + ": only a scan from a " +
+                            path.extension().string() +
+                            " file is written as one; use .ply, .obj or .stl");
   RETURN_IF_ERROR(validate(mesh).with_context("cannot write " + path.string()));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
   const auto write = format == MeshFormat::kPly   ? write_ply

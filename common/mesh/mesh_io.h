@@ -10,14 +10,19 @@
 
 namespace burnish {
 
-/// The mesh formats that can be read. write_mesh() does not write kOff; rewrite/rewrite.h does.
-enum class MeshFormat { kPly, kObj, kStl, kOff };
+/// The mesh formats, by the extension of a file. kZip is a mesh file with the files beside it,
+/// packed as one archive.
+enum class MeshFormat { kPly, kObj, kStl, kOff, kGlb, kGltf, kZip };
+
+/// Returns whether write_mesh() writes the format for any scan. rewrite/rewrite.h writes the others
+/// for scans that came in them.
+bool is_written_for_any_scan(MeshFormat format);
 
 /// Returns the format by file extension, in any case. Fails: invalid_argument that names the path
 /// and the choices.
 Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path);
 
-/// Does the same for a file to write, in other words. Only a scan from an OFF file becomes one.
+/// Does the same for a file to write, in other words. Some formats need a scan that came in them.
 Result<MeshFormat> written_format_of_path(const std::filesystem::path& path);
 
 /// Reads and validates a mesh. Messages name the file, the place in it, the value and the limit.
@@ -31,7 +36,8 @@ Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format
 
 /// Writes by extension (PLY binary little-endian, OBJ, STL binary) to a temporary file beside
 /// `path`, syncs it, and renames it into place. A failed write leaves the old file.
-/// Fails: invalid_argument (unknown extension, OFF), resource_exhausted (disk full), ...
+/// Fails: invalid_argument (unknown extension, !is_written_for_any_scan()), resource_exhausted
+/// (disk full), ...
 Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path);
 
 }  // namespace burnish

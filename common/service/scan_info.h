@@ -78,7 +78,7 @@ inline constexpr size_t kUnitBytesMax = 16;
 /// Fails: invalid_argument.
 Status check_unit(std::string_view unit);
 
-/// "ply", "obj", "stl", "off".
+/// "ply", "obj", "stl", "off", "glb", "gltf", "zip".
 std::string_view mesh_format_name(MeshFormat format);
 
 /// Returns the format of a name. Fails: invalid_argument that names the choices.

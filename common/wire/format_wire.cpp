@@ -15,6 +15,12 @@ v1::MeshFormat to_wire(MeshFormat format) {
       return v1::MESH_FORMAT_STL;
     case MeshFormat::kOff:
       return v1::MESH_FORMAT_OFF;
+    case MeshFormat::kGlb:
+      return v1::MESH_FORMAT_GLB;
+    case MeshFormat::kGltf:
+      return v1::MESH_FORMAT_GLTF;
+    case MeshFormat::kZip:
+      return v1::MESH_FORMAT_ZIP;
   }
   return v1::MESH_FORMAT_UNSPECIFIED;
 }
@@ -29,11 +35,17 @@ Result<MeshFormat> from_wire(v1::MeshFormat format) {
       return MeshFormat::kStl;
     case v1::MESH_FORMAT_OFF:
       return MeshFormat::kOff;
+    case v1::MESH_FORMAT_GLB:
+      return MeshFormat::kGlb;
+    case v1::MESH_FORMAT_GLTF:
+      return MeshFormat::kGltf;
+    case v1::MESH_FORMAT_ZIP:
+      return MeshFormat::kZip;
     default:
       break;
   }
   return invalid_argument("mesh format " + std::to_string(static_cast<int>(format)) +
-                          " is none of 1 (PLY), 2 (OBJ), 3 (STL), 4 (OFF)");
+                          " is outside 1 (PLY) to 7 (GLTF)");
 }
 
 void set_chunk(uint64_t offset, std::string_view piece, v1::Chunk& chunk) {

@@ -9,10 +9,11 @@
 namespace burnish {
 
 static Status check_format(const ScanInfo& scan, MeshFormat format) {
-  if (format != MeshFormat::kOff || scan.format == MeshFormat::kOff) return Status::ok();
+  if (is_written_for_any_scan(format) || scan.format == format) return Status::ok();
+  const std::string wish(mesh_format_name(format));
   return invalid_argument("scan " + scan.name + " was imported as " +
-                          std::string(mesh_format_name(scan.format)) +
-                          "; only a scan from an OFF file is exported as OFF");
+                          std::string(mesh_format_name(scan.format)) + "; only a scan from a ." +
+                          wish + " file is exported as " + wish);
 }
 
 /// Writes the surface by the scan's original. Returns the names of what the file leaves out. Edits
@@ -22,7 +23,7 @@ static Result<std::vector<std::string>> write_surface(const MeshStore& store,
                                                       const MovedMesh& moved, MeshFormat format,
                                                       const std::filesystem::path& path) {
   const auto original = store.find_original(scan_id);
-  if (original.status().code() == StatusCode::kDataLoss && format != MeshFormat::kOff) {
+  if (original.status().code() == StatusCode::kDataLoss && is_written_for_any_scan(format)) {
     spdlog::warn("an export without the original: {}", original.status().message());
     RETURN_IF_ERROR(write_mesh(moved.after, path));
     return std::vector<std::string>{

@@ -200,7 +200,7 @@ TEST_F(FilterCommand, AFullDiskLeavesWhatWasThere) {
 
 TEST_F(FilterCommand, AnOutputThatCannotBeWrittenIsRefusedBeforeTheWork) {
   EXPECT_EQ(burnish({"filter", in(), path("out.off")}), 1);
-  EXPECT_THAT(output_, HasSubstr("only an OFF file is written as OFF"));
+  EXPECT_THAT(output_, HasSubstr("is written as .off"));
 }
 
 TEST_F(FilterCommand, BetaOneReturnsAFileOfItsFormatByteForByte) {

@@ -74,9 +74,10 @@ class Stopwatch {
 Result<OriginalFile> check_files(const FilterOptions& options) {
   ASSIGN_OR_RETURN(const MeshFormat in, mesh_format_of_path(options.in));
   ASSIGN_OR_RETURN(const MeshFormat out, written_format_of_path(options.out));
-  if (out == MeshFormat::kOff && in != MeshFormat::kOff)
-    return invalid_argument(options.out +
-                            ": only an OFF file is written as OFF; use .ply, .obj or .stl");
+  if (out != in && !is_written_for_any_scan(out))
+    return invalid_argument(options.out + ": only a file of the same format is written as " +
+                            std::filesystem::path(options.out).extension().string() +
+                            "; use .ply, .obj or .stl");
   std::error_code ignored;
   if (!options.force && std::filesystem::equivalent(options.in, options.out, ignored))
     return invalid_argument(options.out + " is the file to read; --force replaces it");

@@ -49,6 +49,10 @@ static bool list_extras(std::span<const uint8_t> bytes, MeshFormat format, size_
       return list_stl_extras(bytes, triangles, list);
     case MeshFormat::kOff:
       return list_off_extras(bytes, triangles, list);
+    case MeshFormat::kGlb:
+    case MeshFormat::kGltf:
+    case MeshFormat::kZip:
+      return false;
   }
   return false;
 }

@@ -19,6 +19,11 @@ static Status rewrite_in_format(std::span<const uint8_t> original, MeshFormat fo
       return rewrite_stl(original, name, moved, output);
     case MeshFormat::kOff:
       return rewrite_off(original, name, moved, output);
+    case MeshFormat::kGlb:
+    case MeshFormat::kGltf:
+      return unimplemented(name + ": glTF files are not written yet");
+    case MeshFormat::kZip:
+      return unimplemented(name + ": ZIP archives are not written yet");
   }
   return invalid_argument(name + ": unknown mesh format");
 }

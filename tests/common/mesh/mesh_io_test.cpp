@@ -20,6 +20,9 @@ TEST(MeshIo, KnowsFormatsByExtensionInAnyCase) {
   EXPECT_EQ(*mesh_format_of_path("b/a.x.OBJ"), MeshFormat::kObj);
   EXPECT_EQ(*mesh_format_of_path("a.Stl"), MeshFormat::kStl);
   EXPECT_EQ(*mesh_format_of_path("a.off"), MeshFormat::kOff);
+  EXPECT_EQ(*mesh_format_of_path("a.GLB"), MeshFormat::kGlb);
+  EXPECT_EQ(*mesh_format_of_path("a.gltf"), MeshFormat::kGltf);
+  EXPECT_EQ(*mesh_format_of_path("a.obj.zip"), MeshFormat::kZip);
 }
 
 TEST(MeshIo, RefusesOtherExtensionsWithTheChoices) {

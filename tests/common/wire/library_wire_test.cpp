@@ -27,6 +27,14 @@ std::string refusal(const v1::ImportHeader& message) {
   return header.is_ok() ? "accepted" : header.status().message();
 }
 
+TEST(LibraryWire, EveryFormatReadsBack) {
+  for (const auto format : {MeshFormat::kPly, MeshFormat::kObj, MeshFormat::kStl, MeshFormat::kOff,
+                            MeshFormat::kGlb, MeshFormat::kGltf, MeshFormat::kZip}) {
+    EXPECT_EQ(from_wire(to_wire(format)).value(), format);
+    EXPECT_EQ(mesh_format_of_name(mesh_format_name(format)).value(), format);
+  }
+}
+
 TEST(LibraryWire, AHeaderNeedsANameAFormatAndASize) {
   EXPECT_EQ(refusal(good_header()), "accepted");
   v1::ImportHeader message = good_header();
