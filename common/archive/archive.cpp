@@ -80,10 +80,12 @@ Result<Archive> Archive::open(std::span<const uint8_t> bytes, const std::string&
   archive.name_ = name;
   archive.zip_->bytes = bytes.size();
   const auto opened = [&]() -> Status {
+    if (bytes.empty()) return invalid_argument("the file is empty (0 bytes)");
     ASSIGN_OR_RETURN(archive.zip_->source, source_of(bytes));
-    ASSIGN_OR_RETURN(archive.zip_->archive,
-                     open_zip(archive.zip_->source, ZIP_RDONLY | ZIP_CHECKCONS));
-    return archive.list_entries();
+    ASSIGN_OR_RETURN(archive.zip_->archive, open_zip(archive.zip_->source, ZIP_RDONLY));
+    RETURN_IF_ERROR(archive.list_entries());
+    // Compares each entry's header with the directory. Comes last: its messages name no entry.
+    return open_zip(archive.zip_->source, ZIP_RDONLY | ZIP_CHECKCONS).status();
   }();
   RETURN_IF_ERROR(opened.with_context(name));
   return archive;

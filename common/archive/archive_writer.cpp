@@ -77,7 +77,9 @@ Result<std::vector<uint8_t>> replace_entry(std::span<const uint8_t> archive, siz
   ASSIGN_OR_RETURN(ZipSource content, source_of(bytes));
   if (zip_file_replace(zip.get(), entry, content.get(), 0) != 0) return failure_of(zip);
   (void)content.release();  // the archive's now
-  zip_set_file_compression(zip.get(), entry, before.comp_method, kFastDeflate);
+  // libzip drops the level where the method stays by name; its default is to deflate.
+  const auto method = before.comp_method == ZIP_CM_STORE ? ZIP_CM_STORE : ZIP_CM_DEFAULT;
+  zip_set_file_compression(zip.get(), entry, method, kFastDeflate);
   zip_file_set_mtime(zip.get(), entry, before.mtime, 0);
   return close_to_bytes(std::move(zip), source);
 }

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "common/mesh/triangle_mesh.h"
+#include "common/base/types.h"
 #include "server/prepare/pages/page_vertices.h"
 #include "server/prepare/pages/shared_vertices.h"
 

@@ -27,15 +27,27 @@ TEST(ArchiveWriter, NamesThatLeadElsewhereAreRefused) {
 TEST(ArchiveWriter, OneReplacedEntryLeavesTheOthersAlone) {
   const auto bytes = packed({{"a.mtl", "newmtl a"}, {"scan.obj", "v 0 0 0"}, {"b.png", "pixels"}});
   const std::string longer(5000, '7');
-  const auto replaced = replace_entry(bytes, 1, as_bytes(longer));
-  ASSERT_TRUE(replaced.is_ok()) << replaced.status().message();
-  const Archive archive = std::move(Archive::open(*replaced, "scan.zip")).value();
-  ASSERT_EQ(archive.entries().size(), 3u);
-  EXPECT_EQ(archive.entries()[1].name, "scan.obj");
-  EXPECT_EQ(as_string(archive.read(0).value()), "newmtl a");
-  EXPECT_EQ(as_string(archive.read(1).value()), longer);
-  EXPECT_EQ(as_string(archive.read(2).value()), "pixels");
-  EXPECT_EQ(*replace_entry(*replaced, 1, as_bytes("v 0 0 0")), bytes);
+  for (const size_t entry : {1, 2}) {
+    const auto replaced = replace_entry(bytes, entry, as_bytes(longer));
+    ASSERT_TRUE(replaced.is_ok()) << replaced.status().message();
+    const Archive archive = std::move(Archive::open(*replaced, "scan.zip")).value();
+    const Archive before = std::move(Archive::open(bytes, "scan.zip")).value();
+    ASSERT_EQ(archive.entries().size(), 3u);
+    for (size_t e = 0; e < 3; ++e) {
+      EXPECT_EQ(archive.entries()[e].name, before.entries()[e].name);
+      EXPECT_EQ(as_string(archive.read(e).value()),
+                e == entry ? longer : as_string(before.read(e).value()));
+    }
+  }
+}
+
+TEST(ArchiveWriter, AnEntryThatIsReplacedKeepsItsTimeAndItsPacking) {
+  const auto bytes = packed({{"scan.obj", "v 0 0 0"}, {"b.png", "pixels"}});
+  for (const size_t entry : {0, 1}) {
+    const auto other = replace_entry(bytes, entry, as_bytes(std::string(5000, '7'))).value();
+    const std::string old = entry == 0 ? "v 0 0 0" : "pixels";
+    EXPECT_EQ(replace_entry(other, entry, as_bytes(old)).value(), bytes) << entry;
+  }
 }
 
 }  // namespace
