@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "common/mesh/triangle_mesh.h"
+#include "common/base/types.h"
 
 namespace burnish {
 

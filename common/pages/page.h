@@ -6,7 +6,6 @@
 
 #include "common/base/status.h"
 #include "common/base/types.h"
-#include "common/mesh/triangle_mesh.h"
 
 namespace burnish {
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "common/base/types.h"
-#include "common/mesh/triangle_mesh.h"
 #include "common/pages/octahedral.h"
 #include "common/pages/page.h"
 #include "common/pages/page_walk.h"

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "common/base/status.h"
+#include "common/base/types.h"
 #include "common/evaluation/evaluation.h"
 #include "common/grid/cell_corners.h"
 #include "common/grid/grid.h"
 #include "common/mesh/statistics.h"
-#include "common/mesh/triangle_mesh.h"
 
 namespace burnish {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "common/base/types.h"
 #include "common/mesh/statistics.h"
-#include "common/mesh/triangle_mesh.h"
 #include "common/pages/page_grid.h"
 
 namespace burnish {
