@@ -8,7 +8,9 @@
 
 #include "common/base/atomic_file.h"
 #include "common/base/mapped_file.h"
+#include "common/mesh/folder_files.h"
 #include "common/mesh/mesh_formats.h"
+#include "common/mesh/obj_colours.h"
 
 namespace burnish {
 
@@ -40,13 +42,23 @@ Result<MeshFormat> written_format_of_path(const std::filesystem::path& path) {
                           "' is not a mesh format that Burnish writes; use .ply, .obj or .stl");
 }
 
+static Result<TriangleMesh> read_textured_obj(std::span<const uint8_t> bytes,
+                                              const std::string& name,
+                                              const MeshSurroundings& beside) {
+  ASSIGN_OR_RETURN(TriangleMesh mesh, read_obj(bytes, name));
+  if (mesh.has_colours() || beside.files == nullptr) return mesh;
+  ASSIGN_OR_RETURN(mesh.colours, obj_texture_colours(bytes, mesh.vertices.size(), beside.path,
+                                                     *beside.files, name));
+  return mesh;
+}
+
 static Result<TriangleMesh> parse_mesh(std::span<const uint8_t> bytes, MeshFormat format,
-                                       const std::string& name) {
+                                       const std::string& name, const MeshSurroundings& beside) {
   switch (format) {
     case MeshFormat::kPly:
       return read_ply(bytes, name);
     case MeshFormat::kObj:
-      return read_obj(bytes, name);
+      return read_textured_obj(bytes, name, beside);
     case MeshFormat::kStl:
       return read_stl(bytes, name);
     case MeshFormat::kOff:
@@ -55,16 +67,16 @@ static Result<TriangleMesh> parse_mesh(std::span<const uint8_t> bytes, MeshForma
     case MeshFormat::kGltf:
       return unimplemented(name + ": glTF files are not read yet");
     case MeshFormat::kZip:
-      return unimplemented(name + ": ZIP archives are not read yet");
+      return read_zip(bytes, name);
   }
   return invalid_argument(name + ": unknown mesh format");
 }
 
 Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format,
-                               const std::string& name) {
+                               const std::string& name, const MeshSurroundings& beside) {
   if (bytes.empty()) return invalid_argument(name + ": the file is empty (0 bytes)");
   try {
-    ASSIGN_OR_RETURN(TriangleMesh mesh, parse_mesh(bytes, format, name));
+    ASSIGN_OR_RETURN(TriangleMesh mesh, parse_mesh(bytes, format, name, beside));
     RETURN_IF_ERROR(validate(mesh).with_context(name));
     return mesh;
   } catch (const std::bad_alloc&) {
@@ -76,7 +88,8 @@ Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format
 Result<TriangleMesh> read_mesh(const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
-  return read_mesh(file.bytes(), format, path.string());
+  const FolderFiles files(path.parent_path());
+  return read_mesh(file.bytes(), format, path.string(), {&files, path.filename().string()});
 }
 
 Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "common/base/status.h"
+#include "common/mesh/files_beside.h"
 #include "common/mesh/triangle_mesh.h"
 
 namespace burnish {
@@ -25,14 +26,21 @@ Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path);
 /// Does the same for a file to write, in other words. Some formats need a scan that came in them.
 Result<MeshFormat> written_format_of_path(const std::filesystem::path& path);
 
-/// Reads and validates a mesh. Messages name the file, the place in it, the value and the limit.
-/// Fails: not_found, permission_denied, invalid_argument (damaged, truncated, hostile, empty),
-/// resource_exhausted.
+/// Reads and validates a mesh, and the textures beside an OBJ. Messages name the file, the place in
+/// it, the value and the limit. Fails: not_found, permission_denied, invalid_argument (damaged,
+/// truncated, hostile, empty), resource_exhausted.
 Result<TriangleMesh> read_mesh(const std::filesystem::path& path);
 
-/// Reads a mesh from memory, for uploads and fuzzers. `name` is only used in messages.
+/// The files beside a mesh file, and its own path among them.
+struct MeshSurroundings {
+  const FilesBeside* files = nullptr;  ///< null: there are none
+  std::string path;
+};
+
+/// Reads a mesh from memory, for uploads and fuzzers. `name` is only used in messages. An OBJ
+/// without colours takes them from its textures, if they lie beside it. Fails: likewise.
 Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format,
-                               const std::string& name);
+                               const std::string& name, const MeshSurroundings& beside = {});
 
 /// Writes by extension (PLY binary little-endian, OBJ, STL binary) to a temporary file beside
 /// `path`, syncs it, and renames it into place. A failed write leaves the old file.

@@ -22,5 +22,7 @@ Status rewrite_stl(std::span<const uint8_t> bytes, const std::string& name, cons
                    OutputBuffer& output);
 Status rewrite_off(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                    OutputBuffer& output);
+Status rewrite_zip(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
+                   OutputBuffer& output);
 
 }  // namespace burnish

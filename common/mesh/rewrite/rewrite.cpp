@@ -23,7 +23,7 @@ static Status rewrite_in_format(std::span<const uint8_t> original, MeshFormat fo
     case MeshFormat::kGltf:
       return unimplemented(name + ": glTF files are not written yet");
     case MeshFormat::kZip:
-      return unimplemented(name + ": ZIP archives are not written yet");
+      return rewrite_zip(original, name, moved, output);
   }
   return invalid_argument(name + ": unknown mesh format");
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/mesh/files_beside.h"
+#include "common/mesh/mtl_reader.h"
+
+namespace burnish {
+
+/// The files that an OBJ names, and those that its material files name.
+struct ObjFiles {
+  std::vector<std::string> found;    ///< paths of material files and pictures, each once
+  std::vector<std::string> missing;  ///< names, as the texts have them, each once
+  std::vector<Material> materials;   ///< `picture` is a path, or empty where it is missing
+};
+
+/// Reads the material files of the OBJ at `path`. Fails: as a material file cannot be read.
+Result<ObjFiles> find_obj_files(std::span<const uint8_t> obj, const std::string& path,
+                                const FilesBeside& beside);
+
+}  // namespace burnish

@@ -1,0 +1,48 @@
+#include "common/mesh/files_beside.h"
+
+#include <gtest/gtest.h>
+
+#include "common/mesh/folder_files.h"
+#include "tests/common/mesh/textured_square.h"
+#include "tests/common/temporary_folder.h"
+
+namespace burnish {
+namespace {
+
+TEST(FilesBeside, NamesAreSoughtInTheFolderOfTheText) {
+  NamedFiles beside;
+  beside.files = {{"a.png", ""}, {"maps/a.png", ""}, {"maps/b.png", ""}};
+  EXPECT_EQ(beside.find("", "a.png"), "a.png");
+  EXPECT_EQ(beside.find("maps", "a.png"), "maps/a.png");
+  EXPECT_EQ(beside.find("", "maps\\b.png"), "maps/b.png");
+  EXPECT_EQ(beside.find("maps", "../a.png"), "a.png");
+  EXPECT_EQ(beside.find("", "./maps//b.png"), "maps/b.png");
+  EXPECT_EQ(beside.find("", "b.png"), std::nullopt);
+}
+
+TEST(FilesBeside, PathsOfOtherMachinesCountByTheirLastPart) {
+  NamedFiles beside;
+  beside.files = {{"skin.png", ""}};
+  EXPECT_EQ(beside.find("", "C:\\Users\\me\\skin.png"), "skin.png");
+  EXPECT_EQ(beside.find("", "/home/me/skin.png"), "skin.png");
+  EXPECT_EQ(beside.find("", "../../skin.png"), "skin.png");
+  EXPECT_EQ(beside.find("", ".."), std::nullopt);
+  EXPECT_EQ(beside.find("", ""), std::nullopt);
+}
+
+TEST(FolderFiles, LinksThatLeadOutOfTheFolderAreNotFollowed) {
+  const TemporaryFolder outside, folder;
+  outside.write("secret.png", "secret");
+  folder.write("skin.png", "pixels");
+  std::filesystem::create_symlink(outside / "secret.png", folder / "link.png");
+  std::filesystem::create_symlink(folder / "skin.png", folder / "inside.png");
+  std::filesystem::create_directory(folder / "maps");
+  const FolderFiles files(folder / "");
+  EXPECT_EQ(files.find("", "link.png"), std::nullopt);
+  EXPECT_EQ(files.find("", "maps"), std::nullopt);
+  EXPECT_EQ(files.find("", "inside.png"), "inside.png");
+  EXPECT_EQ(files.read("skin.png").value().size(), 6u);
+}
+
+}  // namespace
+}  // namespace burnish

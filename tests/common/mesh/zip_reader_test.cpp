@@ -1,0 +1,54 @@
+#include <gmock/gmock.h>
+
+#include "common/mesh/archive_files.h"
+#include "tests/common/archive/packing.h"
+#include "tests/common/mesh/reading.h"
+#include "tests/common/mesh/textured_square.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kPlainObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+TEST(ZipReader, TheOneMeshIsReadWhereverItLies) {
+  const NamedTexts files = {{"readme.txt", "hello"}, {"deep/down/scan.OBJ", kPlainObj}};
+  EXPECT_EQ(parsed(MeshFormat::kZip, as_string(packed(files))).vertices.size(), 3u);
+}
+
+TEST(ZipReader, TexturesInTheArchiveBecomeColours) {
+  const std::string picture = png_of(square_picture());
+  const NamedTexts files = {
+      {"a/SKIN.PNG", picture}, {"a/square.obj", kSquareObj}, {"a/square.mtl", kSquareMtl}};
+  EXPECT_EQ(parsed(MeshFormat::kZip, as_string(packed(files))).colours, square_colours());
+}
+
+TEST(ZipReader, PicturesBesideTheObjsFolderAreFound) {
+  const NamedTexts files = {{"textures/skin.png", png_of(square_picture())},
+                            {"source/square.obj", kSquareObj},
+                            {"source/square.mtl", "newmtl skin\nmap_Kd ../textures/skin.png\n"}};
+  EXPECT_EQ(parsed(MeshFormat::kZip, as_string(packed(files))).colours, square_colours());
+}
+
+TEST(ZipReader, NotesOfMacOsAreNotMeshes) {
+  const NamedTexts files = {
+      {"scan.obj", kPlainObj}, {"__MACOSX/._scan.obj", "x"}, {"sub/._scan.obj", "x"}};
+  EXPECT_EQ(parsed(MeshFormat::kZip, as_string(packed(files))).vertices.size(), 3u);
+}
+
+TEST(ZipReader, NoneOrTwoMeshesAreRefusedByName) {
+  const std::string none = as_string(packed({{"a.txt", "x"}, {"b.zip", "y"}}));
+  EXPECT_THAT(refusal(MeshFormat::kZip, none), HasSubstr("none of its 2 entries"));
+  const std::string two = as_string(packed({{"a.obj", kPlainObj}, {"b.stl", "y"}}));
+  EXPECT_THAT(refusal(MeshFormat::kZip, two), HasSubstr("'a.obj' and 'b.stl'"));
+}
+
+TEST(ZipReader, ComplaintsNameTheArchiveAndTheMesh) {
+  EXPECT_THAT(refusal(MeshFormat::kZip, as_string(packed({{"a.obj", "v 0 0\n"}}))),
+              HasSubstr("scan: a.obj: line 1"));
+  EXPECT_THAT(refusal(MeshFormat::kZip, "PK\x03\x04 nonsense"), HasSubstr("scan: "));
+}
+
+}  // namespace
+}  // namespace burnish
