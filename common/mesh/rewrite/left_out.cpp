@@ -5,6 +5,8 @@
 #include "common/base/mapped_file.h"
 #include "common/mesh/off_kind.h"
 #include "common/mesh/rewrite/left_out_list.h"
+#include "common/mesh/rewrite/packed_mesh.h"
+#include "common/mesh/rewrite/zip_left_out.h"
 #include "common/mesh/stl_layout.h"
 #include "common/mesh/text_scanner.h"
 #include "common/mesh/text_values.h"
@@ -57,13 +59,26 @@ static bool list_extras(std::span<const uint8_t> bytes, MeshFormat format, size_
   return false;
 }
 
+static Status list_packed_extras(std::span<const uint8_t> bytes, const std::string& name,
+                                 MeshFormat to, size_t triangles, LeftOutList& list) {
+  ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(bytes, name));
+  list_files_beside(packed, list);
+  if (to == packed.mesh.format || list_extras(packed.bytes, packed.mesh.format, triangles, list))
+    return Status::ok();
+  return changed_original(packed.name, "its beginning is another format's");
+}
+
 Result<std::vector<std::string>> attributes_left_out(const OriginalFile& original, MeshFormat to,
                                                      const TriangleMesh& mesh) {
   LeftOutList list;
   if (to == original.format) return list.names();
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original.path));
-  if (!list_extras(file.bytes(), original.format, mesh.triangles.size(), list))
+  const size_t triangles = mesh.triangles.size();
+  if (original.format == MeshFormat::kZip) {
+    RETURN_IF_ERROR(list_packed_extras(file.bytes(), original.name, to, triangles, list));
+  } else if (!list_extras(file.bytes(), original.format, triangles, list)) {
     return changed_original(original.name, "its beginning is another format's");
+  }
   const bool is_transparent = std::any_of(mesh.colours.begin(), mesh.colours.end(),
                                           [](const Rgba8& c) { return c[3] != 255; });
   list.add_if(to == MeshFormat::kStl && mesh.has_colours(), "colours");

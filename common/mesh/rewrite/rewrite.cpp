@@ -4,6 +4,7 @@
 #include "common/base/check.h"
 #include "common/base/mapped_file.h"
 #include "common/mesh/rewrite/format_rewriters.h"
+#include "common/mesh/rewrite/packed_mesh.h"
 
 namespace burnish {
 
@@ -36,16 +37,27 @@ Status rewrite_mesh(std::span<const uint8_t> original, MeshFormat format, const 
   return output.flush();
 }
 
+static Status write_rewritten(std::span<const uint8_t> original, MeshFormat format,
+                              const std::string& name, const MovedMesh& moved,
+                              const std::filesystem::path& path) {
+  RETURN_IF_ERROR(validate(moved.after).with_context("cannot write " + path.string()));
+  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
+  OutputBuffer output(file);
+  RETURN_IF_ERROR(rewrite_mesh(original, format, name, moved, output));
+  return file.commit();
+}
+
 Status write_moved_mesh(const OriginalFile& original, const MovedMesh& moved,
                         const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
-  if (format != original.format) return write_mesh(moved.after, path);
-  RETURN_IF_ERROR(validate(moved.after).with_context("cannot write " + path.string()));
+  if (format != original.format && original.format != MeshFormat::kZip)
+    return write_mesh(moved.after, path);
   ASSIGN_OR_RETURN(const MappedFile bytes, MappedFile::open(original.path));
-  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
-  OutputBuffer output(file);
-  RETURN_IF_ERROR(rewrite_mesh(bytes.bytes(), format, original.name, moved, output));
-  return file.commit();
+  if (format == original.format)
+    return write_rewritten(bytes.bytes(), format, original.name, moved, path);
+  ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(bytes.bytes(), original.name));
+  if (format != packed.mesh.format) return write_mesh(moved.after, path);
+  return write_rewritten(packed.bytes, format, packed.name, moved, path);
 }
 
 }  // namespace burnish

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "common/mesh/obj_files.h"
-#include "tests/common/mesh/reading.h"
 #include "tests/common/mesh/rewrite/rewriting.h"
 #include "tests/common/mesh/textured_square.h"
 #include "tests/common/temporary_folder.h"

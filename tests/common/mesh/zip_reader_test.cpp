@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 
-#include "common/mesh/archive_files.h"
 #include "tests/common/archive/packing.h"
 #include "tests/common/mesh/reading.h"
 #include "tests/common/mesh/textured_square.h"

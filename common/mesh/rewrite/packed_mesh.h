@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/base/status.h"
+#include "common/mesh/archive_files.h"
+
+namespace burnish {
+
+/// Private to this folder: an archive, its mesh, and the mesh file's bytes.
+struct PackedMesh {
+  Archive archive;
+  ArchivedMesh mesh;
+  std::vector<uint8_t> bytes;
+  std::string name;  ///< of the mesh file, for messages
+
+  /// Fails: as the archive cannot be read.
+  static Result<PackedMesh> open(std::span<const uint8_t> archive, const std::string& name);
+};
+
+}  // namespace burnish
