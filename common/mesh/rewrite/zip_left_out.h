@@ -4,7 +4,6 @@
 #include <span>
 #include <string>
 
-#include "common/base/status.h"
 #include "common/mesh/rewrite/left_out_list.h"
 #include "common/mesh/rewrite/packed_mesh.h"
 

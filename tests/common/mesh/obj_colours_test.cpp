@@ -1,10 +1,10 @@
-#include "common/mesh/obj_colours.h"
 
 #include <gmock/gmock.h>
 
 #include "common/mesh/obj_files.h"
 #include "tests/common/mesh/rewrite/rewriting.h"
 #include "tests/common/mesh/textured_square.h"
+#include "tests/common/picture/encoding.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {

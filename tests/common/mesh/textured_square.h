@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/mesh/files_beside.h"
-#include "tests/common/picture/encoding.h"
+#include "common/picture/picture.h"
 
 namespace burnish {
 

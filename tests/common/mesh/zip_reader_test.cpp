@@ -3,6 +3,7 @@
 #include "tests/common/archive/packing.h"
 #include "tests/common/mesh/reading.h"
 #include "tests/common/mesh/textured_square.h"
+#include "tests/common/picture/encoding.h"
 
 namespace burnish {
 namespace {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/archive/archive.h"
+#include "common/base/status.h"
+#include "common/mesh/archive_files.h"
+
+namespace burnish {
+
+/// What was written of an archive.
+struct PlacedMesh {
+  std::filesystem::path mesh;
+  std::vector<std::string> left_out;  ///< entries outside the mesh's folder, which have no place
+};
+
+/// Writes the mesh of an archive to `file`, and the entries of its folder and below beside it,
+/// under their own names, so that the mesh still finds them. `file` itself is replaced.
+/// Fails: as place_files().
+Result<PlacedMesh> place_mesh(const Archive& archive, const ArchivedMesh& mesh,
+                              const std::filesystem::path& file, bool replaces);
+
+/// Writes all entries of an archive into a folder, and makes it. Fails: as place_files().
+Result<PlacedMesh> place_archive(const Archive& archive, const ArchivedMesh& mesh,
+                                 const std::filesystem::path& folder, bool replaces);
+
+/// Copies the files that an OBJ names from its folder to the folder of `copy`. Does nothing for
+/// other formats, and within one folder. Fails: as place_files(); as a material file cannot be
+/// read.
+Status place_files_of(const std::filesystem::path& mesh, const std::filesystem::path& copy,
+                      bool replaces);
+
+}  // namespace burnish
