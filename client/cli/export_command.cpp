@@ -6,6 +6,7 @@
 #include "client/cli/progress_printer.h"
 #include "client/cli/server_option.h"
 #include "client/cli/warn_of_left_out.h"
+#include "client/connection/export_files.h"
 #include "client/report/processing_record.h"
 #include "common/base/atomic_file.h"
 
@@ -17,6 +18,7 @@ struct ExportOptions {
   ServerOption server;
   std::string session;
   std::string out;
+  bool force = false;
   std::string record;  ///< file; empty: none
   ExportWish wish;
 };
@@ -29,35 +31,29 @@ void print(const ExportSummary& summary, const std::string& out) {
               summary.assemble_seconds + summary.solve_seconds, summary.distance);
 }
 
-Status write_record_of(const ExportOptions& options, const ExportSummary& summary,
+Status write_record_of(const ExportOptions& options, const ExportedFiles& exported,
                        Connection& connection) {
-  const RecordedExport made{options.server.user, options.out, summary};
+  const RecordedExport made{options.server.user, exported.mesh, exported.summary};
   const auto record = make_processing_record(connection, options.session, made);
   RETURN_IF_ERROR(record.status().with_context("record of " + options.session));
   return write_record(*record, options.record);
 }
 
-Status check_outputs(const ExportOptions& options) {
-  RETURN_IF_ERROR(check_writable(options.out));
-  return options.record.empty() ? Status::ok() : check_writable(options.record);
-}
-
 Status run(const ExportOptions& options) {
   ExportWish wish = options.wish;
   wish.deviation = !options.record.empty();
-  ASSIGN_OR_RETURN(wish.format, written_format_of_path(options.out));
-  RETURN_IF_ERROR(check_outputs(options));
+  ASSIGN_OR_RETURN(const ExportTarget target, export_target(options.out, options.force));
+  if (!options.record.empty()) RETURN_IF_ERROR(check_writable(options.record));
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   ProgressPrinter printer;
-  const auto summary =
-      connection.export_mesh(options.session, wish, options.out, printer.progress());
-  if (!summary.is_ok()) return summary.status().with_context("export of " + options.session);
-  warn_of_left_out(summary->left_out, options.out);
-  if (wish.deviation) RETURN_IF_ERROR(write_record_of(options, *summary, connection));
+  const auto exported = export_files(connection, options.session, wish, target, printer.progress());
+  if (!exported.is_ok()) return exported.status().with_context("export of " + options.session);
+  warn_of_left_out(exported->summary.left_out, options.out);
+  if (wish.deviation) RETURN_IF_ERROR(write_record_of(options, *exported, connection));
   if (options.server.json) {
-    print_json(to_json(summary.value()));
+    print_json(to_json(exported->summary));
   } else {
-    print(summary.value(), options.out);
+    print(exported->summary, exported->mesh.string());
   }
   return Status::ok();
 }
@@ -72,8 +68,11 @@ void add_export_command(CommandTable& table) {
   command
       ->add_option(
           "OUT", options->out,
-          "File to write: .ply, .obj, .stl or .off; the scan's own format keeps all that it has")
+          "File to write: .ply, .obj, .stl, .off, .glb, .gltf or .zip; or a folder. The scan's own "
+          "format keeps all that it has, with the files beside it")
       ->required();
+  command->add_flag("--force", options->force,
+                    "Replace files beside OUT that are there with other content");
   command
       ->add_option("--record", options->record,
                    "Also write who did what: a page (.html) or JSON (.json)")

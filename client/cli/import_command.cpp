@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -6,7 +5,7 @@
 #include "client/cli/json_output.h"
 #include "client/cli/progress_printer.h"
 #include "client/cli/server_option.h"
-#include "common/mesh/mesh_io.h"
+#include "common/bundle/scan_bundle.h"
 #include "common/mesh/rewrite/left_out.h"
 
 namespace burnish {
@@ -17,6 +16,7 @@ struct ImportOptions {
   ServerOption server;
   std::string file;
   std::string name;
+  bool alone = false;  ///< without the files beside it
   PreparedKey key;
 };
 
@@ -28,22 +28,27 @@ void print(const ImportOutcome& outcome) {
             << "\n";
 }
 
-/// A server keeps one file. Failing to look is no failure of the import.
-void tell_of_materials(const std::string& file) {
-  const auto format = mesh_format_of_path(file);
-  if (!format.is_ok()) return;
-  const auto named = names_material_files({file, *format, file});
-  if (named.is_ok() && *named)
-    std::cout << "the files that " << file
-              << " names (mtllib) stay where they are; an exported .obj names them again\n";
+void tell_of_files_beside(const ScanBundle& bundle) {
+  if (!bundle.beside().empty())
+    std::cout << "with " << bundle.beside().size()
+              << " files that it names: " << left_out_text(bundle.beside()) << "\n";
+}
+
+void warn_of_missing(const ScanBundle& bundle) {
+  if (!bundle.missing().empty())
+    std::cerr << "warning: not beside " << bundle.mesh().string() << ": "
+              << left_out_text(bundle.missing()) << "\n";
 }
 
 Status run(const ImportOptions& options) {
+  auto opened = ScanBundle::open(options.file, options.alone);
+  if (!opened.is_ok()) return opened.status().with_context("import of " + options.file);
+  const ScanBundle& bundle = *opened;
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
-  const std::string name =
-      options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name;
+  const std::string name = options.name.empty() ? bundle.mesh().stem().string() : options.name;
+  if (!options.alone) warn_of_missing(bundle);
   ProgressPrinter printer;
-  auto outcome = connection.import_scan(options.file, name, options.key, printer.progress());
+  auto outcome = connection.import_scan(bundle, name, options.key, printer.progress());
   if (!outcome.is_ok()) return outcome.status().with_context("import of " + options.file);
   if (!options.name.empty() && outcome->scan.name != options.name)
     std::cerr << "warning: the server has these bytes already; the scan keeps its name "
@@ -51,7 +56,7 @@ Status run(const ImportOptions& options) {
               << short_id(outcome->scan.id) << " '" << options.name << "'\n";
   if (!options.server.json) {
     print(*outcome);
-    tell_of_materials(options.file);
+    tell_of_files_beside(bundle);
     return Status::ok();
   }
   auto json = to_json(outcome->scan);
@@ -66,7 +71,14 @@ void add_import_command(CommandTable& table) {
   auto options = std::make_shared<ImportOptions>();
   CLI::App* command = table.add("import", "Send a scan to the server, which prepares and keeps it",
                                 [options] { return run(*options); });
-  command->add_option("SCAN", options->file, "Mesh file: .ply, .obj, .stl or .off")->required();
+  command
+      ->add_option(
+          "SCAN", options->file,
+          "Mesh file: .ply, .obj, .stl, .off, .glb or .gltf; a folder with one; or a .zip. "
+          "The files that an OBJ names go along")
+      ->required();
+  command->add_flag("--alone", options->alone,
+                    "Send the mesh file without the files that it names");
   command->add_option("--name", options->name, "Its name there; left out: the file's");
   add_prepared_options(*command, options->key);
   add_server_options(*command, options->server);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/base/progress.h"
+#include "common/bundle/scan_bundle.h"
 #include "common/edit/edit.h"
 #include "common/measure/section.h"
 #include "common/service/page_values.h"
@@ -58,8 +59,11 @@ class Connection {
   /// of a failure. Does nothing without a starter.
   void bring_back(const Progress& progress = {});
 
-  /// Uploads a mesh file and has it prepared. Fails: as reading the file does, or as the server
-  /// says; cancelled.
+  /// Uploads a scan and has it prepared. Fails: as the server says; cancelled.
+  Result<ImportOutcome> import_scan(const ScanBundle& scan, const std::string& name,
+                                    const PreparedKey& key, const Progress& progress);
+  /// Does the same with a mesh file, or the mesh of a folder, and the files that it names. Fails:
+  /// as reading the files does; likewise.
   Result<ImportOutcome> import_scan(const std::filesystem::path& file, const std::string& name,
                                     const PreparedKey& key, const Progress& progress);
   Result<std::vector<ScanInfo>> list_scans();

@@ -1,5 +1,4 @@
 #include "client/connection/connection_state.h"
-#include "common/base/mapped_file.h"
 #include "common/transfer/chunk.h"
 #include "common/transfer/content_hash.h"
 #include "common/wire/format_wire.h"
@@ -64,11 +63,15 @@ std::string hash_of(std::string_view bytes) {
 Result<ImportOutcome> Connection::import_scan(const std::filesystem::path& path,
                                               const std::string& name, const PreparedKey& key,
                                               const Progress& progress) {
-  ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
-  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
-  const std::string_view bytes(reinterpret_cast<const char*>(file.bytes().data()),
-                               file.bytes().size());
-  const ImportHeader header{name, format, bytes.size(), hash_of(bytes), key};
+  ASSIGN_OR_RETURN(const ScanBundle scan, ScanBundle::open(path));
+  return import_scan(scan, name, key, progress);
+}
+
+Result<ImportOutcome> Connection::import_scan(const ScanBundle& scan, const std::string& name,
+                                              const PreparedKey& key, const Progress& progress) {
+  const std::string_view bytes(reinterpret_cast<const char*>(scan.bytes().data()),
+                               scan.bytes().size());
+  const ImportHeader header{name, scan.format(), bytes.size(), hash_of(bytes), key};
 
   grpc::ClientContext context;
   const auto stream = state_->library->Import(&context);

@@ -2,6 +2,8 @@
 
 #include "client/model/session_choice.h"
 #include "client/model/workspace.h"
+#include "common/bundle/scan_bundle.h"
+#include "common/mesh/rewrite/left_out.h"
 
 namespace burnish {
 
@@ -42,18 +44,31 @@ void Workspace::import_scan(const std::filesystem::path& file, Opening opening) 
   when_connected([this, file, opening, activity] { import_there(file, opening, activity); });
 }
 
+/// Also returns the names of files that the mesh names and that are not there.
+static Result<ImportOutcome> import_bundle(Connection& connection,
+                                           const std::filesystem::path& file,
+                                           std::vector<std::string>& missing,
+                                           const Progress& progress) {
+  ASSIGN_OR_RETURN(const ScanBundle bundle, ScanBundle::open(file));
+  missing = bundle.missing();
+  return connection.import_scan(bundle, bundle.mesh().stem().string(), {}, progress);
+}
+
 void Workspace::import_there(const std::filesystem::path& file, Opening opening,
                              const std::shared_ptr<Activity>& activity) {
   const auto connection = connection_;
   start_activity(activity, [this, connection, file, opening, activity](const Progress& progress) {
     connection->bring_back(progress);
-    auto outcome = connection->import_scan(file, file.stem().string(), {}, progress);
-    return [this, file, opening, activity, outcome = std::move(outcome)] {
+    std::vector<std::string> missing;
+    auto outcome = import_bundle(*connection, file, missing, progress);
+    return [this, file, opening, activity, missing, outcome = std::move(outcome)] {
       if (!outcome.is_ok()) {
         close_raw(file);
         return log.failure("import of " + file.string(), outcome.status());
       }
       tell_imported(file, *outcome);
+      if (!missing.empty())
+        log.warning("not beside " + file.filename().string() + ": " + left_out_text(missing));
       refresh_library();
       if (may_open(file)) open_scan(outcome->scan, opening, activity);
     };

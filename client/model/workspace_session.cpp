@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <ctime>
 
+#include "client/connection/export_files.h"
 #include "client/model/session_pictures.h"
 #include "client/model/workspace.h"
 #include "client/report/processing_record.h"
-#include "common/base/atomic_file.h"
 #include "common/mesh/rewrite/left_out.h"
 
 namespace burnish {
@@ -159,30 +159,28 @@ static Result<ExportSummary> export_to(const std::filesystem::path& file, const 
                                        const SessionInfo& session, Connection& connection,
                                        const Progress& progress) {
   connection.bring_back(progress);
-  ASSIGN_OR_RETURN(const ExportSummary summary,
-                   connection.export_mesh(session.id, wish, file, progress));
+  ASSIGN_OR_RETURN(const ExportTarget target, export_target(file, false));
+  ASSIGN_OR_RETURN(const ExportedFiles exported,
+                   export_files(connection, session.id, wish, target, progress));
+  const RecordedExport made{connection.user(), exported.mesh, exported.summary};
   if (wish.deviation)
-    RETURN_IF_ERROR(write_records(connection, session.id, {connection.user(), file, summary})
-                        .with_context("record"));
-  return summary;
+    RETURN_IF_ERROR(write_records(connection, session.id, made).with_context("record"));
+  return exported.summary;
 }
 
 void Workspace::export_mesh(const std::filesystem::path& file, bool exact, bool with_record) {
   if (!document_) return;
-  const auto format = written_format_of_path(file);
-  if (!format.is_ok()) return log.failure("export", format.status());
-  const Status writable = check_writable(file);
-  if (!writable.is_ok()) return log.failure("export", writable);
+  const Status target = export_target(file, false).status();
+  if (!target.is_ok()) return log.failure("export", target);
   recorder.record("wait");
   recorder.record("export " + file.string() + (exact ? " exact" : ""));
-  start_activity(
-      "Exporting " + file.filename().string(),
-      [this, file, wish = ExportWish{.format = *format, .exact = exact, .deviation = with_record},
-       connection = document_->opened().connection,
-       session = document_->session()](const Progress& progress) {
-        const auto outcome = export_to(file, wish, session, *connection, progress);
-        return [this, file, outcome] { tell_exported(file, outcome); };
-      });
+  start_activity("Exporting " + file.filename().string(),
+                 [this, file, wish = ExportWish{.exact = exact, .deviation = with_record},
+                  connection = document_->opened().connection,
+                  session = document_->session()](const Progress& progress) {
+                   const auto outcome = export_to(file, wish, session, *connection, progress);
+                   return [this, file, outcome] { tell_exported(file, outcome); };
+                 });
 }
 
 void Workspace::tell_exported(const std::filesystem::path& file,

@@ -26,9 +26,9 @@ Result<PlacedMesh> place_mesh(const Archive& archive, const ArchivedMesh& mesh,
 Result<PlacedMesh> place_archive(const Archive& archive, const ArchivedMesh& mesh,
                                  const std::filesystem::path& folder, bool replaces);
 
-/// Copies the files that an OBJ names from its folder to the folder of `copy`. Does nothing for
-/// other formats, and within one folder. Fails: as place_files(); as a material file cannot be
-/// read.
+/// Puts the files beside a mesh also beside its rewritten `copy`: those that an OBJ names, or those
+/// of the archive that the mesh was in. Does nothing if the copy has another format, or lies in the
+/// same folder as the OBJ. Fails: as place_files(); as a material file cannot be read.
 Status place_files_of(const std::filesystem::path& mesh, const std::filesystem::path& copy,
                       bool replaces);
 

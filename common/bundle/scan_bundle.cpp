@@ -29,11 +29,12 @@ Result<fs::path> mesh_file_of(const fs::path& path) {
                           meshes[1].filename().string() + " among them; name one");
 }
 
-Result<ScanBundle> ScanBundle::open(const fs::path& path) {
+Result<ScanBundle> ScanBundle::open(const fs::path& path, bool alone) {
   ScanBundle bundle;
   ASSIGN_OR_RETURN(bundle.mesh_, mesh_file_of(path));
   ASSIGN_OR_RETURN(bundle.format_, mesh_format_of_path(bundle.mesh_));
   ASSIGN_OR_RETURN(bundle.file_, MappedFile::open(bundle.mesh_));
+  if (alone) return bundle;
   RETURN_IF_ERROR(bundle.gather().with_context(bundle.mesh_.string()));
   if (!bundle.beside_.empty())
     RETURN_IF_ERROR(bundle.pack().with_context("packing " + bundle.mesh_.string()));

@@ -18,9 +18,9 @@ namespace burnish {
 class ScanBundle {
  public:
   /// Takes a mesh file, or a folder with one mesh file in it. Packs files in the mesh's folder and
-  /// below only. Fails: invalid_argument (no mesh or several in the folder, another extension); as
-  /// the files cannot be read; resource_exhausted.
-  static Result<ScanBundle> open(const std::filesystem::path& path);
+  /// below only; none if `alone`. Fails: invalid_argument (no mesh or several in the folder,
+  /// another extension); as the files cannot be read; resource_exhausted.
+  static Result<ScanBundle> open(const std::filesystem::path& path, bool alone = false);
 
   /// The mesh file.
   const std::filesystem::path& mesh() const { return mesh_; }

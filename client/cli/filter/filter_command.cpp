@@ -19,6 +19,7 @@
 #include "common/base/atomic_file.h"
 #include "common/base/out_of_memory.h"
 #include "common/base/parallel.h"
+#include "common/bundle/place_mesh.h"
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/rewrite/left_out.h"
 #include "common/mesh/rewrite/rewrite.h"
@@ -173,6 +174,7 @@ Status filter(const FilterOptions& options) {
   ASSIGN_OR_RETURN(run.solve, session->solve(options.solve, printer.progress()));
   const Stopwatch writing;
   RETURN_IF_ERROR(write_moved_mesh(original, {mesh.vertices, session->surface()}, options.out));
+  RETURN_IF_ERROR(place_files_of(options.in, options.out, options.force));
   run.write_seconds = writing.seconds();
   if (!options.report_file.empty())
     RETURN_IF_ERROR(write_filter_report(*session, run, options.report_file));
@@ -221,10 +223,12 @@ void add_filter_command(CommandTable& table) {
   const auto options = std::make_shared<FilterOptions>();
   CLI::App* command = table.add("filter", "Edit a scan in this process, without a server",
                                 [options] { return filter(*options); });
-  command->add_option("IN", options->in, "Mesh file: .ply, .obj, .stl or .off")->required();
+  command->add_option("IN", options->in, "Mesh file: .ply, .obj, .stl, .off, .glb, .gltf or .zip")
+      ->required();
   command->add_option("OUT", options->out, "File to write; the format of IN keeps all that IN has")
       ->required();
-  command->add_flag("--force", options->force, "Replace IN where OUT is the same file");
+  command->add_flag("--force", options->force,
+                    "Replace IN where OUT is the same file, and files beside OUT");
   command->add_option("--depth", options->prepare.depth, "Octree depth (default: by the mesh)")
       ->check(CLI::Range(kDepthMin, kDepthMax));
   command->add_flag("--depths", options->depths,
