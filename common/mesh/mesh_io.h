@@ -34,7 +34,7 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& path);
 Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                const std::string& name);
 
-/// Writes by extension (PLY binary little-endian, OBJ, STL binary) to a temporary file beside
+/// Writes by extension (PLY binary little-endian, OBJ, STL binary, GLB) to a temporary file beside
 /// `path`, syncs it, and renames it into place. A failed write leaves the old file.
 /// Fails: invalid_argument (unknown extension, !is_written_for_any_scan()), resource_exhausted
 /// (disk full), ...

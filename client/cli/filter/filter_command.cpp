@@ -77,7 +77,7 @@ Result<OriginalFile> check_files(const FilterOptions& options) {
   if (out != in && !is_written_for_any_scan(out))
     return invalid_argument(options.out + ": only a file of the same format is written as " +
                             std::filesystem::path(options.out).extension().string() +
-                            "; use .ply, .obj or .stl");
+                            "; use .ply, .obj, .stl or .glb");
   std::error_code ignored;
   if (!options.force && std::filesystem::equivalent(options.in, options.out, ignored))
     return invalid_argument(options.out + " is the file to read; --force replaces it");
