@@ -68,19 +68,25 @@ Result<std::vector<uint8_t>> pack_archive(std::span<const FileToPack> files) {
   return close_to_bytes(std::move(archive), source);
 }
 
-Result<std::vector<uint8_t>> replace_entry(std::span<const uint8_t> archive, size_t entry,
-                                           std::span<const uint8_t> bytes) {
-  ASSIGN_OR_RETURN(const ZipSource source, source_of(archive));
-  ASSIGN_OR_RETURN(ZipHandle zip, open_zip(source, 0));
+static Status replace(const ZipHandle& zip, const ChangedEntry& changed) {
+  const zip_uint64_t entry = changed.entry;
   zip_stat_t before;
   if (zip_stat_index(zip.get(), entry, 0, &before) != 0) return failure_of(zip);
-  ASSIGN_OR_RETURN(ZipSource content, source_of(bytes));
+  ASSIGN_OR_RETURN(ZipSource content, source_of(changed.bytes));
   if (zip_file_replace(zip.get(), entry, content.get(), 0) != 0) return failure_of(zip);
   (void)content.release();  // the archive's now
   // libzip drops the level where the method stays by name; its default is to deflate.
   const auto method = before.comp_method == ZIP_CM_STORE ? ZIP_CM_STORE : ZIP_CM_DEFAULT;
   zip_set_file_compression(zip.get(), entry, method, kFastDeflate);
   zip_file_set_mtime(zip.get(), entry, before.mtime, 0);
+  return Status::ok();
+}
+
+Result<std::vector<uint8_t>> replace_entries(std::span<const uint8_t> archive,
+                                             std::span<const ChangedEntry> changed) {
+  ASSIGN_OR_RETURN(const ZipSource source, source_of(archive));
+  ASSIGN_OR_RETURN(ZipHandle zip, open_zip(source, 0));
+  for (const ChangedEntry& each : changed) RETURN_IF_ERROR(replace(zip, each));
   return close_to_bytes(std::move(zip), source);
 }
 

@@ -24,10 +24,16 @@ bool is_compressed_by_name(std::string_view name);
 /// Compressed files are stored as they are. Fails: invalid_argument (a name), resource_exhausted.
 Result<std::vector<uint8_t>> pack_archive(std::span<const FileToPack> files);
 
-/// Returns an archive with other bytes in one entry. All other entries keep their packed bytes,
-/// names, times and order; the changed one keeps its name, time and method of packing.
-/// Needs: Archive::open() took the archive, and `entry` is a file in it. Fails: as it does.
-Result<std::vector<uint8_t>> replace_entry(std::span<const uint8_t> archive, size_t entry,
-                                           std::span<const uint8_t> bytes);
+/// An entry's new bytes.
+struct ChangedEntry {
+  size_t entry = 0;
+  std::span<const uint8_t> bytes;  ///< outlives the packing
+};
+
+/// Returns an archive with other bytes in some entries. All other entries keep their packed bytes,
+/// names, times and order; a changed one keeps its name, time and method of packing.
+/// Needs: Archive::open() took the archive, and the entries are files in it. Fails: as it does.
+Result<std::vector<uint8_t>> replace_entries(std::span<const uint8_t> archive,
+                                             std::span<const ChangedEntry> changed);
 
 }  // namespace burnish

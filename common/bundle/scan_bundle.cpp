@@ -4,7 +4,7 @@
 
 #include "common/archive/archive_writer.h"
 #include "common/mesh/folder_files.h"
-#include "common/mesh/obj_files.h"
+#include "common/mesh/named_files.h"
 
 namespace burnish {
 
@@ -42,10 +42,9 @@ Result<ScanBundle> ScanBundle::open(const fs::path& path, bool alone) {
 }
 
 Status ScanBundle::gather() {
-  if (format_ != MeshFormat::kObj) return Status::ok();
   const FolderFiles folder(mesh_.parent_path());
-  ASSIGN_OR_RETURN(const ObjFiles files,
-                   find_obj_files(file_->bytes(), mesh_.filename().string(), folder));
+  ASSIGN_OR_RETURN(const NamedFiles files,
+                   find_named_files(file_->bytes(), format_, {&folder, mesh_.filename().string()}));
   beside_ = files.found;
   missing_ = files.missing;
   return Status::ok();

@@ -29,6 +29,12 @@ class FilesBeside {
   virtual std::optional<std::string> locate(const std::string& path) const = 0;
 };
 
+/// The files beside a mesh file, and its own path among them.
+struct MeshSurroundings {
+  const FilesBeside* files = nullptr;  ///< null: there are none
+  std::string path;
+};
+
 /// Returns the part of a path before its last '/'; empty if there is none.
 std::string folder_of(std::string_view path);
 

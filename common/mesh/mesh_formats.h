@@ -28,5 +28,6 @@ Result<TriangleMesh> read_zip(std::span<const uint8_t> bytes, const std::string&
 Status write_ply(const TriangleMesh& mesh, AtomicFile& file);
 Status write_obj(const TriangleMesh& mesh, AtomicFile& file);
 Status write_stl(const TriangleMesh& mesh, AtomicFile& file);
+Status write_glb(const TriangleMesh& mesh, AtomicFile& file);
 
 }  // namespace burnish

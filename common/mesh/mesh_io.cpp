@@ -9,6 +9,8 @@
 #include "common/base/atomic_file.h"
 #include "common/base/mapped_file.h"
 #include "common/mesh/folder_files.h"
+#include "common/mesh/gltf_files.h"
+#include "common/mesh/gltf_surface.h"
 #include "common/mesh/mesh_formats.h"
 #include "common/mesh/obj_colours.h"
 
@@ -20,8 +22,17 @@ static constexpr std::pair<std::string_view, MeshFormat> kExtensions[] = {
     {".zip", MeshFormat::kZip},
 };
 
+/// Returns nullptr for formats that need an original.
+static Status (*writer_of(MeshFormat format))(const TriangleMesh& mesh, AtomicFile& file) {
+  if (format == MeshFormat::kPly) return write_ply;
+  if (format == MeshFormat::kObj) return write_obj;
+  if (format == MeshFormat::kStl) return write_stl;
+  if (format == MeshFormat::kGlb) return write_glb;
+  return nullptr;
+}
+
 bool is_written_for_any_scan(MeshFormat format) {
-  return format == MeshFormat::kPly || format == MeshFormat::kObj || format == MeshFormat::kStl;
+  return writer_of(format) != nullptr;
 }
 
 Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path) {
@@ -38,8 +49,9 @@ Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path) {
 Result<MeshFormat> written_format_of_path(const std::filesystem::path& path) {
   const auto format = mesh_format_of_path(path);
   if (format.is_ok()) return format;
-  return invalid_argument(path.string() + ": extension '" + path.extension().string() +
-                          "' is not a mesh format that Burnish writes; use .ply, .obj or .stl");
+  return invalid_argument(
+      path.string() + ": extension '" + path.extension().string() +
+      "' is not a mesh format that Burnish writes; use .ply, .obj, .stl or .glb");
 }
 
 static Result<TriangleMesh> read_textured_obj(std::span<const uint8_t> bytes,
@@ -65,7 +77,7 @@ static Result<TriangleMesh> parse_mesh(std::span<const uint8_t> bytes, MeshForma
       return read_off(bytes, name);
     case MeshFormat::kGlb:
     case MeshFormat::kGltf:
-      return unimplemented(name + ": glTF files are not read yet");
+      return read_gltf(bytes, name, GltfFiles(beside).reader());
     case MeshFormat::kZip:
       return read_zip(bytes, name);
   }
@@ -97,13 +109,10 @@ Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path) {
   if (!is_written_for_any_scan(format))
     return invalid_argument("cannot write " + path.string() + ": only a scan from a " +
                             path.extension().string() +
-                            " file is written as one; use .ply, .obj or .stl");
+                            " file is written as one; use .ply, .obj, .stl or .glb");
   RETURN_IF_ERROR(validate(mesh).with_context("cannot write " + path.string()));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
-  const auto write = format == MeshFormat::kPly   ? write_ply
-                     : format == MeshFormat::kObj ? write_obj
-                                                  : write_stl;
-  RETURN_IF_ERROR(write(mesh, file));
+  RETURN_IF_ERROR(writer_of(format)(mesh, file));
   return file.commit();
 }
 

@@ -31,18 +31,12 @@ Result<MeshFormat> written_format_of_path(const std::filesystem::path& path);
 /// truncated, hostile, empty), resource_exhausted.
 Result<TriangleMesh> read_mesh(const std::filesystem::path& path);
 
-/// The files beside a mesh file, and its own path among them.
-struct MeshSurroundings {
-  const FilesBeside* files = nullptr;  ///< null: there are none
-  std::string path;
-};
-
 /// Reads a mesh from memory, for uploads and fuzzers. `name` is only used in messages. An OBJ
 /// without colours takes them from its textures, if they lie beside it. Fails: likewise.
 Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                const std::string& name, const MeshSurroundings& beside = {});
 
-/// Writes by extension (PLY binary little-endian, OBJ, STL binary) to a temporary file beside
+/// Writes by extension (PLY binary little-endian, OBJ, STL binary, GLB) to a temporary file beside
 /// `path`, syncs it, and renames it into place. A failed write leaves the old file.
 /// Fails: invalid_argument (unknown extension, !is_written_for_any_scan()), resource_exhausted
 /// (disk full), ...

@@ -20,6 +20,7 @@
 #include "common/base/out_of_memory.h"
 #include "common/base/parallel.h"
 #include "common/bundle/place_mesh.h"
+#include "common/bundle/scan_bundle.h"
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/rewrite/left_out.h"
 #include "common/mesh/rewrite/rewrite.h"
@@ -71,6 +72,15 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// A .gltf whose positions lie in another file is written again in an archive only.
+Status check_buffers(const FilterOptions& options, MeshFormat in, MeshFormat out) {
+  if (in != MeshFormat::kGltf || out != MeshFormat::kGltf) return Status::ok();
+  ASSIGN_OR_RETURN(const ScanBundle bundle, ScanBundle::open(options.in));
+  if (bundle.beside().empty()) return Status::ok();
+  return invalid_argument(options.in + " names " + bundle.beside()[0] +
+                          " beside it; pack both as a .zip archive, or write another format");
+}
+
 /// Refuses wrong options before the long work begins.
 Result<OriginalFile> check_files(const FilterOptions& options) {
   ASSIGN_OR_RETURN(const MeshFormat in, mesh_format_of_path(options.in));
@@ -78,7 +88,8 @@ Result<OriginalFile> check_files(const FilterOptions& options) {
   if (out != in && !is_written_for_any_scan(out))
     return invalid_argument(options.out + ": only a file of the same format is written as " +
                             std::filesystem::path(options.out).extension().string() +
-                            "; use .ply, .obj or .stl");
+                            "; use .ply, .obj, .stl or .glb");
+  RETURN_IF_ERROR(check_buffers(options, in, out));
   std::error_code ignored;
   if (!options.force && std::filesystem::equivalent(options.in, options.out, ignored))
     return invalid_argument(options.out + " is the file to read; --force replaces it");

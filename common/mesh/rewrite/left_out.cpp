@@ -53,6 +53,7 @@ static bool list_extras(std::span<const uint8_t> bytes, MeshFormat format, size_
       return list_off_extras(bytes, triangles, list);
     case MeshFormat::kGlb:
     case MeshFormat::kGltf:
+      return list_gltf_extras(bytes, list);
     case MeshFormat::kZip:
       return false;
   }

@@ -31,5 +31,6 @@ class LeftOutList {
 /// Return false if the file is not in the format.
 bool list_ply_extras(std::span<const uint8_t> bytes, size_t triangles, LeftOutList& list);
 bool list_obj_extras(std::span<const uint8_t> bytes, size_t triangles, LeftOutList& list);
+bool list_gltf_extras(std::span<const uint8_t> bytes, LeftOutList& list);
 
 }  // namespace burnish

@@ -1,6 +1,5 @@
 #include "common/mesh/rewrite/moved_normals.h"
 
-#include <array>
 #include <cmath>
 
 namespace burnish {
@@ -9,14 +8,19 @@ static Vec3d area_vector(const std::array<Vec3d, 3>& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 
+void AreaVectors::add(const std::array<Vec3d, 3>& corners_before,
+                      const std::array<Vec3d, 3>& corners_after) {
+  before += area_vector(corners_before);
+  after += area_vector(corners_after);
+}
+
 void AreaVectors::add(const MovedMesh& moved, const Triangle& triangle) {
   std::array<Vec3d, 3> corners_before, corners_after;
   for (size_t corner = 0; corner < 3; ++corner) {
     corners_before[corner] = moved.written(moved.before[triangle[corner]]);
     corners_after[corner] = moved.written(moved.after.vertices[triangle[corner]]);
   }
-  before += area_vector(corners_before);
-  after += area_vector(corners_after);
+  add(corners_before, corners_after);
 }
 
 // Lengths near 1 are 1 and rounding. Others mean something, or are the scale of an integer type.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace burnish {
 struct AreaVectors {
   Vec3d before = Vec3d::Zero();
   Vec3d after = Vec3d::Zero();
+
+  /// Adds a triangle by its corners.
+  void add(const std::array<Vec3d, 3>& corners_before, const std::array<Vec3d, 3>& corners_after);
 
   /// Adds a triangle, at positions as they are written.
   void add(const MovedMesh& moved, const Triangle& triangle);

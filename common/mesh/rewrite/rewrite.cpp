@@ -4,9 +4,17 @@
 #include "common/base/check.h"
 #include "common/base/mapped_file.h"
 #include "common/mesh/rewrite/format_rewriters.h"
+#include "common/mesh/rewrite/gltf_rewriter.h"
 #include "common/mesh/rewrite/packed_mesh.h"
 
 namespace burnish {
+
+/// Rewrites a glTF file that has no files beside it.
+static Status rewrite_alone(std::span<const uint8_t> original, const std::string& name,
+                            const MovedMesh& moved, OutputBuffer& output) {
+  std::vector<GltfFileBeside> none;
+  return rewrite_gltf(original, name, nullptr, moved, output, none);
+}
 
 static Status rewrite_in_format(std::span<const uint8_t> original, MeshFormat format,
                                 const std::string& name, const MovedMesh& moved,
@@ -22,7 +30,7 @@ static Status rewrite_in_format(std::span<const uint8_t> original, MeshFormat fo
       return rewrite_off(original, name, moved, output);
     case MeshFormat::kGlb:
     case MeshFormat::kGltf:
-      return unimplemented(name + ": glTF files are not written yet");
+      return rewrite_alone(original, name, moved, output);
     case MeshFormat::kZip:
       return rewrite_zip(original, name, moved, output);
   }

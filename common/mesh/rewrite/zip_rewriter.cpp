@@ -2,18 +2,57 @@
 #include <vector>
 
 #include "common/archive/archive_writer.h"
+#include "common/mesh/gltf_files.h"
 #include "common/mesh/rewrite/format_rewriters.h"
+#include "common/mesh/rewrite/gltf_rewriter.h"
 #include "common/mesh/rewrite/packed_mesh.h"
 #include "common/mesh/rewrite/rewrite.h"
 
 namespace burnish {
 
-static std::string_view as_view(std::span<const uint8_t> bytes) {
+namespace {
+
+std::string_view as_view(std::span<const uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Writes the archive's mesh to memory. All entries besides it keep their bytes, so an archive
-/// whose mesh keeps its bytes is copied as it is.
+/// The entries of an archive that have new bytes.
+class ChangedEntries {
+ public:
+  void add(size_t entry, std::vector<uint8_t> bytes) {
+    contents_.push_back(std::move(bytes));
+    entries_.push_back({entry, contents_.back()});  // its buffer stays where it is
+  }
+  std::span<const ChangedEntry> entries() const { return entries_; }
+
+ private:
+  std::vector<std::vector<uint8_t>> contents_;
+  std::vector<ChangedEntry> entries_;
+};
+
+bool is_gltf(MeshFormat format) {
+  return format == MeshFormat::kGlb || format == MeshFormat::kGltf;
+}
+
+/// A glTF file may have its positions in a file beside it, which then changes too.
+Status rewrite_packed(const PackedMesh& packed, const MovedMesh& moved, OutputBuffer& output,
+                      ChangedEntries& changed) {
+  if (!is_gltf(packed.mesh.format))
+    return rewrite_mesh(packed.bytes, packed.mesh.format, packed.name, moved, output);
+  const ArchiveFiles beside(packed.archive);
+  GltfFiles files({&beside, packed.mesh.path});
+  std::vector<GltfFileBeside> buffers;
+  RETURN_IF_ERROR(rewrite_gltf(packed.bytes, packed.name, files.reader(), moved, output, buffers));
+  for (GltfFileBeside& buffer : buffers)
+    if (const auto entry = packed.archive.find(files.path_of(buffer.path)))
+      changed.add(*entry, std::move(buffer.bytes));
+  return output.flush();
+}
+
+}  // namespace
+
+/// Writes the archive's mesh to memory. All other entries keep their bytes, so an archive whose
+/// mesh keeps its bytes is copied as it is.
 Status rewrite_zip(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                    OutputBuffer& output) {
   ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(bytes, name));
@@ -22,12 +61,14 @@ Status rewrite_zip(std::span<const uint8_t> bytes, const std::string& name, cons
     after.insert(after.end(), piece.begin(), piece.end());
     return Status::ok();
   });
-  RETURN_IF_ERROR(rewrite_mesh(packed.bytes, packed.mesh.format, packed.name, moved, gathered));
-  if (after == packed.bytes) {
+  ChangedEntries changed;
+  RETURN_IF_ERROR(rewrite_packed(packed, moved, gathered, changed));
+  if (after != packed.bytes) changed.add(packed.mesh.entry, std::move(after));
+  if (changed.entries().empty()) {
     output.put_text(as_view(bytes));
     return Status::ok();
   }
-  auto replaced = replace_entry(bytes, packed.mesh.entry, after);
+  auto replaced = replace_entries(bytes, changed.entries());
   if (!replaced.is_ok()) return replaced.status().with_context(name);
   output.put_text(as_view(*replaced));
   return Status::ok();

@@ -8,6 +8,12 @@
 namespace burnish {
 namespace {
 
+Result<std::vector<uint8_t>> with_entry(const std::vector<uint8_t>& archive, size_t entry,
+                                        const std::string& text) {
+  const ChangedEntry changed = {entry, as_bytes(text)};
+  return replace_entries(archive, {&changed, 1});
+}
+
 TEST(ArchiveWriter, SameFilesGiveSameBytes) {
   const NamedTexts files = {{"scan.obj", "v 0 0 0\n"}, {"skin.png", "pixels"}};
   EXPECT_EQ(packed(files), packed(files));
@@ -28,7 +34,7 @@ TEST(ArchiveWriter, OneReplacedEntryLeavesTheOthersAlone) {
   const auto bytes = packed({{"a.mtl", "newmtl a"}, {"scan.obj", "v 0 0 0"}, {"b.png", "pixels"}});
   const std::string longer(5000, '7');
   for (const size_t entry : {1, 2}) {
-    const auto replaced = replace_entry(bytes, entry, as_bytes(longer));
+    const auto replaced = with_entry(bytes, entry, longer);
     ASSERT_TRUE(replaced.is_ok()) << replaced.status().message();
     const Archive archive = std::move(Archive::open(*replaced, "scan.zip")).value();
     const Archive before = std::move(Archive::open(bytes, "scan.zip")).value();
@@ -44,9 +50,9 @@ TEST(ArchiveWriter, OneReplacedEntryLeavesTheOthersAlone) {
 TEST(ArchiveWriter, AnEntryThatIsReplacedKeepsItsTimeAndItsPacking) {
   const auto bytes = packed({{"scan.obj", "v 0 0 0"}, {"b.png", "pixels"}});
   for (const size_t entry : {0, 1}) {
-    const auto other = replace_entry(bytes, entry, as_bytes(std::string(5000, '7'))).value();
+    const auto other = with_entry(bytes, entry, std::string(5000, '7')).value();
     const std::string old = entry == 0 ? "v 0 0 0" : "pixels";
-    EXPECT_EQ(replace_entry(other, entry, as_bytes(old)).value(), bytes) << entry;
+    EXPECT_EQ(with_entry(other, entry, old).value(), bytes) << entry;
   }
 }
 

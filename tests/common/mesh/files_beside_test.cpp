@@ -10,7 +10,7 @@ namespace burnish {
 namespace {
 
 TEST(FilesBeside, NamesAreSoughtInTheFolderOfTheText) {
-  NamedFiles beside;
+  FilesInMemory beside;
   beside.files = {{"a.png", ""}, {"maps/a.png", ""}, {"maps/b.png", ""}};
   EXPECT_EQ(beside.find("", "a.png"), "a.png");
   EXPECT_EQ(beside.find("maps", "a.png"), "maps/a.png");
@@ -21,7 +21,7 @@ TEST(FilesBeside, NamesAreSoughtInTheFolderOfTheText) {
 }
 
 TEST(FilesBeside, PathsOfOtherMachinesCountByTheirLastPart) {
-  NamedFiles beside;
+  FilesInMemory beside;
   beside.files = {{"skin.png", ""}};
   EXPECT_EQ(beside.find("", "C:\\Users\\me\\skin.png"), "skin.png");
   EXPECT_EQ(beside.find("", "/home/me/skin.png"), "skin.png");

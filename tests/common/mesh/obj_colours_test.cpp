@@ -13,18 +13,18 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-NamedFiles square_files() {
-  NamedFiles beside;
+FilesInMemory square_files() {
+  FilesInMemory beside;
   beside.files = {{"square.mtl", kSquareMtl}, {"skin.png", png_of(square_picture())}};
   return beside;
 }
 
-Result<TriangleMesh> read_beside(const std::string& obj, const NamedFiles& beside) {
+Result<TriangleMesh> read_beside(const std::string& obj, const FilesInMemory& beside) {
   return read_mesh({reinterpret_cast<const uint8_t*>(obj.data()), obj.size()}, MeshFormat::kObj,
                    "scan", {&beside, "square.obj"});
 }
 
-std::vector<Rgba8> colours_of(const std::string& obj, const NamedFiles& beside) {
+std::vector<Rgba8> colours_of(const std::string& obj, const FilesInMemory& beside) {
   const auto mesh = read_beside(obj, beside);
   EXPECT_TRUE(mesh.is_ok()) << mesh.status().message();
   return mesh.is_ok() ? mesh->colours : std::vector<Rgba8>();
@@ -49,7 +49,7 @@ TEST(ObjColours, TheScansOwnColoursComeFirst) {
 }
 
 TEST(ObjColours, AMaterialWithoutAPictureHasItsDiffuseColour) {
-  NamedFiles beside = square_files();
+  FilesInMemory beside = square_files();
   beside.files["square.mtl"] = "newmtl skin\nKd 1 0 0\nnewmtl other\nKd 0 1 0\n";
   const std::string obj = replaced(kSquareObj, "f 1/1 3/3 4/4", "usemtl other\nf 1/1 3/3 4/4");
   const Rgba8 red = {255, 0, 0, 255};
@@ -57,7 +57,7 @@ TEST(ObjColours, AMaterialWithoutAPictureHasItsDiffuseColour) {
 }
 
 TEST(ObjColours, OneColourForAllIsNone) {
-  NamedFiles beside = square_files();
+  FilesInMemory beside = square_files();
   beside.files.erase("skin.png");
   EXPECT_TRUE(colours_of(kSquareObj, beside).empty());
   beside.files.erase("square.mtl");
@@ -65,7 +65,7 @@ TEST(ObjColours, OneColourForAllIsNone) {
 }
 
 TEST(ObjColours, ScaleAndOffsetMoveTheCoordinates) {
-  NamedFiles beside = square_files();
+  FilesInMemory beside = square_files();
   beside.files["square.mtl"] = "newmtl skin\nmap_Kd -s 1 1 1 -o 0.5 0 0 skin.png\n";
   const auto turned = square_colours();
   EXPECT_THAT(colours_of(kSquareObj, beside),
@@ -73,7 +73,7 @@ TEST(ObjColours, ScaleAndOffsetMoveTheCoordinates) {
 }
 
 TEST(ObjColours, JpegsAreReadAndOtherKindsCountAsNone) {
-  NamedFiles beside = square_files();
+  FilesInMemory beside = square_files();
   beside.files["skin.png"] = jpeg_of(drawn(64, 64, [](uint32_t x, uint32_t) {
     return x < 32 ? Rgba8{200, 0, 0, 255} : Rgba8{0, 0, 200, 255};
   }));
@@ -86,7 +86,7 @@ TEST(ObjColours, JpegsAreReadAndOtherKindsCountAsNone) {
 }
 
 TEST(ObjColours, ADamagedPictureIsNamed) {
-  NamedFiles beside = square_files();
+  FilesInMemory beside = square_files();
   beside.files["skin.png"].resize(50);
   EXPECT_THAT(read_beside(kSquareObj, beside).status().message(), HasSubstr("scan: skin.png: "));
 }
@@ -98,7 +98,7 @@ TEST(ObjColours, AFileOnDiskFindsItsTexturesInItsFolder) {
 }
 
 TEST(ObjFiles, FoundAndMissingFilesAreListedOnce) {
-  NamedFiles beside = square_files();
+  FilesInMemory beside = square_files();
   beside.files["square.mtl"] += "map_Ks gone.png\nbump gone.png\nnewmtl b\nmap_Kd skin.png\n";
   const std::string obj = "mtllib square.mtl none.mtl\n" + kSquareObj;
   const auto files = find_obj_files({reinterpret_cast<const uint8_t*>(obj.data()), obj.size()},

@@ -32,7 +32,7 @@ inline std::vector<Rgba8> square_colours() {
 }
 
 /// Files in memory.
-class NamedFiles final : public FilesBeside {
+class FilesInMemory final : public FilesBeside {
  public:
   std::map<std::string, std::string> files;
 

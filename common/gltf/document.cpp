@@ -1,0 +1,131 @@
+#include "common/gltf/document.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include "common/base/text.h"
+#include "common/gltf/base64.h"
+
+namespace burnish {
+
+static constexpr std::string_view kReadExtensions[] = {kDracoExtension, kMeshoptExtension,
+                                                       "KHR_mesh_quantization"};
+
+// These change how the surface looks, not where it is.
+static constexpr std::string_view kAppearancePrefixes[] = {"KHR_materials_", "KHR_texture_",
+                                                           "EXT_texture_", "KHR_lights_"};
+
+static Status check_required_extension(const GltfJson& required) {
+  const std::string name = required.is_string() ? required.get<std::string>() : "";
+  const auto is_prefix = [&](std::string_view prefix) { return name.starts_with(prefix); };
+  if (std::ranges::find(kReadExtensions, name) != std::end(kReadExtensions) ||
+      std::ranges::any_of(kAppearancePrefixes, is_prefix))
+    return Status::ok();
+  return invalid_argument("the file needs the extension " + value_text(required) +
+                          ", which Burnish does not read");
+}
+
+static Status check_asset(const GltfJson& json) {
+  const GltfJson* asset = find_object(json, {"asset"});
+  const GltfJson* version = asset == nullptr ? nullptr : find_member(*asset, "version");
+  if (version == nullptr || !version->is_string() || !version->get<std::string>().starts_with("2."))
+    return invalid_argument("glTF version " +
+                            (version == nullptr ? "(none)" : value_text(*version)) +
+                            " cannot be read, only 2.0");
+  const GltfJson* required = find_member(json, "extensionsRequired");
+  if (required == nullptr || !required->is_array()) return Status::ok();
+  for (const GltfJson& name : *required) RETURN_IF_ERROR(check_required_extension(name));
+  return Status::ok();
+}
+
+std::string unescaped_uri(std::string_view uri) {
+  const auto digit = [](char c) {
+    const size_t value = std::string_view("0123456789abcdef").find(static_cast<char>(c | 0x20));
+    return c >= '0' && c <= '9' ? c - '0' : value == std::string_view::npos ? -1 : int(value);
+  };
+  std::string text;
+  for (size_t i = 0; i < uri.size(); ++i) {
+    const bool is_escape =
+        uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
+    text += is_escape ? static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2])) : uri[i];
+    if (is_escape) i += 2;
+  }
+  return text;
+}
+
+static Status open_data_uri(std::string_view uri, const std::string& place, GltfBuffer& buffer) {
+  constexpr std::string_view kMark = ";base64,";
+  const size_t mark = uri.find(kMark);
+  if (mark == std::string_view::npos)
+    return invalid_argument(place + ": its data URI is not base64");
+  auto decoded = from_base64(uri.substr(mark + kMark.size()));
+  if (!decoded) return invalid_argument(place + ": its base64 is damaged");
+  buffer.home = GltfBuffer::Home::kText;
+  buffer.decoded = std::move(*decoded);
+  buffer.bytes = buffer.decoded;
+  return Status::ok();
+}
+
+static Status open_uri(const std::string& uri, const GltfFilesBeside& beside,
+                       const std::string& place, GltfBuffer& buffer) {
+  if (uri.starts_with("data:")) return open_data_uri(uri, place, buffer);
+  if (!beside)
+    return invalid_argument(place + " is another file, '" + shortened(uri, 200) +
+                            "'; pack both as a .zip archive, or save as .glb");
+  buffer.home = GltfBuffer::Home::kBeside;
+  buffer.path = unescaped_uri(uri);
+  ASSIGN_OR_RETURN(buffer.bytes, beside(buffer.path));
+  return Status::ok();
+}
+
+/// Opens a buffer and adds it. `files` are the paths of those before it.
+static Status open_buffer(uint64_t index, const GltfFilesBeside& beside, GltfDocument& document,
+                          std::set<std::string>& files) {
+  const std::string place = place_text("buffer", index);
+  ASSIGN_OR_RETURN(const GltfJson* json, find_element(document.json, "buffers", index, place));
+  ASSIGN_OR_RETURN(const uint64_t length, read_whole(*json, "byteLength", place));
+  GltfBuffer& buffer = document.buffers.emplace_back();
+  const GltfJson* uri = find_member(*json, "uri");
+  if (uri != nullptr && uri->is_string()) {
+    RETURN_IF_ERROR(open_uri(uri->get<std::string>(), beside, place, buffer));
+  } else if (index == 0 && document.parts.has_bin) {
+    buffer.home = GltfBuffer::Home::kChunk;
+    buffer.bytes = document.parts.bin;
+  } else {
+    return Status::ok();
+  }
+  if (!buffer.path.empty() && files.insert(buffer.path).second)
+    document.file_bytes += buffer.bytes.size();
+  if (length > buffer.bytes.size())
+    return invalid_argument(place + ": byteLength is " + std::to_string(length) +
+                            ", but there are " + std::to_string(buffer.bytes.size()) + " bytes");
+  buffer.bytes = buffer.bytes.first(length);
+  return Status::ok();
+}
+
+bool names_packing(std::string_view json) {
+  return json.find(kDracoExtension) != std::string_view::npos ||
+         json.find(kMeshoptExtension) != std::string_view::npos;
+}
+
+Result<GltfDocument> open_gltf(std::span<const uint8_t> bytes, const GltfFilesBeside& beside) {
+  GltfDocument document;
+  document.is_binary = is_glb(bytes);
+  document.file_bytes = bytes.size();
+  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (document.is_binary) {
+    ASSIGN_OR_RETURN(document.parts, split_glb(bytes));
+    text = document.parts.json;
+  }
+  document.is_packed = names_packing(text);
+  ASSIGN_OR_RETURN(document.json, parse_gltf_json(text));
+  RETURN_IF_ERROR(check_asset(document.json));
+  const size_t buffers = count_elements(document.json, "buffers");
+  document.buffers.reserve(buffers);
+  std::set<std::string> files;
+  for (size_t i = 0; i < buffers; ++i) RETURN_IF_ERROR(open_buffer(i, beside, document, files));
+  return document;
+}
+
+}  // namespace burnish

@@ -1,0 +1,35 @@
+#include "common/mesh/named_files.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "common/mesh/gltf_files.h"
+#include "common/mesh/obj_files.h"
+
+namespace burnish {
+
+static void add_name(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+static Result<NamedFiles> find_gltf_files(std::span<const uint8_t> bytes,
+                                          const MeshSurroundings& beside) {
+  NamedFiles files;
+  ASSIGN_OR_RETURN(const auto names, names_in_gltf(bytes));
+  for (const std::string& name : names) {
+    const auto path = beside.files->find(folder_of(beside.path), name);
+    add_name(path ? files.found : files.missing, path.value_or(name));
+  }
+  return files;
+}
+
+Result<NamedFiles> find_named_files(std::span<const uint8_t> bytes, MeshFormat format,
+                                    const MeshSurroundings& beside) {
+  if (format == MeshFormat::kGlb || format == MeshFormat::kGltf)
+    return find_gltf_files(bytes, beside);
+  if (format != MeshFormat::kObj) return NamedFiles();
+  ASSIGN_OR_RETURN(ObjFiles files, find_obj_files(bytes, beside.path, *beside.files));
+  return NamedFiles{std::move(files.found), std::move(files.missing)};
+}
+
+}  // namespace burnish

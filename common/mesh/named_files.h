@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/mesh/files_beside.h"
+#include "common/mesh/mesh_io.h"
+
+namespace burnish {
+
+/// The files that a mesh file names, and those that they name.
+struct NamedFiles {
+  std::vector<std::string> found;    ///< paths, each once
+  std::vector<std::string> missing;  ///< names, as the texts have them, each once
+};
+
+/// Finds the material files and pictures of an OBJ, and the buffers and images of a glTF file.
+/// Other formats name none. Fails: as a file cannot be read.
+Result<NamedFiles> find_named_files(std::span<const uint8_t> bytes, MeshFormat format,
+                                    const MeshSurroundings& beside);
+
+}  // namespace burnish

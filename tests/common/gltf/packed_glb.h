@@ -1,0 +1,87 @@
+#pragma once
+
+#include <meshoptimizer.h>
+
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+
+#include "tests/common/gltf/glb_file.h"
+
+namespace burnish {
+
+/// Packs a mesh's triangles by Draco, as Blender's exporter does.
+inline std::string draco_bytes(const TriangleMesh& mesh, int method, uint32_t& position_id,
+                               uint32_t& points) {
+  draco::TriangleSoupMeshBuilder builder;
+  builder.Start(static_cast<int>(mesh.triangles.size()));
+  const int attribute =
+      builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::array<Vec3f, 3> corners;
+    for (size_t c = 0; c < 3; ++c) corners[c] = mesh.vertices[mesh.triangles[t][c]].cast<float>();
+    builder.SetAttributeValuesForFace(attribute, draco::FaceIndex(t), corners[0].data(),
+                                      corners[1].data(), corners[2].data());
+  }
+  const auto packed_mesh = builder.Finalize();
+  position_id = packed_mesh->attribute(attribute)->unique_id();
+  points = packed_mesh->num_points();
+  draco::Encoder encoder;
+  encoder.SetEncodingMethod(method);
+  encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, 14);
+  draco::EncoderBuffer buffer;
+  EXPECT_TRUE(encoder.EncodeMeshToBuffer(*packed_mesh, &buffer).ok());
+  return {buffer.data(), buffer.size()};
+}
+
+inline GlbFile draco_glb(const TriangleMesh& mesh, int method) {
+  GlbFile file;
+  uint32_t id = 0, points = 0;
+  const size_t view = file.add_view(draco_bytes(mesh, method, id, points));
+  file.json["extensionsUsed"] = file.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  file.json["accessors"] = {
+      {{"componentType", 5126}, {"count", points}, {"type", "VEC3"}},
+      {{"componentType", 5125}, {"count", 3 * mesh.triangles.size()}, {"type", "SCALAR"}}};
+  file.add_primitive({{"POSITION", 0}}) = {
+      {"attributes", {{"POSITION", 0}}},
+      {"indices", 1},
+      {"extensions",
+       {{"KHR_draco_mesh_compression",
+         {{"bufferView", view}, {"attributes", {{"POSITION", id}}}}}}}};
+  return file;
+}
+
+/// Packs a mesh's positions and indices by meshopt, as gltfpack does.
+inline GlbFile meshopt_glb(const TriangleMesh& mesh) {
+  GlbFile file;
+  std::vector<Vec3f> positions;
+  std::vector<uint32_t> indices;
+  for (const Vec3d& vertex : mesh.vertices) positions.push_back(vertex.cast<float>());
+  for (const Triangle& t : mesh.triangles) indices.insert(indices.end(), t.begin(), t.end());
+  file.more_buffers = {{{"byteLength", 12 * mesh.vertices.size() + 12 * mesh.triangles.size()},
+                        {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}}};
+  std::string packed(meshopt_encodeVertexBufferBound(positions.size(), sizeof(Vec3f)), '\0');
+  packed.resize(meshopt_encodeVertexBuffer(reinterpret_cast<uint8_t*>(packed.data()), packed.size(),
+                                           positions.data(), positions.size(), sizeof(Vec3f)));
+  const auto add = [&](const std::string& bytes, const char* mode, size_t count, size_t stride) {
+    const size_t offset = (file.bin.size() + 3) / 4 * 4;
+    TestJson extension = {
+        {"buffer", 0},          {"byteOffset", offset}, {"byteLength", bytes.size()},
+        {"byteStride", stride}, {"mode", mode},         {"count", count}};
+    return file.add_view(bytes, {{"buffer", 1},
+                                 {"byteOffset", 0},
+                                 {"byteLength", count * stride},
+                                 {"extensions", {{"EXT_meshopt_compression", extension}}}});
+  };
+  const size_t view = add(packed, "ATTRIBUTES", positions.size(), sizeof(Vec3f));
+  packed.assign(meshopt_encodeIndexBufferBound(indices.size(), positions.size()), '\0');
+  packed.resize(meshopt_encodeIndexBuffer(reinterpret_cast<uint8_t*>(packed.data()), packed.size(),
+                                          indices.data(), indices.size()));
+  const size_t index_view = add(packed, "TRIANGLES", indices.size(), sizeof(uint32_t));
+  file.json["extensionsUsed"] = file.json["extensionsRequired"] = {"EXT_meshopt_compression"};
+  const size_t position_accessor = file.add_accessor(view, "VEC3", 5126, positions.size());
+  file.add_primitive({{"POSITION", position_accessor}})["indices"] =
+      file.add_accessor(index_view, "SCALAR", 5125, indices.size());
+  return file;
+}
+
+}  // namespace burnish
