@@ -23,6 +23,7 @@ Result<TriangleMesh> read_obj(std::span<const uint8_t> bytes, const std::string&
 Result<TriangleMesh> read_stl(std::span<const uint8_t> bytes, const std::string& name);
 Result<TriangleMesh> read_off(std::span<const uint8_t> bytes, const std::string& name);
 Result<TriangleMesh> read_zip(std::span<const uint8_t> bytes, const std::string& name);
+Result<uint64_t> predict_zip_reading_bytes(std::span<const uint8_t> bytes, const std::string& name);
 
 /// Append to `file`; the caller commits it. Needs: a valid mesh.
 Status write_ply(const TriangleMesh& mesh, AtomicFile& file);
