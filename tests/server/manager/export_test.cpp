@@ -3,6 +3,7 @@
 
 #include "common/generate/generate.h"
 #include "server/manager/session_manager.h"
+#include "tests/common/gltf/glb_file.h"
 #include "tests/server/manager/test_library.h"
 
 namespace burnish {
@@ -75,6 +76,21 @@ TEST_F(SessionExport, AnotherFormatNamesWhatItLeavesOut) {
   ASSERT_TRUE(file.is_ok()) << file.status().message();
   EXPECT_THAT(file.value()->summary().left_out,
               ElementsAre("materials", "texture coordinates", "comments"));
+}
+
+TEST_F(SessionExport, AGlbComesBackByteForByteAndNamesItsMaterialsForAPly) {
+  GlbFile tile = square_glb();
+  tile.json["materials"] = {{{"name", "clay"}}};
+  ASSERT_TRUE(library_.import(tile.glb(), "tile", {}, 5, MeshFormat::kGlb).is_ok());
+  ASSERT_TRUE(manager_->open({"tile", "two", {5, 0}}, {}, {}).is_ok());
+  const auto file = manager_->export_mesh("two", {MeshFormat::kGlb, false, 1}, {});
+  ASSERT_TRUE(file.is_ok()) << file.status().message();
+  EXPECT_EQ(file.value()->read(0).value(), tile.glb());
+  const auto ply = manager_->export_mesh("two", {MeshFormat::kPly, false, 1}, {});
+  EXPECT_THAT(ply.value()->summary().left_out, ElementsAre("materials"));
+  EXPECT_EQ(manager_->export_mesh("two", {MeshFormat::kGltf, false, 1}, {}).status().code(),
+            StatusCode::kInvalidArgument);
+  EXPECT_TRUE(manager_->export_mesh("one", {MeshFormat::kGlb, false, 1}, {}).is_ok());
 }
 
 TEST_F(SessionExport, OffIsExportedFromOffOnly) {
