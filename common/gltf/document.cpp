@@ -77,7 +77,7 @@ static Status open_uri(const std::string& uri, const GltfFilesBeside& beside,
                        const std::string& place, GltfBuffer& buffer) {
   if (uri.starts_with("data:")) return open_data_uri(uri, place, buffer);
   if (!beside)
-    return invalid_argument(place + " is another file, '" + shortened(uri, 200) +
+    return invalid_argument(place + " is another file, '" + shortened(uri, kNameBytesMax) +
                             "'; pack both as a .zip archive, or save as .glb");
   buffer.home = GltfBuffer::Home::kBeside;
   buffer.path = unescaped(uri);
@@ -101,8 +101,10 @@ static Status open_buffer(uint64_t index, const GltfFilesBeside& beside, GltfDoc
   } else {
     return Status::ok();
   }
-  if (!buffer.path.empty() && files.insert(buffer.path).second)
-    document.file_bytes += buffer.bytes.size();
+  if (!buffer.path.empty() && !files.insert(buffer.path).second)
+    return invalid_argument(place + " is the same file as another, '" +
+                            shortened(buffer.path, kNameBytesMax) + "'");
+  if (!buffer.path.empty()) document.file_bytes += buffer.bytes.size();
   if (length > buffer.bytes.size())
     return invalid_argument(place + ": byteLength is " + std::to_string(length) +
                             ", but there are " + std::to_string(buffer.bytes.size()) + " bytes");

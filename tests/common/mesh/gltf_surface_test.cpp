@@ -189,6 +189,13 @@ TEST(GltfSurface, FilesBesideATextAreAskedForByTheirPaths) {
       read_gltf({reinterpret_cast<const uint8_t*>(text.data()), text.size()}, "scan", beside);
   ASSERT_TRUE(mesh.is_ok()) << mesh.status().message();
   EXPECT_EQ(mesh->vertices, kSquareVertices);
+  file.json["buffers"].push_back(file.json["buffers"][0]);
+  const std::string twice = file.json.dump();
+  EXPECT_THAT(
+      read_gltf({reinterpret_cast<const uint8_t*>(twice.data()), twice.size()}, "scan", beside)
+          .status()
+          .message(),
+      HasSubstr("buffer 1 is the same file"));
 }
 
 TEST(GltfSurface, SkinsMorphTargetsAndUnknownExtensionsAreRefusedByName) {
