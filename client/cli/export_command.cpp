@@ -72,7 +72,7 @@ void add_export_command(CommandTable& table) {
   command
       ->add_option(
           "OUT", options->out,
-          "File to write: .ply, .obj, .stl or .glb; the scan's own format keeps all that it has")
+          "File to write: .ply, .obj, .stl or .off; the scan's own format keeps all that it has")
       ->required();
   command
       ->add_option("--record", options->record,

@@ -66,8 +66,7 @@ void add_import_command(CommandTable& table) {
   auto options = std::make_shared<ImportOptions>();
   CLI::App* command = table.add("import", "Send a scan to the server, which prepares and keeps it",
                                 [options] { return run(*options); });
-  command->add_option("SCAN", options->file, "Mesh file: .ply, .obj, .stl, .off, .glb or .gltf")
-      ->required();
+  command->add_option("SCAN", options->file, "Mesh file: .ply, .obj, .stl or .off")->required();
   command->add_option("--name", options->name, "Its name there; left out: the file's");
   add_prepared_options(*command, options->key);
   add_server_options(*command, options->server);

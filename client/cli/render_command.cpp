@@ -129,8 +129,7 @@ void add_render_command(CommandTable& commands) {
   PictureOptions& picture = options->picture;
   CLI::App* command = commands.add("render", "Draw a picture of a scan, without a window",
                                    [options] { return render(*options); });
-  command->add_option("SCAN", options->scan, "Mesh file: .ply, .obj, .stl, .off, .glb or .gltf")
-      ->required();
+  command->add_option("SCAN", options->scan, "Mesh file: .ply, .obj, .stl or .off")->required();
   command->add_option("OUT", options->out, "Picture to write: .png")->required();
   command
       ->add_option_function<std::string>(

@@ -221,8 +221,7 @@ void add_filter_command(CommandTable& table) {
   const auto options = std::make_shared<FilterOptions>();
   CLI::App* command = table.add("filter", "Edit a scan in this process, without a server",
                                 [options] { return filter(*options); });
-  command->add_option("IN", options->in, "Mesh file: .ply, .obj, .stl, .off, .glb or .gltf")
-      ->required();
+  command->add_option("IN", options->in, "Mesh file: .ply, .obj, .stl or .off")->required();
   command->add_option("OUT", options->out, "File to write; the format of IN keeps all that IN has")
       ->required();
   command->add_flag("--force", options->force, "Replace IN where OUT is the same file");
