@@ -7,9 +7,7 @@
 #include <utility>
 
 #include "common/base/atomic_file.h"
-#include "common/base/limits.h"
 #include "common/base/mapped_file.h"
-#include "common/gltf/document.h"
 #include "common/mesh/gltf_surface.h"
 #include "common/mesh/mesh_formats.h"
 
@@ -90,14 +88,6 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
   return read_mesh(file.bytes(), format, path.string());
-}
-
-Result<uint64_t> reading_bytes_max(const std::filesystem::path& path, MeshFormat format) {
-  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
-  const uint64_t bytes = file.bytes().size();
-  if (format != MeshFormat::kGlb && format != MeshFormat::kGltf)
-    return bytes * kReadingBytesPerFileByte;
-  return kGltfUnpackedBytesMin + bytes * gltf_bytes_per_file_byte(file.bytes());
 }
 
 Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path) {
