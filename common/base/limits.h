@@ -17,7 +17,8 @@ inline constexpr uint64_t kReadingBytesPerFileByte = 12;  // memory while a mesh
 inline constexpr double kCoordinateMagnitudeMax = 1e18;  // file units; squares stay finite in float
 
 inline constexpr size_t kGltfValuesMax = size_t{1} << 20;  // of a file's JSON
-inline constexpr size_t kGltfDepthMax = 64;                // of a file's JSON
+inline constexpr size_t kGltfMembersMax = 1024;  // of an object; it is searched from its begin
+inline constexpr size_t kGltfDepthMax = 64;      // of a file's JSON
 inline constexpr uint64_t kGltfUnpackedBytesMin = uint64_t{16} << 20;
 inline constexpr uint64_t kGltfUnpackedBytesPerPackedByte = 256;  // Draco, meshopt
 

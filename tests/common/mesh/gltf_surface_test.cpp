@@ -230,6 +230,13 @@ TEST(GltfSurface, DeepAndLongJsonIsRefused) {
               HasSubstr("more than 1048576 values"));
 }
 
+TEST(GltfSurface, AnObjectOfManyMembersIsRefused) {
+  std::string members;
+  for (int i = 0; i < 1024; ++i) members += ",\"" + std::to_string(i) + "\":0";
+  EXPECT_THAT(refusal(kGlb, R"({"asset":{"version":"2.0"})" + members + "}"),
+              HasSubstr("an object of more than 1024 members"));
+}
+
 TEST(GltfSurface, LoopsOfNodesAndFlatTransformsAreRefused) {
   GlbFile file = square_glb();
   file.json["nodes"][0]["children"] = {1};
