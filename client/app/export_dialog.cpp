@@ -36,7 +36,7 @@ void ExportDialog::draw(Workspace& workspace) {
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
   open_ = ImGui::BeginPopupModal(kExportTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize);
   if (!open_) return;
-  ImGui::TextUnformatted("File (.ply, .obj or .stl)");
+  ImGui::TextUnformatted("File (.ply, .obj, .stl or .glb)");
   ImGui::SetNextItemWidth(em(32));
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   bool wanted = ImGui::InputText(
@@ -49,7 +49,7 @@ void ExportDialog::draw(Workspace& workspace) {
   if (browses)
     question_ = {FileQuestion::Purpose::kSave,
                  "Export to",
-                 {".ply", ".obj", ".stl", ".off"},
+                 {".ply", ".obj", ".stl", ".off", ".glb", ".gltf"},
                  typed_path(path_)};
   ImGui::Checkbox("Exact", &exact_);
   hint("Solves until the surface is within 1e-5 of the diagonal; this takes longer.");

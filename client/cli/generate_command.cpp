@@ -37,7 +37,7 @@ void add_generate_command(CommandTable& table) {
   command->add_option("KIND", options->scan.kind, "What to make")
       ->required()
       ->check(CLI::IsMember(names));
-  command->add_option("OUT", options->out, "File to write: .ply, .obj or .stl")->required();
+  command->add_option("OUT", options->out, "File to write: .ply, .obj, .stl or .glb")->required();
   command->add_option("--vertices", options->scan.vertices, "About how many")
       ->capture_default_str();
   command->add_option("--seed", options->scan.seed, "Same seed, same scan")->capture_default_str();

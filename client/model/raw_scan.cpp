@@ -7,13 +7,14 @@
 
 namespace burnish {
 
-// A binary file takes up to ten times its size while it is read.
-static constexpr uint64_t kRawFileBytesMax = 1'000'000'000;
+// Of memory. That is a file of 1 GB, and less if it is packed.
+static constexpr uint64_t kRawReadingBytesMax = 12'000'000'000;
 
 bool can_be_raw(const std::filesystem::path& file) {
-  std::error_code error;
-  const uint64_t bytes = std::filesystem::file_size(file, error);
-  return !error && bytes <= kRawFileBytesMax && mesh_format_of_path(file).is_ok();
+  const auto format = mesh_format_of_path(file);
+  if (!format.is_ok()) return false;
+  const auto bytes = reading_bytes_max(file, *format);
+  return bytes.is_ok() && *bytes <= kRawReadingBytesMax;
 }
 
 Result<RawScan> read_raw_scan(const std::filesystem::path& file, uint64_t triangles_max) {

@@ -28,9 +28,9 @@ inline constexpr uint64_t kMaterialFileBytesMax = uint64_t{16} << 20;
 inline constexpr double kCoordinateMagnitudeMax = 1e18;  // file units; squares stay finite in float
 
 inline constexpr size_t kGltfValuesMax = size_t{1} << 20;  // of a file's JSON
-inline constexpr size_t kGltfDepthMax = 64;                // of a file's JSON
+inline constexpr size_t kGltfMembersMax = 1024;  // of an object; it is searched from its begin
+inline constexpr size_t kGltfDepthMax = 64;      // of a file's JSON
 inline constexpr uint64_t kGltfUnpackedBytesMin = uint64_t{16} << 20;
-inline constexpr uint64_t kGltfUnpackedBytesPerFileByte = 32;
 inline constexpr uint64_t kGltfUnpackedBytesPerPackedByte = 256;  // Draco, meshopt
 
 inline constexpr double kCurvatureRadiusMin = 1e-4;  // of L; smaller averages nothing: use 0

@@ -4,6 +4,7 @@
 #include <set>
 #include <string_view>
 
+#include "common/base/limits.h"
 #include "common/base/text.h"
 #include "common/gltf/base64.h"
 
@@ -15,6 +16,10 @@ static constexpr std::string_view kReadExtensions[] = {kDracoExtension, kMeshopt
 // These change how the surface looks, not where it is.
 static constexpr std::string_view kAppearancePrefixes[] = {"KHR_materials_", "KHR_texture_",
                                                            "EXT_texture_", "KHR_lights_"};
+
+static std::string_view text_of(std::span<const uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 static Status check_required_extension(const GltfJson& required) {
   const std::string name = required.is_string() ? required.get<std::string>() : "";
@@ -71,7 +76,7 @@ static Status open_uri(const std::string& uri, const GltfFilesBeside& beside,
                        const std::string& place, GltfBuffer& buffer) {
   if (uri.starts_with("data:")) return open_data_uri(uri, place, buffer);
   if (!beside)
-    return invalid_argument(place + " is another file, '" + shortened(uri, 200) +
+    return invalid_argument(place + " is another file, '" + shortened(uri, kNameBytesMax) +
                             "'; pack both as a .zip archive, or save as .glb");
   buffer.home = GltfBuffer::Home::kBeside;
   buffer.path = unescaped_uri(uri);
@@ -88,15 +93,17 @@ static Status open_buffer(uint64_t index, const GltfFilesBeside& beside, GltfDoc
   GltfBuffer& buffer = document.buffers.emplace_back();
   const GltfJson* uri = find_member(*json, "uri");
   if (uri != nullptr && uri->is_string()) {
-    RETURN_IF_ERROR(open_uri(uri->get<std::string>(), beside, place, buffer));
+    RETURN_IF_ERROR(open_uri(uri->get_ref<const std::string&>(), beside, place, buffer));
   } else if (index == 0 && document.parts.has_bin) {
     buffer.home = GltfBuffer::Home::kChunk;
     buffer.bytes = document.parts.bin;
   } else {
     return Status::ok();
   }
-  if (!buffer.path.empty() && files.insert(buffer.path).second)
-    document.file_bytes += buffer.bytes.size();
+  if (!buffer.path.empty() && !files.insert(buffer.path).second)
+    return invalid_argument(place + " is the same file as another, '" +
+                            shortened(buffer.path, kNameBytesMax) + "'");
+  if (!buffer.path.empty()) document.file_bytes += buffer.bytes.size();
   if (length > buffer.bytes.size())
     return invalid_argument(place + ": byteLength is " + std::to_string(length) +
                             ", but there are " + std::to_string(buffer.bytes.size()) + " bytes");
@@ -104,21 +111,27 @@ static Status open_buffer(uint64_t index, const GltfFilesBeside& beside, GltfDoc
   return Status::ok();
 }
 
-bool names_packing(std::string_view json) {
-  return json.find(kDracoExtension) != std::string_view::npos ||
-         json.find(kMeshoptExtension) != std::string_view::npos;
+static uint64_t bytes_per_byte_of(std::string_view json) {
+  const bool is_packed = json.find(kDracoExtension) != std::string_view::npos ||
+                         json.find(kMeshoptExtension) != std::string_view::npos;
+  return is_packed ? kGltfUnpackedBytesPerPackedByte : kReadingBytesPerFileByte;
+}
+
+uint64_t gltf_bytes_per_file_byte(std::span<const uint8_t> bytes) {
+  const auto parts = split_glb(bytes);
+  return bytes_per_byte_of(parts.is_ok() ? parts->json : text_of(bytes));
 }
 
 Result<GltfDocument> open_gltf(std::span<const uint8_t> bytes, const GltfFilesBeside& beside) {
   GltfDocument document;
   document.is_binary = is_glb(bytes);
   document.file_bytes = bytes.size();
-  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  std::string_view text = text_of(bytes);
   if (document.is_binary) {
     ASSIGN_OR_RETURN(document.parts, split_glb(bytes));
     text = document.parts.json;
   }
-  document.is_packed = names_packing(text);
+  document.bytes_per_file_byte = bytes_per_byte_of(text);
   ASSIGN_OR_RETURN(document.json, parse_gltf_json(text));
   RETURN_IF_ERROR(check_asset(document.json));
   const size_t buffers = count_elements(document.json, "buffers");

@@ -38,8 +38,8 @@ struct GltfDocument {
   bool is_binary = false;
   GlbParts parts;  ///< of a binary file
   std::vector<GltfBuffer> buffers;
-  uint64_t file_bytes = 0;  ///< with the files beside it
-  bool is_packed = false;   ///< it names Draco or meshopt
+  uint64_t file_bytes = 0;           ///< with the files beside it
+  uint64_t bytes_per_file_byte = 0;  ///< how much reading may make of it, beside a minimum
 };
 
 /// Opens a .glb or a .gltf file. Fails: invalid_argument for a damaged file, another version, an
@@ -47,8 +47,9 @@ struct GltfDocument {
 Result<GltfDocument> open_gltf(std::span<const uint8_t> bytes,
                                const GltfFilesBeside& beside = nullptr);
 
-/// Returns whether the JSON of a file names Draco or meshopt.
-bool names_packing(std::string_view json);
+/// Returns how many bytes reading may make of each byte of a file: kReadingBytesPerFileByte, or
+/// kGltfUnpackedBytesPerPackedByte if its JSON names Draco or meshopt.
+uint64_t gltf_bytes_per_file_byte(std::span<const uint8_t> bytes);
 
 /// Returns a URI's text with its escapes replaced: "a%20b" is "a b".
 std::string unescaped_uri(std::string_view uri);

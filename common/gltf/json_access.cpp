@@ -1,6 +1,7 @@
 #include "common/gltf/json_access.h"
 
 #include <cmath>
+#include <vector>
 
 #include "common/base/limits.h"
 #include "common/base/text.h"
@@ -9,7 +10,7 @@ namespace burnish {
 
 namespace {
 
-/// Counts values and depth, and keeps nothing.
+/// Counts values, members and depth, and keeps nothing.
 class GltfJsonLimits final : public nlohmann::json_sax<GltfJson> {
  public:
   bool null() override { return count(); }
@@ -19,7 +20,12 @@ class GltfJsonLimits final : public nlohmann::json_sax<GltfJson> {
   bool number_float(number_float_t, const string_t&) override { return count(); }
   bool string(string_t&) override { return count(); }
   bool binary(binary_t&) override { return count(); }
-  bool key(string_t&) override { return count(); }
+  bool key(string_t&) override {
+    if (++members_.back() <= kGltfMembersMax) return count();
+    complaint_ =
+        "the JSON has an object of more than " + std::to_string(kGltfMembersMax) + " members";
+    return false;
+  }
   bool start_object(std::size_t) override { return enter(); }
   bool start_array(std::size_t) override { return enter(); }
   bool end_object() override { return leave(); }
@@ -39,17 +45,18 @@ class GltfJsonLimits final : public nlohmann::json_sax<GltfJson> {
     return false;
   }
   bool enter() {
-    if (++depth_ <= kGltfDepthMax) return count();
+    members_.push_back(0);
+    if (members_.size() <= kGltfDepthMax) return count();
     complaint_ = "the JSON nests deeper than " + std::to_string(kGltfDepthMax) + " levels";
     return false;
   }
   bool leave() {
-    --depth_;
+    members_.pop_back();
     return true;
   }
 
   size_t values_ = 0;
-  size_t depth_ = 0;
+  std::vector<size_t> members_;  // of each object or array that is open
   std::string complaint_;
 };
 

@@ -15,7 +15,8 @@ namespace burnish {
 using GltfJson = nlohmann::ordered_json;
 
 /// Parses the JSON of a glTF file. Fails: invalid_argument if it is not an object, nests deeper
-/// than kGltfDepthMax or has more than kGltfValuesMax values.
+/// than kGltfDepthMax, has more than kGltfValuesMax values, or has an object of more than
+/// kGltfMembersMax.
 Result<GltfJson> parse_gltf_json(std::string_view text);
 
 /// Returns a member, or nullptr if `object` is not an object or does not have it.

@@ -68,8 +68,7 @@ void apply_filter(const Packing& packing, std::vector<uint8_t>& bytes) {
 }  // namespace
 
 Status UnpackedViews::charge(uint64_t bytes) {
-  const uint64_t times =
-      document_.is_packed ? kGltfUnpackedBytesPerPackedByte : kGltfUnpackedBytesPerFileByte;
+  const uint64_t times = document_.bytes_per_file_byte;
   const uint64_t limit = kGltfUnpackedBytesMin + times * document_.file_bytes;
   if (bytes <= limit - charged_bytes_) {
     charged_bytes_ += bytes;

@@ -33,7 +33,7 @@ class UnpackedViews {
   Result<GltfView> view(uint64_t index, const std::string& place);
 
   /// Counts bytes that are made of the file. Fails: invalid_argument beyond kGltfUnpackedBytesMin
-  /// plus kGltfUnpackedBytesPerFileByte times the file, or PerPackedByte.
+  /// plus gltf_bytes_per_file_byte() times the file.
   Status charge(uint64_t bytes);
 
  private:

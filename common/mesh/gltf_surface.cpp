@@ -23,6 +23,7 @@ class GltfSurfaceReader {
   }
 
  private:
+  static constexpr uint32_t kWantedVertex = kNoVertex - 1;
   static constexpr Rgba8 kWhite = {255, 255, 255, 255};
 
   Status read_placement(size_t placement) {
@@ -67,36 +68,53 @@ class GltfSurfaceReader {
     RETURN_IF_ERROR(views_.charge(triangles * sizeof(Triangle) +
                                   std::min(corners, primitive.positions().count) * kVertexBytes));
     ASSIGN_OR_RETURN(const size_t points, find_points(placement, primitive));
-    const GltfPlacement& placed = surface_.placements[placement];
-    const bool is_mirrored = placed.to_scene.linear().determinant() < 0;
+    RETURN_IF_ERROR(weld_vertices(surface_.points[points], primitive));
+    const std::vector<uint32_t>& vertices = surface_.points[points].vertices;
+    const bool is_mirrored = surface_.placements[placement].to_scene.linear().determinant() < 0;
     const size_t first = mesh_.triangles.size();
-    const auto vertex = [&](uint32_t i) { return vertex_of(points, primitive, i); };
     for_each_triangle(primitive, [&](uint32_t a, uint32_t b, uint32_t c) {
-      const Triangle triangle = {vertex(a), vertex(b), vertex(c)};
-      mesh_.triangles.push_back(is_mirrored ? Triangle{triangle[0], triangle[2], triangle[1]}
-                                            : triangle);
+      if (is_mirrored) std::swap(b, c);
+      mesh_.triangles.push_back({vertices[a], vertices[b], vertices[c]});
     });
     surface_.parts.push_back(
         {placement, &primitive, points, first, mesh_.triangles.size() - first});
     return Status::ok();
   }
 
-  uint32_t vertex_of(size_t points_index, const GltfPrimitive& primitive, uint32_t i) {
-    GltfPoints& points = surface_.points[points_index];
-    uint32_t& vertex = points.vertices[i];
-    if (vertex != kNoVertex) return vertex;
+  /// Gives the positions that a primitive's triangles use their vertices, in the order of the file.
+  Status weld_vertices(GltfPoints& points, const GltfPrimitive& primitive) {
+    constexpr uint64_t kPositionsPerByte = 4;  // of the charge for looking at positions
+    uint32_t least = UINT32_MAX, largest = 0;
+    for_each_triangle(primitive, [&](uint32_t a, uint32_t b, uint32_t c) {
+      for (const uint32_t i : {a, b, c}) {
+        least = std::min(least, i);
+        largest = std::max(largest, i);
+        if (points.vertices[i] == kNoVertex) points.vertices[i] = kWantedVertex;
+      }
+    });
+    if (least > largest) return Status::ok();
+    RETURN_IF_ERROR(views_.charge((largest - least) / kPositionsPerByte));
+    for (uint64_t i = least; i <= largest; ++i)
+      if (points.vertices[i] == kWantedVertex) RETURN_IF_ERROR(weld(points, primitive, i));
+    return Status::ok();
+  }
+
+  Status weld(GltfPoints& points, const GltfPrimitive& primitive, uint64_t i) {
     const GltfPlacement& placed = surface_.placements[points.placement];
     const GltfAccessor& p = points.positions;
     Vec3d position(p.number(i, 0), p.number(i, 1), p.number(i, 2));
     if (!placed.is_identity) position = placed.to_scene * position;
-    vertex = welder_.index_of(position);
+    if (!position.allFinite())  // the welder never finds NaN again
+      return invalid_argument(primitive_text(primitive.mesh, primitive.number) + ": position " +
+                              std::to_string(i) + " is not finite");
+    const uint32_t vertex = points.vertices[i] = welder_.index_of(position);
     mesh_.has_double_positions |= position.cast<float>().cast<double>() != position;
     if (const GltfAccessor* colours = primitive.find("COLOR_0")) set_colour(*colours, i, vertex);
-    return vertex;
+    return Status::ok();
   }
 
   /// The first colour of a place stays.
-  void set_colour(const GltfAccessor& colours, uint32_t i, uint32_t vertex) {
+  void set_colour(const GltfAccessor& colours, uint64_t i, uint32_t vertex) {
     has_colours_ = true;
     if (vertex < mesh_.colours.size()) return;
     mesh_.colours.resize(vertex, kWhite);

@@ -67,7 +67,6 @@ void for_each_triangle(const GltfPrimitive& primitive, const Use& use) {
 }
 
 /// Reads a .glb or .gltf file as read_mesh() does. `beside` gives the files that it names.
-/// Memory stays below kGltfUnpackedBytesPerFileByte times the file, or PerPackedByte.
 Result<TriangleMesh> read_gltf(std::span<const uint8_t> bytes, const std::string& name,
                                const GltfFilesBeside& beside);
 

@@ -20,12 +20,13 @@ Result<uint64_t> predict_zip_reading_bytes(std::span<const uint8_t> bytes,
                                            const std::string& name) {
   ASSIGN_OR_RETURN(const Archive archive, Archive::open(bytes, name));
   ASSIGN_OR_RETURN(const ArchivedMesh mesh, find_mesh(archive));
+  const bool is_gltf = mesh.format == MeshFormat::kGlb || mesh.format == MeshFormat::kGltf;
+  const uint64_t times = is_gltf ? kGltfUnpackedBytesPerFileByte : kReadingBytesPerFileByte;
   uint64_t largest_picture = 0;
   for (const ArchiveEntry& entry : archive.entries())
     if (is_compressed_by_name(entry.name))
       largest_picture = std::max(largest_picture, entry.size_bytes);
-  return archive.entries()[mesh.entry].size_bytes * kReadingBytesPerFileByte +
-         largest_picture * kPictureMemoryPerByte;
+  return archive.entries()[mesh.entry].size_bytes * times + largest_picture * kPictureMemoryPerByte;
 }
 
 }  // namespace burnish

@@ -132,7 +132,7 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
 
   if (!report(progress, "reading", 0)) return cancelled("the import was cancelled");
   LibraryBudget budget(memory_, folder_.scans());
-  RETURN_IF_ERROR(budget.ask_to_read(header.size_bytes));
+  RETURN_IF_ERROR(budget.ask_to_read(original, header.format));
   ASSIGN_OR_RETURN(const TriangleMesh mesh, read_original(original, header.format, header.name));
   ASSIGN_OR_RETURN(
       auto prepared,

@@ -77,7 +77,7 @@ Status MeshStore::make_pages(const std::string& id, const Progress& progress) {
   if (!report(progress, "reading", 0)) return cancelled("making pages was cancelled");
   RETURN_IF_ERROR(check_original(folder, scan));
   LibraryBudget budget(memory_, folder_.scans());
-  RETURN_IF_ERROR(budget.ask_to_read(scan.size_bytes));
+  RETURN_IF_ERROR(budget.ask_to_read(folder / original_file_name(scan.format), scan.format));
   ASSIGN_OR_RETURN(const TriangleMesh mesh,
                    read_original(folder / original_file_name(scan.format), scan.format, scan.name));
   const MeshStatistics statistics = compute_statistics(mesh);

@@ -53,7 +53,7 @@ Status MeshStore::rebuild(const std::string& id, const PreparedKey& key, const P
   if (!report(progress, "reading", 0)) return cancelled("preparing was cancelled");
   RETURN_IF_ERROR(check_original(folder, scan));
   LibraryBudget budget(memory_, folder_.scans());
-  RETURN_IF_ERROR(budget.ask_to_read(scan.size_bytes));
+  RETURN_IF_ERROR(budget.ask_to_read(folder / original_file_name(scan.format), scan.format));
   ASSIGN_OR_RETURN(const TriangleMesh mesh,
                    read_original(folder / original_file_name(scan.format), scan.format, scan.name));
   ASSIGN_OR_RETURN(

@@ -23,9 +23,9 @@ Status LibraryBudget::take(uint64_t bytes) {
   return Status::ok();
 }
 
-Status LibraryBudget::ask_to_read(uint64_t file_bytes) {
-  return take(file_bytes * kReadingBytesPerFileByte)
-      .with_context("reading " + std::to_string(file_bytes) + " bytes");
+Status LibraryBudget::ask_to_read(const std::filesystem::path& file, MeshFormat format) {
+  ASSIGN_OR_RETURN(const uint64_t bytes, reading_bytes_max(file, format));
+  return take(bytes).with_context("reading the mesh file");
 }
 
 Status LibraryBudget::ask(const PreparationNeed& need) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "common/mesh/mesh_io.h"
 #include "server/memory/quota.h"
 #include "server/prepare/preparation_need.h"
 
@@ -15,8 +16,9 @@ class LibraryBudget : public PreparationBudget {
   /// Needs: `memory` outlives this. `folder` will hold the prepared file.
   LibraryBudget(Quota& memory, std::filesystem::path folder);
 
-  /// Call before reading a mesh file of `file_bytes`. Fails: resource_exhausted with the numbers.
-  Status ask_to_read(uint64_t file_bytes);
+  /// Call before reading a mesh file. Fails: resource_exhausted with the numbers; as the file
+  /// cannot be opened.
+  Status ask_to_read(const std::filesystem::path& file, MeshFormat format);
 
   uint64_t memory_bytes_max() const override { return bytes_max_; }
   Status ask(const PreparationNeed& need) override;

@@ -12,6 +12,7 @@
 #include "common/base/process_memory.h"
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
+#include "tests/common/gltf/glb_file.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/system/process.h"
 
@@ -217,6 +218,33 @@ TEST_F(FilterCommand, BetaOneReturnsAFileOfItsFormatByteForByte) {
     EXPECT_EQ(content_of(path("out-") + name), content);
     EXPECT_THAT(output_, Not(HasSubstr("warning")));
   }
+}
+
+TEST_F(FilterCommand, AGlbComesBackByteForByteAndMovedInItsNodesFrame) {
+  GlbFile tent = square_glb();
+  tent.json["nodes"][0]["translation"] = {0, 0, 100};
+  tent.json["meshes"][0]["primitives"][0]["material"] = 0;
+  tent.json["materials"] = {{{"name", "clay"}}};
+  for (const auto& [name, content] :
+       {std::pair("tent.glb", tent.glb()), std::pair("tent.gltf", tent.gltf(2))}) {
+    const std::string file = folder_.write(name, content).string();
+    const std::string written = path(std::string("out-") + name);
+    ASSERT_EQ(burnish({"filter", file, written, "--depth", "4", "--cycles", "2"}), 0) << output_;
+    EXPECT_EQ(content_of(written), content);
+    ASSERT_EQ(burnish({"filter", file, written, "--depth", "4", "--alpha", "2", "--beta", "0",
+                       "--pin-rims", "off"}),
+              0)
+        << output_;
+    EXPECT_THAT(content_of(written), HasSubstr("clay"));
+    const TriangleMesh moved = read_mesh(written).value();
+    ASSERT_EQ(moved.vertices.size(), 4u);
+    EXPECT_LT((moved.vertices[2] - moved.vertices[0]).norm(), 1.3);
+    EXPECT_NEAR(moved.vertices[0].z(), 100, 0.1);
+  }
+  ASSERT_EQ(burnish({"filter", path("tent.glb"), out(), "--depth", "4", "--cycles", "1"}), 0);
+  EXPECT_THAT(output_, HasSubstr("materials"));
+  ASSERT_EQ(burnish({"filter", in(), path("sphere.glb"), "--depth", "4", "--cycles", "1"}), 0);
+  EXPECT_EQ(read_mesh(path("sphere.glb")).value().triangles.size(), 5120u);
 }
 
 TEST_F(FilterCommand, AnotherFormatWarnsOfWhatItLeavesOut) {

@@ -87,6 +87,22 @@ TEST(Workflow, AScanGoesInAndComesOutEdited) {
   EXPECT_EQ(server.scans(), 0u);
 }
 
+TEST(Workflow, AGlbGoesInAndComesOutAsItWas) {
+  ServerProcess server;
+  const std::string ply = write_sphere(server.folder, 3);
+  const std::string scan = (server.folder / "ball.glb").string();
+  ASSERT_TRUE(write_mesh(read_mesh(ply).value(), scan).is_ok());
+  EXPECT_THAT(done(server, {"import", scan, "--depth", "5"}), HasSubstr("imported ball"));
+  EXPECT_EQ(done_json(server, {"meshes"})[0]["format"], "glb");
+  done(server, {"open", "ball", "--depth", "5", "--session", "work"});
+  const std::string out = (server.folder / "out.glb").string();
+  done(server, {"export", "work", out});
+  EXPECT_EQ(content_of(out), content_of(scan));
+  done(server, {"edit", "work", "--beta", "0"});
+  done(server, {"export", "work", out});
+  EXPECT_LT(mean_radius(read_mesh(out).value()), mean_radius(read_mesh(scan).value()));
+}
+
 TEST(Workflow, ImportingTheSameBytesTwiceSaysSo) {
   ServerProcess server;
   const std::string scan = write_sphere(server.folder);

@@ -37,6 +37,10 @@ static std::span<const uint8_t> bytes_of_values(const std::vector<Vec3f>& values
   return {reinterpret_cast<const uint8_t*>(values.data()), values.size() * kFloatsBytes};
 }
 
+static std::string_view text_of_values(const std::vector<Vec3f>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * kFloatsBytes};
+}
+
 /// Makes an accessor one of floats in a view of their own.
 static void point_to_floats(uint64_t view, GltfJson& json) {
   json["bufferView"] = view;
@@ -73,28 +77,24 @@ void GltfAccessors::put_floats(uint64_t accessor, const GltfColumn& column) {
 
 void GltfAccessors::put_users(uint64_t accessor, const Users& users) {
   const GltfColumn& first = columns_.all[users.front()];
-  const auto has_same = [&](size_t a, size_t b) {
-    return columns_.all[a].values == columns_.all[b].values;
-  };
-  if (std::ranges::all_of(users, [&](size_t u) { return has_same(u, users.front()); })) {
+  const auto is_as_first = [&](size_t u) { return columns_.all[u].values == first.values; };
+  if (std::ranges::all_of(users, is_as_first)) {
     if (!first.is_changed) return;
     if (!can_patch(first)) return put_floats(accessor, first);
     patch(first);
     return put_bounds(first.values, edit_.json()["accessors"][accessor]);
   }
-  Users copied;
+  std::map<std::string_view, uint64_t> copies;  // by their bytes
   for (const size_t user : users) {
-    if (!columns_.all[user].is_changed) continue;
-    const auto same = std::ranges::find_if(copied, [&](size_t c) { return has_same(c, user); });
-    if (same != copied.end()) {
-      accessor_of_[user] = accessor_of_[*same];
-      continue;
-    }
+    const GltfColumn& column = columns_.all[user];
+    if (!column.is_changed) continue;
     GltfJson& accessors = edit_.json()["accessors"];
-    accessor_of_[user] = accessors.size();
+    const auto [found, is_new] =
+        copies.try_emplace(text_of_values(column.values), accessors.size());
+    accessor_of_[user] = found->second;
+    if (!is_new) continue;
     accessors.push_back(GltfJson(accessors[accessor]));
-    put_floats(accessor_of_[user], columns_.all[user]);
-    copied.push_back(user);
+    put_floats(found->second, column);
   }
 }
 

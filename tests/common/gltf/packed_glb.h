@@ -2,6 +2,7 @@
 
 #include <meshoptimizer.h>
 
+#include <Eigen/Core>
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 
@@ -9,44 +10,65 @@
 
 namespace burnish {
 
-/// Packs a mesh's triangles by Draco, as Blender's exporter does.
-inline std::string draco_bytes(const TriangleMesh& mesh, int method, uint32_t& position_id,
-                               uint32_t& points) {
+/// A mesh that Draco packed, and how it numbers its attributes.
+struct DracoData {
+  std::string bytes;
+  uint32_t position_id = 0;
+  uint32_t texture_id = 0;
+  uint32_t points = 0;
+};
+
+/// The texture coordinates of a position in the tests' packed meshes.
+inline Eigen::Vector2f texture_at(const Vec3f& position) {
+  return Eigen::Vector2f::Constant(0.5F) + 0.25F * position.head<2>();
+}
+
+inline DracoData draco_data(const TriangleMesh& mesh, int method) {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(static_cast<int>(mesh.triangles.size()));
-  const int attribute =
-      builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  const int place = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  const int texture =
+      builder.AddAttribute(draco::GeometryAttribute::TEX_COORD, 2, draco::DT_FLOAT32);
   for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<Vec3f, 3> corners;
-    for (size_t c = 0; c < 3; ++c) corners[c] = mesh.vertices[mesh.triangles[t][c]].cast<float>();
-    builder.SetAttributeValuesForFace(attribute, draco::FaceIndex(t), corners[0].data(),
-                                      corners[1].data(), corners[2].data());
+    std::array<Eigen::Vector2f, 3> textures;
+    for (size_t c = 0; c < 3; ++c) {
+      corners[c] = mesh.vertices[mesh.triangles[t][c]].cast<float>();
+      textures[c] = texture_at(corners[c]);
+    }
+    const draco::FaceIndex face(t);
+    builder.SetAttributeValuesForFace(place, face, corners[0].data(), corners[1].data(),
+                                      corners[2].data());
+    builder.SetAttributeValuesForFace(texture, face, textures[0].data(), textures[1].data(),
+                                      textures[2].data());
   }
-  const auto packed_mesh = builder.Finalize();
-  position_id = packed_mesh->attribute(attribute)->unique_id();
-  points = packed_mesh->num_points();
+  const auto packed = builder.Finalize();
   draco::Encoder encoder;
   encoder.SetEncodingMethod(method);
   encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, 14);
+  encoder.SetAttributeQuantization(draco::GeometryAttribute::TEX_COORD, 12);
   draco::EncoderBuffer buffer;
-  EXPECT_TRUE(encoder.EncodeMeshToBuffer(*packed_mesh, &buffer).ok());
-  return {buffer.data(), buffer.size()};
+  EXPECT_TRUE(encoder.EncodeMeshToBuffer(*packed, &buffer).ok());
+  return {{buffer.data(), buffer.size()},
+          packed->attribute(place)->unique_id(),
+          packed->attribute(texture)->unique_id(),
+          packed->num_points()};
 }
 
+/// Packs a mesh by Draco, as Blender's exporter does.
 inline GlbFile draco_glb(const TriangleMesh& mesh, int method) {
   GlbFile file;
-  uint32_t id = 0, points = 0;
-  const size_t view = file.add_view(draco_bytes(mesh, method, id, points));
+  const DracoData data = draco_data(mesh, method);
+  const TestJson ids = {{"POSITION", data.position_id}, {"TEXCOORD_0", data.texture_id}};
+  const TestJson extension = {{"bufferView", file.add_view(data.bytes)}, {"attributes", ids}};
   file.json["extensionsUsed"] = file.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
   file.json["accessors"] = {
-      {{"componentType", 5126}, {"count", points}, {"type", "VEC3"}},
-      {{"componentType", 5125}, {"count", 3 * mesh.triangles.size()}, {"type", "SCALAR"}}};
-  file.add_primitive({{"POSITION", 0}}) = {
-      {"attributes", {{"POSITION", 0}}},
-      {"indices", 1},
-      {"extensions",
-       {{"KHR_draco_mesh_compression",
-         {{"bufferView", view}, {"attributes", {{"POSITION", id}}}}}}}};
+      {{"componentType", 5126}, {"count", data.points}, {"type", "VEC3"}},
+      {{"componentType", 5125}, {"count", 3 * mesh.triangles.size()}, {"type", "SCALAR"}},
+      {{"componentType", 5126}, {"count", data.points}, {"type", "VEC2"}}};
+  TestJson& primitive = file.add_primitive({{"POSITION", 0}, {"TEXCOORD_0", 2}});
+  primitive["indices"] = 1;
+  primitive["extensions"] = {{"KHR_draco_mesh_compression", extension}};
   return file;
 }
 

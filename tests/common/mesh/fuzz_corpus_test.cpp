@@ -30,7 +30,8 @@ INSTANTIATE_TEST_SUITE_P(Formats, FuzzCorpus,
                          testing::Values(std::pair("ply", MeshFormat::kPly),
                                          std::pair("obj", MeshFormat::kObj),
                                          std::pair("stl", MeshFormat::kStl),
-                                         std::pair("off", MeshFormat::kOff)),
+                                         std::pair("off", MeshFormat::kOff),
+                                         std::pair("glb", MeshFormat::kGlb)),
                          [](const auto& test) { return std::string(test.param.first); });
 
 }  // namespace

@@ -51,8 +51,8 @@ std::vector<Vec3f> as_floats(const std::vector<Vec3d>& positions) {
   return floats;
 }
 
-TEST(MeshWriter, PlyAndObjReadBackTheSameFloats) {
-  for (const char* name : {"a.ply", "a.obj", "a.PLY"}) {
+TEST(MeshWriter, PlyObjAndGlbReadBackTheSameFloats) {
+  for (const char* name : {"a.ply", "a.obj", "a.PLY", "a.glb"}) {
     TriangleMesh mesh = wavy_sheet(40);
     for (const bool with_colours : {false, true}) {
       if (with_colours) add_colours(mesh, 255);
@@ -76,10 +76,28 @@ TEST(MeshWriter, DoublePositionsReadBackExactly) {
   }
 }
 
-TEST(MeshWriter, PlyKeepsAlpha) {
+TEST(MeshWriter, AGlbFarFromTheOriginIsWrittenAroundItsOwnPlace) {
+  TriangleMesh mesh = wavy_sheet(10);
+  for (Vec3d& position : mesh.vertices) position += Vec3d(4512345.678, 1.0 / 3, 1e-9);
+  mesh.has_double_positions = true;
+  const TriangleMesh read = round_trip(mesh, "a.glb");
+  ASSERT_EQ(read.vertices.size(), mesh.vertices.size());
+  for (size_t v = 0; v < mesh.vertices.size(); ++v)
+    EXPECT_LT((read.vertices[v] - mesh.vertices[v]).norm(), 1e-6);
+}
+
+TEST(MeshWriter, PlyAndGlbKeepAlpha) {
   TriangleMesh mesh = wavy_sheet(3);
   add_colours(mesh, 99);
-  EXPECT_EQ(round_trip(mesh, "a.ply").colours, mesh.colours);
+  for (const char* name : {"a.ply", "a.glb"})
+    EXPECT_EQ(round_trip(mesh, name).colours, mesh.colours);
+}
+
+TEST(MeshWriter, EverySrgbByteComesBackFromAGlb) {
+  TriangleMesh mesh = wavy_sheet(16);
+  for (size_t v = 0; v < 256; ++v)
+    mesh.colours.push_back({static_cast<uint8_t>(v), static_cast<uint8_t>(255 - v), 0, 255});
+  EXPECT_EQ(round_trip(mesh, "a.glb").colours, mesh.colours);
 }
 
 TEST(MeshWriter, StlReadsBackTheSameTriangles) {
@@ -137,7 +155,7 @@ TEST(MeshWriter, AMissingFolderOrADirectoryAsTargetIsRefused) {
 
 TEST(MeshWriter, AFullDiskLeavesTheOldFile) {
   TemporaryFolder folder;
-  for (const char* name : {"a.ply", "a.obj", "a.stl"}) {
+  for (const char* name : {"a.ply", "a.obj", "a.stl", "a.glb"}) {
     folder.write(name, "old");
     const FileSizeLimit limit(10'000);
     const Status status = write_mesh(wavy_sheet(200), folder / name);
@@ -145,7 +163,7 @@ TEST(MeshWriter, AFullDiskLeavesTheOldFile) {
     EXPECT_THAT(status.message(), HasSubstr(name));
     EXPECT_EQ(content_of(folder / name), "old");
   }
-  EXPECT_EQ(folder.file_count(), 3u);
+  EXPECT_EQ(folder.file_count(), 4u);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "common/generate/generate.h"
 #include "tests/common/gltf/glb_file.h"
 #include "tests/common/gltf/packed_glb.h"
+#include "tests/common/temporary_folder.h"
 
 namespace burnish {
 namespace {
@@ -38,6 +39,19 @@ TEST(PackedGltf, MeshoptGivesTheSphereExactly) {
   const TriangleMesh sphere = make_icosphere(3, 1);
   const TriangleMesh mesh = parsed(kPackedGlb, meshopt_glb(sphere).glb());
   expect_same_surface(mesh, sphere, 1e-6);
+}
+
+TEST(PackedGltf, ReadingMayTakeMoreMemoryForEachOfItsBytes) {
+  TemporaryFolder folder;
+  const std::string plain = square_glb().glb(), packed = meshopt_glb(make_icosphere(1, 1)).glb();
+  const auto bytes_max = [&](const std::string& content, MeshFormat format) {
+    return reading_bytes_max(folder.write("scan", content), format).value();
+  };
+  EXPECT_EQ(bytes_max(plain, MeshFormat::kPly), 12 * plain.size());
+  EXPECT_EQ(bytes_max(plain, kPackedGlb), (16u << 20) + 12 * plain.size());
+  EXPECT_EQ(bytes_max(packed, kPackedGlb), (16u << 20) + 256 * packed.size());
+  EXPECT_EQ(reading_bytes_max(folder / "absent", kPackedGlb).status().code(),
+            StatusCode::kNotFound);
 }
 
 TEST(PackedGltf, DamagedDracoIsRefusedByThePrimitive) {

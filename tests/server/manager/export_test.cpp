@@ -77,6 +77,26 @@ TEST_F(SessionExport, AnotherFormatNamesWhatItLeavesOut) {
               ElementsAre("materials", "texture coordinates", "comments"));
 }
 
+/// A fan of two triangles.
+constexpr char kTile[] = R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],
+  "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "mode": 6}]}],
+  "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"}],
+  "bufferViews": [{"buffer": 0, "byteLength": 48}], "materials": [{"name": "clay"}],
+  "buffers": [{"byteLength": 48, "uri": "data:;base64,)"
+                         R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAIA+AAAAAAAAgD8AAAAA"}]})";
+
+TEST_F(SessionExport, AGltfComesBackByteForByteAndNamesItsMaterialsForAPly) {
+  ASSERT_TRUE(library_.import(kTile, "tile", {}, 5, MeshFormat::kGltf).is_ok());
+  ASSERT_TRUE(manager_->open({"tile", "two", {5, 0}}, {}, {}).is_ok());
+  const auto file = manager_->export_mesh("two", {MeshFormat::kGltf, false, 1}, {});
+  ASSERT_TRUE(file.is_ok()) << file.status().message();
+  EXPECT_EQ(file.value()->read(0).value(), kTile);
+  const auto ply = manager_->export_mesh("two", {MeshFormat::kPly, false, 1}, {});
+  EXPECT_THAT(ply.value()->summary().left_out, ElementsAre("materials"));
+  EXPECT_TRUE(manager_->export_mesh("two", {MeshFormat::kGlb, false, 1}, {}).is_ok());
+  EXPECT_EQ(exported(MeshFormat::kGltf).status().code(), StatusCode::kInvalidArgument);
+}
+
 TEST_F(SessionExport, OffIsExportedFromOffOnly) {
   const Status status = exported(MeshFormat::kOff).status();
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);

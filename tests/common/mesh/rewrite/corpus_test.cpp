@@ -11,7 +11,8 @@ namespace fs = std::filesystem;
 constexpr std::pair<const char*, MeshFormat> kCorpora[] = {{"ply", MeshFormat::kPly},
                                                            {"obj", MeshFormat::kObj},
                                                            {"stl", MeshFormat::kStl},
-                                                           {"off", MeshFormat::kOff}};
+                                                           {"off", MeshFormat::kOff},
+                                                           {"glb", MeshFormat::kGlb}};
 
 class RewriteCorpus : public testing::TestWithParam<std::pair<const char*, MeshFormat>> {};
 

@@ -60,6 +60,8 @@ GlbFile rich_square() {
   primitive["attributes"]["NORMAL"] = file.add_accessor(view, "VEC3", 5126, 4);
   primitive["attributes"]["TEXCOORD_0"] =
       file.add_accessor(view, "VEC2", 5126, 4, {{"byteOffset", 12}});
+  primitive["attributes"]["COLOR_0"] =
+      file.add_accessor(file.add_view("0123456789abcdef"), "VEC4", 5121, 4, {{"normalized", true}});
   primitive["material"] = 0;
   file.json["images"] = {{{"bufferView", file.add_view("a picture")}, {"mimeType", "image/png"}}};
   file.json["materials"] = {
@@ -88,6 +90,29 @@ TEST(GltfRewriter, OnlyPositionsAndTheirBoundsChange) {
   ASSERT_EQ(after.bin.size(), before.bin.size());
   EXPECT_EQ(after.bin.substr(0, 12), bytes_of(1.F, 2.F, 3.F));
   EXPECT_EQ(after.bin.substr(48), before.bin.substr(48));
+}
+
+TEST(GltfRewriter, OtherChunksAndBytesBehindTheFileStay) {
+  const std::string glb = square_glb().glb();
+  const std::string chunk = bytes_of(uint32_t{4}) + "ACMEabcd";
+  const std::string longer = bytes_of(static_cast<uint32_t>(glb.size() + chunk.size()));
+  const std::string content = std::string(glb).replace(8, 4, longer) + chunk + "noise";
+  const std::string after = rewritten_glb(content, twice);
+  EXPECT_THAT(after, testing::EndsWith(chunk + "noise"));
+  EXPECT_EQ(after.substr(8, 4), bytes_of(static_cast<uint32_t>(after.size() - 5)));
+  expect_moved(content, twice);
+}
+
+TEST(GltfRewriter, StripsPointsAndLinesKeepTheirCorners) {
+  GlbFile file = square_glb();
+  TestJson& primitive = file.json["meshes"][0]["primitives"][0];
+  primitive["indices"] = file.add_indices({0, 1, 3, 2});
+  primitive["mode"] = 5;
+  const size_t points = file.add_floats("VEC3", 1, {9, 9, 9});
+  file.add_primitive({{"POSITION", points}})["mode"] = 0;
+  const Chunks after = chunks_of(rewritten_glb(file.glb(), twice));
+  EXPECT_EQ(after.json["meshes"], file.json["meshes"]);
+  EXPECT_EQ(after.bin.substr(48), file.bin.substr(48));
 }
 
 TEST(GltfRewriter, AVertexThatStaysKeepsItsBytes) {
@@ -232,6 +257,23 @@ TEST(GltfRewriter, DracoIsUnpackedWhereItMovesAndThenGone) {
   const TestJson split = chunks_of(rewritten_glb(two.glb(), one)).json;
   EXPECT_EQ(split["meshes"][0], file.json["meshes"][0]);
   EXPECT_EQ(split["extensionsRequired"], file.json["extensionsRequired"]);
+}
+
+TEST(GltfRewriter, WhatDracoHeldBesidePositionsKeepsItsValues) {
+  const GlbFile file = draco_glb(make_icosphere(3, 1), draco::MESH_SEQUENTIAL_ENCODING);
+  const Chunks after = chunks_of(rewritten_glb(file.glb(), twice));
+  const auto floats_at = [&](size_t accessor) {
+    const size_t view = after.json["accessors"][accessor]["bufferView"];
+    return after.bin.data() + after.json["bufferViews"][view]["byteOffset"].get<size_t>();
+  };
+  for (size_t i = 0; i < after.json["accessors"][0]["count"]; ++i) {
+    Vec3f position;
+    Eigen::Vector2f texture;
+    std::memcpy(position.data(), floats_at(0) + i * sizeof position, sizeof position);
+    std::memcpy(texture.data(), floats_at(2) + i * sizeof texture, sizeof texture);
+    const Vec3f before = (position - Vec3f(1, 2, 3)) / 2;
+    ASSERT_LT((texture - texture_at(before)).norm(), 1e-3F) << i;
+  }
 }
 
 TEST(GltfRewriter, ATextKeepsItsIndentAndItsDataUri) {

@@ -1,5 +1,6 @@
 #include "common/mesh/rewrite/left_out.h"
 
+#include "tests/common/gltf/glb_file.h"
 #include "tests/common/mesh/reading.h"
 #include "tests/common/temporary_folder.h"
 
@@ -84,6 +85,30 @@ TEST(LeftOut, AnOffNamesNormalsTextureCoordinatesAndPolygons) {
       "4 0 1 2 3\n";
   EXPECT_EQ(left_out(MeshFormat::kOff, file, MeshFormat::kObj),
             "normals, texture coordinates, polygons");
+}
+
+TEST(LeftOut, AGlbNamesItsAttributesAndItsScene) {
+  GlbFile file = square_glb();
+  EXPECT_EQ(left_out(MeshFormat::kGlb, file.glb(), MeshFormat::kPly), "");
+  TestJson attributes = {{"POSITION", 0}, {"NORMAL", 0}, {"TANGENT", 0}, {"TEXCOORD_1", 0}};
+  attributes["_QUALITY"] = 0;
+  file.json["meshes"][0]["primitives"][0]["attributes"] = attributes;
+  file.add_primitive({{"POSITION", 0}})["mode"] = 1;
+  for (const char* list : {"materials", "textures", "images", "cameras", "animations"})
+    file.json[list] = {{{"name", "a"}}};
+  file.json["nodes"].push_back({{"name", "b"}});
+  for (const auto& [format, content] :
+       {std::pair(MeshFormat::kGlb, file.glb()), std::pair(MeshFormat::kGltf, file.gltf())})
+    EXPECT_EQ(left_out(format, content, MeshFormat::kPly),
+              "normals, texture coordinates, attribute _QUALITY, lines and points, materials, "
+              "textures, pictures, cameras, animations, nodes and their names");
+}
+
+TEST(LeftOut, AGlbTakesColoursAndTransparency) {
+  const std::string ply = ply_with(
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n",
+      " 1 2 3 4");
+  EXPECT_EQ(left_out(MeshFormat::kPly, ply, MeshFormat::kGlb), "");
 }
 
 TEST(LeftOut, AnStlNamesAttributesOfFacets) {
