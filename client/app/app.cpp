@@ -235,9 +235,10 @@ void App::do_action(Action action) {
 }
 
 void App::ask_for_scan() {
-  file_dialog_.ask(
-      {.title = "Open a scan", .extensions = {".ply", ".obj", ".stl", ".off", ".glb", ".gltf"}},
-      workspace_->preferences, [this](const std::filesystem::path& file) { open_files({file}); });
+  file_dialog_.ask({.title = "Open a scan",
+                    .extensions = {".ply", ".obj", ".stl", ".off", ".glb", ".gltf", ".zip"}},
+                   workspace_->preferences,
+                   [this](const std::filesystem::path& file) { open_files({file}); });
 }
 
 // Opens the first file instead of the open session. The others are imported only.

@@ -49,7 +49,7 @@ void ExportDialog::draw(Workspace& workspace) {
   if (browses)
     question_ = {FileQuestion::Purpose::kSave,
                  "Export to",
-                 {".ply", ".obj", ".stl", ".off", ".glb", ".gltf"},
+                 {".ply", ".obj", ".stl", ".off", ".glb", ".gltf", ".zip"},
                  typed_path(path_)};
   ImGui::Checkbox("Exact", &exact_);
   hint("Solves until the surface is within 1e-5 of the diagonal; this takes longer.");

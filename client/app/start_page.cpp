@@ -38,7 +38,7 @@ void StartPage::draw_open(Workspace& workspace) {
   if (ImGui::Button("Open a scan…", {-1, em(4)})) wants_to_open_ = true;
   ImGui::PopFont();
   ImGui::PopStyleColor(2);
-  hint("Chooses a mesh file: .ply, .obj, .stl, .off, .glb or .gltf (Ctrl+O).");
+  hint("Chooses a mesh file: .ply, .obj, .stl, .off, .glb, .gltf or .zip (Ctrl+O).");
   faint_text("or drop a file on the window, or type its path");
   ImGui::SetNextItemWidth(-em(5));
   const bool entered = ImGui::InputTextWithHint("##file", "~/scans/head.ply", &file_,
