@@ -12,6 +12,9 @@
 #include "client/script/script.h"
 #include "common/base/check.h"
 #include "common/edit/transfer_curve.h"
+#include "common/mesh/mtl_reader.h"
+#include "common/picture/picture.h"
+#include "common/picture/sample_texture.h"
 #include "common/wire/edit_bytes.h"
 #include "server/config/config_file.h"
 #include "server/fields/paint_checkpoints.h"
@@ -49,6 +52,19 @@ bool read_strokes(std::span<const uint8_t> bytes) {
 
 bool read_cell_fields(std::span<const uint8_t> bytes) {
   return parse_cell_fields(text_of(bytes), "fuzzed").is_ok();
+}
+
+bool read_materials(std::span<const uint8_t> bytes) {
+  return read_material_file(bytes, "fuzzed").is_ok();
+}
+
+bool read_fuzzed_picture(std::span<const uint8_t> bytes) {
+  const auto picture = read_picture(bytes, "fuzzed");
+  if (!picture.is_ok()) return false;
+  BURNISH_CHECK(picture->pixels.size() == size_t{picture->width} * picture->height,
+                "a picture has other than its pixels");
+  sample_texture(*picture, 0.3, 1.7);
+  return true;
 }
 
 bool read_fuzzed_script(std::span<const uint8_t> bytes) {
@@ -121,11 +137,13 @@ constexpr FuzzedReader kReaders[] = {
     {"curve", read_curve},
     {"edit", read_edit},
     {"live", read_live_messages},
+    {"materials", read_materials},
     {"page", read_fuzzed_page},
     {"page_block", read_page_block},
     {"page_file", read_page_file},
     {"page_frames", read_page_frames},
     {"painted", read_painted},
+    {"picture", read_fuzzed_picture},
     {"preferences", read_fuzzed_preferences},
     {"prepared", read_prepared},
     {"scan_record", read_scan_record},

@@ -26,13 +26,12 @@ TEST_P(FuzzCorpus, EveryFileIsReadOrRefusedByName) {
   EXPECT_GT(valid, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, FuzzCorpus,
-                         testing::Values(std::pair("ply", MeshFormat::kPly),
-                                         std::pair("obj", MeshFormat::kObj),
-                                         std::pair("stl", MeshFormat::kStl),
-                                         std::pair("off", MeshFormat::kOff),
-                                         std::pair("glb", MeshFormat::kGlb)),
-                         [](const auto& test) { return std::string(test.param.first); });
+INSTANTIATE_TEST_SUITE_P(
+    Formats, FuzzCorpus,
+    testing::Values(std::pair("ply", MeshFormat::kPly), std::pair("obj", MeshFormat::kObj),
+                    std::pair("stl", MeshFormat::kStl), std::pair("off", MeshFormat::kOff),
+                    std::pair("glb", MeshFormat::kGlb), std::pair("zip", MeshFormat::kZip)),
+    [](const auto& test) { return std::string(test.param.first); });
 
 }  // namespace
 }  // namespace burnish

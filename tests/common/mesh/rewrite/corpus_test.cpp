@@ -8,11 +8,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::pair<const char*, MeshFormat> kCorpora[] = {{"ply", MeshFormat::kPly},
-                                                           {"obj", MeshFormat::kObj},
-                                                           {"stl", MeshFormat::kStl},
-                                                           {"off", MeshFormat::kOff},
-                                                           {"glb", MeshFormat::kGlb}};
+constexpr std::pair<const char*, MeshFormat> kCorpora[] = {
+    {"ply", MeshFormat::kPly}, {"obj", MeshFormat::kObj}, {"stl", MeshFormat::kStl},
+    {"off", MeshFormat::kOff}, {"glb", MeshFormat::kGlb}, {"zip", MeshFormat::kZip}};
 
 class RewriteCorpus : public testing::TestWithParam<std::pair<const char*, MeshFormat>> {};
 
