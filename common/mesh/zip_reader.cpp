@@ -20,13 +20,14 @@ Result<uint64_t> predict_zip_reading_bytes(std::span<const uint8_t> bytes,
                                            const std::string& name) {
   ASSIGN_OR_RETURN(const Archive archive, Archive::open(bytes, name));
   ASSIGN_OR_RETURN(const ArchivedMesh mesh, find_mesh(archive));
-  const bool is_gltf = mesh.format == MeshFormat::kGlb || mesh.format == MeshFormat::kGltf;
-  const uint64_t times = is_gltf ? kGltfUnpackedBytesPerFileByte : kReadingBytesPerFileByte;
   uint64_t largest_picture = 0;
-  for (const ArchiveEntry& entry : archive.entries())
-    if (is_compressed_by_name(entry.name))
-      largest_picture = std::max(largest_picture, entry.size_bytes);
-  return archive.entries()[mesh.entry].size_bytes * times + largest_picture * kPictureMemoryPerByte;
+  uint64_t mesh_bytes = 0;  // a glTF file's positions may lie beside it
+  for (const ArchiveEntry& entry : archive.entries()) {
+    const bool is_picture = entry.name != mesh.path && is_compressed_by_name(entry.name);
+    if (is_picture) largest_picture = std::max(largest_picture, entry.size_bytes);
+    if (!is_picture) mesh_bytes += entry.size_bytes;
+  }
+  return mesh_bytes * kReadingBytesPerFileByte + largest_picture * kPictureMemoryPerByte;
 }
 
 }  // namespace burnish
