@@ -17,10 +17,6 @@ Result<std::vector<std::string>> attributes_left_out(const OriginalFile& origina
 
 inline constexpr size_t kLeftOutMax = 20;
 
-/// Returns whether an OBJ file names material files, which lie beside it; false for other formats.
-/// Fails: as the file cannot be read.
-Result<bool> names_material_files(const OriginalFile& original);
-
 /// Joins the names: "normals, materials".
 std::string left_out_text(const std::vector<std::string>& names);
 

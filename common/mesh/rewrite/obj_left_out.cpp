@@ -1,7 +1,6 @@
 #include <string_view>
 #include <utility>
 
-#include "common/base/mapped_file.h"
 #include "common/mesh/rewrite/left_out_list.h"
 #include "common/mesh/rewrite/obj_normals.h"
 
@@ -37,14 +36,6 @@ bool list_obj_extras(std::span<const uint8_t> bytes, size_t triangles, LeftOutLi
   list.add_if(faces < triangles, "polygons");
   list.add_if(has_comment(bytes), "comments");
   return true;
-}
-
-Result<bool> names_material_files(const OriginalFile& original) {
-  if (original.format != MeshFormat::kObj) return false;
-  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original.path));
-  for (TextScanner scanner(file.bytes(), "", kObjSyntax); scanner.next_line();)
-    if (scanner.next_token() == "mtllib") return true;
-  return false;
 }
 
 }  // namespace burnish

@@ -39,16 +39,6 @@ TEST(LeftOut, APlainMeshLeavesNothingOut) {
       "");
 }
 
-TEST(LeftOut, AnObjWithMtllibNamesMaterialFiles) {
-  TemporaryFolder folder;
-  const auto names = [&](const std::string& content, MeshFormat format) {
-    return names_material_files({folder.write("scan", content), format, "scan"}).value();
-  };
-  EXPECT_TRUE(names(kObjWithAll, MeshFormat::kObj));
-  EXPECT_FALSE(names("v 0 0 0\n# mtllib a.mtl\n", MeshFormat::kObj));
-  EXPECT_FALSE(names(kObjWithAll, MeshFormat::kPly));
-}
-
 std::string ply_with(const std::string& vertex_properties, const std::string& values) {
   std::string text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n";
   text += "property float y\nproperty float z\n" + vertex_properties + "element face 1\n";
