@@ -247,6 +247,28 @@ TEST_F(FilterCommand, AGlbComesBackByteForByteAndMovedInItsNodesFrame) {
   EXPECT_EQ(read_mesh(path("sphere.glb")).value().triangles.size(), 5120u);
 }
 
+TEST_F(FilterCommand, TheFilesOfAnObjFollowItIntoAnotherFolder) {
+  const std::string obj =
+      "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0.3\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n";
+  folder_.write("a.mtl", "newmtl a\nmap_Kd skin.gif\n");
+  folder_.write("skin.gif", "pixels");
+  std::filesystem::create_directory(path("other"));
+  const std::vector<std::string> filter = {"filter",
+                                           folder_.write("a.obj", obj).string(),
+                                           path("other/b.obj"),
+                                           "--depth",
+                                           "4",
+                                           "--cycles",
+                                           "1"};
+  ASSERT_EQ(burnish(filter), 0) << output_;
+  EXPECT_EQ(content_of(path("other/b.obj")), obj);
+  EXPECT_EQ(content_of(path("other/skin.gif")), "pixels");
+  folder_.write("other/skin.gif", "mine");
+  EXPECT_EQ(burnish(filter), 1);
+  EXPECT_THAT(output_, HasSubstr("other/skin.gif"));
+  EXPECT_EQ(content_of(path("other/skin.gif")), "mine");
+}
+
 TEST_F(FilterCommand, AnotherFormatWarnsOfWhatItLeavesOut) {
   const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0.3\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n";
   ASSERT_EQ(burnish({"filter", folder_.write("a.obj", obj).string(), out(), "--depth", "4",
