@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/base/limits.h"
+#include "common/base/mapped_file.h"
 #include "common/base/process_memory.h"
 #include "server/memory/opening_need.h"
 
@@ -24,7 +25,9 @@ Status LibraryBudget::take(uint64_t bytes) {
 }
 
 Status LibraryBudget::ask_to_read(const std::filesystem::path& file, MeshFormat format) {
-  ASSIGN_OR_RETURN(const uint64_t bytes, reading_bytes_max(file, format));
+  ASSIGN_OR_RETURN(const MappedFile content, MappedFile::open(file));
+  ASSIGN_OR_RETURN(const uint64_t bytes,
+                   predict_reading_bytes(content.bytes(), format, file.filename().string()));
   return take(bytes).with_context("reading the mesh file");
 }
 
