@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "client/scene/raw_pages.h"
-#include "common/base/mapped_file.h"
 #include "common/mesh/mesh_io.h"
 
 namespace burnish {
@@ -14,9 +13,7 @@ static constexpr uint64_t kRawReadingBytesMax = 12'000'000'000;
 bool can_be_raw(const std::filesystem::path& file) {
   const auto format = mesh_format_of_path(file);
   if (!format.is_ok()) return false;
-  const auto content = MappedFile::open(file);
-  if (!content.is_ok()) return false;
-  const auto bytes = predict_reading_bytes(content->bytes(), *format, file.string());
+  const auto bytes = reading_bytes_max(file, *format);
   return bytes.is_ok() && *bytes <= kRawReadingBytesMax;
 }
 

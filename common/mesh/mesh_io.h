@@ -34,9 +34,8 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& path);
 Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                const std::string& name);
 
-/// Returns about how much memory read_mesh() takes at most, in bytes. Unpacks nothing.
-Result<uint64_t> predict_reading_bytes(std::span<const uint8_t> bytes, MeshFormat format,
-                                       const std::string& name);
+/// Returns how much memory read_mesh() may take for a file. Fails: as the file cannot be opened.
+Result<uint64_t> reading_bytes_max(const std::filesystem::path& path, MeshFormat format);
 
 /// Writes by extension (PLY binary little-endian, OBJ, STL binary, GLB) to a temporary file beside
 /// `path`, syncs it, and renames it into place. A failed write leaves the old file.

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "common/base/limits.h"
-#include "common/base/mapped_file.h"
 #include "common/base/process_memory.h"
 #include "server/memory/opening_need.h"
 
@@ -25,9 +24,7 @@ Status LibraryBudget::take(uint64_t bytes) {
 }
 
 Status LibraryBudget::ask_to_read(const std::filesystem::path& file, MeshFormat format) {
-  ASSIGN_OR_RETURN(const MappedFile content, MappedFile::open(file));
-  ASSIGN_OR_RETURN(const uint64_t bytes,
-                   predict_reading_bytes(content.bytes(), format, file.filename().string()));
+  ASSIGN_OR_RETURN(const uint64_t bytes, reading_bytes_max(file, format));
   return take(bytes).with_context("reading the mesh file");
 }
 

@@ -1,6 +1,7 @@
 #include "common/generate/generate.h"
 #include "tests/common/gltf/glb_file.h"
 #include "tests/common/gltf/packed_glb.h"
+#include "tests/common/temporary_folder.h"
 
 namespace burnish {
 namespace {
@@ -41,14 +42,16 @@ TEST(PackedGltf, MeshoptGivesTheSphereExactly) {
 }
 
 TEST(PackedGltf, ReadingMayTakeMoreMemoryForEachOfItsBytes) {
+  TemporaryFolder folder;
   const std::string plain = square_glb().glb(), packed = meshopt_glb(make_icosphere(1, 1)).glb();
   const auto bytes_max = [&](const std::string& content, MeshFormat format) {
-    const auto* bytes = reinterpret_cast<const uint8_t*>(content.data());
-    return predict_reading_bytes({bytes, content.size()}, format, "scan").value();
+    return reading_bytes_max(folder.write("scan", content), format).value();
   };
   EXPECT_EQ(bytes_max(plain, MeshFormat::kPly), 12 * plain.size());
   EXPECT_EQ(bytes_max(plain, kPackedGlb), (16u << 20) + 12 * plain.size());
   EXPECT_EQ(bytes_max(packed, kPackedGlb), (16u << 20) + 256 * packed.size());
+  EXPECT_EQ(reading_bytes_max(folder / "absent", kPackedGlb).status().code(),
+            StatusCode::kNotFound);
 }
 
 TEST(PackedGltf, DamagedDracoIsRefusedByThePrimitive) {
