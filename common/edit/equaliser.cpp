@@ -33,7 +33,7 @@ std::string text_of(const Equaliser& equaliser) {
   std::string text = equaliser.bands.size() == 1 ? "band" : "bands";
   for (const Band& band : equaliser.bands) {
     char one[64];
-    std::snprintf(one, sizeof one, " %.4g:%.4g", band.size, band.gain);
+    std::snprintf(one, sizeof one, " %.3g:%.3g", band.size, band.gain);
     text += one;
   }
   return text;

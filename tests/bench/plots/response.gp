@@ -1,5 +1,5 @@
-# Plots what is left of waves on a sphere when one band of the equaliser is silent: points as
-# measured, lines by the formula.
+# Plots how much is left of a wave on a sphere when one band of the equaliser is silent: points as
+# measured, lines by the formula. All lengths are over the second band's size.
 
 load "style.gp"
 
@@ -9,7 +9,7 @@ left(band, wave) = 1 - (band == 1 ? 1 - behind(0.4, wave) : \
                                     behind(1, wave) - behind(2.5, wave))
 
 eval sheet("response", 1000, 560)
-set title "A sphere of radius 1, bands that end at 0.4, 1 and 2.5, one of them silent" font ",14"
+set title "Bands that end at 0.4, 1 and 2.5, one of them silent, on a sphere" font ",14"
 set logscale x
 set xrange [0.2:6]
 set yrange [0:1.05]
