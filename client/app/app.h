@@ -90,6 +90,8 @@ class App {
   ProtectPanel protect_panel_;
   CurvePanel curve_panel_;
   BrushPanel brush_panel_;
+  EqualiserPanel equaliser_panel_;
+  PalettePanel palette_panel_;
   HistoryPanel history_panel_;
   ViewPanel view_panel_;
   PeoplePanel people_panel_;

@@ -97,6 +97,8 @@ void App::draw_columns(float top, float left, float right) {
   draw_section("Transfer curve α(κ)", curve_panel_, *workspace_);
   draw_section("Brush", brush_panel_, *workspace_);
   draw_section("Limits", protect_panel_, *workspace_);
+  draw_section("Equaliser", equaliser_panel_, *workspace_, ImGuiTreeNodeFlags_None);
+  draw_section("Palette", palette_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   if (right > 0) {
     ImGui::End();
     begin_column("##right", ImGui::GetIO().DisplaySize.x - right, top, right);

@@ -1,3 +1,4 @@
+#include "client/app/painted_choice.h"
 #include "client/app/panels.h"
 #include "client/app/places.h"
 #include "client/app/theme.h"
@@ -54,14 +55,21 @@ static void draw_mirror(Document& document, MessageLog& log) {
   linear_slider({{"Mirror plane", low, high}, "%.4g", log}, mirror->at);
 }
 
+static void draw_painted_value(Document& document, MessageLog& log) {
+  Brush& brush = document.brush().brush;
+  if (has_layers(document)) draw_painted_choice(document);
+  if (brush.curve > 0) return;
+  const char* const name = brush.band > 0 ? "Painted gain" : "Painted β";
+  if (!has_layers(document)) ImGui::TextUnformatted(name);
+  beta_slider(name, brush.beta, to_imgui(blue_to_red(signed_part_of_beta(brush.beta))), log);
+}
+
 void BrushPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
   Brush& brush = document.brush().brush;
   ImGui::BeginDisabled(document.is_viewer());
   draw_mode_buttons(brush);
-  ImGui::TextUnformatted("Painted β");
-  beta_slider("Painted β", brush.beta, to_imgui(blue_to_red(signed_part_of_beta(brush.beta))),
-              workspace.log);
+  draw_painted_value(document, workspace.log);
   ImGui::TextUnformatted("Radius");
   ImGui::SameLine();
   faint_text("in the scan's units");

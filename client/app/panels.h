@@ -52,6 +52,24 @@ class ProtectPanel : public Panel {
   std::optional<Vec3d> last_hover_;  // on the original surface
 };
 
+/// Gains by the size of detail, over a plot of what they do.
+class EqualiserPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+
+ private:
+  bool shows_sizes_ = false;
+};
+
+/// The curves that a brush can paint.
+class PalettePanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+
+ private:
+  std::string name_;  // of the next curve
+};
+
 /// The airbrush.
 class BrushPanel : public Panel {
  public:

@@ -89,8 +89,10 @@ void add_change_options(CLI::App& command, EditOptions& options) {
   CLI::Option_group* changes = command.add_option_group("Changes", "At least one of them");
   changes->require_option(1, 0);
   add_filter_options(*changes, options.filter);
-  changes->add_option("--stroke", options.stroke_file,
-                      "File of strokes: 'brush RADIUS STRENGTH BETA FALLOFF', then 'X Y Z' lines");
+  changes->add_option(
+      "--stroke", options.stroke_file,
+      "File of strokes: 'brush RADIUS STRENGTH BETA FALLOFF [band:N|curve:N]', then "
+      "'X Y Z' lines");
   changes->add_option("--cell-field", options.cell_field_file,
                       "File of cells: 'i j k alpha1 alpha2 beta' lines");
   add_controls_options(*changes, options.controls);

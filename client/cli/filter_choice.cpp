@@ -1,6 +1,8 @@
 #include "client/cli/filter_choice.h"
 
+#include "client/cli/command.h"
 #include "client/tools/own_presets.h"
+#include "common/base/text_lines.h"
 #include "common/edit/wavelength.h"
 
 namespace burnish {
@@ -28,8 +30,26 @@ static void add_alpha_options(CLI::App& command, FilterChoice& choice) {
       ->excludes(wavelength);
 }
 
+static void add_layer_options(CLI::App& command, FilterChoice& choice) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--band",
+          [&choice](const std::vector<std::string>& bands) {
+            for (const std::string& band : bands)
+              choice.equaliser.bands.push_back(parse_band(band).value());
+          },
+          "A gain for details up to this size, in the scan's units; up to 6, from fine to coarse")
+      ->type_name("SIZE:GAIN")
+      ->check([](const std::string& text) { return usage_message(parse_band(text).status()); })
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_option("--palette", choice.palette_file,
+                     "File of curves for strokes to paint: 'CURVE RRGGBB NAME' lines");
+}
+
 void add_filter_options(CLI::App& command, FilterChoice& choice) {
   add_alpha_options(command, choice);
+  add_layer_options(command, choice);
   CLI::Option* preset = command.add_option("--preset", choice.preset,
                                            "A preset of the window, by name, also one of your own");
   command.add_option("--beta", choice.beta, "Gradient scale: < 1 smooths, 1 keeps, > 1 sharpens")
@@ -43,14 +63,28 @@ void add_filter_options(CLI::App& command, FilterChoice& choice) {
     preset->excludes(command.get_option(name));
 }
 
-Result<std::vector<decltype(Edit::change)>> changes_of(const FilterChoice& choice,
-                                                       double length_unit, double cell_size) {
-  std::vector<decltype(Edit::change)> changes;
+using Changes = std::vector<decltype(Edit::change)>;
+
+static Status add_layers(const FilterChoice& choice, Changes& changes) {
+  if (!choice.palette_file.empty()) {
+    ASSIGN_OR_RETURN(const std::string text, read_text_file(choice.palette_file));
+    ASSIGN_OR_RETURN(Palette palette, parse_palette(text, choice.palette_file));
+    changes.emplace_back(SetPalette{std::move(palette)});
+  }
+  if (!choice.equaliser.bands.empty()) {
+    RETURN_IF_ERROR(check_equaliser(choice.equaliser).with_context("--band"));
+    changes.emplace_back(SetEqualiser{choice.equaliser});
+  }
+  return Status::ok();
+}
+
+Result<Changes> changes_of(const FilterChoice& choice, double length_unit, double cell_size) {
+  Changes changes;
   if (!choice.preset.empty()) {
     ASSIGN_OR_RETURN(const Preset preset, find_any_preset(choice.preset));
     const PresetFilter filter = filter_of(preset, choice.strength, length_unit, cell_size);
-    return std::vector<decltype(Edit::change)>{SetTransferCurve{filter.curve},
-                                               SetGradientScale{filter.beta}};
+    changes.emplace_back(SetTransferCurve{filter.curve});
+    changes.emplace_back(SetGradientScale{filter.beta});
   }
   if (choice.alpha) changes.emplace_back(SetTransferCurve{TransferCurve(*choice.alpha)});
   if (choice.wavelength)
@@ -58,6 +92,7 @@ Result<std::vector<decltype(Edit::change)>> changes_of(const FilterChoice& choic
         SetTransferCurve{TransferCurve(alpha_of_wavelength(length_unit, *choice.wavelength))});
   if (choice.curve) changes.emplace_back(SetTransferCurve{*choice.curve});
   if (choice.beta) changes.emplace_back(SetGradientScale{*choice.beta});
+  RETURN_IF_ERROR(add_layers(choice, changes));
   return changes;
 }
 

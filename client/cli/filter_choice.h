@@ -16,17 +16,20 @@ struct FilterChoice {
   std::optional<TransferCurve> curve;
   std::string preset;
   double strength = 1;
+  Equaliser equaliser;
+  std::string palette_file;
 
   /// Returns whether the edits depend on the scan.
   bool needs_scan() const { return wavelength || !preset.empty(); }
 };
 
-/// Adds --alpha, --wavelength, --curve, --beta, --preset and --strength to a command or a group of
-/// its options.
+/// Adds --alpha, --wavelength, --curve, --beta, --preset, --strength, --band and --palette to a
+/// command or a group of its options.
 void add_filter_options(CLI::App& command, FilterChoice& choice);
 
-/// Returns the edits that the choice stands for: curve, then β; none for what is not given. Units:
-/// both lengths in file units. Fails: not_found for an unknown preset.
+/// Returns the edits that the choice stands for: curve, β, palette, equaliser; none for what is not
+/// given. Units: both lengths in file units. Fails: not_found for an unknown preset; as the file of
+/// the palette cannot be read.
 Result<std::vector<decltype(Edit::change)>> changes_of(const FilterChoice& choice,
                                                        double length_unit, double cell_size);
 

@@ -72,6 +72,21 @@ Json to_json(const SessionInfo& session) {
           {"in_memory", session.in_memory}};
 }
 
+static Json to_json(const Equaliser& equaliser) {
+  Json bands = Json::array();
+  for (const Band& band : equaliser.bands)
+    bands.push_back({{"size", band.size}, {"gain", band.gain}});
+  return bands;
+}
+
+static Json to_json(const Palette& palette) {
+  Json curves = Json::array();
+  for (const PaletteCurve& curve : palette.curves)
+    curves.push_back(
+        {{"name", curve.name}, {"colour", curve.colour}, {"curve", curve.curve.to_string()}});
+  return curves;
+}
+
 Json to_json(const SessionState& state) {
   Json json = to_json(state.session);
   json["beta"] = state.gradient_scale;
@@ -79,6 +94,8 @@ Json to_json(const SessionState& state) {
   json["controls"] = {{"pin_rims", state.controls.pin_rims},
                       {"cap", state.controls.cap},
                       {"keep_volume", state.controls.keep_volume}};
+  json["bands"] = to_json(state.equaliser);
+  json["palette"] = to_json(state.palette);
   json["memory_bytes"] = state.memory_bytes;
   json["backend"] = state.backend;
   if (state.cycles > 0) {

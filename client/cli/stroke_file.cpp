@@ -5,13 +5,14 @@
 namespace burnish {
 
 static Result<Stroke> parse_brush(const TextLine& line) {
-  if (line.words.size() != 5)
-    return invalid_argument("a brush line must be: brush RADIUS STRENGTH BETA FALLOFF");
+  if (line.words.size() != 5 && line.words.size() != 6)
+    return invalid_argument("a brush line must be: brush RADIUS STRENGTH BETA FALLOFF [WHAT]");
   Stroke stroke;
   ASSIGN_OR_RETURN(stroke.brush.radius, parse_real(line.words[1]));
   ASSIGN_OR_RETURN(stroke.brush.strength, parse_real(line.words[2]));
   ASSIGN_OR_RETURN(stroke.brush.beta, parse_real(line.words[3]));
   ASSIGN_OR_RETURN(stroke.brush.fall_off, parse_fall_off(line.words[4]));
+  if (line.words.size() > 5) RETURN_IF_ERROR(parse_painted(line.words[5], stroke.brush));
   return stroke;
 }
 

@@ -11,9 +11,10 @@ namespace burnish {
 
 /// Reads strokes from text: each has a line for its brush, then lines for the points of its path.
 /// Lengths are in the scan's units; FALLOFF is smooth, linear, sharp or constant; '#' begins a
-/// comment.
+/// comment. WHAT is what the brush paints: beta, or band:NUMBER for the gain of a band, which then
+/// stands in BETA's place, or curve:NUMBER for a curve of the palette.
 ///
-///     brush RADIUS STRENGTH BETA FALLOFF
+///     brush RADIUS STRENGTH BETA FALLOFF [WHAT]
 ///     X Y Z
 ///     ...
 ///

@@ -30,10 +30,12 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
       beta_(opened_.state.gradient_scale),
       curve_(kappa_range(opened_.scan), opened_.state.transfer_curve, alpha_max(opened_.scan)),
       controls_(opened_.state.controls),
+      equaliser_(opened_.state.equaliser),
+      palette_(opened_.state.palette),
       history_(std::move(opened_.history)),
       edits_known_(opened_.session.edits),
-      told_{edits_known_, opened_.state.gradient_scale, opened_.state.transfer_curve,
-            opened_.state.controls},
+      told_{edits_known_,           opened_.state.gradient_scale, opened_.state.transfer_curve,
+            opened_.state.controls, opened_.state.equaliser,      opened_.state.palette},
       measuring_(opened_.connection, opened_.session.id, tasks, log, options.wake) {
   if (has_colours()) colour_ = ColourBy::kScan;
   welcome_.session = opened_.session;
@@ -71,31 +73,56 @@ void Document::count_step(const Change& change) {
   if (std::holds_alternative<SwitchEntry>(change) ||
       std::holds_alternative<RestoreCheckpoint>(change))
     return undo_steps_.clear();
-  const bool makes_entry = std::holds_alternative<Stroke>(change) ||
-                           std::holds_alternative<SetGradientScale>(change) ||
-                           std::holds_alternative<SetTransferCurve>(change);
-  if (makes_entry) undo_steps_.add();
+  if (makes_fields(kind_of({{}, change}))) undo_steps_.add();
+}
+
+/// Shows a value that a drag passes.
+void Document::preview(PreviewChange change) {
+  if (gesture_.empty()) gesture_ = random_id();
+  live_->preview(gesture_, std::move(change));
+}
+
+/// Makes the edit of a drag, or one without a drag.
+void Document::commit(Change change) {
+  const std::string id = gesture_.empty() ? random_id() : std::exchange(gesture_, {});
+  send_as(id, std::move(change));
 }
 
 void Document::preview_beta(double beta) {
   beta_ = beta;
-  if (gesture_.empty()) gesture_ = random_id();
-  live_->preview(gesture_, SetGradientScale{beta});
+  preview(SetGradientScale{beta});
 }
 
 void Document::commit_beta() {
-  const std::string id = gesture_.empty() ? random_id() : std::exchange(gesture_, {});
-  send_as(id, SetGradientScale{beta_});
+  commit(SetGradientScale{beta_});
 }
 
 void Document::preview_curve() {
-  if (gesture_.empty()) gesture_ = random_id();
-  live_->preview(gesture_, SetTransferCurve{curve_.curve()});
+  preview(SetTransferCurve{curve_.curve()});
 }
 
 void Document::commit_curve() {
-  const std::string id = gesture_.empty() ? random_id() : std::exchange(gesture_, {});
-  send_as(id, SetTransferCurve{curve_.curve()});
+  commit(SetTransferCurve{curve_.curve()});
+}
+
+void Document::preview_equaliser(Equaliser equaliser) {
+  equaliser_ = std::move(equaliser);
+  preview(SetEqualiser{equaliser_});
+}
+
+void Document::set_equaliser(Equaliser equaliser) {
+  equaliser_ = std::move(equaliser);
+  commit(SetEqualiser{equaliser_});
+}
+
+void Document::preview_palette(Palette palette) {
+  palette_ = std::move(palette);
+  preview(SetPalette{palette_});
+}
+
+void Document::set_palette(Palette palette) {
+  palette_ = std::move(palette);
+  commit(SetPalette{palette_});
 }
 
 PresetFilter Document::filter(const Preset& preset, double strength) const {

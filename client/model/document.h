@@ -82,6 +82,15 @@ class Document {
   PresetFilter filter(const Preset& preset, double strength) const;
   void apply(const Preset& preset, double strength = 1);
 
+  /// The bands and the palette, as the user or the session set them last. During a drag preview
+  /// them; at its end, set them.
+  const Equaliser& equaliser() const { return equaliser_; }
+  void preview_equaliser(Equaliser equaliser);
+  void set_equaliser(Equaliser equaliser);
+  const Palette& palette() const { return palette_; }
+  void preview_palette(Palette palette);
+  void set_palette(Palette palette);
+
   /// Bounds on what all edits do: as the user or the session set them last.
   const Controls& controls() const { return controls_; }
   void set_controls(const Controls& controls);
@@ -148,6 +157,8 @@ class Document {
 
  private:
   using Change = decltype(Edit::change);
+  void preview(PreviewChange change);
+  void commit(Change change);
   void send(Change change);
   void send_as(const std::string& id, Change change);
   void count_step(const Change& change);
@@ -177,6 +188,8 @@ class Document {
   double beta_;
   CurveEditor curve_;
   Controls controls_;
+  Equaliser equaliser_;
+  Palette palette_;
   BrushTool brush_;
   Vec3d last_dab_ = Vec3d::Zero();
   std::string gesture_;  // id of the edit of the running drag or stroke; else empty

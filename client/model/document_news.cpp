@@ -110,6 +110,8 @@ void Document::follow_server() {
   is_told_taken_ = true;
   beta_ = told_.gradient_scale;
   controls_ = told_.controls;
+  equaliser_ = told_.equaliser;
+  palette_ = told_.palette;
   if (!(curve_.curve() == told_.transfer_curve)) curve_.set_curve(told_.transfer_curve);
 }
 

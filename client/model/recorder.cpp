@@ -34,6 +34,7 @@ struct LineOf {
   void operator()(const Stroke& stroke) const {
     line << "stroke " << stroke.brush.radius << ' ' << stroke.brush.strength << ' '
          << stroke.brush.beta << ' ' << fall_off_name(stroke.brush.fall_off);
+    if (stroke.brush.band > 0 || stroke.brush.curve > 0) line << ' ' << painted_word(stroke.brush);
     for (const Vec3d& point : stroke.path)
       line << ' ' << point.x() << ' ' << point.y() << ' ' << point.z();
   }
@@ -44,6 +45,11 @@ struct LineOf {
          << (controls.keep_volume ? " on" : " off");
   }
   void operator()(const Protect& change) const { line << "protect " << to_words(change); }
+  void operator()(const SetEqualiser& change) const {
+    line << "bands";
+    for (const Band& band : change.equaliser.bands) line << ' ' << band.size << ':' << band.gain;
+  }
+  void operator()(const SetPalette& change) const { line << "palette " << to_line(change.palette); }
   void operator()(const Undo&) const { line << "undo"; }
   void operator()(const Redo&) const { line << "redo"; }
   void operator()(const SwitchEntry& change) const {

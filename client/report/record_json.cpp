@@ -42,6 +42,8 @@ static Json method_of(const ProcessingRecord& record) {
           {"gradient_scale", record.state.gradient_scale},
           {"transfer_curve", record.state.transfer_curve.to_string()},
           {"controls", text_of(record.state.controls)},
+          {"equaliser", text_of(record.state.equaliser)},
+          {"palette", to_line(record.state.palette)},
           {"backend", record.state.backend},
           {"cycles", record.result.cycles},
           {"converged", record.result.converged},

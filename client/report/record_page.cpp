@@ -100,6 +100,8 @@ std::string method(const ProcessingRecord& record) {
       .add("Gradient scale β", number(record.state.gradient_scale))
       .add("Transfer curve α(κ)", record.state.transfer_curve.to_string())
       .add("Controls", text_of(record.state.controls))
+      .add("Equaliser", text_of(record.state.equaliser))
+      .add("Palette", text_of(record.state.palette))
       .add("Accuracy", number(record.result.distance) + " of the diagonal" +
                            (record.result.converged ? "" : ", not converged"))
       .end();

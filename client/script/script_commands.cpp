@@ -29,7 +29,17 @@ Result<Controls> parse_controls(const std::vector<std::string>& words) {
   return controls;
 }
 
-/// Parses RADIUS STRENGTH BETA [FALLOFF].
+Result<Equaliser> parse_bands(const std::vector<std::string>& words) {
+  Equaliser equaliser;
+  for (const std::string& word : words) {
+    ASSIGN_OR_RETURN(const Band band, parse_band(word));
+    equaliser.bands.push_back(band);
+  }
+  RETURN_IF_ERROR(check_equaliser(equaliser));
+  return equaliser;
+}
+
+/// Parses RADIUS STRENGTH BETA [FALLOFF [WHAT]].
 Result<Brush> parse_brush(const std::vector<std::string>& words) {
   Brush brush;
   ASSIGN_OR_RETURN(brush.radius, parse_real(words[0]));
@@ -38,14 +48,16 @@ Result<Brush> parse_brush(const std::vector<std::string>& words) {
   if (words.size() > 3) {
     ASSIGN_OR_RETURN(brush.fall_off, parse_fall_off(words[3]));
   }
+  if (words.size() > 4) RETURN_IF_ERROR(parse_painted(words[4], brush));
   RETURN_IF_ERROR(validate(Stroke{brush, {Vec3d::Zero()}}));
   return brush;
 }
 
 Result<Stroke> parse_stroke(const std::vector<std::string>& words) {
   Stroke stroke;
-  ASSIGN_OR_RETURN(stroke.brush, parse_brush({words.begin(), words.begin() + 4}));
-  ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(words, 4));
+  const size_t first = parse_real(words[4]).is_ok() ? 4 : 5;  // a word before the points: WHAT
+  ASSIGN_OR_RETURN(stroke.brush, parse_brush({words.begin(), words.begin() + first}));
+  ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(words, first));
   if (numbers.size() % 3 != 0) return invalid_argument("a point must be three numbers");
   for (size_t i = 0; i < numbers.size(); i += 3)
     stroke.path.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
@@ -108,6 +120,12 @@ Status ScriptRunner::run_edit(const ScriptLine& line) {
   } else if (command == "protect") {
     ASSIGN_OR_RETURN(Protect change, parse_protect(line.words));
     document.protect(std::move(change));
+  } else if (command == "bands") {
+    ASSIGN_OR_RETURN(Equaliser equaliser, parse_bands(line.words));
+    document.set_equaliser(std::move(equaliser));
+  } else if (command == "palette") {
+    ASSIGN_OR_RETURN(Palette palette, parse_palette_line(line.rest()));
+    document.set_palette(std::move(palette));
   } else if (command == "brush") {
     ASSIGN_OR_RETURN(document.brush().brush, parse_brush(line.words));
   } else if (command == "stroke") {

@@ -144,10 +144,11 @@ static const char* state_name(const Document& document) {
 void ScriptRunner::print_state() const {
   const Document& document = *workspace_->document();
   const FrameStats& frame = document.stats().frame;
-  std::printf("%s: %s, beta %g, curve %s, %zu entries, %d cycles, distance %.3g, %s\n",
+  std::printf("%s: %s, beta %g, curve %s, %zu entries, %d cycles, distance %.3g, %s, %s, %s\n",
               document.session().name.c_str(), state_name(document), document.beta(),
               document.curve().curve().to_string().c_str(), document.history().size(), frame.cycles,
-              frame.distance, text_of(document.controls()).c_str());
+              frame.distance, text_of(document.controls()).c_str(),
+              text_of(document.equaliser()).c_str(), text_of(document.palette()).c_str());
 }
 
 }  // namespace burnish

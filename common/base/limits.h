@@ -34,6 +34,12 @@ inline constexpr double kCurveContrastMax = 1000;
 inline constexpr double kCurveContrastWarn = 100;
 inline constexpr double kCurveKappaMagnitudeMax = 1e9;  // user units (kappa * L)
 
+inline constexpr size_t kBandsMax = 6;        // of an equaliser
+inline constexpr double kBandRatioMin = 1.2;  // of the sizes of neighbouring bands
+inline constexpr double kGainMin = 0;
+inline constexpr double kGainMax = 10;
+inline constexpr size_t kPaletteCurvesMax = 8;
+
 inline constexpr size_t kStrokeDabsMax = 4096;
 inline constexpr size_t kEditsPerFrameMax = 64;
 inline constexpr size_t kNameBytesMax = 200;     // of scans, sessions, users, checkpoints

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/base/limits.h"
+#include "common/base/text_lines.h"
 #include "common/edit/transfer_curve.h"
 
 namespace burnish {
@@ -21,6 +22,26 @@ Result<FallOff> parse_fall_off(std::string_view word) {
     if (name == word) return fall_off;
   return invalid_argument("fall-off '" + std::string(word) +
                           "' is not smooth, linear, sharp or constant");
+}
+
+Status parse_painted(std::string_view word, Brush& brush) {
+  brush.band = brush.curve = 0;
+  if (word == "beta") return Status::ok();
+  const size_t colon = word.find(':');
+  const std::string_view what = word.substr(0, colon);
+  if (colon == std::string_view::npos || (what != "band" && what != "curve"))
+    return invalid_argument("'" + std::string(word) +
+                            "' is not what a brush paints: beta, band:NUMBER or curve:NUMBER");
+  ASSIGN_OR_RETURN((what == "band" ? brush.band : brush.curve),
+                   parse_integer(word.substr(colon + 1)));
+  if (brush.band != 0 || brush.curve != 0) return Status::ok();
+  return invalid_argument("'" + std::string(word) + "': bands and curves are numbered from 1");
+}
+
+std::string painted_word(const Brush& brush) {
+  if (brush.band > 0) return "band:" + std::to_string(brush.band);
+  if (brush.curve > 0) return "curve:" + std::to_string(brush.curve);
+  return "beta";
 }
 
 double fall_off_weight(FallOff fall_off, double distance_over_radius) {
@@ -70,6 +91,21 @@ static Status check_path(const std::vector<Vec3d>& path) {
   return Status::ok();
 }
 
+static Status check_painted(const Brush& brush) {
+  const auto outside = [](const std::string& what, size_t most) {
+    return invalid_argument("the brush paints " + what + ", the limit is 0 to " +
+                            std::to_string(most));
+  };
+  if (brush.band < 0 || brush.band > static_cast<int>(kBandsMax))
+    return outside("band " + std::to_string(brush.band), kBandsMax);
+  if (brush.curve < 0 || brush.curve > static_cast<int>(kPaletteCurvesMax))
+    return outside("curve " + std::to_string(brush.curve), kPaletteCurvesMax);
+  if (brush.band > 0 && brush.curve > 0)
+    return invalid_argument("the brush paints band " + std::to_string(brush.band) + " and curve " +
+                            std::to_string(brush.curve) + ", it must be one of them");
+  return Status::ok();
+}
+
 Status validate(const Stroke& stroke) {
   const Brush& brush = stroke.brush;
   if (!(brush.radius > 0) || !(brush.radius <= kCoordinateMagnitudeMax))
@@ -79,6 +115,7 @@ Status validate(const Stroke& stroke) {
     return invalid_argument("brush strength " + std::to_string(brush.strength) +
                             " is outside (0, 1]");
   RETURN_IF_ERROR(check_beta(brush.beta).with_context("brush"));
+  RETURN_IF_ERROR(check_painted(brush));
   RETURN_IF_ERROR(check_path(stroke.path));
   if (dab_centres(stroke).size() > kStrokeDabsMax)
     return invalid_argument("the stroke has more than " + std::to_string(kStrokeDabsMax) +

@@ -42,6 +42,14 @@ static Status validate_change(const Protect& change) {
   return validate(change);
 }
 
+static Status validate_change(const SetEqualiser& change) {
+  return check_equaliser(change.equaliser);
+}
+
+static Status validate_change(const SetPalette& change) {
+  return check_palette(change.palette);
+}
+
 static Status validate_change(const Undo&) {
   return Status::ok();
 }
@@ -71,9 +79,9 @@ Status validate(const Edit& edit) {
 }
 
 const char* edit_kind_name(EditKind kind) {
-  static constexpr std::array kNames = {"slider",   "curve",      "stroke",  "cells",
-                                        "controls", "protect",    "undo",    "redo",
-                                        "switch",   "checkpoint", "restore", "damaged"};
+  static constexpr std::array kNames = {"slider",  "curve",      "stroke",  "cells",  "controls",
+                                        "protect", "equaliser",  "palette", "undo",   "redo",
+                                        "switch",  "checkpoint", "restore", "damaged"};
   return kNames[static_cast<size_t>(kind)];
 }
 
@@ -89,6 +97,13 @@ std::string count(size_t n, const char* what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
+std::string painted_text(const Brush& brush) {
+  if (brush.band > 0)
+    return "band " + std::to_string(brush.band) + " at gain " + number(brush.beta);
+  if (brush.curve > 0) return "curve " + std::to_string(brush.curve);
+  return "beta " + number(brush.beta);
+}
+
 struct Summary {
   std::string operator()(const SetGradientScale& change) const {
     return "beta " + number(change.beta);
@@ -101,13 +116,15 @@ struct Summary {
   }
   std::string operator()(const Stroke& stroke) const {
     return "stroke of " + count(stroke.path.size(), "point") + ", radius " +
-           number(stroke.brush.radius) + ", beta " + number(stroke.brush.beta);
+           number(stroke.brush.radius) + ", " + painted_text(stroke.brush);
   }
   std::string operator()(const SetCellFields& change) const {
     return "fields of " + count(change.cells.size(), "cell");
   }
   std::string operator()(const SetControls& change) const { return text_of(change.controls); }
   std::string operator()(const Protect& change) const { return burnish::summary(change); }
+  std::string operator()(const SetEqualiser& change) const { return text_of(change.equaliser); }
+  std::string operator()(const SetPalette& change) const { return text_of(change.palette); }
   std::string operator()(const Undo&) const { return "undo"; }
   std::string operator()(const Redo&) const { return "redo"; }
   std::string operator()(const SwitchEntry& change) const {

@@ -8,6 +8,8 @@
 #include "common/base/limits.h"
 #include "common/edit/brush.h"
 #include "common/edit/controls.h"
+#include "common/edit/equaliser.h"
+#include "common/edit/palette.h"
 #include "common/edit/protect.h"
 #include "common/edit/transfer_curve.h"
 
@@ -38,6 +40,16 @@ struct SetCellFields {
 /// Sets the bounds on what all edits do. The last such edit counts.
 struct SetControls {
   Controls controls;
+};
+
+/// Sets the bands and their gains. The last such edit counts.
+struct SetEqualiser {
+  Equaliser equaliser;
+};
+
+/// Sets the curves that brushes paint. The last such edit counts.
+struct SetPalette {
+  Palette palette;
 };
 
 /// Switches off the author's newest entry that is on.
@@ -73,12 +85,14 @@ struct Damaged {
 struct Edit {
   std::string id;
   std::variant<SetGradientScale, SetTransferCurve, Stroke, SetCellFields, SetControls, Protect,
-               Undo, Redo, SwitchEntry, SetCheckpoint, RestoreCheckpoint, Damaged>
+               SetEqualiser, SetPalette, Undo, Redo, SwitchEntry, SetCheckpoint, RestoreCheckpoint,
+               Damaged>
       change;
 };
 
 /// What a gesture shows before it is an edit.
-using PreviewChange = std::variant<SetGradientScale, SetTransferCurve, Stroke>;
+using PreviewChange =
+    std::variant<SetGradientScale, SetTransferCurve, Stroke, SetEqualiser, SetPalette>;
 
 /// In the order of Edit::change.
 enum class EditKind {
@@ -88,6 +102,8 @@ enum class EditKind {
   kCellFields,
   kControls,
   kProtect,
+  kEqualiser,
+  kPalette,
   kUndo,
   kRedo,
   kSwitchEntry,
@@ -102,11 +118,11 @@ inline EditKind kind_of(const Edit& edit) {
 
 /// Returns true for edits that fields are made of. The other kinds only say which of these count.
 inline bool makes_fields(EditKind kind) {
-  return kind <= EditKind::kProtect;
+  return kind <= EditKind::kPalette;
 }
 
-/// "slider", "curve", "stroke", "cells", "controls", "protect", "undo", "redo", "switch",
-/// "checkpoint", "restore", "damaged".
+/// "slider", "curve", "stroke", "cells", "controls", "protect", "equaliser", "palette",
+/// "undo", "redo", "switch", "checkpoint", "restore", "damaged".
 const char* edit_kind_name(EditKind kind);
 
 /// Describes the edit in a few words: "beta 0.25", "stroke of 12 points, radius 0.5, beta 2".

@@ -131,6 +131,8 @@ struct HistoryState {
   double gradient_scale = kBetaDefault;
   TransferCurve transfer_curve{kAlphaDefault};
   Controls controls;
+  Equaliser equaliser;
+  Palette palette;
   bool operator==(const HistoryState&) const = default;
 };
 

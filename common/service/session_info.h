@@ -7,6 +7,8 @@
 
 #include "common/base/limits.h"
 #include "common/edit/controls.h"
+#include "common/edit/equaliser.h"
+#include "common/edit/palette.h"
 #include "common/edit/transfer_curve.h"
 #include "common/measure/deviation.h"
 #include "common/mesh/mesh_io.h"
@@ -56,6 +58,8 @@ struct SessionState {
   uint64_t memory_bytes = 0;
   std::string backend;
   Controls controls;
+  Equaliser equaliser;
+  Palette palette;
 };
 
 /// What a cell of the finest depth can be asked for. α and κ in user units.

@@ -1,8 +1,10 @@
 #include "common/wire/edit_wire.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "common/service/scan_info.h"
+#include "common/wire/bands_wire.h"
 #include "common/wire/edit_bytes.h"
 #include "common/wire/format_wire.h"
 #include "common/wire/protect_wire.h"
@@ -41,12 +43,19 @@ Result<FallOff> fall_off_from_wire(v1::FallOff fall_off) {
                           " is none of 1 (smooth), 2 (linear), 3 (sharp), 4 (constant)");
 }
 
+/// Keeps numbers beyond any limit beyond it: validate() refuses them.
+int number_of(uint32_t number) {
+  return static_cast<int>(std::min<uint32_t>(number, std::numeric_limits<int>::max()));
+}
+
 Result<Stroke> stroke_from_wire(const v1::Stroke& message) {
   Stroke stroke;
   stroke.brush.radius = message.brush().radius();
   stroke.brush.strength = message.brush().strength();
   stroke.brush.beta = message.brush().beta();
   ASSIGN_OR_RETURN(stroke.brush.fall_off, fall_off_from_wire(message.brush().fall_off()));
+  stroke.brush.band = number_of(message.brush().band());
+  stroke.brush.curve = number_of(message.brush().curve());
   for (const v1::Point& point : message.path()) stroke.path.push_back(from_wire(point));
   return stroke;
 }
@@ -69,6 +78,12 @@ struct ChangeWriter {
     *message.mutable_controls() = to_wire(change.controls);
   }
   void operator()(const Protect& change) const { *message.mutable_protect() = to_wire(change); }
+  void operator()(const SetEqualiser& change) const {
+    *message.mutable_equaliser() = to_wire(change.equaliser);
+  }
+  void operator()(const SetPalette& change) const {
+    *message.mutable_palette() = to_wire(change.palette);
+  }
   void operator()(const Undo&) const { message.mutable_undo(); }
   void operator()(const Redo&) const { message.mutable_redo(); }
   void operator()(const SwitchEntry& change) const {
@@ -105,6 +120,14 @@ Status read_change(const v1::Edit& message, Edit& edit) {
       return Status::ok();
     case v1::Edit::kProtect: {
       ASSIGN_OR_RETURN(edit.change, from_wire(message.protect()));
+      return Status::ok();
+    }
+    case v1::Edit::kEqualiser:
+      edit.change = SetEqualiser{from_wire(message.equaliser())};
+      return Status::ok();
+    case v1::Edit::kPalette: {
+      ASSIGN_OR_RETURN(Palette palette, from_wire(message.palette()));
+      edit.change = SetPalette{std::move(palette)};
       return Status::ok();
     }
     case v1::Edit::kUndo:
@@ -146,6 +169,8 @@ v1::Stroke to_wire(const Stroke& stroke) {
   brush->set_strength(stroke.brush.strength);
   brush->set_beta(stroke.brush.beta);
   brush->set_fall_off(fall_off_to_wire(stroke.brush.fall_off));
+  if (stroke.brush.band > 0) brush->set_band(static_cast<uint32_t>(stroke.brush.band));
+  if (stroke.brush.curve > 0) brush->set_curve(static_cast<uint32_t>(stroke.brush.curve));
   for (const Vec3d& point : stroke.path) *message.add_path() = to_wire(point);
   return message;
 }

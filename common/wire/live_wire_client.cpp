@@ -1,6 +1,7 @@
 // What the client says in a live session.
 
 #include "common/base/limits.h"
+#include "common/wire/bands_wire.h"
 #include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
 #include "common/wire/live_wire.h"
@@ -36,6 +37,10 @@ struct ClientWriter {
       *sent.mutable_transfer_curve() = burnish::to_wire(curve->curve);
     if (const auto* stroke = std::get_if<Stroke>(&preview.change))
       *sent.mutable_stroke() = burnish::to_wire(*stroke);
+    if (const auto* bands = std::get_if<SetEqualiser>(&preview.change))
+      *sent.mutable_equaliser() = burnish::to_wire(bands->equaliser);
+    if (const auto* palette = std::get_if<SetPalette>(&preview.change))
+      *sent.mutable_palette() = burnish::to_wire(palette->palette);
   }
   void operator()(const DropPreview& drop) const {
     message.mutable_preview()->set_edit_id(drop.edit_id);
@@ -77,11 +82,15 @@ Result<Preview> read_preview(const v1::Preview& message) {
   if (message.has_gradient_scale()) *whole.mutable_gradient_scale() = message.gradient_scale();
   if (message.has_transfer_curve()) *whole.mutable_transfer_curve() = message.transfer_curve();
   if (message.has_stroke()) *whole.mutable_stroke() = message.stroke();
+  if (message.has_equaliser()) *whole.mutable_equaliser() = message.equaliser();
+  if (message.has_palette()) *whole.mutable_palette() = message.palette();
   ASSIGN_OR_RETURN(Edit edit, from_wire(whole));
   Preview preview{std::move(edit.id), {}};
   if (auto* slider = std::get_if<SetGradientScale>(&edit.change)) preview.change = *slider;
   if (auto* curve = std::get_if<SetTransferCurve>(&edit.change)) preview.change = std::move(*curve);
   if (auto* stroke = std::get_if<Stroke>(&edit.change)) preview.change = std::move(*stroke);
+  if (auto* bands = std::get_if<SetEqualiser>(&edit.change)) preview.change = std::move(*bands);
+  if (auto* palette = std::get_if<SetPalette>(&edit.change)) preview.change = std::move(*palette);
   return preview;
 }
 

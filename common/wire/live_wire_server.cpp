@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "common/wire/bands_wire.h"
 #include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
 #include "common/wire/live_wire.h"
@@ -95,6 +96,8 @@ struct ServerWriter {
     sent.set_gradient_scale(history.gradient_scale);
     *sent.mutable_transfer_curve() = burnish::to_wire(history.transfer_curve);
     *sent.mutable_controls() = burnish::to_wire(history.controls);
+    *sent.mutable_equaliser() = burnish::to_wire(history.equaliser);
+    *sent.mutable_palette() = burnish::to_wire(history.palette);
   }
   void operator()(const SessionPeople& people) const {
     *message.mutable_people() = burnish::to_wire(people);
@@ -132,8 +135,13 @@ EditsRefused read_refused(const v1::Refused& message) {
 
 Result<HistoryState> read_history(const v1::HistoryChanged& message) {
   ASSIGN_OR_RETURN(TransferCurve curve, from_wire(message.transfer_curve()));
-  return HistoryState{message.edits(), message.gradient_scale(), std::move(curve),
-                      from_wire(message.controls())};
+  ASSIGN_OR_RETURN(Palette palette, from_wire(message.palette()));
+  return HistoryState{message.edits(),
+                      message.gradient_scale(),
+                      std::move(curve),
+                      from_wire(message.controls()),
+                      from_wire(message.equaliser()),
+                      std::move(palette)};
 }
 
 using AnyServerMessage = std::optional<ServerMessage>;

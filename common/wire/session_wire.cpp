@@ -1,6 +1,7 @@
 #include "common/wire/session_wire.h"
 
 #include "common/base/text.h"
+#include "common/wire/bands_wire.h"
 #include "common/wire/edit_wire.h"
 #include "common/wire/format_wire.h"
 #include "common/wire/measures_wire.h"
@@ -58,6 +59,8 @@ v1::SessionState to_wire(const SessionState& state) {
   message.set_gradient_scale(state.gradient_scale);
   *message.mutable_transfer_curve() = to_wire(state.transfer_curve);
   *message.mutable_controls() = to_wire(state.controls);
+  *message.mutable_equaliser() = to_wire(state.equaliser);
+  *message.mutable_palette() = to_wire(state.palette);
   message.set_cycles(state.cycles);
   message.set_energy(state.energy);
   message.set_residual(state.residual);
@@ -73,6 +76,8 @@ Result<SessionState> from_wire(const v1::SessionState& message) {
   state.gradient_scale = message.gradient_scale();
   ASSIGN_OR_RETURN(state.transfer_curve, from_wire(message.transfer_curve()));
   state.controls = from_wire(message.controls());
+  state.equaliser = from_wire(message.equaliser());
+  ASSIGN_OR_RETURN(state.palette, from_wire(message.palette()));
   state.cycles = message.cycles();
   state.energy = message.energy();
   state.residual = message.residual();

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,19 +11,14 @@
 #include "server/fields/alphas.h"
 #include "server/fields/fields_view.h"
 #include "server/fields/hold.h"
+#include "server/fields/paint_layer.h"
 #include "server/prepare/prepared_mesh.h"
 
 namespace burnish {
 
-/// Painted β and its weight, for the cells that have paint.
-struct PaintedCells {
-  std::vector<int32_t> cells;  ///< indices, rising
-  std::vector<float> beta, weight;
-  bool operator==(const PaintedCells&) const = default;
-};
-
-/// The metric and β per cell (section 4.3), and their sources: slider, paint, curve, overrides.
-/// Setting a source is cheap. The next view() computes β of the cells, once for all changes.
+/// The metric and β per cell (section 4.3), and their sources: slider, paint, curve, palette,
+/// overrides. Setting a source is cheap. The next view() computes the cells, once for all changes.
+/// It also keeps what is not for the solver: the equaliser and the paint of its gains.
 /// Shapes: one entry per cell of the finest depth. Units: α in user units.
 class Fields {
  public:
@@ -30,6 +27,9 @@ class Fields {
 
   void set_transfer_curve(const TransferCurve& curve);
   void set_gradient_scale(double beta);
+  /// Sets the curves that brushes paint. A painted curve that the palette lacks rules nothing.
+  void set_palette(const Palette& palette);
+  void set_equaliser(const Equaliser& equaliser) { equaliser_ = equaliser; }
   void paint(const Stroke& stroke) { paint(stroke.brush, dab_centres(stroke)); }
   /// Paints some dabs of a stroke. Shapes: at least one centre, file units.
   void paint(const Brush& brush, std::span<const Vec3d> centres) {
@@ -60,23 +60,47 @@ class Fields {
   FieldsView view() const;
   CellAlphas alphas() const;  ///< computed from view().metric
   const TransferCurve& transfer_curve() const { return curve_; }
+  const Palette& palette() const { return palette_; }
+  bool has_painted_curves() const;
+  const Equaliser& equaliser() const { return equaliser_; }
+  /// Returns the paint of a band's gain, null without. Shapes: `band` from 1.
+  const PaintLayer* gain_paint(size_t band) const {
+    const auto& layer = paint_[kFirstBandLayer + band - 1];
+    return layer ? &*layer : nullptr;
+  }
+  /// Returns how far each cell is edited, by β or by the gain of a band: 0 to 1.
+  std::vector<float> edited() const;
+  /// Says what paint has changed: equal versions have equal paint, in copies too.
+  struct PaintVersions {
+    uint64_t beta = 0, gains = 0, curves = 0;
+  };
+  const PaintVersions& paint_versions() const { return versions_; }
   double gradient_scale() const { return beta_slider_; }
   uint64_t byte_count() const;
 
  private:
+  class CurveBlend;
+
   void update_beta() const;
   void update_beta(size_t stretch) const;
+  PaintLayer& make_layer(size_t number);
+  void cover_other_curves(size_t cell, double left, const PaintLayer& painted);
+  void mark_painted(size_t layer);
+  void append_painted(size_t number, PaintedCells& painted) const;
   bool touches(const Brush& brush, const Vec3d& centre) const;
   void mark_held();
   void hold_beta() const;
-  void update_held_own() const;
+  void update_blended_own() const;
   /// Returns the index of an active cell. Fails: invalid_argument.
   Result<int32_t> index_of(const Vec3i& cell) const;
 
   const PreparedMesh& prepared_;  // must outlive the fields
   TransferCurve curve_{kAlphaDefault};
+  Palette palette_;
+  Equaliser equaliser_;
   double beta_slider_ = kBetaDefault;
-  std::vector<float> painted_beta_, painted_weight_;
+  std::array<std::optional<PaintLayer>, kPaintLayers> paint_;  // that of β is always there
+  PaintVersions versions_;
   // Per kStretch cells, so that painted() need not look at all of them: it is called after many
   // strokes. Cells of overrides count as painted.
   static constexpr size_t kStretch = CellPaint::kStretch;
@@ -87,9 +111,9 @@ class Fields {
   // The result of slider, paint and overrides at the last view().
   mutable std::vector<float> beta_, follow_, own_;
   mutable bool beta_is_old_ = false;
-  // The overrides with the hold on top, where there is one.
-  mutable std::vector<OwnFields> held_own_;
-  mutable bool held_own_is_old_ = false;
+  // The overrides, painted curves and the hold on top, where there is one of these.
+  mutable std::vector<OwnFields> blended_own_;
+  mutable bool alphas_are_old_ = false;
 };
 
 }  // namespace burnish

@@ -20,8 +20,12 @@ uint64_t extend_series(uint64_t series, uint64_t stroke_hash) {
 }
 
 uint64_t hash_of(const Stroke& stroke) {
+  // β is layer 0, so strokes of β keep the hashes that they had before there were layers.
+  static constexpr size_t kFallOffs = 4;
+  const size_t kind =
+      static_cast<size_t>(stroke.brush.fall_off) + kFallOffs * layer_of(stroke.brush);
   const double brush[] = {stroke.brush.radius, stroke.brush.strength, stroke.brush.beta,
-                          static_cast<double>(stroke.brush.fall_off)};
+                          static_cast<double>(kind)};
   return XXH3_64bits_withSeed(stroke.path.data(), stroke.path.size() * sizeof(Vec3d),
                               XXH3_64bits(brush, sizeof brush));
 }
@@ -59,7 +63,7 @@ uint64_t PaintCheckpoints::byte_count() const {
   return bytes;
 }
 
-// The bytes: a hash of the rest, then the cells, their beta and their weight.
+// The bytes: a hash of the rest, then the cells, their values, weights and perhaps layers.
 
 template <typename T>
 static void append(std::string& bytes, const std::vector<T>& values) {
@@ -74,32 +78,51 @@ static std::vector<T> take(std::string_view& bytes, size_t count) {
   return values;
 }
 
+// Paint of β alone has no layers, as journals of earlier versions have it.
+static constexpr XXH64_hash_t kSeedOfLayers = 1;
+
 std::string painted_to_bytes(const PaintedCells& painted) {
   std::string body;
   append(body, painted.cells);
-  append(body, painted.beta);
+  append(body, painted.value);
   append(body, painted.weight);
-  const uint64_t hash = XXH3_64bits(body.data(), body.size());
+  append(body, painted.layer);
+  const uint64_t hash =
+      XXH3_64bits_withSeed(body.data(), body.size(), painted.layer.empty() ? 0 : kSeedOfLayers);
   return std::string(reinterpret_cast<const char*>(&hash), sizeof hash) + body;
 }
 
-Result<PaintedCells> painted_from_bytes(std::string_view bytes, size_t cell_count) {
-  static constexpr size_t kBytesPerCell = sizeof(int32_t) + 2 * sizeof(float);
-  uint64_t hash = 0;
-  if (bytes.size() < sizeof hash || (bytes.size() - sizeof hash) % kBytesPerCell != 0)
-    return data_loss("stored paint of " + std::to_string(bytes.size()) + " bytes is cut off");
-  std::memcpy(&hash, bytes.data(), sizeof hash);
-  bytes.remove_prefix(sizeof hash);
-  if (XXH3_64bits(bytes.data(), bytes.size()) != hash) return data_loss("stored paint is damaged");
-  const size_t count = bytes.size() / kBytesPerCell;
-  PaintedCells painted;
-  painted.cells = take<int32_t>(bytes, count);
-  painted.beta = take<float>(bytes, count);
-  painted.weight = take<float>(bytes, count);
+static Status check_painted(const PaintedCells& painted, size_t cell_count) {
   for (const int32_t cell : painted.cells)
     if (cell < 0 || static_cast<size_t>(cell) >= cell_count)
       return data_loss("stored paint names cell " + std::to_string(cell) + " of " +
                        std::to_string(cell_count));
+  for (const uint8_t layer : painted.layer)
+    if (layer >= kPaintLayers)
+      return data_loss("stored paint is of kind " + std::to_string(layer) + " of " +
+                       std::to_string(kPaintLayers));
+  return Status::ok();
+}
+
+Result<PaintedCells> painted_from_bytes(std::string_view bytes, size_t cell_count) {
+  uint64_t hash = 0;
+  if (bytes.size() < sizeof hash)
+    return data_loss("stored paint of " + std::to_string(bytes.size()) + " bytes is cut off");
+  std::memcpy(&hash, bytes.data(), sizeof hash);
+  bytes.remove_prefix(sizeof hash);
+  const bool has_layers = XXH3_64bits_withSeed(bytes.data(), bytes.size(), kSeedOfLayers) == hash;
+  if (!has_layers && XXH3_64bits(bytes.data(), bytes.size()) != hash)
+    return data_loss("stored paint is damaged");
+  const size_t bytes_per_cell = sizeof(int32_t) + 2 * sizeof(float) + (has_layers ? 1 : 0);
+  if (bytes.size() % bytes_per_cell != 0)
+    return data_loss("stored paint of " + std::to_string(bytes.size()) + " bytes is cut off");
+  const size_t count = bytes.size() / bytes_per_cell;
+  PaintedCells painted;
+  painted.cells = take<int32_t>(bytes, count);
+  painted.value = take<float>(bytes, count);
+  painted.weight = take<float>(bytes, count);
+  if (has_layers) painted.layer = take<uint8_t>(bytes, count);
+  RETURN_IF_ERROR(check_painted(painted, cell_count));
   return painted;
 }
 

@@ -8,7 +8,7 @@
 
 #include "common/base/status.h"
 #include "common/edit/brush.h"
-#include "server/fields/fields.h"
+#include "server/fields/paint_layer.h"
 #include "server/prepare/prepared_mesh.h"
 
 namespace burnish {

@@ -74,7 +74,9 @@ static constexpr std::array kSteps = {
     WHERE checksum =
       row_checksum(id, name, scan_id, depth, curvature_radius, created_unix_seconds);
   PRAGMA user_version = 4;
-)sql"};
+)sql",
+    // Edits may set bands and a palette, and paint them. A program of version 4 would lose these.
+    "PRAGMA user_version = 5;"};
 
 Status make_journal_schema(Database& database) {
   ASSIGN_OR_RETURN(Transaction transaction, Transaction::begin(database));

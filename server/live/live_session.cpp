@@ -84,7 +84,7 @@ Status LiveSession::work(SessionTurn& at, bool& more) {
   const Status relaxed = relax(at);
   // An edit that moves nothing also gets its frame, because clients wait for it. An export may have
   // relaxed the surface further.
-  const Seen now{at.edits(), at.last().cycle};
+  const Seen now{at.edits(), at.last().cycle, at.session().looks()};
   if (std::exchange(seen_, now) != now) ++version_;
   if (now.cycle > 0) is_unmoved_ = false;
   tell_state(at);
@@ -109,8 +109,8 @@ Status LiveSession::relax(SessionTurn& at) {
   const bool is_assembled = session.is_changed();
   if (is_assembled) session.update();
   const auto assembled = steady_clock::now();
-  at.last() = session.step();
-  RETURN_IF_ERROR(session.solver().status());
+  if (!session.is_settled(at.last())) at.last() = session.step();  // a gain needs no cycle
+  RETURN_IF_ERROR(session.status());
   assemble_ms_ = is_assembled ? ms_between(start, assembled) : 0;
   solve_ms_ = ms_between(assembled, steady_clock::now());
   if (is_assembled) metrics().observe(Measure::kFrameAssembleSeconds, assemble_ms_ / 1e3);
@@ -120,8 +120,12 @@ Status LiveSession::relax(SessionTurn& at) {
 
 void LiveSession::tell_state(SessionTurn& at) {
   const Fields& fields = at.session().fields();
-  const HistoryState history{at.edits(), fields.gradient_scale(), fields.transfer_curve(),
-                             at.session().edited().controls()};
+  const HistoryState history{at.edits(),
+                             fields.gradient_scale(),
+                             fields.transfer_curve(),
+                             at.session().edited().controls(),
+                             fields.equaliser(),
+                             fields.palette()};
   bool roles_changed = false, history_changed = false;
   {
     const std::lock_guard lock(mutex_);

@@ -23,15 +23,14 @@ std::vector<std::string> ids_of(const std::vector<Edit>& edits) {
   return ids;
 }
 
-bool is_same(const Brush& a, const Brush& b) {
-  return a.radius == b.radius && a.strength == b.strength && a.beta == b.beta &&
-         a.fall_off == b.fall_off;
-}
-
 Status check_piece(const Preview& piece) {
   if (const auto* slider = std::get_if<SetGradientScale>(&piece.change))
     return check_beta(slider->beta);
   if (const auto* stroke = std::get_if<Stroke>(&piece.change)) return validate(*stroke);
+  if (const auto* bands = std::get_if<SetEqualiser>(&piece.change))
+    return check_equaliser(bands->equaliser);
+  if (const auto* palette = std::get_if<SetPalette>(&piece.change))
+    return check_palette(palette->palette);
   return Status::ok();  // curves need no check
 }
 
@@ -108,7 +107,7 @@ Status LiveSession::preview(uint64_t connection, Preview piece) {
                          mine->second.change.index() == piece.change.index();
     if (auto* stroke = std::get_if<Stroke>(&piece.change); stroke && goes_on) {
       const Stroke& begun = std::get<Stroke>(mine->second.change);
-      if (!is_same(begun.brush, stroke->brush))
+      if (begun.brush != stroke->brush)
         return invalid_argument("the brush of a preview differs from the brush at its beginning");
       stroke->path.insert(stroke->path.begin(), begun.path.begin(), begun.path.end());
     }

@@ -7,6 +7,7 @@
 #include "common/service/session_info.h"
 #include "server/journal/journal.h"
 #include "server/library/mesh_cache.h"
+#include "server/manager/layer_need.h"
 #include "server/manager/presence.h"
 #include "server/memory/quota.h"
 #include "server/scheduling/fair_mutex.h"
@@ -59,6 +60,7 @@ struct SessionEntry {
   std::unique_ptr<Session> session;  // null: not in memory
   uint64_t life = 0;                 // how often it has come to memory
   StepReport last;
+  LayerNeed layers;  // of its edits
 };
 
 }  // namespace burnish

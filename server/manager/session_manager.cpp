@@ -100,7 +100,9 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
   if (!mesh) {
     ASSIGN_OR_RETURN(mesh, store_.open_mesh(record.scan_id, record.key, progress));
   }
-  uint64_t bytes = predict_session_bytes(*mesh);
+  entry.layers = {};
+  entry.layers.add(edits);
+  uint64_t bytes = predict_session_bytes(*mesh) + entry.layers.byte_count(*mesh);
   for (const AuthoredEdit& edit : edits) bytes += bytes_in_history(edit);
   if (memory.amount() == 0) {
     ASSIGN_OR_RETURN(memory, store_.memory().take(kServer, bytes));
@@ -209,7 +211,9 @@ Result<SessionState> SessionManager::state(const std::string& reference, const C
                       entry.last.distance,
                       memory_bytes,
                       std::string(solver.backend_name()),
-                      entry.session->edited().controls()};
+                      entry.session->edited().controls(),
+                      fields.equaliser(),
+                      fields.palette()};
 }
 
 Result<std::string> SessionManager::delete_scan(const std::string& reference) {

@@ -37,11 +37,14 @@ static std::vector<uint64_t> at_their_places(std::span<const Edit> edits,
 
 // A session's edits count as its memory.
 static Status charge_for(std::span<const AuthoredEdit> more, SessionEntry& entry) {
-  uint64_t bytes =
-      predict_session_bytes(*entry.mesh) + entry.session->edited().history().byte_count();
+  LayerNeed layers = entry.layers;
+  layers.add(more);
+  uint64_t bytes = predict_session_bytes(*entry.mesh) + layers.byte_count(*entry.mesh) +
+                   entry.session->edited().history().byte_count();
   for (const AuthoredEdit& edit : more) bytes += bytes_in_history(edit);
   RETURN_IF_ERROR(entry.memory.resize(bytes));
   entry.session_bytes = bytes;
+  entry.layers = layers;
   return Status::ok();
 }
 
@@ -61,8 +64,12 @@ Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEn
   EditedFields& edited = entry.session->edited();
 
   std::vector<AuthoredEdit> fresh = new_edits(edited.history(), caller.user, edits);
-  for (const AuthoredEdit& edit : fresh)
-    RETURN_IF_ERROR(about_edit(edited.check_new(edit.edit), edit.edit, edits.size()));
+  LayerCheck layers = edited.layers();
+  for (const AuthoredEdit& edit : fresh) {
+    Status status = layers.take(edit.edit);
+    if (status.is_ok()) status = edited.check_new(edit.edit);
+    RETURN_IF_ERROR(about_edit(status, edit.edit, edits.size()));
+  }
   RETURN_IF_ERROR(charge_for(fresh, entry));
   const uint64_t first = edited.history().size() + 1;
   ASSIGN_OR_RETURN(const std::vector<uint64_t> numbers, edited.record(fresh));

@@ -64,6 +64,11 @@ Status EditedFields::check(const Edit& edit) const {
   return cells ? fields_.check(*cells) : Status::ok();
 }
 
+LayerCheck EditedFields::layers() const {
+  Counting now = counting();
+  return {now.equaliser, std::move(now.palette), std::move(now.curve.curve)};
+}
+
 Status EditedFields::check_new(const Edit& edit) const {
   const auto* bounds = std::get_if<SetControls>(&edit.change);
   if (bounds && bounds->controls.keep_volume && !is_closed(prepared_))
@@ -78,6 +83,7 @@ EditedFields::Counting EditedFields::counting() const {
   Counting counting;
   counting.controls = born_with_;
   const SetTransferCurve* curve = nullptr;
+  const SetPalette* palette = nullptr;
   for (const History::Entry& entry : history_.entries()) {
     if (!entry.enabled) continue;
     const auto& change = entry.made_by->edit.change;
@@ -88,8 +94,12 @@ EditedFields::Counting EditedFields::counting() const {
     if (std::holds_alternative<Protect>(change)) counting.protects.push_back(&entry);
     if (const auto* bounds = std::get_if<SetControls>(&change))
       counting.controls = bounds->controls;
+    if (const auto* bands = std::get_if<SetEqualiser>(&change))
+      counting.equaliser = bands->equaliser;
+    if (const auto* found = std::get_if<SetPalette>(&change)) palette = found;
   }
   if (curve) counting.curve = *curve;
+  if (palette) counting.palette = palette->palette;
   return counting;
 }
 
@@ -106,12 +116,25 @@ Status EditedFields::catch_up(const Progress& progress) {
     fields_.set_transfer_curve(wanted.curve.curve);
     changes_.metric = true;
   }
+  take_layers(wanted);
   const bool is_protection_new = replay_protects(wanted);
   const bool pins = wanted.controls.pin_rims != controls_.pin_rims;
   bound(wanted.controls);
   if (is_protection_new || pins) hold();
   is_behind_ = false;
   return Status::ok();
+}
+
+void EditedFields::take_layers(const Counting& wanted) {
+  if (wanted.palette != fields_.palette()) {
+    fields_.set_palette(wanted.palette);
+    changes_.metric |= fields_.has_painted_curves();
+    changes_.shown = true;
+  }
+  if (wanted.equaliser != fields_.equaliser()) {
+    fields_.set_equaliser(wanted.equaliser);
+    changes_.shown = true;
+  }
 }
 
 void EditedFields::bound(const Controls& controls) {
@@ -166,8 +189,17 @@ Status EditedFields::replay_strokes(const Counting& wanted, const Progress& prog
   for (const History::Entry* entry : wanted.strokes)
     series.push_back(extend_series(series.back(), entry->stroke_hash));
   if (series == strokes_done_ && !begun_) return Status::ok();
-  changes_.beta = true;
+  const Fields::PaintVersions before = fields_.paint_versions();
+  const Status painted = paint_strokes(wanted, series, progress);
+  const Fields::PaintVersions& after = fields_.paint_versions();
+  changes_ |= {.metric = after.curves != before.curves,
+               .beta = after.beta != before.beta,
+               .shown = after.gains != before.gains};
+  return painted;
+}
 
+Status EditedFields::paint_strokes(const Counting& wanted, const std::vector<uint64_t>& series,
+                                   const Progress& progress) {
   go_back_to_shared(series);
   for (size_t i = strokes_done_.size() - 1; i < wanted.strokes.size(); ++i) {
     const auto& stroke = std::get<Stroke>(wanted.strokes[i]->made_by->edit.change);

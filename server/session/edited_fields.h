@@ -12,6 +12,7 @@
 #include "server/fields/paint_checkpoints.h"
 #include "server/fields/protection.h"
 #include "server/session/history.h"
+#include "server/session/layer_check.h"
 
 namespace burnish {
 
@@ -71,6 +72,9 @@ class EditedFields {
   /// touches no cell; failed_precondition for a volume to keep of a scan that is not closed.
   Status check_new(const Edit& edit) const;
 
+  /// Returns what checks new edits against the bands and the palette of the history.
+  LayerCheck layers() const;
+
   /// The changes since the last take_changes().
   const Changes& changes() const { return changes_; }
   Changes take_changes() { return std::exchange(changes_, {}); }
@@ -97,6 +101,8 @@ class EditedFields {
     SetGradientScale slider;
     SetTransferCurve curve;
     Controls controls;
+    Equaliser equaliser;
+    Palette palette;
     std::vector<const History::Entry*> protects;
     std::vector<const History::Entry*> strokes;
     std::vector<const History::Entry*> cells;
@@ -113,10 +119,13 @@ class EditedFields {
   Status check(const Edit& edit) const;
   Counting counting() const;
   void bound(const Controls& controls);
+  void take_layers(const Counting& counting);
   bool replay_protects(const Counting& counting);
   void hold();
   void replay_cells(const Counting& counting);
   Status replay_strokes(const Counting& counting, const Progress& progress);
+  Status paint_strokes(const Counting& counting, const std::vector<uint64_t>& series,
+                       const Progress& progress);
   void go_back_to_shared(const std::vector<uint64_t>& series);
   Status paint(const Stroke& stroke, uint64_t series, const Progress& progress, double done);
   void keep_checkpoint(uint64_t newest);

@@ -64,22 +64,22 @@ VolumeKeeper::VolumeKeeper(const PreparedMesh& prepared, const SparseGrid& grid)
       normals_(corner_normals(prepared, grid)),
       offsets_(normals_.size(), Vec3f::Zero()) {}
 
-void VolumeKeeper::weigh(std::span<const float> beta) {
+void VolumeKeeper::weigh(std::span<const float> edited) {
 #pragma omp parallel for schedule(static)
   for (size_t corner = 0; corner < offsets_.size(); ++corner) {
     float sum = 0;
     int cells = 0;
     for (const int32_t cell : grid_.cells_of_corner[corner]) {
       if (cell == kNone) continue;
-      sum += std::min(std::abs(beta[cell] - 1), 1.0f);
+      sum += edited[cell];
       ++cells;
     }
     offsets_[corner] = normals_[corner] * (cells > 0 ? sum / float(cells) : 0.0f);
   }
 }
 
-void VolumeKeeper::measure(std::span<const Vec3f> displacement, std::span<const float> beta) {
-  weigh(beta);
+void VolumeKeeper::measure(std::span<const Vec3f> displacement, std::span<const float> edited) {
+  weigh(edited);
   const Vec3d centre =
       prepared_.frame.to_grid(prepared_.statistics.box_min / 2 + prepared_.statistics.box_max / 2);
   const auto moving = [&](uint32_t v) {

@@ -18,8 +18,8 @@ class VolumeKeeper {
   VolumeKeeper(const PreparedMesh& prepared, const SparseGrid& grid);
 
   /// Finds out how far the corners must move for the volume of the scan. Shapes: one displacement
-  /// per corner, in cells; one β per cell.
-  void measure(std::span<const Vec3f> displacement, std::span<const float> beta);
+  /// per corner, in cells; per cell 0 to 1, how far it is edited.
+  void measure(std::span<const Vec3f> displacement, std::span<const float> edited);
 
   /// Adds the offset that was measured last. Shapes: one per corner, in cells.
   void apply(std::span<Vec3f> displacement) const;
@@ -27,7 +27,7 @@ class VolumeKeeper {
   uint64_t byte_count() const { return (normals_.size() + offsets_.size()) * sizeof(Vec3f); }
 
  private:
-  void weigh(std::span<const float> beta);
+  void weigh(std::span<const float> edited);
 
   const PreparedMesh& prepared_;
   const SparseGrid& grid_;

@@ -5,8 +5,13 @@
 namespace burnish {
 
 Previews::Changes Previews::changes_by(const Gesture& gesture) {
-  const bool is_curve = std::holds_alternative<SetTransferCurve>(gesture.change);
-  return {.metric = is_curve, .beta = !is_curve};
+  const Stroke* stroke = std::get_if<Stroke>(&gesture.change);
+  const bool is_metric = std::holds_alternative<SetTransferCurve>(gesture.change) ||
+                         std::holds_alternative<SetPalette>(gesture.change) ||
+                         (stroke && stroke->brush.curve > 0);
+  const bool is_shown =
+      std::holds_alternative<SetEqualiser>(gesture.change) || (stroke && stroke->brush.band > 0);
+  return {.metric = is_metric, .beta = !is_metric && !is_shown, .shown = is_shown};
 }
 
 void Previews::show(uint64_t connection, Gesture gesture) {
@@ -67,6 +72,10 @@ void Previews::apply(Shown& shown) {
     copy_->set_gradient_scale(slider->beta);
   if (const auto* curve = std::get_if<SetTransferCurve>(&shown.gesture.change))
     copy_->set_transfer_curve(curve->curve);
+  if (const auto* bands = std::get_if<SetEqualiser>(&shown.gesture.change))
+    copy_->set_equaliser(bands->equaliser);
+  if (const auto* palette = std::get_if<SetPalette>(&shown.gesture.change))
+    copy_->set_palette(palette->palette);
   if (const auto* stroke = std::get_if<Stroke>(&shown.gesture.change)) {
     const std::vector<Vec3d> centres = dab_centres(*stroke);
     if (centres.size() <= shown.painted_dabs) return;

@@ -3,6 +3,8 @@
 #include "common/base/out_of_memory.h"
 #include "common/evaluation/evaluation.h"
 #include "server/metrics/live_objects.h"
+#include "server/session/band_mix.h"
+#include "server/session/band_surfaces.h"
 #include "server/session/shown_displacement.h"
 
 namespace burnish {
@@ -11,11 +13,14 @@ static constexpr double kExactDistance = 3e-7;  // below the bar of exports, 1e-
 static constexpr int kCyclesMax = 500;
 
 struct Session::State {
-  State(const Multigrid& on, std::unique_ptr<Solver> session_solver, const Controls& born_with)
+  State(const Multigrid& on, const SolverOptions& options, std::unique_ptr<Solver> session_solver,
+        const Controls& born_with)
       : prepared(on.prepared),
         hierarchy(on.hierarchy),
         edited(*prepared, born_with),
         solver(std::move(session_solver)),
+        bands(on, options),
+        mix(hierarchy->at(hierarchy->finest).grid),
         shown(*prepared, hierarchy->at(hierarchy->finest).grid) {}
 
   void update_solver(const Fields& fields, const EditedFields::Changes& changes) {
@@ -23,7 +28,35 @@ struct Session::State {
       solver->set_metric(fields.view());
     else if (changes.beta)
       solver->set_gradient_scale(fields.view());
-    if (changes.any()) cycles_since_change = 0;
+    if (changes.metric || changes.beta) {
+      cycles_since_change = 0;
+      solved = {};
+    }
+    bands.want(fields.equaliser(), fields.hold());
+    looks += changes.any();
+  }
+
+  bool solver_is_settled(const StepReport& report) const {
+    if (cycles_since_change == 0) return false;
+    return report.distance <= kSettledDistance || cycles_since_change >= kCyclesMax;
+  }
+
+  void step_bands() {
+    const Result<bool> found = bands.step();
+    if (!found.is_ok()) status = found.status();
+    if (!found.is_ok() || *found) ++looks;
+  }
+
+  StepReport step_solver() {
+    ++cycles_since_change;
+    solved = {};
+    return last = solver->step();
+  }
+
+  // A gain's frame does not read the solver's displacement again.
+  std::span<const Vec3f> mixed(const Fields& fields) {
+    if (solved.empty()) solved = solver->displacement();
+    return mix.of(solved, fields, bands);
   }
 
   const Fields& shown_fields() const { return previews.shown(edited.fields()); }
@@ -33,8 +66,13 @@ struct Session::State {
   EditedFields edited;
   Previews previews;
   int cycles_since_change = 0;
-  bool is_settled = false;  // after the last step
+  StepReport last;
+  uint64_t looks = 0;
+  Status status;  // of the bands
   std::unique_ptr<Solver> solver;
+  std::span<const Vec3f> solved;  // its displacement; empty: to be read
+  BandSurfaces bands;
+  BandMix mix;
   ShownDisplacement shown;
   LiveObject live{LiveKind::kSession};
 };
@@ -45,7 +83,7 @@ Result<std::unique_ptr<Session>> Session::open(const Multigrid& on, const Solver
   return with_memory_for("opening a session", [&]() -> Opened {
     ASSIGN_OR_RETURN(auto solver, Solver::create(on, options));
     return std::unique_ptr<Session>(
-        new Session(std::make_unique<State>(on, std::move(solver), born_with)));
+        new Session(std::make_unique<State>(on, options, std::move(solver), born_with)));
   });
 }
 
@@ -86,15 +124,24 @@ void Session::update() {
 
 StepReport Session::step() {
   if (is_changed()) update();
-  ++state_->cycles_since_change;
-  const StepReport report = state_->solver->step();
-  state_->is_settled = is_settled(report);
-  return report;
+  State& state = *state_;
+  if (state.bands.is_solving() && state.solver_is_settled(state.last)) {
+    state.step_bands();
+    return state.last;
+  }
+  return state.step_solver();
 }
 
 bool Session::is_settled(const StepReport& last) const {
-  if (is_changed() || state_->cycles_since_change == 0) return false;
-  return last.distance <= kSettledDistance || state_->cycles_since_change >= kCyclesMax;
+  return !is_changed() && !state_->bands.is_solving() && state_->solver_is_settled(last);
+}
+
+uint64_t Session::looks() const {
+  return state_->looks;
+}
+
+Status Session::status() const {
+  return state_->status.is_ok() ? state_->solver->status() : state_->status;
 }
 
 bool Session::is_exact(const StepReport& last) const {
@@ -111,22 +158,39 @@ Result<SolveReport> Session::solve(const SolveOptions& options, const Progress& 
   // No distance is below -1, so it does exactly the requested cycles.
   auto solved = state_->solver->solve(is_counted ? -1 : distance_max,
                                       is_counted ? options.cycles : kCyclesMax, progress);
-  if (solved.is_ok()) state_->cycles_since_change += solved.value().cycles;
+  state_->solved = {};
+  if (!solved.is_ok()) return solved;
+  state_->cycles_since_change += solved.value().cycles;
+  state_->last = solved.value().last;
+  RETURN_IF_ERROR(solve_bands(progress));
   return solved;
 }
 
+Status Session::solve_bands(const Progress& progress) {
+  while (state_->bands.is_solving()) {
+    const size_t bands = state_->edited.fields().equaliser().bands.size();
+    const double done = double(state_->bands.known_count()) / double(bands);
+    if (!report(progress, "solving bands", done)) return cancelled("the solve was cancelled");
+    RETURN_IF_ERROR(state_->bands.step().status());
+  }
+  return Status::ok();
+}
+
 std::span<const Vec3f> Session::displacement() {
-  return state_->shown.of(state_->solver->displacement(), state_->edited.controls(),
-                          state_->shown_fields(), state_->is_settled);
+  const Fields& fields = state_->shown_fields();
+  return state_->shown.of(state_->mixed(fields), state_->edited.controls(), fields,
+                          is_settled(state_->last));
 }
 
 std::vector<Vec3d> Session::moved_vertices() {
   const PreparedMesh& prepared = *state_->prepared;
   const Controls& controls = state_->edited.controls();
   const Fields& fields = state_->edited.fields();
-  if (!ShownDisplacement::is_needed(controls, fields)) return state_->solver->evaluate_vertices();
+  const bool is_solvers =
+      fields.equaliser().bands.empty() && !ShownDisplacement::is_needed(controls, fields);
+  if (is_solvers) return state_->solver->evaluate_vertices();
   const SparseGrid& grid = state_->hierarchy->at(state_->hierarchy->finest).grid;
-  const auto shown = state_->shown.of(state_->solver->displacement(), controls, fields, true);
+  const auto shown = state_->shown.of(state_->mixed(fields), controls, fields, true);
   std::vector<Vec3d> positions(prepared.vertices.begin(), prepared.vertices.end());
 #pragma omp parallel for schedule(static)
   for (size_t v = 0; v < positions.size(); ++v)
@@ -153,7 +217,8 @@ const Solver& Session::solver() const {
 }
 uint64_t Session::byte_count() const {
   return state_->solver->byte_count() + state_->edited.byte_count() +
-         state_->previews.byte_count() + state_->shown.byte_count();
+         state_->previews.byte_count() + state_->shown.byte_count() + state_->bands.byte_count() +
+         state_->mix.byte_count();
 }
 
 }  // namespace burnish

@@ -53,8 +53,16 @@ class Session {
   /// Brings the system up to date with the edits and the previews.
   void update();
 
-  /// Does update() if needed, and one cycle.
+  /// Does update() if needed, and one cycle: of the solver, or of a band once the solver has
+  /// settled. Returns the solver's last report.
   StepReport step();
+
+  /// Returns a number that rises when the surface may have changed otherwise than by a cycle of the
+  /// solver.
+  uint64_t looks() const;
+
+  /// Returns the first failure of what solves. After it the surface has no meaning.
+  Status status() const;
 
   /// Returns whether a surface is at the bar of settled sessions, or as near as this solver comes.
   /// Then nothing is left to do until something changes.
@@ -82,6 +90,7 @@ class Session {
 
  private:
   std::vector<Vec3d> moved_vertices();  // of the edits, without the previews
+  Status solve_bands(const Progress& progress);
 
   struct State;
   explicit Session(std::unique_ptr<State> state);

@@ -37,7 +37,7 @@ void ShownDisplacement::keep_volume(const Fields& fields, bool is_exact) {
   const bool is_new = !volume_;
   if (is_new) volume_.emplace(prepared_, grid_);
   if (is_new || is_exact || uses_ >= kUsesPerMeasure) {
-    volume_->measure(shown_, fields.view().beta);
+    volume_->measure(shown_, fields.edited());
     uses_ = 0;
   }
   ++uses_;

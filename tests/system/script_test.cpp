@@ -140,6 +140,19 @@ TEST(Script, ControlsProtectionAndStrengthAreEdits) {
   EXPECT_THAT(outcome.output, testing::HasSubstr("rims free, at most 0.25, volume kept"));
 }
 
+TEST(Script, BandsPaletteAndWhatABrushPaintsAreEdits) {
+  ServerProcess server;
+  const std::string script =
+      "open " + write_sphere(server.folder, 3) +
+      "\nbands 0.5:2 2:0.5\npalette 80 d04040 fine letters ; 20 4060d0 ground\n"
+      "stroke 0.4 1 3 smooth band:2 0 0 1\nstroke 0.4 1 0 smooth curve:1 0 1 0\nwait\nprint\n"
+      "bands\nwait\nprint\n";
+  const CommandOutcome outcome = run_script(server, script);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, testing::HasSubstr("bands 0.5:2 2:0.5, palette of 2 curves"));
+  EXPECT_THAT(outcome.output, testing::HasSubstr("no bands, palette of 2 curves"));
+}
+
 std::string write_red_sphere(const ServerProcess& server) {
   TriangleMesh mesh = make_icosphere(4, 1);
   mesh.colours.assign(mesh.vertices.size(), Rgba8{200, 10, 10, 255});

@@ -87,6 +87,42 @@ TEST(Workflow, AScanGoesInAndComesOutEdited) {
   EXPECT_EQ(server.scans(), 0u);
 }
 
+TEST(Workflow, BandsAndPaintedCurvesAreEditsAndGiveTheFilesOfFilter) {
+  ServerProcess server;
+  const std::string scan = write_sphere(server.folder);
+  const std::string served = (server.folder / "served.ply").string();
+  const std::string filtered = (server.folder / "filtered.ply").string();
+  const std::string palette =
+      server.folder.write("palette.txt", "80 d04040 letters\n20 4060d0 soft stone\n").string();
+  const std::string strokes =
+      server.folder
+          .write("strokes.txt",
+                 "brush 0.6 1 0 constant band:2\n0 0 1\nbrush 0.8 1 0 smooth curve:1\n0 1 0\n")
+          .string();
+  const std::vector<std::string> changes = {"--beta", "0.5",   "--band",    "0.5:2",
+                                            "--band", "2:0.5", "--palette", palette};
+  done(server, {"import", scan, "--depth", "5", "--name", "ball"});
+  done(server, {"open", "ball", "--depth", "5", "--session", "work"});
+  std::vector<std::string> edit = {"edit", "work", "--stroke", strokes};
+  edit.insert(edit.end(), changes.begin(), changes.end());
+  EXPECT_EQ(done_json(server, edit)["applied"], 5);
+  const json state = done_json(server, {"sessions", "work"});
+  EXPECT_EQ(state["bands"], json::parse(R"([{"size": 0.5, "gain": 2}, {"size": 2, "gain": 0.5}])"));
+  EXPECT_EQ(state["palette"][1]["name"], "soft stone");
+  done(server, {"close", "work"});
+  done(server, {"export", "work", served, "--exact"});
+  std::vector<std::string> filter = {"filter", scan,      filtered,       "--depth",
+                                     "5",      "--exact", "--beta-paint", strokes};
+  filter.insert(filter.end(), changes.begin(), changes.end());
+  filter.insert(filter.begin(), BURNISH_BINARY);
+  Process filtering(filter, server.folder / "filtering");
+  ASSERT_EQ(filtering.wait(std::chrono::minutes(1)), 0) << filtering.output();
+  const TriangleMesh a = read_mesh(served).value(), b = read_mesh(filtered).value();
+  ASSERT_EQ(a.vertices.size(), b.vertices.size());
+  for (size_t v = 0; v < a.vertices.size(); ++v)
+    ASSERT_LT((a.vertices[v] - b.vertices[v]).norm(), 3e-6);
+}
+
 TEST(Workflow, ImportingTheSameBytesTwiceSaysSo) {
   ServerProcess server;
   const std::string scan = write_sphere(server.folder);

@@ -112,12 +112,19 @@ Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits,
   const PreparedMesh& prepared = session.prepared();
   ASSIGN_OR_RETURN(const auto filter,
                    changes_of(options.filter, prepared.length_unit, prepared.frame.cell_size));
-  for (const auto& change : filter) RETURN_IF_ERROR(session.apply({"filter", change}));
+  LayerCheck layers = session.edited().layers();
+  for (const auto& change : filter) {
+    RETURN_IF_ERROR(layers.take({"filter", change}));
+    RETURN_IF_ERROR(session.apply({"filter", change}));
+  }
   if (session.fields().transfer_curve().contrast() > kCurveContrastWarn)
     std::cerr << "warning: the curve's contrast is above " << kCurveContrastWarn
               << ": convergence is slower and accuracy is lower\n";
   RETURN_IF_ERROR(session.edited().check_new(edits.back()));  // the controls
-  for (const Edit& edit : edits) RETURN_IF_ERROR(session.apply(edit));
+  for (const Edit& edit : edits) {
+    RETURN_IF_ERROR(layers.take(edit));
+    RETURN_IF_ERROR(session.apply(edit));
+  }
   if (session.fields().hold() && !options.controls.pin_rims)
     std::cerr << "the rims stay where they are; --pin-rims off lets them move\n";
   return Status::ok();

@@ -35,6 +35,20 @@ std::string refusal(const v1::Edit& message) {
   return edit.is_ok() ? "accepted" : edit.status().message();
 }
 
+TEST(EditWire, LayersBeyondTheirLimitsAreRefused) {
+  v1::Edit message = stroke_message();
+  message.mutable_stroke()->mutable_brush()->set_band(7);
+  EXPECT_THAT(refusal(message), HasSubstr("band 7, the limit is 0 to 6"));
+  message.mutable_stroke()->mutable_brush()->set_band(0xffffffff);
+  EXPECT_THAT(refusal(message), HasSubstr("band 2147483647"));
+  v1::Edit bands = with_id();
+  for (int i = 0; i < 7; ++i) bands.mutable_equaliser()->add_bands()->set_size(i + 1);
+  EXPECT_THAT(refusal(bands), HasSubstr("7 bands: the limit is 6"));
+  v1::Edit palette = with_id();
+  palette.mutable_palette()->add_curves()->set_name("a");
+  EXPECT_THAT(refusal(palette), HasSubstr("curve 1: "));
+}
+
 TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
   const TransferCurve curve = *TransferCurve::create({{-20, 5}, {0, 50}, {7.25, 100}});
   const std::vector<Edit> edits = {
@@ -53,6 +67,10 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
       {"n", Protect{InvertedRegion{}}},
       {"o", Protect{NoRegion{}}},
       {"p", Protect{LassoRegion{{1, 2, 3}, {{0, 0}, {0.5, 0}, {0, 0.25}}, true}}},
+      {"q", SetEqualiser{{{{0.25, 2}, {0.5, 0}}}}},
+      {"r", SetPalette{{{{"letters", 0xd04040, curve}, {"ground", 0, TransferCurve(9)}}}}},
+      {"s", Stroke{{0.5, 0.75, 2, FallOff::kSharp, 3, 0}, {Vec3d(1, 2, 3)}}},
+      {"t", Stroke{{0.5, 0.75, 2, FallOff::kSharp, 0, 8}, {Vec3d(1, 2, 3)}}},
       {"j", SetControls{{.pin_rims = true, .cap = 0.25, .keep_volume = true}}},
   };
   for (const Edit& edit : edits) {

@@ -72,6 +72,8 @@ TEST(LiveWire, EveryMessageOfTheClientComesBackUnchanged) {
   expect_unchanged<ClientMessage>(Preview{"drag", stroke()});
   expect_unchanged<ClientMessage>(DropPreview{"drag"});
   expect_unchanged<ClientMessage>(MoveBrush{BrushRing{Vec3d(1, 2, 3), 0.5}});
+  expect_unchanged<ClientMessage>(Preview{"p", SetEqualiser{{{{0.5, 2}}}}});
+  expect_unchanged<ClientMessage>(Preview{"p", SetPalette{{{{"letters", 0xd04040, curve()}}}}});
   expect_unchanged<ClientMessage>(Heartbeat{123456789});
   expect_unchanged<ClientMessage>(ShowPages{3, {7, 8}, {9}});
 }
@@ -86,7 +88,8 @@ TEST(LiveWire, EveryMessageOfTheServerComesBackUnchanged) {
   expect_unchanged<ServerMessage>(LiveFrame{std::string("\0\xff bytes", 8), stats});
   expect_unchanged<ServerMessage>(EditsAcknowledged{{"a", "b"}, {1, 2, 3, {4, 5}}});
   expect_unchanged<ServerMessage>(EditsRefused{{"a", "b"}, unavailable("later")});
-  expect_unchanged<ServerMessage>(HistoryState{3, 0.5, curve(), {true, 0.25, true}});
+  expect_unchanged<ServerMessage>(HistoryState{
+      3, 0.5, curve(), {true, 0.25, true}, {{{0.5, 2}}}, {{{"letters", 0xd04040, curve()}}}});
   expect_unchanged<ServerMessage>(people);
   expect_unchanged<ServerMessage>(Heartbeat{123456789});
   for (int code = 1; code <= static_cast<int>(FarewellCode::kFailed); ++code)

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
+#include "server/fields/paint_checkpoints.h"
 #include "server/prepare/prepare.h"
 
 namespace burnish {
 namespace {
 
+using testing::AllOf;
+using testing::Contains;
 using testing::Each;
 using testing::ElementsAreArray;
 using testing::HasSubstr;
@@ -139,6 +142,29 @@ TEST_F(FieldsTest, PaintThatWasKeptComesBack) {
   fields_.set_painted(kept);
   EXPECT_THAT(fields_.view().beta, ElementsAreArray(beta));
   EXPECT_EQ(fields_.painted(), kept);
+}
+
+TEST_F(FieldsTest, PaintOfEveryKindComesBackFromBytes) {
+  Stroke gain = stroke(3), curve = stroke(0.5);
+  gain.brush.band = 2;
+  curve.brush.curve = 8;
+  for (const Stroke& one : {stroke(0.25), gain, curve}) fields_.paint(one);
+  const PaintedCells kept = fields_.painted();
+  EXPECT_THAT(kept.layer, AllOf(Contains(kBetaLayer), Contains(kFirstBandLayer + 1),
+                                Contains(kFirstCurveLayer + 7)));
+  const std::string bytes = painted_to_bytes(kept);
+  EXPECT_EQ(painted_from_bytes(bytes, prepared_->cells.size()).value(), kept);
+  Fields other(*prepared_);
+  other.set_painted(kept);
+  EXPECT_EQ(other.painted(), kept);
+  EXPECT_TRUE(other.has_painted_curves());
+}
+
+TEST_F(FieldsTest, PaintOfAnotherKindLeavesBetaAlone) {
+  Stroke gain = stroke(3);
+  gain.brush.band = 1;
+  fields_.paint(gain);
+  EXPECT_THAT(fields_.view().beta, Each(1));
 }
 
 TEST_F(FieldsTest, PaintDoesNotDependOnHowTheStrokeWasSampled) {

@@ -178,7 +178,7 @@ TEST_F(JournalTest, OfPaintTheNewestIsKept) {
   ASSERT_EQ(kept.size(), 8u);
   EXPECT_EQ(kept.back().series, 110u);
   EXPECT_EQ(kept.back().strokes, 10u);
-  EXPECT_EQ(kept.back().painted.beta, (std::vector<float>{0.5f, 2}));
+  EXPECT_EQ(kept.back().painted.value, (std::vector<float>{0.5f, 2}));
   EXPECT_TRUE(journal_->paint("id-a", 3).value().empty());  // for another mesh
 }
 

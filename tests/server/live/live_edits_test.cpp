@@ -71,6 +71,37 @@ TEST_F(LiveEdits, APreviewGivesWayToItsEditAndFramesCountIt) {
   EXPECT_EQ(ann.pages.values(), dragged);
 }
 
+TEST_F(LiveEdits, AGainMovesTheSurfaceWithoutACycle) {
+  const auto bands = [](double gain) { return SetEqualiser{{{{0.5, gain}, {2, gain}}}}; };
+  auto ann = guest();
+  ann.show_level(0);
+  ann.edit({{"bands", bands(1)}});
+  ann.settle();
+  const std::vector<int32_t> before = ann.pages.values();
+  const int cycles = ann.all<LiveFrame>().back().stats.cycles;
+  ASSERT_TRUE(ann.session().preview(ann.connection(), {"drag", bands(0)}).is_ok());
+  ann.subscriber().grant({.frames = 1});
+  ann.settle();
+  EXPECT_EQ(ann.all<LiveFrame>().back().stats.cycles, cycles);
+  EXPECT_EQ(ann.all<LiveFrame>().back().stats.previews, 1u);
+  const std::vector<int32_t> dragged = ann.pages.values();
+  EXPECT_NE(dragged, before);
+  ann.edit({{"drag", bands(0)}});
+  ann.subscriber().grant({.frames = 1});
+  ann.settle();
+  EXPECT_EQ(ann.all<LiveFrame>().back().stats.edits, 2u);
+  EXPECT_EQ(ann.all<LiveFrame>().back().stats.cycles, cycles);
+  EXPECT_EQ(ann.pages.values(), dragged);
+  EXPECT_EQ(ann.all<HistoryState>().back().equaliser, bands(0).equaliser);
+}
+
+TEST_F(LiveEdits, APreviewOfBandsThatCannotBeIsRefused) {
+  auto ann = guest();
+  const SetEqualiser bands{{{{0.5, 11}}}};
+  const Status status = ann.session().preview(ann.connection(), {"drag", bands});
+  EXPECT_THAT(status.message(), HasSubstr("gain 11 is outside 0 to 10"));
+}
+
 TEST_F(LiveEdits, AnExportLeavesPreviewsOut) {
   const auto exported = [this] {
     return manager_->export_mesh("work", {MeshFormat::kObj, true, 0}, {}).value()->summary();

@@ -7,9 +7,7 @@
 #include "common/edit/wavelength.h"
 #include "common/generate/generate.h"
 #include "common/mesh/statistics.h"
-#include "server/prepare/prepare.h"
-#include "server/session/session.h"
-#include "server/solver/tuning/plan_cycle.h"
+#include "tests/server/session/solved_session.h"
 
 namespace burnish {
 namespace {
@@ -17,27 +15,7 @@ namespace {
 using testing::HasSubstr;
 
 std::unique_ptr<Session> controlled(const TriangleMesh& mesh, const Controls& controls) {
-  PrepareOptions options;
-  options.depth = 5;
-  const auto prepared = *prepare(mesh, options);
-  auto opened =
-      Session::open(*make_multigrid(prepared, {}), {.backend = BackendKind::kCpu}, controls);
-  return std::move(opened).value();
-}
-
-/// Returns the surface after these changes, at the bar of exports.
-TriangleMesh exact_surface(Session& session, const std::vector<decltype(Edit::change)>& changes) {
-  for (const auto& change : changes)
-    EXPECT_TRUE(session.apply({std::to_string(session.edited().history().size()), change}).is_ok());
-  EXPECT_TRUE(session.solve({.exact = true}).is_ok());
-  return session.surface();
-}
-
-double farthest(const TriangleMesh& a, const TriangleMesh& b) {
-  double most = 0;
-  for (size_t v = 0; v < a.vertices.size(); ++v)
-    most = std::max(most, (a.vertices[v] - b.vertices[v]).norm());
-  return most;
+  return session_over(mesh, 5, controls);
 }
 
 const SetTransferCurve kBroad{TransferCurve(10)};

@@ -1,0 +1,46 @@
+#include "common/wire/bands_wire.h"
+
+#include "common/wire/edit_wire.h"
+
+namespace burnish {
+
+v1::Equaliser to_wire(const Equaliser& equaliser) {
+  v1::Equaliser message;
+  for (const Band& band : equaliser.bands) {
+    v1::Band* sent = message.add_bands();
+    sent->set_size(band.size);
+    sent->set_gain(band.gain);
+  }
+  return message;
+}
+
+Equaliser from_wire(const v1::Equaliser& message) {
+  Equaliser equaliser;
+  for (const v1::Band& band : message.bands())
+    equaliser.bands.push_back({band.size(), band.gain()});
+  return equaliser;
+}
+
+v1::Palette to_wire(const Palette& palette) {
+  v1::Palette message;
+  for (const PaletteCurve& curve : palette.curves) {
+    v1::PaletteCurve* sent = message.add_curves();
+    sent->set_name(curve.name);
+    sent->set_colour(curve.colour);
+    *sent->mutable_curve() = to_wire(curve.curve);
+  }
+  return message;
+}
+
+Result<Palette> from_wire(const v1::Palette& message) {
+  Palette palette;
+  for (const v1::PaletteCurve& sent : message.curves()) {
+    const std::string where = "curve " + std::to_string(palette.curves.size() + 1);
+    auto curve = from_wire(sent.curve());
+    if (!curve.is_ok()) return curve.status().with_context(where);
+    palette.curves.push_back({sent.name(), sent.colour(), std::move(curve).value()});
+  }
+  return palette;
+}
+
+}  // namespace burnish

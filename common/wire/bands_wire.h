@@ -1,0 +1,18 @@
+#pragma once
+
+#include "burnish/v1/editing.pb.h"
+#include "common/base/status.h"
+#include "common/edit/equaliser.h"
+#include "common/edit/palette.h"
+
+namespace burnish {
+
+v1::Equaliser to_wire(const Equaliser& equaliser);
+/// Values are checked with the edit: check_equaliser().
+Equaliser from_wire(const v1::Equaliser& message);
+
+v1::Palette to_wire(const Palette& palette);
+/// Names and colours are checked with the edit: check_palette(). Fails: as TransferCurve::create().
+Result<Palette> from_wire(const v1::Palette& message);
+
+}  // namespace burnish

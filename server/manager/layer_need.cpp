@@ -1,0 +1,39 @@
+#include "server/manager/layer_need.h"
+
+#include <algorithm>
+
+#include "server/fields/fields_view.h"
+#include "server/memory/memory_need.h"
+
+namespace burnish {
+
+static constexpr uint64_t kCopies = 2;  // of the fields: a gesture has its own
+static constexpr uint64_t kPaintBytesPerCell = 2 * sizeof(float);
+static constexpr uint64_t kGainBytesPerCorner = 2 * sizeof(float);
+
+void LayerNeed::add(std::span<const AuthoredEdit> edits) {
+  for (const AuthoredEdit& edit : edits) {
+    if (const auto* change = std::get_if<SetEqualiser>(&edit.edit.change))
+      bands_ = std::max(bands_, change->equaliser.bands.size());
+    if (const auto* stroke = std::get_if<Stroke>(&edit.edit.change))
+      painted_.set(layer_of(stroke->brush));
+  }
+}
+
+uint64_t LayerNeed::byte_count(const Multigrid& on) const {
+  const SparseGrid& grid = on.hierarchy->at(on.hierarchy->finest).grid;
+  const uint64_t corners = grid.corners.size(), cells = grid.cells.size();
+  uint64_t bytes = 0;
+  // The solver of the surfaces behind the bands, these surfaces, and their sum.
+  if (bands_ > 0) bytes += predict_session_bytes(on) + (bands_ + 1) * corners * sizeof(Vec3f);
+  bool has_curves = false;
+  for (size_t layer = kFirstBandLayer; layer < kPaintLayers; ++layer) {
+    if (!painted_[layer]) continue;
+    bytes += kCopies * cells * kPaintBytesPerCell;
+    if (layer < kFirstCurveLayer) bytes += corners * kGainBytesPerCorner;
+    has_curves |= layer >= kFirstCurveLayer;
+  }
+  return bytes + (has_curves ? kCopies * cells * sizeof(OwnFields) : 0);
+}
+
+}  // namespace burnish

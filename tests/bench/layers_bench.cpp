@@ -1,0 +1,130 @@
+// The cost and the effect of the equaliser and the palette. "layers": a gain's step and a dab of a
+// curve, beside a solve frame and a new metric. "response": how much is left of a wave on a sphere
+// when one band is silent, beside the formula. The wave is that of the coordinates, which are
+// harmonics of order one.
+
+#include <numbers>
+
+#include "common/generate/generate.h"
+#include "server/prepare/prepare.h"
+#include "server/solver/cuda/cuda_backend.h"
+#include "server/solver/tuning/plan_cycle.h"
+#include "tests/bench/bench_main.h"
+#include "tests/bench/frames.h"
+#include "tests/bench/timing.h"
+
+namespace burnish {
+namespace {
+
+constexpr int kFrames = 9;
+constexpr double kDabRadius = 0.03;  // of the diagonal
+
+Equaliser bands_of(const Session& session, double gain) {
+  Equaliser equaliser;
+  double size = 4 * session.prepared().frame.cell_size;
+  for (size_t band = 0; band < kBandsMax; ++band, size *= 2) equaliser.bands.push_back({size, 1});
+  equaliser.bands[2].gain = gain;
+  return equaliser;
+}
+
+/// Returns the milliseconds of a gain's step, until the displacement of all corners is there.
+double measure_gain(Session& session) {
+  must_apply(session, SetEqualiser{bands_of(session, 1)});
+  BURNISH_CHECK(session.solve({}).is_ok(), "the bands could not be solved");
+  double gain = 1;
+  return median_milliseconds(kFrames, 1, [&] {
+    must_apply(session, SetEqualiser{bands_of(session, gain += 0.1)});
+    session.update();
+    session.displacement();
+  });
+}
+
+double measure_curve_dab(Session& session) {
+  const PreparedMesh& prepared = session.prepared();
+  must_apply(session, SetPalette{{{{"painted", 0, TransferCurve(20)}}}});
+  Brush brush{.radius = kDabRadius * prepared.statistics.diagonal(), .strength = 0.5, .curve = 1};
+  size_t vertex = 0;
+  return median_milliseconds(kFrames, 1, [&] {
+    vertex = (vertex + prepared.vertices.size() / kFrames) % prepared.vertices.size();
+    must_apply(session, Stroke{brush, {prepared.vertices[vertex]}});
+    session.step();
+  });
+}
+
+Status measure(const BenchSystem& system, BackendKind backend, int threads, BenchTable& table) {
+  ASSIGN_OR_RETURN(const auto session,
+                   Session::open(system, {.backend = backend, .threads = threads}));
+  const FrameTimes frames = measure_frames(*session, TransferCurve(kAlphaDefault));
+  BURNISH_CHECK(session->solve({}).is_ok(), "the session could not be solved");
+  const double solve = median_milliseconds(kFrames, 1, [&] {
+    session->step();
+    session->displacement();
+  });
+  const double gain = measure_gain(*session);
+  must_apply(*session, SetEqualiser{});
+  const double dab = measure_curve_dab(*session);
+  table.add({system.name, std::string(session->solver().backend_name()),
+             static_cast<double>(system.corners()), solve, gain, gain / solve, frames.matrix, dab,
+             dab / frames.matrix});
+  return session->status();
+}
+
+/// Returns the mean radius of a sphere of radius 1 with this equaliser.
+Result<double> mean_radius(Session& session, const Equaliser& equaliser) {
+  must_apply(session, SetEqualiser{equaliser});
+  RETURN_IF_ERROR(session.solve({.exact = true}).status());
+  const TriangleMesh moved = session.surface();
+  double sum = 0;
+  for (const Vec3d& vertex : moved.vertices) sum += vertex.norm();
+  return sum / static_cast<double>(moved.vertices.size());
+}
+
+// The coordinates are one wave, so the bands change their sizes and the wave stays.
+Status report_response(BenchTable& table) {
+  constexpr int kLevel = 5, kDepth = 6;
+  const double wavelength = 2 * std::numbers::pi / std::numbers::sqrt2;
+  PrepareOptions options;
+  options.depth = kDepth;
+  ASSIGN_OR_RETURN(const auto prepared, prepare(make_icosphere(kLevel, 1), options));
+  ASSIGN_OR_RETURN(const auto multigrid, make_multigrid(prepared, {}));
+  ASSIGN_OR_RETURN(const auto session, Session::open(multigrid, {.backend = BackendKind::kCpu}));
+  for (const double scale : {0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 20.0})
+    for (size_t silent = 0; silent < 3; ++silent) {
+      Equaliser equaliser{{{0.4 * scale, 1}, {scale, 1}, {2.5 * scale, 1}}};
+      equaliser.bands[silent].gain = 0;
+      ASSIGN_OR_RETURN(const double found, mean_radius(*session, equaliser));
+      table.add({static_cast<double>(silent + 1), wavelength / scale, found,
+                 response(equaliser, wavelength)});
+    }
+  return Status::ok();
+}
+
+Status run(const BenchArguments& arguments, BenchReport& report) {
+  BenchTable& table = report.add_table("layers", {{"scan", "", 26},
+                                                  {"on", "", 5},
+                                                  {"corners", "%.0f", 9},
+                                                  {"solve_ms"},
+                                                  {"gain_ms"},
+                                                  {"gain_of_solve"},
+                                                  {"metric_ms"},
+                                                  {"curve_dab_ms"},
+                                                  {"dab_of_metric"}});
+  for (const ScanArgument& scan : arguments.scans) {
+    ASSIGN_OR_RETURN(const TriangleMesh mesh, load_mesh(scan));
+    ASSIGN_OR_RETURN(const auto system,
+                     system_or_remark(scan, mesh, depth_of(scan, mesh), arguments, report));
+    if (!system) continue;
+    RETURN_IF_ERROR(measure(*system, BackendKind::kCpu, arguments.threads, table));
+    if (cuda_device().is_ok())
+      RETURN_IF_ERROR(measure(*system, BackendKind::kCuda, arguments.threads, table));
+  }
+  return report_response(report.add_table(
+      "response", {{"silent_band"}, {"wavelength"}, {"found", "%.5f"}, {"formula", "%.5f"}}));
+}
+
+}  // namespace
+}  // namespace burnish
+
+int main(int argc, char** argv) {
+  return burnish::bench_main({"layers_bench", {"tablet:250000@8"}, burnish::run}, argc, argv);
+}
