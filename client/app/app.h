@@ -29,6 +29,7 @@ struct AppOptions {
   uint64_t triangles_max = 0;    ///< of a picture; 0: as many as the graphics card draws well
   double scale = 0;              ///< 0: from the configuration, else from the screen
   std::filesystem::path record;  ///< script file that records the user's actions; empty: none
+  std::filesystem::path places;  ///< file for the places of widgets; empty: none
   WorkspaceOptions workspace;
 };
 

@@ -3,65 +3,16 @@
 #include "client/app/app.h"
 #include "client/app/key_help.h"
 #include "client/app/leave_question.h"
+#include "client/app/places.h"
 #include "client/app/raw_facts.h"
 #include "client/app/ruler_overlay.h"
 #include "client/app/theme.h"
-#include "client/app/words.h"
 
 namespace burnish {
 
 static constexpr ImGuiWindowFlags kFixed =
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
-
-Status App::draw() {
-  const ImageSize size = window_->framebuffer_size();
-  if (size.width < kImageSidePixelsMin || size.height < kImageSidePixelsMin) return Status::ok();
-  window_->begin_frame();
-  draw_panels();
-  renderer_->clear_window();
-  const Status drawn = workspace_->has_picture() ? draw_picture() : Status::ok();
-  window_->end_frame();
-  return drawn;
-}
-
-// Draws the picture between the panels, if they leave room.
-Status App::draw_picture() {
-  if (!check_image_size(picture_.size).is_ok()) return Status::ok();
-  workspace_->viewport.set_size(picture_.size);
-  RETURN_IF_ERROR(workspace_->look());
-  RETURN_IF_ERROR(draw_surface());
-  const int bottom = window_->framebuffer_size().height - picture_.y - picture_.size.height;
-  renderer_->show({picture_.x, bottom});
-  return Status::ok();
-}
-
-// Draws the surface again if its picture has changed.
-Status App::draw_surface() {
-  const Document* const document = workspace_->document();
-  Shown now{workspace_->pictures_begun(),
-            document == nullptr,
-            0,
-            picture_.size,
-            workspace_->viewport.camera,
-            {}};
-  if (document) {
-    now.changes = document->picture_changes();
-    now.style = workspace_->viewport.style(*document);
-  }
-  if (now == shown_ || keeps_raw_picture()) return Status::ok();
-  shown_ = std::move(now);
-  return workspace_->draw();
-}
-
-// The raw scan's picture stays until that of its session is as fine, or the user turns it.
-bool App::keeps_raw_picture() const {
-  const Document* const document = workspace_->document();
-  if (!document || !shown_.is_raw || document->is_picture_settled()) return false;
-  Camera camera = workspace_->viewport.camera;
-  camera.scene_radius = shown_.camera.scene_radius;
-  return camera == shown_.camera && picture_.size == shown_.size;
-}
 
 void App::draw_panels() {
   draw_menu_bar();
@@ -99,67 +50,6 @@ void App::draw_session_page() {
   section_window_.draw(*workspace_);
 }
 
-void App::draw_menu_bar() {
-  if (!ImGui::BeginMainMenuBar()) return;
-  Workspace& workspace = *workspace_;
-  const bool is_open = workspace.document() != nullptr;
-  const auto item = [&](const char* label, Action action, bool enabled = true) {
-    if (ImGui::MenuItem(label, bindings_.key_of(action).c_str(), false, enabled)) do_action(action);
-  };
-  if (ImGui::BeginMenu("File")) {
-    item("Open…", Action::kOpen);
-    ImGui::Separator();
-    item("Export…", Action::kExport, is_open);
-    item("Save picture", Action::kScreenshot, is_open);
-    if (ImGui::MenuItem("Save picture as…", nullptr, false, is_open)) ask_for_picture();
-    ImGui::Separator();
-    if (ImGui::MenuItem("Close session", nullptr, false, is_open))
-      leaving_.begin(Leaving::What::kSession, std::chrono::steady_clock::now());
-    ImGui::Separator();
-    if (ImGui::MenuItem("Preferences…")) preferences_dialog_.open();
-    if (ImGui::MenuItem("Quit")) window_->close();
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("Edit", workspace.document() != nullptr)) {
-    item("Undo", Action::kUndo);
-    item("Redo", Action::kRedo);
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("View")) {
-    item("Frame all", Action::kFrameAll, workspace.document() != nullptr);
-    item("Wireframe", Action::kWireframe, workspace.document() != nullptr);
-    item("Split", Action::kSplit, workspace.document() != nullptr);
-    ImGui::MenuItem("Figures", nullptr, &shows_hud_);
-    item("Messages", Action::kLog);
-    draw_camera_menu();
-    ImGui::EndMenu();
-  }
-  if (ImGui::BeginMenu("Help")) {
-    item("Keys", Action::kHelp);
-    ImGui::EndMenu();
-  }
-  if (Document* const document = workspace.document()) {
-    const std::string whole = document->scan().scan.name + " · " + document->session().name;
-    const float room = ImGui::GetContentRegionAvail().x - em(3);
-    const std::string title = cut_to(whole, room);
-    const float width = ImGui::CalcTextSize(title.c_str()).x;
-    ImGui::SameLine(ImGui::GetWindowWidth() - width - em(1.6f));
-    faint_text("%s", title.c_str());
-    if (title != whole) hint(whole.c_str());
-  }
-  ImGui::EndMainMenuBar();
-}
-
-void App::draw_camera_menu() {
-  if (!ImGui::BeginMenu("From", workspace_->document() != nullptr)) return;
-  for (const ActionInfo& info : actions()) {
-    if (info.action < Action::kFront || info.action > Action::kOrthographic) continue;
-    if (ImGui::MenuItem(info.description.data(), bindings_.key_of(info.action).c_str()))
-      do_action(info.action);
-  }
-  ImGui::EndMenu();
-}
-
 void App::draw_start_page() {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float top = ImGui::GetFrameHeight();
@@ -170,6 +60,7 @@ void App::draw_start_page() {
                       {std::max(em(1.5f), (screen.x - width) / 2), em(0.5f)});
   ImGui::Begin("##start", nullptr, kFixed);
   ImGui::PopStyleVar();
+  begin_place_group("Start");
   start_page_.draw(*workspace_);
   ImGui::End();
   toasts_.lower_left = {std::max(0.0f, (screen.x - width) / 2), screen.y};
@@ -177,7 +68,9 @@ void App::draw_start_page() {
 
 static void draw_section(const char* name, Panel& panel, Workspace& workspace,
                          ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_DefaultOpen) {
-  if (!ImGui::CollapsingHeader(name, flags)) return;
+  begin_place_group("");
+  if (!noted(name, ImGui::CollapsingHeader(name, flags))) return;
+  begin_place_group(name);
   ImGui::PushID(name);
   panel.draw(workspace);
   ImGui::Dummy({0, em(0.25f)});
@@ -218,38 +111,6 @@ void App::draw_columns(float top, float left, float right) {
   draw_section("Camera", camera_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   if (right == 0 && shows_hud_) draw_section("Figures", figures_panel_, *workspace_);
   ImGui::End();
-}
-
-// Says which surface is the original one, and draws the line between both.
-void App::draw_sides() const {
-  const ViewOptions& view = workspace_->viewport.options;
-  const bool is_original = workspace_->viewport.hold_original;
-  if (!(view.split || is_original) || !workspace_->document()) return;
-  const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
-  const int middle = split_column(is_original ? 0.5 : view.split_at, picture_.size.width);
-  const float x = static_cast<float>(picture_.x + middle) / pixels.x;
-  const float top = static_cast<float>(picture_.y) / pixels.y;
-  const float bottom = static_cast<float>(picture_.y + picture_.size.height) / pixels.y;
-  ImDrawList* const list = ImGui::GetBackgroundDrawList();
-  const ImU32 dark = ImGui::ColorConvertFloat4ToU32(theme::kOnPicture);
-  const float pad = em(0.6f), width = ImGui::CalcTextSize("original").x;
-  const float line = bottom - ImGui::GetTextLineHeight() - pad;
-  if (is_original) return list->AddText({x - width / 2, line}, dark, "original");
-  list->AddLine({x, top}, {x, bottom}, dark, em(0.1f));
-  list->AddText({x - width - pad, line}, dark, "original");
-  list->AddText({x + pad, line}, dark, "edited");
-}
-
-void App::draw_lasso() const {
-  const std::vector<Eigen::Vector2d>& pixels = workspace_->viewport.lasso();
-  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-  std::vector<ImVec2> line;
-  for (const Eigen::Vector2d& pixel : pixels)
-    line.emplace_back((picture_.x + float(pixel.x())) / scale.x,
-                      (picture_.y + float(pixel.y())) / scale.y);
-  ImGui::GetBackgroundDrawList()->AddPolyline(line.data(), static_cast<int>(line.size()),
-                                              ImGui::ColorConvertFloat4ToU32(theme::kBusy),
-                                              ImDrawFlags_Closed, em(0.12f));
 }
 
 void App::draw_overlays() {

@@ -1,5 +1,6 @@
 #include "client/app/painted_choice.h"
 #include "client/app/panels.h"
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/value_slider.h"
 #include "client/tools/colours.h"
@@ -23,7 +24,7 @@ static void draw_mode_buttons(Brush& brush) {
     const bool is_on = brush.beta == beta;
     if (is_on)
       ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
-    if (ImGui::Button(label, {third, 0})) brush.beta = beta;
+    if (noted(label, ImGui::Button(label, {third, 0}))) brush.beta = beta;
     if (is_on) ImGui::PopStyleColor();
   };
   button("Smooth", 0);

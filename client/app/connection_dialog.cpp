@@ -3,6 +3,7 @@
 #include <imgui_stdlib.h>
 #include <utility>
 
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/words.h"
 
@@ -23,6 +24,7 @@ void ConnectionDialog::draw(Workspace& workspace) {
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   constexpr auto kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings;
   if (!ImGui::BeginPopupModal(kConnectionTitle, nullptr, kFlags)) return;
+  begin_place_group("Connect");
   ImGui::BeginChild("##known", {em(kKnownEm), em(kHeightEm)}, true);
   draw_known(workspace);
   ImGui::EndChild();
@@ -31,7 +33,8 @@ void ConnectionDialog::draw(Workspace& workspace) {
   draw_fields();
   draw_state(workspace.library());
   ImGui::EndChild();
-  if (ImGui::Button("Connect", {em(8), 0}) || std::exchange(is_entered_, false)) connect(workspace);
+  if (noted("Connect", ImGui::Button("Connect", {em(8), 0})) || std::exchange(is_entered_, false))
+    connect(workspace);
   ImGui::SameLine();
   const Library& library = workspace.library();
   const bool is_connected = library.server == asked_ && library.state == Library::State::kConnected;
@@ -69,6 +72,7 @@ static bool draw_row(const char* label, std::string& text, const std::string& pr
   const bool is_entered = ImGui::InputText(
       "##field", &text,
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll | flags);
+  note_place(label);
   hint(what);
   ImGui::PopID();
   if (problem.empty()) return is_entered;
@@ -87,6 +91,7 @@ void ConnectionDialog::draw_fields() {
   ImGui::Dummy({0, 0});
   ImGui::SameLine(em(kLabelEm));
   ImGui::Checkbox("Encrypted (TLS)", &form_.tls);
+  note_place("Encrypted");
   hint("The server proves who it is by a certificate.");
   is_entered_ |= draw_row("Certificate", form_.ca, problems_.ca,
                           "File (PEM) with the CA of the server. Empty: the system's CAs.");
@@ -97,6 +102,7 @@ void ConnectionDialog::draw_fields() {
   ImGui::Dummy({0, 0});
   ImGui::SameLine(em(kLabelEm));
   ImGui::Checkbox("Keep the token on this computer", &form_.keeps_token);
+  note_place("Keep the token");
   hint("It is kept in a file that only you can read. Otherwise it is forgotten at the end.");
 }
 

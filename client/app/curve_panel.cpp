@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "client/app/panels.h"
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "common/base/limits.h"
 
@@ -130,6 +131,7 @@ void CurvePanel::draw(Workspace& workspace) {
   ImGui::BeginDisabled(document.is_viewer());
   const Plot plot{ImGui::GetCursorScreenPos(), {ImGui::GetContentRegionAvail().x, em(9)}};
   ImGui::InvisibleButton("##plot", plot.size);
+  note_place("Plot");
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const ImVec2 high{plot.low.x + plot.size.x, plot.low.y + plot.size.y};
   list->AddRectFilled(plot.low, high, colour(0.09f, 0.10f, 0.11f), em(0.2f));

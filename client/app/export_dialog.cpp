@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/model/typed_path.h"
 
@@ -34,9 +35,10 @@ void ExportDialog::draw(Workspace& workspace) {
   }
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
+  begin_place_group("Export");
   open_ = ImGui::BeginPopupModal(kExportTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize);
   if (!open_) return;
-  ImGui::TextUnformatted("File (.ply, .obj, .stl or .glb)");
+  ImGui::TextUnformatted("File (.ply, .obj, .stl, .glb or .zip)");
   ImGui::SetNextItemWidth(em(32));
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   bool wanted = ImGui::InputText(
@@ -52,14 +54,17 @@ void ExportDialog::draw(Workspace& workspace) {
                  {".ply", ".obj", ".stl", ".off", ".glb", ".gltf", ".zip"},
                  typed_path(path_)};
   ImGui::Checkbox("Exact", &exact_);
+  note_place("Exact");
   hint("Solves until the surface is within 1e-5 of the diagonal; this takes longer.");
   ImGui::Checkbox("Processing record", &with_record_);
+  note_place("Processing record");
   hint(
       "Also writes who did what, how far the surface moved, and the hashes of both files: a page "
       "to "
       "print and JSON, beside the file.");
   if (asks_) ImGui::TextColored(theme::kBusy, "The file is there already.");
-  wanted |= ImGui::Button(asks_ ? "Replace" : "Export", {em(8), 0}) && !path_.empty();
+  wanted |=
+      noted("Export", ImGui::Button(asks_ ? "Replace" : "Export", {em(8), 0})) && !path_.empty();
   ImGui::SameLine();
   const bool unwanted = ImGui::Button("Cancel", {em(8), 0}) ||
                         ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);

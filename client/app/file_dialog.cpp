@@ -3,6 +3,7 @@
 #include <imgui_stdlib.h>
 #include <utility>
 
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/words.h"
 #include "client/model/typed_path.h"
@@ -63,6 +64,7 @@ void FileDialog::draw_browser(Workspace& workspace) {
   if (!ImGui::BeginPopupModal(title.c_str(), nullptr,
                               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings))
     return browser_.reset();
+  begin_place_group("Files");
   if (ImGui::Button("Up")) browser_->up();
   hint("Goes to the folder above.");
   ImGui::SameLine();
@@ -141,6 +143,7 @@ void FileDialog::draw_field() {
   bool is_done = ImGui::InputTextWithHint(
       "##typed", saves ? "name of the file" : "type to filter, or type a path; ~ is your home",
       &typed, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  note_place("Typed");
   browser_->type(typed);
   const bool is_active = ImGui::IsItemActive();
   for (const auto& [key, by] : {std::pair(ImGuiKey_UpArrow, -1), {ImGuiKey_DownArrow, 1}}) {

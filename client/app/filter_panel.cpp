@@ -5,6 +5,7 @@
 #include <imgui_stdlib.h>
 
 #include "client/app/panels.h"
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/value_slider.h"
 #include "client/tools/colours.h"
@@ -14,7 +15,7 @@
 namespace burnish {
 
 static bool draw_choice(const Preset& preset) {
-  const bool is_chosen = ImGui::Selectable(preset.name.c_str());
+  const bool is_chosen = noted(preset.name, ImGui::Selectable(preset.name.c_str()));
   hint(preset.description.c_str());
   return is_chosen;
 }
@@ -22,7 +23,8 @@ static bool draw_choice(const Preset& preset) {
 void FilterPanel::draw_presets(Document& document, MessageLog& log) {
   ImGui::SetNextItemWidth(-1);
   const std::string title = preset_ ? preset_->name : "Presets";
-  if (ImGui::BeginCombo("##presets", title.c_str(), ImGuiComboFlags_HeightLarge)) {
+  if (noted("Presets",
+            ImGui::BeginCombo("##presets", title.c_str(), ImGuiComboFlags_HeightLarge))) {
     if (ImGui::IsWindowAppearing()) read_own(log);
     const auto choose = [&](const Preset& preset) {
       preset_ = preset;

@@ -5,6 +5,7 @@
 #include <imgui_stdlib.h>
 
 #include "client/app/panels.h"
+#include "client/app/places.h"
 #include "client/app/theme.h"
 
 namespace burnish {
@@ -15,7 +16,7 @@ static float half_width() {
 
 void HistoryPanel::draw_buttons(Document& document) {
   const ImVec2 half{half_width(), 0};
-  if (ImGui::Button("Undo", half)) document.undo();
+  if (noted("Undo", ImGui::Button("Undo", half))) document.undo();
   hint("Takes back your last edit, not those of others.");
   ImGui::SameLine();
   if (ImGui::Button("Redo", half)) document.redo();
@@ -40,16 +41,17 @@ void HistoryPanel::draw_checkpoint_row(Workspace& workspace) {
   const ImVec2 half{half_width(), 0};
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##checkpoint", "name of a checkpoint or fork", &checkpoint_name_);
+  note_place("Name");
   hint("A checkpoint needs a name. A fork without one gets a name from the server.");
   ImGui::BeginDisabled(checkpoint_name_.empty() || workspace.document()->is_viewer());
-  if (ImGui::Button("Checkpoint", half)) {
+  if (noted("Checkpoint", ImGui::Button("Checkpoint", half))) {
     set_checkpoint(workspace, checkpoint_name_);
     checkpoint_name_.clear();
   }
   hint("Gives the current state a name, so that you can come back to it.");
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (ImGui::Button("Fork", half)) {
+  if (noted("Fork", ImGui::Button("Fork", half))) {
     workspace.fork(checkpoint_name_, "");
     checkpoint_name_.clear();
   }
@@ -68,8 +70,9 @@ static void draw_entry(const HistoryEntry& entry, Document& document) {
   } else {
     bool is_on = entry.enabled;
     ImGui::BeginDisabled(entry.kind == EditKind::kDamaged);
-    if (ImGui::Checkbox("##on", &is_on) && !document.is_viewer())
-      document.switch_entry(entry.number, is_on);
+    const bool is_switched = ImGui::Checkbox("##on", &is_on);
+    note_place("Entry " + std::to_string(entry.number));
+    if (is_switched && !document.is_viewer()) document.switch_entry(entry.number, is_on);
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Text, entry.enabled ? theme::kText : theme::kFaint);

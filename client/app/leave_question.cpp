@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "client/app/places.h"
 #include "client/app/theme.h"
 
 namespace burnish {
@@ -28,16 +29,18 @@ void draw_leave_question(const Workspace& workspace, Leaving::Step step, Leaving
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
   if (!ImGui::BeginPopupModal(kQuestion, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+  begin_place_group("Question");
   const LinkState link = workspace.link();
   ImGui::Text("%s yet.", unsaved_text(workspace.unsaved_edits()).c_str());
   faint_text("%s", reason(link));
   if (is_waiting) ImGui::TextColored(theme::kBusy, "Closing as soon as they are saved…");
   ImGui::Dummy({0, em(0.3f)});
   ImGui::BeginDisabled(is_waiting || link == LinkState::kEnded);
-  if (ImGui::Button("Wait", {em(8), 0})) leaving.wait();
+  if (noted("Wait", ImGui::Button("Wait", {em(8), 0}))) leaving.wait();
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (ImGui::Button("Discard and close", {em(11), 0})) leaving.discard();
+  if (noted("Discard and close", ImGui::Button("Discard and close", {em(11), 0})))
+    leaving.discard();
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {em(8), 0})) leaving.stay();
   if (!is_wanted) ImGui::CloseCurrentPopup();

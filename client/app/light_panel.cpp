@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "client/app/panels.h"
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/value_slider.h"
 
@@ -77,7 +78,7 @@ void LightPanel::draw(Workspace& workspace) {
   draw_kind(lighting);
   if (lighting.kind <= LightKind::kRaking) draw_ball(lighting);
   draw_strengths(lighting, workspace.log);
-  if (ImGui::Button("As at first")) lighting = {};
+  if (noted("As at first", ImGui::Button("As at first"))) lighting = {};
 }
 
 }  // namespace burnish

@@ -3,6 +3,7 @@
 #include <imgui_stdlib.h>
 
 #include "client/app/panels.h"
+#include "client/app/places.h"
 #include "client/app/section_window.h"
 #include "client/app/theme.h"
 #include "client/report/length_text.h"
@@ -68,6 +69,7 @@ static void draw_deviation_histogram(const Document& document) {
 
 static void draw_ruler(Document& document, Viewport& viewport) {
   ImGui::Checkbox("Measure", &viewport.measure_mode);
+  note_place("Measure");
   hint("Click two points of the surface. The panel shows their distance (M).");
   Ruler& ruler = document.measuring().ruler;
   const auto length = ruler.length();
@@ -77,7 +79,8 @@ static void draw_ruler(Document& document, Viewport& viewport) {
   }
   number_row("distance", length_text(*length, document.unit()));
   number_row("on the original", length_text(*ruler.original_length(), document.unit()));
-  if (ImGui::Button("Section")) document.measuring().cut(section_plane(ruler, viewport.camera));
+  if (noted("Section", ImGui::Button("Section")))
+    document.measuring().cut(section_plane(ruler, viewport.camera));
   hint("Cuts the surface along the ruler, in the direction of the view.");
   ImGui::SameLine();
   if (ImGui::Button("Clear")) ruler.clear();

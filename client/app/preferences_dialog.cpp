@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "client/app/places.h"
 #include "client/app/theme.h"
 
 namespace burnish {
@@ -27,9 +28,10 @@ static std::string scale_text(double scale) {
 
 static void draw_scale(double& scale) {
   begin_row("Size");
-  if (ImGui::BeginCombo("##scale", scale_text(scale).c_str())) {
+  if (noted("Size", ImGui::BeginCombo("##scale", scale_text(scale).c_str()))) {
     for (const double each : kScales)
-      if (ImGui::Selectable(scale_text(each).c_str(), each == scale)) scale = each;
+      if (noted(scale_text(each), ImGui::Selectable(scale_text(each).c_str(), each == scale)))
+        scale = each;
     ImGui::EndCombo();
   }
   hint("The size of letters and panels.");
@@ -38,9 +40,11 @@ static void draw_scale(double& scale) {
 static void draw_theme(Preferences& preferences) {
   begin_row("Colours");
   const char* const shown = preferences.light_theme ? "Light" : "Dark";
-  if (ImGui::BeginCombo("##theme", shown)) {
-    if (ImGui::Selectable("Dark", !preferences.light_theme)) preferences.light_theme = false;
-    if (ImGui::Selectable("Light", preferences.light_theme)) preferences.light_theme = true;
+  if (noted("Colours", ImGui::BeginCombo("##theme", shown))) {
+    if (noted("Dark", ImGui::Selectable("Dark", !preferences.light_theme)))
+      preferences.light_theme = false;
+    if (noted("Light", ImGui::Selectable("Light", preferences.light_theme)))
+      preferences.light_theme = true;
     ImGui::EndCombo();
   }
   hint("The colours of the panels.");
@@ -52,16 +56,19 @@ void PreferencesDialog::draw(Workspace& workspace) {
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   constexpr auto kFlags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings;
   if (!ImGui::BeginPopupModal(kPreferencesTitle, nullptr, kFlags)) return;
+  begin_place_group("Preferences");
   Preferences& preferences = workspace.preferences;
   draw_theme(preferences);
   draw_scale(preferences.scale);
   begin_row("Your name");
   ImGui::InputText("##user", &preferences.user);
+  note_place("Your name");
   hint("The author of your edits. It counts from the next connection on.");
   ImGui::Checkbox("Use the desktop's file dialogs", &preferences.native_dialogs);
+  note_place("Desktop dialogs");
   hint("zenity or kdialog, where one is installed.");
   ImGui::Dummy({0, em(0.3f)});
-  const bool is_over = ImGui::Button("Close", {em(8), 0}) ||
+  const bool is_over = noted("Close", ImGui::Button("Close", {em(8), 0})) ||
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
   if (is_over) {
     workspace.save_preferences();

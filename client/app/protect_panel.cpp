@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "client/app/panels.h"
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/value_slider.h"
 
@@ -12,7 +13,7 @@ static float third_of_panel() {
 static void draw_region_buttons(Document& document) {
   const float width = third_of_panel();
   const auto button = [&](const char* label, const char* what, Protect change) {
-    if (ImGui::Button(label, {width, 0})) document.protect(std::move(change));
+    if (noted(label, ImGui::Button(label, {width, 0}))) document.protect(std::move(change));
     hint(what);
   };
   button("Grow", "The region grows by a cell of the grid", {GrownRegion{1}});
@@ -28,7 +29,7 @@ void ProtectPanel::draw_lasso_buttons(Viewport& viewport) {
     const bool is_on = viewport.lasso_wish && viewport.lasso_wish->release == release;
     if (is_on)
       ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
-    if (ImGui::Button(label, {width, 0})) {
+    if (noted(label, ImGui::Button(label, {width, 0}))) {
       viewport.lasso_wish.reset();
       if (!is_on) viewport.lasso_wish = LassoWish{through_, release};
     }
@@ -49,12 +50,12 @@ void ProtectPanel::draw_piece_buttons(Workspace& workspace) {
   Document& document = *workspace.document();
   if (const auto& hover = workspace.viewport.hover()) last_hover_ = hover->original;
   ImGui::BeginDisabled(!last_hover_);
-  if (ImGui::Button("Piece", {width, 0}))
+  if (noted("Piece", ImGui::Button("Piece", {width, 0})))
     document.protect({PieceRegion{last_hover_.value_or(Vec3d::Zero())}});
   hint("Protects the whole piece that the pointer was on last");
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (ImGui::Button("Clear", {width, 0})) document.protect({NoRegion{}});
+  if (noted("Clear", ImGui::Button("Clear", {width, 0}))) document.protect({NoRegion{}});
   hint("Nothing is protected");
 }
 

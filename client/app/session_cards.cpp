@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/words.h"
 #include "client/model/session_pictures.h"
@@ -33,6 +34,7 @@ static ImVec2 card_size() {
 static bool draw_card(const RecentSession& recent, const GlImage* picture) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), size = card_size();
   const bool is_clicked = ImGui::InvisibleButton("##card", size);
+  note_place("Card of " + recent.session);
   const bool is_hovered = ImGui::IsItemHovered();
   hint(all_of(recent).c_str());
   ImDrawList* const list = ImGui::GetWindowDrawList();

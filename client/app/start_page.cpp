@@ -5,6 +5,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "client/app/places.h"
 #include "client/app/start_page_lists.h"
 #include "client/app/theme.h"
 #include "client/model/typed_path.h"
@@ -35,7 +36,7 @@ void StartPage::draw_open(Workspace& workspace) {
   ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccent);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::kOnAccent);
   ImGui::PushFont(title_font());
-  if (ImGui::Button("Open a scan…", {-1, em(4)})) wants_to_open_ = true;
+  if (noted("Open a scan", ImGui::Button("Open a scan…", {-1, em(4)}))) wants_to_open_ = true;
   ImGui::PopFont();
   ImGui::PopStyleColor(2);
   hint("Chooses a mesh file: .ply, .obj, .stl, .off, .glb, .gltf or .zip (Ctrl+O).");
@@ -43,6 +44,7 @@ void StartPage::draw_open(Workspace& workspace) {
   ImGui::SetNextItemWidth(-em(5));
   const bool entered = ImGui::InputTextWithHint("##file", "~/scans/head.ply", &file_,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
+  note_place("Path");
   hint("The path of a mesh file; ~ is your home folder.");
   ImGui::SameLine();
   if ((ImGui::Button("Open", {-1, 0}) || entered) && !file_.empty())
@@ -55,7 +57,8 @@ void StartPage::draw_server(Workspace& workspace) {
   if (ImGui::Button("Use this computer", {half, 0})) workspace.connect_privately();
   hint("Starts your own server, which keeps its scans in your home folder.");
   ImGui::SameLine();
-  if (ImGui::Button("Another server…", {half, 0})) connection_dialog_.open();
+  if (noted("Another server", ImGui::Button("Another server…", {half, 0})))
+    connection_dialog_.open();
   hint("Connects to a server that others may use too.");
   draw_state(workspace.library());
 }

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <imgui_stdlib.h>
 
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "common/base/limits.h"
 
@@ -41,6 +42,7 @@ bool draw_field(const ValueField& field, double& value) {
   const std::string before = formatted(field.format, value);
   std::string text = typing.field == id ? typing.text : before;
   ImGui::InputText("##value", &text, ImGuiInputTextFlags_AutoSelectAll);
+  note_place(field.limits.name + " as a number");
   if (ImGui::IsItemActive()) typing = {id, text};
   if (!ImGui::IsItemDeactivated()) return false;
   typing = {};
@@ -60,6 +62,7 @@ SliderChange slider(const ValueField& field, double& value, const ToValue& to_va
     change = SliderChange::kMoving;
   }
   if (ImGui::IsItemDeactivatedAfterEdit()) change = SliderChange::kDone;
+  note_place(field.limits.name);
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
   if (draw_field(field, value)) change = SliderChange::kDone;

@@ -1,4 +1,5 @@
 #include "client/app/panels.h"
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/value_slider.h"
 
@@ -8,10 +9,14 @@ static void draw_colours(Document& document, Workspace& workspace) {
   static const char* const kNames[] = {"Clay", "Gradient scale β", "Curvature", "Displacement",
                                        "Colours of the scan"};  // as ColourBy
   const int count = IM_ARRAYSIZE(kNames) - (document.has_colours() ? 0 : 1);
-  int chosen = static_cast<int>(document.colour());
+  const int chosen = static_cast<int>(document.colour());
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::Combo("##colour", &chosen, kNames, count))
-    document.set_colour(static_cast<ColourBy>(chosen));
+  if (noted("Colour", ImGui::BeginCombo("##colour", kNames[chosen]))) {
+    for (int i = 0; i < count; ++i)
+      if (noted(kNames[i], ImGui::Selectable(kNames[i], i == chosen)))
+        document.set_colour(static_cast<ColourBy>(i));
+    ImGui::EndCombo();
+  }
   if (document.colour() == ColourBy::kDisplacement) {
     faint_text("full colour at this many cells");
     log_slider({{"Displacement", 0.05, 20}, "%.2g", workspace.log},
@@ -38,7 +43,7 @@ static void draw_toggles(ViewOptions& options) {
 }
 
 static void draw_bookmarks(Viewport& viewport) {
-  if (ImGui::Button("Frame all")) viewport.frame_all();
+  if (noted("Frame all", ImGui::Button("Frame all"))) viewport.frame_all();
   ImGui::SameLine();
   if (ImGui::Button("Bookmark")) viewport.add_bookmark();
   for (size_t i = 0; i < viewport.bookmarks.size(); ++i) {

@@ -59,6 +59,8 @@ void add_window_command(CommandTable& table) {
       ->add_option("--script", options->script, "Run the commands of this file, without a window")
       ->check(CLI::ExistingFile);
   command->add_option("--record", options->record, "Write what you do in the window as a script");
+  command->add_option("--places", options->app.places, "Write where widgets are, for tests")
+      ->group("");  // no help
   command->footer("A script has one command per line:\n" + script_help());
   add_server_options(*command, options->server);
   command->remove_option(command->get_option("--json"));  // scripts print text

@@ -19,6 +19,7 @@ class DisjointSets {
     return i;
   }
   void join(int32_t a, int32_t b) {
+    if (parent_[a] == parent_[b]) return;  // mostly, once sets are large
     a = root(a);
     b = root(b);
     parent_[std::max(a, b)] = std::min(a, b);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,13 +16,16 @@ struct RimEdge {
 /// The edges of a mesh whose vertices at one place count as one: seams of textures and soups of
 /// triangles hang together there.
 struct EdgeCensus {
-  bool is_closed = false;           ///< each edge is passed as often one way as the other
-  std::vector<RimEdge> rims;        ///< edges of exactly one triangle, by triangle
-  std::vector<Triangle> triangles;  ///< with the least vertex of each place
-  std::vector<uint32_t> place;      ///< per vertex: the least vertex at its place
+  bool is_closed = false;       ///< each edge is passed as often one way as the other
+  std::vector<RimEdge> rims;    ///< edges of exactly one triangle, by their lesser end
+  std::vector<uint32_t> place;  ///< per vertex: the least vertex at its place
 };
 
-/// Shapes: indices of `vertices`. Cost: 24 bytes of scratch per triangle, some sorts.
+/// Shapes: indices of `vertices`. Cost: linear time; edge_census_bytes().
+/// Needs: at most kVerticesMax vertices.
 EdgeCensus take_edge_census(std::span<const Vec3d> vertices, std::span<const Triangle> triangles);
+
+/// Returns the bytes that a census takes at its peak, with its result.
+uint64_t edge_census_bytes(uint64_t vertices, uint64_t triangles);
 
 }  // namespace burnish

@@ -2,6 +2,7 @@
 
 #include "common/evaluation/evaluation.h"
 #include "common/page_frames/page_frame_encoder.h"
+#include "server/fields/rims.h"
 
 namespace burnish {
 
@@ -20,6 +21,8 @@ uint64_t predict_session_bytes(const Multigrid& on) {
     bytes += depth.grid.corners.size() * kSessionBytesPerCorner;
   const HierarchyDepth& finest = hierarchy.at(hierarchy.finest);
   bytes += finest.grid.corners.size() * kShownBytesPerCorner;
+  const PreparedMesh& scan = *on.prepared;
+  bytes += rim_cells_bytes(scan.vertices.size(), scan.triangles.size(), scan.cells.size());
   return bytes + finest.grid.cells.size() * kSessionBytesPerCell +
          on.plan->patches.entry_count() * sizeof(float);
 }

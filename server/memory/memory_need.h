@@ -10,8 +10,9 @@
 namespace burnish {
 
 /// Returns the bytes that one session over a mesh will take for itself, with a gesture's copy of
-/// its fields. Works before the solver is made. Accuracy: no less than the session takes on the CPU
-/// backend, and less than twice that from some ten thousand corners on.
+/// its fields and a search for rims. Works before the solver is made. Accuracy: no less than the
+/// session takes on the CPU backend. Less than twice that from some ten thousand corners on, if a
+/// cell has few triangles.
 uint64_t predict_session_bytes(const Multigrid& on);
 
 /// The size of a page, whatever the kind of frames.

@@ -1,5 +1,7 @@
 #include "server/memory/opening_need.h"
 
+#include "server/fields/rims.h"
+
 namespace burnish {
 
 // Measured on real scans and rounded up. A cell of the finest depth brings about two corners, and
@@ -23,7 +25,8 @@ uint64_t predict_mesh_bytes(const PreparedSummary& prepared) {
 uint64_t predict_opened_bytes(const PreparationNeed& need) {
   const PreparationCounts& counts = need.counts;
   return mesh_bytes(need.file_bytes, counts.cells, counts.vertices) +
-         counts.cells * kSessionBytesPerCellMin;
+         counts.cells * kSessionBytesPerCellMin +
+         rim_cells_bytes(counts.vertices, counts.triangles, counts.cells);
 }
 
 }  // namespace burnish

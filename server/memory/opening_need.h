@@ -13,7 +13,8 @@ uint64_t predict_mesh_bytes(const PreparedMesh& prepared);
 uint64_t predict_mesh_bytes(const PreparedSummary& prepared);
 
 /// Returns the bytes that a prepared mesh and one session over it will take at least. Works before
-/// the mesh is prepared. Accuracy: no more than they take, so that nobody is refused wrongly.
+/// the mesh is prepared. Accuracy: no more than their opening is admitted with, so that nobody is
+/// refused wrongly.
 uint64_t predict_opened_bytes(const PreparationNeed& need);
 
 }  // namespace burnish

@@ -28,7 +28,11 @@ void WindowTest::start_window(std::vector<std::string> words) {
 #endif
   words.insert(words.begin(), "window");
   words.insert(words.end(), {"--user", "ada", "--width", "1280", "--height", "720", "--config",
-                             (server_->folder / "window.toml").string()});
+                             (server_->folder / "window.toml").string(), "--places",
+                             (server_->folder / "places").string()});
+  std::error_code ignored;
+  std::filesystem::remove(server_->folder / "places", ignored);  // of the window before
+  places_ = std::make_unique<Places>(server_->folder / "places");
   window_ = server_->start_burnish(std::move(words));
   unsetenv("LD_PRELOAD");
   screen_->focus_window();
@@ -38,6 +42,11 @@ void WindowTest::open_window(const std::string& timeout_seconds, const std::stri
   start_window({"--session", "desk", "--scale", scale, "--timeout", timeout_seconds});
   ASSERT_TRUE(shows_session()) << window_->output();
   settle();
+}
+
+void WindowTest::click_on(const std::string& widget) {
+  const Box box = places_->wait_for(widget);
+  click(box.x + box.width / 2, box.y + box.height / 2);
 }
 
 bool WindowTest::eventually(const std::function<bool()>& holds) {

@@ -10,6 +10,7 @@
 
 #include "client/connection/connection.h"
 #include "client/scene/image.h"
+#include "tests/system/places.h"
 #include "tests/system/server_process.h"
 #include "tests/system/x_display.h"
 
@@ -65,6 +66,8 @@ class WindowTest : public testing::Test {
   }
 
   void click(int x, int y) { screen_->drag(x, y, x, y); }
+  // Clicks on the middle of a widget, by its name in Places.
+  void click_on(const std::string& widget);
 
   // Saves the screen in $BURNISH_SHOTS, for a look at a failing test.
   void save_screen(const std::string& name);
@@ -81,6 +84,7 @@ class WindowTest : public testing::Test {
   std::unique_ptr<Connection> connection_;
   std::unique_ptr<XDisplay> screen_;
   std::unique_ptr<Process> window_;
+  std::unique_ptr<Places> places_;  // of the window
 };
 
 }  // namespace burnish

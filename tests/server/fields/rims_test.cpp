@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
+#include "server/fields/edge_census.h"
 #include "server/fields/hold.h"
 #include "server/prepare/prepare.h"
 
@@ -39,6 +41,24 @@ void add_moved(const TriangleMesh& part, const Vec3d& by, double scale, Triangle
     mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
+/// A sheet with a hole in its middle.
+TriangleMesh make_holed_sheet(double radius) {
+  TriangleMesh mesh = make_sheet(100, 1, 0.1);
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    const Vec3d middle = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
+    return (middle - Vec3d(0.5, 0.5, 0)).head<2>().norm() < radius;
+  });
+  return mesh;
+}
+
+/// Counts the held cells away from the border of the sheet.
+int64_t held_inside(const PreparedMesh& prepared) {
+  return std::ranges::count_if(rim_cells(prepared), [&](int32_t cell) {
+    const Vec3d at = prepared.frame.to_file(morton_point(prepared.cells[cell]).cast<double>());
+    return (at - Vec3d(0.5, 0.5, 0)).head<2>().cwiseAbs().maxCoeff() < 0.4;
+  });
+}
+
 TEST(Rims, HoldTheCellOfEachVertexOnTheBorderAndNoneInside) {
   const TriangleMesh mesh = make_sheet(40, 1, 0.1);
   const auto prepared = prepared_with_rims(mesh);
@@ -61,9 +81,48 @@ TEST(Rims, AClosedScanHasNone) {
   EXPECT_TRUE(rim_cells(*prepared_with_rims(make_icosphere(3, 1))).empty());
 }
 
+TEST(Rims, ALargeHoleIsHeldAndASmallOneIsNot) {
+  EXPECT_GT(held_inside(*prepared_with_rims(make_holed_sheet(0.2))), 20);
+  EXPECT_EQ(held_inside(*prepared_with_rims(make_holed_sheet(0.03))), 0);
+}
+
+TEST(Rims, TheLeastLengthIsSixteenCellsOfACoarseGridAndAPartOfTheBoxOfAFineOne) {
+  const auto held_at = [](int depth, double radius) {
+    PrepareOptions options;
+    options.depth = depth;
+    return held_inside(**prepare(make_holed_sheet(radius), options));
+  };
+  EXPECT_EQ(held_at(4, 0.1), 0);  // about 0.8 long; a cell is larger than 0.05
+  EXPECT_GT(held_at(7, 0.1), 0);
+  EXPECT_EQ(held_at(9, 0.005), 0);  // 0.08 at most: 16 cells are less, a twentieth is not
+}
+
 TEST(Rims, SeamsBetweenTrianglesWithTheirOwnVerticesDoNotCount) {
   const TriangleMesh sheet = make_sheet(12, 1, 0.1);
   EXPECT_EQ(rim_cells(*prepared_with_rims(as_soup(sheet))), rim_cells(*prepared_with_rims(sheet)));
+}
+
+TEST(EdgeCensus, ZeroAndMinusZeroAreOnePlace) {
+  TriangleMesh soup = as_soup(make_sheet(12, 1, 0.1));
+  for (size_t v = 0; v < soup.vertices.size(); v += 2)
+    for (double& value : soup.vertices[v])
+      if (value == 0) value = -0.0;
+  const EdgeCensus census = take_edge_census(soup.vertices, soup.triangles);
+  const TriangleMesh sheet = make_sheet(12, 1, 0.1);
+  EXPECT_EQ(census.rims.size(), take_edge_census(sheet.vertices, sheet.triangles).rims.size());
+}
+
+TEST(EdgeCensus, NamesTheLeastVertexOfEachPlaceAndTheWayOfEachRim) {
+  const std::vector<Vec3d> vertices = {{5, 5, 5}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                       {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  const std::vector<Triangle> triangles = {{1, 2, 3}, {4, 6, 5}};
+  const EdgeCensus census = take_edge_census(vertices, triangles);
+  EXPECT_EQ(census.place, (std::vector<uint32_t>{0, 1, 2, 3, 2, 3, 6}));
+  std::vector<std::pair<uint32_t, uint32_t>> rims;
+  for (const RimEdge& edge : census.rims) rims.emplace_back(edge.from, edge.to);
+  EXPECT_THAT(rims, testing::ElementsAre(std::pair(1u, 2u), std::pair(3u, 1u), std::pair(2u, 6u),
+                                         std::pair(6u, 3u)));
+  EXPECT_FALSE(census.is_closed);
 }
 
 TEST(Rims, ARimThatLiesOnAnotherPieceDoesNotCount) {

@@ -1,0 +1,89 @@
+// The part of App that does what keys and menus ask for.
+
+#include <chrono>
+#include <ctime>
+
+#include "client/app/app.h"
+#include "client/model/document_actions.h"
+#include "client/scene/png_writer.h"
+
+namespace burnish {
+
+static std::string picture_name() {
+  char name[64];
+  const time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::strftime(name, sizeof name, "burnish-%F-%H%M%S.png", &local);
+  return name;
+}
+
+void App::handle_key(const std::string& key) {
+  const auto action = bindings_.action_of(key);
+  if (leave_step_ == Leaving::Step::kAsk || leave_step_ == Leaving::Step::kWait) {
+    if (action == Action::kCancel) leaving_.stay();
+    return;
+  }
+  const bool is_asked = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  if (action && !is_asked) do_action(*action);
+}
+
+void App::do_action(Action action) {
+  if (action == Action::kOpen) return ask_for_scan();
+  if (action == Action::kHelp) shows_help_ = !shows_help_;
+  if (action == Action::kLog) shows_log_ = !shows_log_;
+  if (action == Action::kCancel) {
+    const bool was_busy =
+        workspace_->document() && workspace_->viewport.cancel(*workspace_->document());
+    if (!was_busy) shows_help_ = shows_log_ = false;
+  }
+  if (workspace_->raw() && action == Action::kFrameAll) workspace_->viewport.go_home();
+  if (!workspace_->document()) return;
+  if (action == Action::kExport) export_dialog_.open();
+  if (action == Action::kScreenshot) return take_screenshot(picture_name());
+  do_document_action(action, *workspace_);
+}
+
+void App::ask_for_scan() {
+  file_dialog_.ask({.title = "Open a scan",
+                    .extensions = {".ply", ".obj", ".stl", ".off", ".glb", ".gltf", ".zip"}},
+                   workspace_->preferences,
+                   [this](const std::filesystem::path& file) { open_files({file}); });
+}
+
+// Opens the first file instead of the open session. The others are imported only.
+void App::open_files(const std::vector<std::filesystem::path>& files) {
+  for (const auto& file : files) {
+    const bool replaces = workspace_->document() && open_next_.empty() && &file == &files.front();
+    if (!replaces) {
+      workspace_->import_scan(file);
+      continue;
+    }
+    open_next_ = file;
+    leaving_.begin(Leaving::What::kSession, std::chrono::steady_clock::now());
+  }
+}
+
+void App::ask_for_picture() {
+  file_dialog_.ask({.purpose = FileQuestion::Purpose::kSave,
+                    .title = "Save a picture",
+                    .extensions = {".png"},
+                    .start = picture_name()},
+                   workspace_->preferences,
+                   [this](const std::filesystem::path& file) { take_screenshot(file); });
+}
+
+void App::take_screenshot(const std::filesystem::path& file) {
+  workspace_->recorder.record("wait");
+  workspace_->recorder.record(workspace_->viewport.camera);
+  for (const std::string& line : script_lines(workspace_->viewport.options.lighting))
+    workspace_->recorder.record(line);
+  workspace_->recorder.record("screenshot " + file.string());
+  const auto image = renderer_->read_pixels();
+  const Status written = image.is_ok() ? write_png(*image, file) : image.status();
+  if (!written.is_ok()) return workspace_->log.failure("screenshot", written);
+  std::error_code ignored;
+  workspace_->log.info("saved " + std::filesystem::absolute(file, ignored).string());
+}
+
+}  // namespace burnish

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "tests/system/sheet.h"
+
+namespace burnish {
+
+/// Where the widgets of a window are: reads what `burnish window --places FILE` writes.
+class Places {
+ public:
+  explicit Places(std::filesystem::path file) : file_(std::move(file)) {}
+
+  /// Returns the widget's place on the screen; nothing if it is not there now. Names: "Menu/File",
+  /// "Filter/Presets", "Brush/Radius as a number".
+  std::optional<Box> find(const std::string& name) const;
+
+  /// Waits until the widget is there and rests. Needs: it comes within kPatience.
+  Box wait_for(const std::string& name) const;
+
+ private:
+  std::filesystem::path file_;
+};
+
+}  // namespace burnish
