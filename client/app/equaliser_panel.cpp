@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "client/app/panels.h"
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/value_slider.h"
 #include "client/tools/band_choice.h"
@@ -80,13 +81,13 @@ void draw_bands(Document& document, bool shows_sizes, MessageLog& log) {
 
 void draw_buttons(Document& document) {
   const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-  if (ImGui::Button("All gains 1", {half, 0})) {
+  if (noted("All gains 1", ImGui::Button("All gains 1", {half, 0}))) {
     Equaliser level = document.equaliser();
     for (Band& band : level.bands) band.gain = 1;
     document.set_equaliser(level);
   }
   ImGui::SameLine();
-  if (ImGui::Button("Remove bands", {half, 0})) document.set_equaliser({});
+  if (noted("Remove bands", ImGui::Button("Remove bands", {half, 0}))) document.set_equaliser({});
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ void EqualiserPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
   ImGui::BeginDisabled(document.is_viewer());
   if (document.equaliser().bands.empty()) {
-    if (ImGui::Button("Make bands", {-1, 0}))
+    if (noted("Make bands", ImGui::Button("Make bands", {-1, 0})))
       document.set_equaliser(first_bands(document.cell_size(), document.diagonal()));
     hint("Splits the surface's detail by size. Each band gets a gain, and a brush can paint it.");
   } else {

@@ -94,19 +94,24 @@ static void draw_beta(Document& document, MessageLog& log) {
   if (change == SliderChange::kDone) document.commit_beta();
 }
 
+// The fidelity α as a length, which a user can measure on the scan.
 static void draw_fidelity(Document& document, MessageLog& log) {
-  ImGui::TextUnformatted("Fidelity α");
+  ImGui::TextUnformatted("Wavelength");
   ImGui::SameLine();
-  const double unit = document.length_unit();
-  double alpha = document.curve().fidelity();
-  faint_text("waves of %.3g change by half", wavelength_of_alpha(unit, alpha));
+  CurveEditor& curve = document.curve();
+  faint_text("fidelity α %.3g", curve.fidelity());
   hint(
-      "In the scan's units. Shorter waves on the surface are smoothed or sharpened more; longer "
-      "waves stay. The slider ends at two cells of the grid.");
-  const SliderChange change =
-      log_slider({{"Fidelity α", kFidelityMin, document.curve().alpha_max()}, "%.3g", log}, alpha);
+      "In the scan's units. Waves of this length on the surface change by half, shorter ones more; "
+      "longer waves stay. The slider begins at two cells of the grid.");
+  const auto wavelength_of = [unit = document.length_unit()](double alpha) {
+    return wavelength_of_alpha(unit, alpha);
+  };
+  double wavelength = wavelength_of(curve.fidelity());
+  const TypedValue limits{"Wavelength", wavelength_of(curve.alpha_max()),
+                          wavelength_of(kFidelityMin)};
+  const SliderChange change = log_slider({limits, "%.3g", log}, wavelength);
   if (change != SliderChange::kStill) {
-    document.curve().set_fidelity(alpha);
+    curve.set_fidelity(alpha_of_wavelength(document.length_unit(), wavelength));
     document.preview_curve();
   }
   if (change == SliderChange::kDone) document.commit_curve();

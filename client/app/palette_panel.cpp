@@ -2,6 +2,7 @@
 #include <imgui_stdlib.h>
 
 #include "client/app/panels.h"
+#include "client/app/places.h"
 #include "client/app/theme.h"
 
 namespace burnish {
@@ -38,8 +39,8 @@ bool draw_curve_row(Document& document, Palette& palette, size_t index) {
   Brush& brush = document.brush().brush;
   const float end = em(7.5f);
   const bool is_painted = brush.curve == number;
-  if (ImGui::Selectable(curve.name.c_str(), is_painted, 0,
-                        {ImGui::GetContentRegionAvail().x - end, 0})) {
+  if (noted(curve.name, ImGui::Selectable(curve.name.c_str(), is_painted, 0,
+                                          {ImGui::GetContentRegionAvail().x - end, 0}))) {
     brush.curve = is_painted ? 0 : number;
     brush.band = 0;
   }
@@ -75,9 +76,10 @@ void PalettePanel::draw(Workspace& workspace) {
   if (palette.curves.size() < kPaletteCurvesMax) {
     ImGui::SetNextItemWidth(-em(4));
     ImGui::InputTextWithHint("##name", "name for this curve", &name_);
+    note_place("Name");
     ImGui::SameLine();
     ImGui::BeginDisabled(name_.empty());
-    if (ImGui::Button("Add", {-1, 0})) {
+    if (noted("Add", ImGui::Button("Add", {-1, 0}))) {
       palette.curves.push_back(
           {name_, kColours[palette.curves.size() % std::size(kColours)], document.curve().curve()});
       const Status status = check_palette(palette);
