@@ -68,7 +68,9 @@ void BrushPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
   Brush& brush = document.brush().brush;
   ImGui::BeginDisabled(document.is_viewer());
+  ImGui::BeginDisabled(brush.curve > 0);
   draw_mode_buttons(brush);
+  ImGui::EndDisabled();
   draw_painted_value(document, workspace.log);
   ImGui::TextUnformatted("Radius");
   ImGui::SameLine();

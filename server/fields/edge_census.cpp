@@ -118,11 +118,11 @@ EdgeCensus take_edge_census(std::span<const Vec3d> vertices, std::span<const Tri
   return census;
 }
 
-uint64_t edge_census_bytes(uint64_t vertices, uint64_t triangles) {
+uint64_t edge_census_bytes(uint64_t vertices, uint64_t triangles, uint64_t rims) {
   constexpr uint64_t kGrowth = 2;  // the rims grow by themselves
   const uint64_t edges = 3 * triangles;
-  return vertices * (sizeof(uint32_t) + 2 * sizeof(uint64_t)) +
-         edges * (sizeof(uint32_t) + kGrowth * sizeof(RimEdge));
+  return vertices * (sizeof(uint32_t) + 2 * sizeof(uint64_t)) + edges * sizeof(uint32_t) +
+         rims * kGrowth * sizeof(RimEdge);
 }
 
 }  // namespace burnish

@@ -25,7 +25,8 @@ struct EdgeCensus {
 /// Needs: at most kVerticesMax vertices.
 EdgeCensus take_edge_census(std::span<const Vec3d> vertices, std::span<const Triangle> triangles);
 
-/// Returns the bytes that a census takes at its peak, with its result.
-uint64_t edge_census_bytes(uint64_t vertices, uint64_t triangles);
+/// Returns the bytes that a census takes at its peak, with its result. `rims`: no fewer than it
+/// finds, such as the edges of one triangle.
+uint64_t edge_census_bytes(uint64_t vertices, uint64_t triangles, uint64_t rims);
 
 }  // namespace burnish

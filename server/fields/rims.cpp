@@ -132,9 +132,9 @@ std::vector<int32_t> rim_cells(const PreparedMesh& prepared) {
   return cells;
 }
 
-uint64_t rim_cells_bytes(uint64_t vertices, uint64_t triangles, uint64_t cells) {
+uint64_t rim_cells_bytes(uint64_t vertices, uint64_t triangles, uint64_t cells, uint64_t rims) {
   constexpr uint64_t kPerVertex = 2 * sizeof(int32_t) + sizeof(double) + 1;  // pieces, rims, sums
-  return edge_census_bytes(vertices, triangles) + vertices * kPerVertex +
+  return edge_census_bytes(vertices, triangles, rims) + vertices * kPerVertex +
          cells * 2 * sizeof(int32_t);
 }
 

@@ -16,8 +16,9 @@ inline constexpr double kHeldRimDiagonalsMin = 0.05;  // of the scan's box
 /// surface ends. A rim beside another piece of the surface does not count: raw scans overlap there.
 std::vector<int32_t> rim_cells(const PreparedMesh& prepared);
 
-/// Returns the bytes that rim_cells() takes at its peak. Accuracy: no less than it takes.
-uint64_t rim_cells_bytes(uint64_t vertices, uint64_t triangles, uint64_t cells);
+/// Returns the bytes that rim_cells() takes at its peak. `rims`: no fewer edges than it finds.
+/// Accuracy: no less than it takes.
+uint64_t rim_cells_bytes(uint64_t vertices, uint64_t triangles, uint64_t cells, uint64_t rims);
 
 /// Returns whether the surface encloses a volume: it has no rim, and its triangles agree on the
 /// outside.

@@ -22,7 +22,8 @@ uint64_t predict_session_bytes(const Multigrid& on) {
   const HierarchyDepth& finest = hierarchy.at(hierarchy.finest);
   bytes += finest.grid.corners.size() * kShownBytesPerCorner;
   const PreparedMesh& scan = *on.prepared;
-  bytes += rim_cells_bytes(scan.vertices.size(), scan.triangles.size(), scan.cells.size());
+  bytes += rim_cells_bytes(scan.vertices.size(), scan.triangles.size(), scan.cells.size(),
+                           scan.statistics.boundary_edges);
   return bytes + finest.grid.cells.size() * kSessionBytesPerCell +
          on.plan->patches.entry_count() * sizeof(float);
 }

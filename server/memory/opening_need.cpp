@@ -26,7 +26,7 @@ uint64_t predict_opened_bytes(const PreparationNeed& need) {
   const PreparationCounts& counts = need.counts;
   return mesh_bytes(need.file_bytes, counts.cells, counts.vertices) +
          counts.cells * kSessionBytesPerCellMin +
-         rim_cells_bytes(counts.vertices, counts.triangles, counts.cells);
+         rim_cells_bytes(counts.vertices, counts.triangles, counts.cells, 0);
 }
 
 }  // namespace burnish

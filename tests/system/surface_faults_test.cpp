@@ -37,7 +37,8 @@ class SurfaceFaults : public testing::Test {
 
   void open() {
     Connection owner = Connection::open(server_.address, kPatience).value();
-    ASSERT_TRUE(owner.open_session({"ball", "work", {5, 0}}).is_ok());
+    const auto opened = owner.open_session({"ball", "work", {5, 0}});
+    ASSERT_TRUE(opened.is_ok()) << opened.status().message();
     link_ = std::make_unique<Link>(server_.address, LinkOptions{.delay = milliseconds(5)});
     workspace_.viewport.set_size({1280, 720});
     workspace_.when_connected([this] { workspace_.join_by_name("work"); });
@@ -87,7 +88,7 @@ class SurfaceFaults : public testing::Test {
 };
 
 TEST_F(SurfaceFaults, AServerWithoutMemoryForAllPagesIsAskedForFewer) {
-  limit("[limits]\nmemory_bytes_max = 40000000\n");
+  limit("[limits]\nmemory_bytes_max = 52000000\n");
   open();
   ASSERT_TRUE(shows_surface_until([this] {
     return document().is_settled() && document().is_picture_settled() &&
