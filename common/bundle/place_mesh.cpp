@@ -11,6 +11,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Programs read hidden files without being asked, so somebody else's archive places none.
+bool is_hidden(const std::string& name) {
+  return name.starts_with('.') || name.find("/.") != std::string::npos;
+}
+
 /// The entries below the mesh's folder keep their places relative to it. Others have none.
 std::vector<FileToPlace> files_around(const Archive& archive, const ArchivedMesh& mesh,
                                       std::vector<std::string>& left_out) {
@@ -19,7 +24,7 @@ std::vector<FileToPlace> files_around(const Archive& archive, const ArchivedMesh
   std::vector<FileToPlace> around;
   for (const ArchiveEntry& entry : archive.entries()) {
     if (entry.is_folder() || entry.name == mesh.path) continue;
-    if (entry.name.starts_with(folder)) {
+    if (entry.name.starts_with(folder) && !is_hidden(entry.name)) {
       around.push_back({entry.name, entry.name.substr(folder.size())});
     } else {
       left_out.push_back(entry.name);
@@ -58,11 +63,18 @@ Result<PlacedMesh> place_mesh(const Archive& archive, const ArchivedMesh& mesh,
 
 Result<PlacedMesh> place_archive(const Archive& archive, const ArchivedMesh& mesh,
                                  const fs::path& folder, bool replaces) {
+  PlacedMesh placed{folder / mesh.path, {}};
   std::vector<FileToPlace> files;
-  for (const ArchiveEntry& entry : archive.entries())
-    if (!entry.is_folder()) files.push_back({entry.name, entry.name});
+  for (const ArchiveEntry& entry : archive.entries()) {
+    if (entry.is_folder()) continue;
+    if (is_hidden(entry.name) && entry.name != mesh.path) {
+      placed.left_out.push_back(entry.name);
+    } else {
+      files.push_back({entry.name, entry.name});
+    }
+  }
   RETURN_IF_ERROR(place_files(ArchiveFiles(archive), files, folder, replaces));
-  return PlacedMesh{folder / mesh.path, {}};
+  return placed;
 }
 
 Status place_files_of(const fs::path& mesh, const fs::path& copy, bool replaces) {

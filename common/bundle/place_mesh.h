@@ -13,7 +13,7 @@ namespace burnish {
 /// What was written of an archive.
 struct PlacedMesh {
   std::filesystem::path mesh;
-  std::vector<std::string> left_out;  ///< entries outside the mesh's folder, which have no place
+  std::vector<std::string> left_out;  ///< hidden entries, and those outside the mesh's folder
 };
 
 /// Writes the mesh of an archive to `file`, and the entries of its folder and below beside it,
@@ -22,7 +22,8 @@ struct PlacedMesh {
 Result<PlacedMesh> place_mesh(const Archive& archive, const ArchivedMesh& mesh,
                               const std::filesystem::path& file, bool replaces);
 
-/// Writes all entries of an archive into a folder, and makes it. Fails: as place_files().
+/// Writes all entries of an archive but hidden ones into a folder, and makes it. Fails: as
+/// place_files().
 Result<PlacedMesh> place_archive(const Archive& archive, const ArchivedMesh& mesh,
                                  const std::filesystem::path& folder, bool replaces);
 

@@ -42,6 +42,20 @@ TEST_F(PlacedArchive, AFolderTakesTheWholeArchive) {
   EXPECT_EQ(content_of(folder_ / "new/readme.txt"), "hello");
 }
 
+TEST(HiddenEntries, StayInTheArchive) {
+  const std::vector<uint8_t> bytes =
+      packed({{"scan.obj", kBundledObj}, {".profile", "echo"}, {"maps/.git/hook", "echo"}});
+  const Archive archive = std::move(Archive::open(bytes, "a.zip")).value();
+  const ArchivedMesh mesh = find_mesh(archive).value();
+  const TemporaryFolder folder;
+  const auto placed = place_archive(archive, mesh, folder / "new", false);
+  ASSERT_TRUE(placed.is_ok()) << placed.status().message();
+  EXPECT_THAT(placed->left_out, ElementsAre(".profile", "maps/.git/hook"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "new/.profile"));
+  EXPECT_THAT(place_mesh(archive, mesh, folder / "out.obj", false)->left_out,
+              ElementsAre(".profile", "maps/.git/hook"));
+}
+
 TEST_F(PlacedArchive, AFileWithOtherContentStopsAll) {
   folder_.write("scan.mtl", "mine");
   const Status status = place_mesh(archive_, mesh_, folder_ / "out.obj", false).status();
