@@ -5,8 +5,8 @@
 
 namespace burnish {
 
-/// Where widgets are on the screen. Tests and the pictures of the documents use the real window by
-/// them. Nothing is noted until somebody asks. Used from the window's thread.
+/// The places of widgets on the screen. Tests and the pictures of the documents use the real window
+/// by them. Nothing is noted until somebody asks. Used from the window's thread.
 
 /// Asks for the places in a file, with a line "X Y WIDTH HEIGHT NAME" for each, in pixels.
 void follow_places(std::filesystem::path file);

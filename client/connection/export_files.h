@@ -7,9 +7,9 @@
 
 namespace burnish {
 
-/// Where an export goes: a file, whose extension says the format, or a folder. A scan that came as
-/// an archive goes into a folder as it came; its mesh in its own format takes the files beside it
-/// along. Any other scan goes into a folder as one file of its name.
+/// The target of an export: a file, whose extension says the format, or a folder. A scan that came
+/// as an archive goes into a folder as it came; its mesh in its own format takes the files beside
+/// it along. Any other scan goes into a folder as one file of its name.
 struct ExportTarget {
   std::filesystem::path path;
   bool is_folder = false;

@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// What was written of an archive.
+/// The files that were written of an archive.
 struct PlacedMesh {
   std::filesystem::path mesh;
   std::vector<std::string> left_out;  ///< hidden entries, and those outside the mesh's folder

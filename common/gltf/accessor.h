@@ -35,7 +35,7 @@ struct GltfElement {
   bool operator==(const GltfElement&) const = default;
 };
 
-/// Where an accessor's elements lie unpacked in a buffer, so that they can be replaced there.
+/// The place of an accessor's unpacked elements in a buffer, so that they can be replaced there.
 struct GltfRange {
   uint64_t buffer = 0;
   uint64_t offset = 0;

@@ -10,8 +10,8 @@
 
 namespace burnish {
 
-/// What the edits of a session take beside predict_session_bytes(): bands, and paint of other kinds
-/// than β. Edits that are off count too, because undo can bring them back.
+/// Memory that the edits of a session take beside predict_session_bytes(): bands, and paint of
+/// other kinds than β. Edits that are off count too, because undo can bring them back.
 class LayerNeed {
  public:
   void add(std::span<const AuthoredEdit> edits);

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// Where the widgets of a window are: reads what `burnish window --places FILE` writes.
+/// The places of a window's widgets, as `burnish window --places FILE` writes them.
 class Places {
  public:
   explicit Places(std::filesystem::path file) : file_(std::move(file)) {}
