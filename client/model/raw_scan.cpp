@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-// Of memory. That is a file of 1 GB, and less if it is packed.
+// Memory that reading may take: that of a file of 1 GB, and of a smaller one if it is packed.
 static constexpr uint64_t kRawReadingBytesMax = 12'000'000'000;
 
 bool can_be_raw(const std::filesystem::path& file) {

@@ -25,7 +25,7 @@ class ScanBundle {
   /// The mesh file.
   const std::filesystem::path& mesh() const { return mesh_; }
 
-  /// Of bytes().
+  /// Returns the format of bytes().
   MeshFormat format() const { return format_; }
   std::span<const uint8_t> bytes() const {
     return file_ ? file_->bytes() : std::span<const uint8_t>(packed_);
