@@ -91,6 +91,7 @@ class App {
   CurvePanel curve_panel_;
   BrushPanel brush_panel_;
   EqualiserPanel equaliser_panel_;
+  ColourPanel colour_panel_;
   PalettePanel palette_panel_;
   HistoryPanel history_panel_;
   ViewPanel view_panel_;

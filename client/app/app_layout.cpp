@@ -99,6 +99,8 @@ void App::draw_columns(float top, float left, float right) {
   draw_section("Limits", protect_panel_, *workspace_);
   draw_section("Equaliser", equaliser_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   draw_section("Palette", palette_panel_, *workspace_, ImGuiTreeNodeFlags_None);
+  if (workspace_->document()->has_colours())
+    draw_section("Colours", colour_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   if (right > 0) {
     ImGui::End();
     begin_column("##right", ImGui::GetIO().DisplaySize.x - right, top, right);

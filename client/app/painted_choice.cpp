@@ -25,7 +25,7 @@ void forget_missing(const Document& document, Brush& brush) {
 std::string painted_label(const Document& document, const Brush& brush) {
   if (brush.band > 0) return band_label(document, brush.band);
   if (brush.curve > 0) return curve_label(document, brush.curve);
-  return "Gradient scale β";
+  return brush.colour ? "Gradient scale of colours" : "Gradient scale β";
 }
 
 }  // namespace
@@ -38,12 +38,15 @@ void draw_painted_choice(Document& document) {
   ImGui::SameLine(em(6));
   ImGui::SetNextItemWidth(-1);
   if (!ImGui::BeginCombo("##paints", painted_label(document, brush).c_str())) return;
-  const auto choose = [&](const std::string& label, int band, int curve) {
-    if (!ImGui::Selectable(label.c_str(), brush.band == band && brush.curve == curve)) return;
+  const auto choose = [&](const std::string& label, int band, int curve, bool colour = false) {
+    const bool is_chosen = brush.band == band && brush.curve == curve && brush.colour == colour;
+    if (!ImGui::Selectable(label.c_str(), is_chosen)) return;
     brush.band = band;
     brush.curve = curve;
+    brush.colour = colour;
   };
   choose("Gradient scale β", 0, 0);
+  if (document.has_colours()) choose("Gradient scale of colours", 0, 0, true);
   for (int band = 1; band <= static_cast<int>(document.equaliser().bands.size()); ++band)
     choose(band_label(document, band), band, 0);
   for (int curve = 1; curve <= static_cast<int>(document.palette().curves.size()); ++curve)

@@ -43,6 +43,7 @@ bool draw_curve_row(Document& document, Palette& palette, size_t index) {
                                           {ImGui::GetContentRegionAvail().x - end, 0}))) {
     brush.curve = is_painted ? 0 : number;
     brush.band = 0;
+    brush.colour = false;
   }
   hint("The brush paints where this curve rules");
   ImGui::SameLine();

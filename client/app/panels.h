@@ -70,6 +70,12 @@ class PalettePanel : public Panel {
   std::string name_;  // of the next curve
 };
 
+/// The filter of the scan's colours.
+class ColourPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
 /// The airbrush.
 class BrushPanel : public Panel {
  public:

@@ -45,6 +45,14 @@ static void add_layer_options(CLI::App& command, FilterChoice& choice) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_option("--palette", choice.palette_file,
                      "File of curves for strokes to paint: 'CURVE RRGGBB NAME' lines");
+  command
+      .add_option("--colour-beta", choice.colour_beta,
+                  "Gradient scale of the scan's colours: < 1 smooths, 1 keeps, > 1 sharpens")
+      ->check(CLI::Range(kBetaMin, kBetaMax));
+  command
+      .add_option("--colour-alpha", choice.colour_alpha,
+                  "Fidelity weight of the scan's colours (default 50)")
+      ->check(CLI::Range(kAlphaMin, kAlphaMax));
 }
 
 void add_filter_options(CLI::App& command, FilterChoice& choice) {
@@ -75,6 +83,9 @@ static Status add_layers(const FilterChoice& choice, Changes& changes) {
     RETURN_IF_ERROR(check_equaliser(choice.equaliser).with_context("--band"));
     changes.emplace_back(SetEqualiser{choice.equaliser});
   }
+  if (choice.colour_beta || choice.colour_alpha)
+    changes.emplace_back(
+        SetColour{{choice.colour_alpha.value_or(kAlphaDefault), choice.colour_beta.value_or(1)}});
   return Status::ok();
 }
 

@@ -18,18 +18,19 @@ struct FilterChoice {
   double strength = 1;
   Equaliser equaliser;
   std::string palette_file;
+  std::optional<double> colour_beta, colour_alpha;
 
   /// Returns whether the edits depend on the scan.
   bool needs_scan() const { return wavelength || !preset.empty(); }
 };
 
-/// Adds --alpha, --wavelength, --curve, --beta, --preset, --strength, --band and --palette to a
-/// command or a group of its options.
+/// Adds --alpha, --wavelength, --curve, --beta, --preset, --strength, --band, --palette,
+/// --colour-beta and --colour-alpha to a command or a group of its options.
 void add_filter_options(CLI::App& command, FilterChoice& choice);
 
-/// Returns the edits that the choice stands for: curve, β, palette, equaliser; none for what is not
-/// given. Units: both lengths in file units. Fails: not_found for an unknown preset; as the file of
-/// the palette cannot be read.
+/// Returns the edits that the choice stands for: curve, β, palette, equaliser, colours; none for
+/// what is not given. Units: both lengths in file units. Fails: not_found for an unknown preset; as
+/// the file of the palette cannot be read.
 Result<std::vector<decltype(Edit::change)>> changes_of(const FilterChoice& choice,
                                                        double length_unit, double cell_size);
 

@@ -96,6 +96,7 @@ Json to_json(const SessionState& state) {
                       {"keep_volume", state.controls.keep_volume}};
   json["bands"] = to_json(state.equaliser);
   json["palette"] = to_json(state.palette);
+  json["colours"] = {{"beta", state.colour.beta}, {"alpha", state.colour.alpha}};
   json["memory_bytes"] = state.memory_bytes;
   json["backend"] = state.backend;
   if (state.cycles > 0) {

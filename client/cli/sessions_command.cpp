@@ -50,6 +50,7 @@ Status show(Connection& connection, const std::string& name, bool json) {
   std::printf("%-14s %s\n", "controls", text_of(state.controls).c_str());
   std::printf("%-14s %s\n", "equaliser", text_of(state.equaliser).c_str());
   std::printf("%-14s %s\n", "palette", text_of(state.palette).c_str());
+  std::printf("%-14s %s\n", "colours", text_of(state.colour).c_str());
   std::printf("%-14s %s, %llu bytes\n", "solver", state.backend.c_str(),
               static_cast<unsigned long long>(state.memory_bytes));
   if (state.cycles > 0)

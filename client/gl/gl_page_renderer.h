@@ -31,6 +31,9 @@ class GlPageRenderer : public PageRenderer {
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks) override {
     return arena_.mark_page(slot, marks);
   }
+  Status colour_page(uint32_t slot, std::span<const Rgba8> colours) override {
+    return arena_.colour_page(slot, colours);
+  }
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
               std::span<const PatchRange> patches) override;
   Result<Image> read_pixels() override { return target_.read(); }

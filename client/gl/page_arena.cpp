@@ -58,6 +58,12 @@ Status PageArena::mark_page(uint32_t slot, std::span<const VertexMark> marks) {
   return check_gl("marks of a page");
 }
 
+Status PageArena::colour_page(uint32_t slot, std::span<const Rgba8> colours) {
+  check_vertices(slot, colours.size());
+  streams_.write_colours(slot, colours);
+  return check_gl("colours of a page");
+}
+
 void PageArena::check_patch(const PatchRange& patch) const {
   BURNISH_CHECK(patch.slot < slots_.size(), "slots are reserved");
   BURNISH_CHECK(size_t{patch.first} + patch.count <= slots_[patch.slot].triangles,

@@ -27,6 +27,7 @@ class PageArena {
   Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
                    std::span<const Vec3f> normals, std::span<const float> ridges);
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks);
+  Status colour_page(uint32_t slot, std::span<const Rgba8> colours);
 
   /// Chooses the patches that draw() draws. Needs: ranges inside the pages of their slots.
   void choose(std::span<const PatchRange> patches);

@@ -12,6 +12,7 @@ layout(location = 3) in vec3 displacement;  // cells
 layout(location = 4) in int displaced_shade;
 layout(location = 5) in float marked_value;  // -127 to 127
 layout(location = 6) in float marked_tint;   // 0 to 1
+layout(location = 7) in vec4 displaced_colour;
 uniform mat4 model_view;
 uniform mat4 projection;
 uniform float cell_size;  // 0: nothing moves
@@ -44,7 +45,7 @@ void main() {
   value = marked_value / 127.0;
   tint = marked_tint;
   moved = still ? 0.0 : dot(displacement, normal_of(shade));
-  scan_colour = colour.rgb;
+  scan_colour = still ? colour.rgb : displaced_colour.rgb;
   gl_Position = projection * seen;
 }
 )";

@@ -26,6 +26,7 @@ Result<PageStreams> PageStreams::create(uint32_t slots) {
   ASSIGN_OR_RETURN(made.still_, ArenaBuffer::create(vertex_bytes<StillVertex>(slots), what));
   ASSIGN_OR_RETURN(made.moving_, ArenaBuffer::create(vertex_bytes<MovingVertex>(slots), what));
   ASSIGN_OR_RETURN(made.marked_, ArenaBuffer::create(vertex_bytes<MarkedVertex>(slots), what));
+  ASSIGN_OR_RETURN(made.coloured_, ArenaBuffer::create(vertex_bytes<Rgba8>(slots), what));
   ASSIGN_OR_RETURN(made.triangles_, ArenaBuffer::create(index_bytes(slots), what));
   return made;
 }
@@ -34,6 +35,7 @@ void PageStreams::copy_from(const PageStreams& other, uint32_t slots) const {
   still_.copy_from(other.still_, vertex_bytes<StillVertex>(slots));
   moving_.copy_from(other.moving_, vertex_bytes<MovingVertex>(slots));
   marked_.copy_from(other.marked_, vertex_bytes<MarkedVertex>(slots));
+  coloured_.copy_from(other.coloured_, vertex_bytes<Rgba8>(slots));
   triangles_.copy_from(other.triangles_, index_bytes(slots));
 }
 
@@ -48,6 +50,7 @@ void PageStreams::write_page(uint32_t slot, const PageMesh& mesh) const {
   write(still_, slot, still);
   write(moving_, slot, moving);
   write_marks(slot, std::vector<VertexMark>(still.size()));
+  write(coloured_, slot, mesh.colours);
   triangles_.write(index_bytes(slot), std::as_bytes(std::span(mesh.triangles)));
 }
 
@@ -63,6 +66,10 @@ void PageStreams::write_marks(uint32_t slot, std::span<const VertexMark> marks) 
   std::vector<MarkedVertex> marked(marks.size());
   for (size_t v = 0; v < marked.size(); ++v) marked[v] = {marks[v]};
   write(marked_, slot, marked);
+}
+
+void PageStreams::write_colours(uint32_t slot, std::span<const Rgba8> colours) const {
+  coloured_.write(vertex_bytes<Rgba8>(slot), std::as_bytes(colours));
 }
 
 template <typename Vertex>
@@ -90,6 +97,8 @@ void PageStreams::bind() const {
   marked_.bind(GL_ARRAY_BUFFER);
   bind_attribute<MarkedVertex>(5, 1, GL_BYTE, GL_FALSE, offsetof(VertexMark, value));
   bind_attribute<MarkedVertex>(6, 1, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(VertexMark, tint));
+  coloured_.bind(GL_ARRAY_BUFFER);
+  bind_attribute<Rgba8>(7, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
   triangles_.bind(GL_ELEMENT_ARRAY_BUFFER);
 }
 

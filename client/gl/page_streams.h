@@ -8,7 +8,7 @@
 namespace burnish {
 
 /// The numbers of all slots' pages on the graphics card. A slot has room for kPageVerticesMax
-/// vertices and kPageTrianglesMax triangles, which is 104 KB. Needs: a current context for its
+/// vertices and kPageTrianglesMax triangles, which is 112 KB. Needs: a current context for its
 /// whole life; slots inside the room, pages within the limits.
 class PageStreams {
  public:
@@ -23,6 +23,7 @@ class PageStreams {
   void write_moves(uint32_t slot, std::span<const Vec3f> displacements,
                    std::span<const Vec3f> normals, std::span<const float> ridges) const;
   void write_marks(uint32_t slot, std::span<const VertexMark> marks) const;
+  void write_colours(uint32_t slot, std::span<const Rgba8> colours) const;
 
   /// Makes all of it the input of the current vertex array.
   void bind() const;
@@ -35,6 +36,7 @@ class PageStreams {
   ArenaBuffer still_;
   ArenaBuffer moving_;
   ArenaBuffer marked_;
+  ArenaBuffer coloured_;  // the displaced surface
   ArenaBuffer triangles_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-// A vertex of a page on the graphics card: 40 bytes in three streams, since they change at
+// A vertex of a page on the graphics card: 44 bytes in four streams, since they change at
 // different times. Both the displaced and the original surface are drawn from them.
 
 /// A unit normal in two integers of 12 bits, x lowest, and a ridge (vertex_ridges()) times 127 in

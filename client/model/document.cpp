@@ -32,10 +32,12 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
       controls_(opened_.state.controls),
       equaliser_(opened_.state.equaliser),
       palette_(opened_.state.palette),
+      colour_filter_(opened_.state.colour),
       history_(std::move(opened_.history)),
       edits_known_(opened_.session.edits),
       told_{edits_known_,           opened_.state.gradient_scale, opened_.state.transfer_curve,
-            opened_.state.controls, opened_.state.equaliser,      opened_.state.palette},
+            opened_.state.controls, opened_.state.equaliser,      opened_.state.palette,
+            opened_.state.colour},
       measuring_(opened_.connection, opened_.session.id, tasks, log, options.wake) {
   if (has_colours()) colour_ = ColourBy::kScan;
   welcome_.session = opened_.session;
@@ -53,6 +55,7 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
   SurfaceOptions shown{options.budget, options.is_software, options.pages, wake_, options.clock};
   surface_ = std::make_unique<PagedSurface>(std::move(opened_.pages), depth(), *opened_.connection,
                                             *live_, std::move(shown));
+  surface_->show_colours(has_colours());
 }
 
 void Document::send(Change change) {
@@ -123,6 +126,16 @@ void Document::preview_palette(Palette palette) {
 void Document::set_palette(Palette palette) {
   palette_ = std::move(palette);
   commit(SetPalette{palette_});
+}
+
+void Document::preview_colour(const ColourFilter& filter) {
+  colour_filter_ = filter;
+  preview(SetColour{colour_filter_});
+}
+
+void Document::set_colour_filter(const ColourFilter& filter) {
+  colour_filter_ = filter;
+  commit(SetColour{colour_filter_});
 }
 
 PresetFilter Document::filter(const Preset& preset, double strength) const {

@@ -91,6 +91,11 @@ class Document {
   void preview_palette(Palette palette);
   void set_palette(Palette palette);
 
+  /// How the scan's colours are filtered, likewise. Needs: has_colours().
+  const ColourFilter& colour_filter() const { return colour_filter_; }
+  void preview_colour(const ColourFilter& filter);
+  void set_colour_filter(const ColourFilter& filter);
+
   /// Bounds on what all edits do: as the user or the session set them last.
   const Controls& controls() const { return controls_; }
   void set_controls(const Controls& controls);
@@ -190,6 +195,7 @@ class Document {
   Controls controls_;
   Equaliser equaliser_;
   Palette palette_;
+  ColourFilter colour_filter_;
   BrushTool brush_;
   Vec3d last_dab_ = Vec3d::Zero();
   std::string gesture_;  // id of the edit of the running drag or stroke; else empty

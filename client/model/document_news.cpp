@@ -112,6 +112,7 @@ void Document::follow_server() {
   controls_ = told_.controls;
   equaliser_ = told_.equaliser;
   palette_ = told_.palette;
+  colour_filter_ = told_.colour;
   if (!(curve_.curve() == told_.transfer_curve)) curve_.set_curve(told_.transfer_curve);
 }
 

@@ -18,6 +18,7 @@ static bool has_values_of(const PageValues& values, size_t vertices) {
 
 void Document::set_colour(ColourBy colour) {
   if (std::exchange(colour_, colour) == colour) return;
+  surface_->show_colours(colour_ == ColourBy::kScan);
   surface_->marks().clear_values();
   forget_values();
 }

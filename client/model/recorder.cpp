@@ -34,7 +34,7 @@ struct LineOf {
   void operator()(const Stroke& stroke) const {
     line << "stroke " << stroke.brush.radius << ' ' << stroke.brush.strength << ' '
          << stroke.brush.beta << ' ' << fall_off_name(stroke.brush.fall_off);
-    if (stroke.brush.band > 0 || stroke.brush.curve > 0) line << ' ' << painted_word(stroke.brush);
+    if (painted_word(stroke.brush) != "beta") line << ' ' << painted_word(stroke.brush);
     for (const Vec3d& point : stroke.path)
       line << ' ' << point.x() << ' ' << point.y() << ' ' << point.z();
   }
@@ -50,6 +50,9 @@ struct LineOf {
     for (const Band& band : change.equaliser.bands) line << ' ' << band.size << ':' << band.gain;
   }
   void operator()(const SetPalette& change) const { line << "palette " << to_line(change.palette); }
+  void operator()(const SetColour& change) const {
+    line << "colours " << change.filter.beta << ' ' << change.filter.alpha;
+  }
   void operator()(const Undo&) const { line << "undo"; }
   void operator()(const Redo&) const { line << "redo"; }
   void operator()(const SwitchEntry& change) const {

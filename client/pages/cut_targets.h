@@ -59,7 +59,7 @@ inline float excess_of(const PageBounds& bounds, const PageView& view, const Fra
 }
 
 /// What a page costs on the card: a slot, full or not.
-inline constexpr uint32_t kCardBytesPerVertex = 32;  // position, displacement, normal, colour
+inline constexpr uint32_t kCardBytesPerVertex = 36;  // position, displacement, normal, two colours
 inline constexpr uint32_t kCardBytesPerTriangle = 6;
 inline constexpr uint64_t kSlotBytes =
     kPageVerticesMax * kCardBytesPerVertex + kPageTrianglesMax * kCardBytesPerTriangle;

@@ -44,6 +44,7 @@ static Json method_of(const ProcessingRecord& record) {
           {"controls", text_of(record.state.controls)},
           {"equaliser", text_of(record.state.equaliser)},
           {"palette", to_line(record.state.palette)},
+          {"colours", text_of(record.state.colour)},
           {"backend", record.state.backend},
           {"cycles", record.result.cycles},
           {"converged", record.result.converged},

@@ -102,6 +102,7 @@ std::string method(const ProcessingRecord& record) {
       .add("Controls", text_of(record.state.controls))
       .add("Equaliser", text_of(record.state.equaliser))
       .add("Palette", text_of(record.state.palette))
+      .add("Colours", text_of(record.state.colour))
       .add("Accuracy", number(record.result.distance) + " of the diagonal" +
                            (record.result.converged ? "" : ", not converged"))
       .end();

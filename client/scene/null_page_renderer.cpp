@@ -16,7 +16,7 @@ Status NullPageRenderer::reserve(uint32_t slots) {
 
 Status NullPageRenderer::upload_page(uint32_t slot, const PageMesh& mesh) {
   BURNISH_CHECK(slot < slots_.size(), "slots are reserved");
-  slots_[slot] = {mesh, {}, {}, {}, {}};
+  slots_[slot] = {mesh, {}, {}, {}, {}, mesh.colours};
   return Status::ok();
 }
 
@@ -38,6 +38,11 @@ Status NullPageRenderer::move_page(uint32_t slot, std::span<const Vec3f> displac
 
 Status NullPageRenderer::mark_page(uint32_t slot, std::span<const VertexMark> marks) {
   filled(slot, marks.size()).marks = {marks.begin(), marks.end()};
+  return Status::ok();
+}
+
+Status NullPageRenderer::colour_page(uint32_t slot, std::span<const Rgba8> colours) {
+  filled(slot, colours.size()).colours = {colours.begin(), colours.end()};
   return Status::ok();
 }
 

@@ -16,6 +16,7 @@ class NullPageRenderer : public PageRenderer {
   Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
                    std::span<const Vec3f> normals, std::span<const float> ridges) override;
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks) override;
+  Status colour_page(uint32_t slot, std::span<const Rgba8> colours) override;
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
               std::span<const PatchRange> patches) override;
   Result<Image> read_pixels() override;
@@ -32,6 +33,7 @@ class NullPageRenderer : public PageRenderer {
   std::span<const Vec3f> normals(uint32_t slot) const { return slots_[slot].normals; }
   std::span<const float> ridges(uint32_t slot) const { return slots_[slot].ridges; }
   std::span<const VertexMark> marks(uint32_t slot) const { return slots_[slot].marks; }
+  std::span<const Rgba8> colours(uint32_t slot) const { return slots_[slot].colours; }
 
  private:
   struct Slot {
@@ -40,6 +42,7 @@ class NullPageRenderer : public PageRenderer {
     std::vector<Vec3f> normals;  // displaced
     std::vector<float> ridges;   // displaced
     std::vector<VertexMark> marks;
+    std::vector<Rgba8> colours;  // displaced
   };
   Slot& filled(uint32_t slot, size_t vertices);
 

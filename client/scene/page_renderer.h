@@ -59,6 +59,10 @@ class PageRenderer {
   /// Shapes: one per vertex of the page in the slot.
   virtual Status mark_page(uint32_t slot, std::span<const VertexMark> marks) = 0;
 
+  /// Gives the displaced surface of a page other colours than its original has. Shapes: one per
+  /// vertex of the page in the slot.
+  virtual Status colour_page(uint32_t slot, std::span<const Rgba8> colours) = 0;
+
   /// Draws these patches in front of the background. Needs: ranges inside the pages of their slots.
   /// Fails: invalid_argument (size), resource_exhausted.
   virtual Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,

@@ -28,6 +28,7 @@ constexpr CommandForm kForms[] = {
     {"protect", 1, kAny, "protect WORDS: a region in which nothing moves (burnish protect --help)"},
     {"bands", 0, 6, "bands [SIZE:GAIN]...: gains of details up to these sizes; none removes them"},
     {"palette", 0, kAny, "palette [CURVE RRGGBB NAME [; ...]]: the curves that a brush can paint"},
+    {"colours", 1, 2, "colours BETA [ALPHA]: filters the scan's colours"},
     {"brush", 3, 5, "brush RADIUS STRENGTH BETA [smooth|linear|sharp|constant [WHAT]]: of drag"},
     {"drag", 2, kAny, "drag X Y [X Y]...: paints with the pointer, in pixels of the picture"},
     {"turn", 4, kAny, "turn X Y X Y...: drags the camera in the same way"},

@@ -39,6 +39,19 @@ Result<Equaliser> parse_bands(const std::vector<std::string>& words) {
   return equaliser;
 }
 
+/// Parses BETA [ALPHA]. Fails: failed_precondition without colours.
+Result<ColourFilter> parse_colours(const std::vector<std::string>& words,
+                                   const Document& document) {
+  ColourFilter filter = document.colour_filter();
+  ASSIGN_OR_RETURN(filter.beta, parse_real(words[0]));
+  if (words.size() > 1) {
+    ASSIGN_OR_RETURN(filter.alpha, parse_real(words[1]));
+  }
+  RETURN_IF_ERROR(check_colour_filter(filter));
+  if (!document.has_colours()) return failed_precondition("the scan has no colours to edit");
+  return filter;
+}
+
 /// Parses RADIUS STRENGTH BETA [FALLOFF [WHAT]].
 Result<Brush> parse_brush(const std::vector<std::string>& words) {
   Brush brush;
@@ -126,6 +139,9 @@ Status ScriptRunner::run_edit(const ScriptLine& line) {
   } else if (command == "palette") {
     ASSIGN_OR_RETURN(Palette palette, parse_palette_line(line.rest()));
     document.set_palette(std::move(palette));
+  } else if (command == "colours") {
+    ASSIGN_OR_RETURN(const ColourFilter filter, parse_colours(line.words, document));
+    document.set_colour_filter(filter);
   } else if (command == "brush") {
     ASSIGN_OR_RETURN(document.brush().brush, parse_brush(line.words));
   } else if (command == "stroke") {

@@ -149,6 +149,7 @@ void ScriptRunner::print_state() const {
               document.curve().curve().to_string().c_str(), document.history().size(), frame.cycles,
               frame.distance, text_of(document.controls()).c_str(),
               text_of(document.equaliser()).c_str(), text_of(document.palette()).c_str());
+  if (document.has_colours()) std::printf("%s\n", text_of(document.colour_filter()).c_str());
 }
 
 }  // namespace burnish

@@ -5,9 +5,19 @@
 
 #include "common/base/check.h"
 #include "common/base/limits.h"
+#include "common/mesh/srgb.h"
 #include "common/page_frames/page_corners.h"
+#include "common/page_frames/shown_pages.h"
 
 namespace burnish {
+
+static std::vector<Rgba8> changed_colours(std::span<const Rgba8> colours,
+                                          std::span<const Vec3f> cells) {
+  std::vector<Rgba8> changed(colours.begin(), colours.end());
+  for (size_t v = 0; v < changed.size(); ++v)
+    if (!cells[v].isZero()) changed[v] = changed_colour(changed[v], cells[v] / kCellsPerColour);
+  return changed;
+}
 
 CardPages::CardPages(const PageGrid& grid, int depth) : grid_(grid), depth_(depth) {}
 
@@ -29,7 +39,7 @@ Result<uint32_t> CardPages::open(PageRenderer& renderer, uint32_t slots) {
 
 Status CardPages::put(PageSlot slot, const Page& page, PageMesh mesh) {
   BURNISH_CHECK(slot < slots_.size(), "slots are reserved");
-  slots_[slot] = {page.id, {}, nullptr, {}};
+  slots_[slot] = {page.id, {}, nullptr, {}, nullptr};
   slots_[slot].cells.reserve(page.positions.size());
   for (const Vec3i& position : page.positions)
     slots_[slot].cells.push_back(cell_place(position, grid_.bits, depth_).cell);
@@ -43,8 +53,10 @@ Result<bool> CardPages::show(std::span<const DrawnRange> drawn, const SurfaceFra
   for (const DrawnRange& range : drawn) {
     if (std::exchange(done, range.slot) == range.slot) continue;
     is_changed |= move_to(frame.share(range.page), range.slot);
+    ASSIGN_OR_RETURN(const bool is_coloured,
+                     colour_as(frame.share(range.page | kColourPages), range.slot));
     ASSIGN_OR_RETURN(const bool is_marked, mark_as(marks, range.slot));
-    is_changed |= is_marked;
+    is_changed |= is_marked || is_coloured;
   }
   RETURN_IF_ERROR(surface_->show(patches_));
   return is_changed;
@@ -66,6 +78,17 @@ bool CardPages::move_to(std::shared_ptr<const PageMove> move, PageSlot number) {
   if (slot.moved == move) return false;
   slot.moved = std::move(move);
   surface_->move(number, slot.moved->displacements);
+  return true;
+}
+
+// Without a change in the frame the last colours stay.
+Result<bool> CardPages::colour_as(std::shared_ptr<const PageMove> change, PageSlot number) {
+  Slot& slot = slots_[number];
+  if (change == nullptr || slot.coloured == change) return false;
+  slot.coloured = std::move(change);
+  const std::vector<Rgba8>& before = surface_->at(number).mesh.colours;
+  RETURN_IF_ERROR(
+      renderer_->colour_page(number, changed_colours(before, slot.coloured->displacements)));
   return true;
 }
 

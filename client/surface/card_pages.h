@@ -43,12 +43,14 @@ class CardPages {
  private:
   struct Slot {
     PageId page = kNoPage;
-    std::vector<Vec3i> cells;               // of the vertices, grid units
-    std::shared_ptr<const PageMove> moved;  // as the renderer has it
-    PageMarks::Mark mark;                   // likewise
+    std::vector<Vec3i> cells;                  // of the vertices, grid units
+    std::shared_ptr<const PageMove> moved;     // as the renderer has it
+    PageMarks::Mark mark;                      // likewise
+    std::shared_ptr<const PageMove> coloured;  // likewise
   };
   bool list_patches(std::span<const DrawnRange> drawn);
   bool move_to(std::shared_ptr<const PageMove> move, PageSlot slot);
+  Result<bool> colour_as(std::shared_ptr<const PageMove> change, PageSlot slot);
   Result<bool> mark_as(const PageMarks& marks, PageSlot slot);
 
   PageGrid grid_;

@@ -65,7 +65,7 @@ void PagedSurface::take(const LiveNews& news) {
 
 Status PagedSurface::look(const Camera& camera, const ImageSize& size, bool is_dragging) {
   hand_in_arrivals();
-  server_vertices_max_ = room_.vertices_max(options_.clock());
+  server_vertices_max_ = room_.vertices_max(options_.clock()) / shown_.copies();
   loader_->look(question(camera, size, is_dragging), options_.clock());
   start_decoding();
   ask_for_items();

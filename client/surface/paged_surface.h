@@ -75,6 +75,9 @@ class PagedSurface {
   std::optional<SurfaceHit> hit_at(const Camera& camera, const ImageSize& size,
                                    const Eigen::Vector2i& pixel, bool original) const;
 
+  /// Frames carry colours from the next look() on, or no more. The last ones stay.
+  void show_colours(bool shows) { shown_.show_colours(shows); }
+
   PageMarks& marks() { return marks_; }
   StrokeTint& tint() { return tint_; }
   bool is_tinted() const { return !tint_.is_clear(); }

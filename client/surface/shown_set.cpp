@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "common/base/limits.h"
+#include "common/page_frames/shown_pages.h"
 
 namespace burnish {
 
@@ -12,6 +13,7 @@ ShownSet::Change ShownSet::change(const ChosenCut& cut, const PageCache& cache,
   Change change;
   remove(cut, change);
   add(cut, cache, frame, vertices_in_flight_max, change);
+  if (shows_colours_) add_colours(cut, cache, change);
   return change;
 }
 
@@ -41,9 +43,27 @@ void ShownSet::add(const ChosenCut& cut, const PageCache& cache, const SurfaceFr
   }
 }
 
+// Pages come before their colours: a picture without a page has a hole.
+void ShownSet::add_colours(const ChosenCut& cut, const PageCache& cache, Change& change) {
+  for (auto wanted = cut.used.rbegin(); wanted != cut.used.rend(); ++wanted) {
+    if (shown_.size() >= kShownPagesMax) return;
+    const PageId colours = wanted->page | kColourPages;
+    const CachedPage* cached = cache.find(wanted->page);
+    if (cached == nullptr || cached->page == nullptr || !shown_.contains(wanted->page)) continue;
+    if (cached->page->colours.empty() || shown_.contains(colours)) continue;
+    auto page = std::make_shared<Page>(*cached->page);
+    page->id = colours;
+    shown_[colours] = static_cast<uint32_t>(page->positions.size());
+    change.added.push_back(std::move(page));
+  }
+}
+
 void ShownSet::remove(const ChosenCut& cut, Change& change) {
   std::unordered_set<PageId> needed(cut.pages.begin(), cut.pages.end());
   for (const WantedPage& wanted : cut.used) needed.insert(wanted.page);
+  if (shows_colours_)
+    for (const PageId page : std::vector(needed.begin(), needed.end()))
+      needed.insert(page | kColourPages);
   std::vector<PageId> unneeded;
   for (const auto& [page, vertices] : shown_)
     if (!needed.contains(page)) unneeded.push_back(page);

@@ -13,7 +13,8 @@
 namespace burnish {
 
 /// Decides which pages the frames of a live session carry: those of which the picture is made, and
-/// those that will make it finer. Removes pages late, because a camera comes back.
+/// those that will make it finer. Removes pages late, because a camera comes back. Colours come as
+/// pages of their own, where pictures show them.
 class ShownSet {
  public:
   struct Change {
@@ -28,14 +29,21 @@ class ShownSet {
   Change change(const ChosenCut& cut, const PageCache& cache, const SurfaceFrame* frame,
                 uint64_t vertices_in_flight_max);
 
+  /// Shows colours from the next change() on, or no more.
+  void show_colours(bool shows) { shows_colours_ = shows; }
+  /// Returns how often a server counts the vertices of a page: its colours count again.
+  uint64_t copies() const { return shows_colours_ ? 2 : 1; }
+
   size_t page_count() const { return shown_.size(); }
   uint64_t vertex_count() const;
 
  private:
   void add(const ChosenCut& cut, const PageCache& cache, const SurfaceFrame* frame,
            uint64_t vertices_in_flight_max, Change& change);
+  void add_colours(const ChosenCut& cut, const PageCache& cache, Change& change);
   void remove(const ChosenCut& cut, Change& change);
 
+  bool shows_colours_ = false;
   std::unordered_map<PageId, uint32_t> shown_;  // vertices by page
 };
 

@@ -26,12 +26,14 @@ Result<FallOff> parse_fall_off(std::string_view word) {
 
 Status parse_painted(std::string_view word, Brush& brush) {
   brush.band = brush.curve = 0;
-  if (word == "beta") return Status::ok();
+  brush.colour = word == "colour";
+  if (word == "beta" || brush.colour) return Status::ok();
   const size_t colon = word.find(':');
   const std::string_view what = word.substr(0, colon);
   if (colon == std::string_view::npos || (what != "band" && what != "curve"))
-    return invalid_argument("'" + std::string(word) +
-                            "' is not what a brush paints: beta, band:NUMBER or curve:NUMBER");
+    return invalid_argument(
+        "'" + std::string(word) +
+        "' is not what a brush paints: beta, colour, band:NUMBER or curve:NUMBER");
   ASSIGN_OR_RETURN((what == "band" ? brush.band : brush.curve),
                    parse_integer(word.substr(colon + 1)));
   if (brush.band != 0 || brush.curve != 0) return Status::ok();
@@ -41,7 +43,7 @@ Status parse_painted(std::string_view word, Brush& brush) {
 std::string painted_word(const Brush& brush) {
   if (brush.band > 0) return "band:" + std::to_string(brush.band);
   if (brush.curve > 0) return "curve:" + std::to_string(brush.curve);
-  return "beta";
+  return brush.colour ? "colour" : "beta";
 }
 
 double fall_off_weight(FallOff fall_off, double distance_over_radius) {
@@ -103,6 +105,8 @@ static Status check_painted(const Brush& brush) {
   if (brush.band > 0 && brush.curve > 0)
     return invalid_argument("the brush paints band " + std::to_string(brush.band) + " and curve " +
                             std::to_string(brush.curve) + ", it must be one of them");
+  if (brush.colour && (brush.band > 0 || brush.curve > 0))
+    return invalid_argument("the brush paints colour and a band or curve, it must be one of them");
   return Status::ok();
 }
 

@@ -15,18 +15,20 @@ enum class FallOff { kSmooth, kLinear, kSharp, kConstant };
 Result<FallOff> parse_fall_off(std::string_view word);
 
 /// The airbrush of section 6.1: a ball in the original geometry that blends its β into the cells.
-/// It may instead paint the gain of a band, or where a curve of the palette rules.
+/// It may instead paint the gain of a band, where a curve of the palette rules, or the gradient
+/// scale of the colours.
 struct Brush {
   double radius = 0;    ///< file units, > 0
   double strength = 1;  ///< (0, 1]: the blend weight at the centre of one dab
   double beta = 0;      ///< the painted gradient scale, or the painted gain of the band
   FallOff fall_off = FallOff::kSmooth;
-  int band = 0;   ///< of the equaliser, from 1; 0: paints no gain
-  int curve = 0;  ///< of the palette, from 1; 0: paints no curve
+  int band = 0;         ///< of the equaliser, from 1; 0: paints no gain
+  int curve = 0;        ///< of the palette, from 1; 0: paints no curve
+  bool colour = false;  ///< paints the gradient scale of the colours
   bool operator==(const Brush&) const = default;
 };
 
-/// Parses what a brush paints: "beta", "band:2" or "curve:1". Fails: invalid_argument.
+/// Parses what a brush paints: "beta", "colour", "band:2" or "curve:1". Fails: invalid_argument.
 Status parse_painted(std::string_view word, Brush& brush);
 
 /// Returns the word that parse_painted() takes.

@@ -50,6 +50,10 @@ static Status validate_change(const SetPalette& change) {
   return check_palette(change.palette);
 }
 
+static Status validate_change(const SetColour& change) {
+  return check_colour_filter(change.filter);
+}
+
 static Status validate_change(const Undo&) {
   return Status::ok();
 }
@@ -79,9 +83,9 @@ Status validate(const Edit& edit) {
 }
 
 const char* edit_kind_name(EditKind kind) {
-  static constexpr std::array kNames = {"slider",  "curve",      "stroke",  "cells",  "controls",
-                                        "protect", "equaliser",  "palette", "undo",   "redo",
-                                        "switch",  "checkpoint", "restore", "damaged"};
+  static constexpr std::array kNames = {"slider",  "curve",     "stroke",     "cells",   "controls",
+                                        "protect", "equaliser", "palette",    "colour",  "undo",
+                                        "redo",    "switch",    "checkpoint", "restore", "damaged"};
   return kNames[static_cast<size_t>(kind)];
 }
 
@@ -101,7 +105,7 @@ std::string painted_text(const Brush& brush) {
   if (brush.band > 0)
     return "band " + std::to_string(brush.band) + " at gain " + number(brush.beta);
   if (brush.curve > 0) return "curve " + std::to_string(brush.curve);
-  return "beta " + number(brush.beta);
+  return (brush.colour ? "colours at beta " : "beta ") + number(brush.beta);
 }
 
 struct Summary {
@@ -125,6 +129,7 @@ struct Summary {
   std::string operator()(const Protect& change) const { return burnish::summary(change); }
   std::string operator()(const SetEqualiser& change) const { return text_of(change.equaliser); }
   std::string operator()(const SetPalette& change) const { return text_of(change.palette); }
+  std::string operator()(const SetColour& change) const { return text_of(change.filter); }
   std::string operator()(const Undo&) const { return "undo"; }
   std::string operator()(const Redo&) const { return "redo"; }
   std::string operator()(const SwitchEntry& change) const {

@@ -7,6 +7,7 @@
 
 #include "common/base/limits.h"
 #include "common/edit/brush.h"
+#include "common/edit/colour_filter.h"
 #include "common/edit/controls.h"
 #include "common/edit/equaliser.h"
 #include "common/edit/palette.h"
@@ -52,6 +53,11 @@ struct SetPalette {
   Palette palette;
 };
 
+/// Sets the filter of the scan's colours. The last such edit counts.
+struct SetColour {
+  ColourFilter filter;
+};
+
 /// Switches off the author's newest entry that is on.
 struct Undo {};
 
@@ -85,14 +91,14 @@ struct Damaged {
 struct Edit {
   std::string id;
   std::variant<SetGradientScale, SetTransferCurve, Stroke, SetCellFields, SetControls, Protect,
-               SetEqualiser, SetPalette, Undo, Redo, SwitchEntry, SetCheckpoint, RestoreCheckpoint,
-               Damaged>
+               SetEqualiser, SetPalette, SetColour, Undo, Redo, SwitchEntry, SetCheckpoint,
+               RestoreCheckpoint, Damaged>
       change;
 };
 
 /// What a gesture shows before it is an edit.
 using PreviewChange =
-    std::variant<SetGradientScale, SetTransferCurve, Stroke, SetEqualiser, SetPalette>;
+    std::variant<SetGradientScale, SetTransferCurve, Stroke, SetEqualiser, SetPalette, SetColour>;
 
 /// In the order of Edit::change.
 enum class EditKind {
@@ -104,6 +110,7 @@ enum class EditKind {
   kProtect,
   kEqualiser,
   kPalette,
+  kColour,
   kUndo,
   kRedo,
   kSwitchEntry,
@@ -118,11 +125,11 @@ inline EditKind kind_of(const Edit& edit) {
 
 /// Returns true for edits that fields are made of. The other kinds only say which of these count.
 inline bool makes_fields(EditKind kind) {
-  return kind <= EditKind::kPalette;
+  return kind <= EditKind::kColour;
 }
 
 /// "slider", "curve", "stroke", "cells", "controls", "protect", "equaliser", "palette",
-/// "undo", "redo", "switch", "checkpoint", "restore", "damaged".
+/// "colour", "undo", "redo", "switch", "checkpoint", "restore", "damaged".
 const char* edit_kind_name(EditKind kind);
 
 /// Describes the edit in a few words: "beta 0.25", "stroke of 12 points, radius 0.5, beta 2".

@@ -40,13 +40,7 @@ class ObjReader {
 
   /// Reads the colour of "x y z r g b". A single value after x y z is a weight, which is ignored.
   void read_colour() {
-    std::array<float, 3> rgb;
-    for (float& channel : rgb) {
-      double value;
-      if (!parse_double(scanner_.next_token(), value)) return;
-      channel = static_cast<float>(value);
-    }
-    colours_.set(mesh_.vertices.size(), rgb);
+    if (const auto rgb = next_colour(scanner_)) colours_.set(mesh_.vertices.size(), *rgb);
   }
 
   Status read_face() {

@@ -78,13 +78,7 @@ class OffReader {
   }
 
   void read_colour(uint64_t v) {
-    std::array<float, 3> rgb;
-    for (float& channel : rgb) {
-      double value;
-      if (!parse_double(scanner_.next_token(), value)) return;
-      channel = static_cast<float>(value);
-    }
-    colours_.set(v, rgb);
+    if (const auto rgb = next_colour(scanner_)) colours_.set(v, *rgb);
   }
 
   Status read_face(uint64_t f) {

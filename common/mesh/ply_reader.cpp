@@ -5,6 +5,7 @@
 #include "common/mesh/mesh_formats.h"
 #include "common/mesh/ply_ascii_source.h"
 #include "common/mesh/ply_binary_source.h"
+#include "common/mesh/ply_colour.h"
 #include "common/mesh/ply_header.h"
 #include "common/mesh/ply_layout.h"
 #include "common/mesh/polygon.h"
@@ -17,13 +18,6 @@ namespace {
 /// Indices that end a strip and begin the next: -1, also in the form of unsigned types.
 constexpr double kRestart = -1;
 constexpr double kRestartUnsigned = 0xFFFFFFFF;
-
-uint8_t colour_byte(double value, PlyType type) {
-  double scaled = value;
-  if (!is_integer(type)) scaled = 255 * value;
-  if (type == PlyType::kUint16) scaled = value / 257;
-  return static_cast<uint8_t>(std::lround(scaled >= 0 ? std::min(scaled, 255.0) : 0));
-}
 
 template <typename Source>
 class PlyBodyReader {

@@ -19,4 +19,11 @@ float linear_of_srgb(uint8_t byte) {
   return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
 }
 
+Rgba8 changed_colour(Rgba8 colour, const Vec3f& change) {
+  for (int channel = 0; channel < 3; ++channel)
+    if (change[channel] != 0)
+      colour[channel] = srgb_byte(linear_of_srgb(colour[channel]) + change[channel]);
+  return colour;
+}
+
 }  // namespace burnish

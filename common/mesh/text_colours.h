@@ -2,11 +2,29 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "common/base/types.h"
+#include "common/mesh/text_scanner.h"
 
 namespace burnish {
+
+/// Returns the next three numbers of the line; nothing if they are none.
+std::optional<std::array<float, 3>> next_colour(TextScanner& scanner);
+
+/// Returns the larger of a number and the channels of a colour. NaN counts as nothing.
+inline float largest_channel(float largest, const std::array<float, 3>& rgb) {
+  for (const float channel : rgb)
+    if (channel > largest) largest = channel;
+  return largest;
+}
+
+/// Returns by how much the channels of a file are multiplied: its largest channel decides.
+inline float colour_scale(float largest) {
+  return largest > 1 ? 1.0F : 255.0F;
+}
+uint8_t colour_byte(float channel, float scale);
 
 /// Collects the vertex colours of OBJ and OFF. These formats do not say whether colours range to 1
 /// or to 255; the largest value of the file decides, once all are read.

@@ -14,12 +14,12 @@ namespace {
 
 // Returns the first value that is not finite, or the number of values.
 uint32_t sample_page(const SparseGrid& grid, const PageEvaluation& evaluation,
-                     std::span<const Vec3f> corner_displacements, PageSample& sample) {
+                     std::span<const Vec3f> corner_displacements, float scale, PageSample& sample) {
   const auto size = static_cast<uint32_t>(evaluation.points.size());
   sample.page = evaluation.shown.page;
   sample.steps.resize(size_t{3} * size);
   for (uint32_t i = 0; i < size; ++i) {
-    const Vec3f u = evaluate(grid, evaluation.points[i], corner_displacements);
+    const Vec3f u = scale * evaluate(grid, evaluation.points[i], corner_displacements);
     if (!std::isfinite(u.x() + u.y() + u.z())) return i;
     for (int axis = 0; axis < 3; ++axis)
       sample.steps[size_t{static_cast<uint32_t>(axis)} * size + i] = to_steps(u[axis]);
@@ -31,7 +31,7 @@ uint32_t sample_page(const SparseGrid& grid, const PageEvaluation& evaluation,
 
 Result<std::vector<PageSample>> sample_pages(
     const SparseGrid& grid, std::span<const std::shared_ptr<const PageEvaluation>> pages,
-    std::span<const Vec3f> corner_displacements) {
+    std::span<const Vec3f> corner_displacements, float scale) {
   BURNISH_CHECK(corner_displacements.size() == grid.corners.size(), "one displacement per corner");
   std::vector<PageSample> samples(pages.size());
   std::vector<uint32_t> finite(pages.size());
@@ -39,7 +39,7 @@ Result<std::vector<PageSample>> sample_pages(
 #pragma omp parallel for schedule(dynamic)
   for (size_t i = 0; i < pages.size(); ++i)
     failure.run(
-        [&] { finite[i] = sample_page(grid, *pages[i], corner_displacements, samples[i]); });
+        [&] { finite[i] = sample_page(grid, *pages[i], corner_displacements, scale, samples[i]); });
   failure.rethrow();
   for (size_t i = 0; i < pages.size(); ++i)
     if (finite[i] < pages[i]->points.size())

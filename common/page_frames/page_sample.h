@@ -17,13 +17,13 @@ struct PageSample {
   std::vector<int32_t> steps;  ///< all x, then all y, then all z
 };
 
-/// Samples a displacement once for all pages that any client shows. A vertex of several pages gets
-/// the same value in each. Runs in parallel over pages.
-/// Shapes: one displacement per corner of the grid; one sample per page. Units: cells.
-/// Fails: internal, naming the first page and value whose displacement is not finite.
+/// Samples a displacement once for all pages that any client shows, `scale` times as large. A
+/// vertex of several pages gets the same value in each. Runs in parallel over pages. Shapes: one
+/// displacement per corner of the grid; one sample per page. Units: cells. Fails: internal, naming
+/// the first page and value whose displacement is not finite.
 Result<std::vector<PageSample>> sample_pages(
     const SparseGrid& grid, std::span<const std::shared_ptr<const PageEvaluation>> pages,
-    std::span<const Vec3f> corner_displacements);
+    std::span<const Vec3f> corner_displacements, float scale = 1);
 
 /// Returns the length of the largest displacement of the points, in cells. Give it all points of
 /// the scan: corners alone would not do, since those that hardly weigh on a vertex wander. Looks at

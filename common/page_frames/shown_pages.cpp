@@ -11,7 +11,8 @@ namespace burnish {
 namespace {
 
 std::string name_of(PageId page) {
-  return "page " + std::to_string(page);
+  const std::string name = "page " + std::to_string(page_in_file(page));
+  return is_colours(page) ? "colours of " + name : name;
 }
 
 std::vector<ShownPage> by_number(std::vector<ShownPage> pages) {
@@ -32,9 +33,10 @@ Status check_names(const PageChange& change, uint32_t page_count) {
   const auto twice = std::ranges::adjacent_find(named);
   if (twice != named.end())
     return invalid_argument(name_of(*twice) + " is named twice in one change");
-  if (!named.empty() && named.back() >= page_count)
-    return invalid_argument(name_of(named.back()) + " is unknown: the scan has " +
-                            std::to_string(page_count) + " pages");
+  for (const PageId page : named)
+    if (page_in_file(page) >= page_count)
+      return invalid_argument(name_of(page) + " is unknown: the scan has " +
+                              std::to_string(page_count) + " pages");
   return Status::ok();
 }
 

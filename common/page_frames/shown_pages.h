@@ -10,6 +10,20 @@
 
 namespace burnish {
 
+/// A page number plus this stands for the page's colours. Frames carry them as a page of their own,
+/// with changes of red, green and blue in linear light in place of displacements: a change of 1 is
+/// kCellsPerColour cells.
+inline constexpr PageId kColourPages = PageId{1} << 31;
+inline constexpr float kCellsPerColour = 16;
+
+constexpr bool is_colours(PageId page) {
+  return (page & kColourPages) != 0;
+}
+/// Returns the page whose colours these are, or the page itself.
+constexpr PageId page_in_file(PageId page) {
+  return page & ~kColourPages;
+}
+
 /// A page in a stream of frames.
 struct ShownPage {
   PageId page = 0;

@@ -133,6 +133,7 @@ struct HistoryState {
   Controls controls;
   Equaliser equaliser;
   Palette palette;
+  ColourFilter colour;
   bool operator==(const HistoryState&) const = default;
 };
 

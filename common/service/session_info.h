@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/base/limits.h"
+#include "common/edit/colour_filter.h"
 #include "common/edit/controls.h"
 #include "common/edit/equaliser.h"
 #include "common/edit/palette.h"
@@ -60,6 +61,7 @@ struct SessionState {
   Controls controls;
   Equaliser equaliser;
   Palette palette;
+  ColourFilter colour;
 };
 
 /// What a cell of the finest depth can be asked for. α and κ in user units.

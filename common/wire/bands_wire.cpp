@@ -43,4 +43,16 @@ Result<Palette> from_wire(const v1::Palette& message) {
   return palette;
 }
 
+v1::ColourFilter to_wire(const ColourFilter& filter) {
+  v1::ColourFilter message;
+  message.set_alpha(filter.alpha);
+  message.set_beta(filter.beta);
+  return message;
+}
+
+ColourFilter from_wire(const v1::ColourFilter& message, bool is_there) {
+  if (!is_there) return {};
+  return {message.alpha(), message.beta()};
+}
+
 }  // namespace burnish

@@ -2,6 +2,7 @@
 
 #include "burnish/v1/editing.pb.h"
 #include "common/base/status.h"
+#include "common/edit/colour_filter.h"
 #include "common/edit/equaliser.h"
 #include "common/edit/palette.h"
 
@@ -14,5 +15,9 @@ Equaliser from_wire(const v1::Equaliser& message);
 v1::Palette to_wire(const Palette& palette);
 /// Names and colours are checked with the edit: check_palette(). Fails: as TransferCurve::create().
 Result<Palette> from_wire(const v1::Palette& message);
+
+v1::ColourFilter to_wire(const ColourFilter& filter);
+/// Returns what keeps the colours for a message that is absent. Values are checked with the edit.
+ColourFilter from_wire(const v1::ColourFilter& message, bool is_there);
 
 }  // namespace burnish

@@ -56,6 +56,7 @@ Result<Stroke> stroke_from_wire(const v1::Stroke& message) {
   ASSIGN_OR_RETURN(stroke.brush.fall_off, fall_off_from_wire(message.brush().fall_off()));
   stroke.brush.band = number_of(message.brush().band());
   stroke.brush.curve = number_of(message.brush().curve());
+  stroke.brush.colour = message.brush().colour();
   for (const v1::Point& point : message.path()) stroke.path.push_back(from_wire(point));
   return stroke;
 }
@@ -83,6 +84,9 @@ struct ChangeWriter {
   }
   void operator()(const SetPalette& change) const {
     *message.mutable_palette() = to_wire(change.palette);
+  }
+  void operator()(const SetColour& change) const {
+    *message.mutable_colour() = to_wire(change.filter);
   }
   void operator()(const Undo&) const { message.mutable_undo(); }
   void operator()(const Redo&) const { message.mutable_redo(); }
@@ -130,6 +134,9 @@ Status read_change(const v1::Edit& message, Edit& edit) {
       edit.change = SetPalette{std::move(palette)};
       return Status::ok();
     }
+    case v1::Edit::kColour:
+      edit.change = SetColour{from_wire(message.colour(), true)};
+      return Status::ok();
     case v1::Edit::kUndo:
       edit.change = Undo{};
       return Status::ok();
@@ -171,6 +178,7 @@ v1::Stroke to_wire(const Stroke& stroke) {
   brush->set_fall_off(fall_off_to_wire(stroke.brush.fall_off));
   if (stroke.brush.band > 0) brush->set_band(static_cast<uint32_t>(stroke.brush.band));
   if (stroke.brush.curve > 0) brush->set_curve(static_cast<uint32_t>(stroke.brush.curve));
+  if (stroke.brush.colour) brush->set_colour(true);
   for (const Vec3d& point : stroke.path) *message.add_path() = to_wire(point);
   return message;
 }

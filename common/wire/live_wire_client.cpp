@@ -41,6 +41,8 @@ struct ClientWriter {
       *sent.mutable_equaliser() = burnish::to_wire(bands->equaliser);
     if (const auto* palette = std::get_if<SetPalette>(&preview.change))
       *sent.mutable_palette() = burnish::to_wire(palette->palette);
+    if (const auto* colour = std::get_if<SetColour>(&preview.change))
+      *sent.mutable_colour() = burnish::to_wire(colour->filter);
   }
   void operator()(const DropPreview& drop) const {
     message.mutable_preview()->set_edit_id(drop.edit_id);
@@ -84,6 +86,7 @@ Result<Preview> read_preview(const v1::Preview& message) {
   if (message.has_stroke()) *whole.mutable_stroke() = message.stroke();
   if (message.has_equaliser()) *whole.mutable_equaliser() = message.equaliser();
   if (message.has_palette()) *whole.mutable_palette() = message.palette();
+  if (message.has_colour()) *whole.mutable_colour() = message.colour();
   ASSIGN_OR_RETURN(Edit edit, from_wire(whole));
   Preview preview{std::move(edit.id), {}};
   if (auto* slider = std::get_if<SetGradientScale>(&edit.change)) preview.change = *slider;
@@ -91,6 +94,7 @@ Result<Preview> read_preview(const v1::Preview& message) {
   if (auto* stroke = std::get_if<Stroke>(&edit.change)) preview.change = std::move(*stroke);
   if (auto* bands = std::get_if<SetEqualiser>(&edit.change)) preview.change = std::move(*bands);
   if (auto* palette = std::get_if<SetPalette>(&edit.change)) preview.change = std::move(*palette);
+  if (auto* colour = std::get_if<SetColour>(&edit.change)) preview.change = *colour;
   return preview;
 }
 

@@ -98,6 +98,7 @@ struct ServerWriter {
     *sent.mutable_controls() = burnish::to_wire(history.controls);
     *sent.mutable_equaliser() = burnish::to_wire(history.equaliser);
     *sent.mutable_palette() = burnish::to_wire(history.palette);
+    *sent.mutable_colour() = burnish::to_wire(history.colour);
   }
   void operator()(const SessionPeople& people) const {
     *message.mutable_people() = burnish::to_wire(people);
@@ -141,7 +142,8 @@ Result<HistoryState> read_history(const v1::HistoryChanged& message) {
                       std::move(curve),
                       from_wire(message.controls()),
                       from_wire(message.equaliser()),
-                      std::move(palette)};
+                      std::move(palette),
+                      from_wire(message.colour(), message.has_colour())};
 }
 
 using AnyServerMessage = std::optional<ServerMessage>;

@@ -61,6 +61,7 @@ v1::SessionState to_wire(const SessionState& state) {
   *message.mutable_controls() = to_wire(state.controls);
   *message.mutable_equaliser() = to_wire(state.equaliser);
   *message.mutable_palette() = to_wire(state.palette);
+  *message.mutable_colour() = to_wire(state.colour);
   message.set_cycles(state.cycles);
   message.set_energy(state.energy);
   message.set_residual(state.residual);
@@ -78,6 +79,7 @@ Result<SessionState> from_wire(const v1::SessionState& message) {
   state.controls = from_wire(message.controls());
   state.equaliser = from_wire(message.equaliser());
   ASSIGN_OR_RETURN(state.palette, from_wire(message.palette()));
+  state.colour = from_wire(message.colour(), message.has_colour());
   state.cycles = message.cycles();
   state.energy = message.energy();
   state.residual = message.residual();

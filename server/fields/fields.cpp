@@ -95,7 +95,8 @@ std::vector<float> Fields::edited() const {
 uint64_t Fields::byte_count() const {
   uint64_t bytes = 3 * beta_.size() * sizeof(float) + may_have_paint_.size() +
                    (overrides_.size() + blended_own_.size()) * sizeof(OwnFields) +
-                   (hold_ ? hold_->byte_count() : 0);
+                   (hold_ ? hold_->byte_count() : 0) +
+                   (colour_hold_ && colour_hold_ != hold_ ? colour_hold_->byte_count() : 0);
   for (const auto& layer : paint_)
     if (layer) bytes += layer->byte_count();
   return bytes;

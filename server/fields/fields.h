@@ -18,7 +18,8 @@ namespace burnish {
 
 /// The metric and β per cell (section 4.3), and their sources: slider, paint, curve, palette,
 /// overrides. Setting a source is cheap. The next view() computes the cells, once for all changes.
-/// It also keeps what is not for the solver: the equaliser and the paint of its gains.
+/// It also keeps what is not for the solver: the equaliser, the paint of its gains,
+/// and what filters the colours.
 /// Shapes: one entry per cell of the finest depth. Units: α in user units.
 class Fields {
  public:
@@ -30,6 +31,7 @@ class Fields {
   /// Sets the curves that brushes paint. A painted curve that the palette lacks rules nothing.
   void set_palette(const Palette& palette);
   void set_equaliser(const Equaliser& equaliser) { equaliser_ = equaliser; }
+  void set_colour(const ColourFilter& filter) { colour_ = filter; }
   void paint(const Stroke& stroke) { paint(stroke.brush, dab_centres(stroke)); }
   /// Paints some dabs of a stroke. Shapes: at least one centre, file units.
   void paint(const Brush& brush, std::span<const Vec3d> centres) {
@@ -64,15 +66,18 @@ class Fields {
   bool has_painted_curves() const;
   const Equaliser& equaliser() const { return equaliser_; }
   /// Returns the paint of a band's gain, null without. Shapes: `band` from 1.
-  const PaintLayer* gain_paint(size_t band) const {
-    const auto& layer = paint_[kFirstBandLayer + band - 1];
-    return layer ? &*layer : nullptr;
-  }
+  const PaintLayer* gain_paint(size_t band) const { return layer(kFirstBandLayer + band - 1); }
+  const ColourFilter& colour() const { return colour_; }
+  /// Returns the paint of the colours' β, null without.
+  const PaintLayer* colour_paint() const { return layer(kColourLayer); }
+  /// Sets where colours are kept: in the protected region, not at rims. Null: nowhere.
+  void set_colour_hold(std::shared_ptr<const Hold> hold) { colour_hold_ = std::move(hold); }
+  const std::shared_ptr<const Hold>& colour_hold() const { return colour_hold_; }
   /// Returns how far each cell is edited, by β or by the gain of a band: 0 to 1.
   std::vector<float> edited() const;
   /// Says what paint has changed: equal versions have equal paint, in copies too.
   struct PaintVersions {
-    uint64_t beta = 0, gains = 0, curves = 0;
+    uint64_t beta = 0, gains = 0, curves = 0, colour = 0;
   };
   const PaintVersions& paint_versions() const { return versions_; }
   double gradient_scale() const { return beta_slider_; }
@@ -81,6 +86,9 @@ class Fields {
  private:
   class CurveBlend;
 
+  const PaintLayer* layer(size_t number) const {
+    return paint_[number] ? &*paint_[number] : nullptr;
+  }
   void update_beta() const;
   void update_beta(size_t stretch) const;
   PaintLayer& make_layer(size_t number);
@@ -98,6 +106,7 @@ class Fields {
   TransferCurve curve_{kAlphaDefault};
   Palette palette_;
   Equaliser equaliser_;
+  ColourFilter colour_;
   double beta_slider_ = kBetaDefault;
   std::array<std::optional<PaintLayer>, kPaintLayers> paint_;  // that of β is always there
   PaintVersions versions_;
@@ -106,7 +115,7 @@ class Fields {
   static constexpr size_t kStretch = CellPaint::kStretch;
   std::vector<uint8_t> may_have_paint_;
   std::vector<OwnFields> overrides_;  // by rising cell, each once
-  std::shared_ptr<const Hold> hold_;
+  std::shared_ptr<const Hold> hold_, colour_hold_;
 
   // The result of slider, paint and overrides at the last view().
   mutable std::vector<float> beta_, follow_, own_;

@@ -56,7 +56,7 @@ void Fields::paint(const Brush& brush, std::span<const Vec3d> centres,
 
 /// Lets a painted curve cover those that rule a cell so far.
 void Fields::cover_other_curves(size_t cell, double left, const PaintLayer& painted) {
-  for (size_t number = kFirstCurveLayer; number < kPaintLayers; ++number)
+  for (size_t number = kFirstCurveLayer; number < kColourLayer; ++number)
     if (paint_[number] && &*paint_[number] != &painted)
       paint_[number]->weight[cell] *= static_cast<float>(left);
 }
@@ -69,9 +69,11 @@ void Fields::mark_painted(size_t layer) {
     versions_.beta = version;
   } else if (layer < kFirstCurveLayer) {
     versions_.gains = version;
-  } else {
+  } else if (layer < kColourLayer) {
     alphas_are_old_ = true;
     versions_.curves = version;
+  } else {
+    versions_.colour = version;
   }
 }
 
@@ -122,7 +124,7 @@ void Fields::set_painted(const PaintedCells& painted) {
 }
 
 bool Fields::has_painted_curves() const {
-  return std::any_of(paint_.begin() + kFirstCurveLayer, paint_.end(),
+  return std::any_of(paint_.begin() + kFirstCurveLayer, paint_.begin() + kColourLayer,
                      [](const auto& layer) { return layer.has_value(); });
 }
 

@@ -23,16 +23,18 @@ struct PaintLayer {
   std::vector<float> value, weight;  ///< per cell; the value counts where the weight is above 0
 };
 
-/// The kinds of paint: β, the gain of each band, where each curve of the palette rules.
+/// The kinds of paint: β, the gain of each band, where each curve of the palette rules, β of the
+/// colours.
 inline constexpr size_t kBetaLayer = 0;
 inline constexpr size_t kFirstBandLayer = 1;
 inline constexpr size_t kFirstCurveLayer = kFirstBandLayer + kBandsMax;
-inline constexpr size_t kPaintLayers = kFirstCurveLayer + kPaletteCurvesMax;
+inline constexpr size_t kColourLayer = kFirstCurveLayer + kPaletteCurvesMax;
+inline constexpr size_t kPaintLayers = kColourLayer + 1;
 
 inline size_t layer_of(const Brush& brush) {
   if (brush.band > 0) return kFirstBandLayer + static_cast<size_t>(brush.band) - 1;
   if (brush.curve > 0) return kFirstCurveLayer + static_cast<size_t>(brush.curve) - 1;
-  return kBetaLayer;
+  return brush.colour ? kColourLayer : kBetaLayer;
 }
 
 /// Painted cells of all layers.

@@ -76,7 +76,9 @@ static constexpr std::array kSteps = {
   PRAGMA user_version = 4;
 )sql",
     // Edits may set bands and a palette, and paint them. A program of version 4 would lose these.
-    "PRAGMA user_version = 5;"};
+    "PRAGMA user_version = 5;",
+    // Edits may filter and paint colours.
+    "PRAGMA user_version = 6;"};
 
 Status make_journal_schema(Database& database) {
   ASSIGN_OR_RETURN(Transaction transaction, Transaction::begin(database));

@@ -125,7 +125,8 @@ void LiveSession::tell_state(SessionTurn& at) {
                              fields.transfer_curve(),
                              at.session().edited().controls(),
                              fields.equaliser(),
-                             fields.palette()};
+                             fields.palette(),
+                             fields.colour()};
   bool roles_changed = false, history_changed = false;
   {
     const std::lock_guard lock(mutex_);

@@ -31,6 +31,8 @@ Status check_piece(const Preview& piece) {
     return check_equaliser(bands->equaliser);
   if (const auto* palette = std::get_if<SetPalette>(&piece.change))
     return check_palette(palette->palette);
+  if (const auto* colour = std::get_if<SetColour>(&piece.change))
+    return check_colour_filter(colour->filter);
   return Status::ok();  // curves need no check
 }
 

@@ -88,7 +88,8 @@ Status LiveSession::send_frames(SessionTurn& at) {
                              .displacement = shown_displacement(at, stats),
                              .beta = session.shown_fields().view().beta,
                              .settled = stats.settled,
-                             .last = still_ ? still_->shot.get() : nullptr};
+                             .last = still_ ? still_->shot.get() : nullptr,
+                             .colour = session.colour_change()};
   ASSIGN_OR_RETURN(SurfaceShot taken, SurfaceShot::take(moment, pages_of_wishes(wanting)));
   const auto surface = std::make_shared<const SurfaceShot>(std::move(taken));
   if (stats.settled) still_ = {version_, surface};

@@ -29,7 +29,8 @@ Result<std::shared_ptr<const LivePage>> PageSource::make(const Key& key) {
   const auto [number, kind] = key;
   const SparseGrid& grid = mesh_->hierarchy->at(mesh_->hierarchy->finest).grid;
   const int bits = file().directory().head.grid.bits;
-  ASSIGN_OR_RETURN(const Page page, store_.read_page(*scan_, number));
+  ASSIGN_OR_RETURN(Page page, store_.read_page(*scan_, page_in_file(number)));
+  page.id = number;
   const PageSize size = measure_page(page, bits, grid.depth);
   ASSIGN_OR_RETURN(Quota::Share memory,
                    store_.memory().take(kServer, predict_page_bytes(size, kind)));

@@ -23,6 +23,12 @@ uint8_t gain_of(const LivePage& page, std::span<const float> beta) {
   return gain_exponent(largest);
 }
 
+std::shared_ptr<const PageSample> zeros_of(const LivePage& page) {
+  const size_t values = size_t{3} * page.evaluation.shown.value_count();
+  return std::make_shared<const PageSample>(
+      PageSample{page.number(), std::vector<int32_t>(values)});
+}
+
 // All points of a large scan would take longer than all pages that are shown. While the surface
 // moves some of them do: neighbours move alike. A settled surface tells the true value.
 float largest_move_of(const SurfaceMoment& moment) {
@@ -44,31 +50,46 @@ const SurfaceShot::Part* SurfaceShot::find(const LivePage& page) const {
 Result<SurfaceShot> SurfaceShot::take(const SurfaceMoment& moment,
                                       std::span<const std::shared_ptr<const ClientPages>> clients) {
   SurfaceShot shot;
-  std::vector<std::shared_ptr<const PageEvaluation>> missing;
-  std::vector<size_t> places;
+  std::vector<size_t> places, colours;  // parts to sample
   for (const auto& page : pages_of(clients)) {
+    const bool is_colour = is_colours(page->number());
     const Part* known = moment.last ? moment.last->find(*page) : nullptr;
-    if (!known) {
-      missing.emplace_back(page, &page->evaluation);
-      places.push_back(shot.parts_.size());
-    }
+    if (!known) (is_colour ? colours : places).push_back(shot.parts_.size());
+    const uint8_t gain = is_colour ? 0 : gain_of(*page, moment.beta);
     shot.pages_.push_back(page.get());
-    shot.parts_.push_back(known ? *known : Part{page, nullptr, gain_of(*page, moment.beta)});
+    shot.parts_.push_back(known ? *known : Part{page, nullptr, gain});
   }
-  ASSIGN_OR_RETURN(auto samples, sample_pages(moment.grid, missing, moment.displacement));
-  for (size_t i = 0; i < samples.size(); ++i)
-    shot.parts_[places[i]].sample = std::make_shared<const PageSample>(std::move(samples[i]));
+  RETURN_IF_ERROR(shot.sample(places, moment.grid, moment.displacement, 1));
+  if (!moment.colour.empty())
+    RETURN_IF_ERROR(shot.sample(colours, moment.grid, moment.colour, kCellsPerColour));
+  else
+    shot.sample_zeros(colours);
   shot.largest_move_ = moment.last ? moment.last->largest_move_ : largest_move_of(moment);
   return shot;
+}
+
+Status SurfaceShot::sample(std::span<const size_t> parts, const SparseGrid& grid,
+                           std::span<const Vec3f> values, float scale) {
+  std::vector<std::shared_ptr<const PageEvaluation>> pages;
+  for (const size_t part : parts) {
+    const auto page = parts_[part].page.lock();
+    pages.emplace_back(page, &page->evaluation);
+  }
+  ASSIGN_OR_RETURN(auto samples, sample_pages(grid, pages, values, scale));
+  for (size_t i = 0; i < samples.size(); ++i)
+    parts_[parts[i]].sample = std::make_shared<const PageSample>(std::move(samples[i]));
+  return Status::ok();
+}
+
+void SurfaceShot::sample_zeros(std::span<const size_t> parts) {
+  for (const size_t part : parts) parts_[part].sample = zeros_of(*parts_[part].page.lock());
 }
 
 SurfaceShot SurfaceShot::unmoved(std::span<const std::shared_ptr<const ClientPages>> clients) {
   SurfaceShot shot;
   for (const auto& page : pages_of(clients)) {
-    const size_t values = size_t{3} * page->evaluation.shown.value_count();
     shot.pages_.push_back(page.get());
-    const PageSample zeros{page->number(), std::vector<int32_t>(values)};
-    shot.parts_.push_back({page, std::make_shared<const PageSample>(zeros), 0});
+    shot.parts_.push_back({page, zeros_of(*page), 0});
   }
   return shot;
 }

@@ -19,7 +19,8 @@ struct SurfaceMoment {
   std::span<const Vec3f> displacement;    ///< one per corner, cells
   std::span<const float> beta;            ///< one per cell
   bool settled = false;
-  const SurfaceShot* last = nullptr;  ///< of the same surface: is not done again
+  const SurfaceShot* last = nullptr;   ///< of the same surface: is not done again
+  std::span<const Vec3f> colour = {};  ///< one per corner, linear light; empty: no change
 };
 
 /// The pages that some clients show, sampled at one moment. Immutable: encoders share it.
@@ -46,6 +47,9 @@ class SurfaceShot {
     uint8_t gain = 0;
   };
 
+  Status sample(std::span<const size_t> parts, const SparseGrid& grid,
+                std::span<const Vec3f> values, float scale);
+  void sample_zeros(std::span<const size_t> parts);
   const Part* find(const LivePage& page) const;
 
   std::vector<const LivePage*> pages_;  // rising; some may have gone

@@ -4,6 +4,7 @@
 
 #include "server/fields/fields_view.h"
 #include "server/memory/memory_need.h"
+#include "server/session/fit_signal.h"
 
 namespace burnish {
 
@@ -15,6 +16,7 @@ void LayerNeed::add(std::span<const AuthoredEdit> edits) {
   for (const AuthoredEdit& edit : edits) {
     if (const auto* change = std::get_if<SetEqualiser>(&edit.edit.change))
       bands_ = std::max(bands_, change->equaliser.bands.size());
+    edits_colours_ |= std::holds_alternative<SetColour>(edit.edit.change);
     if (const auto* stroke = std::get_if<Stroke>(&edit.edit.change))
       painted_.set(layer_of(stroke->brush));
   }
@@ -26,12 +28,16 @@ uint64_t LayerNeed::byte_count(const Multigrid& on) const {
   uint64_t bytes = 0;
   // The solver of the surfaces behind the bands, these surfaces, and their sum.
   if (bands_ > 0) bytes += predict_session_bytes(on) + (bands_ + 1) * corners * sizeof(Vec3f);
+  // A solver for the colours, its signal, its fields, and the fit at its beginning.
+  if (edits_colours_ || painted_[kColourLayer])
+    bytes += predict_session_bytes(on) + corners * sizeof(Vec3f) + 2 * cells * sizeof(float) +
+             predict_fit_bytes(on);
   bool has_curves = false;
   for (size_t layer = kFirstBandLayer; layer < kPaintLayers; ++layer) {
     if (!painted_[layer]) continue;
     bytes += kCopies * cells * kPaintBytesPerCell;
     if (layer < kFirstCurveLayer) bytes += corners * kGainBytesPerCorner;
-    has_curves |= layer >= kFirstCurveLayer;
+    has_curves |= layer >= kFirstCurveLayer && layer < kColourLayer;
   }
   return bytes + (has_curves ? kCopies * cells * sizeof(OwnFields) : 0);
 }

@@ -10,8 +10,8 @@
 
 namespace burnish {
 
-/// Memory that the edits of a session take beside predict_session_bytes(): bands, and paint of
-/// other kinds than β. Edits that are off count too, because undo can bring them back.
+/// Memory that the edits of a session take beside predict_session_bytes(): bands, colours,
+/// and paint of other kinds than β. Edits that are off count too, because undo can bring them back.
 class LayerNeed {
  public:
   void add(std::span<const AuthoredEdit> edits);
@@ -20,6 +20,7 @@ class LayerNeed {
   uint64_t byte_count(const Multigrid& on) const;
 
  private:
+  bool edits_colours_ = false;
   size_t bands_ = 0;  // the most that an edit sets
   std::bitset<kPaintLayers> painted_;
 };

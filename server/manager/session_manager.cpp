@@ -213,7 +213,8 @@ Result<SessionState> SessionManager::state(const std::string& reference, const C
                       std::string(solver.backend_name()),
                       entry.session->edited().controls(),
                       fields.equaliser(),
-                      fields.palette()};
+                      fields.palette(),
+                      fields.colour()};
 }
 
 Result<std::string> SessionManager::delete_scan(const std::string& reference) {

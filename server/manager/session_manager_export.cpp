@@ -1,5 +1,7 @@
 // The part of SessionManager that exports an edited mesh as a file.
 
+#include <algorithm>
+
 #include <spdlog/spdlog.h>
 
 #include "common/mesh/rewrite/left_out.h"
@@ -20,7 +22,8 @@ static Status check_format(const ScanInfo& scan, MeshFormat format) {
 /// must leave a server whose original is damaged: then writes what the prepared mesh knows.
 static Result<std::vector<std::string>> write_surface(const MeshStore& store,
                                                       const std::string& scan_id,
-                                                      const MovedMesh& moved, MeshFormat format,
+                                                      const MovedMesh& moved, bool has_new_colours,
+                                                      MeshFormat format,
                                                       const std::filesystem::path& path) {
   const auto original = store.find_original(scan_id);
   if (original.status().code() == StatusCode::kDataLoss && is_written_for_any_scan(format)) {
@@ -31,6 +34,10 @@ static Result<std::vector<std::string>> write_surface(const MeshStore& store,
   }
   RETURN_IF_ERROR(original.status());
   ASSIGN_OR_RETURN(auto left_out, attributes_left_out(*original, format, moved.after));
+  if (has_new_colours) {
+    ASSIGN_OR_RETURN(const bool keeps, keeps_changed_colours(*original, format));
+    if (!keeps) left_out.emplace_back("edited colours");
+  }
   RETURN_IF_ERROR(write_moved_mesh(*original, moved, path));
   return left_out;
 }
@@ -74,9 +81,10 @@ Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish
 
   if (!report(progress, "writing", 0)) return cancelled("the export was cancelled");
   ExportSummary summary;
-  ASSIGN_OR_RETURN(summary.left_out,
-                   write_surface(store_, held.entry->record.scan_id,
-                                 {shared->prepared->vertices, mesh}, wish.format, path));
+  const bool has_new_colours = !std::ranges::equal(mesh.colours, shared->prepared->colours);
+  const MovedMesh moved{shared->prepared->vertices, mesh};
+  ASSIGN_OR_RETURN(summary.left_out, write_surface(store_, held.entry->record.scan_id, moved,
+                                                   has_new_colours, wish.format, path));
   if (wish.deviation)
     summary.deviation = deviation_of(shared->prepared->vertices, mesh.vertices, mesh.triangles);
   summary.edits = edits;

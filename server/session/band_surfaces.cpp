@@ -4,6 +4,7 @@
 
 #include "common/edit/wavelength.h"
 #include "server/fields/fields.h"
+#include "server/session/second_solver.h"
 
 namespace burnish {
 
@@ -43,21 +44,10 @@ std::span<const Vec3f> BandSurfaces::behind(size_t band) const {
   return find(wanted_[band - 1])->displacement;
 }
 
-// A device that is full leaves the bands to the processors, which need longer, once.
-static Result<std::unique_ptr<Solver>> make_solver(const Multigrid& on,
-                                                   const SolverOptions& options) {
-  auto made = Solver::create(on, options);
-  const bool is_full = made.status().code() == StatusCode::kResourceExhausted;
-  if (!is_full || options.backend == BackendKind::kCpu) return made;
-  SolverOptions on_processors = options;
-  on_processors.backend = BackendKind::kCpu;
-  return Solver::create(on, on_processors);
-}
-
 // The next surface is near to the last one: the solver goes on from it.
 Status BandSurfaces::begin(double alpha) {
   if (!solver_) {
-    ASSIGN_OR_RETURN(solver_, make_solver(on_, options_));
+    ASSIGN_OR_RETURN(solver_, make_second_solver(on_, options_));
   }
   Fields fields(*on_.prepared);
   fields.set_transfer_curve(TransferCurve(alpha));

@@ -69,10 +69,17 @@ LayerCheck EditedFields::layers() const {
   return {now.equaliser, std::move(now.palette), std::move(now.curve.curve)};
 }
 
+static bool needs_colours(const Edit& edit) {
+  const auto* stroke = std::get_if<Stroke>(&edit.change);
+  return std::holds_alternative<SetColour>(edit.change) || (stroke && stroke->brush.colour);
+}
+
 Status EditedFields::check_new(const Edit& edit) const {
   const auto* bounds = std::get_if<SetControls>(&edit.change);
   if (bounds && bounds->controls.keep_volume && !is_closed(prepared_))
     return failed_precondition("the scan is not closed, so it has no volume to keep");
+  if (needs_colours(edit) && prepared_.colours.empty())
+    return failed_precondition("the scan has no colours to edit");
   if (const auto* cells = std::get_if<SetCellFields>(&edit.change))
     return fields_.check_new(*cells);
   if (const auto* stroke = std::get_if<Stroke>(&edit.change)) return fields_.check_new(*stroke);
@@ -97,6 +104,7 @@ EditedFields::Counting EditedFields::counting() const {
     if (const auto* bands = std::get_if<SetEqualiser>(&change))
       counting.equaliser = bands->equaliser;
     if (const auto* found = std::get_if<SetPalette>(&change)) palette = found;
+    if (const auto* found = std::get_if<SetColour>(&change)) counting.colour = found->filter;
   }
   if (curve) counting.curve = *curve;
   if (palette) counting.palette = palette->palette;
@@ -135,6 +143,10 @@ void EditedFields::take_layers(const Counting& wanted) {
     fields_.set_equaliser(wanted.equaliser);
     changes_.shown = true;
   }
+  if (wanted.colour != fields_.colour()) {
+    fields_.set_colour(wanted.colour);
+    changes_.shown = true;
+  }
 }
 
 void EditedFields::bound(const Controls& controls) {
@@ -157,6 +169,9 @@ bool EditedFields::replay_protects(const Counting& wanted) {
 /// Holds the rims, if they are pinned, and the protected region.
 void EditedFields::hold() {
   std::vector<int32_t> cells = protection_.cells();
+  if (!prepared_.colours.empty())
+    fields_.set_colour_hold(cells.empty() ? nullptr
+                                          : std::make_shared<Hold>(make_hold(prepared_, cells)));
   if (controls_.pin_rims) {
     if (!rims_) rims_ = rim_cells(prepared_);
     std::vector<int32_t> both;
@@ -194,7 +209,7 @@ Status EditedFields::replay_strokes(const Counting& wanted, const Progress& prog
   const Fields::PaintVersions& after = fields_.paint_versions();
   changes_ |= {.metric = after.curves != before.curves,
                .beta = after.beta != before.beta,
-               .shown = after.gains != before.gains};
+               .shown = after.gains != before.gains || after.colour != before.colour};
   return painted;
 }
 

@@ -103,6 +103,7 @@ class EditedFields {
     Controls controls;
     Equaliser equaliser;
     Palette palette;
+    ColourFilter colour;
     std::vector<const History::Entry*> protects;
     std::vector<const History::Entry*> strokes;
     std::vector<const History::Entry*> cells;

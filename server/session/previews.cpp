@@ -9,8 +9,9 @@ Previews::Changes Previews::changes_by(const Gesture& gesture) {
   const bool is_metric = std::holds_alternative<SetTransferCurve>(gesture.change) ||
                          std::holds_alternative<SetPalette>(gesture.change) ||
                          (stroke && stroke->brush.curve > 0);
-  const bool is_shown =
-      std::holds_alternative<SetEqualiser>(gesture.change) || (stroke && stroke->brush.band > 0);
+  const bool is_shown = std::holds_alternative<SetEqualiser>(gesture.change) ||
+                        std::holds_alternative<SetColour>(gesture.change) ||
+                        (stroke && (stroke->brush.band > 0 || stroke->brush.colour));
   return {.metric = is_metric, .beta = !is_metric && !is_shown, .shown = is_shown};
 }
 
@@ -76,6 +77,8 @@ void Previews::apply(Shown& shown) {
     copy_->set_equaliser(bands->equaliser);
   if (const auto* palette = std::get_if<SetPalette>(&shown.gesture.change))
     copy_->set_palette(palette->palette);
+  if (const auto* colour = std::get_if<SetColour>(&shown.gesture.change))
+    copy_->set_colour(colour->filter);
   if (const auto* stroke = std::get_if<Stroke>(&shown.gesture.change)) {
     const std::vector<Vec3d> centres = dab_centres(*stroke);
     if (centres.size() <= shown.painted_dabs) return;

@@ -5,6 +5,7 @@
 #include "server/metrics/live_objects.h"
 #include "server/session/band_mix.h"
 #include "server/session/band_surfaces.h"
+#include "server/session/colour_channel.h"
 #include "server/session/shown_displacement.h"
 
 namespace burnish {
@@ -20,6 +21,7 @@ struct Session::State {
         edited(*prepared, born_with),
         solver(std::move(session_solver)),
         bands(on, options),
+        colour(on, options),
         mix(hierarchy->at(hierarchy->finest).grid),
         shown(*prepared, hierarchy->at(hierarchy->finest).grid) {}
 
@@ -33,6 +35,7 @@ struct Session::State {
       solved = {};
     }
     bands.want(fields.equaliser(), fields.hold());
+    colour.want(fields);
     looks += changes.any();
   }
 
@@ -45,6 +48,11 @@ struct Session::State {
     const Result<bool> found = bands.step();
     if (!found.is_ok()) status = found.status();
     if (!found.is_ok() || *found) ++looks;
+  }
+
+  void step_colour() {
+    if (const Status stepped = colour.step(); !stepped.is_ok()) status = stepped;
+    ++looks;
   }
 
   StepReport step_solver() {
@@ -68,10 +76,11 @@ struct Session::State {
   int cycles_since_change = 0;
   StepReport last;
   uint64_t looks = 0;
-  Status status;  // of the bands
+  Status status;  // of the bands and colours
   std::unique_ptr<Solver> solver;
   std::span<const Vec3f> solved;  // its displacement; empty: to be read
   BandSurfaces bands;
+  ColourChannel colour;
   BandMix mix;
   ShownDisplacement shown;
   LiveObject live{LiveKind::kSession};
@@ -129,11 +138,16 @@ StepReport Session::step() {
     state.step_bands();
     return state.last;
   }
+  if (state.colour.is_solving() && state.solver_is_settled(state.last)) {
+    state.step_colour();
+    return state.last;
+  }
   return state.step_solver();
 }
 
 bool Session::is_settled(const StepReport& last) const {
-  return !is_changed() && !state_->bands.is_solving() && state_->solver_is_settled(last);
+  return !is_changed() && !state_->bands.is_solving() && !state_->colour.is_solving() &&
+         state_->solver_is_settled(last);
 }
 
 uint64_t Session::looks() const {
@@ -163,6 +177,7 @@ Result<SolveReport> Session::solve(const SolveOptions& options, const Progress& 
   state_->cycles_since_change += solved.value().cycles;
   state_->last = solved.value().last;
   RETURN_IF_ERROR(solve_bands(progress));
+  RETURN_IF_ERROR(solve_colour(progress));
   return solved;
 }
 
@@ -174,6 +189,18 @@ Status Session::solve_bands(const Progress& progress) {
     RETURN_IF_ERROR(state_->bands.step().status());
   }
   return Status::ok();
+}
+
+Status Session::solve_colour(const Progress& progress) {
+  while (state_->colour.is_solving()) {
+    if (!report(progress, "solving colours", 0)) return cancelled("the solve was cancelled");
+    RETURN_IF_ERROR(state_->colour.step());
+  }
+  return Status::ok();
+}
+
+std::span<const Vec3f> Session::colour_change() const {
+  return state_->colour.change();
 }
 
 std::span<const Vec3f> Session::displacement() {
@@ -204,7 +231,7 @@ TriangleMesh Session::surface() {
   TriangleMesh mesh;
   mesh.vertices = moved_vertices();
   mesh.triangles.assign(prepared.triangles.begin(), prepared.triangles.end());
-  mesh.colours.assign(prepared.colours.begin(), prepared.colours.end());
+  mesh.colours = state_->colour.colours();
   mesh.has_double_positions = prepared.has_double_positions;
   return mesh;
 }
@@ -218,7 +245,7 @@ const Solver& Session::solver() const {
 uint64_t Session::byte_count() const {
   return state_->solver->byte_count() + state_->edited.byte_count() +
          state_->previews.byte_count() + state_->shown.byte_count() + state_->bands.byte_count() +
-         state_->mix.byte_count();
+         state_->colour.byte_count() + state_->mix.byte_count();
 }
 
 }  // namespace burnish

@@ -78,7 +78,11 @@ class Session {
   /// until the next call. Units: cells.
   std::span<const Vec3f> displacement();
 
-  /// Returns the present surface: same triangles, same colours, moved vertices.
+  /// Returns the change of colour of every corner, valid until the next call; empty while colours
+  /// are as in the scan. Units: linear light, 0 to 1.
+  std::span<const Vec3f> colour_change() const;
+
+  /// Returns the present surface: same triangles, moved vertices, filtered colours.
   TriangleMesh surface();
 
   const PreparedMesh& prepared() const;
@@ -91,6 +95,7 @@ class Session {
  private:
   std::vector<Vec3d> moved_vertices();  // of the edits, without the previews
   Status solve_bands(const Progress& progress);
+  Status solve_colour(const Progress& progress);
 
   struct State;
   explicit Session(std::unique_ptr<State> state);

@@ -60,6 +60,10 @@ Solver::Solver(Multigrid on, std::unique_ptr<Backend> backend, std::string backe
 
 Solver::~Solver() = default;
 
+void Solver::set_signal(std::span<const Vec3f> signal) {
+  backend_->set_signal(signal);
+}
+
 void Solver::set_metric(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();

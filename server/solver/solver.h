@@ -52,6 +52,11 @@ class Solver {
   static Result<std::unique_ptr<Solver>> create(Multigrid on, const SolverOptions& options);
   ~Solver();
 
+  /// Solves for the displacement of a signal on the surface, such as its colours, instead of that
+  /// of the surface. Call it before the first metric. Results are in the signal's units; distances
+  /// take these for cells. Shapes: one per corner of the finest depth.
+  void set_signal(std::span<const Vec3f> signal);
+
   /// Makes new matrices at all depths and a new constraint: α1, α2 and perhaps β changed.
   void set_metric(const FieldsView& fields);
   /// Makes only a new constraint: β changed.

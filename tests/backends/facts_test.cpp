@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/mesh/srgb.h"
 #include "tests/backends/filtered.h"
 #include "tests/reference/compare.h"
 #include "tests/reference/shapes.h"
@@ -65,6 +66,31 @@ TEST_P(Facts, ASphereShrinksByTheTransferFunctionAtEveryDepth) {
     for (size_t v = 0; v < moved.size(); v += 97)
       EXPECT_NEAR((moved[v] - scale * mesh.vertices[v]).norm(), 0, 1e-3 * radius) << depth;
   }
+}
+
+// Colours that are its coordinates, in linear light, scale like them. Rounding to bytes hides in
+// the mean over all vertices.
+TEST_P(Facts, ColoursOfASphereScaleByTheTransferFunction) {
+  TriangleMesh mesh = reference::icosphere(6, 1);
+  for (const Vec3d& p : mesh.vertices) {
+    const Vec3f linear = (Vec3d::Constant(0.5) + 0.4 * p).cast<float>();
+    mesh.colours.push_back(
+        {srgb_byte(linear.x()), srgb_byte(linear.y()), srgb_byte(linear.z()), 255});
+  }
+  Filtered filtered = session(mesh, 6);
+  const double length_unit = filtered.session().prepared().length_unit;
+  const ColourFilter filter{2 * length_unit, 0.25};
+  ASSERT_TRUE(filtered.session().apply({"colours", SetColour{filter}}).is_ok());
+  ASSERT_TRUE(filtered.session().solve({.exact = true}).is_ok());
+  const TriangleMesh after = filtered.session().surface();
+  double both = 0, square = 0;
+  for (size_t v = 0; v < mesh.vertices.size(); ++v)
+    for (int axis = 0; axis < 3; ++axis) {
+      both += mesh.vertices[v][axis] * (linear_of_srgb(after.colours[v][axis]) - 0.5);
+      square += 0.4 * mesh.vertices[v][axis] * mesh.vertices[v][axis];
+    }
+  EXPECT_NEAR(both / square, (4 + 0.25 * 2) / (4 + 2), 1e-3);
+  EXPECT_EQ(after.vertices, mesh.vertices);
 }
 
 // Around the cylinder κ = 1/r takes one α. Along it κ = 0 takes the other. Both have closed forms.

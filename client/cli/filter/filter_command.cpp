@@ -127,14 +127,15 @@ Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits,
                    changes_of(options.filter, prepared.length_unit, prepared.frame.cell_size));
   LayerCheck layers = session.edited().layers();
   for (const auto& change : filter) {
+    RETURN_IF_ERROR(session.edited().check_new({"filter", change}));
     RETURN_IF_ERROR(layers.take({"filter", change}));
     RETURN_IF_ERROR(session.apply({"filter", change}));
   }
   if (session.fields().transfer_curve().contrast() > kCurveContrastWarn)
     std::cerr << "warning: the curve's contrast is above " << kCurveContrastWarn
               << ": convergence is slower and accuracy is lower\n";
-  RETURN_IF_ERROR(session.edited().check_new(edits.back()));  // the controls
   for (const Edit& edit : edits) {
+    RETURN_IF_ERROR(session.edited().check_new(edit));
     RETURN_IF_ERROR(layers.take(edit));
     RETURN_IF_ERROR(session.apply(edit));
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -18,6 +19,8 @@ Status rewrite_ply(std::span<const uint8_t> bytes, const std::string& name, cons
                    OutputBuffer& output);
 Status rewrite_obj(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                    OutputBuffer& output);
+/// Returns colour_scale() of the vertices' colours; nothing if they have none.
+std::optional<float> obj_colour_scale(std::span<const uint8_t> bytes);
 Status rewrite_stl(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                    OutputBuffer& output);
 Status rewrite_off(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,

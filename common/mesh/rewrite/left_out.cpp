@@ -4,6 +4,7 @@
 
 #include "common/base/mapped_file.h"
 #include "common/mesh/off_kind.h"
+#include "common/mesh/rewrite/format_rewriters.h"
 #include "common/mesh/rewrite/left_out_list.h"
 #include "common/mesh/rewrite/packed_mesh.h"
 #include "common/mesh/rewrite/zip_left_out.h"
@@ -85,6 +86,22 @@ Result<std::vector<std::string>> attributes_left_out(const OriginalFile& origina
   list.add_if(to == MeshFormat::kStl && mesh.has_colours(), "colours");
   list.add_if(to == MeshFormat::kObj && is_transparent, "transparency");
   return list.names();
+}
+
+static bool rewrites_colours(std::span<const uint8_t> bytes, MeshFormat format) {
+  if (format == MeshFormat::kObj) return obj_colour_scale(bytes).has_value();
+  return format == MeshFormat::kPly || format == MeshFormat::kOff;
+}
+
+Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to) {
+  if (to == MeshFormat::kStl) return false;
+  const bool is_packed = original.format == MeshFormat::kZip;
+  if (to != original.format && !is_packed) return true;
+  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original.path));
+  if (!is_packed) return rewrites_colours(file.bytes(), to);
+  ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(file.bytes(), original.name));
+  const bool is_rewritten = to == MeshFormat::kZip || to == packed.mesh.format;
+  return !is_rewritten || rewrites_colours(packed.bytes, packed.mesh.format);
 }
 
 std::string left_out_text(const std::vector<std::string>& names) {

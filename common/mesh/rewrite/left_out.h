@@ -15,6 +15,10 @@ namespace burnish {
 Result<std::vector<std::string>> attributes_left_out(const OriginalFile& original, MeshFormat to,
                                                      const TriangleMesh& mesh);
 
+/// Returns whether a file in this format has changed vertex colours. In the original's own format
+/// colours of textures cannot change, and those of glTF do not. Fails: as the file cannot be read.
+Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to);
+
 inline constexpr size_t kLeftOutMax = 20;
 
 /// Joins the names: "normals, materials".

@@ -1,20 +1,39 @@
+#include <algorithm>
 #include <string_view>
 
 #include "common/mesh/rewrite/format_rewriters.h"
 #include "common/mesh/rewrite/obj_normals.h"
 #include "common/mesh/rewrite/text_patch.h"
+#include "common/mesh/text_colours.h"
 
 namespace burnish {
+
+std::optional<float> obj_colour_scale(std::span<const uint8_t> bytes) {
+  TextScanner scanner(bytes, "", kObjSyntax);
+  std::optional<float> largest;
+  while (scanner.next_line()) {
+    if (scanner.next_token() != "v") continue;
+    for (int axis = 0; axis < 3; ++axis) scanner.next_token();
+    if (const auto rgb = next_colour(scanner)) largest = largest_channel(largest.value_or(0), *rgb);
+  }
+  return largest ? std::optional(colour_scale(*largest)) : std::nullopt;
+}
 
 Status rewrite_obj(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                    OutputBuffer& output) {
   const std::vector<AreaVectors> normals = gather_obj_normals(bytes, moved);
+  const bool has_colours = moved.after.has_colours();
+  const float scale = has_colours ? obj_colour_scale(bytes).value_or(0) : 0;
   TextPatch text = {TextScanner(bytes, name, kObjSyntax), BytePatch(bytes, output)};
   uint64_t vertex = 0;
   size_t normal = 0;
   while (text.scanner.next_line()) {
     const std::string_view keyword = text.scanner.next_token();
-    if (keyword == "v") RETURN_IF_ERROR(replace_position(name, moved, vertex++, text));
+    if (keyword == "v") {
+      RETURN_IF_ERROR(replace_position(name, moved, vertex, text));
+      if (scale > 0) replace_colour(moved.after.colours[vertex], scale, text);
+      ++vertex;
+    }
     if (keyword == "vn") replace_normal(normals[normal++], text);
   }
   if (vertex != moved.before.size())

@@ -7,6 +7,7 @@
 
 #include "common/mesh/ply_ascii_source.h"
 #include "common/mesh/ply_binary_source.h"
+#include "common/mesh/ply_colour.h"
 #include "common/mesh/ply_layout.h"
 #include "common/mesh/rewrite/byte_patch.h"
 #include "common/mesh/rewrite/format_rewriters.h"
@@ -36,11 +37,13 @@ template <typename Source>
 class PlyBodyRewriter {
  public:
   PlyBodyRewriter(Source source, const PlyHeader& header, const std::string& name,
-                  const MovedMesh& moved, BytePatch& patch)
+                  const PlyLayout& layout, const MovedMesh& moved, BytePatch& patch)
       : source_(std::move(source)),
         header_(header),
         vertex_(*header.find("vertex")),
         name_(name),
+        slots_(layout.vertex_slots),
+        has_colours_(layout.has_colours && moved.after.has_colours()),
         moved_(moved),
         patch_(patch) {}
 
@@ -97,8 +100,19 @@ class PlyBodyRewriter {
       value.after = moved_.after.vertices[v][axis_number];
     }
     if (normals_) turn_normal(v);
+    if (has_colours_) recolour(v);
     for (size_t p = 0; p < values_.size(); ++p) put(p);
     return Status::ok();
+  }
+
+  /// A channel that reads as the same byte keeps its number, which may be finer.
+  void recolour(uint64_t v) {
+    for (size_t p = 0; p < values_.size(); ++p) {
+      if (slots_[p] < kPlyRed || slots_[p] >= kPlyIgnored) continue;
+      const uint8_t byte = moved_.after.colours[v][slots_[p] - kPlyRed];
+      const PlyType type = vertex_.properties[p].type;
+      if (colour_byte(values_[p].before, type) != byte) values_[p].after = channel_of(byte, type);
+    }
   }
 
   void turn_normal(uint64_t v) {
@@ -132,6 +146,8 @@ class PlyBodyRewriter {
   const PlyHeader& header_;
   const PlyElement& vertex_;
   const std::string& name_;
+  const std::vector<size_t>& slots_;
+  const bool has_colours_;
   const MovedMesh& moved_;
   BytePatch& patch_;
   Properties positions_ = {};
@@ -142,8 +158,10 @@ class PlyBodyRewriter {
 
 template <typename Source>
 Status rewrite_body(std::span<const uint8_t> bytes, const PlyHeader& header,
-                    const std::string& name, const MovedMesh& moved, BytePatch& patch) {
-  return PlyBodyRewriter<Source>(Source(bytes, header, name), header, name, moved, patch).rewrite();
+                    const std::string& name, const PlyLayout& layout, const MovedMesh& moved,
+                    BytePatch& patch) {
+  return PlyBodyRewriter<Source>(Source(bytes, header, name), header, name, layout, moved, patch)
+      .rewrite();
 }
 
 }  // namespace
@@ -160,7 +178,7 @@ Status rewrite_ply(std::span<const uint8_t> bytes, const std::string& name, cons
                            ? rewrite_body<PlyBinarySource<false>>
                            : rewrite_body<PlyBinarySource<true>>;
   BytePatch patch(bytes, output);
-  RETURN_IF_ERROR(rewrite(bytes, header, name, moved, patch));
+  RETURN_IF_ERROR(rewrite(bytes, header, name, layout, moved, patch));
   patch.finish();
   return Status::ok();
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "common/mesh/text_colours.h"
 #include "common/mesh/text_values.h"
 
 namespace burnish {
@@ -36,13 +37,29 @@ Status replace_position(const std::string& name, const MovedMesh& moved, uint64_
   return Status::ok();
 }
 
+/// Takes the next three words of the line. Returns false unless all are numbers.
+static bool take_three(TextPatch& text, std::array<std::string_view, 3>& tokens, Vec3d& numbers) {
+  for (std::string_view& token : tokens) token = text.scanner.next_token();
+  for (int i = 0; i < 3; ++i)
+    if (!parse_double(tokens[static_cast<size_t>(i)], numbers[i])) return false;
+  return true;
+}
+
+void replace_colour(const Rgba8& colour, float scale, TextPatch& text) {
+  std::array<std::string_view, 3> tokens;
+  Vec3d before;
+  if (!take_three(text, tokens, before)) return;
+  for (size_t i = 0; i < 3; ++i) {
+    const double channel = before[static_cast<int>(i)];
+    if (colour_byte(static_cast<float>(channel), scale) == colour[i]) continue;
+    replace_number<float>(tokens[i], channel, static_cast<float>(colour[i]) / scale, text);
+  }
+}
+
 void replace_normal(const AreaVectors& areas, TextPatch& text) {
   std::array<std::string_view, 3> tokens;
   Vec3d before;
-  for (size_t axis = 0; axis < 3; ++axis) {
-    tokens[axis] = text.scanner.next_token();
-    if (!parse_double(tokens[axis], before[static_cast<int>(axis)])) return;
-  }
+  if (!take_three(text, tokens, before)) return;
   const Vec3d after = areas.turn(before);
   for (size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<int>(axis);

@@ -22,6 +22,10 @@ struct TextPatch {
 Status replace_position(const std::string& name, const MovedMesh& moved, uint64_t vertex,
                         TextPatch& text);
 
+/// Replaces those of the next three numbers of the line that do not read as this colour. Leaves
+/// other texts alone. `scale`: colour_scale() of the file.
+void replace_colour(const Rgba8& colour, float scale, TextPatch& text);
+
 /// Turns the normal that the next three numbers of the line are. Leaves other texts alone.
 void replace_normal(const AreaVectors& areas, TextPatch& text);
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "common/base/blocks.h"
 #include "server/solver/cpu/assembly/assembly.h"
 #include "server/solver/cpu/assembly/constraint.h"
-#include "server/solver/cpu/blocks.h"
 #include "server/solver/cpu/cpu_depth.h"
 #include "server/solver/cpu/krylov/conjugate_gradients.h"
 #include "server/solver/cpu/products/coarsest.h"
@@ -60,6 +60,8 @@ class CpuBackend final : public Backend {
     for (const auto& smoother : smoothers_) bytes += smoother ? smoother->byte_count() : 0;
     return bytes;
   }
+
+  void set_signal(std::span<const Vec3f> signal) override { constraint_->set_signal(signal); }
 
   void set_metric(const MetricView& metric) override {
     evaluate(metric, *on_.prepared, alphas_);

@@ -11,6 +11,7 @@
 #include "server/solver/cuda/assembly/constraint.h"
 #include "server/solver/cuda/assembly/device_alpha.h"
 #include "server/solver/cuda/assembly/gradient_scale.h"
+#include "server/solver/cuda/assembly/signal.h"
 #include "server/solver/cuda/device/graphs.h"
 #include "server/solver/cuda/device/placement.h"
 #include "server/solver/cuda/device_depth.h"
@@ -67,11 +68,16 @@ class CudaBackend final : public Backend {
   uint64_t byte_count() const override {
     uint64_t bytes = readout_.byte_count() + outer_->byte_count() + coarsest_->byte_count() +
                      alpha_.byte_count() + beta_.byte_count() + gradients_.byte_count() +
-                     gradient_rests_.byte_count() + combined_.byte_count() +
+                     gradient_rests_.byte_count() + signal_.byte_count() + combined_.byte_count() +
                      coarse_combined_.byte_count() + patches_->byte_count();
     for (const DeviceDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother->byte_count();
     return bytes;
+  }
+
+  void set_signal(std::span<const Vec3f> signal) override {
+    signal_ = DeviceArray<float3>::copy_of(stream_, signal);
+    stream_.synchronize();
   }
 
   void set_metric(const MetricView& metric) override {
@@ -86,6 +92,9 @@ class CudaBackend final : public Backend {
     else
       run_on_device(kMetricGraph, [this] { assemble_matrices(gradients()); });
     stream_.share_memory(Stream::kAsItSuits);
+    if (signal_.size() > 0 && !same_ratios)
+      make_signal_gradients(stream_, mesh_->integrals(), metric_with(gradients()), finest(),
+                            signal_.data(), outer_->constraint().per_slider);
     gradients_are_new_ |= !same_ratios;
   }
 
@@ -171,6 +180,11 @@ class CudaBackend final : public Backend {
     return {gradients_.data(), gradient_rests_.data(), finest().topology.cell_count};
   }
 
+  Metric metric_with(const CellGradients& gradients) {
+    return {alpha_.data(), mesh_->curvature.data(), mesh_->on.prepared->alpha_scale(),
+            anisotropy_.data(), gradients};
+  }
+
   void run_on_device(int key, const std::function<void()>& work) {
     coarsest_->on_device() ? graphs_.run(key, work) : work();
   }
@@ -180,8 +194,7 @@ class CudaBackend final : public Backend {
   // matrix does not wait for the shares. Its smoother does, because it overwrites their sources.
   void assemble_matrices(const CellGradients& gradients) {
     const CellSquares<double> combined = {combined_.data(), finest().topology.cell_count};
-    const Metric metric = {alpha_.data(), mesh_->curvature.data(),
-                           mesh_->on.prepared->alpha_scale(), anisotropy_.data(), gradients};
+    const Metric metric = metric_with(gradients);
     const BesideMatrix beside = {outer_->row_sum(), gradients, outer_->constraint().per_slider};
     anisotropy_.clear(stream_);
     if (smoothers_.empty()) {
@@ -245,6 +258,7 @@ class CudaBackend final : public Backend {
   bool all_have_one_alpha_ = false;  // and so one ratio of α1 and α2
   GradientScale beta_;
   DeviceArray<float> gradients_, gradient_rests_;  // CellGradients
+  DeviceArray<float3> signal_;                     // empty: the surface's own places
   DeviceArray<double> combined_;        // numbers of the finest depth: CellSquares, then sheets
   DeviceArray<float> coarse_combined_;  // other depths, the finest first: CellSquares, then ties
   DeviceArray<float> pinned_below_, anisotropy_;

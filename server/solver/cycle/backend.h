@@ -41,6 +41,9 @@ class Backend {
   }
 
   // The system.
+  /// Solves for the displacement of this signal instead of that of the surface's own places. Call
+  /// it before the first metric. Shapes: one per corner. Units: any; results have them too.
+  virtual void set_signal(std::span<const Vec3f> signal) = 0;
   /// Makes the matrices of all depths (section 5.2), the smoothers and the coarsest factorisation.
   /// Afterwards r is wrong until recompute_residual().
   virtual void set_metric(const MetricView& metric) = 0;

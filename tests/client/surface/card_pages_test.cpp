@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "client/scene/null_page_renderer.h"
+#include "common/page_frames/shown_pages.h"
 #include "tests/client/scene/page_splitter.h"
 #include "tests/client/scene/sphere.h"
 
@@ -61,6 +62,26 @@ TEST_F(CardPagesTest, AFrameMovesTheDrawnPagesOnce) {
   const SurfaceFrame moved = frame(Vec3f(0, 0, 4));
   EXPECT_TRUE(card_.show(drawn_, moved, marks_).value());
   EXPECT_FALSE(card_.show(drawn_, moved, marks_).value());
+}
+
+TEST_F(CardPagesTest, ColoursChangeByTheFrameAndNoChangeKeepsThem) {
+  const Rgba8 grey{100, 100, 100, 7};
+  Page page = split_.pages[0];
+  page.colours.assign(page.positions.size(), grey);
+  ASSERT_TRUE(card_.put(0, page, make_page_mesh(page, split_.grid)).is_ok());
+  SurfaceFrame coloured = frame(Vec3f::Zero());
+  coloured.pages.push_back(page.id | kColourPages);
+  const auto change = [&](const Vec3f& linear) {
+    std::vector<Vec3f> of_all(page.positions.size(), kCellsPerColour * linear);
+    return std::make_shared<const PageMove>(PageMove{std::move(of_all)});
+  };
+  coloured.moves.push_back(change(Vec3f(1, 0, -1)));
+  EXPECT_TRUE(card_.show(drawn_, coloured, marks_).value());
+  EXPECT_EQ(renderer_.colours(0).front(), (Rgba8{255, 100, 0, 7}));
+  EXPECT_FALSE(card_.show(drawn_, coloured, marks_).value());
+  coloured.moves.back() = change(Vec3f::Zero());
+  EXPECT_TRUE(card_.show(drawn_, coloured, marks_).value());
+  EXPECT_EQ(renderer_.colours(0).back(), grey);
 }
 
 TEST_F(CardPagesTest, APointIsFoundOnTheDisplacedAndOnTheOriginalSurface) {

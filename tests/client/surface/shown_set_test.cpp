@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/page_frames/shown_pages.h"
 #include "tests/client/pages/synthetic_scan.h"
 
 namespace burnish {
@@ -51,6 +52,21 @@ TEST_F(ShownSetTest, DecodedPagesOfTheCutAreShownOnceCoarseBeforeFine) {
   const ChosenCut cut = cut_of({0, 1, root()});
   EXPECT_THAT(ids(shown_.change(cut, cache_, nullptr, 0).added), ElementsAre(root(), 1, 0));
   EXPECT_TRUE(shown_.change(cut, cache_, nullptr, 0).is_empty());
+}
+
+TEST_F(ShownSetTest, ColoursComeBehindTheirPagesAndGoWhenNobodyLooks) {
+  Page coloured = scan_.page(1);
+  coloured.colours.resize(coloured.positions.size());
+  cache_.drop(1);
+  cache_.hold(1, {1});
+  cache_.decode(1, std::make_shared<const Page>(coloured));
+  const ChosenCut cut = cut_of({1, root()});
+  shown_.show_colours(true);
+  EXPECT_THAT(ids(shown_.change(cut, cache_, nullptr, 0).added),
+              ElementsAre(root(), 1, 1 | kColourPages));  // the root has none
+  EXPECT_EQ(shown_.page_count(), 3u);
+  shown_.show_colours(false);
+  EXPECT_TRUE(shown_.change(cut, cache_, nullptr, 0).added.empty());
 }
 
 TEST_F(ShownSetTest, APageThatIsNotDecodedWaits) {

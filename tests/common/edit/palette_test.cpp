@@ -56,7 +56,11 @@ TEST(BrushWords, SayWhatABrushPaints) {
   ASSERT_TRUE(parse_painted("curve:8", brush).is_ok());
   EXPECT_EQ(brush.band, 0);
   EXPECT_EQ(painted_word(brush), "curve:8");
+  ASSERT_TRUE(parse_painted("colour", brush).is_ok());
+  EXPECT_EQ(brush.curve, 0);
+  EXPECT_EQ(painted_word(brush), "colour");
   ASSERT_TRUE(parse_painted("beta", brush).is_ok());
+  EXPECT_FALSE(brush.colour);
   EXPECT_EQ(painted_word(brush), "beta");
   for (const char* word : {"band", "band:", "band:0", "curve:x", "gain:1"})
     EXPECT_FALSE(parse_painted(word, brush).is_ok()) << word;

@@ -29,6 +29,17 @@ TEST(ShownPages, BeginWithNothingAtRevisionZero) {
   EXPECT_TRUE(ShownPages().pages().empty());
 }
 
+TEST(ShownPages, ColoursOfAPageHaveANumberOfTheirOwn) {
+  const ShownPages shown = showing_numbers({9});
+  const auto with = [](PageId page) {
+    return PageChange{.revision = 2, .added = pages_of({page}), .removed = {}};
+  };
+  EXPECT_TRUE(shown.check(with(9 | kColourPages), kPages).is_ok());
+  EXPECT_THAT(shown.check(with(kPages | kColourPages), kPages).message(),
+              HasSubstr("colours of page 100 is unknown"));
+  EXPECT_EQ(page_in_file(9 | kColourPages), 9u);
+}
+
 TEST(ShownPages, AreSortedWhateverTheOrderOfAChange) {
   const ShownPages shown = showing_numbers({9, 2, 5}).changed(
       {.revision = 2, .added = pages_of({7, 1}), .removed = {5}});

@@ -71,6 +71,8 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
       {"r", SetPalette{{{{"letters", 0xd04040, curve}, {"ground", 0, TransferCurve(9)}}}}},
       {"s", Stroke{{0.5, 0.75, 2, FallOff::kSharp, 3, 0}, {Vec3d(1, 2, 3)}}},
       {"t", Stroke{{0.5, 0.75, 2, FallOff::kSharp, 0, 8}, {Vec3d(1, 2, 3)}}},
+      {"u", SetColour{{7, 0.25}}},
+      {"v", Stroke{{0.5, 0.75, 2, FallOff::kSharp, 0, 0, true}, {Vec3d(1, 2, 3)}}},
       {"j", SetControls{{.pin_rims = true, .cap = 0.25, .keep_volume = true}}},
   };
   for (const Edit& edit : edits) {

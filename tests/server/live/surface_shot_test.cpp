@@ -57,6 +57,19 @@ TEST_F(SurfaceShotTest, ThePagesOfTheLastShotAreNotDoneAgain) {
   EXPECT_EQ(shot.largest_move(), last.largest_move());
 }
 
+TEST_F(SurfaceShotTest, ColoursArePagesOfTheirOwn) {
+  const std::shared_ptr<const ClientPages> clients[] = {client({1, 1 | kColourPages})};
+  EXPECT_THAT(SurfaceShot::take(moment(), clients)->wanted(*clients[0])[1].steps, testing::Each(0));
+  const std::vector<Vec3f> red(displacement_.size(), Vec3f(0.5F, 0, 0));
+  SurfaceMoment coloured = moment();
+  coloured.colour = red;
+  const SurfaceShot shot = SurfaceShot::take(coloured, clients).value();
+  EXPECT_EQ(shot.wanted(*clients[0])[0].steps[0], 64);
+  EXPECT_EQ(shot.wanted(*clients[0])[1].steps[0], 0.5 * 16 * 256);
+  EXPECT_EQ(shot.wanted(*clients[0])[1].steps.back(), 0);
+  EXPECT_FLOAT_EQ(shot.largest_move(), 0.25F);
+}
+
 TEST_F(SurfaceShotTest, AnUnmovedSurfaceNeedsNoSolver) {
   const std::shared_ptr<const ClientPages> clients[] = {client({0, 1})};
   const SurfaceShot shot = SurfaceShot::unmoved(clients);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "common/base/blocks.h"
 #include "common/base/dispatch.h"
 #include "server/solver/cpu/assembly/combined_cells.h"
 #include "server/solver/cpu/assembly/gather_rows.h"
 #include "server/solver/cpu/assembly/irregular_rows.h"
-#include "server/solver/cpu/blocks.h"
 
 namespace burnish::cpu {
 

@@ -93,8 +93,34 @@ int64_t Constraint::take_stretch(const CellPaint& paint, size_t stretch) {
   return changed;
 }
 
+void Constraint::set_signal(std::span<const Vec3f> signal) {
+  signal_.assign(signal.begin(), signal.end());
+  ratio_is_new_ = true;
+}
+
 void Constraint::share(int32_t cell, CellShare& out) const {
+  if (!signal_.empty()) return share_of_signal(cell, out);
   combine(prepared_.integrals[cell], ratio_[cell], 1 / ratio_[cell], out);
+}
+
+// Σ_b ℓ_ab s_b. Rows of ℓ add up to zero, so only differences count: a constant has no share.
+void Constraint::share_of_signal(int32_t cell, CellShare& out) const {
+  const CellIntegrals& of = prepared_.integrals[cell];
+  const auto& corners = finest_.topology.grid.cell_corners[cell];
+  const double first = ratio_[cell], second = 1 / ratio_[cell];
+  out.fill(0);
+  for (int a = 0; a < kCornersPerCell; ++a) {
+    for (int b = a + 1; b < kCornersPerCell; ++b) {
+      const int pair = pair_index(a, b);
+      const double stiffness = first * of.stiffness[0][pair] + second * of.stiffness[1][pair];
+      for (int axis = 0; axis < 3; ++axis) {
+        const double step =
+            stiffness * (double{signal_[corners[b]][axis]} - double{signal_[corners[a]][axis]});
+        out[3 * a + axis] += step;
+        out[3 * b + axis] -= step;
+      }
+    }
+  }
 }
 
 // Without paint b is set, not moved by steps, so that it is exactly zero again at β = 1.
@@ -163,8 +189,8 @@ void Constraint::sum_changed(std::vector<Double3>& b, std::vector<Double3>& r) {
 }
 
 uint64_t Constraint::byte_count() const {
-  return bytes_of(ratio_) + bytes_of(per_slider_) + bytes_of(is_pinned_) + bytes_of(paint_) +
-         bytes_of(has_paint_) + bytes_of(is_changed_);
+  return bytes_of(ratio_) + bytes_of(signal_) + bytes_of(per_slider_) + bytes_of(is_pinned_) +
+         bytes_of(paint_) + bytes_of(has_paint_) + bytes_of(is_changed_);
 }
 
 }  // namespace burnish::cpu

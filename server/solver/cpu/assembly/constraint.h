@@ -22,6 +22,10 @@ class Constraint {
   /// Begins without paint and with β = 1 everywhere. Both arguments must live longer.
   Constraint(const PreparedMesh& prepared, const CpuDepth& finest);
 
+  /// Takes another signal than the surface's own places. assemble() sums everything again.
+  /// Shapes: one per corner.
+  void set_signal(std::span<const Vec3f> signal);
+
   /// Call after a new metric. `ratio`: α2/α1 of every cell; if it changed, assemble() sums
   /// everything again.
   void set_ratio(std::vector<double> ratio);
@@ -44,6 +48,7 @@ class Constraint {
   int64_t take(const CellPaint& paint);
   int64_t take_stretch(const CellPaint& paint, size_t stretch);
   void share(int32_t cell, CellShare& out) const;
+  void share_of_signal(int32_t cell, CellShare& out) const;
   void slide(double by, std::vector<Double3>& b, std::vector<Double3>& r) const;
   void sum_all(std::vector<Double3>& b, std::vector<Double3>& r);
   bool is_pin_new(int32_t corner) const;
@@ -55,6 +60,7 @@ class Constraint {
   const CpuDepth& finest_;
   std::vector<double> ratio_;
   bool ratio_is_new_ = true, pins_are_new_ = false;
+  std::vector<Vec3f> signal_;  // per corner; empty: places
   double slider_ = 1;
   std::vector<Double3> per_slider_;  // per corner: the change of b when the slider goes up by one
   std::vector<uint8_t> is_pinned_;   // per corner, at its last sum

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "server/solver/cpu/blocks.h"
+#include "common/base/blocks.h"
 #include "server/solver/cpu/krylov/largest_move.h"
 #include "server/solver/cpu/products/exact_product.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/base/blocks.h"
 #include "common/base/dispatch.h"
-#include "server/solver/cpu/blocks.h"
 
 namespace burnish::cpu {
 

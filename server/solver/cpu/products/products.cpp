@@ -1,7 +1,7 @@
 #include "server/solver/cpu/products/products.h"
 
+#include "common/base/blocks.h"
 #include "common/base/dispatch.h"
-#include "server/solver/cpu/blocks.h"
 #include "server/solver/cpu/products/row_sums.h"
 
 namespace burnish::cpu {

@@ -1,6 +1,6 @@
 #include "server/solver/cpu/products/transfer.h"
 
-#include "server/solver/cpu/blocks.h"
+#include "common/base/blocks.h"
 #include "server/solver/hierarchy/half_way.h"
 
 namespace burnish::cpu {

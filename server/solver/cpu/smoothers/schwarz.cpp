@@ -1,9 +1,9 @@
 #include <algorithm>
 
+#include "common/base/blocks.h"
 #include "common/base/dispatch.h"
 #include "server/solver/cpu/assembly/gather_rows.h"
 #include "server/solver/cpu/assembly/irregular_rows.h"
-#include "server/solver/cpu/blocks.h"
 #include "server/solver/cpu/products/products.h"
 #include "server/solver/cpu/smoothers/cell_inverse.h"
 #include "server/solver/cpu/smoothers/chebyshev.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "server/solver/cpu/blocks.h"
+#include "common/base/blocks.h"
 #include "server/solver/cpu/products/products.h"
 #include "server/solver/cycle/schwarz_bounds.h"
 

@@ -26,6 +26,12 @@ TEST(ObjRewriter, ColoursBlanksAndContinuedLinesStayBehindAMovedVertex) {
   EXPECT_THAT(text, testing::HasSubstr("v 5 \\\n 6 7.5\nf 1 3 5"));
 }
 
+TEST(ObjRewriter, AColourOfAVertexChangesWhereItStands) {
+  EXPECT_EQ(recoloured(MeshFormat::kObj, kObjText, 0, {128, 255, 255, 255}),
+            replaced(kObjText, "0.5 0.25 1\n", "0.5 1 1\n"));
+  EXPECT_EQ(recoloured(MeshFormat::kObj, kObjText, 1, {0, 0, 0, 255}), kObjText);  // it has none
+}
+
 TEST(ObjRewriter, ANormalIsTheMeanOfTheFacesThatUseIt) {
   const auto turn = [](size_t, const Vec3d& p) { return Vec3d(0, p[1], p[0] + p[2]); };
   const std::string text = rewritten(MeshFormat::kObj, kObjText, turn);

@@ -22,6 +22,14 @@ TEST(OffRewriter, PositionsAndNormalsChangeAndColoursStay) {
             "0 1 0   -1 0 0  0 0 1 1  0 1\n4  0 1 2 3  0.25 0.5 1\n");
 }
 
+TEST(OffRewriter, AColourChangesInTheRangeOfTheFile) {
+  EXPECT_EQ(recoloured(MeshFormat::kOff, kOffText, 1, {255, 51, 0, 255}),
+            replaced(kOffText, "1  1 0 0 1  1 0 #", "1  1 0.2 0 1  1 0 #"));
+  const std::string bytes = "COFF\n3 1 0\n0 0 0 9 8 7\n1 0 0 90 80 70\n0 1 0 5 6 7\n3 0 1 2\n";
+  EXPECT_EQ(recoloured(MeshFormat::kOff, bytes, 1, {90, 0, 70, 255}),
+            replaced(bytes, "90 80 70", "90 0 70"));
+}
+
 TEST(OffRewriter, CountsMayFollowTheFirstWord) {
   const std::string text = "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   const auto move = [](size_t, const Vec3d& p) -> Vec3d { return 2 * p; };

@@ -34,6 +34,16 @@ TEST(PlyRewriter, AMovedCoordinateIsAllThatChangesInATextWithoutNormals) {
   EXPECT_EQ(rewritten(MeshFormat::kPly, text, move), replaced(text, "1.0e0", "1.25"));
 }
 
+TEST(PlyRewriter, AColourChangesInTheTypeOfItsChannel) {
+  const std::string bytes = recoloured(MeshFormat::kPly, kPlyText, 1, {1, 200, 3, 255});
+  EXPECT_EQ(bytes, replaced(kPlyText, "1.0   1 2 3 0\n0.2", "1.0   1 200 3 0\n0.2"));
+  std::string floats = kPlyText;
+  for (const char* channel : {"red", "green", "blue"})
+    floats = replaced(floats, std::string("uchar ") + channel, std::string("float ") + channel);
+  EXPECT_THAT(recoloured(MeshFormat::kPly, floats, 2, {255, 255, 51, 255}),
+              testing::HasSubstr("1.0   1 2 0.2 1 9\n"));
+}
+
 TEST(PlyRewriter, NormalsFollowTheSurface) {
   // Turns the square about the y axis: x becomes z.
   const auto turn = [](size_t, const Vec3d& p) { return Vec3d(0, p[1], p[0]); };

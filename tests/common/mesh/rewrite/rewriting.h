@@ -16,13 +16,13 @@ inline Vec3d stay(size_t, const Vec3d& position) {
   return position;
 }
 
-/// Reads a file, moves its vertices, and returns the file written again. Returns the refusal's
-/// message if rewriting fails.
-inline std::string rewritten(MeshFormat format, const std::string& content,
-                             const Move& move = stay) {
+/// Reads a file, edits the mesh, and returns the file written again. Returns the refusal's message
+/// if rewriting fails.
+inline std::string edited(MeshFormat format, const std::string& content,
+                          const std::function<void(TriangleMesh&)>& edit) {
   TriangleMesh after = parsed(format, content);
   const std::vector<Vec3d> before = after.vertices;
-  for (size_t v = 0; v < before.size(); ++v) after.vertices[v] = move(v, before[v]);
+  edit(after);
   std::string text;
   OutputBuffer output([&](std::string_view piece) {
     text += piece;
@@ -32,6 +32,20 @@ inline std::string rewritten(MeshFormat format, const std::string& content,
       rewrite_mesh({reinterpret_cast<const uint8_t*>(content.data()), content.size()}, format,
                    "scan", {before, after}, output);
   return status.is_ok() ? text : status.message();
+}
+
+/// Does the same with moved vertices.
+inline std::string rewritten(MeshFormat format, const std::string& content,
+                             const Move& move = stay) {
+  return edited(format, content, [&](TriangleMesh& mesh) {
+    for (size_t v = 0; v < mesh.vertices.size(); ++v) mesh.vertices[v] = move(v, mesh.vertices[v]);
+  });
+}
+
+/// Does the same with another colour of a vertex.
+inline std::string recoloured(MeshFormat format, const std::string& content, size_t vertex,
+                              const Rgba8& colour) {
+  return edited(format, content, [&](TriangleMesh& mesh) { mesh.colours.at(vertex) = colour; });
 }
 
 /// Returns the text with one part replaced by another. Fails the test unless it is there once.

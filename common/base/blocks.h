@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-namespace burnish::cpu {
+namespace burnish {
 
-/// Loops work through corners in blocks of this many: whole tiles of a stencil's rows.
+/// Loops work through items in blocks of this many: whole tiles of a stencil's rows, if they are
+/// corners.
 inline constexpr int32_t kBlock = 2048;
 
 /// Runs `run_block(begin, end)` over [0, n), blocks in parallel. Each block goes to a free thread,
@@ -29,4 +30,4 @@ Sum ordered_sum(int32_t n, SumBlock&& sum_block) {
   return total;
 }
 
-}  // namespace burnish::cpu
+}  // namespace burnish

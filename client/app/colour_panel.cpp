@@ -1,0 +1,51 @@
+#include <algorithm>
+#include <numbers>
+
+#include "client/app/panels.h"
+#include "client/app/places.h"
+#include "client/app/theme.h"
+#include "client/app/value_slider.h"
+#include "client/tools/colours.h"
+#include "common/edit/wavelength.h"
+
+namespace burnish {
+namespace {
+
+/// Returns what became of the filter's α, as the wavelength of which half is left.
+SliderChange draw_size(const Document& document, double& alpha, MessageLog& log) {
+  const double least = kWaveCellsMin * document.cell_size(), most = document.diagonal();
+  double size = std::clamp(wavelength_of_alpha(document.length_unit(), alpha), least, most);
+  ImGui::TextUnformatted("Longest detail");
+  hint("Colours that change over longer ways stay. In the scan's units");
+  const SliderChange change = log_slider({{"Longest detail", least, most}, "%.3g", log}, size);
+  if (change != SliderChange::kStill) alpha = alpha_of_wavelength(document.length_unit(), size);
+  return change;
+}
+
+void draw_filter(Document& document, MessageLog& log) {
+  ColourFilter changed = document.colour_filter();
+  ImGui::TextUnformatted("Gradient scale of colours");
+  hint("Left evens the colours out, right makes them differ more. The shape does not move.");
+  SliderChange change = beta_slider("Gradient scale of colours", changed.beta,
+                                    to_imgui(blue_to_red(signed_part_of_beta(changed.beta))), log);
+  change = std::max(change, draw_size(document, changed.alpha, log));
+  if (change == SliderChange::kMoving) document.preview_colour(changed);
+  if (change == SliderChange::kDone) document.set_colour_filter(changed);
+}
+
+}  // namespace
+
+void ColourPanel::draw(Workspace& workspace) {
+  Document& document = *workspace.document();
+  if (document.colour() != ColourBy::kScan &&
+      noted("Show colours", ImGui::Button("Show colours", {-1, 0})))
+    document.set_colour(ColourBy::kScan);
+  ImGui::BeginDisabled(document.is_viewer());
+  draw_filter(document, workspace.log);
+  if (noted("Keep colours", ImGui::Button("Keep colours", {-1, 0})))
+    document.set_colour_filter({document.colour_filter().alpha, 1});
+  hint("Sets the gradient scale to 1. Painted colours stay painted.");
+  ImGui::EndDisabled();
+}
+
+}  // namespace burnish

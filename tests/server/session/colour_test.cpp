@@ -1,0 +1,163 @@
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/evaluation/evaluation.h"
+#include "common/generate/generate.h"
+#include "common/mesh/srgb.h"
+#include "server/session/fit_signal.h"
+#include "tests/server/session/solved_session.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+// Harmonics of order 1, 2 and 3 on the unit sphere: λ² = 2, 6 and 12. Within ±1.
+Vec3d harmonics(const Vec3d& p) {
+  return {p.x(), 2 * p.x() * p.y(), 5 * p.x() * p.y() * p.z()};
+}
+
+Rgba8 colour_of(const Vec3d& linear, uint8_t alpha = 200) {
+  const Vec3f of = linear.cast<float>();
+  return {srgb_byte(of.x()), srgb_byte(of.y()), srgb_byte(of.z()), alpha};
+}
+
+TriangleMesh coloured_sphere(int divisions) {
+  TriangleMesh sphere = make_icosphere(divisions, 1);
+  for (const Vec3d& p : sphere.vertices)
+    sphere.colours.push_back(colour_of(Vec3d::Constant(0.5) + 0.4 * harmonics(p)));
+  return sphere;
+}
+
+double linear_at(const TriangleMesh& mesh, size_t vertex, int channel) {
+  return linear_of_srgb(mesh.colours[vertex][channel]);
+}
+
+// Returns by how much a channel's wave is multiplied: the best factor over all vertices.
+double gain_of(const TriangleMesh& before, const TriangleMesh& after, int channel) {
+  double both = 0, square = 0;
+  for (size_t v = 0; v < before.vertices.size(); ++v) {
+    const double wave = harmonics(before.vertices[v])[channel];
+    both += wave * (linear_at(after, v, channel) - 0.5);
+    square += wave * wave * 0.4;
+  }
+  return both / square;
+}
+
+TEST(Colours, HarmonicsOfASphereScaleAsTheFormulaSays) {
+  const TriangleMesh sphere = coloured_sphere(6);
+  const auto session = session_over(sphere, 7);
+  const double length = session->prepared().length_unit;
+  const ColourFilter filter{4 * length, 0.25};
+  const TriangleMesh filtered = exact_surface(*session, {SetColour{filter}});
+  for (int channel = 0; channel < 3; ++channel) {
+    const double square = (channel + 1) * (channel + 2), a = filter.alpha / length;
+    const double expected = (a * a + filter.beta * square) / (a * a + square);
+    EXPECT_NEAR(gain_of(sphere, filtered, channel), expected, 1e-3) << "channel " << channel;
+  }
+  EXPECT_EQ(filtered.vertices, sphere.vertices);
+}
+
+TEST(Colours, ABetaOfOneReturnsTheScanExactly) {
+  const TriangleMesh sphere = coloured_sphere(4);
+  const auto session = session_over(sphere);
+  exact_surface(*session, {SetColour{{10, 0}}});
+  EXPECT_EQ(exact_surface(*session, {SetColour{{10, 1}}}).colours, sphere.colours);
+}
+
+TEST(Colours, OneColourEverywhereStays) {
+  TriangleMesh sphere = make_icosphere(4, 1);
+  sphere.colours.assign(sphere.vertices.size(), Rgba8{17, 130, 255, 9});
+  const auto session = session_over(sphere);
+  EXPECT_EQ(exact_surface(*session, {SetColour{{5, 3}}}).colours, sphere.colours);
+}
+
+TEST(Colours, StayWhereTheShapeIsEdited) {
+  const TriangleMesh sphere = coloured_sphere(4);
+  const auto session = session_over(sphere);
+  const TriangleMesh smooth = exact_surface(*session, {SetGradientScale{0}});
+  EXPECT_EQ(smooth.colours, sphere.colours);
+  EXPECT_NE(smooth.vertices, sphere.vertices);
+}
+
+TEST(Colours, AreCutOffAtBlackAndWhite) {
+  const TriangleMesh sphere = coloured_sphere(4);
+  const auto session = session_over(sphere);
+  const TriangleMesh sharp = exact_surface(*session, {SetColour{{1, 10}}});
+  uint8_t least = 255, most = 0;
+  for (const Rgba8& colour : sharp.colours) {
+    least = std::min(least, colour[0]);
+    most = std::max(most, colour[0]);
+    ASSERT_EQ(colour[3], 200);
+  }
+  EXPECT_EQ(least, 0);
+  EXPECT_EQ(most, 255);
+}
+
+TEST(Colours, ABrushFiltersThemUnderItAlone) {
+  const TriangleMesh sphere = coloured_sphere(5);
+  Stroke stroke{{0.5, 1, 0, FallOff::kConstant}, {Vec3d(0, 0, 1)}};
+  stroke.brush.colour = true;
+  const auto session = session_over(sphere, 6);
+  const TriangleMesh painted = exact_surface(*session, {SetColour{{60, 1}}, stroke});
+  size_t changed = 0;
+  for (size_t v = 0; v < sphere.vertices.size(); ++v) {
+    if (painted.colours[v] == sphere.colours[v]) continue;
+    ++changed;
+    ASSERT_LT((sphere.vertices[v] - Vec3d(0, 0, 1)).norm(), 0.9);
+  }
+  EXPECT_GT(changed, 10u);
+  EXPECT_EQ(painted.vertices, sphere.vertices);
+}
+
+TEST(Colours, AreKeptInTheProtectedRegion) {
+  const TriangleMesh sphere = coloured_sphere(4);
+  const auto session = session_over(sphere);
+  Protect all;
+  all.way = PieceRegion{Vec3d(0, 0, 1)};
+  EXPECT_EQ(exact_surface(*session, {all, SetColour{{10, 0}}}).colours, sphere.colours);
+}
+
+TEST(Colours, AnUndoBringsThemBack) {
+  const TriangleMesh sphere = coloured_sphere(4);
+  const auto session = session_over(sphere);
+  EXPECT_NE(exact_surface(*session, {SetColour{{10, 0}}}).colours, sphere.colours);
+  EXPECT_EQ(exact_surface(*session, {Undo{}}).colours, sphere.colours);
+}
+
+TEST(Colours, OfAScanWithoutAnyAreRefused) {
+  const auto session = session_over(make_icosphere(3, 1));
+  const Status refused = session->edited().check_new({"c", SetColour{{10, 0}}});
+  EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(refused.message(), HasSubstr("no colours"));
+}
+
+TEST(Colours, AStepOfThemLeavesTheSurfaceInPlace) {
+  const auto session = session_over(coloured_sphere(4));
+  exact_surface(*session, {SetGradientScale{0.5}});
+  const std::vector<Vec3f> before(session->displacement().begin(), session->displacement().end());
+  ASSERT_TRUE(session->apply({"c", SetColour{{10, 0}}}).is_ok());
+  const StepReport last = session->step();
+  EXPECT_FALSE(session->is_settled(last));
+  EXPECT_TRUE(std::ranges::equal(session->displacement(), before));
+  EXPECT_GT(std::ranges::max(session->colour_change(), {}, &Vec3f::norm).norm(), 0);
+}
+
+TEST(FitSignal, MeetsAFunctionThatTheGridHolds) {
+  const TriangleMesh sphere = make_icosphere(5, 1);
+  const Multigrid mesh = make_multigrid(prepare(sphere, {.depth = 5}).value()).value();
+  std::vector<Vec3f> linear;
+  for (const Vec3d& p : sphere.vertices) linear.push_back(p.cast<float>());
+  const std::vector<Vec3f> fitted = fit_signal(mesh, linear);
+  const SparseGrid& grid = mesh.hierarchy->at(mesh.hierarchy->finest).grid;
+  for (size_t v = 0; v < linear.size(); ++v) {
+    const Vec3f at =
+        evaluate<Vec3f>(grid, mesh.prepared->evaluation[v], std::span<const Vec3f>(fitted));
+    ASSERT_LT((at - linear[v]).norm(), 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace burnish
