@@ -78,8 +78,8 @@ class CudaBackend final : public Backend {
     stream_.synchronize();
     if (!stream_.is_ok()) return;
     alpha_.set(stream_, metric);
-    const bool same_ratios =
-        std::exchange(all_have_one_alpha_, metric.is_uniform()) && metric.is_uniform();
+    const bool is_isotropic = metric.is_isotropic();
+    const bool same_ratios = std::exchange(all_ratios_are_one_, is_isotropic) && is_isotropic;
     stream_.share_memory(kSharedBesideOthers);
     if (same_ratios)
       run_on_device(kSameRatiosGraph, [this] { assemble_matrices({}); });
@@ -242,7 +242,7 @@ class CudaBackend final : public Backend {
   int coarse_offset_;
   Graphs graphs_{stream_};
   DeviceAlpha alpha_;
-  bool all_have_one_alpha_ = false;  // and so one ratio of α1 and α2
+  bool all_ratios_are_one_ = false;  // of α1 and α2
   GradientScale beta_;
   DeviceArray<float> gradients_, gradient_rests_;  // CellGradients
   DeviceArray<double> combined_;        // numbers of the finest depth: CellSquares, then sheets
