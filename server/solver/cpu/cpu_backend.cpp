@@ -65,7 +65,7 @@ class CpuBackend final : public Backend {
     return bytes;
   }
 
-  void set_metric(const MetricView& metric) override {
+  bool set_metric(const MetricView& metric) override {
     const std::vector<int32_t> changed = alphas_->take(metric);
     constraint_->set_ratio(ratios_of(alphas_->latest()));
     const double anisotropy = anisotropy_of(constraint_->ratio());
@@ -74,11 +74,13 @@ class CpuBackend final : public Backend {
       depth.anisotropy = static_cast<float>(anisotropy);
       depth.is_spectrum_new = is_spectrum_new;
     }
-    if (changed.size() * kWholeFromOneIn > on_.prepared->cells.size())
+    const bool is_whole = changed.size() * kWholeFromOneIn > on_.prepared->cells.size();
+    if (is_whole)
       make_matrices();
     else
       update_matrices(changed);
     coarsest_.factor(depths_.front());
+    return is_whole;
   }
 
   void set_constraint(const FieldsView& fields) override {

@@ -74,9 +74,9 @@ class CudaBackend final : public Backend {
     return bytes;
   }
 
-  void set_metric(const MetricView& metric) override {
+  bool set_metric(const MetricView& metric) override {
     stream_.synchronize();
-    if (!stream_.is_ok()) return;
+    if (!stream_.is_ok()) return true;
     alpha_.set(stream_, metric);
     const bool is_isotropic = metric.is_isotropic();
     const bool same_ratios = std::exchange(all_ratios_are_one_, is_isotropic) && is_isotropic;
@@ -87,6 +87,7 @@ class CudaBackend final : public Backend {
       run_on_device(kMetricGraph, [this] { assemble_matrices(gradients()); });
     stream_.share_memory(Stream::kAsItSuits);
     gradients_are_new_ |= !same_ratios;
+    return true;
   }
 
   void set_constraint(const FieldsView& fields) override {
