@@ -130,13 +130,13 @@ TEST(ChangedAssembly, HasTheBitsOfTheWholeOnAwkwardScans) {
 }
 
 TEST(ChangedAssembly, HasTheBitsOfTheWholeWithDepthsThatKeepNumbers) {
-  const TestSystem system(reference::bumpy_sphere(5), 8);
+  const TestSystem system(reference::bumpy_sphere(5), 7);
   const auto depths = system.assembled();
   EXPECT_GT(depths.size(), kDepthsNotKept);
   EXPECT_FALSE(depths.front().kept_numbers.empty());
   EXPECT_TRUE(depths.back().kept_numbers.empty());
-  expect_local_is_whole(reference::bumpy_sphere(5), 8, 4);
-  expect_local_is_whole(reference::several_components(), 8, 4);
+  expect_local_is_whole(reference::bumpy_sphere(5), 7, 4);
+  expect_local_is_whole(reference::several_components(), 7, 4);
 }
 
 TEST(ChangedAssembly, PinsAndFreesCornersFarFromTheChange) {
