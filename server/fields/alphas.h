@@ -13,6 +13,15 @@ struct CellAlphas {
   bool operator==(const CellAlphas&) const = default;
 };
 
+/// α1 and α2 of one cell.
+struct CellAlpha {
+  float first, second;
+  bool operator==(const CellAlpha&) const = default;
+};
+
+/// Returns the α that a curve gives to a cell.
+CellAlpha follow_curve(const TransferCurve& curve, const CellCurvature& of);
+
 /// Computes α1 and α2 from a metric.
 void evaluate(const MetricView& metric, const PreparedMesh& prepared, CellAlphas& alphas);
 

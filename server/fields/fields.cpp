@@ -15,18 +15,19 @@ Fields::Fields(const PreparedMesh& prepared)
       may_have_paint_((prepared.cells.size() + kStretch - 1) / kStretch, 0),
       beta_(prepared.cells.size(), static_cast<float>(kBetaDefault)),
       follow_(prepared.cells.size(), 1),
-      own_(prepared.cells.size(), 0) {
+      own_(prepared.cells.size(), 0),
+      blend_is_old_(may_have_paint_.size(), 1) {
   paint_[kBetaLayer].emplace(prepared.cells.size());
 }
 
 void Fields::set_transfer_curve(const TransferCurve& curve) {
   curve_ = curve;
-  alphas_are_old_ = true;
+  make_blends_old();
 }
 
 void Fields::set_palette(const Palette& palette) {
   palette_ = palette;
-  alphas_are_old_ = true;
+  make_blends_old();
 }
 
 void Fields::set_gradient_scale(double beta) {
@@ -48,13 +49,15 @@ Status Fields::override_cells(const SetCellFields& change) {
     overrides_.push_back(own);
     may_have_paint_[own.cell / kStretch] = 1;
   }
-  beta_is_old_ = alphas_are_old_ = true;
+  beta_is_old_ = true;
+  make_blends_old();
   return Status::ok();
 }
 
 void Fields::clear_overrides() {
   overrides_.clear();
-  beta_is_old_ = alphas_are_old_ = true;
+  beta_is_old_ = true;
+  make_blends_old();
 }
 
 FieldsView Fields::view() const {
@@ -94,6 +97,7 @@ std::vector<float> Fields::edited() const {
 
 uint64_t Fields::byte_count() const {
   uint64_t bytes = 3 * beta_.size() * sizeof(float) + may_have_paint_.size() +
+                   blend_is_old_.size() +
                    (overrides_.size() + blended_own_.size()) * sizeof(OwnFields) +
                    (hold_ ? hold_->byte_count() : 0) +
                    (colour_hold_ && colour_hold_ != hold_ ? colour_hold_->byte_count() : 0);

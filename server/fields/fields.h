@@ -99,6 +99,8 @@ class Fields {
   void mark_held();
   void hold_beta() const;
   void update_blended_own() const;
+  void blend_stretch(size_t stretch, std::vector<OwnFields>& blended) const;
+  void make_blends_old();
   /// Returns the index of an active cell. Fails: invalid_argument.
   Result<int32_t> index_of(const Vec3i& cell) const;
 
@@ -123,6 +125,7 @@ class Fields {
   // The overrides, painted curves and the hold on top, where there is one of these.
   mutable std::vector<OwnFields> blended_own_;
   mutable bool alphas_are_old_ = false;
+  mutable std::vector<uint8_t> blend_is_old_;  // per kStretch cells: their blended_own_
 };
 
 }  // namespace burnish

@@ -1,6 +1,9 @@
 // The part of Fields for cells whose α are blended: by painted curves, and by what is held.
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "server/fields/fields.h"
 
@@ -40,24 +43,48 @@ class Fields::CurveBlend {
   double rest_ = 1;
 };
 
-// Walks through the overrides and the cells together: both are by rising cell.
+void Fields::make_blends_old() {
+  alphas_are_old_ = true;
+  std::ranges::fill(blend_is_old_, uint8_t{1});
+}
+
+// A dab makes few stretches old: the others are copied.
 void Fields::update_blended_own() const {
   alphas_are_old_ = false;
-  blended_own_.clear();
+  std::vector<OwnFields> blended;
+  blended.reserve(blended_own_.size());
+  auto kept = blended_own_.begin();
+  for (size_t stretch = 0; stretch < may_have_paint_.size(); ++stretch) {
+    const auto end = std::find_if(kept, blended_own_.end(), [&](const OwnFields& own) {
+      return own.cell >= static_cast<int32_t>((stretch + 1) * kStretch);
+    });
+    if (std::exchange(blend_is_old_[stretch], uint8_t{0}) == 0)
+      blended.insert(blended.end(), kept, end);
+    else
+      blend_stretch(stretch, blended);
+    kept = end;
+  }
+  blended_own_ = std::move(blended);
+}
+
+// Walks through the overrides and the cells together: both are by rising cell.
+void Fields::blend_stretch(size_t stretch, std::vector<OwnFields>& blended) const {
   const double alpha_of_grid = 1 / prepared_.alpha_scale();
-  auto over = overrides_.begin();
-  for (size_t c = 0; c < beta_.size(); ++c) {
+  const size_t begin = stretch * kStretch, end = std::min(begin + kStretch, beta_.size());
+  auto over =
+      std::ranges::lower_bound(overrides_, static_cast<int32_t>(begin), {}, &OwnFields::cell);
+  if (!hold_ && !may_have_paint_[stretch]) return;
+  for (size_t c = begin; c < end; ++c) {
     const bool is_own = over != overrides_.end() && over->cell == static_cast<int32_t>(c);
     const float held = hold_ ? hold_->weight[c] : 0;
-    if (!is_own && held == 0 && !may_have_paint_[c / kStretch]) continue;
     const CurveBlend blend(*this, c);
     if (!is_own && held == 0 && !blend.is_painted()) continue;
     const CellCurvature& of = prepared_.curvature[c];
     const double alpha1 = is_own ? double{over->alpha1} : blend.alpha(of.kappa1);
     const double alpha2 = is_own ? double{over->alpha2} : blend.alpha(of.kappa2);
-    blended_own_.push_back({static_cast<int32_t>(c),
-                            static_cast<float>(held_alpha(alpha1, held, alpha_of_grid)),
-                            static_cast<float>(held_alpha(alpha2, held, alpha_of_grid)), beta_[c]});
+    blended.push_back({static_cast<int32_t>(c),
+                       static_cast<float>(held_alpha(alpha1, held, alpha_of_grid)),
+                       static_cast<float>(held_alpha(alpha2, held, alpha_of_grid)), beta_[c]});
     if (is_own) ++over;
   }
 }

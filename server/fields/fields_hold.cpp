@@ -7,7 +7,8 @@ namespace burnish {
 void Fields::set_hold(std::shared_ptr<const Hold> hold) {
   hold_ = hold && !hold->cells.empty() ? std::move(hold) : nullptr;
   mark_held();
-  beta_is_old_ = alphas_are_old_ = true;
+  beta_is_old_ = true;
+  make_blends_old();
 }
 
 void Fields::mark_held() {

@@ -38,7 +38,7 @@ void Fields::paint(const Brush& brush, std::span<const Vec3d> centres,
   const size_t number = layer_of(brush);
   PaintLayer& layer = make_layer(number);
   const AxisBox box = box_of(centres, brush.radius);
-  for (const int64_t c : cells) may_have_paint_[c / kStretch] = 1;
+  for (const int64_t c : cells) may_have_paint_[c / kStretch] = blend_is_old_[c / kStretch] = 1;
   const bool is_long = cells.size() * centres.size() >= kPaintParallelMin;
 #pragma omp parallel for schedule(dynamic, 256) if (is_long)
   for (size_t i = 0; i < cells.size(); ++i) {
@@ -112,6 +112,7 @@ void Fields::set_painted(const PaintedCells& painted) {
   std::fill(may_have_paint_.begin(), may_have_paint_.end(), uint8_t{0});
   for (const OwnFields& own : overrides_) may_have_paint_[own.cell / kStretch] = 1;
   mark_held();
+  make_blends_old();
   for (size_t i = 0; i < painted.cells.size(); ++i) {
     const int32_t cell = painted.cells[i];
     PaintLayer& layer = make_layer(painted.layer.empty() ? kBetaLayer : painted.layer[i]);

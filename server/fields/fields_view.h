@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,6 +22,11 @@ struct MetricView {
   std::span<const OwnFields> own;  ///< some cells, each once, by rising cell
   /// Returns whether all cells have one α.
   bool is_uniform() const { return own.empty() && curve->is_constant(); }
+  /// Returns whether α1 = α2 in each cell.
+  bool is_isotropic() const {
+    return curve->is_constant() &&
+           std::ranges::all_of(own, [](const OwnFields& of) { return of.alpha1 == of.alpha2; });
+  }
 };
 
 /// The sources of a cell's β: β = 1 + follow·(slider − 1) + own.

@@ -67,11 +67,12 @@ void Solver::set_signal(std::span<const Vec3f> signal) {
 void Solver::set_metric(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();
-  backend_->set_metric(fields.metric);
+  const bool is_whole = backend_->set_metric(fields.metric);
   backend_->set_constraint(fields);
   assemble_seconds_ += seconds_since(start);
+  residual_is_stale_ = true;
+  rescale_ |= is_whole || fields.gradient_scale != gradient_scale_;
   start_from(fields, kNewMetric);
-  residual_is_stale_ = rescale_ = true;
 }
 
 void Solver::set_gradient_scale(const FieldsView& fields) {

@@ -202,6 +202,36 @@ TEST_P(Facts, AnIdleSessionStaysWhereItSettled) {
   }
 }
 
+// The dabs change α in a part of the cells: a live session makes only their matrices again.
+TEST_P(EverySmoother, DabsOfCurvesEndWhereAFreshSessionDoes) {
+  const TriangleMesh mesh = bumpy();
+  const Palette palette{{{"even", 0, TransferCurve(10)}, {"by curvature", 0, contrast_100()}}};
+  const auto dab = [&](size_t vertex, int curve) {
+    return Stroke{{.radius = 0.3, .strength = 0.8, .curve = curve}, {mesh.vertices[vertex]}};
+  };
+  Filtered live = session(mesh, 6), fresh = session(mesh, 6), without = session(mesh, 6);
+  live.alpha(40).beta(0).palette(palette).exact();
+  live.paint(dab(7, 1)).after(1);
+  live.paint(dab(900, 1)).after(2);
+  live.paint(dab(7, 2)).after(1);
+  fresh.alpha(40).beta(0).palette(palette);
+  fresh.paint(dab(7, 1)).paint(dab(900, 1)).paint(dab(7, 2));
+  const auto painted = live.exact(), plain = without.alpha(40).beta(0).exact();
+  EXPECT_LE(vertex_distance(painted, fresh.exact(), fresh.diagonal()).max, 2e-6);
+  EXPECT_GT(vertex_distance(painted, plain, fresh.diagonal()).max, 1e-4);
+}
+
+TEST_P(Facts, ADabOfACurveSettlesInThreeFrames) {
+  const TriangleMesh mesh = bumpy();
+  const Palette palette{{{"even", 0, TransferCurve(5)}}};
+  const Stroke dab{{.radius = 0.3, .strength = 1, .curve = 1}, {mesh.vertices[7]}};
+  Filtered live = session(mesh, 6);
+  live.alpha(50).beta(0).palette(palette).exact();
+  live.paint(dab);
+  const auto moved = live.after(3);
+  EXPECT_LE(vertex_distance(moved, live.exact(), live.diagonal()).max, 1e-3);
+}
+
 std::string case_name(const testing::TestParamInfo<BackendCase>& info) {
   return info.param.name;
 }

@@ -32,6 +32,11 @@ Filtered& Filtered::paint(const Stroke& stroke) {
   return *this;
 }
 
+Filtered& Filtered::palette(const Palette& palette) {
+  must(session_->apply({std::to_string(edits_++), SetPalette{palette}}));
+  return *this;
+}
+
 std::vector<Vec3d> Filtered::after(int cycles) {
   for (int i = 0; i < cycles; ++i) session_->step();
   return session_->surface().vertices;

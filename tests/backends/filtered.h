@@ -18,6 +18,7 @@ class Filtered {
   Filtered& alpha(double alpha) { return curve(TransferCurve(alpha)); }
   Filtered& beta(double beta);
   Filtered& paint(const Stroke& stroke);
+  Filtered& palette(const Palette& palette);
 
   /// Returns the vertices after exactly this many steps.
   std::vector<Vec3d> after(int cycles);

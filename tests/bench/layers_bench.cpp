@@ -1,9 +1,12 @@
 // The cost and the effect of the equaliser and the palette. "layers": a gain's step and a dab of a
-// curve, beside a solve frame and a new metric. "response": how much is left of a wave on a sphere
-// when one band is silent, beside the formula. The wave is that of the coordinates, which are
-// harmonics of order one.
+// curve, beside a solve frame and a whole new metric of the painted scan. An update is a frame
+// without its cycle: fields, matrices and constraint. "response": how much is left of a wave on a
+// sphere when one band is silent, beside the formula. The wave is that of the coordinates, which
+// are harmonics of order one.
 
+#include <algorithm>
 #include <numbers>
+#include <vector>
 
 #include "common/generate/generate.h"
 #include "server/prepare/prepare.h"
@@ -39,22 +42,48 @@ double measure_gain(Session& session) {
   });
 }
 
-double measure_curve_dab(Session& session) {
+/// Median milliseconds of a frame with an edit, and of its part before the cycle.
+struct EditTimes {
+  double update, frame;
+};
+
+template <typename Apply>
+EditTimes measure_edit(Session& session, Apply&& apply) {
+  std::vector<double> updates;
+  EditTimes times{};
+  times.frame = median_milliseconds(kFrames, 1, [&] {
+    updates.push_back(milliseconds([&] {
+      apply();
+      session.update();
+    }));
+    session.step();
+  });
+  std::ranges::nth_element(updates, updates.begin() + kFrames / 2);
+  times.update = updates[kFrames / 2];
+  return times;
+}
+
+EditTimes measure_curve_dab(Session& session) {
   const PreparedMesh& prepared = session.prepared();
   must_apply(session, SetPalette{{{{"painted", 0, TransferCurve(20)}}}});
   Brush brush{.radius = kDabRadius * prepared.statistics.diagonal(), .strength = 0.5, .curve = 1};
   size_t vertex = 0;
-  return median_milliseconds(kFrames, 1, [&] {
+  return measure_edit(session, [&] {
     vertex = (vertex + prepared.vertices.size() / kFrames) % prepared.vertices.size();
     must_apply(session, Stroke{brush, {prepared.vertices[vertex]}});
-    session.step();
   });
+}
+
+EditTimes measure_whole_metric(Session& session) {
+  double alpha = kAlphaDefault;
+  return measure_edit(
+      session, [&] { must_apply(session, SetTransferCurve{TransferCurve(alpha *= 0.999)}); });
 }
 
 Status measure(const BenchSystem& system, BackendKind backend, int threads, BenchTable& table) {
   ASSIGN_OR_RETURN(const auto session,
                    Session::open(system, {.backend = backend, .threads = threads}));
-  const FrameTimes frames = measure_frames(*session, TransferCurve(kAlphaDefault));
+  must_apply(*session, SetGradientScale{0});
   BURNISH_CHECK(session->solve({}).is_ok(), "the session could not be solved");
   const double solve = median_milliseconds(kFrames, 1, [&] {
     session->step();
@@ -62,10 +91,11 @@ Status measure(const BenchSystem& system, BackendKind backend, int threads, Benc
   });
   const double gain = measure_gain(*session);
   must_apply(*session, SetEqualiser{});
-  const double dab = measure_curve_dab(*session);
+  const EditTimes dab = measure_curve_dab(*session), metric = measure_whole_metric(*session);
   table.add({system.name, std::string(session->solver().backend_name()),
-             static_cast<double>(system.corners()), solve, gain, gain / solve, frames.matrix, dab,
-             dab / frames.matrix});
+             static_cast<double>(system.corners()), solve, gain, gain / solve, metric.frame,
+             dab.frame, dab.frame / metric.frame, metric.update, dab.update,
+             dab.update / metric.update});
   return session->status();
 }
 
@@ -108,7 +138,10 @@ Status run(const BenchArguments& arguments, BenchReport& report) {
                                                   {"gain_of_solve"},
                                                   {"metric_ms"},
                                                   {"curve_dab_ms"},
-                                                  {"dab_of_metric"}});
+                                                  {"dab_of_metric"},
+                                                  {"metric_update_ms"},
+                                                  {"dab_update_ms"},
+                                                  {"dab_of_update"}});
   for (const ScanArgument& scan : arguments.scans) {
     ASSIGN_OR_RETURN(const TriangleMesh mesh, load_mesh(scan));
     ASSIGN_OR_RETURN(const auto system,

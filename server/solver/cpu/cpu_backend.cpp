@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/base/blocks.h"
+#include "server/fields/changing_alphas.h"
 #include "server/solver/cpu/assembly/assembly.h"
 #include "server/solver/cpu/assembly/constraint.h"
 #include "server/solver/cpu/cpu_depth.h"
@@ -13,12 +14,15 @@
 #include "server/solver/cpu/readout.h"
 #include "server/solver/cpu/smoothers/patch_solver.h"
 #include "server/solver/cpu/smoothers/smoother.h"
+#include "server/solver/hierarchy/changed_parts.h"
 
 namespace burnish {
 
 namespace cpu {
 
 namespace {
+
+constexpr size_t kWholeFromOneIn = 3;  // with more changed cells, all matrices are made anew
 
 double anisotropy_of(std::span<const double> ratio) {
   double most = 1;
@@ -39,6 +43,7 @@ void evaluate_all(const SparseGrid& grid, std::span<const EvaluationPoint> point
 class CpuBackend final : public Backend {
  public:
   CpuBackend(Multigrid on, Smoother smoother) : on_(std::move(on)), patches_(on_.plan->patches) {
+    alphas_ = std::make_unique<ChangingAlphas>(*on_.prepared);
     depths_.reserve(on_.hierarchy->depths.size());
     for (const HierarchyDepth& topology : on_.hierarchy->depths) {
       depths_.emplace_back(topology);
@@ -53,8 +58,7 @@ class CpuBackend final : public Backend {
 
   uint64_t byte_count() const override {
     uint64_t bytes = outer_->byte_count() + coarsest_.byte_count() + patches_.byte_count() +
-                     constraint_->byte_count() + bytes_of(alphas_.alpha1) +
-                     bytes_of(alphas_.alpha2) + bytes_of(displacement_) +
+                     constraint_->byte_count() + alphas_->byte_count() + bytes_of(displacement_) +
                      bytes_of(vertex_displacement_);
     for (const CpuDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother ? smoother->byte_count() : 0;
@@ -63,19 +67,22 @@ class CpuBackend final : public Backend {
 
   void set_signal(std::span<const Vec3f> signal) override { constraint_->set_signal(signal); }
 
-  void set_metric(const MetricView& metric) override {
-    evaluate(metric, *on_.prepared, alphas_);
-    assemble(*on_.prepared, alphas_, depths_, &outer_->matrix());
-    constraint_->set_ratio(ratios_of(alphas_));
+  bool set_metric(const MetricView& metric) override {
+    const std::vector<int32_t> changed = alphas_->take(metric);
+    constraint_->set_ratio(ratios_of(alphas_->latest()));
     const double anisotropy = anisotropy_of(constraint_->ratio());
     const bool is_spectrum_new = take_spectrum(metric);
     for (CpuDepth& depth : depths_) {
       depth.anisotropy = static_cast<float>(anisotropy);
       depth.is_spectrum_new = is_spectrum_new;
     }
-    for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
-    patches_.factor(depths_.back());
+    const bool is_whole = changed.size() * kWholeFromOneIn > on_.prepared->cells.size();
+    if (is_whole)
+      make_matrices();
+    else
+      update_matrices(changed);
     coarsest_.factor(depths_.front());
+    return is_whole;
   }
 
   void set_constraint(const FieldsView& fields) override {
@@ -123,6 +130,21 @@ class CpuBackend final : public Backend {
   }
 
  private:
+  void make_matrices() {
+    assemble(*on_.prepared, alphas_->latest(), depths_, &outer_->matrix());
+    for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
+    patches_.factor(depths_.back());
+  }
+
+  // Makes what depends on the α of these cells alone. The bits are those of make_matrices().
+  void update_matrices(std::span<const int32_t> cells) {
+    std::vector<ChangedDepth> changed =
+        find_changed_parts(*on_.prepared, *on_.hierarchy, cells, kDepthsNotKept);
+    assemble_changed(*on_.prepared, alphas_->latest(), changed, depths_, &outer_->matrix());
+    for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->update(depths_[i], changed[i].rows);
+    patches_.factor(depths_.back(), changed.back().rows);
+  }
+
   // λmax hardly moves if all cells have one α: on scans by a tenth from 1 to 50, and by a third up
   // to 1000, where its margin is more than a tenth. Returns whether λmax must be estimated again.
   bool take_spectrum(const MetricView& metric) {
@@ -142,7 +164,7 @@ class CpuBackend final : public Backend {
   }
 
   Multigrid on_;
-  CellAlphas alphas_;
+  std::unique_ptr<ChangingAlphas> alphas_;
   double alpha_of_spectrum_ = 0;  // α of all cells at the last estimate of λmax; 0 if they differed
   std::vector<CpuDepth> depths_;                           // the coarsest first
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest

@@ -11,7 +11,8 @@ CpuDepth::CpuDepth(const HierarchyDepth& topology_of_depth)
       r(topology.grid.corners.size(), Float4::Zero()) {}
 
 uint64_t CpuDepth::byte_count() const {
-  return system.byte_count() + bytes_of(inverse_diagonal) + bytes_of(x) + bytes_of(f) + bytes_of(r);
+  return system.byte_count() + bytes_of(inverse_diagonal) + bytes_of(kept_numbers) + bytes_of(x) +
+         bytes_of(f) + bytes_of(r);
 }
 
 }  // namespace burnish::cpu

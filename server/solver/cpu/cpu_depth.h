@@ -40,6 +40,10 @@ struct ExactMatrix {
   uint64_t byte_count() const { return bytes_of(entry) + bytes_of(row_sum); }
 };
 
+/// So many depths, the finest first, do not keep the combined numbers of their cells: these take
+/// 288 bytes a cell. A local new metric makes them again where it needs them.
+inline constexpr size_t kDepthsNotKept = 3;
+
 /// One session's numbers at one depth.
 struct CpuDepth {
   explicit CpuDepth(const HierarchyDepth& topology_of_depth);
@@ -49,6 +53,7 @@ struct CpuDepth {
   bool is_spectrum_new = true;  ///< λmax may have moved since its last estimate
   StencilMatrix system;         ///< S
   std::vector<float> inverse_diagonal;  ///< 0 where pinned
+  std::vector<double> kept_numbers;     ///< of its cells and ties; none at kDepthsNotKept depths
   std::vector<Float4> x, f;             ///< correction and right-hand side of the cycle
   std::vector<Float4> r;                ///< f − S x
 

@@ -8,8 +8,8 @@
 namespace burnish::cpu {
 
 /// An array for the temporary numbers of a new matrix; its entries are uninitialised. Touching
-/// fresh pages costs more than the writes, so two arrays of each type stay allocated and serve all
-/// sessions.
+/// fresh pages costs more than the writes, so three arrays of each type stay allocated and serve
+/// all sessions.
 template <typename T>
 class Scratch {
  public:
@@ -27,7 +27,7 @@ class Scratch {
   const T& operator[](size_t i) const { return buffer_[i]; }
 
  private:
-  static constexpr size_t kKept = 2;
+  static constexpr size_t kKept = 3;
   struct Kept {
     std::mutex mutex;
     std::vector<std::vector<T>> buffers;  // by rising size

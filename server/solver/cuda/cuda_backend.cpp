@@ -80,12 +80,12 @@ class CudaBackend final : public Backend {
     stream_.synchronize();
   }
 
-  void set_metric(const MetricView& metric) override {
+  bool set_metric(const MetricView& metric) override {
     stream_.synchronize();
-    if (!stream_.is_ok()) return;
+    if (!stream_.is_ok()) return true;
     alpha_.set(stream_, metric);
-    const bool same_ratios =
-        std::exchange(all_have_one_alpha_, metric.is_uniform()) && metric.is_uniform();
+    const bool is_isotropic = metric.is_isotropic();
+    const bool same_ratios = std::exchange(all_ratios_are_one_, is_isotropic) && is_isotropic;
     stream_.share_memory(kSharedBesideOthers);
     if (same_ratios)
       run_on_device(kSameRatiosGraph, [this] { assemble_matrices({}); });
@@ -96,6 +96,7 @@ class CudaBackend final : public Backend {
       make_signal_gradients(stream_, mesh_->integrals(), metric_with(gradients()), finest(),
                             signal_.data(), outer_->constraint().per_slider);
     gradients_are_new_ |= !same_ratios;
+    return true;
   }
 
   void set_constraint(const FieldsView& fields) override {
@@ -255,7 +256,7 @@ class CudaBackend final : public Backend {
   int coarse_offset_;
   Graphs graphs_{stream_};
   DeviceAlpha alpha_;
-  bool all_have_one_alpha_ = false;  // and so one ratio of α1 and α2
+  bool all_ratios_are_one_ = false;  // of α1 and α2
   GradientScale beta_;
   DeviceArray<float> gradients_, gradient_rests_;  // CellGradients
   DeviceArray<float3> signal_;                     // empty: the surface's own places

@@ -45,8 +45,9 @@ class Backend {
   /// it before the first metric. Shapes: one per corner. Units: any; results have them too.
   virtual void set_signal(std::span<const Vec3f> signal) = 0;
   /// Makes the matrices of all depths (section 5.2), the smoothers and the coarsest factorisation.
-  /// Afterwards r is wrong until recompute_residual().
-  virtual void set_metric(const MetricView& metric) = 0;
+  /// Where few cells have other α than before, a backend may make these cells' parts alone, with
+  /// the same bits. Afterwards r is wrong until recompute_residual(). Returns whether all is new.
+  virtual bool set_metric(const MetricView& metric) = 0;
   /// Makes b = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²), the constraint of the displacement, with the last
   /// metric. Changes r by the same amount.
   virtual void set_constraint(const FieldsView& fields) = 0;

@@ -39,10 +39,22 @@ struct Outputs {
   double* row_sum;
 };
 
+// Makes the inverses again. Adds the corners that became pinned or free.
+void invert_diagonal_again(CpuDepth& depth, std::vector<int32_t>& rows) {
+  std::vector<float> before = depth.inverse_diagonal;
+  invert_diagonal(depth.system.diagonal, depth.inverse_diagonal);
+  const size_t summed = rows.size();
+  for (int32_t i = 0; i < depth.corner_count(); ++i)
+    if ((before[i] == 0) != (depth.inverse_diagonal[i] == 0)) rows.push_back(i);
+  std::ranges::inplace_merge(rows, rows.begin() + static_cast<int64_t>(summed));
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+}
+
+// Sums the rows of `sources.only` from `begin` to `end`.
 BURNISH_DISPATCH void assemble_rows(const RowSources& sources, const double* cells,
                                     const Outputs& out, int32_t begin, int32_t end) {
-  for (int32_t stored = begin; stored < end; ++stored) {
-    const int32_t corner = sources.corner[stored];
+  for (int32_t i = begin; i < end; ++i) {
+    const int32_t stored = sources.stored(i), corner = sources.corner[stored];
     if (sources.mask[corner] == 0) continue;  // irregular
     const GatheredRow<double> row = gather_row(sources, cells, stored);
     out.diagonal[corner] = static_cast<float>(row.own - row.off_diagonal);
@@ -53,29 +65,45 @@ BURNISH_DISPATCH void assemble_rows(const RowSources& sources, const double* cel
   }
 }
 
-void assemble_irregular_rows(const CombinedCells& cells, CpuDepth& depth) {
-  const auto store = [&](int32_t corner, int64_t begin, std::span<const double> entries,
-                         double row_sum) {
+auto store_irregular_row(CpuDepth& depth) {
+  return [&](int32_t corner, int64_t begin, std::span<const double> entries, double row_sum) {
     for (double entry : entries) row_sum -= entry;
     depth.system.diagonal[corner] = static_cast<float>(row_sum);
     for (size_t k = 0; k < entries.size(); ++k)
       depth.system.entry[begin + k] = static_cast<float>(entries[k]);
   };
-  sum_irregular_rows(depth.topology.stencil, cells.numbers(), depth.topology.number_count(), store);
 }
 
-void assemble_depth(const CombinedCells& cells, CpuDepth& depth, ExactMatrix* exact) {
-  const RowSources sources(depth.topology);
+void assemble_regular_rows(const RowSources& sources, int32_t rows, const CombinedCells& cells,
+                           CpuDepth& depth, ExactMatrix* exact) {
   Outputs out = {depth.system.entry.data(), depth.system.diagonal.data(), nullptr, nullptr};
   if (exact != nullptr) {
     out.exact_entry = exact->entry.data();
     out.row_sum = exact->row_sum.data();
   }
-  for_each_block(depth.corner_count(), [&](int32_t begin, int32_t end) {
+  for_each_block(rows, [&](int32_t begin, int32_t end) {
     assemble_rows(sources, cells.numbers(), out, begin, end);
   });
-  assemble_irregular_rows(cells, depth);
+}
+
+void assemble_depth(const CombinedCells& cells, CpuDepth& depth, ExactMatrix* exact) {
+  assemble_regular_rows(RowSources(depth.topology), depth.corner_count(), cells, depth, exact);
+  sum_irregular_rows(depth.topology.stencil, cells.numbers(), depth.topology.number_count(),
+                     store_irregular_row(depth));
   invert_diagonal(depth.system.diagonal, depth.inverse_diagonal);
+}
+
+void assemble_rows_again(const CombinedCells& cells, std::vector<int32_t>& rows, CpuDepth& depth,
+                         ExactMatrix* exact) {
+  const RowSources sources(depth.topology, rows);
+  assemble_regular_rows(sources, static_cast<int32_t>(rows.size()), cells, depth, exact);
+  sum_irregular_rows(depth.topology.stencil, rows, cells.numbers(), depth.topology.number_count(),
+                     store_irregular_row(depth));
+  invert_diagonal_again(depth, rows);
+}
+
+void keep_numbers(const CombinedCells& cells, CpuDepth& depth) {
+  depth.kept_numbers.assign(cells.numbers(), cells.numbers() + depth.topology.number_count());
 }
 
 }  // namespace
@@ -93,8 +121,27 @@ void assemble(const PreparedMesh& prepared, const CellAlphas& alphas, std::span<
                                 : down_sample(fine, coarse, cells);
     assemble_depth(cells, depths[d], is_finest ? exact : nullptr);
     cells = std::move(parents);
+    if (depths.size() - (d - 1) > kDepthsNotKept) keep_numbers(cells, depths[d - 1]);
   }
   assemble_depth(cells, depths[0], depths.size() == 1 ? exact : nullptr);
+}
+
+void assemble_changed(const PreparedMesh& prepared, const CellAlphas& alphas,
+                      std::span<ChangedDepth> changed, std::span<CpuDepth> depths,
+                      ExactMatrix* exact) {
+  const Metric metric = {alphas.alpha1, alphas.alpha2, prepared.alpha_scale()};
+  CombinedCells cells(depths.back().topology);
+  combine_parts(prepared, metric, depths.back().topology, changed.back().needed, cells);
+  assemble_rows_again(cells, changed.back().rows, depths.back(), exact);
+  for (size_t d = depths.size() - 1; d-- > 0;) {
+    CpuDepth& depth = depths[d];
+    CombinedCells parents(depth.topology);
+    std::ranges::copy(depth.kept_numbers, parents.numbers());
+    down_sample_parts(depths[d + 1].topology, depth.topology, changed[d].needed, cells, parents);
+    if (!depth.kept_numbers.empty()) keep_numbers(parents, depth);
+    assemble_rows_again(parents, changed[d].rows, depth, nullptr);
+    cells = std::move(parents);
+  }
 }
 
 }  // namespace burnish::cpu

@@ -4,6 +4,7 @@
 
 #include "server/fields/alphas.h"
 #include "server/solver/cpu/cpu_depth.h"
+#include "server/solver/hierarchy/changed_parts.h"
 
 namespace burnish::cpu {
 
@@ -12,5 +13,12 @@ namespace burnish::cpu {
 /// Source: section 5.2.
 void assemble(const PreparedMesh& prepared, const CellAlphas& alphas, std::span<CpuDepth> depths,
               ExactMatrix* exact = nullptr);
+
+/// Brings the matrices up to `alphas` after a change of some cells: the same bits as assemble().
+/// Adds to the rows of `changed` the corners that became pinned or free. Needs: assemble() before,
+/// and find_changed_parts() of these cells with kDepthsNotKept.
+void assemble_changed(const PreparedMesh& prepared, const CellAlphas& alphas,
+                      std::span<ChangedDepth> changed, std::span<CpuDepth> depths,
+                      ExactMatrix* exact = nullptr);
 
 }  // namespace burnish::cpu

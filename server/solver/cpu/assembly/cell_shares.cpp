@@ -1,5 +1,6 @@
 #include "server/solver/cpu/assembly/cell_shares.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "common/base/dispatch.h"
@@ -74,6 +75,27 @@ void write_tie(const Square& sum, double* tie) {
     for (int w = 0; w < 8; ++w) tie[8 * v + w] = sum.row[v][w];
 }
 
+void add_shares_of_target(const HierarchyDepth& fine, const HierarchyDepth& coarse, size_t i,
+                          const CombinedCells& fine_cells, CombinedCells& coarse_cells) {
+  const CellShares& shares = coarse.shares;
+  const int32_t fine_count = fine.grid.cell_count(), coarse_count = coarse.grid.cell_count();
+  Square sum;
+  for (int32_t k = shares.start[i]; k < shares.start[i + 1]; ++k) {
+    const CellShare& share = shares.share[k];
+    const int32_t tie = share.source - fine_count;
+    const Square of_source =
+        tie < 0 ? square_of(fine_cells[share.source])
+                : square_of(fine_cells.numbers() + number_of_tie(fine_count, tie, 0, 0),
+                            share.is_transposed != 0);
+    add_product(shares.part[share.left], of_source, shares.part[share.right], sum);
+  }
+  if (const int32_t target = shares.target[i]; target < coarse_count)
+    add_to_cell(sum, coarse_cells[target]);
+  else
+    write_tie(sum,
+              coarse_cells.numbers() + number_of_tie(coarse_count, target - coarse_count, 0, 0));
+}
+
 }  // namespace
 
 void write_square(const CellMatrix& cell, double* square) {
@@ -82,26 +104,18 @@ void write_square(const CellMatrix& cell, double* square) {
 
 void add_shares(const HierarchyDepth& fine, const HierarchyDepth& coarse,
                 const CombinedCells& fine_cells, CombinedCells& coarse_cells) {
-  const CellShares& shares = coarse.shares;
-  const int32_t fine_count = fine.grid.cell_count(), coarse_count = coarse.grid.cell_count();
-#pragma omp parallel for schedule(dynamic, 64) if (shares.target.size() > kTargetsAlone)
-  for (size_t i = 0; i < shares.target.size(); ++i) {
-    Square sum;
-    for (int32_t k = shares.start[i]; k < shares.start[i + 1]; ++k) {
-      const CellShare& share = shares.share[k];
-      const int32_t tie = share.source - fine_count;
-      const Square of_source =
-          tie < 0 ? square_of(fine_cells[share.source])
-                  : square_of(fine_cells.numbers() + number_of_tie(fine_count, tie, 0, 0),
-                              share.is_transposed != 0);
-      add_product(shares.part[share.left], of_source, shares.part[share.right], sum);
-    }
-    if (const int32_t target = shares.target[i]; target < coarse_count)
-      add_to_cell(sum, coarse_cells[target]);
-    else
-      write_tie(sum,
-                coarse_cells.numbers() + number_of_tie(coarse_count, target - coarse_count, 0, 0));
-  }
+  const size_t targets = coarse.shares.target.size();
+#pragma omp parallel for schedule(dynamic, 64) if (targets > kTargetsAlone)
+  for (size_t i = 0; i < targets; ++i)
+    add_shares_of_target(fine, coarse, i, fine_cells, coarse_cells);
+}
+
+void add_shares(const HierarchyDepth& fine, const HierarchyDepth& coarse, int32_t part,
+                const CombinedCells& fine_cells, CombinedCells& coarse_cells) {
+  const std::vector<int32_t>& targets = coarse.shares.target;
+  const auto i = std::ranges::lower_bound(targets, part) - targets.begin();
+  if (i < std::ssize(targets) && targets[i] == part)
+    add_shares_of_target(fine, coarse, i, fine_cells, coarse_cells);
 }
 
 }  // namespace burnish::cpu

@@ -11,5 +11,8 @@ void write_square(const CellMatrix& cell, double* square);
 /// of them.
 void add_shares(const HierarchyDepth& fine, const HierarchyDepth& coarse,
                 const CombinedCells& fine_cells, CombinedCells& coarse_cells);
+/// Does the same for one cell or tie, if it has shares.
+void add_shares(const HierarchyDepth& fine, const HierarchyDepth& coarse, int32_t part,
+                const CombinedCells& fine_cells, CombinedCells& coarse_cells);
 
 }  // namespace burnish::cpu

@@ -22,14 +22,28 @@ CombineWeights weights_of(const Metric& metric, int32_t cell) {
   return combine_weights(metric.alpha1[cell] * metric.scale, metric.alpha2[cell] * metric.scale);
 }
 
+void combine_sheet(const PreparedMesh& prepared, const Metric& metric, int32_t cell_count,
+                   int32_t s, CombinedCells& cells) {
+  CellMatrix sheet;
+  combine(prepared.sheet_integrals[s], weights_of(metric, prepared.sheets[s].cell), sheet);
+  write_square(sheet, cells.numbers() + number_of_tie(cell_count, s, 0, 0));
+}
+
 void combine_sheets(const PreparedMesh& prepared, const Metric& metric,
                     const HierarchyDepth& finest, CombinedCells& cells) {
 #pragma omp parallel for schedule(static)
-  for (int32_t s = 0; s < finest.sheet_count; ++s) {
-    CellMatrix sheet;
-    combine(prepared.sheet_integrals[s], weights_of(metric, prepared.sheets[s].cell), sheet);
-    write_square(sheet, cells.numbers() + number_of_tie(finest.grid.cell_count(), s, 0, 0));
-  }
+  for (int32_t s = 0; s < finest.sheet_count; ++s)
+    combine_sheet(prepared, metric, finest.grid.cell_count(), s, cells);
+}
+
+// `child_of(cell)` returns the cells of the finer depth.
+template <typename ChildOf>
+CellMatrix restrict_children_of(const HierarchyDepth& fine, const HierarchyDepth& coarse,
+                                int32_t parent, ChildOf&& child_of) {
+  RestrictedCell sum;
+  for (const int32_t child : coarse.children[parent])
+    add_restricted(child_of(child), static_cast<int>(fine.grid.cells[child].place & 7), sum);
+  return sum.packed();
 }
 
 // `child_of(cell)` returns the cells of the finer depth, each once.
@@ -38,13 +52,8 @@ CombinedCells restrict_children(const HierarchyDepth& fine, const HierarchyDepth
                                 ChildOf&& child_of) {
   CombinedCells cells(coarse);
 #pragma omp parallel for schedule(dynamic, kCellsAtOnce)
-  for (int32_t parent = 0; parent < coarse.grid.cell_count(); ++parent) {
-    RestrictedCell sum;
-    for (const int32_t child : coarse.children[parent]) {
-      add_restricted(child_of(child), static_cast<int>(fine.grid.cells[child].place & 7), sum);
-    }
-    cells[parent] = sum.packed();
-  }
+  for (int32_t parent = 0; parent < coarse.grid.cell_count(); ++parent)
+    cells[parent] = restrict_children_of(fine, coarse, parent, child_of);
   return cells;
 }
 
@@ -77,6 +86,30 @@ CombinedCells down_sample(const HierarchyDepth& fine, const HierarchyDepth& coar
       fine, coarse, [&](int32_t c) -> const CellMatrix& { return fine_cells[c]; });
   add_shares(fine, coarse, fine_cells, cells);
   return cells;
+}
+
+void combine_parts(const PreparedMesh& prepared, const Metric& metric, const HierarchyDepth& finest,
+                   std::span<const int32_t> parts, CombinedCells& cells) {
+  const int32_t cell_count = finest.grid.cell_count();
+#pragma omp parallel for schedule(dynamic, kCellsAtOnce) if (parts.size() > kCellsAlone)
+  for (const int32_t part : parts) {
+    if (part < cell_count)
+      combine(prepared.integrals[part], weights_of(metric, part), cells[part]);
+    else
+      combine_sheet(prepared, metric, cell_count, part - cell_count, cells);
+  }
+}
+
+void down_sample_parts(const HierarchyDepth& fine, const HierarchyDepth& coarse,
+                       std::span<const int32_t> parts, const CombinedCells& fine_cells,
+                       CombinedCells& coarse_cells) {
+  const auto child_of = [&](int32_t c) -> const CellMatrix& { return fine_cells[c]; };
+#pragma omp parallel for schedule(dynamic, kCellsAtOnce) if (parts.size() > kCellsAlone)
+  for (const int32_t part : parts) {
+    if (part < coarse.grid.cell_count())
+      coarse_cells[part] = restrict_children_of(fine, coarse, part, child_of);
+    add_shares(fine, coarse, part, fine_cells, coarse_cells);
+  }
 }
 
 }  // namespace burnish::cpu

@@ -42,4 +42,12 @@ CombinedCells combine_and_down_sample(const PreparedMesh& prepared, const Metric
 CombinedCells down_sample(const HierarchyDepth& fine, const HierarchyDepth& coarse,
                           const CombinedCells& fine_cells);
 
+/// Do the same for some parts of a depth alone (changed_parts.h). Need: the numbers of all their
+/// sources.
+void combine_parts(const PreparedMesh& prepared, const Metric& metric, const HierarchyDepth& finest,
+                   std::span<const int32_t> parts, CombinedCells& cells);
+void down_sample_parts(const HierarchyDepth& fine, const HierarchyDepth& coarse,
+                       std::span<const int32_t> parts, const CombinedCells& fine_cells,
+                       CombinedCells& coarse_cells);
+
 }  // namespace burnish::cpu

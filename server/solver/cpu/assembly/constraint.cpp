@@ -51,18 +51,19 @@ Constraint::Constraint(const PreparedMesh& prepared, const CpuDepth& finest)
       is_changed_(prepared.cells.size(), 0) {}
 
 void Constraint::set_ratio(std::vector<double> ratio) {
-  ratio_is_new_ |= ratio != ratio_;
+  for (size_t c = 0; c < ratio.size(); ++c)
+    if (ratio[c] != ratio_[c]) new_ratios_.push_back(static_cast<int32_t>(c));
   ratio_ = std::move(ratio);
   pins_are_new_ = true;
 }
 
 void Constraint::assemble(const FieldsView& fields, std::vector<Double3>& b,
                           std::vector<Double3>& r) {
-  const int64_t changed = take(fields.paint);
+  const int64_t changed = take(fields.paint) + take_ratios();
   const double by = fields.gradient_scale - std::exchange(slider_, fields.gradient_scale);
   const auto few = static_cast<int64_t>(paint_.size()) / kFewCellsDivisor;
   const bool pins_are_new = std::exchange(pins_are_new_, false);
-  if (std::exchange(ratio_is_new_, false) || changed > few) return sum_all(b, r);
+  if (std::exchange(is_new_, false) || changed > few) return sum_all(b, r);
   if (by != 0) slide(by, b, r);
   if (changed > 0 || pins_are_new) sum_changed(b, r);
 }
@@ -95,7 +96,15 @@ int64_t Constraint::take_stretch(const CellPaint& paint, size_t stretch) {
 
 void Constraint::set_signal(std::span<const Vec3f> signal) {
   signal_.assign(signal.begin(), signal.end());
-  ratio_is_new_ = true;
+  is_new_ = true;
+}
+
+// Returns how many more cells have another ratio.
+int64_t Constraint::take_ratios() {
+  int64_t changed = 0;
+  for (const int32_t cell : std::exchange(new_ratios_, {}))
+    changed += std::exchange(is_changed_[cell], uint8_t{1}) == 0;
+  return changed;
 }
 
 void Constraint::share(int32_t cell, CellShare& out) const {
@@ -171,7 +180,7 @@ bool Constraint::is_pin_new(int32_t corner) const {
   return is_pinned_[corner] != (finest_.inverse_diagonal[corner] == 0);
 }
 
-// Sums only the corners of cells with new paint, and those that became pinned or free.
+// Sums only the corners of cells with new paint or ratios, and those that became pinned or free.
 void Constraint::sum_changed(std::vector<Double3>& b, std::vector<Double3>& r) {
   const auto is_changed = [&](int32_t cell) { return cell != kNone && is_changed_[cell] != 0; };
 #pragma omp parallel for schedule(static)

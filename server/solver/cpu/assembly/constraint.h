@@ -15,8 +15,8 @@ std::vector<double> ratios_of(const CellAlphas& alphas);
 
 /// b_I = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²)_I, the right-hand side for the displacement: Eq. 4's
 /// constraint less S c°. It keeps the part of b that follows the slider, so a slider that moves
-/// sums nothing again. A dab sums its corners again. A new metric with the same ratios of α, such
-/// as another α for all cells, sums the corners that are no longer pinned.
+/// sums nothing again. A dab sums its corners again. A new metric sums the corners of cells with
+/// another ratio of α, and those that are no longer pinned.
 class Constraint {
  public:
   /// Begins without paint and with β = 1 everywhere. Both arguments must live longer.
@@ -26,8 +26,8 @@ class Constraint {
   /// Shapes: one per corner.
   void set_signal(std::span<const Vec3f> signal);
 
-  /// Call after a new metric. `ratio`: α2/α1 of every cell; if it changed, assemble() sums
-  /// everything again.
+  /// Call after a new metric. `ratio`: α2/α1 of every cell; where it changed, assemble() sums
+  /// again.
   void set_ratio(std::vector<double> ratio);
   std::span<const double> ratio() const { return ratio_; }
 
@@ -46,6 +46,7 @@ class Constraint {
   using CellShare = std::array<double, 24>;
 
   int64_t take(const CellPaint& paint);
+  int64_t take_ratios();
   int64_t take_stretch(const CellPaint& paint, size_t stretch);
   void share(int32_t cell, CellShare& out) const;
   void share_of_signal(int32_t cell, CellShare& out) const;
@@ -59,14 +60,15 @@ class Constraint {
   const PreparedMesh& prepared_;
   const CpuDepth& finest_;
   std::vector<double> ratio_;
-  bool ratio_is_new_ = true, pins_are_new_ = false;
-  std::vector<Vec3f> signal_;  // per corner; empty: places
+  std::vector<Vec3f> signal_;        // per corner; empty: places
+  std::vector<int32_t> new_ratios_;  // cells; since the last sum
+  bool is_new_ = true, pins_are_new_ = false;
   double slider_ = 1;
   std::vector<Double3> per_slider_;  // per corner: the change of b when the slider goes up by one
   std::vector<uint8_t> is_pinned_;   // per corner, at its last sum
   std::vector<Paint> paint_;
   std::vector<uint8_t> has_paint_;   // per stretch of cells: a cell of it may have paint
-  std::vector<uint8_t> is_changed_;  // per cell: its paint is new
+  std::vector<uint8_t> is_changed_;  // per cell: its paint or ratio is new
   bool is_painted_ = false;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "common/grid/stencil_slots.h"
 #include "server/solver/hierarchy/cell_matrix.h"
@@ -18,13 +19,25 @@ struct RowSources {
   const std::array<int32_t, kCornersPerCell>* cells;  ///< around a corner
 
   int32_t last;  ///< row
+  const int32_t* row_of_corner;
+  const int32_t* only;  ///< corners whose rows are summed; null: all
 
+  /// Shapes: `only` corners in any order.
+  RowSources(const HierarchyDepth& topology, std::span<const int32_t> only_corners)
+      : RowSources(topology) {
+    only = only_corners.data();
+  }
   explicit RowSources(const HierarchyDepth& topology)
       : corner(topology.stencil.corner_of_row.data()),
         start(topology.stencil.row_start.data()),
         mask(topology.stencil.mask.data()),
         cells(topology.grid.cells_of_corner.data()),
-        last(topology.grid.corner_count() - 1) {}
+        last(topology.grid.corner_count() - 1),
+        row_of_corner(topology.stencil.row_of_corner.data()),
+        only(nullptr) {}
+
+  /// Returns the i-th row to sum.
+  int32_t stored(int32_t i) const { return only == nullptr ? i : row_of_corner[only[i]]; }
 };
 
 /// A row of the stencil, summed from the symmetric 8×8 matrices of the cells around its corner.

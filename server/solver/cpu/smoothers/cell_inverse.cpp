@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "common/base/dispatch.h"
 #include "common/grid/stencil_slots.h"
@@ -28,6 +30,9 @@ struct Source {
   const float* entry;
   const float* inverse_diagonal;
   float regularisation;
+  const int32_t* only = nullptr;  // cells to invert; null: all
+
+  int32_t cell(int32_t i) const { return only == nullptr ? i : only[i]; }
 };
 
 using Lanes = float __attribute__((vector_size(4 * kLanes)));
@@ -120,12 +125,12 @@ BURNISH_DISPATCH static void invert_range(const Source& source, int32_t begin, i
   for (int32_t first = begin; first < end; first += kLanes) {
     Blocks blocks;
     for (int lane = 0; lane < kLanes; ++lane) {
-      prefetch_cell(source, std::min(first + lane + kCellsAhead, end - 1));
-      read_cell(source, std::min(first + lane, end - 1), lane, blocks);
+      prefetch_cell(source, source.cell(std::min(first + lane + kCellsAhead, end - 1)));
+      read_cell(source, source.cell(std::min(first + lane, end - 1)), lane, blocks);
     }
     invert(blocks, source.regularisation);
     for (int lane = 0; lane < std::min(kLanes, end - first); ++lane)
-      write_cell(blocks, lane, out[first + lane - begin]);
+      write_cell(blocks, lane, out[source.cell(first + lane)]);
   }
 }
 
@@ -141,30 +146,57 @@ static void read_irregular_cell(const Source& source, int32_t i, int lane, Block
   }
 }
 
-static void invert_irregular_cells(const Source& source, Scratch<CellInverse>& inverses) {
-  const IrregularCells& cells = source.stencil.irregular_cells;
-#pragma omp parallel for schedule(static) if (cells.count() > kCellsPerBlock)
-  for (int32_t first = 0; first < cells.count(); first += kLanes) {
+// Shapes: `which` are indices of irregular cells.
+static void invert_irregular_cells(const Source& source, std::span<const int32_t> which,
+                                   Scratch<CellInverse>& inverses) {
+  const auto count = static_cast<int32_t>(which.size());
+#pragma omp parallel for schedule(static) if (count > kCellsPerBlock)
+  for (int32_t first = 0; first < count; first += kLanes) {
     Blocks blocks;
     for (int lane = 0; lane < kLanes; ++lane)
-      read_irregular_cell(source, std::min(first + lane, cells.count() - 1), lane, blocks);
+      read_irregular_cell(source, which[std::min(first + lane, count - 1)], lane, blocks);
     invert(blocks, source.regularisation);
-    for (int lane = 0; lane < std::min(kLanes, cells.count() - first); ++lane)
-      write_cell(blocks, lane, inverses[cells.cell[first + lane]]);
+    for (int lane = 0; lane < std::min(kLanes, count - first); ++lane)
+      write_cell(blocks, lane, inverses[source.stencil.irregular_cells.cell[which[first + lane]]]);
   }
+}
+
+static Source source_of(const CpuDepth& depth) {
+  const bool is_finest = depth.topology.is_finest();
+  return {depth.topology.stencil, depth.topology.grid.cell_corners.data(),
+          depth.system.entry.data(), depth.inverse_diagonal.data(),
+          is_finest ? kFinestRegularisation : kCoarseRegularisation};
+}
+
+static void invert_listed(const Source& source, int32_t cells, Scratch<CellInverse>& inverses) {
+#pragma omp parallel for schedule(dynamic) if (cells > kCellsPerBlock)
+  for (int32_t begin = 0; begin < cells; begin += kCellsPerBlock)
+    invert_range(source, begin, std::min(cells, begin + kCellsPerBlock), &inverses[0]);
 }
 
 Scratch<CellInverse> invert_cells(const CpuDepth& depth) {
   const int32_t cells = depth.topology.grid.cell_count();
   Scratch<CellInverse> inverses(cells);
-  const bool is_finest = depth.topology.is_finest();
-  const Source source = {depth.topology.stencil, depth.topology.grid.cell_corners.data(),
-                         depth.system.entry.data(), depth.inverse_diagonal.data(),
-                         is_finest ? kFinestRegularisation : kCoarseRegularisation};
-#pragma omp parallel for schedule(dynamic)
-  for (int32_t begin = 0; begin < cells; begin += kCellsPerBlock)
-    invert_range(source, begin, std::min(cells, begin + kCellsPerBlock), &inverses[begin]);
-  invert_irregular_cells(source, inverses);
+  invert_listed(source_of(depth), cells, inverses);
+  std::vector<int32_t> irregular(depth.topology.stencil.irregular_cells.cell.size());
+  std::iota(irregular.begin(), irregular.end(), 0);
+  invert_irregular_cells(source_of(depth), irregular, inverses);
+  return inverses;
+}
+
+Scratch<CellInverse> invert_cells(const CpuDepth& depth, std::span<const int32_t> cells) {
+  Scratch<CellInverse> inverses(depth.topology.grid.cells.size());
+  Source source = source_of(depth);
+  source.only = cells.data();
+  invert_listed(source, static_cast<int32_t>(cells.size()), inverses);
+  const std::vector<int32_t>& irregular = depth.topology.stencil.irregular_cells.cell;
+  std::vector<int32_t> which;
+  for (const int32_t cell : cells) {
+    const auto there = std::ranges::lower_bound(irregular, cell);
+    if (there != irregular.end() && *there == cell)
+      which.push_back(static_cast<int32_t>(there - irregular.begin()));
+  }
+  invert_irregular_cells(source, which, inverses);
   return inverses;
 }
 

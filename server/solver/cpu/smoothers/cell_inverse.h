@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <span>
 
 #include "server/solver/cpu/cpu_depth.h"
 #include "server/solver/cpu/scratch.h"
@@ -17,5 +19,7 @@ struct CellInverse {
 
 /// Returns the inverse blocks of all cells.
 Scratch<CellInverse> invert_cells(const CpuDepth& depth);
+/// Returns those of some cells, the others uninitialised. Shapes: `cells` rises.
+Scratch<CellInverse> invert_cells(const CpuDepth& depth, std::span<const int32_t> cells);
 
 }  // namespace burnish::cpu

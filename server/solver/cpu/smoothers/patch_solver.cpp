@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 #include <Eigen/Cholesky>
@@ -80,14 +81,29 @@ PatchSolver::PatchSolver(const Patches& patches)
     : patches_(patches), entry_(patches.entry_count()) {}
 
 void PatchSolver::factor(const CpuDepth& depth) {
-  ParallelFailure failure;
-#pragma omp parallel for schedule(dynamic) if (patches_.count() > 1)
+  std::vector<int32_t> all(patches_.count());
+  std::iota(all.begin(), all.end(), 0);
+  factor_some(depth, all);
+}
+
+void PatchSolver::factor(const CpuDepth& depth, std::span<const int32_t> corners) {
+  std::vector<int32_t> which;
+  std::vector<uint8_t> is_new(depth.corner_count(), 0);
+  for (const int32_t corner : corners) is_new[corner] = 1;
   for (int32_t patch = 0; patch < patches_.count(); ++patch)
-    failure.run([&] { factor(depth, patch); });
+    if (std::ranges::any_of(corners_of(patches_, patch), [&](int32_t i) { return is_new[i] != 0; }))
+      which.push_back(patch);
+  factor_some(depth, which);
+}
+
+void PatchSolver::factor_some(const CpuDepth& depth, std::span<const int32_t> which) {
+  ParallelFailure failure;
+#pragma omp parallel for schedule(dynamic) if (which.size() > 1)
+  for (const int32_t patch : which) failure.run([&] { factor_one(depth, patch); });
   failure.rethrow();
 }
 
-void PatchSolver::factor(const CpuDepth& depth, int32_t patch) {
+void PatchSolver::factor_one(const CpuDepth& depth, int32_t patch) {
   const std::span<const int32_t> corners = corners_of(patches_, patch);
   const PatchMatrix factor = cholesky_factor(scaled_block(depth, corners));
   float* entry = entry_.data() + patches_.entry_start[patch];

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "server/solver/cpu/cpu_depth.h"
 #include "server/solver/cycle/patches.h"
 
@@ -14,12 +18,15 @@ class PatchSolver {
   explicit PatchSolver(const Patches& patches);
 
   void factor(const CpuDepth& depth);  ///< call after a new matrix
+  /// Does the same, with the same bits, if the rows or pins of some corners alone are new.
+  void factor(const CpuDepth& depth, std::span<const int32_t> corners);
   void relax_forwards(CpuDepth& depth) const;
   void relax_backwards(CpuDepth& depth) const;  ///< the transpose: colours in reverse
   uint64_t byte_count() const { return bytes_of(entry_); }
 
  private:
-  void factor(const CpuDepth& depth, int32_t patch);
+  void factor_one(const CpuDepth& depth, int32_t patch);
+  void factor_some(const CpuDepth& depth, std::span<const int32_t> which);
   void relax(CpuDepth& depth, int32_t patch) const;
   void relax_colour(CpuDepth& depth, int32_t colour) const;
 

@@ -10,6 +10,7 @@
 #include "server/solver/cpu/smoothers/smoother.h"
 #include "server/solver/cpu/smoothers/spectrum.h"
 #include "server/solver/cycle/schwarz_bounds.h"
+#include "server/solver/hierarchy/changed_parts.h"
 
 namespace burnish::cpu {
 
@@ -19,7 +20,8 @@ constexpr int kDegree = 2;
 
 BURNISH_DISPATCH void sum_rows(const RowSources& sources, const float* cells, float* entry,
                                float* diagonal, int32_t begin, int32_t end) {
-  for (int32_t stored = begin; stored < end; ++stored) {
+  for (int32_t i = begin; i < end; ++i) {
+    const int32_t stored = sources.stored(i);
     if (sources.mask[sources.corner[stored]] == 0) continue;  // irregular
     const GatheredRow<float> row = gather_row(sources, cells, stored);
     diagonal[sources.corner[stored]] = row.own;
@@ -27,19 +29,38 @@ BURNISH_DISPATCH void sum_rows(const RowSources& sources, const float* cells, fl
   }
 }
 
-void sum_inverses(const HierarchyDepth& topology, const Scratch<CellInverse>& cells,
-                  StencilMatrix& sum) {
+void sum_regular_rows(const RowSources& sources, int32_t rows, const Scratch<CellInverse>& cells,
+                      StencilMatrix& sum) {
   static_assert(sizeof(CellInverse) == kNumbersPerCell * sizeof(float));
-  const RowSources sources(topology);
-  for_each_block(topology.grid.corner_count(), [&](int32_t begin, int32_t end) {
+  for_each_block(rows, [&](int32_t begin, int32_t end) {
     sum_rows(sources, cells[0].pair.data(), sum.entry.data(), sum.diagonal.data(), begin, end);
   });
-  const size_t numbers_of_cells = kNumbersPerCell * topology.grid.cells.size();  // ties have none
-  sum_irregular_rows(topology.stencil, cells[0].pair.data(), numbers_of_cells,
-                     [&](int32_t corner, int64_t begin, std::span<const float> entries, float own) {
-                       std::ranges::copy(entries, sum.entry.begin() + begin);
-                       sum.diagonal[corner] = own;
-                     });
+}
+
+auto store_irregular_inverse(StencilMatrix& sum) {
+  return [&](int32_t corner, int64_t begin, std::span<const float> entries, float own) {
+    std::ranges::copy(entries, sum.entry.begin() + begin);
+    sum.diagonal[corner] = own;
+  };
+}
+
+// Ties have no inverses.
+size_t numbers_of_cells(const HierarchyDepth& topology) {
+  return kNumbersPerCell * topology.grid.cells.size();
+}
+
+void sum_inverses(const HierarchyDepth& topology, const Scratch<CellInverse>& cells,
+                  StencilMatrix& sum) {
+  sum_regular_rows(RowSources(topology), topology.grid.corner_count(), cells, sum);
+  sum_irregular_rows(topology.stencil, cells[0].pair.data(), numbers_of_cells(topology),
+                     store_irregular_inverse(sum));
+}
+
+void sum_inverses(const HierarchyDepth& topology, std::span<const int32_t> corners,
+                  const Scratch<CellInverse>& cells, StencilMatrix& sum) {
+  sum_regular_rows(RowSources(topology, corners), static_cast<int32_t>(corners.size()), cells, sum);
+  sum_irregular_rows(topology.stencil, corners, cells[0].pair.data(), numbers_of_cells(topology),
+                     store_irregular_inverse(sum));
 }
 
 class Schwarz final : public DepthSmoother {
@@ -49,9 +70,16 @@ class Schwarz final : public DepthSmoother {
 
   void set_up(CpuDepth& depth) override {
     sum_inverses(depth.topology, invert_cells(depth), inverse_);
-    const auto apply = [&] { relax_by(depth, inverse_, depth.r, -1, 0); };
-    const Bounds bounds = {lambda_max_least(depth.anisotropy), kLambdaMaxBound};
-    steps_ = chebyshev_steps<kDegree>(lambda_max_.estimate(depth, bounds, apply), kSchwarzRange);
+    find_steps(depth);
+  }
+
+  // Blocks around the corners change, and with them M⁻¹ at all of the blocks' corners. These rows
+  // need the next blocks too.
+  void update(CpuDepth& depth, std::span<const int32_t> corners) override {
+    const std::vector<int32_t> rows = find_cells_around(depth.topology, corners).corners;
+    const CellsAround needed = find_cells_around(depth.topology, rows);
+    sum_inverses(depth.topology, rows, invert_cells(depth, needed.cells), inverse_);
+    find_steps(depth);
   }
 
   // After the first step from zero x is d itself.
@@ -72,6 +100,12 @@ class Schwarz final : public DepthSmoother {
   uint64_t byte_count() const override { return inverse_.byte_count() + lambda_max_.byte_count(); }
 
  private:
+  void find_steps(CpuDepth& depth) {
+    const auto apply = [&] { relax_by(depth, inverse_, depth.r, -1, 0); };
+    const Bounds bounds = {lambda_max_least(depth.anisotropy), kLambdaMaxBound};
+    steps_ = chebyshev_steps<kDegree>(lambda_max_.estimate(depth, bounds, apply), kSchwarzRange);
+  }
+
   StencilMatrix inverse_;  // M⁻¹
   LambdaMax lambda_max_;
   std::array<ChebyshevStep, kDegree> steps_;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "server/solver/cpu/cpu_depth.h"
 #include "server/solver/cycle/smoother_names.h"
@@ -13,7 +14,12 @@ namespace burnish::cpu {
 class DepthSmoother {
  public:
   virtual ~DepthSmoother() = default;
-  virtual void set_up(CpuDepth& depth) = 0;           ///< call after a new matrix; changes x, f, r
+  virtual void set_up(CpuDepth& depth) = 0;  ///< call after a new matrix; changes x, f, r
+  /// Does the same, with the same bits, if the rows of S or the pins of some corners alone are new.
+  virtual void update(CpuDepth& depth, std::span<const int32_t> corners) {
+    (void)corners;
+    set_up(depth);
+  }
   virtual void relax_from_zero(CpuDepth& depth) = 0;  ///< x from zero
   virtual void relax(CpuDepth& depth) = 0;            ///< continues from x
   virtual uint64_t byte_count() const = 0;
