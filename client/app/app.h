@@ -67,6 +67,7 @@ class App {
   void draw_panels();
   void draw_menu_bar();
   void draw_camera_menu();
+  void draw_depth_menu();
   void draw_start_page();
   void draw_session_page();
   void draw_columns(float top, float left, float right);

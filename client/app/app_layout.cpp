@@ -66,15 +66,17 @@ void App::draw_start_page() {
   toasts_.lower_left = {std::max(0.0f, (screen.x - width) / 2), screen.y};
 }
 
-static void draw_section(const char* name, Panel& panel, Workspace& workspace,
+/// Returns whether the section is open.
+static bool draw_section(const char* name, Panel& panel, Workspace& workspace,
                          ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_DefaultOpen) {
   begin_place_group("");
-  if (!noted(name, ImGui::CollapsingHeader(name, flags))) return;
+  if (!noted(name, ImGui::CollapsingHeader(name, flags))) return false;
   begin_place_group(name);
   ImGui::PushID(name);
   panel.draw(workspace);
   ImGui::Dummy({0, em(0.25f)});
   ImGui::PopID();
+  return true;
 }
 
 static void begin_column(const char* name, float from, float top, float width) {
@@ -86,8 +88,8 @@ static void begin_column(const char* name, float from, float top, float width) {
 // If there is no room for a right column, all panels are in the left one, which scrolls.
 void App::draw_columns(float top, float left, float right) {
   begin_column("##left", 0, top, left);
-  if (const RawScan* const raw = workspace_->raw()) {
-    draw_raw_facts(*raw);
+  if (workspace_->raw()) {
+    draw_raw_facts(*workspace_);
     ImGui::End();
     if (right > 0) begin_column("##right", ImGui::GetIO().DisplaySize.x - right, top, right);
     if (right > 0) ImGui::End();
@@ -96,9 +98,11 @@ void App::draw_columns(float top, float left, float right) {
   draw_section("Filter", filter_panel_, *workspace_);
   draw_section("Transfer curve α(κ)", curve_panel_, *workspace_);
   draw_section("Brush", brush_panel_, *workspace_);
-  draw_section("Limits", protect_panel_, *workspace_);
+  const bool shows_region = draw_section("Limits", protect_panel_, *workspace_);
   draw_section("Equaliser", equaliser_panel_, *workspace_, ImGuiTreeNodeFlags_None);
-  draw_section("Palette", palette_panel_, *workspace_, ImGuiTreeNodeFlags_None);
+  const bool shows_curves =
+      draw_section("Palette", palette_panel_, *workspace_, ImGuiTreeNodeFlags_None);
+  workspace_->document()->show_over(shows_region, shows_curves);
   if (workspace_->document()->has_colours())
     draw_section("Colours", colour_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   if (right > 0) {

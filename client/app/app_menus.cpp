@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "client/app/app.h"
+#include "client/app/depth_list.h"
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/words.h"
@@ -27,6 +28,7 @@ void App::draw_menu_bar() {
     ImGui::Separator();
     if (noted("Close session", ImGui::MenuItem("Close session", nullptr, false, is_open)))
       leaving_.begin(Leaving::What::kSession, std::chrono::steady_clock::now());
+    draw_depth_menu();
     ImGui::Separator();
     if (noted("Preferences", ImGui::MenuItem("Preferences…"))) preferences_dialog_.open();
     if (ImGui::MenuItem("Quit")) window_->close();
@@ -60,6 +62,18 @@ void App::draw_menu_bar() {
     if (title != whole) hint(whole.c_str());
   }
   ImGui::EndMainMenuBar();
+}
+
+void App::draw_depth_menu() {
+  const Document* const document = workspace_->document();
+  if (!noted("Open again at depth", ImGui::BeginMenu("Open again at depth", document != nullptr)))
+    return;
+  const ScanInfo& scan = document->scan().scan;
+  const auto choices = depth_choices(scan.statistics, scan.unit, workspace_->server_memory_bytes());
+  faint_text("%s", edges_text(scan.statistics, scan.unit).c_str());
+  const auto depth = draw_depth_list(choices, document->depth());
+  if (depth && *depth != document->depth()) workspace_->open_again(*depth);
+  ImGui::EndMenu();
 }
 
 void App::draw_camera_menu() {

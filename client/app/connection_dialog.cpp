@@ -111,6 +111,7 @@ void ConnectionDialog::draw_state(const Library& library) const {
   const bool has_failed = library.state == Library::State::kFailed;
   ImGui::PushStyleColor(ImGuiCol_Text, has_failed ? theme::kBad : theme::kBusy);
   ImGui::TextWrapped("%s", has_failed ? library.problem.c_str() : "connecting…");
+  if (has_failed) note_place("Problem");
   ImGui::PopStyleColor();
 }
 

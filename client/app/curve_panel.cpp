@@ -48,7 +48,7 @@ void draw_histogram(const Plot& plot, const ScanDescription& scan) {
 void draw_axes(const Plot& plot, double alpha_max) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   list->AddLine(plot.at({0.5, 0}), plot.at({0.5, 1}), colour(0.6f, 0.6f, 0.6f, 0.5f));
-  const ImU32 text = ImGui::ColorConvertFloat4ToU32(theme::kFaint);
+  const ImU32 text = colour(0.80f, 0.82f, 0.84f);  // the plot is dark in both themes
   const float pad = em(0.3f);
   const float line = ImGui::GetTextLineHeight();
   list->AddText({plot.low.x + pad, plot.low.y + pad}, text,

@@ -101,7 +101,7 @@ void ProtectPanel::draw(Workspace& workspace) {
   draw_piece_buttons(workspace);
   ImGui::EndDisabled();
   faint_text(workspace.viewport.lasso_wish ? "drag a line in the picture"
-                                           : "in the view of β it has no colour");
+                                           : "the protected region is hatched");
 }
 
 }  // namespace burnish

@@ -1,11 +1,31 @@
 #include "client/app/raw_facts.h"
 
+#include "client/app/depth_list.h"
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/words.h"
 
 namespace burnish {
 
-void draw_raw_facts(const RawScan& scan) {
+static void draw_depth_choice(Workspace& workspace) {
+  const MeshStatistics& scan = workspace.raw()->statistics;
+  const auto choices = depth_choices(scan, "", workspace.server_memory_bytes());
+  const int chosen = workspace.chosen_depth() > 0 ? workspace.chosen_depth() : default_of(choices);
+  ImGui::TextUnformatted("Depth of the grid");
+  ImGui::SetNextItemWidth(-1);
+  if (noted("Depth", ImGui::BeginCombo("##depth", std::to_string(chosen).c_str(),
+                                       ImGuiComboFlags_HeightLargest))) {
+    if (const auto depth = draw_depth_list(choices, chosen)) workspace.choose_depth(*depth);
+    ImGui::EndCombo();
+  }
+  hint("A deeper grid keeps finer details, and takes more memory and time.");
+  faint_text("%s", choices[static_cast<size_t>(chosen - kDepthMin)].text.c_str());
+  faint_text("%s", edges_text(scan, "").c_str());
+}
+
+void draw_raw_facts(Workspace& workspace) {
+  const RawScan& scan = *workspace.raw();
+  begin_place_group("Raw");
   text_with_ellipsis(scan.file.filename().string(), ImGui::GetContentRegionAvail().x);
   faint_text("%s vertices, %s triangles", counted(scan.vertices).c_str(),
              counted(scan.triangles).c_str());
@@ -14,6 +34,8 @@ void draw_raw_facts(const RawScan& scan) {
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted("The scan is being prepared. The tools appear here when it is ready.");
   faint_text("Drag turns it, with Shift or the right button moves it, the wheel zooms.");
+  ImGui::Dummy({0, em(0.6f)});
+  draw_depth_choice(workspace);
   ImGui::PopTextWrapPos();
 }
 

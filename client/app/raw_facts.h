@@ -1,10 +1,11 @@
 #pragma once
 
-#include "client/model/raw_scan.h"
+#include "client/model/workspace.h"
 
 namespace burnish {
 
-/// Draws what is known of a scan while the server prepares it.
-void draw_raw_facts(const RawScan& scan);
+/// Draws what is known of the raw scan while the server prepares it, and the choice of its depth.
+/// Needs: a raw scan.
+void draw_raw_facts(Workspace& workspace);
 
 }  // namespace burnish

@@ -9,6 +9,8 @@ centroid in float seen_ridge;
 in vec3 original_position;
 centroid in float value;
 centroid in float tint;
+centroid in vec4 overlay;
+centroid in float hatched;
 centroid in float moved;
 centroid in vec3 scan_colour;  // sRGB
 uniform bool parallel;         // orthographic
@@ -27,6 +29,8 @@ layout(location = 1) out vec4 relief;  // as ReliefTarget
 const vec3 kPlain = vec3(0.62, 0.62, 0.62);
 const vec3 kBlue = vec3(0.03, 0.16, 0.72);
 const vec3 kRed = vec3(0.72, 0.04, 0.03);
+const vec3 kHeld = vec3(0.10, 0.30, 0.52);
+const float kHatchPixels = 12.0;
 const float kGrazing = 0.02;  // cosine: the surface turns no farther from the eye
 
 vec3 linear(vec3 srgb) { return pow(srgb, vec3(2.2)); }
@@ -41,7 +45,10 @@ vec3 base_colour() {
   if (colouring == 1) base = blue_to_red(value);
   if (colouring == 2) base = blue_to_red(moved / displacement_range);
   if (colouring == 3) base = linear(scan_colour);
-  return mix(base, linear(tint_colour), 0.75 * tint);
+  if (overlay.a > 0.0) base = mix(base, linear(overlay.rgb / overlay.a), 0.6 * overlay.a);
+  bool is_stripe = fract((gl_FragCoord.x + gl_FragCoord.y) / kHatchPixels) < 0.4;
+  base = mix(base, kHeld, hatched * (is_stripe ? 0.75 : 0.25));
+  return mix(base, linear(tint_colour), 0.75 * tint * (1.0 - hatched));
 }
 
 // Rings keep their width in pixels, whatever the distance. The fourth part is how much of the

@@ -12,7 +12,8 @@ layout(location = 3) in vec3 displacement;  // cells
 layout(location = 4) in int displaced_shade;
 layout(location = 5) in float marked_value;  // -127 to 127
 layout(location = 6) in float marked_tint;   // 0 to 1
-layout(location = 7) in vec4 displaced_colour;
+layout(location = 8) in vec4 displaced_colour;
+layout(location = 7) in int marked_overlay;  // packed_overlay()
 uniform mat4 model_view;
 uniform mat4 projection;
 uniform float cell_size;  // 0: nothing moves
@@ -22,6 +23,8 @@ centroid out float seen_ridge;
 out vec3 original_position;
 centroid out float value;
 centroid out float tint;
+centroid out vec4 overlay;   // sRGB times the fourth
+centroid out float hatched;  // 0 to 1
 centroid out float moved;  // along the normal, cells
 centroid out vec3 scan_colour;
 
@@ -44,6 +47,9 @@ void main() {
   original_position = position;
   value = marked_value / 127.0;
   tint = marked_tint;
+  overlay = float(marked_overlay & 1) *
+            vec4(vec3(ivec3(marked_overlay) >> ivec3(12, 8, 4) & 15) / 15.0, 1.0);
+  hatched = float(marked_overlay >> 1 & 1);
   moved = still ? 0.0 : dot(displacement, normal_of(shade));
   scan_colour = still ? colour.rgb : displaced_colour.rgb;
   gl_Position = projection * seen;

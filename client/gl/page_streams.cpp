@@ -63,9 +63,7 @@ void PageStreams::write_moves(uint32_t slot, std::span<const Vec3f> displacement
 }
 
 void PageStreams::write_marks(uint32_t slot, std::span<const VertexMark> marks) const {
-  std::vector<MarkedVertex> marked(marks.size());
-  for (size_t v = 0; v < marked.size(); ++v) marked[v] = {marks[v]};
-  write(marked_, slot, marked);
+  write(marked_, slot, std::vector<MarkedVertex>(marks.begin(), marks.end()));
 }
 
 void PageStreams::write_colours(uint32_t slot, std::span<const Rgba8> colours) const {
@@ -81,24 +79,25 @@ static void bind_attribute(GLuint index, GLint components, GLenum type, GLboolea
 }
 
 template <typename Vertex>
-static void bind_integer(GLuint index, size_t offset) {
-  glVertexAttribIPointer(index, 1, GL_INT, sizeof(Vertex), reinterpret_cast<const void*>(offset));
+static void bind_integer(GLuint index, GLenum type, size_t offset) {
+  glVertexAttribIPointer(index, 1, type, sizeof(Vertex), reinterpret_cast<const void*>(offset));
   glEnableVertexAttribArray(index);
 }
 
 void PageStreams::bind() const {
   still_.bind(GL_ARRAY_BUFFER);
   bind_attribute<StillVertex>(0, 3, GL_FLOAT, GL_FALSE, offsetof(StillVertex, position));
-  bind_integer<StillVertex>(1, offsetof(StillVertex, shade));
+  bind_integer<StillVertex>(1, GL_INT, offsetof(StillVertex, shade));
   bind_attribute<StillVertex>(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(StillVertex, colour));
   moving_.bind(GL_ARRAY_BUFFER);
   bind_attribute<MovingVertex>(3, 3, GL_FLOAT, GL_FALSE, offsetof(MovingVertex, displacement));
-  bind_integer<MovingVertex>(4, offsetof(MovingVertex, shade));
+  bind_integer<MovingVertex>(4, GL_INT, offsetof(MovingVertex, shade));
   marked_.bind(GL_ARRAY_BUFFER);
   bind_attribute<MarkedVertex>(5, 1, GL_BYTE, GL_FALSE, offsetof(VertexMark, value));
   bind_attribute<MarkedVertex>(6, 1, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(VertexMark, tint));
+  bind_integer<MarkedVertex>(7, GL_UNSIGNED_SHORT, offsetof(VertexMark, overlay));
   coloured_.bind(GL_ARRAY_BUFFER);
-  bind_attribute<Rgba8>(7, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
+  bind_attribute<Rgba8>(8, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
   triangles_.bind(GL_ELEMENT_ARRAY_BUFFER);
 }
 

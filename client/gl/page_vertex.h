@@ -44,11 +44,8 @@ struct MovingVertex {
 };
 static_assert(sizeof(MovingVertex) == 16);
 
-/// Comes with values and tints. Four bytes, since graphics cards read from multiples of four.
-struct MarkedVertex {
-  VertexMark mark;
-  uint16_t unused = 0;
-};
+/// Comes with values and tints.
+using MarkedVertex = VertexMark;
 static_assert(sizeof(MarkedVertex) == 4);
 
 }  // namespace burnish

@@ -272,7 +272,7 @@ bool Document::is_settled() const {
 }
 
 bool Document::is_picture_settled() const {
-  return surface_->is_settled() && !is_fetching_values_;
+  return surface_->is_settled() && !is_fetching_values_ && !is_fetching_over_;
 }
 
 }  // namespace burnish

@@ -27,10 +27,12 @@ struct OpenedDocument {
   std::string server;
   std::shared_ptr<Connection> connection;
   SessionInfo session;
+  bool is_new = false;  ///< this opening made the session
   ScanDescription scan;
   OpenedPages pages;
   SessionState state;
   std::vector<HistoryEntry> history;
+  std::string lacks;  ///< what it lacks of a session of another depth, in words; empty: nothing
 };
 
 /// Where a document's pictures are drawn, and what they may cost.
@@ -131,6 +133,10 @@ class Document {
   bool has_colours() const { return opened_.scan.scan.has_colours; }
   ColourBy colour() const { return colour_; }
 
+  /// Shows the protected region, and the colours of the palette's curves where they rule. A stroke
+  /// shows the region too.
+  void show_over(bool protection, bool curves);
+
   Measuring& measuring() { return measuring_; }
   const Measuring& measuring() const { return measuring_; }
   /// Returns the state that measuring() follows.
@@ -162,6 +168,12 @@ class Document {
 
  private:
   using Change = decltype(Edit::change);
+  // What lies over the surface.
+  struct Over {
+    bool protection = false;
+    bool curves = false;
+    bool operator==(const Over&) const = default;
+  };
   void preview(PreviewChange change);
   void commit(Change change);
   void send(Change change);
@@ -178,6 +190,11 @@ class Document {
   void add_dabs(const std::vector<Vec3d>& points);
   void refresh_history();
   void renew_pages();
+  Over over_now() const;
+  void forget_over();
+  void fetch_over();
+  void take_over(const Over& over, const Result<std::vector<PageValues>>& held,
+                 const Result<std::vector<PageValues>>& ruled);
   void forget_values();
   void fetch_values();
   void take_values(const Result<std::vector<PageValues>>& first,
@@ -207,6 +224,12 @@ class Document {
   uint64_t values_version_ = 0;  // counts forget_values()
   bool is_fetching_values_ = false;
   std::set<PageId> fetched_;  // pages whose values of this version were asked for
+
+  Over over_wish_;
+  Over over_;  // fetched or being fetched
+  uint64_t over_version_ = 0;
+  bool is_fetching_over_ = false;
+  std::set<PageId> fetched_over_;
 
   std::vector<HistoryEntry> history_;
   SessionPeople people_;

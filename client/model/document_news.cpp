@@ -19,6 +19,7 @@ Status Document::look(const Camera& camera, const ImageSize& size) {
   const bool is_dragging = !gesture_.empty() && !brush_.is_drawing();
   RETURN_IF_ERROR(surface_->look(camera, size, is_dragging));
   fetch_values();
+  fetch_over();
   renew_pages();
   const std::string failures = surface_->take_failures();
   if (!failures.empty()) log_.warning(failures);
@@ -80,6 +81,7 @@ void Document::handle(const LiveEvent& event) {
                  },
                  [&](const EditsRefused& refused) {
                    log_.failure("edit refused", refused.status);
+                   undo_steps_.clear();  // it counts edits that the server does not have
                    forget_strokes();
                  },
                  [&](const EditsShown& shown) {
@@ -87,6 +89,7 @@ void Document::handle(const LiveEvent& event) {
                    for (const std::string& id : shown.edit_ids) std::erase(tinted_, id);
                    if (tinted_.empty() && !brush_.is_drawing()) surface_->tint().clear();
                    if (colour_ == ColourBy::kBeta) forget_values();
+                   forget_over();
                  },
                  [&](const PreviewShown& shown) { shown_after_ms_ = shown.latency_ms; },
                  [&](const SessionPeople& people) { people_ = people; },
@@ -96,6 +99,7 @@ void Document::handle(const LiveEvent& event) {
                    edits_known_ = std::max(edits_known_, history.edits);
                    refresh_history();
                    if (colour_ == ColourBy::kBeta) forget_values();
+                   forget_over();
                  },
                  [&](const ProgressReport& progress) { progress_ = progress; },
              },
@@ -131,6 +135,7 @@ void Document::refresh_history() {
       if (alive.expired()) return;
       history_fetch_->running = false;
       if (history.is_ok()) history_ = *history;
+      if (history.is_ok()) forget_over();
       if (std::exchange(history_fetch_->again, false)) refresh_history();
     };
   });

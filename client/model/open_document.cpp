@@ -11,7 +11,10 @@ Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
   RETURN_IF_ERROR(connection->prepare_scan(wish.scan, wish.key, progress).status());
   if (!report(progress, "opening the session", 0)) return cancelled("opening was cancelled");
   ASSIGN_OR_RETURN(const OpenedSession session, connection->open_session(wish));
-  return fetch_document(std::move(connection), session.session, progress);
+  ASSIGN_OR_RETURN(OpenedDocument opened,
+                   fetch_document(std::move(connection), session.session, progress));
+  opened.is_new = !session.attached;
+  return opened;
 }
 
 // Each answer takes a round trip, so all are asked for at once.

@@ -1,5 +1,6 @@
 #include "client/model/raw_scan.h"
 
+#include <future>
 #include <utility>
 
 #include "client/scene/raw_pages.h"
@@ -25,7 +26,9 @@ Result<RawScan> read_raw_scan(const std::filesystem::path& file, uint64_t triang
                .vertices = mesh.vertices.size(),
                .triangles = mesh.triangles.size(),
                .has_colours = mesh.has_colours()};
+  auto statistics = std::async(std::launch::async, [&mesh] { return compute_statistics(mesh); });
   RawPages raw = make_raw_pages(mesh, triangles_max);
+  scan.statistics = statistics.get();
   scan.box = raw.box;
   scan.pages = std::move(raw.pages);
   scan.space = raw.space;

@@ -11,6 +11,7 @@
 #include "client/scene/page_renderer.h"
 #include "client/scene/page_space.h"
 #include "common/base/status.h"
+#include "common/mesh/statistics.h"
 
 namespace burnish {
 
@@ -21,6 +22,7 @@ struct RawScan {
   uint64_t vertices = 0;
   uint64_t triangles = 0;
   bool has_colours = false;
+  MeshStatistics statistics;
   Eigen::AlignedBox3d box;           ///< file units
   std::vector<PatchRange> patches;   ///< what draw() draws, once the pages are in the renderer
   std::vector<PageMesh> pages = {};  ///< until then

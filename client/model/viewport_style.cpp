@@ -33,6 +33,9 @@ DrawStyle Viewport::style(const Document& document) const {
   const BrushTool& brush = document.brush();
   const double beta = brush.is_drawing() ? brush.stroke().brush.beta : brush.brush.beta;
   style.tint = blue_to_red(signed_part_of_beta(beta));
+  const auto curve = static_cast<size_t>(brush.brush.curve);
+  if (curve > 0 && curve <= document.palette().curves.size())
+    style.tint = colour_of_hex(document.palette().curves[curve - 1].colour);
   if (hover_ && pointer_ && !navigate_mode && !measure_mode && !document.is_viewer()) {
     const Vec3d& at = hover_->original;
     style.rings.push_back({at, brush.brush.radius, Vec3f(1, 1, 1)});

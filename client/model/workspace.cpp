@@ -55,6 +55,15 @@ void Workspace::connect(const std::string& typed) {
   connect(server_at(preferences.servers, with_port(typed)));
 }
 
+/// Opens a connection that the server lets in: the first call tells whether the token is right.
+static Result<Connection> open_as_user(const std::string& server, std::chrono::milliseconds timeout,
+                                       const ConnectionTrust& trust, const std::string& user) {
+  ASSIGN_OR_RETURN(Connection connection, Connection::open(server, timeout, trust));
+  connection.set_user(user);
+  RETURN_IF_ERROR(connection.list_scans().status());
+  return connection;
+}
+
 void Workspace::connect(const KnownServer& wanted) {
   const std::string server = wanted.address;
   library_ = {.state = Library::State::kConnecting, .server = server};
@@ -63,8 +72,7 @@ void Workspace::connect(const KnownServer& wanted) {
   tasks_.start([this, server, timeout = options_.timeout, trust = trust_in(wanted, options_.trust),
                 user = wanted.user.empty() ? preferences.user
                                            : wanted.user](std::stop_token) -> Tasks::Completion {
-    auto opened = std::make_shared<Result<Connection>>(Connection::open(server, timeout, trust));
-    if (opened->is_ok()) (*opened)->set_user(user);
+    auto opened = std::make_shared<Result<Connection>>(open_as_user(server, timeout, trust, user));
     wake();
     return [this, server, opened] {
       if (library_.server == server) take_connection(std::move(*opened));

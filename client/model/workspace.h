@@ -97,6 +97,15 @@ class Workspace {
   const RawScan* raw() const { return raw_ ? &*raw_ : nullptr; }
   /// Returns whether there is a surface to look at.
   bool has_picture() const { return document_ || raw_; }
+  /// Opens the raw scan at this depth. Begins again if it is being prepared at another one.
+  void choose_depth(int depth);
+  /// Returns the depth that was chosen for the raw scan; 0: none.
+  int chosen_depth() const { return raw_depth_; }
+  /// Opens a new session of the open session's scan at another depth, with its slider, curve,
+  /// bounds, bands and palette. Tells of the edits that it lacks.
+  void open_again(int depth);
+  /// Returns the memory of the server, bytes; 0: not known.
+  uint64_t server_memory_bytes() const;
   /// Draws the document, or the raw scan. Fails: as the renderer does.
   Status draw();
   /// Returns a number that rises with each surface that begins to be shown.
@@ -133,15 +142,22 @@ class Workspace {
   void take_connection(Result<Connection> connection);
   /// Chooses a session on a thread of its own.
   using Choice = std::function<Result<SessionWish>(Connection&)>;
+  /// Opens a session on a thread of its own.
+  using Opener =
+      std::function<Result<OpenedDocument>(const std::shared_ptr<Connection>&, const Progress&)>;
   void tell_exported(const std::filesystem::path& file, const Result<ExportSummary>& outcome);
   void open_chosen(Choice choice) { open_chosen(std::move(choice), opening_activity()); }
   void open_chosen(Choice choice, const std::shared_ptr<Activity>& activity);
+  void open_by(Opener opener, const std::shared_ptr<Activity>& activity);
   static std::shared_ptr<Activity> opening_activity();
   void open_scan(const ScanInfo& scan, Opening opening, const std::shared_ptr<Activity>& activity);
   void import_there(const std::filesystem::path& file, Opening opening,
                     const std::shared_ptr<Activity>& activity);
   void show_raw_and_import(const std::filesystem::path& file, Opening opening);
   void take_raw(const std::filesystem::path& file, Opening opening, Result<RawScan> read);
+  void open_raw();
+  bool begins_again();
+  void delete_if_new(const Result<OpenedDocument>& opened);
   void close_raw(const std::filesystem::path& file);
   void forget_raw();
   /// Returns whether a file that was imported opens: no other surface is shown.
@@ -172,6 +188,10 @@ class Workspace {
   bool is_drawn_ = false;           // the renderer's picture is that of the document
   std::filesystem::path raw_file_;  // the file that is read or shown raw; empty: none
   std::optional<RawScan> raw_;
+  Opening raw_opening_ = Opening::kGoOn;
+  int raw_depth_ = 0;                   // 0: the default, or that of the session that goes on
+  std::shared_ptr<Activity> raw_work_;  // imports and opens the raw scan
+  bool raw_begins_again_ = false;       // at another depth, once raw_work_ has ended
   std::unique_ptr<Document> document_;
   Tasks tasks_;  // last member: its threads end before the objects that they use
 };
@@ -191,6 +211,12 @@ std::string unsaved_text(size_t edits);
 /// Fetches all data of a document. Fails: as the server says; cancelled.
 Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
                                      const SessionWish& wish, const Progress& progress);
+
+/// Opens a new session of a session's scan at another depth, and takes over what does not depend on
+/// the depth and is not paint. Fails: as open_document().
+Result<OpenedDocument> open_at_depth(std::shared_ptr<Connection> connection,
+                                     const std::string& session, const ScanInfo& scan, int depth,
+                                     const Progress& progress);
 
 /// Fetches what a window must know of an open session before it shows it. Has pages made that are
 /// missing. Fails: as the server says; data_loss; cancelled.

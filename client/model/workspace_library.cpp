@@ -46,33 +46,36 @@ void Workspace::import_scan(const std::filesystem::path& file, Opening opening) 
 
 /// Also returns the names of files that the mesh names and that are not there.
 static Result<ImportOutcome> import_bundle(Connection& connection,
-                                           const std::filesystem::path& file,
+                                           const std::filesystem::path& file, int depth,
                                            std::vector<std::string>& missing,
                                            const Progress& progress) {
   ASSIGN_OR_RETURN(const ScanBundle bundle, ScanBundle::open(file));
   missing = bundle.missing();
-  return connection.import_scan(bundle, bundle.mesh().stem().string(), {}, progress);
+  return connection.import_scan(bundle, bundle.mesh().stem().string(), {depth, 0}, progress);
 }
 
 void Workspace::import_there(const std::filesystem::path& file, Opening opening,
                              const std::shared_ptr<Activity>& activity) {
   const auto connection = connection_;
-  start_activity(activity, [this, connection, file, opening, activity](const Progress& progress) {
-    connection->bring_back(progress);
-    std::vector<std::string> missing;
-    auto outcome = import_bundle(*connection, file, missing, progress);
-    return [this, file, opening, activity, missing, outcome = std::move(outcome)] {
-      if (!outcome.is_ok()) {
-        close_raw(file);
-        return log.failure("import of " + file.string(), outcome.status());
-      }
-      tell_imported(file, *outcome);
-      if (!missing.empty())
-        log.warning("not beside " + file.filename().string() + ": " + left_out_text(missing));
-      refresh_library();
-      if (may_open(file)) open_scan(outcome->scan, opening, activity);
-    };
-  });
+  const int depth = raw_depth_;
+  start_activity(
+      activity, [this, connection, file, opening, activity, depth](const Progress& progress) {
+        connection->bring_back(progress);
+        std::vector<std::string> missing;
+        auto outcome = import_bundle(*connection, file, depth, missing, progress);
+        return [this, file, opening, activity, missing, outcome = std::move(outcome)] {
+          if (activity == raw_work_ && begins_again()) return;
+          if (!outcome.is_ok()) {
+            close_raw(file);
+            return log.failure("import of " + file.string(), outcome.status());
+          }
+          tell_imported(file, *outcome);
+          if (!missing.empty())
+            log.warning("not beside " + file.filename().string() + ": " + left_out_text(missing));
+          refresh_library();
+          if (may_open(file)) open_scan(outcome->scan, opening, activity);
+        };
+      });
 }
 
 void Workspace::tell_imported(const std::filesystem::path& file, const ImportOutcome& outcome) {
@@ -94,10 +97,10 @@ void Workspace::open_scan(const ScanInfo& scan, Opening opening,
   for (const RecentSession& each : preferences.recent)
     if (each.server == recent_server()) recent.push_back(each.session);
   open_chosen(
-      [scan, opening, recent](Connection& server) -> Result<SessionWish> {
+      [scan, opening, recent, depth = raw_depth_](Connection& server) -> Result<SessionWish> {
         ASSIGN_OR_RETURN(const auto sessions, server.list_sessions());
-        return opening == Opening::kGoOn ? session_to_go_on(scan, sessions, recent)
-                                         : new_session(scan, sessions);
+        return opening == Opening::kGoOn ? session_to_go_on(scan, sessions, recent, depth)
+                                         : new_session(scan, sessions, depth);
       },
       activity);
 }

@@ -1,6 +1,14 @@
+#include <utility>
+
 #include "client/model/workspace.h"
+#include "common/base/process_memory.h"
 
 namespace burnish {
+
+static std::shared_ptr<Activity> raw_activity(const std::filesystem::path& file,
+                                              uint64_t triangles) {
+  return std::make_shared<Activity>("Opening " + file.filename().string(), opening_plan(triangles));
+}
 
 // Reads the file before anything else, so that its surface is seen at once.
 void Workspace::show_raw_and_import(const std::filesystem::path& file, Opening opening) {
@@ -24,12 +32,39 @@ void Workspace::take_raw(const std::filesystem::path& file, Opening opening, Res
   const uint64_t triangles = read->triangles;
   if (!document_ && raw_file_ == file && put_into(renderer_, *read).is_ok()) {
     raw_ = std::move(*read);
+    raw_opening_ = opening;
     ++pictures_begun_;
     viewport.begin(raw_->box);
+    return open_raw();
   }
-  const auto activity =
-      std::make_shared<Activity>("Opening " + file.filename().string(), opening_plan(triangles));
+  const auto activity = raw_activity(file, triangles);
   when_connected([this, file, opening, activity] { import_there(file, opening, activity); });
+}
+
+void Workspace::open_raw() {
+  raw_work_ = raw_activity(raw_file_, raw_->triangles);
+  when_connected([this, file = raw_file_, opening = raw_opening_, work = raw_work_] {
+    import_there(file, opening, work);
+  });
+}
+
+// The server has one session to prepare at a time: the running one ends first.
+void Workspace::choose_depth(int depth) {
+  if (!raw_ || std::exchange(raw_depth_, depth) == depth) return;
+  raw_begins_again_ = true;
+  raw_work_->cancel();
+}
+
+/// Returns whether the work that has ended begins again at another depth.
+bool Workspace::begins_again() {
+  if (!raw_ || !std::exchange(raw_begins_again_, false)) return false;
+  open_raw();
+  return true;
+}
+
+// Servers of this computer have the limit that they choose by themselves.
+uint64_t Workspace::server_memory_bytes() const {
+  return library_.is_private ? machine_memory_bytes() / 2 : 0;
 }
 
 void Workspace::close_raw(const std::filesystem::path& file) {
@@ -39,6 +74,9 @@ void Workspace::close_raw(const std::filesystem::path& file) {
 void Workspace::forget_raw() {
   raw_file_.clear();
   raw_.reset();
+  raw_work_.reset();
+  raw_depth_ = 0;
+  raw_begins_again_ = false;
 }
 
 bool Workspace::may_open(const std::filesystem::path& file) const {

@@ -2,20 +2,13 @@
 #include <ctime>
 
 #include "client/connection/export_files.h"
+#include "client/model/session_choice.h"
 #include "client/model/session_pictures.h"
 #include "client/model/workspace.h"
 #include "client/report/processing_record.h"
 #include "common/mesh/rewrite/left_out.h"
 
 namespace burnish {
-
-static Result<OpenedDocument> open_choice(
-    const std::shared_ptr<Connection>& connection,
-    const std::function<Result<SessionWish>(Connection&)>& choice, const Progress& progress) {
-  connection->bring_back(progress);
-  ASSIGN_OR_RETURN(const SessionWish wish, choice(*connection));
-  return open_document(connection, wish, progress);
-}
 
 void Workspace::open(const SessionWish& wish) {
   open_chosen([wish](Connection&) -> Result<SessionWish> { return wish; });
@@ -26,15 +19,36 @@ std::shared_ptr<Activity> Workspace::opening_activity() {
 }
 
 void Workspace::open_chosen(Choice choice, const std::shared_ptr<Activity>& activity) {
+  open_by(
+      [choice = std::move(choice)](const std::shared_ptr<Connection>& connection,
+                                   const Progress& progress) -> Result<OpenedDocument> {
+        ASSIGN_OR_RETURN(const SessionWish wish, choice(*connection));
+        return open_document(connection, wish, progress);
+      },
+      activity);
+}
+
+void Workspace::open_again(int depth) {
+  if (!document_) return;
+  open_by(
+      [session = document_->session().id, scan = document_->scan().scan, depth](
+          const std::shared_ptr<Connection>& connection, const Progress& progress) {
+        return open_at_depth(connection, session, scan, depth, progress);
+      },
+      std::make_shared<Activity>("Opening at depth " + std::to_string(depth)));
+}
+
+void Workspace::open_by(Opener opener, const std::shared_ptr<Activity>& activity) {
   if (!need_connection("open")) return forget_raw();
   if (opening_) return;
   opening_ = true;
-  start_activity(activity, [this, connection = connection_,
-                            choice = std::move(choice)](const Progress& progress) {
-    auto opened =
-        std::make_shared<Result<OpenedDocument>>(open_choice(connection, choice, progress));
-    return [this, opened] {
+  start_activity(activity, [this, activity, connection = connection_,
+                            opener = std::move(opener)](const Progress& progress) {
+    connection->bring_back(progress);
+    auto opened = std::make_shared<Result<OpenedDocument>>(opener(connection, progress));
+    return [this, activity, opened] {
       opening_ = false;
+      if (activity == raw_work_ && begins_again()) return delete_if_new(*opened);
       if (opened->is_ok()) return show(std::move(**opened));
       forget_raw();
       log.failure("open", opened->status());
@@ -42,8 +56,13 @@ void Workspace::open_chosen(Choice choice, const std::shared_ptr<Activity>& acti
   });
 }
 
+// A session that nobody has seen is of no use to anybody.
+void Workspace::delete_if_new(const Result<OpenedDocument>& opened) {
+  if (opened.is_ok() && opened->is_new) delete_session(opened->session);
+}
+
 void Workspace::join(const SessionInfo& session) {
-  open({.scan = session.scan_id, .name = session.name, .key = session.key});
+  open(wish_to_join(session));
 }
 
 void Workspace::join_by_name(const std::string& session) {
@@ -78,6 +97,7 @@ void Workspace::reopen(const RecentSession& recent) {
 
 void Workspace::show(OpenedDocument opened) {
   leave_document();
+  if (!opened.lacks.empty()) log.warning(opened.lacks);
   auto document =
       std::make_unique<Document>(std::move(opened), tasks_, log, recorder,
                                  DocumentOptions{options_.budget, options_.is_software,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -23,9 +25,18 @@ struct PatchRange {
 
 /// What colours a vertex besides its light.
 struct VertexMark {
-  int8_t value = 0;  ///< what Colouring::kCells shows: -127 is blue, 127 is red
-  uint8_t tint = 0;  ///< how strongly it shows DrawStyle::tint: 255 is fully
+  int8_t value = 0;      ///< what Colouring::kCells shows: -127 is blue, 127 is red
+  uint8_t tint = 0;      ///< how strongly it shows DrawStyle::tint: 255 is fully
+  uint16_t overlay = 0;  ///< packed_overlay()
 };
+
+/// A thin colour over the surface. `colour` is 0xRRGGBB, of which 4 bits each are kept; nothing: no
+/// colour. `is_hatched`: stripes of protection, which no tint covers.
+inline uint16_t packed_overlay(std::optional<uint32_t> colour, bool is_hatched) {
+  const uint32_t rgb = colour.value_or(0);
+  const uint32_t kept = (rgb >> 12 & 0xf00) | (rgb >> 8 & 0xf0) | (rgb >> 4 & 0xf);
+  return static_cast<uint16_t>(kept << 4 | (is_hatched ? 2U : 0U) | (colour ? 1U : 0U));
+}
 
 /// Fails: resource_exhausted above kPageSlotsMax.
 inline Status check_page_slots(uint32_t slots) {

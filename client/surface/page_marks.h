@@ -12,13 +12,14 @@
 
 namespace burnish {
 
-/// Colours the vertices of pages besides the light: by a value of their cells, and by the tint of
-/// strokes that no frame shows yet.
+/// Colours the vertices of pages besides the light: by a value of their cells, by an overlay, and
+/// by the tint of strokes that no frame shows yet.
 class PageMarks {
  public:
   /// The marks that a page has now.
   struct Mark {
-    std::shared_ptr<const std::vector<int8_t>> values;  ///< one per vertex; null: all 0
+    std::shared_ptr<const std::vector<int8_t>> values;      ///< one per vertex; null: all 0
+    std::shared_ptr<const std::vector<uint16_t>> overlays;  ///< likewise
     TintProgress tint;
     std::vector<float> weights;  ///< of the tint, one per vertex; empty: all 0
     std::vector<VertexMark> marks;
@@ -31,6 +32,9 @@ class PageMarks {
   void set_values(PageId page, std::vector<int8_t> values);
   void clear_values() { values_.clear(); }
   bool has_values(PageId page) const { return values_.contains(page); }
+  /// Overlays are those of VertexMark. Shapes: one per vertex.
+  void set_overlays(PageId page, std::vector<uint16_t> overlays);
+  void clear_overlays() { overlays_.clear(); }
 
   /// Brings a page's marks up to date. Returns whether they have changed. Shapes: one cell per
   /// vertex. Units: cells of the session's depth.
@@ -38,7 +42,10 @@ class PageMarks {
 
  private:
   const StrokeTint& tint_;
-  std::unordered_map<PageId, std::shared_ptr<const std::vector<int8_t>>> values_;
+  template <typename Value>
+  using ByPage = std::unordered_map<PageId, std::shared_ptr<const std::vector<Value>>>;
+  ByPage<int8_t> values_;
+  ByPage<uint16_t> overlays_;
 };
 
 }  // namespace burnish

@@ -65,7 +65,15 @@ struct SessionState {
 };
 
 /// What a cell of the finest depth can be asked for. α and κ in user units.
-enum class CellValue { kBeta, kKappa1, kKappa2, kAlpha1, kAlpha2 };
+enum class CellValue {
+  kBeta,
+  kKappa1,
+  kKappa2,
+  kAlpha1,
+  kAlpha2,
+  kProtected,  ///< 1 in the protected region, else 0
+  kCurve,      ///< number of the palette's curve that rules most, from 1; 0: the session's own
+};
 
 inline constexpr int kExportCyclesMax = 10'000;
 

@@ -123,11 +123,13 @@ v1::CellValue to_wire(CellValue value) {
 }
 
 Result<CellValue> from_wire(v1::CellValue value) {
-  for (const CellValue known : {CellValue::kBeta, CellValue::kKappa1, CellValue::kKappa2,
-                                CellValue::kAlpha1, CellValue::kAlpha2})
+  for (const CellValue known :
+       {CellValue::kBeta, CellValue::kKappa1, CellValue::kKappa2, CellValue::kAlpha1,
+        CellValue::kAlpha2, CellValue::kProtected, CellValue::kCurve})
     if (to_wire(known) == value) return known;
-  return invalid_argument("cell value " + std::to_string(static_cast<int>(value)) +
-                          " is none of 1 (beta), 2 and 3 (kappa), 4 and 5 (alpha)");
+  return invalid_argument(
+      "cell value " + std::to_string(static_cast<int>(value)) +
+      " is none of 1 (beta), 2 and 3 (kappa), 4 and 5 (alpha), 6 (protected), 7 (curve)");
 }
 
 Result<ExportWish> from_wire(const v1::ExportRequest& message) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -48,6 +49,8 @@ class Fields {
   /// Also refuses more cells than there are, and a cell that is set twice. For changes that are
   /// new. Fails: invalid_argument that names the count or the first such cell.
   Status check_new(const SetCellFields& change) const;
+  /// Returns whether a dab of the stroke reaches a cell of this kind, in part or whole.
+  bool touches(const Stroke& stroke, const std::function<bool(int64_t)>& is_asked) const;
   /// Fails: invalid_argument if no dab of the stroke reaches a cell.
   Status check_new(const Stroke& stroke) const;
   void clear_overrides();
@@ -64,6 +67,8 @@ class Fields {
   const TransferCurve& transfer_curve() const { return curve_; }
   const Palette& palette() const { return palette_; }
   bool has_painted_curves() const;
+  /// Returns the number of the palette's curve that rules most of a cell, 0 for the own curve.
+  int ruling_curve(size_t cell) const;
   const Equaliser& equaliser() const { return equaliser_; }
   /// Returns the paint of a band's gain, null without. Shapes: `band` from 1.
   const PaintLayer* gain_paint(size_t band) const { return layer(kFirstBandLayer + band - 1); }
@@ -95,7 +100,6 @@ class Fields {
   void cover_other_curves(size_t cell, double left, const PaintLayer& painted);
   void mark_painted(size_t layer);
   void append_painted(size_t number, PaintedCells& painted) const;
-  bool touches(const Brush& brush, const Vec3d& centre) const;
   void mark_held();
   void hold_beta() const;
   void update_blended_own() const;

@@ -48,18 +48,20 @@ Status Fields::check_new(const SetCellFields& change) const {
 }
 
 // A fine brush on the surface may reach the middle of no cell: it touches the surface all the same.
-bool Fields::touches(const Brush& brush, const Vec3d& centre) const {
-  return std::ranges::any_of(cells_near(brush, {&centre, 1}), [&](int64_t c) {
+bool Fields::touches(const Stroke& stroke, const std::function<bool(int64_t)>& is_asked) const {
+  const auto is_reached = [&](const Vec3d& centre, int64_t c) {
     const Vec3d corner = prepared_.frame.to_file(morton_point(prepared_.cells[c]).cast<double>());
     const Vec3d end = corner + Vec3d::Constant(prepared_.frame.cell_size);
-    return (centre.cwiseMax(corner).cwiseMin(end) - centre).norm() < brush.radius;
+    return (centre.cwiseMax(corner).cwiseMin(end) - centre).norm() < stroke.brush.radius;
+  };
+  return std::ranges::any_of(dab_centres(stroke), [&](const Vec3d& centre) {
+    return std::ranges::any_of(cells_near(stroke.brush, {&centre, 1}),
+                               [&](int64_t c) { return is_asked(c) && is_reached(centre, c); });
   });
 }
 
 Status Fields::check_new(const Stroke& stroke) const {
-  const auto centres = dab_centres(stroke);
-  if (std::ranges::any_of(centres, [&](const Vec3d& c) { return touches(stroke.brush, c); }))
-    return Status::ok();
+  if (touches(stroke, [](int64_t) { return true; })) return Status::ok();
   std::ostringstream text;
   text << "the stroke touches nothing: no part of the surface is within the brush's radius, "
        << stroke.brush.radius << ", of its path";

@@ -124,6 +124,21 @@ void Fields::set_painted(const PaintedCells& painted) {
     if (paint_[number]) mark_painted(number);
 }
 
+int Fields::ruling_curve(size_t cell) const {
+  int ruling = 0;
+  float own = 1, most = 0;
+  for (size_t i = 0; i < palette_.curves.size(); ++i) {
+    const auto& layer = paint_[kFirstCurveLayer + i];
+    if (!layer) continue;
+    const float weight = layer->weight[cell];
+    own -= weight;
+    if (weight <= most) continue;
+    most = weight;
+    ruling = static_cast<int>(i) + 1;
+  }
+  return most > own ? ruling : 0;
+}
+
 bool Fields::has_painted_curves() const {
   return std::any_of(paint_.begin() + kFirstCurveLayer, paint_.begin() + kColourLayer,
                      [](const auto& layer) { return layer.has_value(); });

@@ -19,6 +19,9 @@ class Protection {
   void apply(const Protect& change);
   void clear() { is_protected_.clear(); }
 
+  /// Returns whether no change has been applied since clear().
+  bool is_empty() const { return is_protected_.empty(); }
+  bool has(size_t cell) const { return !is_protected_.empty() && is_protected_[cell] != 0; }
   /// Returns the cells, rising.
   std::vector<int32_t> cells() const;
 

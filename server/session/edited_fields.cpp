@@ -82,8 +82,16 @@ Status EditedFields::check_new(const Edit& edit) const {
     return failed_precondition("the scan has no colours to edit");
   if (const auto* cells = std::get_if<SetCellFields>(&edit.change))
     return fields_.check_new(*cells);
-  if (const auto* stroke = std::get_if<Stroke>(&edit.change)) return fields_.check_new(*stroke);
+  if (const auto* stroke = std::get_if<Stroke>(&edit.change)) return check_new(*stroke);
   return Status::ok();
+}
+
+// A region that the fields have not caught up with may be released.
+Status EditedFields::check_new(const Stroke& stroke) const {
+  RETURN_IF_ERROR(fields_.check_new(stroke));
+  const auto is_free = [&](int64_t cell) { return !protection_.has(static_cast<size_t>(cell)); };
+  if (is_behind_ || protection_.is_empty() || fields_.touches(stroke, is_free)) return Status::ok();
+  return failed_precondition("nothing painted: the region is protected");
 }
 
 EditedFields::Counting EditedFields::counting() const {
@@ -94,7 +102,10 @@ EditedFields::Counting EditedFields::counting() const {
   for (const History::Entry& entry : history_.entries()) {
     if (!entry.enabled) continue;
     const auto& change = entry.made_by->edit.change;
-    if (std::holds_alternative<Stroke>(change)) counting.strokes.push_back(&entry);
+    if (std::holds_alternative<Stroke>(change)) {
+      counting.strokes.push_back(&entry);
+      counting.protects_before.push_back(counting.protects.size());
+    }
     if (std::holds_alternative<SetCellFields>(change)) counting.cells.push_back(&entry);
     if (const auto* slider = std::get_if<SetGradientScale>(&change)) counting.slider = *slider;
     if (const auto* found = std::get_if<SetTransferCurve>(&change)) curve = found;
@@ -154,16 +165,26 @@ void EditedFields::bound(const Controls& controls) {
   controls_ = controls;
 }
 
+/// Makes the protected region of these entries.
+void EditedFields::protect_by(std::span<const History::Entry* const> entries) {
+  const bool goes_on =
+      protects_applied_.size() <= entries.size() &&
+      std::equal(protects_applied_.begin(), protects_applied_.end(), entries.begin(),
+                 [](uint64_t number, const auto* entry) { return number == entry->number; });
+  if (!goes_on) {
+    protection_.clear();
+    protects_applied_.clear();
+  }
+  for (const History::Entry* entry : entries.subspan(protects_applied_.size())) {
+    protection_.apply(std::get<Protect>(entry->made_by->edit.change));
+    protects_applied_.push_back(entry->number);
+  }
+}
+
 /// Returns whether the protected region has changed.
 bool EditedFields::replay_protects(const Counting& wanted) {
-  std::vector<uint64_t> numbers;
-  for (const History::Entry* entry : wanted.protects) numbers.push_back(entry->number);
-  if (numbers == protects_done_) return false;
-  protection_.clear();
-  for (const History::Entry* entry : wanted.protects)
-    protection_.apply(std::get<Protect>(entry->made_by->edit.change));
-  protects_done_ = std::move(numbers);
-  return true;
+  protect_by(wanted.protects);
+  return std::exchange(protects_done_, protects_applied_) != protects_applied_;
 }
 
 /// Holds the rims, if they are pinned, and the protected region.
@@ -199,10 +220,23 @@ void EditedFields::replay_cells(const Counting& wanted) {
   changes_.metric = true;
 }
 
+/// Returns the hash after each stroke. Regions that are protected before a stroke are part of it.
+std::vector<uint64_t> EditedFields::series_of(const Counting& counting, uint64_t begin) {
+  std::vector<uint64_t> series = {begin};
+  uint64_t region = 0;  // hash of the region before the stroke; 0: none
+  size_t protects = 0;
+  for (size_t i = 0; i < counting.strokes.size(); ++i) {
+    for (; protects < counting.protects_before[i]; ++protects)
+      region = extend_series(region, counting.protects[protects]->number);
+    const uint64_t hash = counting.strokes[i]->stroke_hash;
+    series.push_back(
+        extend_series(series.back(), region == 0 ? hash : extend_series(hash, region)));
+  }
+  return series;
+}
+
 Status EditedFields::replay_strokes(const Counting& wanted, const Progress& progress) {
-  std::vector<uint64_t> series = {strokes_done_.front()};
-  for (const History::Entry* entry : wanted.strokes)
-    series.push_back(extend_series(series.back(), entry->stroke_hash));
+  const std::vector<uint64_t> series = series_of(wanted, strokes_done_.front());
   if (series == strokes_done_ && !begun_) return Status::ok();
   const Fields::PaintVersions before = fields_.paint_versions();
   const Status painted = paint_strokes(wanted, series, progress);
@@ -217,6 +251,7 @@ Status EditedFields::paint_strokes(const Counting& wanted, const std::vector<uin
                                    const Progress& progress) {
   go_back_to_shared(series);
   for (size_t i = strokes_done_.size() - 1; i < wanted.strokes.size(); ++i) {
+    protect_by(std::span(wanted.protects).first(wanted.protects_before[i]));
     const auto& stroke = std::get<Stroke>(wanted.strokes[i]->made_by->edit.change);
     const double done = double(i) / double(wanted.strokes.size());
     RETURN_IF_ERROR(paint(stroke, series[i + 1], progress, done));
@@ -247,14 +282,16 @@ void EditedFields::go_back_to_shared(const std::vector<uint64_t>& series) {
   begun_.reset();
 }
 
-/// Paints the rest of the stroke, some cells between two calls of `progress`. Each cell sees all
-/// dabs at once, so pauses leave no trace in its paint.
+/// Paints the rest of the stroke outside of the protection, some cells between two calls of
+/// `progress`. Each cell sees all dabs at once, so pauses leave no trace in its paint.
 Status EditedFields::paint(const Stroke& stroke, uint64_t series, const Progress& progress,
                            double done) {
   static constexpr size_t kDabsTimesCells = 1 << 22;  // some milliseconds of work
   if (!begun_) {
     begun_.emplace(series, dab_centres(stroke));
     begun_->cells = fields_.cells_near(stroke.brush, begun_->centres);
+    std::erase_if(begun_->cells,
+                  [&](int64_t cell) { return protection_.has(static_cast<size_t>(cell)); });
   }
   const size_t cells_at_once = std::max(kDabsTimesCells / begun_->centres.size(), size_t{1});
   do {

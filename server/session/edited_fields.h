@@ -69,7 +69,8 @@ class EditedFields {
 
   /// Checks a new edit against the mesh; apply() is less strict because it takes older histories.
   /// Fails: invalid_argument for a cell that is not active or set twice, and for a stroke that
-  /// touches no cell; failed_precondition for a volume to keep of a scan that is not closed.
+  /// touches no cell; failed_precondition for a volume to keep of a scan that is not closed, and
+  /// for a stroke whose cells are all protected.
   Status check_new(const Edit& edit) const;
 
   /// Returns what checks new edits against the bands and the palette of the history.
@@ -91,6 +92,8 @@ class EditedFields {
   const History& history() const { return history_; }
   const Fields& fields() const { return fields_; }
   const Controls& controls() const { return controls_; }
+  /// Returns the protected region; not of one moment while this is behind.
+  const Protection& protection() const { return protection_; }
   uint64_t byte_count() const { return checkpoints_.byte_count() + history_.byte_count(); }
   /// Returns the strokes painted since this was made. Tests check with it how long replays are.
   uint64_t painted_strokes() const { return painted_strokes_; }
@@ -106,6 +109,7 @@ class EditedFields {
     ColourFilter colour;
     std::vector<const History::Entry*> protects;
     std::vector<const History::Entry*> strokes;
+    std::vector<size_t> protects_before;  ///< of each stroke: so many of `protects`
     std::vector<const History::Entry*> cells;
   };
 
@@ -118,9 +122,12 @@ class EditedFields {
   };
 
   Status check(const Edit& edit) const;
+  Status check_new(const Stroke& stroke) const;
   Counting counting() const;
+  static std::vector<uint64_t> series_of(const Counting& counting, uint64_t begin);
   void bound(const Controls& controls);
   void take_layers(const Counting& counting);
+  void protect_by(std::span<const History::Entry* const> entries);
   bool replay_protects(const Counting& counting);
   void hold();
   void replay_cells(const Counting& counting);
@@ -138,7 +145,8 @@ class EditedFields {
   Controls controls_;                         // of the fields
   std::optional<std::vector<int32_t>> rims_;  // cells; found when rims are first pinned
   Protection protection_;
-  std::vector<uint64_t> protects_done_;  // entries whose cells are protected, in order
+  std::vector<uint64_t> protects_applied_;  // entries that protection_ has, in order
+  std::vector<uint64_t> protects_done_;     // entries whose cells are held, in order
   Changes changes_{true, true};
   std::vector<uint64_t> cells_done_;    // entries whose cells the fields have, in order
   std::vector<uint64_t> strokes_done_;  // series of the strokes that the fields have

@@ -109,7 +109,7 @@ TEST_F(Layering, AUnitWithoutATwinIsNamed) {
 }
 
 TEST_F(Layering, AListedUnitMayBeAloneAndNoOtherMayBeListed) {
-  write("common/base/blocks.h", "");
+  write("server/solver/cpu/blocks.h", "");
   write("server/solver/cpu/products/transfer.cpp", "");
   write("server/solver/cuda/device/stream.cpp", "");
   write("server/solver/cuda/products/transfer.cu", "");

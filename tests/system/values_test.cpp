@@ -7,6 +7,7 @@
 namespace burnish {
 namespace {
 
+using testing::Contains;
 using testing::Each;
 
 /// A server with a sphere of radius 1 and a session over it.
@@ -40,6 +41,23 @@ TEST_F(SessionValues, ComeForAllCells) {
   EXPECT_NEAR(mean, kKappaOfASphere, 0.05);
   EXPECT_EQ(connection_.cells("none", CellValue::kBeta).status().code(),
             burnish::StatusCode::kNotFound);
+}
+
+TEST_F(SessionValues, TellWhatIsProtectedAndWhichCurveRules) {
+  Stroke around{{.radius = 0.5, .strength = 1, .fall_off = FallOff::kConstant}, {Vec3d(0, 0, 1)}};
+  around.brush.curve = 1;
+  const std::vector<Edit> edits = {
+      {"p", SetPalette{Palette{{{"soft", 0x4a7fd0, TransferCurve(20)}}}}}, {"s", around}};
+  ASSERT_TRUE(connection_.apply("work", edits).is_ok());
+  const auto ruled = connection_.cells("work", CellValue::kCurve).value();
+  EXPECT_THAT(ruled, Contains(1.f));
+  EXPECT_THAT(ruled, Contains(0.f));
+  EXPECT_THAT(connection_.cells("work", CellValue::kProtected).value(), Each(0.f));
+  const std::vector<Edit> protect = {{"r", Protect{PieceRegion{Vec3d(0, 0, 1)}}}};
+  ASSERT_TRUE(connection_.apply("work", protect).is_ok());
+  EXPECT_THAT(connection_.cells("work", CellValue::kProtected).value(), Each(1.f));
+  const Status refused = connection_.apply("work", std::vector<Edit>{{"t", around}}).status();
+  EXPECT_EQ(refused.code(), burnish::StatusCode::kFailedPrecondition);
 }
 
 TEST_F(SessionValues, ComeForTheVerticesOfPages) {

@@ -96,6 +96,30 @@ TEST_F(SecureWindow, ATokenThatIsToBeKeptLetsInAgain) {
   EXPECT_TRUE(eventually([this] { return !dialog_is_open(); })) << window_->output();
 }
 
+TEST_F(SecureWindow, AWrongTokenIsToldInTheDialogAndTheRightOneLetsInThen) {
+  start_window({"--scale", "1"});
+  fill_in("berta-guess");
+  click_on("Connect/Connect");
+  places_->wait_for("Connect/Problem");
+  save_screen("wrong-token.png");
+  EXPECT_TRUE(dialog_is_open());
+  type_into("Token", kToken);
+  click_on("Connect/Connect");
+  EXPECT_TRUE(eventually([this] { return !dialog_is_open(); })) << window_->output();
+}
+
+TEST_F(SecureWindow, AClickIntoAFieldThatHasTheKeyboardMovesTheCursor) {
+  start_window({"--scale", "1"});
+  fill_in(kToken);
+  type_into("Host", "27.0.0.1");
+  const Box host = places_->wait_for("Connect/Host");
+  std::this_thread::sleep_for(std::chrono::milliseconds(600));  // not a double click
+  click(host.x + 2, host.y + host.height / 2);
+  screen_->type("1");
+  click_on("Connect/Connect");
+  EXPECT_TRUE(eventually([this] { return !dialog_is_open(); })) << window_->output();
+}
+
 class PreferencesWindow : public WindowTest {
  protected:
   void choose(const std::string& list, const std::string& entry) {

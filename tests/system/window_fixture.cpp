@@ -1,5 +1,7 @@
 #include "tests/system/window_fixture.h"
 
+#include <algorithm>
+
 #include "client/scene/png_writer.h"
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
@@ -71,6 +73,19 @@ WindowTest::Tone WindowTest::tone_of(const Image& image) const {
   return {sum.brightness / count, sum.warmth / count};
 }
 
+bool WindowTest::has_colour(const Image& image) const {
+  constexpr int kColourful = 12;
+  int count = 0;
+  for (int y = kPictureY - kReach; y < kPictureY + kReach; ++y) {
+    for (int x = middle_x_ - kReach; x < middle_x_ + kReach; ++x) {
+      const uint8_t* rgb = image.pixel(x, y);
+      const auto [low, high] = std::minmax({rgb[0], rgb[1], rgb[2]});
+      count += high - low >= kColourful;
+    }
+  }
+  return count > kReach * kReach;  // a quarter
+}
+
 double WindowTest::difference(const Image& a, const Image& b) const {
   double sum = 0;
   int count = 0;
@@ -83,14 +98,15 @@ double WindowTest::difference(const Image& a, const Image& b) const {
 
 Image WindowTest::settle() {
   screen_->move(5, 700);
+  constexpr int kStill = 4, kStillOfGrey = 20;
   Image last = screen_->capture();
   int still = 0;
   eventually([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(150));
     Image now = screen_->capture();
-    still = is_surface(now) && difference(now, last) == 0 ? still + 1 : 0;
+    still = difference(now, last) == 0 ? still + 1 : 0;
     last = std::move(now);
-    return still >= 4;
+    return still >= (has_colour(last) ? kStill : kStillOfGrey);
   });
   return last;
 }

@@ -52,9 +52,12 @@ class WindowTest : public testing::Test {
   // Returns the mean difference of a square around the middle of the picture.
   double difference(const Image& a, const Image& b) const;
 
+  // Returns whether much of the square around the middle of the picture is not grey.
+  bool has_colour(const Image& image) const;
+
   // Returns the picture once the pointer is away and nothing moves. The window is another process
-  // and does not say so: four equal pictures, some time apart, must do. A grey picture is not at
-  // rest: the link is lost, as after a pause of the machine, and comes back.
+  // and does not say so: four equal pictures, some time apart, must do. A grey picture has to rest
+  // longer: the link may be lost, as after a pause of the machine, and comes back.
   Image settle();
 
   // Waits for a different picture: frames may still come while the picture rests.

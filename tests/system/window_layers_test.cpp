@@ -18,6 +18,12 @@ class LayerWindow : public WindowTest {
     scroll_down();
   }
 
+  // Of a point of the stroke that the tests draw.
+  static int redness(const Image& image) {
+    const uint8_t* rgb = image.pixel(kPictureX - 40, kPictureY);
+    return int{rgb[0]} - int{rgb[1]};
+  }
+
   void scroll_down() {
     constexpr int kColumnX = 110, kColumnY = 400, kWheelDown = 5;
     screen_->move(kColumnX, kColumnY);
@@ -56,6 +62,41 @@ TEST_F(LayerWindow, ABrushPaintsACurveOfThePalette) {
   save_screen("palette.png");
   click(kPictureX, kPictureY);
   EXPECT_THAT(newest_of(2).summary, HasSubstr("curve 1"));
+}
+
+TEST_F(LayerWindow, ACurvesColourLiesWhereItRulesWhileThePaletteIsOpen) {
+  open_window();
+  open_panel("Palette");
+  click_on("Palette/Name");
+  screen_->type("letters");
+  click_on("Palette/Add");
+  EXPECT_THAT(newest_of(1).summary, HasSubstr("palette"));
+  scroll_down();
+  const Image plain = settle();
+  click_on("Palette/letters");
+  screen_->drag(kPictureX - 80, kPictureY, kPictureX + 80, kPictureY);
+  EXPECT_EQ(newest_of(2).kind, EditKind::kStroke);
+  EXPECT_TRUE(eventually([&] { return redness(settle()) > redness(plain) + 30; }));
+  save_screen("palette-over.png");
+  click_on("Palette");
+  EXPECT_TRUE(eventually([&] { return std::abs(redness(settle()) - redness(plain)) < 10; }));
+}
+
+TEST_F(LayerWindow, TheProtectedRegionIsHatchedAndAStrokeInsideItIsRefused) {
+  open_window();
+  const Image plain = settle();
+  scroll_down();
+  screen_->move(kPictureX, kPictureY);
+  click_on("Limits/Piece");
+  EXPECT_THAT(newest_of(1).summary, HasSubstr("protect"));
+  EXPECT_TRUE(until_it_differs(plain, 5));
+  save_screen("protected.png");
+  click(kPictureX, kPictureY);
+  save_screen("refused.png");
+  click_on("Limits/Clear");
+  EXPECT_THAT(newest_of(2).summary, HasSubstr("protect"));  // the stroke is not there
+  save_screen("refused-message.png");
+  EXPECT_TRUE(until_it_is(plain, 1));
 }
 
 TEST_F(LayerWindow, AWavelengthThatIsTypedIsTheFidelity) {

@@ -1,5 +1,6 @@
 // The start page of a real window.
 
+#include <algorithm>
 #include <utility>
 
 #include "common/generate/generate.h"
@@ -11,6 +12,13 @@ namespace {
 
 class StartPageTest : public WindowTest {
  protected:
+  bool has_session_at(int depth) {
+    const auto sessions = connection_->list_sessions();
+    return sessions.is_ok() && std::ranges::any_of(*sessions, [&](const SessionInfo& session) {
+             return session.key.depth == depth;
+           });
+  }
+
   // Returns whether the start page says in green that it is connected.
   bool window_is_connected() {
     const Image image = screen_->capture();
@@ -67,6 +75,25 @@ TEST_F(StartPageTest, AFileIsSeenBeforeItIsPreparedAndTheCameraStays) {
   const Image session = settle();
   EXPECT_LT(difference(turned, session), 0.6 * difference(front, session));  // in finer detail
   EXPECT_TRUE(connection_->history("large")->empty());
+}
+
+TEST_F(StartPageTest, AFileOpensAtTheDepthThatIsChosenWhileItIsPrepared) {
+  const auto file = server_->folder / "large.ply";
+  const auto mesh = generate_scan({.kind = "blob", .vertices = 500'000});
+  ASSERT_TRUE(mesh.is_ok() && write_mesh(*mesh, file).is_ok());
+  start_window({file.string(), "--scale", "1"});
+  click_on("Raw/Depth");
+  places_->wait_for("Raw/Depth 6");
+  save_screen("depths.png");
+  click_on("Raw/Depth 6");
+  ASSERT_TRUE(shows_session()) << window_->output();
+  EXPECT_TRUE(has_session_at(6));
+  click_on("Menu/File");
+  click_on("Menu/Open again at depth");
+  places_->wait_for("Menu/Depth 5");
+  save_screen("depths-again.png");
+  click_on("Menu/Depth 5");
+  EXPECT_TRUE(eventually([this] { return has_session_at(5); }));
 }
 
 TEST_F(StartPageTest, SessionsAndScansCanBeDeleted) {

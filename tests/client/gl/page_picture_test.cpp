@@ -161,5 +161,36 @@ TEST_F(PagePicture, VerticesShowTheirValuesTheirTintsAndTheScansColours) {
   EXPECT_GT(colours.pixel(200, high)[0], colours.pixel(200, high)[1] + 40);
 }
 
+TEST_F(PagePicture, AnOverlayColoursAndHatchesAndNoTintCoversTheHatch) {
+  show(split_into_pages(make_icosphere(4, 1), 1280));
+  for (uint32_t slot = 0; slot < meshes_.size(); ++slot) {
+    std::vector<VertexMark> marks;
+    for (const Vec3f& at : meshes_[slot].positions) {
+      const bool is_left = at.x() < 0;
+      const std::optional<uint32_t> green = is_left ? std::optional(0x20c020U) : std::nullopt;
+      marks.push_back({0, 255, packed_overlay(green, !is_left)});
+    }
+    ASSERT_TRUE(renderer_->mark_page(slot, marks).is_ok());
+  }
+  const Image red = draw({.tint = Vec3f(1, 0, 0)});
+  int most_blue = -255, least_blue = 255;  // over red, in a row of the hatch
+  for (int x = 220; x < 250; ++x) {
+    const int blue = red.pixel(x, 150)[2] - red.pixel(x, 150)[0];
+    most_blue = std::max(most_blue, blue);
+    least_blue = std::min(least_blue, blue);
+  }
+  EXPECT_GT(most_blue, 20);
+  EXPECT_GT(most_blue, least_blue + 20);
+  EXPECT_GT(red.pixel(160, 150)[0], red.pixel(160, 150)[2] + 40);  // the tint covers a colour
+  const Image plain = draw({.tint = Vec3f(1, 1, 1)});
+  EXPECT_GT(plain.pixel(160, 150)[1], plain.pixel(160, 150)[0]);
+}
+
+TEST(PackedOverlay, KeepsFourBitsOfEachColourAndTheHatch) {
+  EXPECT_EQ(packed_overlay(std::nullopt, false), 0);
+  EXPECT_EQ(packed_overlay(std::nullopt, true), 2);
+  EXPECT_EQ(packed_overlay(0xf0a05f, false), 0xfa51);
+}
+
 }  // namespace
 }  // namespace burnish

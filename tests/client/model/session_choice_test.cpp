@@ -47,6 +47,15 @@ TEST(SessionChoice, ANameThatIsTakenGetsANumber) {
   EXPECT_EQ(new_session(kBunny, {session_of(kBunny, "bunny")}).name, "bunny 2");
 }
 
+TEST(SessionChoice, ADepthThatNoSessionHasBeginsANewOne) {
+  SessionInfo coarse = session_of(kBunny, "bunny", 5);
+  coarse.key.depth = 7;
+  EXPECT_EQ(session_to_go_on(kBunny, {coarse}, {"bunny"}, 7).name, "bunny");
+  const SessionWish fine = session_to_go_on(kBunny, {coarse}, {"bunny"}, 9);
+  EXPECT_EQ(fine.name, "bunny 2");
+  EXPECT_EQ(fine.key.depth, 9);
+}
+
 TEST(SessionChoice, ANameThatLooksLikeAnIdGetsANumber) {
   EXPECT_EQ(new_session(scan_named("0123456789abcdef"), {}).name, "0123456789abcdef 2");
 }

@@ -1,5 +1,7 @@
 #include "server/session/edited_fields.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -212,6 +214,82 @@ TEST_F(EditedFieldsTest, RestoringSkipsWhatIsDamagedAndWhatIsRefusedByNow) {
 TEST_F(EditedFieldsTest, ADamagedEditCannotBeApplied) {
   EditedFields edited(*prepared_);
   EXPECT_EQ(apply(edited, Damaged{"a hole"}).code(), StatusCode::kDataLoss);
+}
+
+/// All cells of the upper half, z > 0.
+Protect upper_half() {
+  LassoRegion lasso;
+  lasso.view_projection = {1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1};  // y is the height
+  lasso.polygon = {{-2, 0}, {2, 0}, {2, 2}, {-2, 2}};
+  lasso.through = true;
+  return {lasso};
+}
+
+/// Around the equator.
+Stroke over_the_border(double beta) {
+  return {{0.5, 1, beta, FallOff::kConstant}, {Vec3d(1, 0, 0)}};
+}
+const Stroke kAtTheTop{{0.4, 1, 3, FallOff::kSmooth}, {Vec3d(0, 0, 1)}};
+
+size_t cells_at(const std::vector<float>& beta, float value) {
+  return static_cast<size_t>(std::count(beta.begin(), beta.end(), value));
+}
+
+TEST_F(EditedFieldsTest, AStrokeWhollyInsideTheProtectedRegionIsRefused) {
+  EditedFields edited(*prepared_);
+  EXPECT_TRUE(edited.check_new({"a", kAtTheTop}).is_ok());
+  ASSERT_TRUE(apply(edited, upper_half()).is_ok());
+  const Status refused = edited.check_new({"a", kAtTheTop});
+  EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(refused.message(), testing::HasSubstr("protected"));
+  EXPECT_TRUE(edited.check_new({"a", over_the_border(3)}).is_ok());
+  ASSERT_TRUE(apply(edited, Protect{NoRegion{}}).is_ok());
+  EXPECT_TRUE(edited.check_new({"a", kAtTheTop}).is_ok());
+}
+
+TEST_F(EditedFieldsTest, PaintOverTheBorderOfTheRegionStaysOutsideAfterItsRelease) {
+  EditedFields edited(*prepared_), free(*prepared_);
+  ASSERT_TRUE(apply(edited, upper_half()).is_ok());
+  ASSERT_TRUE(apply(edited, over_the_border(3)).is_ok());
+  ASSERT_TRUE(apply(edited, Protect{NoRegion{}}).is_ok());
+  ASSERT_TRUE(apply(free, over_the_border(3)).is_ok());
+  const size_t outside = cells_at(beta(edited), 3), all = cells_at(beta(free), 3);
+  EXPECT_GT(outside, 0u);
+  EXPECT_NEAR(double(outside), 0.5 * double(all), 0.25 * double(all));
+}
+
+TEST_F(EditedFieldsTest, ARegionCountsForLaterStrokesAloneAndUntilItIsUndone) {
+  EditedFields edited(*prepared_), first(*prepared_), both(*prepared_);
+  ASSERT_TRUE(apply(first, over_the_border(3)).is_ok());
+  ASSERT_TRUE(apply(both, over_the_border(3)).is_ok());
+  ASSERT_TRUE(apply(both, over_the_border(2)).is_ok());
+  ASSERT_TRUE(apply(edited, over_the_border(3)).is_ok());
+  ASSERT_TRUE(apply(edited, upper_half()).is_ok());
+  ASSERT_TRUE(apply(edited, Protect{NoRegion{}}).is_ok());
+  EXPECT_EQ(beta(edited), beta(first));
+  ASSERT_TRUE(apply(edited, Undo{}).is_ok());
+  ASSERT_TRUE(apply(edited, over_the_border(2)).is_ok());
+  const auto protected_upper = beta(edited);
+  ASSERT_TRUE(apply(edited, SwitchEntry{2, false}).is_ok());
+  EXPECT_EQ(beta(edited), beta(both));
+  ASSERT_TRUE(apply(edited, SwitchEntry{2, true}).is_ok());
+  EXPECT_EQ(beta(edited), protected_upper);
+}
+
+TEST_F(EditedFieldsTest, ALongStrokePaintedInPiecesLeavesTheRegionOutInEachOfThem) {
+  prepared_ = prepared_sphere(6);
+  EditedFields at_once(*prepared_), in_pieces(*prepared_);
+  ASSERT_TRUE(apply(at_once, upper_half()).is_ok());
+  ASSERT_TRUE(apply(in_pieces, upper_half()).is_ok());
+  const AuthoredEdit edit = authored(long_stroke(1));
+  ASSERT_TRUE(at_once.apply({&edit, 1}).is_ok());
+  ASSERT_TRUE(in_pieces.record({&edit, 1}).is_ok());
+  int calls = 0;
+  const auto one_piece = [&](std::string_view, double) { return ++calls % 2 != 0; };
+  while (!in_pieces.catch_up(one_piece).is_ok()) {
+  }
+  EXPECT_GT(calls, 2);
+  EXPECT_EQ(beta(in_pieces), beta(at_once));
 }
 
 }  // namespace
