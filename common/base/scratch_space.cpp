@@ -71,14 +71,14 @@ ScratchBlock::ScratchBlock(ScratchBlock&& other) noexcept {
 ScratchBlock& ScratchBlock::operator=(ScratchBlock&& other) noexcept {
   std::swap(data_, other.data_);
   std::swap(bytes_, other.bytes_);
-  memory_.swap(other.memory_);
+  count_.swap(other.count_);
   return *this;
 }
 
 ScratchBlock::~ScratchBlock() {
   if (data_ == nullptr) return;
   munmap(data_, bytes_);
-  if (memory_) *memory_ -= bytes_;
+  *count_ -= bytes_;
 }
 
 bool ScratchSpace::take_memory(uint64_t bytes) const {
@@ -96,13 +96,17 @@ bool ScratchSpace::take_memory(uint64_t bytes) const {
 ScratchBlock ScratchSpace::allocate(uint64_t bytes) const {
   ScratchBlock block;
   if (bytes == 0) return block;
-  block.bytes_ = bytes;
-  if (take_memory(bytes)) {
-    block.memory_ = memory_;
-    block.data_ = map_memory(bytes);
-  } else {
-    block.data_ = map_file(folder_, bytes);
+  const bool is_in_memory = take_memory(bytes);
+  const auto& count = is_in_memory ? memory_ : files_;
+  if (!is_in_memory) *files_ += bytes;
+  try {
+    block.data_ = is_in_memory ? map_memory(bytes) : map_file(folder_, bytes);
+  } catch (...) {
+    *count -= bytes;
+    throw;
   }
+  block.bytes_ = bytes;
+  block.count_ = count;
   return block;
 }
 

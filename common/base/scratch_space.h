@@ -34,7 +34,7 @@ class ScratchBlock {
 
   void* data_ = nullptr;
   uint64_t bytes_ = 0;
-  std::shared_ptr<std::atomic<uint64_t>> memory_;  ///< counts these bytes; null: they are in a file
+  std::shared_ptr<std::atomic<uint64_t>> count_;  ///< that these bytes are part of
 };
 
 /// Where large arrays lie: in memory up to a limit, then in files of a folder. The files have no
@@ -55,6 +55,7 @@ class ScratchSpace {
 
   uint64_t memory_bytes_max() const { return memory_bytes_max_; }
   uint64_t memory_bytes() const { return *memory_; }  ///< of arrays in memory now
+  uint64_t file_bytes() const { return *files_; }     ///< of arrays in files now
 
  private:
   bool take_memory(uint64_t bytes) const;
@@ -62,6 +63,7 @@ class ScratchSpace {
   std::filesystem::path folder_;
   uint64_t memory_bytes_max_ = UINT64_MAX;
   std::shared_ptr<std::atomic<uint64_t>> memory_ = std::make_shared<std::atomic<uint64_t>>(0);
+  std::shared_ptr<std::atomic<uint64_t>> files_ = std::make_shared<std::atomic<uint64_t>>(0);
 };
 
 }  // namespace burnish

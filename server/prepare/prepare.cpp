@@ -10,6 +10,7 @@
 #include "common/base/limits.h"
 #include "common/base/parallel.h"
 #include "common/base/process_memory.h"
+#include "common/mesh/stored_mesh.h"
 #include "server/prepare/cell_pieces.h"
 #include "server/prepare/cell_sheets.h"
 #include "server/prepare/histogram.h"
@@ -70,15 +71,18 @@ ScratchArray<Vec3d> snapped_positions(const MeshView& mesh, const GridFrame& fra
 /// The counts of a preparation, and the budget that admits them.
 struct Admission {
   PreparationBudget& budget;
+  uint64_t arrays_bytes_max;
   PreparationCounts counts;
 
-  Status ask() const { return budget.ask(predict_preparation(counts)); }
+  PreparationNeed need() const { return predict_preparation(counts, arrays_bytes_max); }
+  Status ask() const { return budget.ask(need()); }
 
   /// Returns how many pieces may be counted before they are sure to exceed the budget.
   uint64_t pieces_max() const {
-    const uint64_t before = predict_preparation(counts).memory_bytes;
-    const uint64_t limit = budget.memory_bytes_max();
-    return limit < before ? 0 : (limit - before) / (2 * sizeof(CellPiece));  // the sort takes twice
+    const PreparationNeed before = need();
+    const uint64_t taken = before.memory_bytes + before.scratch_bytes;
+    const uint64_t limit = budget.memory_bytes_max() + budget.scratch_bytes_max();
+    return limit < taken ? 0 : (limit - taken) / sizeof(CellPiece);
   }
 
   Result<PieceCount> count_pieces(const GridMesh& mesh) {
@@ -90,9 +94,10 @@ struct Admission {
   }
 };
 
-PreparationCounts counts_of(const MeshView& mesh, int depth) {
+PreparationCounts counts_of(const MeshView& mesh, const PrepareOptions& options) {
   PreparationCounts counts;
-  counts.depth = depth;
+  counts.copies_mesh = options.copies_mesh;
+  counts.depth = options.depth;
   counts.vertices = mesh.vertices.size();
   counts.triangles = mesh.triangles.size();
   counts.has_colours = !mesh.colours.empty();
@@ -102,14 +107,18 @@ PreparationCounts counts_of(const MeshView& mesh, int depth) {
 /// The part of the scan that does not depend on the depth.
 struct Scan {
   const MeshView& mesh;
+  const PrepareOptions& options;
   MeshStatistics statistics;
-  PieceRoom room;
+
+  const ScratchSpace& space() const { return options.space; }
+  PieceRoom room() const { return {options.space, options.pieces_per_brick}; }
 
   GridFrame frame(int depth) const {
     return make_grid_frame(statistics.box_min, statistics.box_max, depth);
   }
   PreparationCounts counts(int depth) const {
-    PreparationCounts counts = counts_of(mesh, depth);
+    PreparationCounts counts = counts_of(mesh, options);
+    counts.depth = depth;
     counts.has_several_components = statistics.components > 1;
     return counts;
   }
@@ -118,26 +127,27 @@ struct Scan {
 // Counts cells only: a preparation finds sheets later.
 Status ask_for_depth(const Scan& scan, int depth, PreparationBudget& budget,
                      const Progress& progress) {
-  Admission admission{budget, scan.counts(depth)};
-  const auto positions = snapped_positions(scan.mesh, scan.frame(depth), scan.room.space);
+  Admission admission{budget, scan.space().memory_bytes_max(), scan.counts(depth)};
+  const auto positions = snapped_positions(scan.mesh, scan.frame(depth), scan.space());
   const GridMesh mesh = {scan.mesh.triangles, positions, depth};
   ASSIGN_OR_RETURN(const PieceCount count, admission.count_pieces(mesh));
-  ASSIGN_OR_RETURN(const auto pieces, find_cell_pieces(mesh, count, scan.room, progress));
+  ASSIGN_OR_RETURN(const auto pieces, find_cell_pieces(mesh, count, scan.room(), progress));
   admission.counts.cells = count_cells(pieces);
   return admission.ask();
 }
 
 // Says why nothing was prepared at this depth, and which depth would fit.
-Status refusal(const Scan& scan, const PreparationCounts& counts, const Status& reason,
-               PreparationBudget& budget, const Progress& progress) {
-  int depth = counts.depth - 1;
+Status refusal(const Scan& scan, const Admission& admission, const Status& reason,
+               const Progress& progress) {
+  PreparationBudget& budget = admission.budget;
+  int depth = admission.counts.depth - 1;
   while (depth >= kDepthMin && !ask_for_depth(scan, depth, budget, progress).is_ok()) {
     if (!report(progress, "looking for a depth that fits", 0))
       return cancelled("cancelled while looking for a depth that fits");
     --depth;
   }
   return resource_exhausted(
-      to_string(predict_preparation(counts)) + ": " + reason.message() +
+      to_string(admission.need()) + ": " + reason.message() +
       (depth >= kDepthMin ? "; depth " + std::to_string(depth) + " fits" : "; no depth fits"));
 }
 
@@ -211,13 +221,13 @@ class Preparation {
   }
 
  private:
-  const ScratchSpace& space() const { return scan_.room.space; }
+  const ScratchSpace& space() const { return scan_.space(); }
   GridMesh grid_mesh() const { return {scan_.mesh.triangles, positions_, frame_.depth}; }
 
   Status cut() {
     ASSIGN_OR_RETURN(const PieceCount count, admission_.count_pieces(grid_mesh()));
     if (!report(progress_, "grid", 0.4)) return cancelled("cancelled while cutting at the grid");
-    ASSIGN_OR_RETURN(pieces_, find_cell_pieces(grid_mesh(), count, scan_.room, progress_));
+    ASSIGN_OR_RETURN(pieces_, find_cell_pieces(grid_mesh(), count, scan_.room(), progress_));
     admission_.counts.cells = count_cells(pieces_);
     return admission_.ask();
   }
@@ -266,21 +276,21 @@ Result<std::shared_ptr<const PreparedMesh>> prepare_scan(const MeshView& mesh,
   PhaseClock clock(phases);
   MachineBudget machine;
   PreparationBudget& budget = options.budget != nullptr ? *options.budget : machine;
-  const PreparationNeed least = predict_preparation(counts_of(mesh, options.depth));
+  const PreparationNeed least =
+      predict_preparation(counts_of(mesh, options), options.space.memory_bytes_max());
   RETURN_IF_ERROR(budget.ask(least).with_context(to_string(least)));
 
-  const Scan scan = {
-      mesh, compute_statistics(mesh, options.space), {options.space, options.pieces_per_brick}};
+  const Scan scan = {mesh, options, compute_statistics(mesh, options.space)};
   const MeshStatistics& statistics = scan.statistics;
   const int depth = options.depth != 0 ? options.depth
                                        : default_depth(statistics.box_min, statistics.box_max,
                                                        statistics.mean_edge_length);
   clock.end("statistics");
-  Admission admission{budget, scan.counts(depth)};
+  Admission admission{budget, scan.space().memory_bytes_max(), scan.counts(depth)};
   Preparation preparation(scan, admission, options, progress, clock);
   const Status status = preparation.run();
   if (status.code() == StatusCode::kResourceExhausted)
-    return refusal(scan, admission.counts, status, budget, progress);
+    return refusal(scan, admission, status, progress);
   RETURN_IF_ERROR(status);
   auto prepared = preparation.take(owner);
   if (!report(progress, "evaluation", 1)) return cancelled("cancelled at the end");
@@ -289,26 +299,39 @@ Result<std::shared_ptr<const PreparedMesh>> prepare_scan(const MeshView& mesh,
 
 }  // namespace
 
+// Runs work that allocates memory and scratch files.
+template <typename Work>
+static auto within_room(const MeshView& mesh, const Work& work) -> decltype(work()) {
+  const auto scan = [&] {
+    return "preparing a scan of " + std::to_string(mesh.triangles.size()) + " triangles: ";
+  };
+  try {
+    return work();
+  } catch (const ScratchFull& full) {
+    return resource_exhausted(scan() + full.what());
+  } catch (const std::bad_alloc&) {
+    return resource_exhausted(scan() + "not enough memory; choose a smaller depth");
+  }
+}
+
 Result<std::shared_ptr<const PreparedMesh>> prepare(const MeshView& mesh,
                                                     std::shared_ptr<const void> owner,
                                                     const PrepareOptions& options,
                                                     const Progress& progress,
-                                                    PrepareReport* phases) try {
-  return prepare_scan(mesh, owner, options, progress, phases);
-} catch (const ScratchFull& full) {
-  return resource_exhausted("preparing a scan of " + std::to_string(mesh.triangles.size()) +
-                            " triangles: " + full.what());
-} catch (const std::bad_alloc&) {
-  return resource_exhausted("preparing a scan of " + std::to_string(mesh.triangles.size()) +
-                            " triangles: not enough memory; choose a smaller depth");
+                                                    PrepareReport* phases) {
+  return within_room(mesh, [&] { return prepare_scan(mesh, owner, options, progress, phases); });
 }
 
 Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
                                                     const PrepareOptions& options,
                                                     const Progress& progress,
                                                     PrepareReport* phases) {
-  const auto copy = std::make_shared<const TriangleMesh>(mesh);
-  return prepare(MeshView(*copy), copy, options, progress, phases);
+  return within_room(mesh, [&] {
+    PrepareOptions with_copy = options;
+    with_copy.copies_mesh = true;
+    const auto copy = std::make_shared<const StoredMesh>(mesh, options.space);
+    return prepare_scan(copy->view(), copy, with_copy, progress, phases);
+  });
 }
 
 }  // namespace burnish

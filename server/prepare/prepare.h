@@ -19,6 +19,7 @@ struct PrepareOptions {
   int threads = 0;                      ///< 0: all cores
   PreparationBudget* budget = nullptr;  ///< null: the machine's memory
   ScratchSpace space;                   ///< of all large arrays, the prepared ones too
+  bool copies_mesh = false;             ///< the scan is in memory once more
   uint64_t pieces_per_brick = PieceRoom::kPiecesPerBrick;  ///< changes no bit
 };
 

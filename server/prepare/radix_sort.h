@@ -40,7 +40,7 @@ void radix_sort(std::span<T> values, std::span<T> spare, const Key& key) {
   uint64_t differing = 0;
   for (const T& value : values) differing |= uint64_t{key(value)} ^ uint64_t { key(values[0]) };
   std::span<T> from = values, to = spare;
-  for (int shift = 0; differing >> shift != 0; shift += kDigitBits) {
+  for (int shift = 0; shift < 64 && differing >> shift != 0; shift += kDigitBits) {
     order_by_digit(std::span<const T>(from), key, shift, kDigitBits, to);
     std::swap(from, to);
   }
