@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <vector>
 
 namespace burnish {
 
-/// Disjoint sets of the numbers 0 to count − 1; a set's root is its least number.
-class DisjointSets {
+/// Disjoint sets of the numbers 0 to count − 1, in an array of somebody else. A set's root is its
+/// least number.
+class DisjointSetsIn {
  public:
-  explicit DisjointSets(size_t count) : parent_(count) {
+  explicit DisjointSetsIn(std::span<int32_t> parent) : parent_(parent) {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
 
@@ -26,7 +28,22 @@ class DisjointSets {
   }
 
  private:
+  std::span<int32_t> parent_;
+};
+
+/// The same in an array of its own.
+class DisjointSets {
+ public:
+  explicit DisjointSets(size_t count) : parent_(count), sets_(parent_) {}
+  DisjointSets(DisjointSets&&) = default;
+  DisjointSets(const DisjointSets&) = delete;
+
+  int32_t root(int32_t i) { return sets_.root(i); }
+  void join(int32_t a, int32_t b) { sets_.join(a, b); }
+
+ private:
   std::vector<int32_t> parent_;
+  DisjointSetsIn sets_;
 };
 
 }  // namespace burnish

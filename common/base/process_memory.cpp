@@ -28,6 +28,10 @@ uint64_t resident_bytes() {
   return bytes_of_line("/proc/self/status", "VmRSS:", 0);
 }
 
+uint64_t anonymous_bytes() {
+  return bytes_of_line("/proc/self/status", "RssAnon:", 0);
+}
+
 uint64_t peak_resident_bytes() {
   return bytes_of_line("/proc/self/status", "VmHWM:", 0);
 }

@@ -6,6 +6,7 @@
 namespace burnish {
 
 uint64_t resident_bytes();       ///< resident memory of this process now
+uint64_t anonymous_bytes();      ///< resident memory now, without mapped files
 uint64_t peak_resident_bytes();  ///< largest since the start or the last reset
 /// Resets the peak. Returns false, without effect, if the kernel does not allow it.
 bool reset_peak_resident_bytes();

@@ -2,12 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace burnish {
 
 static constexpr double kTouchDistance = 1e-6;  // cells
 
-static std::vector<bool> referenced_vertices(const TriangleMesh& mesh) {
+namespace {
+
+struct FinestCells {
+  int depth;
+  std::span<const MortonKey> keys;  // strictly rising
+
+  int32_t find(const Vec3i& cell) const {
+    const int side = 1 << depth;
+    if ((cell.array() < 0).any() || (cell.array() >= side).any()) return kNone;
+    const MortonKey key = morton_key(cell);
+    const auto at = std::ranges::lower_bound(keys, key);
+    return at != keys.end() && *at == key ? static_cast<int32_t>(at - keys.begin()) : kNone;
+  }
+};
+
+}  // namespace
+
+static std::vector<bool> referenced_vertices(const MeshView& mesh) {
   std::vector<bool> referenced(mesh.vertices.size(), false);
   for (const Triangle& triangle : mesh.triangles)
     for (uint32_t v : triangle) referenced[v] = true;
@@ -24,7 +42,7 @@ static EvaluationPoint point_in_cell(const Vec3d& p, const Vec3i& cell, int32_t 
 
 // Finds the active cell that holds or touches the point; tries the cell above each plane first. The
 // surface is continuous across cells, so each of them gives the same value.
-static EvaluationPoint locate(const Vec3d& p, const SparseGrid& grid) {
+static EvaluationPoint locate(const Vec3d& p, const FinestCells& cells) {
   const Vec3i home = p.array().floor().cast<int>();
   for (int mask = 0; mask < 8; ++mask) {
     for (int sign = -1; sign <= 1; sign += 2) {
@@ -33,22 +51,22 @@ static EvaluationPoint locate(const Vec3d& p, const SparseGrid& grid) {
       const Vec3d outside =
           (cell.cast<double>() - p).cwiseMax(p - cell.cast<double>() - Vec3d::Ones());
       if (outside.maxCoeff() > kTouchDistance) continue;
-      const int32_t index = grid.find_cell(cell);
+      const int32_t index = cells.find(cell);
       if (index != kNone) return point_in_cell(p, cell, index);
     }
   }
   return {};
 }
 
-std::vector<EvaluationPoint> make_evaluation(const TriangleMesh& mesh, const GridFrame& frame,
-                                             const SparseGrid& grid) {
+void make_evaluation(const MeshView& mesh, const GridFrame& frame, std::span<const MortonKey> cells,
+                     std::span<EvaluationPoint> points) {
   const std::vector<bool> referenced = referenced_vertices(mesh);
-  std::vector<EvaluationPoint> points(mesh.vertices.size());
+  const FinestCells finest{frame.depth, cells};
 #pragma omp parallel for schedule(static)
   for (int64_t v = 0; v < static_cast<int64_t>(points.size()); ++v) {
-    if (referenced[v]) points[v] = locate(snap_to_planes(frame.to_grid(mesh.vertices[v])), grid);
+    points[v] = {};
+    if (referenced[v]) points[v] = locate(snap_to_planes(frame.to_grid(mesh.vertices[v])), finest);
   }
-  return points;
 }
 
 std::array<float, kCornersPerCell> trilinear_weights(const std::array<float, 3>& local) {

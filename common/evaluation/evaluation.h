@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "common/grid/grid.h"
 #include "common/grid/sparse_grid.h"
@@ -20,9 +19,10 @@ static_assert(sizeof(EvaluationPoint) == 16);
 
 /// Makes E for the vertices of a mesh. A vertex on a grid plane takes an active cell that touches
 /// it.
-/// Shapes: one row per vertex; a vertex that no triangle references gets cell kNone.
-std::vector<EvaluationPoint> make_evaluation(const TriangleMesh& mesh, const GridFrame& frame,
-                                             const SparseGrid& grid);
+/// Shapes: one row per vertex; a vertex that no triangle references gets cell kNone. `cells` of the
+/// frame's depth rise strictly.
+void make_evaluation(const MeshView& mesh, const GridFrame& frame, std::span<const MortonKey> cells,
+                     std::span<EvaluationPoint> points);
 
 /// Returns the eight trilinear weights of a local position, in corner order.
 std::array<float, kCornersPerCell> trilinear_weights(const std::array<float, 3>& local);

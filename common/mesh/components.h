@@ -12,4 +12,7 @@ namespace burnish {
 /// edges. Cost: near linear time.
 std::vector<int32_t> component_roots(std::span<const Triangle> triangles, size_t vertices);
 
+/// Puts the same into an array with an entry for each vertex.
+void find_component_roots(std::span<const Triangle> triangles, std::span<int32_t> roots);
+
 }  // namespace burnish

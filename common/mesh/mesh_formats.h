@@ -6,6 +6,7 @@
 
 #include "common/base/atomic_file.h"
 #include "common/base/status.h"
+#include "common/mesh/stored_mesh.h"
 #include "common/mesh/triangle_mesh.h"
 
 /// Private to this folder: one reader and one writer per format; mesh_io.cpp chooses among them.
@@ -19,6 +20,7 @@
 namespace burnish {
 
 Result<TriangleMesh> read_ply(std::span<const uint8_t> bytes, const std::string& name);
+Status read_ply(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh);
 Result<TriangleMesh> read_obj(std::span<const uint8_t> bytes, const std::string& name);
 Result<TriangleMesh> read_stl(std::span<const uint8_t> bytes, const std::string& name);
 Result<TriangleMesh> read_off(std::span<const uint8_t> bytes, const std::string& name);

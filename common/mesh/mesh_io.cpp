@@ -84,17 +84,47 @@ static Result<TriangleMesh> parse_mesh(std::span<const uint8_t> bytes, MeshForma
   return invalid_argument(name + ": unknown mesh format");
 }
 
-Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format,
-                               const std::string& name, const MeshSurroundings& beside) {
+// Runs a reader of a file's bytes.
+template <typename Read>
+static auto read_checked(std::span<const uint8_t> bytes, const std::string& name, const Read& read)
+    -> decltype(read()) {
   if (bytes.empty()) return invalid_argument(name + ": the file is empty (0 bytes)");
   try {
-    ASSIGN_OR_RETURN(TriangleMesh mesh, parse_mesh(bytes, format, name, beside));
-    RETURN_IF_ERROR(validate(mesh).with_context(name));
-    return mesh;
+    return read();
+  } catch (const ScratchFull& full) {
+    return resource_exhausted(name + ": " + full.what());
   } catch (const std::bad_alloc&) {
     return resource_exhausted(name + ": not enough memory for a file of " +
                               std::to_string(bytes.size()) + " bytes");
   }
+}
+
+Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format,
+                               const std::string& name, const MeshSurroundings& beside) {
+  return read_checked(bytes, name, [&]() -> Result<TriangleMesh> {
+    ASSIGN_OR_RETURN(TriangleMesh mesh, parse_mesh(bytes, format, name, beside));
+    RETURN_IF_ERROR(validate(mesh).with_context(name));
+    return mesh;
+  });
+}
+
+bool is_read_into_scratch(MeshFormat format) {
+  return format == MeshFormat::kPly;
+}
+
+Result<StoredMesh> read_stored_mesh(std::span<const uint8_t> bytes, MeshFormat format,
+                                    const std::string& name, const ScratchSpace& space) {
+  return read_checked(bytes, name, [&]() -> Result<StoredMesh> {
+    if (!is_read_into_scratch(format)) {
+      ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(bytes, format, name));
+      return StoredMesh(mesh, space);
+    }
+    GrowingMesh growing(space);
+    RETURN_IF_ERROR(read_ply(bytes, name, growing));
+    StoredMesh mesh = growing.take();
+    RETURN_IF_ERROR(validate(mesh.view()).with_context(name));
+    return mesh;
+  });
 }
 
 Result<TriangleMesh> read_mesh(const std::filesystem::path& path) {

@@ -7,6 +7,7 @@
 
 #include "common/base/status.h"
 #include "common/mesh/files_beside.h"
+#include "common/mesh/stored_mesh.h"
 #include "common/mesh/triangle_mesh.h"
 
 namespace burnish {
@@ -36,8 +37,16 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& path);
 Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                const std::string& name, const MeshSurroundings& beside = {});
 
+/// Reads a mesh from memory into scratch space. Only PLY goes there at once; the other formats are
+/// read into memory and copied. Fails: likewise.
+Result<StoredMesh> read_stored_mesh(std::span<const uint8_t> bytes, MeshFormat format,
+                                    const std::string& name, const ScratchSpace& space);
+
 /// Returns how much memory read_mesh() may take for a file. Fails: as the file cannot be opened.
 Result<uint64_t> reading_bytes_max(const std::filesystem::path& path, MeshFormat format);
+
+/// Returns whether read_stored_mesh() takes all of this from scratch space.
+bool is_read_into_scratch(MeshFormat format);
 
 /// Writes by extension (PLY binary little-endian, OBJ, STL binary, GLB) to a temporary file beside
 /// `path`, syncs it, and renames it into place. A failed write leaves the old file.

@@ -19,27 +19,32 @@ namespace {
 constexpr double kRestart = -1;
 constexpr double kRestartUnsigned = 0xFFFFFFFF;
 
-template <typename Source>
+/// Fills a TriangleMesh or a GrowingMesh.
+template <typename Source, typename Mesh>
 class PlyBodyReader {
  public:
   PlyBodyReader(Source source, uint64_t file_bytes, const PlyHeader& header,
-                const PlyLayout& layout)
-      : source_(std::move(source)), file_bytes_(file_bytes), header_(header), layout_(layout) {
+                const PlyLayout& layout, Mesh& mesh)
+      : source_(std::move(source)),
+        file_bytes_(file_bytes),
+        header_(header),
+        layout_(layout),
+        mesh_(mesh) {
     mesh_.has_double_positions = layout.has_double_positions;
   }
 
-  Result<TriangleMesh> read() {
+  Status read() {
     for (const PlyElement& element : header_.elements) {
       if (element.properties.empty()) continue;
       RETURN_IF_ERROR(element.name == "vertex" ? read_vertices(element) : read_lists(element));
     }
-    return std::move(mesh_);
+    return Status::ok();
   }
 
  private:
   Status read_vertices(const PlyElement& element) {
-    mesh_.vertices.resize(layout_.vertices);
-    if (layout_.has_colours) mesh_.colours.resize(layout_.vertices, {0, 0, 0, 255});
+    mesh_.vertices.resize(layout_.vertices, Vec3d::Zero());
+    if (layout_.has_colours) mesh_.colours.resize(layout_.vertices, Rgba8{0, 0, 0, 255});
     for (uint64_t v = 0; v < layout_.vertices; ++v) {
       for (size_t p = 0; p < element.properties.size(); ++p)
         RETURN_IF_ERROR(read_vertex_property(element, v, p));
@@ -167,30 +172,43 @@ class PlyBodyReader {
   const uint64_t file_bytes_;
   const PlyHeader& header_;
   const PlyLayout& layout_;
-  TriangleMesh mesh_;
+  Mesh& mesh_;
   std::vector<uint32_t> corners_;
 };
 
-template <typename Source>
-Result<TriangleMesh> read_body(std::span<const uint8_t> bytes, const PlyHeader& header,
-                               const PlyLayout& layout, const std::string& name) {
-  return PlyBodyReader<Source>(Source(bytes, header, name), bytes.size(), header, layout).read();
+template <typename Source, typename Mesh>
+Status read_body(std::span<const uint8_t> bytes, const PlyHeader& header, const PlyLayout& layout,
+                 const std::string& name, Mesh& mesh) {
+  return PlyBodyReader<Source, Mesh>(Source(bytes, header, name), bytes.size(), header, layout,
+                                     mesh)
+      .read();
+}
+
+template <typename Mesh>
+Status read_into(std::span<const uint8_t> bytes, const std::string& name, Mesh& mesh) {
+  ASSIGN_OR_RETURN(const PlyHeader header, parse_ply_header(bytes, name));
+  ASSIGN_OR_RETURN(const PlyLayout layout, find_ply_layout(header, name));
+  switch (header.encoding) {
+    case PlyEncoding::kAscii:
+      return read_body<PlyAsciiSource>(bytes, header, layout, name, mesh);
+    case PlyEncoding::kLittleEndian:
+      return read_body<PlyBinarySource<false>>(bytes, header, layout, name, mesh);
+    case PlyEncoding::kBigEndian:
+      return read_body<PlyBinarySource<true>>(bytes, header, layout, name, mesh);
+  }
+  return invalid_argument(name + ": unknown PLY encoding");
 }
 
 }  // namespace
 
 Result<TriangleMesh> read_ply(std::span<const uint8_t> bytes, const std::string& name) {
-  ASSIGN_OR_RETURN(const PlyHeader header, parse_ply_header(bytes, name));
-  ASSIGN_OR_RETURN(const PlyLayout layout, find_ply_layout(header, name));
-  switch (header.encoding) {
-    case PlyEncoding::kAscii:
-      return read_body<PlyAsciiSource>(bytes, header, layout, name);
-    case PlyEncoding::kLittleEndian:
-      return read_body<PlyBinarySource<false>>(bytes, header, layout, name);
-    case PlyEncoding::kBigEndian:
-      return read_body<PlyBinarySource<true>>(bytes, header, layout, name);
-  }
-  return invalid_argument(name + ": unknown PLY encoding");
+  TriangleMesh mesh;
+  RETURN_IF_ERROR(read_into(bytes, name, mesh));
+  return mesh;
+}
+
+Status read_ply(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh) {
+  return read_into(bytes, name, mesh);
 }
 
 }  // namespace burnish

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "common/base/types.h"
 
@@ -11,7 +10,8 @@ namespace burnish {
 
 /// Appends a polygon as the fan around its first corner: n corners, n - 2 triangles.
 /// Needs: at least three corners.
-inline void append_fan(std::span<const uint32_t> corners, std::vector<Triangle>& triangles) {
+template <typename Triangles>
+void append_fan(std::span<const uint32_t> corners, Triangles& triangles) {
   for (size_t i = 2; i < corners.size(); ++i)
     triangles.push_back({corners[0], corners[i - 1], corners[i]});
 }
@@ -20,7 +20,8 @@ inline void append_fan(std::span<const uint32_t> corners, std::vector<Triangle>&
 /// reversed. Triangles that repeat a vertex are joints of the strip and are left out.
 class TriangleStrip {
  public:
-  void append(uint32_t c, std::vector<Triangle>& triangles) {
+  template <typename Triangles>
+  void append(uint32_t c, Triangles& triangles) {
     ++length_;
     if (length_ >= 3 && a_ != b_ && b_ != c && c != a_)
       triangles.push_back(length_ % 2 == 1 ? Triangle{a_, b_, c} : Triangle{b_, a_, c});
@@ -39,13 +40,14 @@ class TriangleStrip {
 inline constexpr uint64_t kUnfoldedBytesPerFileByte = 4;
 inline constexpr uint64_t kUnfoldedBytesInAnyCase = 1 << 20;
 
-inline bool unfolds_too_far(const std::vector<Triangle>& triangles, uint64_t file_bytes) {
+template <typename Triangles>
+bool unfolds_too_far(const Triangles& triangles, uint64_t file_bytes) {
   return triangles.size() * sizeof(Triangle) >
          kUnfoldedBytesInAnyCase + kUnfoldedBytesPerFileByte * file_bytes;
 }
 
-inline std::string unfolding_complaint(const std::vector<Triangle>& triangles,
-                                       uint64_t file_bytes) {
+template <typename Triangles>
+std::string unfolding_complaint(const Triangles& triangles, uint64_t file_bytes) {
   return "the polygons so far are " + std::to_string(triangles.size()) +
          " triangles, which take more than " + std::to_string(kUnfoldedBytesPerFileByte) +
          " times the " + std::to_string(file_bytes) + " bytes of the file";

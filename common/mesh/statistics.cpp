@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "common/base/scratch_array.h"
 #include "common/mesh/components.h"
 
 namespace burnish {
@@ -22,32 +23,32 @@ void for_each_edge(const Triangle& triangle, const Visit& visit) {
 
 /// The edges of all triangles: upper ends, grouped by lower end and sorted in each group.
 struct EdgeEnds {
-  std::vector<uint64_t> first;  ///< per lower end, and one past the last
-  std::vector<uint32_t> upper;
+  ScratchArray<uint64_t> first;  ///< per lower end, and one past the last
+  ScratchArray<uint32_t> upper;
 };
 
-EdgeEnds collect_edges(const TriangleMesh& mesh) {
+EdgeEnds collect_edges(const MeshView& mesh, const ScratchSpace& space) {
   EdgeEnds edges;
-  edges.first.assign(mesh.vertices.size() + 1, 0);
+  edges.first = ScratchArray<uint64_t>(space, mesh.vertices.size() + 1);
   for (const Triangle& triangle : mesh.triangles)
     for_each_edge(triangle, [&](uint32_t a, uint32_t b) { ++edges.first[std::min(a, b)]; });
   std::exclusive_scan(edges.first.begin(), edges.first.end(), edges.first.begin(), uint64_t{0});
-  edges.upper.resize(edges.first.back());
+  edges.upper = ScratchArray<uint32_t>(space, edges.first.back());
   for (const Triangle& triangle : mesh.triangles)
     for_each_edge(triangle, [&](uint32_t a, uint32_t b) {
       edges.upper[edges.first[std::min(a, b)]++] = std::max(a, b);
     });
   // Each entry is now at its group's end, where the next group starts.
   std::rotate(edges.first.begin(), edges.first.end() - 1, edges.first.end());
-  edges.first.front() = 0;
+  edges.first[0] = 0;
 #pragma omp parallel for schedule(dynamic, 4096)
   for (size_t v = 0; v < mesh.vertices.size(); ++v)
     std::sort(edges.upper.begin() + edges.first[v], edges.upper.begin() + edges.first[v + 1]);
   return edges;
 }
 
-void count_edges(const TriangleMesh& mesh, MeshStatistics& statistics) {
-  const EdgeEnds edges = collect_edges(mesh);
+void count_edges(const MeshView& mesh, const ScratchSpace& space, MeshStatistics& statistics) {
+  const EdgeEnds edges = collect_edges(mesh, space);
   uint64_t count = 0;
   double length = 0;
   for (size_t lower = 0; lower < mesh.vertices.size(); ++lower)
@@ -63,15 +64,16 @@ void count_edges(const TriangleMesh& mesh, MeshStatistics& statistics) {
   if (count > 0) statistics.mean_edge_length = length / static_cast<double>(count);
 }
 
-std::vector<bool> referenced_vertices(const TriangleMesh& mesh) {
+std::vector<bool> referenced_vertices(const MeshView& mesh) {
   std::vector<bool> referenced(mesh.vertices.size(), false);
   for (const Triangle& triangle : mesh.triangles)
     for (uint32_t v : triangle) referenced[v] = true;
   return referenced;
 }
 
-void count_vertices(const TriangleMesh& mesh, MeshStatistics& statistics) {
-  const std::vector<int32_t> roots = component_roots(mesh.triangles, mesh.vertices.size());
+void count_vertices(const MeshView& mesh, const ScratchSpace& space, MeshStatistics& statistics) {
+  ScratchArray<int32_t> roots(space, mesh.vertices.size());
+  find_component_roots(mesh.triangles, roots);
   const std::vector<bool> referenced = referenced_vertices(mesh);
   statistics.box_min.setConstant(std::numeric_limits<double>::infinity());
   statistics.box_max.setConstant(-std::numeric_limits<double>::infinity());
@@ -88,7 +90,7 @@ void count_vertices(const TriangleMesh& mesh, MeshStatistics& statistics) {
 
 /// Sums the volume around the centre of the box: coordinates of surveys, far from the origin, would
 /// cancel. Needs: the box.
-void measure_triangles(const TriangleMesh& mesh, MeshStatistics& statistics) {
+void measure_triangles(const MeshView& mesh, MeshStatistics& statistics) {
   const Vec3d centre = statistics.box_min / 2 + statistics.box_max / 2;
   for (const Triangle& triangle : mesh.triangles) {
     const Vec3d& a = mesh.vertices[triangle[0]];
@@ -101,12 +103,12 @@ void measure_triangles(const TriangleMesh& mesh, MeshStatistics& statistics) {
 
 }  // namespace
 
-MeshStatistics compute_statistics(const TriangleMesh& mesh) {
+MeshStatistics compute_statistics(const MeshView& mesh, const ScratchSpace& space) {
   MeshStatistics statistics;
   statistics.vertices = mesh.vertices.size();
   statistics.triangles = mesh.triangles.size();
-  count_edges(mesh, statistics);
-  count_vertices(mesh, statistics);
+  count_edges(mesh, space, statistics);
+  count_vertices(mesh, space, statistics);
   measure_triangles(mesh, statistics);
   return statistics;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "common/base/scratch_space.h"
 #include "common/base/types.h"
 #include "common/mesh/triangle_mesh.h"
 
@@ -28,7 +29,8 @@ struct MeshStatistics {
   double diagonal() const { return (box_max - box_min).norm(); }
 };
 
-/// Needs: a valid mesh. Cost: near linear time; scratch of 12 bytes per triangle and 8 per vertex.
-MeshStatistics compute_statistics(const TriangleMesh& mesh);
+/// Needs: a valid mesh. Cost: near linear time; scratch of 12 bytes per triangle and 8 per vertex,
+/// which lies in `space`.
+MeshStatistics compute_statistics(const MeshView& mesh, const ScratchSpace& space = {});
 
 }  // namespace burnish

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-static Status check_counts(const TriangleMesh& mesh) {
+static Status check_counts(const MeshView& mesh) {
   const auto check = [](const char* what, uint64_t count, uint64_t limit) {
     if (count <= limit) return Status::ok();
     return invalid_argument("mesh has " + std::to_string(count) + " " + what + ", the limit is " +
@@ -23,7 +23,7 @@ static Status check_counts(const TriangleMesh& mesh) {
   return Status::ok();
 }
 
-static Status check_vertices(const TriangleMesh& mesh) {
+static Status check_vertices(const MeshView& mesh) {
   for (size_t v = 0; v < mesh.vertices.size(); ++v) {
     for (int axis = 0; axis < 3; ++axis) {
       const double x = mesh.vertices[v][axis];
@@ -35,7 +35,7 @@ static Status check_vertices(const TriangleMesh& mesh) {
   return Status::ok();
 }
 
-static Status check_triangles(const TriangleMesh& mesh) {
+static Status check_triangles(const MeshView& mesh) {
   double twice_area = 0;
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& triangle = mesh.triangles[t];
@@ -53,7 +53,7 @@ static Status check_triangles(const TriangleMesh& mesh) {
                           " triangles are degenerate, or smaller than 1e-77");
 }
 
-Status validate(const TriangleMesh& mesh) {
+Status validate(const MeshView& mesh) {
   RETURN_IF_ERROR(check_counts(mesh));
   RETURN_IF_ERROR(check_vertices(mesh));
   return check_triangles(mesh);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "common/base/status.h"
@@ -22,10 +23,27 @@ struct TriangleMesh {
   bool has_colours() const { return !colours.empty(); }
 };
 
+/// A mesh whose arrays belong to somebody else.
+struct MeshView {
+  MeshView() = default;
+  MeshView(const TriangleMesh& mesh)
+      : vertices(mesh.vertices),
+        triangles(mesh.triangles),
+        colours(mesh.colours),
+        has_double_positions(mesh.has_double_positions) {}
+
+  std::span<const Vec3d> vertices;
+  std::span<const Triangle> triangles;
+  std::span<const Rgba8> colours;  ///< empty, or one per vertex
+  bool has_double_positions = false;
+
+  bool has_colours() const { return !colours.empty(); }
+};
+
 /// Checks what every consumer may assume of a mesh: at least one triangle, counts within the
 /// limits, indices in range, coordinates finite and within kCoordinateMagnitudeMax, no colours or
 /// one per vertex, and a positive, finite total area.
 /// Fails: invalid_argument that names the first bad vertex or triangle, its value and the limit.
-Status validate(const TriangleMesh& mesh);
+Status validate(const MeshView& mesh);
 
 }  // namespace burnish

@@ -133,20 +133,21 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
   if (!report(progress, "reading", 0)) return cancelled("the import was cancelled");
   LibraryBudget budget(memory_, folder_.scans());
   RETURN_IF_ERROR(budget.ask_to_read(original, header.format));
-  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_original(original, header.format, header.name));
-  ASSIGN_OR_RETURN(
-      auto prepared,
-      prepare(mesh, {header.key.depth, header.key.curvature_radius, options_.threads, &budget},
-              progress));
+  ASSIGN_OR_RETURN(const auto mesh,
+                   read_original(original, header.format, header.name, budget.space()));
+  ASSIGN_OR_RETURN(auto prepared, prepare(mesh->view(), mesh,
+                                          {header.key.depth, header.key.curvature_radius,
+                                           options_.threads, &budget, budget.space()},
+                                          progress));
   const ScanInfo scan = make_scan_info(id, header, *prepared);
   const std::string prepared_name = prepared_file_name(resolve(header.key, scan));
 
   if (!report(progress, "storing", 0)) return cancelled("the import was cancelled");
   RETURN_IF_ERROR(write_prepared_mesh(*prepared, staging.path() / "prepared" / prepared_name));
   prepared.reset();  // pages need the memory
-  RETURN_IF_ERROR(build_pages({mesh.vertices, mesh.triangles, mesh.colours, scan.statistics},
-                              staging.path() / pages_file_name(), {options_.threads, &budget},
-                              progress));
+  RETURN_IF_ERROR(build_pages({mesh->vertices, mesh->triangles, mesh->colours, scan.statistics},
+                              staging.path() / pages_file_name(),
+                              {options_.threads, &budget, budget.space()}, progress));
   RETURN_IF_ERROR(write_file(staging.path() / "info.json", scan_to_json(scan)));
   RETURN_IF_ERROR(sync_folder(staging.path()));
   RETURN_IF_ERROR(put_scan_in_place(staging.path(), scan_folder(id)));

@@ -78,11 +78,11 @@ Status MeshStore::make_pages(const std::string& id, const Progress& progress) {
   RETURN_IF_ERROR(check_original(folder, scan));
   LibraryBudget budget(memory_, folder_.scans());
   RETURN_IF_ERROR(budget.ask_to_read(folder / original_file_name(scan.format), scan.format));
-  ASSIGN_OR_RETURN(const TriangleMesh mesh,
-                   read_original(folder / original_file_name(scan.format), scan.format, scan.name));
-  const MeshStatistics statistics = compute_statistics(mesh);
-  return build_pages({mesh.vertices, mesh.triangles, mesh.colours, statistics}, pages_path(id),
-                     {options_.threads, &budget}, progress);
+  ASSIGN_OR_RETURN(const auto mesh, read_original(folder / original_file_name(scan.format),
+                                                  scan.format, scan.name, budget.space()));
+  const MeshStatistics statistics = compute_statistics(mesh->view(), budget.space());
+  return build_pages({mesh->vertices, mesh->triangles, mesh->colours, statistics}, pages_path(id),
+                     {options_.threads, &budget, budget.space()}, progress);
 }
 
 // The coarsest blocks are the last ones; a client begins with them.

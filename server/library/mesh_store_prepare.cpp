@@ -54,11 +54,12 @@ Status MeshStore::rebuild(const std::string& id, const PreparedKey& key, const P
   RETURN_IF_ERROR(check_original(folder, scan));
   LibraryBudget budget(memory_, folder_.scans());
   RETURN_IF_ERROR(budget.ask_to_read(folder / original_file_name(scan.format), scan.format));
-  ASSIGN_OR_RETURN(const TriangleMesh mesh,
-                   read_original(folder / original_file_name(scan.format), scan.format, scan.name));
-  ASSIGN_OR_RETURN(
-      const auto prepared,
-      prepare(mesh, {key.depth, key.curvature_radius, options_.threads, &budget}, progress));
+  ASSIGN_OR_RETURN(const auto mesh, read_original(folder / original_file_name(scan.format),
+                                                  scan.format, scan.name, budget.space()));
+  ASSIGN_OR_RETURN(const auto prepared, prepare(mesh->view(), mesh,
+                                                {key.depth, key.curvature_radius, options_.threads,
+                                                 &budget, budget.space()},
+                                                progress));
   RETURN_IF_ERROR(make_room(id, key));
   RETURN_IF_ERROR(write_prepared_mesh(*prepared, prepared_path(id, key)));
   return read_again(id);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "common/base/mapped_file.h"
@@ -8,11 +9,14 @@
 
 namespace burnish {
 
-/// Reads a stored file under the name that its user knows.
-inline Result<TriangleMesh> read_original(const std::filesystem::path& path, MeshFormat format,
-                                          const std::string& name) {
+/// Reads a stored file into scratch space, under the name that its user knows.
+inline Result<std::shared_ptr<const StoredMesh>> read_original(const std::filesystem::path& path,
+                                                               MeshFormat format,
+                                                               const std::string& name,
+                                                               const ScratchSpace& space) {
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
-  return read_mesh(file.bytes(), format, name);
+  ASSIGN_OR_RETURN(StoredMesh mesh, read_stored_mesh(file.bytes(), format, name, space));
+  return std::make_shared<const StoredMesh>(std::move(mesh));
 }
 
 }  // namespace burnish

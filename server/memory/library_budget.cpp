@@ -11,7 +11,8 @@ namespace burnish {
 LibraryBudget::LibraryBudget(Quota& memory, std::filesystem::path folder)
     : memory_(memory),
       folder_(std::move(folder)),
-      bytes_max_(std::min({memory.max(), available_memory_bytes(), machine_memory_bytes()})) {}
+      bytes_max_(std::min({memory.max(), available_memory_bytes(), machine_memory_bytes()})),
+      space_(folder_, bytes_max_ / kPartForArrays) {}
 
 Status LibraryBudget::take(uint64_t bytes) {
   if (bytes > bytes_max_ && bytes_max_ < memory_.max())
@@ -25,7 +26,10 @@ Status LibraryBudget::take(uint64_t bytes) {
 
 Status LibraryBudget::ask_to_read(const std::filesystem::path& file, MeshFormat format) {
   ASSIGN_OR_RETURN(const uint64_t bytes, reading_bytes_max(file, format));
-  return take(bytes).with_context("reading the mesh file");
+  if (!is_read_into_scratch(format)) return take(bytes).with_context("reading the mesh file");
+  const uint64_t in_memory = std::min(bytes, space_.memory_bytes_max());
+  RETURN_IF_ERROR(check_disk_space(folder_, bytes - in_memory));
+  return take(in_memory).with_context("reading the mesh file");
 }
 
 Status LibraryBudget::ask(const PreparationNeed& need) {
@@ -34,8 +38,15 @@ Status LibraryBudget::ask(const PreparationNeed& need) {
     return resource_exhausted("a session at that depth takes " + std::to_string(opened) +
                               " bytes; limits.memory_bytes_max is " +
                               std::to_string(memory_.max()));
-  RETURN_IF_ERROR(check_disk_space(folder_, need.file_bytes));
+  const uint64_t scratch = need.scratch_bytes - std::min(need.scratch_bytes, space_.file_bytes());
+  RETURN_IF_ERROR(check_disk_space(folder_, need.file_bytes + scratch));
   return take(need.memory_bytes);
+}
+
+uint64_t LibraryBudget::scratch_bytes_max() const {
+  std::error_code error;
+  const std::filesystem::space_info space = std::filesystem::space(folder_, error);
+  return error ? 0 : space.available;
 }
 
 Status check_disk_space(const std::filesystem::path& folder, uint64_t bytes) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "common/base/scratch_space.h"
 #include "common/mesh/mesh_io.h"
 #include "server/memory/quota.h"
 #include "server/prepare/preparation_need.h"
@@ -16,19 +17,27 @@ class LibraryBudget : public PreparationBudget {
   /// Needs: `memory` outlives this. `folder` will hold the prepared file.
   LibraryBudget(Quota& memory, std::filesystem::path folder);
 
+  /// Returns room for the scan's arrays and what is made of them: a quarter of the memory that it
+  /// may take, then files without names in the folder.
+  const ScratchSpace& space() const { return space_; }
+
   /// Call before reading a mesh file. Fails: resource_exhausted with the numbers; as the file
   /// cannot be opened.
   Status ask_to_read(const std::filesystem::path& file, MeshFormat format);
 
   uint64_t memory_bytes_max() const override { return bytes_max_; }
+  uint64_t scratch_bytes_max() const override;
   Status ask(const PreparationNeed& need) override;
 
  private:
   Status take(uint64_t bytes);
 
+  static constexpr uint64_t kPartForArrays = 4;  // of the memory; arrays beyond lie in files
+
   Quota& memory_;
   const std::filesystem::path folder_;
   const uint64_t bytes_max_;
+  const ScratchSpace space_;
   Quota::Share share_;
 };
 

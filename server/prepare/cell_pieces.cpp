@@ -2,176 +2,130 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
-#include <utility>
+#include <vector>
 
 #include "common/base/parallel.h"
-#include "server/prepare/clip.h"
+#include "server/prepare/cut_triangles.h"
+#include "server/prepare/radix_sort.h"
 
 namespace burnish {
 
-static constexpr size_t kTrianglesPerBlock = 4096;
-static constexpr int kDigitBits = 11;
-static constexpr double kDegenerateRatio = 1e-12;  // twice the area over the longest edge squared
+namespace {
 
-static std::array<Vec3d, 3> positions_of(const Triangle& triangle,
-                                         std::span<const Vec3d> grid_positions) {
-  return {grid_positions[triangle[0]], grid_positions[triangle[1]], grid_positions[triangle[2]]};
-}
+constexpr size_t kPiecesPerWrite = 4096;  // 64 KiB
 
-// Clipping a triangle without area would leave slivers of rounding, in cells without surface.
-static bool has_area(const std::array<Vec3d, 3>& corners) {
-  const Vec3d ab = corners[1] - corners[0], bc = corners[2] - corners[1];
-  const Vec3d ca = corners[0] - corners[2];
-  const double longest = std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()});
-  return ab.cross(ca).norm() > kDegenerateRatio * longest;
-}
-
-struct CutTriangle {
-  uint32_t index;
-  std::array<Vec3d, 3> corners;
-  std::vector<CellColumn> columns;
+/// The bricks while pieces are dealt to them, in any order.
+struct Dealing {
+  const Bricks& bricks;
+  int bucket_shift;
+  std::vector<uint64_t> next;  // free place of each brick
+  std::span<CellPiece> pieces;
 };
 
-// Calls visit(const CutTriangle&) for triangles with area, as long as it returns true.
-template <typename Visit>
-static void for_each_triangle_of_block(std::span<const Triangle> triangles,
-                                       std::span<const Vec3d> grid_positions, size_t block,
-                                       Visit&& visit) {
-  CutTriangle cut;
-  const size_t end = std::min(triangles.size(), (block + 1) * kTrianglesPerBlock);
-  for (size_t t = block * kTrianglesPerBlock; t < end; ++t) {
-    cut.corners = positions_of(triangles[t], grid_positions);
-    if (!has_area(cut.corners)) continue;
-    cut.index = static_cast<uint32_t>(t);
-    find_columns(cut.corners, cut.columns);
-    if (!visit(cut)) return;
+/// Deals the pieces of one block. Keeps those that follow each other in one brick, and writes them
+/// together.
+class PieceDealer {
+ public:
+  explicit PieceDealer(Dealing& dealing) : dealing_(dealing) { waiting_.reserve(kPiecesPerWrite); }
+
+  void add(const CellPiece& piece) {
+    const uint32_t brick = dealing_.bricks.of_bucket[piece.cell >> dealing_.bucket_shift];
+    if (brick != brick_ || waiting_.size() == kPiecesPerWrite) flush();
+    brick_ = brick;
+    waiting_.push_back(piece);
   }
-}
+  void flush() {
+    if (waiting_.empty()) return;
+    const uint64_t at = std::atomic_ref(dealing_.next[brick_]).fetch_add(waiting_.size());
+    std::ranges::copy(waiting_, dealing_.pieces.begin() + static_cast<ptrdiff_t>(at));
+    waiting_.clear();
+  }
 
-static uint64_t cell_count(const CutTriangle& triangle) {
-  uint64_t count = 0;
-  for (const CellColumn& column : triangle.columns) count += column.k.last - column.k.first + 1;
-  return count;
-}
+ private:
+  Dealing& dealing_;
+  uint32_t brick_ = 0;
+  std::vector<CellPiece> waiting_;
+};
 
-Result<PieceCount> count_cell_pieces(std::span<const Triangle> triangles,
-                                     std::span<const Vec3d> grid_positions, uint64_t pieces_max) {
-  const size_t blocks = (triangles.size() + kTrianglesPerBlock - 1) / kTrianglesPerBlock;
-  std::vector<uint64_t> start(blocks + 1, 0);
-  std::atomic<uint64_t> total{0};
+void deal_pieces(const GridMesh& mesh, Dealing& dealing) {
   ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic)
-  for (size_t block = 0; block < blocks; ++block) {
-    if (total > pieces_max) continue;
-    uint64_t& count = start[block + 1];
-    const auto add_count = [&](const CutTriangle& triangle) {
-      count += cell_count(triangle);
-      return count <= pieces_max;
-    };
+  for (size_t block = 0; block < block_count(mesh); ++block)
     failure.run([&] {
-      for_each_triangle_of_block(triangles, grid_positions, block, add_count);
-      total += count;
+      PieceDealer dealer(dealing);
+      for_each_triangle_of_block(mesh, block, [&](const CutTriangle& triangle) {
+        for_each_cell_with_passages(triangle.corners, triangle.columns,
+                                    [&](const Vec3i& cell, Passages passages) {
+                                      dealer.add({morton_key(cell), triangle.index, passages});
+                                    });
+        return true;
+      });
+      dealer.flush();
     });
-  }
-  failure.rethrow();
-  if (total > pieces_max)
-    return resource_exhausted("cutting the scan at this depth gives more than " +
-                              std::to_string(pieces_max) + " pieces");
-  for (size_t block = 0; block < blocks; ++block) start[block + 1] += start[block];
-  return PieceCount{std::move(start)};
-}
-
-// Calls visit(place, cell, passages, triangle) for every pair, from several threads.
-template <typename Visit>
-static void for_each_piece(std::span<const Triangle> triangles,
-                           std::span<const Vec3d> grid_positions, const PieceCount& count,
-                           Visit&& visit) {
-  ParallelFailure failure;
-#pragma omp parallel for schedule(dynamic)
-  for (size_t block = 0; block < count.start.size() - 1; ++block) {
-    uint64_t next = count.start[block];
-    const auto visit_pieces = [&](const CutTriangle& triangle) {
-      for_each_cell_with_passages(triangle.corners, triangle.columns,
-                                  [&](const Vec3i& cell, Passages passages) {
-                                    visit(next++, morton_key(cell), passages, triangle.index);
-                                  });
-      return true;
-    };
-    failure.run(
-        [&] { for_each_triangle_of_block(triangles, grid_positions, block, visit_pieces); });
-  }
   failure.rethrow();
 }
 
-// Sorts the pieces by one digit of their cells' keys; pieces of one digit keep their order.
-static void order_by_digit(const UnsetVector<CellPiece>& from, int shift,
-                           UnsetVector<CellPiece>& to) {
-  constexpr size_t kDigits = 1 << kDigitBits, kChunks = 16;  // one chunk per thread
-  const auto digit_of = [&](const CellPiece& piece) { return piece.cell >> shift & (kDigits - 1); };
-  const auto chunk_start = [&](size_t chunk) { return from.size() * chunk / kChunks; };
-  std::vector<size_t> next(kChunks * kDigits, 0);  // by chunk, then digit
+// Threads have dealt the pieces of a cell in any order.
+void order_by_triangle(std::span<CellPiece> pieces) {
+  const std::vector<size_t> starts = chunks_of_cells(pieces);
 #pragma omp parallel for schedule(static)
-  for (size_t chunk = 0; chunk < kChunks; ++chunk)
-    for (size_t i = chunk_start(chunk); i < chunk_start(chunk + 1); ++i)
-      ++next[chunk * kDigits + digit_of(from[i])];
-  size_t before = 0;
-  for (size_t digit = 0; digit < kDigits; ++digit)
-    for (size_t chunk = 0; chunk < kChunks; ++chunk)
-      before += std::exchange(next[chunk * kDigits + digit], before);
-#pragma omp parallel for schedule(static)
-  for (size_t chunk = 0; chunk < kChunks; ++chunk)
-    for (size_t i = chunk_start(chunk); i < chunk_start(chunk + 1); ++i)
-      to[next[chunk * kDigits + digit_of(from[i])]++] = from[i];
+  for (size_t chunk = 0; chunk < starts.size() - 1; ++chunk)
+    for (size_t begin = starts[chunk]; begin < starts[chunk + 1];) {
+      const size_t end = end_of_cell(pieces, begin);
+      const auto of_cell = pieces.subspan(begin, end - begin);
+      if (!std::ranges::is_sorted(of_cell, {}, &CellPiece::triangle))
+        std::ranges::sort(of_cell, {}, &CellPiece::triangle);
+      begin = end;
+    }
 }
 
-// Sorts by cell. Pieces of a cell stay in the order of their triangles.
-static void sort_by_cell(UnsetVector<CellPiece>& pieces) {
-  MortonKey bits = 0;
-  for (const CellPiece& piece : pieces) bits |= piece.cell;
-  UnsetVector<CellPiece> ordered(pieces.size());
-  for (int shift = 0; bits >> shift != 0; shift += kDigitBits) {
-    order_by_digit(pieces, shift, ordered);
-    pieces.swap(ordered);
+uint64_t largest_brick(const Bricks& bricks) {
+  uint64_t largest = 0;
+  for (size_t brick = 0; brick < bricks.count(); ++brick)
+    largest = std::max(largest, bricks.start[brick + 1] - bricks.start[brick]);
+  return largest;
+}
+
+}  // namespace
+
+Result<ScratchArray<CellPiece>> find_cell_pieces(const GridMesh& mesh, const PieceCount& count,
+                                                 const PieceRoom& room, const Progress& progress) {
+  const Bricks bricks = make_bricks(count, room.pieces_per_brick);
+  ScratchArray<CellPiece> pieces(room.space, count.total());
+  Dealing dealing{bricks, count.shift, bricks.start, {pieces.data(), pieces.size()}};
+  deal_pieces(mesh, dealing);
+  ScratchArray<CellPiece> spare(room.space, largest_brick(bricks));
+  for (size_t brick = 0; brick < bricks.count(); ++brick) {
+    if (!report(progress, "grid",
+                0.7 + 0.3 * static_cast<double>(brick) / static_cast<double>(bricks.count())))
+      return cancelled("cancelled while cutting at the grid");
+    const uint64_t begin = bricks.start[brick], size = bricks.start[brick + 1] - begin;
+    const std::span<CellPiece> of_brick(pieces.data() + begin, size);
+    radix_sort(of_brick, std::span(spare.data(), size), std::mem_fn(&CellPiece::cell));
+    order_by_triangle(of_brick);
   }
-}
-
-Result<UnsetVector<CellPiece>> find_cell_pieces(std::span<const Triangle> triangles,
-                                                std::span<const Vec3d> grid_positions,
-                                                const PieceCount& count, const Progress& progress) {
-  UnsetVector<CellPiece> pieces(count.total());
-  for_each_piece(triangles, grid_positions, count,
-                 [&](uint64_t place, MortonKey cell, Passages passages, uint32_t triangle) {
-                   pieces[place] = {cell, triangle, passages};
-                 });
-  if (!report(progress, "grid", 0.7)) return cancelled("cancelled while cutting at the grid");
-  sort_by_cell(pieces);
   return pieces;
 }
 
-uint64_t count_cells(std::span<const Triangle> triangles, std::span<const Vec3d> grid_positions,
-                     const PieceCount& count) {
-  UnsetVector<MortonKey> cells(count.total());
-  for_each_piece(triangles, grid_positions, count,
-                 [&](uint64_t place, MortonKey cell, Passages, uint32_t) { cells[place] = cell; });
-  parallel_sort(cells.begin(), cells.end(), std::less<>());
-  return static_cast<uint64_t>(std::unique(cells.begin(), cells.end()) - cells.begin());
+std::vector<size_t> chunks_of_cells(std::span<const CellPiece> pieces) {
+  constexpr size_t kChunks = 64;
+  std::vector<size_t> starts;
+  for (size_t chunk = 0; chunk < kChunks; ++chunk) {
+    size_t start = pieces.size() * chunk / kChunks;
+    while (start > 0 && start < pieces.size() && pieces[start].cell == pieces[start - 1].cell)
+      ++start;
+    starts.push_back(start);
+  }
+  starts.push_back(pieces.size());
+  return starts;
 }
 
 uint64_t count_cells(std::span<const CellPiece> pieces) {
   uint64_t cells = 0;
+#pragma omp parallel for schedule(static) reduction(+ : cells)
   for (size_t i = 0; i < pieces.size(); ++i)
     cells += i == 0 || pieces[i].cell != pieces[i - 1].cell;
   return cells;
-}
-
-std::vector<size_t> cell_starts(std::span<const CellPiece> pieces) {
-  std::vector<size_t> starts;
-  starts.reserve(count_cells(pieces) + 1);
-  for (size_t i = 0; i < pieces.size(); ++i)
-    if (i == 0 || pieces[i].cell != pieces[i - 1].cell) starts.push_back(i);
-  starts.push_back(pieces.size());
-  return starts;
 }
 
 }  // namespace burnish

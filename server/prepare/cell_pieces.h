@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "common/base/progress.h"
+#include "common/base/scratch_array.h"
 #include "common/base/status.h"
 #include "common/grid/morton.h"
+#include "server/prepare/grid_mesh.h"
 #include "server/prepare/passages.h"
-#include "server/prepare/unset_vector.h"
+#include "server/prepare/piece_count.h"
 
 namespace burnish {
 
@@ -19,30 +21,30 @@ struct CellPiece {
   Passages passages;
 };
 
-/// The number of pieces, by blocks of triangles.
-struct PieceCount {
-  std::vector<uint64_t> start;  ///< the first piece of each block, and the end
-  uint64_t total() const { return start.back(); }
+/// Where pieces lie, and how many are sorted at once.
+struct PieceRoom {
+  ScratchSpace space;
+  uint64_t pieces_per_brick = kPiecesPerBrick;
+
+  static constexpr uint64_t kPiecesPerBrick = uint64_t{1} << 20;
 };
 
-/// Counts the (cell, triangle) pairs. Triangles without area, except for rounding, are in no cell.
-/// Shapes: one snapped grid position per vertex. Units: grid. Cost: less than a tenth of a
-/// preparation. It ends soon after `pieces_max`, because large triangles in a fine grid have too
-/// many cells to count. Fails: resource_exhausted above pieces_max.
-Result<PieceCount> count_cell_pieces(std::span<const Triangle> triangles,
-                                     std::span<const Vec3d> grid_positions, uint64_t pieces_max);
+/// Returns every counted piece, sorted by cell, then triangle. Deals the pieces to bricks and sorts
+/// brick by brick: the same pieces for bricks of any size. Fails: cancelled.
+Result<ScratchArray<CellPiece>> find_cell_pieces(const GridMesh& mesh, const PieceCount& count,
+                                                 const PieceRoom& room, const Progress& progress);
 
-/// Returns every counted pair, sorted by cell, then triangle. Fails: cancelled.
-Result<UnsetVector<CellPiece>> find_cell_pieces(std::span<const Triangle> triangles,
-                                                std::span<const Vec3d> grid_positions,
-                                                const PieceCount& count, const Progress& progress);
-
-/// Returns how many cells the pairs have, without more memory than their keys take.
-uint64_t count_cells(std::span<const Triangle> triangles, std::span<const Vec3d> grid_positions,
-                     const PieceCount& count);
+/// Returns how many cells the pieces have. Needs: sorted pieces.
 uint64_t count_cells(std::span<const CellPiece> pieces);
 
-/// Returns where each cell's pieces begin, and the end.
-std::vector<size_t> cell_starts(std::span<const CellPiece> pieces);
+/// Cuts the pieces between cells into chunks for threads. Returns where each begins, and the end.
+std::vector<size_t> chunks_of_cells(std::span<const CellPiece> pieces);
+
+/// Returns where the cell of the piece at `begin` ends. Needs: begin < pieces.size().
+inline size_t end_of_cell(std::span<const CellPiece> pieces, size_t begin) {
+  size_t end = begin + 1;
+  while (end < pieces.size() && pieces[end].cell == pieces[begin].cell) ++end;
+  return end;
+}
 
 }  // namespace burnish

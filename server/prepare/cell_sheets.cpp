@@ -1,8 +1,9 @@
 #include "server/prepare/cell_sheets.h"
 
 #include <algorithm>
-#include <string>
+#include <vector>
 
+#include "common/base/parallel.h"
 #include "common/base/sort_once.h"
 #include "common/mesh/components.h"
 
@@ -12,18 +13,13 @@ namespace {
 
 constexpr size_t kCellsPerSheet = 4;  // in a soup more cells have several
 
-/// A cell with several components, and its pieces.
-struct MixedCell {
-  int32_t cell;
-  std::span<const CellPiece> pieces;
-  std::vector<uint32_t> components;  // rising
-};
-
+/// The components of the mesh, each by its least vertex.
 class Components {
  public:
-  Components(const Surface& surface)
-      : triangles_(surface.triangles),
-        roots_(component_roots(surface.triangles, surface.positions.size())) {}
+  Components(const GridMesh& mesh, const ScratchSpace& space)
+      : triangles_(mesh.triangles), roots_(space, mesh.positions.size()) {
+    find_component_roots(triangles_, {roots_.data(), roots_.size()});
+  }
 
   uint32_t of(const CellPiece& piece) const {
     return static_cast<uint32_t>(roots_[triangles_[piece.triangle][0]]);
@@ -41,75 +37,98 @@ class Components {
 
  private:
   std::span<const Triangle> triangles_;
-  std::vector<int32_t> roots_;
+  ScratchArray<int32_t> roots_;
 };
 
-// Cells and pieces are in the same order. Pieces between them may belong to cells that were left
-// out.
+/// A cell through which several components pass.
+struct MixedCell {
+  int32_t cell;
+  std::span<const CellPiece> pieces;
+};
+
+/// Finds the pieces of mixed cells by all threads. Shapes: a list for each chunk of the pieces.
+std::vector<std::vector<std::span<const CellPiece>>> find_mixed_pieces(
+    const Components& components, std::span<const CellPiece> pieces) {
+  const std::vector<size_t> starts = chunks_of_cells(pieces);
+  std::vector<std::vector<std::span<const CellPiece>>> found(starts.size() - 1);
+  ParallelFailure failure;
+#pragma omp parallel for schedule(dynamic)
+  for (size_t chunk = 0; chunk < found.size(); ++chunk)
+    failure.run([&] {
+      for (size_t begin = starts[chunk], end; begin < starts[chunk + 1]; begin = end) {
+        end = end_of_cell(pieces, begin);
+        const auto of_cell = pieces.subspan(begin, end - begin);
+        if (components.are_several(of_cell)) found[chunk].push_back(of_cell);
+      }
+    });
+  failure.rethrow();
+  return found;
+}
+
+// Leaves out pieces of cells that were left out.
 std::vector<MixedCell> find_mixed_cells(const Components& components,
                                         std::span<const CellPiece> pieces,
                                         std::span<const MortonKey> cells) {
-  const std::vector<size_t> starts = cell_starts(pieces);
-  const auto pieces_of = [&](size_t group) {
-    return pieces.subspan(starts[group], starts[group + 1] - starts[group]);
-  };
-  std::vector<char> is_mixed(starts.size() - 1);
-#pragma omp parallel for schedule(static)
-  for (size_t group = 0; group < is_mixed.size(); ++group)
-    is_mixed[group] = components.are_several(pieces_of(group));
   std::vector<MixedCell> mixed;
-  size_t cell = 0;
-  for (size_t group = 0; group < is_mixed.size(); ++group) {
-    if (!is_mixed[group]) continue;
-    const auto of_cell = pieces_of(group);
-    while (cell < cells.size() && cells[cell] < of_cell.front().cell) ++cell;
-    if (cell == cells.size()) break;
-    if (cells[cell] != of_cell.front().cell) continue;
-    mixed.push_back({static_cast<int32_t>(cell), of_cell, components.all_of(of_cell)});
-  }
+  for (const auto& chunk : find_mixed_pieces(components, pieces))
+    for (const std::span<const CellPiece> of_cell : chunk) {
+      const auto at = std::ranges::lower_bound(cells, of_cell.front().cell);
+      if (at != cells.end() && *at == of_cell.front().cell)
+        mixed.push_back({static_cast<int32_t>(at - cells.begin()), of_cell});
+    }
   return mixed;
 }
 
-bool are_of_a_soup(const std::vector<MixedCell>& mixed, size_t cells) {
-  return mixed.size() > cells / kCellsPerSheet ||
-         std::ranges::any_of(mixed, [](const MixedCell& cell) {
-           return cell.components.size() > kSheetsPerCellMax;
-         });
+// Returns how many sheets the cells have; none for a soup.
+size_t count_sheets(const Components& components, const std::vector<MixedCell>& mixed,
+                    size_t cells) {
+  if (mixed.size() > cells / kCellsPerSheet) return 0;
+  size_t sheets = 0;
+  for (const MixedCell& cell : mixed) {
+    const size_t of_cell = components.all_of(cell.pieces).size();
+    if (of_cell > kSheetsPerCellMax) return 0;
+    sheets += of_cell;
+  }
+  return sheets;
+}
+
+CellIntegrals integrate_sheet(const Surface& surface, const Components& components,
+                              std::span<const CellPiece> pieces, CellSheet& sheet) {
+  CellIntegrator integrator;
+  for (const CellPiece& piece : pieces) {
+    if (components.of(piece) != sheet.component) continue;
+    surface.integrate(piece, surface.curvature.of(piece.triangle), integrator);
+    sheet.passages |= piece.passages;
+  }
+  return integrator.integrals();
 }
 
 }  // namespace
 
 Result<CellSheets> find_cell_sheets(const Surface& surface, std::span<const CellPiece> pieces,
                                     std::span<const MortonKey> cells,
-                                    std::span<const Passages> passages,
+                                    std::span<const Passages> passages, const ScratchSpace& space,
                                     const std::function<Status(size_t sheets)>& admit) {
   CellSheets found;
-  const Components components(surface);
+  const Components components(surface.mesh, space);
   const std::vector<MixedCell> mixed = find_mixed_cells(components, pieces, cells);
-  if (are_of_a_soup(mixed, cells.size())) return found;
-  size_t sheets = 0;
-  for (const MixedCell& cell : mixed) sheets += cell.components.size();
+  const size_t sheets = count_sheets(components, mixed, cells.size());
+  if (sheets == 0) return found;
   RETURN_IF_ERROR(admit(sheets));
+  found.sheets = ScratchArray<CellSheet>(space, sheets);
+  found.integrals = ScratchArray<CellIntegrals>(space, sheets);
   std::vector<const MixedCell*> cell_of_sheet;
   cell_of_sheet.reserve(sheets);
-  found.sheets.reserve(sheets);
   for (const MixedCell& cell : mixed)
-    for (uint32_t component : cell.components) {
-      found.sheets.push_back({cell.cell, component, 0});
+    for (const uint32_t component : components.all_of(cell.pieces)) {
+      found.sheets[cell_of_sheet.size()] = {cell.cell, component, 0};
       cell_of_sheet.push_back(&cell);
     }
-  found.integrals.resize(found.sheets.size());
 #pragma omp parallel for schedule(dynamic, 64)
   for (size_t s = 0; s < found.sheets.size(); ++s) {
     CellSheet& sheet = found.sheets[s];
-    CellIntegrator integrator;
-    for (const CellPiece& piece : cell_of_sheet[s]->pieces) {
-      if (components.of(piece) != sheet.component) continue;
-      surface.integrate(piece, integrator);
-      sheet.passages |= piece.passages;
-    }
+    found.integrals[s] = integrate_sheet(surface, components, cell_of_sheet[s]->pieces, sheet);
     sheet.passages &= passages[sheet.cell];
-    found.integrals[s] = integrator.integrals();
   }
   return found;
 }

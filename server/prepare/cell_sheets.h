@@ -2,18 +2,17 @@
 
 #include <functional>
 #include <span>
-#include <vector>
 
+#include "common/base/scratch_array.h"
 #include "common/base/status.h"
 #include "server/prepare/surface.h"
-#include "server/prepare/unset_vector.h"
 
 namespace burnish {
 
 /// The sheets of the cells through which several components of the mesh pass.
 struct CellSheets {
-  std::vector<CellSheet> sheets;         ///< by cell, then by component
-  UnsetVector<CellIntegrals> integrals;  ///< one per sheet
+  ScratchArray<CellSheet> sheets;         ///< by cell, then by component
+  ScratchArray<CellIntegrals> integrals;  ///< one per sheet
 };
 
 /// Finds the sheets. Finds none if more than one cell in four has several, or a cell has more than
@@ -22,7 +21,7 @@ struct CellSheets {
 /// does; it is asked for the number of sheets before they take memory.
 Result<CellSheets> find_cell_sheets(const Surface& surface, std::span<const CellPiece> pieces,
                                     std::span<const MortonKey> cells,
-                                    std::span<const Passages> passages,
+                                    std::span<const Passages> passages, const ScratchSpace& space,
                                     const std::function<Status(size_t sheets)>& admit);
 
 }  // namespace burnish

@@ -4,7 +4,6 @@
 
 #include "server/prepare/curvature_average.h"
 #include "server/prepare/triangle_shape.h"
-#include "server/prepare/vertex_curvature.h"
 
 namespace burnish {
 
@@ -24,29 +23,25 @@ static TangentTensor mean_over_corners(const VertexCurvature& vertices, const Tr
   return mean;
 }
 
-UnsetVector<TriangleCurvature> compute_curvature(const TriangleMesh& mesh,
-                                                 const MeshStatistics& statistics,
-                                                 double averaging_radius) {
-  const double unit = length_unit(statistics);
-  VertexCurvature vertices = compute_vertex_curvature(mesh, unit);
+MeshCurvature::MeshCurvature(const MeshView& mesh, const MeshStatistics& statistics,
+                             double averaging_radius, const ScratchSpace& space)
+    : mesh_(mesh), unit_(length_unit(statistics)) {
+  vertices_ = compute_vertex_curvature(mesh, unit_, space);
   if (averaging_radius > 0)
-    vertices.tensors = average_tensors(mesh, statistics, vertices, averaging_radius);
-
+    vertices_.tensors = average_tensors(mesh, statistics, vertices_, averaging_radius, space);
+  vertices_.areas = {};
   const bool is_inside_out = statistics.is_closed() && statistics.signed_volume < 0;
-  const double to_file_units = (is_inside_out ? -1 : 1) / unit;
-  UnsetVector<TriangleCurvature> curvature(mesh.triangles.size());
-#pragma omp parallel for schedule(static)
-  for (int64_t t = 0; t < static_cast<int64_t>(curvature.size()); ++t) {
-    const Triangle& triangle = mesh.triangles[t];
-    const TriangleShape shape = make_triangle_shape(mesh, triangle, unit);
-    curvature[t] = {};
-    if (!shape.has_plane) continue;
-    const TangentFrame frame = shape.frame();
-    const PrincipalAxes axes =
-        diagonalise(mean_over_corners(vertices, triangle, frame).scaled(to_file_units), frame);
-    curvature[t] = {axes.kappa1, axes.kappa2, axes.v1, axes.v2};
-  }
-  return curvature;
+  to_file_units_ = (is_inside_out ? -1 : 1) / unit_;
+}
+
+TriangleCurvature MeshCurvature::of(uint32_t index) const {
+  const Triangle& triangle = mesh_.triangles[index];
+  const TriangleShape shape = make_triangle_shape(mesh_, triangle, unit_);
+  if (!shape.has_plane) return {};
+  const TangentFrame frame = shape.frame();
+  const PrincipalAxes axes =
+      diagonalise(mean_over_corners(vertices_, triangle, frame).scaled(to_file_units_), frame);
+  return {axes.kappa1, axes.kappa2, axes.v1, axes.v2};
 }
 
 }  // namespace burnish

@@ -2,7 +2,7 @@
 
 #include "common/mesh/statistics.h"
 #include "common/mesh/triangle_mesh.h"
-#include "server/prepare/unset_vector.h"
+#include "server/prepare/vertex_curvature.h"
 
 namespace burnish {
 
@@ -15,14 +15,27 @@ struct TriangleCurvature {
   Vec3d v2 = Vec3d::UnitY();
 };
 
-/// Computes the curvature of every triangle from the tensors of its three vertices. The triangles'
-/// winding tells outside from inside; a closed mesh of negative volume counts as inside out.
-/// `averaging_radius` in file units steadies noisy scans; 0 for none. Source: section 4.2;
-/// Rusinkiewicz 2004, "Estimating curvatures and their derivatives on triangle meshes". Needs: a
-/// valid mesh and its statistics. Cost: linear, with or without a radius; 60 bytes per triangle of
-/// scratch. Accuracy: always finite; the same bits for any number of threads.
-UnsetVector<TriangleCurvature> compute_curvature(const TriangleMesh& mesh,
-                                                 const MeshStatistics& statistics,
-                                                 double averaging_radius);
+/// The curvature of a mesh. Keeps the tensors of the vertices, and makes the curvature of a
+/// triangle from its three vertices when it is asked. The triangles' winding tells outside from
+/// inside; a closed mesh of negative volume counts as inside out. Source: section 4.2; Rusinkiewicz
+/// 2004, "Estimating curvatures and their derivatives on triangle meshes". Accuracy: always finite;
+/// the same bits for any number of threads.
+class MeshCurvature {
+ public:
+  /// `averaging_radius` in file units steadies noisy scans; 0 for none. Needs: a valid mesh that
+  /// outlives this, and its statistics. Cost: linear, with or without a radius; 36 bytes per
+  /// triangle of scratch, and 64 per vertex to keep, both in `space`.
+  MeshCurvature(const MeshView& mesh, const MeshStatistics& statistics, double averaging_radius,
+                const ScratchSpace& space);
+
+  /// Threads may ask at the same time.
+  TriangleCurvature of(uint32_t triangle) const;
+
+ private:
+  MeshView mesh_;
+  double unit_;
+  double to_file_units_;
+  VertexCurvature vertices_;
+};
 
 }  // namespace burnish

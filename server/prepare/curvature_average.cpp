@@ -27,27 +27,20 @@ bool operator<(const Sample& sample, MortonKey bucket) {
 /// The vertices with area, in cubes as wide as the radius: neighbours lie in the 27 cubes around.
 class Buckets {
  public:
-  Buckets(const TriangleMesh& mesh, const MeshStatistics& statistics,
-          const VertexCurvature& vertices, double radius)
+  Buckets(const MeshView& mesh, const MeshStatistics& statistics, const VertexCurvature& vertices,
+          double radius, const ScratchSpace& space)
       : origin_(statistics.box_min),
         width_(std::max(radius, statistics.diagonal() / kBucketsPerSideMax)) {
-    std::vector<std::pair<MortonKey, uint32_t>> order;
-    const double fine_width = width_ / (1 << kSplitsOfBucket);
-    for (size_t v = 0; v < mesh.vertices.size(); ++v) {
-      if (vertices.areas[v] > 0)
-        order.emplace_back(morton_key(cube_of(mesh.vertices[v], fine_width)), v);
-    }
-    std::sort(order.begin(), order.end());
-    for (size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-      const MortonKey bucket = order[begin].first >> 3 * kSplitsOfBucket;
-      while (end < order.size() && order[end].first >> 3 * kSplitsOfBucket == bucket) ++end;
-      const size_t stride = (end - begin + kSamplesPerBucket - 1) / kSamplesPerBucket;
-      for (size_t i = begin; i < end; i += stride) {
-        const uint32_t v = order[i].second;
-        const auto stood_for = static_cast<double>(std::min(stride, end - i));
-        samples_.push_back({bucket, v, vertices.areas[v] * stood_for});
-      }
-    }
+    const Order order = sort_vertices(mesh, vertices, space);
+    size_t samples = 0;
+    for_each_sample(order, [&](size_t, size_t) { ++samples; });
+    samples_ = ScratchArray<Sample>(space, samples);
+    size_t next = 0;
+    for_each_sample(order, [&](size_t i, size_t stands_for) {
+      const auto& [fine_bucket, v] = order[i];
+      samples_[next++] = {fine_bucket >> 3 * kSplitsOfBucket, v,
+                          vertices.areas[v] * static_cast<double>(stands_for)};
+    });
   }
 
   template <typename Visit>
@@ -63,22 +56,49 @@ class Buckets {
   }
 
  private:
+  using Order = ScratchArray<std::pair<MortonKey, uint32_t>>;  // by eighths of buckets
+
+  Order sort_vertices(const MeshView& mesh, const VertexCurvature& vertices,
+                      const ScratchSpace& space) const {
+    Order order(space, mesh.vertices.size());
+    const double fine_width = width_ / (1 << kSplitsOfBucket);
+    size_t count = 0;
+    for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+      if (vertices.areas[v] > 0)
+        order[count++] = {morton_key(cube_of(mesh.vertices[v], fine_width)), v};
+    }
+    order.truncate(count);
+    std::sort(order.begin(), order.end());
+    return order;
+  }
+
+  // Calls visit(place in the order, number of vertices that it stands for).
+  template <typename Visit>
+  static void for_each_sample(const Order& order, Visit visit) {
+    for (size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+      const MortonKey bucket = order[begin].first >> 3 * kSplitsOfBucket;
+      while (end < order.size() && order[end].first >> 3 * kSplitsOfBucket == bucket) ++end;
+      const size_t stride = (end - begin + kSamplesPerBucket - 1) / kSamplesPerBucket;
+      for (size_t i = begin; i < end; i += stride) visit(i, std::min(stride, end - i));
+    }
+  }
+
   Vec3i cube_of(const Vec3d& p, double width) const {
     return ((p - origin_) / width).array().floor().cast<int>();
   }
 
   Vec3d origin_;
   double width_;
-  std::vector<Sample> samples_;
+  ScratchArray<Sample> samples_;
 };
 
 }  // namespace
 
-std::vector<TangentTensor> average_tensors(const TriangleMesh& mesh,
-                                           const MeshStatistics& statistics,
-                                           const VertexCurvature& vertices, double radius) {
-  const Buckets buckets(mesh, statistics, vertices, radius);
-  std::vector<TangentTensor> averages = vertices.tensors;
+ScratchArray<TangentTensor> average_tensors(const MeshView& mesh, const MeshStatistics& statistics,
+                                            const VertexCurvature& vertices, double radius,
+                                            const ScratchSpace& space) {
+  const Buckets buckets(mesh, statistics, vertices, radius, space);
+  ScratchArray<TangentTensor> averages = copy_to(space, vertices.tensors);
 #pragma omp parallel for schedule(dynamic, 1024)
   for (int64_t v = 0; v < static_cast<int64_t>(averages.size()); ++v) {
     if (!(vertices.areas[v] > 0)) continue;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "common/mesh/statistics.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/vertex_curvature.h"
@@ -13,8 +11,8 @@ namespace burnish {
 /// the other way, such as across a thin sheet, do not count. If vertices are dense for the radius,
 /// evenly spread samples stand for the rest. So every radius costs about the same. Needs: radius >
 /// 0. Cost: at most 27 · 32 samples a vertex.
-std::vector<TangentTensor> average_tensors(const TriangleMesh& mesh,
-                                           const MeshStatistics& statistics,
-                                           const VertexCurvature& vertices, double radius);
+ScratchArray<TangentTensor> average_tensors(const MeshView& mesh, const MeshStatistics& statistics,
+                                            const VertexCurvature& vertices, double radius,
+                                            const ScratchSpace& space);
 
 }  // namespace burnish

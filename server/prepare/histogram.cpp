@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <utility>
+
+#include "common/base/scratch_array.h"
 
 namespace burnish {
 
@@ -14,12 +16,11 @@ static double total_area(std::span<const CellCurvature> curvature) {
   return total;
 }
 
-static float range_of(std::span<const CellCurvature> curvature) {
-  std::vector<std::pair<float, float>> magnitude_area;
-  magnitude_area.reserve(2 * curvature.size());
-  for (const CellCurvature& cell : curvature) {
-    magnitude_area.emplace_back(std::abs(cell.kappa1), cell.area);
-    magnitude_area.emplace_back(std::abs(cell.kappa2), cell.area);
+static float range_of(std::span<const CellCurvature> curvature, const ScratchSpace& space) {
+  ScratchArray<std::pair<float, float>> magnitude_area(space, 2 * curvature.size());
+  for (size_t c = 0; c < curvature.size(); ++c) {
+    magnitude_area[2 * c] = {std::abs(curvature[c].kappa1), curvature[c].area};
+    magnitude_area[2 * c + 1] = {std::abs(curvature[c].kappa2), curvature[c].area};
   }
   // Halves the candidates until the value is found.
   auto begin = magnitude_area.begin(), end = magnitude_area.end();
@@ -39,9 +40,10 @@ static float range_of(std::span<const CellCurvature> curvature) {
   return begin == end ? 1 : std::max(begin->first, 1.0f);
 }
 
-CurvatureHistogram make_histogram(std::span<const CellCurvature> curvature) {
+CurvatureHistogram make_histogram(std::span<const CellCurvature> curvature,
+                                  const ScratchSpace& space) {
   CurvatureHistogram histogram;
-  histogram.range = range_of(curvature);
+  histogram.range = range_of(curvature, space);
   const double end = std::asinh(histogram.range);
   const double total = total_area(curvature);
   const auto add = [&](float kappa, float area) {

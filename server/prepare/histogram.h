@@ -2,11 +2,14 @@
 
 #include <span>
 
+#include "common/base/scratch_space.h"
 #include "server/prepare/prepared_mesh.h"
 
 namespace burnish {
 
 /// Both curvatures of every cell, weighted by its area; the range holds 99.5 % of the area.
-CurvatureHistogram make_histogram(std::span<const CellCurvature> curvature);
+/// 16 bytes of scratch per cell lie in `space`.
+CurvatureHistogram make_histogram(std::span<const CellCurvature> curvature,
+                                  const ScratchSpace& space);
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/base/scratch_array.h"
 #include "common/grid/sparse_grid.h"
 
 namespace burnish {
@@ -126,8 +127,9 @@ static Passages doubtful(Passages passages) {
   return passages & kAllPassages & ~kAlongAxes[axes_without_doubt];
 }
 
-void close_one_sided_passages(std::span<const MortonKey> cells, std::span<Passages> passages) {
-  const std::vector<Passages> claimed(passages.begin(), passages.end());
+void close_one_sided_passages(std::span<const MortonKey> cells, std::span<Passages> passages,
+                              const ScratchSpace& space) {
+  const ScratchArray<Passages> claimed = copy_to(space, passages);
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < cells.size(); ++c) {
     if ((claimed[c] & kInDoubt) == 0) continue;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "common/base/scratch_space.h"
 #include "common/grid/morton.h"
 #include "common/grid/stencil_slots.h"
 #include "server/prepare/clip.h"
@@ -102,7 +103,8 @@ void for_each_cell_with_passages(const std::array<Vec3d, 3>& triangle,
 void doubt_passages_to(size_t cell, std::span<const MortonKey> cells, std::span<Passages> passages);
 
 /// Closes doubtful passages that lead to no cell, or to a cell without the opposite passage.
-/// Afterwards no cell is in doubt.
-void close_one_sided_passages(std::span<const MortonKey> cells, std::span<Passages> passages);
+/// Afterwards no cell is in doubt. A copy of the passages lies in `space` meanwhile.
+void close_one_sided_passages(std::span<const MortonKey> cells, std::span<Passages> passages,
+                              const ScratchSpace& space);
 
 }  // namespace burnish

@@ -3,10 +3,8 @@
 #include <algorithm>
 
 #include "common/base/process_memory.h"
-#include "common/grid/sparse_grid.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/cell_pieces.h"
-#include "server/prepare/curvature.h"
 #include "server/prepare/prepared_file.h"
 #include "server/prepare/tangent_tensor.h"
 
@@ -14,8 +12,10 @@ namespace burnish {
 
 namespace {
 
-constexpr uint64_t kBytesInAnyCase = 4 << 20;  // threads' buffers, digits of the sort
-constexpr uint64_t kHeapLostDivisor = 16;      // lost by the heap between blocks
+constexpr uint64_t kBytesInAnyCase = 8 << 20;  // threads' buffers, digits, counts by bucket
+constexpr uint64_t kPiecesAtOnce = 1 << 17;    // of a batch of cells
+constexpr uint64_t kBatchBytesPerPiece = 112;  // order, places, curvature
+constexpr uint64_t kMixedCellBytes = 64;       // lists of cells with several components
 constexpr uint64_t kCellBytes =
     sizeof(MortonKey) + sizeof(CellIntegrals) + sizeof(CellCurvature) + sizeof(Passages);
 constexpr uint64_t kSheetBytes = sizeof(CellSheet) + sizeof(CellIntegrals);
@@ -27,36 +27,45 @@ uint64_t scan_bytes(const PreparationCounts& n) {
 
 // For collect_edges() and count_vertices().
 uint64_t statistics_bytes(const PreparationCounts& n) {
-  return n.vertices * 13 + n.triangles * 12;
+  return n.vertices * 8 + n.triangles * 12;
 }
 
-// For compute_curvature() with averaging: triangles around vertices, their tensors, normals, areas,
-// the order of the buckets.
+// For MeshCurvature: triangles around vertices, tensors of both, normals, areas.
 uint64_t curvature_bytes(const PreparationCounts& n) {
-  return n.vertices * (8 + 24 + 2 * sizeof(TangentTensor) + 8 + 48) +
+  return n.vertices * (8 + sizeof(Vec3d) + sizeof(TangentTensor) + sizeof(double)) +
          n.triangles * (12 + sizeof(TangentTensor));
 }
 
-// For integrate_cells() and find_cell_sheets(): starts, marks, mixed cells with their components.
+uint64_t kept_curvature_bytes(const PreparationCounts& n) {
+  return n.vertices * (sizeof(Vec3d) + sizeof(TangentTensor));
+}
+
+// For integrate_cells() and find_cell_sheets(): marks, a copy of passages; components.
 uint64_t integration_bytes(const PreparationCounts& n) {
-  const uint64_t of_sheets =
-      n.has_several_components ? n.vertices * 8 + n.cells * 128 + n.pieces * 8 + n.sheets * 16 : 0;
-  return n.cells * 13 + of_sheets;
+  const uint64_t components = n.has_several_components ? n.vertices * sizeof(int32_t) : 0;
+  return std::max(n.cells * (1 + sizeof(uint32_t)), components);
 }
 
 uint64_t evaluation_bytes(const PreparationCounts& n) {
-  return n.vertices * (sizeof(EvaluationPoint) + 1) + n.cells * sizeof(GridKey);
+  return n.vertices * sizeof(EvaluationPoint) + n.cells * 4 * sizeof(float);
 }
 
-uint64_t peak_bytes(const PreparationCounts& n) {
-  const uint64_t positions = 2 * scan_bytes(n) + n.vertices * sizeof(Vec3d);
-  const uint64_t pieces = positions + n.pieces * sizeof(CellPiece);
-  const uint64_t curvature = pieces + n.triangles * sizeof(TriangleCurvature);
-  const uint64_t cells = curvature + n.cells * kCellBytes + n.sheets * kSheetBytes;
-  return std::max({scan_bytes(n) + statistics_bytes(n),
-                   pieces + n.pieces * sizeof(CellPiece),  // the sort needs a second array
-                   curvature + curvature_bytes(n), cells + integration_bytes(n),
-                   cells + evaluation_bytes(n)});
+// Of all arrays in scratch space.
+uint64_t arrays_bytes(const PreparationCounts& n) {
+  const uint64_t scan = scan_bytes(n);
+  const uint64_t pieces = scan + n.vertices * sizeof(Vec3d) + n.pieces * sizeof(CellPiece);
+  const uint64_t of_cells = n.cells * kCellBytes + n.sheets * kSheetBytes;
+  const uint64_t brick = std::min(n.pieces, PieceRoom::kPiecesPerBrick) * sizeof(CellPiece);
+  return std::max({scan + statistics_bytes(n), pieces + brick, pieces + curvature_bytes(n),
+                   pieces + kept_curvature_bytes(n) + of_cells + integration_bytes(n),
+                   scan + of_cells + evaluation_bytes(n)});
+}
+
+// Of everything else.
+uint64_t heap_bytes(const PreparationCounts& n) {
+  return kBytesInAnyCase + std::min(n.pieces, kPiecesAtOnce) * kBatchBytesPerPiece +
+         n.vertices / 8 + (n.has_several_components ? n.cells * kMixedCellBytes : 0) +
+         (n.copies_mesh ? scan_bytes(n) : 0);
 }
 
 uint64_t file_bytes(const PreparationCounts& n) {
@@ -71,9 +80,10 @@ std::string mebibytes(uint64_t bytes) {
 
 }  // namespace
 
-PreparationNeed predict_preparation(const PreparationCounts& counts) {
-  const uint64_t peak = peak_bytes(counts);
-  return {counts, peak + peak / kHeapLostDivisor + kBytesInAnyCase, file_bytes(counts)};
+PreparationNeed predict_preparation(const PreparationCounts& counts, uint64_t arrays_bytes_max) {
+  const uint64_t arrays = arrays_bytes(counts);
+  const uint64_t in_memory = std::min(arrays, arrays_bytes_max);
+  return {counts, in_memory + heap_bytes(counts), arrays - in_memory, file_bytes(counts)};
 }
 
 std::string to_string(const PreparationNeed& need) {
@@ -82,6 +92,9 @@ std::string to_string(const PreparationNeed& need) {
   std::string text = "preparing " + std::to_string(counts.triangles) + " triangles";
   if (counts.depth > 0) text += " at depth " + std::to_string(counts.depth);
   text += (is_all ? " takes " : " takes more than ") + mebibytes(need.memory_bytes) + " of memory";
+  if (is_all)
+    text +=
+        need.scratch_bytes > 0 ? ", " + mebibytes(need.scratch_bytes) + " of scratch files" : "";
   if (is_all)
     text += " and a file of " + mebibytes(need.file_bytes) + " (" + std::to_string(counts.cells) +
             " cells)";

@@ -14,21 +14,25 @@ struct PreparationCounts {
   uint64_t triangles = 0;
   bool has_colours = false;
   bool has_several_components = false;
-  uint64_t pieces = 0;  ///< pairs of a cell and a triangle
-  uint64_t cells = 0;   ///< of the finest depth
+  bool copies_mesh = false;  ///< the caller keeps the scan that is copied
+  uint64_t pieces = 0;       ///< pairs of a cell and a triangle
+  uint64_t cells = 0;        ///< of the finest depth
   uint64_t sheets = 0;
 };
 
 /// The need of a preparation, as far as its counts tell.
 struct PreparationNeed {
   PreparationCounts counts;
-  uint64_t memory_bytes = 0;  ///< at its peak, including the scan
-  uint64_t file_bytes = 0;    ///< of the prepared file; 0: unknown
+  uint64_t memory_bytes = 0;   ///< at its peak, including the scan; without mapped files
+  uint64_t scratch_bytes = 0;  ///< of files for arrays beyond the memory, at their peak
+  uint64_t file_bytes = 0;     ///< of the prepared file; 0: unknown
 };
 
-/// Accuracy: with all counts, no less than the peak of resident memory, and at most half as much
+/// `arrays_bytes_max` is ScratchSpace::memory_bytes_max(): more arrays than that lie in files.
+/// Accuracy: with all counts, no less than the peak of anonymous memory, and at most half as much
 /// again. The file is exact except for alignment.
-PreparationNeed predict_preparation(const PreparationCounts& counts);
+PreparationNeed predict_preparation(const PreparationCounts& counts,
+                                    uint64_t arrays_bytes_max = UINT64_MAX);
 
 /// "preparing 2 triangles at depth 11 takes 3100 MiB of memory and a file of 2900 MiB (4003002
 /// cells)".
@@ -41,6 +45,9 @@ class PreparationBudget {
 
   /// Returns the bytes of memory beyond which ask() always fails: counting ends there.
   virtual uint64_t memory_bytes_max() const = 0;
+
+  /// Returns the same for bytes of scratch files.
+  virtual uint64_t scratch_bytes_max() const { return 0; }
 
   /// Called before anything is taken, and again when more is known; each call counts for all.
   /// Fails: resource_exhausted with the missing amount and its limit.

@@ -1,25 +1,25 @@
 #pragma once
 
-#include <cmath>
-#include <span>
-
 #include "server/prepare/cell_integrals.h"
 #include "server/prepare/cell_pieces.h"
 #include "server/prepare/curvature.h"
+#include "server/prepare/grid_mesh.h"
 
 namespace burnish {
 
 /// The sources of the cells' integrals. Units: grid; curvature in file units.
 struct Surface {
-  std::span<const Triangle> triangles;
-  std::span<const Vec3d> positions;  ///< one per vertex, snapped
-  std::span<const TriangleCurvature> curvature;
+  const GridMesh& mesh;
+  const MeshCurvature& curvature;
   double length_unit;
 
-  /// Returns whether rounding alone gives the triangle principal directions: flat or spherical.
-  bool is_umbilic(uint32_t triangle) const;
-  /// Adds a triangle's part in a cell; returns its area.
-  double integrate(const CellPiece& piece, CellIntegrator& integrator) const;
+  /// Adds a triangle's part in a cell; returns its area. `of_triangle` is the triangle's curvature.
+  double integrate(const CellPiece& piece, const TriangleCurvature& of_triangle,
+                   CellIntegrator& integrator) const;
+
+ private:
+  // Returns whether rounding alone gives principal directions: flat or spherical.
+  bool is_umbilic(const TriangleCurvature& of_triangle) const;
 };
 
 }  // namespace burnish

@@ -9,7 +9,7 @@ static constexpr double kFlatness = 1e-12;
 // Far below rounding for lengths of about 1; keeps the fourth powers of edges from underflow.
 static constexpr double kLeastTwiceArea = 1e-60;
 
-TriangleShape make_triangle_shape(const TriangleMesh& mesh, const Triangle& triangle, double unit) {
+TriangleShape make_triangle_shape(const MeshView& mesh, const Triangle& triangle, double unit) {
   const double scale = 1 / unit;  // exact, as units are powers of two
   TriangleShape shape;
   for (int k = 0; k < 3; ++k) {

@@ -29,6 +29,6 @@ struct TriangleShape {
 };
 
 /// Divides lengths by `unit`, a power of two.
-TriangleShape make_triangle_shape(const TriangleMesh& mesh, const Triangle& triangle, double unit);
+TriangleShape make_triangle_shape(const MeshView& mesh, const Triangle& triangle, double unit);
 
 }  // namespace burnish

@@ -1,7 +1,6 @@
 #include "server/prepare/vertex_curvature.h"
 
 #include "server/prepare/triangle_shape.h"
-#include "server/prepare/unset_vector.h"
 #include "server/prepare/vertex_triangles.h"
 
 namespace burnish {
@@ -14,9 +13,8 @@ static int corner_of(const Triangle& triangle, uint32_t vertex) {
 
 // Calls visit(triangle index, shape, corner) for the triangles with a plane around a vertex.
 template <typename Visit>
-static void for_each_corner(const TriangleMesh& mesh,
-                            const Groups<uint32_t, uint64_t>& vertex_triangles, int64_t vertex,
-                            double unit, Visit visit) {
+static void for_each_corner(const MeshView& mesh, const VertexTriangles& vertex_triangles,
+                            int64_t vertex, double unit, Visit visit) {
   for (uint32_t t : vertex_triangles[vertex]) {
     const Triangle& triangle = mesh.triangles[t];
     const TriangleShape shape = make_triangle_shape(mesh, triangle, unit);
@@ -24,10 +22,10 @@ static void for_each_corner(const TriangleMesh& mesh,
   }
 }
 
-static std::vector<Vec3d> vertex_normals(const TriangleMesh& mesh,
-                                         const Groups<uint32_t, uint64_t>& vertex_triangles,
-                                         double unit) {
-  std::vector<Vec3d> normals(mesh.vertices.size());
+static ScratchArray<Vec3d> vertex_normals(const MeshView& mesh,
+                                          const VertexTriangles& vertex_triangles, double unit,
+                                          const ScratchSpace& space) {
+  ScratchArray<Vec3d> normals(space, mesh.vertices.size());
 #pragma omp parallel for schedule(static)
   for (int64_t v = 0; v < static_cast<int64_t>(normals.size()); ++v) {
     Vec3d sum = Vec3d::Zero();
@@ -74,9 +72,10 @@ static TangentTensor second_fundamental_form(const TriangleShape& shape, const T
 }
 
 // In the triangles' own frames; zero for a triangle without a plane.
-static UnsetVector<TangentTensor> triangle_tensors(const TriangleMesh& mesh,
-                                                   const std::vector<Vec3d>& normals, double unit) {
-  UnsetVector<TangentTensor> tensors(mesh.triangles.size());
+static ScratchArray<TangentTensor> triangle_tensors(const MeshView& mesh,
+                                                    const ScratchArray<Vec3d>& normals, double unit,
+                                                    const ScratchSpace& space) {
+  ScratchArray<TangentTensor> tensors(space, mesh.triangles.size());
 #pragma omp parallel for schedule(static)
   for (int64_t t = 0; t < static_cast<int64_t>(tensors.size()); ++t) {
     const Triangle& triangle = mesh.triangles[t];
@@ -89,13 +88,15 @@ static UnsetVector<TangentTensor> triangle_tensors(const TriangleMesh& mesh,
   return tensors;
 }
 
-VertexCurvature compute_vertex_curvature(const TriangleMesh& mesh, double unit) {
-  const auto vertex_triangles = triangles_around_vertices(mesh);
+VertexCurvature compute_vertex_curvature(const MeshView& mesh, double unit,
+                                         const ScratchSpace& space) {
+  const VertexTriangles vertex_triangles(mesh, space);
   VertexCurvature result;
-  result.normals = vertex_normals(mesh, vertex_triangles, unit);
-  result.tensors.resize(mesh.vertices.size());
-  result.areas.resize(mesh.vertices.size());
-  const UnsetVector<TangentTensor> of_triangles = triangle_tensors(mesh, result.normals, unit);
+  result.normals = vertex_normals(mesh, vertex_triangles, unit, space);
+  result.tensors = ScratchArray<TangentTensor>(space, mesh.vertices.size());
+  result.areas = ScratchArray<double>(space, mesh.vertices.size());
+  const ScratchArray<TangentTensor> of_triangles =
+      triangle_tensors(mesh, result.normals, unit, space);
 #pragma omp parallel for schedule(static)
   for (int64_t v = 0; v < static_cast<int64_t>(mesh.vertices.size()); ++v) {
     if (!result.has_normal(v)) continue;

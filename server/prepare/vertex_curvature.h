@@ -1,7 +1,6 @@
 #pragma once
 
-#include <vector>
-
+#include "common/base/scratch_array.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/tangent_tensor.h"
 
@@ -10,14 +9,15 @@ namespace burnish {
 /// Normal, second fundamental form and Voronoi area of every vertex; lengths in units of `unit`.
 /// All are zero for a vertex without a triangle that has a plane, or whose triangles cancel out.
 struct VertexCurvature {
-  std::vector<Vec3d> normals;
-  std::vector<TangentTensor> tensors;  ///< in make_frame(normal)
-  std::vector<double> areas;
+  ScratchArray<Vec3d> normals;
+  ScratchArray<TangentTensor> tensors;  ///< in make_frame(normal)
+  ScratchArray<double> areas;
 
   bool has_normal(size_t v) const { return !normals[v].isZero(0); }
 };
 
 /// Source: Rusinkiewicz 2004, section 3.
-VertexCurvature compute_vertex_curvature(const TriangleMesh& mesh, double unit);
+VertexCurvature compute_vertex_curvature(const MeshView& mesh, double unit,
+                                         const ScratchSpace& space);
 
 }  // namespace burnish

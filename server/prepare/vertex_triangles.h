@@ -1,12 +1,26 @@
 #pragma once
 
-#include "common/base/groups.h"
+#include <cstdint>
+#include <span>
+
+#include "common/base/scratch_array.h"
 #include "common/mesh/triangle_mesh.h"
 
 namespace burnish {
 
-/// Lists the triangles around each vertex, rising, so that sums over them do not depend on the
-/// number of threads. Lists a triangle that repeats a vertex once per corner.
-Groups<uint32_t, uint64_t> triangles_around_vertices(const TriangleMesh& mesh);
+/// The triangles around each vertex, rising, so that sums over them do not depend on the number of
+/// threads. A triangle that repeats a vertex is there once per corner.
+class VertexTriangles {
+ public:
+  VertexTriangles(const MeshView& mesh, const ScratchSpace& space);
+
+  std::span<const uint32_t> operator[](size_t vertex) const {
+    return {triangles_.data() + start_[vertex], triangles_.data() + start_[vertex + 1]};
+  }
+
+ private:
+  ScratchArray<uint64_t> start_;
+  ScratchArray<uint32_t> triangles_;
+};
 
 }  // namespace burnish

@@ -16,9 +16,9 @@ constexpr double kReplaceShare = 0.45;  // of the time of a level; writing takes
 
 /// One level of the surface while its pages are made.
 struct Level {
-  int number = 0;                   ///< 0: the scan itself
-  std::vector<Triangle> triangles;  ///< vertices of the scan
-  std::vector<PageId> finer;        ///< per triangle, rising; empty at level 0
+  int number = 0;                    ///< 0: the scan itself
+  ScratchArray<Triangle> triangles;  ///< vertices of the scan
+  ScratchArray<PageId> finer;        ///< per triangle, rising; empty at level 0
   double vertices_per_triangle = 0.5;
 };
 
@@ -40,11 +40,13 @@ class PhaseTimes {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-Level make_level_0(const PagesInput& scan) {
+Level make_level_0(const PagesInput& scan, const ScratchSpace& space) {
   Level level;
-  level.triangles.reserve(scan.triangles.size());
+  level.triangles = ScratchArray<Triangle>(space, scan.triangles.size());
+  size_t kept = 0;
   for (const Triangle& t : scan.triangles)
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) level.triangles.push_back(t);
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) level.triangles[kept++] = t;
+  level.triangles.truncate(kept);
   const auto referenced =
       static_cast<double>(scan.statistics.vertices - scan.statistics.unreferenced_vertices);
   // Pages share vertices, so together they have more than the scan.
@@ -53,13 +55,20 @@ Level make_level_0(const PagesInput& scan) {
 }
 
 Level make_coarser(const Level& level, const PagesReport::Level& report,
-                   const std::vector<Replacement>& replacements, PageId first_page) {
+                   const Replacements& replacements, PageId first_page, const ScratchSpace& space) {
   Level coarser;
   coarser.number = level.number + 1;
-  for (size_t page = 0; page < replacements.size(); ++page) {
-    const std::vector<Triangle>& triangles = replacements[page].triangles;
-    coarser.triangles.insert(coarser.triangles.end(), triangles.begin(), triangles.end());
-    coarser.finer.resize(coarser.triangles.size(), first_page + static_cast<PageId>(page));
+  uint64_t count = 0;
+  for (const Replacement& replacement : replacements.of_pages) count += replacement.count;
+  coarser.triangles = ScratchArray<Triangle>(space, count);
+  coarser.finer = ScratchArray<PageId>(space, count);
+  uint64_t next = 0;
+  for (size_t page = 0; page < replacements.of_pages.size(); ++page) {
+    std::ranges::copy(replacements.of(page), coarser.triangles.begin() + next);
+    const uint64_t end = next + replacements.of_pages[page].count;
+    std::fill(coarser.finer.begin() + next, coarser.finer.begin() + end,
+              first_page + static_cast<PageId>(page));
+    next = end;
   }
   coarser.vertices_per_triangle =
       static_cast<double>(report.vertices) / static_cast<double>(report.triangles);
@@ -68,14 +77,15 @@ Level make_coarser(const Level& level, const PagesReport::Level& report,
 
 class PagesBuilder {
  public:
-  PagesBuilder(const PagesInput& scan, const Progress& progress, PagesReport& report)
-      : scan_(scan), progress_(progress), report_(report), times_(report) {}
+  PagesBuilder(const PagesInput& scan, const ScratchSpace& space, const Progress& progress,
+               PagesReport& report)
+      : scan_(scan), space_(space), progress_(progress), report_(report), times_(report) {}
 
   Status build(PageFileWriter& file) {
-    vertices_ = place_vertices(scan_);
+    vertices_ = place_vertices(scan_, space_);
     times_.end("vertices");
     LevelWriter writer(file, vertices_, attributes_);
-    for (Level level = make_level_0(scan_); !level.triangles.empty();) {
+    for (Level level = make_level_0(scan_, space_); !level.triangles.empty();) {
       ASSIGN_OR_RETURN(level, make_level(level, file, writer));
     }
     const Status status = file.finish();
@@ -87,19 +97,20 @@ class PagesBuilder {
   // Returns the next level, or one without triangles after the root.
   Result<Level> make_level(const Level& level, PageFileWriter& file, LevelWriter& writer) {
     const PageGroups pages = cut_pages({level.triangles, vertices_.positions, vertices_.grid.bits,
-                                        level.number, level.vertices_per_triangle});
+                                        level.number, level.vertices_per_triangle},
+                                       space_);
     const CutLevel cut = {level.triangles, vertices_.joined, pages};
-    const std::vector<uint8_t> shared = find_shared_vertices(cut);
+    const ScratchArray<uint8_t> shared = find_shared_vertices(cut, space_);
     report_.levels.push_back({level.triangles.size(), pages.count()});
     times_.end("cutting");
     if (level.number == 0) {
-      attributes_ = make_scan_attributes(scan_, cut, shared);
+      attributes_ = make_scan_attributes(scan_, cut, shared, space_);
       times_.end("normals");
     }
-    Replacements replacements;
+    Replacements replacements(space_);
     const PageWork replacing = work(kReplaceShare), writing = work(1 - kReplaceShare);
     if (pages.count() > 1) {
-      ASSIGN_OR_RETURN(replacements, replace_pages(cut, vertices_, shared, replacing));
+      ASSIGN_OR_RETURN(replacements, replace_pages(cut, vertices_, shared, space_, replacing));
     }
     times_.end("simplifying");
     PagesReport::Level& report = report_.levels.back();
@@ -107,9 +118,9 @@ class PagesBuilder {
     report.torn_pages = replacements.torn_pages;
     const PageId first_page = file.next_page();
     const LevelToDraw to_draw = {cut, level.finer, shared, vertices_, attributes_};
-    RETURN_IF_ERROR(writer.write(to_draw, replacements.of_pages, writing, report));
+    RETURN_IF_ERROR(writer.write(to_draw, replacements, writing, space_, report));
     times_.end("writing");
-    return make_coarser(level, report, replacements.of_pages, first_page);
+    return make_coarser(level, report, replacements, first_page, space_);
   }
 
   // All levels together have about twice the triangles of the scan.
@@ -121,6 +132,7 @@ class PagesBuilder {
   }
 
   const PagesInput& scan_;
+  const ScratchSpace& space_;
   const Progress& progress_;
   PagesReport& report_;
   PhaseTimes times_;
@@ -136,16 +148,19 @@ Status build_pages(const PagesInput& scan, const std::filesystem::path& path,
   use_threads(options.threads);
   MachineBudget machine;
   PreparationBudget& budget = options.budget != nullptr ? *options.budget : machine;
-  const PreparationNeed need = predict_pages(scan);
+  const PreparationNeed need = predict_pages(scan, options.space.memory_bytes_max());
   RETURN_IF_ERROR(budget.ask(need).with_context(pages_need_text(need)));
   PagesReport own_report;
   PagesReport& filled = report != nullptr ? *report : own_report;
   filled = {};
-  PagesBuilder builder(scan, progress, filled);
+  PagesBuilder builder(scan, options.space, progress, filled);
   const PageScan described = {choose_page_grid(scan.statistics), !scan.colours.empty(),
                               scan.vertices.size(), scan.triangles.size()};
   ASSIGN_OR_RETURN(PageFileWriter file, PageFileWriter::create(path, described));
   return builder.build(file);
+} catch (const ScratchFull& full) {
+  return resource_exhausted("making pages of a scan of " + std::to_string(scan.triangles.size()) +
+                            " triangles: " + full.what());
 } catch (const std::bad_alloc&) {
   return resource_exhausted("making pages of a scan of " + std::to_string(scan.triangles.size()) +
                             " triangles: not enough memory");

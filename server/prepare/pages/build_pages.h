@@ -13,6 +13,7 @@ namespace burnish {
 struct PagesOptions {
   int threads = 0;                      ///< 0: all cores
   PreparationBudget* budget = nullptr;  ///< what it may take; null: what the machine has
+  ScratchSpace space;                   ///< of all large arrays
 };
 
 /// Writes the page file of a scan (common/pages/page_format.h). Level 0 is the scan, without the

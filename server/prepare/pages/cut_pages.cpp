@@ -25,7 +25,7 @@ KdRule rule_of(const LevelToCut& level) {
 }
 
 // Where pages begin among the sorted centres.
-std::vector<uint64_t> page_starts(const std::vector<uint8_t>& is_start) {
+std::vector<uint64_t> page_starts(std::span<const uint8_t> is_start) {
   std::vector<uint64_t> starts;
   for (size_t i = 0; i < is_start.size(); ++i)
     if (is_start[i]) starts.push_back(i);
@@ -35,10 +35,11 @@ std::vector<uint64_t> page_starts(const std::vector<uint8_t>& is_start) {
 
 }  // namespace
 
-PageGroups cut_pages(const LevelToCut& level) {
-  TriangleRuns runs = make_triangle_runs(level);
-  std::vector<uint8_t> is_start(level.triangles.size());
-  const KdCut cut(rule_of(level), runs.centres, is_start);
+PageGroups cut_pages(const LevelToCut& level, const ScratchSpace& space) {
+  TriangleRuns runs = make_triangle_runs(level, space);
+  ScratchArray<uint8_t> is_start(space, level.triangles.size());
+  const KdCut cut(rule_of(level), {runs.centres.data(), runs.centres.size()},
+                  {is_start.data(), is_start.size()});
 #pragma omp parallel
 #pragma omp single
   for (size_t run = 0; run + 1 < runs.starts.size(); ++run)
@@ -46,7 +47,7 @@ PageGroups cut_pages(const LevelToCut& level) {
 
   PageGroups pages;
   pages.start = page_starts(is_start);
-  pages.item.resize(runs.centres.size());
+  pages.item = ScratchArray<uint32_t>(space, runs.centres.size());
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < pages.item.size(); ++i) pages.item[i] = runs.centres[i].triangle;
   return pages;

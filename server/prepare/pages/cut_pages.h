@@ -3,13 +3,21 @@
 #include <span>
 #include <vector>
 
-#include "common/base/groups.h"
+#include "common/base/scratch_array.h"
 #include "common/base/types.h"
 
 namespace burnish {
 
 /// Triangles of one level by page.
-using PageGroups = Groups<uint32_t, uint64_t>;
+struct PageGroups {
+  std::vector<uint64_t> start;  ///< pages + 1, into `item`
+  ScratchArray<uint32_t> item;
+
+  size_t count() const { return start.size() - 1; }
+  std::span<const uint32_t> operator[](size_t page) const {
+    return {item.data() + start[page], item.data() + start[page + 1]};
+  }
+};
 
 /// The triangles of one level, and what decides where its pages end.
 struct LevelToCut {
@@ -24,6 +32,6 @@ struct LevelToCut {
 /// Triangles are first dealt into runs of a Morton curve, then each run is halved again and again
 /// across the longest side of its box. Pages come in this order; the triangles of a page rise.
 /// Deterministic: the same groups for any number of threads.
-PageGroups cut_pages(const LevelToCut& level);
+PageGroups cut_pages(const LevelToCut& level, const ScratchSpace& space);
 
 }  // namespace burnish

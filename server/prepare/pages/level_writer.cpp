@@ -6,22 +6,25 @@
 
 namespace burnish {
 
-Status LevelWriter::write(const LevelToDraw& level, const std::vector<Replacement>& replacements,
-                          const PageWork& work, PagesReport::Level& report) {
+Status LevelWriter::write(const LevelToDraw& level, const Replacements& replacements,
+                          const PageWork& work, const ScratchSpace& space,
+                          PagesReport::Level& report) {
   const size_t pages = level.cut.pages.count();
   const PageId first = file_.next_page();
-  std::vector<DrawnPage> drawn(pages);
-  AttributeSums sums(level.shared, level.cut.joined, pages);
+  std::vector<DrawnPage> batch(std::min(pages, PageWork::kPagesPerBatch));
+  AttributeSums sums(level.shared, level.cut.joined, space);
   file_.begin_level();
   const auto make = [&](size_t page) {
-    drawn[page].page = draw_page(level, page, first + static_cast<PageId>(page));
-    drawn[page].encoded = encode_page(drawn[page].page);
-    sums.take(page, sum_page(level.cut, attributes_, vertices_.positions, page), attributes_);
+    DrawnPage& drawn = batch[page % batch.size()];
+    drawn.page = draw_page(level, page, first + static_cast<PageId>(page));
+    drawn.encoded = encode_page(drawn.page);
+    drawn.sums = sum_page(level.cut, attributes_, vertices_.positions, page);
+    sums.set_own(drawn.sums, attributes_);
   };
   const auto take = [&](size_t page) {
-    const Status status = append(drawn[page], bounds_of(drawn[page], replacements, page), report);
-    drawn[page] = {};
-    return status;
+    const DrawnPage& drawn = batch[page % batch.size()];
+    sums.keep_shared(drawn.sums);
+    return append(drawn, bounds_of(drawn, replacements, page), report);
   };
   RETURN_IF_ERROR(work.run(pages, make, take));
   sums.set_shared(attributes_);
@@ -29,12 +32,12 @@ Status LevelWriter::write(const LevelToDraw& level, const std::vector<Replacemen
 }
 
 // Nothing replaces the root. Its error and edge say that it is never good enough by itself.
-PageBounds LevelWriter::bounds_of(const DrawnPage& drawn,
-                                  const std::vector<Replacement>& replacements, size_t page) const {
+PageBounds LevelWriter::bounds_of(const DrawnPage& drawn, const Replacements& replacements,
+                                  size_t page) const {
   PageBounds bounds = sphere_around(drawn.page, vertices_.grid);
-  bounds.error = replacements.empty() ? bounds.radius : replacements[page].error;
-  bounds.edge =
-      replacements.empty() ? bounds.radius : mean_edge(replacements[page].triangles, vertices_);
+  const bool is_root = replacements.of_pages.empty();
+  bounds.error = is_root ? bounds.radius : replacements.of_pages[page].error;
+  bounds.edge = is_root ? bounds.radius : mean_edge(replacements.of(page), vertices_);
   for (const PagePatch& patch : drawn.page.patches) {
     if (patch.finer == kNoPage) continue;
     bounds.error = std::max(bounds.error, bounds_[patch.finer].error);

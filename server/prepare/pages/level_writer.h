@@ -19,16 +19,16 @@ class LevelWriter {
   /// Writes one level, and turns the attributes into those of the next one.
   /// Needs: the finer levels are written. No replacements for the root alone.
   /// Fails: cancelled; what writing says.
-  Status write(const LevelToDraw& level, const std::vector<Replacement>& replacements,
-               const PageWork& work, PagesReport::Level& report);
+  Status write(const LevelToDraw& level, const Replacements& replacements, const PageWork& work,
+               const ScratchSpace& space, PagesReport::Level& report);
 
  private:
   struct DrawnPage {
     Page page;
     std::vector<uint8_t> encoded;
+    PageSums sums;
   };
-  PageBounds bounds_of(const DrawnPage& drawn, const std::vector<Replacement>& replacements,
-                       size_t page) const;
+  PageBounds bounds_of(const DrawnPage& drawn, const Replacements& replacements, size_t page) const;
   Status append(const DrawnPage& drawn, const PageBounds& bounds, PagesReport::Level& report);
 
   PageFileWriter& file_;

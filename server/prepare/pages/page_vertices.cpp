@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "common/base/limits.h"
-#include "common/base/parallel.h"
 #include "common/grid/grid.h"
 #include "server/prepare/pages/plane_sides.h"
+#include "server/prepare/radix_sort.h"
 
 namespace burnish {
 
@@ -30,17 +31,29 @@ bool is_before(const Vec3i& a, const Vec3i& b) {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
 
-std::vector<uint32_t> join_places(const std::vector<Vec3i>& positions) {
-  std::vector<HashedVertex> sorted(positions.size());
+// Sorts vertices by the hash of their place, then by place, then by number.
+ScratchArray<HashedVertex> sort_by_place(std::span<const Vec3i> positions,
+                                         const ScratchSpace& space) {
+  ScratchArray<HashedVertex> sorted(space, positions.size()), spare(space, positions.size());
 #pragma omp parallel for schedule(static)
   for (size_t v = 0; v < sorted.size(); ++v)
     sorted[v] = {hash_of(positions[v]), static_cast<uint32_t>(v)};
-  parallel_sort(sorted.begin(), sorted.end(), [&](const HashedVertex& a, const HashedVertex& b) {
-    if (a.hash != b.hash) return a.hash < b.hash;
-    const Vec3i &p = positions[a.vertex], &q = positions[b.vertex];
-    return p == q ? a.vertex < b.vertex : is_before(p, q);
-  });
-  std::vector<uint32_t> joined(positions.size());
+  radix_sort(std::span(sorted.data(), sorted.size()), std::span(spare.data(), spare.size()),
+             std::mem_fn(&HashedVertex::hash));
+  // Different places of one hash are rare.
+  for (size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
+    while (end < sorted.size() && sorted[end].hash == sorted[begin].hash) ++end;
+    std::stable_sort(sorted.begin() + begin, sorted.begin() + end,
+                     [&](const HashedVertex& a, const HashedVertex& b) {
+                       return is_before(positions[a.vertex], positions[b.vertex]);
+                     });
+  }
+  return sorted;
+}
+
+ScratchArray<uint32_t> join_places(std::span<const Vec3i> positions, const ScratchSpace& space) {
+  const ScratchArray<HashedVertex> sorted = sort_by_place(positions, space);
+  ScratchArray<uint32_t> joined(space, positions.size());
   uint32_t first = 0;
   for (const HashedVertex& hashed : sorted) {
     if (positions[hashed.vertex] != positions[first] || &hashed == &sorted[0])
@@ -73,15 +86,15 @@ PageGrid choose_page_grid(const MeshStatistics& statistics) {
   return grid;
 }
 
-PageVertices place_vertices(const PagesInput& scan) {
+PageVertices place_vertices(const PagesInput& scan, const ScratchSpace& space) {
   PageVertices placed;
   placed.grid = choose_page_grid(scan.statistics);
-  placed.positions.resize(scan.vertices.size());
-  const std::vector<PlaneSides> sides = find_plane_sides(scan, placed.grid);
+  placed.positions = ScratchArray<Vec3i>(space, scan.vertices.size());
+  const ScratchArray<PlaneSides> sides = find_plane_sides(scan, placed.grid, space);
 #pragma omp parallel for schedule(static)
   for (size_t v = 0; v < scan.vertices.size(); ++v)
     placed.positions[v] = place_vertex(scan.vertices[v], sides[v], placed.grid);
-  placed.joined = join_places(placed.positions);
+  placed.joined = join_places(placed.positions, space);
   return placed;
 }
 

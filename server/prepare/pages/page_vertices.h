@@ -1,8 +1,8 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "common/base/scratch_array.h"
 #include "common/base/types.h"
 #include "common/mesh/statistics.h"
 #include "common/pages/page_grid.h"
@@ -20,11 +20,11 @@ struct PagesInput {
 /// The vertices of a scan on the lattice of its pages.
 struct PageVertices {
   PageGrid grid;
-  std::vector<Vec3i> positions;  ///< per vertex of the scan, steps
+  ScratchArray<Vec3i> positions;  ///< per vertex of the scan, steps
   /// Per vertex the least vertex at the same place. Edits move all vertices of one place together.
   /// Level 0 keeps them apart, as the scan does. Coarser levels join them: a scan without shared
   /// vertices, as some programs write, would else fall into single triangles there.
-  std::vector<uint32_t> joined;
+  ScratchArray<uint32_t> joined;
 };
 
 /// Chooses the cube of all grids of the scan, and steps of at most 1/256 of the mean edge where
@@ -34,6 +34,6 @@ PageGrid choose_page_grid(const MeshStatistics& statistics);
 /// Rounds every vertex down to a step. A vertex on a plane between cells goes to the side on which
 /// its triangles lie, so that its cell holds surface at every depth.
 /// Deterministic: the same bits for any number of threads.
-PageVertices place_vertices(const PagesInput& scan);
+PageVertices place_vertices(const PagesInput& scan, const ScratchSpace& space);
 
 }  // namespace burnish

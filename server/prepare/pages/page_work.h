@@ -12,6 +12,8 @@ namespace burnish {
 /// Runs work on many pages by all threads, and looks at the cancel flag between batches of pages.
 class PageWork {
  public:
+  static constexpr size_t kPagesPerBatch = 256;
+
   PageWork(const Progress& progress, double done, double done_at_end)
       : progress_(progress), done_(done), done_at_end_(done_at_end) {}
 
@@ -40,8 +42,6 @@ class PageWork {
   }
 
  private:
-  static constexpr size_t kPagesPerBatch = 256;
-
   const Progress& progress_;
   double done_, done_at_end_;
 };

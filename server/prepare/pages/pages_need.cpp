@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "server/prepare/pages/plane_sides.h"
 #include "server/prepare/pages/triangle_runs.h"
 
 namespace burnish {
@@ -11,7 +12,9 @@ namespace {
 constexpr uint64_t kBytesInAnyCase = 8 << 20;  // threads' stacks, digits
 constexpr uint64_t kBatchBytesMax = 24 << 20;  // of pages on their way to the file
 constexpr uint64_t kBatchBytesPerElement = 32;
-constexpr uint64_t kHeapLostDivisor = 8;  // what the heap loses between blocks
+constexpr uint64_t kHeapBytesPerPage = 256;     // bounds, directory, place of the replacement
+constexpr uint64_t kTrianglesPerPage = 1000;    // at least, over all levels
+constexpr uint64_t kSharedBytesPerVertex = 24;  // sums of vertices of several pages, few each
 
 // Of the file, all levels together.
 constexpr uint64_t kFileBytesPerTriangle = 6;
@@ -25,13 +28,19 @@ uint64_t scan_bytes(const PagesInput& scan) {
 // Of vertices: place, joined vertex, normal, colour, page, mark.
 uint64_t vertex_bytes(const PagesInput& scan) {
   const uint64_t each = sizeof(Vec3i) + sizeof(uint32_t) + sizeof(Vec3f) + sizeof(uint32_t) + 1;
-  return scan.vertices.size() * each + scan.colours.size_bytes();
+  return scan.vertices.size() * (each + kSharedBytesPerVertex) + scan.colours.size_bytes();
+}
+
+// Of vertices while their places are joined: place, sides, joined vertex, twice the sorted hash.
+uint64_t joining_bytes(const PagesInput& scan) {
+  return scan.vertices.size() *
+         (sizeof(Vec3i) + sizeof(PlaneSides) + sizeof(uint32_t) + 2 * 2 * sizeof(uint64_t));
 }
 
 // Of triangles: level 0, its pages, and the larger of what cutting and what replacing takes.
 uint64_t triangle_bytes(const PagesInput& scan) {
   const uint64_t cutting = sizeof(TriangleCentre) + 3;
-  const uint64_t replacing = (2 * sizeof(Triangle) + sizeof(uint32_t)) / 2;
+  const uint64_t replacing = (3 * sizeof(Triangle) + sizeof(uint32_t)) / 2;
   return scan.triangles.size() *
          (sizeof(Triangle) + sizeof(uint32_t) + std::max(cutting, replacing));
 }
@@ -47,13 +56,17 @@ std::string mebibytes(uint64_t bytes) {
 
 }  // namespace
 
-PreparationNeed predict_pages(const PagesInput& scan) {
+PreparationNeed predict_pages(const PagesInput& scan, uint64_t arrays_bytes_max) {
   PreparationNeed need;
   need.counts.vertices = scan.vertices.size();
   need.counts.triangles = scan.triangles.size();
   need.counts.has_colours = !scan.colours.empty();
-  const uint64_t bytes = scan_bytes(scan) + vertex_bytes(scan) + triangle_bytes(scan);
-  need.memory_bytes = bytes + bytes / kHeapLostDivisor + batch_bytes(scan) + kBytesInAnyCase;
+  const uint64_t arrays =
+      scan_bytes(scan) + std::max(vertex_bytes(scan) + triangle_bytes(scan), joining_bytes(scan));
+  const uint64_t in_memory = std::min(arrays, arrays_bytes_max);
+  need.memory_bytes = in_memory + batch_bytes(scan) + kBytesInAnyCase +
+                      scan.triangles.size() / kTrianglesPerPage * kHeapBytesPerPage;
+  need.scratch_bytes = arrays - in_memory;
   need.file_bytes = scan.triangles.size() * kFileBytesPerTriangle +
                     scan.vertices.size() * kFileBytesPerVertex +
                     scan.colours.size() * kFileBytesPerColour + (1 << 16);

@@ -48,13 +48,14 @@ uint16_t sides_of(const Vec3d& place, uint16_t planes, const Vec3d& other) {
 
 }  // namespace
 
-std::vector<PlaneSides> find_plane_sides(const PagesInput& scan, const PageGrid& grid) {
+ScratchArray<PlaneSides> find_plane_sides(const PagesInput& scan, const PageGrid& grid,
+                                          const ScratchSpace& space) {
   // A vertex without triangles may lie anywhere outside.
   const auto place = [&](uint32_t v) -> Vec3d {
     const Vec3d inside = (scan.vertices[v] - grid.origin) / grid.side;
     return inside.cwiseMax(0.0).cwiseMin(1.0) * kCellsPerSide;
   };
-  std::vector<uint16_t> bits(scan.vertices.size());
+  ScratchArray<uint16_t> bits(space, scan.vertices.size());
 #pragma omp parallel for schedule(static)
   for (size_t v = 0; v < bits.size(); ++v) bits[v] = planes_of(place(static_cast<uint32_t>(v)));
 #pragma omp parallel for schedule(static)
@@ -66,7 +67,7 @@ std::vector<PlaneSides> find_plane_sides(const PagesInput& scan, const PageGrid&
         std::atomic_ref(bits[v]).fetch_or(sides_of(place(v), planes, place(other)),
                                           std::memory_order_relaxed);
     }
-  std::vector<PlaneSides> sides(bits.size());
+  ScratchArray<PlaneSides> sides(space, bits.size());
   for (size_t v = 0; v < bits.size(); ++v) {
     const uint16_t below = bits[v] >> kBelow & ~(bits[v] >> kAbove) & 7;
     sides[v] = {static_cast<uint8_t>(bits[v] & 7), static_cast<uint8_t>(below)};

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "common/base/scratch_array.h"
 #include "server/prepare/pages/page_vertices.h"
 
 namespace burnish {
@@ -17,6 +17,7 @@ struct PlaneSides {
 
 /// Finds the planes of every vertex. A vertex so near a plane that snap_to_planes() puts it there
 /// lies on it.
-std::vector<PlaneSides> find_plane_sides(const PagesInput& scan, const PageGrid& grid);
+ScratchArray<PlaneSides> find_plane_sides(const PagesInput& scan, const PageGrid& grid,
+                                          const ScratchSpace& space);
 
 }  // namespace burnish

@@ -1,5 +1,8 @@
 #include "server/prepare/pages/replace_pages.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "server/prepare/pages/simplify_piece.h"
 
 namespace burnish {
@@ -11,18 +14,51 @@ namespace {
 // vanish were farther away.
 constexpr float kErrorFactor = 1.5f;
 
+/// What one thread makes of a page.
+struct MadePage {
+  std::vector<Triangle> triangles;
+  float error = 0;
+};
+
 /// The pages of one level on their way.
 class Replacer {
  public:
-  Replacer(const CutLevel& level, const PageVertices& vertices, std::span<const uint8_t> shared)
-      : level_(level), vertices_(vertices), shared_(shared) {}
+  Replacer(const CutLevel& level, const PageVertices& vertices, std::span<const uint8_t> shared,
+           Replacements& made)
+      : level_(level), vertices_(vertices), shared_(shared), made_(made) {}
 
-  Replacement replace(size_t page, SimplifyBy by) const {
+  /// Replaces these pages. Fails: cancelled.
+  Status replace(std::span<const size_t> pages, SimplifyBy by, const PageWork& work) {
+    std::vector<MadePage> batch(std::min(pages.size(), PageWork::kPagesPerBatch));
+    return work.run(
+        pages.size(), [&](size_t i) { batch[i % batch.size()] = make(pages[i], by); },
+        [&](size_t i) {
+          const MadePage& page = batch[i % batch.size()];
+          made_.of_pages[pages[i]] = {made_.triangles.size(), page.triangles.size(), page.error};
+          made_.triangles.append(page.triangles);
+          return Status::ok();
+        });
+  }
+
+  bool hardly_shrinks(size_t page) const {
+    return static_cast<double>(made_.of_pages[page].count) >
+           kLevelShrinkMax * static_cast<double>(level_.pages[page].size());
+  }
+
+  bool is_small_enough() const {
+    uint64_t left = 0;
+    for (const Replacement& replacement : made_.of_pages) left += replacement.count;
+    return static_cast<double>(left) <=
+           kLevelShrinkMax * static_cast<double>(level_.triangles.size());
+  }
+
+ private:
+  MadePage make(size_t page, SimplifyBy by) const {
     const PagePiece piece = make_piece(level_, vertices_.positions, shared_, page);
     // A page without any area stays in sight of the coarser levels: each page must be replaced.
     if (piece.triangles.empty()) return {{level_.triangles[level_.pages[page][0]]}};
     const SimplePiece simple = simplify_piece(piece, by);
-    Replacement made;
+    MadePage made;
     made.error = kErrorFactor * simple.error * static_cast<float>(vertices_.grid.step());
     made.triangles.reserve(simple.triangles.size());
     for (const Triangle& t : simple.triangles)
@@ -30,40 +66,29 @@ class Replacer {
     return made;
   }
 
-  bool hardly_shrinks(size_t page, const Replacement& made) const {
-    return static_cast<double>(made.triangles.size()) >
-           kLevelShrinkMax * static_cast<double>(level_.pages[page].size());
-  }
-
- private:
   const CutLevel& level_;
   const PageVertices& vertices_;
   std::span<const uint8_t> shared_;
+  Replacements& made_;
 };
-
-bool is_small_enough(const std::vector<Replacement>& made, size_t triangles) {
-  size_t left = 0;
-  for (const Replacement& replacement : made) left += replacement.triangles.size();
-  return static_cast<double>(left) <= kLevelShrinkMax * static_cast<double>(triangles);
-}
 
 }  // namespace
 
 Result<Replacements> replace_pages(const CutLevel& level, const PageVertices& vertices,
-                                   std::span<const uint8_t> shared, const PageWork& work) {
-  const Replacer replacer(level, vertices, shared);
-  Replacements made;
+                                   std::span<const uint8_t> shared, const ScratchSpace& space,
+                                   const PageWork& work) {
+  Replacements made(space);
   made.of_pages.resize(level.pages.count());
-  RETURN_IF_ERROR(work.run(made.of_pages.size(), [&](size_t page) {
-    made.of_pages[page] = replacer.replace(page, SimplifyBy::kCollapse);
-  }));
+  Replacer replacer(level, vertices, shared, made);
+  std::vector<size_t> all(made.of_pages.size());
+  std::iota(all.begin(), all.end(), 0);
+  RETURN_IF_ERROR(replacer.replace(all, SimplifyBy::kCollapse, work));
   for (const SimplifyBy by : {SimplifyBy::kCollapseMore, SimplifyBy::kCluster, SimplifyBy::kDrop}) {
-    if (is_small_enough(made.of_pages, level.triangles.size())) break;
+    if (replacer.is_small_enough()) break;
     std::vector<size_t> stuck;
     for (size_t page = 0; page < made.of_pages.size(); ++page)
-      if (replacer.hardly_shrinks(page, made.of_pages[page])) stuck.push_back(page);
-    RETURN_IF_ERROR(work.run(
-        stuck.size(), [&](size_t i) { made.of_pages[stuck[i]] = replacer.replace(stuck[i], by); }));
+      if (replacer.hardly_shrinks(page)) stuck.push_back(page);
+    RETURN_IF_ERROR(replacer.replace(stuck, by, work));
     if (by == SimplifyBy::kCluster) made.clustered_pages += stuck.size();
     if (by == SimplifyBy::kDrop) made.torn_pages += stuck.size();
   }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "common/base/scratch_vector.h"
 #include "server/prepare/pages/page_vertices.h"
 #include "server/prepare/pages/page_work.h"
 #include "server/prepare/pages/shared_vertices.h"
@@ -10,13 +11,21 @@ namespace burnish {
 
 /// What replaces one page.
 struct Replacement {
-  std::vector<Triangle> triangles;  ///< at least one; vertices of the scan, joined
-  float error = 0;                  ///< file units: how far the surface has moved, about
+  uint64_t first = 0;  ///< in Replacements::triangles
+  uint64_t count = 0;  ///< at least one
+  float error = 0;     ///< file units: how far the surface has moved, about
 };
 
 /// What replaces the pages of a level, in their order.
 struct Replacements {
+  explicit Replacements(const ScratchSpace& space) : triangles(space) {}
+
+  std::span<const Triangle> of(size_t page) const {
+    return {&triangles[0] + of_pages[page].first, of_pages[page].count};
+  }
+
   std::vector<Replacement> of_pages;
+  ScratchVector<Triangle> triangles;  ///< vertices of the scan, joined; some are replaced again
   uint64_t clustered_pages = 0;
   uint64_t torn_pages = 0;  ///< that lost triangles with gaps
 };
@@ -29,6 +38,7 @@ inline constexpr double kLevelShrinkMax = 0.75;
 /// enough they lose their small triangles.
 /// Deterministic: the same bits for any number of threads. Fails: cancelled.
 Result<Replacements> replace_pages(const CutLevel& level, const PageVertices& vertices,
-                                   std::span<const uint8_t> shared, const PageWork& work);
+                                   std::span<const uint8_t> shared, const ScratchSpace& space,
+                                   const PageWork& work);
 
 }  // namespace burnish

@@ -1,5 +1,6 @@
 #include "server/prepare/pages/shared_vertices.h"
 
+#include <algorithm>
 #include <atomic>
 
 namespace burnish {
@@ -21,14 +22,15 @@ void note(uint32_t page, uint32_t& owner_of_vertex) {
 
 }  // namespace
 
-std::vector<uint8_t> find_shared_vertices(const CutLevel& level) {
-  std::vector<uint32_t> owner(level.joined.size(), kNoOwner);
+ScratchArray<uint8_t> find_shared_vertices(const CutLevel& level, const ScratchSpace& space) {
+  ScratchArray<uint32_t> owner(space, level.joined.size());
+  std::ranges::fill(owner, kNoOwner);
 #pragma omp parallel for schedule(dynamic, 16)
   for (size_t page = 0; page < level.pages.count(); ++page)
     for (const uint32_t t : level.pages[page])
       for (const uint32_t v : level.triangles[t])
         note(static_cast<uint32_t>(page), owner[level.joined[v]]);
-  std::vector<uint8_t> shared(owner.size());
+  ScratchArray<uint8_t> shared(space, owner.size());
 #pragma omp parallel for schedule(static)
   for (size_t v = 0; v < owner.size(); ++v) shared[v] = owner[v] == kSeveral;
   return shared;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "server/prepare/pages/cut_pages.h"
 
@@ -16,6 +15,6 @@ struct CutLevel {
 
 /// Per joined vertex of the scan 1 if several pages of the level have it, else 0. Simplification
 /// keeps such vertices where they are: so pages are replaced one by one without a crack.
-std::vector<uint8_t> find_shared_vertices(const CutLevel& level);
+ScratchArray<uint8_t> find_shared_vertices(const CutLevel& level, const ScratchSpace& space);
 
 }  // namespace burnish

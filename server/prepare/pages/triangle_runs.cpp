@@ -39,10 +39,10 @@ class BucketCurve {
 
 }  // namespace
 
-TriangleRuns make_triangle_runs(const LevelToCut& level) {
+TriangleRuns make_triangle_runs(const LevelToCut& level, const ScratchSpace& space) {
   const size_t count = level.triangles.size();
   TriangleRuns runs;
-  runs.centres.resize(count);
+  runs.centres = ScratchArray<TriangleCentre>(space, count);
   runs.starts = {0};
   if (count <= kTrianglesPerRun) {
 #pragma omp parallel for schedule(static)
@@ -52,7 +52,7 @@ TriangleRuns make_triangle_runs(const LevelToCut& level) {
   }
 
   const BucketCurve curve(level);
-  std::vector<uint16_t> bucket(count);
+  ScratchArray<uint16_t> bucket(space, count);
 #pragma omp parallel for schedule(static)
   for (size_t t = 0; t < count; ++t)
     bucket[t] = static_cast<uint16_t>(curve.bucket_of(centre_of(level, t)));

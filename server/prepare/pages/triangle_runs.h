@@ -16,14 +16,14 @@ struct TriangleCentre {
 
 /// The triangles of a level in runs that are next to each other in space.
 struct TriangleRuns {
-  std::vector<TriangleCentre> centres;
+  ScratchArray<TriangleCentre> centres;
   std::vector<uint64_t> starts;  ///< runs + 1, into `centres`
 };
 
 /// Deals triangles into runs of some kTrianglesPerRun along a Morton curve. The curve is shifted
 /// from level to level. A run is what a machine with little memory must hold at once.
 /// Deterministic: the same runs for any number of threads.
-TriangleRuns make_triangle_runs(const LevelToCut& level);
+TriangleRuns make_triangle_runs(const LevelToCut& level, const ScratchSpace& space);
 
 inline constexpr size_t kTrianglesPerRun = 1 << 18;
 

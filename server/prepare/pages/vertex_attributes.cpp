@@ -1,16 +1,22 @@
 #include "server/prepare/pages/vertex_attributes.h"
 
 #include <cmath>
-#include <unordered_map>
+#include <functional>
 
 #include "common/base/limits.h"
-#include "common/base/parallel.h"
 #include "common/mesh/corner_normals.h"
 #include "server/prepare/pages/local_vertices.h"
+#include "server/prepare/pages/page_work.h"
+#include "server/prepare/radix_sort.h"
 
 namespace burnish {
 
 namespace {
+
+struct SharedPlace {
+  uint32_t vertex;
+  uint64_t place;  // of its sum
+};
 
 void add(const AttributeSum& term, AttributeSum& sum) {
   sum.normal += term.normal;
@@ -65,17 +71,26 @@ PageSums sum_scan_normals(std::span<const Vec3d> vertices, const CutLevel& level
 }  // namespace
 
 VertexAttributes make_scan_attributes(const PagesInput& scan, const CutLevel& level,
-                                      std::span<const uint8_t> shared) {
+                                      std::span<const uint8_t> shared, const ScratchSpace& space) {
   VertexAttributes attributes;
-  attributes.normals.assign(scan.vertices.size(), Vec3f::UnitZ());
-  AttributeSums sums(shared, level.joined, level.pages.count());
-  ParallelFailure failure;
-#pragma omp parallel for schedule(dynamic)
-  for (size_t page = 0; page < level.pages.count(); ++page)
-    failure.run([&] { sums.take(page, sum_scan_normals(scan.vertices, level, page), attributes); });
-  failure.rethrow();
+  attributes.normals = ScratchArray<Vec3f>(space, scan.vertices.size());
+  std::ranges::fill(attributes.normals, Vec3f::UnitZ());
+  attributes.colours = copy_to(space, scan.colours);
+  AttributeSums sums(shared, level.joined, space);
+  std::vector<PageSums> of_batch(PageWork::kPagesPerBatch);
+  const Status status = PageWork({}, 0, 0).run(
+      level.pages.count(),
+      [&](size_t page) {
+        PageSums& made = of_batch[page % of_batch.size()];
+        made = sum_scan_normals(scan.vertices, level, page);
+        sums.set_own(made, attributes);
+      },
+      [&](size_t page) {
+        sums.keep_shared(of_batch[page % of_batch.size()]);
+        return Status::ok();
+      });
+  BURNISH_CHECK(status.is_ok(), "nobody cancels");
   sums.set_shared(attributes);
-  attributes.colours.assign(scan.colours.begin(), scan.colours.end());
   return attributes;
 }
 
@@ -93,23 +108,27 @@ PageSums sum_page(const CutLevel& level, const VertexAttributes& attributes,
   return page;
 }
 
-void AttributeSums::take(size_t page, const PageSums& sums, VertexAttributes& attributes) {
-  for (size_t i = 0; i < sums.vertices.size(); ++i) {
-    const uint32_t vertex = sums.vertices[i];
-    if (!shared_[joined_[vertex]]) {
-      set(vertex, sums.sums[i], attributes);
-    } else {
-      of_pages_[page].vertices.push_back(vertex);
-      of_pages_[page].sums.push_back(sums.sums[i]);
-    }
-  }
+void AttributeSums::set_own(const PageSums& sums, VertexAttributes& attributes) const {
+  for (size_t i = 0; i < sums.vertices.size(); ++i)
+    if (!is_shared(sums.vertices[i])) set(sums.vertices[i], sums.sums[i], attributes);
+}
+
+void AttributeSums::keep_shared(const PageSums& sums) {
+  for (size_t i = 0; i < sums.vertices.size(); ++i)
+    if (is_shared(sums.vertices[i])) of_shared_.push_back({sums.vertices[i], sums.sums[i]});
 }
 
 void AttributeSums::set_shared(VertexAttributes& attributes) const {
-  std::unordered_map<uint32_t, AttributeSum> total;
-  for (const PageSums& page : of_pages_)
-    for (size_t i = 0; i < page.vertices.size(); ++i) add(page.sums[i], total[page.vertices[i]]);
-  for (const auto& [vertex, sum] : total) set(vertex, sum, attributes);
+  ScratchArray<SharedPlace> order(space_, of_shared_.size()), spare(space_, of_shared_.size());
+  for (size_t i = 0; i < order.size(); ++i) order[i] = {of_shared_[i].vertex, i};
+  radix_sort(std::span(order.data(), order.size()), std::span(spare.data(), spare.size()),
+             std::mem_fn(&SharedPlace::vertex));
+  for (size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+    AttributeSum total;
+    for (; end < order.size() && order[end].vertex == order[begin].vertex; ++end)
+      add(of_shared_[order[end].place].sum, total);
+    set(order[begin].vertex, total, attributes);
+  }
 }
 
 }  // namespace burnish

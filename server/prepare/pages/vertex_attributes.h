@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "common/base/scratch_vector.h"
 #include "common/base/types.h"
 #include "server/prepare/pages/page_vertices.h"
 #include "server/prepare/pages/shared_vertices.h"
@@ -11,8 +12,8 @@ namespace burnish {
 
 /// What a level's vertices carry besides their place, per vertex of the scan.
 struct VertexAttributes {
-  std::vector<Vec3f> normals;  ///< unit length
-  std::vector<Rgba8> colours;  ///< empty, or one per vertex
+  ScratchArray<Vec3f> normals;  ///< unit length
+  ScratchArray<Rgba8> colours;  ///< empty, or one per vertex
 };
 
 /// What the triangles of a level say of its vertices, before it is divided by the weight.
@@ -32,7 +33,7 @@ struct PageSums {
 /// A vertex whose triangles have no area or cancel out gets the normal +z.
 /// `shared` is find_shared_vertices() of level 0.
 VertexAttributes make_scan_attributes(const PagesInput& scan, const CutLevel& level,
-                                      std::span<const uint8_t> shared);
+                                      std::span<const uint8_t> shared, const ScratchSpace& space);
 
 /// Sums what one page of a level says of the next level's vertices, which are joined: the means of
 /// its triangles' corners, weighted by area. So a coarse surface is shaded as the mean of the fine
@@ -44,20 +45,31 @@ PageSums sum_page(const CutLevel& level, const VertexAttributes& attributes,
 class AttributeSums {
  public:
   /// `shared` is find_shared_vertices() of the level.
-  AttributeSums(std::span<const uint8_t> shared, std::span<const uint32_t> joined, size_t pages)
-      : shared_(shared), joined_(joined), of_pages_(pages) {}
+  AttributeSums(std::span<const uint8_t> shared, std::span<const uint32_t> joined,
+                const ScratchSpace& space)
+      : shared_(shared), joined_(joined), space_(space), of_shared_(space) {}
 
-  /// Sets the vertices that are this page's alone, and keeps the sums of the others. Threads may
-  /// call it for different pages.
-  void take(size_t page, const PageSums& sums, VertexAttributes& attributes);
+  /// Sets the vertices that are this page's alone. Threads may call it for different pages.
+  void set_own(const PageSums& sums, VertexAttributes& attributes) const;
+
+  /// Keeps the sums of vertices of several pages. Call it in the order of pages.
+  void keep_shared(const PageSums& sums);
 
   /// Sets the vertices of several pages. The order of pages decides how sums round.
   void set_shared(VertexAttributes& attributes) const;
 
  private:
+  struct SharedSum {
+    uint32_t vertex;
+    AttributeSum sum;
+  };
+
+  bool is_shared(uint32_t vertex) const { return shared_[joined_[vertex]] != 0; }
+
   std::span<const uint8_t> shared_;
   std::span<const uint32_t> joined_;
-  std::vector<PageSums> of_pages_;  ///< of shared vertices alone
+  ScratchSpace space_;
+  ScratchVector<SharedSum> of_shared_;  ///< by page
 };
 
 }  // namespace burnish

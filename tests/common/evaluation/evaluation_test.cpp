@@ -25,7 +25,8 @@ Sample sample_of(const TriangleMesh& mesh, int depth) {
     cells.push_back(morton_key({cell.key[0], cell.key[1], cell.key[2]}));
   std::sort(cells.begin(), cells.end());
   Sample sample{{system.origin, system.cell_size, depth}, make_finest_grid(depth, cells), {}};
-  sample.rows = make_evaluation(mesh, sample.frame, sample.grid);
+  sample.rows.resize(mesh.vertices.size());
+  make_evaluation(mesh, sample.frame, cells, sample.rows);
   return sample;
 }
 
@@ -79,8 +80,9 @@ TEST(Evaluation, TakesTheCellBelowWhereNoneLiesAbove) {
   const TriangleMesh mesh = {{{0, 0, 0}, {0.9, 0, 0}, {0, 0.9, 0}}, {{0, 1, 2}}};
   const GridFrame frame{Vec3d(-1, -1, -1), 1, 4};  // every vertex in planes y or z
   const std::vector<MortonKey> below = {morton_key({1, 1, 0})};
-  const SparseGrid grid = make_finest_grid(4, below);
-  for (const EvaluationPoint& point : make_evaluation(mesh, frame, grid)) {
+  std::vector<EvaluationPoint> points(mesh.vertices.size());
+  make_evaluation(mesh, frame, below, points);
+  for (const EvaluationPoint& point : points) {
     EXPECT_EQ(point.cell, 0);
     EXPECT_EQ(point.local[2], 1);
   }

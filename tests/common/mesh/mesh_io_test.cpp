@@ -1,7 +1,10 @@
 #include "common/mesh/mesh_io.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,6 +44,43 @@ TEST(MeshIo, ReadsFilesAndNamesThemInMessages) {
   EXPECT_EQ(mesh->triangles.size(), 1u);
   const auto bad = folder.write("bad.obj", "v 0 0 nan\n");
   EXPECT_THAT(read_mesh(bad).status().message(), HasSubstr(bad.string() + ": line 1: vertex 0"));
+}
+
+TEST(MeshIo, AMeshInScratchFilesIsTheMeshInMemory) {
+  TemporaryFolder folder;
+  const ScratchSpace space(folder / "", 0);
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\n"
+      "property double y\nproperty double z\nproperty uchar red\n"
+      "property uchar green\nproperty uchar blue\nelement face 2\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  const std::string ply = header +
+                          "0 0 0 1 2 3\n1 0 0 4 5 6\n1 1 0.1 7 8 9\n0 1 0 0 0 0\n"
+                          "4 0 1 2 3\n3 0 2 1\n";
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const auto& [text, format] :
+       {std::pair(ply, MeshFormat::kPly), std::pair(obj, MeshFormat::kObj)}) {
+    const std::span bytes(reinterpret_cast<const uint8_t*>(text.data()), text.size());
+    const TriangleMesh mesh = read_mesh(bytes, format, "scan").value();
+    const StoredMesh stored = read_stored_mesh(bytes, format, "scan", space).value();
+    EXPECT_EQ(space.memory_bytes(), 0u);
+    EXPECT_TRUE(std::ranges::equal(stored.vertices, mesh.vertices));
+    EXPECT_TRUE(std::ranges::equal(stored.triangles, mesh.triangles));
+    EXPECT_TRUE(std::ranges::equal(stored.colours, mesh.colours));
+    EXPECT_EQ(stored.has_double_positions, mesh.has_double_positions);
+  }
+}
+
+TEST(MeshIo, AMeshInScratchFilesIsCheckedAsOneInMemory) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+      "property float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n";
+  const std::span bytes(reinterpret_cast<const uint8_t*>(ply.data()), ply.size());
+  const auto stored = read_stored_mesh(bytes, MeshFormat::kPly, "scan.ply", {});
+  EXPECT_EQ(stored.status().code(), StatusCode::kInvalidArgument);
+  EXPECT_THAT(stored.status().message(), AllOf(HasSubstr("scan.ply"), HasSubstr("no area")));
 }
 
 TEST(MeshIo, AMissingFileIsNotFound) {

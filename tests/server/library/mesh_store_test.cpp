@@ -215,7 +215,7 @@ constexpr uint64_t kLittleMemory = uint64_t{64} << 20;
 
 void expect_refusal_at_depth_11(const Status& status) {
   EXPECT_EQ(status.code(), StatusCode::kResourceExhausted);
-  EXPECT_THAT(status.message(), HasSubstr("at depth 11 takes more than"));
+  EXPECT_THAT(status.message(), HasSubstr("at depth 11 takes"));
   EXPECT_THAT(status.message(), HasSubstr("; depth 7 fits"));
 }
 
@@ -232,11 +232,10 @@ TEST(MeshStore, ADepthThatTheMemoryHasNoRoomForIsRefusedBeforeItIsPrepared) {
   EXPECT_TRUE(library.store->open_mesh(scan.id, {7, 0}, {}).is_ok());
 }
 
-TEST(MeshStore, AMeshFileThatIsTooLargeToReadIsRefused) {
+TEST(MeshStore, AScanForWhichTheMemoryHasNoRoomIsRefused) {
   TestLibrary library({.memory_bytes_max = 100'000});
   const auto outcome = library.import(sphere_file(), "ball");
   EXPECT_EQ(outcome.status().code(), StatusCode::kResourceExhausted);
-  EXPECT_THAT(outcome.status().message(), HasSubstr("reading "));
   EXPECT_THAT(outcome.status().message(), HasSubstr("limits.memory_bytes_max is 100000"));
 }
 

@@ -17,7 +17,15 @@
 namespace burnish {
 namespace {
 
-using Curvature = UnsetVector<TriangleCurvature>;
+using Curvature = std::vector<TriangleCurvature>;
+
+Curvature compute_curvature(const TriangleMesh& mesh, const MeshStatistics& statistics,
+                            double radius) {
+  const MeshCurvature of_mesh(mesh, statistics, radius, {});
+  Curvature curvature;
+  for (uint32_t t = 0; t < mesh.triangles.size(); ++t) curvature.push_back(of_mesh.of(t));
+  return curvature;
+}
 
 Curvature closed_curvature(const TriangleMesh& mesh, double radius = 0) {
   return compute_curvature(mesh, test_statistics(mesh, true), radius);

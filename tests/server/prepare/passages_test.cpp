@@ -142,7 +142,7 @@ TEST(OneSidedPassages, AreClosedWhereInDoubt) {
   const Passages up = Passages{1} << slot_of_offset(1, 0, 0);
   const Passages down = Passages{1} << slot_of_offset(-1, 0, 0);
   std::vector<Passages> passages = {up | kInDoubt, up | down, up | kInDoubt};
-  close_one_sided_passages(cells, passages);
+  close_one_sided_passages(cells, passages, {});
   EXPECT_EQ(passages, (std::vector<Passages>{up, up | down, 0}));
 }
 
@@ -155,7 +155,7 @@ TEST(OneSidedPassages, DoNotLeadToACellThatGoes) {
   doubt_passages_to(2, cells, passages);
   cells.pop_back();
   passages.pop_back();
-  close_one_sided_passages(cells, passages);
+  close_one_sided_passages(cells, passages, {});
   EXPECT_EQ(passages, (std::vector<Passages>{up, down}));
 }
 

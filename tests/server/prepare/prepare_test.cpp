@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
-#include "server/prepare/cell_pieces.h"
+#include "server/prepare/piece_count.h"
 #include "tests/reference/awkward_meshes.h"
 
 namespace burnish {
@@ -184,7 +184,7 @@ TEST(Prepare, NamesTheCellInWhichAScanIsLostBesideAFarVertex) {
 TEST(Prepare, CountsNoMorePiecesThanItMay) {
   const std::vector<Vec3d> triangle = {{0.5, 0, 0}, {0.5, 4096, 0}, {0.5, 0, 4096}};
   const std::vector<Triangle> triangles(5'000'000, Triangle{0, 1, 2});
-  const auto pieces = count_cell_pieces(triangles, triangle, 100'000'000);
+  const auto pieces = count_cell_pieces({triangles, triangle, 12}, 100'000'000);
   EXPECT_EQ(pieces.status().code(), StatusCode::kResourceExhausted);
   EXPECT_THAT(pieces.status().message(), HasSubstr("more than 100000000 pieces"));
 }

@@ -65,7 +65,7 @@ std::multiset<Corners> level_0_of(const ReadPages& read) {
 std::multiset<Corners> corners_of(const TriangleMesh& mesh) {
   const MeshStatistics statistics = compute_statistics(mesh);
   const PageVertices placed =
-      place_vertices({mesh.vertices, mesh.triangles, mesh.colours, statistics});
+      place_vertices({mesh.vertices, mesh.triangles, mesh.colours, statistics}, {});
   std::multiset<Corners> all;
   for (const Triangle& t : mesh.triangles)
     all.insert(
@@ -106,6 +106,18 @@ TEST_F(BuildPages, TheBytesAreTheSameForAnyNumberOfThreads) {
   for (const int threads : {2, 4}) {
     ASSERT_TRUE(build_pages_of(mesh, folder_ / "several.pages", {.threads = threads}).is_ok());
     EXPECT_TRUE(content_of(folder_ / "one.pages") == content_of(folder_ / "several.pages"));
+  }
+}
+
+TEST_F(BuildPages, TheBytesAreTheSameWithAllArraysInFiles) {
+  for (const char* kind : {"blob", "soup"}) {
+    TriangleMesh mesh = scan_of_kind(kind, 40'000);
+    mesh.colours.resize(mesh.vertices.size(), {1, 2, 3, 255});
+    ASSERT_TRUE(build_pages_of(mesh, folder_ / "memory.pages").is_ok());
+    const PagesOptions in_files = {.space = ScratchSpace(folder_ / "", 0)};
+    ASSERT_TRUE(build_pages_of(mesh, folder_ / "files.pages", in_files).is_ok());
+    EXPECT_EQ(in_files.space.memory_bytes(), 0u);
+    EXPECT_TRUE(content_of(folder_ / "memory.pages") == content_of(folder_ / "files.pages"));
   }
 }
 

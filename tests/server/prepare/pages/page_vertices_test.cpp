@@ -10,7 +10,7 @@ namespace {
 
 PageVertices place(const TriangleMesh& mesh) {
   const MeshStatistics statistics = compute_statistics(mesh);
-  return place_vertices({mesh.vertices, mesh.triangles, mesh.colours, statistics});
+  return place_vertices({mesh.vertices, mesh.triangles, mesh.colours, statistics}, {});
 }
 
 TEST(PageVertices, StepsAreAtMostA256thOfTheMeanEdge) {
