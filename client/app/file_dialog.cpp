@@ -1,5 +1,6 @@
 #include "client/app/file_dialog.h"
 
+#include <imgui.h>
 #include <imgui_stdlib.h>
 #include <utility>
 

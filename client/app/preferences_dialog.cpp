@@ -1,6 +1,7 @@
 #include "client/app/preferences_dialog.h"
 
 #include <cmath>
+#include <imgui.h>
 #include <imgui_stdlib.h>
 #include <string>
 #include <utility>

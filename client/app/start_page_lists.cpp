@@ -1,6 +1,7 @@
 #include "client/app/start_page_lists.h"
 
 #include <algorithm>
+#include <imgui.h>
 #include <imgui_stdlib.h>
 #include <optional>
 #include <utility>

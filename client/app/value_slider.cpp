@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "client/app/places.h"
