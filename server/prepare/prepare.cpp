@@ -1,7 +1,6 @@
 #include "server/prepare/prepare.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <new>
 #include <sstream>
@@ -9,12 +8,13 @@
 
 #include "common/base/limits.h"
 #include "common/base/parallel.h"
-#include "common/base/process_memory.h"
 #include "common/mesh/stored_mesh.h"
+#include "server/prepare/admission.h"
 #include "server/prepare/cell_pieces.h"
 #include "server/prepare/cell_sheets.h"
 #include "server/prepare/histogram.h"
 #include "server/prepare/integrate_cells.h"
+#include "server/prepare/phase_clock.h"
 #include "server/prepare/surface.h"
 
 namespace burnish {
@@ -29,25 +29,6 @@ struct PreparedArrays {
   CellSheets sheets;
 };
 
-/// Times the phases of a preparation.
-class PhaseClock {
- public:
-  explicit PhaseClock(PrepareReport* report) : report_(report) { reset_peak_resident_bytes(); }
-
-  void end(const std::string& name) {
-    const auto now = std::chrono::steady_clock::now();
-    if (report_ != nullptr)
-      report_->phases.push_back(
-          {name, std::chrono::duration<double>(now - start_).count(), peak_resident_bytes()});
-    start_ = now;
-    reset_peak_resident_bytes();
-  }
-
- private:
-  PrepareReport* report_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 Status check_options(const PrepareOptions& options) {
   if (options.depth != 0 && (options.depth < kDepthMin || options.depth > kDepthMax))
     return invalid_argument("depth " + std::to_string(options.depth) + " is outside " +
@@ -57,98 +38,6 @@ Status check_options(const PrepareOptions& options) {
                             " is outside 0.." + std::to_string(kCurvatureRadiusMax) +
                             " (a fraction of L, the square root of the area)");
   return Status::ok();
-}
-
-ScratchArray<Vec3d> snapped_positions(const MeshView& mesh, const GridFrame& frame,
-                                      const ScratchSpace& space) {
-  ScratchArray<Vec3d> positions(space, mesh.vertices.size());
-#pragma omp parallel for schedule(static)
-  for (int64_t v = 0; v < static_cast<int64_t>(positions.size()); ++v)
-    positions[v] = snap_to_planes(frame.to_grid(mesh.vertices[v]));
-  return positions;
-}
-
-/// The counts of a preparation, and the budget that admits them.
-struct Admission {
-  PreparationBudget& budget;
-  uint64_t arrays_bytes_max;
-  PreparationCounts counts;
-
-  PreparationNeed need() const { return predict_preparation(counts, arrays_bytes_max); }
-  Status ask() const { return budget.ask(need()); }
-
-  /// Returns how many pieces may be counted before they are sure to exceed the budget.
-  uint64_t pieces_max() const {
-    const PreparationNeed before = need();
-    const uint64_t taken = before.memory_bytes + before.scratch_bytes;
-    const uint64_t limit = budget.memory_bytes_max() + budget.scratch_bytes_max();
-    return limit < taken ? 0 : (limit - taken) / sizeof(CellPiece);
-  }
-
-  Result<PieceCount> count_pieces(const GridMesh& mesh) {
-    const uint64_t limit = pieces_max();
-    auto count = count_cell_pieces(mesh, limit);
-    counts.pieces = count.is_ok() ? count->total() : limit + 1;
-    if (count.is_ok()) RETURN_IF_ERROR(ask());
-    return count;
-  }
-};
-
-PreparationCounts counts_of(const MeshView& mesh, const PrepareOptions& options) {
-  PreparationCounts counts;
-  counts.copies_mesh = options.copies_mesh;
-  counts.depth = options.depth;
-  counts.vertices = mesh.vertices.size();
-  counts.triangles = mesh.triangles.size();
-  counts.has_colours = !mesh.colours.empty();
-  return counts;
-}
-
-/// The part of the scan that does not depend on the depth.
-struct Scan {
-  const MeshView& mesh;
-  const PrepareOptions& options;
-  MeshStatistics statistics;
-
-  const ScratchSpace& space() const { return options.space; }
-  PieceRoom room() const { return {options.space, options.pieces_per_brick}; }
-
-  GridFrame frame(int depth) const {
-    return make_grid_frame(statistics.box_min, statistics.box_max, depth);
-  }
-  PreparationCounts counts(int depth) const {
-    PreparationCounts counts = counts_of(mesh, options);
-    counts.depth = depth;
-    counts.has_several_components = statistics.components > 1;
-    return counts;
-  }
-};
-
-// Counts cells only: a preparation finds sheets later.
-Status ask_for_depth(const Scan& scan, int depth, PreparationBudget& budget,
-                     const Progress& progress) {
-  Admission admission{budget, scan.space().memory_bytes_max(), scan.counts(depth)};
-  const auto positions = snapped_positions(scan.mesh, scan.frame(depth), scan.space());
-  const GridMesh mesh = {scan.mesh.triangles, positions, depth};
-  ASSIGN_OR_RETURN(const PieceCount count, admission.count_pieces(mesh));
-  ASSIGN_OR_RETURN(const auto pieces, find_cell_pieces(mesh, count, scan.room(), progress));
-  admission.counts.cells = count_cells(pieces);
-  return admission.ask();
-}
-
-// Says why nothing was prepared at this depth, and which depth would fit.
-Status refusal(const Scan& scan, const Admission& admission, const Status& reason,
-               const Progress& progress) {
-  PreparationBudget& budget = admission.budget;
-  int depth = admission.counts.depth - 1;
-  while (depth >= kDepthMin && !ask_for_depth(scan, depth, budget, progress).is_ok()) {
-    if (!report(progress, "looking for a depth that fits", 0))
-      return cancelled("cancelled while looking for a depth that fits");
-    --depth;
-  }
-  return resource_exhausted(
-      to_string(admission.need()) + ": " + reason.message() +
-      (depth >= kDepthMin ? "; depth " + std::to_string(depth) + " fits" : "; no depth fits"));
 }
 
 // Either the triangles are at fault, or a vertex is so far away that the rest is a point of the
@@ -181,7 +70,7 @@ void point_at(PreparedMesh& prepared, const MeshView& mesh,
 /// The passes of one preparation, in their order.
 class Preparation {
  public:
-  Preparation(const Scan& scan, Admission& admission, const PrepareOptions& options,
+  Preparation(const ScanToPrepare& scan, Admission& admission, const PrepareOptions& options,
               const Progress& progress, PhaseClock& clock)
       : scan_(scan),
         admission_(admission),
@@ -254,7 +143,7 @@ class Preparation {
     return Status::ok();
   }
 
-  const Scan& scan_;
+  const ScanToPrepare& scan_;
   Admission& admission_;
   const PrepareOptions& options_;
   const Progress& progress_;
@@ -280,7 +169,7 @@ Result<std::shared_ptr<const PreparedMesh>> prepare_scan(const MeshView& mesh,
       predict_preparation(counts_of(mesh, options), options.space.memory_bytes_max());
   RETURN_IF_ERROR(budget.ask(least).with_context(to_string(least)));
 
-  const Scan scan = {mesh, options, compute_statistics(mesh, options.space)};
+  const ScanToPrepare scan = {mesh, options, compute_statistics(mesh, options.space)};
   const MeshStatistics& statistics = scan.statistics;
   const int depth = options.depth != 0 ? options.depth
                                        : default_depth(statistics.box_min, statistics.box_max,

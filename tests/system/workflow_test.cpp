@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/system/server_process.h"
 
@@ -137,6 +138,32 @@ TEST(Workflow, BandsAndPaintedCurvesAreEditsAndGiveTheFilesOfFilter) {
   ASSERT_EQ(a.vertices.size(), b.vertices.size());
   for (size_t v = 0; v < a.vertices.size(); ++v)
     ASSERT_LT((a.vertices[v] - b.vertices[v]).norm(), 3e-6);
+}
+
+TEST(Workflow, ColoursAreFilteredOutlastTheServerAndComeBack) {
+  ServerProcess server;
+  TriangleMesh sphere = make_icosphere(4, 1);
+  for (size_t v = 0; v < sphere.vertices.size(); ++v)
+    sphere.colours.push_back(v % 2 == 0 ? Rgba8{200, 90, 30, 255} : Rgba8{60, 90, 30, 255});
+  const std::string scan = (server.folder / "spotted.ply").string();
+  const std::string out = (server.folder / "out.ply").string();
+  ASSERT_TRUE(write_mesh(sphere, scan).is_ok());
+  done(server, {"import", scan, "--depth", "6", "--name", "spotted"});
+  done(server, {"open", "spotted", "--depth", "6", "--session", "work"});
+  done(server, {"edit", "work", "--colour-beta", "0", "--colour-alpha", "20"});
+  EXPECT_EQ(done_json(server, {"sessions", "work"})["colours"]["alpha"], 20);
+  server.kill();
+  server.start();
+  done(server, {"export", "work", out});
+  const TriangleMesh even = read_mesh(out).value(), before = read_mesh(scan).value();
+  EXPECT_EQ(even.vertices, before.vertices);
+  for (const Rgba8& colour : even.colours) {
+    ASSERT_NEAR(colour[0], 149, 12);  // of the mean of 200 and 60 in linear light
+    ASSERT_NEAR(colour[1], 90, 1);
+  }
+  done(server, {"undo", "work"});
+  done(server, {"export", "work", out});
+  EXPECT_EQ(content_of(out), content_of(scan));
 }
 
 TEST(Workflow, ImportingTheSameBytesTwiceSaysSo) {

@@ -12,9 +12,10 @@ namespace {
 constexpr uint64_t kBytesInAnyCase = 8 << 20;  // threads' stacks, digits
 constexpr uint64_t kBatchBytesMax = 24 << 20;  // of pages on their way to the file
 constexpr uint64_t kBatchBytesPerElement = 32;
-constexpr uint64_t kHeapBytesPerPage = 256;     // bounds, directory, place of the replacement
-constexpr uint64_t kTrianglesPerPage = 1000;    // at least, over all levels
-constexpr uint64_t kSharedBytesPerVertex = 24;  // sums of vertices of several pages, few each
+constexpr uint64_t kHeapBytesPerPage = 256;   // bounds, directory, place of the replacement
+constexpr uint64_t kTrianglesPerPage = 1000;  // at least, over all levels
+constexpr uint64_t kSharedBytesPerVertex =
+    36;  // sums of vertices of several pages; most of a soup's
 
 // Of the file, all levels together.
 constexpr uint64_t kFileBytesPerTriangle = 6;

@@ -30,7 +30,7 @@ TEST(PageSlots, NoMoreThanTheBudgetAreTaken) {
 }
 
 TEST(PageSlots, TheDefaultBudgetHoldsThreeThousandPages) {
-  EXPECT_EQ(PageBudget{}.slots(), 3329u);
+  EXPECT_EQ(PageBudget{}.slots(), 3051u);
 }
 
 }  // namespace

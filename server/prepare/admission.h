@@ -1,0 +1,52 @@
+#pragma once
+
+#include "server/prepare/cell_pieces.h"
+#include "server/prepare/piece_count.h"
+#include "server/prepare/preparation_need.h"
+#include "server/prepare/prepare.h"
+
+namespace burnish {
+
+/// Returns the counts that are known before any work.
+PreparationCounts counts_of(const MeshView& mesh, const PrepareOptions& options);
+
+/// The part of the scan that does not depend on the depth.
+struct ScanToPrepare {
+  const MeshView& mesh;
+  const PrepareOptions& options;
+  MeshStatistics statistics;
+
+  const ScratchSpace& space() const { return options.space; }
+  PieceRoom room() const { return {options.space, options.pieces_per_brick}; }
+
+  GridFrame frame(int depth) const {
+    return make_grid_frame(statistics.box_min, statistics.box_max, depth);
+  }
+  PreparationCounts counts(int depth) const;
+};
+
+/// The counts of a preparation, and the budget that admits them.
+struct Admission {
+  PreparationBudget& budget;
+  uint64_t arrays_bytes_max;
+  PreparationCounts counts;
+
+  PreparationNeed need() const { return predict_preparation(counts, arrays_bytes_max); }
+  Status ask() const { return budget.ask(need()); }
+
+  /// Returns how many pieces may be counted before they are sure to exceed the budget.
+  uint64_t pieces_max() const;
+
+  /// Counts the pieces, and asks the budget for them. Fails: resource_exhausted.
+  Result<PieceCount> count_pieces(const GridMesh& mesh);
+};
+
+/// Returns the positions in grid units. A vertex near a grid plane lies on it.
+ScratchArray<Vec3d> snapped_positions(const MeshView& mesh, const GridFrame& frame,
+                                      const ScratchSpace& space);
+
+/// Says why nothing was prepared at this depth, and which depth would fit.
+Status refusal(const ScanToPrepare& scan, const Admission& admission, const Status& reason,
+               const Progress& progress);
+
+}  // namespace burnish
