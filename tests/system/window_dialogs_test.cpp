@@ -121,7 +121,7 @@ TEST_F(DialogWindow, AServerThatWasConnectedToIsRememberedWithoutItsToken) {
   save_screen("connection-wrong.png");
   const std::string port = server_->address.substr(server_->address.rfind(':') + 1);
   enter_port(port);
-  EXPECT_TRUE(eventually([&] { return is_drawn(); }));  // no dialog dims it
+  EXPECT_TRUE(eventually([&] { return !places_->find("Connect/Host"); }));  // it is connected
   end_window();
   EXPECT_THAT(preferences(), HasSubstr("localhost:" + port));
   EXPECT_THAT(preferences(), Not(HasSubstr("70000")));
