@@ -25,7 +25,9 @@ SliderChange draw_size(const Document& document, double& alpha, MessageLog& log)
 void draw_filter(Document& document, MessageLog& log) {
   ColourFilter changed = document.colour_filter();
   ImGui::TextUnformatted("Gradient scale of colours");
-  hint("Left evens the colours out, right makes them differ more. The shape does not move.");
+  hint(
+      "Left evens the colours out, right makes them differ more. The shape does not move. Spots "
+      "finer than a cell of the grid stay: a larger depth reaches them.");
   SliderChange change = beta_slider("Gradient scale of colours", changed.beta,
                                     to_imgui(blue_to_red(signed_part_of_beta(changed.beta))), log);
   change = std::max(change, draw_size(document, changed.alpha, log));

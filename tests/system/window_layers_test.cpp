@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "common/generate/generate.h"
+#include "common/mesh/mesh_io.h"
 #include "tests/system/window_fixture.h"
 
 namespace burnish {
@@ -80,6 +82,27 @@ TEST_F(LayerWindow, ACurvesColourLiesWhereItRulesWhileThePaletteIsOpen) {
   save_screen("palette-over.png");
   click_on("Palette");
   EXPECT_TRUE(eventually([&] { return std::abs(redness(settle()) - redness(plain)) < 10; }));
+}
+
+TEST_F(LayerWindow, ColoursAreEvenedOutWhileTheirSliderIsDragged) {
+  TriangleMesh spotted = generate_scan({.kind = "blob", .vertices = 20'000}).value();
+  for (size_t v = 0; v < spotted.vertices.size(); ++v)
+    spotted.colours.push_back(v % 7 == 0 ? Rgba8{250, 210, 120, 255} : Rgba8{120, 50, 20, 255});
+  const auto scan = server_->folder / "spotted.ply";
+  ASSERT_TRUE(write_mesh(spotted, scan).is_ok());
+  ASSERT_EQ(server_->burnish({"import", scan.string()}).exit_code, 0);
+  ASSERT_EQ(server_->burnish({"open", "spotted", "--session", "spots"}).exit_code, 0);
+  start_window({"--session", "spots", "--scale", "1"});
+  ASSERT_TRUE(shows_session()) << window_->output();
+  open_panel("Colours");
+  const Image before = settle();
+  save_screen("colours-before.png");
+  const Box scale = places_->wait_for("Colours/Gradient scale of colours");
+  const int y = scale.y + scale.height / 2;
+  screen_->drag(scale.x + scale.width / 2, y, scale.x + 4, y);
+  EXPECT_TRUE(until_it_differs(before, 2));
+  save_screen("colours.png");
+  EXPECT_THAT(connection_->history("spots")->back().summary, HasSubstr("colours at beta 0"));
 }
 
 TEST_F(LayerWindow, TheProtectedRegionIsHatchedAndAStrokeInsideItIsRefused) {
