@@ -168,7 +168,7 @@ class Document {
 
  private:
   using Change = decltype(Edit::change);
-  // What lies over the surface.
+  // Lies over the surface.
   struct Over {
     bool protection = false;
     bool curves = false;

@@ -1,4 +1,4 @@
-// What lies over a document's surface: the protected region, and where the palette's curves rule.
+// Shows the protected region, and where the palette's curves rule, over a document's surface.
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ Document::Over Document::over_now() const {
           over_wish_.curves && !palette_.curves.empty()};
 }
 
-// What is there stays until the new is here.
+// The old stays until the new is here.
 void Document::forget_over() {
   ++over_version_;
   fetched_over_.clear();

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// What is kept of each cell with surface. Shapes: one entry per cell, cells strictly rising.
+/// Keeps the results of each cell with surface. Shapes: one entry per cell, cells strictly rising.
 struct CellArrays {
   ScratchArray<MortonKey> cells;
   ScratchArray<CellIntegrals> integrals;

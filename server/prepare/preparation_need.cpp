@@ -50,7 +50,7 @@ uint64_t evaluation_bytes(const PreparationCounts& n) {
   return n.vertices * sizeof(EvaluationPoint) + n.cells * 4 * sizeof(float);
 }
 
-// Of all arrays in scratch space.
+// Counts all arrays in scratch space.
 uint64_t arrays_bytes(const PreparationCounts& n) {
   const uint64_t scan = scan_bytes(n);
   const uint64_t pieces = scan + n.vertices * sizeof(Vec3d) + n.pieces * sizeof(CellPiece);
@@ -61,7 +61,7 @@ uint64_t arrays_bytes(const PreparationCounts& n) {
                    scan + of_cells + evaluation_bytes(n)});
 }
 
-// Of everything else.
+// Counts everything else.
 uint64_t heap_bytes(const PreparationCounts& n) {
   return kBytesInAnyCase + std::min(n.pieces, kPiecesAtOnce) * kBatchBytesPerPiece +
          n.vertices / 8 + (n.has_several_components ? n.cells * kMixedCellBytes : 0) +

@@ -32,7 +32,7 @@ uint64_t vertex_bytes(const PagesInput& scan) {
   return scan.vertices.size() * (each + kSharedBytesPerVertex) + scan.colours.size_bytes();
 }
 
-// Of vertices while their places are joined: place, sides, joined vertex, twice the sorted hash.
+// Counts, while places of vertices are joined: place, sides, joined vertex, twice the sorted hash.
 uint64_t joining_bytes(const PagesInput& scan) {
   return scan.vertices.size() *
          (sizeof(Vec3i) + sizeof(PlaneSides) + sizeof(uint32_t) + 2 * 2 * sizeof(uint64_t));

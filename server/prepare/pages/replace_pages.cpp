@@ -14,7 +14,7 @@ namespace {
 // vanish were farther away.
 constexpr float kErrorFactor = 1.5f;
 
-/// What one thread makes of a page.
+/// Holds a page as one thread makes it.
 struct MadePage {
   std::vector<Triangle> triangles;
   float error = 0;
