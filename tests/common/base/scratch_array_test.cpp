@@ -1,11 +1,12 @@
 #include "common/base/scratch_array.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <numeric>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/common/temporary_folder.h"
 
 namespace burnish {
 namespace {
@@ -15,21 +16,15 @@ using testing::HasSubstr;
 constexpr size_t kEntries = 100'000;
 constexpr uint64_t kBytes = kEntries * sizeof(uint32_t);
 
+// Tests run at the same time, so each has a folder of its own.
 class ScratchFolder : public testing::Test {
  protected:
-  ScratchFolder() : folder_(testing::TempDir() + "/scratch_array_test") {
-    std::filesystem::create_directories(folder_);
-  }
-  ~ScratchFolder() override { std::filesystem::remove_all(folder_); }
-
-  bool is_empty() const { return std::filesystem::is_empty(folder_); }
-
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(ScratchFolder, ArraysInMemoryAndInFilesBeginAsZerosAndKeepWhatIsWritten) {
   for (const uint64_t memory_bytes_max : {uint64_t{0}, 2 * kBytes}) {
-    const ScratchSpace space(folder_, memory_bytes_max);
+    const ScratchSpace space(folder_.path(), memory_bytes_max);
     ScratchArray<uint32_t> array(space, kEntries);
     EXPECT_EQ(std::ranges::count(array, 0u), kEntries);
     std::iota(array.begin(), array.end(), 0);
@@ -41,20 +36,20 @@ TEST_F(ScratchFolder, ArraysInMemoryAndInFilesBeginAsZerosAndKeepWhatIsWritten) 
 }
 
 TEST_F(ScratchFolder, ArraysBeyondTheLimitOfMemoryLieInFilesWithoutNames) {
-  const ScratchSpace space(folder_, kBytes);
+  const ScratchSpace space(folder_.path(), kBytes);
   ScratchArray<uint32_t> first(space, kEntries);
   EXPECT_EQ(space.memory_bytes(), kBytes);
   ScratchArray<uint32_t> second(space, kEntries);
   EXPECT_EQ(space.memory_bytes(), kBytes);
   second[kEntries / 2] = 7;
   EXPECT_EQ(second[kEntries / 2], 7u);
-  EXPECT_TRUE(is_empty());
+  EXPECT_EQ(folder_.file_count(), 0u);
   first = {};
   EXPECT_EQ(space.memory_bytes(), 0u);
 }
 
 TEST_F(ScratchFolder, CopiesOfASpaceShareItsLimit) {
-  const ScratchSpace space(folder_, kBytes);
+  const ScratchSpace space(folder_.path(), kBytes);
   const ScratchSpace copy = space;  // NOLINT(performance-unnecessary-copy-initialization)
   const ScratchArray<uint32_t> array(copy, kEntries);
   EXPECT_EQ(space.memory_bytes(), kBytes);

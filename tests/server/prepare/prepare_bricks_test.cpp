@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <filesystem>
 
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
 #include "server/prepare/prepare.h"
 #include "server/prepare/prepared_file.h"
+#include "tests/common/temporary_folder.h"
 #include "tests/reference/awkward_meshes.h"
 
 namespace burnish {
@@ -16,12 +16,7 @@ constexpr uint64_t kOneBrick = UINT64_MAX;
 
 class PrepareInBricks : public testing::TestWithParam<std::string> {
  protected:
-  PrepareInBricks() : folder_(testing::TempDir() + "/prepare_bricks_" + GetParam()) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~PrepareInBricks() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 std::shared_ptr<const PreparedMesh> prepared_with(const TriangleMesh& mesh, uint64_t per_brick,
@@ -64,10 +59,10 @@ TEST_P(PrepareInBricks, GivesTheBytesOfOneBrick) {
 
 TEST_P(PrepareInBricks, GivesTheSameBytesWithAllArraysInFiles) {
   const TriangleMesh mesh = generate_scan({GetParam(), 5000, 1}).value();
-  const ScratchSpace files(folder_, 0);
+  const ScratchSpace files(folder_.path(), 0);
   const auto in_files = prepared_with(mesh, 1000, files);
   EXPECT_EQ(files.memory_bytes(), 0u);
-  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+  EXPECT_EQ(folder_.file_count(), 0u);
   expect_same_file(*prepared_with(mesh, kOneBrick, {}), *in_files);
 }
 
