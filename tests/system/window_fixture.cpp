@@ -24,11 +24,14 @@ void WindowTest::SetUp() {
 
 void WindowTest::start_window(std::vector<std::string> words) {
   setenv("DISPLAY", screen_->name().c_str(), 1);
+  std::string preload = preload_;
 #ifdef KEEP_LOADED_LIBRARY
-  setenv("LD_PRELOAD", KEEP_LOADED_LIBRARY, 1);
+  preload += (preload.empty() ? "" : ":") + std::string(KEEP_LOADED_LIBRARY);
   setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
 #endif
+  if (!preload.empty()) setenv("LD_PRELOAD", preload.c_str(), 1);
   words.insert(words.begin(), "window");
+  words.insert(words.end(), more_words_.begin(), more_words_.end());
   words.insert(words.end(), {"--user", "ada", "--width", "1280", "--height", "720", "--config",
                              (server_->folder / "window.toml").string(), "--places",
                              (server_->folder / "places").string()});

@@ -82,7 +82,9 @@ class WindowTest : public testing::Test {
 
   bool has_ended() { return window_->wait(std::chrono::milliseconds(0)).has_value(); }
 
-  int middle_x_ = kPictureX;  // of the picture
+  int middle_x_ = kPictureX;             // of the picture
+  std::string preload_;                  // library for the window; empty: none
+  std::vector<std::string> more_words_;  // for the window's command line
   std::unique_ptr<ServerProcess> server_;
   std::unique_ptr<Connection> connection_;
   std::unique_ptr<XDisplay> screen_;
