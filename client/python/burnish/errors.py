@@ -79,6 +79,12 @@ class Unavailable(Error):
     code = "UNAVAILABLE"
 
 
+class SessionEnded(Error):
+    """The server ended a live session for good: it was closed, or the user may not be there."""
+
+    code = "GO_AWAY"
+
+
 class Internal(Error):
     """A fault of the server."""
 

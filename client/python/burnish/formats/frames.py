@@ -126,10 +126,10 @@ class FrameDecoder:
     def _reference_of(self, frame: FrameHeader) -> dict[int, PageState]:
         if not frame.reference:
             return {}
-        known, state = self._held.get(frame.reference, (None, {}))
-        if known != frame.reference_checksum or frame.kind != self.kind:
+        held = self._held.get(frame.reference)
+        if not held or held[0] != frame.reference_checksum or frame.kind != self.kind:
             raise MissingReference(f"frame {frame.sequence} needs frame {frame.reference}")
-        return state
+        return held[1]
 
     def _move(self, state: dict[int, PageState], layouts: dict[int, Layout], frame: FrameHeader,
               body: Body) -> None:

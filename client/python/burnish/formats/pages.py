@@ -109,6 +109,7 @@ def read_colours(planes: Bytes, walk: Walk) -> Bytes:
 
 @dataclasses.dataclass
 class _Header:
+    first: tuple[int, ...]
     flags: int
     planes: int
     number: int
@@ -119,7 +120,6 @@ class _Header:
     steps: int
     named_vertices: int
     named_patches: int
-    first: tuple[int, ...]
 
     def section_bytes(self) -> list[int]:
         normals = self.vertices if self.flags & 1 else self.border
@@ -131,10 +131,11 @@ class _Header:
 
 def _read_header(data: bytes) -> _Header:
     require(len(data) >= 48 and data[:4] == b"BnPg" and data[4] == 1, "not a page of version 1")
-    flags, planes, zero, *numbers = struct.unpack_from("<3BI8H3IQ", data, 5)
-    require(numbers[-1] == checksum(data, 48), "the page's checksum is wrong")
-    require(zero == 0 and numbers[8] == 0 and flags < 4 and planes <= 4, "reserved bits are set")
-    return _Header(flags, planes, *numbers[:8], tuple(numbers[9:12]))
+    fields = struct.unpack_from("<3BI8H3IQ", data, 5)
+    zeros, first, check = (fields[2], fields[11]), fields[12:15], fields[15]
+    require(check == checksum(data, 48), "the page's checksum is wrong")
+    require(zeros == (0, 0) and fields[0] < 4 and fields[1] <= 4, "reserved bits are set")
+    return _Header(first, *fields[:2], *fields[3:11])
 
 
 def read_page(data: bytes) -> Page:

@@ -43,7 +43,7 @@ def decompress(data: bytes, size: int) -> bytes:
 
 def unzigzag(words: npt.NDArray[Any]) -> npt.NDArray[Any]:
     """Returns what zigzag words stand for, modulo their bits."""
-    return (words >> 1) ^ (~(words & 1) + 1).astype(words.dtype)
+    return np.asarray((words >> 1) ^ (~(words & 1) + 1).astype(words.dtype))
 
 
 def morton_key(points: Ints) -> npt.NDArray[np.uint64]:
