@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from typing import Any, Callable, Iterable, Iterator, TypeVar
+from typing import Any, Callable, Generator, Iterable, Iterator, TypeVar
 
 import grpc
 
@@ -56,12 +56,16 @@ class Calls:
         except grpc.RpcError as error:
             raise as_error(error) from None
 
-    def stream(self, method: Any, request: Any, seconds: float | None = None) -> Iterator[Any]:
-        """Yields the answers of a call. `request`: a message, or an iterator of them."""
+    def stream(self, method: Any, request: Any, seconds: float | None = None) -> Generator[Any, None, None]:
+        """Yields the answers of a call, and cancels it when it is closed. `request`: a message, or an
+        iterator of them."""
+        call = method(request, metadata=self._metadata, timeout=seconds)
         try:
-            yield from method(request, metadata=self._metadata, timeout=seconds)
+            yield from call
         except grpc.RpcError as error:
             raise as_error(error) from None
+        finally:
+            call.cancel()
 
     def open_stream(self, method: Any, requests: Iterable[Any]) -> Any:
         """Returns gRPC's call of a stream in both directions."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import io
 import pathlib
 from types import TracebackType
@@ -97,17 +98,16 @@ class Connection:
         return self.calls.repeat(send)
 
     def _send(self, upload: Upload, progress: Progress | None) -> Scan:
-        try:
-            for event in self.calls.stream(self.calls.library.Import, upload.requests()):
+        stream = self.calls.stream(self.calls.library.Import, upload.requests())
+        with contextlib.closing(upload), contextlib.closing(stream) as events:
+            for event in events:
                 if event.HasField("received"):
                     upload.begin()
                 elif event.HasField("progress"):
                     report(progress, event.progress)
                 elif event.HasField("done"):
                     return Scan(self, event.done.scan)
-            raise Damaged("the import ended without an answer")
-        finally:
-            upload.end()
+        raise Damaged("the import ended without an answer")
 
     def sessions(self) -> list[Session]:
         """Returns the server's sessions, by name."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
 import pathlib
 import queue
 import tempfile
 import zlib
-from typing import Any, BinaryIO, Iterator
+from typing import Any, BinaryIO, Generator, Iterator
 
 from burnish.v1 import common_pb2, library_pb2
 
@@ -66,7 +67,7 @@ class Upload:
         """Lets the file follow the header."""
         self._asked.put(True)
 
-    def end(self) -> None:
+    def close(self) -> None:
         """Lets nothing follow, if nothing did yet."""
         self._asked.put(False)
 
@@ -98,17 +99,16 @@ class Download:
         os.chmod(self._part, 0o666 & ~mask)
         os.replace(self._part, self._path)
 
-    def drop(self) -> None:
+    def close(self) -> None:
         """Removes what is not whole."""
         self._file.close()
         if os.path.exists(self._part):
             os.unlink(self._part)
 
 
-def receive(events: Iterator[Any], path: PathLike, progress: Progress | None) -> Any:
+def receive(stream: Generator[Any, None, None], path: PathLike, progress: Progress | None) -> Any:
     """Writes the file of an export. Returns its summary."""
-    download = Download(path)
-    try:
+    with contextlib.closing(Download(path)) as download, contextlib.closing(stream) as events:
         for event in events:
             if event.HasField("progress"):
                 report(progress, event.progress)
@@ -117,6 +117,4 @@ def receive(events: Iterator[Any], path: PathLike, progress: Progress | None) ->
             elif event.HasField("summary"):
                 download.finish(event.summary.sha256)
                 return event.summary
-        raise Damaged(f"{path}: the export ended without its summary")
-    finally:
-        download.drop()
+    raise Damaged(f"{path}: the export ended without its summary")

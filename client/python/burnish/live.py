@@ -117,6 +117,26 @@ class Live:
         """The surface before all edits."""
         return Mesh(self._surface.rest, self._surface.faces)
 
+    @property
+    def origin(self) -> npt.NDArray[np.float64]:
+        """3 numbers: where cell (0, 0, 0) of the grid begins, the scan's units."""
+        return self._surface.head.origin
+
+    @property
+    def lattice_step(self) -> float:
+        """`original` is the scan rounded to half of this, the scan's units."""
+        return self._surface.head.side / (1 << self._surface.head.bits)
+
+    @property
+    def waiting_frames(self) -> int:
+        """Frames that came and that nobody has taken."""
+        return self._received - self._taken
+
+    def wait_for_heartbeats(self, count: int, timeout: float = TIMEOUT_SECONDS) -> None:
+        """Waits until the server has answered so many heartbeats since the beginning."""
+        with self._changed:
+            self._wait(lambda: self._heartbeats >= count, timeout, "heartbeat")
+
     def apply(self, *changes: Change, timeout: float = TIMEOUT_SECONDS) -> list[int]:
         """As Session.apply(): returns the number of the entry that each edit made."""
         return self.apply_as([(secrets.token_hex(10), change) for change in changes], timeout)
