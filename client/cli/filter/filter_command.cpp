@@ -101,18 +101,25 @@ Status print_depths_of(const FilterOptions& options) {
   return Status::ok();
 }
 
-Status filter(const FilterOptions& options) {
-  if (options.depths) return print_depths_of(options);
+/// Fails: before the first job. Failed jobs are outcomes.
+Status run_jobs(const FilterOptions& options, std::vector<FilterOutcome>& outcomes) {
   ASSIGN_OR_RETURN(const std::vector<FilterJob> jobs, plan_jobs(options));
   ASSIGN_OR_RETURN(const std::vector<Edit> edits, check_filter(options));
   RETURN_IF_ERROR(make_out_dir(options));
   use_threads(options.solver.threads);
-  std::vector<FilterOutcome> outcomes;
   for (const FilterJob& job : jobs) {
     outcomes.push_back(end_of_job(options, edits, job));
     tell(options, outcomes.back(), jobs.size());
   }
-  if (options.json) print_outcomes_json(outcomes);
+  return Status::ok();
+}
+
+Status filter(const FilterOptions& options) {
+  if (options.depths) return print_depths_of(options);
+  std::vector<FilterOutcome> outcomes;
+  const Status begun = run_jobs(options, outcomes);
+  if (options.json) print_outcomes_json(outcomes, begun);
+  RETURN_IF_ERROR(begun);
   return status_of(outcomes);
 }
 

@@ -32,6 +32,11 @@ static void add_facts(const FilteredFacts& facts, ordered_json& json) {
   json["left_out"] = facts.left_out;
 }
 
+static void add_failure(const Status& status, ordered_json& json) {
+  json["code"] = code_of(status);
+  json["message"] = status.message();
+}
+
 static ordered_json outcome_to_json(const FilterOutcome& outcome) {
   ordered_json json = {{"in", outcome.job.in}, {"out", outcome.job.out}};
   switch (outcome.end) {
@@ -44,8 +49,7 @@ static ordered_json outcome_to_json(const FilterOutcome& outcome) {
       break;
     case FilterEnd::kFailed:
       json["outcome"] = "failed";
-      json["code"] = code_of(outcome.status);
-      json["message"] = outcome.status.message();
+      add_failure(outcome.status, json);
       break;
   }
   return json;
@@ -63,10 +67,11 @@ void print_outcome(const FilterOutcome& outcome) {
          << " of the diagonal\n";
 }
 
-void print_outcomes_json(const std::vector<FilterOutcome>& outcomes) {
-  ordered_json files = ordered_json::array();
-  for (const FilterOutcome& outcome : outcomes) files.push_back(outcome_to_json(outcome));
-  print_json({{"files", files}});
+void print_outcomes_json(const std::vector<FilterOutcome>& outcomes, const Status& begun) {
+  ordered_json json = {{"files", ordered_json::array()}};
+  for (const FilterOutcome& outcome : outcomes) json["files"].push_back(outcome_to_json(outcome));
+  if (!begun.is_ok()) add_failure(begun, json);
+  print_json(json);
 }
 
 Status status_of(const std::vector<FilterOutcome>& outcomes) {

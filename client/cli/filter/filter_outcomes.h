@@ -23,8 +23,8 @@ struct FilterOutcome {
 /// that has the mesh.
 void print_outcome(const FilterOutcome& outcome);
 
-/// Prints all as JSON: {"files": [...]}.
-void print_outcomes_json(const std::vector<FilterOutcome>& outcomes);
+/// Prints all as JSON: {"files": [...]}, with "code" and "message" if the work did not begin.
+void print_outcomes_json(const std::vector<FilterOutcome>& outcomes, const Status& begun);
 
 /// Returns the Status of all: that of the only file, or how many failed.
 Status status_of(const std::vector<FilterOutcome>& outcomes);

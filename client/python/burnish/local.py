@@ -161,10 +161,12 @@ def _take_line(line: str, progress: Progress | None, messages: list[str]) -> Non
 
 def _outcomes(text: str, messages: list[str]) -> list[Filtered]:
     try:
-        files = json.loads(text)["files"]
-    except (ValueError, KeyError):
+        answer = json.loads(text)
+    except ValueError:
         raise Error("burnish filter: " + "".join(messages).strip()) from None
+    if "code" in answer:
+        raise error_of(answer["code"], answer["message"])
     return [Filtered(pathlib.Path(one.pop("in")), pathlib.Path(one.pop("out")),
                      one.pop("outcome"),
                      error_of(one["code"], one["message"]) if "code" in one else None, one)
-            for one in files]
+            for one in answer["files"]]
