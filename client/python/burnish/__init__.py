@@ -21,9 +21,11 @@ from .history import Deviation, Entry, Exported, State
 from .live import Frame, Live
 from .local import Filtered, Options, filter, filter_all, filter_mesh
 from .mesh import Mesh, load_ply
+from .pictures import animate, render
 from .region import (ClearProtected, GrowProtected, InvertProtected, ProtectCurvature,
                      ProtectLasso, ProtectPiece)
 from .scan import Histogram, Prepared, Scan
+from .serving import serve
 from .session import Session
 
 __all__ = [
@@ -34,5 +36,6 @@ __all__ = [
     "NotFound", "Options", "Palette", "PaletteCurve", "PermissionDenied", "Prepared",
     "ProtectCurvature", "ProtectLasso", "ProtectPiece", "Refused", "ResourceExhausted", "Scan",
     "Session", "SessionEnded", "State", "Stroke", "TransferCurve", "Unauthenticated",
-    "Unavailable", "Unimplemented", "connect", "filter", "filter_all", "filter_mesh", "load_ply",
+    "Unavailable", "Unimplemented", "animate", "connect", "filter", "filter_all", "filter_mesh",
+    "load_ply", "render", "serve",
 ]

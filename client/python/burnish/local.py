@@ -6,7 +6,6 @@ import dataclasses
 import json
 import os
 import pathlib
-import shutil
 import subprocess
 import tempfile
 import threading
@@ -14,8 +13,9 @@ from typing import Any, Sequence
 
 from ._channel import PathLike
 from .edits import Band, Controls, TransferCurve
-from .errors import Error, InvalidArgument, NotFound, error_of
+from .errors import Error, InvalidArgument, error_of
 from .mesh import Mesh, load_ply
+from .program import find_program
 from .progress import Progress
 
 USAGE = 2  # the program's exit code for wrong options
@@ -79,15 +79,6 @@ class Filtered:
     facts: dict[str, Any]
     """Of a file that is done: vertices, triangles, depth, cycles, converged, distance (over the
     box's diagonal), seconds."""
-
-
-def find_program() -> str:
-    """Returns the program `burnish`: the one that BURNISH_BINARY names, or from the path."""
-    found = os.environ.get("BURNISH_BINARY") or shutil.which("burnish")
-    if found is None:
-        raise NotFound("no program `burnish` here: install the package burnish, or let "
-                       "BURNISH_BINARY name it")
-    return found
 
 
 def filter(source: PathLike, target: PathLike, *, progress: Progress | None = None,
