@@ -27,6 +27,8 @@ std::span<const ConfigKey> config_keys() {
       {"tls.key", &C::tls_key},
       {"tls.client_ca", &C::tls_client_ca},
       {"tls.client_certificate_required", &C::tls_client_certificate_required},
+      {"web.listen", &C::web_listen},
+      {"web.hosts", &C::web_hosts},
       {"metrics.listen", &C::metrics_listen},
       {"sessions.idle_spill_seconds", &C::idle_spill_seconds, 0, 1'000'000'000},
       {"limits.sessions_max", &C::sessions_max, 1, 1'000'000},
