@@ -9,7 +9,7 @@
 #include "common/base/atomic_file.h"
 #include "common/base/wait_policy.h"
 #include "server/config/command_line.h"
-#include "server/journal/journal.h"
+#include "server/journal/sqlite_journal.h"
 #include "server/library/stale_files.h"
 #include "server/live/live_sessions.h"
 #include "server/main/daemon.h"
@@ -149,7 +149,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
     const auto scan = store.find(id);
     return scan.is_ok() ? scan->name : id;
   });
-  ASSIGN_OR_RETURN(const auto journal, Journal::open(folder->journal()));
+  ASSIGN_OR_RETURN(const auto journal, SqliteJournal::open(folder->journal()));
   ASSIGN_OR_RETURN(const auto sessions,
                    SessionManager::create(*folder, store, *journal, session_options(config)));
   LiveSessions live(*sessions, kSolverThreads);

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "server/journal/journal.h"
+#include "server/journal/sqlite_journal.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {
@@ -22,7 +22,7 @@ class JournalDamageTest : public testing::Test {
     start();
     EXPECT_TRUE(journal_->create_session(record("a"), SessionRoles::of_new_session("ann")).is_ok());
     for (uint64_t number = 1; number <= 5; ++number)
-      EXPECT_TRUE(journal_->append("id-a", number, {edit(number)}).is_ok());
+      EXPECT_TRUE(journal_->append("id-a", number, {edit(number)}).is_on_disk());
   }
 
   static SessionRecord record(const std::string& name) {
@@ -35,7 +35,7 @@ class JournalDamageTest : public testing::Test {
             {"e" + std::to_string(number), SetGradientScale{0.1 * static_cast<double>(number)}}};
   }
 
-  void start() { journal_ = std::move(Journal::open(folder_ / "j.sqlite")).value(); }
+  void start() { journal_ = std::move(SqliteJournal::open(folder_ / "j.sqlite")).value(); }
 
   /// Changes the file while the journal is closed.
   void damage(const char* sql) {
@@ -98,13 +98,13 @@ TEST_F(JournalDamageTest, ARowThatIsGoneLeavesItsNumber) {
 TEST_F(JournalDamageTest, EditsThatAreGoneFromTheEndAreMissed) {
   damage("DELETE FROM edits WHERE number > 3");
   EXPECT_THAT(damaged(), ElementsAre(4, 5));
-  EXPECT_TRUE(journal_->append("id-a", 6, {edit(6)}).is_ok());
+  EXPECT_TRUE(journal_->append("id-a", 6, {edit(6)}).is_on_disk());
   EXPECT_THAT(damaged(), ElementsAre(4, 5));
 }
 
 TEST_F(JournalDamageTest, EditsAreAppendedBehindADamagedOne) {
   damage("UPDATE edits SET bytes = x'' WHERE number = 5");
-  ASSERT_TRUE(journal_->append("id-a", 6, {edit(6)}).is_ok());
+  ASSERT_TRUE(journal_->append("id-a", 6, {edit(6)}).is_on_disk());
   start();
   EXPECT_THAT(damaged(), ElementsAre(5));
   EXPECT_EQ(journal_->edits("id-a").value().size(), 6u);
@@ -114,7 +114,7 @@ TEST_F(JournalDamageTest, ADamagedEndIsCountedAnew) {
   damage("UPDATE ends SET number = 3");
   EXPECT_EQ(journal_->edit_count("id-a").value(), 5u);
   EXPECT_THAT(damaged(), ElementsAre());
-  EXPECT_TRUE(journal_->append("id-a", 6, {edit(6)}).is_ok());
+  EXPECT_TRUE(journal_->append("id-a", 6, {edit(6)}).is_on_disk());
 }
 
 TEST_F(JournalDamageTest, AForkOfADamagedSessionHasTheSameNumbers) {
@@ -168,10 +168,10 @@ TEST_F(JournalDamageTest, WhatTheEndOfTheWriteAheadLogHasLostIsMissed) {
   fs::copy(folder_ / "j.sqlite-wal", folder_ / "copy.sqlite-wal");
   fs::copy(folder_ / "j.ends", folder_ / "copy.ends");
   fs::resize_file(folder_ / "copy.sqlite-wal", fs::file_size(folder_ / "copy.sqlite-wal") - 1);
-  journal_ = std::move(Journal::open(copy)).value();
+  journal_ = std::move(SqliteJournal::open(copy)).value();
   EXPECT_EQ(journal_->edit_count("id-a").value(), 5u);
   EXPECT_THAT(damaged(), ElementsAre(5));
-  EXPECT_TRUE(journal_->append("id-a", 6, {edit(6)}).is_ok());
+  EXPECT_TRUE(journal_->append("id-a", 6, {edit(6)}).is_on_disk());
 }
 
 TEST_F(JournalDamageTest, WithoutItsHintOfTheEndsAJournalIsWhatItSays) {
@@ -189,7 +189,7 @@ TEST_F(JournalDamageTest, WithoutItsHintOfTheEndsAJournalIsWhatItSays) {
 
 TEST_F(JournalDamageTest, ARemovedSessionIsNotMissed) {
   ASSERT_TRUE(journal_->create_session(record("b"), {}).is_ok());
-  ASSERT_TRUE(journal_->append("id-b", 1, {edit(1)}).is_ok());
+  ASSERT_TRUE(journal_->append("id-b", 1, {edit(1)}).is_on_disk());
   ASSERT_TRUE(journal_->remove_session("id-a").is_ok());
   const std::string ends = content_of(folder_ / "j.ends");
   EXPECT_THAT(ends, testing::Not(HasSubstr("id-a")));
@@ -197,7 +197,8 @@ TEST_F(JournalDamageTest, ARemovedSessionIsNotMissed) {
 }
 
 TEST_F(JournalDamageTest, NamesThatAreNotUtf8ComeBackAsText) {
-  ASSERT_TRUE(journal_->append("id-a", 6, {{"M\xfcller", 0, {"x", SetGradientScale{1}}}}).is_ok());
+  ASSERT_TRUE(
+      journal_->append("id-a", 6, {{"M\xfcller", 0, {"x", SetGradientScale{1}}}}).is_on_disk());
   ASSERT_TRUE(journal_->set_role("id-a", "M\xfcller", SessionRole::kViewer).is_ok());
   EXPECT_EQ(journal_->edits("id-a").value()[5].author, "M\\xfcller");
   EXPECT_EQ(journal_->roles("id-a").value().of("M\\xfcller"), SessionRole::kViewer);
@@ -206,7 +207,7 @@ TEST_F(JournalDamageTest, NamesThatAreNotUtf8ComeBackAsText) {
 }
 
 TEST_F(JournalDamageTest, ACheckpointIsFoundWithoutOpeningTheSession) {
-  ASSERT_TRUE(journal_->append("id-a", 6, {{"ann", 0, {"c", SetCheckpoint{"now"}}}}).is_ok());
+  ASSERT_TRUE(journal_->append("id-a", 6, {{"ann", 0, {"c", SetCheckpoint{"now"}}}}).is_on_disk());
   EXPECT_EQ(journal_->checkpoint("id-a", "now").value(), 6u);
   EXPECT_EQ(journal_->checkpoint("id-a", "then").status().code(), StatusCode::kNotFound);
 }

@@ -1,5 +1,3 @@
-#include "server/journal/journal.h"
-
 #include <future>
 #include <latch>
 
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "common/wire/edit_bytes.h"
+#include "server/journal/sqlite_journal.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {
@@ -39,7 +38,7 @@ class JournalTest : public testing::Test {
 
   void start() {
     journal_.reset();
-    journal_ = std::move(Journal::open(folder_ / "j.sqlite")).value();
+    journal_ = std::move(SqliteJournal::open(folder_ / "j.sqlite")).value();
   }
 
   const TemporaryFolder folder_;
@@ -48,7 +47,7 @@ class JournalTest : public testing::Test {
 
 TEST_F(JournalTest, SessionsAndEditsComeBackFromANewProgram) {
   ASSERT_TRUE(journal_->create_session(record("b"), {}).is_ok());
-  ASSERT_TRUE(journal_->append("id-a", 1, some_edits()).is_ok());
+  ASSERT_TRUE(journal_->append("id-a", 1, some_edits()).is_on_disk());
   start();
   const auto sessions = journal_->sessions().value();
   ASSERT_EQ(sessions.size(), 2u);
@@ -80,23 +79,23 @@ TEST_F(JournalTest, ASessionKeepsTheControlsThatItWasBornWith) {
 }
 
 TEST_F(JournalTest, ABatchWithAKnownIdIsKeptOutWhole) {
-  ASSERT_TRUE(journal_->append("id-a", 1, {slider("x")}).is_ok());
-  EXPECT_EQ(journal_->append("id-a", 2, {slider("y"), slider("x")}).code(),
+  ASSERT_TRUE(journal_->append("id-a", 1, {slider("x")}).is_on_disk());
+  EXPECT_EQ(journal_->append("id-a", 2, {slider("y"), slider("x")}).status().code(),
             StatusCode::kAlreadyExists);
   EXPECT_EQ(journal_->edit_count("id-a").value(), 1u);
 }
 
 TEST_F(JournalTest, EditsBehindOneThatWasLostAreRefused) {
-  ASSERT_TRUE(journal_->append("id-a", 1, {slider("x")}).is_ok());
-  EXPECT_EQ(journal_->append("id-a", 3, {slider("z")}).code(), StatusCode::kDataLoss);
-  EXPECT_EQ(journal_->append("id-a", 3, {}).code(), StatusCode::kDataLoss);
-  EXPECT_TRUE(journal_->append("id-a", 2, {}).is_ok());
+  ASSERT_TRUE(journal_->append("id-a", 1, {slider("x")}).is_on_disk());
+  EXPECT_EQ(journal_->append("id-a", 3, {slider("z")}).status().code(), StatusCode::kDataLoss);
+  EXPECT_EQ(journal_->append("id-a", 3, {}).status().code(), StatusCode::kDataLoss);
+  EXPECT_TRUE(journal_->append("id-a", 2, {}).is_on_disk());
 }
 
 TEST_F(JournalTest, EditsThatComeWhileACommitIsUnderWayShareTheNextOne) {
   constexpr int kEdits = 20;
   std::latch first_is_written(1), go_on(1), all_are_written(kEdits);
-  journal_->append("id-a", 1, {slider("0")}, [&](const Status&) {
+  journal_->append("id-a", 1, {slider("0")}, [&](const WriteOutcome&) {
     first_is_written.count_down();
     go_on.wait();
   });
@@ -104,8 +103,8 @@ TEST_F(JournalTest, EditsThatComeWhileACommitIsUnderWayShareTheNextOne) {
   const uint64_t commits = journal_->commits();
   for (int i = 1; i <= kEdits; ++i)
     journal_->append("id-a", static_cast<uint64_t>(i + 1), {slider(std::to_string(i))},
-                     [&](const Status& status) {
-                       EXPECT_TRUE(status.is_ok()) << status.message();
+                     [&](const WriteOutcome& outcome) {
+                       EXPECT_TRUE(outcome.is_on_disk()) << outcome.status().message();
                        all_are_written.count_down();
                      });
   go_on.count_down();
@@ -116,13 +115,15 @@ TEST_F(JournalTest, EditsThatComeWhileACommitIsUnderWayShareTheNextOne) {
 TEST_F(JournalTest, AFailureDoesNotTouchTheOthersOfItsCommit) {
   std::latch first_is_written(1), go_on(1);
   std::promise<Status> good, bad;
-  journal_->append("id-a", 1, {slider("0")}, [&](const Status&) {
+  journal_->append("id-a", 1, {slider("0")}, [&](const WriteOutcome&) {
     first_is_written.count_down();
     go_on.wait();
   });
   first_is_written.wait();
-  journal_->append("nobody", 1, {slider("1")}, [&](const Status& s) { bad.set_value(s); });
-  journal_->append("id-a", 2, {slider("1")}, [&](const Status& s) { good.set_value(s); });
+  journal_->append("nobody", 1, {slider("1")},
+                   [&](const WriteOutcome& o) { bad.set_value(o.status()); });
+  journal_->append("id-a", 2, {slider("1")},
+                   [&](const WriteOutcome& o) { good.set_value(o.status()); });
   go_on.count_down();
   EXPECT_FALSE(bad.get_future().get().is_ok());
   EXPECT_TRUE(good.get_future().get().is_ok());
@@ -130,7 +131,7 @@ TEST_F(JournalTest, AFailureDoesNotTouchTheOthersOfItsCommit) {
 }
 
 TEST_F(JournalTest, RemovingASessionForgetsItsEdits) {
-  ASSERT_TRUE(journal_->append("id-a", 1, some_edits()).is_ok());
+  ASSERT_TRUE(journal_->append("id-a", 1, some_edits()).is_on_disk());
   ASSERT_TRUE(journal_->remove_session("id-a").is_ok());
   EXPECT_TRUE(journal_->sessions().value().empty());
   EXPECT_TRUE(journal_->edits("id-a").value().empty());
@@ -140,7 +141,7 @@ TEST_F(JournalTest, RemovingASessionGivesItsDiskBack) {
   ASSERT_TRUE(journal_->create_session(record("b"), {}).is_ok());
   SetCellFields large;
   large.cells.assign(100'000, {Vec3i(1, 2, 3), 1, 1, 1});
-  ASSERT_TRUE(journal_->append("id-b", 1, {{"ann", 0, {"x", large}}}).is_ok());
+  ASSERT_TRUE(journal_->append("id-b", 1, {{"ann", 0, {"x", large}}}).is_on_disk());
   ASSERT_TRUE(journal_->remove_session("id-b").is_ok());
   // Each call waits for one of the few steps of giving space back.
   for (int step = 0; step < 50; ++step) ASSERT_TRUE(journal_->edit_count("id-a").is_ok());
@@ -149,11 +150,11 @@ TEST_F(JournalTest, RemovingASessionGivesItsDiskBack) {
 }
 
 TEST_F(JournalTest, EditsOfNoSessionAreRefused) {
-  EXPECT_FALSE(journal_->append("nobody", 1, some_edits()).is_ok());
+  EXPECT_FALSE(journal_->append("nobody", 1, some_edits()).is_on_disk());
 }
 
 TEST_F(JournalTest, AForkHasTheFirstEditsOfItsSource) {
-  ASSERT_TRUE(journal_->append("id-a", 1, some_edits()).is_ok());
+  ASSERT_TRUE(journal_->append("id-a", 1, some_edits()).is_on_disk());
   ASSERT_TRUE(journal_->fork_session("id-a", 2, record("f"), {}).is_ok());
   EXPECT_EQ(journal_->edit_count("id-f").value(), 2u);
   EXPECT_EQ(journal_->edits("id-f").value()[1].author, "bob");
@@ -185,7 +186,7 @@ TEST_F(JournalTest, OfPaintTheNewestIsKept) {
 TEST(Journal, AFileThatIsNoJournalIsDataLoss) {
   const TemporaryFolder folder;
   folder.write("j.sqlite", std::string(5000, 'x'));
-  const auto journal = Journal::open(folder / "j.sqlite");
+  const auto journal = SqliteJournal::open(folder / "j.sqlite");
   EXPECT_EQ(journal.status().code(), StatusCode::kDataLoss);
   EXPECT_THAT(journal.status().message(), HasSubstr("j.sqlite"));
 }
@@ -222,7 +223,7 @@ TEST(Journal, OfTheFirstVersionOpensWithAllItsEdits) {
     insert_old_edit(database, "id-a", {"y", SetGradientScale{0.5}});
   }
   for (int time = 0; time < 2; ++time) {  // first to migrate, then to read the result
-    const auto journal = std::move(Journal::open(folder / "j.sqlite")).value();
+    const auto journal = std::move(SqliteJournal::open(folder / "j.sqlite")).value();
     const auto sessions = journal->sessions().value();
     ASSERT_EQ(sessions.size(), 2u);
     for (const SessionRecord& session : sessions) {
@@ -237,7 +238,7 @@ TEST(Journal, OfTheFirstVersionOpensWithAllItsEdits) {
     EXPECT_EQ(edits[1].unix_ms, 9000);
     EXPECT_EQ(journal->edit_count("id-b").value(), 1u);
     EXPECT_EQ(journal->roles("id-a").value().of("anybody"), SessionRole::kOwner);
-    EXPECT_TRUE(journal->append("id-a", 3, {}).is_ok());
+    EXPECT_TRUE(journal->append("id-a", 3, {}).is_on_disk());
   }
 }
 
@@ -247,7 +248,7 @@ TEST(Journal, OfANewerProgramIsRefused) {
     Database database = std::move(Database::open(folder / "j.sqlite")).value();
     ASSERT_TRUE(database.execute("PRAGMA user_version = 99").is_ok());
   }
-  const auto journal = Journal::open(folder / "j.sqlite");
+  const auto journal = SqliteJournal::open(folder / "j.sqlite");
   EXPECT_EQ(journal.status().code(), StatusCode::kDataLoss);
   EXPECT_THAT(journal.status().message(), HasSubstr("version is 99"));
 }

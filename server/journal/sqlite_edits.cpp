@@ -4,7 +4,7 @@
 
 #include "common/base/text.h"
 #include "common/wire/edit_bytes.h"
-#include "server/journal/journal_rows.h"
+#include "server/journal/sqlite_rows.h"
 
 namespace burnish {
 
