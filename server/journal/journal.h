@@ -48,6 +48,11 @@ class Journal {
   virtual Status rename_session(const std::string& id, const std::string& name) = 0;
   virtual Status remove_session(const std::string& id) = 0;
 
+  /// Makes this server the only one that writes the session, until another one holds it. A session
+  /// is held from its making on. Appends to a session that is not held have an unknown outcome.
+  /// Fails: failed_precondition (another server holds it), not_found; unavailable.
+  virtual Status hold(const std::string& session_id) = 0;
+
   /// Makes a session with the first `edits` edits of another session, and its paint.
   virtual Status fork_session(const std::string& source_id, uint64_t edits,
                               const SessionRecord& record, const SessionRoles& roles) = 0;

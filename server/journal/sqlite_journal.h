@@ -24,6 +24,7 @@ class SqliteJournal final : public Journal {
   Status create_session(const SessionRecord& record, const SessionRoles& roles) override;
   Status rename_session(const std::string& id, const std::string& name) override;
   Status remove_session(const std::string& id) override;
+  Status hold(const std::string&) override { return Status::ok(); }  // the file has one server
   Status fork_session(const std::string& source_id, uint64_t edits, const SessionRecord& record,
                       const SessionRoles& roles) override;
   using Journal::append;

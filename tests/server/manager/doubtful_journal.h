@@ -39,6 +39,7 @@ class DoubtfulJournal final : public Journal {
   Status rename_session(const std::string& id, const std::string& name) override {
     return real_->rename_session(id, name);
   }
+  Status hold(const std::string& id) override { return real_->hold(id); }
   Status remove_session(const std::string& id) override { return real_->remove_session(id); }
   Status fork_session(const std::string& source_id, uint64_t edits, const SessionRecord& record,
                       const SessionRoles& roles) override {
