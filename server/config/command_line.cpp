@@ -13,7 +13,7 @@ namespace {
 struct Flags {
   std::string config;
   std::string port_file;
-  std::optional<std::string> listen, socket, data, backend, log_level, log_format, users,
+  std::optional<std::string> listen, socket, data, journal, backend, log_level, log_format, users,
       certificate, key, client_ca, metrics, web;
   std::optional<int64_t> threads, idle_exit;
   bool insecure = false;
@@ -32,6 +32,9 @@ void add_flags(CLI::App& app, Flags& flags) {
   app.add_option("--port-file", flags.port_file, "Write the chosen port into this file");
   app.add_option("--data", flags.data, "Folder for scans and edits, default burnish-data")
       ->type_name("FOLDER");
+  app.add_option("--journal", flags.journal,
+                 "PostgreSQL database for sessions and edits, in place of a file in the folder")
+      ->type_name("postgresql://USER@HOST:PORT/DATABASE");
   app.add_option("--threads", flags.threads, "Threads of the solver; 0, the default: all cores");
   app.add_option("--backend", flags.backend, "auto, cpu or cuda; default auto");
   app.add_option("--log-level", flags.log_level,
@@ -62,6 +65,7 @@ Result<CommandLine> read(const Flags& flags) {
   set(flags.listen, config.listen);
   set(flags.socket, config.socket);
   set(flags.data, config.data);
+  set(flags.journal, config.journal);
   set(flags.threads, config.threads);
   set(flags.idle_exit, config.idle_exit_seconds);
   set(flags.log_level, config.log_level);

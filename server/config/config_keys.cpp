@@ -13,6 +13,7 @@ std::span<const ConfigKey> config_keys() {
       {"socket", &C::socket},
       {"socket_user_only", &C::socket_user_only},
       {"data", &C::data},
+      {"journal", &C::journal},
       {"threads", &C::threads, 0, 1024},
       {"workers", &C::workers, 1, 1024},
       {"workers_per_user", &C::workers_per_user, 1, 1024},

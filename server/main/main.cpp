@@ -9,7 +9,8 @@
 #include "common/base/atomic_file.h"
 #include "common/base/wait_policy.h"
 #include "server/config/command_line.h"
-#include "server/journal/journal.h"
+#include "server/journal/postgres_journal.h"
+#include "server/journal/sqlite_journal.h"
 #include "server/library/stale_files.h"
 #include "server/live/live_sessions.h"
 #include "server/main/daemon.h"
@@ -131,6 +132,14 @@ Result<std::unique_ptr<MetricsExporter>> start_metrics(const std::string& listen
   return exporter;
 }
 
+Result<std::unique_ptr<Journal>> open_journal(const ServerConfig& config,
+                                              const DataFolder& folder) {
+  if (config.journal.empty()) return SqliteJournal::open(folder.journal());
+  ASSIGN_OR_RETURN(const PgAddress address, PgAddress::parse(config.journal));
+  ASSIGN_OR_RETURN(auto journal, PostgresJournal::open(address, folder.paint()));
+  return std::unique_ptr<Journal>(std::move(journal));
+}
+
 /// Without a device only the server's own threads can be late: a busy machine has not failed.
 DeviceWatch::Times watch_times(BackendKind backend) {
   DeviceWatch::Times times;
@@ -152,7 +161,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
     const auto scan = store.find(id);
     return scan.is_ok() ? scan->name : id;
   });
-  ASSIGN_OR_RETURN(const auto journal, Journal::open(folder->journal()));
+  ASSIGN_OR_RETURN(const auto journal, open_journal(config, *folder));
   ASSIGN_OR_RETURN(const auto sessions,
                    SessionManager::create(*folder, store, *journal, session_options(config)));
   LiveSessions live(*sessions, kSolverThreads);

@@ -89,6 +89,17 @@ TEST(ConfigFile, AValueOutsideItsLimitsIsRefusedWithFileKeyValueAndLimits) {
             "server.toml:1: log_format = 'xml' is not one of text, json");
 }
 
+TEST(ConfigFile, AJournalThatIsNotADatabaseIsRefusedAndNotRepeated) {
+  ServerConfig config;
+  config.journal = "mysql://ann:secret@db/burnish";
+  const Status status = validate(config);
+  EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+  EXPECT_THAT(status.message(), HasSubstr("postgresql://"));
+  EXPECT_THAT(status.message(), testing::Not(HasSubstr("secret")));
+  config.journal = "postgresql://burnish@db/burnish";
+  EXPECT_TRUE(validate(config).is_ok());
+}
+
 /// Returns every key of a table, with its dots.
 std::set<std::string> keys_in(std::istream& file) {
   std::set<std::string> keys;
