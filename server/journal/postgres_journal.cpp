@@ -182,4 +182,30 @@ Status PostgresJournal::set_role(const std::string& session_id, const std::strin
       Repeat::kNever);
 }
 
+/// Enters the sessions within a transaction that has begun.
+static Status enter_each(PgConnection& database, const NextSession& next) {
+  for (;;) {
+    ASSIGN_OR_RETURN(const auto session, next());
+    if (!session) return Status::ok();
+    const SessionRecord& record = session->record;
+    for (const PgStatement& row : make_session_rows(record, session->roles, {}))
+      RETURN_IF_ERROR(database.run(row).status());
+    for (uint64_t number = 1; number <= session->edits.size(); ++number)
+      RETURN_IF_ERROR(
+          database.run(add_edit_row(record.id, number, session->edits[number - 1], {})).status());
+  }
+}
+
+Status PostgresJournal::enter_all(const NextSession& next) {
+  return queue_->run(
+      [&](PgConnection& database, Holdings&) -> Status {
+        RETURN_IF_ERROR(database.script("BEGIN"));
+        const Status entered = enter_each(database, next);
+        if (entered.is_ok()) return database.script("COMMIT");
+        (void)database.script("ROLLBACK");
+        return entered;
+      },
+      Repeat::kNever);
+}
+
 }  // namespace burnish

@@ -163,6 +163,22 @@ Status SqliteJournal::set_role(const std::string& session_id, const std::string&
       [&](Database& database) { return insert_role(database, session_id, user, role); });
 }
 
+Status SqliteJournal::enter_all(const NextSession& next) {
+  std::map<std::string, uint64_t> ends;
+  const auto enter = [&](Database& database) -> Status {
+    for (;;) {
+      ASSIGN_OR_RETURN(const auto session, next());
+      if (!session) return Status::ok();
+      RETURN_IF_ERROR(insert_session(database, session->record, session->roles));
+      RETURN_IF_ERROR(insert_edits(database, session->record.id, 1, session->edits));
+      ends[session->record.id] = session->edits.size();
+    }
+  };
+  RETURN_IF_ERROR(commit_.write(enter));
+  for (const auto& [id, number] : ends) ends_->note(id, number);
+  return Status::ok();
+}
+
 void SqliteJournal::keep_paint(const std::string& session_id, const PaintCheckpoint& paint) {
   keep_paint_row(commit_, session_id, paint);
 }
