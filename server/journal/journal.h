@@ -64,9 +64,11 @@ class Journal {
   /// Fails: failed_precondition (another server holds it), not_found; unavailable.
   virtual Status hold(const std::string& session_id) = 0;
 
-  /// Makes a session with the first `edits` edits of another session, and its paint.
-  virtual Status fork_session(const std::string& source_id, uint64_t edits,
-                              const SessionRecord& record, const SessionRoles& roles) = 0;
+  /// Makes a session with the first `edits` edits of another session, and its paint. At another
+  /// depth there are other cells: paint is left out, and edits that set single cells set none.
+  /// Returns the number of these edits.
+  virtual Result<uint64_t> fork_session(const SessionRecord& source, uint64_t edits,
+                                        const SessionRecord& record, const SessionRoles& roles) = 0;
 
   /// Appends all edits or none; the first gets the number `first`. Another thread calls `done` with
   /// the outcome. Without edits it only waits for earlier ones. Refuses with already_exists (the

@@ -5,6 +5,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include "server/journal/forked_edits.h"
+
 namespace burnish {
 
 using Repeat = PostgresQueue::Repeat;
@@ -128,25 +130,26 @@ Status PostgresJournal::hold(const std::string& session_id) {
       Repeat::kOnce);
 }
 
-Status PostgresJournal::fork_session(const std::string& source_id, uint64_t edits,
-                                     const SessionRecord& record, const SessionRoles& roles) {
-  RETURN_IF_ERROR(queue_->run(
-      [&](PgConnection& database, Holdings& holdings) -> Status {
-        ASSIGN_OR_RETURN(const auto copied, read_edit_rows(database, source_id));
-        if (copied.size() < edits)
-          return data_loss("the session's edits end at " + std::to_string(copied.size()) +
-                           ", not at " + std::to_string(edits) + "; some were not written");
-        const Holding holding{holdings.life, 1};
-        std::vector<PgStatement> statements = make_session_rows(record, roles, holding);
-        for (uint64_t number = 1; number <= edits; ++number)
-          statements.push_back(add_edit_row(record.id, number, copied[number - 1], holding));
-        const Status made = status_of(database.transact(statements));
-        if (made.is_ok()) holdings.epochs[record.id] = holding.epoch;
-        return made;
-      },
-      Repeat::kNever));
-  paint_->copy(source_id, record.id);
-  return Status::ok();
+Result<uint64_t> PostgresJournal::fork_session(const SessionRecord& source, uint64_t edits,
+                                               const SessionRecord& record,
+                                               const SessionRoles& roles) {
+  uint64_t emptied = 0;
+  const auto fork = [&](PgConnection& database, Holdings& holdings) -> Status {
+    ASSIGN_OR_RETURN(auto all, read_edit_rows(database, source.id));
+    ASSIGN_OR_RETURN(const ForkedEdits forked,
+                     edits_of_fork(std::move(all), edits, source, record));
+    emptied = forked.emptied;
+    const Holding holding{holdings.life, 1};
+    std::vector<PgStatement> statements = make_session_rows(record, roles, holding);
+    for (uint64_t number = 1; number <= edits; ++number)
+      statements.push_back(add_edit_row(record.id, number, forked.edits[number - 1], holding));
+    const Status made = status_of(database.transact(statements));
+    if (made.is_ok()) holdings.epochs[record.id] = holding.epoch;
+    return made;
+  };
+  RETURN_IF_ERROR(queue_->run(fork, Repeat::kNever));
+  if (has_same_cells(source, record)) paint_->copy(source.id, record.id);
+  return emptied;
 }
 
 void PostgresJournal::append(const std::string& session_id, uint64_t first,

@@ -5,6 +5,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "server/journal/forked_edits.h"
 #include "server/journal/paint_rows.h"
 #include "server/journal/sqlite_rows.h"
 #include "server/journal/sqlite_schema.h"
@@ -110,24 +111,30 @@ void SqliteJournal::shrink() {
       });
 }
 
-Status SqliteJournal::fork_session(const std::string& source_id, uint64_t edits,
-                                   const SessionRecord& record, const SessionRoles& roles) {
+static Status copy_paint(Database& database, const SessionRecord& from, const SessionRecord& to) {
+  return run(database,
+             "INSERT INTO paint (session_id, series, strokes, bytes)"
+             " SELECT ?, series, strokes, bytes FROM paint WHERE session_id = ?"
+             " ORDER BY sequence",
+             to.id, from.id);
+}
+
+Result<uint64_t> SqliteJournal::fork_session(const SessionRecord& source, uint64_t edits,
+                                             const SessionRecord& record,
+                                             const SessionRoles& roles) {
+  uint64_t emptied = 0;
   const Status status = commit_.write([&](Database& database) -> Status {
-    ASSIGN_OR_RETURN(std::vector<AuthoredEdit> copied, read_edits(database, source_id));
-    if (copied.size() < edits)
-      return data_loss("the session's edits end at " + std::to_string(copied.size()) + ", not at " +
-                       std::to_string(edits) + "; some were not written");
-    copied.resize(edits);
+    ASSIGN_OR_RETURN(auto all, read_edits(database, source.id));
+    ASSIGN_OR_RETURN(const ForkedEdits forked,
+                     edits_of_fork(std::move(all), edits, source, record));
+    emptied = forked.emptied;
     RETURN_IF_ERROR(insert_session(database, record, roles));
-    RETURN_IF_ERROR(insert_edits(database, record.id, 1, copied));
-    return run(database,
-               "INSERT INTO paint (session_id, series, strokes, bytes)"
-               " SELECT ?, series, strokes, bytes FROM paint WHERE session_id = ?"
-               " ORDER BY sequence",
-               record.id, source_id);
+    RETURN_IF_ERROR(insert_edits(database, record.id, 1, forked.edits));
+    return has_same_cells(source, record) ? copy_paint(database, source, record) : Status::ok();
   });
-  if (status.is_ok()) ends_->note(record.id, edits);
-  return status;
+  RETURN_IF_ERROR(status);
+  ends_->note(record.id, edits);
+  return emptied;
 }
 
 void SqliteJournal::append(const std::string& session_id, uint64_t first,

@@ -25,8 +25,8 @@ class SqliteJournal final : public Journal {
   Status rename_session(const std::string& id, const std::string& name) override;
   Status remove_session(const std::string& id) override;
   Status hold(const std::string&) override { return Status::ok(); }  // the file has one server
-  Status fork_session(const std::string& source_id, uint64_t edits, const SessionRecord& record,
-                      const SessionRoles& roles) override;
+  Result<uint64_t> fork_session(const SessionRecord& source, uint64_t edits,
+                                const SessionRecord& record, const SessionRoles& roles) override;
   using Journal::append;
   void append(const std::string& session_id, uint64_t first, std::vector<AuthoredEdit> edits,
               Done done) override;

@@ -41,9 +41,9 @@ class DoubtfulJournal final : public Journal {
   }
   Status hold(const std::string& id) override { return real_->hold(id); }
   Status remove_session(const std::string& id) override { return real_->remove_session(id); }
-  Status fork_session(const std::string& source_id, uint64_t edits, const SessionRecord& record,
-                      const SessionRoles& roles) override {
-    return real_->fork_session(source_id, edits, record, roles);
+  Result<uint64_t> fork_session(const SessionRecord& source, uint64_t edits,
+                                const SessionRecord& record, const SessionRoles& roles) override {
+    return real_->fork_session(source, edits, record, roles);
   }
   Result<std::vector<AuthoredEdit>> edits(const std::string& id) override {
     return real_->edits(id);
