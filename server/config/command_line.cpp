@@ -18,6 +18,7 @@ struct Flags {
   std::optional<int64_t> threads, idle_exit;
   bool insecure = false;
   bool socket_user_only = false;
+  JournalCopyWish copy;
 };
 
 void add_flags(CLI::App& app, Flags& flags) {
@@ -53,6 +54,17 @@ void add_flags(CLI::App& app, Flags& flags) {
       ->type_name("SECONDS");
   app.add_flag("--insecure", flags.insecure,
                "Serve other machines in plain text, or without authentication");
+}
+
+/// Returns the command that copies a journal.
+CLI::App* add_journal_command(CLI::App& app, Flags& flags) {
+  CLI::App* journal = app.add_subcommand("journal", "Work on a journal while no server uses it");
+  journal->require_subcommand(1);
+  CLI::App* copy = journal->add_subcommand(
+      "copy", "Copy all sessions and edits into an empty journal, in one transaction");
+  copy->add_option("FROM", flags.copy.from, "A data folder, or the URI of a database")->required();
+  copy->add_option("TO", flags.copy.to, "Likewise; without sessions")->required();
+  return copy;
 }
 
 Result<CommandLine> read(const Flags& flags) {
@@ -93,6 +105,7 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv,
                "burnish-server");
   Flags flags;
   add_flags(app, flags);
+  const CLI::App* copy = add_journal_command(app, flags);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -100,6 +113,7 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv,
     return std::nullopt;
   }
   auto line = read(flags);
+  if (line.is_ok() && copy->parsed()) line->copy = flags.copy;
   if (line.is_ok()) return std::move(*line);
   std::cerr << "burnish-server: " << line.status().message() << "\n";
   exit_code = 2;

@@ -1,19 +1,22 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "server/journal/journal.h"
 
 namespace burnish {
 
-/// Makes the edits of a fork from those of its source: the first `count`, without single cells if
-/// the fork has another depth. Returns how many edits set cells before. Fails: data_loss (the
-/// source has fewer edits).
-Result<uint64_t> make_forked_edits(const SessionRecord& source, const SessionRecord& fork,
-                                   uint64_t count, std::vector<AuthoredEdit>& edits);
+/// The edits that a fork begins with.
+struct ForkedEdits {
+  std::vector<AuthoredEdit> edits;
+  uint64_t emptied = 0;  ///< edits that set single cells of the source, and set none of the fork
+};
 
-/// Returns whether the fork has its source's cells, so that it can have its paint.
+/// Returns whether both sessions have the same cells, and so the same paint.
 bool has_same_cells(const SessionRecord& source, const SessionRecord& fork);
+
+/// Takes the first `count` edits of all. Fails: data_loss if there are fewer.
+Result<ForkedEdits> edits_of_fork(std::vector<AuthoredEdit> all, uint64_t count,
+                                  const SessionRecord& source, const SessionRecord& fork);
 
 }  // namespace burnish

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,16 @@ struct SessionRecord {
   Controls controls;        ///< that it was born with: none from before there were controls
   bool is_damaged = false;  ///< when read: no value can be trusted
 };
+
+/// A session with all that a journal must keep of it.
+struct KeptSession {
+  SessionRecord record;
+  SessionRoles roles;
+  std::vector<AuthoredEdit> edits;
+};
+
+/// Returns one session after the other, and nothing behind the last.
+using NextSession = std::function<Result<std::optional<KeptSession>>()>;
 
 /// The sessions and their edits, on disk before anybody is told. It keeps edits, never solutions:
 /// applying a session's edits in order gives its state. The paint beside them only makes that
@@ -85,6 +96,10 @@ class Journal {
   virtual Result<SessionRoles> roles(const std::string& session_id) = 0;
   virtual Status set_role(const std::string& session_id, const std::string& user,
                           SessionRole role) = 0;
+
+  /// Enters sessions in one transaction: all or none. A damaged edit stays damaged. Fails: as
+  /// `next` and create_session().
+  virtual Status enter_all(const NextSession& next) = 0;
 
   /// Keeps paint of a session; drops the oldest beyond a few. Does not wait, has its own commit,
   /// and logs a failure.

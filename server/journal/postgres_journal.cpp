@@ -134,19 +134,20 @@ Result<uint64_t> PostgresJournal::fork_session(const SessionRecord& source, uint
                                                const SessionRecord& record,
                                                const SessionRoles& roles) {
   uint64_t emptied = 0;
-  RETURN_IF_ERROR(queue_->run(
-      [&](PgConnection& database, Holdings& holdings) -> Status {
-        ASSIGN_OR_RETURN(auto copied, read_edit_rows(database, source.id));
-        ASSIGN_OR_RETURN(emptied, make_forked_edits(source, record, edits, copied));
-        const Holding holding{holdings.life, 1};
-        std::vector<PgStatement> statements = make_session_rows(record, roles, holding);
-        for (uint64_t number = 1; number <= edits; ++number)
-          statements.push_back(add_edit_row(record.id, number, copied[number - 1], holding));
-        const Status made = status_of(database.transact(statements));
-        if (made.is_ok()) holdings.epochs[record.id] = holding.epoch;
-        return made;
-      },
-      Repeat::kNever));
+  const auto fork = [&](PgConnection& database, Holdings& holdings) -> Status {
+    ASSIGN_OR_RETURN(auto all, read_edit_rows(database, source.id));
+    ASSIGN_OR_RETURN(const ForkedEdits forked,
+                     edits_of_fork(std::move(all), edits, source, record));
+    emptied = forked.emptied;
+    const Holding holding{holdings.life, 1};
+    std::vector<PgStatement> statements = make_session_rows(record, roles, holding);
+    for (uint64_t number = 1; number <= edits; ++number)
+      statements.push_back(add_edit_row(record.id, number, forked.edits[number - 1], holding));
+    const Status made = status_of(database.transact(statements));
+    if (made.is_ok()) holdings.epochs[record.id] = holding.epoch;
+    return made;
+  };
+  RETURN_IF_ERROR(queue_->run(fork, Repeat::kNever));
   if (has_same_cells(source, record)) paint_->copy(source.id, record.id);
   return emptied;
 }
@@ -180,6 +181,32 @@ Status PostgresJournal::set_role(const std::string& session_id, const std::strin
       [&](PgConnection& database, Holdings&) {
         const PgStatement put = put_role_row(session_id, user, role);
         return status_of(database.transact({&put, 1}));
+      },
+      Repeat::kNever);
+}
+
+/// Enters the sessions within a transaction that has begun.
+static Status enter_each(PgConnection& database, const NextSession& next) {
+  for (;;) {
+    ASSIGN_OR_RETURN(const auto session, next());
+    if (!session) return Status::ok();
+    const SessionRecord& record = session->record;
+    for (const PgStatement& row : make_session_rows(record, session->roles, {}))
+      RETURN_IF_ERROR(database.run(row).status());
+    for (uint64_t number = 1; number <= session->edits.size(); ++number)
+      RETURN_IF_ERROR(
+          database.run(add_edit_row(record.id, number, session->edits[number - 1], {})).status());
+  }
+}
+
+Status PostgresJournal::enter_all(const NextSession& next) {
+  return queue_->run(
+      [&](PgConnection& database, Holdings&) -> Status {
+        RETURN_IF_ERROR(database.script("BEGIN"));
+        const Status entered = enter_each(database, next);
+        if (entered.is_ok()) return database.script("COMMIT");
+        (void)database.script("ROLLBACK");
+        return entered;
       },
       Repeat::kNever);
 }

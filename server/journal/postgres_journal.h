@@ -35,6 +35,7 @@ class PostgresJournal final : public Journal {
   Result<SessionRoles> roles(const std::string& session_id) override;
   Status set_role(const std::string& session_id, const std::string& user,
                   SessionRole role) override;
+  Status enter_all(const NextSession& next) override;
   void keep_paint(const std::string& session_id, const PaintCheckpoint& paint) override {
     paint_->keep(session_id, paint);
   }

@@ -124,10 +124,12 @@ Result<uint64_t> SqliteJournal::fork_session(const SessionRecord& source, uint64
                                              const SessionRoles& roles) {
   uint64_t emptied = 0;
   const Status status = commit_.write([&](Database& database) -> Status {
-    ASSIGN_OR_RETURN(std::vector<AuthoredEdit> copied, read_edits(database, source.id));
-    ASSIGN_OR_RETURN(emptied, make_forked_edits(source, record, edits, copied));
+    ASSIGN_OR_RETURN(auto all, read_edits(database, source.id));
+    ASSIGN_OR_RETURN(const ForkedEdits forked,
+                     edits_of_fork(std::move(all), edits, source, record));
+    emptied = forked.emptied;
     RETURN_IF_ERROR(insert_session(database, record, roles));
-    RETURN_IF_ERROR(insert_edits(database, record.id, 1, copied));
+    RETURN_IF_ERROR(insert_edits(database, record.id, 1, forked.edits));
     return has_same_cells(source, record) ? copy_paint(database, source, record) : Status::ok();
   });
   RETURN_IF_ERROR(status);
@@ -166,6 +168,22 @@ Status SqliteJournal::set_role(const std::string& session_id, const std::string&
                                SessionRole role) {
   return commit_.write(
       [&](Database& database) { return insert_role(database, session_id, user, role); });
+}
+
+Status SqliteJournal::enter_all(const NextSession& next) {
+  std::map<std::string, uint64_t> ends;
+  const auto enter = [&](Database& database) -> Status {
+    for (;;) {
+      ASSIGN_OR_RETURN(const auto session, next());
+      if (!session) return Status::ok();
+      RETURN_IF_ERROR(insert_session(database, session->record, session->roles));
+      RETURN_IF_ERROR(insert_edits(database, session->record.id, 1, session->edits));
+      ends[session->record.id] = session->edits.size();
+    }
+  };
+  RETURN_IF_ERROR(commit_.write(enter));
+  for (const auto& [id, number] : ends) ends_->note(id, number);
+  return Status::ok();
 }
 
 void SqliteJournal::keep_paint(const std::string& session_id, const PaintCheckpoint& paint) {

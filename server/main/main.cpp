@@ -9,12 +9,11 @@
 #include "common/base/atomic_file.h"
 #include "common/base/wait_policy.h"
 #include "server/config/command_line.h"
-#include "server/journal/postgres_journal.h"
-#include "server/journal/sqlite_journal.h"
 #include "server/library/stale_files.h"
 #include "server/live/live_sessions.h"
 #include "server/main/daemon.h"
 #include "server/main/gauges.h"
+#include "server/main/journals.h"
 #include "server/process/hidden_folder.h"
 #include "server/process/log_setup.h"
 #include "server/scheduling/lanes.h"
@@ -132,14 +131,6 @@ Result<std::unique_ptr<MetricsExporter>> start_metrics(const std::string& listen
   return exporter;
 }
 
-Result<std::unique_ptr<Journal>> open_journal(const ServerConfig& config,
-                                              const DataFolder& folder) {
-  if (config.journal.empty()) return SqliteJournal::open(folder.journal());
-  ASSIGN_OR_RETURN(const PgAddress address, PgAddress::parse(config.journal));
-  ASSIGN_OR_RETURN(auto journal, PostgresJournal::open(address, folder.paint()));
-  return std::unique_ptr<Journal>(std::move(journal));
-}
-
 /// Without a device only the server's own threads can be late: a busy machine has not failed.
 DeviceWatch::Times watch_times(BackendKind backend) {
   DeviceWatch::Times times;
@@ -161,7 +152,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
     const auto scan = store.find(id);
     return scan.is_ok() ? scan->name : id;
   });
-  ASSIGN_OR_RETURN(const auto journal, open_journal(config, *folder));
+  ASSIGN_OR_RETURN(const auto journal, open_journal(config.journal, *folder));
   ASSIGN_OR_RETURN(const auto sessions,
                    SessionManager::create(*folder, store, *journal, session_options(config)));
   LiveSessions live(*sessions, kSolverThreads);
@@ -211,7 +202,9 @@ int main(int argc, char** argv) {
   if (!line) return exit_code;
   burnish::set_up_log(line->config.log_level, line->config.log_format);
   const sigset_t signals = burnish::block_signals();
-  const burnish::Status status = burnish::serve(*line, signals);
+  const burnish::Status status = line->copy
+                                     ? burnish::copy_journal_of(line->copy->from, line->copy->to)
+                                     : burnish::serve(*line, signals);
   if (status.is_ok()) return 0;
   std::cerr << "burnish-server: " << status.message() << "\n";
   return burnish::kExitFailed;

@@ -53,6 +53,7 @@ class DoubtfulJournal final : public Journal {
   Status set_role(const std::string& id, const std::string& user, SessionRole role) override {
     return real_->set_role(id, user, role);
   }
+  Status enter_all(const NextSession& each) override { return real_->enter_all(each); }
   void keep_paint(const std::string& id, const PaintCheckpoint& paint) override {
     real_->keep_paint(id, paint);
   }
