@@ -14,6 +14,7 @@
 #include "client/cli/stroke_file.h"
 #include "client/tools/own_presets.h"
 #include "common/base/parallel.h"
+#include "common/grid/depth_plan.h"
 #include "common/mesh/mesh_io.h"
 
 namespace burnish {
@@ -91,8 +92,7 @@ void tell(const FilterOptions& options, const FilterOutcome& outcome, size_t job
 Status print_depths_of(const FilterOptions& options) {
   ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(options.files[0]));
   const MeshStatistics statistics = compute_statistics(mesh);
-  const int chosen =
-      default_depth(statistics.box_min, statistics.box_max, statistics.mean_edge_length);
+  const int chosen = default_depth(statistics, MachineBudget().default_depth_bytes_max());
   if (options.json) {
     print_json(depths_to_json(statistics, chosen));
   } else {

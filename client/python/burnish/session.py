@@ -178,9 +178,12 @@ class Session:
         """Joins the session. See Live."""
         return Live(self._calls, self._info, triangles_max=triangles_max, level=level)
 
-    def fork(self, name: str = "", *, until: int | str | None = None) -> Session:
-        """Returns a new session with the edits of this one, up to a number or a checkpoint."""
-        request = editing_pb2.ForkSessionRequest(session=self.id, name=name)
+    def fork(self, name: str = "", *, until: int | str | None = None, depth: int = 0) -> Session:
+        """Returns a new session with the edits of this one, up to a number or a checkpoint.
+
+        At another `depth` edits of single cells set nothing; 0: at this one.
+        """
+        request = editing_pb2.ForkSessionRequest(session=self.id, name=name, depth=depth)
         if isinstance(until, str):
             request.checkpoint = until
         elif until is not None:
