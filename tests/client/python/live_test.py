@@ -104,7 +104,8 @@ class LiveSessions(Sdk):
             editor.apply(burnish.GradientScale(beta / 10))
             editor.settle()
         slow.wait_for_heartbeats(20)
-        self.assertEqual(slow.waiting_frames, 1)
+        self.assertLessEqual(slow.waiting_frames, 1)
+        slow.next_frame()
         slow.apply(burnish.GradientScale(0.95))
         self.assertEqual(slow.settle().edits, 11)
 
