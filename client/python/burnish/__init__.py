@@ -21,6 +21,7 @@ from .history import Deviation, Entry, Exported, State
 from .live import Frame, Live
 from .local import Filtered, Options, filter, filter_all, filter_mesh
 from .mesh import Mesh, load_ply
+from .people import People
 from .pictures import animate, render
 from .region import (ClearProtected, GrowProtected, InvertProtected, ProtectCurvature,
                      ProtectLasso, ProtectPiece)
@@ -33,7 +34,7 @@ __all__ = [
     "Connection", "Controls", "Damaged", "DeadlineExceeded", "Deviation", "Entry", "Equaliser",
     "Error", "Exported", "FailedPrecondition", "Filtered", "Frame", "Gesture", "GradientScale",
     "GrowProtected", "Histogram", "Internal", "InvalidArgument", "InvertProtected", "Live", "Mesh",
-    "NotFound", "Options", "Palette", "PaletteCurve", "PermissionDenied", "Prepared",
+    "NotFound", "Options", "Palette", "PaletteCurve", "People", "PermissionDenied", "Prepared",
     "ProtectCurvature", "ProtectLasso", "ProtectPiece", "Refused", "ResourceExhausted", "Scan",
     "Session", "SessionEnded", "State", "Stroke", "TransferCurve", "Unauthenticated",
     "Unavailable", "Unimplemented", "animate", "connect", "filter", "filter_all", "filter_mesh",

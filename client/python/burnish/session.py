@@ -20,6 +20,7 @@ from .files import format_of, receive
 from .history import Deviation, Entry, Exported, State
 from .live import Live
 from .mesh import Mesh, load_ply
+from .people import People, role_of
 from .progress import Progress
 
 EDITS_MAX = 64
@@ -178,10 +179,20 @@ class Session:
         """Joins the session. See Live."""
         return Live(self._calls, self._info, triangles_max=triangles_max, level=level)
 
+    def people(self) -> People:
+        """Returns who may do what here, and who is there."""
+        return People.of(self._calls.ask(self._editing.GetPeople, editing_pb2.GetPeopleRequest(
+            session=self.id)))
+
+    def set_role(self, user: str, role: str) -> None:
+        """Gives a user the role viewer, editor or owner; "" is everybody without one of their own."""
+        self._calls.ask(self._editing.SetRole, editing_pb2.SetRoleRequest(
+            session=self.id, user=user, role=role_of(role)))
+
     def fork(self, name: str = "", *, until: int | str | None = None, depth: int = 0) -> Session:
         """Returns a new session with the edits of this one, up to a number or a checkpoint.
 
-        `depth`: of its grid, 0 for the same. Edits of single cells set none at another depth.
+        At another `depth` edits of single cells set nothing; 0: at this one.
         """
         request = editing_pb2.ForkSessionRequest(session=self.id, name=name, depth=depth)
         if isinstance(until, str):

@@ -79,6 +79,9 @@ class Edits(Sdk):
         fork = self.session.fork(self.id() + " fork", until="half")
         self.addCleanup(self.delete, fork)
         self.assertEqual([entry.summary for entry in fork.history()], ["beta 0.5", "half"])
+        coarse = self.session.fork(self.id() + " coarse", depth=5)
+        self.addCleanup(self.delete, coarse)
+        self.assertEqual(coarse.depth, 5)
 
     def test_all_edits_are_applied_or_none(self):
         with self.assertRefused(burnish.InvalidArgument, "beta", "11", "10"):

@@ -104,9 +104,22 @@ class LiveSessions(Sdk):
             editor.apply(burnish.GradientScale(beta / 10))
             editor.settle()
         slow.wait_for_heartbeats(20)
-        self.assertEqual(slow.waiting_frames, 1)
+        self.assertLessEqual(slow.waiting_frames, 1)
+        slow.next_frame()
         slow.apply(burnish.GradientScale(0.95))
         self.assertEqual(slow.settle().edits, 11)
+
+    def test_people_are_there_with_their_roles(self):
+        session, anna = self.open(), self.connect("Anna")
+        session.set_role("Anna", "viewer")
+        self.join(session)
+        self.join(anna.session(session.id))
+        people = session.people()
+        self.assertEqual((people.roles["Anna"], people.present), ("viewer", ["Zoë", "Anna"]))
+        with self.assertRaises(burnish.PermissionDenied):
+            anna.session(session.id).set_beta(0)
+        with self.assertRefused(burnish.InvalidArgument, "king", "owner"):
+            session.set_role("Anna", "king")
 
     def test_a_closed_session_is_over_for_good(self):
         session = self.open()
