@@ -117,6 +117,8 @@ TEST_F(WebEndurance, SocketsThatComeAndGoLeaveNothing) {
   EXPECT_LT(resident_bytes_of(server_), before + 8 * kMiB);
   EXPECT_EQ(metric_of("burnish_web_sockets_total"), sockets / 4 + sockets);
   EXPECT_EQ(metric_of("burnish_web_rpcs_total"), sockets / 4 + sockets);
+  EXPECT_GT(metric_of("burnish_web_sent_bytes_total"), 20.0 * sockets);
+  EXPECT_TRUE(comes_true([&] { return metric_of("burnish_web_connections") == 0; }));
   EXPECT_TRUE(comes_true([&] { return metric_of("burnish_live_objects{kind=\"call\"}") == 0; }));
 }
 
