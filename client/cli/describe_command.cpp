@@ -5,6 +5,7 @@
 #include "client/cli/depth_table.h"
 #include "client/cli/json_output.h"
 #include "client/cli/server_option.h"
+#include "client/report/depth_text.h"
 #include "common/base/limits.h"
 
 namespace burnish {
@@ -37,6 +38,7 @@ void print(const ScanInfo& scan) {
   std::printf("%-22s %.6g x %.6g x %.6g\n", "box", size.x(), size.y(), size.z());
   std::printf("%-22s %.6g\n%-22s %.6g\n", "area", s.area, "mean edge", s.mean_edge_length);
   std::printf("%-22s %d\n", "default depth", scan.default_depth);
+  std::printf("%s\n", edges_text(s, scan.unit, scan.default_depth).c_str());
   for (const PreparedInfo& prepared : scan.prepared)
     std::printf("%-22s depth %d, curvature radius %g, %llu bytes\n", "prepared", prepared.key.depth,
                 prepared.key.curvature_radius,

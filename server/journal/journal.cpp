@@ -122,24 +122,44 @@ void Journal::shrink() {
       });
 }
 
-Status Journal::fork_session(const std::string& source_id, uint64_t edits,
-                             const SessionRecord& record, const SessionRoles& roles) {
+/// Returns how many edits set cells before.
+static uint64_t empty_cell_fields(std::vector<AuthoredEdit>& edits) {
+  uint64_t emptied = 0;
+  for (AuthoredEdit& each : edits) {
+    auto* fields = std::get_if<SetCellFields>(&each.edit.change);
+    if (fields == nullptr || fields->cells.empty()) continue;
+    fields->cells.clear();
+    ++emptied;
+  }
+  return emptied;
+}
+
+static Status copy_paint(Database& database, const SessionRecord& from, const SessionRecord& to) {
+  return run(database,
+             "INSERT INTO paint (session_id, series, strokes, bytes)"
+             " SELECT ?, series, strokes, bytes FROM paint WHERE session_id = ?"
+             " ORDER BY sequence",
+             to.id, from.id);
+}
+
+Result<uint64_t> Journal::fork_session(const SessionRecord& source, uint64_t edits,
+                                       const SessionRecord& record, const SessionRoles& roles) {
+  const bool has_same_cells = source.key.depth == record.key.depth;
+  uint64_t emptied = 0;
   const Status status = commit_.write([&](Database& database) -> Status {
-    ASSIGN_OR_RETURN(std::vector<AuthoredEdit> copied, read_edits(database, source_id));
+    ASSIGN_OR_RETURN(std::vector<AuthoredEdit> copied, read_edits(database, source.id));
     if (copied.size() < edits)
       return data_loss("the session's edits end at " + std::to_string(copied.size()) + ", not at " +
                        std::to_string(edits) + "; some were not written");
     copied.resize(edits);
+    if (!has_same_cells) emptied = empty_cell_fields(copied);
     RETURN_IF_ERROR(insert_session(database, record, roles));
     RETURN_IF_ERROR(insert_edits(database, record.id, 1, copied));
-    return run(database,
-               "INSERT INTO paint (session_id, series, strokes, bytes)"
-               " SELECT ?, series, strokes, bytes FROM paint WHERE session_id = ?"
-               " ORDER BY sequence",
-               record.id, source_id);
+    return has_same_cells ? copy_paint(database, source, record) : Status::ok();
   });
-  if (status.is_ok()) ends_->note(record.id, edits);
-  return status;
+  RETURN_IF_ERROR(status);
+  ends_->note(record.id, edits);
+  return emptied;
 }
 
 void Journal::append(const std::string& session_id, uint64_t first, std::vector<AuthoredEdit> edits,

@@ -51,9 +51,11 @@ class Journal {
   Status rename_session(const std::string& id, const std::string& name);
   Status remove_session(const std::string& id);
 
-  /// Makes a session with the first `edits` edits of another session, and its paint.
-  Status fork_session(const std::string& source_id, uint64_t edits, const SessionRecord& record,
-                      const SessionRoles& roles);
+  /// Makes a session with the first `edits` edits of another session, and its paint. At another
+  /// depth there are other cells: paint is left out, and edits that set single cells set none.
+  /// Returns the number of these edits.
+  Result<uint64_t> fork_session(const SessionRecord& source, uint64_t edits,
+                                const SessionRecord& record, const SessionRoles& roles);
 
   /// Appends all edits or none; the first gets the number `first`. Another thread calls `done` when
   /// they are on disk. Without edits it only waits for earlier ones. Fails: already_exists (the

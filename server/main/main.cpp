@@ -99,6 +99,7 @@ MeshStoreOptions store_options(const ServerConfig& config) {
   options.upload_bytes_max = static_cast<uint64_t>(config.upload_bytes_max);
   options.upload_bytes_per_user = static_cast<uint64_t>(config.upload_bytes_per_user);
   options.memory_bytes_max = resolved_memory_bytes_max(config);
+  if (has_device(config.backend)) options.device_memory_bytes_max = cuda_memory_max();
   options.threads = static_cast<int>(config.threads);
   return options;
 }

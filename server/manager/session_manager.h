@@ -58,11 +58,11 @@ class SessionManager {
   Result<OpenedSession> open(const SessionWish& wish, const Caller& caller,
                              const Progress& progress = {});
 
-  /// Makes a session with a part of another's edits; the caller becomes its owner. Fails: not_found
-  /// (session, edit, checkpoint), invalid_argument (the name is an id), already_exists,
-  /// resource_exhausted, cancelled.
-  Result<SessionInfo> fork(const ForkWish& wish, const Caller& caller,
-                           const Progress& progress = {});
+  /// Makes a session with a part of another's edits; the caller becomes its owner. Prepares the
+  /// scan if the fork has a depth of its own. Fails: not_found (session, edit, checkpoint),
+  /// invalid_argument (the name is an id), already_exists, resource_exhausted, cancelled.
+  Result<ForkedSession> fork(const ForkWish& wish, const Caller& caller,
+                             const Progress& progress = {});
 
   /// Returns the sessions by name.
   std::vector<SessionInfo> list() const;

@@ -66,7 +66,8 @@ Result<bool> replay_agrees(Connection& connection, const std::string& session) {
   ForkWish wish;
   wish.source = session;
   wish.name = "bench replay " + random_id();
-  ASSIGN_OR_RETURN(const SessionInfo fork, connection.fork_session(wish));
+  ASSIGN_OR_RETURN(const ForkedSession forked, connection.fork_session(wish));
+  const SessionInfo& fork = forked.session;
   bool agrees = true;
   for (const CellValue value : {CellValue::kBeta, CellValue::kAlpha1, CellValue::kAlpha2}) {
     ASSIGN_OR_RETURN(const auto grown, connection.cells(session, value));

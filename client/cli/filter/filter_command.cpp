@@ -21,6 +21,7 @@
 #include "common/base/parallel.h"
 #include "common/bundle/place_mesh.h"
 #include "common/bundle/scan_bundle.h"
+#include "common/grid/depth_plan.h"
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/rewrite/left_out.h"
 #include "common/mesh/rewrite/rewrite.h"
@@ -168,8 +169,7 @@ Status filter(const FilterOptions& options) {
   run.read_seconds = reading.seconds();
   if (options.depths) {
     const MeshStatistics statistics = compute_statistics(mesh);
-    print_depths(statistics, default_depth(statistics.box_min, statistics.box_max,
-                                           statistics.mean_edge_length));
+    print_depths(statistics, default_depth(statistics, budget.default_depth_bytes_max()));
     return Status::ok();
   }
   RETURN_IF_ERROR(warn_of_output(options, original, mesh));

@@ -121,7 +121,7 @@ TEST_F(JournalDamageTest, AForkOfADamagedSessionHasTheSameNumbers) {
   damage(
       "UPDATE edits SET id = CAST('e7' AS BLOB) WHERE number = 3;"
       "DELETE FROM edits WHERE number = 4");
-  ASSERT_TRUE(journal_->fork_session("id-a", 5, record("f"), {}).is_ok());
+  ASSERT_TRUE(journal_->fork_session(record("a"), 5, record("f"), {}).is_ok());
   EXPECT_THAT(damaged("id-f"), ElementsAre(3, 4));
   EXPECT_EQ(journal_->edits("id-f").value()[2].author, "ann");
   EXPECT_EQ(journal_->edit_count("id-f").value(), 5u);

@@ -154,11 +154,32 @@ TEST_F(JournalTest, EditsOfNoSessionAreRefused) {
 
 TEST_F(JournalTest, AForkHasTheFirstEditsOfItsSource) {
   ASSERT_TRUE(journal_->append("id-a", 1, some_edits()).is_ok());
-  ASSERT_TRUE(journal_->fork_session("id-a", 2, record("f"), {}).is_ok());
+  ASSERT_TRUE(journal_->fork_session(record("a"), 2, record("f"), {}).is_ok());
   EXPECT_EQ(journal_->edit_count("id-f").value(), 2u);
   EXPECT_EQ(journal_->edits("id-f").value()[1].author, "bob");
-  EXPECT_EQ(journal_->fork_session("id-a", 5, record("g"), {}).code(), StatusCode::kDataLoss);
+  EXPECT_EQ(journal_->fork_session(record("a"), 5, record("g"), {}).status().code(),
+            StatusCode::kDataLoss);
   EXPECT_EQ(journal_->sessions().value().size(), 2u);
+}
+
+TEST_F(JournalTest, AForkAtAnotherDepthHasNoCellFieldsAndNoPaint) {
+  const SetCellFields cells{{{Vec3i(1, 2, 3), 1, 1, 1}}};
+  ASSERT_TRUE(journal_->append("id-a", 1, some_edits()).is_ok());
+  const uint64_t count = journal_->edit_count("id-a").value();
+  ASSERT_TRUE(journal_->append("id-a", count + 1, {{"ann", 0, {"cells", cells}}}).is_ok());
+  journal_->keep_paint("id-a", {101, 1, {{1, 3}, {0.5f, 2}, {1, 0.25f}}});
+  SessionRecord deeper = record("f");
+  ++deeper.key.depth;
+  EXPECT_EQ(journal_->fork_session(record("a"), count + 1, deeper, {}).value(), 1u);
+  EXPECT_EQ(journal_->fork_session(record("a"), count + 1, record("g"), {}).value(), 0u);
+  const auto fields = [&](const std::string& id) {
+    return std::get<SetCellFields>(journal_->edits(id).value().back().edit.change).cells.size();
+  };
+  EXPECT_EQ(fields("id-f"), 0u);
+  EXPECT_EQ(fields("id-g"), 1u);
+  EXPECT_EQ(journal_->paint("id-f", 4).value().size(), 0u);
+  EXPECT_EQ(journal_->paint("id-g", 4).value().size(), 1u);
+  EXPECT_EQ(journal_->edits("id-f").value()[0].edit.id, some_edits()[0].edit.id);
 }
 
 TEST_F(JournalTest, RolesComeBackFromANewProgram) {

@@ -209,7 +209,7 @@ void Simulator::fork() {
   const std::string name = "fork" + std::to_string(++counts_.forks);
   const auto forked = manager_->fork({session_, name, end, ""}, users_[0].name, {});
   ASSERT_TRUE(forked.is_ok()) << forked.status().message();
-  EXPECT_EQ(forked.value().edits, end);
+  EXPECT_EQ(forked.value().session.edits, end);
   compare();  // the source is unchanged
   SerialReplay shorter;
   ASSERT_TRUE(shorter.apply({edits.begin(), edits.begin() + static_cast<std::ptrdiff_t>(end)}));

@@ -83,7 +83,7 @@ TEST_F(SessionDamageTest, AForkOfASessionWithADamagedEditOpens) {
   damage("DELETE FROM edits WHERE number = 2");
   const auto fork = manager_->fork({"one", "two", 0, "named"}, "ann", {});
   ASSERT_TRUE(fork.is_ok()) << fork.status().message();
-  EXPECT_EQ(fork->edits, 3u);
+  EXPECT_EQ(fork->session.edits, 3u);
   EXPECT_EQ(manager_->state("two", {}).value().gradient_scale, 0.25);
 }
 

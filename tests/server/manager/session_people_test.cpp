@@ -173,8 +173,8 @@ TEST_F(SessionPeopleTest, AForkBeginsWhereItIsToldAndGoesItsOwnWay) {
   ASSERT_TRUE(apply("ann", SetGradientScale{0.5}).is_ok());
   ASSERT_TRUE(manager_->fork({"work", "a", 0, "quarter"}, "bob", {}).is_ok());
   EXPECT_EQ(beta("a"), 0.25);
-  EXPECT_EQ(manager_->fork({"work", "b", 1, ""}, "bob", {}).value().edits, 1u);
-  EXPECT_EQ(manager_->fork({"work", "c", 0, ""}, "bob", {}).value().edits, 3u);
+  EXPECT_EQ(manager_->fork({"work", "b", 1, ""}, "bob", {}).value().session.edits, 1u);
+  EXPECT_EQ(manager_->fork({"work", "c", 0, ""}, "bob", {}).value().session.edits, 3u);
   EXPECT_EQ(beta("c"), 0.5);
   ASSERT_TRUE(apply("ann", Undo{}, "a").is_ok());
   EXPECT_EQ(beta("a"), 1);
