@@ -12,6 +12,7 @@ target_include_directories(XXHASH::XXHASH INTERFACE ${XXHASH_INCLUDE_DIR})
 target_link_libraries(XXHASH::XXHASH INTERFACE ${XXHASH_LIBRARY})
 find_package(nlohmann_json 3.11 REQUIRED)
 if(BURNISH_SERVICE)
+  find_package(Boost 1.74 REQUIRED)  # headers alone
   find_package(OpenSSL REQUIRED COMPONENTS Crypto SSL)
   find_package(Protobuf 3.21 REQUIRED)
   find_package(gRPC 1.51 CONFIG REQUIRED)

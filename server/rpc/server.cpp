@@ -192,6 +192,10 @@ const std::string& Server::web_address() const {
   return state_->web_address;
 }
 
+size_t Server::web_connections() const {
+  return state_->web ? state_->web->connections() : 0;
+}
+
 void Server::set_serving(bool serving) {
   grpc::HealthCheckServiceInterface* health = state_->server->GetHealthCheckService();
   for (const char* service : {v1::Library::service_full_name(), v1::Editing::service_full_name()})

@@ -51,6 +51,9 @@ class Server {
   /// "https://HOST:PORT" with the chosen port; empty without a web door.
   const std::string& web_address() const;
 
+  /// Returns the connections that the web door holds; 0 without a door.
+  size_t web_connections() const;
+
   /// Sets the answer of the health service for the server and each of its services.
   void set_serving(bool serving);
 

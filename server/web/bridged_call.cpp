@@ -57,6 +57,9 @@ void BridgedCall::OnWriteDone(bool /*ok*/) {
 }
 
 void BridgedCall::OnDone(const grpc::Status& status) {
+  // gRPC 1.51 keeps an ended call inside the process, 27 kB, until the server's end, if the status
+  // came before the client's half-close. A cancel after the end frees it and changes nothing else.
+  context_.TryCancel();
   events_.post([this, status] {
     const auto held = std::move(self_);
     const Events events = std::move(events_);

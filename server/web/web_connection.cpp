@@ -33,6 +33,11 @@ void WebConnections::wait_until_empty() {
   removed_.wait(lock, [this] { return seats_.empty(); });
 }
 
+size_t WebConnections::count() {
+  const std::lock_guard lock(mutex_);
+  return seats_.size();
+}
+
 std::vector<std::shared_ptr<WebConnection>> WebConnections::alive() {
   std::vector<std::shared_ptr<WebConnection>> connections;
   for (const auto& [seat, connection] : seats_)

@@ -37,6 +37,7 @@ class WebConnections {
   void leave();
   void close();
   void wait_until_empty();
+  size_t count();
 
  private:
   std::vector<std::shared_ptr<WebConnection>> alive();  // needs the lock

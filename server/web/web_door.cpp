@@ -88,6 +88,10 @@ void WebDoor::take(int fd, const std::string& peer) {
   serve_http(state_->door, std::move(client), TlsStream(std::move(socket), **context));
 }
 
+size_t WebDoor::connections() const {
+  return state_->door.connections.count();
+}
+
 void WebDoor::leave() {
   state_->door.connections.leave();
 }

@@ -39,6 +39,9 @@ class WebDoor {
   /// Takes over a connected socket. `peer` is its name for the log.
   void take(int fd, const std::string& peer);
 
+  /// Returns how many connections are open.
+  size_t connections() const;
+
   /// Closes sockets without a call, others at the end of their call, with code 1001.
   void leave();
 

@@ -54,7 +54,6 @@ struct WebClient::State {
   asio::ssl::context tls{asio::ssl::context::tls_client};
   std::variant<std::monostate, Plain, Secure> socket;
   bool is_open = false;
-  unsigned http_status = 0;
   int close_code = 0;
 
   asio::ip::tcp::socket& lowest() {
@@ -79,6 +78,10 @@ struct WebClient::State {
     } else {
       tls.set_verify_mode(asio::ssl::verify_peer);
       tls.add_certificate_authority(asio::buffer(options.ca));
+      if (!options.key.empty()) {
+        tls.use_certificate_chain(asio::buffer(options.certificate));
+        tls.use_private_key(asio::buffer(options.key), asio::ssl::context::pem);
+      }
       auto& secure = socket.emplace<Secure>(std::move(tcp), tls);
       Error error;
       secure.next_layer().handshake(asio::ssl::stream_base::client, error);
@@ -96,10 +99,8 @@ struct WebClient::State {
           request.set(beast::http::field::sec_websocket_protocol, options.protocol);
         if (!options.origin.empty()) request.set(beast::http::field::origin, options.origin);
       }));
-      websocket::response_type answer;
       Error error;
-      s.handshake(answer, host, options.target, error);
-      http_status = answer.result_int();
+      s.handshake(host, options.target, error);
       is_open = !error;
     });
   }
@@ -114,9 +115,6 @@ WebClient::~WebClient() = default;
 
 bool WebClient::is_open() const {
   return state_->is_open;
-}
-unsigned WebClient::http_status() const {
-  return state_->http_status;
 }
 int WebClient::close_code() const {
   return state_->close_code;
@@ -206,6 +204,11 @@ WireAnswer call(WebClient& client, const WireCall& wire) {
   return answer;
 }
 
+std::string web_address(const ServerProcess& server) {
+  const std::string address = server.announced("web on ");
+  return address.substr(address.find("//") + 2);
+}
+
 std::string http_exchange(const std::string& address, const std::string& request, size_t enough) {
   const int fd = connected_socket(address);
   (void)!::write(fd, request.data(), request.size());
@@ -215,6 +218,18 @@ std::string http_exchange(const std::string& address, const std::string& request
     answer.append(piece, static_cast<size_t>(size));
   ::close(fd);
   return answer;
+}
+
+int upgrade_status(const std::string& address, const WebClientOptions& options) {
+  std::string request = "GET " + options.target +
+                        " HTTP/1.1\r\nHost: " + (options.host.empty() ? address : options.host) +
+                        "\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n"
+                        "Sec-WebSocket-Version: 13\r\n"
+                        "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n";
+  if (!options.protocol.empty()) request += "Sec-WebSocket-Protocol: " + options.protocol + "\r\n";
+  if (!options.origin.empty()) request += "Origin: " + options.origin + "\r\n";
+  const std::string answer = http_exchange(address, request + "\r\n", 12);
+  return std::stoi("0" + answer.substr(std::min<size_t>(answer.size(), 9), 3));
 }
 
 }  // namespace burnish

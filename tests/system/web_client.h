@@ -4,15 +4,22 @@
 #include <optional>
 #include <string>
 
+#include "tests/system/server_process.h"
 #include "tests/system/wire_call.h"
 
 namespace burnish {
 
+inline constexpr char kListScansRpc[] = "/burnish.v1.Library/ListScans";
+inline constexpr char kImportRpc[] = "/burnish.v1.Library/Import";
+inline constexpr char kEditRpc[] = "/burnish.v1.Editing/Edit";
+inline constexpr char kExportRpc[] = "/burnish.v1.Editing/Export";
+
 /// How a test opens a WebSocket.
 struct WebClientOptions {
-  std::string ca = {};      ///< PEM; empty: plain text
-  std::string host = {};    ///< the header Host; empty: the address
-  std::string origin = {};  ///< empty: none, as clients that are not browsers
+  std::string ca = {};                     ///< PEM; empty: plain text
+  std::string certificate = {}, key = {};  ///< of the client, PEM; empty: none
+  std::string host = {};                   ///< the header Host; empty: the address
+  std::string origin = {};                 ///< empty: none, as clients that are not browsers
   std::string target = "/rpc";
   std::string protocol = "burnish.v1";
   int receive_buffer_bytes = 0;  ///< of the kernel; 0: its default
@@ -31,7 +38,6 @@ class WebClient {
   ~WebClient();
 
   bool is_open() const;
-  unsigned http_status() const;  ///< of the refused handshake; 0 without an answer
 
   /// Return whether the frame went out.
   bool send_text(const std::string& text);
@@ -62,6 +68,12 @@ std::string begin_of(const std::string& method, const std::string& token = {});
 
 /// Reads to the end of the call that runs. Adds its messages to the answer.
 WireAnswer read_to_end(WebClient& client);
+
+/// Returns HOST:PORT of the server's web door. Needs: its flags have --web.
+std::string web_address(const ServerProcess& server);
+
+/// Asks for a WebSocket in plain text and returns the status of HTTP: 101 if the door opens it.
+int upgrade_status(const std::string& address, const WebClientOptions& options);
 
 /// Sends `request` as it is to HOST:PORT and returns all until the server closes or `enough` bytes
 /// are there.
