@@ -54,7 +54,7 @@ TEST(PlannedCycle, KnowsScansWithFlatPieces) {
     return system.plan->has_flat_parts;
   };
   for (const char* kind : {"part", "sheet"}) EXPECT_TRUE(has_flat_parts(kind)) << kind;
-  for (const char* kind : {"tablet", "blob", "icosphere", "soup"})
+  for (const char* kind : {"tablet", "blob", "icosphere"})
     EXPECT_FALSE(has_flat_parts(kind)) << kind;
 }
 
