@@ -81,7 +81,8 @@ static bool draw_section(const char* name, Panel& panel, Workspace& workspace,
   ImGui::PopTextWrapPos();
   ImGui::Dummy({0, em(0.25f)});
   ImGui::PopID();
-  note_area(name, low, {low.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y});
+  const float bottom = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y;
+  note_area(name, low, {low.x + ImGui::GetContentRegionAvail().x, bottom});
   return true;
 }
 

@@ -24,6 +24,7 @@ void NumbersPanel::draw_unit(Document& document) {
   ImGui::SameLine(em(7.5f));
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##unit", "mm, m, …", &unit_);
+  note_place("Unit");
   hint("Names the unit of the scan's coordinates, for everybody who opens the scan.");
   if (ImGui::IsItemDeactivatedAfterEdit() && unit_ != document.unit()) document.name_unit(unit_);
 }
@@ -85,7 +86,7 @@ static void draw_ruler(Document& document, Viewport& viewport) {
     document.measuring().cut(section_plane(ruler, viewport.camera));
   hint("Cuts the surface along the ruler, in the direction of the view.");
   ImGui::SameLine();
-  if (ImGui::Button("Clear")) ruler.clear();
+  if (noted("Clear", ImGui::Button("Clear"))) ruler.clear();
 }
 
 void NumbersPanel::draw(Workspace& workspace) {
