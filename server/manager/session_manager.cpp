@@ -95,7 +95,9 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
   if (by_user.amount() == 0 && !caller.user.empty()) {
     ASSIGN_OR_RETURN(by_user, by_user_.take("user " + caller.user, 1));
   }
+  if (entry.in_journal) RETURN_IF_ERROR(journal_.hold(record.id));
   ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));  // also checks the record
+  entry.is_in_doubt = false;                                      // all earlier outcomes are known
   std::shared_ptr<const SharedMesh> mesh = std::move(entry.mesh);
   if (!mesh) {
     ASSIGN_OR_RETURN(mesh, store_.open_mesh(record.scan_id, record.key, progress));

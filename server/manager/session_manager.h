@@ -96,12 +96,16 @@ class SessionManager {
   Result<ApplyOutcome> apply(const std::string& reference, const Caller& caller,
                              std::span<const Edit> edits, const Progress& progress = {});
 
+  /// Says whether edits are on disk. Of a failure, `unavailable` means that nobody knows, and that
+  /// the caller must send the same edits again.
+  using OnDisk = std::function<void(const Status&)>;
+
   /// Does the same without waiting for the disk: the session has the edits when this returns.
   /// Another thread calls `on_disk` when they are safe. If `on_disk` gets a failure, the session
   /// forgets the edits. It is not called when this fails.
   Result<ApplyOutcome> submit(const std::string& reference, const Caller& caller,
                               std::span<const Edit> edits, const Progress& progress,
-                              GroupCommit::Done on_disk);
+                              OnDisk on_disk);
 
   Result<HistoryPage> history(const HistoryWish& wish, const Caller& caller,
                               const Progress& progress = {});
@@ -200,7 +204,7 @@ class SessionManager {
                         const std::function<void(const Status&)>& came_back);
   Status catch_up(SessionEntry& entry, const Progress& progress);
   Result<ApplyOutcome> submit_held(const std::shared_ptr<SessionEntry>& held, const Caller& caller,
-                                   std::span<const Edit> edits, GroupCommit::Done on_disk);
+                                   std::span<const Edit> edits, OnDisk on_disk);
   void tell_changed(const SessionEntry& entry) const;
   uint64_t client_bytes(const SessionEntry& entry) const;
   void tell_left(const SessionEntry& entry, const Status& why) const;

@@ -15,6 +15,7 @@
 #include "common/base/parallel.h"
 #include "common/grid/depth_plan.h"
 #include "common/mesh/mesh_io.h"
+#include "server/prepare/preparation_need.h"
 
 namespace burnish {
 

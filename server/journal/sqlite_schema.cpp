@@ -1,4 +1,4 @@
-#include "server/journal/journal_schema.h"
+#include "server/journal/sqlite_schema.h"
 
 #include <array>
 
@@ -94,7 +94,7 @@ Status make_journal_schema(Database& database) {
                      std::to_string(newest));
   for (; version < newest; ++version)
     RETURN_IF_ERROR(database.execute(kSteps[static_cast<size_t>(version)]));
-  return transaction.commit();
+  return transaction.commit().status();
 }
 
 }  // namespace burnish

@@ -1,4 +1,4 @@
-#include "server/journal/journal_rows.h"
+#include "server/journal/sqlite_rows.h"
 
 #include <algorithm>
 #include <map>

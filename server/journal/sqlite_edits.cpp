@@ -4,7 +4,8 @@
 
 #include "common/base/text.h"
 #include "common/wire/edit_bytes.h"
-#include "server/journal/journal_rows.h"
+#include "server/journal/damaged_edits.h"
+#include "server/journal/sqlite_rows.h"
 
 namespace burnish {
 
@@ -22,11 +23,6 @@ Result<uint64_t> last_number(Database& database, const std::string& session_id) 
 }
 
 namespace {
-
-/// The space keeps it apart from all ids of clients.
-std::string id_of_damaged(uint64_t number) {
-  return "damaged " + std::to_string(number);
-}
 
 Status insert_all(Database& database, const std::string& session_id, uint64_t first,
                   const std::vector<AuthoredEdit>& edits) {
@@ -54,9 +50,7 @@ Status insert_all(Database& database, const std::string& session_id, uint64_t fi
 /// The edits of one session, gathered by number from several ways of reading.
 class Gathered {
  public:
-  explicit Gathered(uint64_t count)
-      : edits_(count, {"", 0, {"", Damaged{"its row is missing from the journal"}}}),
-        found_(count) {}
+  explicit Gathered(uint64_t count) : edits_(count, missing_edit()), found_(count) {}
 
   Status take(const Statement& row) {
     const auto number = static_cast<uint64_t>(row.integer(0));
@@ -68,16 +62,7 @@ class Gathered {
     AuthoredEdit& edit = edits_[i];
     edit.author = to_valid_utf8(row.text(1));
     edit.unix_ms = row.integer(2);
-    if (row.integer(4) == 0) {
-      edit.edit.change = Damaged{"its row in the journal is damaged"};
-      return Status::ok();
-    }
-    auto read = edit_from_bytes(row.text(3));
-    if (read.is_ok()) {
-      edit.edit = std::move(*read);
-    } else {
-      edit.edit.change = Damaged{read.status().message()};
-    }
+    read_kept_edit(row.text(3), row.integer(4) != 0, edit.edit);
     return Status::ok();
   }
 
@@ -107,9 +92,7 @@ Status check_session(Database& database, const std::string& session_id) {
                        " created_unix_seconds, pins_rims) FROM sessions WHERE id = ?"));
   ASSIGN_OR_RETURN(const bool is_there, query.bind(session_id).step());
   if (!is_there || query.integer(0) != 0) return Status::ok();
-  return data_loss(
-      "the session's row in the journal (its name, scan and depth) is damaged; restore the journal "
-      "from a backup");
+  return data_loss(kDamagedSessionRow);
 }
 
 }  // namespace
