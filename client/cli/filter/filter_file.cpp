@@ -4,16 +4,10 @@
 #include <iostream>
 
 #include "client/cli/filter/fields_file.h"
+#include "client/cli/filter/filter_output.h"
 #include "client/cli/filter/filter_report.h"
-#include "client/cli/filter/pack_output.h"
-#include "client/cli/warn_of_left_out.h"
-#include "common/base/atomic_file.h"
 #include "common/base/out_of_memory.h"
-#include "common/bundle/place_mesh.h"
-#include "common/bundle/scan_bundle.h"
 #include "common/mesh/mesh_io.h"
-#include "common/mesh/rewrite/left_out.h"
-#include "common/mesh/rewrite/rewrite.h"
 #include "server/memory/opening_need.h"
 #include "server/solver/tuning/plan_cycle.h"
 
@@ -45,38 +39,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// A .gltf whose positions lie in another file is written again in an archive only.
-Status check_buffers(const FilterPaths& paths, MeshFormat in, MeshFormat out) {
-  if (in != MeshFormat::kGltf || out != MeshFormat::kGltf) return Status::ok();
-  ASSIGN_OR_RETURN(const ScanBundle bundle, ScanBundle::open(paths.in));
-  if (bundle.beside().empty()) return Status::ok();
-  return invalid_argument(paths.in.string() + " names " + bundle.beside()[0] +
-                          " beside it; write a .zip archive, or another format");
-}
-
-/// The formats of a run.
-struct Formats {
-  MeshFormat in, out;
-  bool packs() const { return out == MeshFormat::kZip && in != MeshFormat::kZip; }
-};
-
-/// Refuses wrong options before the long work begins.
-Result<Formats> check_files(const FilterOptions& options, const FilterPaths& paths) {
-  Formats formats{};
-  ASSIGN_OR_RETURN(formats.in, mesh_format_of_path(paths.in));
-  ASSIGN_OR_RETURN(formats.out, written_format_of_path(paths.out));
-  if (formats.out != formats.in && !formats.packs() && !is_written_for_any_scan(formats.out))
-    return invalid_argument(paths.out_name + ": only a file of the same format is written as " +
-                            paths.out.extension().string() +
-                            "; use .ply, .obj, .stl, .glb or .zip");
-  RETURN_IF_ERROR(check_buffers(paths, formats.in, formats.out));
-  std::error_code ignored;
-  if (!options.force && std::filesystem::equivalent(paths.in, paths.out, ignored))
-    return invalid_argument(paths.out_name + " is the file to read; --force replaces it");
-  RETURN_IF_ERROR(check_writable(paths.out));
-  return formats;
-}
-
 Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits, Session& session) {
   const PreparedMesh& prepared = session.prepared();
   ASSIGN_OR_RETURN(const auto filter,
@@ -98,23 +60,6 @@ Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits,
   if (session.fields().hold() && !options.controls.pin_rims)
     std::cerr << "the rims stay where they are; --pin-rims off lets them move\n";
   return Status::ok();
-}
-
-/// Writes the solved surface in the format of `paths.out`, with the files beside it.
-Status write_surface(const FilterOptions& options, const FilterPaths& paths, Formats formats,
-                     const MovedMesh& moved) {
-  if (formats.packs()) return write_packed_mesh(paths.in, moved, paths.out);
-  RETURN_IF_ERROR(write_moved_mesh({paths.in, formats.in, paths.in.string()}, moved, paths.out));
-  return place_files_of(paths.in, paths.out, options.force);
-}
-
-Result<std::vector<std::string>> tell_left_out(const FilterPaths& paths, Formats formats,
-                                               const TriangleMesh& mesh) {
-  if (formats.packs()) return std::vector<std::string>();
-  const OriginalFile original = {paths.in, formats.in, paths.in.string()};
-  ASSIGN_OR_RETURN(auto left_out, attributes_left_out(original, formats.out, mesh));
-  warn_of_left_out(left_out, paths.out_name);
-  return left_out;
 }
 
 Result<Multigrid> make_hierarchy(const std::shared_ptr<const PreparedMesh>& prepared,
@@ -155,7 +100,7 @@ FilteredFacts facts_of(const TriangleMesh& mesh, const Session& session, const F
 Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vector<Edit>& edits,
                                   const FilterPaths& paths) {
   const Stopwatch whole;
-  ASSIGN_OR_RETURN(const Formats formats, check_files(options, paths));
+  ASSIGN_OR_RETURN(const FilterFormats formats, check_filter_paths(options, paths));
   FilterRun run;
   ProgressPrinter printer(options.progress);
   FilterBudget budget;

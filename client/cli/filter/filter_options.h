@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "client/cli/controls_options.h"
 #include "client/cli/filter_choice.h"
 #include "client/cli/progress_printer.h"
@@ -30,5 +32,8 @@ struct FilterOptions {
   ControlsOptions controls;
   std::string paint_file, cell_field_file, fields_file, report_file;
 };
+
+/// Adds the files, the filter and how it is solved to a command.
+void add_run_options(CLI::App& command, FilterOptions& options);
 
 }  // namespace burnish

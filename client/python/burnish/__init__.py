@@ -16,9 +16,10 @@ from .errors import (AlreadyExists, Cancelled, Damaged, DeadlineExceeded, Error,
                      FailedPrecondition, Internal, InvalidArgument, NotFound, PermissionDenied,
                      Refused, ResourceExhausted, SessionEnded, Unauthenticated, Unavailable,
                      Unimplemented)
+from .frame import Frame
 from .gesture import Gesture
 from .history import Deviation, Entry, Exported, State
-from .live import Frame, Live
+from .live import Live
 from .local import Filtered, Options, filter, filter_all, filter_mesh
 from .mesh import Mesh, load_ply
 from .people import People
