@@ -101,6 +101,7 @@ void HistoryPanel::draw(Workspace& workspace) {
   for (auto entry = document.history().rbegin(); entry != document.history().rend(); ++entry)
     draw_entry(*entry, document);
   if (document.history().empty()) faint_text("no edits yet");
+  note_window("Entries");
   ImGui::EndChild();
   draw_checkpoint_row(workspace);
 }

@@ -58,8 +58,10 @@ static void draw_deviation_histogram(const Document& document) {
   for (int bin = 0; bin < Deviation::kBins; ++bin)
     heights[bin] = static_cast<float>(std::sqrt(measured->deviation.histogram[bin]));
   const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, theme::kAccent);
   ImGui::PlotHistogram("##deviation", heights.data(), Deviation::kBins, 0, nullptr, 0, FLT_MAX,
                        {width, em(4)});
+  ImGui::PopStyleColor();
   hint("The surface's area by its move along the normal: inwards left, outwards right.");
   const std::string range = length_text(measured->deviation.histogram_range, document.unit());
   faint_text("-%s", range.c_str());

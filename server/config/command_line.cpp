@@ -14,7 +14,7 @@ struct Flags {
   std::string config;
   std::string port_file;
   std::optional<std::string> listen, socket, data, journal, backend, log_level, log_format, users,
-      certificate, key, client_ca, metrics;
+      certificate, key, client_ca, metrics, web;
   std::optional<int64_t> threads, idle_exit;
   bool insecure = false;
   bool socket_user_only = false;
@@ -46,6 +46,8 @@ void add_flags(CLI::App& app, Flags& flags) {
   app.add_option("--tls-key", flags.key, "Its private key (PEM)");
   app.add_option("--tls-client-ca", flags.client_ca, "Clients need a certificate of this CA (PEM)");
   app.add_option("--metrics", flags.metrics, "Serve Prometheus metrics here")
+      ->type_name("HOST:PORT");
+  app.add_option("--web", flags.web, "Serve browsers here: the page, and calls over WebSocket")
       ->type_name("HOST:PORT");
   app.add_option("--idle-exit", flags.idle_exit,
                  "End after this many seconds without a connection; 0, the default: never")
@@ -85,6 +87,7 @@ Result<CommandLine> read(const Flags& flags) {
   set(flags.key, config.tls_key);
   set(flags.client_ca, config.tls_client_ca);
   set(flags.metrics, config.metrics_listen);
+  set(flags.web, config.web_listen);
   if (flags.backend) {
     ASSIGN_OR_RETURN(config.backend, parse_backend(*flags.backend));
   }

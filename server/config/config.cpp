@@ -61,10 +61,10 @@ static Status check_tls(const ServerConfig& config) {
   return Status::ok();
 }
 
-static Status check_exposure(const ServerConfig& config) {
-  if (config.listen.empty() || config.insecure || is_loopback(config.listen)) return Status::ok();
-  const std::string reachable =
-      "listen = '" + config.listen + "' is reachable from other machines, ";
+static Status check_exposure(const std::string& key, const std::string& address,
+                             const ServerConfig& config) {
+  if (address.empty() || config.insecure || is_loopback(address)) return Status::ok();
+  const std::string reachable = key + " = '" + address + "' is reachable from other machines, ";
   if (config.tls_certificate.empty())
     return failed_precondition(reachable +
                                "in plain text; set tls.certificate and tls.key, or pass "
@@ -102,6 +102,7 @@ Status validate(const ServerConfig& config) {
   if (config.listen.empty() && config.socket.empty())
     return invalid_argument("listen and socket are both empty; nobody could connect");
   if (!config.listen.empty()) RETURN_IF_ERROR(check_address("listen", config.listen));
+  if (!config.web_listen.empty()) RETURN_IF_ERROR(check_address("web.listen", config.web_listen));
   if (!config.metrics_listen.empty())
     RETURN_IF_ERROR(check_address("metrics.listen", config.metrics_listen));
   RETURN_IF_ERROR(check_socket(config.socket));
@@ -109,7 +110,8 @@ Status validate(const ServerConfig& config) {
   RETURN_IF_ERROR(check_fleet(config));
   RETURN_IF_ERROR(check_tls(config));
   RETURN_IF_ERROR(check_metrics_exposure(config));
-  return check_exposure(config);
+  RETURN_IF_ERROR(check_exposure("web.listen", config.web_listen, config));
+  return check_exposure("listen", config.listen, config);
 }
 
 Result<BackendKind> parse_backend(const std::string& text) {

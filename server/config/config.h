@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "common/base/status.h"
 #include "server/solver/solver.h"
@@ -32,6 +33,9 @@ struct ServerConfig {
   std::filesystem::path tls_key;
   std::filesystem::path tls_client_ca;
   bool tls_client_certificate_required = true;
+
+  std::string web_listen;              ///< HOST:PORT for browsers; empty: none
+  std::vector<std::string> web_hosts;  ///< names of this server that browsers may use
 
   std::string metrics_listen;  ///< HOST:PORT; empty: no metrics
 

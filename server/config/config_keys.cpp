@@ -28,6 +28,8 @@ std::span<const ConfigKey> config_keys() {
       {"tls.key", &C::tls_key},
       {"tls.client_ca", &C::tls_client_ca},
       {"tls.client_certificate_required", &C::tls_client_certificate_required},
+      {"web.listen", &C::web_listen},
+      {"web.hosts", &C::web_hosts},
       {"metrics.listen", &C::metrics_listen},
       {"fleet.name", &C::fleet_name},
       {"fleet.advertise", &C::fleet_advertise},

@@ -78,6 +78,8 @@ ServerOptions server_options(const ServerConfig& config, const TrustFiles& files
   options.certificates = files.certificates.get();
   options.client_certificate_required = config.tls_client_certificate_required;
   options.users = files.users.get();
+  options.web = config.web_listen;
+  options.web_hosts = config.web_hosts;
   options.connections = {static_cast<size_t>(config.connections_max),
                          static_cast<size_t>(config.connections_per_peer),
                          std::chrono::seconds(config.silent_connection_seconds)};
@@ -165,6 +167,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
                            watch_times(config.backend));
 
   RETURN_IF_ERROR(write_port_file(line.port_file, server->port()));
+  if (!server->web_address().empty()) std::cout << "web on " << server->web_address() << std::endl;
   std::cout << "listening on " << server->address() << std::endl;
   spdlog::info("data in {}: {} scans, {} sessions", config.data.string(), store.list().size(),
                sessions->list().size());
