@@ -39,6 +39,11 @@ struct ServerConfig {
 
   std::string metrics_listen;  ///< HOST:PORT; empty: no metrics
 
+  std::string fleet_name;       ///< of this server among those that share the journal; empty: alone
+  std::string fleet_advertise;  ///< HOST:PORT at which clients reach this server
+  int64_t fleet_lease_ms = 10'000;     ///< until a server that is not heard counts as dead
+  int64_t fleet_heartbeat_ms = 3'000;  ///< between two signs of this server
+
   int64_t idle_spill_seconds = 600;  ///< until an unused session is unloaded; 0: never
 
   int64_t sessions_max = 64;

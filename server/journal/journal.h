@@ -64,6 +64,12 @@ class Journal {
   /// Fails: failed_precondition (another server holds it), not_found; unavailable.
   virtual Status hold(const std::string& session_id) = 0;
 
+  /// Lets go of a session that this server does not use. Does not wait.
+  virtual void release(const std::string& session_id) = 0;
+
+  /// Returns whether other servers write here too.
+  virtual bool is_shared() const = 0;
+
   /// Makes a session with the first `edits` edits of another session, and its paint. At another
   /// depth there are other cells: paint is left out, and edits that set single cells set none.
   /// Returns the number of these edits.

@@ -13,9 +13,8 @@ using Repeat = PostgresQueue::Repeat;
 
 Result<std::unique_ptr<PostgresJournal>> PostgresJournal::open(const PgAddress& address,
                                                                const std::filesystem::path& paint,
-                                                               const PostgresPatience& patience,
-                                                               const std::string& life) {
-  ASSIGN_OR_RETURN(auto queue, PostgresQueue::open(address, patience, life));
+                                                               const PostgresPatience& patience) {
+  ASSIGN_OR_RETURN(auto queue, PostgresQueue::open(address, patience));
   ASSIGN_OR_RETURN(auto cache, PaintCache::open(paint));
   return std::unique_ptr<PostgresJournal>(new PostgresJournal(std::move(queue), std::move(cache)));
 }
@@ -103,11 +102,13 @@ Status PostgresJournal::remove_session(const std::string& id) {
 /// Says why a session cannot be held.
 static Status who_holds(PgConnection& database, const std::string& session_id) {
   ASSIGN_OR_RETURN(const PgReply holder,
-                   database.run({"SELECT nodes.name FROM sessions LEFT JOIN nodes"
+                   database.run({"SELECT nodes.name, nodes.address FROM sessions LEFT JOIN nodes"
                                  " ON nodes.id = owner WHERE sessions.id = $1",
                                  {session_id}}));
   if (holder.rows() == 0) return not_found("no session has the id '" + session_id + "'");
-  return failed_precondition("server " + holder.bytes(0, 0) + " holds the session");
+  const std::string address = holder.bytes(0, 1);
+  return failed_precondition("server " + holder.bytes(0, 0) +
+                             (address.empty() ? "" : " (" + address + ")") + " holds the session");
 }
 
 // A new epoch in any case: whatever this server sent before, and the database still works on, comes
@@ -128,6 +129,28 @@ Status PostgresJournal::hold(const std::string& session_id) {
         return Status::ok();
       },
       Repeat::kOnce);
+}
+
+void PostgresJournal::release(const std::string& session_id) {
+  queue_->start([session_id](PgConnection& database, Holdings& holdings) {
+    const Holding holding = holdings.of(session_id);
+    holdings.epochs.erase(session_id);
+    return database
+        .run({"UPDATE sessions SET owner = NULL WHERE id = $1 AND epoch = $2"
+              " AND owner = CAST(NULLIF($3, '') AS uuid)",
+              {session_id, holding.epoch, PgText{holding.life}}})
+        .status();
+  });
+}
+
+void PostgresJournal::begin_life(const std::string& life) {
+  is_shared_ = true;
+  queue_->start([life](PgConnection& database, Holdings& holdings) {
+    holdings = {life, {}};
+    return database
+        .run({"SELECT set_config('application_name', $1, false)", {PgText{"burnish " + life}}})
+        .status();
+  });
 }
 
 Result<uint64_t> PostgresJournal::fork_session(const SessionRecord& source, uint64_t edits,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 
@@ -17,14 +18,18 @@ class PostgresJournal final : public Journal {
   /// of a newer program; unavailable.
   static Result<std::unique_ptr<PostgresJournal>> open(const PgAddress& address,
                                                        const std::filesystem::path& paint,
-                                                       const PostgresPatience& patience = {},
-                                                       const std::string& life = {});
+                                                       const PostgresPatience& patience = {});
 
   Result<std::vector<SessionRecord>> sessions() override;
   Status create_session(const SessionRecord& record, const SessionRoles& roles) override;
   Status rename_session(const std::string& id, const std::string& name) override;
   Status remove_session(const std::string& id) override;
   Status hold(const std::string& session_id) override;
+  void release(const std::string& session_id) override;
+  bool is_shared() const override { return is_shared_; }
+
+  /// From now on this server is a member of a fleet, with this life. It holds no session then.
+  void begin_life(const std::string& life);
   Result<uint64_t> fork_session(const SessionRecord& source, uint64_t edits,
                                 const SessionRecord& record, const SessionRoles& roles) override;
   using Journal::append;
@@ -52,6 +57,7 @@ class PostgresJournal final : public Journal {
   template <typename T>
   Result<T> read(const std::function<Result<T>(PgConnection&)>& work);
 
+  std::atomic<bool> is_shared_{false};
   std::unique_ptr<PaintCache> paint_;
   std::unique_ptr<PostgresQueue> queue_;  // its thread ends first
 };

@@ -18,21 +18,19 @@ static std::string application_of(const std::string& life) {
 }
 
 Result<std::unique_ptr<PostgresQueue>> PostgresQueue::open(const PgAddress& address,
-                                                           const PostgresPatience& patience,
-                                                           const std::string& life) {
+                                                           const PostgresPatience& patience) {
   ASSIGN_OR_RETURN(PgConnection connection,
-                   PgConnection::open(address, patience.connection, application_of(life)));
+                   PgConnection::open(address, patience.connection, application_of("")));
   RETURN_IF_ERROR(make_postgres_schema(connection));
   return std::unique_ptr<PostgresQueue>(
-      new PostgresQueue(address, patience, std::move(connection), life));
+      new PostgresQueue(address, patience, std::move(connection)));
 }
 
 PostgresQueue::PostgresQueue(const PgAddress& address, const PostgresPatience& patience,
-                             PgConnection connection, const std::string& life)
+                             PgConnection connection)
     : address_(address),
       patience_(patience),
       connection_(std::move(connection)),
-      holdings_{life, {}},
       thread_([this] { loop(); }) {}
 
 PostgresQueue::~PostgresQueue() {
@@ -62,6 +60,13 @@ Status PostgresQueue::run(const Work& work, Repeat repeat) {
           done.set_value(status);
         }});
   return done.get_future().get();
+}
+
+void PostgresQueue::start(const Work& work) {
+  const auto note = [](const Status& status) {
+    if (!status.is_ok()) spdlog::warn("{}", status.message());
+  };
+  post({.append = {}, .work = work, .is_due_anyway = true, .done = note});
 }
 
 void PostgresQueue::loop() {
@@ -137,7 +142,8 @@ Status PostgresQueue::connect() {
 
 Status PostgresQueue::do_work(const Item& item) {
   const bool was_open = connection_.is_open();
-  RETURN_IF_ERROR(connect());
+  const Status connected = connect();
+  if (!connected.is_ok() && !item.is_due_anyway) return connected;
   const Status status = item.work(connection_, holdings_);
   const bool is_broken = !connection_.is_open();
   if (!is_broken || item.repeat == Repeat::kNever || !was_open) return status;

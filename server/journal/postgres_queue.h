@@ -28,10 +28,9 @@ class PostgresQueue {
   /// Runs on the queue's thread.
   using Work = std::function<Status(PgConnection&, Holdings&)>;
 
-  /// `life`: as in Holdings. Fails: unavailable, invalid schema as make_postgres_schema() says.
+  /// Fails: unavailable; as make_postgres_schema() says.
   static Result<std::unique_ptr<PostgresQueue>> open(const PgAddress& address,
-                                                     const PostgresPatience& patience,
-                                                     const std::string& life);
+                                                     const PostgresPatience& patience);
 
   /// Does all posted work, and returns when every `done` has returned. Waits no longer than the
   /// connection's patience for a database that is away.
@@ -44,6 +43,10 @@ class PostgresQueue {
   /// Does the work after everything posted before, and waits. Fails: as the work says; unavailable.
   Status run(const Work& work, Repeat repeat);
 
+  /// Does the same without waiting, and logs a failure. The work is done even while the database is
+  /// away, on a closed connection.
+  void start(const Work& work);
+
   uint64_t commits() const { return commits_; }
 
  private:
@@ -52,11 +55,12 @@ class PostgresQueue {
     std::optional<PendingAppend> append;
     Work work;
     Repeat repeat = Repeat::kNever;
+    bool is_due_anyway = false;
     std::function<void(const Status&)> done;
   };
 
-  PostgresQueue(const PgAddress& address, const PostgresPatience& patience, PgConnection connection,
-                const std::string& life);
+  PostgresQueue(const PgAddress& address, const PostgresPatience& patience,
+                PgConnection connection);
 
   void post(Item item);
   void loop();

@@ -25,6 +25,8 @@ class SqliteJournal final : public Journal {
   Status rename_session(const std::string& id, const std::string& name) override;
   Status remove_session(const std::string& id) override;
   Status hold(const std::string&) override { return Status::ok(); }  // the file has one server
+  void release(const std::string&) override {}
+  bool is_shared() const override { return false; }
   Result<uint64_t> fork_session(const SessionRecord& source, uint64_t edits,
                                 const SessionRecord& record, const SessionRoles& roles) override;
   using Journal::append;

@@ -152,13 +152,14 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
     const auto scan = store.find(id);
     return scan.is_ok() ? scan->name : id;
   });
-  ASSIGN_OR_RETURN(const auto journal, open_journal(config.journal, *folder));
-  ASSIGN_OR_RETURN(const auto sessions,
-                   SessionManager::create(*folder, store, *journal, session_options(config)));
+  ASSIGN_OR_RETURN(const OpenedJournal journal, open_journal_of(config, *folder));
+  ASSIGN_OR_RETURN(const auto sessions, SessionManager::create(*folder, store, *journal.journal,
+                                                               session_options(config)));
   LiveSessions live(*sessions, kSolverThreads);
   Lanes lanes(lane_limits(config));
   ASSIGN_OR_RETURN(const auto server,
                    Server::start(server_options(config, files), store, *sessions, live, lanes));
+  const std::jthread fleet = follow_fleet(journal, *sessions);
   ASSIGN_OR_RETURN(const auto exporter, start_metrics(config.metrics_listen, [&] {
                      return read_gauges(*server, store, *sessions, live, files.certificates.get());
                    }));

@@ -143,6 +143,13 @@ class SessionManager {
   Result<std::optional<SessionTurn>> try_turn(const std::shared_ptr<SessionEntry>& entry,
                                               FairMutex::Place& place);
 
+  /// Takes in which sessions other servers have made, renamed and deleted. Does nothing for a
+  /// journal of this server alone.
+  void refresh();
+
+  /// Sends everybody out of the sessions in memory, to come back: another server may have them.
+  void let_go(const Status& why);
+
   /// Unloads sessions that nobody is in and nobody has used for `idle_time`.
   void spill_idle(std::chrono::seconds idle_time);
 
@@ -184,8 +191,9 @@ class SessionManager {
 
   bool is_edited(const std::string& scan_id, const PreparedKey& key) const;
   std::shared_ptr<SessionEntry> find(const std::string& reference) const;
-  Result<Held> lock(const std::string& reference, const Progress& progress) const;
+  Result<Held> lock(const std::string& reference, const Progress& progress);
   Result<Held> lock(std::shared_ptr<SessionEntry> entry, const Progress& progress) const;
+  Status hold(SessionEntry& entry);
   Result<Held> use(const std::string& reference, const Caller& caller, const Progress& progress);
 
   // New sessions take the name at once, and write to the disk without the map's lock.

@@ -40,6 +40,8 @@ class DoubtfulJournal final : public Journal {
     return real_->rename_session(id, name);
   }
   Status hold(const std::string& id) override { return real_->hold(id); }
+  void release(const std::string& id) override { real_->release(id); }
+  bool is_shared() const override { return real_->is_shared(); }
   Status remove_session(const std::string& id) override { return real_->remove_session(id); }
   Result<uint64_t> fork_session(const SessionRecord& source, uint64_t edits,
                                 const SessionRecord& record, const SessionRoles& roles) override {
