@@ -7,6 +7,7 @@
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/words.h"
+#include "client/report/depth_text.h"
 
 namespace burnish {
 
@@ -72,8 +73,9 @@ void App::draw_depth_menu() {
   if (!noted("Open again at depth", ImGui::BeginMenu("Open again at depth", document != nullptr)))
     return;
   const ScanInfo& scan = document->scan().scan;
-  const auto choices = depth_choices(scan.statistics, scan.unit, workspace_->server_memory_bytes());
-  faint_text("%s", edges_text(scan.statistics, scan.unit).c_str());
+  const auto choices = depth_choices(scan.statistics, scan.unit, workspace_->server_memory_bytes(),
+                                     scan.default_depth);
+  faint_text("%s", edges_text(scan.statistics, scan.unit, document->depth()).c_str());
   const auto depth = draw_depth_list(choices, document->depth());
   if (depth && *depth != document->depth()) workspace_->open_again(*depth);
   ImGui::EndMenu();

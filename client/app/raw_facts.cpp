@@ -4,12 +4,13 @@
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/words.h"
+#include "client/report/depth_text.h"
 
 namespace burnish {
 
 static void draw_depth_choice(Workspace& workspace) {
   const MeshStatistics& scan = workspace.raw()->statistics;
-  const auto choices = depth_choices(scan, "", workspace.server_memory_bytes());
+  const auto choices = depth_choices(scan, "", workspace.server_memory_bytes(), 0);
   const int chosen = workspace.chosen_depth() > 0 ? workspace.chosen_depth() : default_of(choices);
   ImGui::TextUnformatted("Depth of the grid");
   ImGui::SetNextItemWidth(-1);
@@ -20,7 +21,7 @@ static void draw_depth_choice(Workspace& workspace) {
   }
   hint("A deeper grid keeps finer details, and takes more memory and time.");
   faint_text("%s", choices[static_cast<size_t>(chosen - kDepthMin)].text.c_str());
-  faint_text("%s", edges_text(scan, "").c_str());
+  faint_text("%s", edges_text(scan, "", chosen).c_str());
 }
 
 void draw_raw_facts(Workspace& workspace) {

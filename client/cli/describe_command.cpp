@@ -4,7 +4,9 @@
 #include "client/cli/commands.h"
 #include "client/cli/depth_table.h"
 #include "client/cli/json_output.h"
+#include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
+#include "client/report/depth_text.h"
 #include "common/base/limits.h"
 
 namespace burnish {
@@ -37,6 +39,7 @@ void print(const ScanInfo& scan) {
   std::printf("%-22s %.6g x %.6g x %.6g\n", "box", size.x(), size.y(), size.z());
   std::printf("%-22s %.6g\n%-22s %.6g\n", "area", s.area, "mean edge", s.mean_edge_length);
   std::printf("%-22s %d\n", "default depth", scan.default_depth);
+  std::printf("%s\n", edges_text(s, scan.unit, scan.default_depth).c_str());
   for (const PreparedInfo& prepared : scan.prepared)
     std::printf("%-22s depth %d, curvature radius %g, %llu bytes\n", "prepared", prepared.key.depth,
                 prepared.key.curvature_radius,
@@ -57,15 +60,17 @@ Status run(const DescribeOptions& options) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   ASSIGN_OR_RETURN(const ScanDescription description,
                    connection.describe_scan(options.scan, options.depth));
+  const ScanInfo& scan = description.scan;
   if (options.server.json) {
-    print_json(to_json(description));
+    print_json(options.depths ? depths_to_json(scan.statistics, scan.default_depth)
+                              : to_json(description));
     return Status::ok();
   }
   if (options.depths) {
-    print_depths(description.scan.statistics, description.scan.default_depth);
+    print_depths(scan.statistics, scan.default_depth);
     return Status::ok();
   }
-  print(description.scan);
+  print(scan);
   if (description.prepared) print(*description.prepared);
   return Status::ok();
 }

@@ -3,8 +3,10 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/json_output.h"
+#include "client/cli/print_json.h"
 #include "client/cli/progress_printer.h"
 #include "client/cli/server_option.h"
+#include "client/report/depth_text.h"
 #include "common/bundle/scan_bundle.h"
 #include "common/mesh/rewrite/left_out.h"
 
@@ -25,7 +27,8 @@ void print(const ImportOutcome& outcome) {
   std::cout << (outcome.already_present ? "already there: " : "imported ") << scan.name << " ("
             << short_id(scan.id) << "), " << scan.statistics.vertices << " vertices, "
             << scan.statistics.triangles << " triangles, default depth " << scan.default_depth
-            << "\n";
+            << "\n"
+            << edges_text(scan.statistics, scan.unit, scan.default_depth) << "\n";
 }
 
 void tell_of_files_beside(const ScanBundle& bundle) {

@@ -6,7 +6,9 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/json_output.h"
+#include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
+#include "common/base/limits.h"
 
 namespace burnish {
 
@@ -19,12 +21,16 @@ struct ForkOptions {
 
 Status fork(const ForkOptions& options) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
-  ASSIGN_OR_RETURN(const SessionInfo session, connection.fork_session(options.wish));
+  ASSIGN_OR_RETURN(const ForkedSession forked, connection.fork_session(options.wish));
+  const SessionInfo& session = forked.session;
   if (options.server.json) {
     print_json(to_json(session));
   } else {
     std::cout << "forked " << options.wish.source << ": " << session.name << ", " << session.edits
               << (session.edits == 1 ? " edit\n" : " edits\n");
+    if (forked.emptied_edits > 0)
+      std::cout << "without the cells that " << forked.emptied_edits
+                << " of them set: another depth has other cells\n";
   }
   return Status::ok();
 }
@@ -76,6 +82,9 @@ void add_fork_command(CommandTable& table) {
       ->add_option("--checkpoint", options->wish.checkpoint, "Copy the edits up to this checkpoint")
       ->type_name("NAME")
       ->excludes(number);
+  command->add_option("--depth", options->wish.depth, "The new session's depth; left out: the same")
+      ->check(CLI::Range(kDepthMin, kDepthMax))
+      ->type_name("DEPTH");
   add_server_options(*command, options->server);
 }
 

@@ -97,7 +97,7 @@ class Connection {
   Result<ApplyOutcome> apply(const std::string& session, std::span<const Edit> edits);
   /// All of a session's history.
   Result<std::vector<HistoryEntry>> history(const std::string& session);
-  Result<SessionInfo> fork_session(const ForkWish& wish);
+  Result<ForkedSession> fork_session(const ForkWish& wish);
   Result<SessionPeople> people(const std::string& session);
   Status set_role(const std::string& session, const std::string& user, SessionRole role);
 

@@ -19,13 +19,14 @@ Result<std::vector<HistoryEntry>> Connection::history(const std::string& session
   return entries;
 }
 
-Result<SessionInfo> Connection::fork_session(const ForkWish& wish) {
+Result<ForkedSession> Connection::fork_session(const ForkWish& wish) {
   grpc::ClientContext context;
   state_->set_user(context);
   v1::ForkSessionResponse response;
   RETURN_IF_ERROR(
       call_status(server(), state_->editing->ForkSession(&context, to_wire(wish), &response)));
-  return from_wire(response.session());
+  ASSIGN_OR_RETURN(SessionInfo session, from_wire(response.session()));
+  return ForkedSession{std::move(session), response.emptied_edits()};
 }
 
 Result<SessionPeople> Connection::people(const std::string& session) {

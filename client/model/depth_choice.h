@@ -17,12 +17,10 @@ struct DepthChoice {
 };
 
 /// Returns a choice for each depth from kDepthMin on. `memory_bytes_max` is the server's; 0: not
-/// known, then all fit. A depth that may fit is not refused: the server decides.
+/// known, then all fit. A depth that may fit is not refused: the server decides. `server_default`
+/// is the default depth of a scan of the server; 0: not known, then the choice that it would make.
 /// Needs: a box that is not empty. Units: `unit` is that of the coordinates, empty: not named.
 std::vector<DepthChoice> depth_choices(const MeshStatistics& scan, const std::string& unit,
-                                       uint64_t memory_bytes_max);
-
-/// Returns "the scan's own edges are 0.1 mm".
-std::string edges_text(const MeshStatistics& scan, const std::string& unit);
+                                       uint64_t memory_bytes_max, int server_default);
 
 }  // namespace burnish

@@ -102,8 +102,7 @@ class Workspace {
   void choose_depth(int depth);
   /// Returns the depth that was chosen for the raw scan; 0: none.
   int chosen_depth() const { return raw_depth_; }
-  /// Opens a new session of the open session's scan at another depth, with its slider, curve,
-  /// bounds, bands and palette. Tells of the edits that it lacks.
+  /// Opens a fork of the open session at another depth. Tells of the edits that it lacks.
   void open_again(int depth);
   /// Returns the memory of the server, bytes; 0: not known.
   uint64_t server_memory_bytes() const;
@@ -213,8 +212,7 @@ std::string unsaved_text(size_t edits);
 Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
                                      const SessionWish& wish, const Progress& progress);
 
-/// Opens a new session of a session's scan at another depth, and takes over what does not depend on
-/// the depth and is not paint. Fails: as open_document().
+/// Opens a fork of a session at another depth. Fails: as open_document().
 Result<OpenedDocument> open_at_depth(std::shared_ptr<Connection> connection,
                                      const std::string& session, const ScanInfo& scan, int depth,
                                      const Progress& progress);

@@ -222,8 +222,8 @@ void Workspace::fork(const std::string& name, const std::string& checkpoint) {
     const auto forked = connection->fork_session(wish);
     return [this, forked] {
       if (!forked.is_ok()) return log.failure("fork", forked.status());
-      log.info("forked as " + forked->name);
-      join(*forked);
+      log.info("forked as " + forked->session.name);
+      join(forked->session);
     };
   });
 }

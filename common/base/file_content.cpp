@@ -8,33 +8,36 @@
 
 namespace burnish {
 
-static constexpr std::align_val_t kAlignment{64};
-
-void FileContent::Free::operator()(uint8_t* data) const {
-  ::operator delete(data, kAlignment);
+static Result<ScratchBlock> make_room(const ScratchSpace& space, size_t size,
+                                      const std::filesystem::path& path) {
+  try {
+    return space.allocate(size);
+  } catch (const ScratchFull& full) {
+    return resource_exhausted("reading " + path.string() + ": " + full.what());
+  } catch (const std::bad_alloc&) {
+    return resource_exhausted("not enough memory for the " + std::to_string(size) + " bytes of " +
+                              path.string());
+  }
 }
 
-Result<FileContent> FileContent::allocate(size_t size, const std::filesystem::path& path) {
-  FileContent content;
-  content.size_ = size;
-  if (size == 0) return content;
-  content.data_.reset(static_cast<uint8_t*>(::operator new(size, kAlignment, std::nothrow)));
-  if (content.data_) return content;
-  return resource_exhausted("not enough memory for the " + std::to_string(size) + " bytes of " +
-                            path.string());
-}
-
-Result<FileContent> FileContent::read(const std::filesystem::path& path) {
-  return read_beginning(path, SIZE_MAX);
+Result<FileContent> FileContent::read(const std::filesystem::path& path,
+                                      const ScratchSpace& space) {
+  return read(path, SIZE_MAX, space);
 }
 
 Result<FileContent> FileContent::read_beginning(const std::filesystem::path& path,
                                                 size_t bytes_max) {
+  return read(path, bytes_max, {});
+}
+
+Result<FileContent> FileContent::read(const std::filesystem::path& path, size_t bytes_max,
+                                      const ScratchSpace& space) {
   ASSIGN_OR_RETURN(const FileReader file, FileReader::open(path));
-  ASSIGN_OR_RETURN(FileContent content,
-                   allocate(std::min<size_t>(file.file_bytes(), bytes_max), path));
+  FileContent content;
+  content.size_ = std::min<size_t>(file.file_bytes(), bytes_max);
   content.file_bytes_ = file.file_bytes();
-  RETURN_IF_ERROR(file.read(0, {content.data_.get(), content.size_}));
+  ASSIGN_OR_RETURN(content.block_, make_room(space, content.size_, path));
+  RETURN_IF_ERROR(file.read(0, {static_cast<uint8_t*>(content.block_.data()), content.size_}));
   return content;
 }
 

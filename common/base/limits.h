@@ -9,7 +9,6 @@ namespace burnish {
 /// in file readers, on the command line, on the wire.
 inline constexpr int kDepthMin = 4;
 inline constexpr int kDepthMax = 12;
-inline constexpr int kDefaultDepthMax = 9;
 
 inline constexpr uint64_t kTrianglesMax = uint64_t{1} << 31;
 inline constexpr uint64_t kVerticesMax = uint64_t{1} << 31;

@@ -26,11 +26,11 @@ GridFrame make_grid_frame(const Vec3d& box_min, const Vec3d& box_max, int depth)
   return frame;
 }
 
-int default_depth(const Vec3d& box_min, const Vec3d& box_max, double mean_edge_length) {
+int matching_depth(const Vec3d& box_min, const Vec3d& box_max, double mean_edge_length) {
   const double side = longest_side(box_min, box_max) / kBoxFractionOfCube;
   const double depth = std::round(std::log2(side / (kCellsPerMeanEdge * mean_edge_length)));
   if (!(depth >= kDepthMin)) return kDepthMin;  // NaN too
-  return static_cast<int>(std::min<double>(depth, kDefaultDepthMax));
+  return static_cast<int>(std::min<double>(depth, kDepthMax));
 }
 
 Vec3d snap_to_planes(const Vec3d& grid_point) {

@@ -25,8 +25,8 @@ struct GridFrame {
 /// Needs: box_max > box_min in at least one axis, kDepthMin <= depth <= kDepthMax.
 GridFrame make_grid_frame(const Vec3d& box_min, const Vec3d& box_max, int depth);
 
-/// Returns the default depth, at which a cell is about 1.5 mean edges; at most kDefaultDepthMax.
-int default_depth(const Vec3d& box_min, const Vec3d& box_max, double mean_edge_length);
+/// Returns the depth at which a cell is about 1.5 mean edges, within kDepthMin..kDepthMax.
+int matching_depth(const Vec3d& box_min, const Vec3d& box_max, double mean_edge_length);
 
 /// Rounds coordinates that are within 1e-7 of a grid plane onto it, so that clipping and evaluation
 /// agree on which side of the plane a vertex lies.

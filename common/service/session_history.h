@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/edit/edit.h"
+#include "common/service/session_info.h"
 
 namespace burnish {
 
@@ -39,6 +40,12 @@ struct ForkWish {
   std::string name;        ///< empty: the server chooses
   uint64_t number = 0;     ///< the last edit that the fork has; 0: all
   std::string checkpoint;  ///< not empty: all up to this checkpoint, and `number` is 0
+  int depth = 0;           ///< 0: that of the source
+};
+
+struct ForkedSession {
+  SessionInfo session;
+  uint64_t emptied_edits = 0;  ///< set single cells, of which a fork at another depth has others
 };
 
 }  // namespace burnish

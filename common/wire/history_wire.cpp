@@ -83,6 +83,7 @@ v1::ForkSessionRequest to_wire(const ForkWish& wish) {
   } else if (wish.number > 0) {
     message.set_number(wish.number);
   }
+  message.set_depth(static_cast<uint32_t>(wish.depth));
   return message;
 }
 
@@ -92,7 +93,10 @@ Result<ForkWish> from_wire(const v1::ForkSessionRequest& message) {
     return invalid_argument("edits are numbered from 1: a fork up to number 0 would be empty");
   if (message.has_checkpoint())
     RETURN_IF_ERROR(check_name("the checkpoint's name", message.checkpoint()));
-  return ForkWish{message.session(), message.name(), message.number(), message.checkpoint()};
+  ASSIGN_OR_RETURN(const PreparedKey key,
+                   prepared_key_from_wire(static_cast<int>(message.depth()), 0));
+  return ForkWish{message.session(), message.name(), message.number(), message.checkpoint(),
+                  key.depth};
 }
 
 v1::Role to_wire(SessionRole role) {

@@ -39,6 +39,14 @@ struct Store {
     if (kind.is_ok()) config.*member = kind.value();
     return kind.is_ok();
   }
+  bool operator()(std::vector<std::string> ServerConfig::*member) const {
+    const toml::array* list = node.as_array();
+    if (list == nullptr) return false;
+    if (!list->empty() && !list->is_homogeneous(toml::node_type::string)) return false;
+    (config.*member).clear();
+    for (const toml::node& entry : *list) (config.*member).push_back(*entry.value<std::string>());
+    return true;
+  }
 
  private:
   template <typename Kind, typename Member>
@@ -56,6 +64,8 @@ std::string expected(const ConfigKey& key) {
   if (std::holds_alternative<bool ServerConfig::*>(key.member)) return "true or false";
   if (std::holds_alternative<BackendKind ServerConfig::*>(key.member))
     return "\"auto\", \"cpu\" or \"cuda\"";
+  if (std::holds_alternative<std::vector<std::string> ServerConfig::*>(key.member))
+    return "a list of strings";
   return "a string";
 }
 

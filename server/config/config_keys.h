@@ -13,7 +13,8 @@ namespace burnish {
 struct ConfigKey {
   using Member =
       std::variant<int64_t ServerConfig::*, bool ServerConfig::*, std::string ServerConfig::*,
-                   std::filesystem::path ServerConfig::*, BackendKind ServerConfig::*>;
+                   std::filesystem::path ServerConfig::*, BackendKind ServerConfig::*,
+                   std::vector<std::string> ServerConfig::*>;
 
   std::string name;
   Member member;

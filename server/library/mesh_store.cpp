@@ -7,7 +7,7 @@
 
 #include "common/base/atomic_file.h"
 #include "common/base/clock.h"
-#include "common/grid/grid.h"
+#include "common/grid/depth_plan.h"
 #include "server/library/read_original.h"
 #include "server/library/scan_files.h"
 #include "server/library/scan_record.h"
@@ -45,7 +45,7 @@ Status make_folders(const fs::path& path) {
 }
 
 ScanInfo make_scan_info(const std::string& id, const ImportHeader& header,
-                        const PreparedMesh& prepared) {
+                        const PreparedMesh& prepared, const LibraryBudget& budget) {
   const MeshStatistics& s = prepared.statistics;
   ScanInfo scan;
   scan.id = id;
@@ -53,7 +53,8 @@ ScanInfo make_scan_info(const std::string& id, const ImportHeader& header,
   scan.format = header.format;
   scan.size_bytes = header.size_bytes;
   scan.imported_unix_seconds = unix_seconds_now();
-  scan.default_depth = default_depth(s.box_min, s.box_max, s.mean_edge_length);
+  scan.default_depth = header.key.depth == 0 ? prepared.frame.depth
+                                             : default_depth(s, budget.default_depth_bytes_max());
   scan.has_colours = !prepared.colours.empty();
   scan.statistics = s;
   return scan;
@@ -131,7 +132,7 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
   RETURN_IF_ERROR(move_path(upload.path(), original));
 
   if (!report(progress, "reading", 0)) return cancelled("the import was cancelled");
-  LibraryBudget budget(memory_, folder_.scans());
+  LibraryBudget budget(memory_, folder_.scans(), options_.device_memory_bytes_max);
   RETURN_IF_ERROR(budget.ask_to_read(original, header.format));
   ASSIGN_OR_RETURN(const auto mesh,
                    read_original(original, header.format, header.name, budget.space()));
@@ -139,7 +140,7 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
                                           {header.key.depth, header.key.curvature_radius,
                                            options_.threads, &budget, budget.space()},
                                           progress));
-  const ScanInfo scan = make_scan_info(id, header, *prepared);
+  const ScanInfo scan = make_scan_info(id, header, *prepared, budget);
   const std::string prepared_name = prepared_file_name(resolve(header.key, scan));
 
   if (!report(progress, "storing", 0)) return cancelled("the import was cancelled");

@@ -26,6 +26,7 @@ struct MeshStoreOptions {
   uint64_t upload_bytes_max = uint64_t{8} << 30;
   uint64_t upload_bytes_per_user = uint64_t{16} << 30;  ///< uploads that are not finished
   uint64_t memory_bytes_max = uint64_t{16} << 30;       ///< meshes, sessions, their clients
+  uint64_t device_memory_bytes_max = 0;                 ///< of a device; 0: sessions take none
   int threads = 0;                                      ///< for preparing; 0: all cores
 };
 

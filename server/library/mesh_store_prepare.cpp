@@ -52,7 +52,7 @@ Status MeshStore::rebuild(const std::string& id, const PreparedKey& key, const P
   ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(folder));
   if (!report(progress, "reading", 0)) return cancelled("preparing was cancelled");
   RETURN_IF_ERROR(check_original(folder, scan));
-  LibraryBudget budget(memory_, folder_.scans());
+  LibraryBudget budget(memory_, folder_.scans(), options_.device_memory_bytes_max);
   RETURN_IF_ERROR(budget.ask_to_read(folder / original_file_name(scan.format), scan.format));
   ASSIGN_OR_RETURN(const auto mesh, read_original(folder / original_file_name(scan.format),
                                                   scan.format, scan.name, budget.space()));
@@ -106,9 +106,14 @@ Result<std::shared_ptr<SharedMesh>> MeshStore::read_charged(const std::string& i
                                                             const PreparedKey& key) {
   const fs::path path = prepared_path(id, key);
   ASSIGN_OR_RETURN(const PreparedSummary summary, read_prepared_summary(path));
+  const PreparedPlace place = check_disk_space(folder_.scans(), summary.byte_count).is_ok()
+                                  ? place_of_prepared(summary.byte_count)
+                                  : PreparedPlace::kMemory;
   auto mesh = std::make_shared<SharedMesh>();
-  ASSIGN_OR_RETURN(mesh->memory, memory_.take(kServer, predict_mesh_bytes(summary)));
-  ASSIGN_OR_RETURN(mesh->prepared, read_prepared_mesh(path));
+  ASSIGN_OR_RETURN(mesh->memory, memory_.take(kServer, predict_mesh_bytes(summary, place)));
+  ASSIGN_OR_RETURN(mesh->prepared, read_prepared_mesh(path, place == PreparedPlace::kFile
+                                                                ? ScratchSpace(folder_.scans(), 0)
+                                                                : ScratchSpace()));
   std::error_code ignored;  // a prepared file's time is its last opening
   fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
   return mesh;

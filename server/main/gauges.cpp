@@ -14,6 +14,7 @@ std::vector<Gauge> read_gauges(const Server& server, MeshStore& store,
   const auto number = [](auto value) { return static_cast<double>(value); };
   std::vector<Gauge> gauges = {
       {"burnish_running_rpcs", "RPCs in progress", number(server.running_calls())},
+      {"burnish_web_connections", "Connections of browsers", number(server.web_connections())},
       {"burnish_sessions", "Sessions that the journal knows", number(sessions.list().size())},
       {"burnish_open_sessions", "Sessions in memory", number(usage.in_memory)},
       {"burnish_live_waiting_sessions", "Live sessions that wait for their turn to solve",

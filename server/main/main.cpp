@@ -9,11 +9,11 @@
 #include "common/base/atomic_file.h"
 #include "common/base/wait_policy.h"
 #include "server/config/command_line.h"
-#include "server/journal/journal.h"
 #include "server/library/stale_files.h"
 #include "server/live/live_sessions.h"
 #include "server/main/daemon.h"
 #include "server/main/gauges.h"
+#include "server/main/journals.h"
 #include "server/process/hidden_folder.h"
 #include "server/process/log_setup.h"
 #include "server/scheduling/lanes.h"
@@ -78,6 +78,8 @@ ServerOptions server_options(const ServerConfig& config, const TrustFiles& files
   options.certificates = files.certificates.get();
   options.client_certificate_required = config.tls_client_certificate_required;
   options.users = files.users.get();
+  options.web = config.web_listen;
+  options.web_hosts = config.web_hosts;
   options.connections = {static_cast<size_t>(config.connections_max),
                          static_cast<size_t>(config.connections_per_peer),
                          std::chrono::seconds(config.silent_connection_seconds)};
@@ -97,6 +99,7 @@ MeshStoreOptions store_options(const ServerConfig& config) {
   options.upload_bytes_max = static_cast<uint64_t>(config.upload_bytes_max);
   options.upload_bytes_per_user = static_cast<uint64_t>(config.upload_bytes_per_user);
   options.memory_bytes_max = resolved_memory_bytes_max(config);
+  if (has_device(config.backend)) options.device_memory_bytes_max = cuda_memory_max();
   options.threads = static_cast<int>(config.threads);
   return options;
 }
@@ -149,13 +152,14 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
     const auto scan = store.find(id);
     return scan.is_ok() ? scan->name : id;
   });
-  ASSIGN_OR_RETURN(const auto journal, Journal::open(folder->journal()));
-  ASSIGN_OR_RETURN(const auto sessions,
-                   SessionManager::create(*folder, store, *journal, session_options(config)));
+  ASSIGN_OR_RETURN(const OpenedJournal journal, open_journal_of(config, *folder));
+  ASSIGN_OR_RETURN(const auto sessions, SessionManager::create(*folder, store, *journal.journal,
+                                                               session_options(config)));
   LiveSessions live(*sessions, kSolverThreads);
   Lanes lanes(lane_limits(config));
   ASSIGN_OR_RETURN(const auto server,
                    Server::start(server_options(config, files), store, *sessions, live, lanes));
+  const std::jthread fleet = follow_fleet(journal, *sessions);
   ASSIGN_OR_RETURN(const auto exporter, start_metrics(config.metrics_listen, [&] {
                      return read_gauges(*server, store, *sessions, live, files.certificates.get());
                    }));
@@ -163,6 +167,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
                            watch_times(config.backend));
 
   RETURN_IF_ERROR(write_port_file(line.port_file, server->port()));
+  if (!server->web_address().empty()) std::cout << "web on " << server->web_address() << std::endl;
   std::cout << "listening on " << server->address() << std::endl;
   spdlog::info("data in {}: {} scans, {} sessions", config.data.string(), store.list().size(),
                sessions->list().size());
@@ -198,7 +203,9 @@ int main(int argc, char** argv) {
   if (!line) return exit_code;
   burnish::set_up_log(line->config.log_level, line->config.log_format);
   const sigset_t signals = burnish::block_signals();
-  const burnish::Status status = burnish::serve(*line, signals);
+  const burnish::Status status = line->copy
+                                     ? burnish::copy_journal_of(line->copy->from, line->copy->to)
+                                     : burnish::serve(*line, signals);
   if (status.is_ok()) return 0;
   std::cerr << "burnish-server: " << status.message() << "\n";
   return burnish::kExitFailed;

@@ -88,6 +88,7 @@ Result<SessionManager::Reserved> SessionManager::find_or_reserve(const SessionWi
 Result<OpenedSession> SessionManager::open(const SessionWish& wish, const Caller& caller,
                                            const Progress& progress) {
   RETURN_IF_ERROR(check_is_no_id(wish.name));
+  refresh();
   for (;;) {
     ASSIGN_OR_RETURN(Reserved reserved, find_or_reserve(wish, caller));
     if (!reserved.found) {
@@ -112,16 +113,19 @@ Status SessionManager::make(SessionEntry& entry, const Caller& caller, const Pro
   return Status::ok();
 }
 
-Result<SessionInfo> SessionManager::fork(const ForkWish& wish, const Caller& caller,
-                                         const Progress& progress) {
+Result<ForkedSession> SessionManager::fork(const ForkWish& wish, const Caller& caller,
+                                           const Progress& progress) {
   RETURN_IF_ERROR(check_is_no_id(wish.name));
-  SessionRecord record;
+  SessionRecord source;
   {
-    ASSIGN_OR_RETURN(const Held source, lock(wish.source, progress));
-    record = source.entry->record;
+    ASSIGN_OR_RETURN(const Held held, lock(wish.source, progress));
+    source = held.entry->record;
   }
-  const std::string source_id = record.id;
-  ASSIGN_OR_RETURN(const uint64_t edits, end_of_fork(wish, journal_, source_id));
+  ASSIGN_OR_RETURN(const uint64_t edits, end_of_fork(wish, journal_, source.id));
+  SessionRecord record = source;
+  if (wish.depth != 0) record.key.depth = wish.depth;
+  if (record.key != source.key)
+    RETURN_IF_ERROR(store_.prepare_scan(record.scan_id, record.key, progress));
   record.id = random_name();
   record.name = wish.name.empty() ? record.name + "-" + record.id.substr(0, 6) : wish.name;
   record.created_unix_seconds = unix_seconds_now();
@@ -132,14 +136,14 @@ Result<SessionInfo> SessionManager::fork(const ForkWish& wish, const Caller& cal
   ASSIGN_OR_RETURN(const Held made, reserve(std::move(record), caller));
   map.unlock();
   SessionEntry& entry = *made.entry;
-  const Status forked = journal_.fork_session(source_id, edits, entry.record, entry.roles);
-  if (!forked.is_ok()) {
+  const Result<uint64_t> emptied = journal_.fork_session(source, edits, entry.record, entry.roles);
+  if (!emptied.is_ok()) {
     give_up(entry);
-    return forked;
+    return emptied.status();
   }
   entry.edits = edits;
   entry.in_journal = true;
-  return entry.info();
+  return ForkedSession{entry.info(), *emptied};
 }
 
 // The session has both names until the disk has the new one, so that nobody takes either.

@@ -4,13 +4,15 @@
 
 #include "common/base/limits.h"
 #include "common/base/process_memory.h"
+#include "common/grid/depth_plan.h"
 #include "server/memory/opening_need.h"
 
 namespace burnish {
 
-LibraryBudget::LibraryBudget(Quota& memory, std::filesystem::path folder)
+LibraryBudget::LibraryBudget(Quota& memory, std::filesystem::path folder, uint64_t device_bytes_max)
     : memory_(memory),
       folder_(std::move(folder)),
+      device_bytes_max_(device_bytes_max),
       bytes_max_(std::min({memory.max(), available_memory_bytes(), machine_memory_bytes()})),
       space_(folder_, bytes_max_ / kPartForArrays) {}
 
@@ -41,6 +43,13 @@ Status LibraryBudget::ask(const PreparationNeed& need) {
   const uint64_t scratch = need.scratch_bytes - std::min(need.scratch_bytes, space_.file_bytes());
   RETURN_IF_ERROR(check_disk_space(folder_, need.file_bytes + scratch));
   return take(need.memory_bytes);
+}
+
+// A session takes fewer bytes on the device than scan and session take in memory.
+uint64_t LibraryBudget::default_depth_bytes_max() const {
+  const uint64_t bytes =
+      device_bytes_max_ == 0 ? memory_.max() : std::min(memory_.max(), device_bytes_max_);
+  return memory_of_default_depth(bytes);
 }
 
 uint64_t LibraryBudget::scratch_bytes_max() const {

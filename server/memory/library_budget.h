@@ -15,7 +15,8 @@ namespace burnish {
 class LibraryBudget : public PreparationBudget {
  public:
   /// Needs: `memory` outlives this. `folder` will hold the prepared file.
-  LibraryBudget(Quota& memory, std::filesystem::path folder);
+  /// `device_bytes_max` is the memory of a device for sessions; 0: sessions take none.
+  LibraryBudget(Quota& memory, std::filesystem::path folder, uint64_t device_bytes_max = 0);
 
   /// Returns room for the scan's arrays and what is made of them: a quarter of the memory that it
   /// may take, then files without names in the folder.
@@ -26,6 +27,7 @@ class LibraryBudget : public PreparationBudget {
   Status ask_to_read(const std::filesystem::path& file, MeshFormat format);
 
   uint64_t memory_bytes_max() const override { return bytes_max_; }
+  uint64_t default_depth_bytes_max() const override;
   uint64_t scratch_bytes_max() const override;
   Status ask(const PreparationNeed& need) override;
 
@@ -36,6 +38,7 @@ class LibraryBudget : public PreparationBudget {
 
   Quota& memory_;
   const std::filesystem::path folder_;
+  const uint64_t device_bytes_max_;
   const uint64_t bytes_max_;
   const ScratchSpace space_;
   Quota::Share share_;

@@ -10,21 +10,30 @@ static constexpr uint64_t kHierarchyBytesPerCell = 704;
 static constexpr uint64_t kHierarchyBytesPerVertex = 12;  // PointsByCell
 static constexpr uint64_t kSessionBytesPerCellMin = 900;  // for the fewest possible corners
 
-static uint64_t mesh_bytes(uint64_t byte_count, uint64_t cells, uint64_t vertices) {
-  return byte_count + cells * kHierarchyBytesPerCell + vertices * kHierarchyBytesPerVertex;
+static constexpr uint64_t kFileBytesMin = uint64_t{16} << 20;  // less is not worth a file
+
+PreparedPlace place_of_prepared(uint64_t bytes) {
+  return bytes < kFileBytesMin ? PreparedPlace::kMemory : PreparedPlace::kFile;
 }
 
-uint64_t predict_mesh_bytes(const PreparedMesh& prepared) {
-  return mesh_bytes(prepared.byte_count(), prepared.cells.size(), prepared.vertices.size());
+static uint64_t mesh_bytes(uint64_t byte_count, PreparedPlace place, uint64_t cells,
+                           uint64_t vertices) {
+  return (place == PreparedPlace::kMemory ? byte_count : 0) + cells * kHierarchyBytesPerCell +
+         vertices * kHierarchyBytesPerVertex;
 }
 
-uint64_t predict_mesh_bytes(const PreparedSummary& prepared) {
-  return mesh_bytes(prepared.byte_count, prepared.cells, prepared.vertices);
+uint64_t predict_mesh_bytes(const PreparedMesh& prepared, PreparedPlace place) {
+  return mesh_bytes(prepared.byte_count(), place, prepared.cells.size(), prepared.vertices.size());
+}
+
+uint64_t predict_mesh_bytes(const PreparedSummary& prepared, PreparedPlace place) {
+  return mesh_bytes(prepared.byte_count, place, prepared.cells, prepared.vertices);
 }
 
 uint64_t predict_opened_bytes(const PreparationNeed& need) {
   const PreparationCounts& counts = need.counts;
-  return mesh_bytes(need.file_bytes, counts.cells, counts.vertices) +
+  return mesh_bytes(need.file_bytes, place_of_prepared(need.file_bytes), counts.cells,
+                    counts.vertices) +
          counts.cells * kSessionBytesPerCellMin +
          rim_cells_bytes(counts.vertices, counts.triangles, counts.cells, 0);
 }

@@ -7,10 +7,20 @@
 
 namespace burnish {
 
-/// Returns the bytes that a prepared mesh and its hierarchy will take together. Works before the
-/// hierarchy is made.
-uint64_t predict_mesh_bytes(const PreparedMesh& prepared);
-uint64_t predict_mesh_bytes(const PreparedSummary& prepared);
+/// Where the data of a prepared mesh lies.
+enum class PreparedPlace {
+  kMemory,
+  kFile,  ///< a mapped file without a name: the kernel drops from memory what nobody reads
+};
+
+/// Returns the place of a prepared mesh of so many bytes, if the disk has room. Frames read little
+/// of it: a new metric reads the integrals, an export the vertices.
+PreparedPlace place_of_prepared(uint64_t bytes);
+
+/// Returns the bytes of memory that a prepared mesh and its hierarchy will take together. Works
+/// before the hierarchy is made.
+uint64_t predict_mesh_bytes(const PreparedMesh& prepared, PreparedPlace place);
+uint64_t predict_mesh_bytes(const PreparedSummary& prepared, PreparedPlace place);
 
 /// Returns the bytes that a prepared mesh and one session over it will take at least. Works before
 /// the mesh is prepared. Accuracy: no more than their opening is admitted with, so that nobody is

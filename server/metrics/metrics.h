@@ -29,6 +29,16 @@ enum class Refusal {
   kCutOff,       ///< the message was above the receive limit, or its client left meanwhile
   kConnections,  ///< above connections_max
   kHandshake,    ///< no TLS, or a wrong certificate
+  kHost,         ///< the web door: the header Host has a name that is not the server's
+  kOrigin,       ///< the web door: a page of another origin
+};
+
+/// Counted things.
+enum class Count {
+  kWebSockets,        ///< that were opened
+  kWebCalls,          ///< that were let in through them
+  kWebReceivedBytes,  ///< of their frames
+  kWebSentBytes,
 };
 
 /// One finished RPC.
@@ -47,6 +57,7 @@ class Metrics {
   virtual ~Metrics() = default;
   virtual void count_call(const CallRecord& /*call*/) {}
   virtual void count_refusal(Refusal /*reason*/) {}
+  virtual void add(Count /*what*/, uint64_t /*number*/) {}
   virtual void observe(Measure /*what*/, double /*value*/) {}
 };
 

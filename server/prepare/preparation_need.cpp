@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/base/process_memory.h"
+#include "common/grid/depth_plan.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/cell_pieces.h"
 #include "server/prepare/prepared_file.h"
@@ -103,6 +104,10 @@ std::string to_string(const PreparationNeed& need) {
 
 MachineBudget::MachineBudget()
     : bytes_max_(std::min(available_memory_bytes(), machine_memory_bytes())) {}
+
+uint64_t MachineBudget::default_depth_bytes_max() const {
+  return memory_of_default_depth(machine_memory_bytes());
+}
 
 Status MachineBudget::ask(const PreparationNeed& need) {
   if (need.memory_bytes <= bytes_max_) return Status::ok();

@@ -49,6 +49,9 @@ class PreparationBudget {
   /// Returns the same for bytes of scratch files.
   virtual uint64_t scratch_bytes_max() const { return 0; }
 
+  /// Returns the bytes of a prepared scan with one session that the default depth may take.
+  virtual uint64_t default_depth_bytes_max() const { return UINT64_MAX; }
+
   /// Called before anything is taken, and again when more is known; each call counts for all.
   /// Fails: resource_exhausted with the missing amount and its limit.
   virtual Status ask(const PreparationNeed& need) = 0;
@@ -59,6 +62,7 @@ class MachineBudget : public PreparationBudget {
  public:
   MachineBudget();
   uint64_t memory_bytes_max() const override { return bytes_max_; }
+  uint64_t default_depth_bytes_max() const override;  ///< depends on the machine, not on its load
   Status ask(const PreparationNeed& need) override;
 
  private:

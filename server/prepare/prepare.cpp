@@ -8,6 +8,7 @@
 
 #include "common/base/limits.h"
 #include "common/base/parallel.h"
+#include "common/grid/depth_plan.h"
 #include "common/mesh/stored_mesh.h"
 #include "server/prepare/admission.h"
 #include "server/prepare/cell_pieces.h"
@@ -70,11 +71,10 @@ void point_at(PreparedMesh& prepared, const MeshView& mesh,
 /// The passes of one preparation, in their order.
 class Preparation {
  public:
-  Preparation(const ScanToPrepare& scan, Admission& admission, const PrepareOptions& options,
-              const Progress& progress, PhaseClock& clock)
+  Preparation(const ScanToPrepare& scan, Admission& admission, const Progress& progress,
+              PhaseClock& clock)
       : scan_(scan),
         admission_(admission),
-        options_(options),
         progress_(progress),
         clock_(clock),
         frame_(scan.frame(admission.counts.depth)),
@@ -100,7 +100,7 @@ class Preparation {
     prepared->statistics = scan_.statistics;
     prepared->frame = frame_;
     prepared->length_unit = length_unit_;
-    prepared->curvature_radius = options_.curvature_radius;
+    prepared->curvature_radius = scan_.options.curvature_radius;
     prepared->has_double_positions = scan_.mesh.has_double_positions;
     prepared->histogram = make_histogram(arrays_->cells.curvature, space());
     arrays_->mesh = std::move(owner);
@@ -123,7 +123,7 @@ class Preparation {
 
   Status integrate() {
     const MeshCurvature curvature(scan_.mesh, scan_.statistics,
-                                  options_.curvature_radius * length_unit_, space());
+                                  scan_.options.curvature_radius * length_unit_, space());
     clock_.end("curvature");
     const GridMesh mesh = grid_mesh();
     const Surface surface = {mesh, curvature, length_unit_};
@@ -145,7 +145,6 @@ class Preparation {
 
   const ScanToPrepare& scan_;
   Admission& admission_;
-  const PrepareOptions& options_;
   const Progress& progress_;
   PhaseClock& clock_;
   const GridFrame frame_;
@@ -155,47 +154,54 @@ class Preparation {
   std::shared_ptr<PreparedArrays> arrays_ = std::make_shared<PreparedArrays>();
 };
 
-Result<std::shared_ptr<const PreparedMesh>> prepare_scan(const MeshView& mesh,
-                                                         const std::shared_ptr<const void>& owner,
-                                                         const PrepareOptions& options,
-                                                         const Progress& progress,
-                                                         PrepareReport* phases) {
-  RETURN_IF_ERROR(check_options(options));
-  use_threads(options.threads);
-  PhaseClock clock(phases);
-  MachineBudget machine;
-  PreparationBudget& budget = options.budget != nullptr ? *options.budget : machine;
-  const PreparationNeed least =
-      predict_preparation(counts_of(mesh, options), options.space.memory_bytes_max());
-  RETURN_IF_ERROR(budget.ask(least).with_context(to_string(least)));
-
-  const ScanToPrepare scan = {mesh, options, compute_statistics(mesh, options.space)};
-  const MeshStatistics& statistics = scan.statistics;
-  const int depth = options.depth != 0 ? options.depth
-                                       : default_depth(statistics.box_min, statistics.box_max,
-                                                       statistics.mean_edge_length);
-  clock.end("statistics");
-  Admission admission{budget, scan.space().memory_bytes_max(), scan.counts(depth)};
-  Preparation preparation(scan, admission, options, progress, clock);
-  const Status status = preparation.run();
-  if (status.code() == StatusCode::kResourceExhausted)
-    return refusal(scan, admission, status, progress);
-  RETURN_IF_ERROR(status);
+Result<std::shared_ptr<const PreparedMesh>> prepare_as_admitted(
+    Admission& admission, const ScanToPrepare& scan, const Progress& progress, PhaseClock& clock,
+    const std::shared_ptr<const void>& owner) {
+  Preparation preparation(scan, admission, progress, clock);
+  RETURN_IF_ERROR(preparation.run());
   auto prepared = preparation.take(owner);
   if (!report(progress, "evaluation", 1)) return cancelled("cancelled at the end");
   return std::shared_ptr<const PreparedMesh>(std::move(prepared));
 }
 
+Result<std::shared_ptr<const PreparedMesh>> prepare_scan(
+    const MeshView& mesh, const std::shared_ptr<const void>& owner, const PrepareOptions& options,
+    const Progress& progress, PreparationBudget& budget, PhaseClock& clock) {
+  const PreparationNeed least =
+      predict_preparation(counts_of(mesh, options), options.space.memory_bytes_max());
+  RETURN_IF_ERROR(budget.ask(least).with_context(to_string(least)));
+
+  const ScanToPrepare scan = {mesh, options, compute_statistics(mesh, options.space)};
+  clock.end("statistics");
+  const bool is_depth_given = options.depth != 0;
+  int depth = is_depth_given ? options.depth
+                             : default_depth(scan.statistics, budget.default_depth_bytes_max());
+  // Cells are counted while they are prepared, so the first default may be too deep.
+  for (;; --depth) {
+    Admission admission{budget, scan.space().memory_bytes_max(), scan.counts(depth)};
+    auto prepared = prepare_as_admitted(admission, scan, progress, clock, owner);
+    if (prepared.status().code() != StatusCode::kResourceExhausted) return prepared;
+    if (is_depth_given || depth == kDepthMin)
+      return refusal(scan, admission, prepared.status(), progress);
+  }
+}
+
 }  // namespace
 
-// Runs work that allocates memory and scratch files.
+// Asks the machine's memory if there is no other budget. Tells allocations that fail.
 template <typename Work>
-static auto within_room(const MeshView& mesh, const Work& work) -> decltype(work()) {
+static auto within_room(const MeshView& mesh, const PrepareOptions& options, PrepareReport* phases,
+                        const Work& work) -> Result<std::shared_ptr<const PreparedMesh>> {
+  RETURN_IF_ERROR(check_options(options));
+  use_threads(options.threads);
+  PhaseClock clock(phases);
+  MachineBudget machine;
+  PreparationBudget& budget = options.budget != nullptr ? *options.budget : machine;
   const auto scan = [&] {
     return "preparing a scan of " + std::to_string(mesh.triangles.size()) + " triangles: ";
   };
   try {
-    return work();
+    return work(budget, clock);
   } catch (const ScratchFull& full) {
     return resource_exhausted(scan() + full.what());
   } catch (const std::bad_alloc&) {
@@ -208,18 +214,20 @@ Result<std::shared_ptr<const PreparedMesh>> prepare(const MeshView& mesh,
                                                     const PrepareOptions& options,
                                                     const Progress& progress,
                                                     PrepareReport* phases) {
-  return within_room(mesh, [&] { return prepare_scan(mesh, owner, options, progress, phases); });
+  return within_room(mesh, options, phases, [&](PreparationBudget& budget, PhaseClock& clock) {
+    return prepare_scan(mesh, owner, options, progress, budget, clock);
+  });
 }
 
 Result<std::shared_ptr<const PreparedMesh>> prepare(const TriangleMesh& mesh,
                                                     const PrepareOptions& options,
                                                     const Progress& progress,
                                                     PrepareReport* phases) {
-  return within_room(mesh, [&] {
+  return within_room(mesh, options, phases, [&](PreparationBudget& budget, PhaseClock& clock) {
     PrepareOptions with_copy = options;
     with_copy.copies_mesh = true;
     const auto copy = std::make_shared<const StoredMesh>(mesh, options.space);
-    return prepare_scan(copy->view(), copy, with_copy, progress, phases);
+    return prepare_scan(copy->view(), copy, with_copy, progress, budget, clock);
   });
 }
 

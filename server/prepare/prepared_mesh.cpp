@@ -33,12 +33,14 @@ static std::string name_of(const std::filesystem::path& path) {
   return "prepared mesh " + path.string();
 }
 
-Result<std::shared_ptr<const PreparedMesh>> read_prepared_mesh(const std::filesystem::path& path) {
-  ASSIGN_OR_RETURN(FileContent read, FileContent::read(path));
+Result<std::shared_ptr<const PreparedMesh>> read_prepared_mesh(const std::filesystem::path& path,
+                                                               const ScratchSpace& space) {
+  ASSIGN_OR_RETURN(FileContent read, FileContent::read(path, space));
   const auto file = std::make_shared<const FileContent>(std::move(read));
   Result<PreparedMesh> mesh = parse_prepared_file(file->bytes());
   if (!mesh.is_ok()) return mesh.status().with_context(name_of(path));
   mesh->storage = file;
+  mesh->is_in_file = space.memory_bytes() == 0;
   return std::make_shared<const PreparedMesh>(std::move(mesh).value());
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/scratch_space.h"
 #include "common/base/status.h"
 #include "common/base/types.h"
 #include "common/evaluation/evaluation.h"
@@ -95,18 +96,21 @@ class PreparedMesh {
   /// α in grid units is α in user units times this.
   double alpha_scale() const { return frame.cell_size / length_unit; }
   uint64_t byte_count() const;  ///< of all the spans
+  /// Returns the bytes of memory that the spans hold for good.
+  uint64_t memory_byte_count() const { return is_in_file ? 0 : byte_count(); }
 
+  bool is_in_file = false;  ///< the spans lie in a mapped file: the kernel can drop them
   std::shared_ptr<const void> storage;  ///< owns the memory behind the spans
 };
 
 /// Writes the prepared mesh to `path` through a synced temporary file.
 Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::path& path);
 
-/// Reads a prepared file into the process's own memory. A mapped file would end the process when
-/// somebody shortens it, and the checksums touch every page anyway. Fails: not_found; data_loss
-/// that names the section when the version, a size or a checksum is wrong; resource_exhausted if
-/// there is not enough memory.
-Result<std::shared_ptr<const PreparedMesh>> read_prepared_mesh(const std::filesystem::path& path);
+/// Reads a copy of a prepared file into scratch space. The file itself is not mapped: that would
+/// end the process when somebody shortens it. Fails: not_found; data_loss that names the section
+/// when the version, a size or a checksum is wrong; resource_exhausted if the space has no room.
+Result<std::shared_ptr<const PreparedMesh>> read_prepared_mesh(const std::filesystem::path& path,
+                                                               const ScratchSpace& space = {});
 
 /// The facts in the header of a prepared file.
 struct PreparedSummary {

@@ -4,12 +4,12 @@
 
 namespace burnish {
 
-Status Admission::admit(std::string_view method, const Proof& proof) const {
+Status Admission::admit(std::string_view method, const Proof& proof, std::string_view peer) const {
   const Status status = guard_->check(method, proof).status();
   if (status.is_ok()) {
     ++counts_->arrived;
   } else {
-    report_refusal(method, {}, status);
+    report_refusal(method, peer, status);
   }
   return status;
 }

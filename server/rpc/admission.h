@@ -15,8 +15,8 @@ class Admission {
   Admission(std::shared_ptr<const Guard> guard, std::shared_ptr<CallCounts> counts)
       : guard_(std::move(guard)), counts_(std::move(counts)) {}
 
-  /// Fails: as Guard::check().
-  Status admit(std::string_view method, const Proof& proof) const;
+  /// Fails: as Guard::check(). `peer` may be empty: gRPC does not tell it here.
+  Status admit(std::string_view method, const Proof& proof, std::string_view peer = {}) const;
 
  private:
   const std::shared_ptr<const Guard> guard_;

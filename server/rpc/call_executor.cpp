@@ -15,7 +15,7 @@ CallExecutor CallExecutor::for_call(const grpc::CallbackServerContext& context,
                                     const std::string& user) const {
   CallExecutor own = *this;
   own.lane_ = lane_of(method_of(context));
-  own.holder_ = user.empty() ? host_of(context.peer()) : "user " + user;
+  own.holder_ = user.empty() ? host_of(peer_of(context)) : "user " + user;
   own.request_id_ = request_id_of(context);
   return own;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <mutex>
 
 #include <google/protobuf/message_lite.h>
@@ -13,6 +14,8 @@
 #include "server/process/line_limiter.h"
 #include "server/process/log_context.h"
 #include "server/trust/role.h"
+#include "server/trust/secret.h"
+#include "server/web/door_mark.h"
 
 namespace burnish {
 namespace {
@@ -24,6 +27,8 @@ using std::chrono::steady_clock;
 
 constexpr char kMethodKey[] = "burnish-method";
 constexpr char kRequestIdKey[] = "x-request-id";
+constexpr char kPeerKey[] = "burnish-peer";
+constexpr char kCertificateKey[] = "burnish-certificate";
 constexpr std::string_view kCallsOfBytes[] = {"/burnish.v1.Editing/Edit",
                                               "/burnish.v1.Editing/UploadCellFields",
                                               "/burnish.v1.Library/Import"};
@@ -50,11 +55,21 @@ const char* code_name(grpc::StatusCode code) {
   return index < kNames.size() ? kNames[index] : "UNKNOWN";
 }
 
+using Metadata = std::multimap<grpc::string_ref, grpc::string_ref>;
+
+std::string_view value_in(const Metadata& metadata, const char* key) {
+  const auto found = metadata.find(key);
+  if (found == metadata.end()) return {};
+  return {found->second.data(), found->second.size()};
+}
+
 class CallObserver final : public grpc::experimental::Interceptor {
  public:
-  CallObserver(ServerRpcInfo& info, std::shared_ptr<CallCounts> counts)
+  CallObserver(ServerRpcInfo& info, std::shared_ptr<CallCounts> counts,
+               std::shared_ptr<const std::string> door_secret)
       : info_(info),
         counts_(std::move(counts)),
+        door_secret_(std::move(door_secret)),
         method_(info.method()),
         is_ours_(method_.starts_with("/burnish.")),
         takes_bytes_(std::ranges::count(kCallsOfBytes, method_) > 0),
@@ -95,11 +110,18 @@ class CallObserver final : public grpc::experimental::Interceptor {
     if (at(InterceptionHookPoints::POST_RECV_CLOSE)) take_end();
   }
 
-  void stamp(std::multimap<grpc::string_ref, grpc::string_ref>& metadata) const {
-    metadata.erase(kMethodKey);
-    metadata.erase(kRequestIdKey);
+  void stamp(Metadata& metadata) {
+    if (is_same_secret(value_in(metadata, kDoorSecretKey), *door_secret_)) {
+      peer_ = value_in(metadata, kDoorPeerKey);
+      certificate_ = value_in(metadata, kDoorCertificateKey);
+    }
+    for (const char* key : {kMethodKey, kRequestIdKey, kPeerKey, kCertificateKey, kDoorSecretKey,
+                            kDoorPeerKey, kDoorCertificateKey})
+      metadata.erase(key);
     metadata.emplace(kMethodKey, method_);
     metadata.emplace(kRequestIdKey, request_id_);
+    metadata.emplace(kPeerKey, peer_);
+    metadata.emplace(kCertificateKey, certificate_);
   }
 
   void take_message(const void* message) {
@@ -155,10 +177,12 @@ class CallObserver final : public grpc::experimental::Interceptor {
 
   ServerRpcInfo& info_;
   const std::shared_ptr<CallCounts> counts_;
+  const std::shared_ptr<const std::string> door_secret_;
   const std::string method_;
   const bool is_ours_;
   const bool takes_bytes_;
-  const std::string peer_;
+  std::string peer_;         // settled by the call's headers
+  std::string certificate_;  // likewise
   const std::string request_id_ = random_name();
   const steady_clock::time_point start_ = steady_clock::now();
   const LiveObject live_{LiveKind::kCall};
@@ -170,25 +194,27 @@ class CallObserver final : public grpc::experimental::Interceptor {
   std::optional<grpc::Status> status_;
 };
 
-std::string value_of(const grpc::CallbackServerContext& context, const char* key) {
-  const auto found = context.client_metadata().find(key);
-  if (found == context.client_metadata().end()) return {};
-  return {found->second.data(), found->second.size()};
-}
-
 }  // namespace
 
 grpc::experimental::Interceptor* CallObserverFactory::CreateServerInterceptor(ServerRpcInfo* info) {
   on_call_(info->server_context()->peer());
-  return new CallObserver(*info, counts_);
+  return new CallObserver(*info, counts_, door_secret_);
 }
 
 std::string method_of(const grpc::CallbackServerContext& context) {
-  return value_of(context, kMethodKey);
+  return std::string(value_in(context.client_metadata(), kMethodKey));
 }
 
 std::string request_id_of(const grpc::CallbackServerContext& context) {
-  return value_of(context, kRequestIdKey);
+  return std::string(value_in(context.client_metadata(), kRequestIdKey));
+}
+
+std::string peer_of(const grpc::CallbackServerContext& context) {
+  return std::string(value_in(context.client_metadata(), kPeerKey));
+}
+
+std::string_view door_certificate_of(const grpc::CallbackServerContext& context) {
+  return value_in(context.client_metadata(), kCertificateKey);
 }
 
 }  // namespace burnish

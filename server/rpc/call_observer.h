@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include <grpcpp/grpcpp.h>
 #include <grpcpp/support/server_interceptor.h>
@@ -23,16 +24,20 @@ struct CallCounts {
 /// gives a malformed message its proper status.
 class CallObserverFactory final : public grpc::experimental::ServerInterceptorFactoryInterface {
  public:
-  /// `on_call` gets the peer of each call, e.g. "ipv4:127.0.0.1:5000".
-  CallObserverFactory(std::shared_ptr<CallCounts> counts,
+  /// `on_call` gets the peer of each call, e.g. "ipv4:127.0.0.1:5000". Calls that have the web
+  /// door's secret have the peer and the certificate that the door tells.
+  CallObserverFactory(std::shared_ptr<CallCounts> counts, std::string door_secret,
                       std::function<void(const std::string& peer)> on_call)
-      : counts_(std::move(counts)), on_call_(std::move(on_call)) {}
+      : counts_(std::move(counts)),
+        door_secret_(std::make_shared<const std::string>(std::move(door_secret))),
+        on_call_(std::move(on_call)) {}
 
   grpc::experimental::Interceptor* CreateServerInterceptor(
       grpc::experimental::ServerRpcInfo* info) override;
 
  private:
   const std::shared_ptr<CallCounts> counts_;
+  const std::shared_ptr<const std::string> door_secret_;
   const std::function<void(const std::string& peer)> on_call_;
 };
 
@@ -40,5 +45,10 @@ class CallObserverFactory final : public grpc::experimental::ServerInterceptorFa
 /// theirs.
 std::string method_of(const grpc::CallbackServerContext& context);
 std::string request_id_of(const grpc::CallbackServerContext& context);
+std::string peer_of(const grpc::CallbackServerContext& context);
+
+/// Returns the common name that the web door has verified; empty for none, and without the door.
+/// The text lives as long as the call.
+std::string_view door_certificate_of(const grpc::CallbackServerContext& context);
 
 }  // namespace burnish

@@ -32,8 +32,8 @@ uint64_t socket_inode(int fd) {
 
 }  // namespace
 
-void ConnectionAcceptor::add(ListeningSocket socket, Receiver receiver) {
-  doors_.push_back({std::move(socket), std::move(receiver)});
+void ConnectionAcceptor::add(ListeningSocket socket, Receiver receiver, Silence silence) {
+  doors_.push_back({std::move(socket), std::move(receiver), silence});
 }
 
 void ConnectionAcceptor::start() {
@@ -86,12 +86,9 @@ void ConnectionAcceptor::accept_from(Door& door) {
   {
     const std::lock_guard lock(mutex_);
     connections_[peer.name] = {fd, socket_inode(fd), peer.host, steady_clock::now(),
-                               peer.host.empty()};
+                               peer.host.empty() || door.silence == Silence::kReceiver};
   }
-  grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters connection;
-  connection.listener_fd = door.socket.fd();
-  connection.fd = fd;
-  door.receiver->HandleNewConnection(&connection);
+  door.receiver(door.socket.fd(), fd, peer.name);
 }
 
 size_t ConnectionAcceptor::open_connections() {
@@ -158,8 +155,8 @@ void ConnectionAcceptor::close_silent() {
       spdlog::warn("closed the connection of {}: no call was admitted within {} s", peer,
                    limits_.silence_max.count());
     metrics().count_refusal(Refusal::kConnections);
-    // gRPC owns the descriptor and closes it when it reads the end. If the number belongs to
-    // another socket by now, that is one of the metrics, whose client will ask again.
+    // The receiver owns the descriptor and closes it when it reads the end. If the number belongs
+    // to another socket by now, that is one of the metrics, whose client will ask again.
     shutdown(connection.fd, SHUT_RDWR);
     connection.is_known = true;
   }

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <unordered_map>
 #include <vector>
-
-#include <grpcpp/server_builder.h>
 
 #include "server/rpc/listening_socket.h"
 
@@ -20,23 +19,28 @@ struct ConnectionLimits {
   std::chrono::seconds silence_max{30};  ///< until a call of the connection is admitted
 };
 
-/// Accepts connections and hands them to gRPC, up to limits. gRPC 1.51 has no such limits, and
-/// stops listening for good when the process runs out of file descriptors. Closes a TCP connection
-/// if no call of it is admitted for `silence_max`. Thread-safe.
+/// Accepts connections and hands them to gRPC and the web door, up to limits that both share.
+/// gRPC 1.51 has no such limits, and stops listening for good when the process runs out of file
+/// descriptors. Closes a TCP connection if no call of it is admitted for `silence_max`.
+/// Thread-safe.
 class ConnectionAcceptor {
  public:
-  using Receiver = std::shared_ptr<grpc::experimental::ExternalConnectionAcceptor>;
+  /// Takes over a connected socket.
+  using Receiver = std::function<void(int listening_fd, int fd, const std::string& peer)>;
+
+  /// Says who closes connections without an admitted call.
+  enum class Silence { kAcceptor, kReceiver };
 
   explicit ConnectionAcceptor(const ConnectionLimits& limits) : limits_(limits) {}
   ~ConnectionAcceptor() { stop(); }
 
   /// Hands connections to `socket` to `receiver`. Needs: not started.
-  void add(ListeningSocket socket, Receiver receiver);
+  void add(ListeningSocket socket, Receiver receiver, Silence silence = Silence::kAcceptor);
 
-  /// Needs: the gRPC server runs.
+  /// Needs: the receivers run.
   void start();
 
-  /// Returns the connections that clients and gRPC still hold.
+  /// Returns the connections that clients and receivers still hold.
   size_t open_connections();
 
   /// Stops listening; existing connections stay. Idempotent.
@@ -49,9 +53,10 @@ class ConnectionAcceptor {
   struct Door {
     ListeningSocket socket;
     Receiver receiver;
+    Silence silence;
   };
-  /// A connection that gRPC has taken over. gRPC owns its descriptor; the inode says whether the
-  /// number still belongs to this connection.
+  /// A connection that its receiver has taken over. The receiver owns its descriptor; the inode
+  /// says whether the number still belongs to this connection.
   struct Connection {
     int fd;
     uint64_t inode;

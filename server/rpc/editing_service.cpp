@@ -104,8 +104,9 @@ grpc::ServerUnaryReactor* EditingService::ForkSession(grpc::CallbackServerContex
   return answer(calls_, context, *request, [=, this](const Progress& progress) -> Status {
     ASSIGN_OR_RETURN(const ForkWish wish, from_wire(*request));
     ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
-    ASSIGN_OR_RETURN(const SessionInfo session, calls_.sessions.fork(wish, caller, progress));
-    *response->mutable_session() = to_wire(session);
+    ASSIGN_OR_RETURN(const ForkedSession forked, calls_.sessions.fork(wish, caller, progress));
+    *response->mutable_session() = to_wire(forked.session);
+    response->set_emptied_edits(forked.emptied_edits);
     return Status::ok();
   });
 }

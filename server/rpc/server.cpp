@@ -13,6 +13,9 @@
 #include "server/rpc/cut_off_calls.h"
 #include "server/rpc/editing_service.h"
 #include "server/rpc/library_service.h"
+#include "server/rpc/to_grpc.h"
+#include "server/trust/secret.h"
+#include "server/web/web_door.h"
 
 namespace burnish {
 
@@ -50,7 +53,9 @@ struct Server::State {
   LibraryService library;
   EditingService editing;
   std::unique_ptr<grpc::Server> server;
+  std::unique_ptr<WebDoor> web;  // after the server: its channel goes first
   ConnectionAcceptor acceptor;
+  std::string web_address;
   std::string address;
   int port = 0;
 };
@@ -76,10 +81,10 @@ static void set_limits(grpc::ServerBuilder& builder) {
 }
 
 static void observe_calls(grpc::ServerBuilder& builder, const std::shared_ptr<CallCounts>& counts,
-                          ConnectionAcceptor& acceptor) {
+                          const std::string& door_secret, ConnectionAcceptor& acceptor) {
   std::vector<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>> observers;
   observers.push_back(std::make_unique<CallObserverFactory>(
-      counts, [&acceptor](const std::string& peer) { acceptor.note_call(peer); }));
+      counts, door_secret, [&acceptor](const std::string& peer) { acceptor.note_call(peer); }));
   builder.experimental().SetInterceptorCreators(std::move(observers));
 }
 
@@ -87,6 +92,21 @@ static void observe_calls(grpc::ServerBuilder& builder, const std::shared_ptr<Ca
 // endpoint that it takes for a living one, long after the last call. The process ends anyway.
 static void keep_grpc() {
   [[maybe_unused]] static const bool kept = (grpc_init(), true);
+}
+
+/// The web door's calls stay in the process, and so do its limits: gRPC's own client has none here.
+static std::shared_ptr<grpc::Channel> in_process_channel(grpc::Server& server) {
+  grpc::ChannelArguments arguments;
+  arguments.SetMaxReceiveMessageSize(-1);
+  arguments.SetMaxSendMessageSize(-1);
+  return server.InProcessChannel(arguments);
+}
+
+static auto admission_of_door(std::shared_ptr<const Admission> admission) {
+  return [admission = std::move(admission)](const std::string& method, const Proof& proof,
+                                            const std::string& peer) {
+    return to_grpc(admission->admit(method, proof, peer));
+  };
 }
 
 Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, MeshStore& store,
@@ -102,9 +122,15 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, Mesh
   const auto open_door = [&](ListeningSocket socket, std::shared_ptr<grpc::ServerCredentials> how) {
     if (state->address.empty()) state->address = socket.address();
     state->port = std::max(state->port, socket.port());
-    auto receiver = builder.experimental().AddExternalConnectionAcceptor(
+    std::shared_ptr receiver = builder.experimental().AddExternalConnectionAcceptor(
         grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD, std::move(how));
-    state->acceptor.add(std::move(socket), std::move(receiver));
+    state->acceptor.add(std::move(socket), [receiver = std::move(receiver)](
+                                               int listening_fd, int fd, const std::string&) {
+      grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters connection;
+      connection.listener_fd = listening_fd;
+      connection.fd = fd;
+      receiver->HandleNewConnection(&connection);
+    });
   };
   if (!options.listen.empty()) {
     ASSIGN_OR_RETURN(ListeningSocket socket, ListeningSocket::tcp(options.listen));
@@ -121,15 +147,33 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, Mesh
     open_door(std::move(socket), plaintext_credentials(admission));
   }
   set_limits(builder);
-  observe_calls(builder, state->counts, state->acceptor);
+  const std::string door_secret = make_secret();
+  observe_calls(builder, state->counts, door_secret, state->acceptor);
   builder.RegisterService(&state->library);
   builder.RegisterService(&state->editing);
   state->server = builder.BuildAndStart();
   if (!state->server) return internal_error("gRPC cannot start a server; its log says why");
   std::unique_ptr<Server> server(new Server(std::move(state)));
+  if (!options.web.empty()) {
+    RETURN_IF_ERROR(server->open_web(options, {in_process_channel(*server->state_->server),
+                                               admission_of_door(admission), door_secret}));
+  }
   server->set_serving(true);
   server->state_->acceptor.start();
   return server;
+}
+
+Status Server::open_web(const ServerOptions& options, WebCalls calls) {
+  ASSIGN_OR_RETURN(ListeningSocket socket, ListeningSocket::tcp(options.web));
+  state_->web_address = (options.certificates ? "https://" : "http://") + socket.address();
+  WebDoorOptions web{options.web_hosts, options.certificates, options.client_certificate_required};
+  web.hosts.push_back(options.web.substr(0, options.web.rfind(':')));
+  state_->web = std::make_unique<WebDoor>(std::move(web), std::move(calls));
+  state_->acceptor.add(
+      std::move(socket),
+      [&door = *state_->web](int, int fd, const std::string& peer) { door.take(fd, peer); },
+      ConnectionAcceptor::Silence::kReceiver);
+  return Status::ok();
 }
 
 Server::Server(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -143,6 +187,13 @@ const std::string& Server::address() const {
 }
 int Server::port() const {
   return state_->port;
+}
+const std::string& Server::web_address() const {
+  return state_->web_address;
+}
+
+size_t Server::web_connections() const {
+  return state_->web ? state_->web->connections() : 0;
 }
 
 void Server::set_serving(bool serving) {
@@ -169,6 +220,7 @@ void Server::drain(milliseconds time) {
   set_serving(false);
   state_->guard->close();
   state_->live.drain();
+  if (state_->web) state_->web->leave();
   // Probes still get an answer meanwhile: NOT_SERVING.
   const auto deadline = steady_clock::now() + time;
   while (running_calls() > 0 && steady_clock::now() < deadline)
@@ -176,6 +228,7 @@ void Server::drain(milliseconds time) {
   state_->acceptor.stop();
   state_->server->Shutdown(std::chrono::system_clock::now());
   state_->server->Wait();
+  if (state_->web) state_->web->close();
 }
 
 }  // namespace burnish

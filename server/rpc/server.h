@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "common/base/status.h"
 #include "server/rpc/connection_acceptor.h"
@@ -17,6 +18,7 @@ class Lanes;
 class LiveSessions;
 class MeshStore;
 class SessionManager;
+struct WebCalls;
 
 struct ServerOptions {
   std::string listen;             ///< HOST:PORT, port 0 for a free port; empty: no TCP
@@ -25,6 +27,8 @@ struct ServerOptions {
   const Reloaded<Certificates>* certificates = nullptr;  ///< null: TCP in plain text
   bool client_certificate_required = true;               ///< if the certificates have a CA
   const Reloaded<UserTable>* users = nullptr;            ///< null: no authentication
+  std::string web;                                       ///< HOST:PORT for browsers; empty: none
+  std::vector<std::string> web_hosts;  ///< names of this server besides the host of `web`
   ConnectionLimits connections;
   uint64_t streams_per_user = 64;
   std::chrono::seconds upload_silence_max{30};  ///< for a client that announced more data
@@ -43,6 +47,12 @@ class Server {
   /// HOST:PORT with the chosen port, else unix:PATH.
   const std::string& address() const;
   int port() const;  ///< 0 without TCP
+
+  /// "https://HOST:PORT" with the chosen port; empty without a web door.
+  const std::string& web_address() const;
+
+  /// Returns the connections that the web door holds; 0 without a door.
+  size_t web_connections() const;
 
   /// Sets the answer of the health service for the server and each of its services.
   void set_serving(bool serving);
@@ -64,6 +74,7 @@ class Server {
 
  private:
   struct State;
+  Status open_web(const ServerOptions& options, WebCalls calls);
   explicit Server(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };

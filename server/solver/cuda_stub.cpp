@@ -18,6 +18,10 @@ Result<std::string> cuda_device() {
 
 void set_cuda_memory_budget(uint64_t) {}
 
+uint64_t cuda_memory_max() {
+  return 0;
+}
+
 uint64_t cuda_memory_used() {
   return 0;
 }

@@ -49,6 +49,8 @@ class ProxiedServer(Server):
             config = file.read()
         config = replace_once(r"^  bind :7411 ssl crt \S+", "  bind fd@%d ssl crt %s/proxy.pem"
                               % (listening.fileno(), tls), config)
+        config = replace_once(r"^  bind :7443 ssl crt \S+", "  bind unix@%s/pages.sock ssl crt %s/proxy.pem"
+                              % (self.folder, tls), config)
         config = replace_once(r"^  server burnish \S+", "  server burnish unix@" + self.socket, config)
         config = replace_once(r"^  user haproxy\n  group burnish\n", "", config)
         path = os.path.join(self.folder, "haproxy.cfg")

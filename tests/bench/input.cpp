@@ -6,6 +6,7 @@
 
 #include "common/base/process_memory.h"
 #include "common/generate/generate.h"
+#include "common/grid/depth_plan.h"
 #include "common/grid/grid.h"
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/statistics.h"
@@ -71,8 +72,7 @@ Result<TriangleMesh> load_mesh(const ScanArgument& scan) {
 
 int depth_of(const ScanArgument& scan, const TriangleMesh& mesh) {
   if (scan.depth > 0) return scan.depth;
-  const MeshStatistics statistics = compute_statistics(mesh);
-  return default_depth(statistics.box_min, statistics.box_max, statistics.mean_edge_length);
+  return default_depth(compute_statistics(mesh), memory_of_default_depth(machine_memory_bytes()));
 }
 
 Status check_size(const std::string& name, const TriangleMesh& mesh, int depth,

@@ -151,6 +151,8 @@ constexpr FuzzedReader kReaders[] = {
     {"server_message", read_server_message},
     {"strokes", read_strokes},
     {"users", read_users},
+    {"web_frames", read_web_frames},
+    {"web_request", read_web_request},
 };
 
 }  // namespace

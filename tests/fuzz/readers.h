@@ -45,4 +45,15 @@ bool read_page_file(std::span<const uint8_t> bytes);
 /// A refused frame must not change the decoder's state.
 bool read_page_frames(std::span<const uint8_t> bytes);
 
+/// Frames of a client of the web door. Each begins with a byte for its kind and two bytes of
+/// length, low first:
+///   0  a text frame;
+///   1  a binary frame;
+///   2  a binary frame of 1024 times that length, without bytes;
+///   3  the call's end, if one runs, without bytes.
+bool read_web_frames(std::span<const uint8_t> bytes);
+
+/// The headers Host and Origin of a request to the web door, a line each.
+bool read_web_request(std::span<const uint8_t> bytes);
+
 }  // namespace burnish

@@ -149,7 +149,7 @@ TEST_F(LimitsTest, ADepthBeyondTheMemoryIsRefusedBeforeAnythingIsTaken) {
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.output, HasSubstr("preparing 2 triangles at depth 11 takes"));
   EXPECT_THAT(refused.output, HasSubstr("limits.memory_bytes_max is 536870912"));
-  EXPECT_THAT(refused.output, HasSubstr("; depth 8 fits"));
+  EXPECT_THAT(refused.output, HasSubstr("; depth 9 fits"));
   EXPECT_EQ(server->scans(), 0u);
   EXPECT_EQ(server->staged(), 0u);
   EXPECT_LT(resident_bytes() - before, 1e8);

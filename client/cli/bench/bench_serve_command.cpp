@@ -6,7 +6,7 @@
 #include "client/cli/bench/load_client.h"
 #include "client/cli/bench/load_report.h"
 #include "client/cli/commands.h"
-#include "client/cli/json_output.h"
+#include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
 #include "common/base/limits.h"
 #include "common/edit/edit_id.h"
@@ -66,7 +66,8 @@ Result<bool> replay_agrees(Connection& connection, const std::string& session) {
   ForkWish wish;
   wish.source = session;
   wish.name = "bench replay " + random_id();
-  ASSIGN_OR_RETURN(const SessionInfo fork, connection.fork_session(wish));
+  ASSIGN_OR_RETURN(const ForkedSession forked, connection.fork_session(wish));
+  const SessionInfo& fork = forked.session;
   bool agrees = true;
   for (const CellValue value : {CellValue::kBeta, CellValue::kAlpha1, CellValue::kAlpha2}) {
     ASSIGN_OR_RETURN(const auto grown, connection.cells(session, value));

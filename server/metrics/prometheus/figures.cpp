@@ -34,6 +34,8 @@ constexpr RefusalName kRefusals[] = {
     {Refusal::kCutOff, "cut_off"},
     {Refusal::kConnections, "connections"},
     {Refusal::kHandshake, "handshake"},
+    {Refusal::kHost, "host"},
+    {Refusal::kOrigin, "origin"},
 };
 
 prometheus::Family<Counter>& counters(prometheus::Registry& registry, const char* name,
@@ -58,6 +60,15 @@ PrometheusFigures::PrometheusFigures(prometheus::Registry& registry)
   auto& refusals = counters(registry, "burnish_refusals_total", "Refusals by reason");
   for (const RefusalName& refusal : kRefusals)
     refusals_[refusal.reason] = &refusals.Add({{"reason", refusal.name}});
+  const auto count = [&](Count what, const char* name, const char* help) {
+    counts_[what] = &counters(registry, name, help).Add({});
+  };
+  count(Count::kWebSockets, "burnish_web_sockets_total", "WebSockets that were opened");
+  count(Count::kWebCalls, "burnish_web_rpcs_total", "RPCs that WebSockets carried");
+  count(Count::kWebReceivedBytes, "burnish_web_received_bytes_total",
+        "Bytes of the frames that WebSockets received");
+  count(Count::kWebSentBytes, "burnish_web_sent_bytes_total",
+        "Bytes of the frames that WebSockets sent");
   const auto measure = [&](Measure what, const char* name, const char* help, const auto& bounds) {
     measures_[what] = &histograms(registry, name, help).Add({}, bounds);
   };
@@ -88,6 +99,10 @@ void PrometheusFigures::count_call(const CallRecord& call) {
 
 void PrometheusFigures::count_refusal(Refusal reason) {
   refusals_.at(reason)->Increment();
+}
+
+void PrometheusFigures::add(Count what, uint64_t number) {
+  counts_.at(what)->Increment(static_cast<double>(number));
 }
 
 void PrometheusFigures::observe(Measure what, double value) {

@@ -19,6 +19,7 @@ class PrometheusFigures final : public Metrics {
 
   void count_call(const CallRecord& call) override;
   void count_refusal(Refusal reason) override;
+  void add(Count what, uint64_t number) override;
   void observe(Measure what, double value) override;
 
  private:
@@ -27,6 +28,7 @@ class PrometheusFigures final : public Metrics {
   prometheus::Family<prometheus::Counter>& bytes_received_;
   prometheus::Family<prometheus::Counter>& bytes_sent_;
   std::map<Refusal, prometheus::Counter*> refusals_;
+  std::map<Count, prometheus::Counter*> counts_;
   std::map<Measure, prometheus::Histogram*> measures_;
 };
 

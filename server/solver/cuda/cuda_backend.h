@@ -20,6 +20,7 @@ Result<std::string> cuda_device();
 
 /// Limits the memory of all sessions and meshes on each device. By default they may take all of it.
 void set_cuda_memory_budget(uint64_t bytes);
+uint64_t cuda_memory_max();                     ///< bytes of the smallest device that may be used
 uint64_t cuda_memory_used();                    ///< bytes on all devices
 std::vector<uint64_t> cuda_memory_by_device();  ///< bytes; one number if there is no device
 

@@ -16,7 +16,7 @@ struct Multigrid {
   std::shared_ptr<const CyclePlan> plan;
 
   uint64_t byte_count() const {
-    return prepared->byte_count() + hierarchy->byte_count() + plan->patches.byte_count();
+    return prepared->memory_byte_count() + hierarchy->byte_count() + plan->patches.byte_count();
   }
 };
 

@@ -26,33 +26,39 @@ const DepthChoice& at(const std::vector<DepthChoice>& choices, int depth) {
 }
 
 TEST(DepthChoice, EveryDepthTellsDetailsCellsAndMemory) {
-  const auto choices = depth_choices(tablet(), "mm", 0);
+  const auto choices = depth_choices(tablet(), "mm", 0, 8);
   ASSERT_EQ(choices.size(), size_t{kDepthMax - kDepthMin + 1});
   EXPECT_THAT(at(choices, 9).text, HasSubstr("depth 9"));
   EXPECT_THAT(at(choices, 9).text, HasSubstr("from 0.391 mm"));
   EXPECT_THAT(at(choices, 9).text, HasSubstr("cells of 0.195 mm"));
-  EXPECT_NEAR(plan_depth(tablet(), 9).memory_bytes, 1.75e9, 0.05e9);
-  EXPECT_THAT(at(choices, 9).text, HasSubstr("about 1.8 GB"));
-  EXPECT_THAT(edges_text(tablet(), "mm"), HasSubstr("0.26 mm"));
+  EXPECT_NEAR(plan_depth(tablet(), 9).memory_bytes, 1.25e9, 0.05e9);
+  EXPECT_THAT(at(choices, 9).text, HasSubstr("about 1.2 GB"));
 }
 
 TEST(DepthChoice, OneDepthIsTheDefault) {
-  const auto choices = depth_choices(tablet(), "", 0);
+  const auto choices = depth_choices(tablet(), "", 0, 7);
+  EXPECT_TRUE(at(choices, 7).is_default);
   EXPECT_EQ(std::count_if(choices.begin(), choices.end(),
                           [](const DepthChoice& choice) { return choice.is_default; }),
             1);
-  EXPECT_TRUE(at(choices, 8).is_default);  // cells of 0.39, that is 1.5 edges
+}
+
+TEST(DepthChoice, TheDefaultOfAnUnknownScanIsTheServersRule) {
+  EXPECT_TRUE(at(depth_choices(tablet(), "", 0, 0), 8).is_default);  // 1.5 edges are 0.39
+  const auto memory = static_cast<uint64_t>(2.1 * plan_depth(tablet(), 6).memory_bytes);
+  EXPECT_TRUE(at(depth_choices(tablet(), "", memory, 0), 6).is_default);
 }
 
 TEST(DepthChoice, ADepthThatCannotFitIsRefusedWithBothAmounts) {
-  const auto choices = depth_choices(tablet(), "mm", 2'000'000'000);
+  const auto choices = depth_choices(tablet(), "mm", 2'000'000'000, 8);
   EXPECT_EQ(at(choices, 9).refusal, "");
-  EXPECT_THAT(at(choices, 10).refusal, HasSubstr("7 GB"));
+  EXPECT_THAT(at(choices, 10).refusal, HasSubstr("5 GB"));
   EXPECT_THAT(at(choices, 10).refusal, HasSubstr("2 GB"));
 }
 
 TEST(DepthChoice, AllDepthsFitAServerOfUnknownMemory) {
-  for (const DepthChoice& choice : depth_choices(tablet(), "mm", 0)) EXPECT_EQ(choice.refusal, "");
+  for (const DepthChoice& choice : depth_choices(tablet(), "mm", 0, 8))
+    EXPECT_EQ(choice.refusal, "");
 }
 
 }  // namespace

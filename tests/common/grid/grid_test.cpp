@@ -31,22 +31,22 @@ TEST(GridFrame, TakesABoxThatIsFlatOrALine) {
   EXPECT_NEAR(line.cell_size, 3 / 0.9 / 16, 1e-15);
 }
 
-TEST(DefaultDepth, MakesACellAboutOneAndAHalfMeanEdges) {
+TEST(MatchingDepth, MakesACellAboutOneAndAHalfMeanEdges) {
   const Vec3d least(0, 0, 0), most(0.9, 0.5, 0.1);  // the cube's side is 1
-  for (int depth = kDepthMin; depth <= kDefaultDepthMax; ++depth) {
+  for (int depth = kDepthMin; depth <= kDepthMax; ++depth) {
     const double cell = std::ldexp(1.0, -depth);
-    EXPECT_EQ(default_depth(least, most, cell / 1.5), depth);
-    EXPECT_EQ(default_depth(least, most, cell / 1.5 * 1.35), depth);
-    EXPECT_EQ(default_depth(least, most, cell / 1.5 * 0.75), depth);
+    EXPECT_EQ(matching_depth(least, most, cell / 1.5), depth);
+    EXPECT_EQ(matching_depth(least, most, cell / 1.5 * 1.35), depth);
+    EXPECT_EQ(matching_depth(least, most, cell / 1.5 * 0.75), depth);
   }
 }
 
-TEST(DefaultDepth, StaysWithinItsLimitsForAnyEdgeLength) {
+TEST(MatchingDepth, StaysWithinItsLimitsForAnyEdgeLength) {
   const Vec3d least(0, 0, 0), most(1, 1, 1);
-  EXPECT_EQ(default_depth(least, most, 5), kDepthMin);
-  EXPECT_EQ(default_depth(least, most, 1e-9), kDefaultDepthMax);
-  EXPECT_EQ(default_depth(least, most, 0), kDefaultDepthMax);
-  EXPECT_EQ(default_depth(least, least, 0), kDepthMin);
+  EXPECT_EQ(matching_depth(least, most, 5), kDepthMin);
+  EXPECT_EQ(matching_depth(least, most, 1e-9), kDepthMax);
+  EXPECT_EQ(matching_depth(least, most, 0), kDepthMax);
+  EXPECT_EQ(matching_depth(least, least, 0), kDepthMin);
 }
 
 TEST(SnapToPlanes, RoundsOnlyWhatIsWithinATenMillionthOfACell) {

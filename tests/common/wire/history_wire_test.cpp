@@ -35,7 +35,11 @@ TEST(HistoryWire, APageAboveTheLimitIsRefused) {
 TEST(HistoryWire, AForkEndsAtANumberOrACheckpoint) {
   EXPECT_EQ(from_wire(to_wire(ForkWish{"s", "n", 7, ""})).value().number, 7u);
   EXPECT_EQ(from_wire(to_wire(ForkWish{"s", "n", 0, "c"})).value().checkpoint, "c");
+  EXPECT_EQ(from_wire(to_wire(ForkWish{"s", "n", 0, "", 7})).value().depth, 7);
   v1::ForkSessionRequest message;
+  message.set_depth(kDepthMax + 1);
+  EXPECT_THAT(from_wire(message).status().message(), HasSubstr("depth 13"));
+  message.set_depth(0);
   message.set_number(0);
   EXPECT_THAT(from_wire(message).status().message(), HasSubstr("numbered from 1"));
 }

@@ -47,10 +47,15 @@ TEST(ConfigFile, EveryKeyIsRead) {
       [tls]
       certificate = "c.pem"
       client_certificate_required = false
+      [web]
+      listen = "127.0.0.1:2"
+      hosts = ["burnish.lab", "b"]
       )",
                                "server.toml", config)
                   .is_ok());
   EXPECT_EQ(config.listen, "127.0.0.1:1");
+  EXPECT_EQ(config.web_listen, "127.0.0.1:2");
+  EXPECT_EQ(config.web_hosts, (std::vector<std::string>{"burnish.lab", "b"}));
   EXPECT_EQ(config.data, "/tmp/x");
   EXPECT_EQ(config.threads, 3);
   EXPECT_EQ(config.workers, 5);
@@ -79,6 +84,10 @@ TEST(ConfigFile, AValueOfTheWrongKindIsRefused) {
             "server.toml:2: threads = '4' is not an integer in 0..1024");
   EXPECT_THAT(refusal("limits = 3\n"), HasSubstr("'limits'"));
   EXPECT_THAT(refusal("data = [1]\n"), HasSubstr("data = a list is not a string"));
+  EXPECT_THAT(refusal("web.hosts = \"b\"\n"),
+              HasSubstr("web.hosts = 'b' is not a list of strings"));
+  EXPECT_THAT(refusal("web.hosts = [1]\n"), HasSubstr("is not a list of strings"));
+  EXPECT_EQ(refusal("web.hosts = []\n"), "accepted");
   EXPECT_THAT(refusal("backend = \"gpu\"\n"), HasSubstr("\"auto\", \"cpu\" or \"cuda\""));
 }
 
@@ -87,6 +96,17 @@ TEST(ConfigFile, AValueOutsideItsLimitsIsRefusedWithFileKeyValueAndLimits) {
             "server.toml:3: limits.sessions_max = 0 is outside 1..1000000");
   EXPECT_EQ(refusal("log_format = \"xml\"\n"),
             "server.toml:1: log_format = 'xml' is not one of text, json");
+}
+
+TEST(ConfigFile, AJournalThatIsNotADatabaseIsRefusedAndNotRepeated) {
+  ServerConfig config;
+  config.journal = "mysql://ann:secret@db/burnish";
+  const Status status = validate(config);
+  EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+  EXPECT_THAT(status.message(), HasSubstr("postgresql://"));
+  EXPECT_THAT(status.message(), testing::Not(HasSubstr("secret")));
+  config.journal = "postgresql://burnish@db/burnish";
+  EXPECT_TRUE(validate(config).is_ok());
 }
 
 /// Returns every key of a table, with its dots.
@@ -136,6 +156,18 @@ TEST(Config, ValuesOutsideTheirLimitsAreRefused) {
   config = {};
   config.log_level = "loud";
   EXPECT_THAT(validate(config).message(), HasSubstr("'loud'"));
+}
+
+TEST(Config, TheWebDoorIsHeldToTheSameExposure) {
+  ServerConfig config;
+  config.web_listen = "0.0.0.0:7443";
+  EXPECT_THAT(validate(config).message(), HasSubstr("web.listen = '0.0.0.0:7443' is reachable"));
+  config.tls_certificate = config.tls_key = "x.pem";
+  EXPECT_THAT(validate(config).message(), HasSubstr("without authentication"));
+  config.users = "users.toml";
+  EXPECT_TRUE(validate(config).is_ok());
+  config.web_listen = "7443";
+  EXPECT_THAT(validate(config).message(), HasSubstr("HOST:PORT"));
 }
 
 TEST(Config, PlaintextBeyondThisMachineNeedsSayingSo) {

@@ -9,6 +9,7 @@
 #include "common/base/limits.h"
 #include "server/library/scan_record.h"
 #include "server/memory/opening_need.h"
+#include "server/prepare/prepared_file.h"
 #include "server/prepare/prepared_mesh.h"
 #include "tests/server/manager/test_library.h"
 
@@ -183,8 +184,24 @@ TEST(MeshStore, AMeshOfDustCountsWithAllItsBytes) {
   TestLibrary library;
   const ScanInfo scan = library.import(mesh_file(specks()), "dust", {}, 8).value().scan;
   const auto mesh = library.store->open_mesh(scan.id, {8, 0}, {}).value();
-  ASSERT_GT(mesh->byte_count(), predict_mesh_bytes(*mesh->prepared));
+  const PreparedPlace place = place_of_prepared(mesh->prepared->byte_count());
+  ASSERT_GT(mesh->byte_count(), predict_mesh_bytes(*mesh->prepared, place));
   EXPECT_EQ(mesh->memory.amount(), mesh->byte_count());
+}
+
+TEST(MeshStore, LargePreparedDataLieInAFileAndTakeNoMemory) {
+  TestLibrary library;
+  const ScanInfo scan = library.import(sphere_file(), "ball").value().scan;
+  const auto small = library.store->open_mesh(scan.id, {5, 0}, {}).value();
+  const auto large = library.store->open_mesh(scan.id, {7, 0}, {}).value();
+  EXPECT_FALSE(small->prepared->is_in_file);
+  EXPECT_TRUE(large->prepared->is_in_file);
+  EXPECT_LT(large->memory.amount(), large->prepared->byte_count());
+  const auto read = read_prepared_mesh(library.folder->scans() / scan.id / "prepared" /
+                                       prepared_file_name({7, 0}));
+  EXPECT_FALSE(read.value()->is_in_file);
+  EXPECT_EQ(make_prepared_header(*read.value()).checksum,
+            make_prepared_header(*large->prepared).checksum);
 }
 
 TEST(MeshStore, ADamagedScanIsLeftOutOfTheList) {

@@ -4,6 +4,7 @@
 #include <future>
 
 #include "common/grid/morton.h"
+#include "server/journal/sqlite_journal.h"
 
 namespace burnish {
 
@@ -31,7 +32,7 @@ void Simulator::start_server(const fs::path& journal) {
   manager_.reset();
   journal_.reset();
   journal_path_ = journal;
-  journal_ = std::move(Journal::open(journal)).value();
+  journal_ = std::move(SqliteJournal::open(journal)).value();
   SessionManagerOptions options;
   options.sessions_max = 1000;
   options.solver = {BackendKind::kCpu, Smoother::kSchwarz, 1};
@@ -209,7 +210,7 @@ void Simulator::fork() {
   const std::string name = "fork" + std::to_string(++counts_.forks);
   const auto forked = manager_->fork({session_, name, end, ""}, users_[0].name, {});
   ASSERT_TRUE(forked.is_ok()) << forked.status().message();
-  EXPECT_EQ(forked.value().edits, end);
+  EXPECT_EQ(forked.value().session.edits, end);
   compare();  // the source is unchanged
   SerialReplay shorter;
   ASSERT_TRUE(shorter.apply({edits.begin(), edits.begin() + static_cast<std::ptrdiff_t>(end)}));

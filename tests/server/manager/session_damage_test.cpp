@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/journal/sqlite_journal.h"
 #include "server/manager/session_manager.h"
 #include "tests/server/manager/test_library.h"
 
@@ -31,7 +32,7 @@ class SessionDamageTest : public testing::Test {
   void start() {
     stop();
     library_.restart();
-    journal_ = std::move(Journal::open(library_.folder->journal())).value();
+    journal_ = std::move(SqliteJournal::open(library_.folder->journal())).value();
     SessionManagerOptions options;
     options.solver.threads = 1;
     manager_ =
@@ -83,7 +84,7 @@ TEST_F(SessionDamageTest, AForkOfASessionWithADamagedEditOpens) {
   damage("DELETE FROM edits WHERE number = 2");
   const auto fork = manager_->fork({"one", "two", 0, "named"}, "ann", {});
   ASSERT_TRUE(fork.is_ok()) << fork.status().message();
-  EXPECT_EQ(fork->edits, 3u);
+  EXPECT_EQ(fork->session.edits, 3u);
   EXPECT_EQ(manager_->state("two", {}).value().gradient_scale, 0.25);
 }
 

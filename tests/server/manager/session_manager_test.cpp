@@ -1,11 +1,14 @@
 #include "server/manager/session_manager.h"
 
+#include <algorithm>
 #include <future>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/journal/sqlite_journal.h"
+#include "server/manager/cell_values.h"
 #include "tests/server/manager/test_library.h"
 
 namespace burnish {
@@ -27,7 +30,7 @@ class SessionManagerTest : public testing::Test {
     manager_.reset();
     journal_.reset();
     library_.restart();
-    journal_ = std::move(Journal::open(library_.folder->journal())).value();
+    journal_ = std::move(SqliteJournal::open(library_.folder->journal())).value();
     manager_ =
         std::move(SessionManager::create(*library_.folder, *library_.store, *journal_, options_))
             .value();
@@ -135,6 +138,25 @@ TEST_F(SessionManagerTest, ACellThatAnEditSetsTwiceIsRefusedAndNotStored) {
               HasSubstr("the limit is " + std::to_string(mesh->prepared->cells.size())));
   EXPECT_EQ(journal_->edit_count(manager_->list()[0].id).value(), 0u);
   EXPECT_TRUE(apply("one", {setting(1)}).is_ok());
+}
+
+TEST_F(SessionManagerTest, AForkAtAnotherDepthHasAllEditsButSetsNoSingleCells) {
+  ASSERT_TRUE(open("one").is_ok());
+  const auto mesh = library_.store->open_mesh(scan_id_, {5, 0}, {}).value();
+  const SetCellFields cells{{{morton_point(mesh->prepared->cells[0]), 5, 5, 2}}};
+  const Stroke stroke{{.radius = 0.3, .beta = 2}, {Vec3d(0, 0, 1)}};
+  ASSERT_TRUE(apply("one", {{"a", stroke}, {"b", cells}, {"c", SetGradientScale{0.5}}}).is_ok());
+  const ForkedSession deeper = manager_->fork({"one", "deeper", 0, "", 6}, user_).value();
+  EXPECT_EQ(deeper.session.key.depth, 6);
+  EXPECT_EQ(deeper.session.edits, 3u);
+  EXPECT_EQ(deeper.emptied_edits, 1u);
+  EXPECT_EQ(manager_->state("deeper", {}).value().gradient_scale, 0.5);
+  const auto check = [](Session& session) {
+    EXPECT_GT(std::ranges::max(cell_values(session, CellValue::kBeta)), 1.5f);  // of the stroke
+    return Status::ok();
+  };
+  EXPECT_TRUE(manager_->visit("deeper", user_, check, {}).is_ok());
+  EXPECT_EQ(manager_->fork({"one", "same", 0, "", 0}, user_).value().emptied_edits, 0u);
 }
 
 TEST_F(SessionManagerTest, EditsCountInTheMemoryOfTheirSession) {
@@ -265,7 +287,8 @@ TEST_F(SessionManagerTest, WhoGivesUpOpeningTakesNothingFromWhoWaits) {
 TEST_F(SessionManagerTest, SessionsAreListedWhileTheDiskHoldsUpANewOne) {
   ASSERT_TRUE(open("one").is_ok());
   std::promise<void> disk;
-  journal_->append(manager_->list()[0].id, 1, {}, [&](const Status&) { disk.get_future().wait(); });
+  journal_->append(manager_->list()[0].id, 1, {},
+                   [&](const WriteOutcome&) { disk.get_future().wait(); });
   std::thread opener([&] { EXPECT_TRUE(open("two").is_ok()); });
   std::thread forker([&] { EXPECT_TRUE(manager_->fork({"one", "three", 0, ""}, "").is_ok()); });
   EXPECT_EQ(manager_->list().size(), 1u);
@@ -279,7 +302,7 @@ TEST_F(SessionManagerTest, EditsThatCouldNotBeWrittenAreNotCounted) {
   ASSERT_TRUE(open("one").is_ok());
   ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0.5}}}).is_ok());
   const std::string id = manager_->list()[0].id;
-  ASSERT_TRUE(journal_->append(id, 2, {{"eve", 0, {"x", SetGradientScale{2}}}}).is_ok());
+  ASSERT_TRUE(journal_->append(id, 2, {{"eve", 0, {"x", SetGradientScale{2}}}}).is_on_disk());
   EXPECT_FALSE(apply("one", {{"b", SetGradientScale{0.25}}}).is_ok());
   ASSERT_TRUE(manager_->close("one", user_).is_ok());
   EXPECT_EQ(manager_->list()[0].edits, 1u);

@@ -27,8 +27,8 @@ TEST_P(MemoryNeed, IsNoLessThanWhatIsTakenAndNotFarAbove) {
   session->step();
   const double mesh = static_cast<double>(multigrid.byte_count());
   const double own = static_cast<double>(session->byte_count());
-  EXPECT_GE(static_cast<double>(predict_mesh_bytes(*prepared)), mesh);
-  EXPECT_LE(static_cast<double>(predict_mesh_bytes(*prepared)), 1.5 * mesh);
+  EXPECT_GE(static_cast<double>(predict_mesh_bytes(*prepared, PreparedPlace::kMemory)), mesh);
+  EXPECT_LE(static_cast<double>(predict_mesh_bytes(*prepared, PreparedPlace::kMemory)), 1.5 * mesh);
   EXPECT_GE(static_cast<double>(predict_session_bytes(multigrid)), own);
   EXPECT_LE(static_cast<double>(predict_session_bytes(multigrid)), 2 * own + (8 << 20));
 }
@@ -71,7 +71,9 @@ TEST(OpenedMemoryNeed, RefusesNobodyWhoCouldOpenASession) {
       const auto prepared = prepare(mesh, {depth, 0, 0, &budget}, {}).value();
       const Multigrid multigrid = make_multigrid(prepared).value();
       const uint64_t predicted = predict_opened_bytes(budget.last);
-      const uint64_t admitted = predict_mesh_bytes(*prepared) + predict_session_bytes(multigrid);
+      const uint64_t admitted =
+          predict_mesh_bytes(*prepared, place_of_prepared(prepared->byte_count())) +
+          predict_session_bytes(multigrid);
       EXPECT_LE(predicted, admitted) << kind << " at depth " << depth;
       EXPECT_GE(2 * predicted, admitted - (6 << 20)) << kind << " at depth " << depth;
     }

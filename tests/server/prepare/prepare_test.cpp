@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
+#include "common/grid/depth_plan.h"
 #include "server/prepare/piece_count.h"
 #include "tests/reference/awkward_meshes.h"
 
@@ -147,7 +148,7 @@ TEST(Prepare, ChoosesTheDefaultDepthUnlessTold) {
   const TriangleMesh mesh = make_icosphere(5, 1);
   const auto chosen = *prepare(mesh, {});
   const MeshStatistics& s = chosen->statistics;
-  EXPECT_EQ(chosen->frame.depth, default_depth(s.box_min, s.box_max, s.mean_edge_length));
+  EXPECT_EQ(chosen->frame.depth, default_depth(s, UINT64_MAX));
   EXPECT_EQ((*prepare(mesh, at_depth(4)))->frame.depth, 4);
 }
 

@@ -24,6 +24,15 @@ static std::vector<std::atomic<uint64_t>>& used() {
 void set_cuda_memory_budget(uint64_t bytes) {
   budget = bytes;
 }
+uint64_t cuda_memory_max() {
+  uint64_t most = budget;
+  for (int device = 0; device < static_cast<int>(used().size()); ++device) {
+    cudaDeviceProp properties = {};
+    if (cudaGetDeviceProperties(&properties, device) != cudaSuccess) return 0;
+    most = std::min<uint64_t>(most, properties.totalGlobalMem);
+  }
+  return most;
+}
 std::vector<uint64_t> cuda_memory_by_device() {
   return {used().begin(), used().end()};
 }

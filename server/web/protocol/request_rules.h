@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/base/status.h"
+
+namespace burnish {
+
+/// Which requests of browsers the door takes. A page of another origin must not reach a server in
+/// the user's own network with the user's rights.
+struct RequestRules {
+  std::vector<std::string> hosts;  ///< web.hosts, and the host of web.listen
+  bool is_tls = false;
+};
+
+/// Checks the header Host, "burnish.lab:7443". Allowed are names of loopback, `local_address` (the
+/// numeric address that the client has connected to), and the rules' hosts. So a foreign name that
+/// was rebound to this machine is refused. Fails: permission_denied.
+Status check_host(const RequestRules& rules, std::string_view host, std::string_view local_address);
+
+/// Checks the header Origin against Host. A client without one is not a browser. In plain text both
+/// schemes are allowed, for a proxy may have the TLS. Fails: permission_denied.
+Status check_origin(const RequestRules& rules, std::string_view origin, std::string_view host);
+
+}  // namespace burnish

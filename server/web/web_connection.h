@@ -1,0 +1,53 @@
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <vector>
+
+namespace burnish {
+
+/// A client's connection to the door. Thread-safe.
+class WebConnection {
+ public:
+  virtual ~WebConnection() = default;
+  virtual void leave() = 0;  ///< closes it once no call runs
+  virtual void close() = 0;  ///< closes it now
+};
+
+/// The connections of the door. Each holds a seat until its end. Thread-safe.
+class WebConnections {
+ public:
+  /// A member of a connection.
+  class Seat {
+   public:
+    explicit Seat(WebConnections& all) : all_(all) {}
+    ~Seat() { all_.remove(this); }
+    Seat(const Seat&) = delete;
+    Seat& operator=(const Seat&) = delete;
+
+    /// From now on leave() and close() reach the connection, also those that came before.
+    void take(std::weak_ptr<WebConnection> connection);
+
+   private:
+    WebConnections& all_;
+  };
+
+  void leave();
+  void close();
+  void wait_until_empty();
+  size_t count();
+
+ private:
+  std::vector<std::shared_ptr<WebConnection>> alive();  // needs the lock
+  void remove(const Seat* seat);
+
+  std::mutex mutex_;  // guards the following members
+  std::condition_variable removed_;
+  std::unordered_map<const Seat*, std::weak_ptr<WebConnection>> seats_;
+  bool is_leaving_ = false;
+  bool is_closing_ = false;
+};
+
+}  // namespace burnish

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace burnish {
+
+/// A file of the page, in both forms that it goes out in.
+struct WebFile {
+  std::string type;           ///< of its content, "text/html; charset=utf-8"
+  std::string bytes;          ///< as it is
+  std::string gzipped;        ///< the same, packed
+  std::string etag;           ///< a hash of the bytes, in quotes
+  bool is_immutable = false;  ///< its name has a hash: it never changes
+};
+
+/// A file as the program carries it.
+struct CarriedFile {
+  std::string_view name;  ///< "index.html", "style.css"
+  std::string_view bytes;
+};
+
+/// The files of the page by the target of a request: "/", "/favicon.ico", "/assets/style-1f2e.css".
+/// A request's target is only ever looked up in this list.
+class WebFiles {
+ public:
+  /// The page that the program carries.
+  WebFiles();
+
+  /// index.html becomes "/". Each "asset" of the list gets a name with a hash, which takes the
+  /// place of "assets/NAME" in index.html. Needs: an index.html and known endings of names.
+  explicit WebFiles(std::span<const CarriedFile> files);
+
+  /// Returns null if no file has this target. `target` may have a query, which counts for nothing.
+  const WebFile* find(std::string_view target) const;
+
+  const std::map<std::string, WebFile, std::less<>>& all() const { return files_; }
+
+ private:
+  std::map<std::string, WebFile, std::less<>> files_;
+};
+
+/// Returns the files of server/web/page.
+std::span<const CarriedFile> carried_files();
+
+}  // namespace burnish
