@@ -506,8 +506,8 @@ void draw_all(const std::filesystem::path& out, int scale, bool is_light) {
   draw_people(studio);
   draw_bands(studio);
   draw_dialogs(studio);
-  draw_start_page(studio);
   draw_colours(studio);
+  draw_start_page(studio);  // last: the server is still busy with its scan
 }
 
 }  // namespace
