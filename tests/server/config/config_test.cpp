@@ -84,7 +84,7 @@ TEST(ConfigFile, AValueOfTheWrongKindIsRefused) {
             "server.toml:2: threads = '4' is not an integer in 0..1024");
   EXPECT_THAT(refusal("limits = 3\n"), HasSubstr("'limits'"));
   EXPECT_THAT(refusal("data = [1]\n"), HasSubstr("data = a list is not a string"));
-  EXPECT_THAT(refusal("web.hosts = \"b\"\n"), HasSubstr("web.hosts = b is not a list of strings"));
+  EXPECT_THAT(refusal("web.hosts = \"b\"\n"), HasSubstr("web.hosts = 'b' is not a list of strings"));
   EXPECT_THAT(refusal("web.hosts = [1]\n"), HasSubstr("is not a list of strings"));
   EXPECT_EQ(refusal("web.hosts = []\n"), "accepted");
   EXPECT_THAT(refusal("backend = \"gpu\"\n"), HasSubstr("\"auto\", \"cpu\" or \"cuda\""));
