@@ -61,6 +61,8 @@ Status App::start(Preferences preferences) {
   };
   workspace_ = std::make_unique<Workspace>(*renderer_, std::move(preferences), options_.workspace);
   if (!options_.record.empty()) RETURN_IF_ERROR(workspace_->recorder.open(options_.record));
+  const std::string lack = Pen::lack();
+  if (!lack.empty()) workspace_->log.info("a pen's pressure does not count: " + lack);
   if (!options_.places.empty()) follow_places(options_.places);
   open_what_was_asked();
   return Status::ok();

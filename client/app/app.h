@@ -53,6 +53,7 @@ class App {
   void show_look();
   void open_what_was_asked();
   WindowEvents make_events();
+  void take_pen(std::optional<double> pressure);
   void handle_key(const std::string& key);
   void do_action(Action action);
   void take_screenshot(const std::filesystem::path& file);

@@ -10,6 +10,9 @@ WindowEvents App::make_events() {
     if (workspace_ && workspace_->has_picture() && is_in_picture(pixel))
       workspace_->viewport.press(button, modifiers, in_picture(pixel));
   };
+  events.pen = [this](std::optional<double> pressure) {
+    if (workspace_) take_pen(pressure);
+  };
   events.release = [this](PointerButton button) {
     if (workspace_) workspace_->viewport.release(button);
   };
@@ -35,6 +38,12 @@ WindowEvents App::make_events() {
     if (workspace_) open_files(files);
   };
   return events;
+}
+
+void App::take_pen(std::optional<double> pressure) {
+  workspace_->has_pen |= pressure.has_value();
+  const bool counts = workspace_->preferences.pen_pressure;
+  workspace_->viewport.pressure = counts ? pressure.value_or(1) : 1;
 }
 
 static bool lies_within(const Eigen::Vector2d& pixel, const ImVec2& low, const ImVec2& high) {

@@ -58,10 +58,12 @@ void App::draw_start_page() {
   ImGui::SetNextWindowSize({screen.x, screen.y - top});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
                       {std::max(em(1.5f), (screen.x - width) / 2), em(0.5f)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
   ImGui::Begin("##start", nullptr, kFixed);
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
   begin_place_group("Start");
   start_page_.draw(*workspace_);
+  note_window("Start page");
   ImGui::End();
   toasts_.lower_left = {std::max(0.0f, (screen.x - width) / 2), screen.y};
 }
@@ -70,19 +72,26 @@ void App::draw_start_page() {
 static bool draw_section(const char* name, Panel& panel, Workspace& workspace,
                          ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_DefaultOpen) {
   begin_place_group("");
+  const ImVec2 low = ImGui::GetCursorScreenPos();
   if (!noted(name, ImGui::CollapsingHeader(name, flags))) return false;
   begin_place_group(name);
   ImGui::PushID(name);
+  ImGui::PushTextWrapPos(0);  // at the column's edge
   panel.draw(workspace);
+  ImGui::PopTextWrapPos();
   ImGui::Dummy({0, em(0.25f)});
   ImGui::PopID();
+  const float bottom = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y;
+  note_area(name, low, {low.x + ImGui::GetContentRegionAvail().x, bottom});
   return true;
 }
 
 static void begin_column(const char* name, float from, float top, float width) {
   ImGui::SetNextWindowPos({from, top});
   ImGui::SetNextWindowSize({width, ImGui::GetIO().DisplaySize.y - top});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
   ImGui::Begin(name, nullptr, kFixed);
+  ImGui::PopStyleVar();
 }
 
 // If there is no room for a right column, all panels are in the left one, which scrolls.
@@ -90,6 +99,7 @@ void App::draw_columns(float top, float left, float right) {
   begin_column("##left", 0, top, left);
   if (workspace_->raw()) {
     draw_raw_facts(*workspace_);
+    note_window("Left column");
     ImGui::End();
     if (right > 0) begin_column("##right", ImGui::GetIO().DisplaySize.x - right, top, right);
     if (right > 0) ImGui::End();
@@ -106,6 +116,7 @@ void App::draw_columns(float top, float left, float right) {
   if (workspace_->document()->has_colours())
     draw_section("Colours", colour_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   if (right > 0) {
+    note_window("Left column");
     ImGui::End();
     begin_column("##right", ImGui::GetIO().DisplaySize.x - right, top, right);
   }
@@ -116,6 +127,7 @@ void App::draw_columns(float top, float left, float right) {
   draw_section("Light", light_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   draw_section("Camera", camera_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   if (right == 0 && shows_hud_) draw_section("Figures", figures_panel_, *workspace_);
+  note_window(right > 0 ? "Right column" : "Left column");
   ImGui::End();
 }
 

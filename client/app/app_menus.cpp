@@ -12,7 +12,10 @@
 namespace burnish {
 
 void App::draw_menu_bar() {
-  if (!ImGui::BeginMainMenuBar()) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+  const bool is_drawn = ImGui::BeginMainMenuBar();
+  ImGui::PopStyleVar();
+  if (!is_drawn) return;
   begin_place_group("Menu");
   Workspace& workspace = *workspace_;
   const bool is_open = workspace.document() != nullptr;

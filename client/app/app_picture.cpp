@@ -1,6 +1,7 @@
 // The part of App that draws the picture of the surface, and lines over it.
 
 #include "client/app/app.h"
+#include "client/app/escape.h"
 #include "client/app/places.h"
 #include "client/app/theme.h"
 
@@ -10,6 +11,7 @@ Status App::draw() {
   const ImageSize size = window_->framebuffer_size();
   if (size.width < kImageSidePixelsMin || size.height < kImageSidePixelsMin) return Status::ok();
   window_->begin_frame();
+  close_lists_at_escape();
   draw_panels();
   renderer_->clear_window();
   const Status drawn = workspace_->has_picture() ? draw_picture() : Status::ok();

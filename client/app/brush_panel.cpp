@@ -55,6 +55,11 @@ static void draw_mirror(Document& document, MessageLog& log) {
   linear_slider({{"Mirror plane", low, high}, "%.4g", log}, mirror->at);
 }
 
+static void draw_pen(Preferences& preferences) {
+  noted("Pen pressure", ImGui::Checkbox("Pen pressure", &preferences.pen_pressure));
+  hint("The harder the pen presses, the stronger the brush. Full pressure has the strength above.");
+}
+
 static void draw_painted_value(Document& document, MessageLog& log) {
   Brush& brush = document.brush().brush;
   if (has_layers(document)) draw_painted_choice(document);
@@ -80,6 +85,7 @@ void BrushPanel::draw(Workspace& workspace) {
       brush.radius);
   ImGui::TextUnformatted("Strength");
   linear_slider({{"Strength", 0.01, 1}, "%.2f", workspace.log}, brush.strength);
+  if (workspace.has_pen) draw_pen(workspace.preferences);
   draw_fall_off(brush);
   draw_mirror(document, workspace.log);
   ImGui::EndDisabled();

@@ -1,4 +1,5 @@
 #include "client/app/panels.h"
+#include "client/app/places.h"
 #include "client/app/theme.h"
 
 namespace burnish {
@@ -32,6 +33,7 @@ void CameraPanel::draw(Workspace& workspace) {
   draw_up(viewport);
   draw_standard_views(viewport);
   ImGui::Checkbox("Orthographic", &viewport.camera.orthographic);
+  note_place("Orthographic");
   hint("Draws without perspective: equal lengths are equal in the picture.");
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/report/length_text.h"
 #include "client/tools/colours.h"
@@ -127,6 +128,7 @@ void ColourBar::draw(Workspace& workspace) {
   ImGui::Dummy({em(kBarWidthEm), em(kBarHeightEm + 0.3f)});
   if (!scale->value.empty()) draw_mark(at, *scale);
   draw_ends(*scale);
+  note_window("Colour bar");
   ImGui::End();
 }
 

@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 #include <utility>
 
+#include "client/app/escape.h"
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/words.h"
@@ -28,20 +29,22 @@ void ConnectionDialog::draw(Workspace& workspace) {
   begin_place_group("Connect");
   ImGui::BeginChild("##known", {em(kKnownEm), em(kHeightEm)}, true);
   draw_known(workspace);
+  note_window("Known servers");
   ImGui::EndChild();
   ImGui::SameLine();
   ImGui::BeginChild("##fields", {em(kFieldsEm), em(kHeightEm)});
   draw_fields();
   draw_state(workspace.library());
+  note_window("Server");
   ImGui::EndChild();
   if (noted("Connect", ImGui::Button("Connect", {em(8), 0})) || std::exchange(is_entered_, false))
     connect(workspace);
   ImGui::SameLine();
   const Library& library = workspace.library();
   const bool is_connected = library.server == asked_ && library.state == Library::State::kConnected;
-  const bool is_over = ImGui::Button("Cancel", {em(8), 0}) || is_connected ||
-                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  const bool is_over = ImGui::Button("Cancel", {em(8), 0}) || is_connected || is_escaped();
   if (is_over) ImGui::CloseCurrentPopup();
+  note_window("Connect");
   ImGui::EndPopup();
 }
 

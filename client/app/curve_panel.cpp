@@ -48,15 +48,19 @@ void draw_histogram(const Plot& plot, const ScanDescription& scan) {
 void draw_axes(const Plot& plot, double alpha_max) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   list->AddLine(plot.at({0.5, 0}), plot.at({0.5, 1}), colour(0.6f, 0.6f, 0.6f, 0.5f));
-  const ImU32 text = colour(0.80f, 0.82f, 0.84f);  // the plot is dark in both themes
+  const ImU32 text = colour(0.80f, 0.82f, 0.84f);           // the plot is dark in both themes
+  const ImU32 behind = colour(0.09f, 0.10f, 0.11f, 0.85f);  // the histogram's bars are lighter
   const float pad = em(0.3f);
-  const float line = ImGui::GetTextLineHeight();
-  list->AddText({plot.low.x + pad, plot.low.y + pad}, text,
-                ("α " + std::to_string(std::lround(alpha_max))).c_str());
-  list->AddText({plot.low.x + pad, plot.low.y + plot.size.y - line - pad}, text, "1");
-  const char* const right = "convex κ →";
-  list->AddText({plot.low.x + plot.size.x - ImGui::CalcTextSize(right).x - pad, plot.low.y + pad},
-                text, right);
+  const auto write = [&](const std::string& label, double across, double down) {
+    const ImVec2 size = ImGui::CalcTextSize(label.c_str());
+    const ImVec2 at{plot.low.x + pad + float(across) * (plot.size.x - size.x - 2 * pad),
+                    plot.low.y + pad + float(down) * (plot.size.y - size.y - 2 * pad)};
+    list->AddRectFilled(at, {at.x + size.x, at.y + size.y}, behind);
+    list->AddText(at, text, label.c_str());
+  };
+  write("α " + std::to_string(std::lround(alpha_max)), 0, 0);
+  write("1", 0, 1);
+  write("convex κ →", 1, 0);
 }
 
 void draw_curve(const Plot& plot, const CurveEditor& editor) {

@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "client/app/escape.h"
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/model/typed_path.h"
@@ -66,9 +67,9 @@ void ExportDialog::draw(Workspace& workspace) {
   wanted |=
       noted("Export", ImGui::Button(asks_ ? "Replace" : "Export", {em(8), 0})) && !path_.empty();
   ImGui::SameLine();
-  const bool unwanted = ImGui::Button("Cancel", {em(8), 0}) ||
-                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  const bool unwanted = ImGui::Button("Cancel", {em(8), 0}) || is_escaped();
   if (unwanted || browses || (wanted && start_export(workspace))) ImGui::CloseCurrentPopup();
+  note_window("Export");
   ImGui::EndPopup();
 }
 

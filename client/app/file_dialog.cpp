@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 #include <utility>
 
+#include "client/app/escape.h"
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/words.h"
@@ -74,15 +75,17 @@ void FileDialog::draw_browser(Workspace& workspace) {
   const float below = 3.2f * ImGui::GetFrameHeightWithSpacing();
   ImGui::BeginChild("##places", {em(kPlacesEm), -below}, true);
   draw_places(workspace);
+  note_window("Places");
   ImGui::EndChild();
   ImGui::SameLine();
   ImGui::BeginChild("##files", {0, -below}, true);
   draw_files();
+  note_window("List of files");
   ImGui::EndChild();
   draw_field();
-  const bool is_over = answer_ || std::exchange(is_unwanted_, false) ||
-                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  const bool is_over = answer_ || std::exchange(is_unwanted_, false) || is_escaped();
   if (is_over) ImGui::CloseCurrentPopup();
+  note_window("Files");
   ImGui::EndPopup();
   if (is_over) browser_.reset();
 }

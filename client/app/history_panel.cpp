@@ -3,6 +3,8 @@
 #include <ctime>
 #include <imgui.h>
 #include <imgui_stdlib.h>
+#include <set>
+#include <string>
 
 #include "client/app/panels.h"
 #include "client/app/places.h"
@@ -58,15 +60,23 @@ void HistoryPanel::draw_checkpoint_row(Workspace& workspace) {
   hint("Opens a new session with all edits of this session.");
 }
 
-static void draw_entry(const HistoryEntry& entry, Document& document) {
+// The name of a checkpoint means its last use.
+static void draw_checkpoint(const HistoryEntry& entry, Document& document, bool is_last) {
+  if (!is_last) return faint_text("%s, set again later", entry.summary.c_str());
+  ImGui::BeginDisabled(document.is_viewer());
+  if (noted("Restore " + std::to_string(entry.number), ImGui::SmallButton("Restore")))
+    document.restore_checkpoint(entry.summary);
+  hint("Goes back to this state. The edits after it are switched off.");
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::TextColored(theme::kAccent, "%s", entry.summary.c_str());
+}
+
+static void draw_entry(const HistoryEntry& entry, Document& document,
+                       std::set<std::string>& checkpoints) {
   ImGui::PushID(static_cast<int>(entry.number));
   if (entry.kind == EditKind::kSetCheckpoint) {
-    ImGui::BeginDisabled(document.is_viewer());
-    if (ImGui::SmallButton("Restore")) document.restore_checkpoint(entry.summary);
-    hint("Goes back to this state. The edits after it are switched off.");
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    ImGui::TextColored(theme::kAccent, "%s", entry.summary.c_str());
+    draw_checkpoint(entry, document, checkpoints.insert(entry.summary).second);
   } else {
     bool is_on = entry.enabled;
     ImGui::BeginDisabled(entry.kind == EditKind::kDamaged);
@@ -98,9 +108,11 @@ void HistoryPanel::draw(Workspace& workspace) {
   draw_buttons(document);
   ImGui::EndDisabled();
   ImGui::BeginChild("##entries", {0, em(12)}, true);
+  std::set<std::string> checkpoints;  // above the entry
   for (auto entry = document.history().rbegin(); entry != document.history().rend(); ++entry)
-    draw_entry(*entry, document);
+    draw_entry(*entry, document, checkpoints);
   if (document.history().empty()) faint_text("no edits yet");
+  note_window("Entries");
   ImGui::EndChild();
   draw_checkpoint_row(workspace);
 }

@@ -2,6 +2,7 @@
 
 #include <cstdarg>
 
+#include "client/app/places.h"
 #include "client/app/theme.h"
 
 namespace burnish {
@@ -66,7 +67,7 @@ void Hud::draw(Workspace& workspace) {
   const Document& document = *workspace.document();
   const float margin = em(0.7f);
   ImGui::SetNextWindowPos({upper_right.x - margin, upper_right.y + margin}, 0, {1, 0});
-  ImGui::SetNextWindowBgAlpha(0.86f);
+  ImGui::SetNextWindowBgAlpha(kOverlayOpacity);
   ImGui::Begin("##hud", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
@@ -75,6 +76,7 @@ void Hud::draw(Workspace& workspace) {
   ImGui::TextColored(chip.colour, "%s", chip.text);
   if (shows_figures && has_room && document.stats().frames > 0) draw_stats(document);
   if (workspace.viewport.navigate_mode) faint_text("left button turns the view (N)");
+  note_window("Figures over the picture");
   ImGui::End();
 }
 

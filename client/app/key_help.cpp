@@ -1,5 +1,6 @@
 #include "client/app/key_help.h"
 
+#include "client/app/places.h"
 #include "client/app/theme.h"
 
 namespace burnish {
@@ -55,8 +56,10 @@ void draw_key_help(const Bindings& bindings, bool& is_open) {
   ImGui::SetNextWindowSizeConstraints({0, 0}, screen);
   if (ImGui::Begin("Keys", &is_open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
-                       ImGuiWindowFlags_NoSavedSettings))
+                       ImGuiWindowFlags_NoSavedSettings)) {
     draw_tables(bindings, screen.x > em(75));
+    note_window("Keys");
+  }
   ImGui::End();
 }
 

@@ -44,6 +44,7 @@ void draw_leave_question(const Workspace& workspace, Leaving::Step step, Leaving
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {em(8), 0})) leaving.stay();
   if (!is_wanted) ImGui::CloseCurrentPopup();
+  note_window("Question");
   ImGui::EndPopup();
 }
 

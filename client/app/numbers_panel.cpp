@@ -24,6 +24,7 @@ void NumbersPanel::draw_unit(Document& document) {
   ImGui::SameLine(em(7.5f));
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##unit", "mm, m, …", &unit_);
+  note_place("Unit");
   hint("Names the unit of the scan's coordinates, for everybody who opens the scan.");
   if (ImGui::IsItemDeactivatedAfterEdit() && unit_ != document.unit()) document.name_unit(unit_);
 }
@@ -58,8 +59,10 @@ static void draw_deviation_histogram(const Document& document) {
   for (int bin = 0; bin < Deviation::kBins; ++bin)
     heights[bin] = static_cast<float>(std::sqrt(measured->deviation.histogram[bin]));
   const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, theme::kAccent);
   ImGui::PlotHistogram("##deviation", heights.data(), Deviation::kBins, 0, nullptr, 0, FLT_MAX,
                        {width, em(4)});
+  ImGui::PopStyleColor();
   hint("The surface's area by its move along the normal: inwards left, outwards right.");
   const std::string range = length_text(measured->deviation.histogram_range, document.unit());
   faint_text("-%s", range.c_str());
@@ -83,7 +86,7 @@ static void draw_ruler(Document& document, Viewport& viewport) {
     document.measuring().cut(section_plane(ruler, viewport.camera));
   hint("Cuts the surface along the ruler, in the direction of the view.");
   ImGui::SameLine();
-  if (ImGui::Button("Clear")) ruler.clear();
+  if (noted("Clear", ImGui::Button("Clear"))) ruler.clear();
 }
 
 void NumbersPanel::draw(Workspace& workspace) {

@@ -1,7 +1,6 @@
 #include "client/app/places.h"
 
 #include <fstream>
-#include <imgui.h>
 #include <utility>
 
 namespace burnish {
@@ -16,6 +15,12 @@ struct Places {
 Places& places() {
   static Places all;  // as ImGui's own state
   return all;
+}
+
+void note_box(const std::string& name, const ImVec2& low, const ImVec2& high) {
+  const auto number = [](float value) { return std::to_string(static_cast<int>(value)) + " "; };
+  places().noted +=
+      number(low.x) + number(low.y) + number(high.x - low.x) + number(high.y - low.y) + name + "\n";
 }
 
 }  // namespace
@@ -35,9 +40,19 @@ void note_place(const std::string& name) {
   const ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 least = list.GetClipRectMin(), most = list.GetClipRectMax();
   if (middle.x < least.x || middle.x > most.x || middle.y < least.y || middle.y > most.y) return;
-  const auto number = [](float value) { return std::to_string(static_cast<int>(value)) + " "; };
-  places().noted += number(low.x) + number(low.y) + number(high.x - low.x) +
-                    number(high.y - low.y) + places().group + name + "\n";
+  note_box(places().group + name, low, high);
+}
+
+void note_area(const std::string& name, const ImVec2& low, const ImVec2& high) {
+  if (!places().file.empty()) note_box("Area/" + name, low, high);
+}
+
+void note_window(const std::string& name) {
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const ImVec2 high{low.x + size.x, low.y + size.y};
+  note_area(name, low, high);
+  note_area(name + "/content", low,
+            {high.x + ImGui::GetScrollMaxX(), high.y + ImGui::GetScrollMaxY()});
 }
 
 void write_places() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <imgui.h>
 #include <string>
 
 namespace burnish {
@@ -22,6 +23,13 @@ inline bool noted(const std::string& name, bool result) {
   note_place(name);
   return result;
 }
+
+/// Notes an area as "Area/NAME".
+void note_area(const std::string& name, const ImVec2& low, const ImVec2& high);
+
+/// Notes the present ImGui window as an area, and what it holds as "Area/NAME/content": it is wider
+/// where something does not fit. Call it before the window ends.
+void note_window(const std::string& name);
 
 /// Writes what was noted since the last call, if it is news. Call it once per picture.
 void write_places();

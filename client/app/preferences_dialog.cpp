@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "client/app/escape.h"
 #include "client/app/places.h"
 #include "client/app/theme.h"
 
@@ -69,12 +70,12 @@ void PreferencesDialog::draw(Workspace& workspace) {
   note_place("Desktop dialogs");
   hint("zenity or kdialog, where one is installed.");
   ImGui::Dummy({0, em(0.3f)});
-  const bool is_over = noted("Close", ImGui::Button("Close", {em(8), 0})) ||
-                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+  const bool is_over = noted("Close", ImGui::Button("Close", {em(8), 0})) || is_escaped();
   if (is_over) {
     workspace.save_preferences();
     ImGui::CloseCurrentPopup();
   }
+  note_window("Preferences");
   ImGui::EndPopup();
 }
 

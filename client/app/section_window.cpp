@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/report/length_text.h"
 #include "client/report/section_file.h"
@@ -123,6 +124,7 @@ void SectionWindow::draw(Workspace& workspace) {
   covered_low = ImGui::GetWindowPos();
   covered_high = {covered_low.x + ImGui::GetWindowWidth(),
                   covered_low.y + ImGui::GetWindowHeight()};
+  note_window("Section");
   ImGui::End();
   if (!is_open) document.measuring().forget_section();
 }

@@ -12,6 +12,9 @@
 
 namespace burnish {
 
+static constexpr float kSideBySideEm = 56;              // least width of two columns
+static constexpr float kOpenEm = 17.5f, kListsEm = 30;  // heights in one column, which scrolls
+
 static void draw_state(const Library& library) {
   const char* const where = library.is_private ? "this computer" : library.server.c_str();
   switch (library.state) {
@@ -33,12 +36,13 @@ static void draw_state(const Library& library) {
 }
 
 void StartPage::draw_open(Workspace& workspace) {
-  ImGui::PushStyleColor(ImGuiCol_Button, theme::kAccent);
-  ImGui::PushStyleColor(ImGuiCol_Text, theme::kOnAccent);
+  for (const ImGuiCol each : {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive})
+    ImGui::PushStyleColor(each, theme::kStrong);
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::kOnStrong);
   ImGui::PushFont(title_font());
   if (noted("Open a scan", ImGui::Button("Open a scan…", {-1, em(4)}))) wants_to_open_ = true;
   ImGui::PopFont();
-  ImGui::PopStyleColor(2);
+  ImGui::PopStyleColor(4);
   hint("Chooses a mesh file: .ply, .obj, .stl, .off, .glb, .gltf or .zip (Ctrl+O).");
   faint_text("or drop a file on the window, or type its path");
   ImGui::SetNextItemWidth(-em(5));
@@ -65,26 +69,29 @@ void StartPage::draw_server(Workspace& workspace) {
 
 void StartPage::draw(Workspace& workspace) {
   const float width = ImGui::GetContentRegionAvail().x;
-  const float left = std::max(em(20), 0.34f * width);
+  const bool is_wide = width > em(kSideBySideEm);
+  const float left = is_wide ? std::max(em(20), 0.34f * width) : width;
   ImGui::SetCursorPosY(em(1.2f));
   ImGui::PushFont(title_font());
   ImGui::TextUnformatted("Burnish");
   ImGui::PopFont();
   faint_text("smooths and sharpens scanned surfaces");
   ImGui::Dummy({0, em(0.6f)});
-  ImGui::BeginChild("##left", {left, 0});
+  ImGui::BeginChild("##left", {left, is_wide ? 0 : em(kOpenEm)});
   draw_open(workspace);
   ImGui::Dummy({0, em(0.8f)});
   draw_server(workspace);
+  note_window("Open and server");
   ImGui::EndChild();
-  ImGui::SameLine(0, em(1.6f));
-  ImGui::BeginChild("##right");
+  if (is_wide) ImGui::SameLine(0, em(1.6f));
+  ImGui::BeginChild("##right", {0, is_wide ? 0 : em(kListsEm)});
   ImGui::TextUnformatted("Recent");
   cards_.draw(workspace);
   ImGui::Dummy({0, em(0.8f)});
   draw_scans(workspace);
   ImGui::Dummy({0, em(0.8f)});
   draw_sessions(workspace);
+  note_window("Lists");
   ImGui::EndChild();
   connection_dialog_.draw(workspace);
 }

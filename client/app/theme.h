@@ -13,6 +13,8 @@ inline float em(float count) {
 
 inline constexpr float kLeftPanelEm = 20;
 inline constexpr float kRightPanelEm = 17;
+/// How much overlays on the picture cover it.
+inline constexpr float kOverlayOpacity = 0.95f;
 inline constexpr float kPictureEm = 20;  // least width between both columns
 
 /// Sets colours and spacing for this scale (1: 96 dots per inch). Call it between frames.
@@ -26,11 +28,12 @@ namespace theme {
 inline ImVec4 kText;
 inline ImVec4 kFaint;
 inline ImVec4 kAccent;
+inline ImVec4 kStrong;  ///< behind the text of what matters most
 inline ImVec4 kGood;
 inline ImVec4 kBusy;
 inline ImVec4 kBad;
 inline ImVec4 kPanel;
-inline const ImVec4 kOnAccent{1.0f, 1.0f, 1.0f, 1.0f};      ///< text on the accent
+inline const ImVec4 kOnStrong{1.0f, 1.0f, 1.0f, 1.0f};
 inline const ImVec4 kOnPicture{0.12f, 0.13f, 0.15f, 1.0f};  ///< text on the picture
 }  // namespace theme
 

@@ -2,6 +2,7 @@
 
 #include <ctime>
 
+#include "client/app/places.h"
 #include "client/app/theme.h"
 
 namespace burnish {
@@ -46,7 +47,7 @@ void Toasts::draw(Workspace& workspace) {
   if (!is_visible(workspace)) return;
   const float margin = em(0.7f);
   ImGui::SetNextWindowPos({lower_left.x + margin, lower_left.y - margin}, 0, {0, 1});
-  ImGui::SetNextWindowBgAlpha(0.90f);
+  ImGui::SetNextWindowBgAlpha(kOverlayOpacity);
   ImGui::SetNextWindowSizeConstraints(
       {em(8), 0}, {em(34), lower_left.y - 2 * margin - ImGui::GetFrameHeight()});
   ImGui::Begin("##toasts", nullptr,
@@ -66,6 +67,7 @@ void Toasts::draw(Workspace& workspace) {
   covered_low = ImGui::GetWindowPos();
   covered_high = {covered_low.x + ImGui::GetWindowWidth(),
                   covered_low.y + ImGui::GetWindowHeight()};
+  note_window("Toasts");
   ImGui::End();
 }
 
@@ -87,6 +89,7 @@ void draw_message_log(const MessageLog& log, bool& is_open) {
       ImGui::PopStyleColor();
     }
     if (log.messages().empty()) faint_text("nothing yet");
+    note_window("Messages");
   }
   ImGui::End();
 }

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "client/app/pen.h"
 #include "client/model/input_queue.h"
 #include "client/model/viewport.h"
 #include "client/scene/image.h"
@@ -33,6 +34,8 @@ struct WindowEvents {
   std::function<void(PointerButton, Modifiers, const Eigen::Vector2d&)> press;
   std::function<void(PointerButton)> release;
   std::function<void(const Eigen::Vector2d&)> move;
+  /// Comes before each press and move: the pressure of the pen that draws, 0 to 1.
+  std::function<void(std::optional<double> pressure)> pen;
   std::function<void(const Eigen::Vector2d&, double steps)> wheel;
   std::function<void(const std::string& key)> key;  ///< in the form of Bindings
   std::function<void(bool held)> space;
@@ -92,6 +95,7 @@ class Window {
   WindowEvents events_;
   std::optional<WindowLook> look_;
   InputQueue input_;  // in the screen's coordinates
+  Pen pen_;
   bool dirty_ = true;
 };
 

@@ -19,16 +19,27 @@ void WindowCallbacks::add(GLFWwindow* window, const InputEvent& event) {
   self.input_.add(event);
 }
 
+static std::optional<double> pressure_at_button(Pen& pen, int button, bool is_down) {
+  if (button != GLFW_MOUSE_BUTTON_LEFT) return pen.go_on();
+  if (is_down) return pen.begin();
+  pen.end();
+  return std::nullopt;
+}
+
 void WindowCallbacks::press(GLFWwindow* window, int button, int action, int modifiers) {
   if (button >= kPointerButtons) return changed(window);
+  const bool is_down = action == GLFW_PRESS;
   add(window, {.kind = InputEvent::Kind::kButton,
                .code = button,
-               .down = action == GLFW_PRESS,
-               .modifiers = modifiers});
+               .down = is_down,
+               .modifiers = modifiers,
+               .pressure = pressure_at_button(window_of(window).pen_, button, is_down)});
 }
 
 void WindowCallbacks::move(GLFWwindow* window, double x, double y) {
-  add(window, {.kind = InputEvent::Kind::kMove, .place = {x, y}});
+  add(window, {.kind = InputEvent::Kind::kMove,
+               .place = {x, y},
+               .pressure = window_of(window).pen_.go_on()});
 }
 
 void WindowCallbacks::wheel(GLFWwindow* window, double, double y) {

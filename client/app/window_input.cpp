@@ -52,6 +52,7 @@ void Window::deliver() {
 void Window::deliver(const InputEvent& event) {
   switch (event.kind) {
     case InputEvent::Kind::kMove:
+      events_.pen(event.pressure);
       return events_.move(to_pixels(event.place));
     case InputEvent::Kind::kLeave:
       return;
@@ -75,6 +76,7 @@ void Window::deliver_button(const InputEvent& event) {
                        (event.modifiers & GLFW_MOD_CONTROL) != 0,
                        (event.modifiers & GLFW_MOD_ALT) != 0};
   if (event.down) {
+    events_.pen(event.pressure);
     events_.press(button_of(event.code), held, to_pixels(event.place));
   } else {
     events_.release(button_of(event.code));

@@ -18,4 +18,19 @@ void print_depths(const MeshStatistics& statistics, int default_depth) {
   }
 }
 
+nlohmann::ordered_json depths_to_json(const MeshStatistics& statistics, int default_depth) {
+  auto depths = nlohmann::ordered_json::array();
+  for (int depth = kDepthMin; depth <= kDepthMax; ++depth) {
+    const DepthPlan plan = plan_depth(statistics, depth);
+    depths.push_back({{"depth", depth},
+                      {"cell_size", plan.cell_size},
+                      {"shortest_wave", kWaveCellsMin * plan.cell_size},
+                      {"cells", plan.cells},
+                      {"memory_bytes", plan.memory_bytes},
+                      {"seconds", plan.prepare_seconds},
+                      {"is_default", depth == default_depth}});
+  }
+  return depths;
+}
+
 }  // namespace burnish

@@ -4,6 +4,7 @@
 #include "client/cli/commands.h"
 #include "client/cli/depth_table.h"
 #include "client/cli/json_output.h"
+#include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
 #include "client/report/depth_text.h"
 #include "common/base/limits.h"
@@ -59,15 +60,17 @@ Status run(const DescribeOptions& options) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   ASSIGN_OR_RETURN(const ScanDescription description,
                    connection.describe_scan(options.scan, options.depth));
+  const ScanInfo& scan = description.scan;
   if (options.server.json) {
-    print_json(to_json(description));
+    print_json(options.depths ? depths_to_json(scan.statistics, scan.default_depth)
+                              : to_json(description));
     return Status::ok();
   }
   if (options.depths) {
-    print_depths(description.scan.statistics, description.scan.default_depth);
+    print_depths(scan.statistics, scan.default_depth);
     return Status::ok();
   }
-  print(description.scan);
+  print(scan);
   if (description.prepared) print(*description.prepared);
   return Status::ok();
 }

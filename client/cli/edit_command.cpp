@@ -5,7 +5,7 @@
 #include "client/cli/commands.h"
 #include "client/cli/controls_options.h"
 #include "client/cli/filter_choice.h"
-#include "client/cli/json_output.h"
+#include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
 #include "client/cli/stroke_file.h"
 #include "common/edit/edit_id.h"

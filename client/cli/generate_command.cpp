@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "client/cli/commands.h"
+#include "client/cli/print_json.h"
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 
@@ -12,11 +13,18 @@ namespace {
 struct GenerateOptions {
   GeneratedScan scan;
   std::string out;
+  bool json = false;
 };
 
 Status run(const GenerateOptions& options) {
   ASSIGN_OR_RETURN(const TriangleMesh mesh, generate_scan(options.scan));
   RETURN_IF_ERROR(write_mesh(mesh, options.out));
+  if (options.json) {
+    print_json({{"out", options.out},
+                {"vertices", mesh.vertices.size()},
+                {"triangles", mesh.triangles.size()}});
+    return Status::ok();
+  }
   std::cout << options.out << ": " << mesh.vertices.size() << " vertices, " << mesh.triangles.size()
             << " triangles\n";
   return Status::ok();
@@ -41,6 +49,7 @@ void add_generate_command(CommandTable& table) {
   command->add_option("--vertices", options->scan.vertices, "About how many")
       ->capture_default_str();
   command->add_option("--seed", options->scan.seed, "Same seed, same scan")->capture_default_str();
+  command->add_flag("--json", options->json, "Print the result as JSON");
   command->footer(kinds);
 }
 

@@ -1,7 +1,5 @@
 #include "client/cli/json_output.h"
 
-#include <iostream>
-
 #include "client/report/deviation_json.h"
 
 namespace burnish {
@@ -145,10 +143,6 @@ Json to_json(const SessionPeople& people) {
     json["roles"][user] = session_role_name(role);
   for (const PresentUser& user : people.present) json["present"].push_back(user.user);
   return json;
-}
-
-void print_json(const Json& json) {
-  std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 
 }  // namespace burnish

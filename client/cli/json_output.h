@@ -18,7 +18,4 @@ nlohmann::ordered_json to_json(const SessionDeviation& measured);
 nlohmann::ordered_json to_json(const HistoryEntry& entry);
 nlohmann::ordered_json to_json(const SessionPeople& people);
 
-/// Prints to standard output, indented. Replaces bytes that are not UTF-8.
-void print_json(const nlohmann::ordered_json& json);
-
 }  // namespace burnish

@@ -4,12 +4,15 @@
 #include <cstdio>
 #include <unistd.h>
 
+#include <nlohmann/json.hpp>
+
 namespace burnish {
 
 static constexpr int kBarWidth = 30;
 static constexpr auto kRedrawInterval = std::chrono::milliseconds(100);
 
-ProgressPrinter::ProgressPrinter() : terminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressPrinter::ProgressPrinter(ProgressStyle style)
+    : style_(style), terminal_(style == ProgressStyle::kText && isatty(STDERR_FILENO) == 1) {}
 
 ProgressPrinter::~ProgressPrinter() {
   if (terminal_ && !phase_.empty()) std::fputs("\r\033[K", stderr);
@@ -25,14 +28,20 @@ Progress ProgressPrinter::progress() {
 void ProgressPrinter::show(std::string_view phase, double fraction) {
   const bool begins = phase != phase_;
   phase_ = phase;
-  if (!terminal_) {
+  if (!terminal_ && style_ == ProgressStyle::kText) {
     if (begins) std::fprintf(stderr, "%s\n", phase_.c_str());
     return;
   }
   const auto now = std::chrono::steady_clock::now();
   if (!begins && now - drawn_ < kRedrawInterval) return;
   drawn_ = now;
-  draw_bar(std::clamp(fraction, 0.0, 1.0));
+  const double done = std::clamp(fraction, 0.0, 1.0);
+  style_ == ProgressStyle::kJson ? print_line(done) : draw_bar(done);
+}
+
+void ProgressPrinter::print_line(double fraction) {
+  const nlohmann::ordered_json line = {{"phase", phase_}, {"fraction", fraction}};
+  std::fprintf(stderr, "%s\n", line.dump().c_str());
 }
 
 void ProgressPrinter::draw_bar(double fraction) {

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "client/cli/commands.h"
-#include "client/cli/json_output.h"
+#include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
 #include "common/edit/edit_id.h"
 #include "common/edit/protect_words.h"

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "client/cli/commands.h"
-#include "client/cli/json_output.h"
+#include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
 
 namespace burnish {

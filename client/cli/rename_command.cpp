@@ -3,6 +3,7 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/json_output.h"
+#include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
 
 namespace burnish {

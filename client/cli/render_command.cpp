@@ -5,6 +5,7 @@
 
 #include "client/cli/command.h"
 #include "client/cli/commands.h"
+#include "client/cli/print_json.h"
 #include "client/gl/picture.h"
 #include "client/scene/png_writer.h"
 #include "common/mesh/mesh_io.h"
@@ -18,6 +19,7 @@ struct RenderOptions {
   PictureOptions picture;
   bool colours = false;
   bool clay = false;
+  bool json = false;
 };
 
 // Both return the usage message that CLI11 expects from a check: empty if the text is right.
@@ -77,6 +79,10 @@ Status render(const RenderOptions& options) {
   if (!mesh.colours.empty() && !options.clay) picture.style.colouring = Colouring::kScan;
   ASSIGN_OR_RETURN(const Image image, draw_picture(mesh, picture));
   RETURN_IF_ERROR(write_png(image, options.out));
+  if (options.json) {
+    print_json({{"out", options.out}, {"width", image.size.width}, {"height", image.size.height}});
+    return Status::ok();
+  }
   std::printf("%s: %dx%d pixels\n", options.out.c_str(), image.size.width, image.size.height);
   return Status::ok();
 }
@@ -156,6 +162,7 @@ void add_render_command(CommandTable& commands) {
                  "Show the scan's own colours; the default for scans that have some")
       ->excludes(clay);
   command->add_flag("--flat", picture.style.flat, "Give each triangle one shade");
+  command->add_flag("--json", options->json, "Print the result as JSON");
   command->add_flag("--wireframe", picture.style.wireframe, "Draw the triangles' edges");
 }
 

@@ -6,6 +6,7 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/json_output.h"
+#include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
 #include "common/base/limits.h"
 

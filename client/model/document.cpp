@@ -158,6 +158,7 @@ void Document::set_controls(const Controls& controls) {
 }
 
 void Document::undo() {
+  goes_on_ = false;
   for (int edits = undo_steps_.undo(); edits > 0; --edits) send(Undo{});
 }
 
@@ -165,8 +166,9 @@ void Document::redo() {
   for (int edits = undo_steps_.redo(); edits > 0; --edits) send(Redo{});
 }
 
-void Document::begin_stroke(BrushMode mode, const Vec3d& point) {
-  brush_.begin(mode, point);
+void Document::begin_stroke(BrushMode mode, const Vec3d& point, double pressure) {
+  brush_.begin(mode, point, pressure);
+  goes_on_ = false;
   show_begun_stroke();
 }
 
@@ -177,13 +179,18 @@ void Document::show_begun_stroke() {
   live_->preview(gesture_, Stroke{brush_.stroke().brush, brush_.take_new_points()});
 }
 
-void Document::extend_stroke(const Vec3d& point) {
-  if (!brush_.extend(point)) {  // the stroke is full: continue with a new one
-    const Brush same = brush_.stroke().brush;
+void Document::extend_stroke(const Vec3d& point, double pressure) {
+  while (const auto start = brush_.extend(point, pressure)) {
+    show_new_points();
     end_stroke();
-    brush_.go_on(same, point);
-    return show_begun_stroke();
+    goes_on_ = true;
+    brush_.go_on(*start, pressure);
+    show_begun_stroke();
   }
+  show_new_points();
+}
+
+void Document::show_new_points() {
   const std::vector<Vec3d> points = brush_.take_new_points();
   if (points.empty()) return;
   add_dabs(points);
@@ -207,6 +214,7 @@ void Document::tint_dab(const Brush& brush, const Vec3d& centre) {
 void Document::end_stroke() {
   const std::string id = std::exchange(gesture_, {});
   send_stroke(id, brush_.end());
+  if (goes_on_) undo_steps_.join_last_two();
 }
 
 void Document::paint(const Stroke& stroke) {

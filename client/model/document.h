@@ -112,15 +112,16 @@ class Document {
   const BrushTool& brush() const { return brush_; }
   /// While there is a plane, each stroke is also painted on its other side.
   std::optional<MirrorPlane> mirror;
-  void begin_stroke(BrushMode mode, const Vec3d& point);
-  void extend_stroke(const Vec3d& point);
+  // A pen's pressure is 0 to 1. A gesture is several strokes where the pressure changes.
+  void begin_stroke(BrushMode mode, const Vec3d& point, double pressure = 1);
+  void extend_stroke(const Vec3d& point, double pressure = 1);
   void end_stroke();
   /// Paints a whole stroke.
   void paint(const Stroke& stroke);
   void cancel_stroke();
   void move_ring(const std::optional<BrushRing>& ring) { live_->move_brush(ring); }
 
-  /// Undo and redo take both edits of a preset at once, and a stroke with its mirror image.
+  /// Undo and redo take both edits of a preset at once, and all strokes of a gesture.
   void undo();
   void redo();
   void switch_entry(uint64_t number, bool on) { send(SwitchEntry{number, on}); }
@@ -186,6 +187,7 @@ class Document {
   void handle(const LiveEvent& event);
   void follow_server();
   void show_begun_stroke();
+  void show_new_points();
   void forget_strokes();
   void add_dabs(const std::vector<Vec3d>& points);
   void refresh_history();
@@ -217,6 +219,7 @@ class Document {
   Vec3d last_dab_ = Vec3d::Zero();
   std::string gesture_;  // id of the edit of the running drag or stroke; else empty
   UndoSteps undo_steps_;
+  bool goes_on_ = false;             // the stroke continues the last step's gesture
   std::vector<std::string> tinted_;  // strokes that no frame shows yet
 
   ColourBy colour_ = ColourBy::kNothing;

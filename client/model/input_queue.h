@@ -2,6 +2,7 @@
 
 #include <array>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,7 +27,8 @@ struct InputEvent {
   bool down = false;
   int modifiers = 0;
   int scancode = 0;
-  double steps = 0;  ///< of the wheel
+  double steps = 0;                ///< of the wheel
+  std::optional<double> pressure;  ///< of a pen that draws, 0 to 1
 };
 
 /// Hands events to the panels and to the picture in the order in which they came. Panels look at

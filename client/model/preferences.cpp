@@ -48,6 +48,7 @@ void read_numbers(const toml::table& table, Preferences& preferences) {
   read(table, "brush_radius_part", preferences.brush_radius_part);
   read(table, "brush_strength", preferences.brush_strength);
   read(table, "brush_beta", preferences.brush_beta);
+  read(table, "pen_pressure", preferences.pen_pressure);
   read(table, "light_theme", preferences.light_theme);
   read(table, "scale", preferences.scale);
   read(table, "window_width", preferences.window_width);
@@ -137,6 +138,7 @@ toml::table to_toml(const Preferences& preferences) {
                      {"brush_radius_part", preferences.brush_radius_part},
                      {"brush_strength", preferences.brush_strength},
                      {"brush_beta", preferences.brush_beta},
+                     {"pen_pressure", preferences.pen_pressure},
                      {"light_theme", preferences.light_theme},
                      {"scale", preferences.scale},
                      {"window_width", preferences.window_width},

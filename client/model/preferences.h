@@ -22,6 +22,7 @@ struct Preferences {
   double brush_radius_part = 0.03;             ///< of the scan's diagonal
   double brush_strength = 0.6;
   double brush_beta = 0;
+  bool pen_pressure = true;  ///< scales the brush's strength
   bool light_theme = false;
   double scale = 0;   ///< of fonts and panels; 0: the screen's scale
   Lighting lighting;  ///< of scans that are shown for the first time

@@ -114,9 +114,9 @@ void Viewport::paint(const Event& event, Document& document) {
     return;
   }
   if (document.brush().is_drawing()) {
-    document.extend_stroke(hover_->original);
+    document.extend_stroke(hover_->original, event.pressure);
   } else if (event.kind == Event::Kind::kPress) {
-    document.begin_stroke(event.mode, hover_->original);
+    document.begin_stroke(event.mode, hover_->original, event.pressure);
   }
 }
 

@@ -49,6 +49,7 @@ class Viewport {
   bool navigate_mode = false;  ///< the left button turns the view
   bool hold_original = false;  ///< show the original
   bool measure_mode = false;   ///< the left button puts the ruler's ends
+  double pressure = 1;         ///< of the pen that draws, 0 to 1; 1: a mouse
   std::optional<LassoWish> lasso_wish;
   std::vector<Camera> bookmarks;                 ///< at most kBookmarksMax
   Clock clock = std::chrono::steady_clock::now;  ///< tells a double click
@@ -104,6 +105,7 @@ class Viewport {
     enum class Kind { kPress, kMove, kRelease } kind;
     Eigen::Vector2d pixel;
     BrushMode mode = BrushMode::kPaint;
+    double pressure = 1;
   };
 
   /// The inputs that decide the result of look_at().

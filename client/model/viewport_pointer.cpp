@@ -29,7 +29,7 @@ void Viewport::press(PointerButton button, const Modifiers& modifiers, const Vec
   gesture_ = gesture_of(button, modifiers);
   if (gesture_ == Gesture::kLasso) lasso_ = {pixel};
   if (gesture_ == Gesture::kStroke)
-    events_.push_back({Event::Kind::kPress, pixel, mode_of(modifiers)});
+    events_.push_back({Event::Kind::kPress, pixel, mode_of(modifiers), pressure});
   if (gesture_ == Gesture::kTurn && is_second_press(button, pixel)) is_focus_asked_ = true;
 }
 
@@ -71,7 +71,7 @@ void Viewport::move(const Vector2d& pixel) {
     return event.kind == Event::Kind::kMove;
   });
   if (moves >= kMovesPerPictureMax && events_.back().kind == Event::Kind::kMove) events_.pop_back();
-  events_.push_back({Event::Kind::kMove, pixel});
+  events_.push_back({Event::Kind::kMove, pixel, BrushMode::kPaint, pressure});
 }
 
 void Viewport::drag_camera(const Vector2d& by) {

@@ -58,6 +58,7 @@ class Workspace {
   MessageLog log;
   Recorder recorder;
   Viewport viewport;
+  bool has_pen = false;  ///< a pen has drawn in this window
 
   /// Handles all news since the last picture.
   void update();

@@ -1,7 +1,9 @@
 #include "client/tools/brush_tool.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "client/tools/pen_pressure.h"
 #include "common/base/check.h"
 #include "common/base/limits.h"
 
@@ -9,6 +11,7 @@ namespace burnish {
 
 static constexpr double kRadiusMin = 1e-4;  // of the scan's diagonal
 static constexpr double kRadiusMax = 0.5;
+static constexpr double kOnDab = 1e-6;        // of the spacing, as dab_centres()
 static constexpr double kPointSpacing = 0.1;  // of the radius; finer than dabs
 
 double painted_beta(double beta, BrushMode mode) {
@@ -25,27 +28,40 @@ void BrushTool::set_radius(double radius, double diagonal) {
   brush.radius = std::clamp(radius, kRadiusMin * diagonal, kRadiusMax * diagonal);
 }
 
-void BrushTool::begin(BrushMode mode, const Vec3d& point) {
-  Brush stroke_brush = brush;
-  stroke_brush.beta = painted_beta(brush.beta, mode);
-  go_on(stroke_brush, point);
+void BrushTool::begin(BrushMode mode, const Vec3d& point, double pressure) {
+  gesture_brush_ = brush;
+  gesture_brush_.beta = painted_beta(brush.beta, mode);
+  go_on(point, pressure);
 }
 
-void BrushTool::go_on(const Brush& stroke_brush, const Vec3d& point) {
-  stroke_ = Stroke{stroke_brush, {point}};
+void BrushTool::go_on(const Vec3d& point, double pressure) {
+  stroke_ = Stroke{gesture_brush_, {point}};
+  stroke_->brush.strength = strength_under(gesture_brush_.strength, pressure);
+  pressure_ = pressure;
   length_ = 0;
   taken_ = 0;
 }
 
-bool BrushTool::extend(const Vec3d& point) {
+std::optional<Vec3d> BrushTool::extend(const Vec3d& point, double pressure) {
   BURNISH_CHECK(is_drawing(), "a stroke is begun before it is extended");
   const double step = (point - stroke_->path.back()).norm();
-  const double radius = stroke_->brush.radius;
-  if (step < kPointSpacing * radius) return true;
-  if (length_ + step > kDabSpacing * radius * (kStrokeDabsMax - 2)) return false;
+  if (step < kPointSpacing * stroke_->brush.radius) return std::nullopt;
+  if (length_ + step > spacing() * (kStrokeDabsMax - 2)) return point;
+  if (needs_another_stroke(pressure_, pressure))
+    if (const auto dab = next_dab(point)) return dab;
   length_ += step;
   stroke_->path.push_back(point);
-  return true;
+  return std::nullopt;
+}
+
+// Returns the first dab on the way to the point, if there is one.
+std::optional<Vec3d> BrushTool::next_dab(const Vec3d& point) const {
+  const Vec3d& last = stroke_->path.back();
+  const double step = (point - last).norm();
+  double until = spacing() - std::fmod(length_, spacing());
+  if (until < kOnDab * spacing()) until += spacing();  // the stroke ends on a dab
+  if (until > step) return std::nullopt;
+  return last + (until / step) * (point - last);
 }
 
 std::vector<Vec3d> BrushTool::take_new_points() {

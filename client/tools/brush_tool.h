@@ -26,13 +26,15 @@ class BrushTool {
   bool is_drawing() const { return stroke_.has_value(); }
   const Stroke& stroke() const { return *stroke_; }  ///< Needs: is_drawing()
 
-  void begin(BrushMode mode, const Vec3d& point);
-  /// Begins a stroke where a full one ended.
-  void go_on(const Brush& stroke_brush, const Vec3d& point);
+  /// `pressure`: of a pen, 0 to 1.
+  void begin(BrushMode mode, const Vec3d& point, double pressure = 1);
+  /// Begins a stroke where the last one ended, with the same brush.
+  void go_on(const Vec3d& point, double pressure = 1);
 
-  /// Adds a point if it is far enough from the last one. Returns false if the stroke is full: end
-  /// it and begin another.
-  bool extend(const Vec3d& point);
+  /// Adds a point if it is far enough from the last one. Returns nothing, or where another stroke
+  /// must go on: end this one, go_on() there, and extend again. A full stroke goes on at `point`.
+  /// Another pressure goes on at the next dab, so that both strokes have the dabs of one.
+  std::optional<Vec3d> extend(const Vec3d& point, double pressure = 1);
 
   /// Returns the points since the last call, to draw or preview the growing stroke.
   std::vector<Vec3d> take_new_points();
@@ -42,8 +44,13 @@ class BrushTool {
   void cancel() { stroke_.reset(); }
 
  private:
+  double spacing() const { return kDabSpacing * stroke_->brush.radius; }
+  std::optional<Vec3d> next_dab(const Vec3d& point) const;
+
   std::optional<Stroke> stroke_;
-  double length_ = 0;  // of the path, file units
+  Brush gesture_brush_;  // of its first stroke, before the pen's pressure
+  double pressure_ = 1;  // of the stroke
+  double length_ = 0;    // of the path, file units
   size_t taken_ = 0;
 };
 

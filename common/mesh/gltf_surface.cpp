@@ -126,7 +126,7 @@ class GltfSurfaceReader {
 
   UnpackedViews& views_;
   TriangleMesh mesh_;
-  VertexWelder welder_;
+  VertexWelder<std::vector<Vec3d>> welder_;
   GltfSurface surface_;
   std::map<std::tuple<size_t, uint64_t, uint64_t>, size_t> points_;
   bool has_colours_ = false;

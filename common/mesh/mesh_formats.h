@@ -20,11 +20,16 @@
 namespace burnish {
 
 Result<TriangleMesh> read_ply(std::span<const uint8_t> bytes, const std::string& name);
-Status read_ply(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh);
 Result<TriangleMesh> read_obj(std::span<const uint8_t> bytes, const std::string& name);
 Result<TriangleMesh> read_stl(std::span<const uint8_t> bytes, const std::string& name);
 Result<TriangleMesh> read_off(std::span<const uint8_t> bytes, const std::string& name);
 Result<TriangleMesh> read_zip(std::span<const uint8_t> bytes, const std::string& name);
+/// Fill an empty mesh in scratch space.
+Status read_ply(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh);
+Status read_obj(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh);
+Status read_stl(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh);
+Status read_off(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh);
+
 Result<uint64_t> predict_zip_reading_bytes(std::span<const uint8_t> bytes, const std::string& name);
 
 /// Append to `file`; the caller commits it. Needs: a valid mesh.

@@ -108,19 +108,40 @@ Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format
   });
 }
 
+using ReadIntoScratch = Status (*)(std::span<const uint8_t>, const std::string&, GrowingMesh&);
+
+static ReadIntoScratch scratch_reader_of(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::kPly:
+      return read_ply;
+    case MeshFormat::kObj:
+      return read_obj;
+    case MeshFormat::kStl:
+      return read_stl;
+    case MeshFormat::kOff:
+      return read_off;
+    case MeshFormat::kGlb:
+    case MeshFormat::kGltf:
+    case MeshFormat::kZip:
+      return nullptr;
+  }
+  return nullptr;
+}
+
 bool is_read_into_scratch(MeshFormat format) {
-  return format == MeshFormat::kPly;
+  return scratch_reader_of(format) != nullptr;
 }
 
 Result<StoredMesh> read_stored_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                     const std::string& name, const ScratchSpace& space) {
   return read_checked(bytes, name, [&]() -> Result<StoredMesh> {
-    if (!is_read_into_scratch(format)) {
+    const ReadIntoScratch read = scratch_reader_of(format);
+    if (read == nullptr) {
       ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(bytes, format, name));
       return StoredMesh(mesh, space);
     }
     GrowingMesh growing(space);
-    RETURN_IF_ERROR(read_ply(bytes, name, growing));
+    RETURN_IF_ERROR(read(bytes, name, growing));
     StoredMesh mesh = growing.take();
     RETURN_IF_ERROR(validate(mesh.view()).with_context(name));
     return mesh;

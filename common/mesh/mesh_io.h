@@ -37,8 +37,8 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& path);
 Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                const std::string& name, const MeshSurroundings& beside = {});
 
-/// Reads a mesh from memory into scratch space. Only PLY goes there at once; the other formats are
-/// read into memory and copied. Fails: likewise.
+/// Reads a mesh from memory into scratch space. glTF and archives are read into memory and copied;
+/// the other formats go there at once. Fails: likewise.
 Result<StoredMesh> read_stored_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                     const std::string& name, const ScratchSpace& space);
 

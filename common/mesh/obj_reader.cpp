@@ -10,29 +10,34 @@
 
 namespace burnish {
 
-/// Reads the statements `v` and `f` of a Wavefront OBJ file and skips all others.
+/// Reads the statements `v` and `f` of a Wavefront OBJ file and skips all others. Fills a
+/// TriangleMesh or a GrowingMesh.
+template <typename Mesh>
 class ObjReader {
  public:
-  ObjReader(std::span<const uint8_t> bytes, const std::string& name)
+  ObjReader(std::span<const uint8_t> bytes, const std::string& name, Mesh& mesh)
       : scanner_(bytes, name, {.hash_comments = true, .backslash_continues = true}),
         name_(name),
-        file_bytes_(bytes.size()) {}
+        file_bytes_(bytes.size()),
+        mesh_(mesh),
+        colours_(space_beside(mesh)) {}
 
-  Result<TriangleMesh> read() {
+  Status read() {
     while (scanner_.next_line()) {
       const std::string_view keyword = scanner_.next_token();
       if (keyword == "v") RETURN_IF_ERROR(read_vertex());
       if (keyword == "f") RETURN_IF_ERROR(read_face());
     }
     RETURN_IF_ERROR(check_largest_index());
-    mesh_.colours = colours_.finish(mesh_.vertices.size());
-    return std::move(mesh_);
+    colours_.finish(mesh_.vertices.size(), mesh_.colours);
+    return Status::ok();
   }
 
  private:
   Status read_vertex() {
     Vec3d position;
-    RETURN_IF_ERROR(read_position(scanner_, {"vertex", mesh_.vertices.size()}, position, mesh_));
+    RETURN_IF_ERROR(read_position(scanner_, {"vertex", mesh_.vertices.size()}, position,
+                                  mesh_.has_double_positions));
     read_colour();
     mesh_.vertices.push_back(position);
     return Status::ok();
@@ -101,7 +106,7 @@ class ObjReader {
   TextScanner scanner_;
   std::string name_;
   uint64_t file_bytes_;
-  TriangleMesh mesh_;
+  Mesh& mesh_;
   TextColours colours_;
   std::vector<uint32_t> corners_;
   uint64_t faces_ = 0;
@@ -111,7 +116,14 @@ class ObjReader {
 
 Result<TriangleMesh> read_obj(std::span<const uint8_t> bytes, const std::string& name) {
   RETURN_IF_ERROR(check_line_lengths(bytes, name));
-  return ObjReader(bytes, name).read();
+  TriangleMesh mesh;
+  RETURN_IF_ERROR(ObjReader(bytes, name, mesh).read());
+  return mesh;
+}
+
+Status read_obj(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh) {
+  RETURN_IF_ERROR(check_line_lengths(bytes, name));
+  return ObjReader(bytes, name, mesh).read();
 }
 
 }  // namespace burnish

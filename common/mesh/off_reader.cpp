@@ -13,21 +13,26 @@
 namespace burnish {
 
 /// Reads Geomview's OFF and its variants with colours (C), normals (N) and texture coordinates
-/// (ST). Keeps only the colours. A vertex or face has one line.
+/// (ST). Keeps only the colours. A vertex or face has one line. Fills a TriangleMesh or a
+/// GrowingMesh.
+template <typename Mesh>
 class OffReader {
  public:
-  OffReader(std::span<const uint8_t> bytes, const std::string& name)
-      : scanner_(bytes, name, {.hash_comments = true}), file_bytes_(bytes.size()) {}
+  OffReader(std::span<const uint8_t> bytes, const std::string& name, Mesh& mesh)
+      : scanner_(bytes, name, {.hash_comments = true}),
+        file_bytes_(bytes.size()),
+        mesh_(mesh),
+        colours_(space_beside(mesh)) {}
 
-  Result<TriangleMesh> read() {
+  Status read() {
     RETURN_IF_ERROR(read_magic());
     RETURN_IF_ERROR(read_counts());
-    mesh_.vertices.resize(vertices_);
+    mesh_.vertices.resize(vertices_, Vec3d::Zero());
     for (uint64_t v = 0; v < vertices_; ++v) RETURN_IF_ERROR(read_vertex(v));
     mesh_.triangles.reserve(faces_);
     for (uint64_t f = 0; f < faces_; ++f) RETURN_IF_ERROR(read_face(f));
-    mesh_.colours = colours_.finish(vertices_);
-    return std::move(mesh_);
+    colours_.finish(vertices_, mesh_.colours);
+    return Status::ok();
   }
 
  private:
@@ -71,7 +76,8 @@ class OffReader {
 
   Status read_vertex(uint64_t v) {
     if (!scanner_.next_line()) return truncated("vertex", v, vertices_);
-    RETURN_IF_ERROR(read_position(scanner_, {"vertex", v}, mesh_.vertices[v], mesh_));
+    RETURN_IF_ERROR(
+        read_position(scanner_, {"vertex", v}, mesh_.vertices[v], mesh_.has_double_positions));
     for (int skipped = 0; kind_.has_normals && skipped < 3; ++skipped) scanner_.next_token();
     if (kind_.has_colours) read_colour(v);
     return Status::ok();
@@ -119,7 +125,7 @@ class OffReader {
 
   TextScanner scanner_;
   uint64_t file_bytes_;
-  TriangleMesh mesh_;
+  Mesh& mesh_;
   TextColours colours_;
   std::vector<uint32_t> corners_;
   uint64_t vertices_ = 0;
@@ -129,7 +135,14 @@ class OffReader {
 
 Result<TriangleMesh> read_off(std::span<const uint8_t> bytes, const std::string& name) {
   RETURN_IF_ERROR(check_line_lengths(bytes, name));
-  return OffReader(bytes, name).read();
+  TriangleMesh mesh;
+  RETURN_IF_ERROR(OffReader(bytes, name, mesh).read());
+  return mesh;
+}
+
+Status read_off(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh) {
+  RETURN_IF_ERROR(check_line_lengths(bytes, name));
+  return OffReader(bytes, name, mesh).read();
 }
 
 }  // namespace burnish

@@ -9,7 +9,8 @@
 
 namespace burnish {
 
-static Result<TriangleMesh> read_binary(std::span<const uint8_t> bytes, const std::string& name) {
+template <typename Mesh>
+static Status read_binary(std::span<const uint8_t> bytes, const std::string& name, Mesh& mesh) {
   if (bytes.size() < kStlHeaderBytes)
     return invalid_argument(name + ": neither text that begins with 'solid' nor a whole binary " +
                             "STL file: the header has 84 bytes, the file has " +
@@ -22,9 +23,8 @@ static Result<TriangleMesh> read_binary(std::span<const uint8_t> bytes, const st
         std::to_string(promised_stl_bytes(bytes)) + " bytes, but the file has " +
         std::to_string(bytes.size()) + "; facet " +
         std::to_string((bytes.size() - kStlHeaderBytes) / kStlFacetBytes) + " is not complete");
-  TriangleMesh mesh;
-  mesh.triangles.resize(facets);
-  VertexWelder welder(mesh.vertices);
+  mesh.triangles.resize(facets, Triangle());
+  VertexWelder welder(mesh.vertices, space_beside(mesh));
   for (uint64_t facet = 0; facet < facets; ++facet) {
     float corners[3][3];
     const size_t offset = kStlHeaderBytes + facet * kStlFacetBytes + kStlNormalBytes;
@@ -39,16 +39,17 @@ static Result<TriangleMesh> read_binary(std::span<const uint8_t> bytes, const st
       mesh.triangles[facet][corner] = welder.index_of(Vec3d(p[0], p[1], p[2]));
     }
   }
-  return mesh;
+  return Status::ok();
 }
 
-/// Reads one or several solids; skips text outside them.
+/// Reads one or several solids; skips text outside them. Fills a TriangleMesh or a GrowingMesh.
+template <typename Mesh>
 class AsciiStlReader {
  public:
-  AsciiStlReader(std::span<const uint8_t> bytes, const std::string& name)
-      : scanner_(bytes, name), welder_(mesh_.vertices) {}
+  AsciiStlReader(std::span<const uint8_t> bytes, const std::string& name, Mesh& mesh)
+      : scanner_(bytes, name), mesh_(mesh), welder_(mesh.vertices, space_beside(mesh)) {}
 
-  Result<TriangleMesh> read() {
+  Status read() {
     while (scanner_.next_line()) {
       const std::string_view keyword = scanner_.next_token();
       if (in_solid_) {
@@ -60,7 +61,7 @@ class AsciiStlReader {
     if (in_solid_)
       return scanner_.error("the file ends in facet " + std::to_string(mesh_.triangles.size()) +
                             " or without 'endsolid'");
-    return std::move(mesh_);
+    return Status::ok();
   }
 
  private:
@@ -81,7 +82,8 @@ class AsciiStlReader {
   Status read_corner() {
     if (corners_ == 3) return scanner_.error(facet_text() + " has more than 3 corners");
     Vec3d position;
-    RETURN_IF_ERROR(read_position(scanner_, {"facet", mesh_.triangles.size()}, position, mesh_));
+    RETURN_IF_ERROR(read_position(scanner_, {"facet", mesh_.triangles.size()}, position,
+                                  mesh_.has_double_positions));
     triangle_[corners_++] = welder_.index_of(position);
     return Status::ok();
   }
@@ -98,17 +100,28 @@ class AsciiStlReader {
   std::string facet_text() const { return "facet " + std::to_string(mesh_.triangles.size()); }
 
   TextScanner scanner_;
-  TriangleMesh mesh_;
-  VertexWelder welder_;
+  Mesh& mesh_;
+  VertexWelder<decltype(Mesh::vertices)> welder_;
   bool in_solid_ = false;
   Triangle triangle_ = {};
   size_t corners_ = 0;
 };
 
-Result<TriangleMesh> read_stl(std::span<const uint8_t> bytes, const std::string& name) {
-  if (!is_stl_text(bytes)) return read_binary(bytes, name);
+template <typename Mesh>
+static Status read_either(std::span<const uint8_t> bytes, const std::string& name, Mesh& mesh) {
+  if (!is_stl_text(bytes)) return read_binary(bytes, name, mesh);
   RETURN_IF_ERROR(check_line_lengths(bytes, name));
-  return AsciiStlReader(bytes, name).read();
+  return AsciiStlReader(bytes, name, mesh).read();
+}
+
+Result<TriangleMesh> read_stl(std::span<const uint8_t> bytes, const std::string& name) {
+  TriangleMesh mesh;
+  RETURN_IF_ERROR(read_either(bytes, name, mesh));
+  return mesh;
+}
+
+Status read_stl(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh) {
+  return read_either(bytes, name, mesh);
 }
 
 }  // namespace burnish

@@ -21,15 +21,24 @@ struct StoredMesh {
 
 /// A mesh in scratch space while it is read.
 struct GrowingMesh {
-  explicit GrowingMesh(const ScratchSpace& space)
-      : vertices(space), triangles(space), colours(space) {}
+  explicit GrowingMesh(const ScratchSpace& space_of_all)
+      : space(space_of_all), vertices(space), triangles(space), colours(space) {}
 
   StoredMesh take();
 
+  ScratchSpace space;
   ScratchVector<Vec3d> vertices;
   ScratchVector<Triangle> triangles;
   ScratchVector<Rgba8> colours;
   bool has_double_positions = false;
 };
+
+/// Returns where a reader's own arrays lie, beside those of its mesh.
+inline ScratchSpace space_beside(const GrowingMesh& mesh) {
+  return mesh.space;
+}
+inline ScratchSpace space_beside(const TriangleMesh&) {
+  return {};
+}
 
 }  // namespace burnish

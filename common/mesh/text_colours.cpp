@@ -30,16 +30,9 @@ void TextColours::set(size_t vertex, const std::array<float, 3>& rgb) {
   colours_.push_back(colour);
 }
 
-std::vector<Rgba8> TextColours::finish(size_t vertices) {
-  std::vector<Rgba8> result;
-  if (colours_.empty()) return result;
-  const float scale = colour_scale(largest_);
-  result.assign(vertices, {255, 255, 255, 255});
-  for (size_t v = 0; v < colours_.size(); ++v) {
-    if (colours_[v][0] == kUnset) continue;
-    for (int i = 0; i < 3; ++i) result[v][i] = colour_byte(colours_[v][i], scale);
-  }
-  return result;
+void TextColours::set_known(const std::array<float, 3>& from, Rgba8& to) const {
+  if (from[0] == kUnset) return;
+  for (int i = 0; i < 3; ++i) to[i] = colour_byte(from[i], colour_scale(largest_));
 }
 
 }  // namespace burnish

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
+#include "common/base/scratch_vector.h"
 #include "common/base/types.h"
 #include "common/mesh/text_scanner.h"
 
@@ -30,15 +30,25 @@ uint8_t colour_byte(float channel, float scale);
 /// or to 255; the largest value of the file decides, once all are read.
 class TextColours {
  public:
+  explicit TextColours(const ScratchSpace& space) : colours_(space) {}
+
   /// Sets the colour of vertex number `vertex`; vertices in between are white.
   void set(size_t vertex, const std::array<float, 3>& rgb);
 
-  /// Returns no colours if no vertex had one, else one for each of `vertices`.
-  std::vector<Rgba8> finish(size_t vertices);
+  /// Leaves `result` empty if no vertex had a colour, else has one for each of `vertices` in it.
+  template <typename Colours>
+  void finish(size_t vertices, Colours& result) const {
+    if (colours_.size() == 0) return;
+    result.resize(vertices, Rgba8{255, 255, 255, 255});
+    for (size_t v = 0; v < colours_.size(); ++v) set_known(colours_[v], result[v]);
+  }
 
  private:
   static constexpr float kUnset = -1;
-  std::vector<std::array<float, 3>> colours_;
+
+  void set_known(const std::array<float, 3>& from, Rgba8& to) const;
+
+  ScratchVector<std::array<float, 3>> colours_;
   float largest_ = 0;
 };
 

@@ -87,13 +87,13 @@ static Status coordinate_error(const TextScanner& scanner, ElementName element, 
 }
 
 Status read_position(TextScanner& scanner, ElementName element, Vec3d& position,
-                     TriangleMesh& mesh) {
+                     bool& has_doubles) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::string_view token = scanner.next_token();
     double value;
     if (!parse_double(token, value) || !is_coordinate(value))
       return coordinate_error(scanner, element, axis, token);
-    if (!mesh.has_double_positions) mesh.has_double_positions = exceeds_float(token, value);
+    if (!has_doubles) has_doubles = exceeds_float(token, value);
     position[axis] = value;
   }
   return Status::ok();

@@ -7,7 +7,6 @@
 #include "common/base/status.h"
 #include "common/base/types.h"
 #include "common/mesh/text_scanner.h"
-#include "common/mesh/triangle_mesh.h"
 
 namespace burnish {
 
@@ -43,9 +42,8 @@ struct ElementName {
 /// "vertex 7: y = nan; coordinates must be finite and within ±1e18".
 std::string coordinate_complaint(ElementName element, int axis, const std::string& value);
 
-/// Reads three coordinates from the current line into `position`. Sets mesh.has_double_positions if
-/// one exceeds_float().
-Status read_position(TextScanner& scanner, ElementName element, Vec3d& position,
-                     TriangleMesh& mesh);
+/// Reads three coordinates from the current line into `position`. Sets `has_doubles` if one
+/// exceeds_float().
+Status read_position(TextScanner& scanner, ElementName element, Vec3d& position, bool& has_doubles);
 
 }  // namespace burnish

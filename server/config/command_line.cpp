@@ -13,11 +13,12 @@ namespace {
 struct Flags {
   std::string config;
   std::string port_file;
-  std::optional<std::string> listen, socket, data, backend, log_level, log_format, users,
+  std::optional<std::string> listen, socket, data, journal, backend, log_level, log_format, users,
       certificate, key, client_ca, metrics, web;
   std::optional<int64_t> threads, idle_exit;
   bool insecure = false;
   bool socket_user_only = false;
+  JournalCopyWish copy;
 };
 
 void add_flags(CLI::App& app, Flags& flags) {
@@ -32,6 +33,9 @@ void add_flags(CLI::App& app, Flags& flags) {
   app.add_option("--port-file", flags.port_file, "Write the chosen port into this file");
   app.add_option("--data", flags.data, "Folder for scans and edits, default burnish-data")
       ->type_name("FOLDER");
+  app.add_option("--journal", flags.journal,
+                 "PostgreSQL database for sessions and edits, in place of a file in the folder")
+      ->type_name("postgresql://USER@HOST:PORT/DATABASE");
   app.add_option("--threads", flags.threads, "Threads of the solver; 0, the default: all cores");
   app.add_option("--backend", flags.backend, "auto, cpu or cuda; default auto");
   app.add_option("--log-level", flags.log_level,
@@ -52,6 +56,17 @@ void add_flags(CLI::App& app, Flags& flags) {
                "Serve other machines in plain text, or without authentication");
 }
 
+/// Returns the command that copies a journal.
+CLI::App* add_journal_command(CLI::App& app, Flags& flags) {
+  CLI::App* journal = app.add_subcommand("journal", "Work on a journal while no server uses it");
+  journal->require_subcommand(1);
+  CLI::App* copy = journal->add_subcommand(
+      "copy", "Copy all sessions and edits into an empty journal, in one transaction");
+  copy->add_option("FROM", flags.copy.from, "A data folder, or the URI of a database")->required();
+  copy->add_option("TO", flags.copy.to, "Likewise; without sessions")->required();
+  return copy;
+}
+
 Result<CommandLine> read(const Flags& flags) {
   CommandLine line;
   ServerConfig& config = line.config;
@@ -62,6 +77,7 @@ Result<CommandLine> read(const Flags& flags) {
   set(flags.listen, config.listen);
   set(flags.socket, config.socket);
   set(flags.data, config.data);
+  set(flags.journal, config.journal);
   set(flags.threads, config.threads);
   set(flags.idle_exit, config.idle_exit_seconds);
   set(flags.log_level, config.log_level);
@@ -89,6 +105,7 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv,
                "burnish-server");
   Flags flags;
   add_flags(app, flags);
+  const CLI::App* copy = add_journal_command(app, flags);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -96,6 +113,7 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv,
     return std::nullopt;
   }
   auto line = read(flags);
+  if (line.is_ok() && copy->parsed()) line->copy = flags.copy;
   if (line.is_ok()) return std::move(*line);
   std::cerr << "burnish-server: " << line.status().message() << "\n";
   exit_code = 2;

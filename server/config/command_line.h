@@ -2,14 +2,22 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "server/config/config.h"
 
 namespace burnish {
 
+/// What `burnish-server journal copy FROM TO` is to do. Each is a data folder or the URI of a
+/// database.
+struct JournalCopyWish {
+  std::string from, to;
+};
+
 struct CommandLine {
   ServerConfig config;
-  std::filesystem::path port_file;  ///< empty for none
+  std::filesystem::path port_file;      ///< empty for none
+  std::optional<JournalCopyWish> copy;  ///< then nothing is served
 };
 
 /// Reads the file of --config, then the flags, which override it. Prints help, version and errors

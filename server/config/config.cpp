@@ -25,6 +25,27 @@ static Status check_socket(const std::filesystem::path& socket) {
                           " bytes, the limit of a socket's path is " + std::to_string(kBytesMax));
 }
 
+// The value may hold a password by mistake, so that no message repeats it.
+static Status check_journal(const std::string& journal) {
+  if (journal.empty() || journal.starts_with("postgresql://") || journal.starts_with("postgres://"))
+    return Status::ok();
+  return invalid_argument(
+      "journal is not a URI that begins with postgresql://; leave it out for a file in the data "
+      "folder");
+}
+
+static Status check_fleet(const ServerConfig& config) {
+  if (!config.fleet_name.empty() && config.journal.empty())
+    return invalid_argument("fleet.name = '" + config.fleet_name +
+                            "' needs journal, the database that the fleet shares");
+  if (!config.fleet_advertise.empty())
+    RETURN_IF_ERROR(check_address("fleet.advertise", config.fleet_advertise));
+  if (config.fleet_lease_ms >= 2 * config.fleet_heartbeat_ms) return Status::ok();
+  return invalid_argument(
+      "fleet.lease_ms = " + std::to_string(config.fleet_lease_ms) +
+      " is less than twice fleet.heartbeat_ms = " + std::to_string(config.fleet_heartbeat_ms));
+}
+
 static Status check_tls(const ServerConfig& config) {
   if (config.tls_certificate.empty() != config.tls_key.empty())
     return invalid_argument("tls.certificate = '" + config.tls_certificate.string() +
@@ -85,6 +106,8 @@ Status validate(const ServerConfig& config) {
   if (!config.metrics_listen.empty())
     RETURN_IF_ERROR(check_address("metrics.listen", config.metrics_listen));
   RETURN_IF_ERROR(check_socket(config.socket));
+  RETURN_IF_ERROR(check_journal(config.journal));
+  RETURN_IF_ERROR(check_fleet(config));
   RETURN_IF_ERROR(check_tls(config));
   RETURN_IF_ERROR(check_metrics_exposure(config));
   RETURN_IF_ERROR(check_exposure("web.listen", config.web_listen, config));

@@ -17,9 +17,10 @@ struct ServerConfig {
   std::filesystem::path socket;           ///< a Unix socket in addition
   bool socket_user_only = false;          ///< its mode: 0600, else 0660
   std::filesystem::path data = "burnish-data";  ///< the folder of all stored data
-  int64_t threads = 0;                          ///< of the solver; 0: all cores
-  int64_t workers = 16;                         ///< long calls at once, and as many that wait
-  int64_t workers_per_user = 4;                 ///< at once for one user
+  std::string journal;           ///< URI of a PostgreSQL database; empty: a file in `data`
+  int64_t threads = 0;           ///< of the solver; 0: all cores
+  int64_t workers = 16;          ///< long calls at once, and as many that wait
+  int64_t workers_per_user = 4;  ///< at once for one user
   BackendKind backend = BackendKind::kAuto;
   std::string log_level = "info";
   std::string log_format = "text";
@@ -37,6 +38,11 @@ struct ServerConfig {
   std::vector<std::string> web_hosts;  ///< names of this server that browsers may use
 
   std::string metrics_listen;  ///< HOST:PORT; empty: no metrics
+
+  std::string fleet_name;       ///< of this server among those that share the journal; empty: alone
+  std::string fleet_advertise;  ///< HOST:PORT at which clients reach this server
+  int64_t fleet_lease_ms = 10'000;     ///< until a server that is not heard counts as dead
+  int64_t fleet_heartbeat_ms = 3'000;  ///< between two signs of this server
 
   int64_t idle_spill_seconds = 600;  ///< until an unused session is unloaded; 0: never
 

@@ -35,14 +35,14 @@ void GroupCommit::post_background(Work work, Done done) {
 
 Status GroupCommit::write(const Work& work) {
   std::promise<Status> written;
-  post(work, [&](const Status& status) { written.set_value(status); });
+  post(work, [&](const WriteOutcome& outcome) { written.set_value(outcome.status()); });
   return written.get_future().get();
 }
 
 Status GroupCommit::read(const Work& work) {
   std::promise<void> reached;  // from background work: after all work posted before
   post_background([](Database&) { return Status::ok(); },
-                  [&](const Status&) { reached.set_value(); });
+                  [&](const WriteOutcome&) { reached.set_value(); });
   reached.get_future().get();
   const std::lock_guard lock(database_mutex_);
   return work(database_);
@@ -63,38 +63,47 @@ void GroupCommit::run() {
          {std::span(items.begin(), background), std::span(background, items.end())}) {
       if (part.empty()) continue;
       commit(part);
-      for (const Item& item : part) item.done(item.status);
+      for (const Item& item : part) item.done(item.outcome);
     }
   }
 }
 
 void GroupCommit::commit(std::span<Item> items) {
-  Status status;
+  WriteOutcome outcome;
   {
     const std::lock_guard lock(database_mutex_);
-    status = commit_all(items);
+    outcome = commit_all(items);
   }
   ++commits_;
-  if (status.is_ok()) return;
+  if (outcome.is_on_disk()) return;
   // One large item may have filled the disk. The others may fit without it.
-  if (status.code() == StatusCode::kResourceExhausted && items.size() > 1) {
+  if (outcome.status().code() == StatusCode::kResourceExhausted && items.size() > 1) {
     for (Item& item : items) commit({&item, 1});
     return;
   }
   for (Item& item : items)
-    if (item.status.is_ok()) item.status = status;
+    if (item.outcome.is_on_disk()) item.outcome = outcome;
 }
 
-Status GroupCommit::commit_all(std::span<Item> items) {
-  ASSIGN_OR_RETURN(Transaction transaction, Transaction::begin(database_));
+/// Sets the outcomes of the items that fail by themselves, and returns that of the others.
+WriteOutcome GroupCommit::commit_all(std::span<Item> items) {
+  auto transaction = Transaction::begin(database_);
+  if (!transaction.is_ok()) return WriteOutcome::refused(transaction.status());
   for (Item& item : items) {
-    RETURN_IF_ERROR(database_.execute("SAVEPOINT item"));
-    item.status = item.work(database_);
-    // After some errors, such as a full disk, SQLite has rolled back everything by itself.
-    if (!item.status.is_ok() && !database_.execute("ROLLBACK TO item").is_ok()) return item.status;
-    RETURN_IF_ERROR(database_.execute("RELEASE item"));
+    const Status status = work_alone(item);
+    if (!status.is_ok()) return WriteOutcome::refused(status);
   }
-  return transaction.commit();
+  return transaction->commit();
+}
+
+/// Does the item's work whole or not at all. Fails if the transaction cannot go on.
+Status GroupCommit::work_alone(Item& item) {
+  RETURN_IF_ERROR(database_.execute("SAVEPOINT item"));
+  const Status status = item.work(database_);
+  item.outcome = WriteOutcome::of(status);
+  // After some errors, such as a full disk, SQLite has rolled back everything by itself.
+  if (!status.is_ok() && !database_.execute("ROLLBACK TO item").is_ok()) return status;
+  return database_.execute("RELEASE item");
 }
 
 }  // namespace burnish

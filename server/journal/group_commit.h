@@ -20,21 +20,21 @@ namespace burnish {
 class GroupCommit {
  public:
   using Work = std::function<Status(Database&)>;
-  using Done = std::function<void(const Status&)>;
+  using Done = std::function<void(const WriteOutcome&)>;
 
   explicit GroupCommit(Database database);
 
   /// Does all posted work, and returns when every `done` has returned.
   ~GroupCommit();
 
-  /// Queues work. The writing thread calls `done` when the work is on disk, or with the reason why
-  /// it is not. `done` must not wait for this object: it runs on the only thread that serves it.
+  /// Queues work. The writing thread calls `done` with the outcome. `done` must not wait for this
+  /// object: it runs on the only thread that serves it.
   void post(Work work, Done done);
 
   /// Does the same for work that nobody waits for and that may be large.
   void post_background(Work work, Done done);
 
-  /// Does the same and waits.
+  /// Does the same and waits. Fails: as the work does; unavailable (the outcome is unknown).
   Status write(const Work& work);
 
   /// Runs `work` in the calling thread, after everything posted before.
@@ -48,13 +48,14 @@ class GroupCommit {
     Work work;
     Done done;
     bool is_background = false;
-    Status status;
+    WriteOutcome outcome;
   };
 
   void enqueue(Item item);
   void run();
   void commit(std::span<Item> items);
-  Status commit_all(std::span<Item> items);
+  WriteOutcome commit_all(std::span<Item> items);
+  Status work_alone(Item& item);
 
   std::mutex database_mutex_;
   Database database_;

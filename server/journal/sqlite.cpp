@@ -104,6 +104,11 @@ Status Database::execute(const char* sql) {
   return code == SQLITE_OK ? Status::ok() : sqlite_status(database_.get(), code);
 }
 
+bool Database::failed_beyond_write() const {
+  const int code = sqlite3_extended_errcode(database_.get());
+  return (code & 0xff) == SQLITE_IOERR && code != SQLITE_IOERR_WRITE;
+}
+
 Result<Statement> Database::prepare(const char* sql) {
   sqlite3_stmt* statement = nullptr;
   const int code = sqlite3_prepare_v2(database_.get(), sql, -1, &statement, nullptr);
@@ -120,14 +125,17 @@ Transaction::~Transaction() {
   if (database_) (void)database_->execute("ROLLBACK");
 }
 
-Status Transaction::commit() {
+WriteOutcome Transaction::commit() {
   const auto start = std::chrono::steady_clock::now();
-  RETURN_IF_ERROR(database_->execute("COMMIT"));
+  const Status status = database_->execute("COMMIT");
+  if (!status.is_ok())
+    return database_->failed_beyond_write() ? WriteOutcome::unknown(status)
+                                            : WriteOutcome::refused(status);
   metrics().observe(
       Measure::kJournalCommitSeconds,
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   database_ = nullptr;
-  return Status::ok();
+  return {};
 }
 
 }  // namespace burnish

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/base/status.h"
+#include "server/journal/write_outcome.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -60,6 +61,9 @@ class Database {
 
   Status execute(const char* sql);
 
+  /// Returns whether the last call failed at a file otherwise than in a write.
+  bool failed_beyond_write() const;
+
   Result<Statement> prepare(const char* sql);
 
  private:
@@ -75,7 +79,11 @@ class Transaction {
   static Result<Transaction> begin(Database& database);
   Transaction(Transaction&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
   ~Transaction();
-  Status commit();
+
+  /// A failed sync leaves the outcome unknown: the log may hold the whole transaction, and SQLite
+  /// finds it there after a crash. All other I/O errors but one count as unknown too. A failed
+  /// write is a refusal: the log's last frame is not whole then, and its checksum says so.
+  WriteOutcome commit();
 
  private:
   explicit Transaction(Database& database) : database_(&database) {}

@@ -1,58 +1,44 @@
 #include "server/journal/sqlite_checksum.h"
 
-#include <bit>
-#include <cstdint>
-#include <xxhash.h>
-
 #include <sqlite3.h>
+
+#include "server/journal/row_checksum.h"
 
 namespace burnish {
 
-static_assert(std::endian::native == std::endian::little, "journals move between machines");
-
-template <typename T>
-static void add(XXH3_state_t* state, const T& value) {
-  XXH3_128bits_update(state, &value, sizeof value);
+static std::string_view bytes_of(sqlite3_value* value) {
+  const auto* bytes = static_cast<const char*>(sqlite3_value_blob(value));
+  return {bytes, static_cast<size_t>(sqlite3_value_bytes(value))};
 }
 
-static void add_value(XXH3_state_t* state, sqlite3_value* value) {
-  const int type = sqlite3_value_type(value);
-  add(state, static_cast<uint8_t>(type));
-  switch (type) {
+static void add_value(RowChecksum& sum, sqlite3_value* value) {
+  switch (sqlite3_value_type(value)) {
     case SQLITE_INTEGER:
-      add(state, int64_t{sqlite3_value_int64(value)});
-      return;
+      return sum.add(int64_t{sqlite3_value_int64(value)});
     case SQLITE_FLOAT:
-      add(state, sqlite3_value_double(value) + 0.0);  // a table returns -0 as 0
-      return;
+      return sum.add(sqlite3_value_double(value));
     case SQLITE_NULL:
-      return;
-    default: {
-      const void* bytes = sqlite3_value_blob(value);
-      const auto size = static_cast<uint64_t>(sqlite3_value_bytes(value));
-      add(state, size);
-      if (size > 0) XXH3_128bits_update(state, bytes, size);
-    }
+      return sum.add_null();
+    case SQLITE_TEXT:
+      return sum.add_text(bytes_of(value));
+    default:
+      sum.add(bytes_of(value));
   }
 }
 
 static void row_checksum(sqlite3_context* context, int count, sqlite3_value** values) {
-  auto* state = static_cast<XXH3_state_t*>(sqlite3_user_data(context));
-  XXH3_128bits_reset(state);
-  for (int i = 0; i < count; ++i) add_value(state, values[i]);
-  XXH128_canonical_t bytes;
-  XXH128_canonicalFromHash(&bytes, XXH3_128bits_digest(state));
-  sqlite3_result_blob(context, bytes.digest, sizeof bytes.digest, SQLITE_TRANSIENT);
+  auto& sum = *static_cast<RowChecksum*>(sqlite3_user_data(context));
+  for (int i = 0; i < count; ++i) add_value(sum, values[i]);
+  const std::string bytes = sum.take();
+  sqlite3_result_blob(context, bytes.data(), static_cast<int>(bytes.size()), SQLITE_TRANSIENT);
 }
 
 bool add_row_checksum(sqlite3* database) {
-  XXH3_state_t* state = XXH3_createState();
-  if (!state) return false;
-  const auto free_state = [](void* kept) { XXH3_freeState(static_cast<XXH3_state_t*>(kept)); };
-  // SQLite frees the state, even if this fails.
+  const auto free_sum = [](void* kept) { delete static_cast<RowChecksum*>(kept); };
+  // SQLite frees the sum, even if this fails.
   return sqlite3_create_function_v2(database, "row_checksum", -1,
-                                    SQLITE_UTF8 | SQLITE_DETERMINISTIC, state, row_checksum,
-                                    nullptr, nullptr, free_state) == SQLITE_OK;
+                                    SQLITE_UTF8 | SQLITE_DETERMINISTIC, new RowChecksum,
+                                    row_checksum, nullptr, nullptr, free_sum) == SQLITE_OK;
 }
 
 }  // namespace burnish

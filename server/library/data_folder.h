@@ -11,7 +11,8 @@ namespace burnish {
 /// The folder in which a server keeps everything, locked while this object lives.
 ///
 ///     lock             held by the running server
-///     journal.sqlite   sessions and their edits
+///     journal.sqlite   sessions and their edits, unless a database has them
+///     paint.sqlite     kept paint, beside such a database
 ///     scans/ID/        original.EXT, info.json, prepared/, pages-formatN.pages
 ///     staging/         unfinished files; emptied at start
 class DataFolder {
@@ -24,6 +25,7 @@ class DataFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path scans() const { return path_ / "scans"; }
   std::filesystem::path journal() const { return path_ / "journal.sqlite"; }
+  std::filesystem::path paint() const { return path_ / "paint.sqlite"; }
 
   /// Returns an unused path in staging/ that ends with `suffix`.
   std::filesystem::path staging_path(const std::string& suffix) const;

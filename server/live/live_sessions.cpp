@@ -116,4 +116,11 @@ void LiveSessions::on_session_left(const std::string& id, const Status& why) {
   session->wake();  // to answer the remaining edits
 }
 
+void LiveSessions::on_session_lost(const std::string& id, const Status& why) {
+  const auto session = find(id);
+  if (!session) return;
+  session->close({FarewellCode::kFailed, why.message(), true});
+  session->wake();  // to answer the remaining edits
+}
+
 }  // namespace burnish

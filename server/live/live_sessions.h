@@ -52,6 +52,7 @@ class LiveSessions final : public SessionListener {
 
   void on_session_changed(const std::string& id) override;
   void on_session_left(const std::string& id, const Status& why) override;
+  void on_session_lost(const std::string& id, const Status& why) override;
   uint64_t client_bytes(const std::string& id) const override;
 
  private:

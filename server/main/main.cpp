@@ -9,11 +9,11 @@
 #include "common/base/atomic_file.h"
 #include "common/base/wait_policy.h"
 #include "server/config/command_line.h"
-#include "server/journal/journal.h"
 #include "server/library/stale_files.h"
 #include "server/live/live_sessions.h"
 #include "server/main/daemon.h"
 #include "server/main/gauges.h"
+#include "server/main/journals.h"
 #include "server/process/hidden_folder.h"
 #include "server/process/log_setup.h"
 #include "server/scheduling/lanes.h"
@@ -152,13 +152,14 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
     const auto scan = store.find(id);
     return scan.is_ok() ? scan->name : id;
   });
-  ASSIGN_OR_RETURN(const auto journal, Journal::open(folder->journal()));
-  ASSIGN_OR_RETURN(const auto sessions,
-                   SessionManager::create(*folder, store, *journal, session_options(config)));
+  ASSIGN_OR_RETURN(const OpenedJournal journal, open_journal_of(config, *folder));
+  ASSIGN_OR_RETURN(const auto sessions, SessionManager::create(*folder, store, *journal.journal,
+                                                               session_options(config)));
   LiveSessions live(*sessions, kSolverThreads);
   Lanes lanes(lane_limits(config));
   ASSIGN_OR_RETURN(const auto server,
                    Server::start(server_options(config, files), store, *sessions, live, lanes));
+  const std::jthread fleet = follow_fleet(journal, *sessions);
   ASSIGN_OR_RETURN(const auto exporter, start_metrics(config.metrics_listen, [&] {
                      return read_gauges(*server, store, *sessions, live, files.certificates.get());
                    }));
@@ -202,7 +203,9 @@ int main(int argc, char** argv) {
   if (!line) return exit_code;
   burnish::set_up_log(line->config.log_level, line->config.log_format);
   const sigset_t signals = burnish::block_signals();
-  const burnish::Status status = burnish::serve(*line, signals);
+  const burnish::Status status = line->copy
+                                     ? burnish::copy_journal_of(line->copy->from, line->copy->to)
+                                     : burnish::serve(*line, signals);
   if (status.is_ok()) return 0;
   std::cerr << "burnish-server: " << status.message() << "\n";
   return burnish::kExitFailed;

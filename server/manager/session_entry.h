@@ -46,6 +46,9 @@ struct SessionEntry {
   std::atomic<uint64_t> session_bytes{0};
   /// The session in memory has edits that could not be written: it must be replayed.
   std::atomic<bool> ahead_of_journal{false};
+  /// Nobody knows whether its last edits are on disk. Later ones cannot be refused before the
+  /// replay: they follow edits that may be there.
+  std::atomic<bool> is_in_doubt{false};
   Presence presence;
   std::atomic<std::chrono::steady_clock::time_point> last_use{std::chrono::steady_clock::now()};
 

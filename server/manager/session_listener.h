@@ -21,6 +21,10 @@ class SessionListener {
   /// An owner closed or deleted the session: everybody in it must leave, and is told why.
   virtual void on_session_left(const std::string& id, const Status& why) = 0;
 
+  /// The session has left memory, and nobody knows whether its last edits are on disk: everybody
+  /// must come back, and send again what is not answered.
+  virtual void on_session_lost(const std::string& id, const Status& why) = 0;
+
   /// Returns the bytes held for the session's clients.
   virtual uint64_t client_bytes(const std::string& id) const = 0;
 };

@@ -17,16 +17,21 @@ SessionManager::~SessionManager() {
   store_.set_wanted(nullptr);
 }
 
+Result<std::shared_ptr<SessionEntry>> read_entry(Journal& journal, const SessionRecord& record) {
+  auto entry = std::make_shared<SessionEntry>(record);
+  ASSIGN_OR_RETURN(entry->edits, journal.edit_count(record.id));
+  ASSIGN_OR_RETURN(entry->roles, journal.roles(record.id));
+  entry->in_journal = true;
+  return entry;
+}
+
 Result<std::unique_ptr<SessionManager>> SessionManager::create(
     const DataFolder& folder, MeshStore& store, Journal& journal,
     const SessionManagerOptions& options) {
   std::unique_ptr<SessionManager> manager(new SessionManager(folder, store, journal, options));
   ASSIGN_OR_RETURN(const auto records, journal.sessions());
   for (const SessionRecord& record : records) {
-    auto entry = std::make_shared<SessionEntry>(record);
-    ASSIGN_OR_RETURN(entry->edits, journal.edit_count(record.id));
-    ASSIGN_OR_RETURN(entry->roles, journal.roles(record.id));
-    entry->in_journal = true;
+    ASSIGN_OR_RETURN(auto entry, read_entry(journal, record));
     manager->sessions_[record.id] = entry;
     manager->by_name_[record.name] = std::move(entry);
   }
@@ -68,11 +73,17 @@ Result<SessionManager::Held> SessionManager::lock(std::shared_ptr<SessionEntry> 
 }
 
 Result<SessionManager::Held> SessionManager::lock(const std::string& reference,
-                                                  const Progress& progress) const {
+                                                  const Progress& progress) {
   std::shared_ptr<SessionEntry> entry = find(reference);
+  if (!entry && journal_.is_shared()) {
+    refresh();
+    entry = find(reference);
+  }
   if (!entry) return no_such_session(reference);
   ASSIGN_OR_RETURN(Held held, lock(std::move(entry), progress));
   if (held.entry->deleted) return no_such_session(reference);
+  // Whatever is done with it, another server may have changed it.
+  if (held.entry->in_journal && !held.entry->session) RETURN_IF_ERROR(hold(*held.entry));
   return held;
 }
 
@@ -95,7 +106,9 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
   if (by_user.amount() == 0 && !caller.user.empty()) {
     ASSIGN_OR_RETURN(by_user, by_user_.take("user " + caller.user, 1));
   }
+  if (entry.in_journal) RETURN_IF_ERROR(hold(entry));
   ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));  // also checks the record
+  entry.is_in_doubt = false;                                      // all earlier outcomes are known
   std::shared_ptr<const SharedMesh> mesh = std::move(entry.mesh);
   if (!mesh) {
     ASSIGN_OR_RETURN(mesh, store_.open_mesh(record.scan_id, record.key, progress));
@@ -169,6 +182,7 @@ Status SessionManager::close(const std::string& reference, const Caller& caller,
   RETURN_IF_ERROR(
       require_role(held.entry->roles, caller, SessionRole::kOwner, "closing the session"));
   held.entry->leave_memory();
+  journal_.release(held.entry->record.id);
   tell_left(*held.entry, failed_precondition("the session was closed by " + named(caller)));
   return Status::ok();
 }

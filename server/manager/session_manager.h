@@ -96,12 +96,16 @@ class SessionManager {
   Result<ApplyOutcome> apply(const std::string& reference, const Caller& caller,
                              std::span<const Edit> edits, const Progress& progress = {});
 
+  /// Says whether edits are on disk. Of a failure, `unavailable` means that nobody knows, and that
+  /// the caller must send the same edits again.
+  using OnDisk = std::function<void(const Status&)>;
+
   /// Does the same without waiting for the disk: the session has the edits when this returns.
   /// Another thread calls `on_disk` when they are safe. If `on_disk` gets a failure, the session
   /// forgets the edits. It is not called when this fails.
   Result<ApplyOutcome> submit(const std::string& reference, const Caller& caller,
                               std::span<const Edit> edits, const Progress& progress,
-                              GroupCommit::Done on_disk);
+                              OnDisk on_disk);
 
   Result<HistoryPage> history(const HistoryWish& wish, const Caller& caller,
                               const Progress& progress = {});
@@ -138,6 +142,13 @@ class SessionManager {
   /// try is worth it. Fails: not_found (deleted). Needs: a place in the line of the entry's mutex.
   Result<std::optional<SessionTurn>> try_turn(const std::shared_ptr<SessionEntry>& entry,
                                               FairMutex::Place& place);
+
+  /// Takes in which sessions other servers have made, renamed and deleted. Does nothing for a
+  /// journal of this server alone.
+  void refresh();
+
+  /// Sends everybody out of the sessions in memory, to come back: another server may have them.
+  void let_go(const Status& why);
 
   /// Unloads sessions that nobody is in and nobody has used for `idle_time`.
   void spill_idle(std::chrono::seconds idle_time);
@@ -180,8 +191,9 @@ class SessionManager {
 
   bool is_edited(const std::string& scan_id, const PreparedKey& key) const;
   std::shared_ptr<SessionEntry> find(const std::string& reference) const;
-  Result<Held> lock(const std::string& reference, const Progress& progress) const;
+  Result<Held> lock(const std::string& reference, const Progress& progress);
   Result<Held> lock(std::shared_ptr<SessionEntry> entry, const Progress& progress) const;
+  Status hold(SessionEntry& entry);
   Result<Held> use(const std::string& reference, const Caller& caller, const Progress& progress);
 
   // New sessions take the name at once, and write to the disk without the map's lock.
@@ -200,7 +212,7 @@ class SessionManager {
                         const std::function<void(const Status&)>& came_back);
   Status catch_up(SessionEntry& entry, const Progress& progress);
   Result<ApplyOutcome> submit_held(const std::shared_ptr<SessionEntry>& held, const Caller& caller,
-                                   std::span<const Edit> edits, GroupCommit::Done on_disk);
+                                   std::span<const Edit> edits, OnDisk on_disk);
   void tell_changed(const SessionEntry& entry) const;
   uint64_t client_bytes(const SessionEntry& entry) const;
   void tell_left(const SessionEntry& entry, const Status& why) const;

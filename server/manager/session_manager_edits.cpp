@@ -50,14 +50,31 @@ static Status charge_for(std::span<const AuthoredEdit> more, SessionEntry& entry
 
 Result<ApplyOutcome> SessionManager::submit(const std::string& reference, const Caller& caller,
                                             std::span<const Edit> edits, const Progress& progress,
-                                            GroupCommit::Done on_disk) {
+                                            OnDisk on_disk) {
   ASSIGN_OR_RETURN(const Held held, use(reference, caller, progress));
   return submit_held(held.entry, caller, edits, std::move(on_disk));
 }
 
+/// Marks a session whose edits from `first` on are not on disk, or perhaps not. Returns the failure
+/// for the client.
+static Status fall_back(SessionEntry& entry, uint64_t first, const WriteOutcome& outcome,
+                        const ListenerSlot& listener) {
+  const std::string& id = entry.record.id;
+  const bool is_first_doubt = outcome.is_unknown() && !entry.is_in_doubt.exchange(true);
+  entry.ahead_of_journal = true;
+  entry.edits = std::min<uint64_t>(entry.edits, first - 1);
+  if (!entry.is_in_doubt) {
+    listener.tell([&](SessionListener& to) { to.on_session_changed(id); });
+    return outcome.status();
+  }
+  const Status why = WriteOutcome::unknown(outcome.why()).status();
+  if (is_first_doubt) listener.tell([&](SessionListener& to) { to.on_session_lost(id, why); });
+  return why;
+}
+
 Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEntry>& held,
                                                  const Caller& caller, std::span<const Edit> edits,
-                                                 GroupCommit::Done on_disk) {
+                                                 OnDisk on_disk) {
   for (const Edit& edit : edits) RETURN_IF_ERROR(about_edit(validate(edit), edit, edits.size()));
   SessionEntry& entry = *held;
   RETURN_IF_ERROR(require_role(entry.roles, caller, SessionRole::kEditor, "editing"));
@@ -84,13 +101,8 @@ Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEn
   journal_.append(
       entry.record.id, first, std::move(fresh),
       [listener = listener_, shared = held, first,
-       on_disk = std::move(on_disk)](const Status& status) {
-        if (!status.is_ok()) {
-          shared->ahead_of_journal = true;
-          shared->edits = std::min<uint64_t>(shared->edits, first - 1);
-          listener->tell([&](SessionListener& to) { to.on_session_changed(shared->record.id); });
-        }
-        on_disk(status);
+       on_disk = std::move(on_disk)](const WriteOutcome& end) {
+        on_disk(end.is_on_disk() ? Status::ok() : fall_back(*shared, first, end, *listener));
       });
   if (is_changed) tell_changed(entry);
   return outcome;

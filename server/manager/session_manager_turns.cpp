@@ -74,6 +74,7 @@ void SessionManager::spill_idle(std::chrono::seconds idle_time) {
         steady_clock::now() - entry->last_use.load() < idle_time)
       continue;
     entry->leave_memory();
+    journal_.release(entry->record.id);
     spdlog::info("session {}: unloaded after {} s without use", entry->record.id,
                  idle_time.count());
   }

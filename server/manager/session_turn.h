@@ -46,7 +46,7 @@ class SessionTurn {
 
   /// As SessionManager::submit().
   Result<ApplyOutcome> submit(const Caller& caller, std::span<const Edit> edits,
-                              GroupCommit::Done on_disk) {
+                              SessionManager::OnDisk on_disk) {
     return manager_->submit_held(entry_, caller, edits, std::move(on_disk));
   }
 

@@ -6,9 +6,9 @@ import zlib
 import grpc
 import numpy as np
 
-import wire
+from burnish.formats.pages import read_head, read_page
+from burnish.formats.wire import require
 from burnish.v1 import common_pb2, editing_pb2, editing_pb2_grpc, library_pb2, library_pb2_grpc
-from pages import read_head, read_page
 
 PATIENCE_S = 120  # a call that takes longer counts as hanging
 CHUNK_BYTES = 1 << 20
@@ -18,8 +18,8 @@ PAGES_AT_ONCE = 64
 def join_chunks(chunks):
     data = b""
     for chunk in chunks:
-        wire.require(chunk.offset == len(data), "a gap between chunks")
-        wire.require(chunk.crc32 == zlib.crc32(chunk.data), "a damaged chunk")
+        require(chunk.offset == len(data), "a gap between chunks")
+        require(chunk.crc32 == zlib.crc32(chunk.data), "a damaged chunk")
         data += chunk.data
     return data
 

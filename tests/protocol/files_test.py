@@ -6,11 +6,11 @@ import unittest
 import grpc
 import numpy as np
 
+from burnish.formats.wire import morton_key
 from burnish.v1 import editing_pb2
 from client import join_chunks
 from served import DEPTH, Served
 from shown import Scan, match
-from wire import morton_key
 
 
 class Files(Served):

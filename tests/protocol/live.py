@@ -2,8 +2,8 @@
 
 import queue
 
+from burnish.formats.frames import MissingReference, read_frame_header
 from burnish.v1 import editing_pb2
-from frame import MissingReference, read_frame_header
 from shown import Scan
 
 

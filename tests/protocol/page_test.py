@@ -6,10 +6,10 @@ import unittest
 
 import numpy as np
 
-from frame import FrameDecoder, MissingReference, read_frame_header
-from layout import VERTICES, Layout
-from pages import read_page
-from wire import Damaged
+from burnish.errors import Damaged
+from burnish.formats.frames import FrameDecoder, MissingReference, read_frame_header
+from burnish.formats.layout import VERTICES, Layout
+from burnish.formats.pages import read_page
 
 PAGE = pathlib.Path(__file__).parents[2] / "docs" / "protocol.md"
 

@@ -16,10 +16,15 @@ class ServerProcess:
         self._folder = tempfile.TemporaryDirectory(prefix="burnish-")
         self.folder = pathlib.Path(self._folder.name)
         self.socket = self.folder / "server.sock"
+        self._flags = flags
         self._log = open(self.folder / "server.log", "w+", encoding="utf-8")
+        self.start()
+
+    def start(self):
+        """Starts it, or starts it again on the same socket and data."""
         self._process = subprocess.Popen(
             [os.environ["BURNISH_SERVER_BINARY"], "--listen", "127.0.0.1:0",
-             "--socket", self.socket, "--data", self.folder / "data", *flags],
+             "--socket", self.socket, "--data", self.folder / "data", *self._flags],
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.pid = self._process.pid
         self._address = None
@@ -50,13 +55,22 @@ class ServerProcess:
             self._process.kill()
             return self._process.wait()
 
+    def kill(self):
+        """Ends it at once, as a crash would."""
+        self._process.kill()
+        self._process.wait()
+        self._end_reading()
+
     def close(self):
         code = self.stop()
-        self._reader.join()
-        self._process.stdout.close()
+        self._end_reading()
         self._log.close()
         self._folder.cleanup()
         return code
+
+    def _end_reading(self):
+        self._reader.join()
+        self._process.stdout.close()
 
     def _read(self):
         announcement = "listening on "

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from frame import FrameDecoder
-from layout import Layout
+from burnish.formats.frames import FrameDecoder
+from burnish.formats.layout import Layout
 
 
 class Scan:

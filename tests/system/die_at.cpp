@@ -1,7 +1,9 @@
 // Loaded into a burnish-server under test (LD_PRELOAD). After SIGUSR1 it kills the server at the
 // BURNISH_DIE_COUNT-th arrival at the point BURNISH_DIE_AT: before or after a sync or a rename.
+// At the point "failed sync" the server lives on: the sync is done, and fails with EIO.
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -18,9 +20,13 @@ __attribute__((constructor)) static void listen_for_signal() {
   std::signal(SIGUSR1, arm);
 }
 
-static void arrive(const char* point) {
+static bool is_wanted(const char* point) {
   const char* wanted = std::getenv("BURNISH_DIE_AT");
-  if (left > 0 && wanted && std::strcmp(point, wanted) == 0 && --left == 0) ::raise(SIGKILL);
+  return left > 0 && wanted && std::strcmp(point, wanted) == 0 && --left == 0;
+}
+
+static void arrive(const char* point) {
+  if (is_wanted(point)) ::raise(SIGKILL);
 }
 
 template <typename Function, typename... Arguments>
@@ -31,14 +37,21 @@ static int between(const char* before, const char* after, Function real, Argumen
   return result;
 }
 
+static int sync(int (*real)(int), int file) {
+  const int result = between("before sync", "after sync", real, file);
+  if (!is_wanted("failed sync")) return result;
+  errno = EIO;
+  return -1;
+}
+
 extern "C" int fsync(int file) {
   static const auto real = reinterpret_cast<int (*)(int)>(::dlsym(RTLD_NEXT, "fsync"));
-  return between("before sync", "after sync", real, file);
+  return sync(real, file);
 }
 
 extern "C" int fdatasync(int file) {
   static const auto real = reinterpret_cast<int (*)(int)>(::dlsym(RTLD_NEXT, "fdatasync"));
-  return between("before sync", "after sync", real, file);
+  return sync(real, file);
 }
 
 extern "C" int rename(const char* from, const char* to) noexcept {

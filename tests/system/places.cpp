@@ -9,13 +9,19 @@
 namespace burnish {
 
 std::optional<Box> Places::find(const std::string& name) const {
+  const auto places = all();
+  const auto found = places.find(name);
+  return found == places.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::map<std::string, Box> Places::all() const {
+  std::map<std::string, Box> places;
   std::ifstream lines(file_);
   Box box;
-  std::string found;
-  while (lines >> box.x >> box.y >> box.width >> box.height &&
-         std::getline(lines >> std::ws, found))
-    if (found == name) return box;
-  return std::nullopt;
+  std::string name;
+  while (lines >> box.x >> box.y >> box.width >> box.height && std::getline(lines >> std::ws, name))
+    places.try_emplace(name, box);
+  return places;
 }
 
 Box Places::wait_for(const std::string& name) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -16,6 +17,8 @@ class Places {
   /// Returns the widget's place on the screen; nothing if it is not there now. Names: "Menu/File",
   /// "Filter/Presets", "Brush/Radius as a number".
   std::optional<Box> find(const std::string& name) const;
+  /// Returns all, by name.
+  std::map<std::string, Box> all() const;
 
   /// Waits until the widget is there and rests. Needs: it comes within kPatience.
   Box wait_for(const std::string& name) const;

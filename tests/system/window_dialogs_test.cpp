@@ -150,6 +150,19 @@ TEST_F(DialogWindow, PanelsAreLightAndLargeIfThePreferencesSaySo) {
   EXPECT_GT(image.pixel(500, 400)[0], 200);  // which is 560 pixels wide
 }
 
+TEST_F(DialogWindow, EscapeClosesTheListThatIsOpenAndThenItsDialog) {
+  open_start_page();
+  click_on("Menu/File");
+  click_on("Menu/Preferences");
+  click_on("Preferences/Size");
+  places_->wait_for("Preferences/200 %");
+  screen_->key({"Escape"});
+  EXPECT_TRUE(eventually([this] { return !places_->find("Preferences/200 %"); }));
+  EXPECT_TRUE(places_->find("Area/Preferences").has_value());
+  screen_->key({"Escape"});
+  EXPECT_TRUE(eventually([this] { return !places_->find("Area/Preferences"); }));
+}
+
 TEST_F(DialogWindow, NamesInChineseAreDrawn) {
   if (std::system("fc-list ':charset=5934' | grep -q .") != 0)
     GTEST_SKIP() << "no font here has Chinese letters: deploy/setup installs one";

@@ -48,6 +48,14 @@ TEST_F(FieldWindow, TakesTheTextWhenTheUserGoesToTheSurface) {
 }
 
 // The field has the keyboard, and all of its text is chosen.
+TEST_F(FieldWindow, ACheckpointThatIsSetAgainIsRestoredAtItsLastPlace) {
+  for (int i = 0; i < 2; ++i)
+    ASSERT_EQ(server_->burnish({"checkpoint", "desk", "draft"}).exit_code, 0);
+  open_window();
+  places_->wait_for("History/Restore 2");
+  EXPECT_FALSE(places_->find("History/Restore 1").has_value());
+}
+
 TEST_F(FieldWindow, EnterExportsAndAFileIsReplacedOnlyAfterAQuestion) {
   open_window();
   const auto file = server_->folder / "out.ply";

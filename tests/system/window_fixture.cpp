@@ -24,12 +24,16 @@ void WindowTest::SetUp() {
 
 void WindowTest::start_window(std::vector<std::string> words) {
   setenv("DISPLAY", screen_->name().c_str(), 1);
+  std::string preload = preload_;
 #ifdef KEEP_LOADED_LIBRARY
-  setenv("LD_PRELOAD", KEEP_LOADED_LIBRARY, 1);
+  preload += (preload.empty() ? "" : ":") + std::string(KEEP_LOADED_LIBRARY);
   setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 1);
 #endif
+  if (!preload.empty()) setenv("LD_PRELOAD", preload.c_str(), 1);
   words.insert(words.begin(), "window");
-  words.insert(words.end(), {"--user", "ada", "--width", "1280", "--height", "720", "--config",
+  words.insert(words.end(), more_words_.begin(), more_words_.end());
+  words.insert(words.end(), {"--user", "ada", "--width", std::to_string(window_size_.width),
+                             "--height", std::to_string(window_size_.height), "--config",
                              (server_->folder / "window.toml").string(), "--places",
                              (server_->folder / "places").string()});
   std::error_code ignored;
@@ -49,6 +53,17 @@ void WindowTest::open_window(const std::string& timeout_seconds, const std::stri
 void WindowTest::click_on(const std::string& widget) {
   const Box box = places_->wait_for(widget);
   click(box.x + box.width / 2, box.y + box.height / 2);
+}
+
+void WindowTest::scroll_to(const std::string& widget, const std::string& column) {
+  constexpr int kWheelUp = 4, kWheelDown = 5, kTurnsMax = 80;
+  const Box box = places_->wait_for("Area/" + column);
+  screen_->move(box.x + 4, box.y + box.height / 2);
+  const auto turn = [&](int button, int count) {
+    for (int i = 0; i < count; ++i) screen_->press(button), screen_->release(button);
+  };
+  if (!places_->find(widget)) turn(kWheelUp, kTurnsMax);
+  for (int i = 0; i < kTurnsMax && !places_->find(widget); ++i) turn(kWheelDown, 1);
 }
 
 bool WindowTest::eventually(const std::function<bool()>& holds) {

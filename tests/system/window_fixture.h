@@ -71,6 +71,8 @@ class WindowTest : public testing::Test {
   void click(int x, int y) { screen_->drag(x, y, x, y); }
   // Clicks on the middle of a widget, by its name in Places.
   void click_on(const std::string& widget);
+  // Turns the wheel over a column, e.g. "Left column", until the widget is seen.
+  void scroll_to(const std::string& widget, const std::string& column);
 
   // Saves the screen in $BURNISH_SHOTS, for a look at a failing test.
   void save_screen(const std::string& name);
@@ -82,7 +84,10 @@ class WindowTest : public testing::Test {
 
   bool has_ended() { return window_->wait(std::chrono::milliseconds(0)).has_value(); }
 
-  int middle_x_ = kPictureX;  // of the picture
+  int middle_x_ = kPictureX;             // of the picture
+  ImageSize window_size_ = kScreen;      // when it starts
+  std::string preload_;                  // library for the window; empty: none
+  std::vector<std::string> more_words_;  // for the window's command line
   std::unique_ptr<ServerProcess> server_;
   std::unique_ptr<Connection> connection_;
   std::unique_ptr<XDisplay> screen_;

@@ -145,13 +145,23 @@ void XDisplay::drag(int from_x, int from_y, int to_x, int to_y, int button) {
   release(button);
 }
 
+static KeyCode code_of(_XDisplay* display, const std::string& name) {
+  return XKeysymToKeycode(display, XStringToKeysym(name.c_str()));
+}
+
+void XDisplay::hold(const std::string& name) {
+  XTestFakeKeyEvent(display_, code_of(display_, name), True, CurrentTime);
+  flush();
+}
+
+void XDisplay::let_go(const std::string& name) {
+  XTestFakeKeyEvent(display_, code_of(display_, name), False, CurrentTime);
+  flush();
+}
+
 void XDisplay::key(const std::vector<std::string>& names) {
-  std::vector<KeyCode> codes;
-  for (const std::string& name : names)
-    codes.push_back(XKeysymToKeycode(display_, XStringToKeysym(name.c_str())));
-  for (KeyCode code : codes) XTestFakeKeyEvent(display_, code, True, CurrentTime), flush();
-  for (auto code = codes.rbegin(); code != codes.rend(); ++code)
-    XTestFakeKeyEvent(display_, *code, False, CurrentTime), flush();
+  for (const std::string& name : names) hold(name);
+  for (auto name = names.rbegin(); name != names.rend(); ++name) let_go(*name);
 }
 
 void XDisplay::type(const std::string& text) {

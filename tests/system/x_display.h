@@ -44,6 +44,9 @@ class XDisplay {
   /// Presses and releases keys by their names, and holds all but the last: key({"Control_L", "z"}).
   void key(const std::vector<std::string>& names);
 
+  void hold(const std::string& name);
+  void let_go(const std::string& name);
+
   /// Types text of ASCII on a US keyboard.
   void type(const std::string& text);
 

@@ -46,7 +46,7 @@ class CudaBackend final : public Backend {
         alpha_(stream_),
         beta_(stream_, cells()),
         gradients_(stream_, CellGradients::kNumbers * cells()),
-        gradient_rests_(stream_, has_weak_parts() ? CellGradients::kRests * cells() : 0),
+        gradient_rests_(stream_, needs_all_digits() ? CellGradients::kRests * cells() : 0),
         combined_(stream_, mesh_->on.hierarchy->depths.back().number_count()),
         coarse_combined_(stream_, numbers_of_coarse_depths()),
         pinned_below_(stream_, mesh_->depths.size()),
@@ -56,7 +56,7 @@ class CudaBackend final : public Backend {
     for (size_t i = 1; i < depths_.size(); ++i)
       smoothers_.push_back(make_smoother(smoother, stream_, mesh_->on.hierarchy->depths[i],
                                          depths_[i].view(),
-                                         mesh_->on.plan->has_weak_parts(coarse_offset_ + i)));
+                                         mesh_->on.plan->needs_all_digits(coarse_offset_ + i)));
     coarsest_.emplace(stream_, mesh_->on.hierarchy->depths.front(), depths_.front().view());
     patches_.emplace(stream_, finest(), mesh_->on.plan->patches, mesh_->patches.view());
     outer_.emplace(stream_, finest(), mesh_->evaluation.data(), mesh_->evaluation.size());
@@ -153,8 +153,8 @@ class CudaBackend final : public Backend {
   }
 
  private:
-  // Functions with hardly any energy occur at weak parts. In products of the finest depth the
-  // packed entries' and rests' errors would be larger than that energy.
+  // Functions with hardly any energy occur at weak and flat parts. In products of the finest depth
+  // the packed entries' and rests' errors would be larger than that energy.
   DeviceDepth::Digits digits_of_next_depth() const {
     using enum DeviceDepth::Digits;
     const bool is_finest = depths_.size() + 1 == mesh_->depths.size();
@@ -174,8 +174,8 @@ class CudaBackend final : public Backend {
       numbers += mesh_->on.hierarchy->depths[i].number_count();
     return numbers;
   }
-  bool has_weak_parts() const {
-    return mesh_->on.plan->has_weak_parts(mesh_->on.hierarchy->finest);
+  bool needs_all_digits() const {
+    return mesh_->on.plan->needs_all_digits(mesh_->on.hierarchy->finest);
   }
   CellGradients gradients() const {
     return {gradients_.data(), gradient_rests_.data(), finest().topology.cell_count};

@@ -7,6 +7,7 @@
 
 #include "server/solver/hierarchy/sheets/sheet_corners.h"
 #include "server/solver/tuning/crumbs.h"
+#include "server/solver/tuning/flat_parts.h"
 #include "server/solver/tuning/slow_spots.h"
 
 namespace burnish {
@@ -71,6 +72,7 @@ Result<std::shared_ptr<const CyclePlan>> plan_cycle(
     const std::shared_ptr<const Hierarchy>& hierarchy, const Progress& progress) {
   const auto plan = std::make_shared<CyclePlan>();
   plan->patches = patches_on_crumbs(*prepared, hierarchy->depths.back());
+  plan->has_flat_parts = has_flat_parts(*prepared);
   if (const auto weak = first_weak_depth(*hierarchy)) {
     plan->first_weak_depth = *weak;
     if (!needs_trials(*hierarchy)) return std::shared_ptr<const CyclePlan>(plan);

@@ -23,6 +23,7 @@ TEST(Preferences, WhatIsWrittenIsReadAgain) {
   written.keys["undo"] = "Ctrl+U";
   written.native_dialogs = false;
   written.light_theme = true;
+  written.pen_pressure = false;
   for (const char* each : {"/a", "/b", "/a"}) remember_folder(written, each);
   remember(written.recent, {"", "desk", "abc"});
   remember(written.recent, {"host:1", "wall", "def", "id", "stone", 1'700'000'000, 5'000'000'000});
@@ -37,6 +38,7 @@ TEST(Preferences, WhatIsWrittenIsReadAgain) {
   EXPECT_EQ(read->keys.at("undo"), "Ctrl+U");
   EXPECT_FALSE(read->native_dialogs);
   EXPECT_TRUE(read->light_theme);
+  EXPECT_FALSE(read->pen_pressure);
   EXPECT_EQ(read->folders, (std::vector<std::filesystem::path>{"/a", "/b"}));
   EXPECT_EQ(read->recent, written.recent);
   EXPECT_EQ(read->recent[0].session, "wall");

@@ -1,5 +1,7 @@
 #include "client/tools/brush_tool.h"
 
+#include <functional>
+
 #include <gtest/gtest.h>
 
 #include "common/base/limits.h"
@@ -24,7 +26,7 @@ TEST(BrushTool, ControlMirrorsBetaAboutOneAndShiftRestores) {
 TEST(BrushTool, AStrokeKeepsWhatTheCursorPassed) {
   BrushTool tool = make_tool();
   tool.begin(BrushMode::kInvert, Vec3d(0, 0, 0));
-  EXPECT_TRUE(tool.extend(Vec3d(1, 0, 0)));
+  EXPECT_FALSE(tool.extend(Vec3d(1, 0, 0)).has_value());
   const Stroke stroke = tool.end();
   EXPECT_FALSE(tool.is_drawing());
   EXPECT_EQ(stroke.path.size(), 2u);
@@ -53,10 +55,52 @@ TEST(BrushTool, AFullStrokeIsStillValid) {
   BrushTool tool = make_tool();
   tool.begin(BrushMode::kPaint, Vec3d(0, 0, 0));
   int points = 0;
-  while (tool.extend(Vec3d(0.3 * ++points, 0, 0))) ASSERT_LT(points, 10'000);
+  while (!tool.extend(Vec3d(0.3 * ++points, 0, 0))) ASSERT_LT(points, 10'000);
   const Stroke stroke = tool.end();
   EXPECT_TRUE(validate(stroke).is_ok());
   EXPECT_GT(dab_centres(stroke).size(), kStrokeDabsMax * 9 / 10);
+}
+
+// Draws along x in `steps`, with the pressure that a function of x gives.
+std::vector<Stroke> drawn(double step, const std::function<double(double)>& pressure) {
+  BrushTool tool = make_tool();
+  std::vector<Stroke> strokes;
+  tool.begin(BrushMode::kPaint, Vec3d(0, 0, 0), pressure(0));
+  for (double x = step; x <= 10; x += step) {
+    while (const auto start = tool.extend(Vec3d(x, 0, 0), pressure(x))) {
+      strokes.push_back(tool.end());
+      tool.go_on(*start, pressure(x));
+    }
+  }
+  strokes.push_back(tool.end());
+  return strokes;
+}
+
+TEST(BrushTool, APressureThatStaysIsOneStrokeOfThatPartOfTheStrength) {
+  const std::vector<Stroke> strokes = drawn(0.15, [](double) { return 0.4; });
+  ASSERT_EQ(strokes.size(), 1u);
+  EXPECT_DOUBLE_EQ(strokes[0].brush.strength, 0.2);
+}
+
+TEST(BrushTool, ARisingPressureIsStrokesOfRisingStrength) {
+  const std::vector<Stroke> strokes = drawn(0.15, [](double x) { return x / 10; });
+  ASSERT_GT(strokes.size(), 5u);
+  ASSERT_LT(strokes.size(), 12u);
+  for (size_t i = 1; i < strokes.size(); ++i) {
+    EXPECT_GT(strokes[i].brush.strength, strokes[i - 1].brush.strength);
+    EXPECT_TRUE(validate(strokes[i]).is_ok());
+  }
+}
+
+TEST(BrushTool, TheStrokesOfAGestureHaveTheDabsOfOne) {
+  for (const double step : {0.15, 0.7}) {  // nearer and farther than dabs
+    std::vector<double> dabs;
+    for (const Stroke& stroke : drawn(step, [](double x) { return x / 10; }))
+      for (const Vec3d& dab : dab_centres(stroke)) dabs.push_back(dab.x());
+    const std::vector<Stroke> whole = drawn(step, [](double) { return 1; });
+    ASSERT_EQ(dabs.size(), dab_centres(whole[0]).size());
+    for (size_t i = 0; i < dabs.size(); ++i) EXPECT_NEAR(dabs[i], 0.25 * double(i), 1e-9);
+  }
 }
 
 TEST(BrushTool, TheRadiusStaysWithinTheScan) {

@@ -57,9 +57,17 @@ TEST(MeshIo, AMeshInScratchFilesIsTheMeshInMemory) {
   const std::string ply = header +
                           "0 0 0 1 2 3\n1 0 0 4 5 6\n1 1 0.1 7 8 9\n0 1 0 0 0 0\n"
                           "4 0 1 2 3\n3 0 2 1\n";
-  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const std::string obj = "v 0 0 0\nv 1 0 0 1 0 0.5\nv 0 1.0000000001 0\nf 1 2 3\nf -1 -2 -3 1\n";
+  const std::string off = "COFF\n3 1 0\n0 0 0 9 8 7\n1 0 0 6 5 4\n0 1 0 3 2 1\n3 0 1 2\n";
+  std::string stl = "solid\n";
+  for (const char* third : {"0 1 0", "0 0 -1", "-0 1 0"})
+    stl += std::string("facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex ") +
+           third + "\nendloop\nendfacet\n";
+  stl += "endsolid\n";
   for (const auto& [text, format] :
-       {std::pair(ply, MeshFormat::kPly), std::pair(obj, MeshFormat::kObj)}) {
+       {std::pair(ply, MeshFormat::kPly), std::pair(obj, MeshFormat::kObj),
+        std::pair(off, MeshFormat::kOff), std::pair(stl, MeshFormat::kStl)}) {
+    EXPECT_TRUE(is_read_into_scratch(format));
     const std::span bytes(reinterpret_cast<const uint8_t*>(text.data()), text.size());
     const TriangleMesh mesh = read_mesh(bytes, format, "scan").value();
     const StoredMesh stored = read_stored_mesh(bytes, format, "scan", space).value();

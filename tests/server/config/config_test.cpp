@@ -84,7 +84,8 @@ TEST(ConfigFile, AValueOfTheWrongKindIsRefused) {
             "server.toml:2: threads = '4' is not an integer in 0..1024");
   EXPECT_THAT(refusal("limits = 3\n"), HasSubstr("'limits'"));
   EXPECT_THAT(refusal("data = [1]\n"), HasSubstr("data = a list is not a string"));
-  EXPECT_THAT(refusal("web.hosts = \"b\"\n"), HasSubstr("web.hosts = 'b' is not a list of strings"));
+  EXPECT_THAT(refusal("web.hosts = \"b\"\n"),
+              HasSubstr("web.hosts = 'b' is not a list of strings"));
   EXPECT_THAT(refusal("web.hosts = [1]\n"), HasSubstr("is not a list of strings"));
   EXPECT_EQ(refusal("web.hosts = []\n"), "accepted");
   EXPECT_THAT(refusal("backend = \"gpu\"\n"), HasSubstr("\"auto\", \"cpu\" or \"cuda\""));
@@ -95,6 +96,17 @@ TEST(ConfigFile, AValueOutsideItsLimitsIsRefusedWithFileKeyValueAndLimits) {
             "server.toml:3: limits.sessions_max = 0 is outside 1..1000000");
   EXPECT_EQ(refusal("log_format = \"xml\"\n"),
             "server.toml:1: log_format = 'xml' is not one of text, json");
+}
+
+TEST(ConfigFile, AJournalThatIsNotADatabaseIsRefusedAndNotRepeated) {
+  ServerConfig config;
+  config.journal = "mysql://ann:secret@db/burnish";
+  const Status status = validate(config);
+  EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
+  EXPECT_THAT(status.message(), HasSubstr("postgresql://"));
+  EXPECT_THAT(status.message(), testing::Not(HasSubstr("secret")));
+  config.journal = "postgresql://burnish@db/burnish";
+  EXPECT_TRUE(validate(config).is_ok());
 }
 
 /// Returns every key of a table, with its dots.

@@ -19,7 +19,8 @@ class GroupCommitTest : public testing::Test {
     EXPECT_TRUE(database.execute("PRAGMA max_page_count = 30").is_ok());
     commit_ = std::make_unique<GroupCommit>(std::move(database));
     // All later posts share a commit.
-    commit_->post([](Database&) { return Status::ok(); }, [this](const Status&) { go_on_.wait(); });
+    commit_->post([](Database&) { return Status::ok(); },
+                  [this](const WriteOutcome&) { go_on_.wait(); });
   }
 
   static GroupCommit::Work insert(int64_t bytes) {
@@ -30,7 +31,7 @@ class GroupCommitTest : public testing::Test {
   }
 
   static GroupCommit::Done into(std::promise<Status>& outcome) {
-    return [&](const Status& status) { outcome.set_value(status); };
+    return [&](const WriteOutcome& written) { outcome.set_value(written.status()); };
   }
 
   const TemporaryFolder folder_;
@@ -74,8 +75,8 @@ TEST_F(GroupCommitTest, AReadSeesWhatWasPostedInTheBackground) {
 
 TEST_F(GroupCommitTest, EveryCallbackHasRunWhenTheDestructorReturns) {
   int heard = 0;
-  for (int i = 0; i < 10; ++i) commit_->post(insert(1), [&](const Status&) { ++heard; });
-  commit_->post_background(insert(1), [&](const Status&) { ++heard; });
+  for (int i = 0; i < 10; ++i) commit_->post(insert(1), [&](const WriteOutcome&) { ++heard; });
+  commit_->post_background(insert(1), [&](const WriteOutcome&) { ++heard; });
   go_on_.count_down();
   commit_.reset();
   EXPECT_EQ(heard, 11);

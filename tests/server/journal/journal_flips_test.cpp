@@ -11,7 +11,7 @@
 #include <spdlog/spdlog.h>
 
 #include "common/wire/edit_bytes.h"
-#include "server/journal/journal.h"
+#include "server/journal/sqlite_journal.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {
@@ -34,7 +34,7 @@ AuthoredEdit edit_of(uint64_t number) {
 }
 
 void write_journal(const std::filesystem::path& path) {
-  const auto journal = std::move(Journal::open(path)).value();
+  const auto journal = std::move(SqliteJournal::open(path)).value();
   for (int session = 0; session < kSessions; ++session)
     ASSERT_TRUE(journal
                     ->create_session({id_of(session),
@@ -46,7 +46,7 @@ void write_journal(const std::filesystem::path& path) {
                     .is_ok());
   for (uint64_t number = 1; number <= kFlippedEdits; ++number)
     for (int session = 0; session < kSessions; ++session)
-      ASSERT_TRUE(journal->append(id_of(session), number, {edit_of(number)}).is_ok());
+      ASSERT_TRUE(journal->append(id_of(session), number, {edit_of(number)}).is_on_disk());
 }
 
 /// Everything that an opener of the journal learns.
@@ -79,7 +79,7 @@ void read_session(Journal& journal, const SessionRecord& record, Told& told) {
 
 Told read_journal(const std::filesystem::path& path) {
   Told told;
-  const auto journal = Journal::open(path);
+  const auto journal = SqliteJournal::open(path);
   if (!journal.is_ok()) return {true, {}};
   const auto sessions = journal.value()->sessions();
   if (!sessions.is_ok()) return {true, {}};

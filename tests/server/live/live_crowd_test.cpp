@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/journal/sqlite_journal.h"
 #include "tests/server/live/live_guest.h"
 #include "tests/server/manager/test_library.h"
 
@@ -102,7 +103,7 @@ class Visitor {
 TEST(LiveCrowd, LeavesWhatAPlainReplayGivesAndNothingElse) {
   TestLibrary library;
   ASSERT_TRUE(library.import(sphere_file(1, 5), "ball").is_ok());
-  const auto journal = std::move(Journal::open(library.folder->journal())).value();
+  const auto journal = std::move(SqliteJournal::open(library.folder->journal())).value();
   SessionManagerOptions options;
   options.solver.backend = BackendKind::kCpu;
   options.solver.threads = 1;

@@ -1,12 +1,13 @@
 #include "tests/server/live/live_work.h"
 
 #include "common/base/check.h"
+#include "server/journal/sqlite_journal.h"
 
 namespace burnish {
 
 LiveWork::LiveWork() {
   BURNISH_CHECK(library_.import(sphere_file(), "ball").is_ok(), "import");
-  journal_ = std::move(Journal::open(library_.folder->journal())).value();
+  journal_ = std::move(SqliteJournal::open(library_.folder->journal())).value();
   SessionManagerOptions options;
   options.solver.backend = BackendKind::kCpu;
   options.solver.threads = 1;

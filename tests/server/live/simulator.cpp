@@ -4,6 +4,7 @@
 #include <future>
 
 #include "common/grid/morton.h"
+#include "server/journal/sqlite_journal.h"
 
 namespace burnish {
 
@@ -31,7 +32,7 @@ void Simulator::start_server(const fs::path& journal) {
   manager_.reset();
   journal_.reset();
   journal_path_ = journal;
-  journal_ = std::move(Journal::open(journal)).value();
+  journal_ = std::move(SqliteJournal::open(journal)).value();
   SessionManagerOptions options;
   options.sessions_max = 1000;
   options.solver = {BackendKind::kCpu, Smoother::kSchwarz, 1};

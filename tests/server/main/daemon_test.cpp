@@ -8,7 +8,7 @@
 #include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 
-#include "server/journal/journal.h"
+#include "server/journal/sqlite_journal.h"
 #include "server/live/live_sessions.h"
 #include "server/manager/session_manager.h"
 #include "server/scheduling/lanes.h"
@@ -26,7 +26,7 @@ struct TestServer {
   std::unique_ptr<DataFolder> folder = std::move(DataFolder::open(root / "data")).value();
   std::unique_ptr<MeshStore> opened_store = std::move(MeshStore::open(*folder, {})).value();
   MeshStore& store = *opened_store;
-  std::unique_ptr<Journal> journal = std::move(Journal::open(folder->journal())).value();
+  std::unique_ptr<Journal> journal = std::move(SqliteJournal::open(folder->journal())).value();
   std::unique_ptr<SessionManager> sessions =
       std::move(SessionManager::create(*folder, store, *journal, {})).value();
   LiveSessions live{*sessions, 1};

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
+#include "server/journal/sqlite_journal.h"
 #include "server/manager/session_manager.h"
 #include "tests/server/manager/test_library.h"
 
@@ -34,7 +35,7 @@ class SessionExport : public testing::Test {
  protected:
   SessionExport() {
     scan_id_ = library_.import(file_, "ball", {}, 5, MeshFormat::kObj).value().scan.id;
-    journal_ = std::move(Journal::open(library_.folder->journal())).value();
+    journal_ = std::move(SqliteJournal::open(library_.folder->journal())).value();
     SessionManagerOptions options;
     options.solver.threads = 1;
     manager_ =

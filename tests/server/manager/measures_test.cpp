@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "server/journal/sqlite_journal.h"
 #include "server/manager/session_manager.h"
 #include "tests/server/manager/test_library.h"
 
@@ -12,7 +13,7 @@ class SessionMeasures : public testing::Test {
  protected:
   SessionMeasures() {
     EXPECT_TRUE(library_.import(sphere_file(3), "ball", {}, 5).is_ok());
-    journal_ = std::move(Journal::open(library_.folder->journal())).value();
+    journal_ = std::move(SqliteJournal::open(library_.folder->journal())).value();
     SessionManagerOptions options;
     options.solver.threads = 1;
     manager_ =

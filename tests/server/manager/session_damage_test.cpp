@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/journal/sqlite_journal.h"
 #include "server/manager/session_manager.h"
 #include "tests/server/manager/test_library.h"
 
@@ -31,7 +32,7 @@ class SessionDamageTest : public testing::Test {
   void start() {
     stop();
     library_.restart();
-    journal_ = std::move(Journal::open(library_.folder->journal())).value();
+    journal_ = std::move(SqliteJournal::open(library_.folder->journal())).value();
     SessionManagerOptions options;
     options.solver.threads = 1;
     manager_ =

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/journal/sqlite_journal.h"
 #include "server/manager/cell_values.h"
 #include "tests/server/manager/test_library.h"
 
@@ -29,7 +30,7 @@ class SessionManagerTest : public testing::Test {
     manager_.reset();
     journal_.reset();
     library_.restart();
-    journal_ = std::move(Journal::open(library_.folder->journal())).value();
+    journal_ = std::move(SqliteJournal::open(library_.folder->journal())).value();
     manager_ =
         std::move(SessionManager::create(*library_.folder, *library_.store, *journal_, options_))
             .value();
@@ -286,7 +287,8 @@ TEST_F(SessionManagerTest, WhoGivesUpOpeningTakesNothingFromWhoWaits) {
 TEST_F(SessionManagerTest, SessionsAreListedWhileTheDiskHoldsUpANewOne) {
   ASSERT_TRUE(open("one").is_ok());
   std::promise<void> disk;
-  journal_->append(manager_->list()[0].id, 1, {}, [&](const Status&) { disk.get_future().wait(); });
+  journal_->append(manager_->list()[0].id, 1, {},
+                   [&](const WriteOutcome&) { disk.get_future().wait(); });
   std::thread opener([&] { EXPECT_TRUE(open("two").is_ok()); });
   std::thread forker([&] { EXPECT_TRUE(manager_->fork({"one", "three", 0, ""}, "").is_ok()); });
   EXPECT_EQ(manager_->list().size(), 1u);
@@ -300,7 +302,7 @@ TEST_F(SessionManagerTest, EditsThatCouldNotBeWrittenAreNotCounted) {
   ASSERT_TRUE(open("one").is_ok());
   ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0.5}}}).is_ok());
   const std::string id = manager_->list()[0].id;
-  ASSERT_TRUE(journal_->append(id, 2, {{"eve", 0, {"x", SetGradientScale{2}}}}).is_ok());
+  ASSERT_TRUE(journal_->append(id, 2, {{"eve", 0, {"x", SetGradientScale{2}}}}).is_on_disk());
   EXPECT_FALSE(apply("one", {{"b", SetGradientScale{0.25}}}).is_ok());
   ASSERT_TRUE(manager_->close("one", user_).is_ok());
   EXPECT_EQ(manager_->list()[0].edits, 1u);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/journal/sqlite_journal.h"
 #include "server/manager/session_manager.h"
 #include "tests/server/manager/test_library.h"
 
@@ -24,7 +25,7 @@ class SessionPeopleTest : public testing::Test {
     manager_.reset();
     journal_.reset();
     library_.restart();
-    journal_ = std::move(Journal::open(library_.folder->journal())).value();
+    journal_ = std::move(SqliteJournal::open(library_.folder->journal())).value();
     SessionManagerOptions options;
     options.solver.threads = 1;
     manager_ =
@@ -191,7 +192,7 @@ TEST_F(SessionPeopleTest, EditsThatCannotBeWrittenAreForgotten) {
   ASSERT_TRUE(apply("ann", SetGradientScale{0.25}).is_ok());
   const std::string id = manager_->list()[0].id;
   // Another's edit takes the next number: the journal must refuse the session's own edit.
-  ASSERT_TRUE(journal_->append(id, 2, {{"eve", 0, {"x", SetGradientScale{2}}}}).is_ok());
+  ASSERT_TRUE(journal_->append(id, 2, {{"eve", 0, {"x", SetGradientScale{2}}}}).is_on_disk());
   EXPECT_FALSE(apply("ann", SetGradientScale{0.5}).is_ok());
   EXPECT_EQ(beta(), 2);
   EXPECT_TRUE(apply("ann", SetGradientScale{0.5}).is_ok());

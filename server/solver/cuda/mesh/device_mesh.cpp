@@ -31,11 +31,13 @@ static std::vector<uint32_t> masks_of_packed(const Stencil& stencil) {
   return masks;
 }
 
-// Finds groups with a piece that hangs on another by a sliver: its eigenvalues are below the
-// rounding of packed entries. Returns an empty list if no group has such a piece.
-static std::vector<uint8_t> groups_with_weak_parts(const HierarchyDepth& depth,
-                                                   const CyclePlan& plan, const RowGroups& groups) {
-  const bool is_weak = plan.has_weak_parts(depth.grid.depth);
+// Finds groups with flat pieces, or with a piece that hangs on another by a sliver: their
+// eigenvalues are below the rounding of packed entries. Returns an empty list if no group has such
+// a piece.
+static std::vector<uint8_t> groups_that_need_all_digits(const HierarchyDepth& depth,
+                                                        const CyclePlan& plan,
+                                                        const RowGroups& groups) {
+  const bool is_weak = plan.needs_all_digits(depth.grid.depth);
   const bool has_patches = depth.is_finest() && plan.patches.count() > 0;
   if (!has_patches && !is_weak) return {};
   std::vector<uint8_t> has_weak(groups.halo_start.size() - 1, is_weak);
@@ -55,7 +57,7 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth, cons
   local_ = {stream, groups.local};
   halo_start_ = {stream, groups.halo_start};
   halo_ = {stream, groups.halo};
-  is_exact_ = {stream, groups_with_weak_parts(depth, plan, groups)};
+  is_exact_ = {stream, groups_that_need_all_digits(depth, plan, groups)};
   cell_corners_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cell_corners);
   cells_of_corner_ = DeviceArray<Eight>::copy_of(stream, depth.grid.cells_of_corner);
   octant_ = {stream, octants(depth.grid)};

@@ -8,9 +8,9 @@ namespace burnish::cuda {
 
 std::unique_ptr<DepthSmoother> make_smoother(Smoother kind, Stream& stream,
                                              const HierarchyDepth& topology, const Depth& depth,
-                                             bool has_weak_parts) {
+                                             bool needs_all_digits) {
   if (kind == Smoother::kGaussSeidel) return std::make_unique<GaussSeidel>(stream, topology, depth);
-  return std::make_unique<Schwarz>(stream, depth, topology.is_finest() && has_weak_parts);
+  return std::make_unique<Schwarz>(stream, depth, topology.is_finest() && needs_all_digits);
 }
 
 }  // namespace burnish::cuda

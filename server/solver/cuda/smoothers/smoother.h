@@ -37,6 +37,6 @@ class DepthSmoother {
 /// Needs: `kind` is one of kCudaSmoothers.
 std::unique_ptr<DepthSmoother> make_smoother(Smoother kind, Stream& stream,
                                              const HierarchyDepth& topology, const Depth& depth,
-                                             bool has_weak_parts);
+                                             bool needs_all_digits);
 
 }  // namespace burnish::cuda

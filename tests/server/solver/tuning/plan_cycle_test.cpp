@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/generate/generate.h"
 #include "server/solver/cycle/vcycle.h"
 #include "tests/reference/awkward_meshes.h"
 #include "tests/reference/shapes.h"
@@ -45,6 +46,16 @@ TEST(PlannedCycle, LeavesSheetsThatAreKeptTogetherAsTheyAre) {
   const auto plan = plan_cycle(together.prepared, together.hierarchy).value();
   EXPECT_EQ(plan->first_weak_depth, CyclePlan().first_weak_depth);
   EXPECT_EQ(plan->patches.count(), 0);
+}
+
+TEST(PlannedCycle, KnowsScansWithFlatPieces) {
+  const auto has_flat_parts = [](const char* kind) {
+    const TestSystem system(generate_scan({.kind = kind, .vertices = 5000}).value(), 6);
+    return system.plan->has_flat_parts;
+  };
+  for (const char* kind : {"part", "sheet"}) EXPECT_TRUE(has_flat_parts(kind)) << kind;
+  for (const char* kind : {"tablet", "blob", "icosphere"})
+    EXPECT_FALSE(has_flat_parts(kind)) << kind;
 }
 
 }  // namespace

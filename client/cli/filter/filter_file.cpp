@@ -1,0 +1,132 @@
+#include "client/cli/filter/filter_file.h"
+
+#include <chrono>
+#include <iostream>
+
+#include "client/cli/filter/fields_file.h"
+#include "client/cli/filter/filter_output.h"
+#include "client/cli/filter/filter_report.h"
+#include "common/base/out_of_memory.h"
+#include "common/mesh/mesh_io.h"
+#include "server/memory/opening_need.h"
+#include "server/solver/tuning/plan_cycle.h"
+
+namespace burnish {
+
+namespace {
+
+/// Allows as much memory as this machine has, first for the preparation, then for the mesh with its
+/// session.
+class FilterBudget final : public MachineBudget {
+ public:
+  Status ask(const PreparationNeed& need) override {
+    RETURN_IF_ERROR(MachineBudget::ask(need));
+    const uint64_t bytes = predict_opened_bytes(need);
+    if (bytes <= memory_bytes_max()) return Status::ok();
+    return resource_exhausted("solving takes " + std::to_string(bytes >> 20) +
+                              " MiB; the machine has " + std::to_string(memory_bytes_max() >> 20) +
+                              " MiB available");
+  }
+};
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits, Session& session) {
+  const PreparedMesh& prepared = session.prepared();
+  ASSIGN_OR_RETURN(const auto filter,
+                   changes_of(options.filter, prepared.length_unit, prepared.frame.cell_size));
+  LayerCheck layers = session.edited().layers();
+  for (const auto& change : filter) {
+    RETURN_IF_ERROR(session.edited().check_new({"filter", change}));
+    RETURN_IF_ERROR(layers.take({"filter", change}));
+    RETURN_IF_ERROR(session.apply({"filter", change}));
+  }
+  if (session.fields().transfer_curve().contrast() > kCurveContrastWarn)
+    std::cerr << "warning: the curve's contrast is above " << kCurveContrastWarn
+              << ": convergence is slower and accuracy is lower\n";
+  for (const Edit& edit : edits) {
+    RETURN_IF_ERROR(session.edited().check_new(edit));
+    RETURN_IF_ERROR(layers.take(edit));
+    RETURN_IF_ERROR(session.apply(edit));
+  }
+  if (session.fields().hold() && !options.controls.pin_rims)
+    std::cerr << "the rims stay where they are; --pin-rims off lets them move\n";
+  return Status::ok();
+}
+
+Result<Multigrid> make_hierarchy(const std::shared_ptr<const PreparedMesh>& prepared,
+                                 const Progress& progress, FilterRun& run) {
+  const Stopwatch connecting;
+  Multigrid multigrid;
+  RETURN_IF_ERROR(with_memory_for("the hierarchy", [&]() -> Status {
+    ASSIGN_OR_RETURN(multigrid, make_multigrid(prepared, progress));
+    return Status::ok();
+  }));
+  const Hierarchy& hierarchy = *multigrid.hierarchy;
+  run.hierarchy_seconds = connecting.seconds();
+  run.hierarchy_bytes = hierarchy.byte_count();
+  run.corners = hierarchy.at(hierarchy.finest).grid.corner_count();
+  return multigrid;
+}
+
+void warn_unless_converged(const FilterOptions& options, const SolveReport& solve) {
+  if (!solve.converged && options.solve.cycles == 0)
+    std::cerr << "warning: not converged after " << solve.cycles << " cycles; estimated distance "
+              << solve.last.distance << " of the diagonal\n";
+}
+
+FilteredFacts facts_of(const TriangleMesh& mesh, const Session& session, const FilterRun& run) {
+  FilteredFacts facts;
+  facts.vertices = mesh.vertices.size();
+  facts.triangles = mesh.triangles.size();
+  facts.depth = session.prepared().frame.depth;
+  facts.corners = run.corners;
+  facts.cycles = run.solve.cycles;
+  facts.converged = run.solve.converged;
+  facts.distance = run.solve.last.distance;
+  return facts;
+}
+
+}  // namespace
+
+Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vector<Edit>& edits,
+                                  const FilterPaths& paths) {
+  const Stopwatch whole;
+  ASSIGN_OR_RETURN(const FilterFormats formats, check_filter_paths(options, paths));
+  FilterRun run;
+  ProgressPrinter printer(options.progress);
+  FilterBudget budget;
+  PrepareOptions prepare_options = options.prepare;
+  prepare_options.budget = &budget;
+  const Stopwatch reading;
+  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(paths.in));
+  run.read_seconds = reading.seconds();
+  ASSIGN_OR_RETURN(auto left_out, tell_left_out(paths, formats, mesh));
+  ASSIGN_OR_RETURN(const auto prepared,
+                   prepare(mesh, prepare_options, printer.progress(), &run.prepare));
+  ASSIGN_OR_RETURN(const Multigrid multigrid, make_hierarchy(prepared, printer.progress(), run));
+  ASSIGN_OR_RETURN(const auto session, Session::open(multigrid, options.solver));
+  RETURN_IF_ERROR(apply_edits(options, edits, *session));
+  if (!options.fields_file.empty())
+    RETURN_IF_ERROR(write_fields_file(*session, options.fields_file));
+  ASSIGN_OR_RETURN(run.solve, session->solve(options.solve, printer.progress()));
+  const Stopwatch writing;
+  RETURN_IF_ERROR(write_surface(options, paths, formats, {mesh.vertices, session->surface()}));
+  run.write_seconds = writing.seconds();
+  if (!paths.report.empty()) RETURN_IF_ERROR(write_filter_report(*session, run, paths.report));
+  warn_unless_converged(options, run.solve);
+  FilteredFacts facts = facts_of(mesh, *session, run);
+  facts.left_out = std::move(left_out);
+  facts.seconds = whole.seconds();
+  return facts;
+}
+
+}  // namespace burnish

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "client/cli/filter/filter_file.h"
+#include "common/mesh/mesh_io.h"
+#include "common/mesh/rewrite/moved_mesh.h"
+
+namespace burnish {
+
+/// The formats of a run.
+struct FilterFormats {
+  MeshFormat in, out;
+  bool packs() const { return out == MeshFormat::kZip && in != MeshFormat::kZip; }
+};
+
+/// Refuses wrong files before the long work begins. Fails: invalid_argument (a format, OUT is IN
+/// without --force); as OUT cannot be written.
+Result<FilterFormats> check_filter_paths(const FilterOptions& options, const FilterPaths& paths);
+
+/// Returns the attributes of IN that OUT will not have, and warns of them on stderr. `mesh` is IN.
+Result<std::vector<std::string>> tell_left_out(const FilterPaths& paths, FilterFormats formats,
+                                               const TriangleMesh& mesh);
+
+/// Writes the solved surface in the format of OUT, with the files beside it. Fails: as
+/// write_moved_mesh(), place_files_of() and write_packed_mesh().
+Status write_surface(const FilterOptions& options, const FilterPaths& paths, FilterFormats formats,
+                     const MovedMesh& moved);
+
+}  // namespace burnish

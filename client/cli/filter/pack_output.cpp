@@ -1,0 +1,35 @@
+#include "client/cli/filter/pack_output.h"
+
+#include <iostream>
+#include <vector>
+
+#include "common/archive/archive_writer.h"
+#include "common/base/atomic_file.h"
+#include "common/bundle/scan_bundle.h"
+#include "common/mesh/rewrite/left_out.h"
+#include "common/mesh/rewrite/rewrite.h"
+
+namespace burnish {
+
+/// Returns the archive with the mesh as it was.
+static Result<std::vector<uint8_t>> pack_original(const ScanBundle& bundle) {
+  if (bundle.format() == MeshFormat::kZip)
+    return std::vector<uint8_t>(bundle.bytes().begin(), bundle.bytes().end());
+  const FileToPack mesh = {bundle.mesh().filename().string(), bundle.bytes()};
+  return pack_archive({&mesh, 1});
+}
+
+Status write_packed_mesh(const std::filesystem::path& original, const MovedMesh& moved,
+                         const std::filesystem::path& archive) {
+  ASSIGN_OR_RETURN(const ScanBundle bundle, ScanBundle::open(original));
+  if (!bundle.missing().empty())
+    std::cerr << "warning: not beside " << original.string() << ": "
+              << left_out_text(bundle.missing()) << "\n";
+  ASSIGN_OR_RETURN(const std::vector<uint8_t> packed, pack_original(bundle));
+  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(archive));
+  OutputBuffer output(file);
+  RETURN_IF_ERROR(rewrite_mesh(packed, MeshFormat::kZip, original.string(), moved, output));
+  return file.commit();
+}
+
+}  // namespace burnish

@@ -1,0 +1,43 @@
+"""Edits the fine detail of 3D scans, on a Burnish server or on this computer.
+
+>>> import burnish
+>>> burnish.filter("tablet.ply", "smooth.ply", beta=0.2)
+>>> with burnish.connect("127.0.0.1:7411", user="Anna") as server:
+...     session = server.open_session(server.import_scan("tablet.ply"), "carving")
+...     session.set_beta(0.2)
+...     session.export("edited.ply", exact=True)
+"""
+
+from .cells import CellFields
+from .connection import Connection, connect
+from .edits import (Band, Brush, ColourFilter, Controls, Equaliser, GradientScale, Palette,
+                    PaletteCurve, Stroke, TransferCurve)
+from .errors import (AlreadyExists, Cancelled, Damaged, DeadlineExceeded, Error,
+                     FailedPrecondition, Internal, InvalidArgument, NotFound, PermissionDenied,
+                     Refused, ResourceExhausted, SessionEnded, Unauthenticated, Unavailable,
+                     Unimplemented)
+from .frame import Frame
+from .gesture import Gesture
+from .history import Deviation, Entry, Exported, State
+from .live import Live
+from .local import Filtered, Options, filter, filter_all, filter_mesh
+from .mesh import Mesh, load_ply
+from .people import People
+from .pictures import animate, render
+from .region import (ClearProtected, GrowProtected, InvertProtected, ProtectCurvature,
+                     ProtectLasso, ProtectPiece)
+from .scan import Histogram, Prepared, Scan
+from .serving import serve
+from .session import Session
+
+__all__ = [
+    "AlreadyExists", "Band", "Brush", "Cancelled", "CellFields", "ClearProtected", "ColourFilter",
+    "Connection", "Controls", "Damaged", "DeadlineExceeded", "Deviation", "Entry", "Equaliser",
+    "Error", "Exported", "FailedPrecondition", "Filtered", "Frame", "Gesture", "GradientScale",
+    "GrowProtected", "Histogram", "Internal", "InvalidArgument", "InvertProtected", "Live", "Mesh",
+    "NotFound", "Options", "Palette", "PaletteCurve", "People", "PermissionDenied", "Prepared",
+    "ProtectCurvature", "ProtectLasso", "ProtectPiece", "Refused", "ResourceExhausted", "Scan",
+    "Session", "SessionEnded", "State", "Stroke", "TransferCurve", "Unauthenticated",
+    "Unavailable", "Unimplemented", "animate", "connect", "filter", "filter_all", "filter_mesh",
+    "load_ply", "render", "serve",
+]

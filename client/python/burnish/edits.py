@@ -1,0 +1,172 @@
+"""Edits of a session. Lengths are in the scan's own units; L is the square root of its area."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any, Mapping, Protocol, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from burnish.v1 import common_pb2, editing_pb2
+
+FALL_OFFS = {"smooth": editing_pb2.FALL_OFF_SMOOTH, "linear": editing_pb2.FALL_OFF_LINEAR,
+             "sharp": editing_pb2.FALL_OFF_SHARP, "constant": editing_pb2.FALL_OFF_CONSTANT}
+
+
+class Change(Protocol):
+    """Anything that Session.apply() takes."""
+
+    def to_wire(self) -> dict[str, Any]:
+        """Returns the member of the message Edit, and its value."""
+
+
+def rows(values: npt.ArrayLike, columns: int, what: str) -> npt.NDArray[np.float64]:
+    """Returns an n x `columns` array. Raises ValueError for another shape."""
+    array = np.asarray(values, np.float64)
+    if array.ndim != 2 or array.shape[1] != columns:
+        raise ValueError(f"{what} has the shape {array.shape}: it must be (n, {columns})")
+    return array
+
+
+@dataclasses.dataclass(frozen=True)
+class GradientScale:
+    """The gradient scale of the whole scan. `beta`: 0 to 10; below 1 smooths, above 1 sharpens."""
+
+    beta: float
+
+    def to_wire(self) -> dict[str, Any]:
+        return {"gradient_scale": editing_pb2.SetGradientScale(beta=self.beta)}
+
+
+@dataclasses.dataclass(frozen=True)
+class TransferCurve:
+    """The fidelity weight alpha as a function of the curvature kappa.
+
+    `points` has 1 to 64 of them: kappa (times L, rising) to alpha (times L, 0.01 to 1e5, within a
+    factor of 1000). The larger alpha, the finer the detail that is changed.
+    """
+
+    points: Mapping[float, float]
+
+    @classmethod
+    def constant(cls, alpha: float) -> TransferCurve:
+        """The same alpha everywhere."""
+        return cls({0.0: alpha})
+
+    def message(self) -> editing_pb2.SetTransferCurve:
+        return editing_pb2.SetTransferCurve(points=[
+            editing_pb2.CurvePoint(kappa=kappa, alpha=alpha)
+            for kappa, alpha in sorted(self.points.items())])
+
+    def to_wire(self) -> dict[str, Any]:
+        return {"transfer_curve": self.message()}
+
+
+@dataclasses.dataclass(frozen=True)
+class Brush:
+    """A ball that paints. `fall_off`: smooth, linear, sharp or constant.
+
+    It paints the gradient scale; or the gain of a `band` of the equaliser (from 1); or where a
+    `curve` of the palette rules (from 1); or the gradient scale of the colours.
+    """
+
+    radius: float
+    beta: float = 1.0
+    strength: float = 1.0
+    fall_off: str = "smooth"
+    band: int | None = None
+    curve: int | None = None
+    colour: bool = False
+
+    def message(self) -> editing_pb2.Brush:
+        if self.fall_off not in FALL_OFFS:
+            raise ValueError(f"fall_off '{self.fall_off}' is not one of {', '.join(FALL_OFFS)}")
+        paints = {"band": self.band, "curve": self.curve, "colour": self.colour or None}
+        given = {name: value for name, value in paints.items() if value is not None}
+        if len(given) > 1:
+            raise ValueError(f"a brush paints one thing, not {' and '.join(given)}")
+        members: dict[str, Any] = given
+        return editing_pb2.Brush(radius=self.radius, strength=self.strength, beta=self.beta,
+                                 fall_off=FALL_OFFS[self.fall_off], **members)
+
+
+@dataclasses.dataclass(frozen=True)
+class Stroke:
+    """A drag of a brush. `path`: n x 3 points of the original surface, 1 to 4096."""
+
+    brush: Brush
+    path: npt.ArrayLike
+
+    def to_wire(self) -> dict[str, Any]:
+        points = [common_pb2.Point(x=x, y=y, z=z)
+                  for x, y, z in rows(self.path, 3, "a stroke's path").tolist()]
+        return {"stroke": editing_pb2.Stroke(brush=self.brush.message(), path=points)}
+
+
+@dataclasses.dataclass(frozen=True)
+class Controls:
+    """Bounds on what all edits do; the last such edit counts.
+
+    `pin_rims`: rims of an open surface stay. `cap`: nothing moves more than this, 0 for no cap.
+    `keep_volume`: a closed surface keeps its volume.
+    """
+
+    pin_rims: bool = True
+    cap: float = 0.0
+    keep_volume: bool = False
+
+    def to_wire(self) -> dict[str, Any]:
+        return {"controls": editing_pb2.Controls(pin_rims=self.pin_rims, cap=self.cap,
+                                                 keep_volume=self.keep_volume)}
+
+
+@dataclasses.dataclass(frozen=True)
+class Band:
+    """Details up to the wavelength `size` (the scan's units), with a `gain` of 0 to 10."""
+
+    size: float
+    gain: float
+
+
+@dataclasses.dataclass(frozen=True)
+class Equaliser:
+    """Gains by the size of details: 0 to 6 bands, from fine to coarse, each 1.2 times the last."""
+
+    bands: Sequence[Band]
+
+    def to_wire(self) -> dict[str, Any]:
+        return {"equaliser": editing_pb2.Equaliser(
+            bands=[editing_pb2.Band(size=band.size, gain=band.gain) for band in self.bands])}
+
+
+@dataclasses.dataclass(frozen=True)
+class PaletteCurve:
+    """A curve that a brush can paint. `colour`: 0xRRGGBB."""
+
+    name: str
+    curve: TransferCurve
+    colour: int = 0xFF8000
+
+
+@dataclasses.dataclass(frozen=True)
+class Palette:
+    """Curves for brushes to paint, at most 8."""
+
+    curves: Sequence[PaletteCurve]
+
+    def to_wire(self) -> dict[str, Any]:
+        return {"palette": editing_pb2.Palette(curves=[
+            editing_pb2.PaletteCurve(name=one.name, colour=one.colour, curve=one.curve.message())
+            for one in self.curves])}
+
+
+@dataclasses.dataclass(frozen=True)
+class ColourFilter:
+    """Filters the scan's colours over its surface. `alpha` (times L) and `beta` as for the shape."""
+
+    beta: float
+    alpha: float = 50.0
+
+    def to_wire(self) -> dict[str, Any]:
+        return {"colour": editing_pb2.ColourFilter(alpha=self.alpha, beta=self.beta)}

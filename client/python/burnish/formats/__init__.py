@@ -1,0 +1,1 @@
+"""Decodes pages and frames by docs/protocol.md alone."""

@@ -1,0 +1,120 @@
+"""The history of a session, and its state."""
+
+from __future__ import annotations
+
+import dataclasses
+import datetime
+
+import numpy as np
+import numpy.typing as npt
+
+from burnish.v1 import editing_pb2
+
+from .edits import Band, Controls, TransferCurve
+
+KINDS = {editing_pb2.ENTRY_KIND_GRADIENT_SCALE: "gradient scale",
+         editing_pb2.ENTRY_KIND_TRANSFER_CURVE: "transfer curve",
+         editing_pb2.ENTRY_KIND_STROKE: "stroke", editing_pb2.ENTRY_KIND_CELL_FIELDS: "other",
+         editing_pb2.ENTRY_KIND_CHECKPOINT: "checkpoint",
+         editing_pb2.ENTRY_KIND_DAMAGED: "damaged"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Entry:
+    """An edit in the history."""
+
+    number: int
+    """Counts all edits of the session from 1."""
+    author: str
+    """Empty for a user without a name."""
+    time: datetime.datetime
+    kind: str
+    """gradient scale, transfer curve, stroke, checkpoint, damaged, or other: see the summary."""
+    summary: str
+    """In a few words; a checkpoint's name."""
+    enabled: bool
+
+    @classmethod
+    def of(cls, message: editing_pb2.HistoryEntry) -> Entry:
+        time = datetime.datetime.fromtimestamp(message.unix_ms / 1000, datetime.timezone.utc)
+        return cls(message.number, message.author, time, KINDS.get(message.kind, "other"),
+                   message.summary, message.enabled)
+
+
+@dataclasses.dataclass(frozen=True)
+class State:
+    """How a session is set, and how far it is solved."""
+
+    beta: float
+    curve: TransferCurve
+    controls: Controls
+    bands: list[Band]
+    edits: int
+    cycles: int
+    """Since the session came into memory; 0: no distance."""
+    distance: float
+    """Estimated to the converged surface, over the box's diagonal."""
+    memory_bytes: int
+    backend: str
+    """"cpu" or "cuda"."""
+
+    @classmethod
+    def of(cls, message: editing_pb2.SessionState) -> State:
+        controls = message.controls
+        return cls(message.gradient_scale,
+                   TransferCurve({p.kappa: p.alpha for p in message.transfer_curve.points}),
+                   Controls(controls.pin_rims, controls.cap, controls.keep_volume),
+                   [Band(band.size, band.gain) for band in message.equaliser.bands],
+                   message.session.edits, message.cycles, message.distance, message.memory_bytes,
+                   message.backend)
+
+
+@dataclasses.dataclass(frozen=True)
+class Deviation:
+    """How far edits moved a surface. Lengths are in the scan's units; means are over the area."""
+
+    max: float
+    mean: float
+    rms: float
+    outward_max: float
+    inward_max: float
+    area: tuple[float, float]
+    """Before and after, the scan's units squared."""
+    volume: tuple[float, float]
+    """Before and after, the scan's units cubed; of closed surfaces."""
+    moves: npt.NDArray[np.float64]
+    """n + 1 edges of the histogram's bins: moves along the normal."""
+    histogram: npt.NDArray[np.float64]
+    """n fractions of the area."""
+    settled: bool
+
+    @classmethod
+    def of(cls, message: editing_pb2.Deviation) -> Deviation:
+        histogram = np.array(message.histogram)
+        reach = message.histogram_range
+        return cls(message.max, message.mean, message.rms, message.outward_max,
+                   message.inward_max, (message.area_before, message.area_after),
+                   (message.volume_before, message.volume_after),
+                   np.linspace(-reach, reach, len(histogram) + 1), histogram, message.settled)
+
+
+@dataclasses.dataclass(frozen=True)
+class Exported:
+    """The summary of an export."""
+
+    size_bytes: int
+    sha256: str
+    vertices: int
+    triangles: int
+    cycles: int
+    """Of this export."""
+    converged: bool
+    distance: float
+    """Estimated to the converged surface, over the box's diagonal."""
+    left_out: list[str]
+    """Attributes of the imported file that this file does not have."""
+
+    @classmethod
+    def of(cls, message: editing_pb2.ExportSummary) -> Exported:
+        return cls(message.size_bytes, message.sha256, message.vertices, message.triangles,
+                   message.cycles, message.converged, message.distance, list(message.left_out))

@@ -1,0 +1,143 @@
+"""Live sessions: edits, and the surface as it moves."""
+
+from __future__ import annotations
+
+import secrets
+from types import TracebackType
+from typing import Any, Iterator
+
+import numpy as np
+import numpy.typing as npt
+
+from burnish.v1 import editing_pb2
+
+from ._calls import Calls
+from .edits import Change
+from .frame import Frame
+from .gesture import Gesture
+from .live_link import LiveLink
+from .live_stream import HEARTBEAT_SECONDS
+from .mesh import Mesh
+from .progress import Progress
+from .surface import Surface, fetch_surface
+
+TIMEOUT_SECONDS = 600.0
+
+
+class Live:
+    """A live session. Use it with `with`, or close() it.
+
+    It comes back by itself when the link or the server breaks, and sends unanswered edits again.
+    The server sends the next frame when the last one was taken: a slow reader misses frames, and
+    delays nobody. Methods may be called from any thread.
+    """
+
+    def __init__(self, calls: Calls, info: editing_pb2.SessionInfo, *, triangles_max: int,
+                 level: int | None, progress: Progress | None = None,
+                 heartbeat_seconds: float = HEARTBEAT_SECONDS) -> None:
+        def fetch() -> Surface:
+            return fetch_surface(calls, info.scan_id, info.depth, triangles_max, level, progress)
+        self._link = LiveLink(calls, info.id, fetch, heartbeat_seconds)
+        self._edits = 0
+        try:
+            self._link.wait_for_welcome(TIMEOUT_SECONDS)
+        except BaseException:
+            self._link.close()
+            raise
+
+    def __enter__(self) -> Live:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Leaves the session."""
+        self._link.close()
+
+    @property
+    def faces(self) -> npt.NDArray[np.int64]:
+        """m x 3 indices of the frames' vertices. Pages repeat the vertices of their borders."""
+        return self._link.surface.faces
+
+    @property
+    def original(self) -> Mesh:
+        """The surface before all edits."""
+        return Mesh(self._link.surface.rest, self._link.surface.faces)
+
+    @property
+    def origin(self) -> npt.NDArray[np.float64]:
+        """3 numbers: where cell (0, 0, 0) of the grid begins, the scan's units."""
+        return self._link.surface.head.origin
+
+    @property
+    def lattice_step(self) -> float:
+        """`original` is the scan rounded to half of this, the scan's units."""
+        return self._link.surface.head.side / (1 << self._link.surface.head.bits)
+
+    @property
+    def waiting_frames(self) -> int:
+        """Frames that came and that nobody has taken."""
+        return self._link.received - self._link.taken
+
+    def wait_for_heartbeats(self, count: int, timeout: float = TIMEOUT_SECONDS) -> None:
+        """Waits until the server has answered so many heartbeats since the beginning."""
+        link = self._link
+        with link.changed:
+            link.wait(lambda: link.heartbeats >= count, timeout, "heartbeat")
+
+    def apply(self, *changes: Change, timeout: float = TIMEOUT_SECONDS) -> list[int]:
+        """As Session.apply(): returns the number of the entry that each edit made."""
+        return self.apply_as([(secrets.token_hex(10), change) for change in changes], timeout)
+
+    def apply_as(self, changes: list[tuple[str, Change]],
+                 timeout: float = TIMEOUT_SECONDS) -> list[int]:
+        """As apply(), with an id for each edit: 1 to 64 characters, '!' to '~'."""
+        edits = [editing_pb2.Edit(id=edit_id, **change.to_wire()) for edit_id, change in changes]
+        with self._link.changed:
+            answer = self._link.apply(edits, timeout)
+            self._edits = max(self._edits, answer.edits)
+            return list(answer.entries)
+
+    def gesture(self) -> Gesture:
+        """Begins a gesture: edits that are shown to everybody and kept by Gesture.keep() alone."""
+        return Gesture(self)
+
+    def preview(self, edit_id: str, change: Any) -> None:
+        """Shows a change until its edit of the same id is applied. Raises an earlier refusal."""
+        with self._link.changed:
+            refused = self._link.take_refusal(edit_id)
+            if refused is not None:
+                raise refused
+            self._link.send(preview=editing_pb2.Preview(edit_id=edit_id, **change))
+
+    def next_frame(self, timeout: float = TIMEOUT_SECONDS) -> Frame:
+        """Returns the newest frame, once there is one that was not returned before.
+
+        Raises DeadlineExceeded: a surface at rest sends no frames.
+        """
+        link = self._link
+        with link.changed:
+            link.wait(lambda: link.received > link.taken, timeout, "frame")
+            link.take_frame()
+            assert link.frame is not None
+            return link.frame
+
+    def frames(self, timeout: float = TIMEOUT_SECONDS) -> Iterator[Frame]:
+        """Yields frames until the surface with all edits that were applied here is at rest."""
+        while not self._is_at_rest():
+            yield self.next_frame(timeout)
+
+    def settle(self, timeout: float = TIMEOUT_SECONDS) -> Frame:
+        """Returns the frame of the surface at rest, with all edits that were applied here."""
+        for _ in self.frames(timeout):
+            pass
+        assert self._link.frame is not None
+        return self._link.frame
+
+    def _is_at_rest(self) -> bool:
+        link = self._link
+        with link.changed:
+            return (link.frame is not None and link.taken == link.received and
+                    link.frame.settled and link.frame.edits >= self._edits)

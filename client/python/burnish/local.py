@@ -1,0 +1,163 @@
+"""Edits files on this computer, without a server, by the program `burnish`."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import threading
+from typing import Any, Sequence
+
+from ._channel import PathLike
+from .edits import Band, Controls, TransferCurve
+from .errors import Error, InvalidArgument, error_of
+from .mesh import Mesh, load_ply
+from .program import find_program
+from .progress import Progress
+
+USAGE = 2  # the program's exit code for wrong options
+
+
+@dataclasses.dataclass(frozen=True)
+class Options:
+    """A filter. None: as the program's default says. Lengths are in the scan's units."""
+
+    beta: float | None = None
+    """Gradient scale, 0 to 10: below 1 smooths, 1 keeps, above 1 sharpens."""
+    alpha: float | None = None
+    """Fidelity weight times L, 0.01 to 1e5: the larger, the finer the detail that is changed."""
+    wavelength: float | None = None
+    """Fidelity as a length: at beta 0 this wave is halved."""
+    curve: TransferCurve | None = None
+    """Alpha by curvature."""
+    preset: str | None = None
+    """A preset of the window by its name."""
+    strength: float | None = None
+    """How much of the preset, 0 to 1."""
+    bands: Sequence[Band] = ()
+    """Gains by the size of details, at most 6."""
+    colour_beta: float | None = None
+    colour_alpha: float | None = None
+    controls: Controls | None = None
+    depth: int | None = None
+    """Of the grid, 4 to 12."""
+    exact: bool = False
+    """Solve to the accuracy of final results."""
+    cycles: int | None = None
+    """Solve with exactly so many cycles."""
+
+    def words(self) -> list[str]:
+        """Returns the options of `burnish filter`."""
+        given = {"beta": self.beta, "alpha": self.alpha, "wavelength": self.wavelength,
+                 "preset": self.preset, "strength": self.strength,
+                 "colour-beta": self.colour_beta, "colour-alpha": self.colour_alpha,
+                 "depth": self.depth, "cycles": self.cycles}
+        words = [f"--{name}={value}" for name, value in given.items() if value is not None]
+        words += [f"--band={band.size!r}:{band.gain!r}" for band in self.bands]
+        if self.curve is not None:
+            points = sorted(self.curve.points.items())
+            words.append("--curve=" + ",".join(f"{kappa!r}:{alpha!r}" for kappa, alpha in points))
+        if self.controls is not None:
+            words += [f"--pin-rims={'on' if self.controls.pin_rims else 'off'}",
+                      f"--keep-volume={'on' if self.controls.keep_volume else 'off'}"]
+            words += [f"--cap={self.controls.cap!r}"] if self.controls.cap else []
+        return words + (["--exact"] if self.exact else [])
+
+
+@dataclasses.dataclass(frozen=True)
+class Filtered:
+    """What became of a file."""
+
+    source: pathlib.Path
+    target: pathlib.Path
+    outcome: str
+    """done, skipped (the target was there) or failed."""
+    error: Error | None
+    facts: dict[str, Any]
+    """Of a file that is done: vertices, triangles, depth, cycles, converged, distance (over the
+    box's diagonal), seconds."""
+
+
+def filter(source: PathLike, target: PathLike, *, progress: Progress | None = None,
+           overwrite: bool = True, **options: Any) -> Filtered:
+    """Edits a mesh file and writes `target`. `options` are the fields of Options.
+
+    In the format of `source` the file keeps all that it has. With `overwrite=False` a file that is
+    there stays, and the outcome is "skipped". Raises Refused, Error.
+    """
+    one, = _run([source, target], [] if overwrite else ["--no-clobber"], Options(**options),
+                progress)
+    if one.error is not None:
+        raise one.error
+    return one
+
+
+def filter_all(sources: Sequence[PathLike], folder: PathLike, *,
+               progress: Progress | None = None, overwrite: bool = True,
+               **options: Any) -> list[Filtered]:
+    """Edits files, and writes each under its name into `folder`, which is made.
+
+    A file that fails does not end the work: its entry has the error. `options` are the fields of
+    Options. Raises InvalidArgument for two files of one name, or a wrong option.
+    """
+    words = [f"--out-dir={os.fspath(folder)}", *([] if overwrite else ["--no-clobber"])]
+    return _run(sources, words, Options(**options), progress)
+
+
+def filter_mesh(mesh: Mesh, *, progress: Progress | None = None, **options: Any) -> Mesh:
+    """Returns an edited mesh. `options` are the fields of Options. Raises Refused, Error."""
+    with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
+        source, target = pathlib.Path(folder) / "in.ply", pathlib.Path(folder) / "out.ply"
+        source.write_bytes(mesh.to_ply())
+        filter(source, target, progress=progress, **options)
+        return load_ply(target)
+
+
+def _run(files: Sequence[PathLike], words: list[str], options: Options,
+         progress: Progress | None) -> list[Filtered]:
+    command = [find_program(), "filter", "--json", "--progress=json", *words, *options.words(),
+               "--", *(os.fspath(file) for file in files)]
+    process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)
+    found: list[str] = []
+    assert process.stdout is not None and process.stderr is not None
+    reader = threading.Thread(target=lambda: found.append(process.stdout.read()))  # type: ignore
+    reader.start()
+    messages: list[str] = []
+    try:
+        for line in process.stderr:
+            _take_line(line, progress, messages)
+        code = process.wait()
+    finally:
+        process.kill()
+        process.wait()
+        reader.join()
+        process.stdout.close()
+        process.stderr.close()
+    if code == USAGE:
+        raise InvalidArgument("".join(messages).strip())
+    return _outcomes(found[0], messages)
+
+
+def _take_line(line: str, progress: Progress | None, messages: list[str]) -> None:
+    if not line.startswith("{"):
+        messages.append(line)
+    elif progress is not None:
+        step = json.loads(line)
+        progress(step["phase"], step["fraction"])
+
+
+def _outcomes(text: str, messages: list[str]) -> list[Filtered]:
+    try:
+        answer = json.loads(text)
+    except ValueError:
+        raise Error("burnish filter: " + "".join(messages).strip()) from None
+    if "code" in answer:
+        raise error_of(answer["code"], answer["message"])
+    return [Filtered(pathlib.Path(one.pop("in")), pathlib.Path(one.pop("out")),
+                     one.pop("outcome"),
+                     error_of(one["code"], one["message"]) if "code" in one else None, one)
+            for one in answer["files"]]

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "server/fleet/node_rows.h"
+#include "server/postgres/pg_connection.h"
+
+namespace burnish {
+
+struct LeaseTimes {
+  std::chrono::milliseconds lease{10'000};
+  std::chrono::milliseconds heartbeat{3'000};
+};
+
+/// What a server does as a member of a fleet. Calls come from the thread that start() returns.
+struct MemberDuties {
+  /// This server's life was over, and another one has begun: it holds no session any more.
+  std::function<void(const std::string& life)> on_new_life;
+  /// After each heartbeat that succeeded.
+  std::function<void()> on_heartbeat;
+};
+
+/// A server's place in a fleet, as a row with a lease. It renews the lease, and ends the lives of
+/// servers whose leases are over: their sessions are free then. It ends others only after it has
+/// renewed its own lease for as long as a lease lasts: when the database was away, all leases are
+/// over, and the others get their time to renew them.
+class Membership {
+ public:
+  /// Ends an earlier life of this name, so that a restarted server has its sessions back at once.
+  /// Needs: the tables of the journal; no other running server of this name. Fails: unavailable.
+  static Result<std::unique_ptr<Membership>> join(const PgAddress& address, const NodeFacts& node,
+                                                  const LeaseTimes& times);
+
+  /// Leaves the fleet: the server's sessions are free at once.
+  ~Membership();
+
+  /// Renews the lease while the returned thread lives. Needs: one call; the thread ends before
+  /// this.
+  [[nodiscard]] std::jthread start(MemberDuties duties);
+
+  /// Returns the life that join() has begun.
+  const std::string& first_life() const { return first_life_; }
+
+ private:
+  using Time = std::chrono::steady_clock::time_point;
+
+  Membership(const PgAddress& address, const NodeFacts& node, const LeaseTimes& times,
+             PgConnection connection, std::string life);
+
+  void loop(const std::stop_token& stop);
+  Status beat();
+  Status begin_another_life();
+  Status reap(Time now);
+
+  const PgAddress address_;
+  const NodeFacts node_;
+  const LeaseTimes times_;
+  const std::string first_life_;
+  PgConnection connection_;
+  std::string life_;
+  std::optional<Time> good_since_;  // the first of the heartbeats in a row
+  MemberDuties duties_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,61 @@
+#include "server/fleet/node_rows.h"
+
+#include <cstdio>
+#include <random>
+
+namespace burnish {
+
+std::string new_life() {
+  std::random_device random;
+  char text[37];
+  std::snprintf(text, sizeof text, "%08x-%04x-4%03x-a%03x-%08x%04x", random(), random() & 0xffff,
+                random() & 0xfff, random() & 0xfff, random(), random() & 0xffff);
+  return text;
+}
+
+// A stopped server may hold locks in an open transaction. Its connections have its life's name.
+static constexpr char kCutConnections[] =
+    "SELECT pg_terminate_backend(pid) FROM pg_stat_activity, nodes"
+    " WHERE application_name = 'burnish ' || CAST(id AS text) AND ";
+
+static constexpr char kEnter[] =
+    "INSERT INTO nodes (id, name, address, lease_until) VALUES (CAST($1 AS uuid), $2, $3,"
+    " clock_timestamp() + $4 * interval '1 millisecond') ON CONFLICT (name) DO NOTHING";
+
+static PgStatement enter(const NodeFacts& node, const std::string& life,
+                         std::chrono::milliseconds lease) {
+  return {kEnter, {PgText{life}, PgText{node.name}, PgText{node.address}, int64_t{lease.count()}}};
+}
+
+std::vector<PgStatement> enter_life(const NodeFacts& node, const std::string& life,
+                                    std::chrono::milliseconds lease) {
+  return {{std::string(kCutConnections) + "name = $1", {PgText{node.name}}},
+          {"DELETE FROM nodes WHERE name = $1", {PgText{node.name}}},
+          enter(node, life, lease)};
+}
+
+std::vector<PgStatement> enter_life_of_free_name(const NodeFacts& node, const std::string& life,
+                                                 std::chrono::milliseconds lease) {
+  return {{"DELETE FROM nodes WHERE name = $1 AND lease_until < clock_timestamp()",
+           {PgText{node.name}}},
+          enter(node, life, lease)};
+}
+
+PgStatement renew_lease(const std::string& life, std::chrono::milliseconds lease) {
+  return {
+      "UPDATE nodes SET lease_until = clock_timestamp() + $2 * interval '1 millisecond'"
+      " WHERE id = CAST($1 AS uuid)",
+      {PgText{life}, int64_t{lease.count()}}};
+}
+
+std::vector<PgStatement> end_dead_lives(const std::string& life) {
+  const std::string is_dead = "lease_until < clock_timestamp() AND id <> CAST($1 AS uuid)";
+  return {{kCutConnections + is_dead, {PgText{life}}},
+          {"DELETE FROM nodes WHERE " + is_dead, {PgText{life}}}};
+}
+
+PgStatement end_life(const std::string& life) {
+  return {"DELETE FROM nodes WHERE id = CAST($1 AS uuid)", {PgText{life}}};
+}
+
+}  // namespace burnish

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "server/postgres/pg_statement.h"
+
+namespace burnish {
+
+// The rows of the lives of servers, in the tables that the journal makes. Only the database's clock
+// says whether a lease is over.
+
+/// What others know of a server.
+struct NodeFacts {
+  std::string name;     ///< no other server of the fleet has it
+  std::string address;  ///< HOST:PORT for clients
+};
+
+/// Returns an id for a new life, as text.
+std::string new_life();
+
+/// Ends the earlier life of this name, and enters a new one. Sessions of the earlier life are free
+/// then, and its connections are cut.
+std::vector<PgStatement> enter_life(const NodeFacts& node, const std::string& life,
+                                    std::chrono::milliseconds lease);
+
+/// Enters a life if no other server has the name and a lease. Changes no row if one has.
+std::vector<PgStatement> enter_life_of_free_name(const NodeFacts& node, const std::string& life,
+                                                 std::chrono::milliseconds lease);
+
+/// Changes no row if the life is over.
+PgStatement renew_lease(const std::string& life, std::chrono::milliseconds lease);
+
+/// Ends other lives whose leases are over.
+std::vector<PgStatement> end_dead_lives(const std::string& life);
+
+PgStatement end_life(const std::string& life);
+
+}  // namespace burnish

@@ -1,0 +1,69 @@
+// The part of SessionManager for a journal that several servers share.
+
+#include <map>
+
+#include <spdlog/spdlog.h>
+
+#include "server/manager/session_manager_held.h"
+
+namespace burnish {
+
+/// Has this server hold the session, and reads what another one may have changed.
+Status SessionManager::hold(SessionEntry& entry) {
+  RETURN_IF_ERROR(journal_.hold(entry.record.id));
+  if (!journal_.is_shared()) return Status::ok();
+  ASSIGN_OR_RETURN(entry.roles, journal_.roles(entry.record.id));
+  ++entry.roles_version;
+  return Status::ok();
+}
+
+using RecordsById = std::map<std::string, const SessionRecord*>;
+
+/// Returns whether another server has deleted or renamed the session. What this server uses stays.
+static bool is_changed_elsewhere(const SessionEntry& entry, const RecordsById& there) {
+  if (!entry.in_journal || entry.in_memory) return false;
+  const auto record = there.find(entry.record.id);
+  return record == there.end() || record->second->name != entry.record.name;
+}
+
+void SessionManager::refresh() {
+  if (!journal_.is_shared()) return;
+  const auto records = journal_.sessions();
+  if (!records.is_ok()) {
+    spdlog::warn("fleet: the list of sessions is old: {}", records.status().message());
+    return;
+  }
+  RecordsById missing;
+  for (const SessionRecord& record : *records) missing[record.id] = &record;
+  {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(by_name_, [&](const auto& named) {
+      const bool is_old = is_changed_elsewhere(*named.second, missing);
+      if (is_old) sessions_.erase(named.second->record.id);
+      return is_old;
+    });
+    for (const auto& [id, entry] : sessions_) missing.erase(id);
+  }
+  for (const auto& [id, record] : missing) {
+    const auto entry = read_entry(journal_, *record);
+    if (!entry.is_ok()) continue;  // the next refresh brings it
+    const std::lock_guard lock(mutex_);
+    if (by_name_.try_emplace(record->name, *entry).second) sessions_.try_emplace(id, *entry);
+  }
+}
+
+void SessionManager::let_go(const Status& why) {
+  std::vector<std::shared_ptr<SessionEntry>> gone;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [id, entry] : sessions_)
+      if (entry->in_memory) gone.push_back(entry);
+  }
+  for (const auto& entry : gone) {
+    entry->is_in_doubt = true;
+    entry->ahead_of_journal = true;
+    listener_->tell([&](SessionListener& to) { to.on_session_lost(entry->record.id, why); });
+  }
+}
+
+}  // namespace burnish

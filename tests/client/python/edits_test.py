@@ -1,0 +1,140 @@
+"""Edits, and the history of a session."""
+
+import unittest
+
+import numpy as np
+
+import burnish
+from sdk import Sdk
+
+COARSE = burnish.TransferCurve.constant(8)
+
+
+class Edits(Sdk):
+    def setUp(self):
+        super().setUp()
+        self.session = self.open()
+
+    def summaries(self):
+        return [entry.summary for entry in self.session.history()]
+
+    def test_each_kind_of_edit_is_in_the_history(self):
+        path = self.mesh.vertices[np.argsort(self.mesh.vertices[:, 0])[:50:10]]
+        numbers = self.session.apply(
+            burnish.GradientScale(0.5), burnish.TransferCurve({-3.0: 20.0, 3.0: 80.0}),
+            burnish.Controls(cap=0.5), burnish.Equaliser([burnish.Band(1, 0), burnish.Band(2, 2)]),
+            burnish.Palette([burnish.PaletteCurve("edges", COARSE)]),
+            burnish.Stroke(burnish.Brush(2, beta=2.5, strength=0.8), path),
+            burnish.Stroke(burnish.Brush(2, beta=0.5, band=2), path),
+            burnish.Stroke(burnish.Brush(2, curve=1), path),
+            burnish.ProtectCurvature(40, 1e9), burnish.GrowProtected(2),
+            burnish.InvertProtected(), burnish.ClearProtected(),
+            burnish.ProtectPiece(self.mesh.vertices[0]),
+            burnish.ProtectLasso(np.eye(4) / 20, [[-1, -1], [1, -1], [0, 1]], release=True))
+        self.assertEqual(numbers, list(range(1, 15)))
+        self.assertEqual([entry.kind for entry in self.session.history()][:3],
+                         ["gradient scale", "transfer curve", "other"])
+        self.assertEqual({entry.author for entry in self.session.history()}, {"Zoë"})
+        state = self.session.state()
+        self.assertEqual((state.beta, state.controls.cap, state.edits), (0.5, 0.5, 14))
+        self.assertEqual(state.curve.points, {-3.0: 20.0, 3.0: 80.0})
+        self.assertEqual(state.bands, [burnish.Band(1, 0), burnish.Band(2, 2)])
+
+    def test_cells_are_set_and_read(self):
+        betas = self.session.cells("beta")
+        np.testing.assert_array_equal(betas, 1)
+        cell = np.floor((self.mesh.vertices[:1] - self.corner()) / self.cell_size)
+        self.session.apply(burnish.CellFields(cell, alpha1=50, alpha2=50, beta=[0.25]))
+        self.assertEqual(np.flatnonzero(self.session.cells("beta") == 0.25).size, 1)
+        with self.assertRefused(burnish.InvalidArgument, "cell 0 0 0"):
+            self.session.apply(burnish.CellFields([[0, 0, 0]], 50, 50, 1))
+
+    def corner(self):
+        with self.session.live() as live:
+            return live.origin
+
+    def test_undo_and_redo_are_about_ones_own(self):
+        other = self.connect("Anna").session(self.session.name)
+        first = self.session.set_beta(0.5)
+        second = other.set_beta(0.2)
+        self.assertEqual(self.session.undo(), first)
+        self.assertEqual(self.session.state().beta, 0.2)
+        self.assertEqual(other.undo(), second)
+        self.assertEqual(self.session.state().beta, 1)
+        self.assertEqual(self.session.redo(), first)
+        self.assertEqual(self.session.state().beta, 0.5)
+        with self.assertRefused(burnish.FailedPrecondition):
+            self.session.redo()
+
+    def test_states_have_names(self):
+        self.session.set_beta(0.5)
+        self.session.checkpoint("half")
+        number = self.session.set_beta(0)
+        self.session.restore("half")
+        self.assertEqual(self.session.state().beta, 0.5)
+        self.session.switch(number, True)
+        self.assertEqual(self.session.state().beta, 0)
+        with self.assertRefused(burnish.NotFound, "other"):
+            self.session.restore("other")
+        fork = self.session.fork(self.id() + " fork", until="half")
+        self.addCleanup(self.delete, fork)
+        self.assertEqual([entry.summary for entry in fork.history()], ["beta 0.5", "half"])
+        coarse = self.session.fork(self.id() + " coarse", depth=5)
+        self.addCleanup(self.delete, coarse)
+        self.assertEqual(coarse.depth, 5)
+
+    def test_all_edits_are_applied_or_none(self):
+        with self.assertRefused(burnish.InvalidArgument, "beta", "11", "10"):
+            self.session.apply(burnish.GradientScale(0.5), burnish.GradientScale(11))
+        self.assertEqual(self.summaries(), [])
+
+    def test_refusals_name_thing_value_and_limit(self):
+        point = self.mesh.vertices[:1]
+        for change, words in (
+                (burnish.TransferCurve.constant(2e5), ["alpha", "2e[+]05", "1e[+]05"]),
+                (burnish.TransferCurve({0.0: 0.05, 1.0: 60.0}), ["1200", "1000"]),
+                (burnish.Stroke(burnish.Brush(1, strength=2), point), ["strength", "2", "1"]),
+                (burnish.Stroke(burnish.Brush(1e-3), [[0, 0, 0]]), ["surface"]),
+                (burnish.Equaliser([burnish.Band(1, 11)]), ["gain", "11", "10"]),
+                (burnish.GrowProtected(65), ["65", "64"])):
+            with self.subTest(words), self.assertRefused(burnish.InvalidArgument, *words):
+                self.session.apply(change)
+        with self.assertRefused(burnish.FailedPrecondition, "colours"):
+            self.session.apply(burnish.ColourFilter(0.5))
+        with self.assertRefused(burnish.InvalidArgument, "65", "64"):
+            self.session.apply(*[burnish.GradientScale(1)] * 65)
+
+    def test_arrays_and_words_are_checked_here(self):
+        for wrong in (burnish.Stroke(burnish.Brush(1), [[0, 0]]),
+                      burnish.Stroke(burnish.Brush(1, fall_off="wide"), [[0, 0, 0]]),
+                      burnish.Stroke(burnish.Brush(1, band=1, colour=True), [[0, 0, 0]])):
+            with self.assertRaises(ValueError):
+                self.session.apply(wrong)
+
+    def test_deviation_and_section_measure_the_surface(self):
+        self.assertEqual(self.session.deviation().max, 0)
+        self.session.apply(burnish.GradientScale(0), COARSE)
+        moved = np.linalg.norm(self.session.mesh().vertices - self.mesh.vertices, axis=1).max()
+        deviation = self.session.deviation()
+        self.assertAlmostEqual(deviation.max, moved, delta=1e-3)
+        self.assertAlmostEqual(deviation.histogram.sum(), 1)
+        original, edited = self.session.section([0, 0, 0], [0, 0, 1])
+        radii = [np.linalg.norm(np.concatenate(lines), axis=1) for lines in (original, edited)]
+        self.assertAlmostEqual(radii[0].mean(), 10, delta=0.5)
+        self.assertLess(np.ptp(radii[1]), np.ptp(radii[0]))
+
+    def test_sessions_are_listed_renamed_closed_and_deleted(self):
+        session = self.connection.open_session(self.scan, depth=6)
+        self.assertIn(session.id, [one.id for one in self.connection.sessions()])
+        session.rename(self.id() + " second")
+        self.assertEqual(self.connection.session(session.id).name, self.id() + " second")
+        with self.assertRefused(burnish.AlreadyExists, self.session.name):
+            session.rename(self.session.name)
+        session.close()
+        session.delete()
+        with self.assertRefused(burnish.NotFound, session.id):
+            self.connection.session(session.id)
+
+
+if __name__ == "__main__":
+    unittest.main()

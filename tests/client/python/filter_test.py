@@ -1,0 +1,84 @@
+"""Filters on this computer, without a server."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import numpy as np
+
+import burnish
+import scan
+
+QUICK = {"depth": 4, "cycles": 1}
+
+
+class Filter(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="burnish-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.mesh = burnish.Mesh(*scan.bumpy_sphere(4))
+        self.source = self.folder / "in.ply"
+        self.source.write_bytes(self.mesh.to_ply())
+
+    def test_a_file_is_the_programs_byte_for_byte(self):
+        out, by_program = self.folder / "out.ply", self.folder / "program.ply"
+        done = burnish.filter(self.source, out, beta=0.2, depth=5, exact=True,
+                              curve=burnish.TransferCurve({-3.0: 20.0, 3.0: 80.0}),
+                              bands=[burnish.Band(0.5, 0)])
+        subprocess.run([os.environ["BURNISH_BINARY"], "filter", self.source, by_program, "--beta",
+                        "0.2", "--depth", "5", "--exact", "--curve=-3:20,3:80", "--band", "0.5:0"],
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.assertEqual(out.read_bytes(), by_program.read_bytes())
+        self.assertEqual((done.outcome, done.target), ("done", out))
+        self.assertEqual(done.facts["vertices"], len(self.mesh.vertices))
+        self.assertTrue(done.facts["converged"])
+
+    def test_a_mesh_is_filtered_as_arrays(self):
+        smooth = burnish.filter_mesh(self.mesh, beta=0, alpha=5, depth=5)
+        np.testing.assert_array_equal(smooth.faces, self.mesh.faces)
+        self.assertLess(smooth.area, self.mesh.area)
+
+    def test_progress_is_told(self):
+        phases = []
+        burnish.filter(self.source, self.folder / "out.ply", **QUICK,
+                       progress=lambda *step: phases.append(step))
+        self.assertIn("solve", [phase for phase, _ in phases])
+        self.assertTrue(all(0 <= fraction <= 1 for _, fraction in phases))
+
+    def test_what_a_callback_raises_ends_the_work(self):
+        def stop(phase, fraction):
+            raise KeyboardInterrupt
+        with self.assertRaises(KeyboardInterrupt):
+            burnish.filter(self.source, self.folder / "out.ply", progress=stop)
+        self.assertFalse((self.folder / "out.ply").exists())
+
+    def test_errors_have_a_code_and_a_message(self):
+        out = self.folder / "out.ply"
+        with self.assertRaisesRegex(burnish.NotFound, "absent.ply"):
+            burnish.filter(self.folder / "absent.ply", out)
+        with self.assertRaisesRegex(burnish.NotFound, "Nothing"):
+            burnish.filter(self.source, out, preset="Nothing")
+        with self.assertRaisesRegex(burnish.InvalidArgument, "11"):
+            burnish.filter(self.source, out, beta=11)
+        with self.assertRaisesRegex(burnish.FailedPrecondition, "colours"):
+            burnish.filter(self.source, out, colour_beta=0.5, **QUICK)
+        with self.assertRaises(TypeError):
+            burnish.filter(self.source, out, betta=1)
+        self.assertFalse(out.exists())
+
+    def test_a_folder_is_filtered_with_a_result_for_each_file(self):
+        (self.folder / "bad.ply").write_text("plx")
+        sources = [self.source, self.folder / "bad.ply"]
+        good, bad = burnish.filter_all(sources, self.folder / "out", beta=0.5, **QUICK)
+        self.assertEqual((good.outcome, bad.outcome), ("done", "failed"))
+        self.assertTrue(good.target.exists())
+        self.assertIsInstance(bad.error, burnish.InvalidArgument)
+        again, _ = burnish.filter_all(sources, self.folder / "out", overwrite=False, **QUICK)
+        self.assertEqual(again.outcome, "skipped")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,182 @@
+"""Live sessions: frames, slow readers, servers that come back."""
+
+import threading
+import unittest
+
+import numpy as np
+
+import burnish
+from burnish.live import Live
+from sdk import Sdk
+from shown import match
+
+CURVE = burnish.TransferCurve({-3.0: 20.0, 3.0: 80.0})
+
+
+class LiveSessions(Sdk):
+    def join(self, session, **options):
+        live = session.live(**options)
+        self.addCleanup(live.close)
+        return live
+
+    def vertices_of(self, live):
+        """Returns the scan's vertex of each vertex of the frames of level 0."""
+        return match(live.original.vertices, self.mesh.vertices[:-1], live.lattice_step)
+
+    def test_frames_at_rest_are_within_a_64th_of_a_cell_of_the_export(self):
+        session = self.open()
+        live = self.join(session)
+        vertices = self.vertices_of(live)
+        path = self.mesh.vertices[np.argsort(self.mesh.vertices[:, 0])[:400:10]]
+        for change in (burnish.GradientScale(0.2), CURVE,
+                       burnish.Stroke(burnish.Brush(2, beta=2.5), path)):
+            live.apply(change)
+            live.settle()
+            session.export(self.folder / "out.ply", cycles=1)
+            exported = burnish.load_ply(self.folder / "out.ply").vertices
+            moves = live.next_frame().displacements
+            expected = (exported - self.mesh.vertices)[vertices]
+            self.assertGreater(np.abs(expected).max(), self.cell_size / 8)
+            self.assertLess(np.abs(moves - expected).max(), self.cell_size / 64)
+
+    def test_the_surface_before_all_edits_is_the_scan(self):
+        live = self.join(self.open())
+        vertices = self.vertices_of(live)
+        self.assertEqual(set(vertices.tolist()), set(range(len(self.mesh.vertices) - 1)))
+        faces = np.sort(vertices[live.faces], axis=1)
+        self.assertEqual(set(map(tuple, faces.tolist())),
+                         set(map(tuple, np.sort(self.mesh.faces, axis=1).tolist())))
+        frame = live.settle()
+        np.testing.assert_array_equal(frame.vertices, live.original.vertices)
+
+    def test_a_coarse_level_has_fewer_triangles(self):
+        session = self.open()
+        fine, coarse = self.join(session), self.join(session, triangles_max=5000)
+        self.assertEqual(len(fine.faces), len(self.mesh.faces))
+        self.assertLess(len(coarse.faces), 7000)
+        coarse.apply(burnish.GradientScale(0.2))
+        self.assertEqual(len(coarse.settle().vertices), len(coarse.original.vertices))
+        with self.assertRefused(burnish.ResourceExhausted, "99"):
+            session.live(level=99)
+
+    def test_frames_end_with_the_surface_at_rest(self):
+        live = self.join(self.open())
+        number, = live.apply(burnish.GradientScale(0.2))
+        frames = list(live.frames())
+        self.assertTrue(frames[-1].settled)
+        self.assertEqual(frames[-1].edits, number)
+        self.assertGreater(frames[-1].cycles, 0)
+        self.assertEqual(list(live.frames()), [])
+
+    def test_a_gesture_is_shown_and_kept_on_demand(self):
+        session = self.open()
+        live = self.join(session)
+        live.settle()
+        with live.gesture() as gesture:
+            gesture.show(burnish.GradientScale(0))
+            while np.abs(live.next_frame().displacements).max() < self.cell_size / 8:
+                pass
+        while np.abs(live.next_frame().displacements).max() > self.cell_size / 64:
+            pass
+        self.assertEqual(list(session.history()), [])
+        with live.gesture() as gesture:
+            gesture.show(burnish.GradientScale(0))
+            number = gesture.keep(burnish.GradientScale(0.1))
+        self.assertEqual([entry.number for entry in session.history()], [number])
+        with self.assertRaises(ValueError):
+            live.gesture().show(burnish.Controls())
+
+    def test_a_refused_edit_is_an_exception_and_the_session_goes_on(self):
+        live = self.join(self.open())
+        with self.assertRefused(burnish.InvalidArgument, "beta", "11", "10"):
+            live.apply(burnish.GradientScale(11))
+        self.assertEqual(live.apply(burnish.GradientScale(0.5)), [1])
+
+    def test_a_slow_reader_holds_nobody_up_and_stays_alive(self):
+        """The reader takes no frame while heartbeats go on, and an editor works beside it."""
+        session = self.open()
+        slow = Live(session._calls, session._info, triangles_max=1 << 20, level=None,
+                    heartbeat_seconds=0.02)
+        self.addCleanup(slow.close)
+        slow.settle()
+        editor = self.join(session)
+        for beta in range(10):
+            editor.apply(burnish.GradientScale(beta / 10))
+            editor.settle()
+        slow.wait_for_heartbeats(20)
+        self.assertLessEqual(slow.waiting_frames, 1)
+        slow.next_frame()
+        slow.apply(burnish.GradientScale(0.95))
+        self.assertEqual(slow.settle().edits, 11)
+
+    def test_people_are_there_with_their_roles(self):
+        session, anna = self.open(), self.connect("Anna")
+        session.set_role("Anna", "viewer")
+        self.join(session)
+        self.join(anna.session(session.id))
+        people = session.people()
+        self.assertEqual((people.roles["Anna"], people.present), ("viewer", ["Zoë", "Anna"]))
+        with self.assertRaises(burnish.PermissionDenied):
+            anna.session(session.id).set_beta(0)
+        with self.assertRefused(burnish.InvalidArgument, "king", "owner"):
+            session.set_role("Anna", "king")
+
+    def test_a_closed_session_is_over_for_good(self):
+        session = self.open()
+        live = self.join(session)
+        live.settle()
+        session.close()
+        with self.assertRaises(burnish.SessionEnded):
+            live.next_frame()
+
+    def test_closing_wakes_who_waits(self):
+        live = self.join(self.open())
+        live.settle()
+        waiting = threading.Timer(0, live.close)
+        waiting.start()
+        with self.assertRaises(burnish.SessionEnded):
+            live.next_frame()
+        waiting.join()
+
+    def test_a_surface_at_rest_sends_nothing(self):
+        live = self.join(self.open())
+        live.settle()
+        with self.assertRaises(burnish.DeadlineExceeded):
+            live.next_frame(timeout=0.01)
+
+
+class Restarted(Sdk):
+    def test_a_session_goes_on_when_its_server_was_killed(self):
+        session = self.open()
+        with session.live() as live:
+            live.apply(burnish.GradientScale(0.2))
+            live.settle()
+            self.server.kill()
+            applied = []
+            editor = threading.Thread(
+                target=lambda: applied.extend(live.apply(burnish.GradientScale(0.4))))
+            editor.start()
+            self.server.start()
+            editor.join()
+            self.assertEqual(applied, [2])
+            self.assertEqual(live.settle().edits, 2)
+        self.assertEqual(session.state().beta, 0.4)  # calls come back too
+
+    def test_who_waits_in_vain_is_told(self):
+        server = type(self.server)()
+        self.addCleanup(server.close)
+        with burnish.connect(f"unix:{server.socket}", patience=0.3) as connection:
+            scan = connection.import_scan(self.mesh, depth=4)
+            live = connection.open_session(scan, "lost", depth=4).live()
+            live.settle()
+            server.kill()
+            with self.assertRaisesRegex(burnish.Unavailable, "server.sock"):
+                live.next_frame()
+            with self.assertRaises(burnish.Unavailable):
+                connection.scans()
+            live.close()
+            server.start()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,155 @@
+#include "server/fleet/membership.h"
+
+#include <atomic>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "server/journal/postgres_journal.h"
+#include "tests/common/temporary_folder.h"
+#include "tests/server/postgres/postgres_cluster.h"
+
+namespace burnish {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::HasSubstr;
+using End = WriteOutcome::End;
+
+constexpr LeaseTimes kShortTimes{milliseconds(600), milliseconds(100)};
+
+/// A server's journal and its place in the fleet.
+struct Member {
+  Member(const PgAddress& address, const std::filesystem::path& folder, const std::string& name)
+      : journal(PostgresJournal::open(address, folder / (name + ".sqlite")).value()),
+        membership(Membership::join(address, {name, name + ".lab:7411"}, kShortTimes).value()) {
+    journal->begin_life(membership->first_life());
+  }
+
+  void start() {
+    beating = membership->start({.on_new_life =
+                                     [this](const std::string& life) {
+                                       journal->begin_life(life);
+                                       ++lives;
+                                     },
+                                 .on_heartbeat = [this] { ++beats; }});
+  }
+
+  /// The database has the clock of leases, so this waits.
+  template <typename What>
+  static bool until(What what) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (!what()) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      std::this_thread::sleep_for(milliseconds(10));
+    }
+    return true;
+  }
+
+  WriteOutcome append(uint64_t number) const {
+    const std::string id = std::to_string(number);
+    return journal->append("id-a", number, {{"ann", 0, {id, SetGradientScale{0.5}}}});
+  }
+
+  std::atomic<int> lives{1}, beats{0};
+  std::unique_ptr<PostgresJournal> journal;
+  std::unique_ptr<Membership> membership;
+  std::jthread beating;  // ends first
+};
+
+/// A fleet whose member "one" holds the session "a" with one edit.
+class MembershipTest : public testing::Test {
+ protected:
+  MembershipTest() {
+    one_ = std::make_unique<Member>(address_, folder_.path(), "one");
+    EXPECT_TRUE(one_->journal->create_session({"id-a", "a", "s", {7, 0.5}, 1}, {}).is_ok());
+    EXPECT_TRUE(one_->append(1).is_on_disk());
+  }
+
+  void sql(const char* script) const {
+    EXPECT_TRUE(PgConnection::open(address_, {}, "test")->script(script).is_ok());
+  }
+
+  PostgresCluster cluster_{"fsync=off"};
+  const TemporaryFolder folder_;
+  const PgAddress address_ = PgAddress::parse(cluster_.make_database()).value();
+  std::unique_ptr<Member> one_;
+};
+
+TEST_F(MembershipTest, ASessionOfALivingServerIsRefusedWithItsNameAndAddress) {
+  one_->start();
+  const Member two(address_, folder_.path(), "two");
+  const Status refused = two.journal->hold("id-a");
+  EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(refused.message(), HasSubstr("one (one.lab:7411)"));
+}
+
+TEST_F(MembershipTest, SessionsOfADeadServerAreFreeWhenItsLeaseIsOver) {
+  Member two(address_, folder_.path(), "two");
+  EXPECT_FALSE(two.journal->hold("id-a").is_ok());
+  two.start();
+  EXPECT_TRUE(Member::until([&] { return two.journal->hold("id-a").is_ok(); }));
+  EXPECT_GE(two.beats, 5) << "it must give others the time of a lease";
+  EXPECT_EQ(one_->append(2).end(), End::kUnknown);
+  EXPECT_TRUE(two.append(2).is_on_disk());
+}
+
+TEST_F(MembershipTest, ARestartedServerHasItsSessionsBackAtOnce) {
+  one_->beating = {};
+  const Member again(address_, folder_.path(), "one");
+  EXPECT_TRUE(again.journal->hold("id-a").is_ok());
+  EXPECT_EQ(one_->append(2).end(), End::kUnknown);
+  EXPECT_TRUE(again.append(2).is_on_disk());
+}
+
+TEST_F(MembershipTest, SessionsOfAServerThatLeavesAreFreeAtOnce) {
+  const Member two(address_, folder_.path(), "two");
+  one_.reset();
+  EXPECT_TRUE(two.journal->hold("id-a").is_ok());
+}
+
+TEST_F(MembershipTest, AReleasedSessionIsFreeAtOnce) {
+  one_->start();
+  const Member two(address_, folder_.path(), "two");
+  one_->journal->release("id-a");
+  EXPECT_EQ(one_->append(2).end(), End::kUnknown);
+  EXPECT_TRUE(two.journal->hold("id-a").is_ok());
+}
+
+TEST_F(MembershipTest, AServerWhoseLifeWasEndedBeginsAnother) {
+  one_->start();
+  sql("DELETE FROM nodes");
+  EXPECT_TRUE(Member::until([&] { return one_->lives == 2; }));
+  EXPECT_EQ(one_->append(2).end(), End::kUnknown);
+  EXPECT_TRUE(Member::until([&] { return one_->journal->hold("id-a").is_ok(); }));
+  EXPECT_TRUE(one_->append(2).is_on_disk());
+}
+
+TEST_F(MembershipTest, TheLockOfAStoppedServerDoesNotHoldUpTheOthers) {
+  Member two(address_, folder_.path(), "two");
+  PgConnection stopped =
+      PgConnection::open(address_, {}, "burnish " + one_->membership->first_life()).value();
+  ASSERT_TRUE(stopped.script("BEGIN; SELECT 1 FROM sessions FOR UPDATE").is_ok());
+  two.start();
+  EXPECT_TRUE(Member::until([&] { return two.journal->hold("id-a").is_ok(); }));
+  EXPECT_FALSE(stopped.script("COMMIT").is_ok());
+}
+
+TEST_F(MembershipTest, NobodyMovesAfterTheDatabaseWasAwayForLongerThanALease) {
+  Member two(address_, folder_.path(), "two");
+  one_->start();
+  two.start();
+  EXPECT_TRUE(Member::until([&] { return one_->beats > 10 && two.beats > 10; }));
+  cluster_.kill();
+  // The leases end by the database's clock.
+  std::this_thread::sleep_for(2 * kShortTimes.lease);
+  const int before = two.beats;
+  cluster_.start();
+  EXPECT_TRUE(Member::until([&] { return two.beats > before + 10; }));
+  EXPECT_EQ(two.journal->hold("id-a").code(), StatusCode::kFailedPrecondition);
+  EXPECT_EQ(one_->lives, 1);
+  EXPECT_TRUE(one_->append(2).is_on_disk());
+}
+
+}  // namespace
+}  // namespace burnish
