@@ -18,6 +18,8 @@ namespace burnish {
 
 inline constexpr ImageSize kWindow{1280, 720};  // at scale 1
 inline constexpr int kWheelUp = 4, kWheelDown = 5;
+inline constexpr const char* kLeft = "Left column";
+inline constexpr const char* kRight = "Right column";
 
 /// A window on a server with scans and people, and its user. Places in the picture are at scale 1.
 class Studio {

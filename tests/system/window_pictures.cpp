@@ -8,9 +8,6 @@
 namespace burnish {
 namespace {
 
-const char* const kLeft = "Left column";
-const char* const kRight = "Right column";
-
 /// Smooths everything, then brings the inscription out again. Draws one tile for each step.
 void draw_an_edit(Studio& studio) {
   studio.toggle_figures();
