@@ -116,6 +116,8 @@ class SocketConnection final : public WebConnection,
     is_reading_ = false;
     if (is_closing_) return;
     if (error) return fail();
+    // Messages of strangers cost no memory.
+    if (!socket_.got_text() && !conversation_.takes_messages()) frame_.consume(frame_.size());
     const size_t limit = socket_.got_text() ? kWebControlBytesMax : kWebMessageBytesMax;
     if (socket_.is_message_done() || frame_.size() > limit) take_frame();
     read();
@@ -159,10 +161,11 @@ class SocketConnection final : public WebConnection,
   void obey(const DropFrame&) {}
 
   void obey(const CloseSocket& order) {
-    report_web_refusal(Refusal::kMalformed, peer_, order.reason);
+    const bool is_too_big = order.code == CloseCode::kTooBig;
+    report_web_refusal(is_too_big ? Refusal::kCutOff : Refusal::kMalformed, peer_, order.reason);
     if (conversation_.is_calling()) {
-      const auto code = order.code == CloseCode::kTooBig ? grpc::StatusCode::RESOURCE_EXHAUSTED
-                                                         : grpc::StatusCode::INVALID_ARGUMENT;
+      const auto code =
+          is_too_big ? grpc::StatusCode::RESOURCE_EXHAUSTED : grpc::StatusCode::INVALID_ARGUMENT;
       write_text(end_of_call_frame(code, order.reason));
     }
     close_with(order.code, order.reason);

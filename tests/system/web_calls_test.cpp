@@ -146,7 +146,7 @@ TEST_F(WebCalls, AnImportIsDoneAfterTheClientsHalfClose) {
 TEST_F(WebCalls, AnUploadThatEndsEarlyIsDataLossAsOverGrpc) {
   WebClient client = connect();
   expect_equal(client, {kImportRpc, {import_header(1000), import_chunk("half")}});
-  EXPECT_EQ(server_.staged(), 0u);
+  EXPECT_EQ(server_.scans(), 0u);
 }
 
 TEST_F(WebCalls, ACancelEndsTheCallAndTheSocketGoesOn) {

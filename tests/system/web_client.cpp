@@ -138,6 +138,15 @@ bool WebClient::send_message(const std::string& bytes) {
   });
 }
 
+bool WebClient::send_part(const std::string& bytes) {
+  return state_->with_socket([&](auto& socket) {
+    Error error;
+    socket.binary(true);
+    socket.write_some(false, asio::buffer(bytes), error);
+    return !error;
+  });
+}
+
 std::optional<WebClient::Frame> WebClient::read() {
   return state_->with_socket([&](auto& socket) -> std::optional<Frame> {
     beast::flat_buffer buffer;

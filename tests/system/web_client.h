@@ -42,6 +42,7 @@ class WebClient {
   /// Return whether the frame went out.
   bool send_text(const std::string& text);
   bool send_message(const std::string& bytes);
+  bool send_part(const std::string& bytes);  ///< of a message that goes on
 
   /// Returns the next frame; nothing once the door has closed the socket.
   std::optional<Frame> read();

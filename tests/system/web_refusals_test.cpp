@@ -1,5 +1,7 @@
 // The web door and strangers: foreign pages, rebound names, wrong tokens, broken requests.
 
+#include <fstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,6 +22,17 @@ size_t occurrences(const std::string& text, const std::string& part) {
   size_t found = 0;
   for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
   return found;
+}
+
+/// Returns the server's largest resident memory so far; proc(5).
+uint64_t peak_bytes(const ServerProcess& server) {
+  std::ifstream status("/proc/" + std::to_string(server.process->pid()) + "/status");
+  std::string word;
+  uint64_t kib = 0;
+  while (status >> word && word != "VmHWM:") {
+  }
+  status >> kib;
+  return kib * 1024;
 }
 
 std::string user_entry(const std::string& name, const std::string& role) {
@@ -119,6 +132,22 @@ TEST_F(WebRefusals, ATokenThatGrpcWouldNotCarryClosesTheSocketAlone) {
   WebClient next(address());
   EXPECT_TRUE(call(next, {kListScansRpc, {""}, "vera-secret"}).status.ok());
   EXPECT_THAT(server_.process->output(), Not(HasSubstr("-secret")));
+}
+
+TEST_F(WebRefusals, AStrangersMessagesCostNoMemory) {
+  constexpr size_t kClients = 16, kMessageBytes = 15 << 20;
+  const std::string half(kMessageBytes, 'x');
+  std::vector<std::unique_ptr<WebClient>> strangers;
+  for (size_t i = 0; i < kClients; ++i) {
+    strangers.push_back(std::make_unique<WebClient>(address()));
+    strangers.back()->send_text(begin_of(kListScansRpc));
+    ASSERT_EQ(read_to_end(*strangers.back()).status.error_code(),
+              grpc::StatusCode::UNAUTHENTICATED);
+    ASSERT_TRUE(strangers.back()->send_part(half));  // the message has no end
+  }
+  WebClient user(address());
+  ASSERT_TRUE(call(user, {kListScansRpc, {""}, "vera-secret"}).status.ok());
+  EXPECT_LT(peak_bytes(server_), uint64_t{150} << 20);
 }
 
 TEST_F(WebRefusals, AnotherUsersNameIsRefused) {

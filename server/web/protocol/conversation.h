@@ -43,6 +43,10 @@ class Conversation {
   /// Notes that the call has ended, or was refused. Needs: is_calling().
   void note_end();
 
+  /// Returns whether the next message goes to a call. If not, hear_message() needs none of its
+  /// bytes.
+  bool takes_messages() const { return state_ == State::kOpen; }
+
   /// Returns whether a call runs.
   bool is_calling() const { return state_ != State::kFresh && state_ != State::kBetween; }
 

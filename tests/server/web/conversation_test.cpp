@@ -28,9 +28,11 @@ TEST(Conversation, ACallTakesMessagesToTheirEnd) {
   const Order start = talk.hear_text(R"({"call":"a.B/C","token":"t","user":"anna"})");
   EXPECT_EQ(std::get<StartCall>(start).call, (CallFrame{"/a.B/C", "t", "anna"}));
   EXPECT_TRUE(talk.is_calling());
+  EXPECT_TRUE(talk.takes_messages());
   EXPECT_TRUE(is<PassMessage>(talk.hear_message(0)));
   EXPECT_TRUE(is<PassMessage>(talk.hear_message(kWebMessageBytesMax)));
   EXPECT_TRUE(is<EndMessages>(talk.hear_text(kEndText)));
+  EXPECT_FALSE(talk.takes_messages());
   EXPECT_TRUE(talk.is_calling());
   talk.note_end();
   EXPECT_FALSE(talk.is_calling());
