@@ -17,7 +17,7 @@ struct LeaseTimes {
   std::chrono::milliseconds heartbeat{3'000};
 };
 
-/// What a server does as a member of a fleet. Calls come from the thread that start() returns.
+/// The membership of a server in a fleet. Calls come from the thread that start() returns.
 struct MemberDuties {
   /// This server's life was over, and another one has begun: it holds no session any more.
   std::function<void(const std::string& life)> on_new_life;

@@ -11,7 +11,7 @@ namespace burnish {
 // The rows of the lives of servers, in the tables that the journal makes. Only the database's clock
 // says whether a lease is over.
 
-/// What others know of a server.
+/// A server, as others know it.
 struct NodeFacts {
   std::string name;     ///< no other server of the fleet has it
   std::string address;  ///< HOST:PORT for clients

@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// What was copied.
+/// The counts of a copy.
 struct JournalCopy {
   size_t sessions = 0;
   uint64_t edits = 0;

@@ -65,7 +65,7 @@ static Status migrate(PgConnection& database) {
 }
 
 Status make_postgres_schema(PgConnection& database) {
-  // Of two servers that make the same table at once one fails, and finds it at its next try.
+  // If two servers make the same table at once, one fails, and finds it at its next try.
   static constexpr int kTries = 3;
   Status status;
   for (int i = 0; i < kTries; ++i) {

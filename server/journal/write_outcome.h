@@ -28,7 +28,7 @@ class WriteOutcome {
   bool is_on_disk() const { return end_ == End::kOnDisk; }
   bool is_unknown() const { return end_ == End::kUnknown; }
 
-  /// What the journal met; ok if the write is on disk.
+  /// The failure that the journal met; ok if the write is on disk.
   const Status& why() const { return why_; }
 
   /// Says why the write is not on disk; ok if it is. An unknown write is `unavailable`: the same

@@ -82,7 +82,7 @@ Result<SessionManager::Held> SessionManager::lock(const std::string& reference,
   if (!entry) return no_such_session(reference);
   ASSIGN_OR_RETURN(Held held, lock(std::move(entry), progress));
   if (held.entry->deleted) return no_such_session(reference);
-  // Whatever is done with it, another server may have changed it.
+  // Another server may have changed it meanwhile.
   if (held.entry->in_journal && !held.entry->session) RETURN_IF_ERROR(hold(*held.entry));
   return held;
 }

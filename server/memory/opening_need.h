@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// Where the data of a prepared mesh lies.
+/// The place of the data of a prepared mesh.
 enum class PreparedPlace {
   kMemory,
   kFile,  ///< a mapped file without a name: the kernel drops from memory what nobody reads

@@ -7,8 +7,8 @@
 
 namespace burnish {
 
-/// Where a database is: a connection URI of libpq without a password. A URI may name several hosts,
-/// of which one at a time takes writes.
+/// The address of a database: a connection URI of libpq without a password. A URI may name several
+/// hosts, of which one at a time takes writes.
 class PgAddress {
  public:
   /// Fails: invalid_argument for text that is not such a URI, and for a password in it. The message

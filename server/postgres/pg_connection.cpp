@@ -15,7 +15,7 @@ namespace burnish {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-/// What the server said last.
+/// The last message of the server.
 struct PgConnection::Heard {
   std::string warning;   // since the transaction began
   std::string sqlstate;  // of the last error

@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// What became of a file.
+/// The end of one file.
 struct FilteredFacts {
   size_t vertices = 0, triangles = 0;
   int depth = 0;

@@ -17,7 +17,7 @@ inline std::string name_of_kind(const testing::TestParamInfo<JournalKind>& kind)
   return kind.param == JournalKind::kSqlite ? "Sqlite" : "Postgres";
 }
 
-/// Where a test keeps a journal: a file, or a database of its own.
+/// The place of a test's journal: a file, or a database of its own.
 class JournalPlace {
  public:
   explicit JournalPlace(JournalKind kind);
