@@ -99,6 +99,9 @@ class WebEndurance : public testing::Test {
 };
 
 TEST_F(WebEndurance, SocketsThatComeAndGoLeaveNothing) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer keeps memory that was given back";
+#endif
   const int sockets = number_from_environment("BURNISH_WEB_SOCKETS", 1000);
   const auto come_and_go = [&](int times) {
     for (int i = 0; i < times; ++i) {
@@ -123,6 +126,9 @@ TEST_F(WebEndurance, SocketsThatComeAndGoLeaveNothing) {
 }
 
 TEST_F(WebEndurance, ReadersThatStallCostLittleMemoryAndHoldUpNobody) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer keeps memory that was given back";
+#endif
   open_work(7, "7");  // 164,000 vertices, 9 MB a file
   v1::ExportRequest wanted;
   wanted.set_session("work");
