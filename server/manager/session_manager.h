@@ -96,8 +96,8 @@ class SessionManager {
   Result<ApplyOutcome> apply(const std::string& reference, const Caller& caller,
                              std::span<const Edit> edits, const Progress& progress = {});
 
-  /// Says whether edits are on disk. Of a failure, `unavailable` means that nobody knows, and that
-  /// the caller must send the same edits again.
+  /// Says whether edits are on disk. If it fails with `unavailable`, nobody knows: the caller must
+  /// send the same edits again.
   using OnDisk = std::function<void(const Status&)>;
 
   /// Does the same without waiting for the disk: the session has the edits when this returns.

@@ -19,7 +19,8 @@ Status SessionManager::hold(SessionEntry& entry) {
 
 using RecordsById = std::map<std::string, const SessionRecord*>;
 
-/// Returns whether another server has deleted or renamed the session. What this server uses stays.
+/// Returns whether another server has deleted or renamed the session; false while this server uses
+/// it.
 static bool is_changed_elsewhere(const SessionEntry& entry, const RecordsById& there) {
   if (!entry.in_journal || entry.in_memory) return false;
   const auto record = there.find(entry.record.id);
