@@ -69,10 +69,4 @@ Status call_status(const std::string& server, const grpc::Status& status) {
   return {code, where + status.error_message()};
 }
 
-std::string seconds_text(std::chrono::milliseconds time) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%g s", static_cast<double>(time.count()) / 1000);
-  return text;
-}
-
 }  // namespace burnish

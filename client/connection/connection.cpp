@@ -4,6 +4,7 @@
 
 #include "client/connection/channel.h"
 #include "client/connection/connection_state.h"
+#include "common/base/text.h"
 #include "common/wire/library_wire.h"
 #include "common/wire/session_wire.h"
 

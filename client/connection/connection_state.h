@@ -42,7 +42,4 @@ Status call_status(const std::string& server, const grpc::Status& status);
 /// stays as it is.
 std::string no_link_words(std::string_view text);
 
-/// Returns "10 s", "0.25 s".
-std::string seconds_text(std::chrono::milliseconds time);
-
 }  // namespace burnish

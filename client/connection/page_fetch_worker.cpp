@@ -1,6 +1,6 @@
 #include "client/connection/page_fetch_worker.h"
 
-#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "client/connection/channel.h"
@@ -8,27 +8,22 @@
 
 namespace burnish {
 
-static constexpr int kCallsMax = 2;  // one asks while the other one's pages are on the link
-
-static std::string name_of(PageItem item) {
-  return (item.kind == PageItem::Kind::kPage ? "page " : "block ") + std::to_string(item.number);
-}
-
 PageFetcher::Worker::Worker(std::string server, ConnectionTrust trust, std::string scan,
                             std::function<void()> on_news, std::shared_ptr<PageDisk> disk)
     : server_(std::move(server)),
       trust_(std::move(trust)),
       scan_(std::move(scan)),
       on_news_(std::move(on_news)),
-      disk_(std::move(disk)) {
-  for (int i = 0; i < kCallsMax; ++i) threads_.emplace_back([this] { run(); });
+      disk_(std::move(disk)),
+      delivery_(server_) {
+  for (int i = 0; i < kFetchCallsMax; ++i) threads_.emplace_back([this] { run(); });
 }
 
 PageFetcher::Worker::~Worker() {
   {
     const std::lock_guard lock(mutex_);
     is_stopping_ = true;
-    for (Call* call : calls_) call->context.TryCancel();
+    for (const auto& [call, context] : contexts_) context->TryCancel();
   }
   changed_.notify_all();
   for (std::thread& thread : threads_) thread.join();
@@ -37,33 +32,24 @@ PageFetcher::Worker::~Worker() {
 void PageFetcher::Worker::ask(std::span<const PageItem> items) {
   {
     const std::lock_guard lock(mutex_);
-    for (const PageItem item : items) queue_.ask(item);
+    delivery_.ask(items);
   }
   changed_.notify_all();
 }
 
-// A call that brings nothing useful any more would hold up the others.
 void PageFetcher::Worker::cancel(std::span<const PageItem> items) {
   const std::lock_guard lock(mutex_);
-  for (const PageItem item : items) queue_.cancel(item);
-  for (Call* call : calls_)
-    if (!is_useful(*call) && !std::exchange(call->is_cancelled, true)) call->context.TryCancel();
+  for (const Call call : delivery_.cancel(items)) contexts_.at(call)->TryCancel();
 }
 
-std::vector<PageFetcher::Arrival> PageFetcher::Worker::take() {
+std::vector<PageSource::Arrival> PageFetcher::Worker::take() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(arrivals_, {});
+  return delivery_.take();
 }
 
 LinkSpeed PageFetcher::Worker::speed() const {
   const std::lock_guard lock(mutex_);
-  return meter_.speed();
-}
-
-// A call that has brought all ends by itself.
-bool PageFetcher::Worker::is_useful(const Call& call) const {
-  return call.coming == 0 ||
-         std::ranges::any_of(call.items, [&](PageItem item) { return queue_.is_open(item); });
+  return delivery_.speed();
 }
 
 void PageFetcher::Worker::run() {
@@ -71,7 +57,7 @@ void PageFetcher::Worker::run() {
     std::vector<PageItem> batch = next_batch();
     if (batch.empty()) return;
     batch = look_on_disk(batch);
-    if (!batch.empty()) fetch(std::move(batch));
+    if (!batch.empty()) fetch(batch);
   }
 }
 
@@ -79,7 +65,7 @@ std::vector<PageItem> PageFetcher::Worker::next_batch() {
   std::unique_lock lock(mutex_);
   std::vector<PageItem> batch;
   changed_.wait(lock, [&] {
-    if (!is_stopping_) batch = queue_.take_batch();
+    if (!is_stopping_) batch = delivery_.next_batch();
     return is_stopping_ || !batch.empty();
   });
   return batch;
@@ -96,32 +82,30 @@ std::vector<PageItem> PageFetcher::Worker::look_on_disk(const std::vector<PageIt
       continue;
     }
     const std::lock_guard lock(mutex_);
-    const uint64_t bytes = found->size();
-    if (queue_.come(item, bytes)) arrivals_.push_back({item, std::move(found)});
+    delivery_.on_found(item, std::move(*found));
   }
   if (missing.size() < batch.size()) tell();
   return missing;
 }
 
-void PageFetcher::Worker::fetch(std::vector<PageItem> items) {
-  Call call;
-  call.items = std::move(items);
-  call.coming = call.items.size();
+void PageFetcher::Worker::fetch(const std::vector<PageItem>& items) {
+  grpc::ClientContext context;
+  std::optional<Call> call;
   {
     const std::lock_guard lock(mutex_);
     if (is_stopping_) return;
-    call.is_cancelled = !is_useful(call);
-    calls_.push_back(&call);
+    call = delivery_.begin(items, std::chrono::steady_clock::now());
+    if (call) contexts_[*call] = &context;
   }
-  end(call, call.is_cancelled ? Status::ok() : listen(call));
+  if (call) end(*call, listen(*call, items, context));
 }
 
-Status PageFetcher::Worker::listen(Call& call) {
+Status PageFetcher::Worker::listen(Call call, const std::vector<PageItem>& items,
+                                   grpc::ClientContext& context) {
   ASSIGN_OR_RETURN(const auto stub, this->stub());
   PagesWish wish{.scan = scan_, .blocks = {}, .pages = {}};
-  for (const PageItem item : call.items)
+  for (const PageItem item : items)
     (item.kind == PageItem::Kind::kPage ? wish.pages : wish.blocks).push_back(item.number);
-  call.began = std::chrono::steady_clock::now();
   const Connection::PageTaker taker{
       .block =
           [&](PagePart part) {
@@ -131,47 +115,27 @@ Status PageFetcher::Worker::listen(Call& call) {
           [&](PagePart part) {
             return on_part(call, PageItem::of_page(part.number), std::move(part.bytes));
           }};
-  return fetch_parts(server_, *stub, call.context, wish, taker);
+  return fetch_parts(server_, *stub, context, wish, taker);
 }
 
-bool PageFetcher::Worker::on_part(Call& call, PageItem item, std::vector<uint8_t> bytes) {
-  const Time now = std::chrono::steady_clock::now();
+bool PageFetcher::Worker::on_part(Call call, PageItem item, std::vector<uint8_t> bytes) {
+  const auto now = std::chrono::steady_clock::now();
   if (disk_) disk_->keep(item, bytes);
   bool goes_on;
   {
     const std::lock_guard lock(mutex_);
-    meter_.on_part(bytes.size(), now);
-    if (!std::exchange(call.has_begun, true)) meter_.on_first_part(call.began, now);
-    const uint64_t size = bytes.size();
-    if (queue_.come(item, size)) arrivals_.push_back({item, std::move(bytes)});
-    if (call.coming > 0) --call.coming;
-    goes_on = is_useful(call) && !is_stopping_;
-    if (!goes_on) call.is_cancelled = true;
+    goes_on = delivery_.on_part(call, item, std::move(bytes), now) && !is_stopping_;
   }
   tell();
   return goes_on;
 }
 
-// Items that were asked for again after the call was cancelled wait for another call.
-void PageFetcher::Worker::end(Call& call, const Status& why) {
+void PageFetcher::Worker::end(Call call, const Status& why) {
   {
     const std::lock_guard lock(mutex_);
-    std::erase(calls_, &call);
-    if (call.has_begun) meter_.on_end();
-    std::vector<PageItem> left = queue_.end(call.items);
-    if (why.code() == StatusCode::kUnavailable) {
-      stub_.reset();
-      std::ranges::copy(queue_.give_up_waiting(), std::back_inserter(left));
-    }
-    for (const PageItem item : left) {
-      if (call.is_cancelled)
-        queue_.ask(item);
-      else if (why.is_ok())
-        arrivals_.push_back({item, data_loss("server " + server_ + " left out " + name_of(item))});
-      else
-        arrivals_.push_back({item, why});
-    }
-    if (left.empty() || is_stopping_) return;
+    contexts_.erase(call);
+    if (why.code() == StatusCode::kUnavailable) stub_.reset();
+    if (!delivery_.end(call, why) || is_stopping_) return;
   }
   changed_.notify_all();
   tell();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -10,9 +11,8 @@
 #include <grpcpp/grpcpp.h>
 
 #include "burnish/v1/library.grpc.pb.h"
-#include "client/connection/fetch_queue.h"
-#include "client/connection/link_meter.h"
 #include "client/connection/page_fetcher.h"
+#include "client/pages/page_delivery.h"
 
 namespace burnish {
 
@@ -30,26 +30,16 @@ class PageFetcher::Worker {
   LinkSpeed speed() const;
 
  private:
-  using Time = LinkMeter::Time;
+  using Call = PageDelivery::Call;
   using Stub = v1::Library::Stub;
-
-  struct Call {
-    std::vector<PageItem> items;
-    size_t coming = 0;  // of the items
-    grpc::ClientContext context;
-    Time began = {};
-    bool has_begun = false;  // a part has come
-    bool is_cancelled = false;
-  };
 
   void run();
   std::vector<PageItem> next_batch();  // empty: the end
   std::vector<PageItem> look_on_disk(const std::vector<PageItem>& batch);
-  void fetch(std::vector<PageItem> items);
-  Status listen(Call& call);
-  bool on_part(Call& call, PageItem item, std::vector<uint8_t> bytes);
-  void end(Call& call, const Status& why);
-  bool is_useful(const Call& call) const;  // needs the lock
+  void fetch(const std::vector<PageItem>& items);
+  Status listen(Call call, const std::vector<PageItem>& items, grpc::ClientContext& context);
+  bool on_part(Call call, PageItem item, std::vector<uint8_t> bytes);
+  void end(Call call, const Status& why);
   void tell() const;
   Result<std::shared_ptr<Stub>> stub();
 
@@ -61,11 +51,9 @@ class PageFetcher::Worker {
 
   mutable std::mutex mutex_;  // of what follows
   std::condition_variable changed_;
-  FetchQueue queue_;
-  LinkMeter meter_;
-  std::vector<Call*> calls_;
-  std::vector<Arrival> arrivals_;
-  std::shared_ptr<Stub> stub_;  // null: another channel is to be made
+  PageDelivery delivery_;
+  std::map<Call, grpc::ClientContext*> contexts_;  // of the calls under way
+  std::shared_ptr<Stub> stub_;                     // null: another channel is to be made
   bool is_stopping_ = false;
 
   std::vector<std::thread> threads_;  // last: they use all of the above

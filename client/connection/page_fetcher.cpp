@@ -20,7 +20,7 @@ void PageFetcher::cancel(std::span<const PageItem> items) {
   worker_->cancel(items);
 }
 
-std::vector<PageFetcher::Arrival> PageFetcher::take() {
+std::vector<PageSource::Arrival> PageFetcher::take() {
   return worker_->take();
 }
 

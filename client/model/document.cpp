@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "client/connection/page_fetcher.h"
+#include "client/connection/session_link.h"
 #include "common/edit/edit_id.h"
 #include "common/edit/wavelength.h"
 
@@ -52,8 +54,11 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
   live.on_news = wake_;
   live.clock = options.clock;
   live_ = std::make_unique<SessionLink>(*opened_.connection, std::move(live));
-  SurfaceOptions shown{options.budget, options.is_software, options.pages, wake_, options.clock};
-  surface_ = std::make_unique<PagedSurface>(std::move(opened_.pages), depth(), *opened_.connection,
+  auto source = std::make_unique<PageFetcher>(
+      *opened_.connection, opened_.pages.scan, wake_,
+      std::make_shared<PageDisk>(options.pages, opened_.pages.fingerprint));
+  SurfaceOptions shown{options.budget, options.is_software, wake_, options.clock};
+  surface_ = std::make_unique<PagedSurface>(std::move(opened_.pages), depth(), std::move(source),
                                             *live_, std::move(shown));
   surface_->show_colours(has_colours());
 }

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "client/connection/session_link.h"
+#include "client/connection/connection.h"
+#include "client/live/live_link.h"
 #include "client/model/measuring.h"
 #include "client/model/message_log.h"
 #include "client/model/recorder.h"
@@ -255,7 +256,7 @@ class Document {
   std::shared_ptr<Fetch> history_fetch_ = std::make_shared<Fetch>();
   Measuring measuring_;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may outlive us
-  std::unique_ptr<SessionLink> live_;                           // its thread calls wake_
+  std::unique_ptr<LiveLink> live_;                              // its thread calls wake_
   std::unique_ptr<PagedSurface> surface_;                       // last: it uses live_
 };
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "client/connection/surface_frame.h"
+#include "client/live/surface_frame.h"
 #include "client/pages/drawn_ranges.h"
 #include "client/scene/page_surface.h"
 #include "client/scene/surface_hit.h"

@@ -1,31 +1,20 @@
 #pragma once
 
-#include <condition_variable>
 #include <cstdint>
-#include <deque>
 #include <functional>
-#include <mutex>
+#include <memory>
 #include <set>
 #include <span>
-#include <stop_token>
-#include <thread>
 #include <vector>
 
-#include "client/scene/page_mesh.h"
-#include "common/pages/directory.h"
+#include "client/surface/page_desk.h"
 
 namespace burnish {
 
-struct DecodedPage {
-  PageId id = 0;
-  Result<Page> page;
-  PageMesh mesh;  ///< empty if the page failed
-};
-
-/// Decodes pages on a thread of its own, so that no picture waits. Used from one thread.
+/// Keeps account of the pages that a PageDesk decodes. Used from one thread.
 class PageDecoder {
  public:
-  /// `on_news`: take() has something; called from the decoder's thread.
+  /// `on_news`: take() has something; called from any thread.
   PageDecoder(PageHead head, std::function<void()> on_news);
 
   /// Returns whether the page is in work, or has not been taken.
@@ -42,23 +31,8 @@ class PageDecoder {
  private:
   static constexpr size_t kPagesMax = 16;
 
-  struct Job {
-    PageId page;
-    std::vector<uint8_t> bytes;
-  };
-  void run(const std::stop_token& stop);
-  DecodedPage decode(const Job& job) const;
-
-  const PageHead head_;
-  const std::function<void()> on_news_;
   std::set<PageId> known_;
-
-  std::mutex mutex_;  // guards the following members
-  std::condition_variable_any changed_;
-  std::deque<Job> jobs_;
-  std::vector<DecodedPage> done_;
-
-  std::jthread thread_;  // last member: it uses all the others
+  std::unique_ptr<PageDesk> desk_;
 };
 
 }  // namespace burnish

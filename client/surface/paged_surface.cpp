@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/connection/page_disk.h"
 #include "common/pages/directory_codec.h"
 
 namespace burnish {
@@ -28,8 +27,8 @@ Result<OpenedPages> open_pages(const PagesDescription& description, const std::s
   return pages;
 }
 
-PagedSurface::PagedSurface(OpenedPages pages, int depth, const Connection& connection,
-                           SessionLink& link, SurfaceOptions options)
+PagedSurface::PagedSurface(OpenedPages pages, int depth, std::unique_ptr<PageSource> source,
+                           LiveLink& link, SurfaceOptions options)
     : pages_(std::move(pages)),
       link_(link),
       options_(std::move(options)),
@@ -37,8 +36,7 @@ PagedSurface::PagedSurface(OpenedPages pages, int depth, const Connection& conne
       tint_(pages_.head.grid, depth),
       marks_(tint_),
       card_(pages_.head.grid, depth),
-      fetcher_(connection, pages_.scan, options_.on_news,
-               std::make_shared<PageDisk>(options_.disk, pages_.fingerprint)),
+      source_(std::move(source)),
       decoder_(pages_.head, options_.on_news) {}
 
 Status PagedSurface::open(PageRenderer& renderer) {
@@ -88,7 +86,7 @@ static bool is_damage(StatusCode code) {
 
 void PagedSurface::hand_in_arrivals() {
   const auto now = options_.clock();
-  for (PageFetcher::Arrival& arrival : fetcher_.take()) {
+  for (PageSource::Arrival& arrival : source_->take()) {
     if (arrival.item.kind == PageItem::Kind::kBlock && arrival.bytes.is_ok()) {
       hand_in_block(arrival.item.number, std::move(arrival.bytes));
     } else if (arrival.bytes.is_ok()) {
@@ -119,7 +117,7 @@ PictureQuestion PagedSurface::question(const Camera& camera, const ImageSize& si
   asked.has_values = [frame = frame_.get()](PageId page) {
     return frame != nullptr && frame->find(page) != nullptr;
   };
-  asked.link = fetcher_.speed();
+  asked.link = source_->speed();
   return asked;
 }
 
@@ -144,8 +142,8 @@ void PagedSurface::start_decoding() {
 
 void PagedSurface::ask_for_items() {
   const PageRequests::Plan& plan = loader_->requests();
-  fetcher_.cancel(plan.cancel);
-  fetcher_.ask(plan.ask);
+  source_->cancel(plan.cancel);
+  source_->ask(plan.ask);
 }
 
 Status PagedSurface::put_on_card() {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -11,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "client/connection/page_fetcher.h"
-#include "client/connection/session_link.h"
+#include "client/live/live_link.h"
 #include "client/pages/page_loader.h"
+#include "client/pages/page_source.h"
 #include "client/scene/page_renderer.h"
 #include "client/surface/card_pages.h"
 #include "client/surface/page_decoder.h"
@@ -21,6 +20,7 @@
 #include "client/surface/server_room.h"
 #include "client/surface/shown_set.h"
 #include "common/base/clock.h"
+#include "common/service/scan_pages.h"
 
 namespace burnish {
 
@@ -38,7 +38,6 @@ Result<OpenedPages> open_pages(const PagesDescription& description, const std::s
 struct SurfaceOptions {
   PageBudget budget;
   bool is_software = false;       ///< pictures are drawn without a graphics card
-  std::filesystem::path disk;     ///< folder that keeps fetched pages; empty: none
   std::function<void()> on_news;  ///< called from any thread: another look() helps
   Clock clock = std::chrono::steady_clock::now;
 };
@@ -48,8 +47,9 @@ struct SurfaceOptions {
 /// whole surface at one moment. Never waits. Used from one thread.
 class PagedSurface {
  public:
-  /// Needs: `connection` and `link` outlive this; `link` is the session's, of this depth.
-  PagedSurface(OpenedPages pages, int depth, const Connection& connection, SessionLink& link,
+  /// Needs: `source` brings the scan's pages; `link` is the session's, of this depth, and outlives
+  /// this.
+  PagedSurface(OpenedPages pages, int depth, std::unique_ptr<PageSource> source, LiveLink& link,
                SurfaceOptions options);
 
   /// Empties the renderer for this surface. Call once, first. Needs: it outlives this.
@@ -112,7 +112,7 @@ class PagedSurface {
   bool moves(bool is_dragging) const;
 
   OpenedPages pages_;
-  SessionLink& link_;
+  LiveLink& link_;
   SurfaceOptions options_;
   double cell_size_;  // file units
   StrokeTint tint_;
@@ -130,7 +130,7 @@ class PagedSurface {
   uint64_t changes_ = 0;
   std::optional<Status> damage_;
 
-  PageFetcher fetcher_;  // their threads call on_news
+  std::unique_ptr<PageSource> source_;  // their threads call on_news
   PageDecoder decoder_;
 };
 

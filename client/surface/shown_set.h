@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "client/connection/surface_frame.h"
+#include "client/live/surface_frame.h"
 #include "client/pages/chosen_cut.h"
 #include "client/pages/page_cache.h"
 

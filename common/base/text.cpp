@@ -1,6 +1,7 @@
 #include "common/base/text.h"
 
 #include <array>
+#include <cstdio>
 
 #include "common/base/limits.h"
 
@@ -101,6 +102,12 @@ std::string shortened(std::string_view text, size_t bytes_max) {
 
 std::string one_line(std::string_view text, size_t bytes_max) {
   return cleaned(text, bytes_max, [](char32_t c) { return !is_control(c); });
+}
+
+std::string seconds_text(std::chrono::milliseconds time) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%g s", static_cast<double>(time.count()) / 1000);
+  return text;
 }
 
 }  // namespace burnish

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -43,5 +44,8 @@ std::string shortened(std::string_view text, size_t bytes_max);
 /// Returns the same as one line that is safe on a terminal: a character that is_control() becomes
 /// '?' too.
 std::string one_line(std::string_view text, size_t bytes_max);
+
+/// Returns "10 s", "0.25 s".
+std::string seconds_text(std::chrono::milliseconds time);
 
 }  // namespace burnish

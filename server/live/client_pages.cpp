@@ -34,7 +34,7 @@ PageFrameKind choose_kind(std::optional<PageFrameKind> present, uint64_t vertice
                                               : cheaper_kind(vertices * kOf, corners * kGain);
 }
 
-PageWishes::PageWishes(std::shared_ptr<PageSource> source, std::optional<PageFrameKind> kind,
+PageWishes::PageWishes(std::shared_ptr<ScanPageSource> source, std::optional<PageFrameKind> kind,
                        Quota::Share memory)
     : source_(std::move(source)),
       insisted_(kind),
@@ -83,7 +83,7 @@ Status PageWishes::load(const ShownPages& wanted, bool& is_whole) {
       missing.push_back(page.page);
   is_whole = missing.size() <= kPagesAtOnce;
   missing.resize(std::min(missing.size(), kPagesAtOnce));
-  ASSIGN_OR_RETURN(const PageSource::Pages pages, source_->find_or_make(missing, kind_));
+  ASSIGN_OR_RETURN(const ScanPageSource::Pages pages, source_->find_or_make(missing, kind_));
   for (const auto& page : pages) loaded_.emplace(page->number(), page);
   return Status::ok();
 }

@@ -29,7 +29,7 @@ PageFrameKind choose_kind(std::optional<PageFrameKind> present, uint64_t vertice
 class PageWishes {
  public:
   /// `kind`: that the client insists on. `memory`: of the client's lists and frames.
-  PageWishes(std::shared_ptr<PageSource> source, std::optional<PageFrameKind> kind,
+  PageWishes(std::shared_ptr<ScanPageSource> source, std::optional<PageFrameKind> kind,
              Quota::Share memory);
 
   /// Checks and notes a change. Returns true if somebody must now call make_some(), until that
@@ -38,7 +38,7 @@ class PageWishes {
   Result<bool> want(const ShowPages& change);
 
   /// Makes some of the wanted pages; made() has the newest revision as soon as it has all of them.
-  /// Returns whether more is to do. Takes some milliseconds. Fails: as PageSource::find_or_make().
+  /// Returns whether more is to do. Takes some milliseconds. Fails: as ScanPageSource::find_or_make().
   Result<bool> make_some();
 
   /// Returns what to show: at first nothing, at revision 0.
@@ -61,7 +61,7 @@ class PageWishes {
   Result<bool> publish(ClientPages pages);
   Status grow(uint64_t bytes);
 
-  const std::shared_ptr<PageSource> source_;
+  const std::shared_ptr<ScanPageSource> source_;
   const std::optional<PageFrameKind> insisted_;
   // Used by make_some() only.
   PageFrameKind kind_;

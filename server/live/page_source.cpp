@@ -2,11 +2,11 @@
 
 namespace burnish {
 
-PageSource::PageSource(MeshStore& store, std::shared_ptr<const ScanPages> scan,
+ScanPageSource::ScanPageSource(MeshStore& store, std::shared_ptr<const ScanPages> scan,
                        std::shared_ptr<const SharedMesh> mesh)
     : store_(store), scan_(std::move(scan)), mesh_(std::move(mesh)) {}
 
-Result<PageSource::Pages> PageSource::find_or_make(std::span<const PageId> pages,
+Result<ScanPageSource::Pages> ScanPageSource::find_or_make(std::span<const PageId> pages,
                                                    PageFrameKind kind) {
   {
     const std::lock_guard lock(mutex_);
@@ -25,7 +25,7 @@ Result<PageSource::Pages> PageSource::find_or_make(std::span<const PageId> pages
 }
 
 // Two clients may make a page at the same time; then the first one counts.
-Result<std::shared_ptr<const LivePage>> PageSource::make(const Key& key) {
+Result<std::shared_ptr<const LivePage>> ScanPageSource::make(const Key& key) {
   const auto [number, kind] = key;
   const SparseGrid& grid = mesh_->hierarchy->at(mesh_->hierarchy->finest).grid;
   const int bits = file().directory().head.grid.bits;
@@ -39,13 +39,13 @@ Result<std::shared_ptr<const LivePage>> PageSource::make(const Key& key) {
   return keep(key, std::move(made));
 }
 
-std::shared_ptr<const LivePage> PageSource::find(const Key& key) const {
+std::shared_ptr<const LivePage> ScanPageSource::find(const Key& key) const {
   const std::lock_guard lock(mutex_);
   const auto known = shown_.find(key);
   return known == shown_.end() ? nullptr : known->second.lock();
 }
 
-std::shared_ptr<const LivePage> PageSource::keep(const Key& key,
+std::shared_ptr<const LivePage> ScanPageSource::keep(const Key& key,
                                                  std::shared_ptr<const LivePage> made) {
   const std::lock_guard lock(mutex_);
   std::weak_ptr<const LivePage>& known = shown_[key];
@@ -54,14 +54,14 @@ std::shared_ptr<const LivePage> PageSource::keep(const Key& key,
   return made;
 }
 
-std::shared_ptr<PageSource> PageSources::find_or_make(std::shared_ptr<const ScanPages> scan,
+std::shared_ptr<ScanPageSource> PageSources::find_or_make(std::shared_ptr<const ScanPages> scan,
                                                       std::shared_ptr<const SharedMesh> mesh) {
   const std::lock_guard lock(mutex_);
   std::erase_if(sources_, [](const auto& entry) { return entry.second.expired(); });
-  std::weak_ptr<PageSource>& known = sources_[{scan.get(), mesh.get()}];
+  std::weak_ptr<ScanPageSource>& known = sources_[{scan.get(), mesh.get()}];
   auto source = known.lock();
   if (!source)
-    known = source = std::make_shared<PageSource>(store_, std::move(scan), std::move(mesh));
+    known = source = std::make_shared<ScanPageSource>(store_, std::move(scan), std::move(mesh));
   return source;
 }
 

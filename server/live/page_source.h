@@ -14,10 +14,10 @@ namespace burnish {
 
 /// The pages of one mesh that clients show now. Clients own them together; this only finds them
 /// again. Thread-safe.
-class PageSource {
+class ScanPageSource {
  public:
   /// Needs: the store outlives it.
-  PageSource(MeshStore& store, std::shared_ptr<const ScanPages> scan,
+  ScanPageSource(MeshStore& store, std::shared_ptr<const ScanPages> scan,
              std::shared_ptr<const SharedMesh> mesh);
 
   const PageFile& file() const { return scan_->file; }
@@ -49,7 +49,7 @@ class PageSources {
   /// Needs: the store outlives it.
   explicit PageSources(MeshStore& store) : store_(store) {}
 
-  std::shared_ptr<PageSource> find_or_make(std::shared_ptr<const ScanPages> scan,
+  std::shared_ptr<ScanPageSource> find_or_make(std::shared_ptr<const ScanPages> scan,
                                            std::shared_ptr<const SharedMesh> mesh);
 
  private:
@@ -58,7 +58,7 @@ class PageSources {
 
   MeshStore& store_;
   std::mutex mutex_;
-  std::map<Key, std::weak_ptr<PageSource>> sources_;
+  std::map<Key, std::weak_ptr<ScanPageSource>> sources_;
 };
 
 }  // namespace burnish

@@ -47,10 +47,5 @@ TEST(CallStatus, LeavesAnUnknownTextAsItIs) {
   EXPECT_EQ(no_link_words("something new"), "something new");
 }
 
-TEST(CallStatus, SaysTimesInSeconds) {
-  EXPECT_EQ(seconds_text(std::chrono::milliseconds(10'000)), "10 s");
-  EXPECT_EQ(seconds_text(std::chrono::milliseconds(250)), "0.25 s");
-}
-
 }  // namespace
 }  // namespace burnish

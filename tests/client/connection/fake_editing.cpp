@@ -5,7 +5,7 @@
 
 #include "common/page_frames/page_frame_encoder.h"
 #include "tests/client/connection/fake_server.h"
-#include "tests/client/connection/small_surface.h"
+#include "tests/client/live/small_surface.h"
 
 namespace burnish {
 

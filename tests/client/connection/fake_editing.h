@@ -11,7 +11,7 @@
 #include <grpcpp/grpcpp.h>
 
 #include "burnish/v1/editing.grpc.pb.h"
-#include "client/connection/surface_frame.h"
+#include "client/live/surface_frame.h"
 #include "tests/common/page_frames/small_pages.h"
 
 namespace burnish {

@@ -8,7 +8,7 @@
 
 #include "common/page_frames/page_frame_decoder.h"
 #include "tests/client/connection/fake_editing.h"
-#include "tests/client/connection/small_surface.h"
+#include "tests/client/live/small_surface.h"
 #include "tests/common/fast_clock.h"
 
 namespace burnish {

@@ -47,5 +47,10 @@ TEST(CheckName, RefusesWhatIsNotUtf8AndWhatIsNotShownAsItStands) {
   EXPECT_TRUE(check_name("it", std::string(200, 'a')).is_ok());
 }
 
+TEST(SecondsText, HasAsManyDigitsAsItNeeds) {
+  EXPECT_EQ(seconds_text(std::chrono::milliseconds(10'000)), "10 s");
+  EXPECT_EQ(seconds_text(std::chrono::milliseconds(250)), "0.25 s");
+}
+
 }  // namespace
 }  // namespace burnish

@@ -20,10 +20,10 @@ class PageSourceTest : public testing::Test {
     before_ = store().memory().taken();
   }
   MeshStore& store() { return *library_.store; }
-  PageSource::Pages pages(const std::vector<PageId>& numbers, PageFrameKind kind = kVertices) {
+  ScanPageSource::Pages pages(const std::vector<PageId>& numbers, PageFrameKind kind = kVertices) {
     return source().find_or_make(numbers, kind).value();
   }
-  PageSource& source() {
+  ScanPageSource& source() {
     if (!source_) source_ = sources_.find_or_make(scan_, mesh_);
     return *source_;
   }
@@ -34,7 +34,7 @@ class PageSourceTest : public testing::Test {
   std::shared_ptr<const ScanPages> scan_;
   uint64_t before_ = 0;
   PageSources sources_{store()};
-  std::shared_ptr<PageSource> source_;
+  std::shared_ptr<ScanPageSource> source_;
 };
 
 TEST_F(PageSourceTest, APageIsThereOnceForAllAndGoesWithTheLast) {

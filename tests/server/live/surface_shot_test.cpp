@@ -15,7 +15,7 @@ class SurfaceShotTest : public testing::Test {
     const std::string id = library_.import(sphere_file(1, 5), "ball").value().scan.id;
     MeshStore& store = *library_.store;
     mesh_ = store.open_mesh(id, {5, 0}, {}).value();
-    source_ = std::make_unique<PageSource>(store, store.open_pages(id, {}).value(), mesh_);
+    source_ = std::make_unique<ScanPageSource>(store, store.open_pages(id, {}).value(), mesh_);
     displacement_.assign(grid().corners.size(), Vec3f(0.25F, 0, 0));
     beta_.assign(grid().cells.size(), 1);
   }
@@ -31,7 +31,7 @@ class SurfaceShotTest : public testing::Test {
 
   TestLibrary library_;
   std::shared_ptr<const SharedMesh> mesh_;
-  std::unique_ptr<PageSource> source_;
+  std::unique_ptr<ScanPageSource> source_;
   std::vector<Vec3f> displacement_;
   std::vector<float> beta_;
 };
