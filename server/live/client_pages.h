@@ -38,7 +38,8 @@ class PageWishes {
   Result<bool> want(const ShowPages& change);
 
   /// Makes some of the wanted pages; made() has the newest revision as soon as it has all of them.
-  /// Returns whether more is to do. Takes some milliseconds. Fails: as ScanPageSource::find_or_make().
+  /// Returns whether more is to do. Takes some milliseconds. Fails: as
+  /// ScanPageSource::find_or_make().
   Result<bool> make_some();
 
   /// Returns what to show: at first nothing, at revision 0.

@@ -3,11 +3,11 @@
 namespace burnish {
 
 ScanPageSource::ScanPageSource(MeshStore& store, std::shared_ptr<const ScanPages> scan,
-                       std::shared_ptr<const SharedMesh> mesh)
+                               std::shared_ptr<const SharedMesh> mesh)
     : store_(store), scan_(std::move(scan)), mesh_(std::move(mesh)) {}
 
 Result<ScanPageSource::Pages> ScanPageSource::find_or_make(std::span<const PageId> pages,
-                                                   PageFrameKind kind) {
+                                                           PageFrameKind kind) {
   {
     const std::lock_guard lock(mutex_);
     std::erase_if(shown_, [](const auto& entry) { return entry.second.expired(); });
@@ -46,7 +46,7 @@ std::shared_ptr<const LivePage> ScanPageSource::find(const Key& key) const {
 }
 
 std::shared_ptr<const LivePage> ScanPageSource::keep(const Key& key,
-                                                 std::shared_ptr<const LivePage> made) {
+                                                     std::shared_ptr<const LivePage> made) {
   const std::lock_guard lock(mutex_);
   std::weak_ptr<const LivePage>& known = shown_[key];
   if (auto first = known.lock()) return first;
@@ -55,7 +55,7 @@ std::shared_ptr<const LivePage> ScanPageSource::keep(const Key& key,
 }
 
 std::shared_ptr<ScanPageSource> PageSources::find_or_make(std::shared_ptr<const ScanPages> scan,
-                                                      std::shared_ptr<const SharedMesh> mesh) {
+                                                          std::shared_ptr<const SharedMesh> mesh) {
   const std::lock_guard lock(mutex_);
   std::erase_if(sources_, [](const auto& entry) { return entry.second.expired(); });
   std::weak_ptr<ScanPageSource>& known = sources_[{scan.get(), mesh.get()}];

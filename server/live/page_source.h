@@ -18,7 +18,7 @@ class ScanPageSource {
  public:
   /// Needs: the store outlives it.
   ScanPageSource(MeshStore& store, std::shared_ptr<const ScanPages> scan,
-             std::shared_ptr<const SharedMesh> mesh);
+                 std::shared_ptr<const SharedMesh> mesh);
 
   const PageFile& file() const { return scan_->file; }
   uint32_t page_count() const { return file().directory().head.page_count(); }
@@ -50,7 +50,7 @@ class PageSources {
   explicit PageSources(MeshStore& store) : store_(store) {}
 
   std::shared_ptr<ScanPageSource> find_or_make(std::shared_ptr<const ScanPages> scan,
-                                           std::shared_ptr<const SharedMesh> mesh);
+                                               std::shared_ptr<const SharedMesh> mesh);
 
  private:
   // After damage a scan has another page file, so the mesh alone is no key.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "client/connection/connection.h"
-#include "client/connection/session_link.h"
+#include "client/live/live_link.h"
 #include "common/pages/directory.h"
 
 namespace burnish {
