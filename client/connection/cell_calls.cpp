@@ -19,21 +19,23 @@ static Status append_chunk(const v1::Chunk& chunk, std::vector<uint8_t>& bytes) 
 }
 
 Result<std::vector<float>> Connection::cells(const std::string& session, CellValue value) {
-  grpc::ClientContext context;
   v1::GetCellsRequest request;
   request.set_session(session);
   request.set_value(to_wire(value));
-  const auto reader = state_->editing->GetCells(&context, request);
-  v1::Chunk chunk;
   std::vector<uint8_t> cells;
-  Status here;
-  while (reader->Read(&chunk)) {
-    if (here.is_ok()) here = append_chunk(chunk, cells);
-    if (!here.is_ok()) context.TryCancel();
-  }
-  const grpc::Status there = reader->Finish();
+  Status here;  // what went wrong on this side
+  const Status there =
+      state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+        const auto reader = owner.GetCells(&context, request);
+        v1::Chunk chunk;
+        while (reader->Read(&chunk)) {
+          if (here.is_ok()) here = append_chunk(chunk, cells);
+          if (!here.is_ok()) context.TryCancel();
+        }
+        return reader->Finish();
+      });
   RETURN_IF_ERROR(here);
-  RETURN_IF_ERROR(call_status(server(), there));
+  RETURN_IF_ERROR(there);
   std::vector<float> values(cells.size() / sizeof(float));
   std::memcpy(values.data(), cells.data(), values.size() * sizeof(float));
   return values;

@@ -40,6 +40,7 @@ Result<Connection> Connection::open(const std::string& server, std::chrono::mill
     return unavailable("cannot reach server " + server + " within " + seconds_text(timeout) + ": " +
                        no_link_words(reason_of_failure(*state->library)));
   state->server = server;
+  state->route = std::make_shared<ServerRoute>(server);
   state->trust = trust;
   state->timeout = timeout;
   state->editing = v1::Editing::NewStub(channel);
@@ -61,6 +62,19 @@ void Connection::set_user(std::string user) {
 
 const std::string& Connection::user() const {
   return state_->user;
+}
+
+// The first server's channel serves sessions too, as long as they are there.
+Result<std::shared_ptr<const ReachedServer>> Connection::State::reach() {
+  const std::string address = route->address();
+  const std::lock_guard lock(mutex);
+  if (reached && reached->address == address) return reached;
+  auto way = channel;
+  if (address != server) {
+    ASSIGN_OR_RETURN(way, make_channel(address, trust));
+  }
+  reached = std::make_shared<ReachedServer>(ReachedServer{address, v1::Editing::NewStub(way)});
+  return reached;
 }
 
 void Connection::set_starter(Starter starter) {
@@ -149,23 +163,23 @@ Result<std::vector<SessionInfo>> Connection::list_sessions() {
 }
 
 Status Connection::close_session(const std::string& session) {
-  grpc::ClientContext context;
-  state_->set_deadline(context);
-  state_->set_user(context);
   v1::CloseSessionRequest request;
   request.set_session(session);
   v1::CloseSessionResponse response;
-  return call_status(server(), state_->editing->CloseSession(&context, request, &response));
+  return state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+    state_->set_deadline(context);
+    return owner.CloseSession(&context, request, &response);
+  });
 }
 
 Status Connection::delete_session(const std::string& session) {
-  grpc::ClientContext context;
-  state_->set_deadline(context);
-  state_->set_user(context);
   v1::DeleteSessionRequest request;
   request.set_session(session);
   v1::DeleteSessionResponse response;
-  return call_status(server(), state_->editing->DeleteSession(&context, request, &response));
+  return state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+    state_->set_deadline(context);
+    return owner.DeleteSession(&context, request, &response);
+  });
 }
 
 }  // namespace burnish

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 
@@ -10,11 +11,22 @@
 #include "burnish/v1/editing.grpc.pb.h"
 #include "burnish/v1/library.grpc.pb.h"
 #include "client/connection/connection.h"
+#include "client/live/server_route.h"
 
 namespace burnish {
 
+/// Returns what a call ended with, in our words: "server HOST:PORT: ...". The server's own texts
+/// stay as they are. Says where a session has moved to.
+Status call_status(const std::string& server, const grpc::Status& status);
+
+/// A server of sessions, and the way there.
+struct ReachedServer {
+  std::string address;
+  std::unique_ptr<v1::Editing::Stub> editing;
+};
+
 struct Connection::State {
-  std::string server;
+  std::string server;  ///< that open() has connected to, which has the library
   ConnectionTrust trust;
   std::string user;
   Connection::Starter starter;  ///< may be empty
@@ -22,6 +34,29 @@ struct Connection::State {
   std::shared_ptr<grpc::Channel> channel;
   std::unique_ptr<v1::Library::Stub> library;
   std::unique_ptr<v1::Editing::Stub> editing;
+  std::shared_ptr<ServerRoute> route;  ///< to the server of the sessions
+
+  std::mutex mutex;                              // of what follows
+  std::shared_ptr<const ReachedServer> reached;  // where a session was found last; null: `server`
+
+  /// Returns the server to which the route leads. Fails: as make_channel().
+  Result<std::shared_ptr<const ReachedServer>> reach();
+
+  /// Makes a call about a session where the session is: follows it up to kMovesMax times. Shape of
+  /// a call: grpc::Status(v1::Editing::Stub&, grpc::ClientContext&); it may be made again until the
+  /// server has taken it. Fails: as the last server says.
+  template <typename Call>
+  Status call_owner(const Call& call) {
+    for (int moves = 0;; ++moves) {
+      ASSIGN_OR_RETURN(const auto owner, reach());
+      grpc::ClientContext context;
+      set_user(context);
+      const grpc::Status ended = call(*owner->editing, context);
+      const Status status = call_status(owner->address, ended);
+      if (status.moved_to().empty() || moves == kMovesMax) return status;
+      route->move_to(status.moved_to());
+    }
+  }
 
   /// For calls that depend on who calls.
   void set_user(grpc::ClientContext& context) const {
@@ -33,10 +68,6 @@ struct Connection::State {
     context.set_deadline(std::chrono::system_clock::now() + timeout);
   }
 };
-
-/// Returns what a call ended with, in our words: "server HOST:PORT: ...". The server's own texts
-/// stay as they are.
-Status call_status(const std::string& server, const grpc::Status& status);
 
 /// Returns in our words why gRPC could not connect. `text`: what it says. A text that is not known
 /// stays as it is.

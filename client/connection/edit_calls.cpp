@@ -12,11 +12,10 @@ namespace burnish {
 static constexpr size_t kCellsPerMessage = 1 << 16;  // about 3 MB
 
 Result<OpenedSession> Connection::open_session(const SessionWish& wish) {
-  grpc::ClientContext context;
-  state_->set_user(context);
   v1::OpenSessionResponse response;
-  RETURN_IF_ERROR(
-      call_status(server(), state_->editing->OpenSession(&context, to_wire(wish), &response)));
+  RETURN_IF_ERROR(state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+    return owner.OpenSession(&context, to_wire(wish), &response);
+  }));
   OpenedSession opened;
   ASSIGN_OR_RETURN(opened.session, from_wire(response.session()));
   opened.attached = response.attached();
@@ -24,11 +23,12 @@ Result<OpenedSession> Connection::open_session(const SessionWish& wish) {
 }
 
 Result<SessionState> Connection::state(const std::string& session) {
-  grpc::ClientContext context;
   v1::GetStateRequest request;
   request.set_session(session);
   v1::SessionState response;
-  RETURN_IF_ERROR(call_status(server(), state_->editing->GetState(&context, request, &response)));
+  RETURN_IF_ERROR(state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+    return owner.GetState(&context, request, &response);
+  }));
   return from_wire(response);
 }
 
@@ -71,18 +71,15 @@ Result<ApplyOutcome> Connection::apply(const std::string& session, std::span<con
   for (auto first = edits.begin(); first != edits.end();) {
     auto last = first;
     while (last != edits.end() && last - first < kEditsPerRequest && !is_large(*last)) ++last;
-    grpc::ClientContext context;
-    state_->set_user(context);
+    const bool is_upload = last == first;
+    if (is_upload) ++last;
     v1::ApplyResponse response;
-    grpc::Status status;
-    if (last == first) {
-      status = upload_cells(context, *state_->editing, session, first->id,
+    RETURN_IF_ERROR(state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+      if (is_upload)
+        return upload_cells(context, owner, session, first->id,
                             std::get<SetCellFields>(first->change), response);
-      ++last;
-    } else {
-      status = apply_batch(context, *state_->editing, session, {first, last}, response);
-    }
-    RETURN_IF_ERROR(call_status(server(), status));
+      return apply_batch(context, owner, session, {first, last}, response);
+    }));
     const ApplyOutcome outcome = from_wire(response);
     total.applied += outcome.applied;
     total.known += outcome.known;

@@ -48,22 +48,27 @@ Result<ExportSummary> Connection::export_mesh(const std::string& session, const 
                                               const std::filesystem::path& path,
                                               const Progress& progress) {
   ASSIGN_OR_RETURN(Download download, Download::create(path));
-  grpc::ClientContext context;
-  const auto reader = state_->editing->Export(&context, to_wire(session, wish));
-  v1::ExportEvent event;
   ExportSummary summary;
   Status here;  // what went wrong on this side
-  while (reader->Read(&event)) {
+  const auto take = [&](const v1::ExportEvent& event) {
     if (event.has_summary() && here.is_ok()) here = take_summary(event.summary(), summary);
     if (event.has_chunk() && here.is_ok()) here = download.append(event.chunk());
     if (event.has_progress() &&
         !report(progress, event.progress().phase(), event.progress().fraction()))
       here = cancelled("the export was cancelled");
-    if (!here.is_ok()) context.TryCancel();
-  }
-  const grpc::Status there = reader->Finish();
+  };
+  const Status there =
+      state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+        const auto reader = owner.Export(&context, to_wire(session, wish));
+        v1::ExportEvent event;
+        while (reader->Read(&event)) {
+          take(event);
+          if (!here.is_ok()) context.TryCancel();
+        }
+        return reader->Finish();
+      });
   RETURN_IF_ERROR(here);
-  RETURN_IF_ERROR(call_status(server(), there));
+  RETURN_IF_ERROR(there);
   RETURN_IF_ERROR(download.finish(summary));
   return summary;
 }

@@ -7,11 +7,11 @@ namespace burnish {
 Result<std::vector<HistoryEntry>> Connection::history(const std::string& session) {
   std::vector<HistoryEntry> entries;
   for (bool complete = false; !complete;) {
-    grpc::ClientContext context;
     const HistoryWish wish{session, entries.empty() ? 0 : entries.back().number};
     v1::GetHistoryResponse response;
-    RETURN_IF_ERROR(
-        call_status(server(), state_->editing->GetHistory(&context, to_wire(wish), &response)));
+    RETURN_IF_ERROR(state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+      return owner.GetHistory(&context, to_wire(wish), &response);
+    }));
     ASSIGN_OR_RETURN(HistoryPage page, from_wire(response));
     complete = page.complete || page.entries.empty();
     entries.insert(entries.end(), page.entries.begin(), page.entries.end());
@@ -20,35 +20,35 @@ Result<std::vector<HistoryEntry>> Connection::history(const std::string& session
 }
 
 Result<ForkedSession> Connection::fork_session(const ForkWish& wish) {
-  grpc::ClientContext context;
-  state_->set_user(context);
   v1::ForkSessionResponse response;
-  RETURN_IF_ERROR(
-      call_status(server(), state_->editing->ForkSession(&context, to_wire(wish), &response)));
+  RETURN_IF_ERROR(state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+    return owner.ForkSession(&context, to_wire(wish), &response);
+  }));
   ASSIGN_OR_RETURN(SessionInfo session, from_wire(response.session()));
   return ForkedSession{std::move(session), response.emptied_edits()};
 }
 
 Result<SessionPeople> Connection::people(const std::string& session) {
-  grpc::ClientContext context;
-  state_->set_deadline(context);
   v1::GetPeopleRequest request;
   request.set_session(session);
   v1::People response;
-  RETURN_IF_ERROR(call_status(server(), state_->editing->GetPeople(&context, request, &response)));
+  RETURN_IF_ERROR(state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+    state_->set_deadline(context);
+    return owner.GetPeople(&context, request, &response);
+  }));
   return from_wire(response);
 }
 
 Status Connection::set_role(const std::string& session, const std::string& user, SessionRole role) {
-  grpc::ClientContext context;
-  state_->set_deadline(context);
-  state_->set_user(context);
   v1::SetRoleRequest request;
   request.set_session(session);
   request.set_user(user);
   request.set_role(to_wire(role));
   v1::SetRoleResponse response;
-  return call_status(server(), state_->editing->SetRole(&context, request, &response));
+  return state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+    state_->set_deadline(context);
+    return owner.SetRole(&context, request, &response);
+  });
 }
 
 }  // namespace burnish

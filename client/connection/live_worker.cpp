@@ -6,16 +6,16 @@
 
 namespace burnish {
 
-SessionLink::Worker::Worker(const std::string& server, const ConnectionTrust& trust,
+SessionLink::Worker::Worker(const std::shared_ptr<ServerRoute>& route, const ConnectionTrust& trust,
                             const std::string& user, Connection::Starter starter,
                             LiveOptions options)
-    : server_(server),
+    : route_(route),
       trust_(trust),
       user_(user),
       starter_(std::move(starter)),
       clock_(options.clock),
       on_news_(options.on_news),
-      conversation_(server, std::move(options)) {
+      conversation_(route, std::move(options)) {
   thread_ = std::thread([this] { run(); });
 }
 
@@ -58,7 +58,8 @@ Status SessionLink::Worker::start_server() {
 Status SessionLink::Worker::converse() {
   RETURN_IF_ERROR(start_server());
   // A channel of its own for each try: no back-off but ours, and certificates as they are now.
-  ASSIGN_OR_RETURN(auto channel, make_channel(server_, trust_, Sharing::kOwn));
+  const std::string server = route_->address();
+  ASSIGN_OR_RETURN(auto channel, make_channel(server, trust_, Sharing::kOwn));
   if (is_stopping()) return cancelled("the session was left");
   conversation_.begin();
   const auto stream = LiveStream::start(std::move(channel), user_, wakeup_);
@@ -68,7 +69,7 @@ Status SessionLink::Worker::converse() {
     stream->take_message();
     wakeup_->wait_for(std::chrono::seconds(1));
   }
-  return call_status(server_, *stream->status());
+  return call_status(server, *stream->status());
 }
 
 // Until the stream has ended, or has to.

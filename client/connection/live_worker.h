@@ -14,8 +14,8 @@ namespace burnish {
 class SessionLink::Worker {
  public:
   /// `starter` may be empty.
-  Worker(const std::string& server, const ConnectionTrust& trust, const std::string& user,
-         Connection::Starter starter, LiveOptions options);
+  Worker(const std::shared_ptr<ServerRoute>& route, const ConnectionTrust& trust,
+         const std::string& user, Connection::Starter starter, LiveOptions options);
   ~Worker();
 
   LiveConversation& conversation() { return conversation_; }
@@ -32,7 +32,7 @@ class SessionLink::Worker {
   void tell_user();
   bool is_stopping();
 
-  const std::string server_;
+  const std::shared_ptr<ServerRoute> route_;
   const ConnectionTrust trust_;
   const std::string user_;
   const Connection::Starter starter_;

@@ -5,20 +5,20 @@
 namespace burnish {
 
 Result<SessionDeviation> Connection::deviation(const std::string& session) {
-  grpc::ClientContext context;
   v1::GetDeviationRequest request;
   request.set_session(session);
   v1::Deviation response;
-  RETURN_IF_ERROR(
-      call_status(server(), state_->editing->GetDeviation(&context, request, &response)));
+  RETURN_IF_ERROR(state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+    return owner.GetDeviation(&context, request, &response);
+  }));
   return from_wire(response);
 }
 
 Result<Section> Connection::section(const SectionWish& wish) {
-  grpc::ClientContext context;
   v1::Section response;
-  RETURN_IF_ERROR(
-      call_status(server(), state_->editing->GetSection(&context, to_wire(wish), &response)));
+  RETURN_IF_ERROR(state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+    return owner.GetSection(&context, to_wire(wish), &response);
+  }));
   return from_wire(response);
 }
 

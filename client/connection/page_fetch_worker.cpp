@@ -8,14 +8,15 @@
 
 namespace burnish {
 
-PageFetcher::Worker::Worker(std::string server, ConnectionTrust trust, std::string scan,
-                            std::function<void()> on_news, std::shared_ptr<PageDisk> disk)
-    : server_(std::move(server)),
+PageFetcher::Worker::Worker(std::shared_ptr<ServerRoute> route, ConnectionTrust trust,
+                            std::string scan, std::function<void()> on_news,
+                            std::shared_ptr<PageDisk> disk)
+    : route_(std::move(route)),
       trust_(std::move(trust)),
       scan_(std::move(scan)),
       on_news_(std::move(on_news)),
       disk_(std::move(disk)),
-      delivery_(server_) {
+      delivery_(route_->address()) {
   for (int i = 0; i < kFetchCallsMax; ++i) threads_.emplace_back([this] { run(); });
 }
 
@@ -102,7 +103,7 @@ void PageFetcher::Worker::fetch(const std::vector<PageItem>& items) {
 
 Status PageFetcher::Worker::listen(Call call, const std::vector<PageItem>& items,
                                    grpc::ClientContext& context) {
-  ASSIGN_OR_RETURN(const auto stub, this->stub());
+  ASSIGN_OR_RETURN(const auto reached, reach());
   PagesWish wish{.scan = scan_, .blocks = {}, .pages = {}};
   for (const PageItem item : items)
     (item.kind == PageItem::Kind::kPage ? wish.pages : wish.blocks).push_back(item.number);
@@ -115,7 +116,7 @@ Status PageFetcher::Worker::listen(Call call, const std::vector<PageItem>& items
           [&](PagePart part) {
             return on_part(call, PageItem::of_page(part.number), std::move(part.bytes));
           }};
-  return fetch_parts(server_, *stub, context, wish, taker);
+  return fetch_parts(reached->server, *reached->library, context, wish, taker);
 }
 
 bool PageFetcher::Worker::on_part(Call call, PageItem item, std::vector<uint8_t> bytes) {
@@ -134,7 +135,7 @@ void PageFetcher::Worker::end(Call call, const Status& why) {
   {
     const std::lock_guard lock(mutex_);
     contexts_.erase(call);
-    if (why.code() == StatusCode::kUnavailable) stub_.reset();
+    if (why.code() == StatusCode::kUnavailable) reached_.reset();
     if (!delivery_.end(call, why) || is_stopping_) return;
   }
   changed_.notify_all();
@@ -145,14 +146,15 @@ void PageFetcher::Worker::tell() const {
   if (on_news_) on_news_();
 }
 
-// A channel of its own: pages do not hold up frames. After a loss another one connects at once,
-// without gRPC's back-off, and with certificates as they are then.
-Result<std::shared_ptr<v1::Library::Stub>> PageFetcher::Worker::stub() {
+// A channel of its own: pages do not hold up frames. After a loss or a move another one connects at
+// once, without gRPC's back-off, and with certificates as they are then.
+Result<std::shared_ptr<PageFetcher::Worker::Reached>> PageFetcher::Worker::reach() {
+  const std::string server = route_->address();
   const std::lock_guard lock(mutex_);
-  if (stub_) return stub_;
-  ASSIGN_OR_RETURN(const auto channel, make_channel(server_, trust_, Sharing::kOwn));
-  stub_ = v1::Library::NewStub(channel);
-  return stub_;
+  if (reached_ && reached_->server == server) return reached_;
+  ASSIGN_OR_RETURN(const auto channel, make_channel(server, trust_, Sharing::kOwn));
+  reached_ = std::make_shared<Reached>(Reached{server, v1::Library::NewStub(channel)});
+  return reached_;
 }
 
 }  // namespace burnish

@@ -12,6 +12,7 @@
 
 #include "burnish/v1/library.grpc.pb.h"
 #include "client/connection/page_fetcher.h"
+#include "client/live/server_route.h"
 #include "client/pages/page_delivery.h"
 
 namespace burnish {
@@ -20,8 +21,8 @@ namespace burnish {
 /// the rest by one call.
 class PageFetcher::Worker {
  public:
-  Worker(std::string server, ConnectionTrust trust, std::string scan, std::function<void()> on_news,
-         std::shared_ptr<PageDisk> disk);
+  Worker(std::shared_ptr<ServerRoute> route, ConnectionTrust trust, std::string scan,
+         std::function<void()> on_news, std::shared_ptr<PageDisk> disk);
   ~Worker();
 
   void ask(std::span<const PageItem> items);
@@ -31,7 +32,11 @@ class PageFetcher::Worker {
 
  private:
   using Call = PageDelivery::Call;
-  using Stub = v1::Library::Stub;
+  /// A server, and the way there.
+  struct Reached {
+    std::string server;
+    std::unique_ptr<v1::Library::Stub> library;
+  };
 
   void run();
   std::vector<PageItem> next_batch();  // empty: the end
@@ -41,9 +46,9 @@ class PageFetcher::Worker {
   bool on_part(Call call, PageItem item, std::vector<uint8_t> bytes);
   void end(Call call, const Status& why);
   void tell() const;
-  Result<std::shared_ptr<Stub>> stub();
+  Result<std::shared_ptr<Reached>> reach();
 
-  const std::string server_;
+  const std::shared_ptr<ServerRoute> route_;
   const ConnectionTrust trust_;
   const std::string scan_;
   const std::function<void()> on_news_;
@@ -53,7 +58,7 @@ class PageFetcher::Worker {
   std::condition_variable changed_;
   PageDelivery delivery_;
   std::map<Call, grpc::ClientContext*> contexts_;  // of the calls under way
-  std::shared_ptr<Stub> stub_;                     // null: another channel is to be made
+  std::shared_ptr<Reached> reached_;               // null: another channel is to be made
   bool is_stopping_ = false;
 
   std::vector<std::thread> threads_;  // last: they use all of the above

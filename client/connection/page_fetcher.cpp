@@ -7,7 +7,7 @@ namespace burnish {
 
 PageFetcher::PageFetcher(const Connection& connection, std::string scan,
                          std::function<void()> on_news, std::shared_ptr<PageDisk> disk)
-    : worker_(std::make_unique<Worker>(connection.state_->server, connection.state_->trust,
+    : worker_(std::make_unique<Worker>(connection.state_->route, connection.state_->trust,
                                        std::move(scan), std::move(on_news), std::move(disk))) {}
 
 PageFetcher::~PageFetcher() = default;

@@ -32,22 +32,21 @@ class ArrivingValues {
 
 }  // namespace
 
-static Status fetch_values(const std::string& server, v1::Editing::Stub& editing,
-                           const PageValuesWish& wish, std::vector<PageValues>& all) {
-  grpc::ClientContext context;
-  const auto reader = editing.GetPageValues(&context, to_wire(wish));
+/// `here`: what went wrong on this side.
+static grpc::Status fetch_values(v1::Editing::Stub& owner, grpc::ClientContext& context,
+                                 const PageValuesWish& wish, std::vector<PageValues>& all,
+                                 Status& here) {
+  const auto reader = owner.GetPageValues(&context, to_wire(wish));
   ArrivingValues arriving(wish.pages);
   v1::PageValues message;
-  Status here;  // what went wrong on this side
   while (reader->Read(&message)) {
     if (!here.is_ok()) continue;
     here = arriving.take(message, all);
     if (!here.is_ok()) context.TryCancel();
   }
   const grpc::Status there = reader->Finish();
-  if (here.is_ok()) RETURN_IF_ERROR(call_status(server, there));
-  if (here.is_ok()) here = arriving.check_end();
-  return here.with_context("server " + server);
+  if (here.is_ok() && there.ok()) here = arriving.check_end();
+  return there;
 }
 
 Result<std::vector<PageValues>> Connection::page_values(const std::string& session, CellValue value,
@@ -55,8 +54,14 @@ Result<std::vector<PageValues>> Connection::page_values(const std::string& sessi
   std::vector<PageValues> all;
   for (; !pages.empty(); pages = pages.subspan(std::min(pages.size(), kValuedPagesMax))) {
     const auto some = pages.first(std::min(pages.size(), kValuedPagesMax));
-    RETURN_IF_ERROR(fetch_values(server(), *state_->editing,
-                                 {session, value, {some.begin(), some.end()}}, all));
+    const PageValuesWish wish{session, value, {some.begin(), some.end()}};
+    Status here;
+    const Status there =
+        state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+          return fetch_values(owner, context, wish, all, here);
+        });
+    RETURN_IF_ERROR(here.with_context("server " + server()));
+    RETURN_IF_ERROR(there);
   }
   return all;
 }

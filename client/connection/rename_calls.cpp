@@ -17,15 +17,14 @@ Result<ScanInfo> Connection::rename_scan(const std::string& scan, const std::str
 
 Result<SessionInfo> Connection::rename_session(const std::string& session,
                                                const std::string& name) {
-  grpc::ClientContext context;
-  state_->set_deadline(context);
-  state_->set_user(context);
   v1::RenameSessionRequest request;
   request.set_session(session);
   request.set_name(name);
   v1::SessionInfo response;
-  RETURN_IF_ERROR(
-      call_status(server(), state_->editing->RenameSession(&context, request, &response)));
+  RETURN_IF_ERROR(state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+    state_->set_deadline(context);
+    return owner.RenameSession(&context, request, &response);
+  }));
   return from_wire(response);
 }
 

@@ -6,7 +6,7 @@
 namespace burnish {
 
 SessionLink::SessionLink(const Connection& connection, LiveOptions options)
-    : worker_(std::make_unique<Worker>(connection.state_->server, connection.state_->trust,
+    : worker_(std::make_unique<Worker>(connection.state_->route, connection.state_->trust,
                                        connection.state_->user, connection.state_->starter,
                                        std::move(options))) {}
 

@@ -36,9 +36,10 @@ static Status check(const std::vector<Edit>& edits) {
   return Status::ok();
 }
 
-LiveConversation::LiveConversation(std::string server, LiveOptions options)
-    : server_(std::move(server)),
+LiveConversation::LiveConversation(std::shared_ptr<ServerRoute> route, LiveOptions options)
+    : route_(std::move(route)),
       options_(std::move(options)),
+      server_(route_->address()),
       receiver_({options_.head, options_.depth, options_.pages_fingerprint}),
       outbox_(options_.greeting, options_.head.page_count()),
       pacer_(options_.draw_interval) {}
@@ -110,6 +111,8 @@ void LiveConversation::begin() {
     shown_.restart();
   }
   receiver_.restart();
+  server_ = route_->address();
+  is_server_ending_ = false;
   last_heard_ = next_heartbeat_ = options_.clock();
 }
 
@@ -174,7 +177,8 @@ std::optional<std::chrono::milliseconds> LiveConversation::end(const Status& of_
   const Status why = why_it_ended(of_stream);
   failure_ = Status::ok();
   farewell_.clear();
-  const bool is_over = !is_worth_another_try(why.code());
+  const bool has_moved = !why.moved_to().empty();
+  const bool is_over = !has_moved && !is_worth_another_try(why.code());
   {
     const LiveGuard lock(mutex_);
     const bool was_live = news_.link == LinkState::kLive;
@@ -184,11 +188,21 @@ std::optional<std::chrono::milliseconds> LiveConversation::end(const Status& of_
     else if (news_.link != LinkState::kConnecting)
       news_.link = LinkState::kLost;
     tell(LinkChanged{news_.link, is_over ? why.to_string() : why.message()});
-    if (news_.stats.frames > frames_at_end_) failures_ = 0;
+    if (news_.stats.frames > frames_at_end_) failures_ = moves_ = 0;
     frames_at_end_ = news_.stats.frames;
   }
   if (is_over) return std::nullopt;
+  if (has_moved) return follow(why);
+  // The first failure may be a short one of the network.
+  const bool is_gone = failures_ > 0 && why.code() == StatusCode::kUnavailable;
+  if (is_gone || is_server_ending_) route_->give_up(server_);
   return retry_after();
+}
+
+// Servers that send a client in a circle wait for each other's leases.
+std::chrono::milliseconds LiveConversation::follow(const Status& moved) {
+  route_->move_to(moved.moved_to());
+  return ++moves_ <= kMovesMax ? std::chrono::milliseconds(0) : retry_after();
 }
 
 // Clients of a server that has gone do not come back all at once.

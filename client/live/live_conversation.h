@@ -13,6 +13,7 @@
 #include "client/live/live_mutex.h"
 #include "client/live/live_outbox.h"
 #include "client/live/rate_meter.h"
+#include "client/live/server_route.h"
 #include "client/live/shown_edits.h"
 
 namespace burnish {
@@ -28,8 +29,9 @@ class LiveConversation {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// `server`: its address, for messages.
-  LiveConversation(std::string server, LiveOptions options);
+  /// The route leads to the server of each stream; the conversation changes it when the session
+  /// moves, or the server is gone.
+  LiveConversation(std::shared_ptr<ServerRoute> route, LiveOptions options);
 
   // As LiveLink has them. The driver is to look at next() after each.
   Status apply(std::vector<Edit> edits);
@@ -46,7 +48,7 @@ class LiveConversation {
 
   // For the driver, on one thread.
 
-  /// A stream begins.
+  /// A stream begins, to the server to which the route leads now.
   void begin();
   /// Takes a message of the server, as from_wire() has parsed it.
   void hear(Result<std::optional<ServerMessage>> said);
@@ -75,14 +77,16 @@ class LiveConversation {
   std::optional<ClientMessage> choose_message(Time now);
   Heartbeat heartbeat(Time now);
   Status why_it_ended(const Status& of_stream) const;
+  std::chrono::milliseconds follow(const Status& moved);
   std::chrono::milliseconds retry_after();
   void tell(LiveEvent event);  // needs the lock
   void tell_shown();           // needs the lock
 
-  const std::string server_;
+  const std::shared_ptr<ServerRoute> route_;
   const LiveOptions options_;
 
   // Of the driver alone.
+  std::string server_;  // of the stream: its address
   FrameReceiver receiver_;
   std::vector<std::shared_ptr<const Page>> added_pages_;  // of the next message, if it adds pages
   Time last_heard_;
@@ -90,7 +94,9 @@ class LiveConversation {
   std::string farewell_;  // why to come back on another stream; empty: no reason
   Status failure_;        // of the last message
   bool beat_for_credit_ = false;
+  bool is_server_ending_ = false;
   int failures_ = 0;  // streams without a frame, one after the other
+  int moves_ = 0;     // likewise, that another server has the session
   uint64_t frames_at_end_ = 0;
   std::minstd_rand random_{std::random_device{}()};
 

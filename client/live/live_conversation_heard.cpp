@@ -30,6 +30,7 @@ Status LiveConversation::take_in(ProgressReport& report) {
 
 Status LiveConversation::take_in(Welcome& welcome) {
   RETURN_IF_ERROR(receiver_.welcome(welcome));
+  route_->learn(welcome.fleet);
   const LiveGuard lock(mutex_);
   news_.link = LinkState::kLive;
   tell(LinkChanged{LinkState::kLive, {}});
@@ -113,6 +114,7 @@ Status LiveConversation::take_in(const Heartbeat& echo) {
 Status LiveConversation::take_in(const Farewell& farewell) {
   if (!farewell.come_back) return failed_precondition(farewell.reason);
   farewell_ = "server " + server_ + ": " + farewell.reason;
+  is_server_ending_ = farewell.code == FarewellCode::kGoingDown;
   const LiveGuard lock(mutex_);
   news_.pages_refused += farewell.code == FarewellCode::kTooManyPages;
   return Status::ok();

@@ -46,7 +46,20 @@ std::string Status::to_string() const {
 
 Status Status::with_context(const std::string& context) const {
   if (is_ok()) return *this;
-  return {code_, context + ": " + message_};
+  Status status(code_, context + ": " + message_);
+  status.moved_to_ = moved_to_;
+  return status;
+}
+
+Status Status::moved(std::string address, std::string message) {
+  Status status = failed_precondition(std::move(message));
+  status.moved_to_ = std::make_shared<const std::string>(std::move(address));
+  return status;
+}
+
+const std::string& Status::moved_to() const {
+  static const std::string nowhere;
+  return moved_to_ ? *moved_to_ : nowhere;
 }
 
 Status invalid_argument(std::string message) {

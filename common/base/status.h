@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -39,10 +40,14 @@ class [[nodiscard]] Status {
     BURNISH_CHECK(code != StatusCode::kOk, "an error needs an error's code");
   }
   static Status ok() { return {}; }
+  /// The server at `address` has what was asked for here. Needs: an address.
+  static Status moved(std::string address, std::string message);
 
   bool is_ok() const { return code_ == StatusCode::kOk; }
   StatusCode code() const { return code_; }
   const std::string& message() const { return message_; }
+  /// Returns the address of the server to ask instead; empty: no other server is known.
+  const std::string& moved_to() const;
 
   /// "invalid argument: depth 13 is outside 4..12", or "ok".
   std::string to_string() const;
@@ -53,6 +58,7 @@ class [[nodiscard]] Status {
  private:
   StatusCode code_ = StatusCode::kOk;
   std::string message_;
+  std::shared_ptr<const std::string> moved_to_;  // null: no address. Rare, so it is kept apart
 };
 
 Status invalid_argument(std::string message);

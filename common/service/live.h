@@ -38,6 +38,7 @@ struct Welcome {
   SessionRole role = SessionRole::kViewer;  ///< of this client in this session
   uint64_t pages_fingerprint = 0;           ///< pages_fingerprint() of the scan's pages
   std::string backend;                      ///< that solves: "cpu", "cuda"
+  std::vector<std::string> fleet;           ///< addresses of all servers of the fleet; empty: none
 };
 
 /// Credits that the server keeps for one client, frames.

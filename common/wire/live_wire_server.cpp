@@ -74,6 +74,7 @@ struct ServerWriter {
     sent.set_role(burnish::to_wire(welcome.role));
     sent.set_pages_fingerprint(welcome.pages_fingerprint);
     sent.set_backend(welcome.backend);
+    for (const std::string& address : welcome.fleet) sent.add_fleet(address);
   }
   void operator()(LiveFrame& frame) const {
     message.mutable_frame()->set_data(std::move(frame.data));
@@ -120,6 +121,7 @@ Result<Welcome> read_welcome(const v1::Welcome& message) {
   welcome.connection = message.connection();
   welcome.pages_fingerprint = message.pages_fingerprint();
   welcome.backend = message.backend();
+  welcome.fleet = {message.fleet().begin(), message.fleet().end()};
   return welcome;
 }
 

@@ -69,7 +69,11 @@ Status Membership::beat() {
   const Time now = std::chrono::steady_clock::now();
   if (!good_since_) good_since_ = now;
   RETURN_IF_ERROR(reap(now));
-  if (duties_.on_heartbeat) duties_.on_heartbeat();
+  if (!duties_.on_heartbeat) return Status::ok();
+  ASSIGN_OR_RETURN(const PgReply addresses, connection_.run(read_addresses()));
+  std::vector<std::string> fleet;
+  for (size_t row = 0; row < addresses.rows(); ++row) fleet.push_back(addresses.bytes(row, 0));
+  duties_.on_heartbeat(std::move(fleet));
   return Status::ok();
 }
 

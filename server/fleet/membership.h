@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "server/fleet/node_rows.h"
 #include "server/postgres/pg_connection.h"
@@ -21,8 +22,8 @@ struct LeaseTimes {
 struct MemberDuties {
   /// This server's life was over, and another one has begun: it holds no session any more.
   std::function<void(const std::string& life)> on_new_life;
-  /// After each heartbeat that succeeded.
-  std::function<void()> on_heartbeat;
+  /// After each heartbeat that succeeded, with the addresses of all servers of the fleet.
+  std::function<void(std::vector<std::string> addresses)> on_heartbeat;
 };
 
 /// A server's place in a fleet, as a row with a lease. It renews the lease, and ends the lives of

@@ -54,6 +54,10 @@ std::vector<PgStatement> end_dead_lives(const std::string& life) {
           {"DELETE FROM nodes WHERE " + is_dead, {PgText{life}}}};
 }
 
+PgStatement read_addresses() {
+  return {"SELECT address FROM nodes WHERE address <> '' ORDER BY name", {}};
+}
+
 PgStatement end_life(const std::string& life) {
   return {"DELETE FROM nodes WHERE id = CAST($1 AS uuid)", {PgText{life}}};
 }

@@ -37,4 +37,7 @@ std::vector<PgStatement> end_dead_lives(const std::string& life);
 
 PgStatement end_life(const std::string& life);
 
+/// Reads the addresses of all lives that have one, by the servers' names.
+PgStatement read_addresses();
+
 }  // namespace burnish

@@ -61,7 +61,8 @@ class Journal {
 
   /// Makes this server the only one that writes the session, until another one holds it. A session
   /// is held from its making on. Appends to a session that is not held have an unknown outcome.
-  /// Fails: failed_precondition (another server holds it), not_found; unavailable.
+  /// Fails: failed_precondition (another server holds it; Status::moved() if its address is known),
+  /// not_found; unavailable.
   virtual Status hold(const std::string& session_id) = 0;
 
   /// Lets go of a session that this server does not use. Does not wait.

@@ -107,8 +107,9 @@ static Status who_holds(PgConnection& database, const std::string& session_id) {
                                  {session_id}}));
   if (holder.rows() == 0) return not_found("no session has the id '" + session_id + "'");
   const std::string address = holder.bytes(0, 1);
-  return failed_precondition("server " + holder.bytes(0, 0) +
-                             (address.empty() ? "" : " (" + address + ")") + " holds the session");
+  const std::string name = "server " + holder.bytes(0, 0);
+  if (address.empty()) return failed_precondition(name + " holds the session");
+  return Status::moved(address, name + " (" + address + ") holds the session");
 }
 
 // A new epoch in any case: whatever this server sent before, and the database still works on, comes

@@ -53,13 +53,18 @@ Result<LiveClient> LiveSessions::join(const Greeting& greeting, const Caller& ca
   session->join(subscriber);
   return LiveClient{session, subscriber,
                     Welcome{attached.info, connection, role_in(attached.roles, caller), fingerprint,
-                            attached.backend}};
+                            attached.backend, fleet_}};
 }
 
 void LiveSessions::leave(const LiveClient& client) {
   const std::lock_guard lock(mutex_);
   if (client.session->leave(client.subscriber->connection))
     sessions_.erase(client.welcome.session.id);
+}
+
+void LiveSessions::set_fleet(std::vector<std::string> addresses) {
+  const std::lock_guard lock(mutex_);
+  fleet_ = std::move(addresses);
 }
 
 void LiveSessions::drain() {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "server/live/live_session.h"
 
@@ -30,6 +31,9 @@ class LiveSessions final : public SessionListener {
   Result<LiveClient> join(const Greeting& greeting, const Caller& caller, SubscriberWiring wiring,
                           const Progress& progress);
   void leave(const LiveClient& client);
+
+  /// Sets the addresses that clients are told in their welcome.
+  void set_fleet(std::vector<std::string> addresses);
 
   /// From now on nobody can join. Tells all clients to come back later.
   void drain();
@@ -64,6 +68,7 @@ class LiveSessions final : public SessionListener {
   mutable std::mutex mutex_;                                      // guards the following members
   std::map<std::string, std::shared_ptr<LiveSession>> sessions_;  // by id
   bool draining_ = false;
+  std::vector<std::string> fleet_;
 
   // Last members: their threads end before the others are destroyed. Turns post to the encoders.
   Executor encoders_;

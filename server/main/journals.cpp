@@ -27,7 +27,8 @@ Result<OpenedJournal> open_journal_of(const ServerConfig& config, const DataFold
   return opened;
 }
 
-std::jthread follow_fleet(const OpenedJournal& opened, SessionManager& sessions) {
+std::jthread follow_fleet(const OpenedJournal& opened, SessionManager& sessions,
+                          LiveSessions& live) {
   if (!opened.membership) return {};
   return opened.membership->start(
       {.on_new_life =
@@ -35,7 +36,11 @@ std::jthread follow_fleet(const OpenedJournal& opened, SessionManager& sessions)
              journal->begin_life(life);
              sessions.let_go(unavailable("the server was not heard for too long; come back"));
            },
-       .on_heartbeat = [&sessions] { sessions.refresh(); }});
+       .on_heartbeat =
+           [&](std::vector<std::string> addresses) {
+             sessions.refresh();
+             live.set_fleet(std::move(addresses));
+           }});
 }
 
 /// A journal without a server.

@@ -9,6 +9,7 @@
 #include "server/fleet/membership.h"
 #include "server/journal/postgres_journal.h"
 #include "server/library/data_folder.h"
+#include "server/live/live_sessions.h"
 #include "server/manager/session_manager.h"
 
 namespace burnish {
@@ -23,9 +24,10 @@ struct OpenedJournal {
 /// Opens the journal of the configuration, and joins the fleet of its name. Fails: as they say.
 Result<OpenedJournal> open_journal_of(const ServerConfig& config, const DataFolder& folder);
 
-/// Renews the server's lease, and follows what other servers do to the sessions, while the returned
-/// thread lives.
-[[nodiscard]] std::jthread follow_fleet(const OpenedJournal& opened, SessionManager& sessions);
+/// Renews the server's lease, follows what other servers do to the sessions, and tells clients of
+/// the fleet, while the returned thread lives.
+[[nodiscard]] std::jthread follow_fleet(const OpenedJournal& opened, SessionManager& sessions,
+                                        LiveSessions& live);
 
 /// Copies a journal, and says how much it was. Each name is a data folder, which is locked
 /// meanwhile, or the URI of a database. Fails: as copy_journal() and the journals say.

@@ -159,7 +159,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   Lanes lanes(lane_limits(config));
   ASSIGN_OR_RETURN(const auto server,
                    Server::start(server_options(config, files), store, *sessions, live, lanes));
-  const std::jthread fleet = follow_fleet(journal, *sessions);
+  const std::jthread fleet = follow_fleet(journal, *sessions, live);
   ASSIGN_OR_RETURN(const auto exporter, start_metrics(config.metrics_listen, [&] {
                      return read_gauges(*server, store, *sessions, live, files.certificates.get());
                    }));

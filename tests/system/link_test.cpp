@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "client/connection/session_link.h"
 #include "tests/system/fetched_pages.h"
 #include "tests/system/server_process.h"
 

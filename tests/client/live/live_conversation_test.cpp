@@ -61,7 +61,8 @@ class Conversations : public testing::Test {
   }
 
   LiveConversation::Time now_{seconds(100)};
-  LiveConversation talk_{"scanner:7411", options([this] { return now_; })};
+  std::shared_ptr<ServerRoute> route_ = std::make_shared<ServerRoute>("scanner:7411");
+  LiveConversation talk_{route_, options([this] { return now_; })};
 };
 
 TEST_F(Conversations, BeginWithTheGreeting) {
@@ -208,6 +209,49 @@ TEST_F(Conversations, AFarewellSaysWhetherToComeBack) {
   EXPECT_TRUE(talk_.must_leave());
   EXPECT_FALSE(talk_.end(Status::ok()));
   EXPECT_EQ(talk_.take().link, LinkState::kEnded);
+}
+
+TEST_F(Conversations, FollowAMovedSessionAtOnceAndKeepItsEdits) {
+  ASSERT_TRUE(talk_.apply(slider("one")).is_ok());
+  talk_.begin();
+  say();
+  const auto wait = talk_.end(Status::moved("two:7411", "server two holds the session"));
+  ASSERT_TRUE(wait);
+  EXPECT_EQ(*wait, milliseconds(0));
+  EXPECT_EQ(route_->address(), "two:7411");
+  talk_.begin();
+  EXPECT_EQ(of_kind<ApplyEdits>(say()).size(), 1u);
+  EXPECT_FALSE(talk_.has_ended());
+}
+
+TEST_F(Conversations, ASessionThatMovesInACircleIsWaitedFor) {
+  for (int i = 0; i < kMovesMax; ++i) {
+    talk_.begin();
+    EXPECT_EQ(*talk_.end(Status::moved("two:7411", "moved")), milliseconds(0)) << i;
+  }
+  talk_.begin();
+  EXPECT_GT(*talk_.end(Status::moved("two:7411", "moved")), milliseconds(0));
+}
+
+TEST_F(Conversations, AnotherServerOfTheFleetIsTriedWhenOneIsGone) {
+  talk_.begin();
+  Welcome greeted = welcome();
+  greeted.fleet = {"scanner:7411", "two:7411"};
+  hear(greeted);
+  EXPECT_TRUE(talk_.end(unavailable("the connection is lost")));
+  EXPECT_EQ(route_->address(), "scanner:7411") << "it may be back at once";
+  EXPECT_TRUE(talk_.end(unavailable("nobody answers")));
+  EXPECT_EQ(route_->address(), "two:7411");
+}
+
+TEST_F(Conversations, AServerThatEndsIsLeftForAnotherOfTheFleet) {
+  talk_.begin();
+  Welcome greeted = welcome();
+  greeted.fleet = {"scanner:7411", "two:7411"};
+  hear(greeted);
+  hear(Farewell{FarewellCode::kGoingDown, "the server ends", true});
+  EXPECT_TRUE(talk_.end(Status::ok()));
+  EXPECT_EQ(route_->address(), "two:7411");
 }
 
 TEST_F(Conversations, NoMemoryForThePagesIsCounted) {
