@@ -1,0 +1,159 @@
+// The lines that the page sends. Lines of the script language do the same in `burnish --script`.
+
+import type { Brush, ColourBy, FallOff, Lasso, Light, Role, Tool, UpAxis } from "./snapshot";
+
+/** A line of a front: its form and its meaning. */
+export interface FrontCommand {
+  form: string;
+  means: string;
+}
+
+/** Lines that only a front needs. The core reads them in client/web/core/front_commands.cpp. */
+export const frontCommands: readonly FrontCommand[] = [
+  { form: "preview beta X", means: "shows a gradient scale during a drag; `beta X` ends it" },
+  { form: "preview fidelity ALPHA", means: "shows a fidelity during a drag; `fidelity ALPHA` ends it" },
+  { form: "preview bands [SIZE:GAIN]...", means: "shows bands during a drag; `bands` ends it" },
+  { form: "preview palette CURVE RRGGBB NAME [; ...]", means: "shows a palette during a drag" },
+  { form: "preview colours BETA ALPHA", means: "shows a filter of colours during a drag" },
+  { form: "preview controls PIN CAP KEEP", means: "shows controls during a drag" },
+  { form: "plot grab X Y REACH_X REACH_Y", means: "takes the curve's point there, or adds one" },
+  { form: "plot take N", means: "takes the curve's point N, from 0" },
+  { form: "plot drag X Y", means: "moves the taken point to a place of the plot, 0 to 1" },
+  { form: "plot drop", means: "ends the drag and commits the curve if it has changed" },
+  { form: "plot remove N", means: "removes the curve's point N and commits the curve" },
+  { form: "library refresh", means: "asks the server for its scans and sessions" },
+  { form: "scan open ID [anew] [depth N]", means: "opens a scan where its editing goes on" },
+  { form: "scan rename ID NAME", means: "gives a scan another name" },
+  { form: "scan delete ID", means: "deletes a scan and its sessions" },
+  { form: "session join ID", means: "opens a session" },
+  { form: "session rename ID NAME", means: "gives a session another name" },
+  { form: "session delete ID", means: "deletes a session" },
+  { form: "activity cancel N", means: "ends long work" },
+  { form: "role USER viewer|editor|owner", means: "changes a role; the role is the last word" },
+  { form: "message dismiss N", means: "drops a message from the snapshot" },
+  { form: "tool paint|look|measure", means: "sets what the left button does" },
+  { form: "lasso off|protect|release [through]", means: "lets the next drag draw a line" },
+  { form: "protect_piece", means: "protects the piece that the pointer was on last" },
+  { form: "ruler clear", means: "forgets the ruler's points" },
+  { form: "pen on|off", means: "lets a pen's pressure rule the strength" },
+  { form: "unit [NAME]", means: "names the unit of the scan's coordinates for everybody" },
+  { form: "depth N", means: "opens a fork of the session at another depth" },
+  { form: "bands first", means: "makes bands to begin with" },
+  { form: "split_at X", means: "puts the line of the split at a part of the width" },
+  { form: "displacement_range CELLS", means: "sets where the colour of displacement is full" },
+  { form: "lamp X Y", means: "puts the lamp where the ball shows X Y, -1 to 1, y upwards" },
+  { form: "light_default", means: "sets the light as at first" },
+  { form: "bookmark add", means: "remembers this view" },
+  { form: "bookmark show N", means: "shows view N, from 1" },
+  { form: "focus", means: "turns around the point under the pointer" },
+  { form: "cancel", means: "cancels the stroke or the lasso" },
+  { form: "figures on|off", means: "says whether the figures are shown, which costs snapshots" },
+  { form: "over PROTECTION CURVES", means: "on|off each: shows the region and the palette's curves" },
+  { form: "record start", means: "begins a script of what is done" },
+  { form: "record stop", means: "ends it and downloads it" },
+  { form: "picture NAME", means: "downloads the picture as PNG" },
+];
+
+/** Writes a number with at most six digits, as the core reads it. */
+export const number = (value: number) => String(Number(value.toPrecision(6)));
+const onOff = (on: boolean) => (on ? "on" : "off");
+const words = (...parts: (string | number)[]) =>
+  parts.map((part) => (typeof part === "number" ? number(part) : part)).join(" ");
+/** A name within a line: no line ends, and no spaces around it. */
+const name = (text: string) => text.replace(/\s+/g, " ").trim();
+
+export interface PaletteText {
+  name: string;
+  colour: number;
+  curve: string;
+}
+
+const bandsText = (bands: { size: number; gain: number }[]) =>
+  ["bands", ...bands.map((band) => `${number(band.size)}:${number(band.gain)}`)].join(" ");
+const hex = (colour: number) => colour.toString(16).padStart(6, "0");
+const paletteText = (curves: PaletteText[]) =>
+  ["palette", curves.map((one) => words(one.curve, hex(one.colour), name(one.name))).join(" ; ")]
+    .join(" ")
+    .trim();
+
+/** Each function returns one line. */
+export const command = {
+  beta: (value: number) => words("beta", value),
+  fidelity: (alpha: number) => words("fidelity", alpha),
+  preset: (preset: string, strength: number) => words("preset", preset, strength),
+  controls: (pin: boolean, cap: number, keep: boolean) => words("controls", onOff(pin), cap, onOff(keep)),
+  bands: bandsText,
+  firstBands: () => "bands first",
+  palette: paletteText,
+  colours: (beta: number, alpha: number) => words("colours", beta, alpha),
+  preview: (line: string) => "preview " + line,
+
+  curve: (text: string) => words("curve", text),
+  plotGrab: (x: number, y: number, reachX: number, reachY: number) =>
+    words("plot grab", x, y, reachX, reachY),
+  plotTake: (point: number) => words("plot take", point),
+  plotDrag: (x: number, y: number) => words("plot drag", x, y),
+  plotDrop: () => "plot drop",
+  plotRemove: (point: number) => words("plot remove", point),
+
+  brush: (brush: Brush) =>
+    words("brush", brush.radius, brush.strength, brush.beta, brush.fallOff satisfies FallOff, brush.paints),
+  mirror: (axis: string, at?: number) =>
+    at === undefined ? words("mirror", axis) : words("mirror", axis, at),
+  tool: (tool: Tool) => words("tool", tool),
+  pen: (on: boolean) => words("pen", onOff(on)),
+  lasso: (lasso: Lasso, through: boolean) => words("lasso", lasso, ...(through ? ["through"] : [])),
+  protect: (text: string) => words("protect", text),
+  protectPiece: () => "protect_piece",
+
+  undo: () => "undo",
+  redo: () => "redo",
+  switchEntry: (entry: number, on: boolean) => words("switch", entry, onOff(on)),
+  checkpoint: (text: string) => words("checkpoint", name(text)),
+  restore: (text: string) => words("restore", name(text)),
+  fork: (text: string) => words("fork", name(text)).trim(),
+  role: (user: string, role: Role) => words("role", user, role),
+
+  colour: (by: ColourBy) => words("colour", by),
+  displacementRange: (cells: number) => words("displacement_range", cells),
+  flat: (on: boolean) => words("flat", onOff(on)),
+  wireframe: (on: boolean) => words("wireframe", onOff(on)),
+  split: (on: boolean) => words("split", onOff(on)),
+  splitAt: (part: number) => words("split_at", part),
+  original: (on: boolean) => words("original", onOff(on)),
+  orthographic: (on: boolean) => words("orthographic", onOff(on)),
+  up: (axis: UpAxis) => words("up", axis),
+  view: (view: string) => words("view", view),
+  frame: () => "frame",
+  focus: () => "focus",
+  bookmarkAdd: () => "bookmark add",
+  bookmarkShow: (bookmark: number) => words("bookmark show", bookmark),
+  light: (kind: Light) => words("light", kind),
+  lamp: (x: number, y: number) => words("lamp", x, y),
+  lightDirection: (azimuth: number, elevation: number) => words("light_direction", azimuth, elevation),
+  specular: (strength: number) => words("specular", strength),
+  occlusion: (strength: number) => words("occlusion", strength),
+  radiance: (strength: number) => words("radiance", strength),
+  cavity: (ridge: number, valley: number) => words("cavity", ridge, valley),
+  lightDefault: () => "light_default",
+  figures: (on: boolean) => words("figures", onOff(on)),
+  over: (protection: boolean, curves: boolean) => words("over", onOff(protection), onOff(curves)),
+  unit: (text: string) => words("unit", name(text)).trim(),
+  rulerClear: () => "ruler clear",
+
+  refresh: () => "library refresh",
+  openScan: (id: string, anew = false) => words("scan open", id, ...(anew ? ["anew"] : [])),
+  renameScan: (id: string, text: string) => words("scan rename", id, name(text)),
+  deleteScan: (id: string) => words("scan delete", id),
+  joinSession: (id: string) => words("session join", id),
+  renameSession: (id: string, text: string) => words("session rename", id, name(text)),
+  deleteSession: (id: string) => words("session delete", id),
+  close: () => "close",
+  depth: (depth: number) => words("depth", depth),
+  cancelActivity: (activity: number) => words("activity cancel", activity),
+  dismiss: (message: number) => words("message dismiss", message),
+  exportMesh: (file: string, exact: boolean) => words("export", file.trim().replace(/\s+/g, "-"), ...(exact ? ["exact"] : [])),
+  picture: (file: string) => words("picture", file.trim().replace(/\s+/g, "-")),
+  record: (on: boolean) => (on ? "record start" : "record stop"),
+  cancel: () => "cancel",
+};

@@ -1,0 +1,67 @@
+// The messages between the page and the engine's worker.
+
+import type { Snapshot } from "./snapshot";
+
+export type PointerWhat = "press" | "move" | "release" | "leave" | "wheel" | "pinch";
+
+/** Modifier keys, added up. */
+export const Modifier = { shift: 1, control: 2, alt: 4 } as const;
+
+/** An event over the picture. Places are in pixels of the picture, from its upper left corner. */
+export interface PointerMessage {
+  kind: "pointer";
+  what: PointerWhat;
+  x: number;
+  y: number;
+  /** 0 left, 1 middle, 2 right: as in PointerEvent. */
+  button: number;
+  /** Sum of Modifier. */
+  modifiers: number;
+  /** 0 to 1; 1 for what has no pressure. */
+  pressure: number;
+  /** True for a pen. */
+  pen: boolean;
+  /** wheel: steps, positive away from the user. pinch: the ratio of the fingers' distances. */
+  delta: number;
+}
+
+/** Begins, or begins again after `stopped`. Sent once with each canvas. */
+export interface StartMessage {
+  kind: "start";
+  canvas: OffscreenCanvas;
+  /** Pixels of the picture, not of CSS. */
+  width: number;
+  height: number;
+  pixelRatio: number;
+  /** Origin of the page, e.g. "https://workstation:7443". */
+  address: string;
+  /** Empty if the user has given none. */
+  user: string;
+  token: string;
+}
+
+export type ToWorker =
+  | StartMessage
+  | PointerMessage
+  /** Connects anew with another user or token. */
+  | { kind: "connect"; user: string; token: string }
+  /** A line of commands.ts. */
+  | { kind: "command"; line: string }
+  | { kind: "resize"; width: number; height: number; pixelRatio: number }
+  /** Imports a mesh file and opens it. */
+  | { kind: "import"; file: File }
+  /** Runs a recorded script, line after line. Its first error ends it and becomes a message. */
+  | { kind: "replay"; file: File }
+  /** A page that is not seen needs no pictures. */
+  | { kind: "visible"; is: boolean };
+
+export type ToPage =
+  | { kind: "snapshot"; snapshot: Snapshot }
+  /** A command was refused; `message` has the core's words. */
+  | { kind: "answer"; line: string; message: string }
+  /** A file that the user asked for: an export, a picture or a script. */
+  | { kind: "download"; name: string; blob: Blob }
+  /** The engine has stopped and answers no more. */
+  | { kind: "stopped"; message: string }
+  /** Pictures drawn so far. */
+  | { kind: "drawn"; count: number };

@@ -1,0 +1,261 @@
+// The model's state as the page shows it. The core writes it as JSON (client/web/core/snapshot.cpp).
+// Lengths are in the scan's units, times in Unix seconds, empty texts mean "none".
+
+export interface Snapshot {
+  library: Library;
+  activities: Activity[];
+  /** Oldest first, without the dismissed ones. */
+  messages: Message[];
+  presets: Preset[];
+  /** Commands are being written to a script. */
+  recording: boolean;
+  /** The session that is open; null on the start page. */
+  document: Document | null;
+}
+
+export interface Library {
+  state: "unconnected" | "connecting" | "connected" | "failed";
+  server: string;
+  /** The reason of "failed". */
+  problem: string;
+  /** The server refused the user: it wants a token or another one. */
+  wantsToken: boolean;
+  scans: Scan[];
+  sessions: Session[];
+  /** Bytes; 0 if the server does not tell. */
+  serverMemory: number;
+}
+
+export interface Scan {
+  id: string;
+  name: string;
+  triangles: number;
+  closed: boolean;
+  bytes: number;
+  imported: number;
+  unit: string;
+  defaultDepth: number;
+}
+
+export interface Session {
+  id: string;
+  name: string;
+  scan: string;
+  edits: number;
+  depth: number;
+  begun: number;
+  /** When this browser showed it last; 0: never. */
+  shown: number;
+  /** Address of its last picture (blob: or data:). */
+  picture: string;
+}
+
+export interface Activity {
+  number: number;
+  title: string;
+  phase: string;
+  /** 0 to 1. */
+  fraction: number;
+  /** Of the whole; -1 if not known. */
+  secondsLeft: number;
+}
+
+export interface Message {
+  number: number;
+  severity: "info" | "warning" | "error";
+  text: string;
+  time: number;
+}
+
+export interface Preset {
+  name: string;
+  description: string;
+  beta: number;
+}
+
+export interface CurvePoint {
+  kappa: number;
+  alpha: number;
+  /** Place in the plot, 0 to 1; y upwards. */
+  x: number;
+  y: number;
+}
+
+export interface Curve {
+  /** "K:A,K:A,..." or one alpha. */
+  text: string;
+  points: CurvePoint[];
+  /** Heights of the drawn line at even places, 0 to 1. */
+  line: number[];
+  /** Number of the point that is being dragged; -1: none. */
+  dragged: number;
+  kappaRange: number;
+  alphaMax: number;
+  contrast: number;
+  /** Bars, any scale. */
+  histogram: number[];
+}
+
+export interface Band {
+  size: number;
+  gain: number;
+  /** "finer than 0.8". */
+  details: string;
+}
+
+export type FallOff = "smooth" | "linear" | "sharp" | "constant";
+
+export interface Brush {
+  radius: number;
+  strength: number;
+  beta: number;
+  fallOff: FallOff;
+  /** "beta", "colour", "band:2" or "curve:1". */
+  paints: string;
+}
+
+export type Axis = "x" | "y" | "z";
+export type UpAxis = Axis | "-x" | "-y" | "-z";
+export type ColourBy = "clay" | "beta" | "curvature" | "displacement" | "scan";
+export type Light = "clay" | "radiance" | "cavity" | "raking" | "ceramic" | "bronze" | "slopes";
+export type Role = "viewer" | "editor" | "owner";
+export type Tool = "paint" | "look" | "measure";
+export type Lasso = "off" | "protect" | "release";
+
+export interface HistoryEntry {
+  number: number;
+  kind: "edit" | "checkpoint" | "damaged";
+  enabled: boolean;
+  summary: string;
+  author: string;
+  time: number;
+  /** A checkpoint whose name was set again later. */
+  superseded: boolean;
+}
+
+export interface Person {
+  connection: number;
+  user: string;
+  /** 0xRRGGBB, of the ring. */
+  colour: number;
+  role: Role;
+  me: boolean;
+}
+
+export interface View {
+  colour: ColourBy;
+  /** Cells of the grid at which the colour of displacement is full. */
+  displacementRange: number;
+  flat: boolean;
+  wireframe: boolean;
+  split: boolean;
+  /** Part of the picture's width that shows the original. */
+  splitAt: number;
+  original: boolean;
+  orthographic: boolean;
+  up: UpAxis;
+  bookmarks: number;
+  /** Loading state of the surface in words. */
+  status: string;
+}
+
+export interface Lighting {
+  kind: Light;
+  azimuth: number;
+  elevation: number;
+  /** The lamp on the ball, -1 to 1; y upwards. */
+  ballX: number;
+  ballY: number;
+  specular: number;
+  occlusion: number;
+  radiance: number;
+  ridge: number;
+  valley: number;
+}
+
+/** What the colours of the picture mean. */
+export interface ColourScale {
+  title: string;
+  low: string;
+  middle: string;
+  high: string;
+  /** Of the pointer, -1 to 1. */
+  part: number;
+  value: string;
+}
+
+/** A name and a value, both to be shown as they are. */
+export interface Figure {
+  name: string;
+  value: string;
+}
+
+export interface Numbers {
+  /** Empty until the surface has settled. */
+  deviation: Figure[];
+  /** Areas by move along the normal, inwards first. */
+  histogram: number[];
+  range: string;
+  /** How many points of the ruler are set: 0, 1 or 2. */
+  rulerPoints: number;
+  ruler: Figure[];
+}
+
+export interface DepthChoice {
+  depth: number;
+  text: string;
+  possible: boolean;
+}
+
+export interface Document {
+  session: string;
+  sessionId: string;
+  scan: string;
+  unit: string;
+  depth: number;
+  depths: DepthChoice[];
+  cellSize: number;
+  diagonal: number;
+  /** L of the scan; the wavelength of alpha is 2 pi L / alpha. */
+  lengthUnit: number;
+  box: { low: [number, number, number]; high: [number, number, number] };
+  closed: boolean;
+  hasColours: boolean;
+  link: "connecting" | "live" | "lost" | "ended";
+  linkReason: string;
+  /** "converging", "settled", "exact", "saving" or "waiting for the first frame". */
+  state: string;
+  settled: boolean;
+  unsavedEdits: number;
+  role: Role;
+
+  beta: number;
+  fidelity: number;
+  curve: Curve;
+  controls: { pinRims: boolean; cap: number; keepVolume: boolean };
+  bands: Band[];
+  /** By how much waves are multiplied, from two cells to the diagonal, evenly in log length. */
+  response: number[];
+  palette: { name: string; colour: number; curve: string }[];
+  colours: { beta: number; alpha: number };
+  brush: Brush;
+  tool: Tool;
+  lasso: Lasso;
+  lassoThrough: boolean;
+  mirror: { axis: Axis; at: number } | null;
+  /** A pen has drawn; its pressure may rule the strength. */
+  hasPen: boolean;
+  penPressure: boolean;
+  /** The pointer has been on a piece of the surface, for `protect_piece`. */
+  hasPiece: boolean;
+
+  /** Newest first. */
+  history: HistoryEntry[];
+  people: Person[];
+  view: View;
+  light: Lighting;
+  scale: ColourScale | null;
+  numbers: Numbers;
+  /** Figures of frames and link, in the order of the window. */
+  figures: Figure[];
+}
