@@ -32,7 +32,11 @@ struct Member {
                                        journal->begin_life(life);
                                        ++lives;
                                      },
-                                 .on_heartbeat = [this] { ++beats; }});
+                                 .on_heartbeat =
+                                     [this](const std::vector<std::string>& addresses) {
+                                       ++beats;
+                                       fleet_size = addresses.size();
+                                     }});
   }
 
   /// The database has the clock of leases, so this waits.
@@ -52,6 +56,7 @@ struct Member {
   }
 
   std::atomic<int> lives{1}, beats{0};
+  std::atomic<size_t> fleet_size{0};  // of the last heartbeat
   std::unique_ptr<PostgresJournal> journal;
   std::unique_ptr<Membership> membership;
   std::jthread beating;  // ends first
@@ -76,12 +81,19 @@ class MembershipTest : public testing::Test {
   std::unique_ptr<Member> one_;
 };
 
+TEST_F(MembershipTest, AHeartbeatTellsTheAddressesOfAllServers) {
+  one_->start();
+  Member two(address_, folder_.path(), "two");
+  EXPECT_TRUE(Member::until([this] { return one_->fleet_size == 2; }));
+}
+
 TEST_F(MembershipTest, ASessionOfALivingServerIsRefusedWithItsNameAndAddress) {
   one_->start();
   const Member two(address_, folder_.path(), "two");
   const Status refused = two.journal->hold("id-a");
   EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
   EXPECT_THAT(refused.message(), HasSubstr("one (one.lab:7411)"));
+  EXPECT_EQ(refused.moved_to(), "one.lab:7411");
 }
 
 TEST_F(MembershipTest, SessionsOfADeadServerAreFreeWhenItsLeaseIsOver) {
