@@ -132,7 +132,7 @@ function Point(props: { point: CurvePoint; number: number; dragged: boolean; dis
       cy={top(point.y)}
       r={dragged ? 7 : 5.5}
       role="slider"
-      tabIndex={disabled ? -1 : 0}
+      tabindex={disabled ? -1 : 0}
       aria-label={`Point ${number + 1}`}
       aria-valuenow={Number(short(point.alpha))}
       aria-valuetext={`κ ${short(point.kappa)}, α ${short(point.alpha)}`}

@@ -95,7 +95,7 @@ function Ball({ light }: { light: Lighting }) {
       class="ball"
       viewBox="-1 -1 2 2"
       role="slider"
-      tabIndex={0}
+      tabindex={0}
       aria-label="Lamp"
       aria-valuenow={Math.round(light.elevation)}
       aria-valuemin={0}
