@@ -16,9 +16,9 @@ const kSections = ["Equaliser", "Palette", "Colours", "Light", "Camera"];
 /** Returns the names of parts that are wider than their place. */
 const tooWide = (visit: Visit) =>
   visit.page.evaluate(() =>
-    [...document.querySelectorAll("#page, .column, .no-session, section")]
+    [...document.querySelectorAll("#page, .column, .no-session, section, .row, .row button, .thirds button")]
       .filter((one) => one.scrollWidth > one.clientWidth + 1)
-      .map((one) => one.className || one.getAttribute("aria-label") || one.id),
+      .map((one) => one.className || one.getAttribute("aria-label") || one.id || one.textContent),
   );
 
 /** Leaves a picture of each part of the columns. */
