@@ -48,7 +48,7 @@ export const frontCommands: readonly FrontCommand[] = [
   { form: "focus", means: "turns around the point under the pointer" },
   { form: "cancel", means: "cancels the stroke or the lasso" },
   { form: "figures on|off", means: "says whether the figures are shown, which costs snapshots" },
-  { form: "over PROTECTION CURVES", means: "on|off each: shows the region and the palette's curves" },
+  { form: "over protection|curves on|off", means: "shows the region, or where the palette's curves rule" },
   { form: "record start", means: "begins a script of what is done" },
   { form: "record stop", means: "ends it and downloads it" },
   { form: "picture NAME", means: "downloads the picture as PNG" },
@@ -137,7 +137,7 @@ export const command = {
   cavity: (ridge: number, valley: number) => words("cavity", ridge, valley),
   lightDefault: () => "light_default",
   figures: (on: boolean) => words("figures", onOff(on)),
-  over: (protection: boolean, curves: boolean) => words("over", onOff(protection), onOff(curves)),
+  over: (what: "protection" | "curves", on: boolean) => words("over", what, onOff(on)),
   unit: (text: string) => words("unit", name(text)).trim(),
   rulerClear: () => "ruler clear",
 

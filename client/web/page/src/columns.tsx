@@ -1,0 +1,93 @@
+// The columns of panels beside the picture. A narrow page has one.
+
+import { useEffect, useState } from "preact/hooks";
+import { BrushPanel } from "./brush_panel";
+import { ColourPanel } from "./colour_panel";
+import { Section, Figures } from "./controls";
+import { CurvePanel } from "./curve_panel";
+import { EqualiserPanel } from "./equaliser_panel";
+import { FilterPanel, type PanelProps } from "./filter_panel";
+import { HistoryPanel } from "./history_panel";
+import { LightPanel } from "./light_panel";
+import { LimitsPanel } from "./limits_panel";
+import { NumbersPanel } from "./numbers_panel";
+import { PalettePanel } from "./palette_panel";
+import { PeoplePanel } from "./people_panel";
+import type { Preset } from "./snapshot";
+import { CameraPanel, ViewPanel } from "./view_panel";
+
+const kWide = "(min-width: 960px)";
+
+/** Returns whether there is room for two columns. */
+export function useIsWide(): boolean {
+  const [isWide, setIsWide] = useState(() => matchMedia(kWide).matches);
+  useEffect(() => {
+    const media = matchMedia(kWide);
+    const change = () => setIsWide(media.matches);
+    media.addEventListener("change", change);
+    return () => media.removeEventListener("change", change);
+  }, []);
+  return isWide;
+}
+
+export function EditColumn(props: PanelProps & { presets: Preset[]; children?: preact.ComponentChildren }) {
+  const { document, presets } = props;
+  return (
+    <aside class="column left" aria-label="Edit">
+      <Section name="Filter">
+        <FilterPanel {...{ document, presets }} />
+      </Section>
+      <Section name="Transfer curve α(κ)">
+        <CurvePanel document={document} />
+      </Section>
+      <Section name="Brush">
+        <BrushPanel document={document} />
+      </Section>
+      <Section name="Limits">
+        <LimitsPanel document={document} />
+      </Section>
+      <Section name="Equaliser" folded>
+        <EqualiserPanel document={document} />
+      </Section>
+      <Section name="Palette" folded>
+        <PalettePanel document={document} />
+      </Section>
+      {document.hasColours && (
+        <Section name="Colours" folded>
+          <ColourPanel document={document} />
+        </Section>
+      )}
+      {props.children}
+    </aside>
+  );
+}
+
+export function ShowSections({ document, figures }: PanelProps & { figures: boolean }) {
+  return (
+    <>
+      <Section name="View">
+        <ViewPanel document={document} />
+      </Section>
+      <Section name="History">
+        <HistoryPanel document={document} />
+      </Section>
+      <Section name="People">
+        <PeoplePanel document={document} />
+      </Section>
+      <Section name="Numbers">
+        <NumbersPanel document={document} />
+      </Section>
+      <Section name="Light" folded>
+        <LightPanel document={document} />
+      </Section>
+      <Section name="Camera" folded>
+        <CameraPanel document={document} />
+      </Section>
+      {figures && (
+        <Section name="Figures">
+          <Figures figures={document.figures} />
+        </Section>
+      )}
+    </>
+  );
+}

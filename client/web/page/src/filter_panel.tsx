@@ -1,0 +1,115 @@
+// Gradient scale, wavelength and presets: the edit outside of painted areas.
+
+import { useState } from "preact/hooks";
+import { command } from "./commands";
+import { useLink } from "./context";
+import { Choice, Title } from "./controls";
+import { Slider, betaScale, betaTone, linear, logarithmic } from "./slider";
+import type { Document, Preset } from "./snapshot";
+import { fixed, short } from "./words";
+
+const kAlphaMin = 0.01;
+const kAlphaMax = 1e5;
+const kFidelityMin = 1;
+
+/** The wavelength of alpha, and the other way round. Units: as the scan's. */
+export const swapAlpha = (document: Document, value: number) =>
+  (2 * Math.PI * document.lengthUnit) / value;
+export const alphaOf = (document: Document, wavelength: number) =>
+  Math.min(kAlphaMax, Math.max(kAlphaMin, swapAlpha(document, wavelength)));
+
+export interface PanelProps {
+  document: Document;
+}
+
+export const isViewer = (document: Document) => document.role === "viewer";
+
+export function FilterPanel({ document, presets }: PanelProps & { presets: Preset[] }) {
+  const link = useLink();
+  const disabled = isViewer(document);
+  const [chosen, setChosen] = useState<Preset | null>(null);
+  const [strength, setStrength] = useState(1);
+  const choose = (name: string) => {
+    const preset = presets.find((one) => one.name === name);
+    if (!preset) return;
+    setChosen(preset);
+    setStrength(1);
+    link.send(command.preset(preset.name, 1));
+  };
+  return (
+    <>
+      <Choice
+        name="Presets"
+        value={chosen?.name ?? ""}
+        hint={chosen?.description}
+        disabled={disabled}
+        choices={[["", "Presets"] as const, ...presets.map((one) => [one.name, one.name] as const)]}
+        onChange={choose}
+      />
+      {chosen && (
+        <>
+          <Title text="Strength" note="of the preset" />
+          <Slider
+            name="Strength of the preset"
+            value={strength}
+            scale={linear(0, 1)}
+            format={fixed(2)}
+            disabled={disabled}
+            onMove={(value) => {
+              setStrength(value);
+              link.send(command.preview(command.beta(1 + value * (chosen.beta - 1))));
+            }}
+            onDone={(value) => {
+              setStrength(value);
+              link.send(command.preset(chosen.name, value));
+            }}
+          />
+        </>
+      )}
+      <Beta document={document} />
+      <Wavelength document={document} />
+    </>
+  );
+}
+
+function Beta({ document }: PanelProps) {
+  const link = useLink();
+  return (
+    <>
+      <Title text="Gradient scale β" note={betaTone(document.beta)} />
+      <Slider
+        name="Gradient scale β"
+        value={document.beta}
+        scale={betaScale}
+        format={short}
+        tone={betaTone(document.beta)}
+        disabled={isViewer(document)}
+        onMove={(beta) => link.send(command.preview(command.beta(beta)))}
+        onDone={(beta) => link.send(command.beta(beta))}
+      />
+    </>
+  );
+}
+
+function Wavelength({ document }: PanelProps) {
+  const link = useLink();
+  const least = swapAlpha(document, document.curve.alphaMax);
+  return (
+    <>
+      <Title
+        text="Wavelength"
+        note={`fidelity α ${short(document.fidelity)}`}
+        hint="In the scan's units. Waves of this length on the surface change by half, shorter ones more; longer waves stay. The slider begins at two cells of the grid."
+      />
+      <Slider
+        name="Wavelength"
+        value={swapAlpha(document, document.fidelity)}
+        scale={logarithmic(least, swapAlpha(document, kFidelityMin))}
+        format={short}
+        disabled={isViewer(document)}
+        onMove={(length) => link.send(command.preview(command.fidelity(alphaOf(document, length))))}
+        onDone={(length) => link.send(command.fidelity(alphaOf(document, length)))}
+      />
+    </>
+  );
+}

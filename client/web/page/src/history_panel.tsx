@@ -1,0 +1,119 @@
+// The session's edits, newest first. Each can be switched off.
+
+import { useState } from "preact/hooks";
+import { command } from "./commands";
+import { useLink } from "./context";
+import { Button, Row } from "./controls";
+import { isViewer, type PanelProps } from "./filter_panel";
+import type { Document, HistoryEntry } from "./snapshot";
+import { timeOf } from "./words";
+
+export function HistoryPanel({ document }: PanelProps) {
+  const link = useLink();
+  const disabled = isViewer(document);
+  return (
+    <>
+      <Row>
+        <Button
+          label="Undo"
+          hint="Takes back your last edit, not those of others."
+          disabled={disabled}
+          onClick={() => link.send(command.undo())}
+        />
+        <Button
+          label="Redo"
+          hint="Makes the edit again that you took back."
+          disabled={disabled}
+          onClick={() => link.send(command.redo())}
+        />
+      </Row>
+      <ul class="entries" aria-label="Entries" tabIndex={0}>
+        {document.history.map((entry) => (
+          <Entry key={entry.number} {...{ document, entry }} />
+        ))}
+        {document.history.length === 0 && <li class="faint">no edits yet</li>}
+      </ul>
+      <Checkpoint document={document} />
+    </>
+  );
+}
+
+function Entry({ document, entry }: { document: Document; entry: HistoryEntry }) {
+  const link = useLink();
+  const disabled = isViewer(document);
+  const title = `${entry.summary}\n${timeOf(entry.time)}\nby ${entry.author || "somebody"}, number ${entry.number}`;
+  if (entry.kind === "checkpoint" && entry.superseded)
+    return <li class="faint" title={title}>{`${entry.summary}, set again later`}</li>;
+  if (entry.kind === "checkpoint")
+    return (
+      <li title={title}>
+        <Button
+          label="Restore"
+          name={`Restore ${entry.summary}`}
+          hint="Goes back to this state. The edits after it are switched off."
+          disabled={disabled}
+          onClick={() => link.send(command.restore(entry.summary))}
+        />
+        <span class="accent">{entry.summary}</span>
+      </li>
+    );
+  return (
+    <li title={title}>
+      <label class={entry.enabled ? "check" : "check faint"}>
+        <input
+          type="checkbox"
+          aria-label={`Entry ${entry.number}: ${entry.summary}`}
+          checked={entry.enabled}
+          disabled={disabled || entry.kind === "damaged"}
+          onChange={(event) => {
+            event.currentTarget.checked = entry.enabled; // the server's answer switches it
+            link.send(command.switchEntry(entry.number, !entry.enabled));
+          }}
+        />
+        {entry.summary}
+      </label>
+    </li>
+  );
+}
+
+function Checkpoint({ document }: PanelProps) {
+  const link = useLink();
+  const [typed, setTyped] = useState("");
+  const name = typed.trim();
+  const isThere = document.history.some(
+    (entry) => entry.kind === "checkpoint" && entry.summary === name,
+  );
+  const set = () => {
+    if (isThere)
+      return link.refuse(`checkpoint ${name} is there already; choose another name`);
+    link.send(command.checkpoint(name));
+    setTyped("");
+  };
+  const fork = () => {
+    link.send(command.fork(name));
+    setTyped("");
+  };
+  return (
+    <>
+      <input
+        type="text"
+        class="wide"
+        aria-label="Name of a checkpoint or fork"
+        placeholder="name of a checkpoint or fork"
+        title="A checkpoint needs a name. A fork without one gets a name from the server."
+        maxLength={200}
+        value={typed}
+        onInput={(event) => setTyped(event.currentTarget.value)}
+      />
+      <Row>
+        <Button
+          label="Checkpoint"
+          hint="Gives the current state a name, so that you can come back to it."
+          disabled={name === "" || isViewer(document)}
+          onClick={set}
+        />
+        <Button label="Fork" hint="Opens a new session with all edits of this session." onClick={fork} />
+      </Row>
+    </>
+  );
+}

@@ -1,0 +1,116 @@
+// The menus, with the words of the window's.
+
+import { command } from "./commands";
+import { useLink } from "./context";
+import type { PageActions } from "./keys";
+import { Menu, type MenuItem } from "./menu";
+import type { Document } from "./snapshot";
+import { chooseTheme, type Theme } from "./theme";
+
+/** The dialogs that are open. */
+export interface Shown {
+  log: boolean;
+  help: boolean;
+  exporting: boolean;
+}
+
+export interface MenuBarProps {
+  document: Document | null;
+  actions: PageActions;
+  recording: boolean;
+  figures: boolean;
+  onFigures: (on: boolean) => void;
+  onReplay: () => void;
+}
+
+export function MenuBar(props: MenuBarProps) {
+  const { document } = props;
+  const link = useLink();
+  const send = (line: string) => () => link.send(line);
+  const title = document ? `${document.scan} · ${document.session}` : "";
+  return (
+    <header class="menus">
+      <nav aria-label="Menus">
+        <Menu name="File" items={fileItems(props, send)} />
+        {document && (
+          <Menu
+            name="Edit"
+            items={[
+              { label: "Undo", key: "Ctrl+Z", run: send(command.undo()) },
+              { label: "Redo", key: "Ctrl+Shift+Z", run: send(command.redo()) },
+            ]}
+          />
+        )}
+        <Menu name="View" items={viewItems(props, send)} />
+        <Menu name="Help" items={[{ label: "Keys", key: "?", run: props.actions.toggleHelp }]} />
+      </nav>
+      {props.recording && <span class="bad">recording</span>}
+      <span class="session-title faint" title={title}>
+        {title}
+      </span>
+    </header>
+  );
+}
+
+type Send = (line: string) => () => void;
+
+function fileItems({ document, actions, recording, onReplay }: MenuBarProps, send: Send): MenuItem[] {
+  const disabled = document === null;
+  const depths = (document?.depths ?? []).map(
+    (one): MenuItem => ({
+      label: `Open again at depth ${one.depth}: ${one.text}`,
+      disabled: !one.possible || one.depth === document?.depth,
+      run: send(command.depth(one.depth)),
+    }),
+  );
+  return [
+    { label: "Open…", key: "Ctrl+O", run: actions.open },
+    { label: "Export…", key: "Ctrl+E", disabled, divided: true, run: actions.exportMesh },
+    {
+      label: "Save picture",
+      key: "F9",
+      disabled,
+      run: send(command.picture(`${document?.session ?? "picture"}.png`)),
+    },
+    {
+      label: recording ? "Stop recording" : "Record a script",
+      divided: true,
+      run: send(command.record(!recording)),
+    },
+    { label: "Replay a script…", run: onReplay },
+    ...depths.map((item, i) => ({ ...item, divided: i === 0 })),
+    { label: "Close session", disabled, divided: true, run: send(command.close()) },
+  ];
+}
+
+function viewItems({ document, actions, figures, onFigures }: MenuBarProps, send: Send): MenuItem[] {
+  const theme = (label: string, value: Theme): MenuItem => ({
+    label,
+    run: () => chooseTheme(value),
+  });
+  const ofSession: MenuItem[] = document
+    ? [
+        { label: "Frame all", key: "Home", run: send(command.frame()) },
+        {
+          label: "Wireframe",
+          key: "W",
+          checked: document.view.wireframe,
+          run: send(command.wireframe(!document.view.wireframe)),
+        },
+        {
+          label: "Split",
+          key: "S",
+          checked: document.view.split,
+          run: send(command.split(!document.view.split)),
+        },
+        { label: "Figures", checked: figures, run: () => onFigures(!figures) },
+      ]
+    : [];
+  return [
+    ...ofSession,
+    { label: "Messages", key: "L", run: actions.toggleLog },
+    { ...theme("Dark", "dark"), divided: true },
+    theme("Light", "light"),
+    theme("As the browser", "system"),
+  ];
+}

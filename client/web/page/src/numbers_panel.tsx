@@ -1,0 +1,98 @@
+// Lengths in the scan's unit: how far the surface moved, and distances.
+
+import { useState } from "preact/hooks";
+import { command } from "./commands";
+import { useLink } from "./context";
+import { Button, Check, Figures } from "./controls";
+import type { PanelProps } from "./filter_panel";
+import type { Numbers } from "./snapshot";
+
+export function NumbersPanel({ document }: PanelProps) {
+  const numbers = document.numbers;
+  return (
+    <>
+      <Unit key={document.sessionId} document={document} />
+      {numbers.deviation.length > 0 ? (
+        <Figures figures={numbers.deviation} />
+      ) : (
+        <div class="faint">measured when the surface has settled</div>
+      )}
+      <Histogram numbers={numbers} />
+      <Ruler document={document} />
+    </>
+  );
+}
+
+function Unit({ document }: PanelProps) {
+  const link = useLink();
+  const [typed, setTyped] = useState<string | null>(null);
+  const take = () => {
+    if (typed !== null && typed !== document.unit) link.send(command.unit(typed));
+    setTyped(null);
+  };
+  return (
+    <div class="labelled">
+      <span aria-hidden="true">unit</span>
+      <input
+        type="text"
+        aria-label="Unit"
+        placeholder="mm, m, …"
+        title="Names the unit of the scan's coordinates, for everybody who opens the scan."
+        value={typed ?? document.unit}
+        onInput={(event) => setTyped(event.currentTarget.value)}
+        onBlur={take}
+        onKeyDown={(event) => event.key === "Enter" && !event.isComposing && take()}
+      />
+    </div>
+  );
+}
+
+// Roots of the areas, so that a small part is seen beside the part that stays.
+function Histogram({ numbers }: { numbers: Numbers }) {
+  const heights = numbers.histogram.map(Math.sqrt);
+  const tallest = Math.max(0, ...heights);
+  if (tallest === 0) return null;
+  const bars = heights.map((height, i) => `M${i} 1V${(1 - height / tallest).toFixed(3)}H${i + 0.9}V1Z`);
+  return (
+    <>
+      <svg
+        class="deviation"
+        viewBox={`0 0 ${heights.length} 1`}
+        preserveAspectRatio="none"
+        role="img"
+        aria-label="The surface's area by its move along the normal: inwards left, outwards right"
+      >
+        <path d={bars.join("")} />
+      </svg>
+      <div class="ends faint">
+        <span>{`-${numbers.range}`}</span>
+        <span>{numbers.range}</span>
+      </div>
+    </>
+  );
+}
+
+function Ruler({ document }: PanelProps) {
+  const link = useLink();
+  const { rulerPoints, ruler } = document.numbers;
+  const measures = document.tool === "measure";
+  return (
+    <>
+      <Check
+        label="Measure"
+        hint="Click two points of the surface. The panel shows their distance (M)."
+        on={measures}
+        onChange={(on) => link.send(command.tool(on ? "measure" : "paint"))}
+      />
+      {measures && rulerPoints < 2 && (
+        <div class="faint">{rulerPoints === 0 ? "first point" : "second point"}</div>
+      )}
+      {ruler.length > 0 && (
+        <>
+          <Figures figures={ruler} />
+          <Button label="Clear" name="Clear the ruler" onClick={() => link.send(command.rulerClear())} />
+        </>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,178 @@
+// The whole page: menu, start page or session, and what lies over both.
+
+import { useEffect, useRef, useState } from "preact/hooks";
+import { EditColumn, ShowSections, useIsWide } from "./columns";
+import { command } from "./commands";
+import { LinkContext } from "./context";
+import { Button } from "./controls";
+import { Dialog } from "./dialog";
+import type { EngineLink } from "./engine_link";
+import { ExportDialog } from "./export_dialog";
+import { ColourBar, Hud, LostNote } from "./hud";
+import { handleKeyDown, handleKeyUp, type PageActions } from "./keys";
+import { KeyHelp } from "./key_help";
+import { MenuBar, type Shown } from "./menu_bar";
+import { MessageLog, Toasts } from "./messages";
+import { Picture } from "./picture";
+import { StartPage, kMeshFiles } from "./start_page";
+
+const kClosed: Shown = { log: false, help: false, exporting: false };
+
+export function Page({ link }: { link: EngineLink }) {
+  const [state, setState] = useState(link.state);
+  const [shown, setShown] = useState<Shown>(kClosed);
+  const [figures, setFigures] = useState(true);
+  const meshFile = useRef<HTMLInputElement>(null);
+  const scriptFile = useRef<HTMLInputElement>(null);
+  const isWide = useIsWide();
+  const document = state.snapshot?.document ?? null;
+  useEffect(() => {
+    link.onchange = () => setState(link.state);
+    setState(link.state);
+  }, []);
+  const actions: PageActions = {
+    open: () => meshFile.current?.click(),
+    exportMesh: () => setShown({ ...kClosed, exporting: true }),
+    toggleLog: () => setShown({ ...kClosed, log: !shown.log }),
+    toggleHelp: () => setShown({ ...kClosed, help: !shown.help }),
+    closeOpen: () => setShown(kClosed),
+  };
+  useKeys(link, actions);
+  useDrop(link);
+  useTitle(document ? `${document.session} – Burnish` : "Burnish");
+  const close = () => setShown(kClosed);
+  const messages = [...(state.snapshot?.messages ?? []), ...state.refusals];
+  return (
+    <LinkContext.Provider value={link}>
+      <MenuBar
+        {...{ document, actions, figures }}
+        recording={state.snapshot?.recording ?? false}
+        onFigures={(on) => {
+          setFigures(on);
+          link.send(command.figures(on));
+        }}
+        onReplay={() => scriptFile.current?.click()}
+      />
+      <div class={document ? (isWide ? "session wide" : "session") : "no-session"}>
+        {document && (
+          <EditColumn document={document} presets={state.snapshot?.presets ?? []}>
+            {!isWide && <ShowSections {...{ document, figures }} />}
+          </EditColumn>
+        )}
+        <div class="middle" hidden={!document}>
+          <Picture key={state.starts} document={document} />
+          {document && <Hud document={document} figures={figures && isWide} />}
+          {document?.view && document.scale && <ColourBar scale={document.scale} />}
+          {document && <LostNote document={document} />}
+        </div>
+        {document && isWide && (
+          <aside class="column right" aria-label="Show">
+            <ShowSections document={document} figures={false} />
+          </aside>
+        )}
+        {!document && state.snapshot && (
+          <StartPage library={state.snapshot.library} onOpen={actions.open} />
+        )}
+        {!state.snapshot && !state.stopped && (
+          <main class="start">
+            <h1>Burnish</h1>
+            <p class="faint" role="status">
+              loading…
+            </p>
+          </main>
+        )}
+      </div>
+      <Toasts messages={messages} activities={state.snapshot?.activities ?? []} />
+      {shown.log && <MessageLog messages={messages} onClose={close} />}
+      {shown.help && <KeyHelp onClose={close} />}
+      {shown.exporting && document && <ExportDialog document={document} onClose={close} />}
+      {state.stopped && <Stopped link={link} reason={state.stopped} />}
+      <FileInput
+        input={meshFile}
+        name="Mesh file"
+        accept={kMeshFiles}
+        onFile={(file) => link.post({ kind: "import", file })}
+      />
+      <FileInput
+        input={scriptFile}
+        name="Script file"
+        accept=".burnish,.txt"
+        onFile={(file) => link.post({ kind: "replay", file })}
+      />
+    </LinkContext.Provider>
+  );
+}
+
+function FileInput(props: {
+  input: preact.RefObject<HTMLInputElement | null>;
+  name: string;
+  accept: string;
+  onFile: (file: File) => void;
+}) {
+  return (
+    <input
+      ref={props.input}
+      type="file"
+      hidden
+      aria-label={props.name}
+      accept={props.accept}
+      onChange={(event) => {
+        const file = event.currentTarget.files?.[0];
+        if (file) props.onFile(file);
+        event.currentTarget.value = "";
+      }}
+    />
+  );
+}
+
+function Stopped({ link, reason }: { link: EngineLink; reason: string }) {
+  return (
+    <Dialog title="The engine has stopped" onClose={() => link.startAgain()}>
+      <p>{reason}</p>
+      <p class="faint">Edits that the server has acknowledged are kept.</p>
+      <Button label="Start again" class="strong" onClick={() => link.startAgain()} />
+    </Dialog>
+  );
+}
+
+function useKeys(link: EngineLink, page: PageActions): void {
+  useEffect(() => {
+    const context = () => ({ link, page, document: link.state.snapshot?.document ?? null });
+    const isModal = () => window.document.querySelector("dialog[open]") !== null;
+    const down = (event: KeyboardEvent) => !isModal() && handleKeyDown(event, context());
+    const up = (event: KeyboardEvent) => handleKeyUp(event, context());
+    const visible = () => link.post({ kind: "visible", is: !window.document.hidden });
+    window.addEventListener("keydown", down);
+    window.addEventListener("keyup", up);
+    window.document.addEventListener("visibilitychange", visible);
+    return () => {
+      window.removeEventListener("keydown", down);
+      window.removeEventListener("keyup", up);
+      window.document.removeEventListener("visibilitychange", visible);
+    };
+  });
+}
+
+/** A mesh file that is dropped anywhere on the page is imported. */
+function useDrop(link: EngineLink): void {
+  useEffect(() => {
+    const over = (event: DragEvent) => event.preventDefault();
+    const drop = (event: DragEvent) => {
+      event.preventDefault();
+      const file = event.dataTransfer?.files[0];
+      if (file) link.post({ kind: "import", file });
+    };
+    window.addEventListener("dragover", over);
+    window.addEventListener("drop", drop);
+    return () => {
+      window.removeEventListener("dragover", over);
+      window.removeEventListener("drop", drop);
+    };
+  }, []);
+}
+
+function useTitle(title: string): void {
+  useEffect(() => {
+    window.document.title = title;
+  }, [title]);
+}

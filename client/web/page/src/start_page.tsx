@@ -1,0 +1,125 @@
+// The start page: a scan to open, the server, recent sessions, and lists of scans and sessions.
+
+import { useState } from "preact/hooks";
+import { command } from "./commands";
+import { useLink } from "./context";
+import { Button, Row } from "./controls";
+import { ScanList, SessionList } from "./library_lists";
+import type { Library, Session } from "./snapshot";
+import { dayOf } from "./words";
+
+export const kMeshFiles = ".ply,.obj,.stl,.off,.glb,.gltf,.zip";
+const kCardsMax = 8;
+
+export function StartPage({ library, onOpen }: { library: Library; onOpen: () => void }) {
+  return (
+    <main class="start">
+      <h1>Burnish</h1>
+      <p class="faint">smooths and sharpens scanned surfaces</p>
+      <div class="start-columns">
+        <div>
+          <Button label="Open a scan…" class="strong open" hint="Chooses a mesh file (Ctrl+O)." onClick={onOpen} />
+          <p class="faint">or drop a file on the page: .ply, .obj, .stl, .off, .glb, .gltf or .zip</p>
+          <Server library={library} />
+        </div>
+        <div>
+          <h2>Recent</h2>
+          <Cards library={library} />
+          <ScanList library={library} />
+          <SessionList library={library} />
+        </div>
+      </div>
+    </main>
+  );
+}
+
+function Server({ library }: { library: Library }) {
+  const link = useLink();
+  const text = {
+    unconnected: "not connected",
+    connecting: `connecting to ${library.server}…`,
+    connected: `connected to ${library.server}`,
+    failed: library.problem,
+  }[library.state];
+  const tone = { unconnected: "faint", connecting: "busy", connected: "good", failed: "bad" }[library.state];
+  return (
+    <section aria-label="Server">
+      <h2>Server</h2>
+      <p class={tone} role="status">
+        {text}
+      </p>
+      {library.wantsToken && <ConnectForm />}
+      {library.state === "failed" && !library.wantsToken && (
+        <Button label="Try again" onClick={() => link.send(command.refresh())} />
+      )}
+    </section>
+  );
+}
+
+/** The token stays in this tab and goes nowhere but to the server. */
+function ConnectForm() {
+  const link = useLink();
+  const [user, setUser] = useState(link.user());
+  const [token, setToken] = useState("");
+  const connect = (event: Event) => {
+    event.preventDefault();
+    link.connect(user.trim(), token.trim());
+  };
+  return (
+    <form aria-label="Connect" onSubmit={connect}>
+      <label class="labelled" title="Your name, where the token does not tell it.">
+        <span>User</span>
+        <input
+          type="text"
+          autocomplete="username"
+          value={user}
+          onInput={(event) => setUser(event.currentTarget.value)}
+        />
+      </label>
+      <label class="labelled" title="The secret that the keeper of the server gave you.">
+        <span>Token</span>
+        <input
+          type="password"
+          autocomplete="off"
+          maxLength={1024}
+          value={token}
+          onInput={(event) => setToken(event.currentTarget.value)}
+        />
+      </label>
+      <Row>
+        <button class="strong">Connect</button>
+      </Row>
+      <p class="faint">The token is kept until you close this tab.</p>
+    </form>
+  );
+}
+
+function Cards({ library }: { library: Library }) {
+  const recent = library.sessions
+    .filter((session) => session.shown > 0)
+    .sort((one, other) => other.shown - one.shown)
+    .slice(0, kCardsMax);
+  if (recent.length === 0) return <p class="faint">nothing opened yet</p>;
+  return (
+    <div class="cards">
+      {recent.map((session) => (
+        <Card key={session.id} session={session} />
+      ))}
+    </div>
+  );
+}
+
+function Card({ session }: { session: Session }) {
+  const link = useLink();
+  return (
+    <button
+      class="card"
+      aria-label={`Go on with ${session.name}`}
+      onClick={() => link.send(command.joinSession(session.id))}
+    >
+      {session.picture ? <img src={session.picture} alt="" /> : <div class="no-picture" />}
+      <span class="name">{session.name}</span>
+      <span class="faint">{dayOf(session.shown)}</span>
+    </button>
+  );
+}

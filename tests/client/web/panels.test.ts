@@ -1,0 +1,243 @@
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Bench, type Visit } from "./harness";
+
+const bench = new Bench();
+before(() => bench.start());
+after(() => bench.stop());
+
+const slider = (visit: Visit, name: string) => visit.page.getByRole("slider", { name, exact: true });
+
+test("FilterPreviewsWhileTheSliderMovesAndCommitsAtItsEnd", () =>
+  bench.visitSession(async (visit) => {
+    await slider(visit, "Gradient scale β").focus();
+    await visit.page.keyboard.press("ArrowRight");
+    const [first, second] = (await visit.lines()).filter((line) => / ?beta /.test(line)).slice(-2);
+    assert.match(first!, /^preview beta 1/);
+    assert.equal(second, first!.replace("preview ", ""));
+    await visit.page.getByRole("textbox", { name: "Gradient scale β as a number" }).fill("2.5");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("beta 2.5");
+  }));
+
+test("NumberBeyondTheLimitBecomesTheLimitWithAMessage", () =>
+  bench.visitSession(async (visit) => {
+    const field = visit.page.getByRole("textbox", { name: "Gradient scale β as a number" });
+    await field.fill("11");
+    await field.press("Enter");
+    await visit.sent("beta 10");
+    await visit.page.getByText("11 is outside 0 to 10").waitFor();
+    await field.fill("many");
+    await field.press("Enter");
+    await visit.page.getByText("'many' is not a number").waitFor();
+  }));
+
+test("PresetsHaveAStrength", () =>
+  bench.visitSession(async (visit) => {
+    await visit.page.getByRole("combobox", { name: "Presets" }).selectOption("Sharpen all");
+    await visit.sent("preset Sharpen all 1");
+    await slider(visit, "Strength of the preset").fill("500");
+    await visit.sent("preview beta 2");
+    await visit.sent("preset Sharpen all 0.5");
+  }));
+
+test("WavelengthIsSentAsFidelity", () =>
+  bench.visitSession(async (visit) => {
+    const field = visit.page.getByRole("textbox", { name: "Wavelength as a number" });
+    await field.fill("10");
+    await field.press("Enter");
+    await visit.sent("fidelity 27.0177");
+  }));
+
+test("CurveIsDraggedByMouseAndByKeys", () =>
+  bench.visitSession(async (visit) => {
+    const plot = visit.page.getByRole("group", { name: "Plot of the transfer curve" });
+    const box = (await plot.boundingBox())!;
+    await visit.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await visit.page.mouse.down();
+    await visit.page.mouse.move(box.x + box.width / 2, box.y + box.height / 4);
+    await visit.page.mouse.up();
+    await visit.sent("plot drop");
+    const lines = (await visit.lines()).filter((line) => line.startsWith("plot"));
+    assert.match(lines[0]!, /^plot grab 0\.5 0\.5 /);
+    assert.equal(lines[1], "plot drag 0.5 0.75");
+    await visit.forget();
+    await slider(visit, "Point 2").press("ArrowUp");
+    await visit.sent("plot drop");
+    assert.deepEqual(await visit.lines(), ["plot take 1", "plot drag 0.8 0.79", "plot drop"]);
+    await slider(visit, "Point 1").press("Delete");
+    await visit.sent("plot remove 0");
+    await slider(visit, "Point 2").click({ button: "right" });
+    await visit.sent("plot remove 1");
+  }));
+
+test("BrushIsOneLine", () =>
+  bench.visitSession(async (visit) => {
+    const panel = visit.page.getByRole("region", { name: "Brush" });
+    await panel.getByRole("button", { name: "Sharpen" }).click();
+    await visit.sent("brush 4 0.5 2 smooth beta");
+    await panel.getByRole("combobox", { name: "Paints" }).selectOption("Gain of 2 to 8");
+    await visit.sent("brush 4 0.5 0 smooth band:2");
+    await panel.getByRole("combobox", { name: "Fall-off" }).selectOption("Sharp");
+    await visit.sent("brush 4 0.5 0 sharp beta");
+    await panel.getByRole("textbox", { name: "Radius as a number" }).fill("2");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("brush 2 0.5 0 smooth beta");
+    await panel.getByRole("checkbox", { name: "Pen pressure" }).click();
+    await visit.sent("pen off");
+    await panel.getByRole("combobox", { name: "Mirror" }).selectOption("Across x");
+    await visit.sent("mirror x");
+    await panel.getByRole("slider", { name: "Mirror plane" }).fill("750");
+    await visit.sent("mirror x 25");
+  }));
+
+test("LimitsHoldRimsMovesAndRegions", () =>
+  bench.visitSession(async (visit) => {
+    const panel = visit.page.getByRole("region", { name: "Limits" });
+    await visit.sent("over protection on");
+    await panel.getByRole("checkbox", { name: "Rims stay" }).click();
+    await visit.sent("controls off 0 off");
+    assert.ok(await panel.getByRole("checkbox", { name: "Volume stays" }).isDisabled());
+    await panel.getByRole("textbox", { name: "Largest move as a number" }).fill("0.5");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("controls on 0.5 off");
+    await panel.getByRole("button", { name: "Protect" }).click();
+    await visit.sent("lasso protect");
+    for (const [name, line] of [["Grow", "protect grow 1"], ["Invert", "protect invert"], ["Piece", "protect_piece"], ["Clear", "protect clear"]] as const) {
+      await panel.getByRole("button", { name }).click();
+      await visit.sent(line);
+    }
+  }));
+
+test("EqualiserSendsAllBands", () =>
+  bench.visitSession(async (visit) => {
+    const panel = await visit.section("Equaliser");
+    await panel.getByRole("slider", { name: "Gain of band 1" }).fill("0");
+    await visit.sent("preview bands 2:0 8:1.5");
+    await visit.sent("bands 2:0 8:1.5");
+    await panel.getByRole("checkbox", { name: "Sizes" }).click();
+    await panel.getByRole("textbox", { name: "Size of band 2 as a number" }).fill("10");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("bands 2:1 10:1.5");
+    await panel.getByRole("button", { name: "All gains 1" }).click();
+    await visit.sent("bands 2:1 8:1");
+    await panel.getByRole("button", { name: "Remove bands" }).click();
+    await visit.sent("bands");
+    await visit.document({ bands: [] });
+    await panel.getByRole("button", { name: "Make bands" }).click();
+    await visit.sent("bands first");
+  }));
+
+test("PaletteAddsPaintsAndRemovesCurves", () =>
+  bench.visitSession(async (visit) => {
+    const panel = await visit.section("Palette");
+    await visit.sent("over curves on");
+    await panel.getByRole("textbox", { name: "Name of the curve" }).fill("gentle relief");
+    await panel.getByRole("button", { name: "Add" }).click();
+    await visit.sent("palette 50 d9534f soft ; -20:50,20:120 4a7fd0 gentle relief");
+    await panel.getByRole("button", { name: "soft", exact: true }).click();
+    await visit.sent("brush 4 0.5 0 smooth curve:1");
+    await panel.getByRole("button", { name: "Set soft" }).click();
+    await visit.sent("palette -20:50,20:120 d9534f soft");
+    await panel.getByRole("button", { name: "Show soft" }).click();
+    await visit.sent("curve 50");
+    await panel.getByRole("button", { name: "Remove the last curve" }).click();
+    await visit.sent("palette");
+  }));
+
+test("ColoursAreFilteredAndShown", () =>
+  bench.visitSession(async (visit) => {
+    const panel = await visit.section("Colours");
+    await panel.getByRole("button", { name: "Show colours" }).click();
+    await visit.sent("colour scan");
+    await panel.getByRole("textbox", { name: "Gradient scale of colours as a number" }).fill("0.5");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("colours 0.5 50");
+    await panel.getByRole("button", { name: "Keep colours" }).click();
+    await visit.sent("colours 1 50");
+  }));
+
+test("HistorySwitchesRestoresAndForks", () =>
+  bench.visitSession(async (visit) => {
+    const panel = visit.page.getByRole("region", { name: "History" });
+    await panel.getByRole("checkbox", { name: "Entry 4: stroke of 12 dabs, β 0" }).click();
+    await visit.sent("switch 4 off");
+    await panel.getByRole("button", { name: "Undo" }).click();
+    await visit.sent("undo");
+    await panel.getByRole("button", { name: "Restore before carving" }).click();
+    await visit.sent("restore before carving");
+    const name = panel.getByRole("textbox", { name: "Name of a checkpoint or fork" });
+    await name.fill("before carving");
+    await panel.getByRole("button", { name: "Checkpoint" }).click();
+    await visit.page.getByText("is there already").waitFor();
+    await name.fill("nach dem Glätten");
+    await panel.getByRole("button", { name: "Checkpoint" }).click();
+    await visit.sent("checkpoint nach dem Glätten");
+    await name.fill("copy");
+    await panel.getByRole("button", { name: "Fork" }).click();
+    await visit.sent("fork copy");
+  }));
+
+test("OwnersChangeRolesAndOthersSeeThem", () =>
+  bench.visitSession(async (visit) => {
+    await visit.page.getByRole("combobox", { name: "Role of mia" }).selectOption("viewer");
+    await visit.sent("role mia viewer");
+    await visit.document({ role: "viewer" });
+    await visit.page.getByRole("region", { name: "People" }).getByText("editor").waitFor();
+    assert.ok(await visit.page.getByRole("button", { name: "Undo" }).isDisabled());
+    assert.ok(await slider(visit, "Gradient scale β").isDisabled());
+  }));
+
+test("ViewHasColoursSplitAndBookmarks", () =>
+  bench.visitSession(async (visit) => {
+    const panel = visit.page.getByRole("region", { name: "View", exact: true });
+    await panel.getByRole("combobox", { name: "Colour" }).selectOption("Displacement");
+    await visit.sent("colour displacement");
+    for (const [name, line] of [["Flat", "flat on"], ["Wireframe", "wireframe on"], ["Split", "split on"], ["Original", "original on"], ["Left button turns the view", "tool look"]] as const) {
+      await panel.getByRole("checkbox", { name }).click();
+      await visit.sent(line);
+    }
+    assert.ok(await panel.getByRole("checkbox", { name: "Wireframe" }).isChecked());
+    await panel.getByRole("button", { name: "Frame all" }).click();
+    await visit.sent("frame");
+    await panel.getByRole("button", { name: "Bookmark 2" }).click();
+    await visit.sent("bookmark show 2");
+    const camera = await visit.section("Camera");
+    await camera.getByRole("combobox", { name: "Up" }).selectOption("-y");
+    await visit.sent("up -y");
+    await camera.getByRole("button", { name: "Bottom" }).click();
+    await visit.sent("view bottom");
+    await camera.getByRole("checkbox", { name: "Orthographic" }).click();
+    await visit.sent("orthographic on");
+  }));
+
+test("LightHasALampOnABall", () =>
+  bench.visitSession(async (visit) => {
+    const panel = await visit.section("Light");
+    await panel.getByRole("combobox", { name: "Light" }).selectOption("Raking light");
+    await visit.sent("light raking");
+    const lamp = panel.getByRole("slider", { name: "Lamp" });
+    await lamp.press("ArrowUp");
+    await visit.sent("light_direction 137 30");
+    await lamp.click();
+    await visit.message("command", {});
+    assert.ok((await visit.lines()).some((line) => line.startsWith("lamp ")));
+    await panel.getByRole("textbox", { name: "Occlusion as a number" }).fill("0.5");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("occlusion 0.5");
+    await panel.getByRole("button", { name: "As at first" }).click();
+    await visit.sent("light_default");
+  }));
+
+test("NumbersNameTheUnitAndMeasure", () =>
+  bench.visitSession(async (visit) => {
+    const panel = visit.page.getByRole("region", { name: "Numbers" });
+    await panel.getByRole("textbox", { name: "Unit" }).fill("cm");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("unit cm");
+    await panel.getByText("0.42 mm").waitFor();
+    await panel.getByRole("checkbox", { name: "Measure" }).click();
+    await visit.sent("tool measure");
+    await panel.getByRole("button", { name: "Clear the ruler" }).click();
+    await visit.sent("ruler clear");
+  }));

@@ -1,0 +1,135 @@
+// A snapshot for tests: a server with two scans, and a session that shows every part of a panel.
+
+import type { Document, Library, Snapshot } from "../../../client/web/page/src/snapshot";
+
+const kNoon = 1_790_000_000;
+
+export const library: Library = {
+  state: "connected",
+  server: "lab:7443",
+  problem: "",
+  wantsToken: false,
+  serverMemory: 8e9,
+  scans: [
+    { id: "a1", name: "tablet", triangles: 20_000, closed: false, bytes: 4_200_000, imported: kNoon, unit: "mm", defaultDepth: 8 },
+    { id: "b2", name: "portrait head", triangles: 1_204_000, closed: true, bytes: 98_000_000, imported: kNoon - 90_000, unit: "mm", defaultDepth: 9 },
+  ],
+  sessions: [
+    { id: "s1", name: "inscription", scan: "a1", edits: 12, depth: 8, begun: kNoon, shown: kNoon + 60, picture: "" },
+    { id: "s2", name: "a name that is much longer than the card on which it stands", scan: "b2", edits: 1, depth: 9, begun: kNoon, shown: kNoon, picture: "" },
+  ],
+};
+
+const line = Array.from({ length: 49 }, (_, i) => 0.63 + 0.2 * Math.sin(i / 8));
+
+export const session: Document = {
+  session: "inscription",
+  sessionId: "s1",
+  scan: "tablet",
+  unit: "mm",
+  depth: 8,
+  depths: [
+    { depth: 7, text: "details from 1.2 mm", possible: true },
+    { depth: 8, text: "details from 0.6 mm", possible: true },
+    { depth: 9, text: "needs 14 GB more", possible: false },
+  ],
+  cellSize: 0.6,
+  diagonal: 150,
+  lengthUnit: 43,
+  box: { low: [-50, -50, -5], high: [50, 50, 5] },
+  closed: false,
+  hasColours: true,
+  link: "live",
+  linkReason: "",
+  state: "settled",
+  settled: true,
+  unsavedEdits: 0,
+  role: "owner",
+  beta: 1,
+  fidelity: 50,
+  curve: {
+    text: "-20:50,20:120",
+    points: [
+      { kappa: -20, alpha: 50, x: 0.2, y: 0.63 },
+      { kappa: 20, alpha: 120, x: 0.8, y: 0.77 },
+    ],
+    line,
+    dragged: -1,
+    kappaRange: 200,
+    alphaMax: 500,
+    contrast: 2.4,
+    histogram: Array.from({ length: 64 }, (_, i) => Math.exp(-(((i - 32) / 9) ** 2))),
+  },
+  controls: { pinRims: true, cap: 0, keepVolume: false },
+  bands: [
+    { size: 2, gain: 1, details: "finer than 2" },
+    { size: 8, gain: 1.5, details: "2 to 8" },
+  ],
+  response: Array.from({ length: 97 }, (_, i) => 1 + 0.5 * Math.exp(-(((i - 40) / 14) ** 2))),
+  palette: [{ name: "soft", colour: 0xd9534f, curve: "50" }],
+  colours: { beta: 1, alpha: 50 },
+  brush: { radius: 4, strength: 0.5, beta: 0, fallOff: "smooth", paints: "beta" },
+  tool: "paint",
+  lasso: "off",
+  lassoThrough: false,
+  mirror: null,
+  hasPen: true,
+  penPressure: true,
+  hasPiece: true,
+  history: [
+    { number: 4, kind: "edit", enabled: true, summary: "stroke of 12 dabs, β 0", author: "mia", time: kNoon, superseded: false },
+    { number: 3, kind: "checkpoint", enabled: true, summary: "before carving", author: "ole", time: kNoon, superseded: false },
+    { number: 2, kind: "edit", enabled: false, summary: "gradient scale 3", author: "ole", time: kNoon, superseded: false },
+    { number: 1, kind: "checkpoint", enabled: true, summary: "before carving", author: "ole", time: kNoon, superseded: true },
+  ],
+  people: [
+    { connection: 1, user: "ole", colour: 0xd9534f, role: "owner", me: true },
+    { connection: 2, user: "mia", colour: 0x4a7fd0, role: "editor", me: false },
+  ],
+  view: {
+    colour: "clay",
+    displacementRange: 1,
+    flat: false,
+    wireframe: false,
+    split: false,
+    splitAt: 0.5,
+    original: false,
+    orthographic: false,
+    up: "z",
+    bookmarks: 2,
+    status: "all 20 k triangles shown",
+  },
+  light: { kind: "clay", azimuth: 137, elevation: 25, ballX: -0.5, ballY: 0.5, specular: 0.06, occlusion: 0, radiance: 1, ridge: 1, valley: 1 },
+  scale: { title: "displacement", low: "-0.6 mm", middle: "0", high: "0.6 mm", part: 0.3, value: "0.18 mm" },
+  numbers: {
+    deviation: [
+      { name: "largest move", value: "0.42 mm" },
+      { name: "mean", value: "0.03 mm" },
+    ],
+    histogram: Array.from({ length: 32 }, (_, i) => Math.exp(-(((i - 16) / 4) ** 2))),
+    range: "0.5 mm",
+    rulerPoints: 2,
+    ruler: [{ name: "distance", value: "12.1 mm" }],
+  },
+  figures: [
+    { name: "residual", value: "3.1e-07" },
+    { name: "distance", value: "2.0e-05 of the diagonal" },
+    { name: "cycles", value: "9 (CPU)" },
+    { name: "server", value: "1.0 + 4.2 + 0.8 ms" },
+    { name: "frame age", value: "12 ms" },
+    { name: "round trip", value: "1.0 ms" },
+    { name: "frames", value: "42/s, 8.1 Mbit/s" },
+  ],
+};
+
+export const snapshot: Snapshot = {
+  library,
+  activities: [],
+  messages: [],
+  presets: [
+    { name: "Reduce scanner noise", description: "Smooths the ripple of a few cells that scanners leave", beta: 0 },
+    { name: "Sharpen all", description: "Enhances detail everywhere", beta: 3 },
+  ],
+  recording: false,
+  document: null,
+};

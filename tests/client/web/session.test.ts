@@ -1,0 +1,171 @@
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Bench } from "./harness";
+
+const bench = new Bench();
+before(() => bench.start());
+after(() => bench.stop());
+
+test("MousePaintsInPixelsOfThePicture", () =>
+  bench.visitSession(
+    async (visit) => {
+      const canvas = visit.page.getByRole("img", { name: "Picture of tablet" });
+      const box = (await canvas.boundingBox())!;
+      await visit.page.mouse.move(box.x + 40, box.y + 30);
+      await visit.page.keyboard.down("Shift");
+      await visit.page.mouse.down();
+      await visit.page.mouse.move(box.x + 60, box.y + 30);
+      await visit.page.mouse.up();
+      await visit.page.keyboard.up("Shift");
+      await visit.page.mouse.wheel(0, -200);
+      const press = await visit.message("pointer", { what: "press" });
+      assert.deepEqual([press.x, press.y, press.button, press.modifiers, press.pen], [80, 60, 0, 1, false]);
+      await visit.message("pointer", { what: "move", x: 120 });
+      await visit.message("pointer", { what: "release" });
+      const wheel = await visit.message("pointer", { what: "wheel" });
+      assert.ok(Number(wheel.delta) > 0, "away from the user comes nearer");
+      const resize = await visit.message("resize", { width: Math.round(box.width * 2) });
+      assert.equal(resize.pixelRatio, 2);
+    },
+    { deviceScaleFactor: 2 },
+  ));
+
+test("TwoFingersTurnAndPinchButDoNotPaint", () =>
+  bench.visitSession(async (visit) => {
+    const box = (await visit.page.getByRole("img", { name: "Picture of tablet" }).boundingBox())!;
+    const touch = await visit.page.context().newCDPSession(visit.page);
+    const at = (...xs: number[]) => xs.map((x, id) => ({ x: box.x + x, y: box.y + 100, id }));
+    const send = (type: "touchStart" | "touchMove" | "touchEnd", ...xs: number[]) =>
+      touch.send("Input.dispatchTouchEvent", { type, touchPoints: at(...xs) });
+    await send("touchStart", 100);
+    await send("touchStart", 100, 200);
+    await visit.message("pointer", { what: "press", button: 1, x: 150 });
+    await visit.sent("cancel");
+    await send("touchMove", 100, 300);
+    const pinch = await visit.message("pointer", { what: "pinch" });
+    assert.equal(pinch.delta, 2);
+    await send("touchEnd");
+    await visit.message("pointer", { what: "release", button: 1 });
+  }, { hasTouch: true }));
+
+test("PenTellsItsPressure", () =>
+  bench.visitSession(async (visit) => {
+    await visit.page.getByRole("img", { name: "Picture of tablet" }).evaluate((canvas) => {
+      const event = { pointerId: 1, pointerType: "pen", pressure: 0.25, clientX: 500, clientY: 300, bubbles: true };
+      canvas.setPointerCapture = () => {};
+      canvas.dispatchEvent(new PointerEvent("pointerdown", event));
+    });
+    const press = await visit.message("pointer", { what: "press" });
+    assert.deepEqual([press.pen, press.pressure], [true, 0.25]);
+  }));
+
+test("KeysAreThoseOfTheWindow", () =>
+  bench.visitSession(async (visit) => {
+    await visit.page.getByRole("img", { name: "Picture of tablet" }).focus();
+    const keys: [string, string][] = [
+      ["Control+z", "undo"],
+      ["Control+Shift+Z", "redo"],
+      ["w", "wireframe on"],
+      ["s", "split on"],
+      ["n", "tool look"],
+      ["m", "tool measure"],
+      ["1", "view front"],
+      ["Shift+Digit7", "view bottom"],
+      ["5", "orthographic on"],
+      ["Home", "frame"],
+      ["b", "bookmark add"],
+      ["]", "brush 4.6 0.5 0 smooth beta"],
+      ["Escape", "cancel"],
+    ];
+    for (const [key, line] of keys) {
+      await visit.page.keyboard.press(key);
+      await visit.sent(line);
+    }
+    await visit.page.keyboard.down("Space");
+    await visit.sent("original on");
+    await visit.page.keyboard.up("Space");
+    await visit.sent("original off");
+  }));
+
+test("LettersInANameFieldAreNoKeys", () =>
+  bench.visitSession(async (visit) => {
+    await visit.forget();
+    const name = visit.page.getByRole("textbox", { name: "Name of a checkpoint or fork" });
+    await name.pressSequentially("wns?");
+    assert.equal(await name.inputValue(), "wns?");
+    assert.deepEqual(await visit.lines(), []);
+  }));
+
+test("TabReachesEveryPanelFromTheMenus", () =>
+  bench.visitSession(async (visit) => {
+    const reached = new Set<string>();
+    for (let i = 0; i < 110; ++i) {
+      await visit.page.keyboard.press("Tab");
+      const section = await visit.page.evaluate(() => {
+        const at = document.activeElement;
+        return at?.closest("section")?.getAttribute("aria-label") ?? at?.tagName ?? "";
+      });
+      reached.add(section);
+    }
+    for (const name of ["Filter", "Transfer curve α(κ)", "Brush", "Limits", "Equaliser", "Palette", "CANVAS", "View", "History", "People", "Numbers", "Light", "Camera"])
+      assert.ok(reached.has(name), `Tab does not reach ${name}`);
+  }));
+
+test("MenuExportsRecordsReplaysAndCloses", () =>
+  bench.visitSession(async (visit) => {
+    const choose = async (menu: string, item: string) => {
+      await visit.page.getByRole("button", { name: menu, exact: true }).click();
+      await visit.page.getByRole("menuitem", { name: item }).click();
+    };
+    await choose("File", "Export…");
+    const dialog = visit.page.getByRole("dialog", { name: "Export" });
+    await dialog.getByRole("textbox", { name: "Name of the file" }).fill("my tablet");
+    await dialog.getByRole("combobox", { name: "Format" }).selectOption(".obj");
+    await dialog.getByRole("checkbox", { name: "Exact" }).click();
+    await dialog.getByRole("button", { name: "Export" }).click();
+    await visit.sent("export my-tablet.obj exact");
+    await choose("File", "Record a script");
+    await visit.sent("record start");
+    await visit.page.getByText("recording", { exact: true }).waitFor();
+    const chooser = visit.page.waitForEvent("filechooser");
+    await choose("File", "Replay a script…");
+    await (await chooser).setFiles({ name: "a.burnish", mimeType: "", buffer: Buffer.from("undo\n") });
+    await visit.message("replay", { name: "a.burnish" });
+    await choose("File", "Open again at depth 7");
+    await visit.sent("depth 7");
+    await choose("File", "Close session");
+    await visit.sent("close");
+    await visit.page.getByRole("heading", { name: "Recent" }).waitFor();
+  }));
+
+test("DownloadHasItsName", () =>
+  bench.visitSession(async (visit) => {
+    const download = visit.page.waitForEvent("download");
+    await visit.page.evaluate(() =>
+      window.orders.postMessage({ post: { kind: "download", name: "tablet.ply", blob: new Blob(["ply"]) } }),
+    );
+    assert.equal((await download).suggestedFilename(), "tablet.ply");
+  }));
+
+test("LostConnectionIsSaidAndGoesAway", () =>
+  bench.visitSession(async (visit) => {
+    await visit.document({ link: "lost", linkReason: "the socket closed", unsavedEdits: 2 });
+    await visit.page.getByRole("alert").getByText("2 edits wait for the server.").waitFor();
+    await visit.document({ link: "live", linkReason: "", unsavedEdits: 0 });
+    await visit.page.getByRole("alert").waitFor({ state: "detached" });
+  }));
+
+test("RefusedCommandIsSaidInTheCoresWords", () =>
+  bench.visitSession(async (visit) => {
+    await visit.order({ post: { kind: "answer", line: "beta 11", message: "beta 11 is outside 0 to 10" } });
+    await visit.page.getByText("beta 11 is outside 0 to 10").waitFor();
+  }));
+
+test("HelpListsTheKeys", () =>
+  bench.visitSession(async (visit) => {
+    await visit.page.keyboard.press("?");
+    const dialog = visit.page.getByRole("dialog", { name: "Keys" });
+    await dialog.getByText("Undo your last edit").waitFor();
+    await visit.page.keyboard.press("Escape");
+    await dialog.waitFor({ state: "detached" });
+  }));
