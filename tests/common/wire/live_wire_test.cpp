@@ -85,7 +85,8 @@ TEST(LiveWire, EveryMessageOfTheServerComesBackUnchanged) {
   const SessionPeople people{SessionRoles({{"ann", SessionRole::kOwner}}),
                              {{3, "ann", 0xE69F00, BrushRing{Vec3d(1, 2, 3), 0.5}}}};
   expect_unchanged<ServerMessage>(ProgressReport{"reading the journal", 0.5});
-  expect_unchanged<ServerMessage>(Welcome{session, 7, SessionRole::kEditor, 0xfeed, "cpu"});
+  expect_unchanged<ServerMessage>(
+      Welcome{session, 7, SessionRole::kEditor, 0xfeed, "cpu", {"a:7411", "b:7411"}});
   expect_unchanged<ServerMessage>(LiveFrame{std::string("\0\xff bytes", 8), stats});
   expect_unchanged<ServerMessage>(EditsAcknowledged{{"a", "b"}, {1, 2, 3, {4, 5}}});
   expect_unchanged<ServerMessage>(EditsRefused{{"a", "b"}, unavailable("later")});
