@@ -36,14 +36,6 @@ class StagingFolder {
   fs::path path_;
 };
 
-Status make_folders(const fs::path& path) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (!error) fs::permissions(path.parent_path(), fs::perms::owner_all, error);
-  return error ? errno_status("cannot make the folder " + path.string(), error.value())
-               : Status::ok();
-}
-
 ScanInfo make_scan_info(const std::string& id, const ImportHeader& header,
                         const PreparedMesh& prepared, const LibraryBudget& budget) {
   const MeshStatistics& s = prepared.statistics;
@@ -127,7 +119,7 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
 Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& id,
                                             const ImportHeader& header, const Progress& progress) {
   const StagingFolder staging(folder_.staging_path(".scan"));
-  RETURN_IF_ERROR(make_folders(staging.path() / "prepared"));
+  RETURN_IF_ERROR(make_prepared_folder(staging.path()));
   const fs::path original = staging.path() / original_file_name(header.format);
   RETURN_IF_ERROR(move_path(upload.path(), original));
 

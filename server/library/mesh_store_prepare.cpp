@@ -61,6 +61,7 @@ Status MeshStore::rebuild(const std::string& id, const PreparedKey& key, const P
                                                  &budget, budget.space()},
                                                 progress));
   RETURN_IF_ERROR(make_room(id, key));
+  RETURN_IF_ERROR(make_prepared_folder(folder));  // somebody may have deleted it
   RETURN_IF_ERROR(write_prepared_mesh(*prepared, prepared_path(id, key)));
   return read_again(id);
 }

@@ -19,6 +19,15 @@ Status move_path(const fs::path& from, const fs::path& to) {
                : Status::ok();
 }
 
+Status make_prepared_folder(const fs::path& scan) {
+  std::error_code error;
+  const bool is_new = fs::create_directories(scan / "prepared", error);
+  if (is_new && !error) fs::permissions(scan, fs::perms::owner_all, error);
+  return error
+             ? errno_status("cannot make the folder " + (scan / "prepared").string(), error.value())
+             : Status::ok();
+}
+
 Status check_original(const fs::path& folder, const ScanInfo& scan) {
   const fs::path path = folder / original_file_name(scan.format);
   const auto file = MappedFile::open(path);

@@ -11,6 +11,10 @@ namespace burnish {
 /// Moves a file or a folder within a file system. Fails with a message that names both paths.
 Status move_path(const std::filesystem::path& from, const std::filesystem::path& to);
 
+/// Makes the folder of a scan's prepared files if it is missing, and the scan's folder, which is
+/// for this user alone.
+Status make_prepared_folder(const std::filesystem::path& scan);
+
 /// Reads a scan's stored original and compares its SHA-256 with the scan's id. Fails: data_loss if
 /// it differs or is missing; the message names the file and the remedy.
 Status check_original(const std::filesystem::path& folder, const ScanInfo& scan);

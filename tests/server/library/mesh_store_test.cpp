@@ -124,6 +124,10 @@ TEST(MeshStore, AMissingOrDamagedPreparedFileIsMadeAgain) {
   EXPECT_TRUE(library.store->open_mesh(scan.id, {5, 0}, {}).is_ok());
   ASSERT_TRUE(fs::exists(prepared_path(library, scan)));
 
+  fs::remove_all(prepared_path(library, scan).parent_path());
+  EXPECT_TRUE(library.store->open_mesh(scan.id, {5, 0}, {}).is_ok());
+  ASSERT_TRUE(fs::exists(prepared_path(library, scan)));
+
   fs::resize_file(prepared_path(library, scan), 3);
   EXPECT_TRUE(library.store->open_mesh(scan.id, {5, 0}, {}).is_ok());
   EXPECT_GT(fs::file_size(prepared_path(library, scan)), 3u);
