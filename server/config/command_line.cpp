@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "server/config/config_file.h"
+#include "server/config/config_reference.h"
 
 namespace burnish {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 /// The given flags. A flag that is not given leaves the configuration alone.
 struct Flags {
   std::string config;
+  std::string print;
   std::string port_file;
   std::optional<std::string> listen, socket, data, journal, backend, log_level, log_format, users,
       certificate, key, client_ca, metrics, web;
@@ -24,6 +26,10 @@ struct Flags {
 void add_flags(CLI::App& app, Flags& flags) {
   app.set_version_flag("--version", "burnish-server " BURNISH_VERSION);
   app.add_option("--config", flags.config, "Configuration file (TOML); flags override it");
+  app.add_option("--print-config", flags.print,
+                 "Print a configuration file with every key, its meaning and its default, and end")
+      ->type_name("toml|json")
+      ->check(CLI::IsMember({"toml", "json"}));
   app.add_option("--listen", flags.listen,
                  "Address, default 127.0.0.1:7411; port 0 takes a free one")
       ->type_name("HOST:PORT");
@@ -110,6 +116,11 @@ std::optional<CommandLine> parse_command_line(int argc, const char* const* argv,
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     exit_code = app.exit(error) == 0 ? 0 : 2;
+    return std::nullopt;
+  }
+  if (!flags.print.empty()) {
+    std::cout << (flags.print == "toml" ? config_example() : config_keys_json() + "\n");
+    exit_code = 0;
     return std::nullopt;
   }
   auto line = read(flags);

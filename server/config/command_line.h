@@ -20,9 +20,9 @@ struct CommandLine {
   std::optional<JournalCopyWish> copy;  ///< then nothing is served
 };
 
-/// Reads the file of --config, then the flags, which override it. Prints help, version and errors
-/// itself; then it returns nothing and sets `exit_code`: 0 after help and version, 2 for wrong
-/// usage.
+/// Reads the file of --config, then the flags, which override it. Prints help, version, the
+/// configuration of --print-config and errors itself; then it returns nothing and sets `exit_code`:
+/// 0 after these, 2 for wrong usage.
 std::optional<CommandLine> parse_command_line(int argc, const char* const* argv, int& exit_code);
 
 }  // namespace burnish

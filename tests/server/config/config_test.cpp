@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <set>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include "server/config/command_line.h"
 #include "server/config/config_file.h"
 #include "server/config/config_keys.h"
+#include "server/config/config_reference.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {
@@ -137,6 +139,27 @@ TEST(ConfigExample, IsAcceptedAndHasEveryKeyWithItsDefault) {
                key.member);
   }
   EXPECT_EQ(keys_in(file), known);
+}
+
+TEST(ConfigExample, IsAPartOfTheProgram) {
+  ServerConfig config;
+  ASSERT_TRUE(read_config_text(config_example(), "example", config).is_ok());
+  std::istringstream example(config_example());
+  EXPECT_EQ(keys_in(example).size(), config_keys().size());
+}
+
+TEST(ConfigKeys, AreDescribedWithTypeDefaultAndLimits) {
+  const std::string json = config_keys_json();
+  EXPECT_THAT(json, HasSubstr(R"("name": "threads",
+  "type": "integer",
+  "default": 0,
+  "min": 0,
+  "max": 1024)"));
+  EXPECT_THAT(json, HasSubstr(R"("name": "web.hosts",
+  "type": "list of strings",
+  "default": [])"));
+  for (const ConfigKey& key : config_keys())
+    EXPECT_THAT(json, HasSubstr("\"" + key.name + "\"")) << key.name;
 }
 
 TEST(ConfigFile, BrokenTomlIsRefusedWithItsLine) {
