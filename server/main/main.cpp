@@ -169,6 +169,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   RETURN_IF_ERROR(write_port_file(line.port_file, server->port()));
   if (!server->web_address().empty()) std::cout << "web on " << server->web_address() << std::endl;
   std::cout << "listening on " << server->address() << std::endl;
+  spdlog::info("sessions are solved on {}", say_where_solved(config.backend));
   spdlog::info("data in {}: {} scans, {} sessions", config.data.string(), store.list().size(),
                sessions->list().size());
   DaemonOptions options;

@@ -11,6 +11,14 @@ bool has_device(BackendKind backend) {
   return is_there;
 }
 
+std::string say_where_solved(BackendKind backend) {
+  if (backend == BackendKind::kCpu) return "the processors (requested)";
+  const Result<std::string> device = cuda_device();
+  if (device.is_ok()) return "CUDA (" + *device + ")";
+  return (backend == BackendKind::kAuto ? "the processors (" : "nothing (") +
+         device.status().message() + ")";
+}
+
 Status probe_device(BackendKind backend) {
   return has_device(backend) ? probe_cuda_device() : Status::ok();
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "common/base/status.h"
 #include "server/solver/solver.h"
 
@@ -13,5 +15,9 @@ Status probe_device(BackendKind backend);
 /// Returns whether sessions of this backend may use a device that can fail. Processors are not such
 /// a device.
 bool has_device(BackendKind backend);
+
+/// Says where sessions of this backend are solved, and why: "the processors (no CUDA device: this
+/// machine has none)".
+std::string say_where_solved(BackendKind backend);
 
 }  // namespace burnish
