@@ -8,6 +8,7 @@
 ...     session.export("edited.ply", exact=True)
 """
 
+from ._version import __version__
 from .cells import CellFields
 from .connection import Connection, connect
 from .edits import (Band, Brush, ColourFilter, Controls, Equaliser, GradientScale, Palette,
@@ -38,6 +39,6 @@ __all__ = [
     "NotFound", "Options", "Palette", "PaletteCurve", "People", "PermissionDenied", "Prepared",
     "ProtectCurvature", "ProtectLasso", "ProtectPiece", "Refused", "ResourceExhausted", "Scan",
     "Session", "SessionEnded", "State", "Stroke", "TransferCurve", "Unauthenticated",
-    "Unavailable", "Unimplemented", "animate", "connect", "filter", "filter_all", "filter_mesh",
-    "load_ply", "render", "serve",
+    "Unavailable", "Unimplemented", "__version__", "animate", "connect", "filter", "filter_all",
+    "filter_mesh", "load_ply", "render", "serve",
 ]
