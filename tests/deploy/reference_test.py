@@ -4,7 +4,9 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
+import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).parents[2]
@@ -62,6 +64,20 @@ class Reference(unittest.TestCase):
             for name, number in re.findall(r"^ *(?:\w[\w. ]* )?(\w+) = (\d+);", source, re.M):
                 self.assertRegex(text, rf"(?m)^\| `{name}` \| {number} \|")
         self.assertIn("| `offset` | 1 | uint64 | bytes before this piece |", text)
+
+    @unittest.skipUnless(shutil.which("mkdocs"), "deploy/setup --docs installs MkDocs")
+    def test_the_site_has_four_kinds_of_pages_and_the_reference(self):
+        with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
+            site = pathlib.Path(folder)
+            printed(ROOT / "deploy" / "docs", "--programs", pathlib.Path(PROGRAM).parent, site)
+            start = (site / "index.html").read_text(encoding="utf-8")
+            menus = re.findall(r'dropdown-toggle"[^>]*>([\w-]+) ', start)
+            self.assertEqual(menus[:4], ["Tutorial", "How-to", "Reference", "Explanation"])
+            self.assertIn("--no-clobber",
+                          (site / "docs/reference/burnish.html").read_text(encoding="utf-8"))
+            shown = (site / "docs" / "tutorial.html").read_text(encoding="utf-8")
+            for picture in re.findall(r'src="(pictures/[^"]+)"', shown):
+                self.assertTrue((site / "docs" / picture).exists(), picture)
 
 
 if __name__ == "__main__":
