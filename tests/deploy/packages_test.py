@@ -3,7 +3,9 @@
 import os
 import pathlib
 import re
+import shutil
 import subprocess
+import tempfile
 import unittest
 import xml.etree.ElementTree as ET
 
@@ -56,6 +58,25 @@ class Packages(unittest.TestCase):
         self.assertLessEqual(set(own), set(kinds))
         self.assertIn("Icon=burnish\n", entry)
         ET.parse(PACKAGES / "burnish.svg")
+
+    def test_the_flavour_with_cuda_takes_the_place_of_the_server(self):
+        with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
+            debian = pathlib.Path(folder) / "debian"
+            shutil.copytree(PACKAGES / "debian", debian)
+            (debian / "burnish-server.service").write_text("[Unit]\n", encoding="utf-8")
+            output_of(PACKAGES / "cuda_flavour", debian)
+            control = (debian / "control").read_text(encoding="utf-8")
+            self.assertEqual(re.findall(r"^Package: (.*)", control, re.M), ["burnish-server-cuda"])
+            for line in ("Provides: burnish-server (= ${binary:Version})", "Source: burnish",
+                         "Conflicts: burnish-server", "Replaces: burnish-server"):
+                self.assertRegex(control, rf"(?m)^{re.escape(line)}$")
+            names = {path.name for path in debian.iterdir()}
+            self.assertLessEqual({"burnish-server-cuda.burnish-server.service",
+                                  "burnish-server-cuda.install"}, names)
+            self.assertFalse([name for name in names
+                              if name.startswith(("burnish.", "burnish-server.", "python3"))])
+            self.assertIn("dh_installsystemd --name=burnish-server",
+                          (debian / "rules").read_text(encoding="utf-8"))
 
     def test_the_servers_folder_is_the_units(self):
         unit = (ROOT / "deploy" / "burnish-server.service").read_text(encoding="utf-8")

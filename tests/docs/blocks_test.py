@@ -4,6 +4,7 @@ import unittest
 
 from blocks import blocks_of, faults_of
 from desk import Desk
+from inline import faults_in
 
 PAGE = """# A page
 
@@ -61,6 +62,18 @@ class Blocks(unittest.TestCase):
     def test_a_block_that_does_not_end_is_named(self):
         with self.assertRaisesRegex(ValueError, "page.md:2"):
             blocks_of("page.md", "text\n```sh\nburnish\n")
+
+
+class Inline(unittest.TestCase):
+    def test_options_in_sentences_exist(self):
+        self.assertEqual(faults_in("`burnish filter IN OUT --beta 1`, `burnish --script FILE` and "
+                                   "`burnish bench serve --clients 8`; `burnish-server journal copy "
+                                   "A B`, `burnish COMMAND --help`"), [])
+
+    def test_an_option_that_does_not_exist_is_named(self):
+        self.assertEqual(len(faults_in("`burnish filter --glow`")), 1)
+        self.assertIn("--clientz", faults_in("`burnish bench serve --clientz 8`")[0])
+        self.assertEqual(faults_in("```sh\nburnish `burnish x --glow`\n```\n"), [])
 
 
 class Desks(unittest.TestCase):

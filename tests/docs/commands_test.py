@@ -12,6 +12,7 @@ import unittest
 
 from blocks import RUNS, blocks_of, faults_of
 from desk import ROOT, Desk
+from inline import faults_in
 
 # docs/python.md has a test of its own: tests/client/python/examples_test.py.
 OWN_TEST = {("docs/python.md", "python")}
@@ -59,6 +60,7 @@ class Commands(unittest.TestCase):
     """Has a test for each page."""
 
     def check(self, page):
+        self.assertEqual(faults_in((ROOT / page).read_text(encoding="utf-8")), [])
         blocks = blocks_in(page)
         self.assertEqual([f"{one.place}: {faults_of(one)}" for one in blocks if faults_of(one)], [])
         desk = Desk()
