@@ -9,6 +9,8 @@ import subprocess
 import tempfile
 import unittest
 
+import burnish
+
 ROOT = pathlib.Path(__file__).parents[2]
 PROGRAM, SERVER = os.environ["BURNISH_BINARY"], os.environ["BURNISH_SERVER_BINARY"]
 
@@ -64,6 +66,15 @@ class Reference(unittest.TestCase):
             for name, number in re.findall(r"^ *(?:\w[\w. ]* )?(\w+) = (\d+);", source, re.M):
                 self.assertRegex(text, rf"(?m)^\| `{name}` \| {number} \|")
         self.assertIn("| `offset` | 1 | uint64 | bytes before this piece |", text)
+
+    def test_each_name_of_the_python_package_is_there_with_its_docstring(self):
+        text = page("python", pathlib.Path(burnish.__file__).parents[1])
+        names = [name for name in burnish.__all__ if not name.startswith("_")]
+        self.assertEqual(re.findall(r"^## (\w+)$", text, re.M), names)
+        self.assertIn("fall_off: str = 'smooth'", text)
+        self.assertRegex(text, r"(?m)^### Session\.undo\(\)")
+        self.assertIn("Raises Unavailable, Unauthenticated, and OSError for files.", text)
+        self.assertNotIn("_pb2.", text)
 
     @unittest.skipUnless(shutil.which("mkdocs"), "deploy/setup --docs installs MkDocs")
     def test_the_site_has_four_kinds_of_pages_and_the_reference(self):

@@ -1,7 +1,9 @@
 """A reader's desk: a folder with the programs on the path, and servers that end with the page."""
 
+import contextlib
 import os
 import pathlib
+import random
 import re
 import signal
 import socket
@@ -49,9 +51,13 @@ done
 
 
 def free_port():
-    with socket.socket() as one:
-        one.bind(("127.0.0.1", 0))
-        return one.getsockname()[1]
+    """Returns a port that nobody uses. It is below those that the kernel gives to connections and to
+    servers of other tests."""
+    while True:
+        port = random.randrange(20000, 32000)
+        with socket.socket() as one, contextlib.suppress(OSError):
+            one.bind(("127.0.0.1", port))
+            return port
 
 
 def end(process):
