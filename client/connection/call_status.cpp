@@ -59,19 +59,20 @@ std::string no_link_words(std::string_view text) {
   return std::string(found == std::end(kNoLink) ? text : found->words);
 }
 
-/// Returns the address of a Moved; empty for other details.
-static std::string address_in(const std::string& details) {
+/// Returns what a Moved says; empty for other details.
+static ServerPlace place_in(const std::string& details) {
   v1::Moved moved;
-  return moved.ParseFromString(details) ? moved.address() : std::string();
+  if (!moved.ParseFromString(details)) return {};
+  return {moved.address(), moved.node()};
 }
 
 Status call_status(const std::string& server, const grpc::Status& status) {
   if (status.ok()) return Status::ok();
   const std::string where = "server " + server + ": ";
   const StatusCode code = status_code_from_wire(status.error_code());
-  const std::string moved_to = address_in(status.error_details());
-  if (code == StatusCode::kFailedPrecondition && !moved_to.empty())
-    return Status::moved(moved_to, where + status.error_message());
+  const ServerPlace moved_to = place_in(status.error_details());
+  if (code == StatusCode::kFailedPrecondition && moved_to != ServerPlace())
+    return Status::moved(moved_to.text(), where + status.error_message());
   if (code == StatusCode::kDeadlineExceeded) return {code, where + "no answer in time"};
   if (code == StatusCode::kUnavailable)
     return {code, where + unavailable_words(status.error_message())};

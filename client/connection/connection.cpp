@@ -66,15 +66,19 @@ const std::string& Connection::user() const {
 
 // The first server's channel serves sessions too, as long as they are there.
 Result<std::shared_ptr<const ReachedServer>> Connection::State::reach() {
-  const std::string address = route->address();
+  const ServerPlace place = route->place();
   const std::lock_guard lock(mutex);
-  if (reached && reached->address == address) return reached;
+  if (reached && reached->place == place) return reached;
   auto way = channel;
-  if (address != server) {
-    ASSIGN_OR_RETURN(way, make_channel(address, trust));
+  if (place.address != server) {
+    ASSIGN_OR_RETURN(way, make_channel(place.address, trust));
   }
-  reached = std::make_shared<ReachedServer>(ReachedServer{address, v1::Editing::NewStub(way)});
+  reached = std::make_shared<ReachedServer>(ReachedServer{place, v1::Editing::NewStub(way)});
   return reached;
+}
+
+void set_node(grpc::ClientContext& context, const std::string& node) {
+  if (!node.empty()) context.AddMetadata("x-burnish-node", node);
 }
 
 void Connection::set_starter(Starter starter) {

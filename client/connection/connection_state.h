@@ -19,9 +19,12 @@ namespace burnish {
 /// stay as they are. Says where a session has moved to.
 Status call_status(const std::string& server, const grpc::Status& status);
 
+/// Has a proxy lead a call to the server of this name, if the name is known.
+void set_node(grpc::ClientContext& context, const std::string& node);
+
 /// A server of sessions, and the way there.
 struct ReachedServer {
-  std::string address;
+  ServerPlace place;
   std::unique_ptr<v1::Editing::Stub> editing;
 };
 
@@ -51,10 +54,11 @@ struct Connection::State {
       ASSIGN_OR_RETURN(const auto owner, reach());
       grpc::ClientContext context;
       set_user(context);
+      set_node(context, owner->place.node);
       const grpc::Status ended = call(*owner->editing, context);
-      const Status status = call_status(owner->address, ended);
+      const Status status = call_status(owner->place.address, ended);
       if (status.moved_to().empty() || moves == kMovesMax) return status;
-      route->move_to(status.moved_to());
+      route->move_to(ServerPlace::of(status.moved_to()));
     }
   }
 

@@ -1,6 +1,7 @@
 #include "client/connection/live_stream.h"
 
 #include "client/connection/callback_threads.h"
+#include "client/connection/connection_state.h"
 #include "common/wire/live_wire.h"
 
 namespace burnish {
@@ -14,12 +15,13 @@ LiveStream::LiveStream(std::shared_ptr<grpc::Channel> channel, std::shared_ptr<W
       wakeup_(std::move(wakeup)) {}
 
 std::shared_ptr<LiveStream> LiveStream::start(std::shared_ptr<grpc::Channel> channel,
-                                              const std::string& user,
+                                              const LiveHeaders& headers,
                                               std::shared_ptr<Wakeup> wakeup) {
   keep_callback_threads();
   const std::shared_ptr<LiveStream> stream(new LiveStream(std::move(channel), std::move(wakeup)));
   stream->self_ = stream;
-  if (!user.empty()) stream->context_.AddMetadata("burnish-user-bin", user);
+  if (!headers.user.empty()) stream->context_.AddMetadata("burnish-user-bin", headers.user);
+  set_node(stream->context_, headers.node);
   stream->stub_->async()->Edit(&stream->context_, stream.get());
   stream->AddHold();
   stream->StartRead(&stream->incoming_);

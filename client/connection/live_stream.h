@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 
 #include <grpcpp/grpcpp.h>
 
@@ -33,13 +34,20 @@ class Wakeup {
   bool woken_ = false;
 };
 
+/// The headers of a call.
+struct LiveHeaders {
+  std::string user;  ///< empty: none
+  std::string node;  ///< the name of the server that is meant; empty: any
+};
+
 /// One Editing.Edit call. One message is written at a time, and one read: the next is asked for
 /// when the last has been taken, so that whoever is slow holds up the server and not this memory.
 class LiveStream final : public grpc::ClientBidiReactor<v1::ClientMessage, v1::ServerMessage> {
  public:
   /// `wakeup` is woken whenever one of the questions below has another answer.
   static std::shared_ptr<LiveStream> start(std::shared_ptr<grpc::Channel> channel,
-                                           const std::string& user, std::shared_ptr<Wakeup> wakeup);
+                                           const LiveHeaders& headers,
+                                           std::shared_ptr<Wakeup> wakeup);
 
   bool can_write() const;
   /// Needs: can_write().

@@ -58,18 +58,18 @@ Status SessionLink::Worker::start_server() {
 Status SessionLink::Worker::converse() {
   RETURN_IF_ERROR(start_server());
   // A channel of its own for each try: no back-off but ours, and certificates as they are now.
-  const std::string server = route_->address();
-  ASSIGN_OR_RETURN(auto channel, make_channel(server, trust_, Sharing::kOwn));
+  const ServerPlace server = route_->place();
+  ASSIGN_OR_RETURN(auto channel, make_channel(server.address, trust_, Sharing::kOwn));
   if (is_stopping()) return cancelled("the session was left");
   conversation_.begin();
-  const auto stream = LiveStream::start(std::move(channel), user_, wakeup_);
+  const auto stream = LiveStream::start(std::move(channel), {user_, server.node}, wakeup_);
   speak_and_listen(*stream);
   stream->cancel();
   while (!stream->status()) {
     stream->take_message();
     wakeup_->wait_for(std::chrono::seconds(1));
   }
-  return call_status(server, *stream->status());
+  return call_status(server.address, *stream->status());
 }
 
 // Until the stream has ended, or has to.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "client/connection/channel.h"
+#include "client/connection/connection_state.h"
 #include "client/connection/page_calls.h"
 
 namespace burnish {
@@ -116,7 +117,8 @@ Status PageFetcher::Worker::listen(Call call, const std::vector<PageItem>& items
           [&](PagePart part) {
             return on_part(call, PageItem::of_page(part.number), std::move(part.bytes));
           }};
-  return fetch_parts(reached->server, *reached->library, context, wish, taker);
+  set_node(context, reached->server.node);
+  return fetch_parts(reached->server.address, *reached->library, context, wish, taker);
 }
 
 bool PageFetcher::Worker::on_part(Call call, PageItem item, std::vector<uint8_t> bytes) {
@@ -149,10 +151,10 @@ void PageFetcher::Worker::tell() const {
 // A channel of its own: pages do not hold up frames. After a loss or a move another one connects at
 // once, without gRPC's back-off, and with certificates as they are then.
 Result<std::shared_ptr<PageFetcher::Worker::Reached>> PageFetcher::Worker::reach() {
-  const std::string server = route_->address();
+  const ServerPlace server = route_->place();
   const std::lock_guard lock(mutex_);
   if (reached_ && reached_->server == server) return reached_;
-  ASSIGN_OR_RETURN(const auto channel, make_channel(server, trust_, Sharing::kOwn));
+  ASSIGN_OR_RETURN(const auto channel, make_channel(server.address, trust_, Sharing::kOwn));
   reached_ = std::make_shared<Reached>(Reached{server, v1::Library::NewStub(channel)});
   return reached_;
 }

@@ -34,7 +34,7 @@ class PageFetcher::Worker {
   using Call = PageDelivery::Call;
   /// A server, and the way there.
   struct Reached {
-    std::string server;
+    ServerPlace server;
     std::unique_ptr<v1::Library::Stub> library;
   };
 

@@ -201,7 +201,7 @@ std::optional<std::chrono::milliseconds> LiveConversation::end(const Status& of_
 
 // Servers that send a client in a circle wait for each other's leases.
 std::chrono::milliseconds LiveConversation::follow(const Status& moved) {
-  route_->move_to(moved.moved_to());
+  route_->move_to(ServerPlace::of(moved.moved_to()));
   return ++moves_ <= kMovesMax ? std::chrono::milliseconds(0) : retry_after();
 }
 

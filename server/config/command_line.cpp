@@ -16,7 +16,7 @@ struct Flags {
   std::string print;
   std::string port_file;
   std::optional<std::string> listen, socket, data, journal, backend, log_level, log_format, users,
-      certificate, key, client_ca, metrics, web;
+      certificate, key, client_ca, metrics, web, fleet_name, advertise;
   std::optional<int64_t> threads, idle_exit;
   bool insecure = false;
   bool socket_user_only = false;
@@ -58,6 +58,10 @@ void add_flags(CLI::App& app, Flags& flags) {
   app.add_option("--idle-exit", flags.idle_exit,
                  "End after this many seconds without a connection; 0, the default: never")
       ->type_name("SECONDS");
+  app.add_option("--fleet-name", flags.fleet_name,
+                 "Name of this server among those that share the journal");
+  app.add_option("--advertise", flags.advertise, "Where clients of the fleet reach this server")
+      ->type_name("HOST:PORT");
   app.add_flag("--insecure", flags.insecure,
                "Serve other machines in plain text, or without authentication");
 }
@@ -94,6 +98,8 @@ Result<CommandLine> read(const Flags& flags) {
   set(flags.client_ca, config.tls_client_ca);
   set(flags.metrics, config.metrics_listen);
   set(flags.web, config.web_listen);
+  set(flags.fleet_name, config.fleet_name);
+  set(flags.advertise, config.fleet_advertise);
   if (flags.backend) {
     ASSIGN_OR_RETURN(config.backend, parse_backend(*flags.backend));
   }

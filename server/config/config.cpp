@@ -1,5 +1,8 @@
 #include "server/config/config.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include <arpa/inet.h>
 #include <netinet/in.h>
 
@@ -34,7 +37,24 @@ static Status check_journal(const std::string& journal) {
       "folder");
 }
 
+/// The name is a folder's, and a header's of HTTP.
+static Status check_fleet_name(const std::string& name) {
+  static constexpr size_t kBytesMax = 63;
+  const auto fits = [](unsigned char c) {
+    return c < 0x80 && (std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.');
+  };
+  if (name.size() <= kBytesMax && std::ranges::all_of(name, fits) && name.front() != '.')
+    return Status::ok();
+  return invalid_argument("fleet.name = '" + name + "' is not 1 to " + std::to_string(kBytesMax) +
+                          " letters, digits, '-', '_' and '.', without '.' in front");
+}
+
 static Status check_fleet(const ServerConfig& config) {
+  if (!config.library_shared.empty() && config.fleet_name.empty())
+    return invalid_argument(
+        "library.shared = '" + config.library_shared.string() +
+        "' needs fleet.name: the catalogue of its scans is in the fleet's database");
+  if (!config.fleet_name.empty()) RETURN_IF_ERROR(check_fleet_name(config.fleet_name));
   if (!config.fleet_name.empty() && config.journal.empty())
     return invalid_argument("fleet.name = '" + config.fleet_name +
                             "' needs journal, the database that the fleet shares");

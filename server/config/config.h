@@ -39,10 +39,13 @@ struct ServerConfig {
 
   std::string metrics_listen;  ///< HOST:PORT; empty: no metrics
 
+  std::filesystem::path library_shared;  ///< folder of the fleet's originals; empty: each its own
+
   std::string fleet_name;       ///< of this server among those that share the journal; empty: alone
-  std::string fleet_advertise;  ///< HOST:PORT at which clients reach this server
-  int64_t fleet_lease_ms = 10'000;     ///< until a server that is not heard counts as dead
-  int64_t fleet_heartbeat_ms = 3'000;  ///< between two signs of this server
+  std::string fleet_advertise;  ///< HOST:PORT at which clients reach this server; empty: a proxy's
+  std::string fleet_durability = "single";  ///< machines that have an acknowledged edit
+  int64_t fleet_lease_ms = 10'000;          ///< until a server that is not heard counts as dead
+  int64_t fleet_heartbeat_ms = 3'000;       ///< between two signs of this server
 
   int64_t idle_spill_seconds = 600;  ///< until an unused session is unloaded; 0: never
 

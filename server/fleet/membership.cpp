@@ -6,6 +6,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include "common/base/clock.h"
+#include "server/metrics/metrics.h"
+
 namespace burnish {
 
 static constexpr char kApplication[] = "burnish fleet";
@@ -35,7 +38,8 @@ Membership::Membership(const PgAddress& address, const NodeFacts& node, const Le
       times_(times),
       first_life_(std::move(life)),
       connection_(std::move(connection)),
-      life_(first_life_) {}
+      life_(first_life_),
+      renewed_(std::chrono::steady_clock::now()) {}
 
 Membership::~Membership() {
   if (connection_.is_open()) (void)connection_.run(end_life(life_));
@@ -44,6 +48,10 @@ Membership::~Membership() {
 std::jthread Membership::start(MemberDuties duties) {
   duties_ = std::move(duties);
   return std::jthread([this](const std::stop_token& stop) { loop(stop); });
+}
+
+std::chrono::duration<double> Membership::lease_left() const {
+  return times_.lease - (std::chrono::steady_clock::now() - renewed_.load());
 }
 
 void Membership::loop(const std::stop_token& stop) {
@@ -64,9 +72,13 @@ Status Membership::beat() {
   if (!connection_.is_open()) {
     ASSIGN_OR_RETURN(connection_, PgConnection::open(address_, patience_of(times_), kApplication));
   }
-  ASSIGN_OR_RETURN(const PgReply renewed, connection_.run(renew_lease(life_, times_.lease)));
-  if (renewed.affected() == 0) RETURN_IF_ERROR(begin_another_life());
+  const Time sent = std::chrono::steady_clock::now();
+  const NodeLoad load = duties_.load ? duties_.load() : NodeLoad();
+  ASSIGN_OR_RETURN(const PgReply renewed, connection_.run(renew_lease(life_, times_.lease, load)));
   const Time now = std::chrono::steady_clock::now();
+  metrics().observe(Measure::kDatabaseRoundTripSeconds, ms_between(sent, now) / 1e3);
+  if (renewed.affected() == 0) RETURN_IF_ERROR(begin_another_life());
+  renewed_ = sent;
   if (!good_since_) good_since_ = now;
   RETURN_IF_ERROR(reap(now));
   if (!duties_.on_heartbeat) return Status::ok();

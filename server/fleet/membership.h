@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -22,6 +23,8 @@ struct LeaseTimes {
 struct MemberDuties {
   /// This server's life was over, and another one has begun: it holds no session any more.
   std::function<void(const std::string& life)> on_new_life;
+  /// Returns what a heartbeat tells of this server. Empty: nothing is told.
+  std::function<NodeLoad()> load;
   /// After each heartbeat that succeeded, with the addresses of all servers of the fleet.
   std::function<void(std::vector<std::string> addresses)> on_heartbeat;
 };
@@ -43,6 +46,9 @@ class Membership {
   /// Renews the lease while the returned thread lives. Needs: one call; the thread ends before
   /// this.
   [[nodiscard]] std::jthread start(MemberDuties duties);
+
+  /// Returns how long the lease lasts if no heartbeat succeeds any more; below 0: it is over.
+  std::chrono::duration<double> lease_left() const;
 
   /// Returns the life that join() has begun.
   const std::string& first_life() const { return first_life_; }
@@ -66,6 +72,7 @@ class Membership {
   std::string life_;
   std::optional<Time> good_since_;  // the first of the heartbeats in a row
   MemberDuties duties_;
+  std::atomic<Time> renewed_;  // when the last heartbeat that succeeded was sent
 };
 
 }  // namespace burnish

@@ -41,11 +41,15 @@ std::vector<PgStatement> enter_life_of_free_name(const NodeFacts& node, const st
           enter(node, life, lease)};
 }
 
-PgStatement renew_lease(const std::string& life, std::chrono::milliseconds lease) {
+PgStatement renew_lease(const std::string& life, std::chrono::milliseconds lease,
+                        const NodeLoad& load) {
   return {
-      "UPDATE nodes SET lease_until = clock_timestamp() + $2 * interval '1 millisecond'"
+      "UPDATE nodes SET lease_until = clock_timestamp() + $2 * interval '1 millisecond',"
+      " backend = $3, bytes_max = $4, bytes_taken = $5, sessions = $6"
       " WHERE id = CAST($1 AS uuid)",
-      {PgText{life}, int64_t{lease.count()}}};
+      {PgText{life}, int64_t{lease.count()}, PgText{load.backend},
+       static_cast<int64_t>(load.bytes_max), static_cast<int64_t>(load.bytes_taken),
+       static_cast<int64_t>(load.sessions)}};
 }
 
 std::vector<PgStatement> end_dead_lives(const std::string& life) {

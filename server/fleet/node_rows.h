@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,17 @@ std::vector<PgStatement> enter_life(const NodeFacts& node, const std::string& li
 std::vector<PgStatement> enter_life_of_free_name(const NodeFacts& node, const std::string& life,
                                                  std::chrono::milliseconds lease);
 
+/// How much a server has to do, as others know it.
+struct NodeLoad {
+  std::string backend;       ///< "cpu" or "cuda"
+  uint64_t bytes_max = 0;    ///< of meshes and sessions
+  uint64_t bytes_taken = 0;  ///< of them
+  uint64_t sessions = 0;     ///< in memory
+};
+
 /// Changes no row if the life is over.
-PgStatement renew_lease(const std::string& life, std::chrono::milliseconds lease);
+PgStatement renew_lease(const std::string& life, std::chrono::milliseconds lease,
+                        const NodeLoad& load);
 
 /// Ends other lives whose leases are over.
 std::vector<PgStatement> end_dead_lives(const std::string& life);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/server_place.h"
 #include "common/edit/controls.h"
 #include "common/edit/edit.h"
 #include "common/service/scan_info.h"
@@ -55,15 +56,26 @@ class Journal {
   /// Fails: already_exists (another session has the id or the name).
   virtual Status create_session(const SessionRecord& record, const SessionRoles& roles) = 0;
   /// Fails: already_exists (another session has the name), data_loss (the session's row is
-  /// damaged), not_found.
+  /// damaged), not_found; as hold() if the session is not held.
   virtual Status rename_session(const std::string& id, const std::string& name) = 0;
+  /// Fails: as hold() if the session is there and not held.
   virtual Status remove_session(const std::string& id) = 0;
 
   /// Makes this server the only one that writes the session, until another one holds it. A session
   /// is held from its making on. Appends to a session that is not held have an unknown outcome.
-  /// Fails: failed_precondition (another server holds it; Status::moved() if its address is known),
-  /// not_found; unavailable.
+  /// Fails: failed_precondition with Status::moved() (another server holds it); not_found;
+  /// unavailable.
   virtual Status hold(const std::string& session_id) = 0;
+
+  /// Counts a held session for the user who has it brought to memory, over all servers that write
+  /// here. Does nothing for "", and for a journal of one server. Fails: resource_exhausted (the
+  /// user has `sessions_max` others); as hold() if the session is not held.
+  virtual Status charge(const std::string& session_id, const std::string& user,
+                        uint64_t sessions_max) = 0;
+
+  /// Returns the server with the most free memory, if it has more than `bytes`, and is not this
+  /// one.
+  virtual Result<std::optional<ServerPlace>> roomier_server(uint64_t bytes) = 0;
 
   /// Lets go of a session that this server does not use. Does not wait.
   virtual void release(const std::string& session_id) = 0;
@@ -101,6 +113,7 @@ class Journal {
 
   /// A damaged role reads as the least role.
   virtual Result<SessionRoles> roles(const std::string& session_id) = 0;
+  /// Fails: as hold() if the session is not held.
   virtual Status set_role(const std::string& session_id, const std::string& user,
                           SessionRole role) = 0;
 

@@ -1,6 +1,7 @@
 #include "server/journal/postgres_appends.h"
 
 #include "server/journal/damaged_edits.h"
+#include "server/metrics/metrics.h"
 
 namespace burnish {
 namespace {
@@ -60,9 +61,11 @@ Result<WriteOutcome> examine(PgConnection& database, const PendingAppend& append
   const PgReply& session = asked.replies[1];
   if (session.rows() == 0)
     return WriteOutcome::refused(not_found("no session has the id '" + append.session_id + "'"));
-  if (session.integer(0, 1) == 0)
+  if (session.integer(0, 1) == 0) {
+    metrics().add(Count::kFencedAppends, 1);
     return WriteOutcome::unknown(
         failed_precondition("this server does not hold the session any more"));
+  }
   return WriteOutcome::refused(data_loss(
       "the session's edits end at " + std::to_string(session.integer(0, 0)) + "; the next one is " +
       std::to_string(append.first) + ", so some were not written"));

@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 
 #include "server/journal/forked_edits.h"
+#include "server/metrics/metrics.h"
 
 namespace burnish {
 
@@ -56,17 +57,45 @@ Status PostgresJournal::create_session(const SessionRecord& record, const Sessio
   return queue_->run(
       [&](PgConnection& database, Holdings& holdings) {
         const Holding holding{holdings.life, 1};
-        const Status made = status_of(database.transact(make_session_rows(record, roles, holding)));
+        const Status made =
+            status_of(database.transact(make_session_rows(record, roles, holding, shares_scans_)));
         if (made.is_ok()) holdings.epochs[record.id] = holding.epoch;
         return made;
       },
       Repeat::kNever);
 }
 
+/// Says why this server does not hold a session.
+static Status who_holds(PgConnection& database, const std::string& session_id,
+                        const Holdings& holdings) {
+  ASSIGN_OR_RETURN(
+      const PgReply holder,
+      database.run({"SELECT nodes.name, nodes.address, nodes.id = CAST(NULLIF($2, '') AS uuid)"
+                    " FROM sessions LEFT JOIN nodes ON nodes.id = owner WHERE sessions.id = $1",
+                    {session_id, PgText{holdings.life}}}));
+  if (holder.rows() == 0) return not_found("no session has the id '" + session_id + "'");
+  const ServerPlace place{holder.bytes(0, 1), holder.bytes(0, 0)};
+  const bool is_me = !holder.bytes(0, 2).empty() && holder.integer(0, 2) != 0;
+  if (place.node.empty() || is_me)
+    return unavailable("this server did not hold the session at this moment; try again");
+  metrics().add(Count::kCallsMoved, 1);
+  const std::string where = place.address.empty() ? "" : " (" + place.address + ")";
+  return Status::moved(place.text(), "server " + place.node + where + " holds the session");
+}
+
+/// Does a change of a held session. Fails: as who_holds() if it changes no row.
+static Status change_held(PgConnection& database, const PgStatement& change,
+                          const std::string& session_id, const Holdings& holdings) {
+  const PgOutcome changed = database.transact({&change, 1});
+  RETURN_IF_ERROR(status_of(changed));
+  if (changed.replies[0].affected() > 0) return Status::ok();
+  return who_holds(database, session_id, holdings);
+}
+
 // A new checksum must not turn a damaged row into a good one.
 Status PostgresJournal::rename_session(const std::string& id, const std::string& name) {
   return queue_->run(
-      [&](PgConnection& database, Holdings&) -> Status {
+      [&](PgConnection& database, Holdings& holdings) -> Status {
         ASSIGN_OR_RETURN(const PgReply reply,
                          database.run({std::string(kSelectSessions) + " WHERE id = $1", {id}}));
         if (reply.rows() == 0) return not_found("no session has the id '" + id + "'");
@@ -75,10 +104,12 @@ Status PostgresJournal::rename_session(const std::string& id, const std::string&
           return data_loss("session " + record.name + ": its row in the journal is damaged");
         const std::string before = record.name;
         record.name = name;
+        const Holding holding = holdings.of(id);
         const PgStatement change{
-            "UPDATE sessions SET name = $2, checksum = $3 WHERE id = $1 AND name = $4",
-            {id, name, checksum_of(record), before}};
-        const Status renamed = status_of(database.transact({&change, 1}));
+            "UPDATE sessions SET name = $2, checksum = $3 WHERE id = $1 AND name = $4 AND " +
+                is_held(5, 6),
+            {id, name, checksum_of(record), before, holding.epoch, PgText{holding.life}}};
+        const Status renamed = change_held(database, change, id, holdings);
         return renamed.code() == StatusCode::kAlreadyExists
                    ? already_exists("session " + name + " already exists")
                    : renamed;
@@ -89,27 +120,17 @@ Status PostgresJournal::rename_session(const std::string& id, const std::string&
 Status PostgresJournal::remove_session(const std::string& id) {
   RETURN_IF_ERROR(queue_->run(
       [&](PgConnection& database, Holdings& holdings) {
-        const PgStatement remove{"DELETE FROM sessions WHERE id = $1", {id}};
-        const Status removed = status_of(database.transact({&remove, 1}));
-        if (removed.is_ok()) holdings.epochs.erase(id);
-        return removed;
+        const Holding holding = holdings.of(id);
+        const PgStatement remove{"DELETE FROM sessions WHERE id = $1 AND " + is_held(2, 3),
+                                 {id, holding.epoch, PgText{holding.life}}};
+        const Status removed = change_held(database, remove, id, holdings);
+        const bool is_gone = removed.is_ok() || removed.code() == StatusCode::kNotFound;
+        if (is_gone) holdings.epochs.erase(id);
+        return is_gone ? Status::ok() : removed;
       },
       Repeat::kNever));
   paint_->forget(id);
   return Status::ok();
-}
-
-/// Says why a session cannot be held.
-static Status who_holds(PgConnection& database, const std::string& session_id) {
-  ASSIGN_OR_RETURN(const PgReply holder,
-                   database.run({"SELECT nodes.name, nodes.address FROM sessions LEFT JOIN nodes"
-                                 " ON nodes.id = owner WHERE sessions.id = $1",
-                                 {session_id}}));
-  if (holder.rows() == 0) return not_found("no session has the id '" + session_id + "'");
-  const std::string address = holder.bytes(0, 1);
-  const std::string name = "server " + holder.bytes(0, 0);
-  if (address.empty()) return failed_precondition(name + " holds the session");
-  return Status::moved(address, name + " (" + address + ") holds the session");
 }
 
 // A new epoch in any case: whatever this server sent before, and the database still works on, comes
@@ -118,18 +139,61 @@ Status PostgresJournal::hold(const std::string& session_id) {
   return queue_->run(
       [&](PgConnection& database, Holdings& holdings) -> Status {
         const PgStatement take{
-            "UPDATE sessions SET owner = CAST(NULLIF($2, '') AS uuid),"
-            " epoch = epoch + 1 WHERE id = $1 AND (owner IS NULL"
+            "UPDATE sessions SET owner = CAST(NULLIF($2, '') AS uuid), epoch = epoch + 1,"
+            " held_for = CASE WHEN owner = CAST(NULLIF($2, '') AS uuid) THEN held_for END WHERE id "
+            "= $1 AND (owner IS NULL"
             " OR owner = CAST(NULLIF($2, '') AS uuid)) RETURNING epoch",
             {session_id, PgText{holdings.life}}};
         const PgOutcome taken = database.transact({&take, 1});
         RETURN_IF_ERROR(status_of(taken));
         const PgReply& held = taken.replies[0];
-        if (held.rows() == 0) return who_holds(database, session_id);
+        if (held.rows() == 0) return who_holds(database, session_id, holdings);
+        if (!holdings.epochs.contains(session_id)) metrics().add(Count::kSessionsClaimed, 1);
         holdings.epochs[session_id] = held.integer(0, 0);
         return Status::ok();
       },
       Repeat::kOnce);
+}
+
+Status PostgresJournal::charge(const std::string& session_id, const std::string& user,
+                               uint64_t sessions_max) {
+  if (user.empty() || !is_shared_) return Status::ok();
+  return queue_->run(
+      [&](PgConnection& database, Holdings& holdings) -> Status {
+        ASSIGN_OR_RETURN(const PgReply others,
+                         database.run({"SELECT count(*) FROM sessions WHERE held_for = $1"
+                                       " AND owner IS NOT NULL AND id <> $2",
+                                       {user, session_id}}));
+        const auto count = static_cast<uint64_t>(others.integer(0, 0));
+        if (count >= sessions_max)
+          return resource_exhausted(
+              "sessions open of user " + user + " on all servers: " + std::to_string(count) +
+              "; limits.sessions_per_user is " + std::to_string(sessions_max));
+        const Holding holding = holdings.of(session_id);
+        const PgStatement charge{
+            "UPDATE sessions SET held_for = $2 WHERE id = $1 AND " + is_held(3, 4),
+            {session_id, user, holding.epoch, PgText{holding.life}}};
+        return change_held(database, charge, session_id, holdings);
+      },
+      Repeat::kOnce);
+}
+
+Result<std::optional<ServerPlace>> PostgresJournal::roomier_server(uint64_t bytes) {
+  std::optional<ServerPlace> place;
+  RETURN_IF_ERROR(queue_->run(
+      [&](PgConnection& database, Holdings& holdings) -> Status {
+        ASSIGN_OR_RETURN(
+            const PgReply found,
+            database.run({"SELECT name, address FROM nodes WHERE NOT draining"
+                          " AND id IS DISTINCT FROM CAST(NULLIF($1, '') AS uuid)"
+                          " AND lease_until > clock_timestamp() AND bytes_max - bytes_taken > $2"
+                          " ORDER BY bytes_max - bytes_taken DESC, name LIMIT 1",
+                          {PgText{holdings.life}, static_cast<int64_t>(bytes)}}));
+        if (found.rows() > 0) place = ServerPlace{found.bytes(0, 1), found.bytes(0, 0)};
+        return Status::ok();
+      },
+      Repeat::kOnce));
+  return place;
 }
 
 void PostgresJournal::release(const std::string& session_id) {
@@ -137,7 +201,7 @@ void PostgresJournal::release(const std::string& session_id) {
     const Holding holding = holdings.of(session_id);
     holdings.epochs.erase(session_id);
     return database
-        .run({"UPDATE sessions SET owner = NULL WHERE id = $1 AND epoch = $2"
+        .run({"UPDATE sessions SET owner = NULL, held_for = NULL WHERE id = $1 AND epoch = $2"
               " AND owner = CAST(NULLIF($3, '') AS uuid)",
               {session_id, holding.epoch, PgText{holding.life}}})
         .status();
@@ -164,7 +228,7 @@ Result<uint64_t> PostgresJournal::fork_session(const SessionRecord& source, uint
                      edits_of_fork(std::move(all), edits, source, record));
     emptied = forked.emptied;
     const Holding holding{holdings.life, 1};
-    std::vector<PgStatement> statements = make_session_rows(record, roles, holding);
+    std::vector<PgStatement> statements = make_session_rows(record, roles, holding, shares_scans_);
     for (uint64_t number = 1; number <= edits; ++number)
       statements.push_back(add_edit_row(record.id, number, forked.edits[number - 1], holding));
     const Status made = status_of(database.transact(statements));
@@ -202,9 +266,9 @@ Result<SessionRoles> PostgresJournal::roles(const std::string& session_id) {
 Status PostgresJournal::set_role(const std::string& session_id, const std::string& user,
                                  SessionRole role) {
   return queue_->run(
-      [&](PgConnection& database, Holdings&) {
-        const PgStatement put = put_role_row(session_id, user, role);
-        return status_of(database.transact({&put, 1}));
+      [&](PgConnection& database, Holdings& holdings) {
+        const PgStatement put = put_role_row(session_id, user, role, holdings.of(session_id));
+        return change_held(database, put, session_id, holdings);
       },
       Repeat::kNever);
 }

@@ -25,8 +25,15 @@ class PostgresJournal final : public Journal {
   Status rename_session(const std::string& id, const std::string& name) override;
   Status remove_session(const std::string& id) override;
   Status hold(const std::string& session_id) override;
+  Status charge(const std::string& session_id, const std::string& user,
+                uint64_t sessions_max) override;
+  Result<std::optional<ServerPlace>> roomier_server(uint64_t bytes) override;
   void release(const std::string& session_id) override;
   bool is_shared() const override { return is_shared_; }
+
+  /// From now on new sessions need a scan that is in the catalogue of scans, and it stays there
+  /// while they exist. Needs: one call, before others.
+  void share_scans() { shares_scans_ = true; }
 
   /// From now on this server is a member of a fleet, with this life. It holds no session then.
   void begin_life(const std::string& life);
@@ -58,6 +65,7 @@ class PostgresJournal final : public Journal {
   Result<T> read(const std::function<Result<T>(PgConnection&)>& work);
 
   std::atomic<bool> is_shared_{false};
+  std::atomic<bool> shares_scans_{false};
   std::unique_ptr<PaintCache> paint_;
   std::unique_ptr<PostgresQueue> queue_;  // its thread ends first
 };

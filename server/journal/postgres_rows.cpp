@@ -18,25 +18,34 @@ std::string checksum_of(const SessionRecord& record) {
 }
 
 std::vector<PgStatement> make_session_rows(const SessionRecord& record, const SessionRoles& roles,
-                                           const Holding& holding) {
+                                           const Holding& holding, bool has_shared_scan) {
   std::vector<PgStatement> statements = {
       {"INSERT INTO sessions (id, name, scan_id, depth, curvature_radius, created_unix_seconds,"
-       " pins_rims, checksum, owner, epoch) VALUES ($1, $2, $3, $4, $5, $6, $7, $8,"
-       " CAST(NULLIF($9, '') AS uuid), $10)",
+       " pins_rims, checksum, owner, epoch, shared_scan) VALUES ($1, $2, $3, $4, $5, $6, $7, $8,"
+       " CAST(NULLIF($9, '') AS uuid), $10, CASE WHEN $11 = 1 THEN $3 END)",
        {record.id, record.name, record.scan_id, int64_t{record.key.depth},
         record.key.curvature_radius, record.created_unix_seconds, int64_t{record.controls.pin_rims},
-        checksum_of(record), PgText{holding.life}, holding.epoch}}};
+        checksum_of(record), PgText{holding.life}, holding.epoch, int64_t{has_shared_scan}}}};
   for (const auto& [user, role] : roles.by_user())
-    statements.push_back(put_role_row(record.id, user, role));
+    statements.push_back(put_role_row(record.id, user, role, holding));
   return statements;
 }
 
-PgStatement put_role_row(const std::string& session_id, const std::string& user, SessionRole role) {
+std::string is_held(int epoch, int life) {
+  return "epoch = $" + std::to_string(epoch) + " AND owner IS NOT DISTINCT FROM CAST(NULLIF($" +
+         std::to_string(life) + ", '') AS uuid)";
+}
+
+PgStatement put_role_row(const std::string& session_id, const std::string& user, SessionRole role,
+                         const Holding& holding) {
   const auto number = static_cast<int64_t>(role);
-  return {
-      "INSERT INTO roles VALUES ($1, $2, $3, $4) ON CONFLICT (session_id, \"user\")"
-      " DO UPDATE SET role = excluded.role, checksum = excluded.checksum",
-      {session_id, user, number, row_checksum_of(session_id, user, number)}};
+  return {"WITH held AS (SELECT id FROM sessions WHERE id = $1 AND " + is_held(5, 6) +
+              " FOR SHARE)"
+              " INSERT INTO roles SELECT $1, $2, $3, $4 FROM held"
+              " ON CONFLICT (session_id, \"user\")"
+              " DO UPDATE SET role = excluded.role, checksum = excluded.checksum",
+          {session_id, user, number, row_checksum_of(session_id, user, number), holding.epoch,
+           PgText{holding.life}}};
 }
 
 PgStatement add_edit_row(const std::string& session_id, uint64_t number, const AuthoredEdit& edit,
@@ -48,13 +57,14 @@ PgStatement add_edit_row(const std::string& session_id, uint64_t number, const A
   const std::string sum =
       is_damaged ? std::string()
                  : row_checksum_of(session_id, n, edit.author, id, edit.unix_ms, bytes);
-  return {
-      "WITH held AS (UPDATE sessions SET edits = $2 WHERE id = $1 AND edits = $2 - 1"
-      " AND epoch = $4 AND owner IS NOT DISTINCT FROM CAST(NULLIF($3, '') AS uuid)"
+  static const std::string kAdd =
+      "WITH held AS (UPDATE sessions SET edits = $2 WHERE id = $1 AND edits = $2 - 1 AND " +
+      is_held(4, 3) +
       " RETURNING id)"
-      " INSERT INTO edits SELECT $1, $2, $4, $5, $6, $7, $8, $9 FROM held",
-      {session_id, n, PgText{holding.life}, holding.epoch, edit.author, id, edit.unix_ms, bytes,
-       sum}};
+      " INSERT INTO edits SELECT $1, $2, $4, $5, $6, $7, $8, $9 FROM held";
+  return {kAdd,
+          {session_id, n, PgText{holding.life}, holding.epoch, edit.author, id, edit.unix_ms, bytes,
+           sum}};
 }
 
 SessionRecord session_of_row(const PgReply& reply, size_t row) {

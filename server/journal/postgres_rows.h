@@ -17,11 +17,19 @@ struct Holding {
   int64_t epoch = 0;
 };
 
-/// Returns the statements that make a session with its roles, held by `holding`.
+/// Returns the statements that make a session with its roles, held by `holding`. With
+/// `has_shared_scan` they fail with not_found if the catalogue of scans does not have its scan.
 std::vector<PgStatement> make_session_rows(const SessionRecord& record, const SessionRoles& roles,
-                                           const Holding& holding);
+                                           const Holding& holding, bool has_shared_scan = false);
 
-PgStatement put_role_row(const std::string& session_id, const std::string& user, SessionRole role);
+/// Returns the statement that gives a role. It changes no row if the session is held otherwise, and
+/// waits for whoever takes the session at this moment.
+PgStatement put_role_row(const std::string& session_id, const std::string& user, SessionRole role,
+                         const Holding& holding);
+
+/// The condition that a row of sessions is held, with the epoch and the life as values of these
+/// numbers.
+std::string is_held(int epoch, int life);
 
 /// Returns the statement that enters one edit, and counts it in the session's row. It changes no
 /// row if the session is held otherwise, or does not end before `number`.

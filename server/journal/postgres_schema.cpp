@@ -36,6 +36,20 @@ static constexpr std::array kPgSteps = {
     session_id bytea NOT NULL REFERENCES sessions ON DELETE CASCADE, "user" bytea NOT NULL,
     role bigint NOT NULL, checksum bytea NOT NULL, PRIMARY KEY (session_id, "user")
   );
+)sql",
+    // The catalogue of scans in a shared folder. A scan's version changes whenever the scan does.
+    // `shared_scan` is null for a session whose scan is in its servers' own folders.
+    R"sql(
+  CREATE SEQUENCE scan_versions;
+  CREATE TABLE scans (
+    id bytea PRIMARY KEY, info bytea NOT NULL,
+    version bigint NOT NULL DEFAULT nextval('scan_versions')
+  );
+  ALTER TABLE sessions ADD COLUMN shared_scan bytea REFERENCES scans;
+)sql",
+    // Who has brought a session into the memory of its owner; null: nobody who is counted.
+    R"sql(
+  ALTER TABLE sessions ADD COLUMN held_for bytea;
 )sql"};
 
 static Status lock_version(PgConnection& database) {

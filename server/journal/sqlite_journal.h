@@ -25,6 +25,10 @@ class SqliteJournal final : public Journal {
   Status rename_session(const std::string& id, const std::string& name) override;
   Status remove_session(const std::string& id) override;
   Status hold(const std::string&) override { return Status::ok(); }  // the file has one server
+  Status charge(const std::string&, const std::string&, uint64_t) override { return Status::ok(); }
+  Result<std::optional<ServerPlace>> roomier_server(uint64_t) override {
+    return std::optional<ServerPlace>();
+  }
   void release(const std::string&) override {}
   bool is_shared() const override { return false; }
   Result<uint64_t> fork_session(const SessionRecord& source, uint64_t edits,

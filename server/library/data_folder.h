@@ -13,7 +13,8 @@ namespace burnish {
 ///     lock             held by the running server
 ///     journal.sqlite   sessions and their edits, unless a database has them
 ///     paint.sqlite     kept paint, beside such a database
-///     scans/ID/        original.EXT, info.json, prepared/, pages-formatN.pages
+///     scans/ID/        original.EXT, info.json, prepared/, pages-formatN.pages; shared if the scan
+///                      is in the catalogue of a fleet
 ///     staging/         unfinished files; emptied at start
 class DataFolder {
  public:

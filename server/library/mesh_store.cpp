@@ -20,24 +20,8 @@ namespace burnish {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-/// A folder that is deleted with this object unless it was moved.
-class StagingFolder {
- public:
-  explicit StagingFolder(fs::path path) : path_(std::move(path)) {}
-  ~StagingFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-ScanInfo make_scan_info(const std::string& id, const ImportHeader& header,
-                        const PreparedMesh& prepared, const LibraryBudget& budget) {
+static ScanInfo make_scan_info(const std::string& id, const ImportHeader& header,
+                               const PreparedMesh& prepared, const LibraryBudget& budget) {
   const MeshStatistics& s = prepared.statistics;
   ScanInfo scan;
   scan.id = id;
@@ -51,8 +35,6 @@ ScanInfo make_scan_info(const std::string& id, const ImportHeader& header,
   scan.statistics = s;
   return scan;
 }
-
-}  // namespace
 
 PreparedKey resolve(const PreparedKey& key, const ScanInfo& scan) {
   return {key.depth == 0 ? scan.default_depth : key.depth, key.curvature_radius};
@@ -102,6 +84,7 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
   if (!header.sha256.empty() && header.sha256 != id)
     return data_loss("the received bytes have SHA-256 " + id + ", but " + header.sha256 +
                      " was announced");
+  RETURN_IF_ERROR(take_upload(upload, id, progress));
   {
     ASSIGN_OR_RETURN(const auto lock,
                      lock_or_cancel(preparing_, "waiting for another scan", progress));
@@ -113,13 +96,14 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
     if (!check_original(scan_folder(id), *known).is_ok())
       RETURN_IF_ERROR(replace_original(scan_folder(id), *known, upload.path()));
   }
+  RETURN_IF_ERROR(repair_shared(id, progress));
   return prepare_known(id, header.key, progress);
 }
 
 Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& id,
                                             const ImportHeader& header, const Progress& progress) {
   const StagingFolder staging(folder_.staging_path(".scan"));
-  RETURN_IF_ERROR(make_prepared_folder(staging.path()));
+  RETURN_IF_ERROR(staging.make("prepared"));
   const fs::path original = staging.path() / original_file_name(header.format);
   RETURN_IF_ERROR(move_path(upload.path(), original));
 
@@ -141,21 +125,22 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
   RETURN_IF_ERROR(build_pages({mesh->vertices, mesh->triangles, mesh->colours, scan.statistics},
                               staging.path() / pages_file_name(),
                               {options_.threads, &budget, budget.space()}, progress));
-  RETURN_IF_ERROR(write_file(staging.path() / "info.json", scan_to_json(scan)));
-  RETURN_IF_ERROR(sync_folder(staging.path()));
-  RETURN_IF_ERROR(put_scan_in_place(staging.path(), scan_folder(id)));
-  RETURN_IF_ERROR(sync_folder(folder_.scans()));
-  RETURN_IF_ERROR(read_again(id));
+  RETURN_IF_ERROR(put_new(staging, scan, progress));
   ASSIGN_OR_RETURN(ScanInfo stored, find(id));
   return ImportOutcome{std::move(stored), false};
 }
 
 Result<ImportOutcome> MeshStore::import_known(const std::string& id, const PreparedKey& key,
                                               const Progress& progress) {
+  RETURN_IF_ERROR(refresh());
+  Status status = bring_here(id, progress);
   const auto scan = read_scan_folder(scan_folder(id));
-  const Status status = scan.is_ok() ? check_original(scan_folder(id), *scan) : scan.status();
+  if (status.is_ok())
+    status = scan.is_ok() ? check_original(scan_folder(id), *scan) : scan.status();
+  if (status.code() == StatusCode::kCancelled) return status;
   if (!status.is_ok())
     return not_found("the server does not have these bytes: " + status.message());
+  RETURN_IF_ERROR(repair_shared(id, progress));
   return prepare_known(id, key, progress);
 }
 
@@ -168,7 +153,7 @@ Result<ImportOutcome> MeshStore::prepare_known(const std::string& id, const Prep
   return ImportOutcome{std::move(now), true};
 }
 
-Result<ScanDescription> MeshStore::describe(const std::string& reference, int depth) const {
+Result<ScanDescription> MeshStore::describe(const std::string& reference, int depth) {
   ScanDescription description;
   ASSIGN_OR_RETURN(description.scan, find(reference));
   const auto& have = description.scan.prepared;
@@ -200,6 +185,13 @@ Result<ScanInfo> MeshStore::set_unit(const std::string& reference, const std::st
 Result<ScanInfo> MeshStore::change(const std::string& reference,
                                    const std::function<void(ScanInfo&)>& by) {
   ASSIGN_OR_RETURN(const ScanInfo found, find(reference));
+  if (shared_) {
+    const std::lock_guard lock(sharing_mutex_);
+    mark_.clear();
+    ASSIGN_OR_RETURN(const ScanInfo changed, shared_->catalogue->change(found.id, by));
+    take_info(changed);
+    return index_.find(found.id);
+  }
   const fs::path folder = scan_folder(found.id);
   const std::lock_guard lock(folders_mutex_);
   ASSIGN_OR_RETURN(ScanInfo scan, read_scan_folder(folder));
@@ -211,8 +203,16 @@ Result<ScanInfo> MeshStore::change(const std::string& reference,
 
 Status MeshStore::remove(const std::string& id) {
   std::error_code error;
-  if (!is_content_hash(id) || !fs::exists(scan_folder(id), error))
-    return not_found("no scan has the id '" + id + "'");
+  const bool is_there =
+      is_content_hash(id) && (fs::exists(scan_folder(id), error) || index_.find_id(id));
+  if (!is_there) return not_found("no scan has the id '" + id + "'");
+  if (shared_) {
+    const std::lock_guard lock(sharing_mutex_);
+    mark_.clear();
+    RETURN_IF_ERROR(shared_->catalogue->remove(id, [&] { return shared_->folder->remove(id); }));
+    drop_here(id);
+    return Status::ok();
+  }
   const StagingFolder bin(folder_.staging_path(".deleted"));
   {
     const std::lock_guard lock(folders_mutex_);

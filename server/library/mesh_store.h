@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,9 @@
 #include "server/library/data_folder.h"
 #include "server/library/mesh_cache.h"
 #include "server/library/open_pages.h"
+#include "server/library/scan_catalogue.h"
 #include "server/library/scan_index.h"
+#include "server/library/shared_folder.h"
 #include "server/library/upload.h"
 #include "server/memory/quota.h"
 #include "server/prepare/prepared_mesh.h"
@@ -30,13 +33,29 @@ struct MeshStoreOptions {
   int threads = 0;                                      ///< for preparing; 0: all cores
 };
 
+/// The scans that all servers of a fleet have.
+struct SharedLibrary {
+  std::unique_ptr<SharedFolder> folder;
+  std::unique_ptr<ScanCatalogue> catalogue;
+};
+
 /// The library of scans on disk. A scan's folder appears complete, by one rename, or not at all.
-/// Prepared files can always be rebuilt from the original. Thread-safe.
+/// Prepared files can always be rebuilt from the original. With a shared library it lists the scans
+/// of all servers, and fetches an original when it is needed for the first time. Thread-safe.
 class MeshStore {
  public:
   /// Reads the library. Needs: `folder` outlives the store. Fails: as errno says.
   static Result<std::unique_ptr<MeshStore>> open(const DataFolder& folder,
                                                  const MeshStoreOptions& options);
+
+  /// From now on shares the scans with other servers: gives them those that this server alone has.
+  /// Needs: one call, before others. Fails: unavailable; as SharedFolder and ScanCatalogue say.
+  Status share(SharedLibrary shared);
+  bool is_shared() const { return shared_.has_value(); }
+
+  /// Takes in which scans other servers have imported, changed and deleted. Does nothing without a
+  /// shared library. Fails: unavailable.
+  Status refresh();
 
   /// Fails: resource_exhausted above upload_bytes_max, or if the user's unfinished uploads together
   /// are above upload_bytes_per_user.
@@ -59,16 +78,19 @@ class MeshStore {
   /// left out.
   std::vector<ScanInfo> list() const { return index_.list(); }
 
-  /// Finds a scan by name, id, or the beginning of one id, from memory. Fails: not_found;
-  /// invalid_argument if several scans match.
-  Result<ScanInfo> find(const std::string& reference) const { return index_.find(reference); }
+  /// Finds a scan by name, id, or the beginning of one id, from memory; asks the other servers if
+  /// it is not there. Fails: not_found; invalid_argument if several scans match.
+  Result<ScanInfo> find(const std::string& reference);
+
+  /// Returns the name of the scan with this id, from memory; the id for an unknown one.
+  std::string name_of(const std::string& id) const;
 
   /// Returns the imported file of a scan, checked against its hash. Fails: not_found; data_loss if
   /// the file is damaged.
-  Result<OriginalFile> find_original(const std::string& id) const;
+  Result<OriginalFile> find_original(const std::string& id, const Progress& progress);
 
   /// Describes the prepared mesh of `depth`; 0 means the deepest one.
-  Result<ScanDescription> describe(const std::string& reference, int depth) const;
+  Result<ScanDescription> describe(const std::string& reference, int depth);
 
   /// Makes the prepared file if it is missing or its header is damaged. Needs: a resolved key.
   /// Fails: resource_exhausted if memory_bytes_max or the disk has no room for it, before anything
@@ -120,7 +142,8 @@ class MeshStore {
   /// Names the unit of a scan's coordinates. Fails: likewise.
   Result<ScanInfo> set_unit(const std::string& reference, const std::string& unit);
 
-  /// Also removes a damaged scan. Needs: no session edits it. Fails: not_found.
+  /// Also removes a damaged scan. Needs: no session of this server edits it. Fails: not_found;
+  /// failed_precondition that names a session of another server.
   Status remove(const std::string& id);
 
  private:
@@ -129,6 +152,18 @@ class MeshStore {
   /// Changes a scan's record, in memory and on disk.
   Result<ScanInfo> change(const std::string& reference, const std::function<void(ScanInfo&)>& by);
   std::filesystem::path scan_folder(const std::string& id) const { return folder_.scans() / id; }
+  bool is_here(const std::string& id) const;
+  Status bring_here(const std::string& id, const Progress& progress);
+  Status put_here(const StagingFolder& staging, const ScanInfo& scan);
+  Status put_shared_here(const StagingFolder& staging, const ScanInfo& scan);
+  Status take_fetched(const StagingFolder& staging, const ScanInfo& scan);
+  Status repair_shared(const std::string& id, const Progress& progress);
+  Status take_upload(Upload& upload, const std::string& id, const Progress& progress);
+  Status check_or_fetch(const ScanInfo& scan, const Progress& progress);
+  Status put_new(const StagingFolder& staging, const ScanInfo& scan, const Progress& progress);
+  Status share_own(const ScanInfo& scan);
+  void take_info(const ScanInfo& scan);
+  void drop_here(const std::string& id);
   std::filesystem::path prepared_path(const std::string& id, const PreparedKey& key) const;
   Result<ImportOutcome> import_new(Upload& upload, const std::string& id,
                                    const ImportHeader& header, const Progress& progress);
@@ -152,6 +187,10 @@ class MeshStore {
   const DataFolder& folder_;
   const MeshStoreOptions options_;
   ScanIndex index_;
+  std::optional<SharedLibrary> shared_;
+  std::mutex sharing_mutex_;  // the catalogue and this folder change together
+  std::string mark_;          // of the catalogue, when it was last read; under that mutex
+  FairMutex fetching_;
   std::mutex folders_mutex_;  // a folder must not disappear between being read and being listed
   Quota memory_;
   Quota uploads_;

@@ -5,7 +5,6 @@
 #include "common/mesh/statistics.h"
 #include "server/library/mesh_store.h"
 #include "server/library/read_original.h"
-#include "server/library/scan_files.h"
 #include "server/library/scan_record.h"
 #include "server/memory/library_budget.h"
 #include "server/prepare/pages/build_pages.h"
@@ -40,6 +39,7 @@ Result<std::shared_ptr<const ScanPages>> MeshStore::open_pages(const std::string
                                                                const Progress& progress) {
   auto pages = open_page_file(id);
   if (pages.is_ok() || !can_be_made_again(pages.status().code())) return pages;
+  RETURN_IF_ERROR(bring_here(id, progress));
   ASSIGN_OR_RETURN(const auto lock,
                    lock_or_cancel(preparing_, "waiting for another scan", progress));
   pages = open_page_file(id);  // somebody else may have made them meanwhile
@@ -75,7 +75,7 @@ Status MeshStore::make_pages(const std::string& id, const Progress& progress) {
   const fs::path folder = scan_folder(id);
   ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(folder));
   if (!report(progress, "reading", 0)) return cancelled("making pages was cancelled");
-  RETURN_IF_ERROR(check_original(folder, scan));
+  RETURN_IF_ERROR(check_or_fetch(scan, progress));
   LibraryBudget budget(memory_, folder_.scans());
   RETURN_IF_ERROR(budget.ask_to_read(folder / original_file_name(scan.format), scan.format));
   ASSIGN_OR_RETURN(const auto mesh, read_original(folder / original_file_name(scan.format),

@@ -26,14 +26,16 @@ static bool can_be_made_again(const Status& status) {
   return status.code() == StatusCode::kNotFound || status.code() == StatusCode::kDataLoss;
 }
 
-Result<OriginalFile> MeshStore::find_original(const std::string& id) const {
+Result<OriginalFile> MeshStore::find_original(const std::string& id, const Progress& progress) {
   ASSIGN_OR_RETURN(const ScanInfo scan, find(id));
-  RETURN_IF_ERROR(check_original(scan_folder(id), scan));
+  RETURN_IF_ERROR(bring_here(id, progress));
+  RETURN_IF_ERROR(check_or_fetch(scan, progress));
   return OriginalFile{scan_folder(id) / original_file_name(scan.format), scan.format, scan.name};
 }
 
 Status MeshStore::prepare_scan(const std::string& id, const PreparedKey& key,
                                const Progress& progress) {
+  RETURN_IF_ERROR(bring_here(id, progress));
   ASSIGN_OR_RETURN(const auto lock,
                    lock_or_cancel(preparing_, "waiting for another scan", progress));
   return make_prepared(id, key, progress);
@@ -51,7 +53,7 @@ Status MeshStore::rebuild(const std::string& id, const PreparedKey& key, const P
   const fs::path folder = scan_folder(id);
   ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(folder));
   if (!report(progress, "reading", 0)) return cancelled("preparing was cancelled");
-  RETURN_IF_ERROR(check_original(folder, scan));
+  RETURN_IF_ERROR(check_or_fetch(scan, progress));
   LibraryBudget budget(memory_, folder_.scans(), options_.device_memory_bytes_max);
   RETURN_IF_ERROR(budget.ask_to_read(folder / original_file_name(scan.format), scan.format));
   ASSIGN_OR_RETURN(const auto mesh, read_original(folder / original_file_name(scan.format),
@@ -123,6 +125,7 @@ Result<std::shared_ptr<SharedMesh>> MeshStore::read_charged(const std::string& i
 Result<std::shared_ptr<SharedMesh>> MeshStore::read_with_hierarchy(const std::string& id,
                                                                    const PreparedKey& key,
                                                                    const Progress& progress) {
+  RETURN_IF_ERROR(bring_here(id, progress));
   ASSIGN_OR_RETURN(const auto lock,
                    lock_or_cancel(preparing_, "waiting for another scan", progress));
   RETURN_IF_ERROR(make_prepared(id, key, progress));

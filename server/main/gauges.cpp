@@ -8,7 +8,8 @@ namespace burnish {
 
 std::vector<Gauge> read_gauges(const Server& server, MeshStore& store,
                                const SessionManager& sessions, const LiveSessions& live,
-                               const Reloaded<Certificates>* certificates) {
+                               const Reloaded<Certificates>* certificates,
+                               const Membership* membership) {
   const SessionManager::Usage usage = sessions.usage();
   const LiveSessions::Usage live_usage = live.usage();
   const auto number = [](auto value) { return static_cast<double>(value); };
@@ -35,6 +36,10 @@ std::vector<Gauge> read_gauges(const Server& server, MeshStore& store,
        number(cuda_memory_used())},
       {"burnish_resident_bytes", "Resident memory of the process", number(resident_bytes())},
   };
+  if (membership)
+    gauges.push_back({"burnish_fleet_lease_seconds_left",
+                      "Until others may have this server's sessions, without another heartbeat",
+                      membership->lease_left().count()});
   if (certificates)
     gauges.push_back({"burnish_certificate_expires_unix_seconds",
                       "When the server's certificate ends",

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "server/fleet/membership.h"
 #include "server/library/mesh_store.h"
 #include "server/live/live_sessions.h"
 #include "server/manager/session_manager.h"
@@ -11,9 +12,10 @@
 namespace burnish {
 
 /// Reads the server's present figures: calls, sessions, bytes, live objects, the certificate's end.
-/// `certificates` may be null.
+/// `certificates` and `membership` may be null.
 std::vector<Gauge> read_gauges(const Server& server, MeshStore& store,
                                const SessionManager& sessions, const LiveSessions& live,
-                               const Reloaded<Certificates>* certificates);
+                               const Reloaded<Certificates>* certificates,
+                               const Membership* membership);
 
 }  // namespace burnish

@@ -1,12 +1,33 @@
 #include "server/main/journals.h"
 
+#include <algorithm>
 #include <iostream>
 #include <optional>
 
+#include <spdlog/spdlog.h>
+
+#include "server/fleet/durability.h"
+#include "server/fleet/pg_catalogue.h"
 #include "server/journal/journal_copy.h"
 #include "server/journal/sqlite_journal.h"
+#include "server/solver/device_probe.h"
 
 namespace burnish {
+
+/// Says at the start what the database's settings may cost.
+static Status warn_of_losses(const PgAddress& address, const ServerConfig& config) {
+  ASSIGN_OR_RETURN(PgConnection database, PgConnection::open(address, {}, "burnish"));
+  ASSIGN_OR_RETURN(const auto warnings,
+                   durability_warnings(database, config.fleet_durability == "replicated"));
+  for (const std::string& warning : warnings) spdlog::warn("journal: {}", warning);
+  return Status::ok();
+}
+
+/// Others may have a server's sessions at the end of its lease. Two seconds before, it counts as
+/// stopped for too long; with a short lease, half of the lease.
+static PauseWatch::Nanoseconds pause_max(const LeaseTimes& times) {
+  return std::max<PauseWatch::Nanoseconds>(times.lease - std::chrono::seconds(2), times.lease / 2);
+}
 
 Result<OpenedJournal> open_journal_of(const ServerConfig& config, const DataFolder& folder) {
   OpenedJournal opened;
@@ -18,17 +39,36 @@ Result<OpenedJournal> open_journal_of(const ServerConfig& config, const DataFold
   ASSIGN_OR_RETURN(auto journal, PostgresJournal::open(address, folder.paint()));
   opened.shared = journal.get();
   opened.journal = std::move(journal);
+  RETURN_IF_ERROR(warn_of_losses(address, config));
   if (config.fleet_name.empty()) return opened;
   const LeaseTimes times{std::chrono::milliseconds(config.fleet_lease_ms),
                          std::chrono::milliseconds(config.fleet_heartbeat_ms)};
   ASSIGN_OR_RETURN(opened.membership,
                    Membership::join(address, {config.fleet_name, config.fleet_advertise}, times));
+  opened.pauses = std::make_unique<PauseWatch>(pause_max(times));
   opened.shared->begin_life(opened.membership->first_life());
   return opened;
 }
 
-std::jthread follow_fleet(const OpenedJournal& opened, SessionManager& sessions,
-                          LiveSessions& live) {
+Status share_scans(const ServerConfig& config, const OpenedJournal& opened, MeshStore& store) {
+  if (config.library_shared.empty()) return Status::ok();
+  ASSIGN_OR_RETURN(const PgAddress address, PgAddress::parse(config.journal));
+  SharedLibrary shared;
+  ASSIGN_OR_RETURN(shared.folder, SharedFolder::open(config.library_shared, config.fleet_name));
+  ASSIGN_OR_RETURN(shared.catalogue, PgCatalogue::open(address));
+  RETURN_IF_ERROR(store.share(std::move(shared)));
+  opened.shared->share_scans();
+  return Status::ok();
+}
+
+static NodeLoad load_of(const ServerConfig& config, SessionManager& sessions) {
+  const Quota& memory = sessions.memory();
+  return {has_device(config.backend) ? "cuda" : "cpu", memory.max(), memory.taken(),
+          sessions.usage().in_memory};
+}
+
+std::jthread follow_fleet(const ServerConfig& config, const OpenedJournal& opened,
+                          SessionManager& sessions, LiveSessions& live) {
   if (!opened.membership) return {};
   return opened.membership->start(
       {.on_new_life =
@@ -36,9 +76,12 @@ std::jthread follow_fleet(const OpenedJournal& opened, SessionManager& sessions,
              journal->begin_life(life);
              sessions.let_go(unavailable("the server was not heard for too long; come back"));
            },
+       .load = [&config, &sessions] { return load_of(config, sessions); },
        .on_heartbeat =
            [&](std::vector<std::string> addresses) {
              sessions.refresh();
+             const Status fresh = sessions.store().refresh();
+             if (!fresh.is_ok()) spdlog::warn("the list of scans is old: {}", fresh.message());
              live.set_fleet(std::move(addresses));
            }});
 }

@@ -7,8 +7,10 @@
 #include "common/base/status.h"
 #include "server/config/config.h"
 #include "server/fleet/membership.h"
+#include "server/fleet/pause_watch.h"
 #include "server/journal/postgres_journal.h"
 #include "server/library/data_folder.h"
+#include "server/library/mesh_store.h"
 #include "server/live/live_sessions.h"
 #include "server/manager/session_manager.h"
 
@@ -16,7 +18,8 @@ namespace burnish {
 
 /// A journal, and this server's place among those that share it.
 struct OpenedJournal {
-  std::unique_ptr<Membership> membership;  ///< null for a server that is alone; ends last
+  std::unique_ptr<PauseWatch> pauses;      ///< null for a server that is alone
+  std::unique_ptr<Membership> membership;  ///< likewise; ends after the journal
   std::unique_ptr<Journal> journal;
   PostgresJournal* shared = nullptr;  ///< the same journal; null for a file
 };
@@ -24,10 +27,14 @@ struct OpenedJournal {
 /// Opens the journal of the configuration, and joins the fleet of its name. Fails: as they say.
 Result<OpenedJournal> open_journal_of(const ServerConfig& config, const DataFolder& folder);
 
+/// Shares the scans with the other servers if the configuration says so. Fails: as
+/// MeshStore::share() and SharedFolder say; unavailable.
+Status share_scans(const ServerConfig& config, const OpenedJournal& opened, MeshStore& store);
+
 /// Renews the server's lease, follows what other servers do to the sessions, and tells clients of
 /// the fleet, while the returned thread lives.
-[[nodiscard]] std::jthread follow_fleet(const OpenedJournal& opened, SessionManager& sessions,
-                                        LiveSessions& live);
+[[nodiscard]] std::jthread follow_fleet(const ServerConfig& config, const OpenedJournal& opened,
+                                        SessionManager& sessions, LiveSessions& live);
 
 /// Copies a journal, and says how much it was. Each name is a data folder, which is locked
 /// meanwhile, or the URI of a database. Fails: as copy_journal() and the journals say.

@@ -148,20 +148,22 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   remove_stale_files(*folder);
   ASSIGN_OR_RETURN(const auto opened_store, MeshStore::open(*folder, store_options(config)));
   MeshStore& store = *opened_store;
-  const HiddenFolder hidden(config.data, [&store](const std::string& id) {
-    const auto scan = store.find(id);
-    return scan.is_ok() ? scan->name : id;
-  });
+  const HiddenFolder hidden(config.data,
+                            [&store](const std::string& id) { return store.name_of(id); });
   ASSIGN_OR_RETURN(const OpenedJournal journal, open_journal_of(config, *folder));
+  RETURN_IF_ERROR(share_scans(config, journal, store));
   ASSIGN_OR_RETURN(const auto sessions, SessionManager::create(*folder, store, *journal.journal,
                                                                session_options(config)));
+  if (journal.pauses)
+    sessions->set_pause_check([watch = journal.pauses.get()] { return watch->was_paused(); });
   LiveSessions live(*sessions, kSolverThreads);
   Lanes lanes(lane_limits(config));
   ASSIGN_OR_RETURN(const auto server,
                    Server::start(server_options(config, files), store, *sessions, live, lanes));
-  const std::jthread fleet = follow_fleet(journal, *sessions, live);
+  const std::jthread fleet = follow_fleet(config, journal, *sessions, live);
   ASSIGN_OR_RETURN(const auto exporter, start_metrics(config.metrics_listen, [&] {
-                     return read_gauges(*server, store, *sessions, live, files.certificates.get());
+                     return read_gauges(*server, store, *sessions, live, files.certificates.get(),
+                                        journal.membership.get());
                    }));
   const DeviceWatch device([backend = config.backend] { return probe_device(backend); },
                            watch_times(config.backend));
@@ -176,6 +178,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   options.drain_time = std::chrono::seconds(config.drain_seconds);
   options.idle_max = std::chrono::seconds(config.idle_exit_seconds);
   options.tend = [&](bool in_any_case) {
+    sessions->look_for_pause();
     live.end_unwelcome();
     if (config.idle_spill_seconds > 0)
       sessions->spill_idle(std::chrono::seconds(config.idle_spill_seconds));

@@ -60,6 +60,7 @@ struct SessionEntry {
   std::shared_ptr<const SharedMesh> mesh;
   Quota::Share memory;               // the session's share of the server's memory
   Quota::Share by_user;              // share of the user who opened it
+  std::string opened_by;             // that user; empty: nobody with a name
   std::unique_ptr<Session> session;  // null: not in memory
   uint64_t life = 0;                 // how often it has come to memory
   StepReport last;

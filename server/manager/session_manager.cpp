@@ -74,6 +74,7 @@ Result<SessionManager::Held> SessionManager::lock(std::shared_ptr<SessionEntry> 
 
 Result<SessionManager::Held> SessionManager::lock(const std::string& reference,
                                                   const Progress& progress) {
+  look_for_pause();
   std::shared_ptr<SessionEntry> entry = find(reference);
   if (!entry && journal_.is_shared()) {
     refresh();
@@ -83,7 +84,8 @@ Result<SessionManager::Held> SessionManager::lock(const std::string& reference,
   ASSIGN_OR_RETURN(Held held, lock(std::move(entry), progress));
   if (held.entry->deleted) return no_such_session(reference);
   // Another server may have changed it meanwhile.
-  if (held.entry->in_journal && !held.entry->session) RETURN_IF_ERROR(hold(*held.entry));
+  if (held.entry->in_journal && (!held.entry->session || held.entry->ahead_of_journal))
+    RETURN_IF_ERROR(hold(*held.entry));
   return held;
 }
 
@@ -105,20 +107,28 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
   Quota::Share by_user = std::move(entry.by_user), memory = std::move(entry.memory);
   if (by_user.amount() == 0 && !caller.user.empty()) {
     ASSIGN_OR_RETURN(by_user, by_user_.take("user " + caller.user, 1));
+    entry.opened_by = caller.user;
   }
-  if (entry.in_journal) RETURN_IF_ERROR(hold(entry));
+  if (entry.in_journal) {
+    RETURN_IF_ERROR(hold(entry));
+    RETURN_IF_ERROR(journal_.charge(record.id, entry.opened_by, options_.sessions_per_user));
+  }
   ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));  // also checks the record
   entry.is_in_doubt = false;                                      // all earlier outcomes are known
   std::shared_ptr<const SharedMesh> mesh = std::move(entry.mesh);
   if (!mesh) {
-    ASSIGN_OR_RETURN(mesh, store_.open_mesh(record.scan_id, record.key, progress));
+    auto opened = store_.open_mesh(record.scan_id, record.key, progress);
+    if (!opened.is_ok()) return elsewhere(entry, opened.status());
+    mesh = std::move(*opened);
   }
   entry.layers = {};
   entry.layers.add(edits);
   uint64_t bytes = predict_session_bytes(*mesh) + entry.layers.byte_count(*mesh);
   for (const AuthoredEdit& edit : edits) bytes += bytes_in_history(edit);
   if (memory.amount() == 0) {
-    ASSIGN_OR_RETURN(memory, store_.memory().take(kServer, bytes));
+    auto taken = store_.memory().take(kServer, bytes);
+    if (!taken.is_ok()) return elsewhere(entry, taken.status());
+    memory = std::move(*taken);
   } else {
     RETURN_IF_ERROR(memory.resize(bytes));
   }
@@ -193,7 +203,7 @@ Status SessionManager::remove(const std::string& reference, const Caller& caller
   ASSIGN_OR_RETURN(const Held held, lock(reference, progress));
   RETURN_IF_ERROR(
       require_role(held.entry->roles, caller, SessionRole::kOwner, "deleting the session"));
-  RETURN_IF_ERROR(journal_.remove_session(held.entry->record.id));
+  RETURN_IF_ERROR(note_loss(*held.entry, journal_.remove_session(held.entry->record.id)));
   give_up(*held.entry);
   tell_left(*held.entry, not_found("the session was deleted by " + named(caller)));
   return Status::ok();
@@ -232,6 +242,7 @@ Result<SessionState> SessionManager::state(const std::string& reference, const C
 }
 
 Result<std::string> SessionManager::delete_scan(const std::string& reference) {
+  refresh();  // another server may have deleted the session that edits it
   const auto found = store_.find(reference);
   // A damaged scan is in no list: only its full id finds it.
   if (!found.is_ok() && !is_content_hash(reference)) return found.status();

@@ -150,6 +150,12 @@ class SessionManager {
   /// Sends everybody out of the sessions in memory, to come back: another server may have them.
   void let_go(const Status& why);
 
+  /// Sets a function that says whether the whole server stood still for so long that others may
+  /// have its sessions. If so, all are let go before anybody sees them. Needs: one call, before
+  /// others; it outlives the manager.
+  void set_pause_check(std::function<bool()> was_paused) { was_paused_ = std::move(was_paused); }
+  void look_for_pause();
+
   /// Unloads sessions that nobody is in and nobody has used for `idle_time`.
   void spill_idle(std::chrono::seconds idle_time);
 
@@ -194,6 +200,8 @@ class SessionManager {
   Result<Held> lock(const std::string& reference, const Progress& progress);
   Result<Held> lock(std::shared_ptr<SessionEntry> entry, const Progress& progress) const;
   Status hold(SessionEntry& entry);
+  Status note_loss(SessionEntry& entry, const Status& status) const;
+  Status elsewhere(const SessionEntry& entry, const Status& why);
   Result<Held> use(const std::string& reference, const Caller& caller, const Progress& progress);
 
   // New sessions take the name at once, and write to the disk without the map's lock.
@@ -228,6 +236,7 @@ class SessionManager {
   Quota by_user_;
   const std::shared_ptr<ListenerSlot> listener_ = std::make_shared<ListenerSlot>();
   std::atomic<bool> ending_{false};
+  std::function<bool()> was_paused_;
 
   mutable std::mutex mutex_;  // the maps; not held while a session works or a disk writes
   std::map<std::string, std::shared_ptr<SessionEntry>> sessions_;  // by id

@@ -160,7 +160,7 @@ Status SessionManager::set_role(const std::string& reference, const Caller& call
                               " users, the limit is " + std::to_string(kSessionRolesMax));
   take(std::move(changed));
   held.lock.unlock();
-  const Status written = journal_.set_role(entry.record.id, subject, role);
+  const Status written = note_loss(entry, journal_.set_role(entry.record.id, subject, role));
   if (written.is_ok()) return written;
   auto kept = journal_.roles(entry.record.id);
   held.lock.lock();

@@ -20,12 +20,12 @@ static Status check_format(const ScanInfo& scan, MeshFormat format) {
 
 /// Writes the surface by the scan's original. Returns the names of what the file leaves out. Edits
 /// must leave a server whose original is damaged: then writes what the prepared mesh knows.
-static Result<std::vector<std::string>> write_surface(const MeshStore& store,
-                                                      const std::string& scan_id,
+static Result<std::vector<std::string>> write_surface(MeshStore& store, const std::string& scan_id,
                                                       const MovedMesh& moved, bool has_new_colours,
                                                       MeshFormat format,
-                                                      const std::filesystem::path& path) {
-  const auto original = store.find_original(scan_id);
+                                                      const std::filesystem::path& path,
+                                                      const Progress& progress) {
+  const auto original = store.find_original(scan_id, progress);
   if (original.status().code() == StatusCode::kDataLoss && is_written_for_any_scan(format)) {
     spdlog::warn("an export without the original: {}", original.status().message());
     RETURN_IF_ERROR(write_mesh(moved.after, path));
@@ -84,7 +84,7 @@ Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish
   const bool has_new_colours = !std::ranges::equal(mesh.colours, shared->prepared->colours);
   const MovedMesh moved{shared->prepared->vertices, mesh};
   ASSIGN_OR_RETURN(summary.left_out, write_surface(store_, held.entry->record.scan_id, moved,
-                                                   has_new_colours, wish.format, path));
+                                                   has_new_colours, wish.format, path, progress));
   if (wish.deviation)
     summary.deviation = deviation_of(shared->prepared->vertices, mesh.vertices, mesh.triangles);
   summary.edits = edits;

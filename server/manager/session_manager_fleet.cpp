@@ -17,6 +17,32 @@ Status SessionManager::hold(SessionEntry& entry) {
   return Status::ok();
 }
 
+/// Passes the outcome of a change on. If the journal says that the session is not held here any
+/// more, its next use takes it again, or finds out who has it.
+Status SessionManager::note_loss(SessionEntry& entry, const Status& status) const {
+  const bool is_lost = !status.moved_to().empty() || status.code() == StatusCode::kUnavailable;
+  if (is_lost && journal_.is_shared()) entry.ahead_of_journal = true;
+  return status;
+}
+
+/// Says where there is room for a session that has none here: on the server with the most free
+/// memory. That one has the scan, or fetches it.
+Status SessionManager::elsewhere(const SessionEntry& entry, const Status& why) {
+  if (why.code() != StatusCode::kResourceExhausted || !store_.is_shared()) return why;
+  const uint64_t taken = store_.memory().taken(), most = store_.memory().max();
+  const auto place = journal_.roomier_server(most > taken ? most - taken : 0);
+  if (!place.is_ok() || !*place) return why;
+  if (entry.in_journal) journal_.release(entry.record.id);
+  return Status::moved((*place)->text(),
+                       why.message() + "; server " + (*place)->node + " has more room");
+}
+
+void SessionManager::look_for_pause() {
+  if (!was_paused_ || !was_paused_()) return;
+  spdlog::warn("fleet: this server stood still for too long; it lets go of all sessions");
+  let_go(unavailable("the server stood still for too long; come back"));
+}
+
 using RecordsById = std::map<std::string, const SessionRecord*>;
 
 /// Returns whether another server has deleted or renamed the session; false while this server uses

@@ -109,8 +109,11 @@ Result<OpenedSession> SessionManager::open(const SessionWish& wish, const Caller
 Status SessionManager::make(SessionEntry& entry, const Caller& caller, const Progress& progress) {
   RETURN_IF_ERROR(bring_back(entry, caller, progress).with_context("session " + entry.record.name));
   RETURN_IF_ERROR(journal_.create_session(entry.record, entry.roles));
-  entry.in_journal = true;
-  return Status::ok();
+  const Status charged =
+      journal_.charge(entry.record.id, entry.opened_by, options_.sessions_per_user);
+  entry.in_journal = charged.is_ok();
+  if (!charged.is_ok()) (void)journal_.remove_session(entry.record.id);
+  return charged;
 }
 
 Result<ForkedSession> SessionManager::fork(const ForkWish& wish, const Caller& caller,
@@ -159,7 +162,7 @@ Result<SessionInfo> SessionManager::rename(const std::string& reference, const s
     if (!by_name_.emplace(name, held.entry).second)
       return already_exists("session " + name + " already exists");
   }
-  const Status renamed = journal_.rename_session(entry.record.id, name);
+  const Status renamed = note_loss(entry, journal_.rename_session(entry.record.id, name));
   const std::lock_guard map(mutex_);
   by_name_.erase(renamed.is_ok() ? entry.record.name : name);
   RETURN_IF_ERROR(renamed);

@@ -9,10 +9,11 @@ namespace burnish {
 /// Measured quantities; the exporter makes a histogram of each.
 enum class Measure {
   kJournalCommitSeconds,
-  kAssembleSeconds,       ///< matrices and constraint of one solve
-  kSolveSeconds,          ///< cycles of one solve
-  kResidual,              ///< relative, at the end of a solve
-  kFrameAssembleSeconds,  ///< matrices and constraint of one turn of a live session
+  kDatabaseRoundTripSeconds,  ///< of a heartbeat in a fleet
+  kAssembleSeconds,           ///< matrices and constraint of one solve
+  kSolveSeconds,              ///< cycles of one solve
+  kResidual,                  ///< relative, at the end of a solve
+  kFrameAssembleSeconds,      ///< matrices and constraint of one turn of a live session
   kFrameSolveSeconds,
   kFrameEncodeSeconds,  ///< of one client's frame
   kFrameBytes,
@@ -39,6 +40,9 @@ enum class Count {
   kWebCalls,          ///< that were let in through them
   kWebReceivedBytes,  ///< of their frames
   kWebSentBytes,
+  kSessionsClaimed,  ///< of a fleet, that no server had
+  kFencedAppends,    ///< of a session that another server had taken
+  kCallsMoved,       ///< to the server that has their session
 };
 
 /// One finished RPC.

@@ -22,6 +22,8 @@ grpc::ServerUnaryReactor* LibraryService::ListScans(grpc::CallbackServerContext*
                                                     const v1::ListScansRequest* request,
                                                     v1::ListScansResponse* response) {
   return answer(calls_, context, *request, [this, response](const Progress&) {
+    const Status fresh = calls_.store.refresh();
+    if (!fresh.is_ok()) spdlog::warn("the list of scans is old: {}", fresh.message());
     for (const ScanInfo& scan : calls_.store.list()) *response->add_scans() = to_wire(scan);
     return Status::ok();
   });

@@ -3,6 +3,7 @@
 #include <grpcpp/grpcpp.h>
 
 #include "burnish/v1/editing.pb.h"
+#include "common/base/server_place.h"
 #include "common/base/status.h"
 #include "common/base/text.h"
 #include "common/wire/status_wire.h"
@@ -15,8 +16,10 @@ inline constexpr size_t kStatusBytesMax = 1000;
 
 inline std::string details_of(const Status& status) {
   if (status.moved_to().empty()) return {};
+  const ServerPlace place = ServerPlace::of(status.moved_to());
   v1::Moved moved;
-  moved.set_address(status.moved_to());
+  moved.set_address(place.address);
+  moved.set_node(place.node);
   return moved.SerializeAsString();
 }
 

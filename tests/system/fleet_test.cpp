@@ -20,8 +20,8 @@ namespace burnish {
 namespace {
 
 using std::chrono::milliseconds;
+using std::chrono::steady_clock;
 using testing::HasSubstr;
-using Clock = std::chrono::steady_clock;
 
 /// Two servers with a scan each, and a session "work" over it.
 class FleetTest : public testing::Test {
@@ -61,14 +61,14 @@ class FleetTest : public testing::Test {
 
   /// Does the same until it succeeds. Returns the seconds that it took.
   double slide_until_taken(ServerProcess& server, int number) {
-    const auto begin = Clock::now();
+    const auto begin = steady_clock::now();
     Status status = slide(server, number);
-    while (!status.is_ok() && Clock::now() < begin + kPatience) {
+    while (!status.is_ok() && steady_clock::now() < begin + kPatience) {
       std::this_thread::sleep_for(milliseconds(20));
       status = slide(server, number);
     }
     EXPECT_TRUE(status.is_ok()) << status.message();
-    return std::chrono::duration<double>(Clock::now() - begin).count();
+    return std::chrono::duration<double>(steady_clock::now() - begin).count();
   }
 
   /// Checks the recorded history: each acknowledged edit is there once, and those that were sent
@@ -111,8 +111,9 @@ TEST_F(FleetTest, AnotherServerGoesOnWhenTheOwnerIsKilled) {
   EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
   EXPECT_THAT(refused.message(), HasSubstr("server one"));
   one().kill();
-  const auto begin = Clock::now();
-  while (two().burnish({"history", "work"}).exit_code != 0 && Clock::now() < begin + kPatience) {
+  const auto begin = steady_clock::now();
+  while (two().burnish({"history", "work"}).exit_code != 0 &&
+         steady_clock::now() < begin + kPatience) {
   }
   EXPECT_EQ(exported(two()), before);
   const double taken_s = slide_until_taken(two(), 6);

@@ -7,10 +7,10 @@ from typing import Any, Callable, Generator, Iterable, Iterator, TypeVar
 
 import grpc
 
-from burnish.v1.editing_pb2_grpc import EditingStub
 from burnish.v1.library_pb2_grpc import LibraryStub
 
 from ._channel import Trust, make_channel
+from ._route import MOVES_MAX, Moved, Route, moved_of
 from .errors import Error, Unavailable, error_of
 
 CALL_SECONDS_MAX = 600.0
@@ -21,7 +21,7 @@ T = TypeVar("T")
 
 def as_error(error: grpc.RpcError) -> Error:
     """Returns the exception for a call that failed."""
-    return error_of(error.code().name, error.details() or "")
+    return moved_of(error) or error_of(error.code().name, error.details() or "")
 
 
 def pauses(seconds: float) -> Iterator[float]:
@@ -38,19 +38,22 @@ class Calls:
 
     def __init__(self, address: str, trust: Trust, patience: float) -> None:
         self.address, self.patience = address, patience
-        self._channel = make_channel(address, trust)
+        channel = make_channel(address, trust)
         self._metadata = trust.metadata()
-        self.library = LibraryStub(self._channel)
-        self.editing = EditingStub(self._channel)
+        self.library = LibraryStub(channel)
+        self.editing = Route(address, channel, trust)
 
     def close(self) -> None:
-        self._channel.close()
+        self.editing.close()
 
     def ask(self, method: Any, request: Any) -> Any:
         """Returns the answer. Repeats the call: it must be harmless to repeat."""
-        return self.repeat(self.ask_once, method, request)
+        return self.repeat(self._call, method, request)
 
     def ask_once(self, method: Any, request: Any) -> Any:
+        return self._follow(self._call, method, request)
+
+    def _call(self, method: Any, request: Any) -> Any:
         try:
             return method(request, metadata=self._metadata, timeout=CALL_SECONDS_MAX)
         except grpc.RpcError as error:
@@ -74,12 +77,22 @@ class Calls:
     def repeat(self, work: Callable[..., T], *arguments: Any) -> T:
         """Returns what `work(*arguments)` returns. Repeats it while the server cannot be reached."""
         try:
-            return work(*arguments)
+            return self._follow(work, *arguments)
         except Unavailable as error:
             last = error
         for _ in pauses(self.patience):
             try:
-                return work(*arguments)
+                return self._follow(work, *arguments)
             except Unavailable as error:
                 last = error
+                self.editing.give_up()
         raise Unavailable(f"{self.address}: {last.message}")
+
+    def _follow(self, work: Callable[..., T], *arguments: Any) -> T:
+        """Returns what `work(*arguments)` returns. Does it at the server that has the session."""
+        for _ in range(MOVES_MAX):
+            try:
+                return work(*arguments)
+            except Moved as moved:
+                self.editing.follow(moved)
+        return work(*arguments)

@@ -168,6 +168,7 @@ class LiveLink:
 
     def _begin(self, stream: LiveStream, welcome: editing_pb2.Welcome) -> None:
         """Shows the pages, and sends again what was not answered."""
+        self._calls.editing.learn(list(welcome.fleet))
         if welcome.pages_fingerprint != self.surface.head.fingerprint:
             self.surface = self._fetch()
         self._decoder = self.surface.decoder()

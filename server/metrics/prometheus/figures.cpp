@@ -69,11 +69,19 @@ PrometheusFigures::PrometheusFigures(prometheus::Registry& registry)
         "Bytes of the frames that WebSockets received");
   count(Count::kWebSentBytes, "burnish_web_sent_bytes_total",
         "Bytes of the frames that WebSockets sent");
+  count(Count::kSessionsClaimed, "burnish_fleet_claims_total",
+        "Sessions of a fleet that this server has taken");
+  count(Count::kFencedAppends, "burnish_fleet_fenced_appends_total",
+        "Appends to sessions that another server had taken");
+  count(Count::kCallsMoved, "burnish_fleet_moved_total",
+        "Calls that were sent to the server that has their session");
   const auto measure = [&](Measure what, const char* name, const char* help, const auto& bounds) {
     measures_[what] = &histograms(registry, name, help).Add({}, bounds);
   };
   measure(Measure::kJournalCommitSeconds, "burnish_journal_commit_seconds",
           "Time until a commit of the journal was on disk", seconds());
+  measure(Measure::kDatabaseRoundTripSeconds, "burnish_database_round_trip_seconds",
+          "Time until the fleet's database had answered a heartbeat", seconds());
   measure(Measure::kAssembleSeconds, "burnish_solver_assemble_seconds",
           "Matrices and constraint of one solve", seconds());
   measure(Measure::kSolveSeconds, "burnish_solver_solve_seconds", "Cycles of one solve", seconds());

@@ -215,10 +215,10 @@ TEST_F(Conversations, FollowAMovedSessionAtOnceAndKeepItsEdits) {
   ASSERT_TRUE(talk_.apply(slider("one")).is_ok());
   talk_.begin();
   say();
-  const auto wait = talk_.end(Status::moved("two:7411", "server two holds the session"));
+  const auto wait = talk_.end(Status::moved("two@two:7411", "server two holds the session"));
   ASSERT_TRUE(wait);
   EXPECT_EQ(*wait, milliseconds(0));
-  EXPECT_EQ(route_->address(), "two:7411");
+  EXPECT_EQ(route_->place(), (ServerPlace{"two:7411", "two"}));
   talk_.begin();
   EXPECT_EQ(of_kind<ApplyEdits>(say()).size(), 1u);
   EXPECT_FALSE(talk_.has_ended());
@@ -227,10 +227,10 @@ TEST_F(Conversations, FollowAMovedSessionAtOnceAndKeepItsEdits) {
 TEST_F(Conversations, ASessionThatMovesInACircleIsWaitedFor) {
   for (int i = 0; i < kMovesMax; ++i) {
     talk_.begin();
-    EXPECT_EQ(*talk_.end(Status::moved("two:7411", "moved")), milliseconds(0)) << i;
+    EXPECT_EQ(*talk_.end(Status::moved("two@two:7411", "moved")), milliseconds(0)) << i;
   }
   talk_.begin();
-  EXPECT_GT(*talk_.end(Status::moved("two:7411", "moved")), milliseconds(0));
+  EXPECT_GT(*talk_.end(Status::moved("two@two:7411", "moved")), milliseconds(0));
 }
 
 TEST_F(Conversations, AnotherServerOfTheFleetIsTriedWhenOneIsGone) {

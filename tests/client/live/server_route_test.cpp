@@ -8,8 +8,16 @@ namespace {
 TEST(ServerRoute, FollowsTheSession) {
   ServerRoute route("one:7411");
   EXPECT_EQ(route.address(), "one:7411");
-  route.move_to("two:7411");
-  EXPECT_EQ(route.address(), "two:7411");
+  route.move_to({"two:7411", "two"});
+  EXPECT_EQ(route.place(), (ServerPlace{"two:7411", "two"}));
+}
+
+TEST(ServerRoute, BehindAProxyOnlyTheNameChanges) {
+  ServerRoute route("edge:443");
+  route.move_to({"", "two"});
+  EXPECT_EQ(route.place(), (ServerPlace{"edge:443", "two"}));
+  route.give_up("edge:443");
+  EXPECT_EQ(route.place(), (ServerPlace{"edge:443", ""})) << "the proxy chooses among the others";
 }
 
 TEST(ServerRoute, WithoutAFleetItStaysAtAServerThatDoesNotAnswer) {

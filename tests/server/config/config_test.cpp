@@ -235,6 +235,16 @@ TEST(Config, KeysThatDoNotFitEachOtherAreRefused) {
   EXPECT_THAT(validate(config).message(), HasSubstr("nobody could connect"));
   config.socket = "/run/burnish.sock";
   EXPECT_TRUE(validate(config).is_ok());
+  config.journal = "postgresql://burnish@db/burnish";
+  config.library_shared = "/lab";
+  EXPECT_THAT(validate(config).message(), HasSubstr("library.shared = '/lab' needs fleet.name"));
+  config.fleet_name = "one";
+  EXPECT_TRUE(validate(config).is_ok());
+  for (const char* name : {"a/b", "..", "one two", "\xc3\xa4"}) {
+    config.fleet_name = name;
+    EXPECT_THAT(validate(config).message(), HasSubstr("fleet.name = '" + std::string(name)));
+  }
+  config.fleet_name = "one";
   config.socket = std::string(200, 'x');
   EXPECT_THAT(validate(config).message(), HasSubstr("200 bytes"));
 }

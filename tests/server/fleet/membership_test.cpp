@@ -32,6 +32,7 @@ struct Member {
                                        journal->begin_life(life);
                                        ++lives;
                                      },
+                                 .load = [this] { return load; },
                                  .on_heartbeat =
                                      [this](const std::vector<std::string>& addresses) {
                                        ++beats;
@@ -55,6 +56,7 @@ struct Member {
     return journal->append("id-a", number, {{"ann", 0, {id, SetGradientScale{0.5}}}});
   }
 
+  NodeLoad load;
   std::atomic<int> lives{1}, beats{0};
   std::atomic<size_t> fleet_size{0};  // of the last heartbeat
   std::unique_ptr<PostgresJournal> journal;
@@ -93,7 +95,67 @@ TEST_F(MembershipTest, ASessionOfALivingServerIsRefusedWithItsNameAndAddress) {
   const Status refused = two.journal->hold("id-a");
   EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
   EXPECT_THAT(refused.message(), HasSubstr("one (one.lab:7411)"));
-  EXPECT_EQ(refused.moved_to(), "one.lab:7411");
+  EXPECT_EQ(ServerPlace::of(refused.moved_to()), (ServerPlace{"one.lab:7411", "one"}));
+}
+
+TEST_F(MembershipTest, WhoeverDoesNotHoldASessionChangesNothingOfIt) {
+  Member two(address_, folder_.path(), "two");
+  sql("UPDATE sessions SET owner = NULL");
+  ASSERT_TRUE(two.journal->hold("id-a").is_ok());
+  for (const Status& refused :
+       {one_->journal->rename_session("id-a", "b"), one_->journal->remove_session("id-a"),
+        one_->journal->set_role("id-a", "bert", SessionRole::kOwner),
+        one_->journal->charge("id-a", "ann", 16)}) {
+    EXPECT_EQ(ServerPlace::of(refused.moved_to()).node, "two") << refused.to_string();
+  }
+  EXPECT_EQ(two.journal->sessions().value()[0].name, "a");
+  EXPECT_FALSE(two.journal->roles("id-a")->by_user().contains("bert"));
+  EXPECT_TRUE(two.journal->set_role("id-a", "bert", SessionRole::kEditor).is_ok());
+  EXPECT_TRUE(two.journal->rename_session("id-a", "b").is_ok());
+  EXPECT_TRUE(two.journal->remove_session("id-a").is_ok());
+}
+
+TEST_F(MembershipTest, AFreedSessionIsToBeTakenAgainBeforeItsNextChange) {
+  sql("UPDATE sessions SET owner = NULL");
+  EXPECT_EQ(one_->journal->rename_session("id-a", "b").code(), StatusCode::kUnavailable);
+  ASSERT_TRUE(one_->journal->hold("id-a").is_ok());
+  EXPECT_TRUE(one_->journal->rename_session("id-a", "b").is_ok());
+}
+
+TEST_F(MembershipTest, SessionsOfAUserAreCountedOverAllServers) {
+  const Member two(address_, folder_.path(), "two");
+  ASSERT_TRUE(two.journal->create_session({"id-b", "b", "s", {7, 0.5}, 1, {}}, {}).is_ok());
+  EXPECT_TRUE(one_->journal->charge("id-a", "ann", 1).is_ok());
+  const Status refused = two.journal->charge("id-b", "ann", 1);
+  EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(refused.message(), HasSubstr("user ann on all servers: 1; limits.sessions_per_user"));
+  EXPECT_TRUE(two.journal->charge("id-b", "bert", 1).is_ok());
+  one_->journal->release("id-a");
+  EXPECT_TRUE(one_->journal->roles("id-a").is_ok());  // behind the release
+  EXPECT_TRUE(two.journal->charge("id-b", "ann", 1).is_ok());
+}
+
+TEST_F(MembershipTest, TheServerWithTheMostRoomIsKnownByItsHeartbeats) {
+  Member two(address_, folder_.path(), "two"), three(address_, folder_.path(), "three");
+  two.load = {"cpu", 1000, 300, 1};
+  three.load = {"cpu", 1000, 900, 2};
+  two.start();
+  three.start();
+  EXPECT_TRUE(Member::until([&] {
+    const auto place = one_->journal->roomier_server(100).value();
+    return place && place->node == "two";
+  }));
+  EXPECT_EQ(*one_->journal->roomier_server(100).value(), (ServerPlace{"two.lab:7411", "two"}));
+  EXPECT_FALSE(one_->journal->roomier_server(700).value()) << "nobody has more";
+  EXPECT_FALSE(two.journal->roomier_server(100).value()) << "the others have less";
+}
+
+TEST_F(MembershipTest, ALeaseLastsFromTheLastHeartbeat) {
+  one_->start();
+  EXPECT_TRUE(Member::until([this] { return one_->beats > 2; }));
+  EXPECT_GT(one_->membership->lease_left().count(), 0);
+  cluster_.kill();
+  EXPECT_TRUE(Member::until([this] { return one_->membership->lease_left().count() < 0; }));
 }
 
 TEST_F(MembershipTest, SessionsOfADeadServerAreFreeWhenItsLeaseIsOver) {

@@ -40,6 +40,12 @@ class DoubtfulJournal final : public Journal {
     return real_->rename_session(id, name);
   }
   Status hold(const std::string& id) override { return real_->hold(id); }
+  Status charge(const std::string& id, const std::string& user, uint64_t sessions_max) override {
+    return real_->charge(id, user, sessions_max);
+  }
+  Result<std::optional<ServerPlace>> roomier_server(uint64_t bytes) override {
+    return real_->roomier_server(bytes);
+  }
   void release(const std::string& id) override { real_->release(id); }
   bool is_shared() const override { return real_->is_shared(); }
   Status remove_session(const std::string& id) override { return real_->remove_session(id); }

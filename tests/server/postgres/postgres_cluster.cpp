@@ -33,20 +33,41 @@ PostgresCluster::PostgresCluster(const std::string& settings) {
     settings_ += " -c " + settings.substr(begin, end - begin);
     begin = end + 1;
   }
+  make_folder();
+  as_owner(programs() + "/initdb -D " + folder_.string() +
+           "/data -A trust -U burnish -E UTF8 --locale=C --no-sync");
+  watch();
+  start();
+}
+
+PostgresCluster::PostgresCluster(PostgresCluster& primary) : settings_(primary.settings_) {
+  make_folder();
+  as_owner(programs() + "/pg_basebackup -D " + folder_.string() + "/data -R -h " +
+           primary.folder_.string() + " -U burnish -X stream -c fast --no-sync");
+  watch();
+  start();
+}
+
+void PostgresCluster::make_folder() {
   std::string name = "/tmp/burnish-pg-XXXXXX";
   BURNISH_CHECK(::mkdtemp(name.data()) != nullptr, "no temporary folder for PostgreSQL");
   folder_ = name;
   if (::geteuid() == 0)
     BURNISH_CHECK(std::system(("chown postgres " + name).c_str()) == 0, "no user postgres");
-  as_owner(programs() + "/initdb -D " + name +
-           "/data -A trust -U burnish -E UTF8 --locale=C --no-sync");
-  // Outlives this program for a moment, to stop the server and to remove the folder.
+}
+
+/// Outlives this program for a moment, to stop the server and to remove the folder.
+void PostgresCluster::watch() const {
+  const std::string name = folder_.string();
   const std::string watcher = "(setsid sh -c 'tail --pid=" + std::to_string(::getpid()) +
                               " -f /dev/null; kill -9 $(head -1 " + name +
                               "/data/postmaster.pid); sleep 0.2; rm -rf " + name +
                               "' </dev/null >/dev/null 2>&1 &)";
   BURNISH_CHECK(std::system(watcher.c_str()) == 0, watcher);
-  start();
+}
+
+void PostgresCluster::promote() const {
+  as_owner(programs() + "/pg_ctl -w -D " + folder_.string() + "/data promote");
 }
 
 PostgresCluster& PostgresCluster::shared() {

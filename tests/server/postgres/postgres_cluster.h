@@ -11,6 +11,8 @@ class PostgresCluster {
  public:
   /// Settings are `name=value`, separated by spaces. Ends the program if PostgreSQL is not there.
   explicit PostgresCluster(const std::string& settings = {});
+  /// Makes a standby that follows `primary`.
+  explicit PostgresCluster(PostgresCluster& primary);
   PostgresCluster(const PostgresCluster&) = delete;
   PostgresCluster& operator=(const PostgresCluster&) = delete;
 
@@ -26,12 +28,16 @@ class PostgresCluster {
   void start();
   /// Sends SIGKILL to the server, and waits for its end.
   void kill();
+  /// Turns a standby into a primary.
+  void promote() const;
   /// Stops or continues all processes of the server.
   void signal_all(int number) const;
 
   const std::filesystem::path& folder() const { return folder_; }
 
  private:
+  void make_folder();
+  void watch() const;
   void as_owner(const std::string& command) const;
   int first_process() const;
 
