@@ -1,12 +1,16 @@
 #include "server/solver/solver.h"
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "common/base/parallel.h"
 #include "server/solver/cpu/cpu_backend.h"
 #include "server/solver/cuda/cuda_backend.h"
 #include "server/solver/cycle/backend.h"
 #include "server/solver/cycle/vcycle.h"
+#include "server/solver/multi/cpu_shards.h"
+#include "server/solver/multi/multi_backend.h"
 
 namespace burnish {
 
@@ -28,10 +32,28 @@ struct ChosenBackend {
   std::string reason;
 };
 
+// A scan of one depth cannot be split.
+bool is_split(const Multigrid& on, const SolverOptions& options) {
+  return options.devices > 1 && options.smoother == Smoother::kSchwarz &&
+         on.hierarchy->finest > on.hierarchy->coarsest;
+}
+
+ChosenBackend on_cpu_shards(const Multigrid& on, const SolverOptions& options) {
+  const auto shards = std::make_shared<const Shards>(
+      make_shards(on, std::min(options.devices, kShardsMax), options.whole_corners_max));
+  auto steps = std::make_shared<LockStep>(shards->count());
+  CpuShards made = make_cpu_shards(shards, *steps);
+  auto halos = std::make_shared<std::vector<std::unique_ptr<cpu::Halo>>>(std::move(made.halos));
+  return {make_multi_backend(on, {shards, steps, halos, std::move(made.backends)}),
+          std::to_string(shards->count()) + " shards"};
+}
+
 Result<ChosenBackend> choose_backend(const Multigrid& on, const SolverOptions& options) {
   const auto on_cpu = [&](std::string reason) {
     return ChosenBackend{make_cpu_backend(on, options.smoother), std::move(reason)};
   };
+  if (options.backend == BackendKind::kCpu && is_split(on, options))
+    return on_cpu_shards(on, options);
   if (options.backend == BackendKind::kCpu) return on_cpu("requested");
   auto cuda = make_cuda_backend(on, options.smoother);
   if (cuda.is_ok()) return ChosenBackend{std::move(cuda).value(), cuda_device().value()};
