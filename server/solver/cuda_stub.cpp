@@ -38,4 +38,8 @@ Result<std::unique_ptr<Backend>> make_cuda_backend(Multigrid, Smoother) {
   return not_in_this_build();
 }
 
+Result<CudaShards> make_cuda_shards(const CudaShardGroup&, std::span<CudaShard>) {
+  return not_in_this_build();
+}
+
 }  // namespace burnish

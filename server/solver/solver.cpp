@@ -1,12 +1,18 @@
 #include "server/solver/solver.h"
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
+#include <vector>
 
 #include "common/base/parallel.h"
 #include "server/solver/cpu/cpu_backend.h"
 #include "server/solver/cuda/cuda_backend.h"
 #include "server/solver/cycle/backend.h"
 #include "server/solver/cycle/vcycle.h"
+#include "server/solver/multi/cpu_shards.h"
+#include "server/solver/multi/device_need.h"
+#include "server/solver/multi/multi_backend.h"
 
 namespace burnish {
 
@@ -28,11 +34,64 @@ struct ChosenBackend {
   std::string reason;
 };
 
+// A scan of one depth cannot be split.
+bool is_split(const Multigrid& on, const SolverOptions& options) {
+  return options.devices > 1 && options.smoother == Smoother::kSchwarz &&
+         on.hierarchy->finest > on.hierarchy->coarsest;
+}
+
+ChosenBackend on_cpu_shards(const Multigrid& on, const SolverOptions& options) {
+  const auto shards = std::make_shared<const Shards>(
+      make_shards(on, std::min(options.devices, kShardsMax), options.whole_corners_max));
+  auto steps = std::make_shared<LockStep>(shards->count());
+  CpuShards made = make_cpu_shards(shards, *steps);
+  auto halos = std::make_shared<std::vector<std::unique_ptr<cpu::Halo>>>(std::move(made.halos));
+  return {make_multi_backend(on, {shards, steps, halos, std::move(made.backends)}),
+          std::to_string(shards->count()) + " shards"};
+}
+
+// Returns on how many devices a scan goes.
+int devices_for(const Multigrid& on, const SolverOptions& options) {
+  const int wanted = std::min(options.devices, kCudaShardsMax);
+  if (wanted > 0) return is_split(on, options) ? wanted : 1;
+  SolverOptions several = options;
+  several.devices = 2;
+  if (!cuda_device().is_ok() || !is_split(on, several)) return 1;
+  const auto there = std::min(static_cast<int>(cuda_memory_by_device().size()), kCudaShardsMax);
+  const int needed = shards_that_fit(predict_device_bytes(on), cuda_memory_max());
+  return std::min(needed, there);
+}
+
+Result<ChosenBackend> on_cuda_shards(const Multigrid& on, const SolverOptions& options, int count) {
+  ASSIGN_OR_RETURN(std::string device, cuda_device());
+  const auto shards = std::make_shared<Shards>(make_shards(on, count, options.whole_corners_max));
+  auto steps = std::make_shared<LockStep>(count);
+  std::vector<CudaShard> parts;
+  for (Shard& shard : shards->all)
+    parts.push_back({std::move(shard.on), shard.halos, &shard.border});
+  const CudaShardGroup group = {
+      shards->border, on.plan->patches.count() > 0,
+      [steps = steps.get()](const std::function<void()>& together) { steps->meet(together); }};
+  ASSIGN_OR_RETURN(CudaShards made, make_cuda_shards(group, parts));
+  return ChosenBackend{
+      make_multi_backend(on, {shards, steps, made.halos, std::move(made.backends)}),
+      device + "; " + std::to_string(count) + " shards"};
+}
+
 Result<ChosenBackend> choose_backend(const Multigrid& on, const SolverOptions& options) {
   const auto on_cpu = [&](std::string reason) {
     return ChosenBackend{make_cpu_backend(on, options.smoother), std::move(reason)};
   };
+  if (options.backend == BackendKind::kCpu && is_split(on, options))
+    return on_cpu_shards(on, options);
   if (options.backend == BackendKind::kCpu) return on_cpu("requested");
+  const int shards = devices_for(on, options);
+  if (shards > 1) {
+    auto split = on_cuda_shards(on, options, shards);
+    if (split.is_ok() || options.backend == BackendKind::kCuda)
+      return split.is_ok() ? std::move(split) : split.status().with_context("backend cuda");
+    return on_cpu(split.status().message());
+  }
   auto cuda = make_cuda_backend(on, options.smoother);
   if (cuda.is_ok()) return ChosenBackend{std::move(cuda).value(), cuda_device().value()};
   if (options.backend == BackendKind::kAuto) return on_cpu(cuda.status().message());

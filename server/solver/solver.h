@@ -39,6 +39,10 @@ struct SolverOptions {
   BackendKind backend = BackendKind::kAuto;
   Smoother smoother = Smoother::kSchwarz;
   int threads = 0;  ///< 0: all cores
+  /// Number of devices that share the scan. 0: one, or as many as have room for it. On processors,
+  /// the number of shards.
+  int devices = 0;
+  int32_t whole_corners_max = 400'000;  ///< see kWholeCornersMax
 };
 
 class Backend;

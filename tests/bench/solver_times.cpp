@@ -1,7 +1,9 @@
 // Prints one line per backend and smoother: medians of the solver's calls.
-// Usage: solver_times SCAN[@DEPTH] cpu|cuda[:SMOOTHER]...      SCAN: a mesh file or KIND:VERTICES
+// Usage: solver_times SCAN[@DEPTH] cpu|cuda[/SHARDS][:SMOOTHER]...
+// SCAN: a mesh file or KIND:VERTICES. Shards go to the devices in turn.
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <iostream>
 #include <span>
@@ -14,16 +16,24 @@
 namespace burnish {
 namespace {
 
-constexpr double kCornersMax = 3e7;
+constexpr double kCornersMax = 1.2e8;
 
-// "cuda:gauss-seidel"
+// "cuda:gauss-seidel", "cuda/2"
 Result<SolverOptions> parse_options(std::string_view text) {
-  const std::string_view backend = text.substr(0, text.find(':'));
+  const std::string_view place = text.substr(0, text.find(':'));
+  const std::string_view backend = place.substr(0, place.find('/'));
   if (backend != "cpu" && backend != "cuda")
     return invalid_argument("backend '" + std::string(backend) + "' is neither cpu nor cuda");
   SolverOptions options{.backend = backend == "cpu" ? BackendKind::kCpu : BackendKind::kCuda};
-  if (backend.size() == text.size()) return options;
-  const std::string_view smoother = text.substr(backend.size() + 1);
+  options.devices = 1;
+  if (backend.size() < place.size()) {
+    const std::string_view shards = place.substr(backend.size() + 1);
+    const char* const end = shards.data() + shards.size();
+    if (std::from_chars(shards.data(), end, options.devices).ptr != end || options.devices < 1)
+      return invalid_argument("'" + std::string(shards) + "' is not a number of shards");
+  }
+  if (place.size() == text.size()) return options;
+  const std::string_view smoother = text.substr(place.size() + 1);
   const auto named = std::ranges::find(kSmoothers, smoother, &NamedSmoother::name);
   if (named == std::end(kSmoothers))
     return invalid_argument("unknown smoother '" + std::string(smoother) + "'");
@@ -54,10 +64,11 @@ Status print_times(const BenchSystem& system, const SolverOptions& options) {
   const double step = median_milliseconds(5 * repeats, 2, [&] { last = solver->step(); });
   RETURN_IF_ERROR(solver->status());
   std::printf(
-      "%-5s%-13s depth %2d..%d  n %8d  step %8.3f ms  matrix+rhs %9.3f ms  rhs %8.3f ms  "
+      "%-5s x%d %-13s depth %2d..%d  n %8d  step %8.3f ms  matrix+rhs %9.3f ms  rhs %8.3f ms  "
       "%6.0f bytes/corner  distance %.1e after %d\n",
-      std::string(solver->backend_name()).c_str(), std::string(name_of(options.smoother)).c_str(),
-      system.hierarchy->coarsest, system.depth(), system.corners(), step, matrix, constraint,
+      std::string(solver->backend_name()).c_str(), options.devices,
+      std::string(name_of(options.smoother)).c_str(), system.hierarchy->coarsest, system.depth(),
+      system.corners(), step, matrix, constraint,
       static_cast<double>(solver->byte_count()) / system.corners(), last.distance, last.cycle);
   return Status::ok();
 }
@@ -79,7 +90,7 @@ Status run(const char* name, std::span<char*> backends) {
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::cerr << "usage: solver_times SCAN[@DEPTH] cpu|cuda[:SMOOTHER]...\n";
+    std::cerr << "usage: solver_times SCAN[@DEPTH] cpu|cuda[/SHARDS][:SMOOTHER]...\n";
     return 2;
   }
   const auto status = burnish::run(argv[1], {argv + 2, static_cast<size_t>(argc - 2)});

@@ -1,6 +1,8 @@
 #include "server/solver/cpu/cpu_backend.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 #include "common/base/blocks.h"
 #include "server/fields/changing_alphas.h"
@@ -15,6 +17,7 @@
 #include "server/solver/cpu/smoothers/patch_solver.h"
 #include "server/solver/cpu/smoothers/smoother.h"
 #include "server/solver/hierarchy/changed_parts.h"
+#include "server/solver/hierarchy/sources.h"
 
 namespace burnish {
 
@@ -42,11 +45,15 @@ void evaluate_all(const SparseGrid& grid, std::span<const EvaluationPoint> point
 
 class CpuBackend final : public Backend {
  public:
-  CpuBackend(Multigrid on, Smoother smoother) : on_(std::move(on)), patches_(on_.plan->patches) {
+  CpuBackend(Multigrid on, Smoother smoother, Halo* halo)
+      : on_(std::move(on)),
+        halo_(halo),
+        not_kept_(depths_not_kept(*on_.hierarchy, halo)),
+        patches_(on_.plan->patches) {
     alphas_ = std::make_unique<ChangingAlphas>(*on_.prepared);
     depths_.reserve(on_.hierarchy->depths.size());
     for (const HierarchyDepth& topology : on_.hierarchy->depths) {
-      depths_.emplace_back(topology);
+      depths_.emplace_back(topology, is_split(topology.grid.depth) ? halo_ : nullptr);
       const bool coarsest = depths_.size() == 1;
       smoothers_.push_back(coarsest ? nullptr : make_smoother(smoother, topology));
     }
@@ -70,18 +77,19 @@ class CpuBackend final : public Backend {
   bool set_metric(const MetricView& metric) override {
     const std::vector<int32_t> changed = alphas_->take(metric);
     constraint_->set_ratio(ratios_of(alphas_->latest()));
-    const double anisotropy = anisotropy_of(constraint_->ratio());
+    double anisotropy = anisotropy_of(constraint_->ratio());
+    if (halo_ != nullptr) halo_->keep_largest(anisotropy);
     const bool is_spectrum_new = take_spectrum(metric);
     for (CpuDepth& depth : depths_) {
       depth.anisotropy = static_cast<float>(anisotropy);
       depth.is_spectrum_new = is_spectrum_new;
     }
-    const bool is_whole = changed.size() * kWholeFromOneIn > on_.prepared->cells.size();
+    const bool is_whole = changes_most(changed.size());
     if (is_whole)
       make_matrices();
     else
       update_matrices(changed);
-    coarsest_.factor(depths_.front());
+    if (depths_.front().has_rows()) coarsest_.factor(depths_.front());
     return is_whole;
   }
 
@@ -92,21 +100,32 @@ class CpuBackend final : public Backend {
 
   void relax_from_zero(int depth) override {
     smoother(depth).relax_from_zero(at(depth));
-    if (depth == on_.hierarchy->finest) patches_.relax_forwards(at(depth));
+    if (!has_patches(depth)) return;
+    patches_.relax_forwards(at(depth));
+    at(depth).refresh(at(depth).x);
   }
   void relax(int depth) override {
-    if (depth == on_.hierarchy->finest) patches_.relax_backwards(at(depth));
+    if (has_patches(depth)) {
+      patches_.relax_backwards(at(depth));
+      at(depth).refresh(at(depth).x);
+    }
     smoother(depth).relax(at(depth));
   }
   void restrict_residual(int depth) override {
     compute_residual(at(depth));
     restrict_to_coarse(at(depth), at(depth).r, at(depth - 1));
+    if (is_split(depth)) halo_->add_up(depth - 1, at(depth - 1).f);
   }
-  void prolong_correction(int depth) override { add_prolonged(at(depth - 1), at(depth)); }
+  void prolong_correction(int depth) override {
+    if (is_split(depth) && !is_split(depth - 1)) halo_->refresh(depth - 1, at(depth - 1).x);
+    add_prolonged(at(depth - 1), at(depth));
+    at(depth).refresh(at(depth).x);
+  }
   void solve_coarsest() override { coarsest_.solve(depths_.front()); }
   void restrict_from_zero(int depth) override {
     std::ranges::fill(at(depth).x, Float4(Float4::Zero()));
     restrict_to_coarse(at(depth), at(depth).f, at(depth - 1));
+    if (is_split(depth)) halo_->add_up(depth - 1, at(depth - 1).f);
   }
 
   void recompute_residual() override { outer_->recompute_residual(); }
@@ -131,7 +150,7 @@ class CpuBackend final : public Backend {
 
  private:
   void make_matrices() {
-    assemble(*on_.prepared, alphas_->latest(), depths_, &outer_->matrix());
+    assemble(*on_.prepared, alphas_->latest(), depths_, &outer_->matrix(), not_kept_, halo_);
     for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
     patches_.factor(depths_.back());
   }
@@ -139,8 +158,9 @@ class CpuBackend final : public Backend {
   // Makes what depends on the α of these cells alone. The bits are those of make_matrices().
   void update_matrices(std::span<const int32_t> cells) {
     std::vector<ChangedDepth> changed =
-        find_changed_parts(*on_.prepared, *on_.hierarchy, cells, kDepthsNotKept);
-    assemble_changed(*on_.prepared, alphas_->latest(), changed, depths_, &outer_->matrix());
+        find_changed_parts(*on_.prepared, *on_.hierarchy, cells, not_kept_);
+    if (halo_ != nullptr) make_coarse_depths_whole(changed);
+    assemble_changed(*on_.prepared, alphas_->latest(), changed, depths_, &outer_->matrix(), halo_);
     for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->update(depths_[i], changed[i].rows);
     patches_.factor(depths_.back(), changed.back().rows);
   }
@@ -149,11 +169,42 @@ class CpuBackend final : public Backend {
   // to 1000, where its margin is more than a tenth. Returns whether λmax must be estimated again.
   bool take_spectrum(const MetricView& metric) {
     constexpr double kHoldsWithin = 1.5;
-    const double alpha = metric.is_uniform() ? metric.curve->alpha(0) : 0;
+    double differs = metric.is_uniform() ? 0 : 1;
+    if (halo_ != nullptr) halo_->keep_largest(differs);
+    const double alpha = differs == 0 ? metric.curve->alpha(0) : 0;
     const auto [least, most] = std::minmax(alpha_of_spectrum_, alpha);
     if (least > 0 && most <= kHoldsWithin * least) return false;
     alpha_of_spectrum_ = alpha;
     return true;
+  }
+
+  // Other shards changed what this one does not know of.
+  void make_coarse_depths_whole(std::span<ChangedDepth> changed) const {
+    for (size_t i = 0; i < depths_.size() && !is_split(depths_[i].topology.grid.depth); ++i) {
+      if (!depths_[i].has_rows()) continue;
+      changed[i].rows.resize(depths_[i].corner_count());
+      std::iota(changed[i].rows.begin(), changed[i].rows.end(), 0);
+      if (depths_[i].topology.grid.depth == halo_->border()) continue;
+      changed[i].needed.resize(part_count(depths_[i].topology));
+      std::iota(changed[i].needed.begin(), changed[i].needed.end(), 0);
+    }
+  }
+
+  bool is_split(int depth) const {
+    return halo_ != nullptr && depth > halo_->border();
+  }
+
+  // Returns whether so many cells of all shards are worth new matrices everywhere.
+  bool changes_most(size_t changed) const {
+    std::array<double, 2> counts = {static_cast<double>(changed),
+                                    static_cast<double>(on_.prepared->cells.size())};
+    if (halo_ != nullptr) halo_->sum(counts);
+    return counts[0] * kWholeFromOneIn > counts[1];
+  }
+
+  // Every shard answers the same if it asks for the finest depth of shards.
+  bool has_patches(int depth) const {
+    return depth == on_.hierarchy->finest && (halo_ != nullptr || patches_.count() > 0);
   }
 
   CpuDepth& at(int depth) {
@@ -164,6 +215,8 @@ class CpuBackend final : public Backend {
   }
 
   Multigrid on_;
+  Halo* halo_;       // to the other shards; null if there are none
+  size_t not_kept_;  // depths without kept numbers
   std::unique_ptr<ChangingAlphas> alphas_;
   double alpha_of_spectrum_ = 0;  // α of all cells at the last estimate of λmax; 0 if they differed
   std::vector<CpuDepth> depths_;                           // the coarsest first
@@ -180,7 +233,11 @@ class CpuBackend final : public Backend {
 }  // namespace cpu
 
 std::unique_ptr<Backend> make_cpu_backend(Multigrid on, Smoother smoother) {
-  return std::make_unique<cpu::CpuBackend>(std::move(on), smoother);
+  return std::make_unique<cpu::CpuBackend>(std::move(on), smoother, nullptr);
+}
+
+std::unique_ptr<Backend> make_cpu_shard_backend(Multigrid on, cpu::Halo& halo) {
+  return std::make_unique<cpu::CpuBackend>(std::move(on), Smoother::kSchwarz, &halo);
 }
 
 }  // namespace burnish

@@ -2,8 +2,9 @@
 
 namespace burnish::cpu {
 
-CpuDepth::CpuDepth(const HierarchyDepth& topology_of_depth)
+CpuDepth::CpuDepth(const HierarchyDepth& topology_of_depth, Halo* halo_of_depth)
     : topology(topology_of_depth),
+      halo(halo_of_depth),
       system(topology.stencil),
       inverse_diagonal(topology.grid.corners.size()),
       x(topology.grid.corners.size(), Float4::Zero()),

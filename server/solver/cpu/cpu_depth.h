@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "server/solver/cpu/halo.h"
 #include "server/solver/hierarchy/hierarchy.h"
 
 namespace burnish::cpu {
@@ -46,9 +47,11 @@ inline constexpr size_t kDepthsNotKept = 3;
 
 /// One session's numbers at one depth.
 struct CpuDepth {
-  explicit CpuDepth(const HierarchyDepth& topology_of_depth);
+  /// `halo_of_depth`: null unless the depth is split.
+  explicit CpuDepth(const HierarchyDepth& topology_of_depth, Halo* halo_of_depth = nullptr);
 
   const HierarchyDepth& topology;
+  Halo* halo;                   ///< to the other shards; null if the depth is whole
   float anisotropy = 1;         ///< the largest ratio of α1 to α2, or α2 to α1, in any cell
   bool is_spectrum_new = true;  ///< λmax may have moved since its last estimate
   StencilMatrix system;         ///< S
@@ -58,6 +61,13 @@ struct CpuDepth {
   std::vector<Float4> r;                ///< f − S x
 
   int32_t corner_count() const { return topology.grid.corner_count(); }
+  /// Returns whether the depth has a matrix. The border depth has one in the first shard alone.
+  bool has_rows() const { return topology.stencil.mask.size() == topology.grid.corners.size(); }
+  /// Brings the values of other shards to the ghosts.
+  template <typename T>
+  void refresh(std::vector<T>& vector) const {
+    if (halo != nullptr) halo->refresh(topology.grid.depth, vector);
+  }
   uint64_t byte_count() const;
 };
 

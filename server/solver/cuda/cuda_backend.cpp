@@ -15,6 +15,7 @@
 #include "server/solver/cuda/device/graphs.h"
 #include "server/solver/cuda/device/placement.h"
 #include "server/solver/cuda/device_depth.h"
+#include "server/solver/cuda/halo.h"
 #include "server/solver/cuda/krylov/conjugate_gradients.h"
 #include "server/solver/cuda/mesh/device_mesh.h"
 #include "server/solver/cuda/products/coarsest.h"
@@ -39,8 +40,10 @@ constexpr int kSharedBesideOthers = 58;
 
 class CudaBackend final : public Backend {
  public:
-  CudaBackend(std::shared_ptr<const DeviceMesh> mesh, Smoother smoother)
+  /// `halo`: to the other shards; null if there are none.
+  CudaBackend(std::shared_ptr<const DeviceMesh> mesh, Smoother smoother, Halo* halo)
       : mesh_(std::move(mesh)),
+        halo_(halo),
         stream_(mesh_->device),
         coarse_offset_(mesh_->on.hierarchy->coarsest),
         alpha_(stream_),
@@ -56,20 +59,25 @@ class CudaBackend final : public Backend {
     for (size_t i = 1; i < depths_.size(); ++i)
       smoothers_.push_back(make_smoother(smoother, stream_, mesh_->on.hierarchy->depths[i],
                                          depths_[i].view(),
-                                         mesh_->on.plan->needs_all_digits(coarse_offset_ + i)));
-    coarsest_.emplace(stream_, mesh_->on.hierarchy->depths.front(), depths_.front().view());
+                                         mesh_->on.plan->needs_all_digits(coarse_offset_ + i),
+                                         is_split(coarse_offset_ + i) ? halo_ : nullptr));
+    if (has_coarsest())
+      coarsest_.emplace(stream_, mesh_->on.hierarchy->depths.front(), depths_.front().view());
+    if (halo_ != nullptr && has_coarsest() && !coarsest_->on_device()) halo_->never_record();
     patches_.emplace(stream_, finest(), mesh_->on.plan->patches, mesh_->patches.view());
-    outer_.emplace(stream_, finest(), mesh_->evaluation.data(), mesh_->evaluation.size());
+    outer_.emplace(stream_, finest(), mesh_->evaluation.data(), mesh_->evaluation.size(), halo_,
+                   mesh_->on.hierarchy->finest);
   }
 
   std::string_view name() const override { return "cuda"; }
   Status status() const override { return stream_.status(); }
 
   uint64_t byte_count() const override {
-    uint64_t bytes = readout_.byte_count() + outer_->byte_count() + coarsest_->byte_count() +
-                     alpha_.byte_count() + beta_.byte_count() + gradients_.byte_count() +
-                     gradient_rests_.byte_count() + signal_.byte_count() + combined_.byte_count() +
-                     coarse_combined_.byte_count() + patches_->byte_count();
+    uint64_t bytes = readout_.byte_count() + outer_->byte_count() +
+                     (coarsest_ ? coarsest_->byte_count() : 0) + alpha_.byte_count() +
+                     beta_.byte_count() + gradients_.byte_count() + gradient_rests_.byte_count() +
+                     signal_.byte_count() + combined_.byte_count() + coarse_combined_.byte_count() +
+                     patches_->byte_count();
     for (const DeviceDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother->byte_count();
     return bytes;
@@ -84,7 +92,8 @@ class CudaBackend final : public Backend {
     stream_.synchronize();
     if (!stream_.is_ok()) return true;
     alpha_.set(stream_, metric);
-    const bool is_isotropic = metric.is_isotropic();
+    const bool is_isotropic =
+        halo_ == nullptr ? metric.is_isotropic() : halo_->all(metric.is_isotropic());
     const bool same_ratios = std::exchange(all_ratios_are_one_, is_isotropic) && is_isotropic;
     stream_.share_memory(kSharedBesideOthers);
     if (same_ratios)
@@ -105,6 +114,7 @@ class CudaBackend final : public Backend {
     assemble_constraint(stream_, finest(), gradients(), beta_.view(),
                         std::exchange(gradients_are_new_, false), outer_->constraint(),
                         outer_->residual());
+    outer_->refresh_residual();
     stream_.synchronize();
   }
 
@@ -114,20 +124,27 @@ class CudaBackend final : public Backend {
 
   void relax_from_zero(int depth) override {
     smoother(depth).relax_from_zero();
-    if (depth == mesh_->on.hierarchy->finest) patches_->relax_forwards();
+    if (depth == mesh_->on.hierarchy->finest) relax_patches(&PatchSolver::relax_forwards);
   }
   void relax(int depth) override {
-    if (depth == mesh_->on.hierarchy->finest) patches_->relax_backwards();
+    if (depth == mesh_->on.hierarchy->finest) relax_patches(&PatchSolver::relax_backwards);
     smoother(depth).relax();
   }
   void restrict_residual(int depth) override {
     compute_residual(stream_, at(depth));
     restrict_to_coarse(stream_, at(depth), at(depth - 1));
+    if (is_split(depth)) halo_->add_up(stream_, depth - 1, at(depth - 1).f);
   }
-  void prolong_correction(int depth) override { add_prolonged(stream_, at(depth - 1), at(depth)); }
+  void prolong_correction(int depth) override {
+    if (is_split(depth) && !is_split(depth - 1))
+      halo_->refresh(stream_, depth - 1, at(depth - 1).x);
+    add_prolonged(stream_, at(depth - 1), at(depth));
+    if (is_split(depth)) halo_->refresh(stream_, depth, at(depth).x);
+  }
   void solve_coarsest() override { coarsest_->solve(); }
   void restrict_from_zero(int depth) override {
     cuda::restrict_from_zero(stream_, at(depth), at(depth - 1));
+    if (is_split(depth)) halo_->add_up(stream_, depth - 1, at(depth - 1).f);
   }
 
   void recompute_residual() override { outer_->recompute_residual(); }
@@ -167,7 +184,7 @@ class CudaBackend final : public Backend {
   const Depth& finest() const { return depths_.back().view(); }
   DepthSmoother& smoother(int depth) { return *smoothers_[depth - coarse_offset_ - 1]; }
 
-  size_t cells() const { return mesh_->on.prepared->cells.size(); }
+  size_t cells() const { return mesh_->cells(); }
   size_t numbers_of_coarse_depths() const {
     size_t numbers = 0;
     for (size_t i = 0; i + 1 < mesh_->depths.size(); ++i)
@@ -186,7 +203,18 @@ class CudaBackend final : public Backend {
             anisotropy_.data(), gradients};
   }
 
+  bool is_split(int depth) const { return halo_ != nullptr && depth > halo_->border(); }
+  // Other shards than the first one end with the border depth, where they have no rows.
+  bool has_coarsest() const { return halo_ == nullptr || halo_->is_first(); }
+
+  void relax_patches(void (PatchSolver::*work)()) {
+    ((*patches_).*work)();
+    if (halo_ != nullptr && halo_->has_patches())
+      halo_->refresh(stream_, mesh_->on.hierarchy->finest, finest().x);
+  }
+
   void run_on_device(int key, const std::function<void()>& work) {
+    if (halo_ != nullptr) return halo_->run_recorded(key, stream_, work);
     coarsest_->on_device() ? graphs_.run(key, work) : work();
   }
 
@@ -205,22 +233,34 @@ class CudaBackend final : public Backend {
       CellSquares<float> cells = {coarse_combined_.data(), topology(1).cell_count};
       combine_integrals(stream_, mesh_->integrals(), mesh_->sheets.view(), metric, combined,
                         topology(0), topology(1), cells);
+      if (halo_ != nullptr) halo_->keep_largest(stream_, anisotropy_.data());
       start_matrix(0, combined, beside);
       add_shares(stream_, topology(1).shares, combined, cells);
+      collect_at_border(1, cells);
       smoothers_.back()->fork();
       start_smoother(0, combined);
       for (size_t above = 2; above < depths_.size(); ++above) {
         const CellSquares<float> coarse = {cells.numbers + topology(above - 1).number_count,
                                            topology(above).cell_count};
         down_sample(stream_, topology(above - 1), topology(above), cells, coarse);
+        collect_at_border(above, coarse);
         start_matrix(above - 1, cells, {});
         start_smoother(above - 1, cells);
         cells = coarse;
       }
-      assemble_coarsest(cells, {});
+      if (has_coarsest()) assemble_coarsest(cells, {});
     }
     if (!smoothers_.empty()) patches_->factor(smoothers_.back()->beside());
     for (const auto& smoother : smoothers_) smoother->finish_set_up();
+    if (halo_ != nullptr)
+      halo_->refresh(stream_, halo_->border(), at(halo_->border()).inverse_diagonal);
+  }
+
+  // `above`: how many depths above the finest.
+  void collect_at_border(size_t above, const CellSquares<float>& cells) {
+    if (halo_ != nullptr &&
+        mesh_->on.hierarchy->finest - static_cast<int>(above) == halo_->border())
+      halo_->collect(stream_, cells.numbers);
   }
 
   // `above`: how many depths above the finest.
@@ -252,6 +292,7 @@ class CudaBackend final : public Backend {
   }
 
   std::shared_ptr<const DeviceMesh> mesh_;
+  Halo* halo_;
   Stream stream_;
   int coarse_offset_;
   Graphs graphs_{stream_};
@@ -290,9 +331,37 @@ Result<std::unique_ptr<Backend>> make_cuda_backend(Multigrid on, Smoother smooth
   RETURN_IF_ERROR(must_have(smoother));
   const int device = least_loaded(cuda_memory_by_device());
   ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh(device, std::move(on)));
-  std::unique_ptr<Backend> backend = std::make_unique<cuda::CudaBackend>(std::move(mesh), smoother);
+  std::unique_ptr<Backend> backend =
+      std::make_unique<cuda::CudaBackend>(std::move(mesh), smoother, nullptr);
   RETURN_IF_ERROR(backend->status());
   return backend;
+}
+
+static Result<std::unique_ptr<Backend>> make_shard(Multigrid on, int device, cuda::Halo& halo) {
+  ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh_of_shard(device, std::move(on)));
+  std::unique_ptr<Backend> backend =
+      std::make_unique<cuda::CudaBackend>(std::move(mesh), Smoother::kSchwarz, &halo);
+  RETURN_IF_ERROR(backend->status());
+  return backend;
+}
+
+Result<CudaShards> make_cuda_shards(const CudaShardGroup& group, std::span<CudaShard> shards) {
+  static_assert(kCudaShardsMax == cuda::OfShards::kMax);
+  RETURN_IF_ERROR(cuda_device().status());
+  const size_t devices = cuda_memory_by_device().size();
+  std::vector<cuda::ShardLists> lists;
+  for (size_t i = 0; i < shards.size(); ++i)
+    lists.push_back({static_cast<int>(i % devices), shards[i].on.hierarchy.get(), shards[i].depths,
+                     shards[i].border});
+  ASSIGN_OR_RETURN(auto halos,
+                   cuda::make_halos({group.border, group.has_patches, group.meet}, lists));
+  CudaShards made;
+  for (size_t i = 0; i < shards.size(); ++i) {
+    ASSIGN_OR_RETURN(made.backends.emplace_back(),
+                     make_shard(std::move(shards[i].on), lists[i].device, *halos[i]));
+  }
+  made.halos = std::make_shared<std::vector<std::unique_ptr<cuda::Halo>>>(std::move(halos));
+  return made;
 }
 
 }  // namespace burnish

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "common/base/status.h"
 #include "server/solver/cycle/backend.h"
+#include "server/solver/cycle/halo_lists.h"
 #include "server/solver/cycle/multigrid.h"
 #include "server/solver/cycle/smoother_names.h"
 
@@ -34,5 +37,30 @@ inline constexpr Smoother kCudaSmoothers[] = {Smoother::kSchwarz, Smoother::kGau
 /// iteration. On one device the same input gives the same bits. Fails: failed_precondition (no
 /// device), unimplemented (smoother), resource_exhausted (device memory, with the numbers).
 Result<std::unique_ptr<Backend>> make_cuda_backend(Multigrid on, Smoother smoother);
+
+/// A part of a scan for one of several devices, and what it exchanges with the others.
+struct CudaShard {
+  Multigrid on;
+  std::span<const HaloLists> depths;  ///< from the border depth on
+  const BorderLists* border;
+};
+
+/// The backends of all shards, and the halos that they need to the end.
+struct CudaShards {
+  std::shared_ptr<void> halos;
+  std::vector<std::unique_ptr<Backend>> backends;
+};
+
+/// What shards have in common.
+struct CudaShardGroup {
+  int border;  ///< depth
+  bool has_patches;
+  std::function<void(const std::function<void()>&)> meet;  ///< see multi/lock_step.h
+};
+
+/// Makes a backend of each shard, with the smoother kSchwarz, on the devices in turn. Fails: as
+/// make_cuda_backend(); failed_precondition if a device cannot read another's memory.
+Result<CudaShards> make_cuda_shards(const CudaShardGroup& group, std::span<CudaShard> shards);
+inline constexpr int kCudaShardsMax = 16;
 
 }  // namespace burnish

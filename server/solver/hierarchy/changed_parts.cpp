@@ -3,35 +3,11 @@
 #include <algorithm>
 
 #include "server/solver/hierarchy/index_set.h"
+#include "server/solver/hierarchy/sources.h"
 
 namespace burnish {
 
 namespace {
-
-size_t part_count(const HierarchyDepth& depth) {
-  return depth.grid.cells.size() + depth.ties.size() + depth.sheet_count;
-}
-
-int32_t part_of_number(const HierarchyDepth& depth, int32_t number) {
-  const int32_t of_cells = kNumbersPerCell * depth.grid.cell_count();
-  if (number < of_cells) return number / kNumbersPerCell;
-  return depth.grid.cell_count() + (number - of_cells) / kNumbersPerTie;
-}
-
-// Calls visit(part) for the parts that a corner's row sums.
-template <typename Visit>
-void visit_parts_of_row(const HierarchyDepth& depth, int32_t corner, Visit&& visit) {
-  if (!depth.stencil.is_irregular(corner)) {
-    for (const int32_t cell : depth.grid.cells_of_corner[corner])
-      if (cell != kNone) visit(cell);
-    return;
-  }
-  const IrregularRows& rows = depth.stencil.irregular;
-  const auto i = std::ranges::lower_bound(rows.corner, corner) - rows.corner.begin();
-  const int64_t end = rows.source_start[rows.sum_start[i + 1]];
-  for (int64_t k = rows.source_start[rows.sum_start[i]]; k < end; ++k)
-    visit(part_of_number(depth, rows.source[k]));
-}
 
 // Calls visit(corner) for the corners whose rows sum the part. No row sums a sheet.
 template <typename Visit>
@@ -44,17 +20,6 @@ void visit_corners_of_part(const HierarchyDepth& depth, int32_t part, Visit&& vi
   if (depth.is_finest()) return;
   visit_cell(depth.ties[tie].first);
   visit_cell(depth.ties[tie].second);
-}
-
-// Calls visit(part of the finer depth) for the sources of a coarse part's numbers.
-template <typename Visit>
-void visit_sources(const HierarchyDepth& coarse, int32_t part, Visit&& visit) {
-  if (part < coarse.grid.cell_count())
-    for (const int32_t child : coarse.children[part]) visit(child);
-  const CellShares& shares = coarse.shares;
-  const auto i = std::ranges::lower_bound(shares.target, part) - shares.target.begin();
-  if (i == std::ssize(shares.target) || shares.target[i] != part) return;
-  for (int32_t k = shares.start[i]; k < shares.start[i + 1]; ++k) visit(shares.share[k].source);
 }
 
 std::vector<int32_t> with_sheets(const PreparedMesh& prepared, const HierarchyDepth& finest,
@@ -71,7 +36,8 @@ std::vector<int32_t> parts_above(const HierarchyDepth& fine, const HierarchyDept
   IndexSet of_fine(part_count(fine)), parts(part_count(coarse));
   for (const int32_t part : fine_parts) {
     of_fine.insert(part);
-    if (part < fine.grid.cell_count()) parts.insert(fine.parent_cell[part]);
+    if (part < fine.grid.cell_count() && fine.parent_cell[part] != kNone)
+      parts.insert(fine.parent_cell[part]);
   }
   const CellShares& shares = coarse.shares;
   for (size_t i = 0; i < shares.target.size(); ++i)

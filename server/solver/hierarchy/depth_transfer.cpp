@@ -10,10 +10,10 @@ namespace {
 
 // Calls visit(fine corner, coarse corner, weight) for every entry of P, by fine corners.
 template <typename Visit>
-void for_each_entry(const SparseGrid& coarse, const DepthTransfer& transfer, Visit&& visit) {
+void for_each_entry(const SparseGrid& coarse, int32_t fine_corners, const DepthTransfer& transfer,
+                    Visit&& visit) {
   const DepthTransfer::SharedCorners& shared = transfer.shared;
   int32_t next_shared = 0;
-  const auto fine_corners = static_cast<int32_t>(transfer.prolongation.size());
   for (int32_t fine = 0; fine < fine_corners; ++fine) {
     if (transfer.is_shared(fine)) {
       for (int32_t k = shared.start[next_shared]; k < shared.start[next_shared + 1]; ++k)
@@ -26,23 +26,6 @@ void for_each_entry(const SparseGrid& coarse, const DepthTransfer& transfer, Vis
     for (int i = 0; i < weights.count; ++i)
       visit(fine, coarse.cell_corners[from.cell][weights.corner[i]], weights.weight[i]);
   }
-}
-
-// Makes Pᵀ by rows: a counting sort of the entries of P by coarse corner.
-void transpose(const SparseGrid& coarse, DepthTransfer& transfer) {
-  transfer.restriction_start.assign(coarse.corner_count() + 1, 0);
-  for_each_entry(coarse, transfer,
-                 [&](int32_t, int32_t to, float) { ++transfer.restriction_start[to + 1]; });
-  for (int32_t i = 0; i < coarse.corner_count(); ++i)
-    transfer.restriction_start[i + 1] += transfer.restriction_start[i];
-  transfer.restriction_corner.resize(transfer.restriction_start.back());
-  transfer.restriction_weight.resize(transfer.restriction_start.back());
-  std::vector<int64_t> next(transfer.restriction_start.begin(),
-                            transfer.restriction_start.end() - 1);
-  for_each_entry(coarse, transfer, [&](int32_t fine, int32_t to, float weight) {
-    transfer.restriction_corner[next[to]] = fine;
-    transfer.restriction_weight[next[to]++] = weight;
-  });
 }
 
 // Adds the mean of the values of a shared corner's copies.
@@ -67,11 +50,32 @@ void add_shared(const CoarseGrid& coarse, const SheetCorners& sheets, size_t i,
 
 }  // namespace
 
+// Makes Pᵀ by rows: a counting sort of the entries of P by coarse corner.
+void make_restriction(const SparseGrid& coarse, int32_t fine_corners, DepthTransfer& transfer) {
+  transfer.restriction_start.assign(coarse.corner_count() + 1, 0);
+  for_each_entry(coarse, fine_corners, transfer,
+                 [&](int32_t, int32_t to, float) { ++transfer.restriction_start[to + 1]; });
+  for (int32_t i = 0; i < coarse.corner_count(); ++i)
+    transfer.restriction_start[i + 1] += transfer.restriction_start[i];
+  transfer.restriction_corner.resize(transfer.restriction_start.back());
+  transfer.restriction_weight.resize(transfer.restriction_start.back());
+  std::vector<int64_t> next(transfer.restriction_start.begin(),
+                            transfer.restriction_start.end() - 1);
+  for_each_entry(coarse, fine_corners, transfer, [&](int32_t fine, int32_t to, float weight) {
+    transfer.restriction_corner[next[to]] = fine;
+    transfer.restriction_weight[next[to]++] = weight;
+  });
+}
+
+static void make_restriction(const SparseGrid& coarse, DepthTransfer& transfer) {
+  make_restriction(coarse, static_cast<int32_t>(transfer.prolongation.size()), transfer);
+}
+
 DepthTransfer make_transfer(const CoarseGrid& coarse) {
   DepthTransfer transfer;
   transfer.prolongation = coarse.from;
   transfer.shared.start = {0};
-  transpose(coarse.grid, transfer);
+  make_restriction(coarse.grid, transfer);
   return transfer;
 }
 
@@ -84,7 +88,7 @@ DepthTransfer make_transfer(const CoarseGrid& coarse, const SheetCorners& sheets
     transfer.prolongation[sheets.shared[i]] = {kNone, 0};
     add_shared(coarse, sheets, i, transfer);
   }
-  transpose(coarse.grid, transfer);
+  make_restriction(coarse.grid, transfer);
   return transfer;
 }
 

@@ -30,6 +30,9 @@ struct DepthTransfer {
   bool is_shared(int32_t corner) const { return prolongation[corner].cell == kNone; }
 };
 
+/// Makes the restriction that belongs to the prolongation of the first `fine_corners`.
+void make_restriction(const SparseGrid& coarse, int32_t fine_corners, DepthTransfer& transfer);
+
 DepthTransfer make_transfer(const CoarseGrid& coarse);
 /// From the finest depth; the coarse grid keeps its sheets apart.
 DepthTransfer make_transfer(const CoarseGrid& coarse, const SheetCorners& sheets,

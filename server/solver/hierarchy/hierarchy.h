@@ -24,11 +24,19 @@ struct HierarchyDepth {
   std::vector<CellTie> ties;         ///< rising; none at the finest depth
   int32_t sheet_count = 0;           ///< PreparedMesh::sheets in use; 0 at coarse depths
   DepthTransfer to_parent;           ///< empty at the coarsest depth
-  std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth
+  std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth. In a shard
+                                     ///< kNone for a parent that the shard has not
   // The sources of the numbers of cells and ties; empty at the finest depth.
   Groups<int32_t> children;  ///< cells of the finer depth for each cell, at most eight, each in its
                              ///< octant; only that octant restricts its numbers
   CellShares shares;         ///< all other sources
+
+  // In a shard of a scan (solver/multi) its own corners come first, then ghosts, then the fringe.
+  int32_t ghost_count = 0;   ///< corners whose values come from other shards
+  int32_t fringe_count = 0;  ///< corners that only complete cells: they are pinned
+
+  int32_t own_count() const { return grid.corner_count() - ghost_count - fringe_count; }
+  int32_t known_count() const { return grid.corner_count() - fringe_count; }
 
   bool is_finest() const { return children.count() == 0; }
 

@@ -16,7 +16,8 @@ constexpr double kPinnedBelow = 1e-12;  // of the median diagonal
 constexpr size_t kMedianSamplesMax = 1 << 12;
 
 // Returns the median of an even sample: exact enough for a threshold far below it.
-double sampled_median(const std::vector<float>& values) {
+double sampled_median(std::span<const float> values) {
+  if (values.empty()) return 0;
   const size_t stride = std::max<size_t>(1, values.size() / kMedianSamplesMax);
   std::vector<float> sample;
   for (size_t i = 0; i < values.size(); i += stride) sample.push_back(values[i]);
@@ -25,11 +26,16 @@ double sampled_median(const std::vector<float>& values) {
   return *middle;
 }
 
-void invert_diagonal(const std::vector<float>& diagonal, std::vector<float>& inverse) {
-  const double pinned_below = kPinnedBelow * sampled_median(diagonal);
+// A ghost is pinned if its owner pins it.
+void invert_diagonal(CpuDepth& depth) {
+  const std::vector<float>& diagonal = depth.system.diagonal;
+  const HierarchyDepth& topology = depth.topology;
+  const double pinned_below =
+      kPinnedBelow * sampled_median(std::span(diagonal).first(topology.own_count()));
 #pragma omp parallel for schedule(static)
-  for (size_t i = 0; i < diagonal.size(); ++i)
-    inverse[i] = diagonal[i] > pinned_below ? 1 / diagonal[i] : 0;
+  for (int32_t i = 0; i < topology.known_count(); ++i)
+    depth.inverse_diagonal[i] = diagonal[i] > pinned_below ? 1 / diagonal[i] : 0;
+  depth.refresh(depth.inverse_diagonal);
 }
 
 struct Outputs {
@@ -42,7 +48,7 @@ struct Outputs {
 // Makes the inverses again. Adds the corners that became pinned or free.
 void invert_diagonal_again(CpuDepth& depth, std::vector<int32_t>& rows) {
   std::vector<float> before = depth.inverse_diagonal;
-  invert_diagonal(depth.system.diagonal, depth.inverse_diagonal);
+  invert_diagonal(depth);
   const size_t summed = rows.size();
   for (int32_t i = 0; i < depth.corner_count(); ++i)
     if ((before[i] == 0) != (depth.inverse_diagonal[i] == 0)) rows.push_back(i);
@@ -87,14 +93,16 @@ void assemble_regular_rows(const RowSources& sources, int32_t rows, const Combin
 }
 
 void assemble_depth(const CombinedCells& cells, CpuDepth& depth, ExactMatrix* exact) {
+  if (!depth.has_rows()) return;
   assemble_regular_rows(RowSources(depth.topology), depth.corner_count(), cells, depth, exact);
   sum_irregular_rows(depth.topology.stencil, cells.numbers(), depth.topology.number_count(),
                      store_irregular_row(depth));
-  invert_diagonal(depth.system.diagonal, depth.inverse_diagonal);
+  invert_diagonal(depth);
 }
 
 void assemble_rows_again(const CombinedCells& cells, std::vector<int32_t>& rows, CpuDepth& depth,
                          ExactMatrix* exact) {
+  if (!depth.has_rows()) return;
   const RowSources sources(depth.topology, rows);
   assemble_regular_rows(sources, static_cast<int32_t>(rows.size()), cells, depth, exact);
   sum_irregular_rows(depth.topology.stencil, rows, cells.numbers(), depth.topology.number_count(),
@@ -106,10 +114,35 @@ void keep_numbers(const CombinedCells& cells, CpuDepth& depth) {
   depth.kept_numbers.assign(cells.numbers(), cells.numbers() + depth.topology.number_count());
 }
 
+/// What a shard exchanges at the border depth: the first shard has the matrices from there on.
+class Border {
+ public:
+  explicit Border(Halo* halo) : halo_(halo) {}
+
+  void take_numbers(CombinedCells& cells, const CpuDepth& depth) const {
+    if (is_at(depth)) halo_->collect(cells.numbers());
+  }
+  void tell_pins(CpuDepth& depth) const {
+    if (is_at(depth)) halo_->refresh(halo_->border(), depth.inverse_diagonal);
+  }
+
+ private:
+  bool is_at(const CpuDepth& depth) const {
+    return halo_ != nullptr && depth.topology.grid.depth == halo_->border();
+  }
+  Halo* halo_;
+};
+
 }  // namespace
 
+size_t depths_not_kept(const Hierarchy& hierarchy, const Halo* halo) {
+  if (halo == nullptr) return kDepthsNotKept;
+  return std::min(kDepthsNotKept, static_cast<size_t>(hierarchy.finest - halo->border()));
+}
+
 void assemble(const PreparedMesh& prepared, const CellAlphas& alphas, std::span<CpuDepth> depths,
-              ExactMatrix* exact) {
+              ExactMatrix* exact, size_t not_kept, Halo* halo) {
+  const Border border(halo);
   const Metric metric = {alphas.alpha1, alphas.alpha2, prepared.alpha_scale()};
   CombinedCells cells(depths.back().topology);
   if (depths.size() == 1) combine_cells(prepared, metric, cells);
@@ -120,15 +153,19 @@ void assemble(const PreparedMesh& prepared, const CellAlphas& alphas, std::span<
                                 ? combine_and_down_sample(prepared, metric, fine, coarse, cells)
                                 : down_sample(fine, coarse, cells);
     assemble_depth(cells, depths[d], is_finest ? exact : nullptr);
+    border.tell_pins(depths[d]);
     cells = std::move(parents);
-    if (depths.size() - (d - 1) > kDepthsNotKept) keep_numbers(cells, depths[d - 1]);
+    border.take_numbers(cells, depths[d - 1]);
+    if (depths.size() - (d - 1) > not_kept) keep_numbers(cells, depths[d - 1]);
   }
   assemble_depth(cells, depths[0], depths.size() == 1 ? exact : nullptr);
+  border.tell_pins(depths[0]);
 }
 
 void assemble_changed(const PreparedMesh& prepared, const CellAlphas& alphas,
                       std::span<ChangedDepth> changed, std::span<CpuDepth> depths,
-                      ExactMatrix* exact) {
+                      ExactMatrix* exact, Halo* halo) {
+  const Border border(halo);
   const Metric metric = {alphas.alpha1, alphas.alpha2, prepared.alpha_scale()};
   CombinedCells cells(depths.back().topology);
   combine_parts(prepared, metric, depths.back().topology, changed.back().needed, cells);
@@ -138,8 +175,10 @@ void assemble_changed(const PreparedMesh& prepared, const CellAlphas& alphas,
     CombinedCells parents(depth.topology);
     std::ranges::copy(depth.kept_numbers, parents.numbers());
     down_sample_parts(depths[d + 1].topology, depth.topology, changed[d].needed, cells, parents);
+    border.take_numbers(parents, depth);
     if (!depth.kept_numbers.empty()) keep_numbers(parents, depth);
     assemble_rows_again(parents, changed[d].rows, depth, nullptr);
+    border.tell_pins(depth);
     cells = std::move(parents);
   }
 }

@@ -20,6 +20,7 @@ struct Sums {
     return *this;
   }
 };
+static_assert(sizeof(Sums) == 6 * sizeof(double));
 
 // A column that is solved has a zero divisor; its step is zero.
 Double3 quotient(const Double3& dividend, const Double3& divisor) {
@@ -42,6 +43,22 @@ ConjugateGradients::ConjugateGradients(CpuDepth& finest, const PointsByCell& poi
   p_.assign(finest.corner_count(), Float4::Zero());
 }
 
+// Sums over blocks of all corners, and over all shards. `sum_block` leaves out corners that are not
+// own ones.
+template <typename Sum, typename SumBlock>
+Sum ConjugateGradients::sum_over_all(SumBlock&& sum_block) const {
+  Sum sum = ordered_sum<Sum>(finest_.corner_count(), sum_block);
+  if (finest_.halo != nullptr)
+    finest_.halo->sum({reinterpret_cast<double*>(&sum), sizeof sum / sizeof(double)});
+  return sum;
+}
+
+template <typename Sum, typename SumBlock>
+Sum ConjugateGradients::sum_over_own(SumBlock&& sum_block) const {
+  return sum_over_all<Sum>(
+      [&](int32_t begin, int32_t end) { return sum_block(begin, own_end(end)); });
+}
+
 void ConjugateGradients::recompute_residual() {
 #pragma omp parallel for schedule(dynamic, kBlock)
   for (int32_t i = 0; i < finest_.corner_count(); ++i)
@@ -50,11 +67,12 @@ void ConjugateGradients::recompute_residual() {
     exact_product(finest_, matrix_, u_, r_, begin, end);
     for (int32_t i = begin; i < end; ++i) finest_.f[i] = with_spare(r_[i] = b_[i] - r_[i]);
   });
+  finest_.refresh(finest_.f);
 }
 
 // The energy ½a²u·Su − a u·b is least at a = u·b / u·Su, and Su is b − r.
 void ConjugateGradients::rescale() {
-  const Sums sums = ordered_sum<Sums>(finest_.corner_count(), [&](int32_t begin, int32_t end) {
+  const Sums sums = sum_over_own<Sums>([&](int32_t begin, int32_t end) {
     Sums sum;
     for (int32_t i = begin; i < end; ++i) {
       sum.first += u_[i] * b_[i];
@@ -69,15 +87,17 @@ void ConjugateGradients::rescale() {
     r_[i] = b_[i] - factor * (b_[i] - r_[i]);
     finest_.f[i] = with_spare(r_[i]);
   }
+  finest_.refresh(finest_.f);
 }
 
 void ConjugateGradients::load_residual() {
 #pragma omp parallel for schedule(dynamic, kBlock)
   for (int32_t i = 0; i < finest_.corner_count(); ++i) finest_.f[i] = with_spare(r_[i]);
+  finest_.refresh(finest_.f);
 }
 
 void ConjugateGradients::update_direction(bool restart) {
-  const Sums sums = ordered_sum<Sums>(finest_.corner_count(), [&](int32_t begin, int32_t end) {
+  const Sums sums = sum_over_own<Sums>([&](int32_t begin, int32_t end) {
     Sums sum;
     for (int32_t i = begin; i < end; ++i) {
       const Double3 z = columns(finest_.x[i]);
@@ -95,10 +115,10 @@ void ConjugateGradients::update_direction(bool restart) {
 }
 
 void ConjugateGradients::advance() {
-  const Sums sums = ordered_sum<Sums>(finest_.corner_count(), [&](int32_t begin, int32_t end) {
+  const Sums sums = sum_over_all<Sums>([&](int32_t begin, int32_t end) {
     exact_product(finest_, matrix_, p_, q_, begin, end);
     Sums sum;
-    for (int32_t i = begin; i < end; ++i) {
+    for (int32_t i = begin; i < own_end(end); ++i) {
       const Double3 p = columns(p_[i]);
       sum.first += p * q_[i];
       sum.second += p * r_[i];
@@ -106,9 +126,11 @@ void ConjugateGradients::advance() {
     return sum;
   });
   step_ = quotient(sums.second, sums.first);
-  totals_ = ordered_sum<Totals>(finest_.corner_count(),
-                                [&](int32_t begin, int32_t end) { return move_along(begin, end); });
+  totals_ =
+      sum_over_all<Totals>([&](int32_t begin, int32_t end) { return move_along(begin, end); });
+  finest_.refresh(finest_.f);
   moved_max_ = largest_move(finest_.topology.grid, points_, p_, with_spare(step_));
+  if (finest_.halo != nullptr) finest_.halo->keep_largest(moved_max_);
 }
 
 // Does u += a p and r −= a q; f follows r. Takes the sums of measure() while the numbers are in
@@ -120,7 +142,7 @@ ConjugateGradients::Totals ConjugateGradients::move_along(int32_t begin, int32_t
     r_[i] -= step_ * q_[i];
     finest_.f[i] = with_spare(r_[i]);
     const double scale = finest_.inverse_diagonal[i];
-    if (scale == 0) continue;
+    if (scale == 0 || i >= finest_.topology.own_count()) continue;
     sum.energy -= 0.5 * (u_[i] * (b_[i] + r_[i])).sum();
     sum.residual += scale * r_[i].square().sum();
     sum.constraint += scale * b_[i].square().sum();

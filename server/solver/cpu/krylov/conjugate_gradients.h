@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "server/solver/cpu/cpu_depth.h"
@@ -44,6 +45,12 @@ class ConjugateGradients {
   };
 
   Totals move_along(int32_t begin, int32_t end);
+  /// Returns where the own ones end of a block of corners that ends there.
+  int32_t own_end(int32_t end) const { return std::min(end, finest_.topology.own_count()); }
+  template <typename Sum, typename SumBlock>
+  Sum sum_over_all(SumBlock&& sum_block) const;
+  template <typename Sum, typename SumBlock>
+  Sum sum_over_own(SumBlock&& sum_block) const;
 
   CpuDepth& finest_;
   const PointsByCell& points_;

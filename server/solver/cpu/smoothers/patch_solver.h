@@ -22,6 +22,7 @@ class PatchSolver {
   void factor(const CpuDepth& depth, std::span<const int32_t> corners);
   void relax_forwards(CpuDepth& depth) const;
   void relax_backwards(CpuDepth& depth) const;  ///< the transpose: colours in reverse
+  int32_t count() const { return patches_.count(); }
   uint64_t byte_count() const { return bytes_of(entry_); }
 
  private:

@@ -85,23 +85,34 @@ class Schwarz final : public DepthSmoother {
   // After the first step from zero x is d itself.
   void relax_from_zero(CpuDepth& depth) override {
     relax_by(depth, inverse_, depth.f, steps_[0].length, 0);
+    depth.refresh(depth.x);
     compute_residual(depth);
+    depth.refresh(depth.r);
     relax_by(depth, inverse_, depth.r, steps_[1].length, 1 + steps_[1].momentum);
+    depth.refresh(depth.x);
   }
 
   // The second d is M⁻¹ of the sum of both residuals.
   void relax(CpuDepth& depth) override {
     compute_residual(depth, steps_[0].length);
+    depth.refresh(depth.r);
     relax_by(depth, inverse_, depth.r, 1, 1);
+    depth.refresh(depth.x);
     compute_residual(depth, steps_[1].length, steps_[1].momentum);
+    depth.refresh(depth.r);
     relax_by(depth, inverse_, depth.r, 1, 1);
+    depth.refresh(depth.x);
   }
 
   uint64_t byte_count() const override { return inverse_.byte_count() + lambda_max_.byte_count(); }
 
  private:
   void find_steps(CpuDepth& depth) {
-    const auto apply = [&] { relax_by(depth, inverse_, depth.r, -1, 0); };
+    const auto apply = [&] {
+      depth.refresh(depth.r);
+      relax_by(depth, inverse_, depth.r, -1, 0);
+      depth.refresh(depth.x);
+    };
     const Bounds bounds = {lambda_max_least(depth.anisotropy), kLambdaMaxBound};
     steps_ = chebyshev_steps<kDegree>(lambda_max_.estimate(depth, bounds, apply), kSchwarzRange);
   }

@@ -13,12 +13,15 @@ namespace burnish::cpu {
 static constexpr int kIterationsFirst = 15;
 static constexpr int kIterationsNext = 1;
 
-static double dot(const std::vector<Float4>& x, const std::vector<Float4>& y) {
-  return ordered_sum<double>(static_cast<int32_t>(x.size()), [&](int32_t begin, int32_t end) {
+// Returns x·r.
+static double dot(const CpuDepth& depth) {
+  auto all = ordered_sum<double>(depth.topology.own_count(), [&](int32_t begin, int32_t end) {
     double sum = 0;
-    for (int32_t i = begin; i < end; ++i) sum += (x[i] * y[i]).cast<double>().sum();
+    for (int32_t i = begin; i < end; ++i) sum += (depth.x[i] * depth.r[i]).cast<double>().sum();
     return sum;
   });
+  if (depth.halo != nullptr) depth.halo->sum({&all, 1});
+  return all;
 }
 
 static void set_all(std::vector<Float4>& x, const Float4& value) {
@@ -41,7 +44,10 @@ void LambdaMax::set_start(const std::vector<float>& inverse_diagonal) {
 
 float LambdaMax::estimate(CpuDepth& depth, Bounds bounds, const std::function<void()>& apply) {
   if (started_ && !depth.is_spectrum_new) return latest_;
-  if (!started_) set_start(depth.inverse_diagonal);
+  if (!started_) {
+    set_start(depth.inverse_diagonal);
+    depth.refresh(eigenvector_);
+  }
   const int iterations = started_ ? kIterationsNext : kIterationsFirst;
   started_ = true;
   depth.x.swap(eigenvector_);
@@ -49,10 +55,10 @@ float LambdaMax::estimate(CpuDepth& depth, Bounds bounds, const std::function<vo
   double before = 0;
   for (int i = 0; i < iterations; ++i) {
     compute_residual(depth);  // −S x
-    if (i + 1 == iterations) before = -dot(depth.x, depth.r);
+    if (i + 1 == iterations) before = -dot(depth);
     apply();  // x = M⁻¹S x
   }
-  const double after = -dot(depth.x, depth.r);
+  const double after = -dot(depth);
   depth.x.swap(eigenvector_);
   if (!(before > 0 && after > 0)) {  // all corners are pinned
     started_ = false;

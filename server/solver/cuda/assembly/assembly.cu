@@ -29,8 +29,8 @@ __global__ void pinned_below_kernel(Topology topology, CellSquares<Real> cells,
                                     float* pinned_below) {
   __shared__ float sample[kMedianSamples];
   let_next_start();
-  const int stride = max(1, topology.corner_count / kMedianSamples);
-  const int count = min(kMedianSamples, topology.corner_count / stride);
+  const int stride = max(1, topology.own_count / kMedianSamples);
+  const int count = min(kMedianSamples, topology.own_count / stride);
   const auto t = static_cast<int>(threadIdx.x / 8), a = static_cast<int>(threadIdx.x % 8);
   const int32_t cell = t < count ? topology.cells_of_corner[t * stride].at[a] : -1;
   await_previous();
@@ -67,7 +67,8 @@ __global__ void __launch_bounds__(kThreads, 6)
   const GatheredRow<Real> row = gather_row(cells, depth.topology.cells_of_corner[corner]);
   const auto diagonal = static_cast<float>(row.diagonal);
   depth.system.diagonal[corner] = diagonal;
-  depth.inverse_diagonal[corner] = diagonal > *pinned_below ? 1 / diagonal : 0;
+  const bool is_free = diagonal > *pinned_below && corner < depth.topology.known_count;
+  depth.inverse_diagonal[corner] = is_free ? 1 / diagonal : 0;
   if (beside.row_sum != nullptr) beside.row_sum[corner] = row.own;
   float4 product = zero4();
   if (probe != nullptr) product = diagonal * tile[threadIdx.x];

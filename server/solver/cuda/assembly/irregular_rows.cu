@@ -136,7 +136,8 @@ __global__ void assemble_rows_kernel(Depth depth, const float* numbers, const fl
   product = sum_of_warp(product);
   if (lane != 0) return;
   depth.system.diagonal[row.corner] = diagonal;
-  depth.inverse_diagonal[row.corner] = diagonal > *pinned_below ? 1 / diagonal : 0;
+  const bool is_free = diagonal > *pinned_below && row.corner < topology.known_count;
+  depth.inverse_diagonal[row.corner] = is_free ? 1 / diagonal : 0;
   if (probe != nullptr) depth.r[row.corner] = product + diagonal * probe[row.corner];
 }
 

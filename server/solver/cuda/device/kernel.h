@@ -15,7 +15,7 @@ inline constexpr int kThreads = 128;
 template <typename... Params, typename... Args>
 void launch_blocks(Stream& stream, void (*kernel)(Params...), dim3 blocks, dim3 threads,
                    size_t shared_bytes, Args... args) {
-  if (!stream.is_ok()) return;
+  if (!stream.is_ok() || blocks.x == 0) return;
   cudaLaunchAttribute attributes[2] = {};
   cudaLaunchConfig_t config = {};
   config.gridDim = blocks;
@@ -47,6 +47,19 @@ template <typename... Params, typename... Args>
 void launch(Stream& stream, void (*kernel)(Params...), int64_t count, Args... args) {
   if (count > 0)
     launch_blocks(stream, kernel, dim3(block_count(count)), dim3(kThreads), 0, args...);
+}
+
+/// Starts one thread for each of `count` items once all earlier work of the stream has ended, which
+/// may be that of other devices. The kernel need not wait.
+template <typename... Params, typename... Args>
+void launch_whole(Stream& stream, void (*kernel)(Params...), int64_t count, Args... args) {
+  if (!stream.is_ok() || count == 0) return;
+  cudaLaunchConfig_t config = {};
+  config.gridDim = dim3(block_count(count));
+  config.blockDim = dim3(kThreads);
+  config.stream = stream.get();
+  stream.check(cudaLaunchKernelEx(&config, kernel, static_cast<Params>(args)...),
+               "starting a kernel");
 }
 
 /// Lets the next kernel start. The first statement of a kernel that has work before

@@ -59,4 +59,20 @@ __device__ bool add_up(Sums<kCount> sum, const Partials<kCount>& partials, Sums<
   return threadIdx.x == 0;
 }
 
+/// Writes totals for the other shards.
+template <int kCount>
+__device__ void tell(const Sums<kCount>& total, double* totals) {
+  static_assert(kCount <= OfShards::kTotals);
+  for (int n = 0; n < kCount; ++n) totals[n] = total.at[n];
+}
+
+/// Returns the sums over all shards.
+template <int kCount>
+__device__ Sums<kCount> sum_of(const OfShards& shards) {
+  Sums<kCount> sum = {};
+  for (int shard = 0; shard < shards.count; ++shard)
+    for (int n = 0; n < kCount; ++n) sum.at[n] += shards.totals[shard][n];
+  return sum;
+}
+
 }  // namespace burnish::cuda

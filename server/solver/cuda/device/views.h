@@ -154,6 +154,7 @@ struct Rows {
   const int32_t* halo_start;  ///< groups + 1
   const int32_t* halo;
   LongRows long_rows;
+  int32_t own_group_count;  ///< the first groups, which have a shard's own corners; or all
 };
 
 /// IrregularCells::entry.
@@ -222,6 +223,8 @@ struct Topology {
   Shares shares;            ///< for this depth's numbers
   const uint8_t* is_exact;  ///< per group of rows: residuals use all digits of S, as around
                             ///< patches; null if no group does
+  int32_t own_count;        ///< a shard's own corners come first, then ghosts; or all
+  int32_t known_count;      ///< the corners from here on are pinned
 };
 
 /// A symmetric matrix on a depth's stencil: off-diagonal entries with their columns (packed.h).
@@ -250,6 +253,13 @@ struct Sums {
   double at[kCount];
 };
 inline constexpr int kPartialsMax = 1024;
+
+/// The totals of all shards of a scan (solver/multi), in their order. Other devices wrote them.
+struct OfShards {
+  static constexpr int kMax = 16, kTotals = 16;
+  int count;
+  const double* totals[kMax];
+};
 
 /// The sums of a kernel's blocks, and the number of blocks that are done. Zero at first.
 template <int kCount>

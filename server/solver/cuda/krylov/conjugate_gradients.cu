@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "server/solver/cuda/device/reduce.h"
+#include "server/solver/cuda/halo.h"
 #include "server/solver/cuda/krylov/conjugate_gradients.h"
 #include "server/solver/cuda/products/products.h"
 
@@ -58,18 +59,30 @@ __global__ void pin_kernel(Vectors v) {
     v.u[i] = Double3{0, 0, 0};
 }
 
+// The energy ½a²u·Su − a u·b is least at a = u·b / u·Su.
+__device__ void choose_scale(const Sums<9>& total, Scalars& scalars) {
+  for (int n = 0; n < 3; ++n) scalars.scale[n] = quotient(total.at[n], total.at[3 + n]);
+}
+
+__global__ void finish_scale_kernel(Vectors v, OfShards of_shards) {
+  if (thread_index() == 0) choose_scale(sum_of<9>(of_shards), *v.scalars);
+}
+
 // Sums u·b and u·Su; Su is b − r.
 __global__ void scale_sums_kernel(Vectors v) {
   await_previous();
   Sums<9> sums = {};
-  for (int64_t i = thread_index(); i < v.finest.topology.corner_count; i += stride()) {
+  for (int64_t i = thread_index(); i < v.finest.topology.own_count; i += stride()) {
     const Double3 u = v.u[i], b = constraint_of(v, i);
     add(u * b, sums.at);
     add(u * (b - v.r[i]), sums.at + 3);
   }
   Sums<9> total;
   if (!add_up(sums, v.products, &total)) return;
-  for (int n = 0; n < 3; ++n) v.scalars->scale[n] = quotient(total.at[n], total.at[3 + n]);
+  if (v.totals != nullptr)
+    tell(total, v.totals);
+  else
+    choose_scale(total, *v.scalars);
 }
 
 __global__ void rescale_kernel(Vectors v) {
@@ -100,6 +113,10 @@ __device__ void choose_step(const Sums<9>& products, bool restart, Scalars& scal
   }
 }
 
+__global__ void finish_step_kernel(Vectors v, bool restart, OfShards of_shards) {
+  if (thread_index() == 0) choose_step(sum_of<9>(of_shards), restart, *v.scalars);
+}
+
 // Makes w = S z, z·r, z·q and z·w.
 template <bool kRemainder>
 __global__ void __launch_bounds__(kThreads, 6) product_kernel(Vectors v, bool restart) {
@@ -107,7 +124,7 @@ __global__ void __launch_bounds__(kThreads, 6) product_kernel(Vectors v, bool re
   let_next_start();
   const Rows& rows = v.finest.topology.rows;
   Sums<9> sums = {};
-  for (int g = static_cast<int>(blockIdx.x); g < rows.group_count;
+  for (int g = static_cast<int>(blockIdx.x); g < rows.own_group_count;
        g += static_cast<int>(gridDim.x)) {
     const FetchedRow row = fetch_row(rows, v.finest.system.packed, g);
     const int32_t i = row.corner;
@@ -119,14 +136,20 @@ __global__ void __launch_bounds__(kThreads, 6) product_kernel(Vectors v, bool re
       Double3 w = {0, 0, 0};
       if (is_free) w = product_of<kRemainder>(row, exact_matrix(v), tile);
       v.w[i] = w;
-      add(z * v.r[i], sums.at);
-      add(z * v.q[i], sums.at + 3);
-      add(z * w, sums.at + 6);
+      if (i < v.finest.topology.own_count) {
+        add(z * v.r[i], sums.at);
+        add(z * v.q[i], sums.at + 3);
+        add(z * w, sums.at + 6);
+      }
     }
     __syncthreads();
   }
   Sums<9> total;
-  if (add_up(sums, v.products, &total)) choose_step(total, restart, *v.scalars);
+  if (!add_up(sums, v.products, &total)) return;
+  if (v.totals != nullptr)
+    tell(total, v.totals);
+  else
+    choose_step(total, restart, *v.scalars);
 }
 
 // Makes E z at every vertex.
@@ -161,6 +184,28 @@ __device__ void move_vertices(const Vectors& v, const Double3& step, const Doubl
     atomicMax(reinterpret_cast<unsigned*>(&v.scalars->moved_squared_max), __float_as_uint(most));
 }
 
+__device__ void keep_measures(const Sums<9>& total, float moved_squared_max, const Vectors& v) {
+  Scalars& scalars = *v.scalars;
+  scalars.energy = total.at[0];
+  scalars.residual = total.at[1];
+  scalars.constraint = total.at[2];
+  for (int n = 0; n < 3; ++n) {
+    scalars.p_dot_q[n] = total.at[3 + n];
+    scalars.p_dot_r[n] = total.at[6 + n];
+  }
+  Scalars measured = scalars;
+  measured.moved_squared_max = moved_squared_max;
+  *v.measured = measured;
+}
+
+__global__ void finish_advance_kernel(Vectors v, OfShards of_shards) {
+  if (thread_index() > 0) return;
+  double most = 0;
+  for (int shard = 0; shard < of_shards.count; ++shard)
+    most = fmax(most, of_shards.totals[shard][9]);
+  keep_measures(sum_of<9>(of_shards), static_cast<float>(most), v);
+}
+
 // Makes p, q, u and r after the step, the sums of p for the next step, and the parts of the
 // measures.
 __global__ void advance_kernel(Vectors v) {
@@ -175,6 +220,7 @@ __global__ void advance_kernel(Vectors v) {
     v.u[i] = u;
     v.r[i] = r;
     v.finest.f[i] = to_float(r);
+    if (i >= v.finest.topology.own_count) continue;
     const double scale = v.finest.inverse_diagonal[i];
     sums.at[0] -= 0.5 * sum_of(u * (b + r));
     sums.at[1] += scale * sum_of(r * r);
@@ -185,17 +231,14 @@ __global__ void advance_kernel(Vectors v) {
   move_vertices(v, step, momentum);
   Sums<9> total;
   if (!add_up(sums, v.measures, &total)) return;
-  Scalars& scalars = *v.scalars;
-  scalars.energy = total.at[0];
-  scalars.residual = total.at[1];
-  scalars.constraint = total.at[2];
-  for (int n = 0; n < 3; ++n) {
-    scalars.p_dot_q[n] = total.at[3 + n];
-    scalars.p_dot_r[n] = total.at[6 + n];
+  const float moved_squared_max = __ldcg(&v.scalars->moved_squared_max);
+  v.scalars->moved_squared_max = 0;
+  if (v.totals != nullptr) {
+    tell(total, v.totals);
+    v.totals[9] = moved_squared_max;
+  } else {
+    keep_measures(total, moved_squared_max, v);
   }
-  scalars.moved_squared_max = __ldcg(&scalars.moved_squared_max);
-  *v.measured = scalars;
-  scalars.moved_squared_max = 0;
 }
 
 }  // namespace
@@ -205,7 +248,8 @@ static size_t slice_count(int64_t corners) {
 }
 
 ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
-                                       const VertexPlace* evaluation, size_t vertex_count)
+                                       const VertexPlace* evaluation, size_t vertex_count,
+                                       Halo* halo, int number)
     : stream_(stream),
       n_(finest.topology.corner_count),
       evaluation_(evaluation),
@@ -227,6 +271,7 @@ ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
       arrived_(stream, 2),
       scalars_(stream, 1),
       measured_(stream, 1),
+      totals_(stream, halo != nullptr ? OfShards::kTotals : 0),
       vectors_{finest,
                row_sum_.data(),
                u_.data(),
@@ -242,19 +287,33 @@ ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
                {product_sums_.data(), arrived_.data()},
                {measure_sums_.data(), arrived_.data() + 1},
                scalars_.data(),
-               measured_.data()} {}
+               measured_.data(),
+               totals_.data()},
+      halo_(halo),
+      number_(number) {}
 
 void ConjugateGradients::recompute_residual() {
   launch(stream_, pin_kernel, n_, vectors_);
   const Rows& rows = vectors_.finest.topology.rows;
   const auto kernel = vectors_.finest.remainder != nullptr ? recompute_residual_kernel<true>
                                                            : recompute_residual_kernel<false>;
-  launch_products<Double3>(stream_, kernel, rows, rows.group_count, vectors_);
+  launch_products<Double3>(stream_, kernel, rows, rows.own_group_count, vectors_);
+  refresh_residual();
 }
 
 void ConjugateGradients::rescale() {
   launch_striding(stream_, scale_sums_kernel, n_, vectors_);
+  if (halo_ != nullptr) launch_whole(stream_, finish_scale_kernel, 1, vectors_, totals_of_all());
   launch(stream_, rescale_kernel, n_, vectors_);
+  refresh_residual();
+}
+
+void ConjugateGradients::refresh_residual() {
+  if (halo_ != nullptr) halo_->refresh(stream_, number_, vectors_.finest.f);
+}
+
+OfShards ConjugateGradients::totals_of_all() {
+  return halo_->share(stream_, halo_->slot_of_solver(), totals_.data());
 }
 
 void ConjugateGradients::update_direction(bool restart) {
@@ -264,13 +323,18 @@ void ConjugateGradients::update_direction(bool restart) {
   const Rows& rows = vectors_.finest.topology.rows;
   const auto kernel =
       vectors_.finest.remainder != nullptr ? product_kernel<true> : product_kernel<false>;
-  launch_products<float4>(stream_, kernel, rows, std::min(rows.group_count, kPartialsMax), vectors_,
-                          restart);
+  launch_products<float4>(stream_, kernel, rows, std::min(rows.own_group_count, kPartialsMax),
+                          vectors_, restart);
   branch_.join();
+  if (halo_ != nullptr)
+    launch_whole(stream_, finish_step_kernel, 1, vectors_, restart, totals_of_all());
 }
 
 void ConjugateGradients::advance() {
   launch_striding(stream_, advance_kernel, n_, vectors_);
+  if (halo_ == nullptr) return;
+  launch_whole(stream_, finish_advance_kernel, 1, vectors_, totals_of_all());
+  refresh_residual();
 }
 
 ConjugateGradients::Scalars ConjugateGradients::measure() const {

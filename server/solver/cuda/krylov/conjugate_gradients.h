@@ -6,6 +6,8 @@
 
 namespace burnish::cuda {
 
+class Halo;
+
 /// Flexible conjugate gradients in double, as on the CPU: see cpu/krylov/conjugate_gradients.h.
 /// Steps and sums stay on the device; only measure() waits for them.
 ///
@@ -39,10 +41,12 @@ class ConjugateGradients {
     Partials<9> measures;
     Scalars* scalars;
     Scalars* measured;  ///< a copy on the host, after advance()
+    double* totals;     ///< for the other shards; null if the depth is whole
   };
 
+  /// `halo`: to the other shards, which have the depth as `number`; null if it is whole.
   ConjugateGradients(Stream& stream, const Depth& finest, const VertexPlace* evaluation,
-                     size_t vertex_count);
+                     size_t vertex_count, Halo* halo, int number);
 
   double* row_sum() const { return vectors_.row_sum; }
   const Constraint& constraint() const { return vectors_.b; }
@@ -51,6 +55,7 @@ class ConjugateGradients {
 
   void recompute_residual();
   void rescale();
+  void refresh_residual();  ///< brings f of other shards; call after a change of r from outside
   void update_direction(bool restart);
   void advance();
   /// Returns the sums of backend.h's Measures after the last advance(), before division and root.
@@ -59,6 +64,8 @@ class ConjugateGradients {
   uint64_t byte_count() const;
 
  private:
+  OfShards totals_of_all();
+
   Stream& stream_;
   int64_t n_;
   const VertexPlace* evaluation_;
@@ -71,7 +78,10 @@ class ConjugateGradients {
   DeviceArray<unsigned> arrived_;
   DeviceArray<Scalars> scalars_;
   PinnedArray<Scalars> measured_;
+  DeviceArray<double> totals_;
   Vectors vectors_;
+  Halo* halo_;
+  int number_;  // of the depth
 };
 
 }  // namespace burnish::cuda

@@ -76,7 +76,8 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth, cons
                 static_cast<int32_t>(groups.halo_start.size()) - 1,
                 halo_start_.data(),
                 halo_.data(),
-                irregular_.long_rows()};
+                irregular_.long_rows(),
+                (depth.own_count() + groups.rows - 1) / groups.rows};
   view_.cell_corners = cell_corners_.data();
   view_.cells_of_corner = cells_of_corner_.data();
   view_.octant = octant_.data();
@@ -85,6 +86,8 @@ DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth, cons
   view_.irregular = irregular_.view();
   view_.shares = shares_.view();
   view_.is_exact = is_exact_.data();
+  view_.own_count = depth.own_count();
+  view_.known_count = depth.known_count();
   transfer_.put_into(view_);
 }
 
@@ -138,7 +141,7 @@ static std::vector<Curvature> curvatures(std::span<const CellCurvature> of_cells
   return curvatures;
 }
 
-static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(int device, Multigrid on) {
+static Result<std::shared_ptr<DeviceMesh>> copy_to_device(int device, Multigrid on) {
   Stream stream(device);
   auto mesh = std::make_shared<DeviceMesh>();
   mesh->device = device;
@@ -152,7 +155,16 @@ static Result<std::shared_ptr<const DeviceMesh>> copy_to_device(int device, Mult
   mesh->evaluation = DeviceArray<VertexPlace>::copy_of(stream, prepared.evaluation);
   mesh->on = std::move(on);
   if (!stream.synchronize()) return stream.status();
-  return std::shared_ptr<const DeviceMesh>(std::move(mesh));
+  return mesh;
+}
+
+Result<std::shared_ptr<const DeviceMesh>> device_mesh_of_shard(int device, Multigrid on) {
+  ASSIGN_OR_RETURN(const auto mesh, copy_to_device(device, std::move(on)));
+  const auto without_arrays = std::make_shared<PreparedMesh>();
+  without_arrays->frame = mesh->on.prepared->frame;
+  without_arrays->length_unit = mesh->on.prepared->length_unit;
+  mesh->on.prepared = without_arrays;
+  return std::shared_ptr<const DeviceMesh>(mesh);
 }
 
 // The mesh keeps hierarchy and plan alive, so their addresses identify them while it lives.
@@ -165,7 +177,7 @@ Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device, Multigrid on) 
   const Key key = {device, on.hierarchy.get(), on.plan.get()};
   if (const auto found = meshes.find(key); found != meshes.end())
     if (auto mesh = found->second.lock()) return mesh;
-  ASSIGN_OR_RETURN(auto mesh, copy_to_device(device, std::move(on)));
+  ASSIGN_OR_RETURN(std::shared_ptr<const DeviceMesh> mesh, copy_to_device(device, std::move(on)));
   meshes[key] = mesh;
   return mesh;
 }

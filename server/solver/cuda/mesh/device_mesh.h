@@ -70,4 +70,7 @@ struct DeviceMesh {
 /// internal.
 Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device, Multigrid on);
 
+/// Copies a shard's mesh, and keeps none of its integrals on the host. Fails likewise.
+Result<std::shared_ptr<const DeviceMesh>> device_mesh_of_shard(int device, Multigrid on);
+
 }  // namespace burnish::cuda

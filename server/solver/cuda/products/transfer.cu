@@ -153,7 +153,7 @@ __device__ bool is_shared(const FromCell& from) {
 
 template <bool kShared>
 __device__ void prolong_from_cell(const Depth& coarse, const Depth& fine, int64_t i) {
-  if (i >= fine.topology.corner_count || fine.inverse_diagonal[i] == 0) return;
+  if (i >= fine.topology.own_count || fine.inverse_diagonal[i] == 0) return;
   const FromCell from = fine.topology.prolongation[i];
   if (kShared && is_shared(from)) return;
   const Eight corners = coarse.topology.cell_corners[from.cell];
@@ -195,7 +195,7 @@ void compute_residual(Stream& stream, const Depth& depth) {
   const auto kernel =
       has_long(rows) ? (is_exact ? residual_kernel<true, true> : residual_kernel<true, false>)
                      : (is_exact ? residual_kernel<false, true> : residual_kernel<false, false>);
-  launch_products<float4>(stream, kernel, rows, rows.group_count, depth);
+  launch_products<float4>(stream, kernel, rows, rows.own_group_count, depth);
 }
 
 void restrict_to_coarse(Stream& stream, const Depth& fine, const Depth& coarse) {
@@ -215,8 +215,8 @@ void restrict_from_zero(Stream& stream, const Depth& fine, const Depth& coarse) 
 }
 
 void add_prolonged(Stream& stream, const Depth& coarse, const Depth& fine) {
-  launch_with_listed(stream, prolong_kernel<true>, prolong_kernel<false>,
-                     fine.topology.corner_count, fine.topology.shared, coarse, fine);
+  launch_with_listed(stream, prolong_kernel<true>, prolong_kernel<false>, fine.topology.own_count,
+                     fine.topology.shared, coarse, fine);
 }
 
 }  // namespace burnish::cuda

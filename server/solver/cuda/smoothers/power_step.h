@@ -11,8 +11,10 @@ namespace burnish::cuda {
 /// Replaces x_i by (M⁻¹S x)_i and adds to the thread's sums.
 __device__ inline void replace(const PowerStep& power, int32_t i, float4 next, float4 product,
                                float normalise, Sums<2>& sums) {
-  sums.at[0] += sum_of(to_double(power.x[i]) * to_double(product));
-  sums.at[1] += sum_of(to_double(next) * to_double(product));
+  if (i < power.own_count) {
+    sums.at[0] += sum_of(to_double(power.x[i]) * to_double(product));
+    sums.at[1] += sum_of(to_double(next) * to_double(product));
+  }
   power.x[i] = normalise * next;
 }
 
@@ -26,10 +28,8 @@ __device__ inline void set_steps(float lambda_max, Spectrum& spectrum) {
   spectrum.second_step = 2 * rho / half_width;
 }
 
-/// Every thread of every block calls it with its sums. The last block makes the steps from them.
-__device__ inline void update_spectrum(const PowerStep& power, const Sums<2>& sums) {
-  Sums<2> total;
-  if (!add_up(sums, power.partials, &total)) return;
+/// Makes the steps from the sums over all corners.
+__device__ inline void finish_spectrum(const PowerStep& power, const Sums<2>& total) {
   Spectrum& spectrum = *power.spectrum;
   if (total.at[0] > 0 && total.at[1] > 0) {
     spectrum.lambda_max = static_cast<float>(total.at[1] / total.at[0]);
@@ -37,6 +37,16 @@ __device__ inline void update_spectrum(const PowerStep& power, const Sums<2>& su
   }
   const float estimate = static_cast<float>(kLambdaMaxMargin) * spectrum.lambda_max;
   set_steps(fminf(fmaxf(estimate, lambda_max_least(*power.anisotropy)), kLambdaMaxBound), spectrum);
+}
+
+/// Every thread of every block calls it with its sums. The last block makes the steps from them.
+__device__ inline void update_spectrum(const PowerStep& power, const Sums<2>& sums) {
+  Sums<2> total;
+  if (!add_up(sums, power.partials, &total)) return;
+  if (power.totals != nullptr)
+    tell(total, power.totals);
+  else
+    finish_spectrum(power, total);
 }
 
 }  // namespace burnish::cuda

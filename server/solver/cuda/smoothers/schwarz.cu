@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "server/solver/cuda/halo.h"
 #include "server/solver/cuda/products/long_products.h"
 #include "server/solver/cuda/products/transfer.h"
 #include "server/solver/cuda/smoothers/cell_inverse.h"
@@ -93,9 +94,13 @@ __global__ void power_kernel(Depth depth, Matrix inverse, PowerStep power) {
   update_spectrum(power, sums);
 }
 
+__global__ void finish_kernel(PowerStep power, OfShards of_shards) {
+  if (thread_index() == 0) finish_spectrum(power, sum_of<2>(of_shards));
+}
+
 }  // namespace
 
-Schwarz::Schwarz(Stream& stream, const Depth& depth, bool with_rests)
+Schwarz::Schwarz(Stream& stream, const Depth& depth, bool with_rests, Halo* halo, int number)
     : stream_(stream),
       depth_(depth),
       packed_(stream, depth.topology.entry_count),
@@ -107,7 +112,10 @@ Schwarz::Schwarz(Stream& stream, const Depth& depth, bool with_rests)
       sums_(stream, depth.topology.rows.group_count),
       arrived_(stream, 1),
       spectrum_(stream, 1),
-      inverse_{packed_.data(), diagonal_.data(), long_entries_.data(), rest_.data()} {}
+      totals_(stream, halo != nullptr ? OfShards::kTotals : 0),
+      inverse_{packed_.data(), diagonal_.data(), long_entries_.data(), rest_.data()},
+      halo_(halo),
+      number_(number) {}
 
 Stream& Schwarz::fork() {
   branch_.fork();
@@ -115,12 +123,32 @@ Stream& Schwarz::fork() {
 }
 
 void Schwarz::set_up(const CellSquares<float>& inverses, const float* anisotropy) {
-  const PowerStep power = {
-      eigenvector_.data(), depth_.r, anisotropy, spectrum_.data(), {sums_.data(), arrived_.data()}};
+  const PowerStep power = {eigenvector_.data(),
+                           depth_.r,
+                           anisotropy,
+                           spectrum_.data(),
+                           {sums_.data(), arrived_.data()},
+                           depth_.topology.own_count,
+                           totals_.data()};
+  if (halo_ != nullptr) halo_->refresh(branch_.stream(), number_, depth_.inverse_diagonal);
+  refresh(branch_.stream(), depth_.r);
   invert_cells(branch_.stream(), depth_, inverses, inverse_.rest != nullptr);
   assemble_inverse(branch_.stream(), depth_, inverses, inverse_, power, direction_.data());
+  finish_iteration(power);
   if (first_) start_estimate(power);
   first_ = false;
+}
+
+// Without other shards the kernels have done it.
+void Schwarz::finish_iteration(const PowerStep& power) {
+  if (halo_ == nullptr) return;
+  const OfShards all = halo_->share(branch_.stream(), number_, power.totals);
+  launch_whole(branch_.stream(), finish_kernel, 1, power, all);
+  refresh(branch_.stream(), power.x);
+}
+
+void Schwarz::refresh(Stream& stream, float4* vector) {
+  if (halo_ != nullptr) halo_->refresh(stream, number_, vector);
 }
 
 void Schwarz::start_estimate(const PowerStep& power) {
@@ -129,37 +157,47 @@ void Schwarz::start_estimate(const PowerStep& power) {
   Depth depth = depth_;
   depth.x = power.x;
   launch(stream, start_kernel, rows.count, depth_, power.x, power.spectrum);
+  refresh(stream, power.x);
   // Uses a memset, which also keeps the products from fetching rows too early.
   if (stream.is_ok())
     stream.check(cudaMemsetAsync(depth.f, 0, rows.count * sizeof(float4), stream.get()),
                  "clearing f");
   for (int i = 0; i < kIterationsFirst; ++i) {
     compute_residual(stream, depth);
+    refresh(stream, depth.r);
     launch_products<float4>(stream, has_long(rows) ? power_kernel<true> : power_kernel<false>, rows,
-                            rows.group_count, depth, inverse_, power);
+                            rows.own_group_count, depth, inverse_, power);
+    finish_iteration(power);
   }
 }
 
 template <typename Kernel>
 void Schwarz::step(Kernel kernel, const float4* source) {
   const Rows& rows = depth_.topology.rows;
-  launch_products<float4>(stream_, kernel, rows, rows.group_count, depth_, inverse_, source,
+  launch_products<float4>(stream_, kernel, rows, rows.own_group_count, depth_, inverse_, source,
                           spectrum_.data(), direction_.data());
 }
 
 void Schwarz::relax_from_zero() {
   const Rows& rows = depth_.topology.rows;
   step(kernel_of<Step::kFromZero>(rows, inverse_), depth_.f);
+  refresh(stream_, depth_.x);
   compute_residual(stream_, depth_);
+  refresh(stream_, depth_.r);
   step(kernel_of<Step::kSecondFromZero>(rows, inverse_), depth_.r);
+  refresh(stream_, depth_.x);
 }
 
 void Schwarz::relax() {
   const Rows& rows = depth_.topology.rows;
   compute_residual(stream_, depth_);
+  refresh(stream_, depth_.r);
   step(kernel_of<Step::kFirst>(rows, inverse_), depth_.r);
+  refresh(stream_, depth_.x);
   compute_residual(stream_, depth_);
+  refresh(stream_, depth_.r);
   step(kernel_of<Step::kSecond>(rows, inverse_), depth_.r);
+  refresh(stream_, depth_.x);
 }
 
 uint64_t Schwarz::byte_count() const {

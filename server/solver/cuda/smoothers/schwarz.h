@@ -15,7 +15,8 @@ class Schwarz final : public DepthSmoother {
  public:
   /// With rests M⁻¹ has all digits of a float, and almost no regularisation. This needs rests of S,
   /// and no irregular row.
-  Schwarz(Stream& stream, const Depth& depth, bool with_rests);
+  /// `halo`: to the other shards, which have this depth as `number`; null if the depth is whole.
+  Schwarz(Stream& stream, const Depth& depth, bool with_rests, Halo* halo, int number);
 
   Stream& fork() override;
   Stream& beside() override { return branch_.stream(); }
@@ -28,6 +29,8 @@ class Schwarz final : public DepthSmoother {
 
  private:
   void start_estimate(const PowerStep& power);
+  void finish_iteration(const PowerStep& power);
+  void refresh(Stream& stream, float4* vector);
   template <typename Kernel>
   void step(Kernel kernel, const float4* source);
 
@@ -40,7 +43,10 @@ class Schwarz final : public DepthSmoother {
   DeviceArray<Sums<2>> sums_;
   DeviceArray<unsigned> arrived_;
   DeviceArray<Spectrum> spectrum_;
+  DeviceArray<double> totals_;  // for the other shards
   Matrix inverse_;
+  Halo* halo_;
+  int number_;  // of the depth
   bool first_ = true;
 };
 

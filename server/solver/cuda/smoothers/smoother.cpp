@@ -8,9 +8,10 @@ namespace burnish::cuda {
 
 std::unique_ptr<DepthSmoother> make_smoother(Smoother kind, Stream& stream,
                                              const HierarchyDepth& topology, const Depth& depth,
-                                             bool needs_all_digits) {
+                                             bool needs_all_digits, Halo* halo) {
   if (kind == Smoother::kGaussSeidel) return std::make_unique<GaussSeidel>(stream, topology, depth);
-  return std::make_unique<Schwarz>(stream, depth, topology.is_finest() && needs_all_digits);
+  return std::make_unique<Schwarz>(stream, depth, topology.is_finest() && needs_all_digits, halo,
+                                   topology.grid.depth);
 }
 
 }  // namespace burnish::cuda

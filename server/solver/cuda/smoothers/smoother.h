@@ -11,6 +11,10 @@ struct HierarchyDepth;
 }
 
 namespace burnish::cuda {
+class Halo;
+}
+
+namespace burnish::cuda {
 
 /// Relaxes one depth. relax() is the transpose of relax_from_zero(), so the V-cycle stays
 /// symmetric. One object serves one depth.
@@ -34,9 +38,10 @@ class DepthSmoother {
   virtual uint64_t byte_count() const = 0;
 };
 
-/// Needs: `kind` is one of kCudaSmoothers.
+/// `halo`: to the other shards, for kSchwarz alone; null if the depth is whole. Needs: `kind` is
+/// one of kCudaSmoothers.
 std::unique_ptr<DepthSmoother> make_smoother(Smoother kind, Stream& stream,
                                              const HierarchyDepth& topology, const Depth& depth,
-                                             bool needs_all_digits);
+                                             bool needs_all_digits, Halo* halo);
 
 }  // namespace burnish::cuda

@@ -19,6 +19,8 @@ struct PowerStep {
   const float* anisotropy;  ///< the largest ratio of α1 to α2, or α2 to α1, in any cell
   Spectrum* spectrum;
   Partials<2> partials;  ///< x·Sx and M⁻¹Sx·Sx
+  int32_t own_count;     ///< the sums are over the first corners
+  double* totals;        ///< for the other shards, which make the steps together; or null
 };
 
 }  // namespace burnish::cuda

@@ -1,0 +1,141 @@
+#include "server/solver/multi/cpu_shards.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "server/solver/cpu/cpu_backend.h"
+#include "server/solver/cpu/halo.h"
+#include "server/solver/hierarchy/sheets/irregular_rows.h"
+
+namespace burnish {
+
+namespace {
+
+/// What the shards of one backend have in common while they exchange.
+struct Meeting {
+  std::shared_ptr<const Shards> shards;
+  LockStep& steps;
+  std::vector<void*> numbers;   // of each shard
+  std::vector<double> results;  // of a sum or a maximum
+
+  const HaloLists& lists(int shard, int depth) const {
+    return shards->all[shard].halos[depth - shards->border];
+  }
+  int own_corners(int shard, int depth) const {
+    return shards->all[shard].on.hierarchy->at(depth).own_count();
+  }
+};
+
+template <typename T>
+void bring_to_ghosts(const Meeting& meeting, int depth) {
+  for (int shard = 0; shard < meeting.shards->count(); ++shard) {
+    T* to = static_cast<T*>(meeting.numbers[shard]) + meeting.own_corners(shard, depth);
+    for (const auto& [owner, index] : meeting.lists(shard, depth).ghosts)
+      *to++ =
+          static_cast<const T*>(meeting.numbers[owner])[meeting.lists(owner, depth).sent[index]];
+  }
+}
+
+template <typename T>
+void add_to_owners(const Meeting& meeting, int depth) {
+  for (int shard = 0; shard < meeting.shards->count(); ++shard) {
+    const HaloLists& lists = meeting.lists(shard, depth);
+    T* own = static_cast<T*>(meeting.numbers[shard]);
+    for (size_t k = 0; k < lists.sent.size(); ++k)
+      for (const auto& [other, ghost] : lists.copies[k])
+        own[lists.sent[k]] += static_cast<const T*>(
+            meeting.numbers[other])[meeting.own_corners(other, depth) + ghost];
+  }
+}
+
+// Returns where a part's numbers begin, and how many they are.
+std::span<double> numbers_of(double* numbers, size_t cells, int32_t part) {
+  const auto place = static_cast<size_t>(part);
+  if (place < cells) return {numbers + kNumbersPerCell * place, size_t{kNumbersPerCell}};
+  return {numbers + kNumbersPerCell * cells + kNumbersPerTie * (place - cells),
+          size_t{kNumbersPerTie}};
+}
+
+void bring_to_first(const Meeting& meeting) {
+  const auto cells = [&](int shard) {
+    return meeting.shards->all[shard].on.hierarchy->at(meeting.shards->border).grid.cells.size();
+  };
+  auto* to = static_cast<double*>(meeting.numbers[0]);
+  for (int shard = 1; shard < meeting.shards->count(); ++shard) {
+    auto* from = static_cast<double*>(meeting.numbers[shard]);
+    const BorderLists& lists = meeting.shards->all[shard].border;
+    for (size_t i = 0; i < lists.here.size(); ++i)
+      std::ranges::copy(numbers_of(from, cells(shard), lists.here[i]),
+                        numbers_of(to, cells(0), lists.whole[i]).begin());
+  }
+}
+
+class CpuHalo final : public cpu::Halo {
+ public:
+  CpuHalo(std::shared_ptr<Meeting> meeting, int shard)
+      : meeting_(std::move(meeting)), shard_(shard) {}
+
+  int border() const override { return meeting_->shards->border; }
+
+  void refresh(int depth, std::span<Eigen::Array4f> vector) override {
+    meet(vector.data(), [&] { bring_to_ghosts<Eigen::Array4f>(*meeting_, depth); });
+  }
+  void refresh(int depth, std::span<float> vector) override {
+    meet(vector.data(), [&] { bring_to_ghosts<float>(*meeting_, depth); });
+  }
+  void add_up(int depth, std::span<Eigen::Array4f> vector) override {
+    meet(vector.data(), [&] {
+      add_to_owners<Eigen::Array4f>(*meeting_, depth);
+      bring_to_ghosts<Eigen::Array4f>(*meeting_, depth);
+    });
+  }
+  void collect(double* numbers) override {
+    meet(numbers, [&] { bring_to_first(*meeting_); });
+  }
+  void sum(std::span<double> numbers) override {
+    combine(numbers, [](double sum, double number) { return sum + number; });
+  }
+  void keep_largest(double& number) override {
+    combine({&number, 1}, [](double most, double one) { return std::max(most, one); });
+  }
+
+ private:
+  template <typename Together>
+  void meet(void* numbers, Together&& together) {
+    meeting_->numbers[shard_] = numbers;
+    meeting_->steps.meet(together);
+  }
+
+  template <typename Combine>
+  void combine(std::span<double> numbers, Combine&& combine_two) {
+    meet(numbers.data(), [&] {
+      const auto of = [&](int shard) {
+        return std::span(static_cast<double*>(meeting_->numbers[shard]), numbers.size());
+      };
+      meeting_->results.assign(of(0).begin(), of(0).end());
+      for (int shard = 1; shard < meeting_->shards->count(); ++shard)
+        std::ranges::transform(meeting_->results, of(shard), meeting_->results.begin(),
+                               combine_two);
+    });
+    std::ranges::copy(meeting_->results, numbers.begin());
+  }
+
+  std::shared_ptr<Meeting> meeting_;
+  int shard_;
+};
+
+}  // namespace
+
+CpuShards make_cpu_shards(std::shared_ptr<const Shards> shards, LockStep& steps) {
+  const int count = shards->count();
+  auto meeting = std::make_shared<Meeting>(Meeting{shards, steps, {}, {}});
+  meeting->numbers.resize(count);
+  CpuShards made;
+  for (int shard = 0; shard < count; ++shard) {
+    made.halos.push_back(std::make_unique<CpuHalo>(meeting, shard));
+    made.backends.push_back(make_cpu_shard_backend(shards->all[shard].on, *made.halos.back()));
+  }
+  return made;
+}
+
+}  // namespace burnish

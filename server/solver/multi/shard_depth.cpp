@@ -1,0 +1,163 @@
+#include "server/solver/multi/shard_depth.h"
+
+#include <algorithm>
+
+#include "server/solver/hierarchy/sources.h"
+
+namespace burnish {
+
+namespace {
+
+std::span<const int32_t> cells_of(const DepthSets& sets) {
+  return std::span(sets.parts).first(sets.cells);
+}
+
+SparseGrid take_grid(const SparseGrid& whole, const DepthSets& sets, const LocalIndices& local) {
+  SparseGrid grid;
+  grid.depth = whole.depth;
+  const auto map = [](const std::array<int32_t, kCornersPerCell>& from,
+                      const std::vector<int32_t>& to) {
+    std::array<int32_t, kCornersPerCell> mapped;
+    for (int a = 0; a < kCornersPerCell; ++a) mapped[a] = from[a] == kNone ? kNone : to[from[a]];
+    return mapped;
+  };
+  for (const int32_t cell : cells_of(sets)) {
+    grid.cells.push_back(whole.cells[cell]);
+    grid.cell_corners.push_back(map(whole.cell_corners[cell], local.corner));
+  }
+  for (const int32_t corner : sets.corners) {
+    grid.corners.push_back(whole.corners[corner]);
+    grid.cells_of_corner.push_back(map(whole.cells_of_corner[corner], local.part));
+  }
+  return grid;
+}
+
+std::vector<CellTie> take_ties(const HierarchyDepth& whole, const DepthSets& sets,
+                               const LocalIndices& local) {
+  std::vector<CellTie> ties;
+  if (whole.is_finest()) return ties;
+  for (const int32_t part : std::span(sets.parts).subspan(sets.cells)) {
+    CellTie tie = whole.ties[part - whole.grid.cell_count()];
+    tie.first = local.part[tie.first];
+    tie.second = local.part[tie.second];
+    ties.push_back(tie);
+  }
+  return ties;
+}
+
+void take_transfer(const HierarchyDepth& whole, const DepthSets& sets, const LocalIndices& local,
+                   const LocalIndices& coarse, const SparseGrid& coarse_grid,
+                   HierarchyDepth& made) {
+  const DepthTransfer& from = whole.to_parent;
+  DepthTransfer& to = made.to_parent;
+  to.shared.start = {0};
+  to.prolongation.assign(sets.corners.size(), {kNone, 0});
+  for (int32_t i = 0; i < sets.own; ++i)
+    if (const FromCell& of = from.prolongation[sets.corners[i]]; of.cell != kNone)
+      to.prolongation[i] = {coarse.part[of.cell], of.place};
+  for (int32_t s = 0; s < from.shared.count(); ++s) {
+    const int32_t corner = local.corner[from.shared.corner[s]];
+    if (corner == kNone || corner >= sets.own) continue;
+    to.shared.corner.push_back(corner);
+    for (int32_t k = from.shared.start[s]; k < from.shared.start[s + 1]; ++k) {
+      to.shared.coarse_corner.push_back(coarse.corner[from.shared.coarse_corner[k]]);
+      to.shared.weight.push_back(from.shared.weight[k]);
+    }
+    to.shared.start.push_back(static_cast<int32_t>(to.shared.coarse_corner.size()));
+  }
+  make_restriction(coarse_grid, sets.own, to);
+  made.parent_cell.reserve(sets.cells);
+  for (const int32_t cell : cells_of(sets))
+    made.parent_cell.push_back(coarse.part[whole.parent_cell[cell]]);
+}
+
+/// Copies the parts of cells that shares use, each once. The octants' parts stay the first eight.
+class UsedParts {
+ public:
+  UsedParts(const std::vector<CellPart>& from, std::vector<CellPart>& to)
+      : from_(from), to_(to), place_(from.size(), kNone) {
+    for (int32_t octant = 0; octant < std::min<int32_t>(8, std::ssize(from)); ++octant)
+      take(octant);
+  }
+  int32_t take(int32_t part) {
+    if (place_[part] == kNone) {
+      place_[part] = static_cast<int32_t>(to_.size());
+      to_.push_back(from_[part]);
+    }
+    return place_[part];
+  }
+
+ private:
+  const std::vector<CellPart>& from_;
+  std::vector<CellPart>& to_;
+  std::vector<int32_t> place_;
+};
+
+CellShares take_shares(const HierarchyDepth& whole, const DepthSets& sets,
+                       const LocalIndices& local, const NeighbourDepth& fine) {
+  CellShares shares;
+  shares.start = {0};
+  if (!whole.shares.target.empty()) {
+    UsedParts used(whole.shares.part, shares.part);
+    for (size_t t = 0; t < whole.shares.target.size(); ++t) {
+      const int32_t target = local.part[whole.shares.target[t]];
+      if (target == kNone || sets.is_made[target] == 0) continue;
+      shares.target.push_back(target);
+      for (int32_t k = whole.shares.start[t]; k < whole.shares.start[t + 1]; ++k) {
+        const CellShare& share = whole.shares.share[k];
+        const int32_t left = used.take(share.left), right = used.take(share.right);
+        shares.share.push_back({fine.local.part[share.source], left, right, share.is_transposed});
+      }
+      shares.start.push_back(static_cast<int32_t>(shares.share.size()));
+    }
+  }
+  return shares;
+}
+
+void take_sources(const HierarchyDepth& whole, const DepthSets& sets, const LocalIndices& local,
+                  const NeighbourDepth& fine, HierarchyDepth& made) {
+  std::vector<uint8_t> is_child(fine.sets.cells, 0);
+  for (int32_t cell = 0; cell < sets.cells; ++cell) {
+    std::vector<int32_t> children;
+    if (sets.is_made[cell] != 0)
+      for (const int32_t child : whole.children[sets.parts[cell]])
+        children.push_back(fine.local.part[child]);
+    for (const int32_t child : children) is_child[child] = 1;
+    made.children.add(children);
+  }
+  made.shares = take_shares(whole, sets, local, fine);
+  for (int32_t cell = 0; cell < fine.sets.cells; ++cell)
+    if (is_child[cell] == 0) made.shares.apart.push_back(cell);
+}
+
+void add_stencil(HierarchyDepth& depth) {
+  depth.stencil = make_stencil(depth.grid, depth.ties);
+  for (const int32_t corner : depth.stencil.irregular.corner)
+    depth.grid.cells_of_corner[corner].fill(kNone);
+}
+
+}  // namespace
+
+LocalIndices::LocalIndices(const HierarchyDepth& whole, const DepthSets& sets)
+    : corner(whole.grid.corners.size(), kNone), part(part_count(whole), kNone) {
+  for (size_t i = 0; i < sets.corners.size(); ++i)
+    corner[sets.corners[i]] = static_cast<int32_t>(i);
+  for (size_t i = 0; i < sets.parts.size(); ++i) part[sets.parts[i]] = static_cast<int32_t>(i);
+}
+
+HierarchyDepth make_shard_depth(const NeighbourDepth& depth, const NeighbourDepth* coarse,
+                                const SparseGrid* coarse_grid, const NeighbourDepth* fine) {
+  const auto& [whole, sets, local] = depth;
+  HierarchyDepth made;
+  made.grid = take_grid(whole.grid, sets, local);
+  made.ties = take_ties(whole, sets, local);
+  if (fine == nullptr) made.sheet_count = static_cast<int32_t>(sets.parts.size()) - sets.cells;
+  made.ghost_count = sets.ghosts;
+  made.fringe_count = static_cast<int32_t>(sets.corners.size()) - sets.own - sets.ghosts;
+  if (fine != nullptr) take_sources(whole, sets, local, *fine, made);
+  if (coarse != nullptr) take_transfer(whole, sets, local, coarse->local, *coarse_grid, made);
+  if (coarse != nullptr || sets.own > 0) add_stencil(made);
+  return made;
+}
+
+}  // namespace burnish

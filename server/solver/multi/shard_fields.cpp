@@ -1,0 +1,59 @@
+#include "server/solver/multi/shard_fields.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace burnish {
+
+ShardFields::ShardFields(std::span<const int32_t> cells)
+    : cells_(cells),
+      follow_(cells.size(), 1),
+      own_(cells.size(), 0),
+      is_painted_((cells.size() + CellPaint::kStretch - 1) / CellPaint::kStretch, 0) {}
+
+MetricView ShardFields::metric(const MetricView& whole) {
+  own_fields_.clear();
+  auto next = cells_.begin();
+  for (const OwnFields& of : whole.own) {
+    next = std::lower_bound(next, cells_.end(), of.cell);
+    if (next == cells_.end()) break;
+    if (*next != of.cell) continue;
+    own_fields_.push_back(of);
+    own_fields_.back().cell = static_cast<int32_t>(next - cells_.begin());
+  }
+  return {whole.curve, own_fields_};
+}
+
+FieldsView ShardFields::constraint(const FieldsView& whole) {
+  const auto stretches = static_cast<int64_t>(is_painted_.size());
+#pragma omp parallel for schedule(static)
+  for (int64_t stretch = 0; stretch < stretches; ++stretch)
+    take_stretch(whole.paint, static_cast<size_t>(stretch));
+  FieldsView view{};
+  view.gradient_scale = whole.gradient_scale;
+  view.paint = {follow_, own_, is_painted_};
+  return view;
+}
+
+// A stretch's cells rise, so they lie in some stretches of the whole scan from a first to a last.
+void ShardFields::take_stretch(const CellPaint& whole, size_t stretch) {
+  const size_t begin = stretch * CellPaint::kStretch;
+  const size_t end = std::min(begin + CellPaint::kStretch, cells_.size());
+  const size_t first = cells_[begin] / CellPaint::kStretch;
+  const size_t last = cells_[end - 1] / CellPaint::kStretch;
+  const bool has_paint =
+      std::ranges::any_of(whole.is_painted.subspan(first, last - first + 1), std::identity());
+  if (!has_paint && is_painted_[stretch] == 0) return;
+  is_painted_[stretch] = has_paint;
+  for (size_t c = begin; c < end; ++c) {
+    follow_[c] = whole.follow[cells_[c]];
+    own_[c] = whole.own[cells_[c]];
+  }
+}
+
+uint64_t ShardFields::byte_count() const {
+  return own_fields_.capacity() * sizeof(OwnFields) +
+         (follow_.capacity() + own_.capacity()) * sizeof(float) + is_painted_.capacity();
+}
+
+}  // namespace burnish
