@@ -71,7 +71,8 @@ std::vector<int32_t> parts_above(const HierarchyDepth& fine, const HierarchyDept
   IndexSet of_fine(part_count(fine)), parts(part_count(coarse));
   for (const int32_t part : fine_parts) {
     of_fine.insert(part);
-    if (part < fine.grid.cell_count()) parts.insert(fine.parent_cell[part]);
+    if (part < fine.grid.cell_count() && fine.parent_cell[part] != kNone)
+      parts.insert(fine.parent_cell[part]);
   }
   const CellShares& shares = coarse.shares;
   for (size_t i = 0; i < shares.target.size(); ++i)
