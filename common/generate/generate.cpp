@@ -56,6 +56,9 @@ const std::vector<Recipe>& recipes() {
       {{"part", "machined part: flat faces, sharp edges, a boss and a through hole"},
        60,
        generate_part},
+      {{"wall", "thin wall from tomography: torn, with specks and non-manifold edges"},
+       2000,
+       generate_wall},
   };
   return all;
 }

@@ -22,7 +22,7 @@ struct GeneratedScanKind {
   std::string_view description;  ///< one line for the help text
 };
 
-/// tablet, icosphere, cylinder, sheet, blob, sheets, fan, soup, part (docs/benchmarks.md, "The
+/// tablet, icosphere, cylinder, sheet, blob, sheets, fan, soup, part, wall (docs/benchmarks.md, "The
 /// scans").
 const std::vector<GeneratedScanKind>& generated_scan_kinds();
 

@@ -16,6 +16,7 @@ TriangleMesh generate_sheets(uint64_t vertices, uint64_t seed);
 TriangleMesh generate_fan(uint64_t vertices, uint64_t seed);
 TriangleMesh generate_soup(uint64_t vertices, uint64_t seed);
 TriangleMesh generate_part(uint64_t vertices, uint64_t seed);
+TriangleMesh generate_wall(uint64_t vertices, uint64_t seed);
 
 /// Returns the distance of the blob's surface from its centre along a unit direction, about
 /// 0.5..1.5.

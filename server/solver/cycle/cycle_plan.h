@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "server/solver/cycle/patches.h"
+#include "server/solver/hierarchy/patches.h"
 
 namespace burnish {
 

@@ -34,18 +34,17 @@ void add_shared(const CoarseGrid& coarse, const SheetCorners& sheets, size_t i,
   std::map<int32_t, double> weight;
   for (int32_t k = sheets.start[i]; k < sheets.start[i + 1]; ++k) {
     const FromCell& from = coarse.from[sheets.copy[k]];
+    if (from.cell == kNone) continue;
     const PositiveWeights& half_way = positive_weights(from.place);
     for (int j = 0; j < half_way.count; ++j)
       weight[coarse.grid.cell_corners[from.cell][half_way.corner[j]]] +=
           double{sheets.weight[k]} * half_way.weight[j];
   }
   DepthTransfer::SharedCorners& shared = transfer.shared;
-  shared.corner.push_back(sheets.shared[i]);
   for (const auto& [coarse_corner, sum] : weight) {
     shared.coarse_corner.push_back(coarse_corner);
     shared.weight.push_back(static_cast<float>(sum));
   }
-  shared.start.push_back(static_cast<int32_t>(shared.coarse_corner.size()));
 }
 
 }  // namespace
@@ -84,9 +83,17 @@ DepthTransfer make_transfer(const CoarseGrid& coarse, const SheetCorners& sheets
   DepthTransfer transfer;
   transfer.prolongation.assign(coarse.from.begin(), coarse.from.begin() + corner_count);
   transfer.shared.start = {0};
-  for (size_t i = 0; i < sheets.shared.size(); ++i) {
-    transfer.prolongation[sheets.shared[i]] = {kNone, 0};
-    add_shared(coarse, sheets, i, transfer);
+  DepthTransfer::SharedCorners& shared = transfer.shared;
+  size_t next = 0;
+  for (int32_t corner = 0; corner < corner_count; ++corner) {
+    const bool is_shared = next < sheets.shared.size() && sheets.shared[next] == corner;
+    if (is_shared) {
+      transfer.prolongation[corner] = {kNone, 0};
+      add_shared(coarse, sheets, next++, transfer);
+    }
+    if (!transfer.is_shared(corner)) continue;
+    shared.corner.push_back(corner);
+    shared.start.push_back(static_cast<int32_t>(shared.coarse_corner.size()));
   }
   make_restriction(coarse.grid, transfer);
   return transfer;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "server/solver/hierarchy/coarse_grid.h"
+#include "server/solver/hierarchy/sheets/crumbs.h"
 #include "server/solver/hierarchy/sheets/sheet_corners.h"
 
 namespace burnish {
@@ -41,9 +42,48 @@ HierarchyDepth make_joined_parents(HierarchyDepth& fine) {
   return make_parent_depth(fine, std::move(coarse), {});
 }
 
-HierarchyDepth make_parents_of_finest(HierarchyDepth& finest, const SheetCorners& sheets) {
+// Returns the half-way point of a coarse cell that is nearest to a corner of the depth below.
+uint8_t nearest_place(const GridKey& cell, const GridKey& corner) {
+  const Vec3i from_cell = morton_point(corner.place) - 2 * morton_point(cell.place);
+  const Vec3i at = from_cell.cwiseMax(0).cwiseMin(2);
+  return static_cast<uint8_t>(at.x() + 3 * at.y() + 9 * at.z());
+}
+
+// Returns the coarse grid of all sheets but those of crumbs. These have no parent: each takes its
+// values from the cell at its anchor.
+CoarseGrid keep_sheets_apart(const SparseGrid& finest, const SheetCorners& sheets,
+                             std::span<const Crumb> crumbs) {
+  std::vector<char> is_of_crumb(sheets.copy_count);
+  for (const Crumb& crumb : crumbs)
+    for (const int32_t copy : crumb.copies) is_of_crumb[copy] = 1;
+  std::vector<GridKey> cells;
+  std::vector<std::array<int32_t, kCornersPerCell>> corners;
+  for (size_t s = 0; s < sheets.cell.size(); ++s) {
+    if (is_of_crumb[sheets.corners[s][0]]) continue;
+    cells.push_back(sheets.cell[s]);
+    corners.push_back(sheets.corners[s]);
+  }
   CoarseGrid coarse =
-      keep_sheets_apart(finest.grid.depth - 1, sheets.cell, sheets.corners, sheets.copy_count);
+      keep_sheets_apart(finest.depth - 1, cells, corners, sheets.copy_count);
+  auto parent = coarse.parent_cell.begin();
+  std::vector<int32_t> parents(sheets.cell.size(), kNone);
+  for (size_t s = 0; s < parents.size(); ++s)
+    if (!is_of_crumb[sheets.corners[s][0]]) parents[s] = *parent++;
+  coarse.parent_cell = std::move(parents);
+  const std::vector<int32_t> anchors = find_anchors(crumbs, sheets);
+  for (size_t i = 0; i < crumbs.size(); ++i) {
+    if (anchors[i] == kNone) continue;
+    const int32_t cell = coarse.from[anchors[i]].cell;
+    for (size_t k = 0; k < crumbs[i].copies.size(); ++k)
+      coarse.from[crumbs[i].copies[k]] = {
+          cell, nearest_place(coarse.grid.cells[cell], finest.corners[crumbs[i].corners[k]])};
+  }
+  return coarse;
+}
+
+HierarchyDepth make_parents_of_finest(HierarchyDepth& finest, const SheetCorners& sheets,
+                                      std::span<const Crumb> crumbs) {
+  CoarseGrid coarse = keep_sheets_apart(finest.grid, sheets, crumbs);
   finest.to_parent = make_transfer(coarse, sheets, finest.grid.corner_count());
   TiesAndShares numbers = share_cells(finest.grid, sheets, coarse);
   std::vector<int32_t> parent_of_sheet = std::move(coarse.parent_cell);
@@ -72,11 +112,12 @@ std::vector<HierarchyDepth> joined_depths(SparseGrid finest) {
   return depths;
 }
 
-std::vector<HierarchyDepth> depths_apart(SparseGrid finest, const SheetCorners& sheets) {
+std::vector<HierarchyDepth> depths_apart(SparseGrid finest, const SheetCorners& sheets,
+                                         std::span<const Crumb> crumbs) {
   std::vector<HierarchyDepth> depths(1);
   depths[0].grid = std::move(finest);
   while (!is_coarsest(depths.back().grid))
-    depths.push_back(depths.size() == 1 ? make_parents_of_finest(depths.back(), sheets)
+    depths.push_back(depths.size() == 1 ? make_parents_of_finest(depths.back(), sheets, crumbs)
                                         : make_parents_apart(depths.back()));
   return depths;
 }
@@ -95,15 +136,30 @@ bool has_endless_rows(const HierarchyDepth& depth) {
   });
 }
 
-std::vector<HierarchyDepth> make_depths(const PreparedMesh& prepared, Sheets sheets) {
+// Makes patches on crumbs. Returns the crumbs that need no coarse cells beside it.
+std::vector<Crumb> crumbs_with_patches(const SparseGrid& finest, const SheetCorners& sheets,
+                                       Patches& patches) {
+  std::vector<Crumb> found = find_crumbs(finest, sheets), crumbs;
+  std::vector<std::vector<int32_t>> sets;
+  for (const Crumb& crumb : found) sets.push_back(crumb.patch);
+  std::vector<char> was_left_out;
+  patches = make_patches(finest, sets, &was_left_out);
+  for (size_t i = 0; i < found.size(); ++i)
+    if (!was_left_out[i] && !found[i].needs_coarse_cells) crumbs.push_back(std::move(found[i]));
+  return crumbs;
+}
+
+std::vector<HierarchyDepth> make_depths(const PreparedMesh& prepared, Sheets sheets,
+                                        Patches& patches) {
   SparseGrid finest = make_finest_grid(prepared.frame.depth, prepared.cells);
   if (sheets == Sheets::kTogether) return joined_depths(std::move(finest));
   const SheetCorners corners = find_sheet_corners(prepared, finest);
   if (corners.copy_count - finest.corner_count() > finest.corner_count() / kCornersPerExtraCopy) {
     const SheetCorners whole = one_sheet_per_cell(finest);
-    return depths_apart(std::move(finest), whole);
+    return depths_apart(std::move(finest), whole, {});
   }
-  std::vector<HierarchyDepth> depths = depths_apart(std::move(finest), corners);
+  const std::vector<Crumb> crumbs = crumbs_with_patches(finest, corners, patches);
+  std::vector<HierarchyDepth> depths = depths_apart(std::move(finest), corners, crumbs);
   depths[0].sheet_count = static_cast<int32_t>(prepared.sheets.size());
   return depths;
 }
@@ -148,7 +204,8 @@ Result<std::shared_ptr<const Hierarchy>> make_hierarchy(const PreparedMesh& prep
   };
   static const char kCancelled[] = "cancelled while connecting cells";
   if (!goes_on(0)) return cancelled(kCancelled);
-  std::vector<HierarchyDepth> from_finest = make_depths(prepared, sheets);
+  Patches crumbs;
+  std::vector<HierarchyDepth> from_finest = make_depths(prepared, sheets, crumbs);
   for (HierarchyDepth& depth : from_finest) {
     if (!goes_on(0.5)) return cancelled(kCancelled);
     add_stencil(depth);
@@ -161,12 +218,13 @@ Result<std::shared_ptr<const Hierarchy>> make_hierarchy(const PreparedMesh& prep
   hierarchy->finest = prepared.frame.depth;
   hierarchy->depths.assign(std::make_move_iterator(from_finest.rbegin()),
                            std::make_move_iterator(from_finest.rend()));
+  hierarchy->crumbs = std::move(crumbs);
   hierarchy->points = sort_by_cell(prepared.evaluation, hierarchy->depths.back().grid.cell_count());
   return std::shared_ptr<const Hierarchy>(std::move(hierarchy));
 }
 
 uint64_t Hierarchy::byte_count() const {
-  uint64_t bytes = points.byte_count();
+  uint64_t bytes = points.byte_count() + crumbs.byte_count();
   for (const HierarchyDepth& depth : depths)
     bytes += bytes_of(depth.grid) + bytes_of(depth.stencil) + bytes_of(depth.to_parent) +
              bytes_of(depth.shares) + depth.children.byte_count() +

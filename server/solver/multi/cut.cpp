@@ -19,7 +19,8 @@ std::vector<int64_t> weights_of_border(const Hierarchy& hierarchy, int border) {
   for (int depth = hierarchy.finest; depth > border; --depth) {
     std::vector<int64_t> of_parents(hierarchy.at(depth - 1).grid.cells.size());
     const std::vector<int32_t>& parent = hierarchy.at(depth).parent_cell;
-    for (size_t c = 0; c < parent.size(); ++c) of_parents[parent[c]] += weight[c];
+    for (size_t c = 0; c < parent.size(); ++c)
+      if (parent[c] != kNone) of_parents[parent[c]] += weight[c];
     weight = std::move(of_parents);
   }
   return weight;
@@ -34,6 +35,16 @@ std::vector<uint8_t> cut_border(const std::vector<int64_t>& weight, int shards) 
     before += weight[c];
   }
   return owner;
+}
+
+// A crumb's cell has no parent. It goes with the coarse cell that its first corners follow.
+uint8_t owner_of_cell(const HierarchyDepth& depth, size_t cell,
+                      const std::vector<uint8_t>& of_parents) {
+  if (depth.parent_cell[cell] != kNone) return of_parents[depth.parent_cell[cell]];
+  for (const int32_t corner : depth.grid.cell_corners[cell])
+    if (const int32_t from = depth.to_parent.prolongation[corner].cell; from != kNone)
+      return of_parents[from];
+  return 0;  // it floats
 }
 
 std::vector<uint8_t> owners_of_corners(const SparseGrid& grid, const std::vector<uint8_t>& cell) {
@@ -82,7 +93,8 @@ Cut cut_hierarchy(const Hierarchy& hierarchy, const Patches& patches, int shards
     const std::vector<uint8_t>& of_parents = cut.at(depth - 1).cell;
     Cut::Owners& owners = cut.owners[depth - border];
     owners.cell.resize(of.grid.cells.size());
-    for (size_t c = 0; c < owners.cell.size(); ++c) owners.cell[c] = of_parents[of.parent_cell[c]];
+    for (size_t c = 0; c < owners.cell.size(); ++c)
+      owners.cell[c] = owner_of_cell(of, c, of_parents);
     owners.corner = owners_of_corners(of.grid, owners.cell);
   }
   if (patches.count() > 0)

@@ -67,8 +67,10 @@ void take_transfer(const HierarchyDepth& whole, const DepthSets& sets, const Loc
   }
   make_restriction(coarse_grid, sets.own, to);
   made.parent_cell.reserve(sets.cells);
-  for (const int32_t cell : cells_of(sets))
-    made.parent_cell.push_back(coarse.part[whole.parent_cell[cell]]);
+  for (const int32_t cell : cells_of(sets)) {
+    const int32_t parent = whole.parent_cell[cell];
+    made.parent_cell.push_back(parent == kNone ? kNone : coarse.part[parent]);
+  }
 }
 
 /// Copies the parts of cells that shares use, each once. The octants' parts stay the first eight.

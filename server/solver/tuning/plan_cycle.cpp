@@ -5,8 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "server/solver/hierarchy/sheets/sheet_corners.h"
-#include "server/solver/tuning/crumbs.h"
 #include "server/solver/tuning/flat_parts.h"
 #include "server/solver/tuning/slow_spots.h"
 
@@ -25,13 +23,6 @@ constexpr int32_t kTrialCornersMax = 4'000'000;  // a trial needs the memory of 
 
 double share_of_irregular_rows(const HierarchyDepth& depth) {
   return static_cast<double>(depth.stencil.irregular.count()) / depth.grid.corner_count();
-}
-
-/// Returns none if the finest depth keeps all sheets together: they then share no corner.
-Patches patches_on_crumbs(const PreparedMesh& prepared, const HierarchyDepth& finest) {
-  if (finest.to_parent.shared.count() == 0) return {};
-  return make_patches(finest.grid,
-                      find_crumbs(finest.grid, find_sheet_corners(prepared, finest.grid)));
 }
 
 /// Returns the first depth with weak parts, or nothing if few sheets come together.
@@ -71,7 +62,7 @@ Result<std::shared_ptr<const CyclePlan>> plan_cycle(
     const std::shared_ptr<const PreparedMesh>& prepared,
     const std::shared_ptr<const Hierarchy>& hierarchy, const Progress& progress) {
   const auto plan = std::make_shared<CyclePlan>();
-  plan->patches = patches_on_crumbs(*prepared, hierarchy->depths.back());
+  plan->patches = hierarchy->crumbs;
   plan->has_flat_parts = has_flat_parts(*prepared);
   if (const auto weak = first_weak_depth(*hierarchy)) {
     plan->first_weak_depth = *weak;

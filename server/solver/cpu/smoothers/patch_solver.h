@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "server/solver/cpu/cpu_depth.h"
-#include "server/solver/cycle/patches.h"
+#include "server/solver/hierarchy/patches.h"
 
 namespace burnish::cpu {
 

@@ -2,7 +2,7 @@
 
 #include "server/solver/cuda/device/device_memory.h"
 #include "server/solver/cuda/device/views.h"
-#include "server/solver/cycle/patches.h"
+#include "server/solver/hierarchy/patches.h"
 
 namespace burnish::cuda {
 

@@ -145,7 +145,11 @@ Parts parts_of(int32_t sheet, int32_t cell, const SparseGrid& finest, const Shee
                const CoarseGrid& coarse) {
   Parts parts(coarse);
   for (int a = 0; a < kCornersPerCell; ++a) {
-    const FromCell own = {coarse.parent_cell[sheet], place_in_parent(sheets.cell[sheet], a)};
+    const bool is_of_crumb = coarse.parent_cell[sheet] == kNone;
+    const FromCell own =
+        is_of_crumb ? coarse.from[sheets.corners[sheet][a]]
+                    : FromCell{coarse.parent_cell[sheet], place_in_parent(sheets.cell[sheet], a)};
+    if (own.cell == kNone) continue;
     const int64_t shared = find_shared(sheets, finest.cell_corners[cell][a]);
     if (shared < 0) {
       parts.add(own, a, 1);
@@ -159,15 +163,17 @@ Parts parts_of(int32_t sheet, int32_t cell, const SparseGrid& finest, const Shee
   return parts;
 }
 
-// Returns the cells that are not a plain child of their parent: they have a shared corner, or
-// several sheets.
-std::vector<int32_t> cells_apart(const SparseGrid& finest, const SheetCorners& sheets) {
+// Returns the cells that are not a plain child of their parent: they have a shared corner, several
+// sheets, or no parent.
+std::vector<int32_t> cells_apart(const SparseGrid& finest, const SheetCorners& sheets,
+                                 const CoarseGrid& coarse) {
   std::vector<int32_t> cells;
   for (int32_t corner : sheets.shared)
     for (int32_t cell : finest.cells_of_corner[corner])
       if (cell != kNone) cells.push_back(cell);
   for (int32_t cell = 0; cell < finest.cell_count(); ++cell)
-    if (sheets.has_several(cell)) cells.push_back(cell);
+    if (sheets.has_several(cell) || coarse.parent_cell[sheets.first_of_cell[cell]] == kNone)
+      cells.push_back(cell);
   sort_once(cells);
   return cells;
 }
@@ -186,7 +192,7 @@ void share_sheet(const Parts& parts, int32_t source, Collector& collector) {
 TiesAndShares share_cells(const SparseGrid& finest, const SheetCorners& sheets,
                           const CoarseGrid& coarse) {
   Collector collector;
-  const std::vector<int32_t> apart = cells_apart(finest, sheets);
+  const std::vector<int32_t> apart = cells_apart(finest, sheets, coarse);
   for (int32_t cell : apart)
     for (int32_t s = sheets.first_of_cell[cell]; s < sheets.first_of_cell[cell + 1]; ++s)
       share_sheet(parts_of(s, cell, finest, sheets, coarse), sheets.source[s], collector);

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "common/generate/generate.h"
 #include "common/grid/stencil_slots.h"
+#include "server/prepare/prepare.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 #include "tests/reference/awkward_meshes.h"
 #include "tests/server/solver/test_system.h"
@@ -55,6 +57,13 @@ class HierarchyTest : public testing::TestWithParam<Sheets> {
     for (int depth = hierarchy().finest; depth > hierarchy().coarsest; --depth)
       check(hierarchy().at(depth), hierarchy().at(depth - 1));
   }
+  /// Returns 0 for corners that follow a crumb's anchor, or nothing, and 1 for the others.
+  Eigen::VectorXd beyond_crumbs(const HierarchyDepth& fine) const {
+    Eigen::VectorXd is_beyond = Eigen::VectorXd::Ones(fine.grid.corner_count());
+    if (fine.is_finest())
+      for (const int32_t corner : hierarchy().crumbs.corner) is_beyond[corner] = 0;
+    return is_beyond;
+  }
 };
 
 INSTANTIATE_TEST_SUITE_P(All, HierarchyTest, testing::Values(Sheets::kApart, Sheets::kTogether),
@@ -87,10 +96,11 @@ TEST_P(HierarchyTest, EndsWhereADirectSolveIsCheap) {
 }
 
 TEST_P(HierarchyTest, ProlongationIsAPartitionOfUnity) {
-  for_each_transfer([](const HierarchyDepth& fine, const HierarchyDepth& coarse) {
+  for_each_transfer([&](const HierarchyDepth& fine, const HierarchyDepth& coarse) {
     const Sparse p = prolongation_matrix(fine, coarse);
     const Eigen::VectorXd sums = p * Eigen::VectorXd::Ones(p.cols());
-    EXPECT_LT((sums - Eigen::VectorXd::Ones(p.rows())).cwiseAbs().maxCoeff(), 1e-6);
+    const Eigen::VectorXd errors = (sums.array() - 1).matrix().cwiseProduct(beyond_crumbs(fine));
+    EXPECT_LT(errors.cwiseAbs().maxCoeff(), 1e-6);
   });
 }
 
@@ -103,7 +113,9 @@ TEST_P(HierarchyTest, ProlongationReproducesPositions) {
   };
   for_each_transfer([&](const HierarchyDepth& fine, const HierarchyDepth& coarse) {
     const Eigen::MatrixXd prolonged = prolongation_matrix(fine, coarse) * positions(coarse.grid, 2);
-    EXPECT_LT((prolonged - positions(fine.grid, 1)).cwiseAbs().maxCoeff(), 1e-5);
+    const Eigen::MatrixXd errors =
+        beyond_crumbs(fine).asDiagonal() * (prolonged - positions(fine.grid, 1));
+    EXPECT_LT(errors.cwiseAbs().maxCoeff(), 1e-5);
   });
 }
 
@@ -133,9 +145,38 @@ TEST_P(HierarchyTest, CellsAreChildrenOfTheirParentOrApart) {
 
 TEST_P(HierarchyTest, ParentsLieAboveTheirChildren) {
   for_each_transfer([](const HierarchyDepth& fine, const HierarchyDepth& coarse) {
-    for (int32_t cell = 0; cell < fine.grid.cell_count(); ++cell)
-      ASSERT_EQ(coarse.grid.cells[fine.parent_cell[cell]].place, fine.grid.cells[cell].place >> 3);
+    for (int32_t cell = 0; cell < fine.grid.cell_count(); ++cell) {
+      const int32_t parent = fine.parent_cell[cell];
+      if (parent == kNone) continue;  // in a crumb
+      ASSERT_EQ(coarse.grid.cells[parent].place, fine.grid.cells[cell].place >> 3);
+    }
   });
+}
+
+TEST(Hierarchy, CrumbsHaveNoCoarseCellsAndFollowWhatTheyHangOn) {
+  const TestSystem system(reference::crumbs_over_a_sphere(), 6);
+  const HierarchyDepth& finest = system.hierarchy->depths.back();
+  EXPECT_GT(system.hierarchy->crumbs.count(), 20);
+  EXPECT_EQ(system.plan->patches.corner_sets(), system.hierarchy->crumbs.corner_sets());
+  EXPECT_GT(std::ranges::count(finest.parent_cell, kNone), 100);
+  const Sparse p = prolongation_matrix(finest, system.hierarchy->at(5));
+  const Eigen::VectorXd sums = p * Eigen::VectorXd::Ones(p.cols());
+  int floating = 0;
+  for (const double sum : sums) {
+    if (sum == 0)
+      ++floating;
+    else
+      ASSERT_NEAR(sum, 1, 1e-6);
+  }
+  EXPECT_GT(floating, 0);
+  EXPECT_LT(floating, sums.size() / 10);
+}
+
+// Each of the wall's pieces would have eight corners there.
+TEST(Hierarchy, OfATornWallHasASmallCoarsestDepth) {
+  const auto prepared =
+      prepare(generate_scan({.kind = "wall", .vertices = 30'000}).value(), {.depth = 6}).value();
+  EXPECT_LT(make_hierarchy(*prepared)->depths.front().grid.corner_count(), kCoarsestCornersMax);
 }
 
 TEST(Hierarchy, PiecesOfSurfaceHaveTheirOwnCornersWhenSheetsAreTogether) {

@@ -1,4 +1,4 @@
-#include "server/solver/cycle/patches.h"
+#include "server/solver/hierarchy/patches.h"
 
 #include <algorithm>
 #include <set>

@@ -12,7 +12,7 @@ namespace burnish {
 inline constexpr int kPatchCornersMax = 120;
 
 /// Small parts of the finest depth that are relaxed as a whole. The smoother's cells and the coarse
-/// functions are slow there. tuning/crumbs.h and tuning/slow_spots.h find them.
+/// functions are slow there. sheets/crumbs.h and tuning/slow_spots.h find them.
 ///
 /// Patches of one colour have no cell in common, so none reads what another writes.
 struct Patches {
@@ -29,8 +29,9 @@ struct Patches {
 };
 
 /// Makes a patch of each set of corners. All patches have at most 24 entries per corner of the
-/// depth, and at most 64 colours; sets beyond these limits are left out. Shapes: at most
-/// kPatchCornersMax corners per set, rising.
-Patches make_patches(const SparseGrid& finest, std::span<const std::vector<int32_t>> sets);
+/// depth, and at most 64 colours; sets beyond these limits are left out. `was_left_out`, if given:
+/// one per set. Shapes: at most kPatchCornersMax corners per set, rising.
+Patches make_patches(const SparseGrid& finest, std::span<const std::vector<int32_t>> sets,
+                     std::vector<char>* was_left_out = nullptr);
 
 }  // namespace burnish

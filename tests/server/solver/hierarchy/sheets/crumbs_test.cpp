@@ -1,4 +1,4 @@
-#include "server/solver/tuning/crumbs.h"
+#include "server/solver/hierarchy/sheets/crumbs.h"
 
 #include <algorithm>
 #include <numeric>
@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "server/solver/cycle/patches.h"
+#include "server/solver/hierarchy/patches.h"
 #include "tests/server/solver/hierarchy/small_grids.h"
 
 namespace burnish {
@@ -34,6 +34,15 @@ SheetCorners sheets_with_a_apart(const SparseGrid& grid) {
   return sheets;
 }
 
+/// Returns the patches of all crumbs, without those whose crumb needs coarse cells if asked so.
+std::vector<std::vector<int32_t>> patches_on(const SparseGrid& grid, const SheetCorners& sheets,
+                                             bool all = true) {
+  std::vector<std::vector<int32_t>> patches;
+  for (const Crumb& crumb : find_crumbs(grid, sheets))
+    if (all || !crumb.needs_coarse_cells) patches.push_back(crumb.patch);
+  return patches;
+}
+
 /// Returns A and a row of cells along x that begins at (1, 1, 1).
 SparseGrid a_and_row(int cells) {
   std::vector<MortonKey> keys = {morton_key({0, 0, 0})};
@@ -43,27 +52,26 @@ SparseGrid a_and_row(int cells) {
 }
 
 TEST(Crumbs, AreNoneWithoutCells) {
-  EXPECT_THAT(find_crumbs(SparseGrid(), one_sheet_per_cell(SparseGrid())), IsEmpty());
+  EXPECT_THAT(patches_on(SparseGrid(), one_sheet_per_cell(SparseGrid())), IsEmpty());
 }
 
 TEST(Crumbs, AreNoneWhereNoCornerIsShared) {
   const SparseGrid grid = two_cells_with_a_common_corner();
-  EXPECT_THAT(find_crumbs(grid, one_sheet_per_cell(grid)), IsEmpty());
+  EXPECT_THAT(patches_on(grid, one_sheet_per_cell(grid)), IsEmpty());
 }
 
-// Corners of D = (1, 1, 1) and E = (2, 1, 1) in Morton order are 7 to 18. D has 7, 8, 10, 11, 13,
-// 14, 16 and 17, E has 8, 9, 11, 12, 14, 15, 17 and 18. A hangs on them in corner 7; A and D are
-// around it.
-TEST(Crumbs, AreAPieceWithTheCellsAroundTheCornerInWhichItHangs) {
+// Corners of D = (1, 1, 1) and E = (2, 1, 1) in Morton order are 7 to 18. A hangs on them in corner
+// 7.
+TEST(Crumbs, ThatHangOnEachOtherAreOneAndNeedCoarseCellsWithoutALargePiece) {
   const SparseGrid grid = a_and_row(2);
   ASSERT_EQ(grid.corner_count(), 19);
-  EXPECT_THAT(find_crumbs(grid, sheets_with_a_apart(grid)),
-              ElementsAre(ElementsAreArray(numbers(0, 18)),  // D and E, with A
-                          ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 10, 11, 13, 14, 16, 17)));
+  EXPECT_THAT(patches_on(grid, sheets_with_a_apart(grid)),
+              ElementsAre(ElementsAreArray(numbers(0, 18))));
+  EXPECT_THAT(patches_on(grid, sheets_with_a_apart(grid), false), IsEmpty());
 }
 
 // Each sheet of the cell is a piece, and both have its corners.
-TEST(Crumbs, AreBothSheetsOfACell) {
+TEST(Crumbs, AreOneInACellOfTwoSheets) {
   const SparseGrid grid = grid_of(2, {{0, 0, 0}});
   SheetCorners sheets;
   sheets.first_of_cell = {0, 2};
@@ -73,27 +81,59 @@ TEST(Crumbs, AreBothSheetsOfACell) {
   sheets.start = {0, 2, 4, 6, 8, 10, 12, 14, 16};
   for (int32_t corner = 0; corner < 8; ++corner)
     sheets.copy.insert(sheets.copy.end(), {corner, 8 + corner});
-  EXPECT_THAT(find_crumbs(grid, sheets),
-              ElementsAre(ElementsAreArray(numbers(0, 7)), ElementsAreArray(numbers(0, 7))));
+  EXPECT_THAT(patches_on(grid, sheets),
+              ElementsAre(ElementsAreArray(numbers(0, 7))));
 }
 
-// 30 cells have 31 · 4 = 124 corners, more than a patch.
-TEST(Crumbs, APieceWithTooManyCornersIsNone) {
+// 30 cells have 31 · 4 = 124 corners, more than a patch. D is the first of them. A hangs on it in
+// corner 7; A and D are around it.
+TEST(Crumbs, AreAPieceWithTheCellsAroundTheCornerInWhichItHangs) {
   static_assert(kPatchCornersMax == 120);
   const SparseGrid grid = a_and_row(30);
   ASSERT_EQ(grid.corner_count(), 7 + 124);
-  const auto crumbs = find_crumbs(grid, sheets_with_a_apart(grid));
+  const auto crumbs = patches_on(grid, sheets_with_a_apart(grid));
   ASSERT_EQ(crumbs.size(), 1u);
-  EXPECT_EQ(crumbs[0].size(), 15u);  // A and the first cell of the row
+  EXPECT_EQ(crumbs[0].size(), 15u);  // A and D
+  EXPECT_EQ(patches_on(grid, sheets_with_a_apart(grid), false), crumbs);
+}
+
+TEST(Crumbs, FollowTheSurfaceOnWhichTheyHang) {
+  const SparseGrid grid = a_and_row(30);
+  const SheetCorners sheets = sheets_with_a_apart(grid);
+  EXPECT_THAT(find_anchors(find_crumbs(grid, sheets), sheets), ElementsAre(7));
+}
+
+// The row's last cell is F; G touches neither and hangs on A.
+TEST(Crumbs, FollowTheSurfaceOnWhichTheirNeighbourHangs) {
+  const SparseGrid grid = a_and_row(30);
+  SheetCorners sheets = sheets_with_a_apart(grid);
+  const int32_t of_g = sheets.copy_count;
+  sheets.cell.push_back(grid.cells[0]);
+  sheets.corners.push_back(corners_from(of_g));
+  sheets.copy_count += kCornersPerCell;
+  sheets.shared.insert(sheets.shared.begin(), 0);
+  sheets.copy.insert(sheets.copy.begin(), {0, of_g});
+  sheets.weight.insert(sheets.weight.begin(), {0.5f, 0.5f});
+  sheets.start = {0, 2, 4};
+  const std::vector<Crumb> a_and_g = {{{0, 1, 2, 3, 4, 5, 6, grid.corner_count()}, {}, {}},
+                                      {numbers(of_g, of_g + 7), {}, {}}};
+  EXPECT_THAT(find_anchors(a_and_g, sheets), ElementsAre(7, 7));
+  EXPECT_THAT(find_anchors(std::span(a_and_g).last(1), sheets), ElementsAre(0));
+}
+
+TEST(Crumbs, ThatHangOnNothingFollowNothing) {
+  const SparseGrid grid = a_and_row(30);
+  const std::vector<Crumb> a = {{{0, 1, 2, 3, 4, 5, 6}, {}, {}}};
+  EXPECT_THAT(find_anchors(a, one_sheet_per_cell(grid)), ElementsAre(kNone));
 }
 
 // 28 cells have 29 · 4 = 116 corners, and A would add 7: 123 are too many for a patch.
 TEST(Crumbs, APieceIsAloneWhereItsSurroundingsAreTooMany) {
   const SparseGrid grid = a_and_row(28);
-  const auto crumbs = find_crumbs(grid, sheets_with_a_apart(grid));
+  const auto crumbs = patches_on(grid, sheets_with_a_apart(grid));
   ASSERT_EQ(crumbs.size(), 2u);
-  EXPECT_EQ(crumbs[0], numbers(7, 122));
-  EXPECT_EQ(crumbs[1].size(), 15u);
+  EXPECT_EQ(crumbs[0].size(), 15u);
+  EXPECT_EQ(crumbs[1], numbers(7, 122));
 }
 
 // A row of 40 cells from (1, 1, 1) to (40, 1, 1), and one more cell at each end. The row has the 41
@@ -110,7 +150,7 @@ TEST(Crumbs, ALargePieceIsNoneFromWhicheverEnd) {
   sheets.shared.push_back(far_corner);
   sheets.copy.insert(sheets.copy.end(), {far_corner, sheets.copy_count++});
   sheets.start.push_back(4);
-  const auto crumbs = find_crumbs(grid, sheets);
+  const auto crumbs = patches_on(grid, sheets);
   ASSERT_EQ(crumbs.size(), 2u);
   EXPECT_EQ(crumbs[0].size(), 15u);
   EXPECT_EQ(crumbs[1].size(), 15u);

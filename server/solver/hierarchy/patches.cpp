@@ -1,4 +1,4 @@
-#include "server/solver/cycle/patches.h"
+#include "server/solver/hierarchy/patches.h"
 
 #include <array>
 #include <bit>
@@ -57,14 +57,18 @@ uint64_t Patches::byte_count() const {
          entry_start.capacity() * sizeof(int64_t);
 }
 
-Patches make_patches(const SparseGrid& finest, std::span<const Corners> sets) {
+Patches make_patches(const SparseGrid& finest, std::span<const Corners> sets,
+                     std::vector<char>* was_left_out) {
   Colours colours(finest);
+  if (was_left_out != nullptr) was_left_out->assign(sets.size(), 1);
   std::array<std::vector<const Corners*>, kColoursMax + 1> by_colour;
   int64_t entries_left = kEntriesPerCorner * finest.corner_count();
   for (const Corners& set : sets) {
     if (entries_of(set) > entries_left) continue;
     entries_left -= entries_of(set);
-    by_colour[colours.take(set)].push_back(&set);
+    const int colour = colours.take(set);
+    by_colour[colour].push_back(&set);
+    if (was_left_out != nullptr && colour < kColoursMax) (*was_left_out)[&set - sets.data()] = 0;
   }
   Patches patches;
   for (int colour = 0; colour < kColoursMax && !by_colour[colour].empty(); ++colour) {
