@@ -40,13 +40,13 @@ class [[nodiscard]] Status {
     BURNISH_CHECK(code != StatusCode::kOk, "an error needs an error's code");
   }
   static Status ok() { return {}; }
-  /// The server at `address` has what was asked for here. Needs: an address.
+  /// `address`: of the server that has what was asked for; or the text of its ServerPlace.
   static Status moved(std::string address, std::string message);
 
   bool is_ok() const { return code_ == StatusCode::kOk; }
   StatusCode code() const { return code_; }
   const std::string& message() const { return message_; }
-  /// Returns the address of the server to ask instead; empty: no other server is known.
+  /// Returns that text of the server to ask instead; empty: no other server is known.
   const std::string& moved_to() const;
 
   /// "invalid argument: depth 13 is outside 4..12", or "ok".

@@ -6,7 +6,7 @@
 #include <spdlog/spdlog.h>
 
 #include "server/journal/forked_edits.h"
-#include "server/metrics/metrics.h"
+#include "server/journal/postgres_holding.h"
 
 namespace burnish {
 
@@ -29,12 +29,6 @@ Result<T> PostgresJournal::read(const std::function<Result<T>(PgConnection&)>& w
   };
   RETURN_IF_ERROR(queue_->run(note, Repeat::kOnce));
   return std::move(*result);
-}
-
-/// Returns the failure of a transaction, in the terms of a Journal.
-static Status status_of(const PgOutcome& outcome) {
-  if (outcome.end == PgOutcome::End::kUnknown) return WriteOutcome::unknown(outcome.why).status();
-  return outcome.why;
 }
 
 Result<std::vector<SessionRecord>> PostgresJournal::sessions() {
@@ -63,33 +57,6 @@ Status PostgresJournal::create_session(const SessionRecord& record, const Sessio
         return made;
       },
       Repeat::kNever);
-}
-
-/// Says why this server does not hold a session.
-static Status who_holds(PgConnection& database, const std::string& session_id,
-                        const Holdings& holdings) {
-  ASSIGN_OR_RETURN(
-      const PgReply holder,
-      database.run({"SELECT nodes.name, nodes.address, nodes.id = CAST(NULLIF($2, '') AS uuid)"
-                    " FROM sessions LEFT JOIN nodes ON nodes.id = owner WHERE sessions.id = $1",
-                    {session_id, PgText{holdings.life}}}));
-  if (holder.rows() == 0) return not_found("no session has the id '" + session_id + "'");
-  const ServerPlace place{holder.bytes(0, 1), holder.bytes(0, 0)};
-  const bool is_me = !holder.bytes(0, 2).empty() && holder.integer(0, 2) != 0;
-  if (place.node.empty() || is_me)
-    return unavailable("this server did not hold the session at this moment; try again");
-  metrics().add(Count::kCallsMoved, 1);
-  const std::string where = place.address.empty() ? "" : " (" + place.address + ")";
-  return Status::moved(place.text(), "server " + place.node + where + " holds the session");
-}
-
-/// Does a change of a held session. Fails: as who_holds() if it changes no row.
-static Status change_held(PgConnection& database, const PgStatement& change,
-                          const std::string& session_id, const Holdings& holdings) {
-  const PgOutcome changed = database.transact({&change, 1});
-  RETURN_IF_ERROR(status_of(changed));
-  if (changed.replies[0].affected() > 0) return Status::ok();
-  return who_holds(database, session_id, holdings);
 }
 
 // A new checksum must not turn a damaged row into a good one.
@@ -131,91 +98,6 @@ Status PostgresJournal::remove_session(const std::string& id) {
       Repeat::kNever));
   paint_->forget(id);
   return Status::ok();
-}
-
-// A new epoch in any case: whatever this server sent before, and the database still works on, comes
-// too late. The commit waits for a standby, so what is read afterwards is kept there too.
-Status PostgresJournal::hold(const std::string& session_id) {
-  return queue_->run(
-      [&](PgConnection& database, Holdings& holdings) -> Status {
-        const PgStatement take{
-            "UPDATE sessions SET owner = CAST(NULLIF($2, '') AS uuid), epoch = epoch + 1,"
-            " held_for = CASE WHEN owner = CAST(NULLIF($2, '') AS uuid) THEN held_for END WHERE id "
-            "= $1 AND (owner IS NULL"
-            " OR owner = CAST(NULLIF($2, '') AS uuid)) RETURNING epoch",
-            {session_id, PgText{holdings.life}}};
-        const PgOutcome taken = database.transact({&take, 1});
-        RETURN_IF_ERROR(status_of(taken));
-        const PgReply& held = taken.replies[0];
-        if (held.rows() == 0) return who_holds(database, session_id, holdings);
-        if (!holdings.epochs.contains(session_id)) metrics().add(Count::kSessionsClaimed, 1);
-        holdings.epochs[session_id] = held.integer(0, 0);
-        return Status::ok();
-      },
-      Repeat::kOnce);
-}
-
-Status PostgresJournal::charge(const std::string& session_id, const std::string& user,
-                               uint64_t sessions_max) {
-  if (user.empty() || !is_shared_) return Status::ok();
-  return queue_->run(
-      [&](PgConnection& database, Holdings& holdings) -> Status {
-        ASSIGN_OR_RETURN(const PgReply others,
-                         database.run({"SELECT count(*) FROM sessions WHERE held_for = $1"
-                                       " AND owner IS NOT NULL AND id <> $2",
-                                       {user, session_id}}));
-        const auto count = static_cast<uint64_t>(others.integer(0, 0));
-        if (count >= sessions_max)
-          return resource_exhausted(
-              "sessions open of user " + user + " on all servers: " + std::to_string(count) +
-              "; limits.sessions_per_user is " + std::to_string(sessions_max));
-        const Holding holding = holdings.of(session_id);
-        const PgStatement charge{
-            "UPDATE sessions SET held_for = $2 WHERE id = $1 AND " + is_held(3, 4),
-            {session_id, user, holding.epoch, PgText{holding.life}}};
-        return change_held(database, charge, session_id, holdings);
-      },
-      Repeat::kOnce);
-}
-
-Result<std::optional<ServerPlace>> PostgresJournal::roomier_server(uint64_t bytes) {
-  std::optional<ServerPlace> place;
-  RETURN_IF_ERROR(queue_->run(
-      [&](PgConnection& database, Holdings& holdings) -> Status {
-        ASSIGN_OR_RETURN(
-            const PgReply found,
-            database.run({"SELECT name, address FROM nodes WHERE NOT draining"
-                          " AND id IS DISTINCT FROM CAST(NULLIF($1, '') AS uuid)"
-                          " AND lease_until > clock_timestamp() AND bytes_max - bytes_taken > $2"
-                          " ORDER BY bytes_max - bytes_taken DESC, name LIMIT 1",
-                          {PgText{holdings.life}, static_cast<int64_t>(bytes)}}));
-        if (found.rows() > 0) place = ServerPlace{found.bytes(0, 1), found.bytes(0, 0)};
-        return Status::ok();
-      },
-      Repeat::kOnce));
-  return place;
-}
-
-void PostgresJournal::release(const std::string& session_id) {
-  queue_->start([session_id](PgConnection& database, Holdings& holdings) {
-    const Holding holding = holdings.of(session_id);
-    holdings.epochs.erase(session_id);
-    return database
-        .run({"UPDATE sessions SET owner = NULL, held_for = NULL WHERE id = $1 AND epoch = $2"
-              " AND owner = CAST(NULLIF($3, '') AS uuid)",
-              {session_id, holding.epoch, PgText{holding.life}}})
-        .status();
-  });
-}
-
-void PostgresJournal::begin_life(const std::string& life) {
-  is_shared_ = true;
-  queue_->start([life](PgConnection& database, Holdings& holdings) {
-    holdings = {life, {}};
-    return database
-        .run({"SELECT set_config('application_name', $1, false)", {PgText{"burnish " + life}}})
-        .status();
-  });
 }
 
 Result<uint64_t> PostgresJournal::fork_session(const SessionRecord& source, uint64_t edits,

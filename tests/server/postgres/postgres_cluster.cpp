@@ -119,7 +119,9 @@ void PostgresCluster::kill() {
 void PostgresCluster::signal_all(int number) const {
   const std::string parent = std::to_string(first_process());
   const std::string sign = std::to_string(number);
-  const std::string line = "kill -" + sign + " " + parent + " $(ps -o pid= --ppid " + parent + ")";
+  // A child may end between the two commands.
+  const std::string line = "children=$(ps -o pid= --ppid " + parent + "); kill -" + sign + " " +
+                           parent + " && { kill -" + sign + " $children 2>/dev/null || true; }";
   BURNISH_CHECK(std::system(line.c_str()) == 0, line);
 }
 
