@@ -57,7 +57,7 @@ const std::vector<Recipe>& recipes() {
        60,
        generate_part},
       {{"wall", "thin wall from tomography: torn, with specks and non-manifold edges"},
-       2000,
+       500,
        generate_wall},
   };
   return all;

@@ -22,8 +22,8 @@ struct GeneratedScanKind {
   std::string_view description;  ///< one line for the help text
 };
 
-/// tablet, icosphere, cylinder, sheet, blob, sheets, fan, soup, part, wall (docs/benchmarks.md, "The
-/// scans").
+/// tablet, icosphere, cylinder, sheet, blob, sheets, fan, soup, part, wall (docs/benchmarks.md,
+/// "The scans").
 const std::vector<GeneratedScanKind>& generated_scan_kinds();
 
 /// Generates a valid, consistently oriented mesh; closed meshes face outwards. The exact shapes

@@ -13,10 +13,10 @@ namespace burnish {
 
 namespace {
 
-constexpr double kVolumeHalfWidth = 1.1;        // of the volume
-constexpr double kVerticesPerArea = 8.6;   // per square of the volume's side
-constexpr int kThreshold = 180;            // density of the surface
-constexpr int kDensityMost = 420;          // of the wall's middle, if it is dense everywhere
+constexpr double kVolumeHalfWidth = 1.1;  // of the volume
+constexpr double kVerticesPerArea = 10;   // per square of the volume's side
+constexpr int kThreshold = 180;           // density of the surface
+constexpr int kDensityMost = 420;         // of the wall's middle, if it is dense everywhere
 constexpr double kWallVoxels = 1.5;       // from the middle to where nothing is left
 
 /// The density of a thin wall as a tomograph measures it: whole numbers on a cubic lattice. In
@@ -30,9 +30,15 @@ class Volume {
         for (int i = 0; i < side; ++i) density_[index(i, j, k)] = measured(i, j, k, seed);
   }
 
-  int side() const { return side_; }
-  uint32_t index(int i, int j, int k) const { return (uint32_t(k) * side_ + j) * side_ + i; }
-  int density(uint32_t point) const { return density_[point]; }
+  int side() const {
+    return side_;
+  }
+  uint32_t index(int i, int j, int k) const {
+    return (uint32_t(k) * side_ + j) * side_ + i;
+  }
+  int density(uint32_t point) const {
+    return density_[point];
+  }
 
   Vec3d place(uint32_t point) const {
     const auto side = static_cast<uint32_t>(side_);
@@ -41,7 +47,9 @@ class Volume {
   }
 
  private:
-  double voxel() const { return 2 * kVolumeHalfWidth / (side_ - 1); }
+  double voxel() const {
+    return 2 * kVolumeHalfWidth / (side_ - 1);
+  }
   Vec3d place(int i, int j, int k) const {
     return Vec3d(i, j, k) * voxel() - Vec3d::Constant(kVolumeHalfWidth);
   }
@@ -51,9 +59,8 @@ class Volume {
     const double reach = kWallVoxels * voxel(), radius = p.norm();
     if (radius < 0.3 || radius > 1.05) return 0;
     const Vec3d direction = p / radius;
-    const double outside =
-        radius - 0.7 - 0.2 * gradient_noise(1.4 * direction, sub_seed(seed, 0)) -
-        0.03 * gradient_noise(7 * direction, sub_seed(seed, 1));
+    const double outside = radius - 0.7 - 0.2 * gradient_noise(1.4 * direction, sub_seed(seed, 0)) -
+                           0.03 * gradient_noise(7 * direction, sub_seed(seed, 1));
     if (std::abs(outside) >= reach) return 0;
     const double dense = 0.7 + 0.9 * gradient_noise(5 * p, sub_seed(seed, 2)) +
                          0.22 * bounded_normal(sub_seed(seed, 3), index(i, j, k));
@@ -83,12 +90,14 @@ class Surface {
 
  private:
   using Tetrahedron = std::array<uint32_t, 4>;
+  using Cut = std::pair<uint32_t, uint32_t>;  // a point inside, and one outside or itself
 
   bool is_inside(uint32_t point) const { return volume_.density(point) >= kThreshold; }
 
   // Six tetrahedra around the diagonal, one for each order of the axes.
   void add_cube(int i, int j, int k) {
-    constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    constexpr int kOrders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                   {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     for (int order = 0; order < 6; ++order) {
       std::array<int, 3> at = {i, j, k};
       Tetrahedron points = {volume_.index(i, j, k)};
@@ -117,8 +126,8 @@ class Surface {
       if (inside == 1) add_triangle(cut(p[0], p[1]), cut(p[0], p[2]), cut(p[0], p[3]));
       if (inside == 3) add_triangle(cut(p[0], p[3]), cut(p[1], p[3]), cut(p[2], p[3]));
       if (inside == 2) {
-        const uint32_t a = cut(p[0], p[2]), b = cut(p[0], p[3]);
-        const uint32_t c = cut(p[1], p[3]), d = cut(p[1], p[2]);
+        const Cut a = cut(p[0], p[2]), b = cut(p[0], p[3]);
+        const Cut c = cut(p[1], p[3]), d = cut(p[1], p[2]);
         add_triangle(a, b, c);
         add_triangle(a, c, d);
       }
@@ -126,19 +135,23 @@ class Surface {
     }
   }
 
-  void add_triangle(uint32_t a, uint32_t b, uint32_t c) {
-    if (a != b && b != c && c != a) mesh_.triangles.push_back({a, b, c});
+  void add_triangle(Cut a, Cut b, Cut c) {
+    if (a != b && b != c && c != a)
+      mesh_.triangles.push_back({vertex_at(a), vertex_at(b), vertex_at(c)});
   }
 
-  // Returns the vertex between a point inside and one outside.
-  uint32_t cut(uint32_t inside, uint32_t outside) {
-    const int here = volume_.density(inside), there = volume_.density(outside);
-    const bool is_point = here == kThreshold;
-    const uint64_t key = uint64_t(inside) << 32 | (is_point ? inside : outside);
-    const auto [found, is_new] =
-        vertices_.try_emplace(key, static_cast<uint32_t>(mesh_.vertices.size()));
+  // Returns where the surface passes between a point inside and one outside.
+  Cut cut(uint32_t inside, uint32_t outside) const {
+    return {inside, volume_.density(inside) == kThreshold ? inside : outside};
+  }
+
+  uint32_t vertex_at(const Cut& cut) {
+    const auto [inside, outside] = cut;
+    const auto [found, is_new] = vertices_.try_emplace(
+        uint64_t(inside) << 32 | outside, static_cast<uint32_t>(mesh_.vertices.size()));
     if (!is_new) return found->second;
-    const double part = double(here - kThreshold) / (here - there);
+    const int here = volume_.density(inside), there = volume_.density(outside);
+    const double part = inside == outside ? 0 : double(here - kThreshold) / (here - there);
     const Vec3d a = volume_.place(inside);
     mesh_.vertices.push_back(a + part * (volume_.place(outside) - a));
     return found->second;
@@ -152,8 +165,7 @@ class Surface {
 }  // namespace
 
 TriangleMesh generate_wall(uint64_t vertices, uint64_t seed) {
-  const int side =
-      lattice_size(std::sqrt(static_cast<double>(vertices) / kVerticesPerArea) + 1, 6);
+  const int side = lattice_size(std::sqrt(static_cast<double>(vertices) / kVerticesPerArea) + 1, 6);
   const Volume volume(side, seed);
   TriangleMesh mesh = Surface(volume).make();
   round_to_float(mesh);

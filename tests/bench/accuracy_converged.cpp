@@ -38,7 +38,7 @@ std::vector<CellFields> fields_of(const Session& session, const reference::Syste
 
 // As in the reference's own solve: corners with almost no surface stay. Flat parts along the grid
 // make the matrix singular, so its factor is shifted and refinement removes the shift.
-constexpr double kPinRatio = 1e-12;
+constexpr double kPinRatio = 1e-20;
 constexpr double kShiftLeast = 1e-13;
 constexpr double kShiftMost = 1e-8;
 constexpr int kRefinementsMax = 8;

@@ -24,8 +24,8 @@ struct Measures {
 ///
 /// Each depth holds a correction x and a right-hand side f of the V-cycle. The finest depth also
 /// holds the displacement u, the constraint b, the residual r and the search direction p of
-/// conjugate gradients. Vectors have one entry of three columns (x, y, z) per corner. Corners whose
-/// diagonal is below 1e-12 of the median are pinned: all their entries are zero.
+/// conjugate gradients. Vectors have one entry of three columns (x, y, z) per corner. Corners with
+/// next to no diagonal are pinned (pinned_below.h): all their entries are zero.
 class Backend {
  public:
   virtual ~Backend() = default;

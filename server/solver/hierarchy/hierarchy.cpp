@@ -63,8 +63,7 @@ CoarseGrid keep_sheets_apart(const SparseGrid& finest, const SheetCorners& sheet
     cells.push_back(sheets.cell[s]);
     corners.push_back(sheets.corners[s]);
   }
-  CoarseGrid coarse =
-      keep_sheets_apart(finest.depth - 1, cells, corners, sheets.copy_count);
+  CoarseGrid coarse = keep_sheets_apart(finest.depth - 1, cells, corners, sheets.copy_count);
   auto parent = coarse.parent_cell.begin();
   std::vector<int32_t> parents(sheets.cell.size(), kNone);
   for (size_t s = 0; s < parents.size(); ++s)

@@ -212,6 +212,13 @@ TEST(GeneratedSoup, SharesNoVertices) {
   EXPECT_EQ(statistics.boundary_edges, 3 * mesh.triangles.size());
 }
 
+TEST(GeneratedWall, IsClosedAndTornWithSpecksAndNonManifoldEdges) {
+  const MeshStatistics statistics = compute_statistics(generate("wall", 40'000));
+  EXPECT_EQ(statistics.boundary_edges, 0);
+  EXPECT_GT(statistics.non_manifold_edges, 5);
+  EXPECT_GT(statistics.components, 15);
+}
+
 TEST(GeneratedPart, IsClosedWithOneHoleThroughIt) {
   const TriangleMesh mesh = generate("part", 10'000);
   const MeshStatistics statistics = compute_statistics(mesh);

@@ -7,12 +7,12 @@
 #include "server/solver/cpu/assembly/combined_cells.h"
 #include "server/solver/cpu/assembly/gather_rows.h"
 #include "server/solver/cpu/assembly/irregular_rows.h"
+#include "server/solver/hierarchy/pinned_below.h"
 
 namespace burnish::cpu {
 
 namespace {
 
-constexpr double kPinnedBelow = 1e-12;  // of the median diagonal
 constexpr size_t kMedianSamplesMax = 1 << 12;
 
 // Returns the median of an even sample: exact enough for a threshold far below it.

@@ -5,12 +5,12 @@
 #include "server/solver/cuda/assembly/gradient_shares.h"
 #include "server/solver/cuda/assembly/irregular_rows.h"
 #include "server/solver/cuda/products/products.h"
+#include "server/solver/hierarchy/pinned_below.h"
 
 namespace burnish::cuda {
 
 namespace {
 
-constexpr float kPinnedBelow = 1e-12f;  // of the median diagonal
 constexpr int kMedianSamples = 64;
 
 // Returns a cell's share of a diagonal.
@@ -47,7 +47,8 @@ __global__ void pinned_below_kernel(Topology topology, CellSquares<Real> cells,
   for (int k = a; k < kMedianSamples; k += 8)
     rank += static_cast<int>(sample[k] < mine || (sample[k] == mine && k < t));
   for (int offset = 4; offset > 0; offset /= 2) rank += __shfl_xor_sync(0xffffffffu, rank, offset);
-  if (a == 0 && rank == sampled / 2) *pinned_below = is_sample ? kPinnedBelow * mine : 0;
+  if (a == 0 && rank == sampled / 2)
+    *pinned_below = is_sample ? static_cast<float>(kPinnedBelow) * mine : 0;
 }
 
 enum class Gradients { kNone, kFloats, kWithRests };

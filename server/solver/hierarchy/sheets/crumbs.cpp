@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "common/base/disjoint_sets.h"
-#include "common/base/groups.h"
 #include "common/base/sort_once.h"
 #include "server/solver/hierarchy/corner_sets.h"
 #include "server/solver/hierarchy/patches.h"

@@ -81,8 +81,7 @@ TEST(Crumbs, AreOneInACellOfTwoSheets) {
   sheets.start = {0, 2, 4, 6, 8, 10, 12, 14, 16};
   for (int32_t corner = 0; corner < 8; ++corner)
     sheets.copy.insert(sheets.copy.end(), {corner, 8 + corner});
-  EXPECT_THAT(patches_on(grid, sheets),
-              ElementsAre(ElementsAreArray(numbers(0, 7))));
+  EXPECT_THAT(patches_on(grid, sheets), ElementsAre(ElementsAreArray(numbers(0, 7))));
 }
 
 // 30 cells have 31 · 4 = 124 corners, more than a patch. D is the first of them. A hangs on it in
