@@ -53,6 +53,13 @@ std::vector<BackendCase> backend_cases() {
   std::erase_if(cases, [](const BackendCase& c) {
     return c.options.smoother != Smoother::kSchwarz && c.options.smoother != Smoother::kGaussSeidel;
   });
+  constexpr int kShards = 3, kFewCorners = 500;  // all depths with more are split
+  const auto add_split = [&](const char* name, BackendKind backend) {
+    cases.push_back(
+        {name, {.backend = backend, .devices = kShards, .whole_corners_max = kFewCorners}});
+  };
+  add_split("cpu_in_shards", BackendKind::kCpu);
+  if (cuda_device().is_ok()) add_split("cuda_in_shards", BackendKind::kCuda);
   return cases;
 }
 

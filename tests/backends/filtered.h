@@ -36,8 +36,8 @@ class Filtered {
   int edits_ = 0;
 };
 
-/// A backend of this build and machine, with the default or the plainest smoother: the test's name
-/// and its options.
+/// A backend of this build and machine, with the default or the plainest smoother, or with the scan
+/// in shards: the test's name and its options.
 struct BackendCase {
   std::string name;
   SolverOptions options;

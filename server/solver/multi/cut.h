@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "server/solver/cycle/multigrid.h"
+#include "server/solver/cycle/patches.h"
+#include "server/solver/hierarchy/hierarchy.h"
 
 namespace burnish {
 

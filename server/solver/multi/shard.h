@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "server/solver/cycle/multigrid.h"
 #include "server/solver/multi/shard_sets.h"
 
 namespace burnish {

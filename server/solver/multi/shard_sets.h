@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "server/prepare/prepared_mesh.h"
 #include "server/solver/cycle/halo_lists.h"
+#include "server/solver/hierarchy/hierarchy.h"
 #include "server/solver/multi/cut.h"
 
 namespace burnish {
