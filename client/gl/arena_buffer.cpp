@@ -6,10 +6,21 @@
 
 namespace burnish {
 
-Result<ArenaBuffer> ArenaBuffer::create(size_t bytes, const std::string& what) {
+// The first binding decides the use. That of indices belongs to a vertex array.
+static void use_first(const ArenaBuffer& buffer, GLenum use) {
+  GLuint scratch = 0;
+  glGenVertexArrays(1, &scratch);
+  glBindVertexArray(scratch);
+  buffer.bind(use);
+  glBindVertexArray(0);
+  glDeleteVertexArrays(1, &scratch);
+}
+
+Result<ArenaBuffer> ArenaBuffer::create(GLenum use, size_t bytes, const std::string& what) {
   GLuint name = 0;
   glGenBuffers(1, &name);
   ArenaBuffer buffer(name);
+  use_first(buffer, use);
   buffer.bind(GL_COPY_WRITE_BUFFER);
   glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_DRAW);
   RETURN_IF_ERROR(check_gl(what));

@@ -15,9 +15,10 @@ namespace burnish {
 class ArenaBuffer {
  public:
   ArenaBuffer() = default;
-  /// Allocates. `what` is the subject of the message. Fails: resource_exhausted; then OpenGL is as
-  /// before.
-  static Result<ArenaBuffer> create(size_t bytes, const std::string& what);
+  /// Allocates for GL_ARRAY_BUFFER or GL_ELEMENT_ARRAY_BUFFER: browsers want a buffer to be of one
+  /// use. `what` is the subject of the message. Fails: resource_exhausted; then OpenGL is as
+  /// before, but no vertex array is bound.
+  static Result<ArenaBuffer> create(GLenum use, size_t bytes, const std::string& what);
   ArenaBuffer(ArenaBuffer&& other) noexcept;
   ArenaBuffer& operator=(ArenaBuffer&& other) noexcept;
   ~ArenaBuffer();

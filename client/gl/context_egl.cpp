@@ -10,8 +10,6 @@
 namespace burnish {
 namespace {
 
-constexpr EGLint kMajorVersion = 3;
-constexpr EGLint kMinorVersion = 3;
 constexpr const char* kAdvice =
     "; pictures need EGL and an OpenGL 3.3 driver (Debian: libegl1 libegl-mesa0 libgl1-mesa-dri)";
 
@@ -45,17 +43,20 @@ std::vector<EGLDisplay> candidate_displays() {
   return displays;
 }
 
-EGLContext make_context(EGLDisplay display) {
-  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                               kMajorVersion,
-                               EGL_CONTEXT_MINOR_VERSION,
-                               kMinorVersion,
-                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                               EGL_NONE};
-  if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
-  const EGLContext context =
-      eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+constexpr EGLint kDesktopVersion[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                      3,
+                                      EGL_CONTEXT_MINOR_VERSION,
+                                      3,
+                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                      EGL_NONE};
+constexpr EGLint kEmbeddedVersion[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
+
+EGLContext make_context(EGLDisplay display, GlKind kind) {
+  const bool is_desktop = kind == GlKind::kDesktop;
+  if (!eglBindAPI(is_desktop ? EGL_OPENGL_API : EGL_OPENGL_ES_API)) return EGL_NO_CONTEXT;
+  const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
+                                              is_desktop ? kDesktopVersion : kEmbeddedVersion);
   if (context == EGL_NO_CONTEXT) return context;
   if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return context;
   eglDestroyContext(display, context);
@@ -64,7 +65,7 @@ EGLContext make_context(EGLDisplay display) {
 
 }  // namespace
 
-Result<std::unique_ptr<EglContext>> EglContext::create() {
+Result<std::unique_ptr<EglContext>> EglContext::create(GlKind kind) {
   // libepoxy ends the process when it cannot load the library, so this tries first. The library
   // stays loaded.
   if (dlopen("libEGL.so.1", RTLD_LAZY | RTLD_GLOBAL) == nullptr)
@@ -73,7 +74,7 @@ Result<std::unique_ptr<EglContext>> EglContext::create() {
   if (displays.empty()) return no_context("EGL offers no display without a window");
   for (EGLDisplay display : displays) {
     if (!eglInitialize(display, nullptr, nullptr)) continue;
-    const EGLContext context = make_context(display);
+    const EGLContext context = make_context(display, kind);
     if (context != EGL_NO_CONTEXT)
       return std::unique_ptr<EglContext>(new EglContext(display, context));
     eglTerminate(display);

@@ -23,6 +23,7 @@ void GlPageRenderer::open(const PageSpace& space) {
 Status GlPageRenderer::draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
                             std::span<const PatchRange> patches) {
   arena_.choose(patches);
+  if (style.wireframe) RETURN_IF_ERROR(arena_.choose_edges());
   RETURN_IF_ERROR(target_.bind(size));
   if (!patches.empty() && needs_surroundings(style.lighting))
     return draw_relief(camera, size, style);
@@ -39,6 +40,7 @@ Status GlPageRenderer::draw_relief(const Camera& camera, const ImageSize& size,
   relief_target_.bind_for_surfaces();
   draw_split(camera, size, style);
   const Camera scaled = in_units(space_, camera);
+  relief_target_.resolve();
   if (style.lighting.occlusion > 0) programs_.relief->occlude(relief_target_, scaled);
   target_.bind_resolved();
   programs_.relief->draw(relief_target_, scaled, style.lighting);
@@ -82,14 +84,10 @@ void GlPageRenderer::draw_pages(const Camera& camera, double aspect, const DrawS
 
 void GlPageRenderer::draw_edges() const {
   programs_.page.set("edges", true);
-  glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);  // the surface's relief stays
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  arena_.draw();
-  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  glEnable(GL_BLEND);  // by the alpha of each output: that of a relief is 0, so reliefs stay
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  arena_.draw_edges();
   glDisable(GL_BLEND);
-  glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 }  // namespace burnish

@@ -34,7 +34,7 @@ Status PageArena::upload_page(uint32_t slot, const PageMesh& mesh) {
   slots_[slot] = {};  // nothing half written is drawn
   streams_.write_page(slot, mesh);
   RETURN_IF_ERROR(check_gl("page of " + std::to_string(vertices) + " vertices"));
-  slots_[slot] = {static_cast<uint32_t>(vertices), static_cast<uint32_t>(triangles)};
+  slots_[slot] = {static_cast<uint32_t>(vertices), mesh.triangles};
   return Status::ok();
 }
 
@@ -66,27 +66,39 @@ Status PageArena::colour_page(uint32_t slot, std::span<const Rgba8> colours) {
 
 void PageArena::check_patch(const PatchRange& patch) const {
   BURNISH_CHECK(patch.slot < slots_.size(), "slots are reserved");
-  BURNISH_CHECK(size_t{patch.first} + patch.count <= slots_[patch.slot].triangles,
+  BURNISH_CHECK(size_t{patch.first} + patch.count <= slots_[patch.slot].triangles.size(),
                 "patches lie inside the page in their slot");
 }
 
 void PageArena::choose(std::span<const PatchRange> patches) {
+  patches_.assign(patches.begin(), patches.end());
   index_counts_.clear();
   first_indices_.clear();
-  first_vertices_.clear();
   for (const PatchRange& patch : patches) {
     check_patch(patch);
     index_counts_.push_back(static_cast<GLsizei>(3 * patch.count));
     first_indices_.push_back(PageStreams::first_index(patch));
-    first_vertices_.push_back(PageStreams::first_vertex(patch));
   }
 }
 
 void PageArena::draw() const {
   glBindVertexArray(vertex_array_);
-  glMultiDrawElementsBaseVertex(GL_TRIANGLES, index_counts_.data(), GL_UNSIGNED_SHORT,
-                                first_indices_.data(), static_cast<GLsizei>(index_counts_.size()),
-                                first_vertices_.data());
+  glMultiDrawElements(GL_TRIANGLES, index_counts_.data(), GL_UNSIGNED_INT, first_indices_.data(),
+                      static_cast<GLsizei>(index_counts_.size()));
+}
+
+Status PageArena::choose_edges() {
+  edges_.clear();
+  for (const PatchRange& patch : patches_)
+    edges_.add(std::span(slots_[patch.slot].triangles).subspan(patch.first, patch.count),
+               PageStreams::first_vertex(patch.slot));
+  return edges_.upload();
+}
+
+void PageArena::draw_edges() const {
+  glBindVertexArray(vertex_array_);
+  edges_.draw();
+  streams_.bind_triangles();
 }
 
 }  // namespace burnish

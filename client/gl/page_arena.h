@@ -5,6 +5,7 @@
 
 #include <epoxy/gl.h>
 
+#include "client/gl/edge_lines.h"
 #include "client/gl/page_streams.h"
 #include "client/scene/page_renderer.h"
 
@@ -33,21 +34,25 @@ class PageArena {
   void choose(std::span<const PatchRange> patches);
   void draw() const;
 
+  /// Makes the edges of the chosen patches ready for draw_edges(). Fails: resource_exhausted.
+  Status choose_edges();
+  void draw_edges() const;
+
  private:
   struct Slot {
     uint32_t vertices = 0;
-    uint32_t triangles = 0;
+    std::vector<PageTriangle> triangles;
   };
   void check_vertices(uint32_t slot, size_t count) const;
   void check_patch(const PatchRange& patch) const;
 
   GLuint vertex_array_ = 0;
   PageStreams streams_;
+  EdgeLines edges_;
   std::vector<Slot> slots_;
-  // The chosen patches, as OpenGL takes them.
+  std::vector<PatchRange> patches_;  // the chosen ones; below as OpenGL takes them
   std::vector<GLsizei> index_counts_;
   std::vector<const void*> first_indices_;
-  std::vector<GLint> first_vertices_;
 };
 
 }  // namespace burnish

@@ -4,7 +4,7 @@ namespace burnish {
 
 // A page's vertices come with displacements and with normals of both surfaces. Products with
 // cell_size, a power of two, are exact. So vertices that pages share end at the same place.
-const char* const kPageVertexShader = R"(#version 330 core
+const char* const kPageVertexShader = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in int shade;
 layout(location = 2) in vec4 colour;
@@ -13,7 +13,7 @@ layout(location = 4) in int displaced_shade;
 layout(location = 5) in float marked_value;  // -127 to 127
 layout(location = 6) in float marked_tint;   // 0 to 1
 layout(location = 8) in vec4 displaced_colour;
-layout(location = 7) in int marked_overlay;  // packed_overlay()
+layout(location = 7) in int marked_overlay;  // packed_overlay(), the highest bit as a sign
 uniform mat4 model_view;
 uniform mat4 projection;
 uniform float cell_size;  // 0: nothing moves

@@ -11,8 +11,11 @@ static constexpr size_t vertex_bytes(uint32_t slots) {
   return slots * kPageVerticesMax * sizeof(Vertex);
 }
 
+// The vertices of a triangle, counted over all slots.
+using ArenaTriangle = std::array<uint32_t, 3>;
+
 static constexpr size_t index_bytes(uint32_t slots) {
-  return slots * kPageTrianglesMax * sizeof(PageTriangle);
+  return slots * kPageTrianglesMax * sizeof(ArenaTriangle);
 }
 
 template <typename Vertex>
@@ -20,14 +23,19 @@ static void write(const ArenaBuffer& stream, uint32_t slot, const std::vector<Ve
   stream.write(vertex_bytes<Vertex>(slot), std::as_bytes(std::span(vertices)));
 }
 
+static Result<ArenaBuffer> create_stream(size_t bytes, const std::string& what) {
+  return ArenaBuffer::create(GL_ARRAY_BUFFER, bytes, what);
+}
+
 Result<PageStreams> PageStreams::create(uint32_t slots) {
   const std::string what = "room for " + std::to_string(slots) + " pages";
   PageStreams made;
-  ASSIGN_OR_RETURN(made.still_, ArenaBuffer::create(vertex_bytes<StillVertex>(slots), what));
-  ASSIGN_OR_RETURN(made.moving_, ArenaBuffer::create(vertex_bytes<MovingVertex>(slots), what));
-  ASSIGN_OR_RETURN(made.marked_, ArenaBuffer::create(vertex_bytes<MarkedVertex>(slots), what));
-  ASSIGN_OR_RETURN(made.coloured_, ArenaBuffer::create(vertex_bytes<Rgba8>(slots), what));
-  ASSIGN_OR_RETURN(made.triangles_, ArenaBuffer::create(index_bytes(slots), what));
+  ASSIGN_OR_RETURN(made.still_, create_stream(vertex_bytes<StillVertex>(slots), what));
+  ASSIGN_OR_RETURN(made.moving_, create_stream(vertex_bytes<MovingVertex>(slots), what));
+  ASSIGN_OR_RETURN(made.marked_, create_stream(vertex_bytes<MarkedVertex>(slots), what));
+  ASSIGN_OR_RETURN(made.coloured_, create_stream(vertex_bytes<Rgba8>(slots), what));
+  ASSIGN_OR_RETURN(made.triangles_,
+                   ArenaBuffer::create(GL_ELEMENT_ARRAY_BUFFER, index_bytes(slots), what));
   return made;
 }
 
@@ -51,7 +59,14 @@ void PageStreams::write_page(uint32_t slot, const PageMesh& mesh) const {
   write(moving_, slot, moving);
   write_marks(slot, std::vector<VertexMark>(still.size()));
   write(coloured_, slot, mesh.colours);
-  triangles_.write(index_bytes(slot), std::as_bytes(std::span(mesh.triangles)));
+  write_triangles(slot, mesh.triangles);
+}
+
+void PageStreams::write_triangles(uint32_t slot, std::span<const PageTriangle> triangles) const {
+  std::vector<ArenaTriangle> counted(triangles.size());
+  for (size_t t = 0; t < counted.size(); ++t)
+    for (size_t i = 0; i < 3; ++i) counted[t][i] = first_vertex(slot) + triangles[t][i];
+  triangles_.write(index_bytes(slot), std::as_bytes(std::span(counted)));
 }
 
 void PageStreams::write_moves(uint32_t slot, std::span<const Vec3f> displacements,
@@ -95,19 +110,15 @@ void PageStreams::bind() const {
   marked_.bind(GL_ARRAY_BUFFER);
   bind_attribute<MarkedVertex>(5, 1, GL_BYTE, GL_FALSE, offsetof(VertexMark, value));
   bind_attribute<MarkedVertex>(6, 1, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(VertexMark, tint));
-  bind_integer<MarkedVertex>(7, GL_UNSIGNED_SHORT, offsetof(VertexMark, overlay));
+  bind_integer<MarkedVertex>(7, GL_SHORT, offsetof(VertexMark, overlay));
   coloured_.bind(GL_ARRAY_BUFFER);
   bind_attribute<Rgba8>(8, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
-  triangles_.bind(GL_ELEMENT_ARRAY_BUFFER);
+  bind_triangles();
 }
 
 const void* PageStreams::first_index(const PatchRange& patch) {
   return reinterpret_cast<const void*>(index_bytes(patch.slot) +
-                                       patch.first * sizeof(PageTriangle));
-}
-
-GLint PageStreams::first_vertex(const PatchRange& patch) {
-  return static_cast<GLint>(patch.slot * kPageVerticesMax);
+                                       patch.first * sizeof(ArenaTriangle));
 }
 
 }  // namespace burnish

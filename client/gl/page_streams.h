@@ -8,7 +8,7 @@
 namespace burnish {
 
 /// The numbers of all slots' pages on the graphics card. A slot has room for kPageVerticesMax
-/// vertices and kPageTrianglesMax triangles, which is 112 KB. Needs: a current context for its
+/// vertices and kPageTrianglesMax triangles, which is 136 KB. Needs: a current context for its
 /// whole life; slots inside the room, pages within the limits.
 class PageStreams {
  public:
@@ -28,16 +28,21 @@ class PageStreams {
   /// Makes all of it the input of the current vertex array.
   void bind() const;
 
-  /// Returns where a patch's indices and its page's vertices begin, as OpenGL takes it.
+  /// Makes the triangles' vertices the indices of the current vertex array again.
+  void bind_triangles() const { triangles_.bind(GL_ELEMENT_ARRAY_BUFFER); }
+
+  /// Returns where a patch's indices begin, as OpenGL takes it.
   static const void* first_index(const PatchRange& patch);
-  static GLint first_vertex(const PatchRange& patch);
+  static uint32_t first_vertex(uint32_t slot) { return slot * kPageVerticesMax; }
 
  private:
+  void write_triangles(uint32_t slot, std::span<const PageTriangle> triangles) const;
+
   ArenaBuffer still_;
   ArenaBuffer moving_;
   ArenaBuffer marked_;
-  ArenaBuffer coloured_;  // the displaced surface
-  ArenaBuffer triangles_;
+  ArenaBuffer coloured_;   // the displaced surface
+  ArenaBuffer triangles_;  // numbers of vertices in the whole arena: WebGL2 adds no first vertex
 };
 
 }  // namespace burnish

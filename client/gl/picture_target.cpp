@@ -75,16 +75,18 @@ void PictureTarget::show(const Eigen::Vector2i& lower_left) const {
 
 Result<Image> PictureTarget::read() const {
   if (size_ == ImageSize{}) return failed_precondition("nothing has been drawn yet");
-  const size_t row_bytes = 3 * static_cast<size_t>(size_.width);
-  Image image{size_, std::vector<uint8_t>(row_bytes * size_.height)};
+  const size_t width = static_cast<size_t>(size_.width);
+  std::vector<uint8_t> rgba(4 * width * size_.height);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, size_.width, size_.height, GL_RGB, GL_UNSIGNED_BYTE, image.rgb.data());
+  glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
   RETURN_IF_ERROR(check_gl("reading the picture"));
-  for (int low = 0, high = size_.height - 1; low < high; ++low, --high) {  // OpenGL rows go up
-    uint8_t* const first = image.rgb.data() + low * row_bytes;
-    std::swap_ranges(first, first + row_bytes, image.rgb.data() + high * row_bytes);
-  }
+  Image image{size_, {}};
+  image.rgb.reserve(3 * width * size_.height);
+  for (int y = size_.height - 1; y >= 0; --y)  // OpenGL rows go up
+    for (size_t x = 0; x < width; ++x) {
+      const uint8_t* const pixel = rgba.data() + 4 * (width * y + x);
+      image.rgb.insert(image.rgb.end(), pixel, pixel + 3);
+    }
   return image;
 }
 

@@ -27,6 +27,7 @@ static void set_places(const ShaderProgram& program, const ReliefTarget& target,
   const ImageSize& size = target.size();
   const Eigen::Matrix4f projection = projection_matrix(camera, size.aspect()).cast<float>();
   program.use();
+  program.set("colours", 0);
   program.set("reliefs", 1);
   program.set("depths", 2);
   program.set("size", Eigen::Vector2i(size.width, size.height));
@@ -55,7 +56,6 @@ void ReliefLight::draw(const ReliefTarget& target, const Camera& camera,
                        const Lighting& lighting) const {
   set_places(relief_, target, camera);
   target.bind_textures();
-  relief_.set("colours", 0);
   relief_.set("occlusions", 3);
   relief_.set("samples", target.samples());
   relief_.set("light_kind", static_cast<int>(lighting.kind));

@@ -3,8 +3,9 @@
 namespace burnish {
 
 const char* const kReliefParts = R"(
-uniform sampler2DMS reliefs;
-uniform sampler2DMS depths;
+uniform SurfaceSampler colours;
+uniform SurfaceSampler reliefs;
+uniform SurfaceSampler depths;
 uniform ivec2 size;
 uniform vec4 depth_terms;   // of the projection: z by z, z by 1, w by z, w by 1
 uniform vec2 half_view;     // half the picture at distance 1, or anywhere without perspective
@@ -33,6 +34,7 @@ Place place_at(ivec2 pixel, int index) {
   float depth = texelFetch(depths, pixel, index).r;
   if (depth == 1.0) return Place(vec3(0.0, 0.0, 1.0), 0.0, vec3(0.0), 0.0, 0.0);
   vec4 relief = texelFetch(reliefs, pixel, index);
+  relief.xyz /= covered_part(texelFetch(colours, pixel, index));
   float z = 2.0 * depth - 1.0;
   float away = (z * depth_terms.w - depth_terms.y) / (z * depth_terms.z - depth_terms.x);
   vec3 position = vec3(across(pixel) * (parallel ? 1.0 : away), -away);
@@ -53,7 +55,6 @@ float off_plane(Place at, Place other) {
 // Curvature is the divergence of the normal over three distances, so that fine and coarse detail
 // count. Steps in depth count nothing.
 const char* const kReliefPixels = R"(
-uniform sampler2DMS colours;
 uniform sampler2D occlusions;
 uniform int samples;
 uniform int light_kind;  // as LightKind

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "client/gl/dialect.h"
 #include "client/gl/gl_error.h"
 #include "client/gl/target_limits.h"
 
@@ -21,18 +22,28 @@ static void attach_samples(GLenum attachment, GLuint texture, GLint samples, GLe
   glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D_MULTISAMPLE, texture, 0);
 }
 
-static void attach_values(GLuint texture, const ImageSize& size) {
+// The formats of a texture, as OpenGL takes them.
+struct TextureFormat {
+  GLint stored;
+  GLenum parts;
+  GLenum type;
+};
+
+static void attach_values(GLenum attachment, GLuint texture, const TextureFormat& format,
+                          const ImageSize& size) {
   glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, size.width, size.height, 0, GL_RED, GL_UNSIGNED_BYTE,
-               nullptr);
+  glTexImage2D(GL_TEXTURE_2D, 0, format.stored, size.width, size.height, 0, format.parts,
+               format.type, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
 }
 
 ReliefTarget::ReliefTarget() {
   glGenFramebuffers(1, &surfaces_);
   glGenFramebuffers(1, &occluded_);
   for (GLuint* texture : {&colours_, &reliefs_, &depths_, &occlusions_}) glGenTextures(1, texture);
+  if (is_embedded()) drawn_ = std::make_unique<ReliefSamples>();
 }
 
 ReliefTarget::~ReliefTarget() {
@@ -42,18 +53,35 @@ ReliefTarget::~ReliefTarget() {
   glDeleteFramebuffers(1, &surfaces_);
 }
 
-Status ReliefTarget::allocate(const ImageSize& size) {
-  const std::string what = picture_name(size);
-  RETURN_IF_ERROR(check_side(size, GL_MAX_TEXTURE_SIZE));
+void ReliefTarget::attach_all_samples(const ImageSize& size) {
   samples_ = samples_of_textures();
-  glBindFramebuffer(GL_FRAMEBUFFER, occluded_);
-  attach_values(occlusions_, size);
-  glBindFramebuffer(GL_FRAMEBUFFER, surfaces_);
   attach_samples(GL_COLOR_ATTACHMENT0, colours_, samples_, GL_RGBA8, size);
   attach_samples(GL_COLOR_ATTACHMENT1, reliefs_, samples_, GL_RGBA16, size);
   attach_samples(GL_DEPTH_ATTACHMENT, depths_, samples_, GL_DEPTH_COMPONENT24, size);
+}
+
+void ReliefTarget::attach_averages(const ImageSize& size) const {
+  attach_values(GL_COLOR_ATTACHMENT0, colours_, {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}, size);
+  attach_values(GL_COLOR_ATTACHMENT1, reliefs_, {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT}, size);
+  attach_values(GL_DEPTH_ATTACHMENT, depths_,
+                {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT}, size);
+}
+
+Status ReliefTarget::allocate(const ImageSize& size) {
+  const std::string what = picture_name(size);
+  RETURN_IF_ERROR(check_side(size, GL_MAX_TEXTURE_SIZE));
+  glBindFramebuffer(GL_FRAMEBUFFER, occluded_);
+  attach_values(GL_COLOR_ATTACHMENT0, occlusions_, {GL_R8, GL_RED, GL_UNSIGNED_BYTE}, size);
+  glBindFramebuffer(GL_FRAMEBUFFER, surfaces_);
+  if (drawn_) {
+    attach_averages(size);
+  } else {
+    attach_all_samples(size);
+  }
+  bool is_complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  if (drawn_) is_complete = drawn_->allocate(size) && is_complete;
   RETURN_IF_ERROR(check_gl(what));
-  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+  if (!is_complete)
     return resource_exhausted(what + ": the graphics driver offers no buffers for its light");
   size_ = size;
   return Status::ok();
@@ -61,17 +89,27 @@ Status ReliefTarget::allocate(const ImageSize& size) {
 
 Status ReliefTarget::bind_for_background(const ImageSize& size) {
   if (size != size_) RETURN_IF_ERROR(allocate(size));
-  glBindFramebuffer(GL_FRAMEBUFFER, surfaces_);
+  if (drawn_) {
+    drawn_->bind();
+  } else {
+    glBindFramebuffer(GL_FRAMEBUFFER, surfaces_);
+  }
   glViewport(0, 0, size.width, size.height);
-  glDrawBuffer(GL_COLOR_ATTACHMENT0);
+  static constexpr GLenum kColours = GL_COLOR_ATTACHMENT0;
+  glDrawBuffers(1, &kColours);
   return Status::ok();
 }
 
 void ReliefTarget::bind_for_surfaces() const {
   static constexpr std::array<GLenum, 2> kBoth = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
   static constexpr std::array<GLfloat, 4> kNothing = {};
+  if (drawn_) drawn_->clear_cover();
   glDrawBuffers(kBoth.size(), kBoth.data());
   glClearBufferfv(GL_COLOR, 1, kNothing.data());
+}
+
+void ReliefTarget::resolve() const {
+  if (drawn_) drawn_->resolve(size_, surfaces_);
 }
 
 void ReliefTarget::bind_for_occlusion() const {
@@ -82,7 +120,7 @@ void ReliefTarget::bind_textures() const {
   const std::array<GLuint, 3> sampled = {colours_, reliefs_, depths_};
   for (GLuint unit = 0; unit < sampled.size(); ++unit) {
     glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, sampled[unit]);
+    glBindTexture(drawn_ ? GL_TEXTURE_2D : GL_TEXTURE_2D_MULTISAMPLE, sampled[unit]);
   }
   glActiveTexture(GL_TEXTURE0 + sampled.size());
   glBindTexture(GL_TEXTURE_2D, occlusions_);

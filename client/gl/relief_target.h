@@ -1,16 +1,19 @@
 #pragma once
 
+#include <memory>
+
 #include <epoxy/gl.h>
 
+#include "client/gl/relief_samples.h"
 #include "client/scene/image.h"
 #include "common/base/status.h"
 
 namespace burnish {
 
-/// Multisampled textures that a picture is drawn into when its light needs the pixels around each
-/// pixel. colours: sRGB. reliefs: the normal in camera space, folded to a square; strength of the
-/// light; part of the surface in the colour. Needs: a current context for its
-/// whole life.
+/// Textures that a picture is drawn into when its light needs the pixels around each pixel. They
+/// are multisampled, or in OpenGL ES the averages of samples. colours: sRGB. reliefs: the normal in
+/// camera space, folded to a square; strength of the light; part of the surface in the colour.
+/// Needs: a current context for its whole life.
 class ReliefTarget {
  public:
   ReliefTarget();
@@ -23,6 +26,8 @@ class ReliefTarget {
   Status bind_for_background(const ImageSize& size);
   /// Makes the target ready for surfaces.
   void bind_for_surfaces() const;
+  /// Ends the drawing of surfaces. The textures hold them from here on.
+  void resolve() const;
   /// Makes the target of ambient occlusion ready, one value per pixel.
   void bind_for_occlusion() const;
 
@@ -34,10 +39,13 @@ class ReliefTarget {
 
  private:
   Status allocate(const ImageSize& size);
+  void attach_all_samples(const ImageSize& size);
+  void attach_averages(const ImageSize& size) const;
 
   ImageSize size_;
-  GLint samples_ = 1;
-  GLuint surfaces_ = 0;  // framebuffers
+  GLint samples_ = 1;                     // of a texture
+  std::unique_ptr<ReliefSamples> drawn_;  // null where textures have samples
+  GLuint surfaces_ = 0;                   // framebuffers
   GLuint occluded_ = 0;
   GLuint colours_ = 0;  // textures
   GLuint reliefs_ = 0;

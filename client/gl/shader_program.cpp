@@ -3,11 +3,25 @@
 #include <array>
 #include <utility>
 
+#include "client/gl/dialect.h"
+
 namespace burnish {
+
+// One source serves both languages. A surface's texture holds samples, or in ES their averages, and
+// then alpha says how many of them the surface has.
+static const char* preamble() {
+  if (!is_embedded())
+    return "#version 330 core\n#define SurfaceSampler sampler2DMS\n#define covered_part(colour) "
+           "1.0\n";
+  return "#version 300 es\n"
+         "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+         "#define SurfaceSampler sampler2D\n#define covered_part(colour) (colour).a\n";
+}
 
 static Status compile(GLuint program, GLenum kind, const char* source) {
   const GLuint shader = glCreateShader(kind);
-  glShaderSource(shader, 1, &source, nullptr);
+  const std::array<const char*, 2> sources = {preamble(), source};
+  glShaderSource(shader, sources.size(), sources.data(), nullptr);
   glCompileShader(shader);
   glAttachShader(program, shader);
   glDeleteShader(shader);  // an attached shader stays alive

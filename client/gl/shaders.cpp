@@ -3,18 +3,18 @@
 namespace burnish {
 
 std::string page_fragment_shader() {
-  return std::string("#version 330 core\n") + kPageLights + kPagePixels;
+  return std::string(kPageLights) + kPagePixels;
 }
 
 std::string occlusion_shader() {
-  return std::string("#version 330 core\n") + kReliefParts + kOcclusionPixels;
+  return std::string(kReliefParts) + kOcclusionPixels;
 }
 
 std::string relief_shader() {
-  return std::string("#version 330 core\n") + kReliefParts + kReliefPixels;
+  return std::string(kReliefParts) + kReliefPixels;
 }
 
-const char* const kBackgroundVertexShader = R"(#version 330 core
+const char* const kBackgroundVertexShader = R"(
 out float height;
 void main() {
   vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
@@ -23,7 +23,7 @@ void main() {
 }
 )";
 
-const char* const kBackgroundFragmentShader = R"(#version 330 core
+const char* const kBackgroundFragmentShader = R"(
 in float height;
 out vec4 colour;
 void main() {

@@ -4,8 +4,8 @@
 
 namespace burnish {
 
-/// GLSL 3.30 sources. Shading is computed in linear light and in camera space, so the light moves
-/// with the camera.
+/// GLSL sources for ShaderProgram, without a version. Shading is computed in linear light and in
+/// camera space, so the light moves with the camera.
 extern const char* const kPageVertexShader;
 extern const char* const kPageLights;       ///< part of page_fragment_shader(): every LightKind
 extern const char* const kPagePixels;       ///< part of page_fragment_shader(): the rest
