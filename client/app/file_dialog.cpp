@@ -28,7 +28,7 @@ void FileDialog::ask(FileQuestion question, const Preferences& preferences, Take
 
 void FileDialog::ask_desktop(const std::vector<std::string>& command) {
   is_asking_natively_ = true;
-  tasks_.start([this, command](const std::stop_token& stop) -> Tasks::Completion {
+  tasks_.start([this, command](const StopToken& stop) -> Tasks::Completion {
     const auto asked = ask_natively(command, stop);
     return [this, asked] {
       is_asking_natively_ = false;

@@ -4,7 +4,7 @@
 
 #include "client/gl/context_egl.h"
 #include "client/scene/null_page_renderer.h"
-#include "client/script/script_runner.h"
+#include "client/script/lone_script.h"
 #include "common/base/text_lines.h"
 
 namespace burnish {
@@ -13,7 +13,7 @@ static Status run_with(PageRenderer& renderer, const std::vector<ScriptLine>& sc
                        const std::string& name, const AppOptions& options) {
   ScriptOptions script_options{.server = options.server, .workspace = options.workspace};
   if (options.size.width > 0) script_options.size = options.size;
-  ScriptRunner runner(renderer, std::move(script_options));
+  LoneScript runner(renderer, std::move(script_options));
   if (!options.record.empty()) RETURN_IF_ERROR(runner.workspace().recorder.open(options.record));
   return runner.run(script, name);
 }

@@ -5,7 +5,7 @@
 namespace burnish {
 
 /// Runs a script without a window, and draws through EGL; without a driver, pictures are black.
-/// Fails: as parse_script() and ScriptRunner::run() do.
+/// Fails: as parse_script() and LoneScript::run() do.
 Status run_script_file(const std::filesystem::path& script, AppOptions options);
 
 }  // namespace burnish

@@ -1,9 +1,8 @@
 #include "client/app/hud.h"
 
-#include <cstdarg>
-
 #include "client/app/places.h"
 #include "client/app/theme.h"
+#include "client/model/figures.h"
 
 namespace burnish {
 namespace {
@@ -24,35 +23,17 @@ Chip chip_of(const Document& document) {
     case LinkState::kLive:
       break;
   }
-  if (document.stats().frames == 0) return {"waiting for the first frame", theme::kBusy};
-  if (!document.stats().frame.settled) return {"converging", theme::kBusy};
-  if (!document.is_settled()) return {"saving", theme::kBusy};
-  return {document.stats().frame.exact ? "exact" : "settled", theme::kGood};
-}
-
-void row(const char* name, const char* format, ...) IM_FMTARGS(2);
-
-void row(const char* name, const char* format, ...) {
-  faint_text("%s", name);
-  ImGui::SameLine(em(7.5f));
-  va_list arguments;
-  va_start(arguments, format);
-  ImGui::TextV(format, arguments);
-  va_end(arguments);
+  const bool is_good = document.stats().frames > 0 && document.is_settled();
+  return {state_word(document), is_good ? theme::kGood : theme::kBusy};
 }
 
 void draw_stats(const Document& document) {
-  const LinkStats& stats = document.stats();
-  row("residual", "%.1e", stats.frame.residual);
-  row("distance", "%.1e of the diagonal", stats.frame.distance);
-  row("cycles", "%d (%s)", stats.frame.cycles, document.welcome().backend.c_str());
-  row("server", "%.1f + %.1f + %.1f ms", stats.frame.assemble_ms, stats.frame.solve_ms,
-      stats.frame.encode_ms);
-  hint("Time to assemble, solve and encode the last frame.");
-  row("frame age", "%.0f ms", stats.age_ms);
-  row("round trip", "%.1f ms", stats.rtt_ms);
-  row("frames", "%.0f/s, %.1f Mbit/s", stats.frames_per_second, stats.megabits_per_second);
-  if (document.shown_after_ms() > 0) row("edit to picture", "%.0f ms", document.shown_after_ms());
+  for (const Figure& figure : link_figures(document)) {
+    faint_text("%s", figure.name.c_str());
+    ImGui::SameLine(em(7.5f));
+    ImGui::TextUnformatted(figure.value.c_str());
+    if (figure.name == "server") hint("Time to assemble, solve and encode the last frame.");
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "client/app/places.h"
 #include "client/app/section_window.h"
 #include "client/app/theme.h"
+#include "client/model/figures.h"
 #include "client/report/length_text.h"
 
 namespace burnish {
@@ -29,26 +30,14 @@ void NumbersPanel::draw_unit(Document& document) {
   if (ImGui::IsItemDeactivatedAfterEdit() && unit_ != document.unit()) document.name_unit(unit_);
 }
 
-static std::string volume_change(const Deviation& deviation) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%+.3f %%",
-                100 * (deviation.volume_after / deviation.volume_before - 1));
-  return text;
+static void number_rows(const std::vector<Figure>& figures) {
+  for (const Figure& figure : figures) number_row(figure.name.c_str(), figure.value);
 }
 
 static void draw_deviation(Document& document) {
   document.measuring().follow_deviation(document.shown());
-  const auto& measured = document.measuring().deviation();
-  if (!measured) return faint_text("measured when the surface has settled");
-  const Deviation& deviation = measured->deviation;
-  const std::string& unit = document.unit();
-  number_row("largest move", length_text(deviation.max, unit));
-  number_row("mean", length_text(deviation.mean, unit));
-  number_row("rms", length_text(deviation.rms, unit));
-  number_row("outwards", length_text(deviation.outward_max, unit));
-  number_row("inwards", length_text(deviation.inward_max, unit));
-  if (document.scan().scan.statistics.is_closed() && deviation.volume_before != 0)
-    number_row("volume", volume_change(deviation));
+  if (!document.measuring().deviation()) return faint_text("measured when the surface has settled");
+  number_rows(deviation_figures(document));
 }
 
 // Roots of the areas, so that a small part is seen beside the part that stays.
@@ -75,13 +64,11 @@ static void draw_ruler(Document& document, Viewport& viewport) {
   note_place("Measure");
   hint("Click two points of the surface. The panel shows their distance (M).");
   Ruler& ruler = document.measuring().ruler;
-  const auto length = ruler.length();
-  if (!length) {
+  if (!ruler.length()) {
     if (viewport.measure_mode) faint_text(ruler.ends().empty() ? "first point" : "second point");
     return;
   }
-  number_row("distance", length_text(*length, document.unit()));
-  number_row("on the original", length_text(*ruler.original_length(), document.unit()));
+  number_rows(ruler_figures(document));
   if (noted("Section", ImGui::Button("Section")))
     document.measuring().cut(section_plane(ruler, viewport.camera));
   hint("Cuts the surface along the ruler, in the direction of the view.");

@@ -11,7 +11,7 @@ static constexpr uint64_t kCellsBytesMax = uint64_t{16} << 30;
 // Memory is taken as the bytes come.
 static Status append_chunk(const v1::Chunk& chunk, std::vector<uint8_t>& bytes) {
   RETURN_IF_ERROR(check_chunk(bytes.size(), chunk.offset(), chunk.data(), chunk.crc32()));
-  if (bytes.size() + chunk.data().size() > kCellsBytesMax)
+  if (uint64_t{bytes.size()} + chunk.data().size() > kCellsBytesMax)
     return resource_exhausted("the server sends more than " + std::to_string(kCellsBytesMax) +
                               " bytes of cells");
   bytes.insert(bytes.end(), chunk.data().begin(), chunk.data().end());

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <grpc/support/log.h>
 #include <grpcpp/support/client_interceptor.h>
 
 namespace burnish {
@@ -117,8 +118,25 @@ std::string grpc_target(const std::string& server) {
   return target;
 }
 
+bool wait_until_ready(grpc::Channel& channel, std::chrono::milliseconds timeout) {
+  const auto deadline = std::chrono::system_clock::now() + timeout;
+  for (;;) {
+    const grpc_connectivity_state state = channel.GetState(true);
+    if (state == GRPC_CHANNEL_READY) return true;
+    if (state == GRPC_CHANNEL_TRANSIENT_FAILURE || state == GRPC_CHANNEL_SHUTDOWN) return false;
+    if (!channel.WaitForStateChange(state, deadline)) return false;
+  }
+}
+
+void connect_again(grpc::Channel& channel, std::chrono::milliseconds timeout) {
+  grpc::experimental::ChannelResetConnectionBackoff(&channel);
+  channel.WaitForConnected(std::chrono::system_clock::now() + timeout);
+}
+
 Result<std::shared_ptr<grpc::Channel>> make_channel(const std::string& server,
                                                     const ConnectionTrust& trust, Sharing sharing) {
+  gpr_set_log_verbosity(GPR_LOG_SEVERITY_ERROR);
+  gpr_set_log_function([](gpr_log_func_args*) {});  // what fails comes back as a Status
   RETURN_IF_ERROR(check(server, trust));
   ASSIGN_OR_RETURN(const auto credentials, make_credentials(trust));
   std::vector<std::unique_ptr<grpc::experimental::ClientInterceptorFactoryInterface>> senders;

@@ -13,6 +13,12 @@ enum class Sharing {
   kOwn,     ///< nothing else travels on this one
 };
 
+/// Returns true when the channel is ready; false when an attempt failed or the time is over.
+bool wait_until_ready(grpc::Channel& channel, std::chrono::milliseconds timeout);
+
+/// Tries to connect at once, and waits until the channel is ready or the time is over.
+void connect_again(grpc::Channel& channel, std::chrono::milliseconds timeout);
+
 /// Returns the target that gRPC knows a server by: the path of unix:PATH percent-encoded, all else
 /// as it is.
 std::string grpc_target(const std::string& server);

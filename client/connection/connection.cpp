@@ -1,7 +1,5 @@
 #include "client/connection/connection.h"
 
-#include <grpc/support/log.h>
-
 #include "client/connection/channel.h"
 #include "client/connection/connection_state.h"
 #include "common/base/text.h"
@@ -9,17 +7,6 @@
 #include "common/wire/session_wire.h"
 
 namespace burnish {
-
-/// True when the channel is ready; false when an attempt failed or the time is over.
-static bool wait_until_ready(grpc::Channel& channel, std::chrono::milliseconds timeout) {
-  const auto deadline = std::chrono::system_clock::now() + timeout;
-  for (;;) {
-    const grpc_connectivity_state state = channel.GetState(true);
-    if (state == GRPC_CHANNEL_READY) return true;
-    if (state == GRPC_CHANNEL_TRANSIENT_FAILURE || state == GRPC_CHANNEL_SHUTDOWN) return false;
-    if (!channel.WaitForStateChange(state, deadline)) return false;
-  }
-}
 
 /// Why the channel cannot connect: only a call that fails for it is told.
 static std::string reason_of_failure(v1::Library::Stub& library) {
@@ -31,8 +18,6 @@ static std::string reason_of_failure(v1::Library::Stub& library) {
 
 Result<Connection> Connection::open(const std::string& server, std::chrono::milliseconds timeout,
                                     const ConnectionTrust& trust) {
-  gpr_set_log_verbosity(GPR_LOG_SEVERITY_ERROR);
-  gpr_set_log_function([](gpr_log_func_args*) {});  // what fails comes back as a Status
   ASSIGN_OR_RETURN(auto channel, make_channel(server, trust));
   auto state = std::make_unique<State>();
   state->library = v1::Library::NewStub(channel);
@@ -90,8 +75,7 @@ void Connection::bring_back(const Progress& progress) {
   // gRPC may not have seen yet that the last server's socket has no other end: a call tells it.
   static constexpr int kTriesMax = 3;
   for (int tries = 0; tries < kTriesMax; ++tries) {
-    grpc::experimental::ChannelResetConnectionBackoff(state_->channel.get());
-    state_->channel->WaitForConnected(std::chrono::system_clock::now() + state_->timeout);
+    connect_again(*state_->channel, state_->timeout);
     if (list_sessions().status().code() != StatusCode::kUnavailable) return;
   }
 }

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "client/connection/scan_source.h"
 #include "common/base/progress.h"
-#include "common/bundle/scan_bundle.h"
 #include "common/edit/edit.h"
 #include "common/measure/section.h"
 #include "common/service/page_values.h"
@@ -20,6 +20,8 @@
 #include "common/service/surface_measures.h"
 
 namespace burnish {
+
+class ScanBundle;
 
 /// How a client knows its server, and how it shows who it is. Files are PEM.
 struct ConnectionTrust {
@@ -59,7 +61,9 @@ class Connection {
   /// of a failure. Does nothing without a starter.
   void bring_back(const Progress& progress = {});
 
-  /// Uploads a scan and has it prepared. Fails: as the server says; cancelled.
+  /// Uploads a scan and has it prepared. Fails: as the server says; as reading does; cancelled.
+  Result<ImportOutcome> import_scan(ScanSource& scan, const std::string& name,
+                                    const PreparedKey& key, const Progress& progress);
   Result<ImportOutcome> import_scan(const ScanBundle& scan, const std::string& name,
                                     const PreparedKey& key, const Progress& progress);
   /// Does the same with a mesh file, or the mesh of a folder, and the files that it names. Fails:

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "client/connection/connection_state.h"
 #include "common/transfer/chunk.h"
 #include "common/transfer/content_hash.h"
@@ -25,20 +27,25 @@ bool wait_for_invitation(Stream& stream, const Progress& progress, v1::ImportDon
   return false;
 }
 
-/// Sends the file until its end, the server's refusal, or a cancel.
-void send_chunks(Stream& stream, grpc::ClientContext& context, std::string_view bytes,
-                 uint64_t offset, const Progress& progress) {
+/// Sends the file until its end, the server's refusal, or a cancel. Fails: as reading does.
+Status send_chunks(Stream& stream, grpc::ClientContext& context, ScanSource& scan, uint64_t offset,
+                   const Progress& progress) {
   v1::ImportRequest request;
-  while (offset < bytes.size()) {
-    const std::string_view piece = bytes.substr(offset, kChunkBytes);
-    set_chunk(offset, piece, *request.mutable_chunk());
-    if (!stream.Write(request)) return;
-    offset += piece.size();
-    if (!report(progress, "uploading", double(offset) / double(bytes.size()))) {
+  while (offset < scan.size_bytes()) {
+    auto piece = scan.read(offset, std::min<uint64_t>(kChunkBytes, scan.size_bytes() - offset));
+    if (!piece.is_ok()) {
       context.TryCancel();
-      return;
+      return piece.status();
+    }
+    set_chunk(offset, *piece, *request.mutable_chunk());
+    if (!stream.Write(request)) return Status::ok();
+    offset += piece->size();
+    if (!report(progress, "uploading", double(offset) / double(scan.size_bytes()))) {
+      context.TryCancel();
+      return Status::ok();
     }
   }
+  return Status::ok();
 }
 
 void read_events(Stream& stream, grpc::ClientContext& context, const Progress& progress,
@@ -52,26 +59,24 @@ void read_events(Stream& stream, grpc::ClientContext& context, const Progress& p
   }
 }
 
-std::string hash_of(std::string_view bytes) {
+Result<std::string> hash_of(ScanSource& scan) {
   ContentHash hash;
-  hash.update(bytes);
+  for (uint64_t offset = 0; offset < scan.size_bytes();) {
+    ASSIGN_OR_RETURN(
+        const std::string_view piece,
+        scan.read(offset, std::min<uint64_t>(kChunkBytes, scan.size_bytes() - offset)));
+    hash.update(piece);
+    offset += piece.size();
+  }
   return hash.finish();
 }
 
 }  // namespace
 
-Result<ImportOutcome> Connection::import_scan(const std::filesystem::path& path,
-                                              const std::string& name, const PreparedKey& key,
-                                              const Progress& progress) {
-  ASSIGN_OR_RETURN(const ScanBundle scan, ScanBundle::open(path));
-  return import_scan(scan, name, key, progress);
-}
-
-Result<ImportOutcome> Connection::import_scan(const ScanBundle& scan, const std::string& name,
+Result<ImportOutcome> Connection::import_scan(ScanSource& scan, const std::string& name,
                                               const PreparedKey& key, const Progress& progress) {
-  const std::string_view bytes(reinterpret_cast<const char*>(scan.bytes().data()),
-                               scan.bytes().size());
-  const ImportHeader header{name, scan.format(), bytes.size(), hash_of(bytes), key};
+  ASSIGN_OR_RETURN(const std::string hash, hash_of(scan));
+  const ImportHeader header{name, scan.format(), scan.size_bytes(), hash, key};
 
   grpc::ClientContext context;
   const auto stream = state_->library->Import(&context);
@@ -81,11 +86,14 @@ Result<ImportOutcome> Connection::import_scan(const ScanBundle& scan, const std:
 
   v1::ImportDone done;
   uint64_t offset = 0;
+  Status here;  // what went wrong on this side
   if (wait_for_invitation(*stream, progress, done, offset))
-    send_chunks(*stream, context, bytes, offset, progress);
+    here = send_chunks(*stream, context, scan, offset, progress);
   stream->WritesDone();
   read_events(*stream, context, progress, done);
-  RETURN_IF_ERROR(call_status(server(), stream->Finish()));
+  const grpc::Status there = stream->Finish();
+  RETURN_IF_ERROR(here);
+  RETURN_IF_ERROR(call_status(server(), there));
   ImportOutcome outcome;
   ASSIGN_OR_RETURN(outcome.scan, from_wire(done.scan()));
   outcome.already_present = done.already_present();

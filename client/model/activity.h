@@ -5,11 +5,11 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "client/model/tasks.h"
 #include "client/model/whole_progress.h"
 #include "common/base/progress.h"
 
@@ -54,7 +54,7 @@ class Activity {
 };
 
 /// Returns a Progress that reports to the activity and ends the work when either side asks for it.
-inline Progress progress_of(std::shared_ptr<Activity> activity, std::stop_token stop) {
+inline Progress progress_of(std::shared_ptr<Activity> activity, StopToken stop) {
   return [activity = std::move(activity), stop = std::move(stop)](std::string_view phase,
                                                                   double fraction) {
     activity->report(phase, fraction);

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "client/connection/page_fetcher.h"
-#include "client/connection/session_link.h"
+#include "client/connection/links.h"
 #include "common/edit/edit_id.h"
 #include "common/edit/wavelength.h"
 
@@ -53,10 +52,10 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
   live.pages_fingerprint = opened_.pages.fingerprint;
   live.on_news = wake_;
   live.clock = options.clock;
-  live_ = std::make_unique<SessionLink>(*opened_.connection, std::move(live));
-  auto source = std::make_unique<PageFetcher>(
-      *opened_.connection, opened_.pages.scan, wake_,
-      std::make_shared<PageDisk>(options.pages, opened_.pages.fingerprint));
+  live_ = make_live_link(*opened_.connection, std::move(live));
+  auto source = make_page_source(
+      *opened_.connection,
+      {opened_.pages.scan, opened_.pages.fingerprint, std::move(options.pages), wake_});
   SurfaceOptions shown{options.budget, options.is_software, wake_, options.clock};
   surface_ = std::make_unique<PagedSurface>(std::move(opened_.pages), depth(), std::move(source),
                                             *live_, std::move(shown));
@@ -252,7 +251,7 @@ void Document::forget_strokes() {
 
 void Document::set_role(const std::string& user, SessionRole role) {
   tasks_.start([connection = opened_.connection, session = opened_.session.id, user, role,
-                &log = log_](std::stop_token) -> Tasks::Completion {
+                &log = log_](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const Status status = connection->set_role(session, user, role);
     return [status, &log] {
@@ -266,7 +265,7 @@ void Document::name_unit(const std::string& unit) {
   if (!checked.is_ok()) return log_.failure("unit", checked);
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
                 scan = opened_.session.scan_id, unit,
-                wake = wake_](std::stop_token) -> Tasks::Completion {
+                wake = wake_](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const auto named = connection->set_scan_unit(scan, unit);
     wake();

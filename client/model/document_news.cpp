@@ -33,7 +33,7 @@ void Document::renew_pages() {
   log_.warning("the server makes the pages of the scan again: " + damage->message());
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
                 scan = opened_.session.scan_id,
-                wake = wake_](const std::stop_token& stop) -> Tasks::Completion {
+                wake = wake_](const StopToken& stop) -> Tasks::Completion {
     const auto goes_on = [&](std::string_view, double) { return !stop.stop_requested(); };
     const Status made = connection->describe_pages(scan, goes_on).status();
     wake();
@@ -129,7 +129,7 @@ void Document::refresh_history() {
   }
   history_fetch_->running = true;
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
-                session = opened_.session.id, wake = wake_](std::stop_token) -> Tasks::Completion {
+                session = opened_.session.id, wake = wake_](StopToken) -> Tasks::Completion {
     connection->bring_back();
     auto history = connection->history(session);
     wake();

@@ -45,7 +45,7 @@ void Document::fetch_over() {
   fetched_over_.insert(missing.begin(), missing.end());  // not again if it fails
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
                 session = opened_.session.id, pages = std::move(missing), over,
-                version = over_version_, wake = wake_](std::stop_token) -> Tasks::Completion {
+                version = over_version_, wake = wake_](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const auto ask = [&](bool is_asked, CellValue value) -> Result<std::vector<PageValues>> {
       if (!is_asked) return std::vector<PageValues>();

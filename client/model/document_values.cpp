@@ -41,7 +41,7 @@ void Document::fetch_values() {
   fetched_.insert(missing.begin(), missing.end());  // not again if it fails
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
                 session = opened_.session.id, pages = std::move(missing), colour = colour_,
-                version = values_version_, wake = wake_](std::stop_token) -> Tasks::Completion {
+                version = values_version_, wake = wake_](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const bool is_beta = colour == ColourBy::kBeta;
     auto first =

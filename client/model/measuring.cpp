@@ -17,7 +17,7 @@ void Measuring::follow_deviation(const Shown& shown) {
   is_measuring_ = true;
   measured_edits_ = shown.edits;
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = connection_, session = session_,
-                wake = wake_](std::stop_token) -> Tasks::Completion {
+                wake = wake_](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const auto measured = connection->deviation(session);
     wake();
@@ -50,7 +50,7 @@ void Measuring::follow_section(const Shown& shown) {
   cut_edits_ = shown.is_settled ? std::optional(shown.edits) : std::optional<uint64_t>(0);
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = connection_, cut = cuts_,
                 wish = SectionWish{session_, *plane_},
-                wake = wake_](std::stop_token) -> Tasks::Completion {
+                wake = wake_](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const auto section = connection->section(wish);
     wake();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <string>
 
@@ -23,7 +24,9 @@ class MessageLog {
  public:
   void add(Severity severity, std::string text) {
     messages_.push_back({std::chrono::system_clock::now(), severity, std::move(text)});
-    if (messages_.size() > kMessagesKeptMax) messages_.pop_front();
+    if (messages_.size() <= kMessagesKeptMax) return;
+    messages_.pop_front();
+    ++dropped_;
   }
   void info(std::string text) { add(Severity::kInfo, std::move(text)); }
   void warning(std::string text) { add(Severity::kWarning, std::move(text)); }
@@ -35,9 +38,12 @@ class MessageLog {
   }
 
   const std::deque<Message>& messages() const { return messages_; }
+  /// Returns the number of the first of messages(), counted from 0 over all.
+  uint64_t first_number() const { return dropped_; }
 
  private:
   std::deque<Message> messages_;
+  uint64_t dropped_ = 0;
 };
 
 }  // namespace burnish

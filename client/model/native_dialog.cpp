@@ -98,7 +98,7 @@ class AnsweringProgram {
   }
 
   /// Returns false at the end of the output, or when a stop is asked for.
-  bool read_more(std::string& text, const std::stop_token& stop) const {
+  bool read_more(std::string& text, const StopToken& stop) const {
     pollfd waiting{output_, POLLIN, 0};
     while (poll(&waiting, 1, kPollMs) == 0)
       if (stop.stop_requested()) return false;
@@ -124,7 +124,7 @@ class AnsweringProgram {
 }  // namespace
 
 Result<std::optional<fs::path>> ask_natively(const std::vector<std::string>& command,
-                                             const std::stop_token& stop) {
+                                             const StopToken& stop) {
   ASSIGN_OR_RETURN(AnsweringProgram program, AnsweringProgram::start(command));
   std::string text;
   while (program.read_more(text, stop)) {

@@ -2,10 +2,10 @@
 
 #include <filesystem>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "client/model/tasks.h"
 #include "common/base/status.h"
 
 namespace burnish {
@@ -25,6 +25,6 @@ std::vector<std::string> native_dialog(const FileQuestion& question);
 /// Runs such a command and waits for the answer; nothing if the user cancels. A stop ends the
 /// program. Fails: as errno says; unavailable if the program fails.
 Result<std::optional<std::filesystem::path>> ask_natively(const std::vector<std::string>& command,
-                                                          const std::stop_token& stop);
+                                                          const StopToken& stop);
 
 }  // namespace burnish

@@ -1,5 +1,4 @@
-#include <future>
-
+#include "client/model/beside.h"
 #include "client/model/workspace.h"
 
 namespace burnish {
@@ -20,7 +19,6 @@ Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
 // Each answer takes a round trip, so all are asked for at once.
 Result<OpenedDocument> fetch_document(std::shared_ptr<Connection> connection,
                                       const SessionInfo& session, const Progress& progress) {
-  const auto ask = [](auto call) { return std::async(std::launch::async, std::move(call)); };
   auto described =
       ask([&] { return connection->describe_scan(session.scan_id, session.key.depth); });
   auto state = ask([&] { return connection->state(session.id); });
@@ -32,11 +30,11 @@ Result<OpenedDocument> fetch_document(std::shared_ptr<Connection> connection,
   ASSIGN_OR_RETURN(const PagesDescription pages,
                    connection->describe_pages(session.scan_id, progress));
   ASSIGN_OR_RETURN(opened.pages, open_pages(pages, session.scan_id));
-  ASSIGN_OR_RETURN(opened.scan, described.get());
+  ASSIGN_OR_RETURN(opened.scan, described.take());
   if (!opened.scan.prepared)
     return data_loss("server " + opened.server + " does not describe the prepared scan");
-  ASSIGN_OR_RETURN(opened.state, state.get());
-  ASSIGN_OR_RETURN(opened.history, history.get());
+  ASSIGN_OR_RETURN(opened.state, state.take());
+  ASSIGN_OR_RETURN(opened.history, history.take());
   return opened;
 }
 

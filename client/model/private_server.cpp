@@ -13,6 +13,7 @@
 #include "client/model/detached_program.h"
 #include "client/model/private_folder.h"
 #include "client/model/user_socket.h"
+#include "common/base/process_memory.h"
 
 namespace burnish {
 
@@ -125,6 +126,10 @@ static Status wait_for_server(const PrivateServerOptions& options, const fs::pat
     std::this_thread::sleep_for(kPoll);
   }
   return cancelled("starting a private server was cancelled");
+}
+
+uint64_t private_server_memory_bytes() {
+  return machine_memory_bytes() / 2;
 }
 
 Result<std::string> find_private_server(const PrivateServerOptions& options,

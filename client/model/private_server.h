@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -21,6 +22,9 @@ struct PrivateServerOptions {
 /// Returns the socket of a data folder's server: window.sock in the folder. If that path is too
 /// long for a socket, it lies in burnish/ below $XDG_RUNTIME_DIR or in /tmp/burnish-UID.
 std::filesystem::path private_socket(const std::filesystem::path& data);
+
+/// Returns the memory that the server takes for its sessions, by its own choice.
+uint64_t private_server_memory_bytes();
 
 /// Finds the server, or starts the burnish-server beside this program. Returns its address once it
 /// answers. Thread-safe.

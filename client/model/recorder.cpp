@@ -1,20 +1,14 @@
 #include "client/model/recorder.h"
 
-#include <cerrno>
-#include <sstream>
-
+#include "common/base/line_text.h"
 #include "common/edit/protect_words.h"
 
 namespace burnish {
 
-Status Recorder::open(const std::filesystem::path& path) {
-  file_.open(path);
-  if (!file_) return errno_status("cannot record to " + path.string(), errno);
-  return Status::ok();
-}
+static constexpr int kDigits = 12;  // of recorded numbers
 
 void Recorder::record(const std::string& line) {
-  if (file_.is_open()) file_ << line << std::endl;  // a crash loses nothing
+  if (sink_) sink_(line);
 }
 
 namespace {
@@ -25,7 +19,7 @@ const char* fall_off_name(FallOff fall_off) {
 }
 
 struct LineOf {
-  std::ostream& line;
+  LineText& line;
 
   void operator()(const SetGradientScale& change) const { line << "beta " << change.beta; }
   void operator()(const SetTransferCurve& change) const {
@@ -66,21 +60,19 @@ struct LineOf {
 }  // namespace
 
 void Recorder::record(const Edit& edit) {
-  std::ostringstream line;
-  line.precision(12);
+  LineText line(kDigits);
   std::visit(LineOf{line}, edit.change);
-  if (!line.str().empty()) record(line.str());
+  if (!line.text().empty()) record(line.text());
 }
 
 void Recorder::record(const Camera& camera) {
   record("up " + std::string(name_of(camera.up)));
   record(std::string("orthographic ") + (camera.orthographic ? "on" : "off"));
-  std::ostringstream line;
-  line.precision(12);
+  LineText line(kDigits);
   line << "camera " << camera.azimuth_degrees << ' ' << camera.elevation_degrees << ' '
        << camera.distance << ' ' << camera.target.x() << ' ' << camera.target.y() << ' '
        << camera.target.z();
-  record(line.str());
+  record(line.text());
 }
 
 }  // namespace burnish

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
+#include <functional>
 #include <string>
 
 #include "client/scene/camera.h"
@@ -9,12 +9,18 @@
 
 namespace burnish {
 
-/// Records the user's actions as lines that `burnish --script` can run. Does nothing without a
-/// file.
+/// Records the user's actions as lines that `burnish --script` can run. Does nothing until it is
+/// opened.
 class Recorder {
  public:
-  /// Fails: as errno says.
+  /// Takes a line without its end.
+  using Sink = std::function<void(const std::string& line)>;
+
+  /// Records to a file. Fails: as errno says.
   Status open(const std::filesystem::path& path);
+  void open(Sink sink) { sink_ = std::move(sink); }
+  void close() { sink_ = nullptr; }
+  bool is_open() const { return sink_ != nullptr; }
 
   void record(const std::string& line);
   /// Records an edit. Cell fields have no line: they come from other programs.
@@ -22,7 +28,7 @@ class Recorder {
   void record(const Camera& camera);
 
  private:
-  std::ofstream file_;
+  Sink sink_;
 };
 
 }  // namespace burnish

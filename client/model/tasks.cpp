@@ -1,28 +1,47 @@
 #include "client/model/tasks.h"
 
+#include <thread>
+#include <utility>
+#include <vector>
+
 namespace burnish {
 
+struct Tasks::Running {
+  ~Running() {
+    asked->store(true);
+    if (thread.joinable()) thread.join();
+  }
+
+  const std::shared_ptr<std::atomic<bool>> asked = std::make_shared<std::atomic<bool>>(false);
+  std::atomic<bool> ended{false};
+  Completion completion;
+  std::thread thread;
+};
+
+Tasks::Tasks() = default;
+
 Tasks::~Tasks() {
-  for (Running& task : running_) task.thread.request_stop();
+  for (const auto& task : running_) task->asked->store(true);
 }
 
 void Tasks::start(Work work) {
-  Running& task = running_.emplace_back();
-  task.thread = std::jthread([&task, work = std::move(work)](const std::stop_token& stop) {
-    task.completion = work(stop);
-    task.ended.store(true, std::memory_order_release);
+  Running* const task = running_.emplace_back(std::make_shared<Running>()).get();
+  task->thread = std::thread([task, work = std::move(work)] {
+    task->completion = work(StopToken(task->asked));
+    task->ended.store(true, std::memory_order_release);
   });
 }
 
 void Tasks::drain() {
   std::vector<Completion> completions;
   for (auto task = running_.begin(); task != running_.end();) {
-    if (!task->ended.load(std::memory_order_acquire)) {
+    if (!(*task)->ended.load(std::memory_order_acquire)) {
       ++task;
       continue;
     }
-    completions.push_back(std::move(task->completion));
-    task = running_.erase(task);  // joins
+    (*task)->thread.join();
+    completions.push_back(std::move((*task)->completion));
+    task = running_.erase(task);
   }
   for (const Completion& completion : completions)
     if (completion) completion();

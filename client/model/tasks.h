@@ -1,26 +1,35 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <functional>
 #include <list>
-#include <mutex>
-#include <thread>
-#include <vector>
+#include <memory>
 
 namespace burnish {
 
-/// Runs work that must not delay the picture. Each piece runs on its own thread; the owner's thread
-/// handles its result at the next drain(). Used from one thread.
+/// Tells a piece of work that its end is wanted. Copies ask the same.
+class StopToken {
+ public:
+  StopToken() = default;  ///< nobody asks
+  explicit StopToken(std::shared_ptr<const std::atomic<bool>> asked) : asked_(std::move(asked)) {}
+  bool stop_requested() const { return asked_ && asked_->load(std::memory_order_relaxed); }
+
+ private:
+  std::shared_ptr<const std::atomic<bool>> asked_;
+};
+
+/// Runs work that must not delay the picture. Each piece runs on a thread of its own, or in a
+/// browser on a stack of its own; the owner's thread handles its result at the next drain(). Used
+/// from one thread.
 class Tasks {
  public:
   /// Runs on the owner's thread with the result. May be empty.
   using Completion = std::function<void()>;
   /// Ends soon after the token asks for it. Must not touch data of the owner's thread.
-  using Work = std::function<Completion(std::stop_token)>;
+  using Work = std::function<Completion(StopToken)>;
 
-  Tasks() = default;
-  /// Asks all work to stop, waits for it, and drops the results.
+  Tasks();
+  /// Asks all work to stop, waits for it, and drops the results. In a browser it does not wait.
   ~Tasks();
   Tasks(const Tasks&) = delete;
   Tasks& operator=(const Tasks&) = delete;
@@ -33,12 +42,8 @@ class Tasks {
   bool is_idle() const { return running_.empty(); }
 
  private:
-  struct Running {
-    std::atomic<bool> ended{false};
-    Completion completion;
-    std::jthread thread;
-  };
-  std::list<Running> running_;
+  struct Running;  // tasks.cpp; client/web/core/host/tasks_on_stacks.cpp
+  std::list<std::shared_ptr<Running>> running_;
 };
 
 }  // namespace burnish

@@ -28,7 +28,7 @@ void Workspace::start_activity(const std::string& title, Step step) {
 
 void Workspace::start_activity(const std::shared_ptr<Activity>& activity, Step step) {
   activities_.push_back(activity);
-  tasks_.start([this, activity, step = std::move(step)](const std::stop_token& stop) {
+  tasks_.start([this, activity, step = std::move(step)](const StopToken& stop) {
     const Progress told = progress_of(activity, stop);
     Tasks::Completion completion = step([this, &told](std::string_view phase, double fraction) {
       const bool go_on = told(phase, fraction);
@@ -71,7 +71,7 @@ void Workspace::connect(const KnownServer& wanted) {
   connecting_ = wanted;
   tasks_.start([this, server, timeout = options_.timeout, trust = trust_in(wanted, options_.trust),
                 user = wanted.user.empty() ? preferences.user
-                                           : wanted.user](std::stop_token) -> Tasks::Completion {
+                                           : wanted.user](StopToken) -> Tasks::Completion {
     auto opened = std::make_shared<Result<Connection>>(open_as_user(server, timeout, trust, user));
     wake();
     return [this, server, opened] {
@@ -115,6 +115,9 @@ void Workspace::take_connection(Result<Connection> connection) {
     when_connected_.clear();
     forget_raw();
     library_.problem = connection.status().message();
+    const StatusCode code = connection.status().code();
+    library_.refuses_user =
+        code == StatusCode::kUnauthenticated || code == StatusCode::kPermissionDenied;
     return log.failure("connection", connection.status());
   }
   library_.state = Library::State::kConnected;

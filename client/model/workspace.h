@@ -37,7 +37,8 @@ struct Library {
   State state = State::kUnconnected;
   std::string server;  ///< address; "this computer" is the private one
   bool is_private = false;
-  std::string problem;  ///< the reason of kFailed
+  std::string problem;        ///< the reason of kFailed
+  bool refuses_user = false;  ///< kFailed, for the server wants a token or another user
   std::vector<ScanInfo> scans;
   std::vector<SessionInfo> sessions;
 };
@@ -80,7 +81,8 @@ class Workspace {
   /// Deletes a scan with the sessions that edit it.
   void delete_scan(const std::string& id);
   void rename_scan(const std::string& id, const std::string& name);
-  void open_scan(const ScanInfo& scan, Opening opening);
+  /// `depth`: 0 is any that a session has, or the scan's default.
+  void open_scan(const ScanInfo& scan, Opening opening, int depth = 0);
   void open(const SessionWish& wish);
   void join(const SessionInfo& session);
   /// Joins a session by name or id, once the list of sessions has arrived.
@@ -150,7 +152,8 @@ class Workspace {
   void open_chosen(Choice choice, const std::shared_ptr<Activity>& activity);
   void open_by(Opener opener, const std::shared_ptr<Activity>& activity);
   static std::shared_ptr<Activity> opening_activity();
-  void open_scan(const ScanInfo& scan, Opening opening, const std::shared_ptr<Activity>& activity);
+  void open_scan(const ScanInfo& scan, Opening opening, int depth,
+                 const std::shared_ptr<Activity>& activity);
   void import_there(const std::filesystem::path& file, Opening opening,
                     const std::shared_ptr<Activity>& activity);
   void show_raw_and_import(const std::filesystem::path& file, Opening opening);

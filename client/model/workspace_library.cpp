@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "client/model/scan_files.h"
 #include "client/model/session_choice.h"
 #include "client/model/workspace.h"
-#include "common/bundle/scan_bundle.h"
 #include "common/mesh/rewrite/left_out.h"
 
 namespace burnish {
@@ -21,7 +21,7 @@ void Workspace::when_connected(std::function<void()> what) {
 
 void Workspace::refresh_library() {
   if (!connection_) return;
-  tasks_.start([this, connection = connection_](std::stop_token) -> Tasks::Completion {
+  tasks_.start([this, connection = connection_](StopToken) -> Tasks::Completion {
     connection->bring_back();
     auto scans = connection->list_scans();
     auto sessions = connection->list_sessions();
@@ -44,16 +44,6 @@ void Workspace::import_scan(const std::filesystem::path& file, Opening opening) 
   when_connected([this, file, opening, activity] { import_there(file, opening, activity); });
 }
 
-/// Also returns the names of files that the mesh names and that are not there.
-static Result<ImportOutcome> import_bundle(Connection& connection,
-                                           const std::filesystem::path& file, int depth,
-                                           std::vector<std::string>& missing,
-                                           const Progress& progress) {
-  ASSIGN_OR_RETURN(const ScanBundle bundle, ScanBundle::open(file));
-  missing = bundle.missing();
-  return connection.import_scan(bundle, bundle.mesh().stem().string(), {depth, 0}, progress);
-}
-
 void Workspace::import_there(const std::filesystem::path& file, Opening opening,
                              const std::shared_ptr<Activity>& activity) {
   const auto connection = connection_;
@@ -62,7 +52,7 @@ void Workspace::import_there(const std::filesystem::path& file, Opening opening,
       activity, [this, connection, file, opening, activity, depth](const Progress& progress) {
         connection->bring_back(progress);
         std::vector<std::string> missing;
-        auto outcome = import_bundle(*connection, file, depth, missing, progress);
+        auto outcome = import_file(*connection, file, depth, missing, progress);
         return [this, file, opening, activity, missing, outcome = std::move(outcome)] {
           if (activity == raw_work_ && begins_again()) return;
           if (!outcome.is_ok()) {
@@ -73,7 +63,7 @@ void Workspace::import_there(const std::filesystem::path& file, Opening opening,
           if (!missing.empty())
             log.warning("not beside " + file.filename().string() + ": " + left_out_text(missing));
           refresh_library();
-          if (may_open(file)) open_scan(outcome->scan, opening, activity);
+          if (may_open(file)) open_scan(outcome->scan, opening, raw_depth_, activity);
         };
       });
 }
@@ -87,17 +77,17 @@ void Workspace::tell_imported(const std::filesystem::path& file, const ImportOut
   log.info((outcome.already_present ? "already there: " : "imported ") + name);
 }
 
-void Workspace::open_scan(const ScanInfo& scan, Opening opening) {
-  open_scan(scan, opening, opening_activity());
+void Workspace::open_scan(const ScanInfo& scan, Opening opening, int depth) {
+  open_scan(scan, opening, depth, opening_activity());
 }
 
-void Workspace::open_scan(const ScanInfo& scan, Opening opening,
+void Workspace::open_scan(const ScanInfo& scan, Opening opening, int depth,
                           const std::shared_ptr<Activity>& activity) {
   std::vector<std::string> recent;
   for (const RecentSession& each : preferences.recent)
     if (each.server == recent_server()) recent.push_back(each.session);
   open_chosen(
-      [scan, opening, recent, depth = raw_depth_](Connection& server) -> Result<SessionWish> {
+      [scan, opening, recent, depth](Connection& server) -> Result<SessionWish> {
         ASSIGN_OR_RETURN(const auto sessions, server.list_sessions());
         return opening == Opening::kGoOn ? session_to_go_on(scan, sessions, recent, depth)
                                          : new_session(scan, sessions, depth);
@@ -136,7 +126,7 @@ void Workspace::rename_scan(const std::string& id, const std::string& name) {
 void Workspace::change_library(const std::string& what, std::function<Status(Connection&)> change) {
   if (!need_connection(what)) return;
   tasks_.start([this, connection = connection_, what,
-                change = std::move(change)](std::stop_token) -> Tasks::Completion {
+                change = std::move(change)](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const Status status = change(*connection);
     wake();

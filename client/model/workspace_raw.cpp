@@ -1,7 +1,6 @@
 #include <utility>
 
 #include "client/model/workspace.h"
-#include "common/base/process_memory.h"
 
 namespace burnish {
 
@@ -62,9 +61,8 @@ bool Workspace::begins_again() {
   return true;
 }
 
-// Servers of this computer have the limit that they choose by themselves.
 uint64_t Workspace::server_memory_bytes() const {
-  return library_.is_private ? machine_memory_bytes() / 2 : 0;
+  return library_.is_private ? private_server_memory_bytes() : 0;
 }
 
 void Workspace::close_raw(const std::filesystem::path& file) {

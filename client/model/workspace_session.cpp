@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <ctime>
 
-#include "client/connection/export_files.h"
+#include "client/model/scan_files.h"
 #include "client/model/session_choice.h"
 #include "client/model/session_pictures.h"
 #include "client/model/workspace.h"
-#include "client/report/processing_record.h"
 #include "common/mesh/rewrite/left_out.h"
 
 namespace burnish {
@@ -67,7 +66,7 @@ void Workspace::join(const SessionInfo& session) {
 
 void Workspace::join_by_name(const std::string& session) {
   if (!need_connection("join")) return;
-  tasks_.start([this, connection = connection_, session](std::stop_token) -> Tasks::Completion {
+  tasks_.start([this, connection = connection_, session](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const auto sessions = connection->list_sessions();
     wake();
@@ -138,7 +137,7 @@ std::string unsaved_text(size_t edits) {
 
 std::filesystem::path Workspace::picture_folder() const {
   if (options_.preferences.empty()) return {};
-  return std::filesystem::absolute(options_.preferences).parent_path() / "pictures";
+  return options_.preferences.parent_path() / "pictures";
 }
 
 void Workspace::keep_session_picture() {
@@ -165,32 +164,9 @@ void Workspace::close_document() {
   refresh_library();
 }
 
-/// Writes STEM-record.html and STEM-record.json beside the export.
-static Status write_records(Connection& connection, const std::string& session,
-                            const RecordedExport& made) {
-  ASSIGN_OR_RETURN(const ProcessingRecord record,
-                   make_processing_record(connection, session, made));
-  const std::string stem = made.file.stem().string() + "-record";
-  RETURN_IF_ERROR(write_record(record, made.file.parent_path() / (stem + ".json")));
-  return write_record(record, made.file.parent_path() / (stem + ".html"));
-}
-
-static Result<ExportSummary> export_to(const std::filesystem::path& file, const ExportWish& wish,
-                                       const SessionInfo& session, Connection& connection,
-                                       const Progress& progress) {
-  connection.bring_back(progress);
-  ASSIGN_OR_RETURN(const ExportTarget target, export_target(file, false));
-  ASSIGN_OR_RETURN(const ExportedFiles exported,
-                   export_files(connection, session.id, wish, target, progress));
-  const RecordedExport made{connection.user(), exported.mesh, exported.summary};
-  if (wish.deviation)
-    RETURN_IF_ERROR(write_records(connection, session.id, made).with_context("record"));
-  return exported.summary;
-}
-
 void Workspace::export_mesh(const std::filesystem::path& file, bool exact, bool with_record) {
   if (!document_) return;
-  const Status target = export_target(file, false).status();
+  const Status target = check_export(file);
   if (!target.is_ok()) return log.failure("export", target);
   recorder.record("wait");
   recorder.record("export " + file.string() + (exact ? " exact" : ""));
@@ -198,7 +174,8 @@ void Workspace::export_mesh(const std::filesystem::path& file, bool exact, bool 
                  [this, file, wish = ExportWish{.exact = exact, .deviation = with_record},
                   connection = document_->opened().connection,
                   session = document_->session()](const Progress& progress) {
-                   const auto outcome = export_to(file, wish, session, *connection, progress);
+                   connection->bring_back(progress);
+                   const auto outcome = export_to_file(*connection, session, wish, file, progress);
                    return [this, file, outcome] { tell_exported(file, outcome); };
                  });
 }

@@ -59,8 +59,8 @@ inline float excess_of(const PageBounds& bounds, const PageView& view, const Fra
 }
 
 /// What a page costs on the card: a slot, full or not.
-inline constexpr uint32_t kCardBytesPerVertex = 36;  // position, displacement, normal, two colours
-inline constexpr uint32_t kCardBytesPerTriangle = 6;
+inline constexpr uint32_t kCardBytesPerVertex = 44;  // of PageStreams (client/gl)
+inline constexpr uint32_t kCardBytesPerTriangle = 12;
 inline constexpr uint64_t kSlotBytes =
     kPageVerticesMax * kCardBytesPerVertex + kPageTrianglesMax * kCardBytesPerTriangle;
 
@@ -69,7 +69,7 @@ struct PageBudget {
   uint64_t triangles = 2'000'000;                            ///< drawn in a picture
   uint64_t vertices = std::numeric_limits<uint64_t>::max();  ///< of the cut: values in a frame
   uint64_t resident_bytes = 300'000'000;  ///< encoded and decoded pages in memory
-  uint64_t card_bytes = 300'000'000;
+  uint64_t card_bytes = 425'000'000;
   uint32_t directory_blocks = 4096;  ///< 10^6 pages, 10^9 triangles and more: about 60 MB
 
   uint64_t slots() const { return card_bytes / kSlotBytes; }

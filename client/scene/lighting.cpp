@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <sstream>
+
+#include "common/base/line_text.h"
 
 namespace burnish {
 
@@ -14,9 +15,9 @@ static constexpr std::array<std::string_view, kLightKinds> kNames = {
 
 static Status check_within(const char* name, double value, double low, double high) {
   if (value >= low && value <= high) return Status::ok();
-  std::ostringstream text;
+  LineText text;
   text << name << " " << value << " is outside " << low << " to " << high;
-  return invalid_argument(text.str());
+  return invalid_argument(text.text());
 }
 
 Status check_lighting(const Lighting& lighting) {
@@ -72,10 +73,10 @@ bool needs_surroundings(const Lighting& lighting) {
 
 std::vector<std::string> script_lines(const Lighting& lighting) {
   const auto line = [](std::string_view command, std::initializer_list<double> values) {
-    std::ostringstream text;
+    LineText text;
     text << command;
     for (const double value : values) text << ' ' << value;
-    return text.str();
+    return text.text();
   };
   return {"light " + std::string(name_of(lighting.kind)),
           line("light_direction", {lighting.azimuth_degrees, lighting.elevation_degrees}),

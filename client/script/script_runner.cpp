@@ -2,24 +2,15 @@
 
 #include <cstdio>
 
-#include "client/scene/png_writer.h"
+#include "client/script/script_edits.h"
 #include "client/script/script_view.h"
 
 namespace burnish {
 
-ScriptRunner::ScriptRunner(PageRenderer& renderer, ScriptOptions options)
-    : renderer_(renderer), options_(std::move(options)) {
-  options_.workspace.wake = [this] {
-    const std::lock_guard lock(mutex_);
-    has_news_ = true;
-    news_.notify_one();
-  };
-  workspace_ = std::make_unique<Workspace>(renderer, Preferences(), options_.workspace);
-  workspace_->viewport.set_size(options_.size);
-}
+ScriptRunner::ScriptRunner(Workspace& workspace, PageRenderer& renderer, ScriptHost host)
+    : workspace_(workspace), renderer_(renderer), host_(std::move(host)) {}
 
 Status ScriptRunner::run(const std::vector<ScriptLine>& script, const std::string& name) {
-  RETURN_IF_ERROR(connect());
   for (const ScriptLine& line : script) {
     const Status status = run_line(line);
     if (!status.is_ok())
@@ -28,20 +19,25 @@ Status ScriptRunner::run(const std::vector<ScriptLine>& script, const std::strin
   return save_edits().with_context(name);
 }
 
-Status ScriptRunner::connect() {
-  if (options_.server.empty()) {
-    workspace_->connect_privately();
-  } else {
-    workspace_->connect(options_.server);
-  }
-  return update_until([this] { return workspace_->library().state == Library::State::kConnected; },
-                      "connecting");
+static const char* state_name(const Document& document) {
+  if (!document.is_settled()) return "converging";
+  return document.stats().frame.exact ? "exact" : "settled";
+}
+
+static void print_state(const Document& document) {
+  const FrameStats& frame = document.stats().frame;
+  std::printf("%s: %s, beta %g, curve %s, %zu entries, %d cycles, distance %.3g, %s, %s, %s\n",
+              document.session().name.c_str(), state_name(document), document.beta(),
+              document.curve().curve().to_string().c_str(), document.history().size(), frame.cycles,
+              frame.distance, text_of(document.controls()).c_str(),
+              text_of(document.equaliser()).c_str(), text_of(document.palette()).c_str());
+  if (document.has_colours()) std::printf("%s\n", text_of(document.colour_filter()).c_str());
 }
 
 Status ScriptRunner::update() {
-  workspace_->update();
-  RETURN_IF_ERROR(workspace_->look());
-  const auto& messages = workspace_->log.messages();
+  workspace_.update();
+  RETURN_IF_ERROR(workspace_.look());
+  const auto& messages = workspace_.log.messages();
   for (; messages_seen_ < messages.size(); ++messages_seen_)
     if (messages[messages_seen_].severity == Severity::kError)
       return failed_precondition(messages[messages_seen_].text);
@@ -57,58 +53,54 @@ Status ScriptRunner::update_until(const std::function<bool()>& done, const std::
     if (done()) return Status::ok();
     if (std::chrono::steady_clock::now() > deadline)
       return {StatusCode::kDeadlineExceeded, what + " takes too long"};
-    std::unique_lock lock(mutex_);
-    news_.wait_for(lock, kPictureInterval, [this] { return has_news_; });
-    has_news_ = false;
+    host_.wait(kPictureInterval);
   }
 }
 
 Status ScriptRunner::run_line(const ScriptLine& line) {
   const std::string& command = line.command;
   if (command == "open" || command == "join" || command == "close") return run_session(line);
-  if (!workspace_->document()) return failed_precondition("no session is open");
+  Document* const document = workspace_.document();
+  if (!document) return failed_precondition("no session is open");
   if (command == "wait")
-    return update_until([this] { return workspace_->document()->is_settled(); }, "settling");
+    return update_until([this] { return workspace_.document()->is_settled(); }, "settling");
   if (command == "export") return run_export(line);
+  if (command == "fork") return run_fork(line);
   if (command == "screenshot") return take_screenshot(line.rest());
   if (command == "print") {
-    print_state();
+    print_state(*document);
     return Status::ok();
   }
   if (command == "drag" || command == "turn") return run_pointer(line);
-  static constexpr std::string_view kViewCommands[] = {"camera",    "frame", "colour",      "flat",
-                                                       "wireframe", "split", "up",          "view",
-                                                       "original",  "size",  "orthographic"};
-  for (std::string_view each : kViewCommands)
-    if (command == each) return run_view(line);
-  if (is_light_command(command)) return run_view(line);
-  RETURN_IF_ERROR(run_edit(line));
+  if (command == "size") return run_size(line);
+  if (is_view_command(command)) return run_view(line);
+  RETURN_IF_ERROR(change_document(line, *document));
   return update();
 }
 
 // Waits for acknowledgements: a server that answers acknowledges at once.
 Status ScriptRunner::save_edits() {
   const auto is_over = [this] {
-    return workspace_->unsaved_edits() == 0 || workspace_->link() == LinkState::kEnded;
+    return workspace_.unsaved_edits() == 0 || workspace_.link() == LinkState::kEnded;
   };
-  const Status saved = update_until(is_over, "saving", options_.workspace.timeout);
-  const size_t unsaved = workspace_->unsaved_edits();
+  const Status saved = update_until(is_over, "saving", host_.saving);
+  const size_t unsaved = workspace_.unsaved_edits();
   return unsaved == 0 ? saved : failed_precondition(unsaved_text(unsaved) + " and will be lost");
 }
 
 Status ScriptRunner::run_session(const ScriptLine& line) {
   RETURN_IF_ERROR(save_edits());
   if (line.command == "close") {
-    workspace_->close_document();
+    workspace_.close_document();
     return update();
   }
-  workspace_->close_document();
+  workspace_.close_document();
   is_camera_placed_ = false;
-  if (line.command == "open") workspace_->import_scan(line.rest(), Opening::kAnew);
-  if (line.command == "join") workspace_->join_by_name(line.rest());
+  if (line.command == "open") workspace_.import_scan(line.rest(), Opening::kAnew);
+  if (line.command == "join") workspace_.join_by_name(line.rest());
   return update_until(
       [this] {
-        const Document* const document = workspace_->document();
+        const Document* const document = workspace_.document();
         return document && document->link() == LinkState::kLive && document->stats().frames > 0;
       },
       "opening");
@@ -118,38 +110,15 @@ Status ScriptRunner::run_export(const ScriptLine& line) {
   const bool exact = line.words.size() > 1 && line.words[1] == "exact";
   if (line.words.size() > 1 && !exact)
     return invalid_argument("'" + line.words[1] + "' is not 'exact'");
-  const uint64_t before = workspace_->exports_done();
-  workspace_->export_mesh(line.words[0], exact);
-  return update_until([this, before] { return workspace_->exports_done() > before; }, "exporting");
+  const uint64_t before = workspace_.exports_done();
+  workspace_.export_mesh(line.words[0], exact);
+  return update_until([this, before] { return workspace_.exports_done() > before; }, "exporting");
 }
 
 // Waits for all detail that the picture can have.
 Status ScriptRunner::finish_picture() {
   RETURN_IF_ERROR(update());
-  return update_until([this] { return workspace_->document()->is_picture_settled(); }, "drawing");
-}
-
-Status ScriptRunner::take_screenshot(const std::filesystem::path& path) {
-  RETURN_IF_ERROR(finish_picture());
-  RETURN_IF_ERROR(workspace_->viewport.draw(renderer_, *workspace_->document()));
-  ASSIGN_OR_RETURN(const Image image, renderer_.read_pixels());
-  return write_png(image, path);
-}
-
-static const char* state_name(const Document& document) {
-  if (!document.is_settled()) return "converging";
-  return document.stats().frame.exact ? "exact" : "settled";
-}
-
-void ScriptRunner::print_state() const {
-  const Document& document = *workspace_->document();
-  const FrameStats& frame = document.stats().frame;
-  std::printf("%s: %s, beta %g, curve %s, %zu entries, %d cycles, distance %.3g, %s, %s, %s\n",
-              document.session().name.c_str(), state_name(document), document.beta(),
-              document.curve().curve().to_string().c_str(), document.history().size(), frame.cycles,
-              frame.distance, text_of(document.controls()).c_str(),
-              text_of(document.equaliser()).c_str(), text_of(document.palette()).c_str());
-  if (document.has_colours()) std::printf("%s\n", text_of(document.colour_filter()).c_str());
+  return update_until([this] { return workspace_.document()->is_picture_settled(); }, "drawing");
 }
 
 }  // namespace burnish

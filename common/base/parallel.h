@@ -36,11 +36,15 @@ class ParallelFailure {
   template <typename Body>
   void run(Body&& body) noexcept {
     if (failed_.load(std::memory_order_relaxed)) return;
+#ifdef __cpp_exceptions
     try {
       body();
     } catch (...) {
       if (!failed_.exchange(true)) first_ = std::current_exception();
     }
+#else
+    body();  // without memory the program ends
+#endif
   }
 
   void rethrow() const {

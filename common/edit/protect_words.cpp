@@ -1,8 +1,8 @@
 #include "common/edit/protect_words.h"
 
 #include <algorithm>
-#include <sstream>
 
+#include "common/base/line_text.h"
 #include "common/base/text_lines.h"
 
 namespace burnish {
@@ -67,7 +67,7 @@ Result<Protect> parse_way(const std::vector<std::string>& words) {
 }
 
 struct WordsOf {
-  std::ostream& line;
+  LineText& line;
 
   void operator()(const LassoRegion& lasso) const {
     line << (lasso.through ? "through" : "lasso");
@@ -98,11 +98,10 @@ Result<Protect> parse_protect(const std::vector<std::string>& words) {
 }
 
 std::string to_words(const Protect& change) {
-  std::ostringstream line;
-  line.precision(17);
+  LineText line(17);
   if (change.release) line << "release ";
   std::visit(WordsOf{line}, change.way);
-  return line.str();
+  return line.text();
 }
 
 }  // namespace burnish

@@ -9,11 +9,24 @@
 
 namespace burnish {
 
+#ifdef __wasm__
+// The library's way has tables of 100 kB, which each browser would load.
+static std::string shortest(double x) {
+  static constexpr int kDigitsMax = 17;
+  char text[32];
+  for (int digits = 1; digits <= kDigitsMax; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, x);
+    if (parse_number<double>(text) == x) break;
+  }
+  return text;
+}
+#else
 static std::string shortest(double x) {
   char text[32];
   const auto [end, error] = std::to_chars(text, text + sizeof text, x);
   return error == std::errc() ? std::string(text, end) : "?";
 }
+#endif
 
 static Status check_range(const char* what, double x, double min, double max) {
   if (x >= min && x <= max) return Status::ok();  // false for NaN

@@ -1,10 +1,6 @@
 #include "common/mesh/mesh_io.h"
 
-#include <algorithm>
-#include <cctype>
 #include <new>
-#include <string_view>
-#include <utility>
 
 #include "common/base/atomic_file.h"
 #include "common/base/mapped_file.h"
@@ -15,12 +11,6 @@
 #include "common/mesh/obj_colours.h"
 
 namespace burnish {
-
-static constexpr std::pair<std::string_view, MeshFormat> kExtensions[] = {
-    {".ply", MeshFormat::kPly}, {".obj", MeshFormat::kObj}, {".stl", MeshFormat::kStl},
-    {".off", MeshFormat::kOff}, {".glb", MeshFormat::kGlb}, {".gltf", MeshFormat::kGltf},
-    {".zip", MeshFormat::kZip},
-};
 
 /// Returns nullptr for formats that need an original.
 static Status (*writer_of(MeshFormat format))(const TriangleMesh& mesh, AtomicFile& file) {
@@ -33,25 +23,6 @@ static Status (*writer_of(MeshFormat format))(const TriangleMesh& mesh, AtomicFi
 
 bool is_written_for_any_scan(MeshFormat format) {
   return writer_of(format) != nullptr;
-}
-
-Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const auto& [known, format] : kExtensions)
-    if (extension == known) return format;
-  return invalid_argument(
-      path.string() + ": extension '" + extension +
-      "' is not a mesh format; use .ply, .obj, .stl, .off, .glb, .gltf or .zip");
-}
-
-Result<MeshFormat> written_format_of_path(const std::filesystem::path& path) {
-  const auto format = mesh_format_of_path(path);
-  if (format.is_ok()) return format;
-  return invalid_argument(
-      path.string() + ": extension '" + path.extension().string() +
-      "' is not a mesh format that Burnish writes; use .ply, .obj, .stl or .glb");
 }
 
 static Result<TriangleMesh> read_textured_obj(std::span<const uint8_t> bytes,

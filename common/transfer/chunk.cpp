@@ -1,13 +1,6 @@
 #include "common/transfer/chunk.h"
 
-#include <zlib.h>
-
 namespace burnish {
-
-uint32_t chunk_crc32(std::string_view data) {
-  return static_cast<uint32_t>(
-      crc32_z(0, reinterpret_cast<const unsigned char*>(data.data()), data.size()));
-}
 
 Status check_chunk(uint64_t expected_offset, uint64_t offset, std::string_view data,
                    uint32_t crc32) {

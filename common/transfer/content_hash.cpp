@@ -1,6 +1,5 @@
 #include "common/transfer/content_hash.h"
 
-#include <algorithm>
 #include <span>
 
 #include <openssl/evp.h>
@@ -33,12 +32,6 @@ std::string ContentHash::finish() {
   unsigned int size = 0;
   EVP_DigestFinal_ex(context_->digest, bytes, &size);
   return to_hex(std::as_bytes(std::span(bytes, size)));
-}
-
-bool is_content_hash(std::string_view text) {
-  return text.size() == ContentHash::kDigits && std::all_of(text.begin(), text.end(), [](char c) {
-           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
-         });
 }
 
 }  // namespace burnish

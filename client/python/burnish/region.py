@@ -85,4 +85,4 @@ class ClearProtected:
     """Protects nothing."""
 
     def to_wire(self) -> dict[str, Any]:
-        return {"protect": editing_pb2.Protect(clear=editing_pb2.Clear())}
+        return {"protect": editing_pb2.Protect(clear=editing_pb2.ClearRegion())}

@@ -104,10 +104,4 @@ Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to) 
   return !is_rewritten || rewrites_colours(packed.bytes, packed.mesh.format);
 }
 
-std::string left_out_text(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 }  // namespace burnish

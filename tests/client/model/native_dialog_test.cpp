@@ -65,9 +65,8 @@ TEST_F(NativeDialog, AProgramThatFailsIsNamedWithItsCode) {
 
 TEST_F(NativeDialog, AStopEndsAProgramThatWaits) {
   add("zenity", "exec /bin/sleep 1000");
-  std::stop_source source;
-  source.request_stop();
-  const auto answer = ask_natively(native_dialog(question_), source.get_token());
+  const StopToken asked(std::make_shared<std::atomic<bool>>(true));
+  const auto answer = ask_natively(native_dialog(question_), asked);
   ASSERT_TRUE(answer.is_ok());
   EXPECT_FALSE(answer->has_value());
 }

@@ -11,7 +11,7 @@ namespace {
 TEST(Tasks, WorkRunsElsewhereAndItsCompletionHere) {
   Tasks tasks;
   std::thread::id worked, completed;
-  tasks.start([&](std::stop_token) -> Tasks::Completion {
+  tasks.start([&](StopToken) -> Tasks::Completion {
     worked = std::this_thread::get_id();
     return [&] { completed = std::this_thread::get_id(); };
   });
@@ -23,10 +23,10 @@ TEST(Tasks, WorkRunsElsewhereAndItsCompletionHere) {
 TEST(Tasks, ACompletionMayStartMore) {
   Tasks tasks;
   int done = 0;
-  tasks.start([&](std::stop_token) -> Tasks::Completion {
+  tasks.start([&](StopToken) -> Tasks::Completion {
     return [&] {
       ++done;
-      tasks.start([&](std::stop_token) -> Tasks::Completion { return [&] { ++done; }; });
+      tasks.start([&](StopToken) -> Tasks::Completion { return [&] { ++done; }; });
     };
   });
   while (!tasks.is_idle()) tasks.drain();
@@ -38,7 +38,7 @@ TEST(Tasks, TheEndAsksWorkToStopAndDropsItsOutcome) {
   {
     std::latch begun(1);
     Tasks tasks;
-    tasks.start([&](const std::stop_token& stop) -> Tasks::Completion {
+    tasks.start([&](const StopToken& stop) -> Tasks::Completion {
       begun.count_down();
       while (!stop.stop_requested()) std::this_thread::yield();
       stopped = true;

@@ -1,4 +1,5 @@
-#include "client/script/script_runner.h"
+#include "client/script/script_edits.h"
+
 #include "client/script/script_view.h"
 #include "client/tools/own_presets.h"
 #include "common/base/text_lines.h"
@@ -19,7 +20,8 @@ Status apply_preset(ScriptLine line, Document& document) {
   return Status::ok();
 }
 
-/// Parses PIN CAP KEEP.
+}  // namespace
+
 Result<Controls> parse_controls(const std::vector<std::string>& words) {
   Controls controls;
   ASSIGN_OR_RETURN(controls.pin_rims, parse_switch(words[0]));
@@ -39,7 +41,6 @@ Result<Equaliser> parse_bands(const std::vector<std::string>& words) {
   return equaliser;
 }
 
-/// Parses BETA [ALPHA]. Fails: failed_precondition without colours.
 Result<ColourFilter> parse_colours(const std::vector<std::string>& words,
                                    const Document& document) {
   ColourFilter filter = document.colour_filter();
@@ -51,6 +52,8 @@ Result<ColourFilter> parse_colours(const std::vector<std::string>& words,
   if (!document.has_colours()) return failed_precondition("the scan has no colours to edit");
   return filter;
 }
+
+namespace {
 
 /// Parses RADIUS STRENGTH BETA [FALLOFF [WHAT]].
 Result<Brush> parse_brush(const std::vector<std::string>& words) {
@@ -78,38 +81,9 @@ Result<Stroke> parse_stroke(const std::vector<std::string>& words) {
   return stroke;
 }
 
-Result<ColourBy> parse_colour(const std::string& word) {
-  static constexpr std::string_view kNames[] = {"clay", "beta", "curvature", "displacement",
-                                                "scan"};  // as ColourBy
-  for (size_t i = 0; i < std::size(kNames); ++i)
-    if (word == kNames[i]) return static_cast<ColourBy>(i);
-  return invalid_argument("'" + word + "' is not clay, beta, curvature, displacement or scan");
-}
-
-Status set_camera(const std::vector<double>& numbers, Viewport& viewport) {
-  viewport.camera.azimuth_degrees = numbers[0];
-  viewport.camera.elevation_degrees = numbers[1];
-  viewport.frame_all();
-  if (numbers.size() > 2) viewport.camera.distance = numbers[2];
-  if (numbers.size() == 6) viewport.camera.target = Vec3d(numbers[3], numbers[4], numbers[5]);
-  return Status::ok();
-}
-
-Status frame(const std::vector<std::string>& words, Viewport& viewport) {
-  static constexpr double kFartherMin = 1, kFartherMax = 10;
-  ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(words, 0));
-  const double farther = numbers.empty() ? 1 : numbers[0];
-  if (!(farther >= kFartherMin && farther <= kFartherMax))
-    return invalid_argument("'" + words[0] + "' times the distance is outside 1..10");
-  viewport.frame_all();
-  viewport.camera.distance *= farther;
-  return Status::ok();
-}
-
 }  // namespace
 
-Status ScriptRunner::run_edit(const ScriptLine& line) {
-  Document& document = *workspace_->document();
+Status change_document(const ScriptLine& line, Document& document) {
   const std::string& command = line.command;
   if (command == "beta") {
     ASSIGN_OR_RETURN(const double beta, parse_real(line.words[0]));
@@ -162,79 +136,8 @@ Status ScriptRunner::run_edit(const ScriptLine& line) {
   } else if (command == "restore") {
     document.restore_checkpoint(line.rest());
   } else {
-    const std::string name = line.rest();
-    RETURN_IF_ERROR(save_edits());
-    workspace_->fork(name, "");
-    return update_until([&] { return workspace_->document()->session().name == name; }, "forking");
+    return invalid_argument("'" + command + "' changes no session");
   }
-  return Status::ok();
-}
-
-Status ScriptRunner::run_view(const ScriptLine& line) {
-  Document& document = *workspace_->document();
-  Viewport& viewport = workspace_->viewport;
-  const std::string& command = line.command;
-  if (command == "camera") {
-    ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(line.words, 0));
-    is_camera_placed_ = numbers.size() > 2;
-    return set_camera(numbers, viewport);
-  }
-  if (is_light_command(command)) return change_lighting(line, viewport.options.lighting);
-  if (command == "up") {
-    ASSIGN_OR_RETURN(const UpAxis up, parse_up_axis(line.words[0]));
-    is_camera_placed_ = false;
-    viewport.set_up(up);
-    return Status::ok();
-  }
-  if (command == "view") {
-    ASSIGN_OR_RETURN(const StandardView view, parse_standard_view(line.words[0]));
-    is_camera_placed_ = false;
-    viewport.show_from(view);
-    return Status::ok();
-  }
-  if (command == "frame") {
-    is_camera_placed_ = false;
-    return frame(line.words, viewport);
-  }
-  if (command == "colour") {
-    ASSIGN_OR_RETURN(const ColourBy colour, parse_colour(line.words[0]));
-    if (colour == ColourBy::kScan && !document.has_colours())
-      return failed_precondition("scan " + document.scan().scan.name + " has no colours");
-    document.set_colour(colour);
-    return finish_picture();
-  }
-  if (command == "size") {
-    ImageSize size;
-    if (std::sscanf(line.words[0].c_str(), "%5dx%5d", &size.width, &size.height) != 2)
-      return invalid_argument("'" + line.words[0] + "' is not WIDTHxHEIGHT");
-    RETURN_IF_ERROR(check_image_size(size));
-    viewport.set_size(size);
-    if (!is_camera_placed_) viewport.frame_all();
-    return Status::ok();
-  }
-  ASSIGN_OR_RETURN(const bool on, parse_switch(line.words[0]));
-  if (command == "flat") viewport.options.flat = on;
-  if (command == "wireframe") viewport.options.wireframe = on;
-  if (command == "split") viewport.options.split = on;
-  if (command == "original") viewport.hold_original = on;
-  if (command == "orthographic") viewport.camera.orthographic = on;
-  return Status::ok();
-}
-
-Status ScriptRunner::run_pointer(const ScriptLine& line) {
-  ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(line.words, 0));
-  if (numbers.size() % 2 != 0) return invalid_argument("a pixel must be two numbers");
-  RETURN_IF_ERROR(finish_picture());  // the same points on every run
-  Viewport& viewport = workspace_->viewport;
-  const auto button = line.command == "drag" ? PointerButton::kLeft : PointerButton::kMiddle;
-  viewport.press(button, {}, {numbers[0], numbers[1]});
-  for (size_t i = 0; i < numbers.size(); i += 2) {
-    viewport.move({numbers[i], numbers[i + 1]});
-    RETURN_IF_ERROR(update());
-  }
-  viewport.release(button);
-  RETURN_IF_ERROR(update());
-  viewport.leave();
   return Status::ok();
 }
 

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace burnish {
+
+/// Work that runs beside its caller: on a thread, or in a browser on a stack of its own.
+class Beside {
+ public:
+  explicit Beside(std::function<void()> work);
+  ~Beside();  ///< waits too
+  Beside(Beside&&) noexcept;
+  Beside& operator=(Beside&&) = delete;
+
+  /// Returns when the work has ended.
+  void wait();
+
+ private:
+  struct Running;  // beside.cpp; client/web/core/host/beside_on_stacks.cpp
+  std::unique_ptr<Running> running_;
+};
+
+/// An answer that is on its way. What the question refers to must outlive this.
+template <typename Answer>
+class Asked {
+ public:
+  template <typename Question>
+  explicit Asked(Question question)
+      : answer_(std::make_unique<std::optional<Answer>>()),
+        work_([answer = answer_.get(), question = std::move(question)] {
+          answer->emplace(question());
+        }) {}
+
+  /// Waits for the answer. Call once.
+  Answer take() {
+    work_.wait();
+    return std::move(**answer_);
+  }
+
+ private:
+  std::unique_ptr<std::optional<Answer>> answer_;
+  Beside work_;  // last: it writes the answer
+};
+
+/// Asks several questions at once, where each takes a round trip.
+template <typename Question>
+auto ask(Question question) {
+  return Asked<decltype(question())>(std::move(question));
+}
+
+}  // namespace burnish

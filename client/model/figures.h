@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "client/model/document.h"
+
+namespace burnish {
+
+/// A name and a value, both in words for users.
+struct Figure {
+  std::string name;
+  std::string value;
+};
+
+/// Returns "converging", "saving", "settled" or "exact" for a session that is live, and
+/// "waiting for the first frame".
+const char* state_word(const Document& document);
+
+/// How the solver and the link do. Needs: a first frame.
+std::vector<Figure> link_figures(const Document& document);
+
+/// How far the surface has moved; empty until it is measured.
+std::vector<Figure> deviation_figures(const Document& document);
+
+/// The ruler's distances; empty until it has two ends.
+std::vector<Figure> ruler_figures(const Document& document);
+
+}  // namespace burnish

@@ -1,0 +1,43 @@
+#include "client/model/scan_files.h"
+
+#include "client/connection/export_files.h"
+#include "client/report/processing_record.h"
+#include "common/bundle/scan_bundle.h"
+
+namespace burnish {
+
+Result<ImportOutcome> import_file(Connection& connection, const std::filesystem::path& file,
+                                  int depth, std::vector<std::string>& missing,
+                                  const Progress& progress) {
+  ASSIGN_OR_RETURN(const ScanBundle bundle, ScanBundle::open(file));
+  missing = bundle.missing();
+  return connection.import_scan(bundle, bundle.mesh().stem().string(), {depth, 0}, progress);
+}
+
+/// Writes STEM-record.html and STEM-record.json beside the export.
+static Status write_records(Connection& connection, const std::string& session,
+                            const RecordedExport& made) {
+  ASSIGN_OR_RETURN(const ProcessingRecord record,
+                   make_processing_record(connection, session, made));
+  const std::string stem = made.file.stem().string() + "-record";
+  RETURN_IF_ERROR(write_record(record, made.file.parent_path() / (stem + ".json")));
+  return write_record(record, made.file.parent_path() / (stem + ".html"));
+}
+
+Status check_export(const std::filesystem::path& file) {
+  return export_target(file, false).status();
+}
+
+Result<ExportSummary> export_to_file(Connection& connection, const SessionInfo& session,
+                                     const ExportWish& wish, const std::filesystem::path& file,
+                                     const Progress& progress) {
+  ASSIGN_OR_RETURN(const ExportTarget target, export_target(file, false));
+  ASSIGN_OR_RETURN(const ExportedFiles exported,
+                   export_files(connection, session.id, wish, target, progress));
+  const RecordedExport made{connection.user(), exported.mesh, exported.summary};
+  if (wish.deviation)
+    RETURN_IF_ERROR(write_records(connection, session.id, made).with_context("record"));
+  return exported.summary;
+}
+
+}  // namespace burnish

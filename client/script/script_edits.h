@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "client/model/document.h"
+#include "client/script/script.h"
+
+namespace burnish {
+
+/// Does a command that changes the session or its brush: `beta` to `restore` in script_help(), but
+/// `drag`, `turn` and `fork`. Waits for nothing. Fails: invalid_argument that names the value and
+/// its limit; failed_precondition.
+Status change_document(const ScriptLine& line, Document& document);
+
+// Parts of lines. All fail with invalid_argument that names the word.
+Result<Equaliser> parse_bands(const std::vector<std::string>& words);
+/// Parses PIN CAP KEEP.
+Result<Controls> parse_controls(const std::vector<std::string>& words);
+/// Parses BETA [ALPHA]. Fails also: failed_precondition without colours.
+Result<ColourFilter> parse_colours(const std::vector<std::string>& words, const Document& document);
+
+}  // namespace burnish

@@ -1,0 +1,60 @@
+// The lines that wait, or that need more than the model.
+
+#include <cstdio>
+
+#include "client/script/script_runner.h"
+#include "client/script/script_view.h"
+
+namespace burnish {
+
+Status ScriptRunner::run_fork(const ScriptLine& line) {
+  const std::string name = line.rest();
+  RETURN_IF_ERROR(save_edits());
+  workspace_.fork(name, "");
+  return update_until([&] { return workspace_.document()->session().name == name; }, "forking");
+}
+
+// A camera that a script has placed by its distance stays where it is when the size changes.
+Status ScriptRunner::run_view(const ScriptLine& line) {
+  RETURN_IF_ERROR(change_view(line, workspace_));
+  const std::string& command = line.command;
+  if (command == "camera") is_camera_placed_ = line.words.size() > 2;
+  if (command == "up" || command == "view" || command == "frame") is_camera_placed_ = false;
+  return command == "colour" ? finish_picture() : Status::ok();
+}
+
+Status ScriptRunner::run_size(const ScriptLine& line) {
+  ImageSize size;
+  if (std::sscanf(line.words[0].c_str(), "%5dx%5d", &size.width, &size.height) != 2)
+    return invalid_argument("'" + line.words[0] + "' is not WIDTHxHEIGHT");
+  RETURN_IF_ERROR(check_image_size(size));
+  workspace_.viewport.set_size(size);
+  if (!is_camera_placed_) workspace_.viewport.frame_all();
+  return Status::ok();
+}
+
+Status ScriptRunner::run_pointer(const ScriptLine& line) {
+  ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(line.words, 0));
+  if (numbers.size() % 2 != 0) return invalid_argument("a pixel must be two numbers");
+  RETURN_IF_ERROR(finish_picture());  // the same points on every run
+  Viewport& viewport = workspace_.viewport;
+  const auto button = line.command == "drag" ? PointerButton::kLeft : PointerButton::kMiddle;
+  viewport.press(button, {}, {numbers[0], numbers[1]});
+  for (size_t i = 0; i < numbers.size(); i += 2) {
+    viewport.move({numbers[i], numbers[i + 1]});
+    RETURN_IF_ERROR(update());
+  }
+  viewport.release(button);
+  RETURN_IF_ERROR(update());
+  viewport.leave();
+  return Status::ok();
+}
+
+Status ScriptRunner::take_screenshot(const std::filesystem::path& path) {
+  RETURN_IF_ERROR(finish_picture());
+  RETURN_IF_ERROR(workspace_.viewport.draw(renderer_, *workspace_.document()));
+  ASSIGN_OR_RETURN(const Image image, renderer_.read_pixels());
+  return host_.keep_picture(image, path);
+}
+
+}  // namespace burnish
