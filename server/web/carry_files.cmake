@@ -1,32 +1,37 @@
-# Writes a source with the bytes of files: burnish_carry_files(OUTPUT FILE...). A change of a file
-# configures again.
+# Writes a source that carries files as they are when it is compiled: burnish_carry_files(OUTPUT FILE...).
 function(burnish_carry_files output)
-  set(arrays "")
+  set(declarations "")
   set(entries "")
   foreach(file ${ARGN})
     get_filename_component(name "${file}" NAME)
-    string(MAKE_C_IDENTIFIER "k_${name}" identifier)
-    file(READ "${file}" hex HEX)
-    string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${hex}")
-    string(APPEND arrays "constexpr char ${identifier}[] = {${bytes}};\n")
-    string(APPEND entries "    {\"${name}\", {${identifier}, sizeof(${identifier})}},\n")
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+    string(MAKE_C_IDENTIFIER "burnish_carried_${name}" symbol)
+    string(APPEND declarations "asm(\".pushsection .rodata\\n\"
+    \".global ${symbol}, ${symbol}_end\\n\"
+    \"${symbol}: .incbin \\\"${file}\\\"\\n\"
+    \"${symbol}_end: .byte 0\\n\"
+    \".popsection\\n\");
+extern \"C\" const char ${symbol}[], ${symbol}_end[];
+")
+    string(APPEND entries "      carried(\"${name}\", ${symbol}, ${symbol}_end),\n")
   endforeach()
   file(CONFIGURE OUTPUT "${output}" CONTENT "#include \"server/web/web_files.h\"
 
+// The assembler copies the files.
+@declarations@
 namespace burnish {
-namespace {
 
-@arrays@
-constexpr CarriedFile kCarriedFiles[] = {
-@entries@};
-
-}  // namespace
+static CarriedFile carried(std::string_view name, const char* begin, const char* end) {
+  return {name, {begin, static_cast<size_t>(end - begin)}};
+}
 
 std::span<const CarriedFile> carried_files() {
-  return kCarriedFiles;
+  static const CarriedFile files[] = {
+@entries@  };
+  return files;
 }
 
 }  // namespace burnish
 " @ONLY)
+  # Alone, for the other sources of the folder take minutes.
+  set_source_files_properties("${output}" PROPERTIES OBJECT_DEPENDS "${ARGN}" SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

@@ -5,8 +5,9 @@ import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
 import { join, relative } from "node:path";
 import assert from "node:assert/strict";
-import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+import type { Browser, BrowserContextOptions, Page } from "playwright-core";
 import type { Snapshot } from "../../../client/web/page/src/snapshot";
+import { launchBrowser } from "./browser";
 import type { Order } from "./fake_engine";
 
 // As the door sends it (server/web).
@@ -19,18 +20,8 @@ const kTypes: Record<string, string> = {
   js: "text/javascript",
   css: "text/css",
   ico: "image/x-icon",
+  wasm: "application/wasm",
 };
-const kChromium = [
-  "--no-sandbox",
-  "--use-gl=angle",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
-  "--disable-quic",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-];
-
 const filesOf = (folder: string): string[] =>
   readdirSync(folder).flatMap((name) => {
     const path = join(folder, name);
@@ -131,8 +122,7 @@ export class Bench {
     const folder = process.env.BURNISH_PAGE;
     assert.ok(folder, "BURNISH_PAGE names the folder of the built page");
     this.server = await serve(folder);
-    const executablePath = process.env.BURNISH_CHROMIUM ?? "/usr/bin/chromium";
-    this.browser = await chromium.launch({ executablePath, args: kChromium });
+    this.browser = await launchBrowser();
   }
 
   async stop(): Promise<void> {

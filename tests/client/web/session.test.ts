@@ -96,6 +96,14 @@ test("LettersInANameFieldAreNoKeys", () =>
     assert.deepEqual(await visit.lines(), []);
   }));
 
+test("HomeMovesASliderAndNotTheCamera", () =>
+  bench.visitSession(async (visit) => {
+    await visit.forget();
+    await visit.page.getByRole("slider", { name: "Gradient scale β", exact: true }).press("Home");
+    await visit.sent("beta 0");
+    assert.ok(!(await visit.lines()).includes("frame"));
+  }));
+
 test("TabReachesEveryPanelFromTheMenus", () =>
   bench.visitSession(async (visit) => {
     const reached = new Set<string>();
@@ -136,6 +144,38 @@ test("MenuExportsRecordsReplaysAndCloses", () =>
     await choose("File", "Close session");
     await visit.sent("close");
     await visit.page.getByRole("heading", { name: "Recent" }).waitFor();
+  }));
+
+test("EngineThatLostItsContextStartsAgainAndOpensTheSession", () =>
+  bench.visitSession(async (visit) => {
+    await visit.forget();
+    await visit.order({ post: { kind: "stopped", message: "the context was taken", again: true } });
+    await visit.message("start");
+    await visit.sent("session join s1");
+    await visit.page.getByRole("region", { name: "Filter" }).waitFor();
+    assert.equal(await visit.page.getByRole("dialog").count(), 0);
+  }));
+
+test("EngineThatStopsAgainAndAgainIsTold", () =>
+  bench.visitSession(async (visit) => {
+    const stop = { post: { kind: "stopped", message: "the context was taken", again: true } } as const;
+    for (let i = 0; i < 3; ++i) {
+      await visit.forget();
+      await visit.order(stop);
+      await visit.message("start");
+    }
+    await visit.order(stop);
+    await visit.page.getByRole("dialog", { name: "The engine has stopped" }).waitFor();
+  }));
+
+test("KeptTextsAreGivenToTheNextEngine", () =>
+  bench.visit(async (visit) => {
+    await visit.order({ post: { kind: "keep", key: "view", text: "front" } });
+    await visit.page.waitForFunction(() => localStorage.getItem("burnish.kept.view") === "front");
+    await visit.page.reload();
+    const start = await visit.message("start");
+    assert.deepEqual(start.kept, { view: "front" });
+    assert.match(String(start.core), /^http:.*\/assets\/core\.wasm$/);
   }));
 
 test("DownloadHasItsName", () =>

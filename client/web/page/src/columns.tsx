@@ -19,15 +19,17 @@ import { CameraPanel, ViewPanel } from "./view_panel";
 const kWide = "(min-width: 960px)";
 
 /** Returns whether there is room for two columns. */
+export const isWide = () => matchMedia(kWide).matches;
+
 export function useIsWide(): boolean {
-  const [isWide, setIsWide] = useState(() => matchMedia(kWide).matches);
+  const [wide, setIsWide] = useState(isWide);
   useEffect(() => {
     const media = matchMedia(kWide);
     const change = () => setIsWide(media.matches);
     media.addEventListener("change", change);
     return () => media.removeEventListener("change", change);
   }, []);
-  return isWide;
+  return wide;
 }
 
 export function EditColumn(props: PanelProps & { presets: Preset[]; children?: preact.ComponentChildren }) {

@@ -1,5 +1,6 @@
 // The page's side of the engine's worker.
 
+import { command } from "./commands";
 import type { Message, Snapshot } from "./snapshot";
 import type { PointerMessage, ToPage, ToWorker } from "./protocol";
 
@@ -25,6 +26,8 @@ export interface PageState {
 const kRefusalsMax = 5;
 const kUser = "burnish.user";
 const kToken = "burnish.token";
+const kKept = "burnish.kept.";
+const kRestartsMax = 3; // without a picture between them
 
 /** Keeps the state, and talks with one worker at a time. */
 export class EngineLink {
@@ -32,8 +35,15 @@ export class EngineLink {
   onchange: () => void = () => {};
   private port: EnginePort | null = null;
   private refused = 0;
+  private restarts = 0;
+  /** The session that an engine which starts again opens. */
+  private lastSession = "";
 
-  constructor(private readonly makePort: () => EnginePort) {}
+  /** `core` is the address of core.wasm. */
+  constructor(
+    private readonly makePort: () => EnginePort,
+    private readonly core: string,
+  ) {}
 
   /** Takes the canvas for good. */
   start(canvas: HTMLCanvasElement, width: number, height: number): void {
@@ -46,8 +56,9 @@ export class EngineLink {
     const user = sessionStorage.getItem(kUser) ?? "";
     const token = sessionStorage.getItem(kToken) ?? "";
     const size = { width, height, pixelRatio: devicePixelRatio };
+    const { core } = this;
     port.postMessage(
-      { kind: "start", canvas: offscreen, ...size, address: location.origin, user, token },
+      { kind: "start", canvas: offscreen, ...size, address: location.origin, user, token, core, kept: keptTexts() },
       [offscreen],
     );
   }
@@ -96,15 +107,27 @@ export class EngineLink {
   }
 
   private take(message: ToPage): void {
-    if (message.kind === "snapshot") this.change({ snapshot: message.snapshot });
+    if (message.kind === "snapshot") this.show(message.snapshot);
     if (message.kind === "answer") this.refuse(message.message);
     if (message.kind === "download") download(message.name, message.blob);
-    if (message.kind === "stopped") this.stop(message.message);
+    if (message.kind === "keep") localStorage.setItem(kKept + message.key, message.text);
+    if (message.kind === "drawn") this.restarts = 0;
+    if (message.kind === "stopped") this.stop(message.message, message.again);
   }
 
-  private stop(message: string): void {
+  private show(snapshot: Snapshot): void {
+    if (this.lastSession && snapshot.library.state === "connected" && !snapshot.document) {
+      this.send(command.joinSession(this.lastSession));
+      this.lastSession = "";
+    }
+    this.change({ snapshot });
+  }
+
+  private stop(message: string, again = false): void {
     this.port?.terminate();
     this.port = null;
+    this.lastSession = this.state.snapshot?.document?.sessionId ?? "";
+    if (again && ++this.restarts <= kRestartsMax) return this.startAgain();
     this.change({ stopped: message });
   }
 
@@ -112,6 +135,11 @@ export class EngineLink {
     this.state = { ...this.state, ...change };
     this.onchange();
   }
+}
+
+function keptTexts(): Record<string, string> {
+  const keys = Object.keys(localStorage).filter((key) => key.startsWith(kKept));
+  return Object.fromEntries(keys.map((key) => [key.slice(kKept.length), localStorage.getItem(key)!]));
 }
 
 function download(name: string, blob: Blob): void {

@@ -110,9 +110,17 @@ function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLSelectElement;
 }
 
+const kSliderKeys = ["Home", "End", "PageUp", "PageDown"];
+
+/** Returns true if the key moves a slider that has the focus. */
+function movesSlider(target: EventTarget | null, key: string): boolean {
+  return target instanceof HTMLInputElement && target.type === "range" && kSliderKeys.includes(key);
+}
+
 export function handleKeyDown(event: KeyboardEvent, context: Context): void {
   const key = keyOf(event);
   if (event.isComposing || event.defaultPrevented) return;
+  if (movesSlider(event.target, key)) return;
   if (isTyping(event.target) && key !== "Escape" && key !== "F1") return;
   if (key === " " && context.document && isPicture(event.target)) {
     event.preventDefault();

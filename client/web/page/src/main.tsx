@@ -3,11 +3,15 @@
 import { render } from "preact";
 import { EngineLink, type EnginePort } from "./engine_link";
 import { Page } from "./page";
+import { missingParts } from "./support";
 import { applyTheme } from "./theme";
+import { Unsupported } from "./unsupported";
 
-const makeWorker = () =>
-  new Worker("/assets/engine.js", { type: "module" }) as unknown as EnginePort;
+const place = document.getElementById("page")!;
+const address = (name: string) => new URL(place.dataset[name]!, document.baseURI).href;
+const makeWorker = () => new Worker(address("engine"), { type: "module" }) as unknown as EnginePort;
 
 applyTheme();
-const link = new EngineLink(makeWorker);
-render(<Page link={link} />, document.getElementById("page")!);
+const missing = missingParts();
+if (missing.length > 0) render(<Unsupported missing={missing} />, place);
+else render(<Page link={new EngineLink(makeWorker, address("core"))} />, place);

@@ -1,6 +1,7 @@
 // The canvas of the picture. The worker draws into it; the page hands it over once.
 
 import { useEffect, useRef } from "preact/hooks";
+import { isWide } from "./columns";
 import { useLink } from "./context";
 import { PicturePointer } from "./pointer";
 import type { Document } from "./snapshot";
@@ -16,9 +17,9 @@ export function Picture({ document }: { document: Document | null }) {
     link.start(canvas.current!, size.width, size.height);
     const pointer = new PicturePointer(canvas.current!, link);
     const stopListening = pointer.listen();
-    const watch = new ResizeObserver(() =>
-      link.post({ kind: "resize", ...sizeOf(around), pixelRatio: devicePixelRatio }),
-    );
+    const watch = new ResizeObserver(() => {
+      if (around.clientWidth > 0) link.post({ kind: "resize", ...sizeOf(around), pixelRatio: devicePixelRatio });
+    });
     watch.observe(around);
     return () => {
       watch.disconnect();
@@ -39,8 +40,24 @@ export function Picture({ document }: { document: Document | null }) {
   );
 }
 
+/** The size that the picture has, or will have: a session that opens is framed for it. */
 function sizeOf(place: HTMLElement): { width: number; height: number } {
-  const box = place.getBoundingClientRect();
+  const box = place.clientWidth > 0 ? place.getBoundingClientRect() : expectedBox(place);
   const pixels = (length: number) => Math.max(16, Math.round(length * devicePixelRatio));
   return { width: pixels(box.width), height: pixels(box.height) };
+}
+
+/** Lays an empty session out where the start page is. */
+function expectedBox(place: HTMLElement): DOMRect {
+  const start = place.closest(".no-session")!;
+  const session = document.createElement("div");
+  session.className = isWide() ? "session wide" : "session";
+  for (const part of ["column left", "middle", "column right"])
+    session.appendChild(document.createElement("div")).className = part;
+  start.after(session);
+  start.classList.add("away");
+  const box = session.children[1]!.getBoundingClientRect();
+  start.classList.remove("away");
+  session.remove();
+  return box;
 }

@@ -38,6 +38,10 @@ export interface StartMessage {
   /** Empty if the user has given none. */
   user: string;
   token: string;
+  /** Address of core.wasm. */
+  core: string;
+  /** What `keep` messages of earlier engines said. */
+  kept: Record<string, string>;
 }
 
 export type ToWorker =
@@ -61,7 +65,9 @@ export type ToPage =
   | { kind: "answer"; line: string; message: string }
   /** A file that the user asked for: an export, a picture or a script. */
   | { kind: "download"; name: string; blob: Blob }
-  /** The engine has stopped and answers no more. */
-  | { kind: "stopped"; message: string }
+  /** The engine has stopped and answers no more. `again`: another one will do, e.g. for a lost graphics context. */
+  | { kind: "stopped"; message: string; again?: boolean }
+  /** A small text that outlives the page. */
+  | { kind: "keep"; key: string; text: string }
   /** Pictures drawn so far. */
   | { kind: "drawn"; count: number };

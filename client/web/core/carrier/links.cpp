@@ -1,0 +1,16 @@
+#include "client/connection/links.h"
+
+#include "client/web/core/carrier/page_calls_link.h"
+#include "client/web/core/carrier/socket_link.h"
+
+namespace burnish {
+
+std::unique_ptr<LiveLink> make_live_link(const Connection& connection, LiveOptions options) {
+  return std::make_unique<SocketLink>(connection.server(), std::move(options));
+}
+
+std::unique_ptr<PageSource> make_page_source(const Connection& connection, FetchedPages pages) {
+  return std::make_unique<PageCallsLink>(connection.server(), std::move(pages));
+}
+
+}  // namespace burnish

@@ -1,0 +1,107 @@
+#include "client/web/core/front.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "client/script/script_runner.h"
+#include "client/web/core/front_commands.h"
+#include "client/web/core/json_writer.h"
+#include "client/web/core/snapshot.h"
+#include "client/web/core/stored_png.h"
+
+namespace burnish {
+
+using std::chrono::milliseconds;
+
+static constexpr milliseconds kSnapshotInterval{50};
+static constexpr milliseconds kIdle{500};  // figures and activities go on without news
+static constexpr milliseconds kFiner{16};  // while the picture becomes finer
+
+Front::Front(PageRenderer& renderer, Preferences preferences, WorkspaceOptions options,
+             FrontHost host)
+    : renderer_(renderer),
+      host_(std::move(host)),
+      workspace_(renderer, std::move(preferences), std::move(options)) {}
+
+void Front::answer(const std::string& line, const Status& status) {
+  JsonWriter json;
+  json.open().text("kind", "answer").text("line", line).text("message", status.message()).close();
+  host_.say(json.written());
+}
+
+void Front::do_line(const std::string& line) {
+  FrontParts parts{workspace_, renderer_, state_, host_};
+  const Status done = do_front_line(line, parts);
+  if (!done.is_ok()) answer(line, done);
+}
+
+void Front::replay(const GivenFile& script) {
+  host_.begin([this, script] {
+    const auto text = host_.read(script);
+    const auto lines = text.is_ok() ? parse_script(*text, script.name) : text.status();
+    if (!lines.is_ok()) return workspace_.log.failure("replay", lines.status());
+    ScriptRunner runner(
+        workspace_, renderer_,
+        {.wait = host_.wait,
+         .keep_picture = [this](const Image& image, const std::filesystem::path& file) {
+           host_.download(file.filename().string(), stored_png(image));
+           return Status::ok();
+         }});
+    const Status done = runner.run(*lines, script.name);
+    if (!done.is_ok()) return workspace_.log.failure("replay", done);
+    workspace_.log.info("replayed " + script.name);
+  });
+}
+
+Front::Time Front::tick(Time now) {
+  workspace_.update();
+  Document* const document = workspace_.document();
+  if (document) {
+    document->show_over(state_.shows_protection, state_.shows_curves);
+    document->measuring().follow_deviation(document->shown());
+    if (state_.hover_session != document->session().id) state_.last_hover.reset();
+    state_.hover_session = document->session().id;
+    if (const auto& hover = workspace_.viewport.hover()) state_.last_hover = hover->original;
+  }
+  const Status drawn = draw();
+  const std::string failure = drawn.is_ok() ? "" : drawn.message();
+  if (std::exchange(failure_, failure) != failure && !drawn.is_ok())
+    workspace_.log.failure("picture", drawn);
+  const Time snapshot_at = say_snapshot(now);
+  if (!document && workspace_.activities().empty()) return snapshot_at;
+  const bool becomes_finer = document && !document->is_picture_settled() && is_visible_;
+  return std::min(snapshot_at, now + (becomes_finer ? kFiner : kIdle));
+}
+
+// Draws the surface again if its picture has changed.
+Status Front::draw() {
+  if (!is_visible_ || !workspace_.has_picture()) return Status::ok();
+  const ImageSize& size = workspace_.viewport.size();
+  if (!check_image_size(size).is_ok()) return Status::ok();
+  RETURN_IF_ERROR(workspace_.look());
+  Shown now{workspace_.pictures_begun(), 0, size, workspace_.viewport.camera, {}};
+  if (const Document* const document = workspace_.document()) {
+    now.changes = document->picture_changes();
+    now.style = workspace_.viewport.style(*document);
+  }
+  if (now == shown_) return Status::ok();
+  RETURN_IF_ERROR(workspace_.draw());
+  shown_ = std::move(now);
+  host_.show();
+  JsonWriter json;
+  json.open().text("kind", "drawn").whole("count", static_cast<int64_t>(++pictures_)).close();
+  host_.say(json.written());
+  return Status::ok();
+}
+
+Front::Time Front::say_snapshot(Time now) {
+  if (now - said_at_ < kSnapshotInterval) return said_at_ + kSnapshotInterval;
+  std::string snapshot = snapshot_of(workspace_, state_);
+  if (snapshot == said_) return Time::max();
+  host_.say(R"({"kind":"snapshot","snapshot":)" + snapshot + "}");
+  said_ = std::move(snapshot);
+  said_at_ = now;
+  return Time::max();
+}
+
+}  // namespace burnish

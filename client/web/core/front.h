@@ -1,0 +1,89 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "client/model/workspace.h"
+#include "client/web/core/front_state.h"
+
+namespace burnish {
+
+/// A file that the user has given to the page.
+struct GivenFile {
+  int handle = 0;  ///< of the worker
+  std::string name;
+  uint64_t size_bytes = 0;
+};
+
+/// What the page's worker does for the front.
+struct FrontHost {
+  /// Says a message of client/web/page/src/protocol.ts as JSON.
+  std::function<void(const std::string&)> say;
+  /// Shows the picture that the renderer has drawn.
+  std::function<void()> show;
+  /// Makes a file known by its name, for Workspace::import_scan().
+  std::function<void(const GivenFile&)> give;
+  std::function<Result<std::string>(const GivenFile&)> read;
+  /// Hands a file to the user.
+  std::function<void(const std::string& name, std::string_view bytes)> download;
+  /// Runs work that may wait, soon.
+  std::function<void(std::function<void()>)> begin;
+  /// Waits within such work until the next picture, or for the time.
+  std::function<void(std::chrono::milliseconds)> wait;
+};
+
+/// The page's end of the model: takes its messages and lines, draws, and says snapshots. The window
+/// and `burnish --script` are the model's other fronts. Used from one thread.
+class Front {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  /// Needs: the renderer outlives this.
+  Front(PageRenderer& renderer, Preferences preferences, WorkspaceOptions options, FrontHost host);
+
+  /// Hears a message of the page as JSON. A message that is not understood is answered.
+  void hear(std::string_view json);
+
+  /// Handles all news, draws if the picture has changed, and says a snapshot if it has changed.
+  /// Returns when to be called again at the latest; Time::max(): when the workspace wakes.
+  Time tick(Time now);
+
+  Workspace& workspace() { return workspace_; }
+
+ private:
+  /// Decides the picture.
+  struct Shown {
+    uint64_t begun = 0;
+    uint64_t changes = 0;
+    ImageSize size;
+    Camera camera;
+    DrawStyle style;
+
+    bool operator==(const Shown&) const = default;
+  };
+
+  void do_line(const std::string& line);
+  void replay(const GivenFile& script);
+  Status draw();
+  /// Returns when to try again; Time::max(): it was said, or has not changed.
+  Time say_snapshot(Time now);
+  void answer(const std::string& line, const Status& status);
+
+  PageRenderer& renderer_;
+  FrontHost host_;
+  FrontState state_;
+  Workspace workspace_;
+  bool is_visible_ = true;
+  Shown shown_;
+  uint64_t pictures_ = 0;
+  std::string said_;  // the last snapshot
+  Time said_at_{};
+  std::string failure_;  // of the last picture
+};
+
+}  // namespace burnish

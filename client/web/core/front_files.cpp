@@ -1,0 +1,75 @@
+// Lines whose outcome is a file for the user, and those that say what pictures and snapshots have.
+// The last ones need no session.
+
+#include "client/script/script_view.h"
+#include "client/web/core/front_commands.h"
+#include "client/web/core/stored_png.h"
+
+namespace burnish {
+
+namespace {
+
+// The script goes on where this session is.
+Status do_record(const FrontWords& line, FrontParts& parts) {
+  RETURN_IF_ERROR(need_words(line, 1));
+  Recorder& recorder = parts.workspace.recorder;
+  if (line.words[0] == "start") {
+    parts.state.script.emplace();
+    recorder.open([&script = parts.state.script](const std::string& text) {
+      if (script) *script += text + "\n";
+    });
+    recorder.record("join " + parts.workspace.document()->session().name);
+    recorder.record(parts.workspace.viewport.camera);
+    return Status::ok();
+  }
+  if (line.words[0] != "stop")
+    return invalid_argument("'" + line.words[0] + "' is neither start nor stop");
+  recorder.close();
+  if (!parts.state.script) return Status::ok();
+  parts.host.download(parts.workspace.document()->session().name + ".script", *parts.state.script);
+  parts.state.script.reset();
+  return Status::ok();
+}
+
+Status take_picture(const FrontWords& line, FrontParts& parts) {
+  RETURN_IF_ERROR(need_words(line, 1));
+  RETURN_IF_ERROR(parts.workspace.draw());
+  ASSIGN_OR_RETURN(const Image image, parts.renderer.read_pixels());
+  const std::string name = line.rest();
+  parts.host.download(name.ends_with(".png") ? name : name + ".png", stored_png(image));
+  return Status::ok();
+}
+
+Status set_figures(const FrontWords& line, FrontState& state) {
+  RETURN_IF_ERROR(need_words(line, 1));
+  ASSIGN_OR_RETURN(state.shows_figures, parse_switch(line.words[0]));
+  return Status::ok();
+}
+
+Status set_over(const FrontWords& line, FrontState& state) {
+  RETURN_IF_ERROR(need_words(line, 2));
+  ASSIGN_OR_RETURN(const bool is_on, parse_switch(line.words[1]));
+  if (line.words[0] == "protection") {
+    state.shows_protection = is_on;
+  } else if (line.words[0] == "curves") {
+    state.shows_curves = is_on;
+  } else {
+    return invalid_argument("'" + line.words[0] + "' is neither protection nor curves");
+  }
+  return Status::ok();
+}
+
+}  // namespace
+
+std::optional<Status> do_file_line(const FrontWords& line, FrontParts& parts) {
+  const bool needs_session = line.command == "record" || line.command == "picture";
+  if (needs_session && !parts.workspace.document())
+    return failed_precondition("no session is open");
+  if (line.command == "record") return do_record(line, parts);
+  if (line.command == "picture") return take_picture(line, parts);
+  if (line.command == "over") return set_over(line, parts.state);
+  if (line.command == "figures") return set_figures(line, parts.state);
+  return std::nullopt;
+}
+
+}  // namespace burnish

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "client/model/activity.h"
+#include "common/base/types.h"
+
+namespace burnish {
+
+/// What a page shows besides the model's state. A window keeps the same in its panels.
+struct FrontState {
+  std::string server;                 ///< HOST:PORT of the page
+  std::set<uint64_t> dismissed;       ///< numbers of messages
+  bool lasso_through = false;         ///< of the next lasso
+  std::optional<Vec3d> last_hover;    ///< on the original surface, for `protect_piece`
+  std::string hover_session;          ///< that last_hover is of
+  bool shows_figures = true;          ///< figures of frames and link, which change all the time
+  bool shows_protection = false;      ///< over the surface
+  bool shows_curves = false;          ///< likewise, where the palette's curves rule
+  std::optional<std::string> script;  ///< that is being recorded
+
+  /// Returns a number for each activity, which stays.
+  uint64_t number_of(const std::shared_ptr<Activity>& activity) {
+    const auto [found, is_new] = activities_.try_emplace(activity, last_activity_ + 1);
+    last_activity_ += is_new;
+    return found->second;
+  }
+
+ private:
+  std::map<std::weak_ptr<Activity>, uint64_t, std::owner_less<>> activities_;
+  uint64_t last_activity_ = 0;
+};
+
+}  // namespace burnish

@@ -1,0 +1,96 @@
+// Lines about what the pointer does, and about the session.
+
+#include "client/script/script_view.h"
+#include "client/tools/band_choice.h"
+#include "client/web/core/front_commands.h"
+#include "common/base/text_lines.h"
+
+namespace burnish {
+
+namespace {
+
+Result<SessionRole> parse_role(const std::string& word) {
+  for (const SessionRole role : {SessionRole::kViewer, SessionRole::kEditor, SessionRole::kOwner})
+    if (word == session_role_name(role)) return role;
+  return invalid_argument("'" + word + "' is not viewer, editor or owner");
+}
+
+/// Does USER ROLE. The name may have several words.
+Status set_role(const FrontWords& line, Document& document) {
+  RETURN_IF_ERROR(need_words(line, 2));
+  ASSIGN_OR_RETURN(const SessionRole role, parse_role(line.words.back()));
+  FrontWords user = line;
+  user.words.pop_back();
+  document.set_role(user.rest(), role);
+  return Status::ok();
+}
+
+Status set_tool(const FrontWords& line, Viewport& viewport) {
+  RETURN_IF_ERROR(need_words(line, 1));
+  const std::string& tool = line.words[0];
+  if (tool != "paint" && tool != "look" && tool != "measure")
+    return invalid_argument("'" + tool + "' is not paint, look or measure");
+  viewport.navigate_mode = tool == "look";
+  viewport.measure_mode = tool == "measure";
+  return Status::ok();
+}
+
+Status set_lasso(const FrontWords& line, FrontParts& parts) {
+  RETURN_IF_ERROR(need_words(line, 1));
+  const std::string& what = line.words[0];
+  if (what != "off" && what != "protect" && what != "release")
+    return invalid_argument("'" + what + "' is not off, protect or release");
+  parts.state.lasso_through = line.words.size() > 1 && line.words[1] == "through";
+  auto& wish = parts.workspace.viewport.lasso_wish;
+  wish.reset();
+  if (what != "off") wish = LassoWish{parts.state.lasso_through, what == "release"};
+  return Status::ok();
+}
+
+Status protect_piece(FrontParts& parts) {
+  if (!parts.state.last_hover)
+    return failed_precondition("the pointer has not been on the surface yet");
+  parts.workspace.document()->protect({PieceRegion{*parts.state.last_hover}});
+  return Status::ok();
+}
+
+Status open_at(const FrontWords& line, Workspace& workspace) {
+  RETURN_IF_ERROR(need_words(line, 1));
+  ASSIGN_OR_RETURN(const int depth, parse_integer(line.words[0]));
+  workspace.open_again(depth);
+  return Status::ok();
+}
+
+Status set_pen(const FrontWords& line, Workspace& workspace) {
+  RETURN_IF_ERROR(need_words(line, 1));
+  ASSIGN_OR_RETURN(workspace.preferences.pen_pressure, parse_switch(line.words[0]));
+  return Status::ok();
+}
+
+}  // namespace
+
+std::optional<Status> do_tool_line(const FrontWords& line, FrontParts& parts) {
+  Workspace& workspace = parts.workspace;
+  Document& document = *workspace.document();
+  const std::string& command = line.command;
+  if (command == "role") return set_role(line, document);
+  if (command == "tool") return set_tool(line, workspace.viewport);
+  if (command == "lasso") return set_lasso(line, parts);
+  if (command == "protect_piece") return protect_piece(parts);
+  if (command == "depth") return open_at(line, workspace);
+  if (command == "pen") return set_pen(line, workspace);
+  if (command == "ruler") {
+    document.measuring().ruler.clear();
+  } else if (command == "unit") {
+    document.name_unit(line.rest());
+  } else if (command == "cancel") {
+    workspace.viewport.cancel(document);
+  } else if (command == "bands" && line.words == std::vector<std::string>{"first"}) {
+    document.set_equaliser(first_bands(document.cell_size(), document.diagonal()));
+  } else {
+    return std::nullopt;
+  }
+  return Status::ok();
+}
+
+}  // namespace burnish

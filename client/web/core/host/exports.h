@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// What the page's worker calls (client/web/engine). Each call is a turn of its own: none comes
+// while another one runs.
+extern "C" {
+
+#define BURNISH_EXPORT(name) __attribute__((visibility("default"), export_name(#name)))
+
+/// Memory for what the worker hands over. The functions below free it.
+uint8_t* core_alloc(size_t bytes) BURNISH_EXPORT(core_alloc);
+void core_free(uint8_t* memory) BURNISH_EXPORT(core_free);
+
+/// Hears a message of the page (client/web/page/src/protocol.ts) as JSON. `start` has no canvas,
+/// and files are {"handle","name","size"}.
+void core_hear(uint8_t* text, size_t bytes) BURNISH_EXPORT(core_hear);
+/// Handles news and draws if something has changed. Returns the ms until the next call at the
+/// latest; infinity: when host_wake() asks for it.
+double core_tick(double now_ms) BURNISH_EXPORT(core_tick);
+
+void core_call_message(int call, uint8_t* message, size_t bytes) BURNISH_EXPORT(core_call_message);
+/// `code`: that of gRPC.
+void core_call_ended(int call, int code, uint8_t* text, size_t bytes)
+    BURNISH_EXPORT(core_call_ended);
+
+/// Returns the upper end of a task's stack.
+uint8_t* core_stack(int task) BURNISH_EXPORT(core_stack);
+/// Runs a task. It returns when the task has ended.
+void core_task(int task) BURNISH_EXPORT(core_task);
+
+#undef BURNISH_EXPORT
+
+}  // extern "C"

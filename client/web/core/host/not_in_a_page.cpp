@@ -1,0 +1,39 @@
+// What a page does not have, and how it says so: a server of its own, raw scans, own presets.
+
+#include "client/model/private_server.h"
+#include "client/model/raw_scan.h"
+#include "client/tools/own_presets.h"
+
+namespace burnish {
+
+Result<std::string> find_private_server(const PrivateServerOptions&, const Progress&) {
+  return failed_precondition(
+      "a page has the server that it comes from, and is not connected to it");
+}
+
+uint64_t private_server_memory_bytes() {
+  return 0;
+}
+
+bool can_be_raw(const std::filesystem::path&) {
+  return false;
+}
+
+Result<RawScan> read_raw_scan(const std::filesystem::path& file, uint64_t) {
+  return unimplemented(file.string() + ": a page shows a scan once the server has it");
+}
+
+Status put_into(PageRenderer&, RawScan& scan) {
+  return unimplemented(scan.file.string() + ": a page shows a scan once the server has it");
+}
+
+DrawStyle style_of(const RawScan&) {
+  return {};
+}
+
+Result<Preset> find_any_preset(const std::string& name) {
+  if (const Preset* preset = find_preset(name)) return *preset;
+  return not_found("no preset has the name '" + name + "'");
+}
+
+}  // namespace burnish

@@ -1,0 +1,116 @@
+#include "client/web/core/snapshot.h"
+
+#include <algorithm>
+
+#include "client/tools/presets.h"
+
+namespace burnish {
+
+namespace {
+
+constexpr size_t kMessagesMax = 30;
+
+const char* word_of(Library::State state) {
+  static constexpr const char* kWords[] = {"unconnected", "connecting", "connected", "failed"};
+  return kWords[static_cast<int>(state)];
+}
+
+const char* word_of(Severity severity) {
+  static constexpr const char* kWords[] = {"info", "warning", "error"};
+  return kWords[static_cast<int>(severity)];
+}
+
+void write_scan(const ScanInfo& scan, JsonWriter& json) {
+  json.open().text("id", scan.id).text("name", scan.name);
+  json.whole("triangles", static_cast<int64_t>(scan.statistics.triangles));
+  json.flag("closed", scan.statistics.is_closed());
+  json.whole("bytes", static_cast<int64_t>(bytes_on_disk(scan)));
+  json.whole("imported", scan.imported_unix_seconds);
+  json.text("unit", scan.unit).whole("defaultDepth", scan.default_depth).close();
+}
+
+/// Returns when this browser showed a session last; 0: never.
+int64_t shown_at(const Preferences& preferences, const std::string& session) {
+  for (const RecentSession& recent : preferences.recent)
+    if (recent.id == session) return recent.shown_unix_seconds;
+  return 0;
+}
+
+void write_session(const SessionInfo& session, const Preferences& preferences, JsonWriter& json) {
+  json.open().text("id", session.id).text("name", session.name).text("scan", session.scan_id);
+  json.whole("edits", static_cast<int64_t>(session.edits)).whole("depth", session.key.depth);
+  json.whole("begun", session.created_unix_seconds);
+  json.whole("shown", shown_at(preferences, session.id)).text("picture", "").close();
+}
+
+void write_library(const Workspace& workspace, JsonWriter& json) {
+  const Library& library = workspace.library();
+  json.key("library").open();
+  json.text("state", word_of(library.state)).text("server", library.server);
+  const bool has_failed = library.state == Library::State::kFailed;
+  json.text("problem", has_failed ? library.problem : "");
+  json.flag("wantsToken", has_failed && library.refuses_user);
+  json.key("scans").open_list();
+  for (const ScanInfo& scan : library.scans) write_scan(scan, json);
+  json.close_list().key("sessions").open_list();
+  for (const SessionInfo& session : library.sessions)
+    write_session(session, workspace.preferences, json);
+  json.close_list();
+  json.whole("serverMemory", static_cast<int64_t>(workspace.server_memory_bytes())).close();
+}
+
+void write_activities(const Workspace& workspace, FrontState& front, JsonWriter& json) {
+  json.key("activities").open_list();
+  for (const auto& activity : workspace.activities()) {
+    const Activity::State state = activity->state();
+    json.open().whole("number", static_cast<int64_t>(front.number_of(activity)));
+    json.text("title", activity->title()).text("phase", state.phase);
+    json.number("fraction", std::clamp(state.fraction, 0.0, 1.0));
+    json.number("secondsLeft", state.seconds_left.value_or(-1)).close();
+  }
+  json.close_list();
+}
+
+void write_messages(const MessageLog& log, const FrontState& front, JsonWriter& json) {
+  json.key("messages").open_list();
+  const auto& messages = log.messages();
+  for (size_t i = messages.size() - std::min(messages.size(), kMessagesMax); i < messages.size();
+       ++i) {
+    const uint64_t number = log.first_number() + i;
+    if (front.dismissed.contains(number)) continue;
+    const auto since = messages[i].time.time_since_epoch();
+    json.open().whole("number", static_cast<int64_t>(number));
+    json.text("severity", word_of(messages[i].severity)).text("text", messages[i].text);
+    json.whole("time", std::chrono::duration_cast<std::chrono::seconds>(since).count()).close();
+  }
+  json.close_list();
+}
+
+void write_presets(JsonWriter& json) {
+  json.key("presets").open_list();
+  for (const Preset& preset : presets())
+    json.open()
+        .text("name", preset.name)
+        .text("description", preset.description)
+        .number("beta", preset.beta)
+        .close();
+  json.close_list();
+}
+
+}  // namespace
+
+std::string snapshot_of(Workspace& workspace, FrontState& state) {
+  JsonWriter json;
+  json.open();
+  write_library(workspace, json);
+  write_activities(workspace, state, json);
+  write_messages(workspace.log, state, json);
+  write_presets(json);
+  json.flag("recording", state.script.has_value());
+  json.key("document");
+  workspace.document() ? write_document(workspace, state, json) : void(json.null());
+  json.close();
+  return json.written();
+}
+
+}  // namespace burnish

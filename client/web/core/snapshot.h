@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "client/model/workspace.h"
+#include "client/web/core/front_state.h"
+#include "client/web/core/json_writer.h"
+
+namespace burnish {
+
+/// Returns the model's state as JSON: a Snapshot of client/web/page/src/snapshot.ts.
+std::string snapshot_of(Workspace& workspace, FrontState& state);
+
+/// Writes the open session: a Document of the same file. Needs: a document.
+void write_document(const Workspace& workspace, const FrontState& state, JsonWriter& json);
+
+/// Writes what its panels for editing show: members of a Document.
+void write_tools(const Workspace& workspace, const FrontState& state, JsonWriter& json);
+/// Writes what its panels for looking show: likewise.
+void write_view(const Workspace& workspace, JsonWriter& json);
+
+}  // namespace burnish

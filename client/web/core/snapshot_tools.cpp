@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <cmath>
+
+#include "client/tools/band_choice.h"
+#include "client/web/core/snapshot.h"
+#include "common/edit/wavelength.h"
+
+namespace burnish {
+
+namespace {
+
+constexpr int kSteps = 96;  // of drawn lines
+
+// The root lifts the tails, which hold the detail that users edit.
+void write_histogram(const ScanDescription& scan, JsonWriter& json) {
+  json.key("histogram").open_list();
+  if (scan.prepared)
+    for (const float bin : scan.prepared->histogram) json.number(std::sqrt(std::max(0.0f, bin)));
+  json.close_list();
+}
+
+void write_curve(const Document& document, JsonWriter& json) {
+  const CurveEditor& editor = document.curve();
+  const TransferCurve curve = editor.curve();
+  json.key("curve").open().text("text", curve.to_string()).key("points").open_list();
+  for (const TransferCurve::Point& point : editor.points()) {
+    const Eigen::Vector2d place = editor.place_of(point);
+    json.open().number("kappa", point.kappa).number("alpha", point.alpha);
+    json.number("x", place.x()).number("y", place.y()).close();
+  }
+  json.close_list().key("line").open_list();
+  for (int i = 0; i <= kSteps; ++i) {
+    TransferCurve::Point point = editor.point_at({double(i) / kSteps, 0});
+    point.alpha = curve.alpha(point.kappa);
+    json.number(std::clamp(editor.place_of(point).y(), 0.0, 1.0));
+  }
+  json.close_list();
+  json.whole("dragged", editor.dragged() ? static_cast<int64_t>(*editor.dragged()) : -1);
+  json.number("kappaRange", editor.kappa_range()).number("alphaMax", editor.alpha_max());
+  json.number("contrast", curve.contrast());
+  write_histogram(document.scan(), json);
+  json.close();
+}
+
+void write_bands(const Document& document, JsonWriter& json) {
+  const Equaliser& equaliser = document.equaliser();
+  json.key("bands").open_list();
+  for (size_t number = 1; number <= equaliser.bands.size(); ++number) {
+    const Band& band = equaliser.bands[number - 1];
+    json.open().number("size", band.size).number("gain", band.gain);
+    json.text("details", details_of(equaliser, number)).close();
+  }
+  json.close_list().key("response").open_list();
+  const double least = kWaveCellsMin * document.cell_size(), most = document.diagonal();
+  for (int i = 0; i <= kSteps; ++i)
+    json.number(response(equaliser, least * std::pow(most / least, double(i) / kSteps)));
+  json.close_list();
+}
+
+void write_palette(const Document& document, JsonWriter& json) {
+  json.key("palette").open_list();
+  for (const PaletteCurve& curve : document.palette().curves)
+    json.open()
+        .text("name", curve.name)
+        .whole("colour", curve.colour)
+        .text("curve", curve.curve.to_string())
+        .close();
+  json.close_list();
+}
+
+void write_brush(const Brush& brush, JsonWriter& json) {
+  static constexpr const char* kFallOffs[] = {"smooth", "linear", "sharp", "constant"};
+  json.key("brush").open().number("radius", brush.radius).number("strength", brush.strength);
+  json.number("beta", brush.beta).text("fallOff", kFallOffs[static_cast<int>(brush.fall_off)]);
+  json.text("paints", painted_word(brush)).close();
+}
+
+void write_pointer(const Workspace& workspace, const FrontState& state, JsonWriter& json) {
+  const Viewport& viewport = workspace.viewport;
+  json.text("tool", viewport.measure_mode ? "measure" : viewport.navigate_mode ? "look" : "paint");
+  const auto& wish = viewport.lasso_wish;
+  json.text("lasso", !wish ? "off" : wish->release ? "release" : "protect");
+  json.flag("lassoThrough", wish ? wish->through : state.lasso_through);
+  json.key("mirror");
+  if (const auto& mirror = workspace.document()->mirror) {
+    static constexpr const char* kAxes[] = {"x", "y", "z"};
+    json.open().text("axis", kAxes[mirror->axis]).number("at", mirror->at).close();
+  } else {
+    json.null();
+  }
+  json.flag("hasPen", workspace.has_pen);
+  json.flag("penPressure", workspace.preferences.pen_pressure);
+  json.flag("hasPiece", state.last_hover.has_value());
+}
+
+}  // namespace
+
+void write_tools(const Workspace& workspace, const FrontState& state, JsonWriter& json) {
+  const Document& document = *workspace.document();
+  json.number("beta", document.beta()).number("fidelity", document.curve().fidelity());
+  write_curve(document, json);
+  const Controls& controls = document.controls();
+  json.key("controls").open().flag("pinRims", controls.pin_rims).number("cap", controls.cap);
+  json.flag("keepVolume", controls.keep_volume).close();
+  write_bands(document, json);
+  write_palette(document, json);
+  json.key("colours").open().number("beta", document.colour_filter().beta);
+  json.number("alpha", document.colour_filter().alpha).close();
+  write_brush(document.brush().brush, json);
+  write_pointer(workspace, state, json);
+}
+
+}  // namespace burnish

@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+
+#include "client/model/colour_scale.h"
+#include "client/model/figures.h"
+#include "client/report/length_text.h"
+#include "client/web/core/snapshot.h"
+
+namespace burnish {
+
+namespace {
+
+void write_options(const Workspace& workspace, JsonWriter& json) {
+  static constexpr const char* kColours[] = {"clay", "beta", "curvature", "displacement",
+                                             "scan"};  // as ColourBy
+  const Document& document = *workspace.document();
+  const Viewport& viewport = workspace.viewport;
+  const ViewOptions& options = viewport.options;
+  json.key("view").open().text("colour", kColours[static_cast<int>(document.colour())]);
+  json.number("displacementRange", options.displacement_range);
+  json.flag("flat", options.flat).flag("wireframe", options.wireframe);
+  json.flag("split", options.split).number("splitAt", options.split_at);
+  json.flag("original", viewport.hold_original);
+  json.flag("orthographic", viewport.camera.orthographic);
+  json.text("up", name_of(viewport.camera.up));
+  json.whole("bookmarks", static_cast<int64_t>(viewport.bookmarks.size()));
+  json.text("status", status_text(document.surface().status())).close();
+}
+
+void write_light(const Lighting& light, JsonWriter& json) {
+  const Eigen::Vector2d lamp = lamp_on_ball(light);
+  json.key("light").open().text("kind", name_of(light.kind));
+  json.number("azimuth", light.azimuth_degrees).number("elevation", light.elevation_degrees);
+  json.number("ballX", lamp.x()).number("ballY", lamp.y()).number("specular", light.specular);
+  json.number("occlusion", light.occlusion).number("radiance", light.radiance);
+  json.number("ridge", light.ridge).number("valley", light.valley).close();
+}
+
+void write_scale(const Workspace& workspace, JsonWriter& json) {
+  json.key("scale");
+  const auto scale = colour_scale(*workspace.document(), workspace.viewport);
+  if (!scale) return void(json.null());
+  json.open().text("title", scale->title).text("low", scale->low).text("middle", scale->middle);
+  json.text("high", scale->high).number("part", scale->part).text("value", scale->value).close();
+}
+
+void write_figures(std::string_view name, const std::vector<Figure>& figures, JsonWriter& json) {
+  json.key(name).open_list();
+  for (const Figure& figure : figures)
+    json.open().text("name", figure.name).text("value", figure.value).close();
+  json.close_list();
+}
+
+// Roots of the areas, so that a small part is seen beside the part that stays.
+void write_numbers(const Document& document, JsonWriter& json) {
+  const auto& measured = document.measuring().deviation();
+  const bool has_moved = measured && !measured->deviation.is_zero();
+  json.key("numbers").open();
+  write_figures("deviation", deviation_figures(document), json);
+  json.key("histogram").open_list();
+  if (has_moved)
+    for (const double area : measured->deviation.histogram) json.number(std::sqrt(area));
+  json.close_list();
+  json.text("range",
+            has_moved ? length_text(measured->deviation.histogram_range, document.unit()) : "");
+  json.whole("rulerPoints", static_cast<int64_t>(document.measuring().ruler.ends().size()));
+  write_figures("ruler", ruler_figures(document), json);
+  json.close();
+}
+
+}  // namespace
+
+void write_view(const Workspace& workspace, JsonWriter& json) {
+  write_options(workspace, json);
+  write_light(workspace.viewport.options.lighting, json);
+  write_scale(workspace, json);
+  write_numbers(*workspace.document(), json);
+}
+
+}  // namespace burnish

@@ -1,0 +1,89 @@
+# The client's folders, without what only a program with files, threads or a window needs. What
+# stands in its place lies in client/web/core/host and client/web/core/carrier.
+
+function(core_options name)
+  target_include_directories(${name} PRIVATE ${root})
+  target_include_directories(${name} SYSTEM PRIVATE ${core}/gl ${core}/carrier ${EIGEN})
+  target_link_libraries(${name} PRIVATE proto zstd)
+  target_compile_definitions(${name} PRIVATE NDEBUG EIGEN_DONT_PARALLELIZE XXH_INLINE_ALL
+    JSON_NOEXCEPTION JSON_NO_IO)
+  target_compile_options(${name} PRIVATE ${BURNISH_WEB_FLAGS} -fno-math-errno -ffp-contract=off
+    -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers -Wno-unknown-pragmas)
+  if(BURNISH_WERROR)
+    target_compile_options(${name} PRIVATE -Werror)
+  endif()
+endfunction()
+
+# core_folder(FOLDER [HOT] [ONLY name...] [EXCEPT name...]): the folder's sources. HOT: as in its own
+# CMakeLists.txt.
+function(core_folder folder)
+  cmake_parse_arguments(arg "HOT" "" "EXCEPT;ONLY" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${root}/${folder}/*.cpp)
+  foreach(name ${arg_EXCEPT} ${arg_ONLY})
+    if(NOT EXISTS ${root}/${folder}/${name}.cpp)
+      message(FATAL_ERROR "there is no ${folder}/${name}.cpp")
+    endif()
+    list(REMOVE_ITEM sources ${root}/${folder}/${name}.cpp)
+  endforeach()
+  if(arg_ONLY)
+    list(TRANSFORM arg_ONLY PREPEND ${root}/${folder}/ OUTPUT_VARIABLE sources)
+    list(TRANSFORM sources APPEND .cpp)
+  endif()
+  string(REPLACE / _ name ${folder})
+  add_library(${name} OBJECT ${sources})
+  core_options(${name})
+  # As in the native full build: many sources of a folder as one.
+  if(arg_HOT)
+    target_compile_options(${name} PRIVATE -O2)
+  else()
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY core_folders ${name})
+endfunction()
+
+core_folder(common/base ONLY check status text text_lines)
+core_folder(common/mesh ONLY mesh_format srgb statistics triangle_mesh)
+core_folder(common/mesh/rewrite ONLY left_out_text)
+core_folder(common/grid HOT)
+core_folder(common/evaluation HOT)
+core_folder(common/edit)
+core_folder(common/packing HOT)
+core_folder(common/pages HOT EXCEPT page_encoder page_file page_writer walk_planner)
+core_folder(common/page_frames HOT EXCEPT page_frame_encoder page_sample sent_page_frames)
+core_folder(common/transfer EXCEPT chunk_crc32 content_hash)
+core_folder(common/service)
+core_folder(common/measure)
+core_folder(common/wire)
+core_folder(client/scene EXCEPT png_reader png_writer raw_pages thinned_triangles)
+core_folder(client/pages)
+core_folder(client/live)
+core_folder(client/tools EXCEPT own_presets)
+core_folder(client/surface EXCEPT page_desk_thread)
+core_folder(client/report ONLY depth_text length_text time_text)
+core_folder(client/connection ONLY call_status connection edit_calls export_call
+  history_calls import_call measure_calls page_calls page_value_calls rename_calls)
+core_folder(client/model EXCEPT beside connection_form detached_program file_browser file_list
+  leaving letters lighting_toml native_dialog preferences private_folder private_server raw_scan
+  recorder_file scan_files session_pictures tasks typed_path user_socket view_state)
+core_folder(client/script EXCEPT lone_script)
+core_folder(client/gl EXCEPT capabilities context_egl)
+core_folder(client/web/core)
+core_folder(client/web/core/carrier)
+core_folder(client/web/core/host)
+core_folder(client/web/core/libraries)
+
+get_property(folders GLOBAL PROPERTY core_folders)
+list(TRANSFORM folders REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE objects)
+add_executable(core ${objects} $<TARGET_OBJECTS:proto> $<TARGET_OBJECTS:protobuf> $<TARGET_OBJECTS:zstd>)
+set_target_properties(core PROPERTIES SUFFIX .wasm LINKER_LANGUAGE CXX)
+target_link_options(core PRIVATE ${BURNISH_WEB_FLAGS} -mexec-model=reactor
+  -Wl,--gc-sections,--strip-all,--export=__stack_pointer,--stack-first,-z,stack-size=1048576)
+
+# For tests under Node: the code of the core that reads what others have written, without a page.
+file(GLOB checks ${root}/tests/client/web/core/wasm/checks.cpp ${root}/tests/client/web/core/wasm/exports.cpp)
+list(FILTER objects EXCLUDE REGEX "client_(connection|gl|model|script|web_core(_host|_carrier)?)>")
+add_executable(checks EXCLUDE_FROM_ALL ${checks} ${objects} $<TARGET_OBJECTS:protobuf>)
+set_target_properties(checks PROPERTIES SUFFIX .wasm)
+core_options(checks)
+target_link_options(checks PRIVATE ${BURNISH_WEB_FLAGS} -mexec-model=reactor
+  -Wl,--gc-sections,--strip-all,--stack-first,-z,stack-size=1048576)

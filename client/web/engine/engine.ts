@@ -1,0 +1,157 @@
+// The engine's worker: hosts core.wasm, which has the model, and gives it a canvas, sockets, files and time.
+
+import type { StartMessage, ToPage, ToWorker } from "../page/src/protocol";
+import { Calls } from "./calls";
+import type { CoreExports } from "./core_exports";
+import { Entries } from "./entries";
+import { Files } from "./files";
+import { glImports } from "./gl";
+import { CoreMemory } from "./memory";
+import { Pictures } from "./pictures";
+import { Store } from "./store";
+import { Exit, wasi } from "./wasi";
+
+const scope = self as unknown as {
+  postMessage(message: ToPage): void;
+  onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
+};
+
+type ResizeMessage = Extract<ToWorker, { kind: "resize" }>;
+
+const kLostContext = "the browser took the graphics context away";
+const kNoContext = "the browser gives the engine no WebGL2 context; Chrome and Edge 69, Firefox 105 and Safari 17 have it in workers";
+const kLinesMax = 4;
+
+/** One core with all that it needs. */
+class Engine {
+  private readonly memory = new CoreMemory();
+  private readonly entries = new Entries((error) => this.stop(this.wordsOf(error)));
+  private readonly pictures = new Pictures(() => this.tick());
+  private readonly files = new Files(this.memory, (name, blob) => scope.postMessage({ kind: "download", name, blob }));
+  private readonly store = new Store(this.memory, (key, text) => scope.postMessage({ kind: "keep", key, text }));
+  private readonly calls: Calls;
+  private readonly canvas: OffscreenCanvas;
+  /** Of the next picture: a canvas of another size is empty, so both come together. */
+  private resized: ResizeMessage | null = null;
+  /** The last lines that the core wrote: a check that fails says why. */
+  private readonly lines: string[] = [];
+
+  constructor(private readonly start: StartMessage) {
+    this.canvas = start.canvas;
+    this.calls = new Calls(
+      start.address,
+      {
+        message: (call, bytes) =>
+          this.entries.enter((core) => core.core_call_message(call, ...this.memory.give(bytes))),
+        ended: (call, code, message) =>
+          this.entries.enter((core) => core.core_call_ended(call, code, ...this.memory.giveText(message))),
+      },
+      (work) => this.entries.soon(work),
+    );
+    this.calls.setWho(start);
+    this.store.fill(start.kept);
+  }
+
+  /** Loads the core. The page hears of it by the core's first snapshot. */
+  async load(): Promise<void> {
+    this.setSize(this.start);
+    const gl = this.canvas.getContext("webgl2", { antialias: false, alpha: false, depth: false });
+    if (!gl) throw new Error(kNoContext);
+    this.canvas.addEventListener("webglcontextlost", () => this.stop(kLostContext, true));
+    const imports = {
+      host: this.hostImports(),
+      gl: glImports(gl, this.memory),
+      wasi_snapshot_preview1: wasi(this.memory, (line) => this.write(line)),
+    };
+    const { instance } = await WebAssembly.instantiateStreaming(fetch(this.start.core), imports);
+    const exports = instance.exports as unknown as CoreExports;
+    this.memory.bind(exports);
+    this.entries.bind(exports);
+    const { canvas: _canvas, core: _core, kept: _kept, ...rest } = this.start;
+    this.tell(rest);
+    this.pictures.wake();
+  }
+
+  hear(message: Exclude<ToWorker, StartMessage>): void {
+    if (message.kind === "connect") this.calls.setWho(message);
+    if (message.kind === "visible") this.pictures.setVisible(message.is);
+    if (message.kind === "resize") this.resized = message;
+    else if (message.kind === "import" || message.kind === "replay")
+      this.tell({ ...message, file: this.files.add(message.file) });
+    else this.tell(message);
+    this.pictures.wake();
+  }
+
+  stop(message: string, again = false): void {
+    this.entries.stop();
+    this.pictures.forget();
+    this.calls.close();
+    scope.postMessage({ kind: "stopped", message, again });
+    scope.onmessage = null;
+  }
+
+  private setSize({ width, height }: { width: number; height: number }): void {
+    this.canvas.width = width;
+    this.canvas.height = height;
+  }
+
+  private tell(message: object): void {
+    this.entries.enter((core) => core.core_hear(...this.memory.giveText(JSON.stringify(message))));
+  }
+
+  private tick(): number {
+    if (this.resized) {
+      this.setSize(this.resized);
+      this.tell(this.resized);
+      this.resized = null;
+    }
+    return this.entries.enter((core) => core.core_tick(performance.now())) ?? Infinity;
+  }
+
+  private hostImports(): Record<string, WebAssembly.ImportValue> {
+    const { memory, calls } = this;
+    return {
+      ...this.entries.imports(),
+      ...this.files.imports(),
+      ...this.store.imports(),
+      say: (at: number, length: number) => scope.postMessage(JSON.parse(memory.text(at, length)) as ToPage),
+      wake: () => this.pictures.wake(),
+      call_open: (at: number, length: number) => calls.open(memory.text(at, length)),
+      call_send: (call: number, at: number, length: number) => calls.send(call, memory.copy(at, length)),
+      call_end: (call: number) => calls.end(call),
+      call_cancel: (call: number) => calls.cancel(call),
+      call_buffered: (call: number) => calls.buffered(call),
+      call_pull: (call: number) => calls.pull(call),
+      now_unix: () => Date.now() / 1000,
+      random: () => crypto.getRandomValues(new Uint32Array(1))[0]! / 2 ** 32,
+    };
+  }
+
+  private write(line: string): void {
+    console.warn(line);
+    this.lines.push(line);
+    if (this.lines.length > kLinesMax) this.lines.shift();
+  }
+
+  private wordsOf(error: unknown): string {
+    if (error instanceof Exit && this.lines.length === 0) return error.message;
+    return [...this.lines, error instanceof Exit ? "" : String(error)].filter(Boolean).join("\n");
+  }
+}
+
+let engine: Engine | null = null;
+// Messages that come before the core is there.
+const early: Exclude<ToWorker, StartMessage>[] = [];
+let isLoaded = false;
+
+scope.onmessage = ({ data }) => {
+  if (data.kind !== "start") return void (isLoaded ? engine?.hear(data) : early.push(data));
+  const begun = (engine = new Engine(data));
+  begun.load().then(
+    () => {
+      isLoaded = true;
+      for (const message of early.splice(0)) begun.hear(message);
+    },
+    (error) => begun.stop(`the engine did not load: ${error instanceof Error ? error.message : error}`),
+  );
+};

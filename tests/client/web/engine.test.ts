@@ -1,0 +1,128 @@
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Bench, type Visit } from "./harness";
+
+const bench = new Bench();
+before(() => bench.start());
+after(() => bench.stop());
+
+declare global {
+  interface Window {
+    engine: Worker;
+    heard: Record<string, unknown>[];
+  }
+}
+
+/** Starts the real engine with engine_probe.cpp beside the page's own. */
+const withEngine = (test: (engine: Engine) => Promise<void>) =>
+  bench.visit(async (visit) => {
+    const engine = new Engine(visit);
+    await engine.start();
+    await test(engine);
+  });
+
+class Engine {
+  constructor(readonly visit: Visit) {}
+
+  async start(core = "/assets/core.wasm"): Promise<void> {
+    await this.visit.page.evaluate((core) => {
+      const canvas = document.createElement("canvas").transferControlToOffscreen();
+      const message = { kind: "start", canvas, width: 64, height: 48, pixelRatio: 1, address: location.origin };
+      window.heard = [];
+      window.engine = new Worker("/assets/real_engine.js", { type: "module" });
+      window.engine.onmessage = ({ data }) => window.heard.push(data);
+      const rest = { user: "", token: "s3cret", core: location.origin + core, kept: { key: "text of before" } };
+      window.engine.postMessage({ ...message, ...rest }, [canvas]);
+    }, core);
+  }
+
+  send = (message: object) => this.visit.page.evaluate((sent) => window.engine.postMessage(sent), message);
+  line = (line: string) => this.send({ kind: "command", line });
+
+  /** Waits until the engine has said this. */
+  async said(message: string): Promise<void> {
+    const has = (wanted: string) => window.heard.some((one) => one.message === wanted);
+    await this.visit.page.waitForFunction(has, message, { timeout: 20_000 }).catch(async () => {
+      assert.fail(`not '${message}' but ${JSON.stringify(await this.heard())}`);
+    });
+  }
+
+  heard = () => this.visit.page.evaluate(() => window.heard);
+}
+
+test("CoreStartsWithWhatWasKept", () => withEngine((engine) => engine.said("started with 'text of before'")));
+
+test("TasksThatWaitKeepTheirStacks", () =>
+  withEngine(async (engine) => {
+    await engine.line("resume"); // of tasks that are not there
+    await engine.line("tasks");
+    // Two at once count as one, so they go on until all tasks have ended.
+    const ended = async () => (await engine.heard()).filter((one) => /^task/.test(String(one.message))).length;
+    while ((await ended()) < 3) await engine.line("resume");
+    for (let task = 0; task < 3; ++task) await engine.said(`task ${task} kept 21`);
+  }));
+
+test("CanvasGetsItsSizeWithThePicture", () =>
+  withEngine(async (engine) => {
+    await engine.send({ kind: "resize", width: 80, height: 60, pixelRatio: 1 });
+    await engine.line("draw");
+    await engine.said("resized to 80");
+    await engine.said("ticked");
+  }));
+
+test("PageThatIsNotSeenTicksByTimer", () =>
+  withEngine(async (engine) => {
+    await engine.send({ kind: "visible", is: false });
+    await engine.line("draw");
+    await engine.said("ticked");
+  }));
+
+test("FileIsReadFromWhereTheCoreWants", () =>
+  withEngine(async (engine) => {
+    await engine.visit.page.evaluate(() =>
+      window.engine.postMessage({ kind: "import", file: new File(["0123456"], "a.ply") }),
+    );
+    await engine.said("from 2: 23456");
+  }));
+
+test("DownloadComesWholeOrNotAtAll", () =>
+  withEngine(async (engine) => {
+    await engine.line("drop");
+    await engine.line("download");
+    await engine.visit.page.waitForFunction(() => window.heard.some((one) => one.kind === "download"));
+    const texts = await engine.visit.page.evaluate(() =>
+      Promise.all(
+        window.heard.flatMap((one) => (one.blob instanceof Blob ? [one.blob.text().then((text) => [one.name, text])] : [])),
+      ),
+    );
+    assert.deepEqual(texts, [["a.txt", "one two"]]);
+  }));
+
+test("StoredTextIsGivenToThePage", () =>
+  withEngine(async (engine) => {
+    await engine.line("store");
+    await engine.line("store");
+    await engine.line("draw");
+    await engine.said("ticked");
+    const kept = (await engine.heard()).filter((one) => one.kind === "keep");
+    assert.deepEqual(kept, [{ kind: "keep", key: "key", text: "kept text" }]);
+  }));
+
+test("TrapIsToldOnceAndNothingAfterIt", () =>
+  withEngine(async (engine) => {
+    await engine.line("trap");
+    await engine.visit.page.waitForFunction(() => window.heard.some((one) => one.kind === "stopped"));
+    await engine.line("draw");
+    const last = (await engine.heard()).at(-1)!;
+    assert.equal(last.kind, "stopped");
+    assert.match(String(last.message), /unreachable/);
+    assert.equal(last.again, false);
+  }));
+
+test("CoreThatDoesNotLoadIsTold", () =>
+  bench.visit(async (visit) => {
+    const engine = new Engine(visit);
+    await engine.start("/assets/page.js");
+    await visit.page.waitForFunction(() => window.heard.some((one) => one.kind === "stopped"));
+    assert.match(String((await engine.heard())[0]!.message), /^the engine did not load: /);
+  }));

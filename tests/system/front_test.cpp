@@ -1,0 +1,299 @@
+#include "client/web/core/front.h"
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "client/scene/null_page_renderer.h"
+#include "tests/system/server_process.h"
+
+namespace burnish {
+namespace {
+
+using Json = nlohmann::json;
+using std::chrono::milliseconds;
+using testing::HasSubstr;
+
+/// A page without a browser: a Front over the native model, with a session over a sphere.
+class FrontService : public testing::Test {
+ protected:
+  FrontService() {
+    EXPECT_TRUE(owner_.import_scan(write_sphere(server_.folder, 4), "ball", {5, 0}, {}).is_ok());
+    EXPECT_TRUE(owner_.open_session({"ball", "work", {5, 0}}).is_ok());
+  }
+
+  static void SetUpTestSuite() { ::setenv("OMP_WAIT_POLICY", "passive", 0); }
+
+  FrontHost host() {
+    FrontHost host;
+    host.say = [this](const std::string& json) { take(Json::parse(json)); };
+    host.show = [] {};
+    host.give = [](const GivenFile&) {};
+    host.read = [this](const GivenFile& file) -> Result<std::string> { return given_[file.name]; };
+    host.download = [this](const std::string& name, std::string_view bytes) {
+      downloads_[name] = std::string(bytes);
+    };
+    host.begin = [this](std::function<void()> work) { work_ = std::move(work); };
+    host.wait = [](milliseconds time) { std::this_thread::sleep_for(time); };
+    return host;
+  }
+
+  void take(const Json& message) {
+    if (message["kind"] == "snapshot") snapshot_ = message["snapshot"];
+    if (message["kind"] == "answer") answers_.push_back(message["message"]);
+    if (message["kind"] == "drawn") drawn_ = message["count"];
+  }
+
+  void hear(const Json& message) { front_.hear(message.dump()); }
+  void line(const std::string& text) { hear({{"kind", "command"}, {"line", text}}); }
+  void point(const std::string& what, double x, double y) {
+    hear({{"kind", "pointer"},
+          {"what", what},
+          {"x", x},
+          {"y", y},
+          {"button", 0},
+          {"modifiers", 0},
+          {"pressure", 1},
+          {"pen", false},
+          {"delta", 0}});
+  }
+
+  /// Ticks until the snapshot is as wished.
+  bool until(const std::function<bool()>& done) {
+    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    while (std::chrono::steady_clock::now() < deadline) {
+      front_.tick(std::chrono::steady_clock::now());
+      if (work_) std::exchange(work_, {})();
+      if (!snapshot_.is_null() && done()) return true;
+      std::this_thread::sleep_for(milliseconds(2));  // the server has the clock
+    }
+    return false;
+  }
+
+  bool start() {
+    hear({{"kind", "start"},
+          {"width", 400},
+          {"height", 300},
+          {"pixelRatio", 1},
+          {"address", "http://" + server_.address},
+          {"user", "mia"},
+          {"token", ""}});
+    return until([this] { return !snapshot_["library"]["sessions"].empty(); });
+  }
+
+  bool open() {
+    if (!start()) return false;
+    line("session join " + snapshot_["library"]["sessions"][0]["id"].get<std::string>());
+    return until(
+        [this] { return is_settled() && front_.workspace().document()->is_picture_settled(); });
+  }
+
+  bool is_settled() { return !snapshot_["document"].is_null() && document()["settled"] == true; }
+  const Json& document() { return snapshot_["document"]; }
+
+  ServerProcess server_;
+  Connection owner_ = Connection::open(server_.address, kPatience).value();
+  NullPageRenderer renderer_;
+  Json snapshot_;
+  std::vector<std::string> answers_;
+  int drawn_ = 0;
+  std::map<std::string, std::string> given_;
+  std::map<std::string, std::string> downloads_;
+  std::function<void()> work_;
+  Front front_{renderer_, Preferences(), WorkspaceOptions{}, host()};
+};
+
+TEST_F(FrontService, TheStartShowsTheServersScansAndSessions) {
+  ASSERT_TRUE(start());
+  const Json& library = snapshot_["library"];
+  EXPECT_EQ(library["state"], "connected");
+  EXPECT_EQ(library["server"], server_.address);
+  EXPECT_EQ(library["scans"][0]["name"], "ball");
+  EXPECT_EQ(library["sessions"][0]["name"], "work");
+  EXPECT_EQ(library["sessions"][0]["scan"], library["scans"][0]["id"]);
+  EXPECT_GT(snapshot_["presets"].size(), 3u);
+  EXPECT_TRUE(document().is_null());
+}
+
+TEST_F(FrontService, AChangeSoonAfterASnapshotIsToldInTime) {
+  ASSERT_TRUE(start());
+  const auto now = std::chrono::steady_clock::now() + milliseconds(100);
+  front_.workspace().log.info("first");
+  EXPECT_EQ(front_.tick(now), Front::Time::max());
+  front_.workspace().log.info("second");
+  EXPECT_EQ(front_.tick(now + milliseconds(10)), now + milliseconds(50));
+  EXPECT_EQ(snapshot_["messages"].size(), 1u);
+  EXPECT_EQ(front_.tick(now + milliseconds(50)), Front::Time::max());
+  EXPECT_EQ(snapshot_["messages"].size(), 2u);
+}
+
+TEST_F(FrontService, AnOpenSessionIsShownWithAllThatPanelsHave) {
+  ASSERT_TRUE(open());
+  EXPECT_EQ(document()["session"], "work");
+  EXPECT_EQ(document()["link"], "live");
+  EXPECT_EQ(document()["depth"], 5);
+  EXPECT_TRUE(document()["closed"]);
+  EXPECT_EQ(document()["curve"]["line"].size(), 97u);
+  EXPECT_EQ(document()["brush"]["paints"], "beta");
+  EXPECT_EQ(document()["people"][0]["user"], "mia");
+  EXPECT_EQ(document()["view"]["status"], "full detail");
+  EXPECT_TRUE(document()["scale"].is_null());
+  EXPECT_NEAR(document()["box"]["high"][0], 1, 0.01);
+  EXPECT_GT(drawn_, 0);
+}
+
+TEST_F(FrontService, ALineOfTheScriptLanguageEditsTheSession) {
+  ASSERT_TRUE(open());
+  line("preview beta 0.5");
+  ASSERT_TRUE(until([this] { return document()["beta"] == 0.5; }));
+  line("beta 0");
+  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
+  EXPECT_EQ(owner_.state("work")->gradient_scale, 0);
+  line("undo");
+  ASSERT_TRUE(
+      until([this] { return is_settled() && document()["history"][0]["enabled"] == false; }));
+  EXPECT_EQ(document()["beta"], 1);
+  EXPECT_TRUE(answers_.empty());
+}
+
+TEST_F(FrontService, AStrokeOfThePointerIsAnEdit) {
+  ASSERT_TRUE(open());
+  line("brush 0.3 0.8 0");
+  point("press", 200, 150);
+  point("move", 220, 150);
+  point("release", 220, 150);
+  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
+  EXPECT_THAT(document()["history"][0]["summary"].get<std::string>(), HasSubstr("stroke"));
+  EXPECT_TRUE(document()["hasPiece"]);
+}
+
+TEST_F(FrontService, ThePlotsPointsAreDraggedAndCommitted) {
+  ASSERT_TRUE(open());
+  line("plot grab 0.2 0.5 0.01 0.01");
+  line("plot drag 0.25 0.9");
+  ASSERT_TRUE(until([this] { return document()["curve"]["dragged"] == 0; }));
+  line("plot drop");
+  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
+  EXPECT_EQ(document()["curve"]["points"].size(), 2u);
+  EXPECT_EQ(owner_.state("work")->transfer_curve.to_string(), document()["curve"]["text"]);
+}
+
+TEST_F(FrontService, ARefusedLineIsAnsweredWithTheCoresWords) {
+  ASSERT_TRUE(open());
+  for (const auto& [text, words] :
+       std::map<std::string, std::string>{{"beta 11", "11"},
+                                          {"nonsense", "unknown command 'nonsense'"},
+                                          {"scan open zz", "no scan 'zz'"},
+                                          {"tool saw", "'saw' is not paint, look or measure"},
+                                          {"preview zoom 2", "'zoom' has no preview"},
+                                          {"plot take 7", "point 7"},
+                                          {"bookmark show 3", "bookmark 3"},
+                                          {"preview", "needs 1"},
+                                          {"", "one line"}}) {
+    answers_.clear();
+    line(text);
+    ASSERT_EQ(answers_.size(), 1u) << text;
+    EXPECT_THAT(answers_[0], HasSubstr(words)) << text;
+  }
+}
+
+TEST_F(FrontService, HostileMessagesAreAnsweredOrIgnored) {
+  ASSERT_TRUE(open());
+  for (const char* json :
+       {"", "{", "[]", "12", "{\"kind\":7}", "{\"kind\":\"pointer\",\"x\":\"a\"}",
+        "{\"kind\":\"import\",\"file\":3}", "{\"kind\":\"resize\",\"width\":-1}",
+        "{\"kind\":\"resize\",\"width\":1e300,\"height\":1e300}"})
+    front_.hear(json);
+  EXPECT_TRUE(until([this] { return !answers_.empty(); }));
+  hear({{"kind", "resize"}, {"width", 400}, {"height", 300}});
+  line("beta 0");
+  EXPECT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
+}
+
+TEST_F(FrontService, EveryFrontCommandOfThePageIsKnown) {
+  ASSERT_TRUE(open());
+  const std::string scan = snapshot_["library"]["scans"][0]["id"];
+  for (const char* text : {"preview fidelity 30",
+                           "fidelity 50",
+                           "preview bands 0.5:1.2",
+                           "bands first",
+                           "bands",
+                           "preview palette 50 d9534f soft ; 0:20,5:80 4a7fd0 hard",
+                           "palette",
+                           "preview controls on 0.1 off",
+                           "controls off 0 on",
+                           "library refresh",
+                           "activity cancel 9",
+                           "role ole editor",
+                           "message dismiss 0",
+                           "tool measure",
+                           "tool look",
+                           "tool paint",
+                           "lasso protect through",
+                           "lasso off",
+                           "ruler clear",
+                           "pen off",
+                           "unit mm",
+                           "split_at 0.3",
+                           "displacement_range 2",
+                           "lamp 0.2 0.4",
+                           "light_default",
+                           "bookmark add",
+                           "bookmark show 1",
+                           "focus",
+                           "cancel",
+                           "figures off",
+                           "over protection on",
+                           "over curves off",
+                           "frame",
+                           "view top",
+                           "colour displacement",
+                           "wireframe on",
+                           "mirror x",
+                           "checkpoint here",
+                           "light raking",
+                           "record start",
+                           "record stop"}) {
+    line(text);
+    EXPECT_TRUE(answers_.empty()) << text << ": " << answers_.back();
+    answers_.clear();
+  }
+  EXPECT_EQ(downloads_.count("work.script"), 1u);
+}
+
+TEST_F(FrontService, ARecordedScriptReplaysTheEdits) {
+  ASSERT_TRUE(open());
+  line("record start");
+  ASSERT_TRUE(until([this] { return snapshot_["recording"] == true; }));
+  line("beta 0.25");
+  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
+  line("record stop");
+  const std::string script = downloads_["work.script"];
+  EXPECT_THAT(script, HasSubstr("join work"));
+  EXPECT_THAT(script, HasSubstr("beta 0.25"));
+  given_["work.script"] = script;
+  hear({{"kind", "replay"},
+        {"file", {{"handle", 1}, {"name", "work.script"}, {"size", script.size()}}}});
+  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 2; }));
+}
+
+TEST_F(FrontService, AServerThatDoesNotAnswerIsAProblem) {
+  hear({{"kind", "start"},
+        {"width", 400},
+        {"height", 300},
+        {"pixelRatio", 1},
+        {"address", "http://127.0.0.1:1"},
+        {"user", ""},
+        {"token", ""}});
+  ASSERT_TRUE(until([this] { return snapshot_["library"]["state"] == "failed"; }));
+  EXPECT_FALSE(snapshot_["library"]["wantsToken"]);
+  EXPECT_THAT(snapshot_["library"]["problem"].get<std::string>(), HasSubstr("127.0.0.1:1"));
+}
+
+}  // namespace
+}  // namespace burnish
