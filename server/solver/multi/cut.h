@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "server/solver/cycle/patches.h"
 #include "server/solver/hierarchy/hierarchy.h"
+#include "server/solver/hierarchy/patches.h"
 
 namespace burnish {
 

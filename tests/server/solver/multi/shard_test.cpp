@@ -17,9 +17,9 @@
 namespace burnish {
 namespace {
 
-constexpr int32_t kFew = 500;  // corners that stay whole in these tests
+constexpr int32_t kWholeCorners = 500;  // corners that stay whole in these tests
 
-const std::map<std::string, TestSystem>& systems() {
+const std::map<std::string, TestSystem>& cut_systems() {
   static const auto all = [] {
     std::map<std::string, TestSystem> made;
     made.try_emplace("sphere", reference::bumpy_sphere(3), 5);
@@ -46,11 +46,12 @@ std::vector<ShardSets> sets_of(const Multigrid& on, const Cut& cut) {
 }
 
 Cut cut_of(const Multigrid& on, int shards) {
-  return cut_hierarchy(*on.hierarchy, on.plan->patches, shards, border_depth(*on.hierarchy, kFew));
+  return cut_hierarchy(*on.hierarchy, on.plan->patches, shards,
+                       border_depth(*on.hierarchy, kWholeCorners));
 }
 
 TEST_P(CuttingInto, GivesEveryCornerOneOwner) {
-  for (const auto& [name, on] : systems()) {
+  for (const auto& [name, on] : cut_systems()) {
     SCOPED_TRACE(name);
     const Cut cut = cut_of(on, shards());
     const std::vector<ShardSets> sets = sets_of(on, cut);
@@ -64,7 +65,7 @@ TEST_P(CuttingInto, GivesEveryCornerOneOwner) {
 }
 
 TEST_P(CuttingInto, KeepsTheChildrenOfACellOfTheBorderTogether) {
-  const TestSystem& on = systems().at("sphere");
+  const TestSystem& on = cut_systems().at("sphere");
   const Cut cut = cut_of(on, shards());
   for (int depth = cut.border + 1; depth <= on.hierarchy->finest; ++depth) {
     const HierarchyDepth& of = on.hierarchy->at(depth);
@@ -74,7 +75,7 @@ TEST_P(CuttingInto, KeepsTheChildrenOfACellOfTheBorderTogether) {
 }
 
 TEST_P(CuttingInto, GivesShardsAsManyCellsEach) {
-  const TestSystem& on = systems().at("sphere");
+  const TestSystem& on = cut_systems().at("sphere");
   const Cut cut = cut_of(on, shards());
   const std::vector<uint8_t>& owner = cut.owners.back().cell;
   for (int shard = 0; shard < shards(); ++shard)
@@ -85,7 +86,7 @@ TEST_P(CuttingInto, GivesShardsAsManyCellsEach) {
 int32_t patches_cut_through(const Multigrid& on, const Patches& kept_whole, int shards) {
   const Patches& patches = on.plan->patches;
   const std::vector<uint8_t> owner =
-      cut_hierarchy(*on.hierarchy, kept_whole, shards, border_depth(*on.hierarchy, kFew))
+      cut_hierarchy(*on.hierarchy, kept_whole, shards, border_depth(*on.hierarchy, kWholeCorners))
           .owners.back()
           .corner;
   const auto is_cut = [&](int32_t p) {
@@ -100,11 +101,11 @@ int32_t patches_cut_through(const Multigrid& on, const Patches& kept_whole, int 
 
 TEST(Cutting, GoesAroundPatches) {
   constexpr int kMany = 32;
-  const TestSystem& on = systems().at("crumbs");
+  const TestSystem& on = cut_systems().at("crumbs");
   EXPECT_GT(patches_cut_through(on, {}, kMany), 0);
   EXPECT_EQ(patches_cut_through(on, on.plan->patches, kMany), 0);
   int32_t in_shards = 0;
-  for (const Shard& shard : make_shards(on, kMany, kFew).all)
+  for (const Shard& shard : make_shards(on, kMany, kWholeCorners).all)
     in_shards += shard.on.plan->patches.count();
   EXPECT_EQ(in_shards, on.plan->patches.count());
 }
@@ -134,7 +135,7 @@ TEST(Ghosts, AreOneLayerAroundOwnCorners) {
 }
 
 TEST_P(CuttingInto, NamesGhostsAndTheirOwnersInBothDirections) {
-  for (const auto& [name, on] : systems()) {
+  for (const auto& [name, on] : cut_systems()) {
     SCOPED_TRACE(name);
     const Cut cut = cut_of(on, shards());
     const std::vector<ShardSets> sets = sets_of(on, cut);
@@ -159,7 +160,7 @@ TEST_P(CuttingInto, NamesGhostsAndTheirOwnersInBothDirections) {
 }
 
 TEST(Shards, WithoutACellHaveNothingAtAnyDepth) {
-  const TestSystem& on = systems().at("sphere");
+  const TestSystem& on = cut_systems().at("sphere");
   Cut cut = cut_of(on, 2);
   cut.shards = 3;
   const Shard empty = make_shards(on, cut).all[2];
@@ -173,7 +174,7 @@ TEST(Shards, WithoutACellHaveNothingAtAnyDepth) {
 TEST_P(CuttingInto, GivesEachVertexToOneShard) {
   const TestSystem on(reference::sphere_with_debris(3), 5);
   std::vector<int> shards_of(on.prepared->evaluation.size(), 0);
-  for (const Shard& shard : make_shards(on, shards(), kFew).all) {
+  for (const Shard& shard : make_shards(on, shards(), kWholeCorners).all) {
     ASSERT_EQ(shard.vertices.size(), shard.on.prepared->evaluation.size());
     for (size_t i = 0; i < shard.vertices.size(); ++i) {
       ++shards_of[shard.vertices[i]];
@@ -192,9 +193,9 @@ std::vector<int32_t> corners_of(const TestSystem& on, int shards, int shard, int
 
 // A shard's rows, and its prolongation, have the columns of the whole.
 TEST_P(CuttingInto, KeepsTheColumnsOfOwnRowsAndOfGhosts) {
-  for (const auto& [name, on] : systems()) {
+  for (const auto& [name, on] : cut_systems()) {
     SCOPED_TRACE(name);
-    const Shards cut = make_shards(on, shards(), kFew);
+    const Shards cut = make_shards(on, shards(), kWholeCorners);
     for (int number = 0; number < shards(); ++number)
       for (int depth = cut.border + 1; depth <= on.hierarchy->finest; ++depth) {
         const HierarchyDepth &of = cut.all[number].on.hierarchy->at(depth),
