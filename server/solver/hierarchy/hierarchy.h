@@ -25,8 +25,8 @@ struct HierarchyDepth {
   std::vector<CellTie> ties;         ///< rising; none at the finest depth
   int32_t sheet_count = 0;           ///< PreparedMesh::sheets in use; 0 at coarse depths
   DepthTransfer to_parent;           ///< empty at the coarsest depth
-  std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth. kNone in a crumb,
-                                     ///< and in a shard for a parent that the shard has not
+  std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth. kNone in a
+                                     ///< crumb, and in a shard for a parent that the shard has not
   // The sources of the numbers of cells and ties; empty at the finest depth.
   Groups<int32_t> children;  ///< cells of the finer depth for each cell, at most eight, each in its
                              ///< octant; only that octant restricts its numbers
