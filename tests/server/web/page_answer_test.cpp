@@ -80,8 +80,9 @@ TEST(WebFiles, TheCarriedPageIsWhole) {
   EXPECT_THAT(files.find("/")->bytes, HasSubstr("<title>Burnish</title>"));
   for (const auto& [target, file] : files.all()) {
     EXPECT_FALSE(file.bytes.empty()) << target;
-    if (target.starts_with("/assets/"))
+    if (target.starts_with("/assets/")) {
       EXPECT_THAT(files.find("/")->bytes, HasSubstr(target.substr(1)));
+    }
     EXPECT_TRUE(unpacked(file.gzipped, file.bytes.size() + 1) == file.bytes) << target;
   }
 }
