@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-// What carries an open session, besides calls. Both outlive the connection.
+// Makes what carries an open session besides calls. Both outlive the connection.
 
 /// Begins a live session: a SessionLink, or in a browser its like.
 std::unique_ptr<LiveLink> make_live_link(const Connection& connection, LiveOptions options);

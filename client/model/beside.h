@@ -23,7 +23,7 @@ class Beside {
   std::unique_ptr<Running> running_;
 };
 
-/// An answer that is on its way. What the question refers to must outlive this.
+/// An answer that is on its way. Must not outlive what the question refers to.
 template <typename Answer>
 class Asked {
  public:

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// What the colours of a picture mean: texts at -1, 0 and 1, and the value under the pointer.
+/// The meaning of a picture's colours: texts at -1, 0 and 1, and the value under the pointer.
 struct ColourScale {
   std::string title, low, middle, high;
   double part = 0;    ///< of the pointer, -1 to 1

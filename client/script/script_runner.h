@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-/// What a runner needs of the place where it runs.
+/// Does for a runner what differs from place to place.
 struct ScriptHost {
   /// Returns when the workspace has called its wake(), or after the time.
   std::function<void(std::chrono::milliseconds)> wait;

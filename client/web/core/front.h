@@ -20,7 +20,7 @@ struct GivenFile {
   uint64_t size_bytes = 0;
 };
 
-/// What the page's worker does for the front.
+/// Does for the front what the page's worker can.
 struct FrontHost {
   /// Says a message of client/web/page/src/protocol.ts as JSON.
   std::function<void(const std::string&)> say;

@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-/// What a line of the page works on.
+/// The objects that a line of the page works on.
 struct FrontParts {
   Workspace& workspace;
   PageRenderer& renderer;

@@ -12,7 +12,7 @@
 
 namespace burnish {
 
-/// What a page shows besides the model's state. A window keeps the same in its panels.
+/// The state that a page shows besides the model's. A window keeps the same in its panels.
 struct FrontState {
   std::string server;                 ///< HOST:PORT of the page
   std::set<uint64_t> dismissed;       ///< numbers of messages

@@ -61,7 +61,7 @@ class ClientContext {
   std::optional<burnish::HostCall> call_;
 };
 
-// What streams share. Shapes of messages: protobuf's.
+// Shared by all streams. Shapes of messages: protobuf's.
 
 template <typename Message>
 bool read_message(burnish::HostCall& call, Message* message) {
