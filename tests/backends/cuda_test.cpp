@@ -15,6 +15,7 @@
 #include "tests/backends/fault.h"
 #include "tests/backends/filtered.h"
 #include "tests/reference/awkward_meshes.h"
+#include "tests/reference/compare.h"
 
 namespace burnish {
 namespace {
@@ -128,12 +129,9 @@ TEST_F(OnADevice, BetaOneGivesTheInputBack) {
   EXPECT_EQ(filtered.alpha(20).after(20), mesh.vertices);
 }
 
-// Returns the largest distance of a vertex over the diagonal.
 double largest_distance(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
                         const TriangleMesh& mesh) {
-  double most = 0;
-  for (size_t v = 0; v < a.size(); ++v) most = std::max(most, (a[v] - b[v]).norm());
-  return most / compute_statistics(mesh).diagonal();
+  return reference::vertex_distance(a, b, compute_statistics(mesh).diagonal()).max;
 }
 
 // Returns the largest distance between the two over the diagonal, cycle by cycle, so that neither
@@ -335,7 +333,10 @@ TEST_F(OnADevice, WhatIsReadOutIsWhatTheCpuHas) {
   const Solver &one = on_cpu.session().solver(), &other = on_cuda.session().solver();
   const auto farthest = [](std::span<const Vec3f> a, std::span<const Vec3f> b) {
     float most = 0;
-    for (size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).norm());
+    for (size_t i = 0; i < a.size(); ++i) {
+      EXPECT_TRUE(a[i].allFinite() && b[i].allFinite()) << i;
+      most = std::max(most, (a[i] - b[i]).norm());
+    }
     return most;
   };
   ASSERT_EQ(one.displacement().size(), other.displacement().size());

@@ -43,6 +43,13 @@ TEST(PackedRestriction, ListsRowsThatDoNotFit) {
   EXPECT_EQ(packed.start, (std::vector<int64_t>{0, 4, 4, 4, 4 + kRestrictionMax}));
 }
 
+// Kernels take an empty packed row for a listed one, and write no number there.
+TEST(PackedRestriction, ListsEmptyRowsBesideOthers) {
+  EXPECT_EQ(pack_restriction(transfer_of({{1}, {}, {0.3f}, {}})).listed,
+            (std::vector<int32_t>{1, 2, 3}));
+  EXPECT_TRUE(pack_restriction(transfer_of({{1}, {}})).listed.empty());
+}
+
 TEST(PackedRestriction, HasEveryEntryOfEveryRow) {
   const DepthTransfer transfer = a_transfer();
   const PackedRestriction packed = pack_restriction(transfer);

@@ -90,7 +90,10 @@ double between(const Edited& one, const Edited& other, const TestSystem& on) {
   const std::vector<Vec3f> a = one.vertices(), b = other.vertices();
   EXPECT_EQ(a.size(), b.size());
   double most = 0;
-  for (size_t v = 0; v < a.size(); ++v) most = std::max<double>(most, (a[v] - b[v]).norm());
+  for (size_t v = 0; v < a.size(); ++v) {
+    EXPECT_TRUE(a[v].allFinite() && b[v].allFinite()) << v;
+    most = std::max<double>(most, (a[v] - b[v]).norm());
+  }
   return most * on.prepared->frame.cell_size / on.prepared->statistics.diagonal();
 }
 
