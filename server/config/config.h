@@ -22,6 +22,7 @@ struct ServerConfig {
   int64_t workers = 16;          ///< long calls at once, and as many that wait
   int64_t workers_per_user = 4;  ///< at once for one user
   BackendKind backend = BackendKind::kAuto;
+  int64_t devices = 0;  ///< GPUs that share one scan; 0: one, or as many as have room for it
   std::string log_level = "info";
   std::string log_format = "text";
   int64_t drain_seconds = 10;     ///< for running calls after a signal to end

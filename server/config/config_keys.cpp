@@ -18,6 +18,7 @@ std::span<const ConfigKey> config_keys() {
       {"workers", &C::workers, 1, 1024},
       {"workers_per_user", &C::workers_per_user, 1, 1024},
       {"backend", &C::backend},
+      {"devices", &C::devices, 0, 16},
       {"log_level", &C::log_level, 0, 0, {"trace", "debug", "info", "warn", "error", "off"}},
       {"log_format", &C::log_format, 0, 0, {"text", "json"}},
       {"drain_seconds", &C::drain_seconds, 0, 3600},

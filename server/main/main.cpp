@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <malloc.h>
 #include <optional>
@@ -99,7 +100,11 @@ MeshStoreOptions store_options(const ServerConfig& config) {
   options.upload_bytes_max = static_cast<uint64_t>(config.upload_bytes_max);
   options.upload_bytes_per_user = static_cast<uint64_t>(config.upload_bytes_per_user);
   options.memory_bytes_max = resolved_memory_bytes_max(config);
-  if (has_device(config.backend)) options.device_memory_bytes_max = cuda_memory_max();
+  if (has_device(config.backend)) {
+    const auto there = static_cast<int64_t>(cuda_memory_by_device().size());
+    const int64_t shared_by = config.devices == 0 ? there : std::min(config.devices, there);
+    options.device_memory_bytes_max = static_cast<uint64_t>(shared_by) * cuda_memory_max();
+  }
   options.threads = static_cast<int>(config.threads);
   return options;
 }
@@ -109,6 +114,7 @@ SessionManagerOptions session_options(const ServerConfig& config) {
   options.sessions_max = static_cast<size_t>(config.sessions_max);
   options.sessions_per_user = static_cast<uint64_t>(config.sessions_per_user);
   options.solver.backend = config.backend;
+  options.solver.devices = static_cast<int>(config.devices);
   options.solver.threads = static_cast<int>(config.threads);
   return options;
 }

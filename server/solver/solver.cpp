@@ -11,6 +11,7 @@
 #include "server/solver/cycle/backend.h"
 #include "server/solver/cycle/vcycle.h"
 #include "server/solver/multi/cpu_shards.h"
+#include "server/solver/multi/device_need.h"
 #include "server/solver/multi/multi_backend.h"
 
 namespace burnish {
@@ -49,6 +50,18 @@ ChosenBackend on_cpu_shards(const Multigrid& on, const SolverOptions& options) {
           std::to_string(shards->count()) + " shards"};
 }
 
+// Returns on how many devices a scan goes.
+int devices_for(const Multigrid& on, const SolverOptions& options) {
+  const int wanted = std::min(options.devices, kCudaShardsMax);
+  if (wanted > 0) return is_split(on, options) ? wanted : 1;
+  SolverOptions several = options;
+  several.devices = 2;
+  if (!cuda_device().is_ok() || !is_split(on, several)) return 1;
+  const auto there = std::min(static_cast<int>(cuda_memory_by_device().size()), kCudaShardsMax);
+  const int needed = shards_that_fit(predict_device_bytes(on), cuda_memory_max());
+  return std::min(needed, there);
+}
+
 Result<ChosenBackend> on_cuda_shards(const Multigrid& on, const SolverOptions& options, int count) {
   ASSIGN_OR_RETURN(std::string device, cuda_device());
   const auto shards = std::make_shared<Shards>(make_shards(on, count, options.whole_corners_max));
@@ -72,8 +85,9 @@ Result<ChosenBackend> choose_backend(const Multigrid& on, const SolverOptions& o
   if (options.backend == BackendKind::kCpu && is_split(on, options))
     return on_cpu_shards(on, options);
   if (options.backend == BackendKind::kCpu) return on_cpu("requested");
-  if (is_split(on, options)) {
-    auto split = on_cuda_shards(on, options, std::min(options.devices, kCudaShardsMax));
+  const int shards = devices_for(on, options);
+  if (shards > 1) {
+    auto split = on_cuda_shards(on, options, shards);
     if (split.is_ok() || options.backend == BackendKind::kCuda)
       return split.is_ok() ? std::move(split) : split.status().with_context("backend cuda");
     return on_cpu(split.status().message());

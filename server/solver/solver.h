@@ -39,9 +39,9 @@ struct SolverOptions {
   BackendKind backend = BackendKind::kAuto;
   Smoother smoother = Smoother::kSchwarz;
   int threads = 0;  ///< 0: all cores
-  /// Number of devices that share the scan; on processors, of shards. The server takes one: shards
-  /// on devices do not yet end where the whole does (docs/lab/cuda.md).
-  int devices = 1;
+  /// Number of devices that share the scan. 0: one, or as many as have room for it. On processors,
+  /// the number of shards.
+  int devices = 0;
   int32_t whole_corners_max = 400'000;  ///< see kWholeCornersMax
 };
 

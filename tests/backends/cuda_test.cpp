@@ -11,6 +11,7 @@
 #include "server/fields/fields.h"
 #include "server/prepare/prepare.h"
 #include "server/solver/cuda/cuda_backend.h"
+#include "server/solver/multi/device_need.h"
 #include "server/solver/tuning/plan_cycle.h"
 #include "tests/backends/fault.h"
 #include "tests/backends/filtered.h"
@@ -403,7 +404,7 @@ TEST_F(OnADevice, InShardsEditAfterEditEndsWhereTheWholeDoes) {
       Filtered filtered(mesh, 6, options);
       return edit_for_shards(filtered, mesh).exact();
     };
-    const std::vector<Vec3d> whole = edited({.backend = BackendKind::kCuda});
+    const std::vector<Vec3d> whole = edited({.backend = BackendKind::kCuda, .devices = 1});
     for (const int shards : {2, 3})
       EXPECT_LE(largest_distance(edited(in_shards(shards)), whole, mesh), 2e-6)
           << name << " in " << shards;
@@ -425,6 +426,21 @@ TEST_F(OnADevice, InShardsBetaOneGivesTheInputBack) {
   const TriangleMesh mesh = generate_scan({.kind = "blob", .vertices = 5000}).value();
   Filtered filtered(mesh, 6, in_shards(2));
   EXPECT_EQ(filtered.alpha(20).after(20), mesh.vertices);
+}
+
+TEST_F(OnADevice, AScanBeyondOneDevicesMemoryGoesToAsManyAsHaveRoom) {
+  const auto system = make_multigrid(small_scan()).value();
+  const uint64_t one = predict_device_bytes(system);
+  set_cuda_memory_budget(one / 2);
+  const auto solver = Solver::create(system, {.backend = BackendKind::kCuda});
+  set_cuda_memory_budget(std::numeric_limits<uint64_t>::max());
+  const auto devices = static_cast<int>(cuda_memory_by_device().size());
+  if (solver.is_ok()) {
+    EXPECT_GT(devices, 1);
+    EXPECT_THAT(solver.value()->backend_reason(), HasSubstr(" shards"));
+  } else {
+    EXPECT_EQ(solver.status().code(), StatusCode::kResourceExhausted);
+  }
 }
 
 // Runs in its own process: after the fault that has no device.
