@@ -30,6 +30,12 @@ void BandSurfaces::want(const Equaliser& equaliser, const std::shared_ptr<const 
   if (!is_solving()) solver_.reset();
 }
 
+void BandSurfaces::start_over() {
+  surfaces_.clear();
+  solved_.reset();
+  solver_.reset();
+}
+
 const BandSurfaces::Surface* BandSurfaces::find(double alpha) const {
   const auto found = std::ranges::find(surfaces_, alpha, &Surface::alpha);
   return found == surfaces_.end() ? nullptr : &*found;

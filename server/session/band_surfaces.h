@@ -22,6 +22,9 @@ class BandSurfaces {
   /// Says which surfaces are wanted. Those that are there already stay.
   void want(const Equaliser& equaliser, const std::shared_ptr<const Hold>& hold);
 
+  /// Solves for all of them once more: they depend on what is wanted alone.
+  void start_over();
+
   /// Returns whether a wanted surface is missing.
   bool is_solving() const { return known_count() < wanted_.size(); }
 

@@ -29,6 +29,11 @@ void ColourChannel::want(const Fields& fields) {
   cycles_ = 0;
 }
 
+void ColourChannel::start_over() {
+  is_solving_ = starts_over_ = !is_kept_;
+  cycles_ = 0;
+}
+
 void ColourChannel::take_paint(const PaintLayer* paint) {
   const size_t cells = on_.prepared->cells.size();
   follow_.assign(cells, 1);
@@ -64,13 +69,7 @@ Status ColourChannel::begin() {
 
 Status ColourChannel::step() {
   if (!solver_) RETURN_IF_ERROR(begin());
-  if (is_metric_new_) {
-    curve_ = TransferCurve(filter_.alpha);
-    solver_->set_metric(view());
-  } else if (is_scale_new_) {
-    solver_->set_gradient_scale(view());
-  }
-  is_metric_new_ = is_scale_new_ = false;
+  show_to_solver();
   const StepReport report = solver_->step();
   RETURN_IF_ERROR(solver_->status());
   const PreparedMesh& prepared = *on_.prepared;
@@ -78,6 +77,17 @@ Status ColourChannel::step() {
       report.distance * prepared.statistics.diagonal() / prepared.frame.cell_size;
   is_solving_ = distance > kColourDistanceMax && ++cycles_ < kColourCyclesMax;
   return Status::ok();
+}
+
+void ColourChannel::show_to_solver() {
+  curve_ = TransferCurve(filter_.alpha);
+  if (starts_over_)
+    solver_->start_over(view());
+  else if (is_metric_new_)
+    solver_->set_metric(view());
+  else if (is_scale_new_)
+    solver_->set_gradient_scale(view());
+  is_metric_new_ = is_scale_new_ = starts_over_ = false;
 }
 
 std::span<const Vec3f> ColourChannel::change() const {

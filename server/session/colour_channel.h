@@ -21,6 +21,9 @@ class ColourChannel {
   /// Says how colours are filtered. Needs: a scan with colours, unless they are kept.
   void want(const Fields& fields);
 
+  /// Solves for them once more, from those of the scan: the result depends on what is wanted alone.
+  void start_over();
+
   /// Returns whether the colours are not yet what is wanted.
   bool is_solving() const { return is_solving_; }
 
@@ -38,6 +41,7 @@ class ColourChannel {
 
  private:
   Status begin();
+  void show_to_solver();
   void take_paint(const PaintLayer* paint);
   FieldsView view() const;
 
@@ -46,7 +50,7 @@ class ColourChannel {
   std::unique_ptr<Solver> solver_;
   bool is_kept_ = true;  // no colour changes
   bool is_solving_ = false;
-  bool is_metric_new_ = true, is_scale_new_ = true;
+  bool is_metric_new_ = true, is_scale_new_ = true, starts_over_ = false;
   int cycles_ = 0;  // since the last change
   // What is wanted.
   ColourFilter filter_;

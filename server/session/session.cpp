@@ -34,9 +34,31 @@ struct Session::State {
       cycles_since_change = 0;
       solved = {};
     }
+    show_to_others(fields);
+    looks += changes.any();
+    is_from_scan &= !changes.metric && !changes.beta && !bands.is_solving() && !colour.is_solving();
+  }
+
+  void update_for(const SolveOptions& options, const EditedFields::Changes& changes) {
+    const bool is_new = changes.metric || changes.beta;
+    if (!options.exact || !is_new) update_solver(edited.fields(), changes);
+    if (options.exact && (is_new || !is_from_scan)) start_over(edited.fields());
+    is_from_scan = options.exact;
+  }
+
+  void start_over(const Fields& fields) {
+    solver->start_over(fields.view());
+    cycles_since_change = 0;
+    solved = {};
+    show_to_others(fields);
+    bands.start_over();
+    colour.start_over();
+    ++looks;
+  }
+
+  void show_to_others(const Fields& fields) {
     bands.want(fields.equaliser(), fields.hold());
     colour.want(fields);
-    looks += changes.any();
   }
 
   bool solver_is_settled(const StepReport& report) const {
@@ -75,6 +97,7 @@ struct Session::State {
   Previews previews;
   int cycles_since_change = 0;
   StepReport last;
+  bool is_from_scan = false;  // an exact solve led here from the scan, and nothing else
   uint64_t looks = 0;
   Status status;  // of the bands and colours
   std::unique_ptr<Solver> solver;
@@ -134,6 +157,7 @@ void Session::update() {
 StepReport Session::step() {
   if (is_changed()) update();
   State& state = *state_;
+  state.is_from_scan = false;
   if (state.bands.is_solving() && state.solver_is_settled(state.last)) {
     state.step_bands();
     return state.last;
@@ -166,7 +190,9 @@ Result<SolveReport> Session::solve(const SolveOptions& options, const Progress& 
   RETURN_IF_ERROR(state_->edited.catch_up(progress));
   EditedFields::Changes changes = state_->edited.take_changes();
   changes |= state_->previews.set_aside();
-  state_->update_solver(state_->edited.fields(), changes);
+  state_->update_for(options, changes);
+  if (options.exact && is_exact(state_->last))
+    return SolveReport{.converged = true, .last = state_->last};
   const bool is_counted = options.cycles > 0;
   const double distance_max = options.exact ? kExactDistance : kSettledDistance;
   // No distance is below -1, so it does exactly the requested cycles.

@@ -22,7 +22,9 @@ inline constexpr double kSettledDistance = 3e-5;
 /// The end of a solve: after a fixed number of cycles, or when the estimated distance to the
 /// converged surface is below a bar.
 struct SolveOptions {
-  bool exact = false;  ///< to the bar of exports, else of settled sessions (docs/solver.md)
+  /// To the bar of exports (docs/solver.md), and from the scan itself: the same edits on the same
+  /// scan give the same bits, whatever the session showed before. Else to that of settled sessions.
+  bool exact = false;
   int cycles = 0;      ///< > 0: exactly this many
 };
 

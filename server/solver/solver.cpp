@@ -134,6 +134,16 @@ void Solver::set_metric(const FieldsView& fields) {
   start_from(fields, kNewMetric);
 }
 
+void Solver::start_over(const FieldsView& fields) {
+  backend_->start_over();
+  rate_.restart();
+  cycle_ = 0;
+  energy_ = 0;
+  start_ = kCold;
+  gradient_scale_ = kBetaDefault;
+  set_metric(fields);
+}
+
 void Solver::set_gradient_scale(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();

@@ -20,7 +20,7 @@ enum class BackendKind { kAuto, kCpu, kCuda };
 
 /// The facts of one step.
 struct StepReport {
-  int cycle = 0;        ///< since the solver was made
+  int cycle = 0;        ///< since the solver was made or started over
   double energy = 0;    ///< ½uᵀSu − bᵀu summed over x, y, z; never rises between edits
   double residual = 0;  ///< ‖r‖ over ‖b‖ in the diagonally scaled norm
   double distance = 0;  ///< estimate of the largest distance of a vertex to the converged surface,
@@ -63,6 +63,9 @@ class Solver {
 
   /// Makes new matrices at all depths and a new constraint: α1, α2 and perhaps β changed.
   void set_metric(const FieldsView& fields);
+  /// Does the same from u = 0, as a new solver does: then results depend on the fields alone, not
+  /// on what came before.
+  void start_over(const FieldsView& fields);
   /// Makes only a new constraint: β changed.
   void set_gradient_scale(const FieldsView& fields);
 

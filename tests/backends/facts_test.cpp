@@ -43,6 +43,27 @@ TEST_P(EverySmoother, BetaOneReturnsTheInputMesh) {
   EXPECT_EQ(filtered.after(1000), mesh.vertices);
 }
 
+// What a session showed on the way does not matter: a script's replay gives the same file.
+TEST_P(Facts, ExactResultsFollowFromTheEditsAlone) {
+  const TriangleMesh mesh = bumpy();
+  const auto stroke = [&](const Filtered& on, size_t vertex) {
+    return Stroke{{.radius = 0.15 * on.diagonal(), .strength = 0.8, .beta = 2},
+                  {mesh.vertices[vertex]}};
+  };
+  Filtered live = session(mesh, 4), at_once = session(mesh, 4);
+  live.alpha(8).beta(0.3).after(3);
+  live.paint(stroke(live, 10)).after(2);
+  live.beta(0.6).settled();
+  live.curve(contrast_100()).after(4);
+  live.paint(stroke(live, 500)).after(1);
+  at_once.alpha(8).beta(0.3).paint(stroke(at_once, 10)).beta(0.6).curve(contrast_100());
+  const std::vector<Vec3d> expected = at_once.paint(stroke(at_once, 500)).exact();
+  EXPECT_EQ(live.exact(), expected);
+  EXPECT_EQ(live.exact(), expected);
+  live.after(2);
+  EXPECT_EQ(live.exact(), expected);
+}
+
 // If all cells have one β, the displacement is β − 1 times a part that only depends on the metric.
 TEST_P(EverySmoother, AMovedSliderNeedsOneStep) {
   Filtered dragged = session(bumpy(), 5), fresh = session(bumpy(), 5);

@@ -93,6 +93,14 @@ class CpuBackend final : public Backend {
     return is_whole;
   }
 
+  void start_over() override {
+    alphas_ = std::make_unique<ChangingAlphas>(*on_.prepared);
+    alpha_of_spectrum_ = 0;
+    constraint_->start_over();
+    for (size_t i = 1; i < smoothers_.size(); ++i) smoothers_[i]->start_over();
+    outer_->start_over();
+  }
+
   void set_constraint(const FieldsView& fields) override {
     constraint_->assemble(fields, outer_->constraint(), outer_->residual());
     outer_->load_residual();

@@ -96,7 +96,9 @@ class CudaBackend final : public Backend {
         halo_ == nullptr ? metric.is_isotropic() : halo_->all(metric.is_isotropic());
     const bool same_ratios = std::exchange(all_ratios_are_one_, is_isotropic) && is_isotropic;
     stream_.share_memory(kSharedBesideOthers);
-    if (same_ratios)
+    if (std::exchange(is_first_metric_, false))  // it also starts estimates, which graphs do not
+      assemble_matrices(gradients());
+    else if (same_ratios)
       run_on_device(kSameRatiosGraph, [this] { assemble_matrices({}); });
     else
       run_on_device(kMetricGraph, [this] { assemble_matrices(gradients()); });
@@ -106,6 +108,13 @@ class CudaBackend final : public Backend {
                             signal_.data(), outer_->constraint().per_slider);
     gradients_are_new_ |= !same_ratios;
     return true;
+  }
+
+  void start_over() override {
+    for (const auto& smoother : smoothers_) smoother->start_over();
+    outer_->start_over();
+    all_ratios_are_one_ = false;
+    is_first_metric_ = true;
   }
 
   void set_constraint(const FieldsView& fields) override {
@@ -298,6 +307,7 @@ class CudaBackend final : public Backend {
   Graphs graphs_{stream_};
   DeviceAlpha alpha_;
   bool all_ratios_are_one_ = false;  // of α1 and α2
+  bool is_first_metric_ = true;
   GradientScale beta_;
   DeviceArray<float> gradients_, gradient_rests_;  // CellGradients
   DeviceArray<float3> signal_;                     // empty: the surface's own places

@@ -48,6 +48,9 @@ class Backend {
   /// Where few cells have other α than before, a backend may make these cells' parts alone, with
   /// the same bits. Afterwards r is wrong until recompute_residual(). Returns whether all is new.
   virtual bool set_metric(const MetricView& metric) = 0;
+  /// Forgets u and what estimates have learnt. After the next metric and constraint, results have
+  /// the bits of a new backend's.
+  virtual void start_over() = 0;
   /// Makes b = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²), the constraint of the displacement, with the last
   /// metric. Changes r by the same amount.
   virtual void set_constraint(const FieldsView& fields) = 0;

@@ -50,6 +50,9 @@ class MultiBackend final : public Backend {
     });
     return is_whole.front() != 0;
   }
+  void start_over() override {
+    for_all([](Backend& backend, int) { backend.start_over(); });
+  }
   void set_constraint(const FieldsView& fields) override {
     for_all([&](Backend& backend, int number) {
       backend.set_constraint(fields_[number].constraint(fields));

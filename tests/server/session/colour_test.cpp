@@ -46,6 +46,21 @@ double gain_of(const TriangleMesh& before, const TriangleMesh& after, int channe
   return both / square;
 }
 
+TEST(Colours, ExactResultsFollowFromTheEditsAlone) {
+  const TriangleMesh sphere = coloured_sphere(4);
+  const auto live = session_over(sphere), at_once = session_over(sphere);
+  exact_surface(*live, {SetColour{{3, 2}}});
+  const SetColour last{{8, 0.25}};
+  EXPECT_TRUE(live->apply({"colours", last}).is_ok());
+  for (int i = 0; i < 3; ++i) live->step();
+  EXPECT_TRUE(live->apply({"slider", SetGradientScale{0.5}}).is_ok());
+  const TriangleMesh expected = exact_surface(*at_once, {last, SetGradientScale{0.5}});
+  const TriangleMesh found = exact_surface(*live, {});
+  EXPECT_EQ(found.vertices, expected.vertices);
+  EXPECT_EQ(found.colours, expected.colours);
+  EXPECT_NE(found.colours, sphere.colours);
+}
+
 TEST(Colours, HarmonicsOfASphereScaleAsTheFormulaSays) {
   const TriangleMesh sphere = coloured_sphere(6);
   const auto session = session_over(sphere, 7);

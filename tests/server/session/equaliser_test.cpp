@@ -75,6 +75,17 @@ TEST(Equaliser, EachBandOfASphereAnswersAsTheFormulaSays) {
   }
 }
 
+TEST(Equaliser, ExactResultsFollowFromTheEditsAlone) {
+  const TriangleMesh blob = lumpy_scan();
+  const Equaliser equaliser = with_gains(kThreeBands, {0.5, 2, 1.5});
+  const auto live = session_over(blob), at_once = session_over(blob);
+  exact_surface(*live, {SetEqualiser{Equaliser{{{0.4, 1}, {2, 0}}}}});
+  EXPECT_TRUE(live->apply({"bands", SetEqualiser{equaliser}}).is_ok());
+  for (int i = 0; i < 30; ++i) live->step();
+  EXPECT_EQ(exact_surface(*live, {}).vertices,
+            exact_surface(*at_once, {SetEqualiser{equaliser}}).vertices);
+}
+
 TEST(Equaliser, AGainCostsNoCycle) {
   const auto session = session_over(lumpy_scan());
   exact_surface(*session, {SetEqualiser{kThreeBands}});

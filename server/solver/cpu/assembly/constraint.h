@@ -26,6 +26,9 @@ class Constraint {
   /// Shapes: one per corner.
   void set_signal(std::span<const Vec3f> signal);
 
+  /// assemble() sums everything again.
+  void start_over() { is_new_ = true; }
+
   /// Call after a new metric. `ratio`: α2/α1 of every cell; where it changed, assemble() sums
   /// again.
   void set_ratio(std::vector<double> ratio);

@@ -39,8 +39,15 @@ Float4 with_spare(const Double3& v) {
 
 ConjugateGradients::ConjugateGradients(CpuDepth& finest, const PointsByCell& points)
     : finest_(finest), points_(points), matrix_(finest.topology.stencil) {
-  for (auto* vector : {&u_, &b_, &r_, &q_}) vector->assign(finest.corner_count(), Double3::Zero());
-  p_.assign(finest.corner_count(), Float4::Zero());
+  start_over();
+}
+
+void ConjugateGradients::start_over() {
+  for (auto* vector : {&u_, &b_, &r_, &q_}) vector->assign(finest_.corner_count(), Double3::Zero());
+  p_.assign(finest_.corner_count(), Float4::Zero());
+  z_dot_r_ = step_ = Double3::Zero();
+  totals_ = {};
+  moved_max_ = 0;
 }
 
 // Sums over blocks of all corners, and over all shards. `sum_block` leaves out corners that are not

@@ -24,6 +24,7 @@ class ConjugateGradients {
   std::vector<Double3>& residual() { return r_; }
   const std::vector<Double3>& displacement() const { return u_; }
 
+  void start_over();  ///< u = 0, and nothing of the last step
   void recompute_residual();
   void rescale();
   /// Sets f = r after a change of r from outside. The other functions keep f = r.

@@ -82,6 +82,8 @@ class Schwarz final : public DepthSmoother {
     find_steps(depth);
   }
 
+  void start_over() override { lambda_max_.start_over(); }
+
   // After the first step from zero x is d itself.
   void relax_from_zero(CpuDepth& depth) override {
     relax_by(depth, inverse_, depth.f, steps_[0].length, 0);

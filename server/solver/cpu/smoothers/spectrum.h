@@ -23,6 +23,8 @@ class LambdaMax {
   /// Returns the estimate with a margin, so that it is not too small; the last one while
   /// depth.is_spectrum_new is false. `apply` sets depth.x = −M⁻¹ depth.r. Changes x, f, r.
   float estimate(CpuDepth& depth, Bounds bounds, const std::function<void()>& apply);
+  /// The next estimate is a first one.
+  void start_over() { started_ = false; }
   uint64_t byte_count() const { return bytes_of(eigenvector_); }
 
  private:

@@ -292,6 +292,12 @@ ConjugateGradients::ConjugateGradients(Stream& stream, const Depth& finest,
       halo_(halo),
       number_(number) {}
 
+void ConjugateGradients::start_over() {
+  for (const auto* vector : {&u_, &r_, &p_, &q_, &w_}) vector->clear(stream_);
+  vertex_p_.clear(stream_);
+  scalars_.clear(stream_);
+}
+
 void ConjugateGradients::recompute_residual() {
   launch(stream_, pin_kernel, n_, vectors_);
   const Rows& rows = vectors_.finest.topology.rows;

@@ -53,6 +53,7 @@ class ConjugateGradients {
   Double3* residual() const { return vectors_.r; }
   const DeviceArray<Double3>& displacement() const { return u_; }
 
+  void start_over();  ///< u = 0, and nothing of the last step
   void recompute_residual();
   void rescale();
   void refresh_residual();  ///< brings f of other shards; call after a change of r from outside

@@ -23,6 +23,7 @@ class Schwarz final : public DepthSmoother {
   const float4* probe() const override { return eigenvector_.data(); }
   void set_up(const CellSquares<float>& inverses, const float* anisotropy) override;
   void finish_set_up() override { branch_.join(); }
+  void start_over() override { first_ = true; }
   void relax_from_zero() override;
   void relax() override;
   uint64_t byte_count() const override;

@@ -33,6 +33,8 @@ class DepthSmoother {
   virtual void set_up(const CellSquares<float>& inverses, const float* anisotropy) = 0;
   virtual void finish_set_up() = 0;
 
+  virtual void start_over() {}  ///< forgets what earlier matrices taught it
+
   virtual void relax_from_zero() = 0;  ///< x from zero
   virtual void relax() = 0;            ///< continues from x
   virtual uint64_t byte_count() const = 0;

@@ -32,6 +32,8 @@ class ChebyshevJacobi final : public DepthSmoother {
     for (const ChebyshevStep& now : steps_) relax_further(depth, now);
   }
 
+  void start_over() override { lambda_max_.start_over(); }
+
   uint64_t byte_count() const override { return bytes_of(direction_) + lambda_max_.byte_count(); }
 
  private:
