@@ -65,6 +65,18 @@ class FleetPartition : public testing::Test {
     return connection.apply("work", {&edit, 1}).status();
   }
 
+  /// Greets "one" until a heartbeat has told it of the other server.
+  void wait_until_one_knows_two() const {
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    int known = 0;
+    while (known < 2 && std::chrono::steady_clock::now() < end) {
+      LiveStream stream(grpc::CreateChannel(one_->address, grpc::InsecureChannelCredentials()));
+      stream.greet("work");
+      known = stream.next(v1::ServerMessage::kWelcome).welcome().fleet_size();
+    }
+    EXPECT_EQ(known, 2);
+  }
+
   /// Tries until the server takes the edit.
   static void slide_until_taken(const ServerProcess& server, const std::string& id) {
     const auto end = std::chrono::steady_clock::now() + kPatience;
@@ -121,6 +133,7 @@ TEST_F(FleetPartition, ALiveLinkGoesOnAtTheServerThatReachesTheDatabase) {
   SessionLink link(connection, options);
   ASSERT_TRUE(link.apply({Edit{"a", SetGradientScale{0.5}}}).is_ok());
   ASSERT_TRUE(link.wait_until_acknowledged(kPatience));
+  wait_until_one_knows_two();
   way_.stall(true);
   ASSERT_TRUE(link.apply({Edit{"b", SetGradientScale{2}}}).is_ok());
   ASSERT_TRUE(link.wait_until_acknowledged(kPatience));
