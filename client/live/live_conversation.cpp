@@ -112,7 +112,7 @@ void LiveConversation::begin() {
   }
   receiver_.restart();
   server_ = route_->address();
-  is_server_ending_ = false;
+  has_server_lost_it_ = false;
   last_heard_ = next_heartbeat_ = options_.clock();
 }
 
@@ -195,7 +195,7 @@ std::optional<std::chrono::milliseconds> LiveConversation::end(const Status& of_
   if (has_moved) return follow(why);
   // The first failure may be a short one of the network.
   const bool is_gone = failures_ > 0 && why.code() == StatusCode::kUnavailable;
-  if (is_gone || is_server_ending_) route_->give_up(server_);
+  if (is_gone || has_server_lost_it_) route_->give_up(server_);
   return retry_after();
 }
 

@@ -94,7 +94,7 @@ class LiveConversation {
   std::string farewell_;  // why to come back on another stream; empty: no reason
   Status failure_;        // of the last message
   bool beat_for_credit_ = false;
-  bool is_server_ending_ = false;
+  bool has_server_lost_it_ = false;  // the session
   int failures_ = 0;  // streams without a frame, one after the other
   int moves_ = 0;     // likewise, that another server has the session
   uint64_t frames_at_end_ = 0;

@@ -114,7 +114,10 @@ Status LiveConversation::take_in(const Heartbeat& echo) {
 Status LiveConversation::take_in(const Farewell& farewell) {
   if (!farewell.come_back) return failed_precondition(farewell.reason);
   farewell_ = "server " + server_ + ": " + farewell.reason;
-  is_server_ending_ = farewell.code == FarewellCode::kGoingDown;
+  if (!farewell.fleet.empty()) route_->learn(farewell.fleet);
+  if (farewell.moved_to) return Status::moved(farewell.moved_to->text(), farewell_);
+  has_server_lost_it_ =
+      farewell.code == FarewellCode::kGoingDown || farewell.code == FarewellCode::kNotOwner;
   const LiveGuard lock(mutex_);
   news_.pages_refused += farewell.code == FarewellCode::kTooManyPages;
   return Status::ok();

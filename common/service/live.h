@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/base/limits.h"
+#include "common/base/server_place.h"
 #include "common/base/status.h"
 #include "common/edit/edit.h"
 #include "common/page_frames/page_kind.h"
@@ -148,6 +149,7 @@ enum class FarewellCode {
   kTooManyPages,  ///< the server has no memory for the pages that the client shows
   kDamagedPages,  ///< the page file is damaged
   kFailed,        ///< a fault of the server, or no memory for the session
+  kNotOwner,      ///< another server of the fleet may have the session
 };
 
 /// The last message.
@@ -155,6 +157,9 @@ struct Farewell {
   FarewellCode code = FarewellCode::kUnknown;
   std::string reason;      ///< in words
   bool come_back = false;  ///< greet again after a pause
+  /// Has the session, or is to take it: greet there at once.
+  std::optional<ServerPlace> moved_to{};
+  std::vector<std::string> fleet{};  ///< takes the place of the welcome's, unless it is empty
 };
 
 using ServerMessage = std::variant<ProgressReport, Welcome, LiveFrame, EditsAcknowledged,

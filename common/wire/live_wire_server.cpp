@@ -51,7 +51,7 @@ FrameStats read_stats(const v1::Frame& message) {
 constexpr v1::GoAwayCode kGoAwayCodes[] = {
     v1::GO_AWAY_CODE_UNSPECIFIED,   v1::GO_AWAY_CODE_GOING_DOWN, v1::GO_AWAY_CODE_SILENT,
     v1::GO_AWAY_CODE_CLOSED,        v1::GO_AWAY_CODE_REMOVED,    v1::GO_AWAY_CODE_TOO_MANY_PAGES,
-    v1::GO_AWAY_CODE_DAMAGED_PAGES, v1::GO_AWAY_CODE_FAILED};
+    v1::GO_AWAY_CODE_DAMAGED_PAGES, v1::GO_AWAY_CODE_FAILED,     v1::GO_AWAY_CODE_NOT_OWNER};
 
 FarewellCode read_code(v1::GoAwayCode code) {
   const auto found = std::ranges::find(kGoAwayCodes, code);
@@ -108,9 +108,14 @@ struct ServerWriter {
     message.mutable_heartbeat()->set_client_time_us(beat.client_time_us);
   }
   void operator()(Farewell& farewell) const {
-    message.mutable_go_away()->set_reason(std::move(farewell.reason));
-    message.mutable_go_away()->set_come_back(farewell.come_back);
-    message.mutable_go_away()->set_code(kGoAwayCodes[static_cast<size_t>(farewell.code)]);
+    v1::GoAway& sent = *message.mutable_go_away();
+    sent.set_reason(std::move(farewell.reason));
+    sent.set_come_back(farewell.come_back);
+    sent.set_code(kGoAwayCodes[static_cast<size_t>(farewell.code)]);
+    for (std::string& address : farewell.fleet) sent.add_fleet(std::move(address));
+    if (!farewell.moved_to) return;
+    sent.mutable_moved()->set_address(std::move(farewell.moved_to->address));
+    sent.mutable_moved()->set_node(std::move(farewell.moved_to->node));
   }
 };
 
@@ -146,6 +151,14 @@ Result<HistoryState> read_history(const v1::HistoryChanged& message) {
                       from_wire(message.equaliser()),
                       std::move(palette),
                       from_wire(message.colour(), message.has_colour())};
+}
+
+Farewell read_farewell(const v1::GoAway& message) {
+  Farewell farewell{read_code(message.code()), message.reason(), message.come_back()};
+  const ServerPlace place{message.moved().address(), message.moved().node()};
+  if (place != ServerPlace()) farewell.moved_to = place;
+  farewell.fleet = {message.fleet().begin(), message.fleet().end()};
+  return farewell;
 }
 
 using AnyServerMessage = std::optional<ServerMessage>;
@@ -186,8 +199,7 @@ Result<AnyServerMessage> from_wire(v1::ServerMessage message) {
     case v1::ServerMessage::kHeartbeat:
       return AnyServerMessage(Heartbeat{message.heartbeat().client_time_us()});
     case v1::ServerMessage::kGoAway:
-      return AnyServerMessage(Farewell{read_code(message.go_away().code()),
-                                       message.go_away().reason(), message.go_away().come_back()});
+      return AnyServerMessage(read_farewell(message.go_away()));
     case v1::ServerMessage::MESSAGE_NOT_SET:
       break;
   }

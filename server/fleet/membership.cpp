@@ -1,7 +1,5 @@
 #include "server/fleet/membership.h"
 
-#include <condition_variable>
-#include <mutex>
 #include <utility>
 
 #include <spdlog/spdlog.h>
@@ -54,49 +52,82 @@ std::chrono::duration<double> Membership::lease_left() const {
   return times_.lease - (std::chrono::steady_clock::now() - renewed_.load());
 }
 
+// After a failure the next try comes sooner: a short absence of the database costs no lease.
 void Membership::loop(const std::stop_token& stop) {
-  std::mutex mutex;
-  std::condition_variable_any wake;
-  std::unique_lock lock(mutex);
   while (!stop.stop_requested()) {
-    const Status status = beat();
+    const bool is_draining = is_told_to_drain();
+    const Status status = beat(is_draining);
     if (!status.is_ok()) {
       good_since_.reset();
+      note_others({}, is_draining);
       spdlog::warn("fleet: no heartbeat: {}", status.message());
     }
-    wake.wait_for(lock, stop, times_.heartbeat, [] { return false; });
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, stop, status.is_ok() ? times_.heartbeat : times_.heartbeat / 4,
+                      [this] { return is_draining_ && !has_told_drain_; });
   }
 }
 
-Status Membership::beat() {
+std::vector<FleetServer> Membership::drain() {
+  std::unique_lock lock(mutex_);
+  is_draining_ = true;
+  changed_.notify_all();
+  changed_.wait(lock, [this] { return has_told_drain_; });
+  return others_;
+}
+
+bool Membership::is_told_to_drain() {
+  const std::lock_guard lock(mutex_);
+  return is_draining_;
+}
+
+void Membership::note_others(std::vector<FleetServer> others, bool has_told_drain) {
+  const std::lock_guard lock(mutex_);
+  others_ = std::move(others);
+  has_told_drain_ |= has_told_drain;
+  changed_.notify_all();
+}
+
+Status Membership::beat(bool is_draining) {
   if (!connection_.is_open()) {
     ASSIGN_OR_RETURN(connection_, PgConnection::open(address_, patience_of(times_), kApplication));
   }
+  NodeLoad load = duties_.load ? duties_.load() : NodeLoad();
+  load.is_draining = is_draining;
   const Time sent = std::chrono::steady_clock::now();
-  const NodeLoad load = duties_.load ? duties_.load() : NodeLoad();
   ASSIGN_OR_RETURN(const PgReply renewed, connection_.run(renew_lease(life_, times_.lease, load)));
   const Time now = std::chrono::steady_clock::now();
   metrics().observe(Measure::kDatabaseRoundTripSeconds, ms_between(sent, now) / 1e3);
-  if (renewed.affected() == 0) RETURN_IF_ERROR(begin_another_life());
+  if (renewed.affected() == 0) RETURN_IF_ERROR(begin_another_life(load));
   renewed_ = sent;
   if (!good_since_) good_since_ = now;
   RETURN_IF_ERROR(reap(now));
-  if (!duties_.on_heartbeat) return Status::ok();
-  ASSIGN_OR_RETURN(const PgReply addresses, connection_.run(read_addresses()));
-  std::vector<std::string> fleet;
-  for (size_t row = 0; row < addresses.rows(); ++row) fleet.push_back(addresses.bytes(row, 0));
-  duties_.on_heartbeat(std::move(fleet));
+  return look_around(is_draining);
+}
+
+Status Membership::look_around(bool is_draining) {
+  ASSIGN_OR_RETURN(const PgReply servers, connection_.run(read_servers()));
+  std::vector<std::string> addresses;
+  std::vector<FleetServer> others;
+  for (size_t row = 0; row < servers.rows(); ++row) {
+    const ServerPlace place{servers.bytes(row, 1), servers.bytes(row, 0)};
+    if (!place.address.empty()) addresses.push_back(place.address);
+    if (place.node != node_.name)
+      others.push_back({place, static_cast<uint64_t>(servers.integer(row, 2))});
+  }
+  note_others(std::move(others), is_draining);
+  if (duties_.on_heartbeat) duties_.on_heartbeat(std::move(addresses));
   return Status::ok();
 }
 
 // The sessions go in any case: somebody has ended this life.
-Status Membership::begin_another_life() {
+Status Membership::begin_another_life(const NodeLoad& load) {
   spdlog::error("fleet: the lease of server {} was over; it lets go of all sessions", node_.name);
   good_since_.reset();
   life_ = new_life();
   if (duties_.on_new_life) duties_.on_new_life(life_);
   const PgOutcome entered =
-      connection_.transact(enter_life_of_free_name(node_, life_, times_.lease));
+      connection_.transact(enter_life_of_free_name(node_, life_, times_.lease, load));
   RETURN_IF_ERROR(entered.why);
   if (entered.replies.back().affected() > 0) return Status::ok();
   return failed_precondition("another server has the name '" + node_.name +

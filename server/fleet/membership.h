@@ -2,13 +2,16 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "common/base/server_place.h"
 #include "server/fleet/node_rows.h"
 #include "server/postgres/pg_connection.h"
 
@@ -19,13 +22,19 @@ struct LeaseTimes {
   std::chrono::milliseconds heartbeat{3'000};
 };
 
+/// Another server of the fleet that takes sessions.
+struct FleetServer {
+  ServerPlace place;
+  uint64_t bytes_free = 0;
+};
+
 /// The membership of a server in a fleet. Calls come from the thread that start() returns.
 struct MemberDuties {
   /// This server's life was over, and another one has begun: it holds no session any more.
   std::function<void(const std::string& life)> on_new_life;
   /// Returns what a heartbeat tells of this server. Empty: nothing is told.
   std::function<NodeLoad()> load;
-  /// After each heartbeat that succeeded, with the addresses of all servers of the fleet.
+  /// After each heartbeat that succeeded, with the addresses of all servers that take sessions.
   std::function<void(std::vector<std::string> addresses)> on_heartbeat;
 };
 
@@ -47,6 +56,11 @@ class Membership {
   /// this.
   [[nodiscard]] std::jthread start(MemberDuties duties);
 
+  /// Tells the fleet that this server ends: it gets no session any more, and others may take those
+  /// that it has. Returns the other servers that take sessions. Waits for one heartbeat; returns
+  /// nothing if that fails. Needs: the thread of start().
+  std::vector<FleetServer> drain();
+
   /// Returns how long the lease lasts if no heartbeat succeeds any more; below 0: it is over.
   std::chrono::duration<double> lease_left() const;
 
@@ -60,9 +74,12 @@ class Membership {
              PgConnection connection, std::string life);
 
   void loop(const std::stop_token& stop);
-  Status beat();
-  Status begin_another_life();
+  bool is_told_to_drain();
+  void note_others(std::vector<FleetServer> others, bool has_told_drain);
+  Status beat(bool is_draining);
+  Status begin_another_life(const NodeLoad& load);
   Status reap(Time now);
+  Status look_around(bool is_draining);
 
   const PgAddress address_;
   const NodeFacts node_;
@@ -73,6 +90,12 @@ class Membership {
   std::optional<Time> good_since_;  // the first of the heartbeats in a row
   MemberDuties duties_;
   std::atomic<Time> renewed_;  // when the last heartbeat that succeeded was sent
+
+  std::mutex mutex_;  // guards the following members
+  std::condition_variable_any changed_;
+  bool is_draining_ = false;
+  bool has_told_drain_ = false;  // or has tried to
+  std::vector<FleetServer> others_;
 };
 
 }  // namespace burnish

@@ -35,21 +35,23 @@ std::vector<PgStatement> enter_life(const NodeFacts& node, const std::string& li
 }
 
 std::vector<PgStatement> enter_life_of_free_name(const NodeFacts& node, const std::string& life,
-                                                 std::chrono::milliseconds lease) {
+                                                 std::chrono::milliseconds lease,
+                                                 const NodeLoad& load) {
   return {{"DELETE FROM nodes WHERE name = $1 AND lease_until < clock_timestamp()",
            {PgText{node.name}}},
-          enter(node, life, lease)};
+          enter(node, life, lease),
+          renew_lease(life, lease, load)};
 }
 
 PgStatement renew_lease(const std::string& life, std::chrono::milliseconds lease,
                         const NodeLoad& load) {
   return {
       "UPDATE nodes SET lease_until = clock_timestamp() + $2 * interval '1 millisecond',"
-      " backend = $3, bytes_max = $4, bytes_taken = $5, sessions = $6"
+      " backend = $3, bytes_max = $4, bytes_taken = $5, sessions = $6, draining = $7 <> 0"
       " WHERE id = CAST($1 AS uuid)",
       {PgText{life}, int64_t{lease.count()}, PgText{load.backend},
        static_cast<int64_t>(load.bytes_max), static_cast<int64_t>(load.bytes_taken),
-       static_cast<int64_t>(load.sessions)}};
+       static_cast<int64_t>(load.sessions), int64_t{load.is_draining}}};
 }
 
 std::vector<PgStatement> end_dead_lives(const std::string& life) {
@@ -58,8 +60,11 @@ std::vector<PgStatement> end_dead_lives(const std::string& life) {
           {"DELETE FROM nodes WHERE " + is_dead, {PgText{life}}}};
 }
 
-PgStatement read_addresses() {
-  return {"SELECT address FROM nodes WHERE address <> '' ORDER BY name", {}};
+PgStatement read_servers() {
+  return {
+      "SELECT name, address, greatest(bytes_max - bytes_taken, 0) FROM nodes"
+      " WHERE NOT draining AND lease_until > clock_timestamp() ORDER BY name",
+      {}};
 }
 
 PgStatement end_life(const std::string& life) {

@@ -26,17 +26,20 @@ std::string new_life();
 std::vector<PgStatement> enter_life(const NodeFacts& node, const std::string& life,
                                     std::chrono::milliseconds lease);
 
-/// Enters a life if no other server has the name and a lease. Changes no row if one has.
-std::vector<PgStatement> enter_life_of_free_name(const NodeFacts& node, const std::string& life,
-                                                 std::chrono::milliseconds lease);
-
 /// How much a server has to do, as others know it.
 struct NodeLoad {
   std::string backend;       ///< "cpu" or "cuda"
   uint64_t bytes_max = 0;    ///< of meshes and sessions
   uint64_t bytes_taken = 0;  ///< of them
   uint64_t sessions = 0;     ///< in memory
+  bool is_draining = false;  ///< it ends: it takes no session, and anybody may take its sessions
 };
+
+/// Enters a life if no other server has the name and a lease. The last statement changes no row if
+/// one has.
+std::vector<PgStatement> enter_life_of_free_name(const NodeFacts& node, const std::string& life,
+                                                 std::chrono::milliseconds lease,
+                                                 const NodeLoad& load);
 
 /// Changes no row if the life is over.
 PgStatement renew_lease(const std::string& life, std::chrono::milliseconds lease,
@@ -47,7 +50,8 @@ std::vector<PgStatement> end_dead_lives(const std::string& life);
 
 PgStatement end_life(const std::string& life);
 
-/// Reads the addresses of all lives that have one, by the servers' names.
-PgStatement read_addresses();
+/// Reads name, address and free memory of all lives that have a lease and do not drain, by the
+/// servers' names.
+PgStatement read_servers();
 
 }  // namespace burnish

@@ -1,6 +1,7 @@
 #include "server/journal/postgres_appends.h"
 
 #include "server/journal/damaged_edits.h"
+#include "server/journal/postgres_holding.h"
 #include "server/metrics/metrics.h"
 
 namespace burnish {
@@ -54,7 +55,8 @@ std::vector<PgStatement> ask_for_reasons(const PendingAppend& append, const Hold
 }
 
 Result<WriteOutcome> examine(PgConnection& database, const PendingAppend& append,
-                             const Holding& holding) {
+                             const Holdings& holdings) {
+  const Holding holding = holdings.of(append.session_id);
   const PgOutcome asked = database.transact(ask_for_reasons(append, holding));
   RETURN_IF_ERROR(asked.why);
   if (are_rows_of(asked.replies[0], append)) return WriteOutcome();
@@ -63,6 +65,8 @@ Result<WriteOutcome> examine(PgConnection& database, const PendingAppend& append
     return WriteOutcome::refused(not_found("no session has the id '" + append.session_id + "'"));
   if (session.integer(0, 1) == 0) {
     metrics().add(Count::kFencedAppends, 1);
+    const Status holder = who_holds(database, append.session_id, holdings);
+    if (!holder.moved_to().empty()) return WriteOutcome::unknown(holder);
     return WriteOutcome::unknown(
         failed_precondition("this server does not hold the session any more"));
   }
@@ -92,7 +96,7 @@ Status take_outcomes(PgConnection& database, const Holdings& holdings,
       append.outcome = WriteOutcome();
       continue;
     }
-    const auto found = examine(database, append, holdings.of(append.session_id));
+    const auto found = examine(database, append, holdings);
     if (found.is_ok()) {
       append.outcome = *found;
     } else {

@@ -7,15 +7,16 @@
 namespace burnish {
 
 // A new epoch in any case: whatever this server sent before, and the database still works on, comes
-// too late. The commit waits for a standby, so what is read afterwards is kept there too.
+// too late. The commit waits for a standby, so what is read afterwards is kept there too. A server
+// that drains gives its sessions to whoever asks: the epoch stops what it still writes.
 Status PostgresJournal::hold(const std::string& session_id) {
   return queue_->run(
       [&](PgConnection& database, Holdings& holdings) -> Status {
         const PgStatement take{
             "UPDATE sessions SET owner = CAST(NULLIF($2, '') AS uuid), epoch = epoch + 1,"
             " held_for = CASE WHEN owner = CAST(NULLIF($2, '') AS uuid) THEN held_for END WHERE id "
-            "= $1 AND (owner IS NULL"
-            " OR owner = CAST(NULLIF($2, '') AS uuid)) RETURNING epoch",
+            "= $1 AND (owner IS NULL OR owner = CAST(NULLIF($2, '') AS uuid)"
+            " OR owner IN (SELECT id FROM nodes WHERE draining)) RETURNING epoch",
             {session_id, PgText{holdings.life}}};
         const PgOutcome taken = database.transact({&take, 1});
         RETURN_IF_ERROR(status_of(taken));

@@ -186,8 +186,16 @@ void LiveSession::close(const Farewell& farewell) {
   for (const auto& subscriber : subscribers()) subscriber->close(farewell);
 }
 
+void LiveSession::abandon(const Status& why, const std::vector<std::string>& fleet) {
+  Farewell farewell{FarewellCode::kNotOwner, why.message(), true, std::nullopt, fleet};
+  if (!why.moved_to().empty()) farewell.moved_to = ServerPlace::of(why.moved_to());
+  for (const auto& subscriber : subscribers()) subscriber->abandon(farewell);
+  refuse_waiting(unavailable(why.message()));
+}
+
 // Also answers waiting edits, because a farewell comes after the last answer.
 void LiveSession::fail(const Status& why) {
+  if (!why.moved_to().empty()) return abandon(why, {});
   spdlog::error("session {}: {}", entry_->record.id, why.to_string());
   const bool come_back = why.code() != StatusCode::kNotFound;
   close({come_back ? FarewellCode::kFailed : FarewellCode::kClosed, why.message(), come_back});

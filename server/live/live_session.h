@@ -52,6 +52,13 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   /// Closes all subscribers.
   void close(const Farewell& farewell);
 
+  /// Another server may have the session, one of `fleet`: closes all subscribers, and answers no
+  /// edits any more. `why` names the server if it is known.
+  void abandon(const Status& why, const std::vector<std::string>& fleet);
+
+  /// Returns the predicted bytes of the session in memory.
+  uint64_t session_bytes() const { return entry_->session_bytes; }
+
   /// Closes subscribers that were silent for `silence_max` and those that may not stay. Cuts off
   /// those that do not take the farewell.
   void end_unwelcome(std::chrono::steady_clock::duration silence_max);

@@ -67,15 +67,22 @@ void LiveSessions::set_fleet(std::vector<std::string> addresses) {
   fleet_ = std::move(addresses);
 }
 
-void LiveSessions::drain() {
+std::vector<std::string> LiveSessions::fleet() const {
+  const std::lock_guard lock(mutex_);
+  return fleet_;
+}
+
+void LiveSessions::drain(Successors successors) {
   std::map<std::string, std::shared_ptr<LiveSession>> sessions;
+  const std::vector<std::string> others = fleet();
   {
     const std::lock_guard lock(mutex_);
     draining_ = true;
     sessions = sessions_;
   }
   for (const auto& [id, session] : sessions)
-    session->close({FarewellCode::kGoingDown, going_down().message(), true});
+    session->close({FarewellCode::kGoingDown, going_down().message(), true,
+                    successors.next(session->session_bytes()), others});
 }
 
 void LiveSessions::end_unwelcome() {
@@ -126,6 +133,11 @@ void LiveSessions::on_session_lost(const std::string& id, const Status& why) {
   if (!session) return;
   session->close({FarewellCode::kFailed, why.message(), true});
   session->wake();  // to answer the remaining edits
+}
+
+void LiveSessions::on_session_moved(const std::string& id, const Status& why) {
+  const auto session = find(id);
+  if (session) session->abandon(why, fleet());
 }
 
 }  // namespace burnish

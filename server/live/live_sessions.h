@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "server/live/live_session.h"
+#include "server/live/successors.h"
 
 namespace burnish {
 
@@ -35,8 +36,9 @@ class LiveSessions final : public SessionListener {
   /// Sets the addresses that clients are told in their welcome.
   void set_fleet(std::vector<std::string> addresses);
 
-  /// From now on nobody can join. Tells all clients to come back later.
-  void drain();
+  /// From now on nobody can join. Tells all clients to go on at one of the other servers, or to
+  /// come back later if there is none.
+  void drain(Successors successors = {});
 
   /// Ends clients that were silent for kSilenceMax, and those that may not stay. Call about every
   /// second.
@@ -57,10 +59,12 @@ class LiveSessions final : public SessionListener {
   void on_session_changed(const std::string& id) override;
   void on_session_left(const std::string& id, const Status& why) override;
   void on_session_lost(const std::string& id, const Status& why) override;
+  void on_session_moved(const std::string& id, const Status& why) override;
   uint64_t client_bytes(const std::string& id) const override;
 
  private:
   std::shared_ptr<LiveSession> find(const std::string& id) const;
+  std::vector<std::string> fleet() const;
 
   SessionManager& manager_;
   PageSources sources_;

@@ -89,6 +89,7 @@ void Subscriber::answer(ServerMessage message, size_t bytes) {
     --unanswered_;
     unanswered_bytes_ -= bytes;
     last_heard_ = steady_clock::now();  // the server may not have read it while it waited
+    if (is_abandoned_) return;
     answers_.push_back(std::move(message));
   }
   on_message();
@@ -125,12 +126,26 @@ void Subscriber::close(std::optional<Farewell> farewell) {
   {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
-    closed_ = true;
-    farewell_ = std::move(farewell);
-    people_.reset();
-    history_.reset();
-    echo_.reset();
-    frame_.reset();
+    close_held(std::move(farewell));
+  }
+  on_message();
+}
+
+void Subscriber::close_held(std::optional<Farewell> farewell) {
+  closed_ = true;
+  farewell_ = std::move(farewell);
+  people_.reset();
+  history_.reset();
+  echo_.reset();
+  frame_.reset();
+}
+
+void Subscriber::abandon(Farewell farewell) {
+  {
+    const std::lock_guard lock(mutex_);
+    is_abandoned_ = true;
+    const bool is_leaving = closed_ && !farewell_;  // by itself, or it has taken another farewell
+    if (!is_leaving) close_held(std::move(farewell));
   }
   on_message();
 }
@@ -154,7 +169,7 @@ std::optional<ServerMessage> Subscriber::take() {
       message = *std::exchange(history_, std::nullopt);
     } else if (people_) {
       message = *std::exchange(people_, nullptr);
-    } else if (farewell_ && unanswered_ == 0) {
+    } else if (farewell_ && (unanswered_ == 0 || is_abandoned_)) {
       message = *std::exchange(farewell_, std::nullopt);
     }
   }
@@ -169,7 +184,7 @@ bool Subscriber::is_closed() const {
 
 bool Subscriber::is_finished() const {
   const std::lock_guard lock(mutex_);
-  return closed_ && answers_.empty() && unanswered_ == 0 && !farewell_;
+  return closed_ && answers_.empty() && !farewell_ && (unanswered_ == 0 || is_abandoned_);
 }
 
 uint32_t Subscriber::credits() const {

@@ -90,6 +90,10 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   /// last message.
   void close(std::optional<Farewell> farewell);
 
+  /// Does the same without waiting for answers that are not there yet: the client sends these edits
+  /// again elsewhere.
+  void abandon(Farewell farewell);
+
   bool is_closed() const;
 
   /// Returns the pages that the next frame shows.
@@ -115,6 +119,7 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
 
  private:
   void answer(ServerMessage message, size_t bytes);
+  void close_held(std::optional<Farewell> farewell);  // needs the lock
   void post_pages();
   void encode(const Shot& shot);
   void hear(const FrameCredit& unseen);
@@ -160,6 +165,7 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   std::optional<Farewell> farewell_;
   std::optional<std::chrono::steady_clock::time_point> dismissed_;
   bool closed_ = false;
+  bool is_abandoned_ = false;  // closed, and its edits get no answers any more
 };
 
 }  // namespace burnish

@@ -53,7 +53,8 @@ static void drain(Server& server, const std::string& why, const sigset_t& signal
   spdlog::info("{}: draining; {} running calls have {} s to end", why, server.running_calls(),
                options.drain_time.count());
   end_at_next_signal(signals);
-  server.drain(options.drain_time);
+  server.drain(options.drain_time,
+               options.find_successors ? options.find_successors() : Successors());
 }
 
 Status watch_over(Server& server, const DeviceWatch& device, const sigset_t& signals,

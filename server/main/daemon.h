@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "common/base/clock.h"
+#include "server/live/successors.h"
 #include "server/process/device_watch.h"
 #include "server/rpc/server.h"
 
@@ -22,6 +23,8 @@ struct DaemonOptions {
   Clock clock = std::chrono::steady_clock::now;
   /// Work for every tick. `in_any_case`: a signal asks to read certificates and users again.
   std::function<void(bool in_any_case)> tend;
+  /// Called first when the server drains. Returns the servers that take its sessions. May be empty.
+  std::function<Successors()> find_successors;
 };
 
 /// Watches over a serving server until SIGTERM, SIGINT or a long time without use has drained it. A

@@ -1,6 +1,5 @@
 #include "server/main/journals.h"
 
-#include <algorithm>
 #include <iostream>
 #include <optional>
 
@@ -23,12 +22,6 @@ static Status warn_of_losses(const PgAddress& address, const ServerConfig& confi
   return Status::ok();
 }
 
-/// Others may have a server's sessions at the end of its lease. Two seconds before, it counts as
-/// stopped for too long; with a short lease, half of the lease.
-static PauseWatch::Nanoseconds pause_max(const LeaseTimes& times) {
-  return std::max<PauseWatch::Nanoseconds>(times.lease - std::chrono::seconds(2), times.lease / 2);
-}
-
 Result<OpenedJournal> open_journal_of(const ServerConfig& config, const DataFolder& folder) {
   OpenedJournal opened;
   if (config.journal.empty()) {
@@ -45,7 +38,8 @@ Result<OpenedJournal> open_journal_of(const ServerConfig& config, const DataFold
                          std::chrono::milliseconds(config.fleet_heartbeat_ms)};
   ASSIGN_OR_RETURN(opened.membership,
                    Membership::join(address, {config.fleet_name, config.fleet_advertise}, times));
-  opened.pauses = std::make_unique<PauseWatch>(pause_max(times));
+  opened.watch = std::make_unique<HoldWatch>(
+      times, [member = opened.membership.get()] { return member->lease_left(); });
   opened.shared->begin_life(opened.membership->first_life());
   return opened;
 }
@@ -84,6 +78,14 @@ std::jthread follow_fleet(const ServerConfig& config, const OpenedJournal& opene
              if (!fresh.is_ok()) spdlog::warn("the list of scans is old: {}", fresh.message());
              live.set_fleet(std::move(addresses));
            }});
+}
+
+Successors tell_fleet_of_drain(const OpenedJournal& opened) {
+  std::vector<Successors::Server> servers;
+  if (opened.membership)
+    for (const FleetServer& server : opened.membership->drain())
+      servers.push_back({server.place, server.bytes_free});
+  return Successors(std::move(servers));
 }
 
 /// A journal without a server.

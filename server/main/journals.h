@@ -6,8 +6,8 @@
 
 #include "common/base/status.h"
 #include "server/config/config.h"
+#include "server/fleet/hold_watch.h"
 #include "server/fleet/membership.h"
-#include "server/fleet/pause_watch.h"
 #include "server/journal/postgres_journal.h"
 #include "server/library/data_folder.h"
 #include "server/library/mesh_store.h"
@@ -18,8 +18,8 @@ namespace burnish {
 
 /// A journal, and this server's place among those that share it.
 struct OpenedJournal {
-  std::unique_ptr<PauseWatch> pauses;      ///< null for a server that is alone
-  std::unique_ptr<Membership> membership;  ///< likewise; ends after the journal
+  std::unique_ptr<Membership> membership;  ///< null for a server that is alone; outlives the journal
+  std::unique_ptr<HoldWatch> watch;        ///< likewise
   std::unique_ptr<Journal> journal;
   PostgresJournal* shared = nullptr;  ///< the same journal; null for a file
 };
@@ -35,6 +35,10 @@ Status share_scans(const ServerConfig& config, const OpenedJournal& opened, Mesh
 /// the fleet, while the returned thread lives.
 [[nodiscard]] std::jthread follow_fleet(const ServerConfig& config, const OpenedJournal& opened,
                                         SessionManager& sessions, LiveSessions& live);
+
+/// Tells the fleet that this server drains. Returns the servers that take its sessions; nothing for a
+/// server that is alone.
+Successors tell_fleet_of_drain(const OpenedJournal& opened);
 
 /// Copies a journal, and says how much it was. Each name is a data folder, which is locked
 /// meanwhile, or the URI of a database. Fails: as copy_journal() and the journals say.

@@ -160,8 +160,8 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   RETURN_IF_ERROR(share_scans(config, journal, store));
   ASSIGN_OR_RETURN(const auto sessions, SessionManager::create(*folder, store, *journal.journal,
                                                                session_options(config)));
-  if (journal.pauses)
-    sessions->set_pause_check([watch = journal.pauses.get()] { return watch->was_paused(); });
+  if (journal.watch)
+    sessions->set_hold_check([watch = journal.watch.get()] { return watch->check(); });
   LiveSessions live(*sessions, kSolverThreads);
   Lanes lanes(lane_limits(config));
   ASSIGN_OR_RETURN(const auto server,
@@ -184,13 +184,14 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   options.drain_time = std::chrono::seconds(config.drain_seconds);
   options.idle_max = std::chrono::seconds(config.idle_exit_seconds);
   options.tend = [&](bool in_any_case) {
-    sessions->look_for_pause();
+    (void)sessions->check_hold();
     live.end_unwelcome();
     if (config.idle_spill_seconds > 0)
       sessions->spill_idle(std::chrono::seconds(config.idle_spill_seconds));
     reload(files.certificates.get(), in_any_case, "certificates");
     reload(files.users.get(), in_any_case, "users");
   };
+  options.find_successors = [&] { return tell_fleet_of_drain(journal); };
   const Status status = watch_over(*server, device, signals, options);
   if (!status.is_ok()) end_at_once(status);
   set_metrics(nullptr);

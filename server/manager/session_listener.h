@@ -25,6 +25,10 @@ class SessionListener {
   /// must come back, and send again what is not answered.
   virtual void on_session_lost(const std::string& id, const Status& why) = 0;
 
+  /// Another server may have the session: everybody must leave at once, and send there what is not
+  /// answered. `why` names the server if it is known.
+  virtual void on_session_moved(const std::string& id, const Status& why) = 0;
+
   /// Returns the bytes held for the session's clients.
   virtual uint64_t client_bytes(const std::string& id) const = 0;
 };

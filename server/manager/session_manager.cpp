@@ -74,7 +74,7 @@ Result<SessionManager::Held> SessionManager::lock(std::shared_ptr<SessionEntry> 
 
 Result<SessionManager::Held> SessionManager::lock(const std::string& reference,
                                                   const Progress& progress) {
-  look_for_pause();
+  RETURN_IF_ERROR(check_hold());
   std::shared_ptr<SessionEntry> entry = find(reference);
   if (!entry && journal_.is_shared()) {
     refresh();

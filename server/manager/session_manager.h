@@ -147,14 +147,17 @@ class SessionManager {
   /// journal of this server alone.
   void refresh();
 
-  /// Sends everybody out of the sessions in memory, to come back: another server may have them.
+  /// Sends everybody out of the sessions in memory at once: another server may have them.
   void let_go(const Status& why);
 
-  /// Sets a function that says whether the whole server stood still for so long that others may
-  /// have its sessions. If so, all are let go before anybody sees them. Needs: one call, before
-  /// others; it outlives the manager.
-  void set_pause_check(std::function<bool()> was_paused) { was_paused_ = std::move(was_paused); }
-  void look_for_pause();
+  /// Sets a function that fails while others may have this server's sessions. All are let go then
+  /// before anybody sees them, and none is used. Needs: one call, before others; it outlives the
+  /// manager.
+  void set_hold_check(std::function<Status()> may_hold) { may_hold_ = std::move(may_hold); }
+
+  /// Asks that function. Call it often: a session may be shown while nobody uses it. Fails: as it
+  /// does.
+  Status check_hold();
 
   /// Unloads sessions that nobody is in and nobody has used for `idle_time`.
   void spill_idle(std::chrono::seconds idle_time);
@@ -236,7 +239,8 @@ class SessionManager {
   Quota by_user_;
   const std::shared_ptr<ListenerSlot> listener_ = std::make_shared<ListenerSlot>();
   std::atomic<bool> ending_{false};
-  std::function<bool()> was_paused_;
+  std::function<Status()> may_hold_;
+  std::atomic<bool> has_let_go_{false};  // since may_hold_ fails
 
   mutable std::mutex mutex_;  // the maps; not held while a session works or a disk writes
   std::map<std::string, std::shared_ptr<SessionEntry>> sessions_;  // by id

@@ -68,7 +68,11 @@ static Status fall_back(SessionEntry& entry, uint64_t first, const WriteOutcome&
     return outcome.status();
   }
   const Status why = WriteOutcome::unknown(outcome.why()).status();
-  if (is_first_doubt) listener.tell([&](SessionListener& to) { to.on_session_lost(id, why); });
+  if (is_first_doubt)
+    listener.tell([&](SessionListener& to) {
+      const bool has_moved = !outcome.why().moved_to().empty();
+      has_moved ? to.on_session_moved(id, outcome.why()) : to.on_session_lost(id, why);
+    });
   return why;
 }
 
@@ -108,13 +112,25 @@ Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEn
   return outcome;
 }
 
+/// Waits for the outcome of a write, or until this server has let go of the session.
+static Status outcome_of(std::future<Status> written, const SessionEntry& entry) {
+  static constexpr auto kLook = std::chrono::milliseconds(100);
+  while (written.wait_for(kLook) != std::future_status::ready)
+    if (entry.is_in_doubt)
+      return unavailable("the server let go of the session before the edits were on disk; send "
+                         "them again");
+  return written.get();
+}
+
 Result<ApplyOutcome> SessionManager::apply(const std::string& reference, const Caller& caller,
                                            std::span<const Edit> edits, const Progress& progress) {
   const auto written = std::make_shared<std::promise<Status>>();
+  ASSIGN_OR_RETURN(Held held, use(reference, caller, progress));
   ASSIGN_OR_RETURN(const ApplyOutcome outcome,
-                   submit(reference, caller, edits, progress,
-                          [written](const Status& status) { written->set_value(status); }));
-  RETURN_IF_ERROR(written->get_future().get());
+                   submit_held(held.entry, caller, edits,
+                               [written](const Status& status) { written->set_value(status); }));
+  held.lock.unlock();
+  RETURN_IF_ERROR(outcome_of(written->get_future(), *held.entry));
   return outcome;
 }
 

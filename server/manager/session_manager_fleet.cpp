@@ -37,10 +37,14 @@ Status SessionManager::elsewhere(const SessionEntry& entry, const Status& why) {
                        why.message() + "; server " + (*place)->node + " has more room");
 }
 
-void SessionManager::look_for_pause() {
-  if (!was_paused_ || !was_paused_()) return;
-  spdlog::warn("fleet: this server stood still for too long; it lets go of all sessions");
-  let_go(unavailable("the server stood still for too long; come back"));
+Status SessionManager::check_hold() {
+  if (!may_hold_) return Status::ok();
+  const Status status = may_hold_();
+  const bool had_let_go = has_let_go_.exchange(!status.is_ok());
+  if (status.is_ok() || had_let_go) return status;
+  spdlog::warn("fleet: {}; it lets go of all sessions", status.message());
+  let_go(status);
+  return status;
 }
 
 using RecordsById = std::map<std::string, const SessionRecord*>;
@@ -89,7 +93,7 @@ void SessionManager::let_go(const Status& why) {
   for (const auto& entry : gone) {
     entry->is_in_doubt = true;
     entry->ahead_of_journal = true;
-    listener_->tell([&](SessionListener& to) { to.on_session_lost(entry->record.id, why); });
+    listener_->tell([&](SessionListener& to) { to.on_session_moved(entry->record.id, why); });
   }
 }
 

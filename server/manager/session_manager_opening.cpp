@@ -88,6 +88,7 @@ Result<SessionManager::Reserved> SessionManager::find_or_reserve(const SessionWi
 Result<OpenedSession> SessionManager::open(const SessionWish& wish, const Caller& caller,
                                            const Progress& progress) {
   RETURN_IF_ERROR(check_is_no_id(wish.name));
+  RETURN_IF_ERROR(check_hold());
   refresh();
   for (;;) {
     ASSIGN_OR_RETURN(Reserved reserved, find_or_reserve(wish, caller));

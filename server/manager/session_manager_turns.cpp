@@ -38,7 +38,7 @@ Result<SessionManager::Attached> SessionManager::attach(const std::string& refer
 
 Result<std::optional<SessionTurn>> SessionManager::try_turn(
     const std::shared_ptr<SessionEntry>& entry, FairMutex::Place& place) {
-  look_for_pause();
+  RETURN_IF_ERROR(check_hold());
   if (!place.take()) return std::optional<SessionTurn>();
   std::unique_lock lock(entry->mutex, std::adopt_lock);
   if (entry->deleted) return not_found("session " + entry->record.name + " was deleted");

@@ -216,10 +216,10 @@ uint64_t Server::take_cut_off_calls() {
   return state_->cut_off.add(state_->counts->arrived - started);
 }
 
-void Server::drain(milliseconds time) {
+void Server::drain(milliseconds time, Successors successors) {
   set_serving(false);
   state_->guard->close();
-  state_->live.drain();
+  state_->live.drain(std::move(successors));
   if (state_->web) state_->web->leave();
   // Probes still get an answer meanwhile: NOT_SERVING.
   const auto deadline = steady_clock::now() + time;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/base/status.h"
+#include "server/live/successors.h"
 #include "server/rpc/connection_acceptor.h"
 #include "server/trust/certificates.h"
 #include "server/trust/reloaded.h"
@@ -70,7 +71,7 @@ class Server {
 
   /// Reports NOT_SERVING and admits no call. Lets running calls end for `time`, cancels the rest
   /// and returns when they have ended.
-  void drain(std::chrono::milliseconds time);
+  void drain(std::chrono::milliseconds time, Successors successors = {});
 
  private:
   struct State;

@@ -37,7 +37,7 @@ def words_of(expression):
 class Kits(unittest.TestCase):
     def test_configurations_have_only_keys_that_the_server_knows(self):
         known = keys_of(tomllib.loads(text_of("server.example.toml")))
-        for name in ("compose/fleet.toml", "kubernetes/server.toml"):
+        for name in ("compose/fleet.toml", "fleet.example.toml", "kubernetes/server.toml"):
             used = keys_of(tomllib.loads(text_of(name)))
             self.assertEqual(used - known, set(), name)
 

@@ -63,7 +63,8 @@ class Packages(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
             debian = pathlib.Path(folder) / "debian"
             shutil.copytree(PACKAGES / "debian", debian)
-            (debian / "burnish-server.service").write_text("[Unit]\n", encoding="utf-8")
+            for unit in ("burnish-server.service", "burnish-server@.service"):
+                (debian / unit).write_text("[Unit]\n", encoding="utf-8")
             output_of(PACKAGES / "cuda_flavour", debian)
             control = (debian / "control").read_text(encoding="utf-8")
             self.assertEqual(re.findall(r"^Package: (.*)", control, re.M), ["burnish-server-cuda"])
@@ -72,9 +73,12 @@ class Packages(unittest.TestCase):
                 self.assertRegex(control, rf"(?m)^{re.escape(line)}$")
             names = {path.name for path in debian.iterdir()}
             self.assertLessEqual({"burnish-server-cuda.burnish-server.service",
+                                  "burnish-server-cuda@.burnish-server.service",
+                                  "burnish-server-cuda.prerm",
                                   "burnish-server-cuda.install"}, names)
             self.assertFalse([name for name in names
-                              if name.startswith(("burnish.", "burnish-server.", "python3"))])
+                              if name.startswith(("burnish.", "burnish-server.", "burnish-server@",
+                                                  "python3"))])
             self.assertIn("dh_installsystemd --name=burnish-server",
                           (debian / "rules").read_text(encoding="utf-8"))
 

@@ -11,6 +11,7 @@
 #include "client/connection/session_link.h"
 #include "tests/server/postgres/postgres_cluster.h"
 #include "tests/system/fetched_pages.h"
+#include "tests/system/live_stream.h"
 #include "tests/system/server_process.h"
 
 namespace burnish {
@@ -23,7 +24,7 @@ using testing::HasSubstr;
 /// first one has.
 class FleetMoves : public testing::Test {
  protected:
-  FleetMoves() {
+  explicit FleetMoves(int lease_ms = 1500) : lease_ms_(lease_ms) {
     for (const char* name : {"one", "two"}) {
       write_config(name, "");
       servers_[name] =
@@ -45,7 +46,7 @@ class FleetMoves : public testing::Test {
   void write_config(const std::string& name, const std::string& advertise) {
     std::ofstream file(config_of(name));
     file << "journal = \"" << uri_ << "\"\n[fleet]\nname = \"" << name
-         << "\"\nlease_ms = 1500\nheartbeat_ms = 300\n";
+         << "\"\nlease_ms = " << lease_ms_ << "\nheartbeat_ms = 300\n";
     if (!advertise.empty()) file << "advertise = \"" << advertise << "\"\n";
   }
 
@@ -77,6 +78,7 @@ class FleetMoves : public testing::Test {
     return false;
   }
 
+  const int lease_ms_;
   PostgresCluster cluster_{"fsync=off"};
   const std::string uri_ = cluster_.make_database();
   const TemporaryFolder folder_;
@@ -147,6 +149,32 @@ TEST_F(FleetMoves, ADrainedServerSendsItsLiveClientsToAnother) {
   ASSERT_TRUE(link.apply({Edit{"after", SetGradientScale{3}}}).is_ok());
   EXPECT_TRUE(link.wait_until_acknowledged(kPatience));
   EXPECT_EQ(one().process->wait(kPatience), 0);
+  EXPECT_THAT(history_at(two()), testing::ElementsAre("before", "after"));
+}
+
+/// Nobody's lease ends while a test runs.
+class FleetOfLongLeases : public FleetMoves {
+ protected:
+  FleetOfLongLeases() : FleetMoves(600'000) {}
+};
+
+TEST_F(FleetOfLongLeases, ADrainingServerNamesTheOneThatTakesItsSessionAtOnce) {
+  LiveStream stream(grpc::CreateChannel(one().address, grpc::InsecureChannelCredentials()));
+  stream.greet("work");
+  stream.slide("before", 2);
+  stream.next(v1::ServerMessage::kAcknowledged);
+  one().process->signal(SIGTERM);
+  const v1::GoAway farewell = stream.next(v1::ServerMessage::kGoAway).go_away();
+  one().process->signal(SIGSTOP);  // it does not come to its end
+  EXPECT_EQ(farewell.code(), v1::GO_AWAY_CODE_GOING_DOWN);
+  EXPECT_TRUE(farewell.come_back());
+  EXPECT_EQ(farewell.moved().address(), two().address);
+  EXPECT_EQ(farewell.moved().node(), "two");
+  Connection connection = Connection::open(farewell.moved().address(), kPatience).value();
+  const Edit edit{"after", SetGradientScale{3}};
+  const auto applied = connection.apply("work", {&edit, 1});
+  EXPECT_TRUE(applied.is_ok()) << applied.status().message();
+  EXPECT_EQ(connection.server(), two().address);
   EXPECT_THAT(history_at(two()), testing::ElementsAre("before", "after"));
 }
 

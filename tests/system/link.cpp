@@ -13,6 +13,7 @@
 #include <arpa/inet.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 
 #include "common/base/check.h"
 
@@ -29,6 +30,28 @@ sockaddr_in loopback(int port) {
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   address.sin_port = htons(static_cast<uint16_t>(port));
   return address;
+}
+
+struct Target {
+  union {
+    sockaddr any;
+    sockaddr_in port;
+    sockaddr_un path;
+  } address = {};
+  socklen_t size = sizeof(sockaddr_in);
+};
+
+Target target_of(const std::string& text) {
+  Target target;
+  if (text.front() != '/') {
+    target.address.port = loopback(std::stoi(text.substr(text.rfind(':') + 1)));
+    return target;
+  }
+  target.address.path.sun_family = AF_UNIX;
+  target.size = sizeof(sockaddr_un);
+  BURNISH_CHECK(text.size() < sizeof(target.address.path.sun_path), text);
+  text.copy(target.address.path.sun_path, text.size());
+  return target;
 }
 
 void prepare(int socket) {
@@ -116,8 +139,8 @@ struct Ends {
 
 class Link::Traffic {
  public:
-  Traffic(int listener, int target_port, const LinkOptions& options)
-      : listener_(listener), target_port_(target_port), up_(options), down_(options) {
+  Traffic(int listener, const Target& target, const LinkOptions& options)
+      : listener_(listener), target_(target), up_(options), down_(options) {
     thread_ = std::thread([this] {
       while (!stopping_) pass_on();
     });
@@ -172,9 +195,8 @@ class Link::Traffic {
   void accept_new() {
     const int client = accept(listener_, nullptr, nullptr);
     if (client < 0) return;
-    const int server = socket(AF_INET, SOCK_STREAM, 0);
-    const sockaddr_in address = loopback(target_port_);
-    if (connect(server, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0) {
+    const int server = socket(target_.address.any.sa_family, SOCK_STREAM, 0);
+    if (connect(server, &target_.address.any, target_.size) != 0) {
       close(server);
       close(client);
       return;
@@ -193,7 +215,7 @@ class Link::Traffic {
   }
 
   const int listener_;
-  const int target_port_;
+  const Target target_;
   Way up_, down_;
   std::list<Ends> connections_;
   std::atomic<bool> stopping_{false};
@@ -211,8 +233,7 @@ Link::Link(const std::string& target, const LinkOptions& options) {
                     getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size) == 0,
                 "a link has a port of its own");
   address_ = "127.0.0.1:" + std::to_string(ntohs(address.sin_port));
-  traffic_ =
-      std::make_unique<Traffic>(listener, std::stoi(target.substr(target.rfind(':') + 1)), options);
+  traffic_ = std::make_unique<Traffic>(listener, target_of(target), options);
 }
 
 Link::~Link() = default;

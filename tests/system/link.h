@@ -13,7 +13,7 @@ struct LinkOptions {
 };
 
 /// A slow network in this process. It takes connections on a loopback port and passes bytes to
-/// `target` (HOST:PORT, IPv4) and back, with limited speed and a delay. As in a router, waiting
+/// `target` (HOST:PORT of this machine, or the path of a Unix socket) and back, with limited speed and a delay. As in a router, waiting
 /// bytes are bounded, so a full link slows its senders.
 class Link {
  public:

@@ -94,5 +94,5 @@ class Calls:
             try:
                 return work(*arguments)
             except Moved as moved:
-                self.editing.follow(moved)
+                self.editing.follow(moved.place)
         return work(*arguments)

@@ -57,10 +57,10 @@ class Route:
             return getattr(stub, name)(request, metadata=metadata, **options)
         return call
 
-    def follow(self, moved: Moved) -> None:
+    def follow(self, place: editing_pb2.Moved) -> None:
         """Goes to the server that has the session. Without an address it is behind the same proxy."""
         with self._lock:
-            self._go(moved.place.address or self._address, moved.place.node)
+            self._go(place.address or self._address, place.node)
 
     def learn(self, fleet: list[str]) -> None:
         """Takes the addresses of all servers of the fleet."""

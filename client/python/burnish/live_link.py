@@ -16,6 +16,7 @@ from .live_stream import LiveStream
 from .surface import Surface
 
 UNAVAILABLE = 14
+LOST = (editing_pb2.GO_AWAY_CODE_GOING_DOWN, editing_pb2.GO_AWAY_CODE_NOT_OWNER)
 
 
 class Batch:
@@ -135,6 +136,7 @@ class LiveLink:
             for message in stream.messages():
                 self._take(stream, message)
                 if message.HasField("go_away"):
+                    self._go_elsewhere(message.go_away)
                     break
         except Unavailable:
             if self._closing or self._stream is stream:
@@ -165,6 +167,15 @@ class LiveLink:
             elif kind == "heartbeat":
                 self.heartbeats += 1
             self.changed.notify_all()
+
+    def _go_elsewhere(self, go_away: editing_pb2.GoAway) -> None:
+        """Turns to the server that the old one named, or to another one if it lost the session."""
+        if go_away.fleet:
+            self._calls.editing.learn(list(go_away.fleet))
+        if go_away.HasField("moved"):
+            self._calls.editing.follow(go_away.moved)
+        elif go_away.code in LOST:
+            self._calls.editing.give_up()
 
     def _begin(self, stream: LiveStream, welcome: editing_pb2.Welcome) -> None:
         """Shows the pages, and sends again what was not answered."""

@@ -244,14 +244,38 @@ TEST_F(Conversations, AnotherServerOfTheFleetIsTriedWhenOneIsGone) {
   EXPECT_EQ(route_->address(), "two:7411");
 }
 
-TEST_F(Conversations, AServerThatEndsIsLeftForAnotherOfTheFleet) {
-  talk_.begin();
+TEST_F(Conversations, AServerWithoutTheSessionIsLeftForAnotherOfTheFleet) {
   Welcome greeted = welcome();
   greeted.fleet = {"scanner:7411", "two:7411"};
+  const char* next = "two:7411";
+  for (const auto code : {FarewellCode::kGoingDown, FarewellCode::kNotOwner}) {
+    talk_.begin();
+    hear(greeted);
+    hear(Farewell{code, "the server ends", true});
+    EXPECT_TRUE(talk_.end(Status::ok()));
+    EXPECT_EQ(route_->address(), std::exchange(next, "scanner:7411"));
+  }
+  talk_.begin();
   hear(greeted);
-  hear(Farewell{FarewellCode::kGoingDown, "the server ends", true});
+  hear(Farewell{FarewellCode::kNotOwner, "no database", true, std::nullopt, {"three:7411"}});
   EXPECT_TRUE(talk_.end(Status::ok()));
-  EXPECT_EQ(route_->address(), "two:7411");
+  EXPECT_EQ(route_->address(), "three:7411") << "it has joined the fleet since";
+}
+
+TEST_F(Conversations, AFarewellThatNamesAnotherServerLeadsThereAtOnceWithTheEdits) {
+  talk_.begin();
+  hear(welcome());
+  ASSERT_TRUE(talk_.apply(slider("one")).is_ok());
+  say();
+  hear(Farewell{FarewellCode::kGoingDown, "the server ends", true,
+                ServerPlace{"three:7411", "three"}});
+  EXPECT_TRUE(talk_.must_leave());
+  const auto wait = talk_.end(Status::ok());
+  ASSERT_TRUE(wait);
+  EXPECT_EQ(*wait, milliseconds(0));
+  EXPECT_EQ(route_->place(), (ServerPlace{"three:7411", "three"}));
+  talk_.begin();
+  EXPECT_EQ(of_kind<ApplyEdits>(say()).size(), 1u);
 }
 
 TEST_F(Conversations, NoMemoryForThePagesIsCounted) {

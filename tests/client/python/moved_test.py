@@ -1,19 +1,25 @@
 """Sessions that move to another server: the package follows them. The servers here only refuse and answer."""
 
 import concurrent.futures
+import threading
+import types
 import unittest
 
 import grpc
 
 import burnish
+from burnish._calls import Calls
+from burnish._channel import Trust
+from burnish.live_link import LOST, LiveLink
 from burnish.v1 import editing_pb2, editing_pb2_grpc, library_pb2, library_pb2_grpc
 
 
 class Server(editing_pb2_grpc.EditingServicer, library_pb2_grpc.LibraryServicer):
     """Sends callers elsewhere, or answers them. Notes the header of each call."""
 
-    def __init__(self, moved=None):
-        self.moved, self.nodes = moved, []
+    def __init__(self, moved=None, farewells=()):
+        self.moved, self.nodes, self.farewells = moved, [], list(farewells)
+        self.welcome, self.has_guest = editing_pb2.Welcome(), threading.Event()
         self._server = grpc.server(concurrent.futures.ThreadPoolExecutor(2))
         editing_pb2_grpc.add_EditingServicer_to_server(self, self._server)
         library_pb2_grpc.add_LibraryServicer_to_server(self, self._server)
@@ -33,6 +39,18 @@ class Server(editing_pb2_grpc.EditingServicer, library_pb2_grpc.LibraryServicer)
             context.abort(grpc.StatusCode.FAILED_PRECONDITION, "server two holds the session")
         return editing_pb2.SessionState(
             session=editing_pb2.SessionInfo(id="0123456789abcdef", name=request.session))
+
+    def Edit(self, requests, context):
+        """Welcomes a client, and says the next farewell; after the last one the client may stay."""
+        self.nodes.append(dict(context.invocation_metadata()).get("x-burnish-node", ""))
+        yield editing_pb2.ServerMessage(welcome=self.welcome)
+        if self.farewells:
+            yield editing_pb2.ServerMessage(go_away=self.farewells.pop(0))
+        else:
+            self.has_guest.set()
+            context.add_callback(self.has_guest.clear)
+            for _ in requests:
+                pass
 
 
 class MovedTest(unittest.TestCase):
@@ -57,6 +75,44 @@ class MovedTest(unittest.TestCase):
         with self.assertRaisesRegex(burnish.FailedPrecondition, "server two"):
             self.session_at(edge)
         self.assertEqual(edge.nodes, [""] + 5 * ["two"])
+
+
+class FarewellTest(unittest.TestCase):
+    """A live client of a server that says farewell. Others of its fleet let the client stay."""
+
+    def server(self, **facts):
+        server = Server(**facts)
+        self.addCleanup(server.close)
+        return server
+
+    def expect_way(self, farewell, there):
+        """Fails unless the client greets `there` after one farewell of its server."""
+        one = self.server(farewells=[farewell])
+        one.welcome = editing_pb2.Welcome(fleet=[one.address, self.next.address])
+        calls = Calls(one.address, Trust("ann"), patience=30)
+        self.addCleanup(calls.close)
+        surface = types.SimpleNamespace(numbers=[], decoder=lambda: None,
+                                        head=types.SimpleNamespace(fingerprint=0))
+        link = LiveLink(calls, "work", lambda: surface, heartbeat_seconds=5)
+        self.addCleanup(link.close)
+        self.assertTrue(there.has_guest.wait(60))
+        self.assertEqual(one.nodes, [""])
+
+    def test_a_named_server_is_greeted(self):
+        self.next, named = self.server(), self.server()
+        place = editing_pb2.Moved(address=named.address, node="three")
+        self.expect_way(editing_pb2.GoAway(come_back=True, moved=place), named)
+        self.assertEqual(named.nodes, ["three"])
+
+    def test_a_server_that_lost_the_session_is_left_for_the_next_one(self):
+        for code in LOST:
+            self.next = self.server()
+            self.expect_way(editing_pb2.GoAway(come_back=True, code=code), self.next)
+
+    def test_the_farewell_knows_the_servers_that_joined_the_fleet_later(self):
+        self.next, joined = self.server(), self.server()
+        farewell = editing_pb2.GoAway(come_back=True, code=LOST[0], fleet=[joined.address])
+        self.expect_way(farewell, joined)
 
 
 if __name__ == "__main__":

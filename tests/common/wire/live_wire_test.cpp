@@ -94,8 +94,18 @@ TEST(LiveWire, EveryMessageOfTheServerComesBackUnchanged) {
       3, 0.5, curve(), {true, 0.25, true}, {{{0.5, 2}}}, {{{"letters", 0xd04040, curve()}}}});
   expect_unchanged<ServerMessage>(people);
   expect_unchanged<ServerMessage>(Heartbeat{123456789});
-  for (int code = 1; code <= static_cast<int>(FarewellCode::kFailed); ++code)
-    expect_unchanged<ServerMessage>(Farewell{static_cast<FarewellCode>(code), "so", true});
+  for (int code = 1; code <= static_cast<int>(FarewellCode::kNotOwner); ++code)
+    expect_unchanged<ServerMessage>(Farewell{static_cast<FarewellCode>(code), "so", true,
+                                             ServerPlace{"two:7411", "two"}, {"b:7411"}});
+}
+
+TEST(LiveWire, AFarewellNamesTheServerBehindAProxyOrNone) {
+  const auto place_after = [](const Farewell& farewell) {
+    return std::get<Farewell>(returned(farewell)).moved_to;
+  };
+  const ServerPlace behind_a_proxy{"", "two"};
+  EXPECT_EQ(place_after({FarewellCode::kGoingDown, "so", true, behind_a_proxy}), behind_a_proxy);
+  EXPECT_EQ(place_after({FarewellCode::kGoingDown, "so", true}), std::nullopt);
 }
 
 TEST(LiveWire, ACodeOfANewerServersFarewellIsUnknown) {

@@ -150,6 +150,62 @@ TEST_F(MembershipTest, TheServerWithTheMostRoomIsKnownByItsHeartbeats) {
   EXPECT_FALSE(two.journal->roomier_server(100).value()) << "the others have less";
 }
 
+TEST_F(MembershipTest, ADrainingServerGetsNoSessionAndGivesItsOwnToWhoeverAsks) {
+  one_->load = {"cpu", 1000, 0, 1};
+  one_->start();
+  Member two(address_, folder_.path(), "two");
+  two.load = {"cpu", 1000, 300, 1};
+  two.start();
+  EXPECT_TRUE(Member::until([&] {
+    const auto place = two.journal->roomier_server(100).value();
+    return place && place->node == "one" && one_->journal->roomier_server(100).value();
+  }));
+  EXPECT_FALSE(two.journal->hold("id-a").is_ok());
+  const std::vector<FleetServer> others = one_->membership->drain();
+  ASSERT_EQ(others.size(), 1u);
+  EXPECT_EQ(others[0].place, (ServerPlace{"two.lab:7411", "two"}));
+  EXPECT_EQ(others[0].bytes_free, 700u);
+  EXPECT_FALSE(two.journal->roomier_server(100).value());
+  EXPECT_TRUE(Member::until([&] { return two.fleet_size == 1; })) << "clients are not sent there";
+  EXPECT_TRUE(two.membership->drain().empty()) << "a draining server takes nobody's sessions";
+  EXPECT_TRUE(two.journal->hold("id-a").is_ok());
+  const WriteOutcome late = one_->append(2);
+  EXPECT_EQ(late.end(), End::kUnknown);
+  EXPECT_EQ(one_->journal->hold("id-a").is_ok(), true) << "two drains as well";
+}
+
+TEST_F(MembershipTest, AnEditThatComesTooLateIsSentWhereTheSessionIs) {
+  one_->start();
+  Member two(address_, folder_.path(), "two");
+  two.start();
+  one_->membership->drain();
+  ASSERT_TRUE(two.journal->hold("id-a").is_ok());
+  EXPECT_EQ(ServerPlace::of(one_->append(2).why().moved_to()),
+            (ServerPlace{"two.lab:7411", "two"}));
+}
+
+TEST_F(MembershipTest, ADrainingServerWhoseLifeWasEndedDrainsOn) {
+  one_->start();
+  one_->membership->drain();
+  sql("DELETE FROM nodes");
+  EXPECT_TRUE(Member::until([&] { return one_->lives == 2; }));
+  PgConnection database = PgConnection::open(address_, {}, "test").value();
+  std::string draining;
+  EXPECT_TRUE(Member::until([&] {
+    const PgReply row = database.run({"SELECT draining::text FROM nodes", {}}).value();
+    if (row.rows() > 0) draining = row.bytes(0, 0);
+    return row.rows() > 0;
+  }));
+  EXPECT_EQ(draining, "true");
+}
+
+TEST_F(MembershipTest, ADrainEndsWithoutTheDatabaseToo) {
+  one_->start();
+  EXPECT_TRUE(Member::until([this] { return one_->beats > 0; }));
+  cluster_.kill();
+  EXPECT_TRUE(one_->membership->drain().empty());
+}
+
 TEST_F(MembershipTest, ALeaseLastsFromTheLastHeartbeat) {
   one_->start();
   EXPECT_TRUE(Member::until([this] { return one_->beats > 2; }));

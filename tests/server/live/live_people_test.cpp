@@ -78,6 +78,55 @@ TEST_F(LivePeople, ADrainingServerLetsNobodyIn) {
   EXPECT_EQ(live_->join({"work"}, "bob", {}, {}).status().code(), StatusCode::kUnavailable);
 }
 
+TEST_F(LivePeople, ADrainingServerNamesTheOneThatTakesTheSession) {
+  auto ann = guest(), bob = guest("bob");
+  live_->drain(Successors({{{"two:7411", "two"}, 1}, {{"three:7411", "three"}, 2}}));
+  for (LiveGuest* one : {&ann, &bob}) {
+    one->run();
+    EXPECT_EQ(one->all<Farewell>()[0].moved_to, (ServerPlace{"three:7411", "three"}));
+  }
+}
+
+TEST_F(LivePeople, ASessionThatHasMovedIsLeftAtOnceAndItsEditsGetNoAnswer) {
+  auto ann = guest();
+  ASSERT_TRUE(ann.subscriber().expect_answer(1));  // the journal waits for its database
+  ann.edit({{"a", SetGradientScale{0.5}}});
+  live_->set_fleet({"one:7411", "two:7411"});
+  live_->on_session_moved(ann.welcome.session.id, Status::moved("two@two:7411", "two has it"));
+  ann.run();
+  ASSERT_EQ(ann.all<Farewell>().size(), 1u);
+  EXPECT_EQ(ann.all<Farewell>()[0].code, FarewellCode::kNotOwner);
+  EXPECT_TRUE(ann.all<Farewell>()[0].come_back);
+  EXPECT_EQ(ann.all<Farewell>()[0].moved_to, (ServerPlace{"two:7411", "two"}));
+  EXPECT_EQ(ann.all<Farewell>()[0].fleet, (std::vector<std::string>{"one:7411", "two:7411"}));
+  EXPECT_TRUE(ann.finished);
+  ann.subscriber().acknowledge({{"b"}, {}}, 1);
+  ann.run();
+  EXPECT_TRUE(ann.all<EditsAcknowledged>().empty());
+  EXPECT_TRUE(ann.all<EditsRefused>().empty());
+}
+
+TEST_F(LivePeople, AFarewellThatWaitsForAnswersGoesOutWhenTheSessionMoves) {
+  auto ann = guest();
+  ASSERT_TRUE(ann.subscriber().expect_answer(1));
+  live_->drain();
+  ann.run();
+  EXPECT_TRUE(ann.all<Farewell>().empty());
+  live_->on_session_moved(ann.welcome.session.id, unavailable("the lease is over"));
+  ann.run();
+  EXPECT_EQ(ann.all<Farewell>().size(), 1u);
+  EXPECT_TRUE(ann.finished);
+}
+
+TEST(Successors, EachSessionGoesWhereTheMostMemoryIsLeft) {
+  Successors successors({{{"two:7411", "two"}, 10}, {{"", "three"}, 12}});
+  EXPECT_EQ(successors.next(5)->node, "three");
+  EXPECT_EQ(successors.next(20)->node, "two");
+  EXPECT_EQ(successors.next(20)->node, "three");
+  EXPECT_TRUE(successors.next(1)) << "one without room names another one itself";
+  EXPECT_FALSE(Successors().next(1));
+}
+
 TEST_F(LivePeople, WhoIsSilentIsSentAwayAndWatchersMayBe) {
   auto ann = guest();
   auto eve = LiveGuest(*live_, *library_.store, {"work"}, "eve", {.may_be_silent = true});

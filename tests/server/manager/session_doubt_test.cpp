@@ -1,6 +1,8 @@
 // Nobody knows whether an edit is on disk: the session is replayed, and the client sends it again.
 
+#include <atomic>
 #include <future>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,9 +24,10 @@ class LostSessions final : public SessionListener {
   void on_session_changed(const std::string&) override {}
   void on_session_left(const std::string&, const Status&) override {}
   void on_session_lost(const std::string&, const Status& why) override { lost.push_back(why); }
+  void on_session_moved(const std::string&, const Status& why) override { moved.push_back(why); }
   uint64_t client_bytes(const std::string&) const override { return 0; }
 
-  std::vector<Status> lost;
+  std::vector<Status> lost, moved;
 };
 
 /// A session "one" with an edit "a".
@@ -103,6 +106,41 @@ TEST_F(SessionDoubtTest, EditsBehindOneInDoubtAreInDoubtToo) {
   EXPECT_EQ(first.get_future().get().code(), StatusCode::kUnavailable);
   EXPECT_EQ(second.get_future().get().code(), StatusCode::kUnavailable);
   EXPECT_EQ(listener_.lost.size(), 1u);
+}
+
+TEST_F(SessionDoubtTest, ACallDoesNotWaitForTheDiskOfASessionThatWasLetGo) {
+  std::promise<void> disk;
+  journal_.append(manager_->list()[0].id, 2, {},
+                  [&](const WriteOutcome&) { disk.get_future().wait(); });
+  auto waiting = std::async(std::launch::async, [this] { return apply("b", 2).status(); });
+  while (manager_->list()[0].edits < 2) std::this_thread::yield();
+  manager_->let_go(unavailable("the lease is over"));
+  EXPECT_EQ(waiting.get().code(), StatusCode::kUnavailable);
+  EXPECT_EQ(listener_.moved.size(), 1u);
+  disk.set_value();
+  const auto again = apply("b", 2);
+  ASSERT_TRUE(again.is_ok()) << again.status().message();
+  EXPECT_EQ(again->known, 1u);
+}
+
+TEST_F(SessionDoubtTest, NoSessionIsUsedWhileAnotherServerMayHaveIt) {
+  std::atomic<bool> is_lost{false};
+  manager_->set_hold_check(
+      [&] { return is_lost ? unavailable("the lease is over") : Status::ok(); });
+  EXPECT_TRUE(apply("b", 2).is_ok());
+  is_lost = true;
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_THAT(apply("c", 3).status().message(), HasSubstr("the lease is over"));
+    EXPECT_EQ(manager_->state("one", {}).status().code(), StatusCode::kUnavailable);
+    EXPECT_EQ(manager_->open({"ball", "two", {5, 0}}, "ann", {}).status().code(),
+              StatusCode::kUnavailable);
+    EXPECT_EQ(listener_.moved.size(), 1u) << "each is told once";
+  }
+  is_lost = false;
+  EXPECT_TRUE(apply("c", 3).is_ok());
+  is_lost = true;
+  EXPECT_FALSE(manager_->check_hold().is_ok());
+  EXPECT_EQ(listener_.moved.size(), 2u);
 }
 
 }  // namespace

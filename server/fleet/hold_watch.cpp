@@ -1,0 +1,26 @@
+#include "server/fleet/hold_watch.h"
+
+#include <algorithm>
+
+namespace burnish {
+
+/// Time between the stop and the lease's end: for the news to reach the clients.
+static std::chrono::milliseconds reserve_of(const LeaseTimes& times) {
+  return std::min<std::chrono::milliseconds>(std::chrono::seconds(2), times.lease / 2);
+}
+
+HoldWatch::HoldWatch(const LeaseTimes& times, LeaseLeft lease_left, PauseWatch::BootClock clock)
+    : reserve_(reserve_of(times)),
+      lease_left_(std::move(lease_left)),
+      pauses_(times.lease - reserve_of(times), std::move(clock)) {}
+
+Status HoldWatch::check() {
+  if (pauses_.was_paused())
+    return unavailable("the server stood still for too long; another one may have its sessions");
+  if (lease_left_() < reserve_)
+    return unavailable(
+        "the server does not reach the database; another one may have its sessions soon");
+  return Status::ok();
+}
+
+}  // namespace burnish
