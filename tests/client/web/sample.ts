@@ -111,6 +111,7 @@ export const session: Document = {
     rulerPoints: 2,
     ruler: [{ name: "distance", value: "12.1 mm" }],
   },
+  over: { lasso: [], ruler: [], rulerLength: "" },
   figures: [
     { name: "residual", value: "3.1e-07" },
     { name: "distance", value: "2.0e-05 of the diagonal" },

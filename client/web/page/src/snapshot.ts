@@ -201,6 +201,16 @@ export interface Numbers {
   ruler: Figure[];
 }
 
+/** Lines over the picture. Places are x, y, x, y, ... in pixels of the picture. */
+export interface Over {
+  /** The line that is being drawn. */
+  lasso: number[];
+  /** The ruler's ends. */
+  ruler: number[];
+  /** Empty before the second end. */
+  rulerLength: string;
+}
+
 export interface DepthChoice {
   depth: number;
   text: string;
@@ -256,6 +266,7 @@ export interface Document {
   light: Lighting;
   scale: ColourScale | null;
   numbers: Numbers;
+  over: Over;
   /** Figures of frames and link, in the order of the window. */
   figures: Figure[];
 }

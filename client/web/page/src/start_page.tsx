@@ -41,6 +41,9 @@ function Server({ library }: { library: Library }) {
     connected: `connected to ${library.server}`,
     failed: library.problem,
   }[library.state];
+  // The form stays while its words are tried.
+  const [asks, setAsks] = useState(false);
+  if (library.wantsToken !== asks && library.state !== "connecting") setAsks(library.wantsToken);
   const tone = { unconnected: "faint", connecting: "busy", connected: "good", failed: "bad" }[library.state];
   return (
     <section aria-label="Server">
@@ -48,7 +51,7 @@ function Server({ library }: { library: Library }) {
       <p class={tone} role="status">
         {text}
       </p>
-      {library.wantsToken && <ConnectForm />}
+      {(library.wantsToken || asks) && <ConnectForm />}
       {library.state === "failed" && !library.wantsToken && (
         <Button label="Try again" onClick={() => link.send(command.refresh())} />
       )}
