@@ -59,7 +59,11 @@ core_folder(client/pages)
 core_folder(client/live)
 core_folder(client/tools EXCEPT own_presets)
 core_folder(client/surface EXCEPT page_desk_thread)
-core_folder(client/report ONLY depth_text length_text time_text)
+core_folder(client/report ONLY depth_text deviation_json length_text processing_record record_json
+  record_page time_text)
+file(STRINGS ${root}/CMakeLists.txt project REGEX "^project\\(burnish VERSION")
+string(REGEX MATCH "[0-9.]+" BURNISH_VERSION "${project}")
+target_compile_definitions(client_report PRIVATE BURNISH_VERSION="${BURNISH_VERSION}")
 core_folder(client/connection ONLY call_status connection edit_calls export_call
   history_calls import_call measure_calls page_calls page_value_calls rename_calls)
 core_folder(client/model EXCEPT beside connection_form detached_program file_browser file_list

@@ -152,7 +152,8 @@ export const command = {
   depth: (depth: number) => words("depth", depth),
   cancelActivity: (activity: number) => words("activity cancel", activity),
   dismiss: (message: number) => words("message dismiss", message),
-  exportMesh: (file: string, exact: boolean) => words("export", file.trim().replace(/\s+/g, "-"), ...(exact ? ["exact"] : [])),
+  exportMesh: (file: string, exact: boolean, record: boolean) =>
+    words("export", file.trim().replace(/\s+/g, "-"), ...(exact ? ["exact"] : []), ...(record ? ["record"] : [])),
   picture: (file: string) => words("picture", file.trim().replace(/\s+/g, "-")),
   record: (on: boolean) => (on ? "record start" : "record stop"),
   cancel: () => "cancel",

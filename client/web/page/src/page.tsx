@@ -98,7 +98,7 @@ export function Page({ link }: { link: EngineLink }) {
       <FileInput
         input={scriptFile}
         name="Script file"
-        accept=".burnish,.txt"
+        accept=".script,.burnish,.txt"
         onFile={(file) => link.post({ kind: "replay", file })}
       />
     </LinkContext.Provider>
