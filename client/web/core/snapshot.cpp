@@ -40,7 +40,7 @@ void write_session(const SessionInfo& session, const Preferences& preferences, J
   json.open().text("id", session.id).text("name", session.name).text("scan", session.scan_id);
   json.whole("edits", static_cast<int64_t>(session.edits)).whole("depth", session.key.depth);
   json.whole("begun", session.created_unix_seconds);
-  json.whole("shown", shown_at(preferences, session.id)).text("picture", "").close();
+  json.whole("shown", shown_at(preferences, session.id)).close();
 }
 
 void write_library(const Workspace& workspace, JsonWriter& json) {

@@ -15,8 +15,8 @@ export const library: Library = {
     { id: "b2", name: "portrait head", triangles: 1_204_000, closed: true, bytes: 98_000_000, imported: kNoon - 90_000, unit: "mm", defaultDepth: 9 },
   ],
   sessions: [
-    { id: "s1", name: "inscription", scan: "a1", edits: 12, depth: 8, begun: kNoon, shown: kNoon + 60, picture: "" },
-    { id: "s2", name: "a name that is much longer than the card on which it stands", scan: "b2", edits: 1, depth: 9, begun: kNoon, shown: kNoon, picture: "" },
+    { id: "s1", name: "inscription", scan: "a1", edits: 12, depth: 8, begun: kNoon, shown: kNoon + 60 },
+    { id: "s2", name: "a name that is much longer than the card on which it stands", scan: "b2", edits: 1, depth: 9, begun: kNoon, shown: kNoon },
   ],
 };
 

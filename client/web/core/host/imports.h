@@ -45,6 +45,9 @@ void host_store_set(const char* key, size_t key_bytes, const char* text, size_t 
 /// Returns the text's length; store_take() then writes it.
 size_t host_store_get(const char* key, size_t key_bytes) BURNISH_IMPORT(store_get);
 void host_store_take(char* to) BURNISH_IMPORT(store_take);
+/// Keeps a picture as the text of a key, some time later: the address of a file within itself.
+void host_picture_keep(const char* key, size_t key_bytes, const uint8_t* rgb, int width, int height)
+    BURNISH_IMPORT(picture_keep);
 
 #undef BURNISH_IMPORT
 

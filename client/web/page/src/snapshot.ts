@@ -46,8 +46,6 @@ export interface Session {
   begun: number;
   /** When this browser showed it last; 0: never. */
   shown: number;
-  /** Address of its last picture (blob: or data:). */
-  picture: string;
 }
 
 export interface Activity {

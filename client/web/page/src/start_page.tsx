@@ -4,7 +4,7 @@ import { useState } from "preact/hooks";
 import { command } from "./commands";
 import { useLink } from "./context";
 import { Button, Row } from "./controls";
-import { ScanList, SessionList } from "./library_lists";
+import { ScanList, SessionList, pictureOf } from "./library_lists";
 import type { Library, Session } from "./snapshot";
 import { dayOf } from "./words";
 
@@ -114,13 +114,14 @@ function Cards({ library }: { library: Library }) {
 
 function Card({ session }: { session: Session }) {
   const link = useLink();
+  const picture = pictureOf(link, session);
   return (
     <button
       class="card"
       aria-label={`Go on with ${session.name}`}
       onClick={() => link.send(command.joinSession(session.id))}
     >
-      {session.picture ? <img src={session.picture} alt="" /> : <div class="no-picture" />}
+      {picture ? <img src={picture} alt={`Picture of ${session.name}`} /> : <div class="no-picture" />}
       <span class="name">{session.name}</span>
       <span class="faint">{dayOf(session.shown)}</span>
     </button>
