@@ -75,6 +75,7 @@ class Engine {
   hear(message: Exclude<ToWorker, StartMessage>): void {
     if (message.kind === "connect") this.calls.setWho(message);
     if (message.kind === "visible") this.pictures.setVisible(message.is);
+    if (message.kind === "kept") return this.store.fill({ [message.key]: message.text });
     if (message.kind === "resize") this.resized = message;
     else if (message.kind === "import" || message.kind === "replay")
       this.tell({ ...message, file: this.files.add(message.file) });

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { Bench, type Visit } from "./harness";
-import { session } from "./sample";
+import { session, snapshot } from "./sample";
 
 const bench = new Bench();
 before(() => bench.start());
@@ -48,6 +48,20 @@ test("WavelengthIsSentAsFidelity", () =>
     await field.fill("10");
     await field.press("Enter");
     await visit.sent("fidelity 27.0177");
+  }));
+
+test("OwnPresetIsKeptChosenAndDeleted", () =>
+  bench.visitSession(async (visit) => {
+    const panel = visit.page.getByRole("region", { name: "Filter" });
+    await panel.getByRole("textbox", { name: "Name for this filter" }).fill("faint lines");
+    await panel.getByRole("button", { name: "Keep" }).click();
+    await visit.sent("preset_keep faint lines");
+    await visit.change({ presets: [{ name: "faint lines", description: "Your own", beta: 2, own: true }, ...snapshot.presets] });
+    await panel.getByRole("slider", { name: "Strength of the preset" }).waitFor();
+    assert.equal(await panel.getByRole("combobox", { name: "Presets" }).inputValue(), "faint lines");
+    await panel.getByRole("button", { name: "Delete faint lines" }).click();
+    await visit.sent("preset_delete faint lines");
+    assert.equal(await panel.getByRole("combobox", { name: "Presets" }).inputValue(), "");
   }));
 
 test("CurveIsDraggedByMouseAndByKeys", () =>

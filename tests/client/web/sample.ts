@@ -128,8 +128,8 @@ export const snapshot: Snapshot = {
   activities: [],
   messages: [],
   presets: [
-    { name: "Reduce scanner noise", description: "Smooths the ripple of a few cells that scanners leave", beta: 0 },
-    { name: "Sharpen all", description: "Enhances detail everywhere", beta: 3 },
+    { name: "Reduce scanner noise", description: "Smooths the ripple of a few cells that scanners leave", beta: 0, own: false },
+    { name: "Sharpen all", description: "Enhances detail everywhere", beta: 3, own: false },
   ],
   recording: false,
   document: null,

@@ -45,6 +45,15 @@ export class EngineLink {
     private readonly core: string,
   ) {}
 
+  /** Hears what other pages of this browser keep, so that none overwrites it. Returns a function that stops. */
+  listen(): () => void {
+    const hear = ({ key, newValue }: StorageEvent) => {
+      if (key?.startsWith(kKept)) this.post({ kind: "kept", key: key.slice(kKept.length), text: newValue ?? "" });
+    };
+    addEventListener("storage", hear);
+    return () => removeEventListener("storage", hear);
+  }
+
   /** Takes the canvas for good. */
   start(canvas: HTMLCanvasElement, width: number, height: number): void {
     this.port?.terminate();

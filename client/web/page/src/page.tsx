@@ -30,6 +30,7 @@ export function Page({ link }: { link: EngineLink }) {
   useEffect(() => {
     link.onchange = () => setState(link.state);
     setState(link.state);
+    return link.listen();
   }, []);
   const actions: PageActions = {
     open: () => meshFile.current?.click(),

@@ -69,6 +69,8 @@ export interface Preset {
   name: string;
   description: string;
   beta: number;
+  /** The user has made it; the browser keeps it. */
+  own: boolean;
 }
 
 export interface CurvePoint {
