@@ -44,6 +44,7 @@ void write_scan_facts(const Workspace& workspace, JsonWriter& json) {
 
 void write_link(const Document& document, JsonWriter& json) {
   json.text("link", link_state_name(document.link())).text("linkReason", document.link_reason());
+  json.flag("moving", document.is_moving());
   json.text("state", state_word(document)).flag("settled", document.is_settled());
   json.whole("unsavedEdits", whole_of(document.unacknowledged()));
   json.text("role", session_role_name(document.welcome().role));

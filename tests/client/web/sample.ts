@@ -41,6 +41,7 @@ export const session: Document = {
   hasColours: true,
   link: "live",
   linkReason: "",
+  moving: false,
   state: "settled",
   settled: true,
   unsavedEdits: 0,

@@ -233,6 +233,8 @@ export interface Document {
   hasColours: boolean;
   link: "connecting" | "live" | "lost" | "ended";
   linkReason: string;
+  /** "lost" is short: the session goes on at another server. */
+  moving: boolean;
   /** "converging", "settled", "exact", "saving" or "waiting for the first frame". */
   state: string;
   settled: boolean;
