@@ -74,11 +74,7 @@ void App::ask_for_picture() {
 }
 
 void App::take_screenshot(const std::filesystem::path& file) {
-  workspace_->recorder.record("wait");
-  workspace_->recorder.record(workspace_->viewport.camera);
-  for (const std::string& line : script_lines(workspace_->viewport.options.lighting))
-    workspace_->recorder.record(line);
-  workspace_->recorder.record("screenshot " + file.string());
+  workspace_->record_picture(file);
   const auto image = renderer_->read_pixels();
   const Status written = image.is_ok() ? write_png(*image, file) : image.status();
   if (!written.is_ok()) return workspace_->log.failure("screenshot", written);

@@ -72,6 +72,20 @@ void FilterPanel::draw_own(const Document& document, MessageLog& log) {
   }
   ImGui::EndDisabled();
   hint("Keeps the gradient scale and the curve as a preset of your own");
+  draw_delete(log);
+}
+
+void FilterPanel::draw_delete(MessageLog& log) {
+  const auto is_chosen = [&](const Preset& own) { return preset_ && own.name == preset_->name; };
+  if (std::ranges::none_of(own_, is_chosen)) return;
+  const std::string label = "Delete " + preset_->name;
+  const bool is_pressed = noted("Delete preset", ImGui::Button(label.c_str(), {-1, 0}));
+  hint("Deletes this preset of your own. The surface stays as it is.");
+  if (!is_pressed) return;
+  const Status deleted = delete_own_preset(own_presets_path(), preset_->name);
+  if (!deleted.is_ok()) return log.failure("preset", deleted);
+  preset_.reset();
+  read_own(log);
 }
 
 void FilterPanel::read_own(MessageLog& log) {

@@ -24,6 +24,7 @@ class FilterPanel : public Panel {
  private:
   void draw_presets(Document& document, MessageLog& log);
   void draw_strength(Document& document, MessageLog& log);
+  void draw_delete(MessageLog& log);
   void draw_own(const Document& document, MessageLog& log);
   void read_own(MessageLog& log);
 

@@ -41,6 +41,10 @@ const std::string& Connection::server() const {
   return state_->server;
 }
 
+const std::shared_ptr<ServerRoute>& Connection::route() const {
+  return state_->route;
+}
+
 void Connection::set_user(std::string user) {
   state_->user = std::move(user);
 }

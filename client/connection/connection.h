@@ -22,6 +22,7 @@
 namespace burnish {
 
 class ScanBundle;
+class ServerRoute;
 
 /// How a client knows its server, and how it shows who it is. Files are PEM.
 struct ConnectionTrust {
@@ -49,6 +50,9 @@ class Connection {
   const std::string& server() const;
 
   /// Who edits, where the server cannot know better: the author of edits, and the holder of roles.
+  /// Returns the way to the server of the sessions, which all that talk about them share.
+  const std::shared_ptr<ServerRoute>& route() const;
+
   void set_user(std::string user);
   const std::string& user() const;
 

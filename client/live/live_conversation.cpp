@@ -187,7 +187,7 @@ std::optional<std::chrono::milliseconds> LiveConversation::end(const Status& of_
       news_.link = LinkState::kEnded;
     else if (news_.link != LinkState::kConnecting)
       news_.link = LinkState::kLost;
-    tell(LinkChanged{news_.link, is_over ? why.to_string() : why.message()});
+    tell(LinkChanged{news_.link, is_over ? why.to_string() : why.message(), has_moved});
     if (news_.stats.frames > frames_at_end_) failures_ = moves_ = 0;
     frames_at_end_ = news_.stats.frames;
   }

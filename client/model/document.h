@@ -153,6 +153,8 @@ class Document {
   const LinkStats& stats() const { return stats_; }
   LinkState link() const { return link_; }
   const std::string& link_reason() const { return link_reason_; }
+  /// Returns whether the link was lost because another server has the session, and goes on there.
+  bool is_moving() const { return is_moving_; }
   size_t unacknowledged() const { return unacknowledged_; }
   double shown_after_ms() const { return shown_after_ms_; }  ///< delay of our last edit; 0: none
   const ProgressReport& progress() const { return progress_; }
@@ -241,6 +243,7 @@ class Document {
   LinkStats stats_;
   LinkState link_ = LinkState::kConnecting;
   std::string link_reason_;
+  bool is_moving_ = false;
   ProgressReport progress_;
   size_t unacknowledged_ = 0;
   uint64_t edits_known_ = 0;  // the session's edits on disk

@@ -61,7 +61,9 @@ void Document::handle(const LiveEvent& event) {
   std::visit(Overloaded{
                  [&](const LinkChanged& change) {
                    const bool is_new = std::exchange(link_reason_, change.reason) != change.reason;
-                   if (change.state == LinkState::kLost && is_new)
+                   is_moving_ = change.has_moved;
+                   if (change.has_moved && is_new) log_.info("the session moves to another server");
+                   if (change.state == LinkState::kLost && is_new && !change.has_moved)
                      log_.warning("connection lost: " + change.reason);
                    if (change.state == LinkState::kEnded) {
                      log_.add(Severity::kError, "session ended: " + change.reason);

@@ -5,8 +5,6 @@
 
 namespace burnish {
 
-static constexpr int kDigits = 12;  // of recorded numbers
-
 void Recorder::record(const std::string& line) {
   if (sink_) sink_(line);
 }
@@ -60,7 +58,7 @@ struct LineOf {
 }  // namespace
 
 void Recorder::record(const Edit& edit) {
-  LineText line(kDigits);
+  LineText line(LineText::kExact);
   std::visit(LineOf{line}, edit.change);
   if (!line.text().empty()) record(line.text());
 }
@@ -68,7 +66,7 @@ void Recorder::record(const Edit& edit) {
 void Recorder::record(const Camera& camera) {
   record("up " + std::string(name_of(camera.up)));
   record(std::string("orthographic ") + (camera.orthographic ? "on" : "off"));
-  LineText line(kDigits);
+  LineText line(LineText::kExact);
   line << "camera " << camera.azimuth_degrees << ' ' << camera.elevation_degrees << ' '
        << camera.distance << ' ' << camera.target.x() << ' ' << camera.target.y() << ' '
        << camera.target.z();

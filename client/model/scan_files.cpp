@@ -14,16 +14,6 @@ Result<ImportOutcome> import_file(Connection& connection, const std::filesystem:
   return connection.import_scan(bundle, bundle.mesh().stem().string(), {depth, 0}, progress);
 }
 
-/// Writes STEM-record.html and STEM-record.json beside the export.
-static Status write_records(Connection& connection, const std::string& session,
-                            const RecordedExport& made) {
-  ASSIGN_OR_RETURN(const ProcessingRecord record,
-                   make_processing_record(connection, session, made));
-  const std::string stem = made.file.stem().string() + "-record";
-  RETURN_IF_ERROR(write_record(record, made.file.parent_path() / (stem + ".json")));
-  return write_record(record, made.file.parent_path() / (stem + ".html"));
-}
-
 Status check_export(const std::filesystem::path& file) {
   return export_target(file, false).status();
 }

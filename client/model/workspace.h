@@ -128,6 +128,8 @@ class Workspace {
   bool is_opening() const { return opening_; }
   uint64_t exports_done() const { return exports_done_; }
 
+  /// Records how the picture looks, and that it is saved to a file.
+  void record_picture(const std::filesystem::path& file);
   /// Keeps a small picture of the open session, as it was drawn last.
   void keep_session_picture();
   /// Returns the folder of the sessions' pictures; empty: none are kept.

@@ -169,7 +169,8 @@ void Workspace::export_mesh(const std::filesystem::path& file, bool exact, bool 
   const Status target = check_export(file);
   if (!target.is_ok()) return log.failure("export", target);
   recorder.record("wait");
-  recorder.record("export " + file.string() + (exact ? " exact" : ""));
+  recorder.record("export " + file.string() + (exact ? " exact" : "") +
+                  (with_record ? " record" : ""));
   start_activity("Exporting " + file.filename().string(),
                  [this, file, wish = ExportWish{.exact = exact, .deviation = with_record},
                   connection = document_->opened().connection,

@@ -22,6 +22,13 @@ void Workspace::restore_view(bool keeps_camera) {
     document_->set_colour(view->colour);
 }
 
+void Workspace::record_picture(const std::filesystem::path& file) {
+  recorder.record("wait");
+  recorder.record(viewport.camera);
+  for (const std::string& line : script_lines(viewport.options.lighting)) recorder.record(line);
+  recorder.record("screenshot " + file.string());
+}
+
 void Workspace::save_view() {
   const std::filesystem::path file = views_file(options_.preferences);
   if (file.empty()) return;

@@ -40,6 +40,15 @@ Status check_record_name(const std::filesystem::path& file) {
                           file.filename().string());
 }
 
+Status write_records(Connection& connection, const std::string& session,
+                     const RecordedExport& made) {
+  ASSIGN_OR_RETURN(const ProcessingRecord record,
+                   make_processing_record(connection, session, made));
+  const std::string stem = made.file.stem().string() + "-record";
+  RETURN_IF_ERROR(write_record(record, made.file.parent_path() / (stem + ".json")));
+  return write_record(record, made.file.parent_path() / (stem + ".html"));
+}
+
 Status write_record(const ProcessingRecord& record, const std::filesystem::path& file) {
   const bool is_page = file.extension() == ".html";
   return write_file(file, is_page ? record_page(record) : record_json(record));

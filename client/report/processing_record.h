@@ -44,6 +44,11 @@ std::string record_page(const ProcessingRecord& record);
 /// Writes the record: as a page to a file that ends in .html, else as JSON. Fails: as writing does.
 Status write_record(const ProcessingRecord& record, const std::filesystem::path& file);
 
+/// Writes STEM-record.html and STEM-record.json beside the exported file STEM.ply. Fails: as the
+/// server says; as writing does.
+Status write_records(Connection& connection, const std::string& session,
+                     const RecordedExport& made);
+
 /// Returns whether a record is written to such a file: it ends in .json or .html. Fails:
 /// invalid_argument that names the choices.
 Status check_record_name(const std::filesystem::path& file);

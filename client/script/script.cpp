@@ -59,7 +59,7 @@ constexpr CommandForm kForms[] = {
     {"mirror", 1, 2, "mirror off|x|y|z [AT]: paints strokes on both sides of a plane"},
     {"size", 1, 1, "size WIDTHxHEIGHT: sets the picture's size, in pixels"},
     {"screenshot", 1, kAny, "screenshot FILE: writes the picture as PNG"},
-    {"export", 1, 2, "export FILE [exact]: writes the edited mesh"},
+    {"export", 1, 3, "export FILE [exact] [record]: writes the edited mesh, and who did what"},
     {"print", 0, 0, "print: prints the state on standard output"},
 };
 

@@ -22,6 +22,16 @@ Status apply_preset(ScriptLine line, Document& document) {
 
 }  // namespace
 
+Result<ExportLine> parse_export(const std::vector<std::string>& words) {
+  ExportLine line{words[0]};
+  for (size_t i = 1; i < words.size(); ++i) {
+    if (words[i] != "exact" && words[i] != "record")
+      return invalid_argument("'" + words[i] + "' is neither 'exact' nor 'record'");
+    (words[i] == "exact" ? line.is_exact : line.has_record) = true;
+  }
+  return line;
+}
+
 Result<Controls> parse_controls(const std::vector<std::string>& words) {
   Controls controls;
   ASSIGN_OR_RETURN(controls.pin_rims, parse_switch(words[0]));

@@ -13,6 +13,15 @@ namespace burnish {
 /// its limit; failed_precondition.
 Status change_document(const ScriptLine& line, Document& document);
 
+/// The words of `export`.
+struct ExportLine {
+  std::string file;
+  bool is_exact = false;
+  bool has_record = false;  ///< also writes who did what
+};
+/// Parses FILE [exact] [record]. Fails: invalid_argument that names the word.
+Result<ExportLine> parse_export(const std::vector<std::string>& words);
+
 // Parts of lines. All fail with invalid_argument that names the word.
 Result<Equaliser> parse_bands(const std::vector<std::string>& words);
 /// Parses PIN CAP KEEP.

@@ -107,11 +107,9 @@ Status ScriptRunner::run_session(const ScriptLine& line) {
 }
 
 Status ScriptRunner::run_export(const ScriptLine& line) {
-  const bool exact = line.words.size() > 1 && line.words[1] == "exact";
-  if (line.words.size() > 1 && !exact)
-    return invalid_argument("'" + line.words[1] + "' is not 'exact'");
+  ASSIGN_OR_RETURN(const ExportLine wish, parse_export(line.words));
   const uint64_t before = workspace_.exports_done();
-  workspace_.export_mesh(line.words[0], exact);
+  workspace_.export_mesh(wish.file, wish.is_exact, wish.has_record);
   return update_until([this, before] { return workspace_.exports_done() > before; }, "exporting");
 }
 

@@ -1,22 +1,11 @@
 #include "client/tools/own_presets.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
-#include "common/base/atomic_file.h"
 #include "common/base/text.h"
 #include "common/base/text_lines.h"
 
 namespace burnish {
-
-std::filesystem::path own_presets_path() {
-  if (const char* set = std::getenv("XDG_CONFIG_HOME"); set && *set)
-    return std::filesystem::path(set) / "burnish" / "presets";
-  const char* home = std::getenv("HOME");
-  if (!home || !*home) return {};
-  return std::filesystem::path(home) / ".config" / "burnish" / "presets";
-}
 
 static std::string name_of(const TextLine& line) {
   std::string name;
@@ -36,15 +25,21 @@ static Result<Preset> read_preset(const TextLine& line) {
 
 Result<std::vector<Preset>> read_own_presets(const std::filesystem::path& path) {
   std::vector<Preset> presets;
-  std::error_code ignored;
-  if (path.empty() || !std::filesystem::exists(path, ignored)) return presets;
-  ASSIGN_OR_RETURN(const std::string text, read_text_file(path));
+  ASSIGN_OR_RETURN(const std::string text, read_own_presets_text(path));
   for (const TextLine& line : split_lines(text)) {
     auto preset = read_preset(line);
     if (!preset.is_ok()) return preset.status().with_context(place(path.string(), line));
     presets.push_back(std::move(preset).value());
   }
   return presets;
+}
+
+static Status write_own_presets(const std::filesystem::path& path,
+                                const std::vector<Preset>& presets) {
+  std::string text;
+  for (const Preset& each : presets)
+    text += shortest_text(each.beta) + " " + each.curve.to_string() + " " + each.name + "\n";
+  return write_own_presets_text(path, text);
 }
 
 /// A script takes a number behind a name for the strength; '#' begins a comment in the file.
@@ -68,15 +63,14 @@ Status save_own_preset(const std::filesystem::path& path, const Preset& preset) 
                               " presets of your own, the limit is " +
                               std::to_string(kOwnPresetsMax));
   presets.push_back(preset);
-  std::string text;
-  for (const Preset& each : presets) {
-    char beta[32];
-    std::snprintf(beta, sizeof beta, "%.12g", each.beta);
-    text += beta + (" " + each.curve.to_string()) + " " + each.name + "\n";
-  }
-  std::error_code ignored;
-  std::filesystem::create_directories(path.parent_path(), ignored);
-  return write_file(path, text);
+  return write_own_presets(path, presets);
+}
+
+Status delete_own_preset(const std::filesystem::path& path, const std::string& name) {
+  ASSIGN_OR_RETURN(std::vector<Preset> presets, read_own_presets(path));
+  if (std::erase_if(presets, [&](const Preset& each) { return each.name == name; }) == 0)
+    return not_found("there is no preset of your own with the name '" + name + "'");
+  return write_own_presets(path, presets);
 }
 
 Result<Preset> find_any_preset(const std::string& name) {

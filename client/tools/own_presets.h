@@ -21,7 +21,17 @@ Result<std::vector<Preset>> read_own_presets(const std::filesystem::path& path);
 /// resource_exhausted above kOwnPresetsMax; as read_own_presets(); as errno says.
 Status save_own_preset(const std::filesystem::path& path, const Preset& preset);
 
+/// Fails: not_found; as save_own_preset().
+Status delete_own_preset(const std::filesystem::path& path, const std::string& name);
+
 /// Returns one of presets() or of the user's own. Fails: not_found; as read_own_presets().
 Result<Preset> find_any_preset(const std::string& name);
+
+// Where the presets are kept: own_presets_file.cpp, or the store of a browser's page.
+
+/// Returns no text if there is no file. Fails: as errno says.
+Result<std::string> read_own_presets_text(const std::filesystem::path& path);
+/// Makes the folder too. Fails: as errno says.
+Status write_own_presets_text(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace burnish

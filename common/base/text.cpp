@@ -1,11 +1,32 @@
 #include "common/base/text.h"
 
 #include <array>
+#include <charconv>
 #include <cstdio>
 
 #include "common/base/limits.h"
+#include "common/base/parse_number.h"
 
 namespace burnish {
+
+#ifdef __wasm__
+// The library's way has tables of 100 kB, which each browser would load.
+std::string shortest_text(double number) {
+  static constexpr int kDigitsMax = 17;
+  char text[32];
+  for (int digits = 1; digits <= kDigitsMax; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, number);
+    if (parse_number<double>(text) == number) break;
+  }
+  return text;
+}
+#else
+std::string shortest_text(double number) {
+  char text[32];
+  const auto [end, error] = std::to_chars(text, text + sizeof text, number);
+  return error == std::errc() ? std::string(text, end) : "?";
+}
+#endif
 
 std::optional<char32_t> take_character(std::string_view& text) {
   const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };

@@ -30,6 +30,9 @@ bool is_valid_utf8(std::string_view text);
 /// equal.
 std::string to_valid_utf8(std::string_view text);
 
+/// Returns the fewest digits that are read back as the same number.
+std::string shortest_text(double number);
+
 /// Returns two lower-case hexadecimal digits for each byte.
 std::string to_hex(std::span<const std::byte> bytes);
 

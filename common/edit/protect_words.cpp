@@ -98,7 +98,7 @@ Result<Protect> parse_protect(const std::vector<std::string>& words) {
 }
 
 std::string to_words(const Protect& change) {
-  LineText line(17);
+  LineText line(LineText::kExact);
   if (change.release) line << "release ";
   std::visit(WordsOf{line}, change.way);
   return line.text();

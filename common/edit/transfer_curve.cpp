@@ -6,32 +6,14 @@
 
 #include "common/base/limits.h"
 #include "common/base/parse_number.h"
+#include "common/base/text.h"
 
 namespace burnish {
 
-#ifdef __wasm__
-// The library's way has tables of 100 kB, which each browser would load.
-static std::string shortest(double x) {
-  static constexpr int kDigitsMax = 17;
-  char text[32];
-  for (int digits = 1; digits <= kDigitsMax; ++digits) {
-    std::snprintf(text, sizeof text, "%.*g", digits, x);
-    if (parse_number<double>(text) == x) break;
-  }
-  return text;
-}
-#else
-static std::string shortest(double x) {
-  char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, x);
-  return error == std::errc() ? std::string(text, end) : "?";
-}
-#endif
-
 static Status check_range(const char* what, double x, double min, double max) {
   if (x >= min && x <= max) return Status::ok();  // false for NaN
-  return invalid_argument(std::string(what) + " " + shortest(x) + " is outside " + shortest(min) +
-                          ".." + shortest(max));
+  return invalid_argument(std::string(what) + " " + shortest_text(x) + " is outside " + shortest_text(min) +
+                          ".." + shortest_text(max));
 }
 
 Status check_alpha(double alpha) {
@@ -65,14 +47,14 @@ Result<TransferCurve> TransferCurve::create(std::vector<Point> points) {
     RETURN_IF_ERROR(check_point(i, points[i]));
     if (i > 0 && !(points[i].kappa > points[i - 1].kappa))
       return invalid_argument("curve point " + std::to_string(i + 1) + ": kappa " +
-                              shortest(points[i].kappa) + " must be above the kappa before it, " +
-                              shortest(points[i - 1].kappa));
+                              shortest_text(points[i].kappa) + " must be above the kappa before it, " +
+                              shortest_text(points[i - 1].kappa));
   }
   TransferCurve curve(std::move(points));
   if (curve.contrast() > kCurveContrastMax * (1 + 1e-12))
     return invalid_argument("curve contrast (largest over least alpha) " +
-                            shortest(curve.contrast()) + " is above " +
-                            shortest(kCurveContrastMax));
+                            shortest_text(curve.contrast()) + " is above " +
+                            shortest_text(kCurveContrastMax));
   return curve;
 }
 
@@ -134,7 +116,7 @@ std::string TransferCurve::to_string() const {
   std::string text;
   for (const Point& point : points_) {
     if (!text.empty()) text += ',';
-    text += shortest(point.kappa) + ":" + shortest(point.alpha);
+    text += shortest_text(point.kappa) + ":" + shortest_text(point.alpha);
   }
   return text;
 }

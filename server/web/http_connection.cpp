@@ -110,7 +110,7 @@ class HttpConnection final : public WebConnection,
         check_host(door_.rules, text_of(request[http::field::host]), peer_.local_address);
     if (!host.is_ok()) return refuse(403, Refusal::kHost, host.message());
     if (!parser_->is_done()) return refuse(413, Refusal::kMalformed, "a request has a body");
-    if (text_of(request.target()) == "/rpc") return open_socket(request);
+    if (is_for_calls(text_of(request.target()))) return open_socket(request);
     send(answer_page(door_.files, {text_of(request.method_string()), text_of(request.target()),
                                    text_of(request[http::field::if_none_match]),
                                    text_of(request[http::field::accept_encoding])}));

@@ -16,6 +16,7 @@ using std::chrono::milliseconds;
 static constexpr milliseconds kSnapshotInterval{50};
 static constexpr milliseconds kIdle{500};  // figures and activities go on without news
 static constexpr milliseconds kFiner{16};  // while the picture becomes finer
+static constexpr std::chrono::seconds kPictureInterval{10};  // nobody tells before a page is closed
 
 Front::Front(PageRenderer& renderer, Preferences preferences, WorkspaceOptions options,
              FrontHost host)
@@ -67,6 +68,7 @@ Front::Time Front::tick(Time now) {
   const std::string failure = drawn.is_ok() ? "" : drawn.message();
   if (std::exchange(failure_, failure) != failure && !drawn.is_ok())
     workspace_.log.failure("picture", drawn);
+  keep_picture_now_and_then(now);
   const Time snapshot_at = say_snapshot(now);
   if (!document && workspace_.activities().empty()) return snapshot_at;
   const bool becomes_finer = document && !document->is_picture_settled() && is_visible_;
@@ -92,6 +94,17 @@ Status Front::draw() {
   json.open().text("kind", "drawn").whole("count", static_cast<int64_t>(++pictures_)).close();
   host_.say(json.written());
   return Status::ok();
+}
+
+void Front::keep_picture_now_and_then(Time now) {
+  const Document* const document = workspace_.document();
+  if (!document || !document->is_picture_settled() || !document->is_settled()) return;
+  const bool is_new_session = kept_session_ != document->session().id;
+  if (kept_picture_ == pictures_ || (!is_new_session && now - kept_at_ < kPictureInterval)) return;
+  workspace_.keep_session_picture();
+  kept_session_ = document->session().id;
+  kept_picture_ = pictures_;
+  kept_at_ = now;
 }
 
 Front::Time Front::say_snapshot(Time now) {

@@ -70,6 +70,7 @@ class Front {
   void do_line(const std::string& line);
   void replay(const GivenFile& script);
   Status draw();
+  void keep_picture_now_and_then(Time now);
   /// Returns when to try again; Time::max(): it was said, or has not changed.
   Time say_snapshot(Time now);
   void answer(const std::string& line, const Status& status);
@@ -81,6 +82,9 @@ class Front {
   bool is_visible_ = true;
   Shown shown_;
   uint64_t pictures_ = 0;
+  uint64_t kept_picture_ = 0;  // the last that was kept for the start page
+  std::string kept_session_;
+  Time kept_at_{};
   std::string said_;  // the last snapshot
   Time said_at_{};
   std::string failure_;  // of the last picture

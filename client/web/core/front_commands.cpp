@@ -23,9 +23,9 @@ static std::optional<Status> do_script_line(const FrontWords& line, Workspace& w
     return Status::ok();
   }
   if (line.command != "export") return std::nullopt;
-  const bool is_exact = line.words.size() > 1 && line.words[1] == "exact";
-  workspace.export_mesh(line.words[0], is_exact);
-  return Status::ok();
+  const auto wish = parse_export(line.words);
+  if (wish.is_ok()) workspace.export_mesh(wish->file, wish->is_exact, wish->has_record);
+  return wish.status();
 }
 
 static Status do_document_line(const FrontWords& line, FrontParts& parts) {

@@ -1,6 +1,8 @@
 // Lines whose outcome is a file for the user, and those that say what pictures and snapshots have.
 // The last ones need no session.
 
+#include <utility>
+
 #include "client/script/script_view.h"
 #include "client/web/core/front_commands.h"
 #include "client/web/core/stored_png.h"
@@ -9,15 +11,22 @@ namespace burnish {
 
 namespace {
 
-// The script goes on where this session is.
+/// Returns the name of a script that begins now.
+std::string script_name(const Workspace& workspace) {
+  const Document* const document = workspace.document();
+  return (document ? document->session().name : "burnish") + ".script";
+}
+
+// The script goes on where this session is, or with the next one that opens.
 Status do_record(const FrontWords& line, FrontParts& parts) {
   RETURN_IF_ERROR(need_words(line, 1));
   Recorder& recorder = parts.workspace.recorder;
   if (line.words[0] == "start") {
-    parts.state.script.emplace();
+    parts.state.script.emplace(Script{script_name(parts.workspace), ""});
     recorder.open([&script = parts.state.script](const std::string& text) {
-      if (script) *script += text + "\n";
+      if (script) script->lines += text + "\n";
     });
+    if (!parts.workspace.document()) return Status::ok();
     recorder.record("join " + parts.workspace.document()->session().name);
     recorder.record(parts.workspace.viewport.camera);
     return Status::ok();
@@ -25,9 +34,8 @@ Status do_record(const FrontWords& line, FrontParts& parts) {
   if (line.words[0] != "stop")
     return invalid_argument("'" + line.words[0] + "' is neither start nor stop");
   recorder.close();
-  if (!parts.state.script) return Status::ok();
-  parts.host.download(parts.workspace.document()->session().name + ".script", *parts.state.script);
-  parts.state.script.reset();
+  if (const auto script = std::exchange(parts.state.script, std::nullopt))
+    parts.host.download(script->name, script->lines);
   return Status::ok();
 }
 
@@ -35,8 +43,10 @@ Status take_picture(const FrontWords& line, FrontParts& parts) {
   RETURN_IF_ERROR(need_words(line, 1));
   RETURN_IF_ERROR(parts.workspace.draw());
   ASSIGN_OR_RETURN(const Image image, parts.renderer.read_pixels());
-  const std::string name = line.rest();
-  parts.host.download(name.ends_with(".png") ? name : name + ".png", stored_png(image));
+  std::string name = line.rest();
+  if (!name.ends_with(".png")) name += ".png";
+  parts.workspace.record_picture(name);
+  parts.host.download(name, stored_png(image));
   return Status::ok();
 }
 
@@ -62,8 +72,7 @@ Status set_over(const FrontWords& line, FrontState& state) {
 }  // namespace
 
 std::optional<Status> do_file_line(const FrontWords& line, FrontParts& parts) {
-  const bool needs_session = line.command == "record" || line.command == "picture";
-  if (needs_session && !parts.workspace.document())
+  if (line.command == "picture" && !parts.workspace.document())
     return failed_precondition("no session is open");
   if (line.command == "record") return do_record(line, parts);
   if (line.command == "picture") return take_picture(line, parts);

@@ -98,7 +98,10 @@ void Front::hear(std::string_view json) {
   }
   if (kind == "pointer") hear_pointer(message, workspace_);
   if (kind == "command") do_line(text_in(message, "line"));
-  if (kind == "visible") is_visible_ = flag_in(message, "is");
+  if (kind == "visible") {
+    is_visible_ = flag_in(message, "is");
+    if (!is_visible_) workspace_.keep_session_picture();  // the page may be closed now
+  }
   if (kind == "resize") shown_ = {};  // a canvas of another size is empty
   if (kind == "import") {
     const GivenFile file = file_in(message);

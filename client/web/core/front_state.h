@@ -12,6 +12,12 @@
 
 namespace burnish {
 
+/// What is recorded in a page.
+struct Script {
+  std::string name;  ///< of its file
+  std::string lines;
+};
+
 /// The state that a page shows besides the model's. A window keeps the same in its panels.
 struct FrontState {
   std::string server;                 ///< HOST:PORT of the page
@@ -22,7 +28,7 @@ struct FrontState {
   bool shows_figures = true;          ///< figures of frames and link, which change all the time
   bool shows_protection = false;      ///< over the surface
   bool shows_curves = false;          ///< likewise, where the palette's curves rule
-  std::optional<std::string> script;  ///< that is being recorded
+  std::optional<Script> script;       ///< that is being recorded
 
   /// Returns a number for each activity, which stays.
   uint64_t number_of(const std::shared_ptr<Activity>& activity) {

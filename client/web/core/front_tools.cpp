@@ -2,6 +2,7 @@
 
 #include "client/script/script_view.h"
 #include "client/tools/band_choice.h"
+#include "client/tools/own_presets.h"
 #include "client/web/core/front_commands.h"
 #include "common/base/text_lines.h"
 
@@ -61,6 +62,13 @@ Status open_at(const FrontWords& line, Workspace& workspace) {
   return Status::ok();
 }
 
+/// Keeps the gradient scale and the curve.
+Status keep_preset(const FrontWords& line, const Document& document) {
+  RETURN_IF_ERROR(need_words(line, 1));
+  const Preset preset{line.rest(), "Your own", document.beta(), document.curve().curve(), {}, {}};
+  return save_own_preset(own_presets_path(), preset);
+}
+
 Status set_pen(const FrontWords& line, Workspace& workspace) {
   RETURN_IF_ERROR(need_words(line, 1));
   ASSIGN_OR_RETURN(workspace.preferences.pen_pressure, parse_switch(line.words[0]));
@@ -78,6 +86,8 @@ std::optional<Status> do_tool_line(const FrontWords& line, FrontParts& parts) {
   if (command == "lasso") return set_lasso(line, parts);
   if (command == "protect_piece") return protect_piece(parts);
   if (command == "depth") return open_at(line, workspace);
+  if (command == "preset_keep") return keep_preset(line, document);
+  if (command == "preset_delete") return delete_own_preset(own_presets_path(), line.rest());
   if (command == "pen") return set_pen(line, workspace);
   if (command == "ruler") {
     document.measuring().ruler.clear();

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "client/tools/presets.h"
+#include "client/tools/own_presets.h"
 
 namespace burnish {
 
@@ -40,7 +40,7 @@ void write_session(const SessionInfo& session, const Preferences& preferences, J
   json.open().text("id", session.id).text("name", session.name).text("scan", session.scan_id);
   json.whole("edits", static_cast<int64_t>(session.edits)).whole("depth", session.key.depth);
   json.whole("begun", session.created_unix_seconds);
-  json.whole("shown", shown_at(preferences, session.id)).text("picture", "").close();
+  json.whole("shown", shown_at(preferences, session.id)).close();
 }
 
 void write_library(const Workspace& workspace, JsonWriter& json) {
@@ -86,14 +86,17 @@ void write_messages(const MessageLog& log, const FrontState& front, JsonWriter& 
   json.close_list();
 }
 
+void write_preset(const Preset& preset, bool is_own, JsonWriter& json) {
+  json.open().text("name", preset.name).text("description", preset.description);
+  json.number("beta", preset.beta).flag("own", is_own).close();
+}
+
 void write_presets(JsonWriter& json) {
   json.key("presets").open_list();
-  for (const Preset& preset : presets())
-    json.open()
-        .text("name", preset.name)
-        .text("description", preset.description)
-        .number("beta", preset.beta)
-        .close();
+  const auto own = read_own_presets(own_presets_path());
+  if (own.is_ok())
+    for (const Preset& preset : *own) write_preset(preset, true, json);
+  for (const Preset& preset : presets()) write_preset(preset, false, json);
   json.close_list();
 }
 

@@ -18,5 +18,7 @@ void write_document(const Workspace& workspace, const FrontState& state, JsonWri
 void write_tools(const Workspace& workspace, const FrontState& state, JsonWriter& json);
 /// Writes what its panels for looking show: likewise.
 void write_view(const Workspace& workspace, JsonWriter& json);
+/// Writes the lines that lie over the picture: a member of a Document.
+void write_over(const Workspace& workspace, JsonWriter& json);
 
 }  // namespace burnish

@@ -44,6 +44,7 @@ void write_scan_facts(const Workspace& workspace, JsonWriter& json) {
 
 void write_link(const Document& document, JsonWriter& json) {
   json.text("link", link_state_name(document.link())).text("linkReason", document.link_reason());
+  json.flag("moving", document.is_moving());
   json.text("state", state_word(document)).flag("settled", document.is_settled());
   json.whole("unsavedEdits", whole_of(document.unacknowledged()));
   json.text("role", session_role_name(document.welcome().role));
@@ -94,6 +95,7 @@ void write_document(const Workspace& workspace, const FrontState& state, JsonWri
   write_history(document, json);
   write_people(document, json);
   write_view(workspace, json);
+  write_over(workspace, json);
   json.key("figures").open_list();
   if (state.shows_figures && document.stats().frames > 0)
     for (const Figure& figure : link_figures(document))

@@ -4,7 +4,14 @@
 /** What the core hears of its calls. Never called from within a function of Calls. */
 export interface CallEvents {
   message(call: number, bytes: Uint8Array): void;
-  ended(call: number, code: number, message: string): void;
+  ended(call: number, end: CallEnd): void;
+}
+
+/** As gRPC has it. */
+export interface CallEnd {
+  code: number;
+  message: string;
+  details: Uint8Array;
 }
 
 export interface Who {
@@ -22,6 +29,7 @@ const kUnavailable = 14;
 interface Call {
   number: number;
   method: string;
+  node: string;
   /** Frames that wait for a socket. */
   waiting: (string | Uint8Array)[];
   waitingBytes: number;
@@ -29,7 +37,7 @@ interface Call {
   /** Messages that may be handed over, and those that wait for it. */
   allowed: number;
   heard: Uint8Array[];
-  end: { code: number; message: string } | null;
+  end: CallEnd | null;
   isCancelled: boolean;
 }
 
@@ -38,7 +46,11 @@ interface CallSocket {
   socket: WebSocket;
   call: Call | null;
   isForEdits: boolean;
+  /** The server of a fleet to which a proxy leads it; empty: any. */
+  node: string;
 }
+
+const kNoDetails = new Uint8Array();
 
 export class Calls {
   private readonly calls = new Map<number, Call>();
@@ -59,10 +71,12 @@ export class Calls {
     this.who = who;
   }
 
-  open(method: string): number {
+  /** `node`: the server of a fleet that the call is for; empty: any. */
+  open(method: string, node = ""): number {
     const call: Call = {
       number: ++this.last,
       method,
+      node,
       waiting: [],
       waitingBytes: 0,
       socket: null,
@@ -98,7 +112,7 @@ export class Calls {
     call.heard.length = 0;
     if (call.socket) return this.put(call, JSON.stringify({ cancel: true }));
     this.line.splice(this.line.indexOf(call), 1);
-    this.finish(call, kCancelled, "cancelled");
+    this.finish(call, { code: kCancelled, message: "cancelled", details: kNoDetails });
   }
 
   /** Returns the bytes of a call that are not on the link yet. */
@@ -118,11 +132,7 @@ export class Calls {
 
   /** Ends all sockets without a word to the core. */
   close(): void {
-    for (const { socket } of this.sockets) {
-      socket.onmessage = socket.onclose = socket.onopen = null;
-      socket.close();
-    }
-    this.sockets.clear();
+    for (const one of [...this.sockets]) this.closeSocket(one);
     this.calls.clear();
     this.line.length = 0;
   }
@@ -141,7 +151,7 @@ export class Calls {
   /** Gives sockets to waiting calls as far as there are any. */
   private serveLine(): void {
     for (const call of [...this.line]) {
-      const socket = this.freeSocket(call.method === kEdit);
+      const socket = this.freeSocket(call.method === kEdit, call.node);
       if (!socket) continue;
       this.line.splice(this.line.indexOf(call), 1);
       socket.call = call;
@@ -151,16 +161,28 @@ export class Calls {
   }
 
   /** Returns null if all sockets of this kind are taken. A new Edit has a new socket, for the last may be ending. */
-  private freeSocket(isForEdits: boolean): CallSocket | null {
+  private freeSocket(isForEdits: boolean, node: string): CallSocket | null {
     const ofKind = [...this.sockets].filter((one) => one.isForEdits === isForEdits);
-    const free = ofKind.find((one) => one.call === null && one.socket.readyState <= WebSocket.OPEN);
-    if (free) return free;
-    return isForEdits || ofKind.length < kOthersMax ? this.openSocket(isForEdits) : null;
+    const free = ofKind.filter((one) => one.call === null && one.socket.readyState <= WebSocket.OPEN);
+    const there = free.find((one) => one.node === node);
+    if (there) return there;
+    if (!isForEdits && ofKind.length >= kOthersMax) {
+      if (free.length === 0) return null;
+      this.closeSocket(free[0]!); // it leads to another server
+    }
+    return this.openSocket(isForEdits, node);
   }
 
-  private openSocket(isForEdits: boolean): CallSocket {
-    const socket = new WebSocket(this.address.replace(/^http/, "ws") + "/rpc", kSubprotocol);
-    const made: CallSocket = { socket, call: null, isForEdits };
+  private closeSocket(one: CallSocket): void {
+    one.socket.onmessage = one.socket.onclose = one.socket.onopen = null;
+    one.socket.close();
+    this.sockets.delete(one);
+  }
+
+  private openSocket(isForEdits: boolean, node: string): CallSocket {
+    const query = node && `?node=${encodeURIComponent(node)}`;
+    const socket = new WebSocket(this.address.replace(/^http/, "ws") + "/rpc" + query, kSubprotocol);
+    const made: CallSocket = { socket, call: null, isForEdits, node };
     let wasOpen = false;
     socket.binaryType = "arraybuffer";
     socket.onopen = () => {
@@ -172,7 +194,8 @@ export class Calls {
       this.sockets.delete(made);
       const call = made.call;
       const lost = wasOpen ? "the connection to the server was lost" : `cannot reach the server ${this.address}`;
-      if (call) this.finish(call, kUnavailable, reason ? `${lost}: ${reason}` : lost);
+      const message = reason ? `${lost}: ${reason}` : lost;
+      if (call) this.finish(call, { code: kUnavailable, message, details: kNoDetails });
       this.serveLine();
     };
     this.sockets.add(made);
@@ -188,13 +211,12 @@ export class Calls {
     }
     from.call = null;
     call.socket = null;
-    const end = readEnd(data);
-    this.finish(call, end.code, end.message);
+    this.finish(call, readEnd(data));
     this.serveLine();
   }
 
-  private finish(call: Call, code: number, message: string): void {
-    call.end = { code, message };
+  private finish(call: Call, end: CallEnd): void {
+    call.end = end;
     call.socket = null;
     call.waiting.length = 0;
     call.waitingBytes = 0;
@@ -210,16 +232,20 @@ export class Calls {
     }
     if (!call.end || call.heard.length > 0) return;
     this.calls.delete(call.number);
-    this.events.ended(call.number, call.end.code, call.end.message);
+    this.events.ended(call.number, call.end);
   }
 }
 
-function readEnd(text: string): { code: number; message: string } {
+function readEnd(text: string): CallEnd {
   try {
-    const { code, message } = JSON.parse(text) as { code?: unknown; message?: unknown };
-    if (typeof code === "number") return { code, message: String(message ?? "") };
+    const { code, message, details } = JSON.parse(text) as { code?: unknown; message?: unknown; details?: unknown };
+    if (typeof code === "number")
+      return { code, message: String(message ?? ""), details: bytesOf(String(details ?? "")) };
   } catch {
     // falls through
   }
-  return { code: kInternal, message: "the server's words are not understood" };
+  return { code: kInternal, message: "the server's words are not understood", details: kNoDetails };
 }
+
+/** Reads two hexadecimal digits for each byte. */
+const bytesOf = (hex: string) => Uint8Array.from(hex.match(/../g) ?? [], (digits) => parseInt(digits, 16));

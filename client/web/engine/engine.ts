@@ -43,8 +43,10 @@ class Engine {
       {
         message: (call, bytes) =>
           this.entries.enter((core) => core.core_call_message(call, ...this.memory.give(bytes))),
-        ended: (call, code, message) =>
-          this.entries.enter((core) => core.core_call_ended(call, code, ...this.memory.giveText(message))),
+        ended: (call, { code, message, details }) =>
+          this.entries.enter((core) =>
+            core.core_call_ended(call, code, ...this.memory.giveText(message), ...this.memory.give(details)),
+          ),
       },
       (work) => this.entries.soon(work),
     );
@@ -75,6 +77,7 @@ class Engine {
   hear(message: Exclude<ToWorker, StartMessage>): void {
     if (message.kind === "connect") this.calls.setWho(message);
     if (message.kind === "visible") this.pictures.setVisible(message.is);
+    if (message.kind === "kept") return this.store.fill({ [message.key]: message.text });
     if (message.kind === "resize") this.resized = message;
     else if (message.kind === "import" || message.kind === "replay")
       this.tell({ ...message, file: this.files.add(message.file) });
@@ -116,7 +119,8 @@ class Engine {
       ...this.store.imports(),
       say: (at: number, length: number) => scope.postMessage(JSON.parse(memory.text(at, length)) as ToPage),
       wake: () => this.pictures.wake(),
-      call_open: (at: number, length: number) => calls.open(memory.text(at, length)),
+      call_open: (at: number, length: number, node: number, nodeLength: number) =>
+        calls.open(memory.text(at, length), memory.text(node, nodeLength)),
       call_send: (call: number, at: number, length: number) => calls.send(call, memory.copy(at, length)),
       call_end: (call: number) => calls.end(call),
       call_cancel: (call: number) => calls.cancel(call),

@@ -2,9 +2,12 @@
 
 import type { CoreMemory } from "./memory";
 
-declare class FileReaderSync {
+/** Of workers; TypeScript knows those of pages. */
+interface FileReaderSync {
   readAsArrayBuffer(blob: Blob): ArrayBuffer;
+  readAsDataURL(blob: Blob): string;
 }
+export const { FileReaderSync } = self as unknown as { FileReaderSync: new () => FileReaderSync };
 
 const kPartBytes = 8 << 20; // parts of a Blob may lie on the disk
 

@@ -1,11 +1,15 @@
 // Small texts that outlive the page. The page keeps them; the worker has a copy.
 
+import { FileReaderSync } from "./files";
 import type { CoreMemory } from "./memory";
+
+const kPictureQuality = 0.85; // some 10 kB a picture: a browser keeps 5 MB for a page
 
 export class Store {
   private readonly texts = new Map<string, string>();
   private asked = new Uint8Array();
 
+  /** `keep` hears of a text that has changed; an empty one is none. */
   constructor(
     private readonly memory: CoreMemory,
     private readonly keep: (key: string, text: string) => void,
@@ -24,12 +28,27 @@ export class Store {
         return this.asked.length;
       },
       store_take: (to: number) => this.memory.bytes(to, this.asked.length).set(this.asked),
+      picture_keep: (key: number, keyLength: number, rgb: number, width: number, height: number) =>
+        void this.keepPicture(this.memory.text(key, keyLength), this.memory.copy(rgb, 3 * width * height), width, height),
     };
   }
 
   private set(key: string, text: string): void {
-    if (this.texts.get(key) === text) return;
-    this.texts.set(key, text);
+    if ((this.texts.get(key) ?? "") === text) return;
+    if (text === "") this.texts.delete(key);
+    else this.texts.set(key, text);
     this.keep(key, text);
+  }
+
+  private async keepPicture(key: string, rgb: Uint8Array, width: number, height: number): Promise<void> {
+    const image = new ImageData(width, height);
+    for (let i = 0; i < width * height; ++i) {
+      image.data.set(rgb.subarray(3 * i, 3 * i + 3), 4 * i);
+      image.data[4 * i + 3] = 255;
+    }
+    const canvas = new OffscreenCanvas(width, height);
+    canvas.getContext("2d")!.putImageData(image, 0, 0);
+    const blob = await canvas.convertToBlob({ type: "image/jpeg", quality: kPictureQuality });
+    this.set(key, new FileReaderSync().readAsDataURL(blob));
   }
 }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "common/base/text.h"
 #include "server/web/protocol/web_limits.h"
 
 namespace burnish {
@@ -72,8 +73,9 @@ Result<ControlFrame> read_control_frame(std::string_view text) {
   return wrong("none of the keys 'call', 'end' and 'cancel'");
 }
 
-std::string end_of_call_frame(int code, std::string_view message) {
-  const nlohmann::ordered_json frame = {{"code", code}, {"message", message}};
+std::string end_of_call_frame(int code, std::string_view message, std::string_view details) {
+  nlohmann::ordered_json frame = {{"code", code}, {"message", message}};
+  if (!details.empty()) frame["details"] = to_hex(std::as_bytes(std::span(details)));
   return frame.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 

@@ -32,7 +32,8 @@ using ControlFrame = std::variant<CallFrame, EndFrame, CancelFrame>;
 /// it may have a token.
 Result<ControlFrame> read_control_frame(std::string_view text);
 
-/// Returns {"code":5,"message":"..."}, which ends a call. `code` is gRPC's number.
-std::string end_of_call_frame(int code, std::string_view message);
+/// Returns {"code":5,"message":"..."}, which ends a call. `code` is gRPC's number. `details` are
+/// gRPC's too, and become "details" in hexadecimal; empty: there are none.
+std::string end_of_call_frame(int code, std::string_view message, std::string_view details = {});
 
 }  // namespace burnish

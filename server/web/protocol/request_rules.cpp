@@ -60,4 +60,8 @@ Status check_origin(const RequestRules& rules, std::string_view origin, std::str
   return refused("the origin", origin, "is not that of this server's own page");
 }
 
+bool is_for_calls(std::string_view target) {
+  return target == "/rpc" || target.starts_with("/rpc?node=");
+}
+
 }  // namespace burnish

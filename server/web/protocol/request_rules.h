@@ -24,4 +24,8 @@ Status check_host(const RequestRules& rules, std::string_view host, std::string_
 /// schemes are allowed, for a proxy may have the TLS. Fails: permission_denied.
 Status check_origin(const RequestRules& rules, std::string_view origin, std::string_view host);
 
+/// Returns whether a target takes a WebSocket for calls: "/rpc", or "/rpc?node=NAME", by which a
+/// proxy finds the server of a fleet that has the session.
+bool is_for_calls(std::string_view target);
+
 }  // namespace burnish

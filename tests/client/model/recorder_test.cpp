@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/base/parse_number.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {
@@ -25,6 +26,14 @@ TEST(Recorder, EveryEditThatAWindowMakesHasALine) {
   EXPECT_EQ(lines,
             "beta 0.5\ncurve -1:5,2:50\nstroke 2 0.5 0 smooth 1 2 3\nundo\nswitch 3 on\n"
             "checkpoint first draft\n");
+}
+
+TEST(Recorder, NumbersAreReadBackAsTheyWere) {
+  std::string line;
+  Recorder recorder;
+  recorder.open([&](const std::string& recorded) { line = recorded; });
+  recorder.record(Edit{"1", SetGradientScale{1.0 / 3}});
+  EXPECT_EQ(parse_number<double>(line.substr(5)), 1.0 / 3) << line;
 }
 
 TEST(Recorder, WithoutAFileNothingHappens) {

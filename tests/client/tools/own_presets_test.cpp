@@ -29,6 +29,20 @@ TEST(OwnPresets, AreThereAgainAndReplacedByName) {
   EXPECT_EQ(presets[1].curve, own("", 1).curve);
 }
 
+TEST(OwnPresets, AreDeletedByName) {
+  const TemporaryFolder folder;
+  const auto path = folder / "presets";
+  ASSERT_TRUE(save_own_preset(path, own("faint lines", 2)).is_ok());
+  ASSERT_TRUE(save_own_preset(path, own("back of the stone", 0.5)).is_ok());
+  ASSERT_TRUE(delete_own_preset(path, "faint lines").is_ok());
+  const auto presets = *read_own_presets(path);
+  ASSERT_EQ(presets.size(), 1u);
+  EXPECT_EQ(presets[0].name, "back of the stone");
+  const Status again = delete_own_preset(path, "faint lines");
+  EXPECT_EQ(again.code(), StatusCode::kNotFound);
+  EXPECT_THAT(again.message(), HasSubstr("faint lines"));
+}
+
 TEST(OwnPresets, HaveNamesThatScriptsCanSay) {
   const TemporaryFolder folder;
   const auto refusal = [&](const std::string& name) {

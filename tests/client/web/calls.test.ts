@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
-import { Calls } from "../../../client/web/engine/calls";
+import { Calls, type CallEnd } from "../../../client/web/engine/calls";
 
 /** A socket whose other end is the test. */
 class FakeSocket {
@@ -56,7 +56,8 @@ beforeEach(() => {
   FakeSocket.made = [];
   const events = {
     message: (call: number, bytes: Uint8Array) => void heard.push(`${call}: ${[...bytes]}`),
-    ended: (call: number, code: number, message: string) => void heard.push(`${call} ended ${code} ${message}`),
+    ended: (call: number, { code, message, details }: CallEnd) =>
+      void heard.push(`${call} ended ${code} ${message}` + (details.length > 0 ? ` with ${[...details]}` : "")),
   };
   calls = new Calls("https://lab:7443", events, (work) => later.push(work));
 });
@@ -180,4 +181,24 @@ test("WordsThatAreNoEndAreAnInternalError", () => {
   socket(0).onmessage?.({ data: "{" });
   settle();
   assert.deepEqual(heard, [`${call} ended 13 the server's words are not understood`]);
+});
+
+test("EndHasTheDetailsOfGrpc", () => {
+  const call = calls.open(kEdit);
+  socket(0).open();
+  socket(0).say({ code: 9, message: "moved", details: "0a036fff" });
+  settle();
+  assert.deepEqual(heard, [`${call} ended 9 moved with 10,3,111,255`]);
+});
+
+test("CallForAServerOfAFleetHasASocketThatNamesIt", () => {
+  calls.open(kEdit, "two & more");
+  assert.equal(socket(0).url, "wss://lab:7443/rpc?node=two%20%26%20more");
+  for (let i = 0; i < 4; ++i) calls.open(kList);
+  FakeSocket.made.slice(1).forEach((one) => one.open());
+  calls.open(kList, "two"); // waits
+  assert.equal(FakeSocket.made.length, 5);
+  socket(3).say({ code: 0, message: "" });
+  assert.equal(socket(5).url, "wss://lab:7443/rpc?node=two");
+  assert.equal(socket(3).readyState, 3); // made room
 });

@@ -123,6 +123,7 @@ EXPORT(core_call_message) void core_call_message(int, char* bytes, size_t) {
   std::free(bytes);
 }
 
-EXPORT(core_call_ended) void core_call_ended(int, int, char* text, size_t) {
+EXPORT(core_call_ended) void core_call_ended(int, int, char* text, size_t, char* details, size_t) {
   std::free(text);
+  std::free(details);
 }

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { Bench, type Visit } from "./harness";
+import { session, snapshot } from "./sample";
 
 const bench = new Bench();
 before(() => bench.start());
@@ -47,6 +48,20 @@ test("WavelengthIsSentAsFidelity", () =>
     await field.fill("10");
     await field.press("Enter");
     await visit.sent("fidelity 27.0177");
+  }));
+
+test("OwnPresetIsKeptChosenAndDeleted", () =>
+  bench.visitSession(async (visit) => {
+    const panel = visit.page.getByRole("region", { name: "Filter" });
+    await panel.getByRole("textbox", { name: "Name for this filter" }).fill("faint lines");
+    await panel.getByRole("button", { name: "Keep" }).click();
+    await visit.sent("preset_keep faint lines");
+    await visit.change({ presets: [{ name: "faint lines", description: "Your own", beta: 2, own: true }, ...snapshot.presets] });
+    await panel.getByRole("slider", { name: "Strength of the preset" }).waitFor();
+    assert.equal(await panel.getByRole("combobox", { name: "Presets" }).inputValue(), "faint lines");
+    await panel.getByRole("button", { name: "Delete faint lines" }).click();
+    await visit.sent("preset_delete faint lines");
+    assert.equal(await panel.getByRole("combobox", { name: "Presets" }).inputValue(), "");
   }));
 
 test("CurveIsDraggedByMouseAndByKeys", () =>
@@ -209,6 +224,58 @@ test("ViewHasColoursSplitAndBookmarks", () =>
     await visit.sent("view bottom");
     await camera.getByRole("checkbox", { name: "Orthographic" }).click();
     await visit.sent("orthographic on");
+  }));
+
+test("SplitLineOverThePictureMovesByPointerAndKeys", () =>
+  bench.visitSession(async (visit) => {
+    const line = visit.page.getByRole("separator", { name: "Line between original and edited" });
+    assert.equal(await line.count(), 0);
+    await visit.document({ view: { ...session.view, split: true, splitAt: 0.5 } });
+    await line.press("ArrowRight");
+    await visit.sent("split_at 0.51");
+    await line.press("Home");
+    await visit.sent("split_at 0.05");
+    const box = (await line.boundingBox())!;
+    const picture = (await visit.page.getByRole("img", { name: /^Picture of/ }).boundingBox())!;
+    await visit.forget();
+    await visit.page.mouse.move(box.x + box.width / 2, box.y + 100);
+    await visit.page.mouse.down();
+    await visit.page.mouse.move(picture.x + 0.25 * picture.width, box.y + 120);
+    await visit.page.mouse.up();
+    await visit.sent("split_at 0.25");
+    assert.ok((await visit.seen()).every((one) => one.kind !== "pointer" || one.what !== "press"));
+    assert.match(await visit.page.locator(".split-line").innerText(), /original\s+edited/);
+    await visit.document({ view: { ...session.view, split: true, original: true } });
+    await line.waitFor({ state: "detached" });
+    await visit.page.getByText("original", { exact: true }).waitFor();
+  }));
+
+test("LassoAndRulerLieOverThePicture", () =>
+  bench.visitSession(async (visit) => {
+    await visit.document({ over: { lasso: [10, 10, 60, 12, 30, 50], ruler: [100, 90, 140, 90], rulerLength: "12.1 mm" } });
+    await visit.page.getByRole("img", { name: "Ruler: 12.1 mm" }).waitFor();
+    assert.equal(await visit.page.locator("polygon.lasso").getAttribute("points"), "10 10 60 12 30 50");
+  }));
+
+test("LassoIsDrawnByKeys", () =>
+  bench.visitSession(async (visit) => {
+    await visit.document({ lasso: "protect" });
+    const pen = visit.page.getByRole("button", { name: "Pen of the lasso" });
+    await pen.press("Enter");
+    await pen.press("Shift+ArrowRight");
+    await pen.press("ArrowDown");
+    await pen.press("Enter");
+    const points = (await visit.seen()).filter((one) => one.kind === "pointer");
+    assert.deepEqual(
+      points.map((one) => one.what),
+      ["move", "press", "move", "move", "move", "release"],
+    );
+    const at = (number: number) => points[number] as unknown as { x: number; y: number };
+    assert.ok(at(5).x > at(1).x && at(5).y > at(1).y && at(5).x - at(1).x > at(5).y - at(1).y);
+    await visit.document({ lasso: "off" });
+    await pen.waitFor({ state: "detached" });
+    const focused = await visit.page.evaluate(() => document.activeElement?.className);
+    assert.equal(focused, "picture");
   }));
 
 test("LightHasALampOnABall", () =>

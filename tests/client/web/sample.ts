@@ -15,8 +15,8 @@ export const library: Library = {
     { id: "b2", name: "portrait head", triangles: 1_204_000, closed: true, bytes: 98_000_000, imported: kNoon - 90_000, unit: "mm", defaultDepth: 9 },
   ],
   sessions: [
-    { id: "s1", name: "inscription", scan: "a1", edits: 12, depth: 8, begun: kNoon, shown: kNoon + 60, picture: "" },
-    { id: "s2", name: "a name that is much longer than the card on which it stands", scan: "b2", edits: 1, depth: 9, begun: kNoon, shown: kNoon, picture: "" },
+    { id: "s1", name: "inscription", scan: "a1", edits: 12, depth: 8, begun: kNoon, shown: kNoon + 60 },
+    { id: "s2", name: "a name that is much longer than the card on which it stands", scan: "b2", edits: 1, depth: 9, begun: kNoon, shown: kNoon },
   ],
 };
 
@@ -41,6 +41,7 @@ export const session: Document = {
   hasColours: true,
   link: "live",
   linkReason: "",
+  moving: false,
   state: "settled",
   settled: true,
   unsavedEdits: 0,
@@ -111,6 +112,7 @@ export const session: Document = {
     rulerPoints: 2,
     ruler: [{ name: "distance", value: "12.1 mm" }],
   },
+  over: { lasso: [], ruler: [], rulerLength: "" },
   figures: [
     { name: "residual", value: "3.1e-07" },
     { name: "distance", value: "2.0e-05 of the diagonal" },
@@ -127,8 +129,8 @@ export const snapshot: Snapshot = {
   activities: [],
   messages: [],
   presets: [
-    { name: "Reduce scanner noise", description: "Smooths the ripple of a few cells that scanners leave", beta: 0 },
-    { name: "Sharpen all", description: "Enhances detail everywhere", beta: 3 },
+    { name: "Reduce scanner noise", description: "Smooths the ripple of a few cells that scanners leave", beta: 0, own: false },
+    { name: "Sharpen all", description: "Enhances detail everywhere", beta: 3, own: false },
   ],
   recording: false,
   document: null,

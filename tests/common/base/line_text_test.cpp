@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "common/base/parse_number.h"
+
 namespace burnish {
 namespace {
 
@@ -21,6 +23,15 @@ TEST(LineText, WritesWhatAStreamOfThisPrecisionWrites) {
     write(stream);
     EXPECT_EQ(line.text(), stream.str());
   }
+}
+
+TEST(LineText, ExactNumbersHaveTheFewestDigitsThatReadBack) {
+  for (const double value : {0.4, 1.0 / 3, 1e-300, -0.1f * 3.0, 2.5, 1e22, 4.0}) {
+    LineText line(LineText::kExact);
+    line << value;
+    EXPECT_EQ(parse_number<double>(line.text()), value) << line.text();
+  }
+  EXPECT_EQ((LineText(LineText::kExact) << 0.4).text(), "0.4");
 }
 
 }  // namespace

@@ -68,6 +68,8 @@ TEST(ControlFrame, DeepNestingIsOnlyRefused) {
 
 TEST(ControlFrame, AnEndHasTheCodeAndTheMessage) {
   EXPECT_EQ(end_of_call_frame(0, ""), R"({"code":0,"message":""})");
+  EXPECT_EQ(end_of_call_frame(9, "moved", std::string("\n\x03one", 5)),
+            R"({"code":9,"message":"moved","details":"0a036f6e65"})");
   EXPECT_EQ(end_of_call_frame(5, "no \"x\""), R"({"code":5,"message":"no \"x\""})");
 }
 

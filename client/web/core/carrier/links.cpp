@@ -6,11 +6,11 @@
 namespace burnish {
 
 std::unique_ptr<LiveLink> make_live_link(const Connection& connection, LiveOptions options) {
-  return std::make_unique<SocketLink>(connection.server(), std::move(options));
+  return std::make_unique<SocketLink>(connection.route(), std::move(options));
 }
 
 std::unique_ptr<PageSource> make_page_source(const Connection& connection, FetchedPages pages) {
-  return std::make_unique<PageCallsLink>(connection.server(), std::move(pages));
+  return std::make_unique<PageCallsLink>(connection.route(), std::move(pages));
 }
 
 }  // namespace burnish

@@ -11,11 +11,11 @@ namespace burnish {
 
 using std::chrono::steady_clock;
 
-PageCallsLink::PageCallsLink(std::string server, FetchedPages pages)
-    : server_(std::move(server)),
+PageCallsLink::PageCallsLink(std::shared_ptr<ServerRoute> route, FetchedPages pages)
+    : route_(std::move(route)),
       scan_(std::move(pages.scan)),
       on_news_(std::move(pages.on_news)),
-      delivery_(server_) {}
+      delivery_(route_->address()) {}
 
 void PageCallsLink::ask(std::span<const PageItem> items) {
   delivery_.ask(items);
@@ -42,7 +42,7 @@ void PageCallsLink::begin(std::vector<PageItem> batch) {
     (item.kind == PageItem::Kind::kPage ? wish.pages : wish.blocks).push_back(item.number);
   const auto number = delivery_.begin(std::move(batch), steady_clock::now());
   if (!number) return;
-  auto call = std::make_unique<HostCall>("burnish.v1.Library/FetchPages",
+  auto call = std::make_unique<HostCall>("burnish.v1.Library/FetchPages", route_->place().node,
                                          [this, call = *number] { listen(call); });
   call->send(to_wire(wish).SerializeAsString());
   call->end_sending();
@@ -54,7 +54,7 @@ void PageCallsLink::listen(Call number) {
   while (const auto message = running.call->take()) take_message(number, running, *message);
   if (const auto& end = running.call->end(); end && !running.has_ended) {
     running.has_ended = true;
-    const Status there = call_status(server_, {end->code, end->message});
+    const Status there = call_status(route_->address(), {end->code, end->message});
     delivery_.end(number, running.damage.is_ok() ? there : running.damage);
     fetch();
   }
@@ -64,7 +64,7 @@ void PageCallsLink::listen(Call number) {
 void PageCallsLink::take_message(Call number, Running& running, const std::vector<uint8_t>& bytes) {
   v1::FetchPagesEvent event;
   if (!event.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
-    running.damage = data_loss("server " + server_ + ": a message with pages is damaged");
+    running.damage = data_loss("server " + route_->address() + ": a message with pages is damaged");
     return running.call->cancel();
   }
   if (!event.has_block() && !event.has_page()) return;

@@ -17,7 +17,7 @@ namespace burnish {
 /// A PageSource over the worker's calls, without threads.
 class PageCallsLink final : public PageSource, public Clockwork {
  public:
-  PageCallsLink(std::string server, FetchedPages pages);
+  PageCallsLink(std::shared_ptr<ServerRoute> route, FetchedPages pages);
 
   void ask(std::span<const PageItem> items) override;
   void cancel(std::span<const PageItem> items) override;
@@ -40,7 +40,7 @@ class PageCallsLink final : public PageSource, public Clockwork {
   void listen(Call number);
   void take_message(Call number, Running& running, const std::vector<uint8_t>& bytes);
 
-  const std::string server_;
+  const std::shared_ptr<ServerRoute> route_;
   const std::string scan_;
   const std::function<void()> on_news_;
   PageDelivery delivery_;

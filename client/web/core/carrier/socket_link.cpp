@@ -12,11 +12,11 @@ namespace burnish {
 // More than one message on the way to the link holds up newer ones of more use.
 static constexpr size_t kUnsentBytesMax = 64 << 10;
 
-SocketLink::SocketLink(const std::string& server, LiveOptions options)
-    : server_(server),
+SocketLink::SocketLink(std::shared_ptr<ServerRoute> route, LiveOptions options)
+    : route_(std::move(route)),
       clock_(options.clock),
       on_news_(options.on_news),
-      conversation_(std::make_shared<ServerRoute>(server), std::move(options)),
+      conversation_(route_, std::move(options)),
       begins_at_(clock_()) {
   host_wake();
 }
@@ -24,7 +24,8 @@ SocketLink::SocketLink(const std::string& server, LiveOptions options)
 void SocketLink::begin_stream() {
   begins_at_.reset();
   conversation_.begin();
-  stream_ = std::make_unique<HostCall>("burnish.v1.Editing/Edit", [this] { listen(); });
+  stream_ = std::make_unique<HostCall>("burnish.v1.Editing/Edit", route_->place().node,
+                                       [this] { listen(); });
   speak();
 }
 
@@ -58,7 +59,7 @@ void SocketLink::leave_if_over(Time now) {
   }
   const CallEnd end = *stream_->end();
   stream_.reset();
-  const auto wait = conversation_.end(call_status(server_, {end.code, end.message}));
+  const auto wait = conversation_.end(call_status(route_->address(), {end.code, end.message, end.details}));
   if (wait) begins_at_ = now + *wait;
   on_news_();
 }

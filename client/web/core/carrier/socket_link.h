@@ -16,7 +16,7 @@ namespace burnish {
 /// at times of its own.
 class SocketLink final : public LiveLink, public Clockwork {
  public:
-  SocketLink(const std::string& server, LiveOptions options);
+  SocketLink(std::shared_ptr<ServerRoute> route, LiveOptions options);
 
   Status apply(std::vector<Edit> edits) override;
   void preview(const std::string& edit_id, PreviewChange change) override;
@@ -34,7 +34,7 @@ class SocketLink final : public LiveLink, public Clockwork {
   void speak();
   void leave_if_over(Time now);
 
-  const std::string server_;
+  const std::shared_ptr<ServerRoute> route_;
   const Clock clock_;
   const std::function<void()> on_news_;
   LiveConversation conversation_;

@@ -45,4 +45,10 @@ Status AtomicFile::commit() {
   return Status::ok();
 }
 
+Status write_file(const std::filesystem::path& path, std::string_view text, FileAccess access) {
+  ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path, access));
+  RETURN_IF_ERROR(file.write(text));
+  return file.commit();
+}
+
 }  // namespace burnish

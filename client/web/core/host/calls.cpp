@@ -22,8 +22,9 @@ std::map<int, HostCall*>& open_calls() {
 
 }  // namespace
 
-HostCall::HostCall(std::string_view method, std::function<void()> on_event)
-    : number_(host_call_open(method.data(), method.size())), on_event_(std::move(on_event)) {
+HostCall::HostCall(std::string_view method, std::string_view node, std::function<void()> on_event)
+    : number_(host_call_open(method.data(), method.size(), node.data(), node.size())),
+      on_event_(std::move(on_event)) {
   open_calls().emplace(number_, this);
 }
 
@@ -107,7 +108,7 @@ void HostCall::on_end(int call, CallEnd end) {
   HostCall* const ended = found->second;
   open_calls().erase(found);
   const bool is_late = end.code == kCancelled && ended->deadline_ == Time::min();
-  ended->end_ = is_late ? CallEnd{kDeadlineExceeded, "no answer in time"} : std::move(end);
+  ended->end_ = is_late ? CallEnd{kDeadlineExceeded, "no answer in time", {}} : std::move(end);
   ended->tell();
 }
 

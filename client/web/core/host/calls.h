@@ -16,6 +16,7 @@ namespace burnish {
 struct CallEnd {
   int code = 0;
   std::string message;
+  std::string details;  ///< gRPC's: bytes
 };
 
 /// A call of the server, of any kind, as the worker carries it (docs/web.md). Its messages are
@@ -24,9 +25,10 @@ class HostCall {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// `method`: "burnish.v1.Editing/Edit". `on_event`: another message or the end is there; may be
-  /// empty.
-  explicit HostCall(std::string_view method, std::function<void()> on_event = {});
+  /// `method`: "burnish.v1.Editing/Edit". `node`: the server of a fleet to which a proxy leads the
+  /// call; empty: any. `on_event`: another message or the end is there; may be empty.
+  explicit HostCall(std::string_view method, std::string_view node = {},
+                    std::function<void()> on_event = {});
   /// Cancels the call if it has not ended.
   ~HostCall();
   HostCall(const HostCall&) = delete;

@@ -154,7 +154,8 @@ void core_call_message(int call, uint8_t* message, size_t bytes) {
   HostCall::on_message(call, handed.bytes());
 }
 
-void core_call_ended(int call, int code, uint8_t* text, size_t bytes) {
-  const Handed handed(text, bytes);
-  HostCall::on_end(call, {code, std::string(handed.text())});
+void core_call_ended(int call, int code, uint8_t* text, size_t bytes, uint8_t* details,
+                     size_t details_bytes) {
+  const Handed message(text, bytes), rest(details, details_bytes);
+  HostCall::on_end(call, {code, std::string(message.text()), std::string(rest.text())});
 }

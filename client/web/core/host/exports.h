@@ -21,9 +21,9 @@ void core_hear(uint8_t* text, size_t bytes) BURNISH_EXPORT(core_hear);
 double core_tick(double now_ms) BURNISH_EXPORT(core_tick);
 
 void core_call_message(int call, uint8_t* message, size_t bytes) BURNISH_EXPORT(core_call_message);
-/// `code`: that of gRPC.
-void core_call_ended(int call, int code, uint8_t* text, size_t bytes)
-    BURNISH_EXPORT(core_call_ended);
+/// `code` and `details`: those of gRPC.
+void core_call_ended(int call, int code, uint8_t* text, size_t bytes, uint8_t* details,
+                     size_t details_bytes) BURNISH_EXPORT(core_call_ended);
 
 /// Returns the upper end of a task's stack.
 uint8_t* core_stack(int task) BURNISH_EXPORT(core_stack);

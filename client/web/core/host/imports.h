@@ -20,8 +20,10 @@ void host_task_start(int task) BURNISH_IMPORT(task_start);
 void host_task_suspend(int task) BURNISH_IMPORT(task_suspend);
 void host_task_resume(int task) BURNISH_IMPORT(task_resume);
 
-/// Begins a call, e.g. "burnish.v1.Editing/Edit". One message may be handed over at first.
-int host_call_open(const char* method, size_t bytes) BURNISH_IMPORT(call_open);
+/// Begins a call, e.g. "burnish.v1.Editing/Edit", at a server of a fleet or at any. One message may
+/// be handed over at first.
+int host_call_open(const char* method, size_t bytes, const char* node, size_t node_bytes)
+    BURNISH_IMPORT(call_open);
 void host_call_send(int call, const uint8_t* message, size_t bytes) BURNISH_IMPORT(call_send);
 void host_call_end(int call) BURNISH_IMPORT(call_end);
 void host_call_cancel(int call) BURNISH_IMPORT(call_cancel);
@@ -45,6 +47,9 @@ void host_store_set(const char* key, size_t key_bytes, const char* text, size_t 
 /// Returns the text's length; store_take() then writes it.
 size_t host_store_get(const char* key, size_t key_bytes) BURNISH_IMPORT(store_get);
 void host_store_take(char* to) BURNISH_IMPORT(store_take);
+/// Keeps a picture as the text of a key, some time later: the address of a file within itself.
+void host_picture_keep(const char* key, size_t key_bytes, const uint8_t* rgb, int width, int height)
+    BURNISH_IMPORT(picture_keep);
 
 #undef BURNISH_IMPORT
 

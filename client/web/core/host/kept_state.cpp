@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "client/model/preferences.h"
-#include "client/model/session_pictures.h"
 #include "client/model/view_state.h"
 #include "client/web/core/host/store.h"
 #include "client/web/core/json_writer.h"
@@ -214,12 +213,6 @@ Status write_view(const std::filesystem::path& file, const ViewKey& key, const V
     json.close();
   }
   store_text(file.string(), json.close_list().written());
-  return Status::ok();
-}
-
-// The store has little room, and a page's start shows no pictures.
-Status keep_picture(const std::filesystem::path&, const RecentSession&, const Image&,
-                    const std::vector<RecentSession>&) {
   return Status::ok();
 }
 

@@ -1,8 +1,7 @@
-// What a page does not have, and how it says so: a server of its own, raw scans, own presets.
+// What a page does not have, and how it says so: a server of its own, raw scans.
 
 #include "client/model/private_server.h"
 #include "client/model/raw_scan.h"
-#include "client/tools/own_presets.h"
 
 namespace burnish {
 
@@ -29,11 +28,6 @@ Status put_into(PageRenderer&, RawScan& scan) {
 
 DrawStyle style_of(const RawScan&) {
   return {};
-}
-
-Result<Preset> find_any_preset(const std::string& name) {
-  if (const Preset* preset = find_preset(name)) return *preset;
-  return not_found("no preset has the name '" + name + "'");
 }
 
 }  // namespace burnish

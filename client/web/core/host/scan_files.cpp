@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "client/report/processing_record.h"
 #include "client/web/core/host/page_files.h"
 #include "client/web/core/host/stacks.h"
 
@@ -65,7 +66,12 @@ Result<ExportSummary> export_to_file(Connection& connection, const SessionInfo& 
                                      const Progress& progress) {
   ExportWish asked = wish;
   ASSIGN_OR_RETURN(asked.format, written_format_of_path(file));
-  return connection.export_mesh(session.id, asked, file, progress);
+  ASSIGN_OR_RETURN(const ExportSummary summary,
+                   connection.export_mesh(session.id, asked, file, progress));
+  const RecordedExport made{connection.user(), file, summary};
+  if (wish.deviation)
+    RETURN_IF_ERROR(write_records(connection, session.id, made).with_context("record"));
+  return summary;
 }
 
 }  // namespace burnish

@@ -45,6 +45,15 @@ export class EngineLink {
     private readonly core: string,
   ) {}
 
+  /** Hears what other pages of this browser keep, so that none overwrites it. Returns a function that stops. */
+  listen(): () => void {
+    const hear = ({ key, newValue }: StorageEvent) => {
+      if (key?.startsWith(kKept)) this.post({ kind: "kept", key: key.slice(kKept.length), text: newValue ?? "" });
+    };
+    addEventListener("storage", hear);
+    return () => removeEventListener("storage", hear);
+  }
+
   /** Takes the canvas for good. */
   start(canvas: HTMLCanvasElement, width: number, height: number): void {
     this.port?.terminate();
@@ -110,9 +119,24 @@ export class EngineLink {
     if (message.kind === "snapshot") this.show(message.snapshot);
     if (message.kind === "answer") this.refuse(message.message);
     if (message.kind === "download") download(message.name, message.blob);
-    if (message.kind === "keep") localStorage.setItem(kKept + message.key, message.text);
+    if (message.kind === "keep") this.keep(message.key, message.text);
     if (message.kind === "drawn") this.restarts = 0;
     if (message.kind === "stopped") this.stop(message.message, message.again);
+  }
+
+  /** Returns a text that an engine has kept; empty: none. */
+  kept(key: string): string {
+    return localStorage.getItem(kKept + key) ?? "";
+  }
+
+  private keep(key: string, text: string): void {
+    try {
+      if (text === "") localStorage.removeItem(kKept + key);
+      else localStorage.setItem(kKept + key, text);
+    } catch {
+      this.refuse("the browser keeps no more for this page: its room is full, or it is not allowed");
+    }
+    this.change({});
   }
 
   private show(snapshot: Snapshot): void {

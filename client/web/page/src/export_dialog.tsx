@@ -14,8 +14,9 @@ export function ExportDialog({ document, onClose }: { document: Document; onClos
   const [name, setName] = useState(document.session);
   const [kind, setKind] = useState<(typeof kKinds)[number]>("ply");
   const [exact, setExact] = useState(false);
+  const [record, setRecord] = useState(false);
   const take = () => {
-    link.send(command.exportMesh(`${name.trim()}.${kind}`, exact));
+    link.send(command.exportMesh(`${name.trim()}.${kind}`, exact, record));
     onClose();
   };
   return (
@@ -41,6 +42,12 @@ export function ExportDialog({ document, onClose }: { document: Document; onClos
         on={exact}
         hint="Solves to the last digit first, which takes longer."
         onChange={setExact}
+      />
+      <Check
+        label="Processing record"
+        on={record}
+        hint="Also writes who did what, how far the surface moved, and the hashes of both files: a page to print and JSON, beside the file."
+        onChange={setRecord}
       />
       <p class="faint">The browser keeps the file among its downloads.</p>
       <Row>

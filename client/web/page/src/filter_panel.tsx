@@ -3,7 +3,7 @@
 import { useState } from "preact/hooks";
 import { command } from "./commands";
 import { useLink } from "./context";
-import { Choice, Title } from "./controls";
+import { Button, Choice, NameField, Title } from "./controls";
 import { Slider, betaScale, betaTone, linear, logarithmic } from "./slider";
 import type { Document, Preset } from "./snapshot";
 import { fixed, short } from "./words";
@@ -25,16 +25,32 @@ export interface PanelProps {
 export const isViewer = (document: Document) => document.role === "viewer";
 
 export function FilterPanel({ document, presets }: PanelProps & { presets: Preset[] }) {
+  const [name, setName] = useState("");
+  const chosen = presets.find((one) => one.name === name);
+  return (
+    <>
+      <Presets {...{ document, presets, chosen }} onChoose={setName} />
+      <Beta document={document} />
+      <Wavelength document={document} />
+      <OwnPreset {...{ document, presets, chosen }} onChoose={setName} />
+    </>
+  );
+}
+
+interface PresetProps extends PanelProps {
+  presets: Preset[];
+  chosen: Preset | undefined;
+  onChoose: (name: string) => void;
+}
+
+function Presets({ document, presets, chosen, onChoose }: PresetProps) {
   const link = useLink();
   const disabled = isViewer(document);
-  const [chosen, setChosen] = useState<Preset | null>(null);
   const [strength, setStrength] = useState(1);
   const choose = (name: string) => {
-    const preset = presets.find((one) => one.name === name);
-    if (!preset) return;
-    setChosen(preset);
+    onChoose(name);
     setStrength(1);
-    link.send(command.preset(preset.name, 1));
+    if (name) link.send(command.preset(name, 1));
   };
   return (
     <>
@@ -66,8 +82,36 @@ export function FilterPanel({ document, presets }: PanelProps & { presets: Prese
           />
         </>
       )}
-      <Beta document={document} />
-      <Wavelength document={document} />
+    </>
+  );
+}
+
+/** Keeps what is set under a name, and deletes it again. */
+function OwnPreset({ document, chosen, onChoose }: PresetProps) {
+  const link = useLink();
+  return (
+    <>
+      <NameField
+        name="Name for this filter"
+        label="name for this filter"
+        button="Keep"
+        hint="Keeps the gradient scale and the curve as a preset of your own"
+        disabled={isViewer(document)}
+        onTake={(name) => {
+          link.send(command.presetKeep(name));
+          onChoose(name);
+        }}
+      />
+      {chosen?.own && (
+        <Button
+          label={`Delete ${chosen.name}`}
+          hint="Deletes this preset of your own. The surface stays as it is."
+          onClick={() => {
+            link.send(command.presetDelete(chosen.name));
+            onChoose("");
+          }}
+        />
+      )}
     </>
   );
 }

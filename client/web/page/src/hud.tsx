@@ -5,6 +5,7 @@ import type { ColourScale, Document } from "./snapshot";
 
 function chipOf(document: Document): [string, string] {
   if (document.link === "connecting") return ["connecting", "busy"];
+  if (document.link === "lost" && document.moving) return ["moving to another server", "busy"];
   if (document.link === "lost") return ["connection lost, reconnecting", "bad"];
   if (document.link === "ended") return ["session ended", "bad"];
   return [document.state, document.settled ? "good" : "busy"];
@@ -57,13 +58,13 @@ export function LostNote({ document }: { document: Document }) {
   const kept = edits === 0 ? "" : `${edits} ${edits === 1 ? "edit waits" : "edits wait"} for the server.`;
   const text = {
     connecting: "Connecting…",
-    lost: "Connection lost. It comes back by itself.",
+    lost: document.moving ? "The session moves to another server…" : "Connection lost. It comes back by itself.",
     ended: "The session has ended.",
   }[document.link];
   return (
     <div class="lost" role="alert">
       <strong>{text}</strong>
-      {document.linkReason && <div>{document.linkReason}</div>}
+      {document.linkReason && !document.moving && <div>{document.linkReason}</div>}
       {kept && <div>{kept}</div>}
     </div>
   );

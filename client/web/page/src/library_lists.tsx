@@ -5,8 +5,23 @@ import { command } from "./commands";
 import { useLink } from "./context";
 import { Button, NameField, Row } from "./controls";
 import { Dialog } from "./dialog";
+import type { EngineLink } from "./engine_link";
 import type { Library, Scan, Session } from "./snapshot";
 import { counted, dayOf, megabytes } from "./words";
+
+/** Returns the address of a session's last picture in this browser; empty: there is none. */
+export const pictureOf = (link: EngineLink, session: Session) => link.kept(`picture/${session.id}`);
+
+/** Returns that of the session that showed the scan last. */
+function pictureOfScan(link: EngineLink, scan: Scan, { sessions }: Library): string {
+  const ofScan = sessions.filter((one) => one.scan === scan.id).sort((one, other) => other.shown - one.shown);
+  return ofScan.map((one) => pictureOf(link, one)).find(Boolean) ?? "";
+}
+
+function ScanPicture({ scan, library }: { scan: Scan; library: Library }) {
+  const picture = pictureOfScan(useLink(), scan, library);
+  return picture ? <img class="thumb" src={picture} alt={`Picture of ${scan.name}`} /> : <span class="thumb" />;
+}
 
 const edits = (count: number) => `${count} ${count === 1 ? "edit" : "edits"}`;
 
@@ -41,7 +56,8 @@ export function ScanList({ library }: { library: Library }) {
           <tbody>
             {library.scans.map((scan) => (
               <tr key={scan.id}>
-                <td>
+                <td class="pictured">
+                  <ScanPicture scan={scan} library={library} />
                   <Button
                     label={scan.name}
                     name={`Open ${scan.name}`}

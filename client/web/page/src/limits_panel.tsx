@@ -19,7 +19,7 @@ export function LimitsPanel({ document }: PanelProps) {
       <RegionButtons document={document} />
       <div class="faint" role="status">
         {document.lasso !== "off" && !disabled
-          ? "drag a line in the picture"
+          ? "drag a line in the picture; by keys: Tab leads to a pen there"
           : "the protected region is hatched"}
       </div>
     </>

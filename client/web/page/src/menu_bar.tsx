@@ -74,7 +74,6 @@ function fileItems({ document, actions, recording, onReplay }: MenuBarProps, sen
     },
     {
       label: recording ? "Stop recording" : "Record a script",
-      disabled,
       divided: true,
       run: send(command.record(!recording)),
     },

@@ -13,6 +13,7 @@ import { handleKeyDown, handleKeyUp, type PageActions } from "./keys";
 import { KeyHelp } from "./key_help";
 import { MenuBar, type Shown } from "./menu_bar";
 import { MessageLog, Toasts } from "./messages";
+import { OverPicture } from "./over_picture";
 import { Picture } from "./picture";
 import { StartPage, kMeshFiles } from "./start_page";
 
@@ -29,6 +30,7 @@ export function Page({ link }: { link: EngineLink }) {
   useEffect(() => {
     link.onchange = () => setState(link.state);
     setState(link.state);
+    return link.listen();
   }, []);
   const actions: PageActions = {
     open: () => meshFile.current?.click(),
@@ -61,6 +63,7 @@ export function Page({ link }: { link: EngineLink }) {
         )}
         <div class="middle" hidden={!document}>
           <Picture key={state.starts} document={document} />
+          {document && <OverPicture document={document} />}
           {document && <Hud document={document} figures={figures && isWide} />}
           {document?.view && document.scale && <ColourBar scale={document.scale} />}
           {document && <LostNote document={document} />}
@@ -96,7 +99,7 @@ export function Page({ link }: { link: EngineLink }) {
       <FileInput
         input={scriptFile}
         name="Script file"
-        accept=".burnish,.txt"
+        accept=".script,.burnish,.txt"
         onFile={(file) => link.post({ kind: "replay", file })}
       />
     </LinkContext.Provider>

@@ -56,6 +56,8 @@ export type ToWorker =
   | { kind: "import"; file: File }
   /** Runs a recorded script, line after line. Its first error ends it and becomes a message. */
   | { kind: "replay"; file: File }
+  /** Another page of this browser has kept a text. */
+  | { kind: "kept"; key: string; text: string }
   /** A page that is not seen needs no pictures. */
   | { kind: "visible"; is: boolean };
 

@@ -46,8 +46,6 @@ export interface Session {
   begun: number;
   /** When this browser showed it last; 0: never. */
   shown: number;
-  /** Address of its last picture (blob: or data:). */
-  picture: string;
 }
 
 export interface Activity {
@@ -71,6 +69,8 @@ export interface Preset {
   name: string;
   description: string;
   beta: number;
+  /** The user has made it; the browser keeps it. */
+  own: boolean;
 }
 
 export interface CurvePoint {
@@ -201,6 +201,16 @@ export interface Numbers {
   ruler: Figure[];
 }
 
+/** Lines over the picture. Places are x, y, x, y, ... in pixels of the picture. */
+export interface Over {
+  /** The line that is being drawn. */
+  lasso: number[];
+  /** The ruler's ends. */
+  ruler: number[];
+  /** Empty before the second end. */
+  rulerLength: string;
+}
+
 export interface DepthChoice {
   depth: number;
   text: string;
@@ -223,6 +233,8 @@ export interface Document {
   hasColours: boolean;
   link: "connecting" | "live" | "lost" | "ended";
   linkReason: string;
+  /** "lost" is short: the session goes on at another server. */
+  moving: boolean;
   /** "converging", "settled", "exact", "saving" or "waiting for the first frame". */
   state: string;
   settled: boolean;
@@ -256,6 +268,7 @@ export interface Document {
   light: Lighting;
   scale: ColourScale | null;
   numbers: Numbers;
+  over: Over;
   /** Figures of frames and link, in the order of the window. */
   figures: Figure[];
 }

@@ -4,7 +4,7 @@ import { useState } from "preact/hooks";
 import { command } from "./commands";
 import { useLink } from "./context";
 import { Button, Row } from "./controls";
-import { ScanList, SessionList } from "./library_lists";
+import { ScanList, SessionList, pictureOf } from "./library_lists";
 import type { Library, Session } from "./snapshot";
 import { dayOf } from "./words";
 
@@ -41,6 +41,9 @@ function Server({ library }: { library: Library }) {
     connected: `connected to ${library.server}`,
     failed: library.problem,
   }[library.state];
+  // The form stays while its words are tried.
+  const [asks, setAsks] = useState(false);
+  if (library.wantsToken !== asks && library.state !== "connecting") setAsks(library.wantsToken);
   const tone = { unconnected: "faint", connecting: "busy", connected: "good", failed: "bad" }[library.state];
   return (
     <section aria-label="Server">
@@ -48,7 +51,7 @@ function Server({ library }: { library: Library }) {
       <p class={tone} role="status">
         {text}
       </p>
-      {library.wantsToken && <ConnectForm />}
+      {(library.wantsToken || asks) && <ConnectForm />}
       {library.state === "failed" && !library.wantsToken && (
         <Button label="Try again" onClick={() => link.send(command.refresh())} />
       )}
@@ -111,13 +114,14 @@ function Cards({ library }: { library: Library }) {
 
 function Card({ session }: { session: Session }) {
   const link = useLink();
+  const picture = pictureOf(link, session);
   return (
     <button
       class="card"
       aria-label={`Go on with ${session.name}`}
       onClick={() => link.send(command.joinSession(session.id))}
     >
-      {session.picture ? <img src={session.picture} alt="" /> : <div class="no-picture" />}
+      {picture ? <img src={picture} alt={`Picture of ${session.name}`} /> : <div class="no-picture" />}
       <span class="name">{session.name}</span>
       <span class="faint">{dayOf(session.shown)}</span>
     </button>

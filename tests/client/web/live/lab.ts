@@ -12,14 +12,14 @@ const kBin = process.env.BURNISH_BIN;
 const kPatienceMs = 60_000;
 
 /** A running server. */
-interface Server {
+export interface Server {
   process: ChildProcess;
   /** Addresses of gRPC and of the page. */
   rpc: string;
   web: string;
 }
 
-function startServer(flags: string[]): Promise<Server> {
+export function startServer(flags: string[]): Promise<Server> {
   assert.ok(kBin, "BURNISH_BIN names the folder of the programs");
   const process = spawn(join(kBin, "burnish-server"), flags, { stdio: ["ignore", "pipe", "pipe"] });
   let said = "";
@@ -34,6 +34,15 @@ function startServer(flags: string[]): Promise<Server> {
     process.stderr!.on("data", hear);
     process.on("exit", (code) => reject(new Error(`burnish-server ended with ${code}: ${said}`)));
   });
+}
+
+/** Ends a program, and waits for its end. */
+export async function end(process: ChildProcess, signal: NodeJS.Signals): Promise<void> {
+  if (process.exitCode !== null || process.signalCode !== null) return;
+  process.removeAllListeners("exit");
+  const ended = new Promise((resolve) => process.once("exit", resolve));
+  process.kill(signal);
+  await ended;
 }
 
 /** Waits until a question has this answer. */
@@ -186,42 +195,42 @@ export class Visit {
 /** What the tests of a file share. */
 export class Lab {
   readonly folder = mkdtempSync(join(tmpdir(), "burnish-web-"));
-  private server!: Server;
-  private browser!: Browser;
+  private server: Server | null = null;
+  private browser: Browser | null = null;
+  private page = "";
   private flags: string[] = [];
 
   /** Starts with a scan, "tablet", and these flags of the server. */
   async start(flags: string[] = []): Promise<void> {
     this.flags = ["--data", join(this.folder, "data"), ...flags];
     this.server = await startServer(["--listen", "127.0.0.1:0", "--web", "127.0.0.1:0", ...this.flags]);
+    await this.begin(this.server.web);
+  }
+
+  /** Starts without a server of its own: the page is at this address. */
+  async begin(address: string): Promise<void> {
+    this.page = address;
     this.browser = await launchBrowser();
   }
 
   async stop(): Promise<void> {
-    await this.browser.close();
-    await this.kill();
+    await this.browser?.close();
+    if (this.server) await this.kill();
     rmSync(this.folder, { recursive: true });
   }
 
   /** Ends the server as a power cut would. */
-  async kill(): Promise<void> {
-    const { process } = this.server;
-    if (process.exitCode !== null || process.signalCode !== null) return;
-    process.removeAllListeners("exit");
-    const ended = new Promise((resolve) => process.once("exit", resolve));
-    process.kill("SIGKILL");
-    await ended;
-  }
+  kill = () => end(this.server!.process, "SIGKILL");
 
   /** Starts a killed server again, at its old addresses. */
   async revive(): Promise<void> {
-    const { rpc, web } = this.server;
+    const { rpc, web } = this.server!;
     this.server = await startServer(["--listen", rpc, "--web", new URL(web).host, ...this.flags]);
   }
 
   path = (name: string) => join(this.folder, name);
   bytes = (name: string) => readFileSync(this.path(name));
-  address = () => this.server.web;
+  address = () => this.page;
 
   /** Runs the command line without a server. */
   run(...words: string[]): Promise<string> {
@@ -233,7 +242,7 @@ export class Lab {
   }
 
   /** Runs a command against the server. */
-  ask = (...words: string[]) => this.run(...words, "--server", this.server.rpc);
+  ask = (...words: string[]) => this.run(...words, "--server", this.server!.rpc);
 
   async state(session: string): Promise<SessionState> {
     return JSON.parse(await this.ask("sessions", session, "--json")) as SessionState;
@@ -255,7 +264,7 @@ export class Lab {
     options: BrowserContextOptions = {},
     wanted: RegExp = /^$/,
   ): Promise<void> {
-    const context = await this.browser.newContext({ viewport: { width: 1024, height: 700 }, ...options });
+    const context = await this.browser!.newContext({ viewport: { width: 1024, height: 700 }, ...options });
     const visit = new Visit(await context.newPage());
     try {
       await visit.page.goto(this.address());

@@ -20,17 +20,17 @@ enum StatusCode { OK = 0, INTERNAL = 13 };
 class Status {
  public:
   Status() = default;
-  Status(int code, std::string message) : code_(code), message_(std::move(message)) {}
+  Status(int code, std::string message, std::string details = {})
+      : code_(code), message_(std::move(message)), details_(std::move(details)) {}
 
   bool ok() const { return code_ == OK; }
   int error_code() const { return code_; }
   const std::string& error_message() const { return message_; }
-  /// The door carries none.
-  std::string error_details() const { return {}; }
+  const std::string& error_details() const { return details_; }
 
  private:
   int code_ = OK;
-  std::string message_;
+  std::string message_, details_;
 };
 
 /// The way to the page's server. There is one.
@@ -39,7 +39,9 @@ class Channel {};
 class ClientContext {
  public:
   /// The worker adds user and token itself.
-  void AddMetadata(const std::string&, const std::string&) {}
+  void AddMetadata(const std::string& name, const std::string& value) {
+    if (name == "x-burnish-node") node_ = value;
+  }
   void set_deadline(std::chrono::system_clock::time_point deadline) {
     const auto left = deadline - std::chrono::system_clock::now();
     deadline_ = std::chrono::steady_clock::now() +
@@ -51,12 +53,13 @@ class ClientContext {
 
   // For the stubs.
   burnish::HostCall& begin(std::string_view method) {
-    call_.emplace(method);
+    call_.emplace(method, node_);
     if (deadline_) call_->set_deadline(*deadline_);
     return *call_;
   }
 
  private:
+  std::string node_;
   std::optional<std::chrono::steady_clock::time_point> deadline_;
   std::optional<burnish::HostCall> call_;
 };
@@ -74,7 +77,7 @@ bool read_message(burnish::HostCall& call, Message* message) {
 
 inline Status finish(burnish::HostCall& call) {
   burnish::CallEnd end = call.wait_for_end();
-  return {end.code, std::move(end.message)};
+  return {end.code, std::move(end.message), std::move(end.details)};
 }
 
 /// Limit of what a writer leaves to the link before it waits.

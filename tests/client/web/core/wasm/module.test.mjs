@@ -19,7 +19,7 @@ const importsOf = (from) =>
 test("the host's functions are those of client/web/core/host/imports.h", () => {
   assert.deepEqual(importsOf("host"), [
     "call_buffered", "call_cancel", "call_end", "call_open", "call_pull", "call_send",
-    "download_add", "download_begin", "download_end", "file_read", "say",
+    "download_add", "download_begin", "download_end", "file_read", "picture_keep", "say",
     "store_get", "store_set", "store_take", "task_resume", "task_start", "task_suspend", "wake",
   ]);
 });

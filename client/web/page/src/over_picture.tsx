@@ -1,0 +1,102 @@
+// The lines over the picture, as client/app/app_picture.cpp and ruler_overlay.cpp draw them: that between original and
+// edited surface, the lasso and the ruler.
+
+import { useRef } from "preact/hooks";
+import { command } from "./commands";
+import { useLink } from "./context";
+import { LassoPen } from "./lasso_pen";
+import type { PanelProps } from "./filter_panel";
+
+const kSplitMin = 0.05;
+const kSplitMax = 0.95;
+const kStep = 0.01; // of an arrow key
+const kLargeStep = 0.1;
+
+/** Text of a polyline for pixels of the picture: x, y, x, y, ... */
+const pointsOf = (pixels: number[]) => pixels.map((one) => one / devicePixelRatio).join(" ");
+
+export function OverPicture({ document }: PanelProps) {
+  const { view, over } = document;
+  return (
+    <div class="over">
+      <svg aria-hidden="true">
+        {over.lasso.length > 0 && <polygon class="lasso" points={pointsOf(over.lasso)} />}
+      </svg>
+      <RulerLine document={document} />
+      {view.original && <span class="side whole">original</span>}
+      {view.split && !view.original && <SplitLine at={view.splitAt} />}
+      {document.lasso !== "off" && document.role !== "viewer" && <LassoPen />}
+    </div>
+  );
+}
+
+function RulerLine({ document }: PanelProps) {
+  const { ruler, rulerLength } = document.over;
+  const ends = [];
+  for (let i = 0; i < ruler.length; i += 2)
+    ends.push({ x: ruler[i]! / devicePixelRatio, y: ruler[i + 1]! / devicePixelRatio });
+  if (ends.length === 0) return null;
+  const [first, second] = ends;
+  return (
+    <svg role="img" aria-label={rulerLength ? `Ruler: ${rulerLength}` : "Ruler: first point"}>
+      {first && second && <polyline class="ruler under" points={pointsOf(ruler)} />}
+      {first && second && <polyline class="ruler" points={pointsOf(ruler)} />}
+      {ends.map((end, number) => (
+        <circle key={number} class="ruler" cx={end.x} cy={end.y} r={4} />
+      ))}
+      {first && second && (
+        <text x={(first.x + second.x) / 2 + 8} y={(first.y + second.y) / 2 + 16}>
+          {rulerLength}
+        </text>
+      )}
+    </svg>
+  );
+}
+
+/** The line between original and edited surface. It moves by the pointer and by keys. */
+function SplitLine({ at }: { at: number }) {
+  const link = useLink();
+  const line = useRef<HTMLDivElement>(null);
+  const move = (to: number) => link.send(command.splitAt(Math.min(kSplitMax, Math.max(kSplitMin, to))));
+  const drag = (event: PointerEvent) => {
+    if (!line.current!.hasPointerCapture(event.pointerId)) return;
+    const box = line.current!.parentElement!.getBoundingClientRect();
+    move((event.clientX - box.left) / box.width);
+  };
+  const key = (event: KeyboardEvent) => {
+    const places: Record<string, number> = {
+      ArrowLeft: at - kStep,
+      ArrowRight: at + kStep,
+      PageDown: at - kLargeStep,
+      PageUp: at + kLargeStep,
+      Home: kSplitMin,
+      End: kSplitMax,
+    };
+    const to = places[event.key];
+    if (to === undefined) return;
+    event.preventDefault();
+    move(to);
+  };
+  return (
+    <div
+      ref={line}
+      class="split-line"
+      style={{ left: `${100 * at}%` }}
+      role="separator"
+      aria-orientation="vertical"
+      aria-label="Line between original and edited"
+      aria-valuemin={100 * kSplitMin}
+      aria-valuemax={100 * kSplitMax}
+      aria-valuenow={Math.round(100 * at)}
+      tabIndex={0}
+      onPointerDown={(event) => {
+        if (event.button === 0) line.current!.setPointerCapture(event.pointerId);
+      }}
+      onPointerMove={drag}
+      onKeyDown={key}
+    >
+      <span class="side before">original</span>
+      <span class="side after">edited</span>
+    </div>
+  );
+}

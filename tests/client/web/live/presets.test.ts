@@ -1,0 +1,63 @@
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Lab, until, type Visit } from "./lab";
+
+const lab = new Lab();
+before(async () => {
+  await lab.start();
+  await lab.importTablet();
+});
+after(() => lab.stop());
+
+const presets = (visit: Visit) => visit.page.getByRole("combobox", { name: "Presets" });
+
+async function keep(visit: Visit, beta: string, name: string): Promise<void> {
+  const field = visit.page.getByRole("textbox", { name: "Gradient scale β as a number" });
+  await field.fill(beta);
+  await field.press("Enter");
+  await visit.page.getByRole("textbox", { name: "Name for this filter" }).fill(name);
+  await visit.page.getByRole("button", { name: "Keep" }).click();
+  await presets(visit).getByRole("option", { name }).waitFor({ state: "attached" });
+}
+
+test("OwnPresetIsThereAfterAReloadAndInAnotherSession", () =>
+  lab.visit(async (visit) => {
+    await visit.openScan("tablet");
+    await keep(visit, "0.25", "faint lines");
+    await visit.page.reload();
+    await visit.openScan("tablet");
+    await presets(visit).selectOption("faint lines");
+    const session = await visit.session();
+    await until(
+      () => lab.state(session),
+      ({ beta }) => beta === 0.25,
+    );
+    await visit.page.getByRole("button", { name: "Delete faint lines" }).click();
+    await presets(visit).getByRole("option", { name: "faint lines" }).waitFor({ state: "detached" });
+  }));
+
+test("BuiltInNamesAreRefused", () =>
+  lab.visit(async (visit) => {
+    await visit.openScan("tablet");
+    await visit.page.getByRole("textbox", { name: "Name for this filter" }).fill("Soften");
+    await visit.page.getByRole("button", { name: "Keep" }).click();
+    await visit.page.getByText("preset 'Soften' is built in").first().waitFor();
+  }));
+
+test("TwoTabsKeepEachOthersPresets", () =>
+  lab.visit(async (one) => {
+    await one.openScan("tablet");
+    const page = await one.page.context().newPage();
+    await page.goto(lab.address());
+    await page.getByRole("button", { name: "New session of tablet" }).click();
+    const name = page.getByRole("textbox", { name: "Name for this filter" });
+    await name.waitFor();
+    await keep(one, "0.5", "first");
+    await name.fill("second");
+    await page.getByRole("button", { name: "Keep" }).click();
+    const options = await until(
+      () => page.getByRole("combobox", { name: "Presets" }).getByRole("option").allInnerTexts(),
+      (texts) => texts.includes("second"),
+    );
+    assert.ok(options.includes("first"), options.join(", "));
+  }));
