@@ -95,8 +95,8 @@ class LiveConversation {
   Status failure_;        // of the last message
   bool beat_for_credit_ = false;
   bool has_server_lost_it_ = false;  // the session
-  int failures_ = 0;  // streams without a frame, one after the other
-  int moves_ = 0;     // likewise, that another server has the session
+  int failures_ = 0;                 // streams without a frame, one after the other
+  int moves_ = 0;                    // likewise, that another server has the session
   uint64_t frames_at_end_ = 0;
   std::minstd_rand random_{std::random_device{}()};
 

@@ -6,7 +6,7 @@ namespace burnish {
 
 /// Time between the stop and the lease's end: for the news to reach the clients.
 static std::chrono::milliseconds reserve_of(const LeaseTimes& times) {
-  return std::min<std::chrono::milliseconds>(std::chrono::seconds(2), times.lease / 2);
+  return std::min<std::chrono::milliseconds>(std::chrono::seconds(2), times.lease / 4);
 }
 
 HoldWatch::HoldWatch(const LeaseTimes& times, LeaseLeft lease_left, PauseWatch::BootClock clock)

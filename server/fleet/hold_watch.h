@@ -21,7 +21,7 @@ class HoldWatch {
             PauseWatch::BootClock clock = PauseWatch::since_boot);
 
   /// Fails with `unavailable`: once after a pause; and from two seconds before the lease's end, or
-  /// half of a short lease, until a heartbeat succeeds. Somebody must ask more often.
+  /// a quarter of a short lease, until a heartbeat succeeds. Somebody must ask more often.
   Status check();
 
  private:

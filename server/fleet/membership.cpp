@@ -52,9 +52,11 @@ std::chrono::duration<double> Membership::lease_left() const {
   return times_.lease - (std::chrono::steady_clock::now() - renewed_.load());
 }
 
-// After a failure the next try comes sooner: a short absence of the database costs no lease.
+// After a failure the next try comes sooner: a short absence of the database costs no lease. Work
+// after a heartbeat that takes long does not put off the next one.
 void Membership::loop(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
+    const Time begin = std::chrono::steady_clock::now();
     const bool is_draining = is_told_to_drain();
     const Status status = beat(is_draining);
     if (!status.is_ok()) {
@@ -63,8 +65,9 @@ void Membership::loop(const std::stop_token& stop) {
       spdlog::warn("fleet: no heartbeat: {}", status.message());
     }
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, stop, status.is_ok() ? times_.heartbeat : times_.heartbeat / 4,
-                      [this] { return is_draining_ && !has_told_drain_; });
+    const auto interval = status.is_ok() ? times_.heartbeat : times_.heartbeat / 4;
+    changed_.wait_until(lock, stop, begin + interval,
+                        [this] { return is_draining_ && !has_told_drain_; });
   }
 }
 

@@ -18,8 +18,8 @@ namespace burnish {
 
 /// A journal, and this server's place among those that share it.
 struct OpenedJournal {
-  std::unique_ptr<Membership> membership;  ///< null for a server that is alone; outlives the journal
-  std::unique_ptr<HoldWatch> watch;        ///< likewise
+  std::unique_ptr<Membership> membership;  ///< null for a server that is alone; ends after the rest
+  std::unique_ptr<HoldWatch> watch;        ///< likewise null
   std::unique_ptr<Journal> journal;
   PostgresJournal* shared = nullptr;  ///< the same journal; null for a file
 };
@@ -36,7 +36,7 @@ Status share_scans(const ServerConfig& config, const OpenedJournal& opened, Mesh
 [[nodiscard]] std::jthread follow_fleet(const ServerConfig& config, const OpenedJournal& opened,
                                         SessionManager& sessions, LiveSessions& live);
 
-/// Tells the fleet that this server drains. Returns the servers that take its sessions; nothing for a
+/// Tells the fleet that this server drains. Returns the servers that take its sessions; none for a
 /// server that is alone.
 Successors tell_fleet_of_drain(const OpenedJournal& opened);
 

@@ -117,8 +117,9 @@ static Status outcome_of(std::future<Status> written, const SessionEntry& entry)
   static constexpr auto kLook = std::chrono::milliseconds(100);
   while (written.wait_for(kLook) != std::future_status::ready)
     if (entry.is_in_doubt)
-      return unavailable("the server let go of the session before the edits were on disk; send "
-                         "them again");
+      return unavailable(
+          "the server let go of the session before the edits were on disk; send "
+          "them again");
   return written.get();
 }
 

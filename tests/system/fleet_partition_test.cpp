@@ -53,8 +53,7 @@ class FleetPartition : public testing::Test {
   std::string owner() const {
     PgConnection database = PgConnection::open(PgAddress::parse(uri_).value(), {}, "test").value();
     const PgReply row =
-        database
-            .run({"SELECT nodes.name FROM sessions LEFT JOIN nodes ON nodes.id = owner", {}})
+        database.run({"SELECT nodes.name FROM sessions LEFT JOIN nodes ON nodes.id = owner", {}})
             .value();
     return row.bytes(0, 0);
   }

@@ -13,8 +13,8 @@ struct LinkOptions {
 };
 
 /// A slow network in this process. It takes connections on a loopback port and passes bytes to
-/// `target` (HOST:PORT of this machine, or the path of a Unix socket) and back, with limited speed and a delay. As in a router, waiting
-/// bytes are bounded, so a full link slows its senders.
+/// `target` (HOST:PORT of this machine, or the path of a Unix socket) and back, with limited speed
+/// and a delay. As in a router, waiting bytes are bounded, so a full link slows its senders.
 class Link {
  public:
   Link(const std::string& target, const LinkOptions& options);

@@ -95,8 +95,8 @@ TEST(LiveWire, EveryMessageOfTheServerComesBackUnchanged) {
   expect_unchanged<ServerMessage>(people);
   expect_unchanged<ServerMessage>(Heartbeat{123456789});
   for (int code = 1; code <= static_cast<int>(FarewellCode::kNotOwner); ++code)
-    expect_unchanged<ServerMessage>(Farewell{static_cast<FarewellCode>(code), "so", true,
-                                             ServerPlace{"two:7411", "two"}, {"b:7411"}});
+    expect_unchanged<ServerMessage>(Farewell{
+        static_cast<FarewellCode>(code), "so", true, ServerPlace{"two:7411", "two"}, {"b:7411"}});
 }
 
 TEST(LiveWire, AFarewellNamesTheServerBehindAProxyOrNone) {

@@ -33,11 +33,11 @@ TEST(HoldWatch, EndsTwoSecondsBeforeTheLeaseUntilAHeartbeatSucceeds) {
   EXPECT_TRUE(one.watch.check().is_ok());
 }
 
-TEST(HoldWatch, EndsAtHalfOfAShortLease) {
+TEST(HoldWatch, EndsAtTheLastQuarterOfAShortLease) {
   Watched one({seconds(1), milliseconds(200)});
-  one.lease_left = milliseconds(501);
+  one.lease_left = milliseconds(251);
   EXPECT_TRUE(one.watch.check().is_ok());
-  one.lease_left = milliseconds(499);
+  one.lease_left = milliseconds(249);
   EXPECT_FALSE(one.watch.check().is_ok());
 }
 
