@@ -47,6 +47,7 @@ struct ServerConfig {
   std::string fleet_durability = "single";  ///< machines that have an acknowledged edit
   int64_t fleet_lease_ms = 10'000;          ///< until a server that is not heard counts as dead
   int64_t fleet_heartbeat_ms = 3'000;       ///< between two signs of this server
+  int64_t fleet_alone_ms = 60'000;          ///< that it shows sessions without the database
 
   int64_t idle_spill_seconds = 600;  ///< until an unused session is unloaded; 0: never
 

@@ -38,6 +38,7 @@ std::span<const ConfigKey> config_keys() {
       {"fleet.durability", &C::fleet_durability, 0, 0, {"single", "replicated"}},
       {"fleet.lease_ms", &C::fleet_lease_ms, 500, 600'000},
       {"fleet.heartbeat_ms", &C::fleet_heartbeat_ms, 100, 60'000},
+      {"fleet.alone_ms", &C::fleet_alone_ms, 0, 600'000},
       {"sessions.idle_spill_seconds", &C::idle_spill_seconds, 0, 1'000'000'000},
       {"limits.sessions_max", &C::sessions_max, 1, 1'000'000},
       {"limits.sessions_per_user", &C::sessions_per_user, 1, 1'000'000},

@@ -10,16 +10,15 @@ static std::chrono::milliseconds reserve_of(const LeaseTimes& times) {
 }
 
 HoldWatch::HoldWatch(const LeaseTimes& times, LeaseLeft lease_left, PauseWatch::BootClock clock)
-    : reserve_(reserve_of(times)),
+    : left_at_least_(std::min(reserve_of(times), times.lease - times.alone)),
       lease_left_(std::move(lease_left)),
       pauses_(times.lease - reserve_of(times), std::move(clock)) {}
 
 Status HoldWatch::check() {
   if (pauses_.was_paused())
     return unavailable("the server stood still for too long; another one may have its sessions");
-  if (lease_left_() < reserve_)
-    return unavailable(
-        "the server does not reach the database; another one may have its sessions soon");
+  if (lease_left_() < left_at_least_)
+    return unavailable("the server does not reach the database; another one may have its sessions");
   return Status::ok();
 }
 

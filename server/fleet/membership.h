@@ -20,6 +20,7 @@ namespace burnish {
 struct LeaseTimes {
   std::chrono::milliseconds lease{10'000};
   std::chrono::milliseconds heartbeat{3'000};
+  std::chrono::milliseconds alone{0};  ///< see HoldWatch
 };
 
 /// Another server of the fleet that takes sessions.

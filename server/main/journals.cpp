@@ -35,7 +35,8 @@ Result<OpenedJournal> open_journal_of(const ServerConfig& config, const DataFold
   RETURN_IF_ERROR(warn_of_losses(address, config));
   if (config.fleet_name.empty()) return opened;
   const LeaseTimes times{std::chrono::milliseconds(config.fleet_lease_ms),
-                         std::chrono::milliseconds(config.fleet_heartbeat_ms)};
+                         std::chrono::milliseconds(config.fleet_heartbeat_ms),
+                         std::chrono::milliseconds(config.fleet_alone_ms)};
   ASSIGN_OR_RETURN(opened.membership,
                    Membership::join(address, {config.fleet_name, config.fleet_advertise}, times));
   opened.watch = std::make_unique<HoldWatch>(

@@ -33,6 +33,19 @@ TEST(HoldWatch, EndsTwoSecondsBeforeTheLeaseUntilAHeartbeatSucceeds) {
   EXPECT_TRUE(one.watch.check().is_ok());
 }
 
+TEST(HoldWatch, BearsTheDatabasesAbsenceForAsLongAsItIsTold) {
+  Watched one({seconds(10), seconds(3), seconds(60)});
+  one.lease_left = seconds(-50);
+  EXPECT_TRUE(one.watch.check().is_ok());
+  one.lease_left = milliseconds(-50'001);
+  EXPECT_FALSE(one.watch.check().is_ok());
+  Watched shorter({seconds(10), seconds(3), seconds(5)});
+  shorter.lease_left = seconds(2);
+  EXPECT_TRUE(shorter.watch.check().is_ok());
+  shorter.lease_left = milliseconds(1999);
+  EXPECT_FALSE(shorter.watch.check().is_ok());
+}
+
 TEST(HoldWatch, EndsAtTheLastQuarterOfAShortLease) {
   Watched one({seconds(1), milliseconds(200)});
   one.lease_left = milliseconds(251);
