@@ -4,9 +4,9 @@
 
 #include "client/app/panels.h"
 #include "client/app/places.h"
-#include "client/app/section_window.h"
 #include "client/app/theme.h"
 #include "client/model/figures.h"
+#include "client/model/section_view.h"
 #include "client/report/length_text.h"
 
 namespace burnish {

@@ -1,64 +1,42 @@
 #include "client/app/section_window.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "client/app/places.h"
 #include "client/app/theme.h"
+#include "client/model/section_view.h"
 #include "client/report/length_text.h"
 #include "client/report/section_file.h"
 
 namespace burnish {
 
-Plane section_plane(const Ruler& ruler, const Camera& camera) {
-  const Vec3d along = ruler.ends()[1].edited - ruler.ends()[0].edited;
-  const Eigen::Matrix3d axes = camera_axes(camera);
-  const Vec3d back = axes.row(2), up = axes.row(1);
-  const Vec3d across = along.cross(back);
-  // A ruler that runs along the view is cut upright.
-  const Vec3d normal = across.norm() > 1e-9 * along.norm() ? across : Vec3d(along.cross(up));
-  return {ruler.ends()[0].edited, normal.stableNormalized()};
-}
-
 namespace {
 
-/// Turns the plane so that the ruler lies level, and scales its way to the window's width.
-class SectionView {
+/// Scales the ruler's way to the window's width.
+class SectionPlot {
  public:
-  SectionView(const Plane& plane, const Ruler& ruler, const ImVec2& at, const ImVec2& size,
-              float exaggeration)
-      : at_(at), size_(size), exaggeration_(exaggeration) {
-    const PlaneAxes axes = axes_of(plane);
-    const Vec3d way = ruler.ends()[1].edited - plane.point;
-    const Eigen::Vector2d level(axes.right.dot(way), axes.up.dot(way));
-    length_ = std::max(level.norm(), 1e-300);
-    turn_ = level / length_;
-  }
+  SectionPlot(const SectionView& view, const ImVec2& at, const ImVec2& size, float exaggeration)
+      : view_(view), at_(at), size_(size), exaggeration_(exaggeration) {}
 
   ImVec2 place(const Eigen::Vector2d& point) const {
-    const double along = turn_.dot(point), height = turn_.x() * point.y() - turn_.y() * point.x();
-    const double scale = kPart * size_.x / length_;
-    return {
-        at_.x + size_.x * static_cast<float>((1 - kPart) / 2) + static_cast<float>(along * scale),
-        at_.y + size_.y / 2 - static_cast<float>(height * scale) * exaggeration_};
+    const Eigen::Vector2f at = (kPart * size_.x * view_.place(point)).cast<float>();
+    return {at_.x + size_.x * static_cast<float>((1 - kPart) / 2) + at.x(),
+            at_.y + size_.y / 2 - at.y() * exaggeration_};
   }
-
-  double length() const { return length_; }
 
  private:
   static constexpr double kPart = 0.9;  // of the window's width for the ruler's way
 
+  const SectionView view_;
   const ImVec2 at_, size_;
   const float exaggeration_;
-  double length_;
-  Eigen::Vector2d turn_;
 };
 
-void draw_lines(const SectionView& view, const std::vector<SectionLine>& lines, ImU32 colour) {
+void draw_lines(const SectionPlot& plot, const std::vector<SectionLine>& lines, ImU32 colour) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   for (const SectionLine& line : lines)
     for (size_t i = 1; i < line.points.size(); ++i)
-      list->AddLine(view.place(line.points[i - 1]), view.place(line.points[i]), colour, em(0.1f));
+      list->AddLine(plot.place(line.points[i - 1]), plot.place(line.points[i]), colour, em(0.1f));
 }
 
 void draw_plot(const Document& document, float exaggeration) {
@@ -67,10 +45,10 @@ void draw_plot(const Document& document, float exaggeration) {
   ImGui::InvisibleButton("##plot", {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
   if (measuring.ruler.ends().size() < 2 || !measuring.section()) return;
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  const SectionView view(*measuring.plane(), measuring.ruler, at, size, exaggeration);
+  const SectionPlot plot(SectionView(*measuring.plane(), measuring.ruler), at, size, exaggeration);
   list->PushClipRect(at, {at.x + size.x, at.y + size.y}, true);
-  draw_lines(view, measuring.section()->original, ImGui::ColorConvertFloat4ToU32(theme::kFaint));
-  draw_lines(view, measuring.section()->edited, ImGui::ColorConvertFloat4ToU32(theme::kBad));
+  draw_lines(plot, measuring.section()->original, ImGui::ColorConvertFloat4ToU32(theme::kFaint));
+  draw_lines(plot, measuring.section()->edited, ImGui::ColorConvertFloat4ToU32(theme::kBad));
   list->PopClipRect();
 }
 

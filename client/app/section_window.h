@@ -6,9 +6,6 @@
 
 namespace burnish {
 
-/// Returns the plane through both ends of a ruler and the eye's direction. Needs: two ends.
-Plane section_plane(const Ruler& ruler, const Camera& camera);
-
 /// The section through the original and the edited surface, with the ruler's way across the window.
 class SectionWindow : public Panel {
  public:

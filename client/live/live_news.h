@@ -43,8 +43,8 @@ struct LinkStats {
 
 struct LinkChanged {
   LinkState state = LinkState::kConnecting;
-  std::string reason;       ///< why it was lost or ended
-  bool has_moved = false;   ///< it was lost because another server has the session: it goes on there
+  std::string reason;      ///< why it was lost or ended
+  bool has_moved = false;  ///< it was lost because another server has the session: it goes on there
 };
 
 /// The first frame that has them is here: what was shown in their stead can go.

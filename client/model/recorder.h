@@ -9,8 +9,8 @@
 
 namespace burnish {
 
-/// Records the user's actions as lines that `burnish --script` can run: the edits have the same bits
-/// then. Does nothing until it is opened.
+/// Records the user's actions as lines that `burnish --script` can run: the edits have the same
+/// bits then. Does nothing until it is opened.
 class Recorder {
  public:
   /// Takes a line without its end.

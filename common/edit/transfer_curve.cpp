@@ -12,8 +12,8 @@ namespace burnish {
 
 static Status check_range(const char* what, double x, double min, double max) {
   if (x >= min && x <= max) return Status::ok();  // false for NaN
-  return invalid_argument(std::string(what) + " " + shortest_text(x) + " is outside " + shortest_text(min) +
-                          ".." + shortest_text(max));
+  return invalid_argument(std::string(what) + " " + shortest_text(x) + " is outside " +
+                          shortest_text(min) + ".." + shortest_text(max));
 }
 
 Status check_alpha(double alpha) {
@@ -46,9 +46,9 @@ Result<TransferCurve> TransferCurve::create(std::vector<Point> points) {
   for (size_t i = 0; i < points.size(); ++i) {
     RETURN_IF_ERROR(check_point(i, points[i]));
     if (i > 0 && !(points[i].kappa > points[i - 1].kappa))
-      return invalid_argument("curve point " + std::to_string(i + 1) + ": kappa " +
-                              shortest_text(points[i].kappa) + " must be above the kappa before it, " +
-                              shortest_text(points[i - 1].kappa));
+      return invalid_argument(
+          "curve point " + std::to_string(i + 1) + ": kappa " + shortest_text(points[i].kappa) +
+          " must be above the kappa before it, " + shortest_text(points[i - 1].kappa));
   }
   TransferCurve curve(std::move(points));
   if (curve.contrast() > kCurveContrastMax * (1 + 1e-12))

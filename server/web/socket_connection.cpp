@@ -198,8 +198,8 @@ class SocketConnection final : public WebConnection,
 
   void end_call(const grpc::Status& status) {
     conversation_.note_end();
-    write_text(end_of_call_frame(status.error_code(), status.error_message(),
-                                 status.error_details()));
+    write_text(
+        end_of_call_frame(status.error_code(), status.error_message(), status.error_details()));
   }
 
   // ---- to the client

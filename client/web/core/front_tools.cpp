@@ -1,5 +1,7 @@
 // Lines about what the pointer does, and about the session.
 
+#include "client/model/section_view.h"
+#include "client/report/section_file.h"
 #include "client/script/script_view.h"
 #include "client/tools/band_choice.h"
 #include "client/tools/own_presets.h"
@@ -36,6 +38,18 @@ Status set_tool(const FrontWords& line, Viewport& viewport) {
   return Status::ok();
 }
 
+// The pointer's next moves set the value, and a click ends that.
+Status drag_brush(const FrontWords& line, Workspace& workspace) {
+  RETURN_IF_ERROR(need_words(line, 1));
+  const std::string& what = line.words[0];
+  if (what != "radius" && what != "strength")
+    return invalid_argument("'" + what + "' is neither radius nor strength");
+  const Document& document = *workspace.document();
+  what == "radius" ? workspace.viewport.begin_radius(document)
+                   : workspace.viewport.begin_strength(document);
+  return Status::ok();
+}
+
 Status set_lasso(const FrontWords& line, FrontParts& parts) {
   RETURN_IF_ERROR(need_words(line, 1));
   const std::string& what = line.words[0];
@@ -52,6 +66,39 @@ Status protect_piece(FrontParts& parts) {
   if (!parts.state.last_hover)
     return failed_precondition("the pointer has not been on the surface yet");
   parts.workspace.document()->protect({PieceRegion{*parts.state.last_hover}});
+  return Status::ok();
+}
+
+Status cut_section(const FrontParts& parts) {
+  Measuring& measuring = parts.workspace.document()->measuring();
+  if (measuring.ruler.ends().size() < 2)
+    return failed_precondition("a section needs a ruler with two points");
+  measuring.cut(section_plane(measuring.ruler, parts.workspace.viewport.camera));
+  return Status::ok();
+}
+
+Status save_section(const std::string& ending, const FrontParts& parts) {
+  const Document& document = *parts.workspace.document();
+  const auto& section = document.measuring().section();
+  if (!section) return failed_precondition("there is no section yet");
+  const std::string name = document.scan().scan.name + "-section." + ending;
+  RETURN_IF_ERROR(check_section_name(name));
+  parts.host.download(
+      name, ending == "svg" ? section_svg(*section, document.unit()) : section_csv(*section));
+  return Status::ok();
+}
+
+/// Does cut, close, or save and svg or csv.
+Status do_section(const FrontWords& line, const FrontParts& parts) {
+  RETURN_IF_ERROR(need_words(line, 1));
+  const std::string& what = line.words[0];
+  if (what == "cut") return cut_section(parts);
+  if (what == "save") {
+    RETURN_IF_ERROR(need_words(line, 2));
+    return save_section(line.words[1], parts);
+  }
+  if (what != "close") return invalid_argument("'" + what + "' is not cut, close or save");
+  parts.workspace.document()->measuring().forget_section();
   return Status::ok();
 }
 
@@ -83,8 +130,10 @@ std::optional<Status> do_tool_line(const FrontWords& line, FrontParts& parts) {
   const std::string& command = line.command;
   if (command == "role") return set_role(line, document);
   if (command == "tool") return set_tool(line, workspace.viewport);
+  if (command == "brush_drag") return drag_brush(line, workspace);
   if (command == "lasso") return set_lasso(line, parts);
   if (command == "protect_piece") return protect_piece(parts);
+  if (command == "section") return do_section(line, parts);
   if (command == "depth") return open_at(line, workspace);
   if (command == "preset_keep") return keep_preset(line, document);
   if (command == "preset_delete") return delete_own_preset(own_presets_path(), line.rest());

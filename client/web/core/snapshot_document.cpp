@@ -96,6 +96,7 @@ void write_document(const Workspace& workspace, const FrontState& state, JsonWri
   write_people(document, json);
   write_view(workspace, json);
   write_over(workspace, json);
+  write_section(document, json);
   json.key("figures").open_list();
   if (state.shows_figures && document.stats().frames > 0)
     for (const Figure& figure : link_figures(document))

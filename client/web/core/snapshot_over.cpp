@@ -8,7 +8,7 @@ namespace burnish {
 
 namespace {
 
-constexpr size_t kPointsMax = 512;       // of a drawn line
+constexpr size_t kLinePointsMax = 512;   // of a drawn line
 constexpr double kFarthest = 1'000'000;  // pixels: a point behind the eye has no place
 
 void write_place(const Eigen::Vector2d& pixel, JsonWriter& json) {
@@ -23,7 +23,7 @@ void write_over(const Workspace& workspace, JsonWriter& json) {
   const Viewport& viewport = workspace.viewport;
   json.key("over").open().key("lasso").open_list();
   const auto& line = viewport.lasso();
-  const size_t step = line.size() / kPointsMax + 1;
+  const size_t step = line.size() / kLinePointsMax + 1;
   for (size_t i = 0; i < line.size(); i += step) write_place(line[i], json);
   json.close_list().key("ruler").open_list();
   const Ruler& ruler = document.measuring().ruler;

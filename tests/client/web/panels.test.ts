@@ -305,6 +305,18 @@ test("NumbersNameTheUnitAndMeasure", () =>
     await panel.getByText("0.42 mm").waitFor();
     await panel.getByRole("checkbox", { name: "Measure" }).click();
     await visit.sent("tool measure");
+    await panel.getByRole("button", { name: "Section" }).click();
+    await visit.sent("section cut");
+    await visit.document({ section: { ready: true, original: "M0 0L10000 0", edited: "M0 5L10000 9" } });
+    const plot = visit.page.getByRole("region", { name: "Section" });
+    await plot.getByRole("img", { name: "Drawing of the section", exact: true }).waitFor();
+    await plot.getByRole("textbox", { name: "Heights of the section as a number" }).fill("10");
+    await visit.page.keyboard.press("Enter");
+    assert.equal(await plot.locator("path.after").getAttribute("transform"), "scale(1 10)");
+    await plot.getByRole("button", { name: "Save drawing" }).click();
+    await visit.sent("section save svg");
+    await plot.getByRole("button", { name: "Close the section" }).click();
+    await visit.sent("section close");
     await panel.getByRole("button", { name: "Clear the ruler" }).click();
     await visit.sent("ruler clear");
   }));

@@ -113,6 +113,7 @@ export const session: Document = {
     ruler: [{ name: "distance", value: "12.1 mm" }],
   },
   over: { lasso: [], ruler: [], rulerLength: "" },
+  section: null,
   figures: [
     { name: "residual", value: "3.1e-07" },
     { name: "distance", value: "2.0e-05 of the diagonal" },

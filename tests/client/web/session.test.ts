@@ -74,6 +74,8 @@ test("KeysAreThoseOfTheWindow", () =>
       ["5", "orthographic on"],
       ["Home", "frame"],
       ["b", "bookmark add"],
+      ["f", "brush_drag radius"],
+      ["Shift+F", "brush_drag strength"],
       ["]", "brush 4.6 0.5 0 smooth beta"],
       ["Escape", "cancel"],
     ];

@@ -59,7 +59,8 @@ void SocketLink::leave_if_over(Time now) {
   }
   const CallEnd end = *stream_->end();
   stream_.reset();
-  const auto wait = conversation_.end(call_status(route_->address(), {end.code, end.message, end.details}));
+  const auto wait =
+      conversation_.end(call_status(route_->address(), {end.code, end.message, end.details}));
   if (wait) begins_at_ = now + *wait;
   on_news_();
 }

@@ -10,7 +10,9 @@ endif()
 list(FILTER zstd_sources EXCLUDE REGEX "(pool|threading)\\.c$")
 add_library(zstd OBJECT ${zstd_sources})
 target_include_directories(zstd SYSTEM PUBLIC ${BURNISH_WEB_SOURCES}/libzstd/lib)
-target_compile_definitions(zstd PRIVATE ZSTD_DISABLE_ASM=1 NDEBUG)
+# The last three are the library's own advice for a small decoder.
+target_compile_definitions(zstd PRIVATE ZSTD_DISABLE_ASM=1 NDEBUG HUF_FORCE_DECOMPRESS_X1
+  ZSTD_FORCE_DECOMPRESS_SEQUENCES_SHORT ZSTD_STRIP_ERROR_STRINGS)
 target_compile_options(zstd PRIVATE ${BURNISH_WEB_FLAGS} -w)
 
 # The list of its own build, libprotobuf_lite_la_SOURCES.

@@ -32,8 +32,12 @@ export const frontCommands: readonly FrontCommand[] = [
   { form: "role USER viewer|editor|owner", means: "changes a role; the role is the last word" },
   { form: "message dismiss N", means: "drops a message from the snapshot" },
   { form: "tool paint|look|measure", means: "sets what the left button does" },
+  { form: "brush_drag radius|strength", means: "lets the pointer's moves set it until a click" },
   { form: "lasso off|protect|release [through]", means: "lets the next drag draw a line" },
   { form: "protect_piece", means: "protects the piece that the pointer was on last" },
+  { form: "section cut", means: "cuts the surface along the ruler, in the direction of the view" },
+  { form: "section close", means: "forgets the section" },
+  { form: "section save svg|csv", means: "downloads the section as a drawing or a table" },
   { form: "ruler clear", means: "forgets the ruler's points" },
   { form: "preset_keep NAME", means: "keeps gradient scale and curve as a preset of one's own" },
   { form: "preset_delete NAME", means: "deletes a preset of one's own" },
@@ -102,6 +106,7 @@ export const command = {
 
   brush: (brush: Brush) =>
     words("brush", brush.radius, brush.strength, brush.beta, brush.fallOff satisfies FallOff, brush.paints),
+  brushDrag: (what: "radius" | "strength") => words("brush_drag", what),
   mirror: (axis: string, at?: number) =>
     at === undefined ? words("mirror", axis) : words("mirror", axis, at),
   tool: (tool: Tool) => words("tool", tool),
@@ -143,6 +148,7 @@ export const command = {
   figures: (on: boolean) => words("figures", onOff(on)),
   over: (what: "protection" | "curves", on: boolean) => words("over", what, onOff(on)),
   unit: (text: string) => words("unit", name(text)).trim(),
+  section: (what: "cut" | "close" | "save svg" | "save csv") => words("section", what),
   rulerClear: () => "ruler clear",
 
   refresh: () => "library refresh",

@@ -55,6 +55,8 @@ export const keyActions: readonly KeyAction[] = [
   sends(["Ctrl+Shift+Z", "Ctrl+Y"], "Redo it", command.redo),
   sends(["Home"], "Show the whole scan", command.frame),
   sends(["C"], "Turn around the point under the cursor", command.focus),
+  sends(["F"], "Move the mouse to set the brush's radius", () => command.brushDrag("radius")),
+  sends(["Shift+F"], "Move the mouse to set the brush's strength", () => command.brushDrag("strength")),
   radius("[", 1 / kRadiusStep, "Smaller brush"),
   radius("]", kRadiusStep, "Larger brush"),
   strength("{", -kStrengthStep, "Weaker brush"),

@@ -3,7 +3,7 @@
 import { useState } from "preact/hooks";
 import { command } from "./commands";
 import { useLink } from "./context";
-import { Button, Check, Figures } from "./controls";
+import { Button, Check, Figures, Row } from "./controls";
 import type { PanelProps } from "./filter_panel";
 import type { Numbers } from "./snapshot";
 
@@ -90,7 +90,14 @@ function Ruler({ document }: PanelProps) {
       {ruler.length > 0 && (
         <>
           <Figures figures={ruler} />
-          <Button label="Clear" name="Clear the ruler" onClick={() => link.send(command.rulerClear())} />
+          <Row>
+            <Button
+              label="Section"
+              hint="Cuts the surface along the ruler, in the direction of the view."
+              onClick={() => link.send(command.section("cut"))}
+            />
+            <Button label="Clear" name="Clear the ruler" onClick={() => link.send(command.rulerClear())} />
+          </Row>
         </>
       )}
     </>

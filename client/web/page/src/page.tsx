@@ -15,6 +15,7 @@ import { MenuBar, type Shown } from "./menu_bar";
 import { MessageLog, Toasts } from "./messages";
 import { OverPicture } from "./over_picture";
 import { Picture } from "./picture";
+import { SectionPlot } from "./section_plot";
 import { StartPage, kMeshFiles } from "./start_page";
 
 const kClosed: Shown = { log: false, help: false, exporting: false };
@@ -66,6 +67,7 @@ export function Page({ link }: { link: EngineLink }) {
           {document && <OverPicture document={document} />}
           {document && <Hud document={document} figures={figures && isWide} />}
           {document?.view && document.scale && <ColourBar scale={document.scale} />}
+          {document?.section && <SectionPlot section={document.section} ruler={document.over.rulerLength} />}
           {document && <LostNote document={document} />}
         </div>
         {document && isWide && (

@@ -211,6 +211,15 @@ export interface Over {
   rulerLength: string;
 }
 
+/** A cut along the ruler. */
+export interface Section {
+  /** The server has cut it. */
+  ready: boolean;
+  /** Paths of SVG; the ruler lies level and is 10,000 long, y downwards. */
+  original: string;
+  edited: string;
+}
+
 export interface DepthChoice {
   depth: number;
   text: string;
@@ -269,6 +278,8 @@ export interface Document {
   scale: ColourScale | null;
   numbers: Numbers;
   over: Over;
+  /** Null: none was asked for. */
+  section: Section | null;
   /** Figures of frames and link, in the order of the window. */
   figures: Figure[];
 }
