@@ -25,7 +25,7 @@ struct SolveOptions {
   /// To the bar of exports (docs/solver.md), and from the scan itself: the same edits on the same
   /// scan give the same bits, whatever the session showed before. Else to that of settled sessions.
   bool exact = false;
-  int cycles = 0;      ///< > 0: exactly this many
+  int cycles = 0;  ///< > 0: exactly this many
 };
 
 /// One editing state of a prepared mesh: edits in, fields, solver, surface out. Not thread-safe:

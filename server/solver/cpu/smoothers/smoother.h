@@ -20,7 +20,7 @@ class DepthSmoother {
     (void)corners;
     set_up(depth);
   }
-  virtual void start_over() {}  ///< forgets what earlier matrices taught it
+  virtual void start_over() {}                        ///< forgets what earlier matrices taught it
   virtual void relax_from_zero(CpuDepth& depth) = 0;  ///< x from zero
   virtual void relax(CpuDepth& depth) = 0;            ///< continues from x
   virtual uint64_t byte_count() const = 0;

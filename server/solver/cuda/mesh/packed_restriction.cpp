@@ -33,10 +33,10 @@ static void list_row(const DepthTransfer& transfer, int64_t begin, int64_t end,
 }
 
 static bool fits(const DepthTransfer& transfer, size_t row) {
-  const auto weights = std::span(transfer.restriction_weight)
-                           .subspan(transfer.restriction_start[row])
-                           .first(transfer.restriction_start[row + 1] -
-                                  transfer.restriction_start[row]);
+  const auto weights =
+      std::span(transfer.restriction_weight)
+          .subspan(transfer.restriction_start[row])
+          .first(transfer.restriction_start[row + 1] - transfer.restriction_start[row]);
   return weights.size() <= kRestrictionMax &&
          std::ranges::all_of(weights, [](float weight) { return halvings_of(weight) >= 0; });
 }

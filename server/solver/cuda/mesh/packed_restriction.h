@@ -9,8 +9,8 @@ namespace burnish::cuda {
 
 /// A restriction in the form that coarse corners gather. A row is packed in its order. A row with
 /// more than kRestrictionMax fine corners or a shared corner is listed as a whole: a shared
-/// corner's weight cannot be packed. If any row is listed, so are empty rows, which coarse corners of
-/// other shards have: an empty packed row then always means a listed one.
+/// corner's weight cannot be packed. If any row is listed, so are empty rows, which coarse corners
+/// of other shards have: an empty packed row then always means a listed one.
 struct PackedRestriction {
   std::vector<int64_t> start;  ///< coarse corners + 1; listed rows are empty
   std::vector<uint32_t> packed;
