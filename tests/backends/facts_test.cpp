@@ -43,7 +43,7 @@ TEST_P(EverySmoother, BetaOneReturnsTheInputMesh) {
   EXPECT_EQ(filtered.after(1000), mesh.vertices);
 }
 
-// What a session showed on the way does not matter: a script's replay gives the same file.
+// Frames on the way do not matter: a script's replay gives the same file.
 TEST_P(Facts, ExactResultsFollowFromTheEditsAlone) {
   const TriangleMesh mesh = bumpy();
   const auto stroke = [&](const Filtered& on, size_t vertex) {

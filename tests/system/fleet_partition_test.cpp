@@ -116,7 +116,7 @@ TEST_F(FleetPartition, ItsClientsAreSentAwayBeforeAnybodyElseCanHaveTheSession) 
   EXPECT_EQ(slide(*one_, "late").code(), StatusCode::kUnavailable);
   slide_until_taken(*two_, "b");
   EXPECT_EQ(owner(), "two");
-  // What was on its way is fenced, and the server learns where its session is.
+  // The fence stops writes that were on their way, and the server learns where its session is.
   way_.stall(false);
   slide_until_taken(*one_, "c");
   EXPECT_THAT(history(), ElementsAre("a", "b", "c"));

@@ -12,7 +12,7 @@
 
 namespace burnish {
 
-/// What is recorded in a page.
+/// A script that a page records.
 struct Script {
   std::string name;  ///< of its file
   std::string lines;

@@ -33,25 +33,22 @@ TEST(HoldWatch, EndsTwoSecondsBeforeTheLeaseUntilAHeartbeatSucceeds) {
   EXPECT_TRUE(one.watch.check().is_ok());
 }
 
+// Expects that the watch bears the lease with so much left, and nothing less.
+void expect_borne_until(milliseconds left, const LeaseTimes& times) {
+  Watched one(times);
+  one.lease_left = left;
+  EXPECT_TRUE(one.watch.check().is_ok()) << left.count();
+  one.lease_left = left - milliseconds(1);
+  EXPECT_FALSE(one.watch.check().is_ok()) << left.count();
+}
+
 TEST(HoldWatch, BearsTheDatabasesAbsenceForAsLongAsItIsTold) {
-  Watched one({seconds(10), seconds(3), seconds(60)});
-  one.lease_left = seconds(-50);
-  EXPECT_TRUE(one.watch.check().is_ok());
-  one.lease_left = milliseconds(-50'001);
-  EXPECT_FALSE(one.watch.check().is_ok());
-  Watched shorter({seconds(10), seconds(3), seconds(5)});
-  shorter.lease_left = seconds(2);
-  EXPECT_TRUE(shorter.watch.check().is_ok());
-  shorter.lease_left = milliseconds(1999);
-  EXPECT_FALSE(shorter.watch.check().is_ok());
+  expect_borne_until(seconds(-50), {seconds(10), seconds(3), seconds(60)});
+  expect_borne_until(seconds(2), {seconds(10), seconds(3), seconds(5)});
 }
 
 TEST(HoldWatch, EndsAtTheLastQuarterOfAShortLease) {
-  Watched one({seconds(1), milliseconds(200)});
-  one.lease_left = milliseconds(251);
-  EXPECT_TRUE(one.watch.check().is_ok());
-  one.lease_left = milliseconds(249);
-  EXPECT_FALSE(one.watch.check().is_ok());
+  expect_borne_until(milliseconds(250), {seconds(1), milliseconds(200)});
 }
 
 TEST(HoldWatch, SaysOnceThatTheProcessStoodStill) {

@@ -1,4 +1,4 @@
-// What a page does not have, and how it says so: a server of its own, raw scans.
+// Says that a page lacks two things: a server of its own, and raw scans.
 
 #include "client/model/private_server.h"
 #include "client/model/raw_scan.h"
