@@ -11,27 +11,17 @@
 #include "server/fields/fields.h"
 #include "server/prepare/prepare.h"
 #include "server/solver/cuda/cuda_backend.h"
-#include "server/solver/multi/device_need.h"
 #include "server/solver/tuning/plan_cycle.h"
 #include "tests/backends/fault.h"
 #include "tests/backends/filtered.h"
+#include "tests/backends/on_a_device.h"
 #include "tests/reference/awkward_meshes.h"
-#include "tests/reference/compare.h"
 
 namespace burnish {
 namespace {
 
 using testing::AnyOf;
 using testing::HasSubstr;
-
-std::shared_ptr<const PreparedMesh> small_scan() {
-  return prepare(generate_scan({.kind = "icosphere", .vertices = 600}).value(), {.depth = 5})
-      .value();
-}
-
-Result<std::unique_ptr<Solver>> open_solver(const SolverOptions& options) {
-  return Solver::create(make_multigrid(small_scan()).value(), options);
-}
 
 TEST(CudaBackend, WithoutADeviceTheErrorSaysWhatIsMissing) {
   if (cuda_device().is_ok()) GTEST_SKIP() << "there is a device: " << cuda_device().value();
@@ -48,29 +38,6 @@ TEST(CudaBackend, WithoutADeviceAutoTakesTheCpuAndSaysWhy) {
   EXPECT_EQ(solver->backend_name(), "cpu");
   EXPECT_EQ(solver->backend_reason(), cuda_device().status().message());
 }
-
-void append(const TriangleMesh& piece, const Vec3d& at, TriangleMesh& mesh) {
-  const auto first = static_cast<uint32_t>(mesh.vertices.size());
-  for (const Vec3d& vertex : piece.vertices) mesh.vertices.push_back(vertex + at);
-  for (const Triangle& t : piece.triangles)
-    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-}
-
-// Two spheres through each other: cells where they meet have two components of the mesh.
-TriangleMesh crossing_spheres() {
-  const TriangleMesh sphere = generate_scan({.kind = "icosphere", .vertices = 5000}).value();
-  TriangleMesh mesh = sphere;
-  append(sphere, 0.7 * compute_statistics(sphere).diagonal() * Vec3d(0.5, 0.1, 0.2), mesh);
-  return mesh;
-}
-
-class OnADevice : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto device = cuda_device();
-    if (!device.is_ok()) GTEST_SKIP() << device.status().message();
-  }
-};
 
 TEST_F(OnADevice, AutoTakesItAndNamesIt) {
   const auto solver = open_solver({}).value();
@@ -128,11 +95,6 @@ TEST_F(OnADevice, BetaOneGivesTheInputBack) {
   const TriangleMesh mesh = generate_scan({.kind = "blob", .vertices = 5000}).value();
   Filtered filtered(mesh, 6, {.backend = BackendKind::kCuda});
   EXPECT_EQ(filtered.alpha(20).after(20), mesh.vertices);
-}
-
-double largest_distance(const std::vector<Vec3d>& a, const std::vector<Vec3d>& b,
-                        const TriangleMesh& mesh) {
-  return reference::vertex_distance(a, b, compute_statistics(mesh).diagonal()).max;
 }
 
 // Returns the largest distance between the two over the diagonal, cycle by cycle, so that neither
@@ -252,26 +214,6 @@ TEST_F(OnADevice, CellsOfTheirOwnAndACurveOfManyPointsEndWhereTheCpuDoes) {
         << depth;
 }
 
-TriangleMesh separate_pieces() {
-  TriangleMesh mesh;
-  const TriangleMesh piece = generate_scan({.kind = "icosphere", .vertices = 12}).value();
-  for (int i = 0; i < 512; ++i) append(piece, 4 * Vec3d(i % 8, i / 8 % 8, i / 64), mesh);
-  return mesh;
-}
-
-// At this depth a piece is too large for a patch, so that it keeps its coarse cells.
-constexpr int kDepthOfPieces = 7;
-
-// The same pieces below a tablet, which has its own sheets.
-TriangleMesh separate_pieces_and_a_tablet() {
-  TriangleMesh mesh = separate_pieces();
-  TriangleMesh tablet = generate_scan({.kind = "tablet", .vertices = 20000}).value();
-  const double scale = 28 / compute_statistics(tablet).diagonal();
-  for (Vec3d& vertex : tablet.vertices) vertex *= scale;
-  append(tablet, Vec3d(0, 0, 30), mesh);
-  return mesh;
-}
-
 double between_cpu_and_cuda_settled(const TriangleMesh& mesh, int depth) {
   const auto settled = [&](BackendKind backend) {
     Filtered filtered(mesh, depth, {.backend = backend});
@@ -371,76 +313,6 @@ TEST_F(OnADevice, BeyondTheBudgetIsRefusedWithNumbersAndGivesAllBack) {
   EXPECT_THAT(refused.status().message(), HasSubstr("bytes on the device: it uses "));
   EXPECT_EQ(cuda_memory_used(), before);
   EXPECT_TRUE(open_solver({.backend = BackendKind::kCuda}).is_ok());
-}
-
-// Several shards on one device, and on all devices if there are several. Needs no second device.
-SolverOptions in_shards(int count) {
-  return {.backend = BackendKind::kCuda, .devices = count, .whole_corners_max = 500};
-}
-
-std::map<std::string, TriangleMesh> meshes_for_shards() {
-  std::map<std::string, TriangleMesh> meshes = {{"crossing spheres", crossing_spheres()},
-                                                {"crumbs", reference::crumbs_over_a_sphere()},
-                                                {"pieces", separate_pieces_and_a_tablet()}};
-  meshes["tablet"] = generate_scan({.kind = "tablet", .vertices = 20000}).value();
-  return meshes;
-}
-
-// Every call of a backend, over several edits. The third run of a kind of step replays a graph.
-Filtered& edit_for_shards(Filtered& filtered, const TriangleMesh& mesh) {
-  const double radius = 0.15 * filtered.diagonal();
-  filtered.alpha(20).beta(0.3).after(3);
-  filtered.beta(0.6).after(2);
-  filtered.paint({{.radius = radius, .strength = 0.7, .beta = 2}, {mesh.vertices[7]}}).after(2);
-  filtered.curve(TransferCurve::parse("-20:5,20:500").value()).after(3);
-  for (const double alpha : {40, 45, 50}) filtered.alpha(alpha).after(2);
-  filtered.paint({{.radius = radius, .strength = 1, .beta = 0}, {mesh.vertices[900]}}).after(1);
-  return filtered.curve(TransferCurve::parse("-20:5,20:500").value());
-}
-
-TEST_F(OnADevice, InShardsEditAfterEditEndsWhereTheWholeDoes) {
-  for (const auto& [name, mesh] : meshes_for_shards()) {
-    const auto edited = [&](const SolverOptions& options) {
-      Filtered filtered(mesh, 6, options);
-      return edit_for_shards(filtered, mesh).exact();
-    };
-    const std::vector<Vec3d> whole = edited({.backend = BackendKind::kCuda, .devices = 1});
-    for (const int shards : {2, 3})
-      EXPECT_LE(largest_distance(edited(in_shards(shards)), whole, mesh), 2e-6)
-          << name << " in " << shards;
-  }
-}
-
-TEST_F(OnADevice, InShardsTwoRunsGiveTheSameBits) {
-  const TriangleMesh mesh = reference::crumbs_over_a_sphere();
-  for (const int shards : {2, 3}) {
-    const auto run = [&] {
-      Filtered filtered(mesh, 6, in_shards(shards));
-      return edit_for_shards(filtered, mesh).after(4);
-    };
-    EXPECT_EQ(run(), run()) << shards;
-  }
-}
-
-TEST_F(OnADevice, InShardsBetaOneGivesTheInputBack) {
-  const TriangleMesh mesh = generate_scan({.kind = "blob", .vertices = 5000}).value();
-  Filtered filtered(mesh, 6, in_shards(2));
-  EXPECT_EQ(filtered.alpha(20).after(20), mesh.vertices);
-}
-
-TEST_F(OnADevice, AScanBeyondOneDevicesMemoryGoesToAsManyAsHaveRoom) {
-  const auto system = make_multigrid(small_scan()).value();
-  const uint64_t one = predict_device_bytes(system);
-  set_cuda_memory_budget(one / 2);
-  const auto solver = Solver::create(system, {.backend = BackendKind::kCuda});
-  set_cuda_memory_budget(std::numeric_limits<uint64_t>::max());
-  const auto devices = static_cast<int>(cuda_memory_by_device().size());
-  if (solver.is_ok()) {
-    EXPECT_GT(devices, 1);
-    EXPECT_THAT(solver.value()->backend_reason(), HasSubstr(" shards"));
-  } else {
-    EXPECT_EQ(solver.status().code(), StatusCode::kResourceExhausted);
-  }
 }
 
 // Runs in its own process: after the fault that has no device.
