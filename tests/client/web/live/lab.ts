@@ -165,9 +165,9 @@ export class Visit {
   }
 
   /** Moves the pointer over the picture, to a place from 0 to 1. */
-  async hover([x, y]: [number, number]): Promise<void> {
+  async hover([x, y]: [number, number], steps = 4): Promise<void> {
     const box = (await this.page.getByRole("img", { name: /^Picture of/ }).boundingBox())!;
-    await this.page.mouse.move(box.x + x * box.width, box.y + y * box.height, { steps: 4 });
+    await this.page.mouse.move(box.x + x * box.width, box.y + y * box.height, { steps });
   }
 
   /** Drags over the picture, between places from 0 to 1. */

@@ -51,7 +51,7 @@ test("MovesOfTheMouseSetTheBrushsRadius", () =>
     const before = Number(await radius.inputValue());
     await visit.hover([0.5, 0.5]);
     await visit.page.keyboard.press("f");
-    await visit.hover([0.6, 0.5]);
+    await visit.hover([0.6, 0.5], 1); // one move, so that the first larger value is the last
     const larger = await until(
       async () => Number(await radius.inputValue()),
       (value) => value > before,
@@ -59,6 +59,6 @@ test("MovesOfTheMouseSetTheBrushsRadius", () =>
     await visit.page.mouse.down(); // ends it, and paints nothing
     await visit.page.mouse.up();
     await visit.hover([0.7, 0.5]);
-    assert.equal(Number(await radius.inputValue()), larger);
     assert.equal((await lab.state(await visit.session())).edits, 0);
+    assert.equal(Number(await radius.inputValue()), larger);
   }));
