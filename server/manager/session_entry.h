@@ -59,6 +59,7 @@ struct SessionEntry {
   uint64_t roles_version = 0;
   std::shared_ptr<const SharedMesh> mesh;
   Quota::Share memory;               // the session's share of the server's memory
+  uint64_t own_bytes = 0;            // of that, without its edits
   Quota::Share by_user;              // share of the user who opened it
   std::string opened_by;             // that user; empty: nobody with a name
   std::unique_ptr<Session> session;  // null: not in memory

@@ -123,16 +123,23 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
   }
   entry.layers = {};
   entry.layers.add(edits);
-  uint64_t bytes = predict_session_bytes(*mesh) + entry.layers.byte_count(*mesh);
-  for (const AuthoredEdit& edit : edits) bytes += bytes_in_history(edit);
+  uint64_t of_edits = entry.layers.byte_count(*mesh);
+  for (const AuthoredEdit& edit : edits) of_edits += bytes_in_history(edit);
+  SessionNeed need = predict_session_need(*mesh, devices_for(*mesh, options_.solver));
   if (memory.amount() == 0) {
-    auto taken = store_.memory().take(kServer, bytes);
+    auto taken = store_.memory().take(kServer, need.opening + of_edits);
     if (!taken.is_ok()) return elsewhere(entry, taken.status());
     memory = std::move(*taken);
   } else {
-    RETURN_IF_ERROR(memory.resize(bytes));
+    RETURN_IF_ERROR(memory.resize(need.opening + of_edits));
   }
-  ASSIGN_OR_RETURN(auto session, Session::open(*mesh, options_.solver, record.controls));
+  const auto on_processors = [&]() -> Status {
+    need = predict_session_need(*mesh, 0);
+    return memory.resize(need.opening + of_edits);
+  };
+  ASSIGN_OR_RETURN(auto session,
+                   Session::open(*mesh, options_.solver, record.controls, on_processors));
+  RETURN_IF_ERROR(memory.resize(need.open + of_edits));
   spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),
                session->solver().backend_reason());
   ASSIGN_OR_RETURN(auto kept, journal_.paint(record.id, mesh->prepared->cells.size()));
@@ -144,6 +151,7 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
         record.id, skipped, edits.size());
   entry.mesh = std::move(mesh);
   entry.session_bytes = memory.amount();
+  entry.own_bytes = need.open;
   entry.memory = std::move(memory);
   entry.by_user = std::move(by_user);
   entry.session = std::move(session);

@@ -39,7 +39,7 @@ static std::vector<uint64_t> at_their_places(std::span<const Edit> edits,
 static Status charge_for(std::span<const AuthoredEdit> more, SessionEntry& entry) {
   LayerNeed layers = entry.layers;
   layers.add(more);
-  uint64_t bytes = predict_session_bytes(*entry.mesh) + layers.byte_count(*entry.mesh) +
+  uint64_t bytes = entry.own_bytes + layers.byte_count(*entry.mesh) +
                    entry.session->edited().history().byte_count();
   for (const AuthoredEdit& edit : more) bytes += bytes_in_history(edit);
   RETURN_IF_ERROR(entry.memory.resize(bytes));

@@ -35,7 +35,7 @@ Status LibraryBudget::ask_to_read(const std::filesystem::path& file, MeshFormat 
 }
 
 Status LibraryBudget::ask(const PreparationNeed& need) {
-  const uint64_t opened = predict_opened_bytes(need);
+  const uint64_t opened = predict_opened_bytes(need, device_bytes_max_);
   if (opened > memory_.max())
     return resource_exhausted("a session at that depth takes " + std::to_string(opened) +
                               " bytes; limits.memory_bytes_max is " +

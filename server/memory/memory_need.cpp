@@ -13,19 +13,36 @@ static constexpr uint64_t kFrameInTheMaking = 36;    // per value: its sample, t
 static constexpr uint64_t kPageBytes = 512;          // of a page's own, without its values
 static constexpr uint64_t kPageInLists = 128;        // of a client: wanted, made and shown pages
 static constexpr uint64_t kCoarsestBytes = 6 << 20;  // the direct solver of the coarsest depth
+// Of a system on devices: what is read from them, once for each and once together.
+static constexpr uint64_t kReadBytesPerCorner = 2 * sizeof(Vec3f);
+static constexpr uint64_t kReadBytesPerVertex = 2 * sizeof(Vec3f);
+static constexpr uint64_t kShardBytesPerCorner = 16;  // which corners, cells and vertices it has
+
+// Returns the bytes of fields, paint, rims and what is shown.
+static uint64_t predict_edited_bytes(const Multigrid& on) {
+  const SparseGrid& finest = on.hierarchy->at(on.hierarchy->finest).grid;
+  const PreparedMesh& scan = *on.prepared;
+  return finest.corners.size() * kShownBytesPerCorner + finest.cells.size() * kSessionBytesPerCell +
+         rim_cells_bytes(scan.vertices.size(), scan.triangles.size(), scan.cells.size(),
+                         scan.statistics.boundary_edges);
+}
 
 uint64_t predict_session_bytes(const Multigrid& on) {
-  const Hierarchy& hierarchy = *on.hierarchy;
-  uint64_t bytes = kCoarsestBytes;
-  for (const HierarchyDepth& depth : hierarchy.depths)
+  uint64_t bytes = kCoarsestBytes + predict_edited_bytes(on);
+  for (const HierarchyDepth& depth : on.hierarchy->depths)
     bytes += depth.grid.corners.size() * kSessionBytesPerCorner;
-  const HierarchyDepth& finest = hierarchy.at(hierarchy.finest);
-  bytes += finest.grid.corners.size() * kShownBytesPerCorner;
-  const PreparedMesh& scan = *on.prepared;
-  bytes += rim_cells_bytes(scan.vertices.size(), scan.triangles.size(), scan.cells.size(),
-                           scan.statistics.boundary_edges);
-  return bytes + finest.grid.cells.size() * kSessionBytesPerCell +
-         on.plan->patches.entry_count() * sizeof(float);
+  return bytes + on.plan->patches.entry_count() * sizeof(float);
+}
+
+SessionNeed predict_session_need(const Multigrid& on, int devices) {
+  if (devices == 0) return {predict_session_bytes(on), predict_session_bytes(on)};
+  const SparseGrid& finest = on.hierarchy->at(on.hierarchy->finest).grid;
+  uint64_t bytes = kCoarsestBytes + predict_edited_bytes(on) +
+                   finest.corners.size() * kReadBytesPerCorner +
+                   on.prepared->vertices.size() * kReadBytesPerVertex;
+  if (devices == 1) return {bytes, bytes};
+  bytes += finest.corners.size() * kShardBytesPerCorner;
+  return {bytes + on.hierarchy->byte_count() + on.prepared->byte_count(), bytes};
 }
 
 uint64_t predict_page_bytes(const PageSize& page, PageFrameKind kind) {

@@ -15,6 +15,16 @@ namespace burnish {
 /// cell has few triangles.
 uint64_t predict_session_bytes(const Multigrid& on);
 
+/// The host's memory for one session.
+struct SessionNeed {
+  uint64_t opening = 0;  ///< bytes while it opens
+  uint64_t open = 0;     ///< bytes from then on, in the sense of predict_session_bytes()
+};
+
+/// Returns the need of a session whose system lies on so many devices; 0: on processors. Several
+/// devices need the scan a second time, cut into shards, until these are copied.
+SessionNeed predict_session_need(const Multigrid& on, int devices);
+
 /// The size of a page, whatever the kind of frames.
 struct PageSize {
   uint32_t vertices = 0;

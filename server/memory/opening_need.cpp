@@ -8,7 +8,10 @@ namespace burnish {
 // the coarser depths a third of that again (docs/benchmarks.md has the figures).
 static constexpr uint64_t kHierarchyBytesPerCell = 704;
 static constexpr uint64_t kHierarchyBytesPerVertex = 12;  // PointsByCell
-static constexpr uint64_t kSessionBytesPerCellMin = 900;  // for the fewest possible corners
+// For the fewest possible corners: a session on processors, one on devices, its part there.
+static constexpr uint64_t kSessionBytesPerCellMin = 900;
+static constexpr uint64_t kHostBytesPerCellMin = 120;
+static constexpr uint64_t kDeviceBytesPerCellMin = 1600;
 
 static constexpr uint64_t kFileBytesMin = uint64_t{16} << 20;  // less is not worth a file
 
@@ -30,11 +33,12 @@ uint64_t predict_mesh_bytes(const PreparedSummary& prepared, PreparedPlace place
   return mesh_bytes(prepared.byte_count, place, prepared.cells, prepared.vertices);
 }
 
-uint64_t predict_opened_bytes(const PreparationNeed& need) {
+uint64_t predict_opened_bytes(const PreparationNeed& need, uint64_t device_bytes_max) {
   const PreparationCounts& counts = need.counts;
+  const bool fits_devices = counts.cells <= device_bytes_max / kDeviceBytesPerCellMin;
   return mesh_bytes(need.file_bytes, place_of_prepared(need.file_bytes), counts.cells,
                     counts.vertices) +
-         counts.cells * kSessionBytesPerCellMin +
+         counts.cells * (fits_devices ? kHostBytesPerCellMin : kSessionBytesPerCellMin) +
          rim_cells_bytes(counts.vertices, counts.triangles, counts.cells, 0);
 }
 

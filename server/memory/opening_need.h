@@ -22,9 +22,10 @@ PreparedPlace place_of_prepared(uint64_t bytes);
 uint64_t predict_mesh_bytes(const PreparedMesh& prepared, PreparedPlace place);
 uint64_t predict_mesh_bytes(const PreparedSummary& prepared, PreparedPlace place);
 
-/// Returns the bytes that a prepared mesh and one session over it will take at least. Works before
-/// the mesh is prepared. Accuracy: no more than their opening is admitted with, so that nobody is
-/// refused wrongly.
-uint64_t predict_opened_bytes(const PreparationNeed& need);
+/// Returns the bytes of the host's memory that a prepared mesh and one session over it will take at
+/// least. Works before the mesh is prepared. `device_bytes_max`: memory of all devices for
+/// sessions. Accuracy: no more than their opening is admitted with, so that nobody is refused
+/// wrongly.
+uint64_t predict_opened_bytes(const PreparationNeed& need, uint64_t device_bytes_max);
 
 }  // namespace burnish

@@ -110,10 +110,11 @@ struct Session::State {
 };
 
 Result<std::unique_ptr<Session>> Session::open(const Multigrid& on, const SolverOptions& options,
-                                               const Controls& born_with) {
+                                               const Controls& born_with,
+                                               const Solver::RoomOnProcessors& room) {
   using Opened = Result<std::unique_ptr<Session>>;
   return with_memory_for("opening a session", [&]() -> Opened {
-    ASSIGN_OR_RETURN(auto solver, Solver::create(on, options));
+    ASSIGN_OR_RETURN(auto solver, Solver::create(on, options, room));
     return std::unique_ptr<Session>(
         new Session(std::make_unique<State>(on, options, std::move(solver), born_with)));
   });

@@ -33,9 +33,10 @@ struct SolveOptions {
 class Session {
  public:
   /// `born_with` counts until an edit sets others. Fails: failed_precondition (no such backend
-  /// here); resource_exhausted (not enough memory).
+  /// here); resource_exhausted (not enough memory); as `room` says.
   static Result<std::unique_ptr<Session>> open(const Multigrid& on, const SolverOptions& options,
-                                               const Controls& born_with = {});
+                                               const Controls& born_with = {},
+                                               const Solver::RoomOnProcessors& room = {});
   ~Session();
 
   /// Takes edits in, all of a batch or none. The next step shows them to the solver once, as new

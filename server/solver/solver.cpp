@@ -50,18 +50,6 @@ ChosenBackend on_cpu_shards(const Multigrid& on, const SolverOptions& options) {
           std::to_string(shards->count()) + " shards"};
 }
 
-// Returns on how many devices a scan goes.
-int devices_for(const Multigrid& on, const SolverOptions& options) {
-  const int wanted = std::min(options.devices, kCudaShardsMax);
-  if (wanted > 0) return is_split(on, options) ? wanted : 1;
-  SolverOptions several = options;
-  several.devices = 2;
-  if (!cuda_device().is_ok() || !is_split(on, several)) return 1;
-  const auto there = std::min(static_cast<int>(cuda_memory_by_device().size()), kCudaShardsMax);
-  const int needed = shards_that_fit(predict_device_bytes(on), cuda_memory_max());
-  return std::min(needed, there);
-}
-
 Result<ChosenBackend> on_cuda_shards(const Multigrid& on, const SolverOptions& options, int count) {
   ASSIGN_OR_RETURN(std::string device, cuda_device());
   const auto shards = std::make_shared<Shards>(make_shards(on, count, options.whole_corners_max));
@@ -78,34 +66,50 @@ Result<ChosenBackend> on_cuda_shards(const Multigrid& on, const SolverOptions& o
       device + "; " + std::to_string(count) + " shards"};
 }
 
-Result<ChosenBackend> choose_backend(const Multigrid& on, const SolverOptions& options) {
-  const auto on_cpu = [&](std::string reason) {
-    return ChosenBackend{make_cpu_backend(on, options.smoother), std::move(reason)};
-  };
+Result<ChosenBackend> on_cuda(const Multigrid& on, const SolverOptions& options) {
+  if (const int devices = devices_for(on, options); devices > 1)
+    return on_cuda_shards(on, options, devices);
+  ASSIGN_OR_RETURN(auto backend, make_cuda_backend(on, options.smoother));
+  ASSIGN_OR_RETURN(std::string device, cuda_device());
+  return ChosenBackend{std::move(backend), std::move(device)};
+}
+
+Result<ChosenBackend> choose_backend(const Multigrid& on, const SolverOptions& options,
+                                     const Solver::RoomOnProcessors& room) {
   if (options.backend == BackendKind::kCpu && is_split(on, options))
     return on_cpu_shards(on, options);
-  if (options.backend == BackendKind::kCpu) return on_cpu("requested");
-  const int shards = devices_for(on, options);
-  if (shards > 1) {
-    auto split = on_cuda_shards(on, options, shards);
-    if (split.is_ok() || options.backend == BackendKind::kCuda)
-      return split.is_ok() ? std::move(split) : split.status().with_context("backend cuda");
-    return on_cpu(split.status().message());
+  std::string reason = "requested";
+  if (options.backend != BackendKind::kCpu) {
+    auto chosen = on_cuda(on, options);
+    if (chosen.is_ok()) return chosen;
+    if (options.backend == BackendKind::kCuda) return chosen.status().with_context("backend cuda");
+    reason = chosen.status().message();
+    if (room) RETURN_IF_ERROR(room());
   }
-  auto cuda = make_cuda_backend(on, options.smoother);
-  if (cuda.is_ok()) return ChosenBackend{std::move(cuda).value(), cuda_device().value()};
-  if (options.backend == BackendKind::kAuto) return on_cpu(cuda.status().message());
-  return cuda.status().with_context("backend cuda");
+  return ChosenBackend{make_cpu_backend(on, options.smoother), std::move(reason)};
 }
 
 }  // namespace
 
-Result<std::unique_ptr<Solver>> Solver::create(Multigrid on, const SolverOptions& options) {
+int devices_for(const Multigrid& on, const SolverOptions& options) {
+  if (options.backend == BackendKind::kCpu || !cuda_device().is_ok()) return 0;
+  const int wanted = std::min(options.devices, kCudaShardsMax);
+  if (wanted > 0) return is_split(on, options) ? wanted : 1;
+  SolverOptions several = options;
+  several.devices = 2;
+  if (!is_split(on, several)) return 1;
+  const auto there = std::min(static_cast<int>(cuda_memory_by_device().size()), kCudaShardsMax);
+  const int needed = shards_that_fit(predict_device_bytes(on), cuda_memory_max());
+  return std::min(needed, there);
+}
+
+Result<std::unique_ptr<Solver>> Solver::create(Multigrid on, const SolverOptions& options,
+                                               const RoomOnProcessors& room) {
   use_threads(options.threads);
   if (goes_by_colours(options.smoother))
     on = {on.prepared, make_hierarchy(*on.prepared, Sheets::kTogether),
           std::make_shared<CyclePlan>()};
-  ASSIGN_OR_RETURN(ChosenBackend chosen, choose_backend(on, options));
+  ASSIGN_OR_RETURN(ChosenBackend chosen, choose_backend(on, options, room));
   return std::unique_ptr<Solver>(new Solver(std::move(on), std::move(chosen.backend),
                                             std::move(chosen.reason), options.threads));
 }

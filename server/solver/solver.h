@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -45,15 +46,23 @@ struct SolverOptions {
   int32_t whole_corners_max = 400'000;  ///< see kWholeCornersMax
 };
 
+/// Returns on how many devices Solver::create() tries to put a scan; 0: it takes the processors.
+int devices_for(const Multigrid& on, const SolverOptions& options);
+
 class Backend;
 
 /// The screened Poisson system of one session: S u = b for the displacement u of every corner. Each
 /// step starts from the last one's result. Source: sections 4 and 5.2.
 class Solver {
  public:
+  /// Asked for the host's memory before kAuto turns from devices to the processors.
+  using RoomOnProcessors = std::function<Status()>;
+
   /// kAuto takes CUDA if it works, else the CPU. Fails: failed_precondition if the backend is not
-  /// in this build or finds no device; unimplemented, resource_exhausted: see cuda_backend.h.
-  static Result<std::unique_ptr<Solver>> create(Multigrid on, const SolverOptions& options);
+  /// in this build or finds no device; unimplemented, resource_exhausted: see cuda_backend.h; as
+  /// `room` says.
+  static Result<std::unique_ptr<Solver>> create(Multigrid on, const SolverOptions& options,
+                                                const RoomOnProcessors& room = {});
   ~Solver();
 
   /// Solves for the displacement of a signal on the surface, such as its colours, instead of that

@@ -63,11 +63,14 @@ class CudaBackend final : public Backend {
                                          is_split(coarse_offset_ + i) ? halo_ : nullptr));
     if (has_coarsest())
       coarsest_.emplace(stream_, mesh_->on.hierarchy->depths.front(), depths_.front().view());
-    if (halo_ != nullptr && has_coarsest() && !coarsest_->on_device()) halo_->never_record();
+    if (halo_ != nullptr && !is_on_device()) halo_->never_record();
     patches_.emplace(stream_, finest(), mesh_->on.plan->patches, mesh_->patches.view());
     outer_.emplace(stream_, finest(), mesh_->evaluation.data(), mesh_->evaluation.size(), halo_,
                    mesh_->on.hierarchy->finest);
   }
+
+  /// Returns whether no step needs the host's arrays: it does for a coarsest depth of many pieces.
+  bool is_on_device() const { return !has_coarsest() || coarsest_->on_device(); }
 
   std::string_view name() const override { return "cuda"; }
   Status status() const override { return stream_.status(); }
@@ -224,7 +227,7 @@ class CudaBackend final : public Backend {
 
   void run_on_device(int key, const std::function<void()>& work) {
     if (halo_ != nullptr) return halo_->run_recorded(key, stream_, work);
-    coarsest_->on_device() ? graphs_.run(key, work) : work();
+    is_on_device() ? graphs_.run(key, work) : work();
   }
 
   // Makes the matrices of all depths. A depth's combined integrals come from the depth below. The
@@ -349,10 +352,10 @@ Result<std::unique_ptr<Backend>> make_cuda_backend(Multigrid on, Smoother smooth
 
 static Result<std::unique_ptr<Backend>> make_shard(Multigrid on, int device, cuda::Halo& halo) {
   ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh_of_shard(device, std::move(on)));
-  std::unique_ptr<Backend> backend =
-      std::make_unique<cuda::CudaBackend>(std::move(mesh), Smoother::kSchwarz, &halo);
+  auto backend = std::make_unique<cuda::CudaBackend>(mesh, Smoother::kSchwarz, &halo);
   RETURN_IF_ERROR(backend->status());
-  return backend;
+  if (backend->is_on_device()) mesh->forget_arrays();
+  return std::unique_ptr<Backend>(std::move(backend));
 }
 
 Result<CudaShards> make_cuda_shards(const CudaShardGroup& group, std::span<CudaShard> shards) {

@@ -1,8 +1,10 @@
 #include "server/solver/multi/shard.h"
 
 #include <algorithm>
+#include <future>
 #include <utility>
 
+#include "common/base/parallel.h"
 #include "server/solver/multi/shard_depth.h"
 
 namespace burnish {
@@ -127,6 +129,19 @@ BorderLists border_lists_of(const DepthSets& border) {
   return lists;
 }
 
+// Much of the work on a shard is for one thread, so the shards are made side by side.
+template <typename Work>
+void for_each_shard(int shards, const Work& work) {
+  const int threads = std::max(1, thread_count() / shards);
+  std::vector<std::future<void>> running;
+  for (int shard = 0; shard < shards; ++shard)
+    running.push_back(std::async(std::launch::async, [&work, shard, threads] {
+      use_threads(threads);
+      work(shard);
+    }));
+  for (std::future<void>& one : running) one.get();
+}
+
 }  // namespace
 
 Shard make_shard(const Multigrid& on, const Cut& cut, int number, const ShardSets& sets) {
@@ -165,11 +180,12 @@ Shards make_shards(const Multigrid& on, int count, int32_t whole_corners_max) {
 
 Shards make_shards(const Multigrid& on, const Cut& cut) {
   Shards shards{.border = cut.border};
-  std::vector<ShardSets> sets;
-  for (int shard = 0; shard < cut.shards; ++shard) {
-    sets.push_back(find_shard_sets(*on.prepared, *on.hierarchy, cut, shard));
-    shards.all.push_back(make_shard(on, cut, shard, sets.back()));
-  }
+  shards.all.resize(cut.shards);
+  std::vector<ShardSets> sets(cut.shards);
+  for_each_shard(cut.shards, [&](int shard) {
+    sets[shard] = find_shard_sets(*on.prepared, *on.hierarchy, cut, shard);
+    shards.all[shard] = make_shard(on, cut, shard, sets[shard]);
+  });
   for (int depth = shards.border; depth <= on.hierarchy->finest; ++depth) {
     std::vector<HaloLists> lists = find_halo_lists(cut, sets, depth);
     for (int shard = 0; shard < cut.shards; ++shard)

@@ -63,6 +63,32 @@ class RecordingBudget final : public PreparationBudget {
   PreparationNeed last;
 };
 
+TEST(SessionNeed, OnADeviceIsThatOfFieldsAndPicturesOnTheHost) {
+  const auto prepared = prepare(make_icosphere(6, 1), {8, 0, 1}, {}).value();
+  const Multigrid on = make_multigrid(prepared).value();
+  const SessionNeed here = predict_session_need(on, 0), there = predict_session_need(on, 1);
+  EXPECT_EQ(here.open, predict_session_bytes(on));
+  EXPECT_EQ(here.opening, here.open);
+  EXPECT_EQ(there.opening, there.open);
+  EXPECT_LT(there.open, here.open / 4);
+}
+
+TEST(SessionNeed, OnSeveralDevicesIsTheScanOnceMoreWhileItOpens) {
+  const auto prepared = prepare(make_icosphere(5, 1), {7, 0, 1}, {}).value();
+  const Multigrid on = make_multigrid(prepared).value();
+  const SessionNeed need = predict_session_need(on, 2);
+  EXPECT_EQ(need.opening, need.open + on.hierarchy->byte_count() + prepared->byte_count());
+  EXPECT_LT(need.open, predict_session_bytes(on) / 3);
+}
+
+TEST(OpenedMemoryNeed, OfAScanThatDevicesHaveRoomForIsThatOfTheHostAlone) {
+  RecordingBudget budget;
+  ASSERT_TRUE(prepare(make_icosphere(5, 1), {7, 0, 1, &budget}, {}).is_ok());
+  const uint64_t here = predict_opened_bytes(budget.last, 1 << 20);
+  EXPECT_EQ(here, predict_opened_bytes(budget.last, 0));
+  EXPECT_LT(predict_opened_bytes(budget.last, uint64_t{1} << 33), 2 * here / 3);
+}
+
 TEST(OpenedMemoryNeed, RefusesNobodyWhoCouldOpenASession) {
   for (const char* kind : {"blob", "sheet", "tablet", "soup", "fan", "part"})
     for (const int depth : {5, 7}) {
@@ -70,7 +96,7 @@ TEST(OpenedMemoryNeed, RefusesNobodyWhoCouldOpenASession) {
       const TriangleMesh mesh = generate_scan({kind, 20000, 1}).value();
       const auto prepared = prepare(mesh, {depth, 0, 0, &budget}, {}).value();
       const Multigrid multigrid = make_multigrid(prepared).value();
-      const uint64_t predicted = predict_opened_bytes(budget.last);
+      const uint64_t predicted = predict_opened_bytes(budget.last, 0);
       const uint64_t admitted =
           predict_mesh_bytes(*prepared, place_of_prepared(prepared->byte_count())) +
           predict_session_bytes(multigrid);

@@ -158,13 +158,25 @@ static Result<std::shared_ptr<DeviceMesh>> copy_to_device(int device, Multigrid 
   return mesh;
 }
 
-Result<std::shared_ptr<const DeviceMesh>> device_mesh_of_shard(int device, Multigrid on) {
-  ASSIGN_OR_RETURN(const auto mesh, copy_to_device(device, std::move(on)));
-  const auto without_arrays = std::make_shared<PreparedMesh>();
-  without_arrays->frame = mesh->on.prepared->frame;
-  without_arrays->length_unit = mesh->on.prepared->length_unit;
-  mesh->on.prepared = without_arrays;
-  return std::shared_ptr<const DeviceMesh>(mesh);
+static std::shared_ptr<const PreparedMesh> without_arrays(const PreparedMesh& of) {
+  const auto prepared = std::make_shared<PreparedMesh>();
+  prepared->frame = of.frame;
+  prepared->length_unit = of.length_unit;
+  return prepared;
+}
+
+Result<std::shared_ptr<DeviceMesh>> device_mesh_of_shard(int device, Multigrid on) {
+  ASSIGN_OR_RETURN(auto mesh, copy_to_device(device, std::move(on)));
+  mesh->on.prepared = without_arrays(*mesh->on.prepared);
+  return mesh;
+}
+
+void DeviceMesh::forget_arrays() {
+  const auto depths_alone = std::make_shared<Hierarchy>();
+  depths_alone->coarsest = on.hierarchy->coarsest;
+  depths_alone->finest = on.hierarchy->finest;
+  on.hierarchy = depths_alone;
+  on.prepared = without_arrays(*on.prepared);
 }
 
 // The mesh keeps hierarchy and plan alive, so their addresses identify them while it lives.

@@ -64,6 +64,10 @@ struct DeviceMesh {
   int64_t cells() const { return depths.back().view().cell_count; }
   Integrals integrals() const { return {integral_numbers.data(), cells()}; }
   uint64_t byte_count() const;
+
+  /// Leaves of `on` what a backend that is made asks for: its plan, its frame and its depths'
+  /// numbers, not their arrays.
+  void forget_arrays();
 };
 
 /// Copies the mesh to a device, or returns another session's copy there. Fails: resource_exhausted,
@@ -71,6 +75,6 @@ struct DeviceMesh {
 Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device, Multigrid on);
 
 /// Copies a shard's mesh, and keeps none of its integrals on the host. Fails likewise.
-Result<std::shared_ptr<const DeviceMesh>> device_mesh_of_shard(int device, Multigrid on);
+Result<std::shared_ptr<DeviceMesh>> device_mesh_of_shard(int device, Multigrid on);
 
 }  // namespace burnish::cuda
