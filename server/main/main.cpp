@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <iostream>
 #include <malloc.h>
 #include <optional>
@@ -100,11 +99,8 @@ MeshStoreOptions store_options(const ServerConfig& config) {
   options.upload_bytes_max = static_cast<uint64_t>(config.upload_bytes_max);
   options.upload_bytes_per_user = static_cast<uint64_t>(config.upload_bytes_per_user);
   options.memory_bytes_max = resolved_memory_bytes_max(config);
-  if (has_device(config.backend)) {
-    const auto there = static_cast<int64_t>(cuda_memory_by_device().size());
-    const int64_t shared_by = config.devices == 0 ? there : std::min(config.devices, there);
-    options.device_memory_bytes_max = static_cast<uint64_t>(shared_by) * cuda_memory_max();
-  }
+  options.device_memory_bytes_max =
+      device_bytes_max(config.backend, static_cast<int>(config.devices));
   options.threads = static_cast<int>(config.threads);
   return options;
 }

@@ -1,5 +1,7 @@
 #include "server/solver/device_probe.h"
 
+#include <algorithm>
+
 #include "server/solver/cuda/cuda_backend.h"
 
 namespace burnish {
@@ -9,6 +11,13 @@ bool has_device(BackendKind backend) {
   // Asks only once: a device that fails later must not look like a missing one.
   static const bool is_there = cuda_device().is_ok();
   return is_there;
+}
+
+uint64_t device_bytes_max(BackendKind backend, int devices) {
+  if (!has_device(backend)) return 0;
+  const auto there = static_cast<int>(cuda_memory_by_device().size());
+  const int sharing = devices == 0 ? there : std::min(devices, there);
+  return static_cast<uint64_t>(sharing) * cuda_memory_max();
 }
 
 std::string say_where_solved(BackendKind backend) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "common/base/status.h"
@@ -15,6 +16,10 @@ Status probe_device(BackendKind backend);
 /// Returns whether sessions of this backend may use a device that can fail. Processors are not such
 /// a device.
 bool has_device(BackendKind backend);
+
+/// Returns the memory of all devices that may share one scan; 0: there is none. `devices`: as in
+/// SolverOptions.
+uint64_t device_bytes_max(BackendKind backend, int devices);
 
 /// Says where sessions of this backend are solved, and why: "the processors (no CUDA device: this
 /// machine has none)".

@@ -9,6 +9,7 @@
 #include "common/base/out_of_memory.h"
 #include "common/mesh/mesh_io.h"
 #include "server/memory/opening_need.h"
+#include "server/solver/device_probe.h"
 #include "server/solver/tuning/plan_cycle.h"
 
 namespace burnish {
@@ -19,14 +20,20 @@ namespace {
 /// session.
 class FilterBudget final : public MachineBudget {
  public:
+  explicit FilterBudget(const SolverOptions& solver)
+      : device_bytes_max_(device_bytes_max(solver.backend, solver.devices)) {}
+
   Status ask(const PreparationNeed& need) override {
     RETURN_IF_ERROR(MachineBudget::ask(need));
-    const uint64_t bytes = predict_opened_bytes(need);
+    const uint64_t bytes = predict_opened_bytes(need, device_bytes_max_);
     if (bytes <= memory_bytes_max()) return Status::ok();
     return resource_exhausted("solving takes " + std::to_string(bytes >> 20) +
                               " MiB; the machine has " + std::to_string(memory_bytes_max() >> 20) +
                               " MiB available");
   }
+
+ private:
+  const uint64_t device_bytes_max_;
 };
 
 class Stopwatch {
@@ -103,7 +110,7 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
   ASSIGN_OR_RETURN(const FilterFormats formats, check_filter_paths(options, paths));
   FilterRun run;
   ProgressPrinter printer(options.progress);
-  FilterBudget budget;
+  FilterBudget budget(options.solver);
   PrepareOptions prepare_options = options.prepare;
   prepare_options.budget = &budget;
   const Stopwatch reading;
