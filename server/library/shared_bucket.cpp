@@ -41,7 +41,8 @@ class SharedBucket::Staged final : public StagedOriginal {
     if (!replaces && is_whole()) return Status::ok();
     RETURN_IF_ERROR(bucket_.put(folder_of(scan_.id) + "info.json", scan_to_json(scan_)));
     const Status joined = upload_.complete();
-    return joined.code() == StatusCode::kNotFound && is_whole() ? Status::ok() : joined;
+    if (joined.code() != StatusCode::kNotFound) return joined;
+    return is_whole() ? Status::ok() : unavailable(joined.message());
   }
 
   bool is_whole() const {

@@ -1,12 +1,12 @@
 #include "server/s3/s3_exchange.h"
 
 #include <algorithm>
-#include <memory>
+#include <utility>
 
 #include <curl/curl.h>
 
-#include "common/base/check.h"
 #include "common/transfer/content_hash.h"
+#include "server/s3/curl_handle.h"
 
 namespace burnish {
 namespace {
@@ -14,36 +14,15 @@ namespace {
 constexpr size_t kReplyBytesMax = 64 << 10;
 constexpr long kSlowBytesPerSecond = 1 << 10;
 
-struct EndHandle {
-  void operator()(CURL* handle) const { curl_easy_cleanup(handle); }
-};
-struct EndList {
-  void operator()(curl_slist* list) const { curl_slist_free_all(list); }
-};
-using Headers = std::unique_ptr<curl_slist, EndList>;
-
-void add(Headers& headers, const std::string& line) {
-  curl_slist* longer = curl_slist_append(headers.get(), line.c_str());
-  BURNISH_CHECK(longer != nullptr, "libcurl has no memory");
-  (void)headers.release();
-  headers.reset(longer);
-}
-
 /// What libcurl's callbacks work on.
 struct Flight {
   const S3Request& request;
-  CURL* handle;
+  CurlHandle& handle;
   S3Reply reply = {};
   Status failed = {};
   uint64_t sent = 0;
   uint64_t skipped = 0;
 };
-
-long http_status(CURL* handle) {
-  long status = 0;
-  curl_easy_getinfo(handle, CURLINFO_RESPONSE_CODE, &status);
-  return status;
-}
 
 size_t send_bytes(char* to, size_t size, size_t count, void* data) {
   auto& flight = *static_cast<Flight*>(data);
@@ -68,7 +47,7 @@ int seek(void* data, curl_off_t offset, int) {
 size_t take_bytes(char* bytes, size_t size, size_t count, void* data) {
   auto& flight = *static_cast<Flight*>(data);
   std::string_view piece(bytes, size * count);
-  const long status = http_status(flight.handle);
+  const int status = flight.handle.status();
   if (!flight.request.take || status / 100 != 2) {
     flight.reply.body.append(piece.substr(0, kReplyBytesMax - flight.reply.body.size()));
     return size * count;
@@ -91,62 +70,48 @@ int hear_progress(void* data, curl_off_t, curl_off_t received, curl_off_t, curl_
   return 1;
 }
 
-std::string header(CURL* handle, const char* name) {
-  curl_header* found = nullptr;
-  return curl_easy_header(handle, name, 0, CURLH_HEADER, -1, &found) == CURLHE_OK ? found->value
-                                                                                  : "";
-}
-
-template <typename Value>
-void set(CURL* handle, CURLoption option, Value value) {
-  const CURLcode code = curl_easy_setopt(handle, option, value);
-  BURNISH_CHECK(code == CURLE_OK, curl_easy_strerror(code));
-}
-
 bool has_body(const S3Request& request) {
   return request.method == std::string_view("PUT") || request.method == std::string_view("POST");
 }
 
 /// What libcurl takes for a POST waits until the service wants it if it is larger than 1 MiB. An
 /// upload would do so with each body, which is a round trip more.
-void set_method(CURL* handle, const S3Request& request) {
-  if (request.method == std::string_view("HEAD")) return set(handle, CURLOPT_NOBODY, 1L);
+void set_method(CurlHandle& handle, const S3Request& request) {
+  if (request.method == std::string_view("HEAD")) return handle.set(CURLOPT_NOBODY, 1L);
   if (has_body(request)) {
-    set(handle, CURLOPT_POST, 1L);
-    set(handle, CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(request.body.bytes));
+    handle.set(CURLOPT_POST, 1L);
+    handle.set(CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(request.body.bytes));
   }
-  set(handle, CURLOPT_CUSTOMREQUEST, request.method);
+  handle.set(CURLOPT_CUSTOMREQUEST, request.method);
 }
 
-Headers headers_of(const S3Request& request, const S3Credentials& credentials) {
-  Headers headers;
-  add(headers, "x-amz-content-sha256: " + request.body.sha256);
-  if (!credentials.token.empty()) add(headers, "x-amz-security-token: " + credentials.token);
-  if (has_body(request)) add(headers, "Content-Type: application/octet-stream");
+void add_headers(CurlHandle& handle, const S3Request& request, const S3Credentials& credentials) {
+  handle.add_header("x-amz-content-sha256: " + request.body.sha256);
+  if (!credentials.token.empty()) handle.add_header("x-amz-security-token: " + credentials.token);
+  if (has_body(request)) handle.add_header("Content-Type: application/octet-stream");
   if (request.first_byte > 0)
-    add(headers, "Range: bytes=" + std::to_string(request.first_byte) + "-");
-  return headers;
+    handle.add_header("Range: bytes=" + std::to_string(request.first_byte) + "-");
 }
 
-void set_limits(CURL* handle, const S3Request& request, const S3Patience& patience) {
-  set(handle, CURLOPT_NOSIGNAL, 1L);
-  set(handle, CURLOPT_CONNECTTIMEOUT_MS, static_cast<long>(patience.connect.count()));
-  set(handle, CURLOPT_LOW_SPEED_LIMIT, kSlowBytesPerSecond);
-  set(handle, CURLOPT_LOW_SPEED_TIME, static_cast<long>(patience.silence.count()));
+void set_limits(CurlHandle& handle, const S3Request& request, const S3Patience& patience) {
+  handle.set(CURLOPT_NOSIGNAL, 1L);
+  handle.set(CURLOPT_CONNECTTIMEOUT_MS, static_cast<long>(patience.connect.count()));
+  handle.set(CURLOPT_LOW_SPEED_LIMIT, kSlowBytesPerSecond);
+  handle.set(CURLOPT_LOW_SPEED_TIME, static_cast<long>(patience.silence.count()));
   if (request.time_max)
-    set(handle, CURLOPT_TIMEOUT_MS, std::max(1L, static_cast<long>(request.time_max->count())));
+    handle.set(CURLOPT_TIMEOUT_MS, std::max(1L, static_cast<long>(request.time_max->count())));
 }
 
-void set_callbacks(CURL* handle, Flight& flight) {
-  set(handle, CURLOPT_READFUNCTION, send_bytes);
-  set(handle, CURLOPT_READDATA, &flight);
-  set(handle, CURLOPT_SEEKFUNCTION, seek);
-  set(handle, CURLOPT_SEEKDATA, &flight);
-  set(handle, CURLOPT_WRITEFUNCTION, take_bytes);
-  set(handle, CURLOPT_WRITEDATA, &flight);
-  set(handle, CURLOPT_XFERINFOFUNCTION, hear_progress);
-  set(handle, CURLOPT_XFERINFODATA, &flight);
-  set(handle, CURLOPT_NOPROGRESS, 0L);
+void set_callbacks(CurlHandle& handle, Flight& flight) {
+  handle.set(CURLOPT_READFUNCTION, send_bytes);
+  handle.set(CURLOPT_READDATA, &flight);
+  handle.set(CURLOPT_SEEKFUNCTION, seek);
+  handle.set(CURLOPT_SEEKDATA, &flight);
+  handle.set(CURLOPT_WRITEFUNCTION, take_bytes);
+  handle.set(CURLOPT_WRITEDATA, &flight);
+  handle.set(CURLOPT_XFERINFOFUNCTION, hear_progress);
+  handle.set(CURLOPT_XFERINFODATA, &flight);
+  handle.set(CURLOPT_NOPROGRESS, 0L);
 }
 
 }  // namespace
@@ -168,38 +133,29 @@ S3Body no_body() {
 
 Result<S3Reply> exchange(const S3Address& address, const S3Credentials& credentials,
                          const S3Request& request, const S3Patience& patience) {
-  static const CURLcode is_ready = curl_global_init(CURL_GLOBAL_DEFAULT);
-  BURNISH_CHECK(is_ready == CURLE_OK, "libcurl does not start");
-  const std::unique_ptr<CURL, EndHandle> owner(curl_easy_init());
-  BURNISH_CHECK(owner != nullptr, "libcurl has no memory");
-  CURL* handle = owner.get();
+  CurlHandle handle;
   Flight flight{request, handle};
-  char words[CURL_ERROR_SIZE] = "";
   const std::string query = request.query.empty() ? "" : "?" + request.query;
-  set(handle, CURLOPT_ERRORBUFFER, words);
-  set(handle, CURLOPT_PROTOCOLS_STR, "http,https");
-  set(handle, CURLOPT_URL, (address.url(request.key) + query).c_str());
-  set(handle, CURLOPT_HTTP_VERSION, static_cast<long>(CURL_HTTP_VERSION_1_1));
-  if (!address.ca().empty()) set(handle, CURLOPT_CAINFO, address.ca().c_str());
-  set(handle, CURLOPT_AWS_SIGV4, ("aws:amz:" + address.region() + ":s3").c_str());
-  set(handle, CURLOPT_USERNAME, credentials.id.c_str());
-  set(handle, CURLOPT_PASSWORD, credentials.secret.c_str());
-  const Headers headers = headers_of(request, credentials);
-  set(handle, CURLOPT_HTTPHEADER, headers.get());
+  handle.set(CURLOPT_PROTOCOLS_STR, "http,https");
+  handle.set(CURLOPT_URL, (address.url(request.key) + query).c_str());
+  handle.set(CURLOPT_HTTP_VERSION, static_cast<long>(CURL_HTTP_VERSION_1_1));
+  if (!address.ca().empty()) handle.set(CURLOPT_CAINFO, address.ca().c_str());
+  handle.set(CURLOPT_AWS_SIGV4, ("aws:amz:" + address.region() + ":s3").c_str());
+  handle.set(CURLOPT_USERNAME, credentials.id.c_str());
+  handle.set(CURLOPT_PASSWORD, credentials.secret.c_str());
+  add_headers(handle, request, credentials);
   set_method(handle, request);
   set_limits(handle, request, patience);
   set_callbacks(handle, flight);
 
-  const CURLcode code = curl_easy_perform(handle);
+  std::string trouble = handle.perform();
   RETURN_IF_ERROR(flight.failed);
   S3Reply& reply = flight.reply;
-  if (code != CURLE_OK) reply.trouble = words[0] != '\0' ? words : curl_easy_strerror(code);
-  reply.http = static_cast<int>(http_status(handle));
-  reply.etag = header(handle, "etag");
-  reply.region = header(handle, "x-amz-bucket-region");
-  curl_off_t length = 0;
-  curl_easy_getinfo(handle, CURLINFO_CONTENT_LENGTH_DOWNLOAD_T, &length);
-  reply.bytes = static_cast<uint64_t>(std::max<curl_off_t>(length, 0));
+  reply.trouble = std::move(trouble);
+  reply.http = handle.status();
+  reply.etag = handle.header("etag");
+  reply.region = handle.header("x-amz-bucket-region");
+  reply.bytes = handle.content_length();
   read_code(reply);
   return reply;
 }

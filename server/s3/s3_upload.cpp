@@ -113,10 +113,13 @@ Status S3Upload::send(const fs::path& path, const std::string& sha256, const Pro
       const double part = static_cast<double>(begin + std::min(done, bytes));
       return report(progress, "sharing", size == 0 ? 0 : part / static_cast<double>(size));
     };
-    ASSIGN_OR_RETURN(const S3Reply reply, bucket_->send([&] { return request; }, progress));
-    if (reply.etag.empty() || reply.etag.find_first_of("<&") != std::string::npos)
+    const auto reply = bucket_->send([&] { return request; }, progress);
+    if (reply.status().code() == StatusCode::kNotFound)  // somebody has ended the upload
+      return unavailable(reply.status().message());
+    RETURN_IF_ERROR(reply.status());
+    if (reply->etag.empty() || reply->etag.find_first_of("<&") != std::string::npos)
       return internal_error("PUT " + bucket_->address().say(key_) + ": the answer has no ETag");
-    etags_.push_back(reply.etag);
+    etags_.push_back(reply->etag);
   }
   const std::string found = whole.finish();
   if (found == sha256) return Status::ok();

@@ -21,8 +21,8 @@ class S3Upload {
   S3Upload& operator=(S3Upload&&) = delete;
   ~S3Upload();
 
-  /// Sends a file. Fails: data_loss if it does not have this SHA-256; cancelled; as errno says; as
-  /// the service says.
+  /// Sends a file. Fails: data_loss if it does not have this SHA-256; cancelled; unavailable if
+  /// the service has forgotten the upload; as errno says; as the service says.
   Status send(const std::filesystem::path& path, const std::string& sha256,
               const Progress& progress);
 

@@ -92,6 +92,18 @@ TEST_F(S3BucketTest, AWrongSecretIsRefusedAndInNoMessage) {
             StatusCode::kFailedPrecondition);
 }
 
+TEST_F(S3BucketTest, MayBeAPartOfTheHostsName) {
+  ASSERT_TRUE(bucket_->put("a", "hello").is_ok());
+  S3Settings settings = service_->settings();
+  settings.endpoint.replace(settings.endpoint.find("127.0.0.1"), 9, "localhost");
+  settings.addressing = "virtual";
+  const S3Address address = S3Address::parse(settings).value();
+  ASSERT_THAT(address.url(""), HasSubstr("http://bucket.localhost:"));
+  const S3Bucket bucket(address, S3Service::credentials, short_patience());
+  EXPECT_EQ(get(bucket, "a").value(), "hello");
+  EXPECT_TRUE(bucket.check_access().is_ok());
+}
+
 TEST_F(S3BucketTest, CredentialsAreAskedForEachRequest) {
   std::string secret = "old";
   const S3Bucket bucket(

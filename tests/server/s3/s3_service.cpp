@@ -16,7 +16,7 @@ bool S3Service::is_installed() {
 
 S3Service::S3Service(std::string certificate, std::string key)
     : certificate_(std::move(certificate)), key_(std::move(key)) {
-  ::setenv("no_proxy", "127.0.0.1,localhost", 1);
+  ::setenv("no_proxy", "127.0.0.1,localhost,.localhost", 1);
   start();
   if (!certificate_.empty()) return;
   const Status made = bucket(short_patience()).send_quickly({"PUT", ""}).status();

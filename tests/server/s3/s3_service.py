@@ -69,7 +69,7 @@ def front(settings, user_id, secret):
     pipeline = slo.filter_factory({})(pipeline)
     pipeline = tempauth.filter_factory({f"user_{account}_{user}": f"{secret} .admin"})(pipeline)
     pipeline = s3api.filter_factory({"auth_pipeline_check": "false", "min_segment_size": "1",
-                                     "max_upload_part_num": "10000"})(pipeline)
+                                     "max_upload_part_num": "10000", "storage_domain": "localhost"})(pipeline)
     return with_cache(listing_formats.filter_factory({})(pipeline))
 
 

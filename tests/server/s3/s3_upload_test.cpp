@@ -115,6 +115,19 @@ TEST_F(S3UploadTest, ACompletedUploadIsUnknownTheSecondTime) {
   EXPECT_TRUE(upload.abort().is_ok());
 }
 
+TEST_F(S3UploadTest, ThatSomebodyHasEndedMayBeTriedAgain) {
+  S3Upload upload = S3Upload::begin(*bucket_, "a").value();
+  const std::string key = service_->address().key("a");
+  S3Request uploads{"GET", ""};
+  uploads.query = "uploads=";
+  const std::string id = xml_text(bucket_->send_quickly(uploads)->body, "UploadId");
+  S3Request end{"DELETE", key};
+  end.query = "uploadId=" + id;
+  ASSERT_TRUE(bucket_->send_quickly(end).is_ok());
+  EXPECT_EQ(send(upload).code(), StatusCode::kUnavailable);
+  EXPECT_TRUE(upload.abort().is_ok()) << "it is over";
+}
+
 TEST_F(S3UploadTest, IsCancelledWithinAPart) {
   S3Upload upload = S3Upload::begin(*bucket_, "a").value();
   EXPECT_EQ(send(upload, [](std::string_view, double) { return false; }).code(),
