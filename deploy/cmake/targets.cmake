@@ -20,6 +20,7 @@ if(BURNISH_SERVICE)
   find_package(prometheus-cpp REQUIRED CONFIG)  # has no version
   find_package(SQLite3 REQUIRED)
   find_package(PostgreSQL REQUIRED)
+  find_package(CURL 7.88 REQUIRED)
   find_package(tomlplusplus 3.3 REQUIRED)
   find_package(ZLIB REQUIRED)
 endif()

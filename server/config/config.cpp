@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -66,6 +67,27 @@ static Status check_fleet(const ServerConfig& config) {
       " is less than twice fleet.heartbeat_ms = " + std::to_string(config.fleet_heartbeat_ms));
 }
 
+/// An endpoint may hold a password by mistake, so that only one that has none is repeated.
+static Status check_s3(const ServerConfig& config) {
+  const std::string shared = config.library_shared.string();
+  const bool has_bucket = shared.starts_with("s3://");
+  for (const auto& [key, is_set] : {std::pair("s3_endpoint", !config.s3_endpoint.empty()),
+                                    std::pair("s3_credentials", !config.s3_credentials.empty()),
+                                    std::pair("s3_ca", !config.s3_ca.empty())})
+    if (is_set && !has_bucket)
+      return invalid_argument(std::string("library.") + key + " is set, but library.shared = '" +
+                              shared + "' is not a bucket, s3://BUCKET[/PREFIX]");
+  static constexpr std::string_view kPlain = "http://";
+  if (!config.s3_endpoint.starts_with(kPlain) || config.insecure) return Status::ok();
+  const std::string host = config.s3_endpoint.substr(kPlain.size());
+  const bool has_port = host.rfind(':') != std::string::npos && !host.ends_with(']');
+  if (is_loopback(has_port ? host : host + ":80")) return Status::ok();
+  const std::string value = host.find('@') == std::string::npos ? config.s3_endpoint : "http://...";
+  return failed_precondition("library.s3_endpoint = '" + value +
+                             "' would have the scans cross the network in plain text; use https, "
+                             "or pass --insecure to allow it");
+}
+
 static Status check_tls(const ServerConfig& config) {
   if (config.tls_certificate.empty() != config.tls_key.empty())
     return invalid_argument("tls.certificate = '" + config.tls_certificate.string() +
@@ -128,6 +150,7 @@ Status validate(const ServerConfig& config) {
   RETURN_IF_ERROR(check_socket(config.socket));
   RETURN_IF_ERROR(check_journal(config.journal));
   RETURN_IF_ERROR(check_fleet(config));
+  RETURN_IF_ERROR(check_s3(config));
   RETURN_IF_ERROR(check_tls(config));
   RETURN_IF_ERROR(check_metrics_exposure(config));
   RETURN_IF_ERROR(check_exposure("web.listen", config.web_listen, config));

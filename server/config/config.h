@@ -40,7 +40,12 @@ struct ServerConfig {
 
   std::string metrics_listen;  ///< HOST:PORT; empty: no metrics
 
-  std::filesystem::path library_shared;  ///< folder of the fleet's originals; empty: each its own
+  std::filesystem::path library_shared;  ///< folder or bucket of the fleet's originals; empty: none
+  std::string s3_endpoint;               ///< http[s]://HOST[:PORT]; empty: that of AWS
+  std::string s3_region = "us-east-1";
+  std::string s3_addressing = "auto";    ///< where URLs have the bucket's name
+  std::filesystem::path s3_credentials;  ///< a file; empty: the environment
+  std::filesystem::path s3_ca;           ///< authorities of the endpoint; empty: the system's
 
   std::string fleet_name;       ///< of this server among those that share the journal; empty: alone
   std::string fleet_advertise;  ///< HOST:PORT at which clients reach this server; empty: a proxy's

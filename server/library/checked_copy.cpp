@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <fcntl.h>
-#include <functional>
 #include <unistd.h>
 #include <vector>
 
@@ -36,8 +35,7 @@ class OpenFile {
 };
 
 /// Hands the file over in pieces.
-Status read_pieces(const fs::path& path, const Progress& progress,
-                   const std::function<Status(std::string_view)>& take) {
+Status read_pieces(const fs::path& path, const Progress& progress, const TakePiece& take) {
   const OpenFile file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) return errno_status("cannot read " + path.string(), errno);
   std::error_code error;
@@ -73,33 +71,44 @@ Status make_file(const fs::path& path, const std::function<Status(int)>& fill) {
   return file.close() ? Status::ok() : errno_status("cannot write " + path.string(), errno);
 }
 
-Status compare(ContentHash& hash, const std::string& sha256, const fs::path& path) {
+Status compare(ContentHash& hash, const std::string& sha256, const std::string& name) {
   const std::string found = hash.finish();
   if (found == sha256) return Status::ok();
-  return data_loss(path.string() + " has SHA-256 " + found + ", not " + sha256);
+  return data_loss(name + " has SHA-256 " + found + ", not " + sha256);
 }
 
 }  // namespace
 
-Status copy_checked(const fs::path& from, const std::string& sha256, const fs::path& to,
-                    const Progress& progress) {
+Status write_checked(const std::string& name, const std::string& sha256, const fs::path& to,
+                     const Pieces& from) {
   ContentHash hash;
   RETURN_IF_ERROR(make_file(to, [&](int file) {
-    return read_pieces(from, progress, [&](std::string_view piece) {
+    return from([&](std::string_view piece) {
       hash.update(piece);
       return write_all(file, piece, to);
     });
   }));
-  return compare(hash, sha256, from);
+  return compare(hash, sha256, name);
 }
 
-Status check_file(const fs::path& path, const std::string& sha256, const Progress& progress) {
+Status check_pieces(const std::string& name, const std::string& sha256, const Pieces& from) {
   ContentHash hash;
-  RETURN_IF_ERROR(read_pieces(path, progress, [&](std::string_view piece) {
+  RETURN_IF_ERROR(from([&](std::string_view piece) {
     hash.update(piece);
     return Status::ok();
   }));
-  return compare(hash, sha256, path);
+  return compare(hash, sha256, name);
+}
+
+Status copy_checked(const fs::path& from, const std::string& sha256, const fs::path& to,
+                    const Progress& progress) {
+  return write_checked(from.string(), sha256, to,
+                       [&](const TakePiece& take) { return read_pieces(from, progress, take); });
+}
+
+Status check_file(const fs::path& path, const std::string& sha256, const Progress& progress) {
+  return check_pieces(path.string(), sha256,
+                      [&](const TakePiece& take) { return read_pieces(path, progress, take); });
 }
 
 Status write_new_file(const fs::path& path, std::string_view text) {

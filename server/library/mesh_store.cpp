@@ -209,7 +209,7 @@ Status MeshStore::remove(const std::string& id) {
   if (shared_) {
     const std::lock_guard lock(sharing_mutex_);
     mark_.clear();
-    RETURN_IF_ERROR(shared_->catalogue->remove(id, [&] { return shared_->folder->remove(id); }));
+    RETURN_IF_ERROR(shared_->catalogue->remove(id, [&] { return shared_->originals->remove(id); }));
     drop_here(id);
     return Status::ok();
   }

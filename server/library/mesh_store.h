@@ -15,9 +15,10 @@
 #include "server/library/data_folder.h"
 #include "server/library/mesh_cache.h"
 #include "server/library/open_pages.h"
+#include "server/library/original_store.h"
 #include "server/library/scan_catalogue.h"
 #include "server/library/scan_index.h"
-#include "server/library/shared_folder.h"
+#include "server/library/staging_folder.h"
 #include "server/library/upload.h"
 #include "server/memory/quota.h"
 #include "server/prepare/prepared_mesh.h"
@@ -35,7 +36,7 @@ struct MeshStoreOptions {
 
 /// The scans that all servers of a fleet have.
 struct SharedLibrary {
-  std::unique_ptr<SharedFolder> folder;
+  std::unique_ptr<OriginalStore> originals;
   std::unique_ptr<ScanCatalogue> catalogue;
 };
 
@@ -49,13 +50,15 @@ class MeshStore {
                                                  const MeshStoreOptions& options);
 
   /// From now on shares the scans with other servers: gives them those that this server alone has.
-  /// Needs: one call, before others. Fails: unavailable; as SharedFolder and ScanCatalogue say.
+  /// Needs: one call, before others. Fails: unavailable; as OriginalStore and ScanCatalogue say.
   Status share(SharedLibrary shared);
   bool is_shared() const { return shared_.has_value(); }
 
   /// Takes in which scans other servers have imported, changed and deleted. Does nothing without a
   /// shared library. Fails: unavailable.
   Status refresh();
+  /// Does the same unless a scan is being shared or removed, which may wait for a slow store.
+  Status refresh_unless_busy();
 
   /// Fails: resource_exhausted above upload_bytes_max, or if the user's unfinished uploads together
   /// are above upload_bytes_per_user.
@@ -161,6 +164,7 @@ class MeshStore {
   Status take_upload(Upload& upload, const std::string& id, const Progress& progress);
   Status check_or_fetch(const ScanInfo& scan, const Progress& progress);
   Status put_new(const StagingFolder& staging, const ScanInfo& scan, const Progress& progress);
+  Status read_catalogue();
   Status share_own(const ScanInfo& scan);
   void take_info(const ScanInfo& scan);
   void drop_here(const std::string& id);

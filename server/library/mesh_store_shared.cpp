@@ -52,14 +52,14 @@ Status MeshStore::share(SharedLibrary shared) {
 Status MeshStore::share_own(const ScanInfo& scan) {
   const fs::path folder = scan_folder(scan.id);
   ASSIGN_OR_RETURN(const ScanInfo read, read_scan_folder(folder));
-  const auto staged = shared_->folder->copy_in(folder / original_file_name(scan.format), read, {});
+  const auto staged =
+      shared_->originals->copy_in(folder / original_file_name(scan.format), read, {});
   if (staged.status().code() == StatusCode::kDataLoss) return Status::ok();
   RETURN_IF_ERROR(staged.status());
   const std::lock_guard lock(sharing_mutex_);
   mark_.clear();
-  ASSIGN_OR_RETURN(const ScanInfo entered, shared_->catalogue->enter(read, [&] {
-    return shared_->folder->place(*staged, read, false);
-  }));
+  ASSIGN_OR_RETURN(const ScanInfo entered,
+                   shared_->catalogue->enter(read, [&] { return staged.value()->place(false); }));
   RETURN_IF_ERROR(write_file(folder / kMark, ""));
   take_info(entered);
   return Status::ok();
@@ -68,6 +68,17 @@ Status MeshStore::share_own(const ScanInfo& scan) {
 Status MeshStore::refresh() {
   if (!shared_) return Status::ok();
   const std::lock_guard lock(sharing_mutex_);
+  return read_catalogue();
+}
+
+Status MeshStore::refresh_unless_busy() {
+  if (!shared_) return Status::ok();
+  const std::unique_lock lock(sharing_mutex_, std::try_to_lock);
+  return lock ? read_catalogue() : Status::ok();
+}
+
+/// Needs: sharing_mutex_ is held.
+Status MeshStore::read_catalogue() {
   ASSIGN_OR_RETURN(const auto page, shared_->catalogue->read(mark_));
   if (!page) return Status::ok();
   std::set<std::string> there;
@@ -120,9 +131,9 @@ Status MeshStore::bring_here(const std::string& id, const Progress& progress) {
   RETURN_IF_ERROR(check_disk_space(folder_.scans(), scan->size_bytes));
   const StagingFolder staging(folder_.staging_path(".scan"));
   RETURN_IF_ERROR(staging.make("prepared"));
-  RETURN_IF_ERROR(
-      shared_->folder->fetch(*scan, staging.path() / original_file_name(scan->format), progress));
-  spdlog::info("scan {} fetched from the shared folder", short_id(id));
+  RETURN_IF_ERROR(shared_->originals->fetch(
+      *scan, staging.path() / original_file_name(scan->format), progress));
+  spdlog::info("scan {} fetched from the fleet's originals", short_id(id));
   return take_fetched(staging, *scan);
 }
 
@@ -152,19 +163,18 @@ Status MeshStore::put_here(const StagingFolder& staging, const ScanInfo& scan) {
 Status MeshStore::put_new(const StagingFolder& staging, const ScanInfo& scan,
                           const Progress& progress) {
   if (!shared_) return put_here(staging, scan);
-  ASSIGN_OR_RETURN(
-      const StagingFolder staged,
-      shared_->folder->copy_in(staging.path() / original_file_name(scan.format), scan, progress));
+  ASSIGN_OR_RETURN(const auto staged,
+                   shared_->originals->copy_in(staging.path() / original_file_name(scan.format),
+                                               scan, progress));
   const std::lock_guard lock(sharing_mutex_);
   mark_.clear();
-  ASSIGN_OR_RETURN(const ScanInfo entered, shared_->catalogue->enter(scan, [&] {
-    return shared_->folder->place(staged, scan, false);
-  }));
+  ASSIGN_OR_RETURN(const ScanInfo entered,
+                   shared_->catalogue->enter(scan, [&] { return staged->place(false); }));
   return put_shared_here(staging, entered);
 }
 
-/// Makes use of uploaded bytes of a scan that others have imported. What the shared folder has may
-/// be damaged, so the upload counts.
+/// Makes use of uploaded bytes of a scan that others have imported. What the fleet has may be
+/// damaged, so the upload counts.
 Status MeshStore::take_upload(Upload& upload, const std::string& id, const Progress& progress) {
   RETURN_IF_ERROR(refresh());
   const auto scan = index_.find_id(id);
@@ -182,17 +192,15 @@ Status MeshStore::take_upload(Upload& upload, const std::string& id, const Progr
 Status MeshStore::repair_shared(const std::string& id, const Progress& progress) {
   const auto scan = index_.find_id(id);
   if (!shared_ || !scan) return Status::ok();
-  const Status status = shared_->folder->check(*scan, progress);
+  const Status status = shared_->originals->check(*scan, progress);
   if (status.code() != StatusCode::kDataLoss) return status;
-  ASSIGN_OR_RETURN(const StagingFolder staged,
-                   shared_->folder->copy_in(scan_folder(id) / original_file_name(scan->format),
-                                            *scan, progress));
+  ASSIGN_OR_RETURN(const auto staged,
+                   shared_->originals->copy_in(scan_folder(id) / original_file_name(scan->format),
+                                               *scan, progress));
   const std::lock_guard lock(sharing_mutex_);
   mark_.clear();
-  spdlog::warn("scan {}: its original in the shared folder was damaged and is replaced", id);
-  return shared_->catalogue
-      ->enter(*scan, [&] { return shared_->folder->place(staged, *scan, true); })
-      .status();
+  spdlog::warn("scan {}: its original in the fleet's store was damaged and is replaced", id);
+  return shared_->catalogue->enter(*scan, [&] { return staged->place(true); }).status();
 }
 
 /// Checks the original, and fetches it again if it is damaged.
@@ -201,7 +209,7 @@ Status MeshStore::check_or_fetch(const ScanInfo& scan, const Progress& progress)
   const Status checked = check_original(folder, scan);
   if (checked.code() != StatusCode::kDataLoss || !shared_) return checked;
   const StagingFolder good(folder_.staging_path(".original"));
-  const Status fetched = shared_->folder->fetch(scan, good.path(), progress);
+  const Status fetched = shared_->originals->fetch(scan, good.path(), progress);
   if (fetched.code() == StatusCode::kDataLoss) return checked;
   RETURN_IF_ERROR(fetched);
   return replace_original(folder, scan, good.path());

@@ -10,8 +10,9 @@
 
 namespace burnish {
 
-/// The scans of a fleet, with their names and units: the same for all servers. A scan of it is in
-/// the shared folder too. ScanInfo::prepared is empty here. Thread-safe.
+/// The scans of a fleet, with their names and units: the same for all servers. The
+/// original of each is in the fleet's OriginalStore too. ScanInfo::prepared is empty here.
+/// Thread-safe.
 class ScanCatalogue {
  public:
   /// All scans at a moment.
@@ -19,7 +20,7 @@ class ScanCatalogue {
     std::string mark;  ///< changes whenever a scan does
     std::vector<ScanInfo> scans;
   };
-  /// Work on the shared folder, while no other server enters or removes the same scan.
+  /// Work on the originals, while no other server enters or removes the same scan.
   using Files = std::function<Status()>;
 
   virtual ~ScanCatalogue() = default;

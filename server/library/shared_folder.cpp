@@ -11,23 +11,21 @@ namespace burnish {
 
 namespace fs = std::filesystem;
 
-/// Returns a failure without the names of files, which it logs.
-static Status told_apart(const Status& status, const std::string& what, const ScanInfo& scan) {
-  if (status.is_ok() || status.code() == StatusCode::kCancelled) return status;
-  spdlog::error("shared folder: {}", status.message());
-  const bool is_damage =
-      status.code() == StatusCode::kDataLoss || status.code() == StatusCode::kNotFound;
-  if (!is_damage) return {status.code(), what + " scan " + scan.name + " failed; see the log"};
-  return data_loss("the original of scan " + scan.name +
-                   " in the shared folder is damaged or missing; import the same file again");
-}
+static constexpr char kSharedFolder[] = "shared folder";
 
-/// Reports another phase than that of a fetched scan.
-static Progress as_phase(const char* phase, const Progress& progress) {
-  return [phase, &progress](std::string_view, double fraction) {
-    return report(progress, phase, fraction);
-  };
-}
+class SharedFolder::Staged final : public StagedOriginal {
+ public:
+  Staged(SharedFolder& store, ScanInfo scan)
+      : store_(store), scan_(std::move(scan)), files_(store.staging_path()) {}
+
+  const StagingFolder& files() const { return files_; }
+  Status place(bool replaces) override { return store_.place(files_, scan_, replaces); }
+
+ private:
+  SharedFolder& store_;
+  const ScanInfo scan_;
+  const StagingFolder files_;
+};
 
 Status rename_once(const fs::path& from, const fs::path& to,
                    const std::function<bool()>& is_there) {
@@ -63,17 +61,19 @@ bool SharedFolder::is_whole(const ScanInfo& scan) const {
   return fs::file_size(original(scan), error) == scan.size_bytes && !error;
 }
 
-Result<StagingFolder> SharedFolder::copy_in(const fs::path& original, const ScanInfo& scan,
-                                            const Progress& progress) {
-  StagingFolder staged(staging_path());
+Result<std::unique_ptr<StagedOriginal>> SharedFolder::copy_in(const fs::path& original,
+                                                              const ScanInfo& scan,
+                                                              const Progress& progress) {
+  auto copy = std::make_unique<Staged>(*this, scan);
+  const StagingFolder& staged = copy->files();
   Status status = staged.make();
   if (status.is_ok())
     status = copy_checked(original, scan.id, staged.path() / original_file_name(scan.format),
                           as_phase("sharing", progress));
   if (status.is_ok()) status = write_new_file(staged.path() / "info.json", scan_to_json(scan));
   if (status.is_ok()) status = sync_folder(staged.path());
-  RETURN_IF_ERROR(told_apart(status, "sharing", scan));
-  return staged;
+  RETURN_IF_ERROR(told_apart(status, kSharedFolder, "sharing", scan));
+  return std::unique_ptr<StagedOriginal>(std::move(copy));
 }
 
 Status SharedFolder::place(const StagingFolder& staged, const ScanInfo& scan, bool replaces) {
@@ -82,18 +82,19 @@ Status SharedFolder::place(const StagingFolder& staged, const ScanInfo& scan, bo
   std::error_code none;
   if (replaces || !is_whole(scan)) fs::rename(to, bin.path(), none);
   const Status placed = rename_once(staged.path(), to, [&] { return is_whole(scan); });
-  RETURN_IF_ERROR(told_apart(placed, "sharing", scan));
-  return told_apart(sync_folder(path_ / "scans"), "sharing", scan);
+  RETURN_IF_ERROR(told_apart(placed, kSharedFolder, "sharing", scan));
+  return told_apart(sync_folder(path_ / "scans"), kSharedFolder, "sharing", scan);
 }
 
 Status SharedFolder::check(const ScanInfo& scan, const Progress& progress) const {
-  return told_apart(check_file(original(scan), scan.id, as_phase("checking", progress)), "checking",
-                    scan);
+  return told_apart(check_file(original(scan), scan.id, as_phase("checking", progress)),
+                    kSharedFolder, "checking", scan);
 }
 
 Status SharedFolder::fetch(const ScanInfo& scan, const fs::path& to,
                            const Progress& progress) const {
-  return told_apart(copy_checked(original(scan), scan.id, to, progress), "fetching", scan);
+  return told_apart(copy_checked(original(scan), scan.id, to, progress), kSharedFolder, "fetching",
+                    scan);
 }
 
 Status SharedFolder::remove(const std::string& id) {
@@ -104,7 +105,7 @@ Status SharedFolder::remove(const std::string& id) {
     return !fs::exists(from, error) && !error;
   });
   if (moved.is_ok()) return moved;
-  spdlog::error("shared folder: {}", moved.message());
+  spdlog::error("{}: {}", kSharedFolder, moved.message());
   return {moved.code(), "deleting the original in the shared folder failed; see the log"};
 }
 

@@ -9,6 +9,7 @@
 #include "server/fleet/pg_catalogue.h"
 #include "server/journal/journal_copy.h"
 #include "server/journal/sqlite_journal.h"
+#include "server/main/originals.h"
 #include "server/solver/device_probe.h"
 
 namespace burnish {
@@ -49,7 +50,7 @@ Status share_scans(const ServerConfig& config, const OpenedJournal& opened, Mesh
   if (config.library_shared.empty()) return Status::ok();
   ASSIGN_OR_RETURN(const PgAddress address, PgAddress::parse(config.journal));
   SharedLibrary shared;
-  ASSIGN_OR_RETURN(shared.folder, SharedFolder::open(config.library_shared, config.fleet_name));
+  ASSIGN_OR_RETURN(shared.originals, open_originals(config));
   ASSIGN_OR_RETURN(shared.catalogue, PgCatalogue::open(address));
   RETURN_IF_ERROR(store.share(std::move(shared)));
   opened.shared->share_scans();
@@ -75,7 +76,7 @@ std::jthread follow_fleet(const ServerConfig& config, const OpenedJournal& opene
        .on_heartbeat =
            [&](std::vector<std::string> addresses) {
              sessions.refresh();
-             const Status fresh = sessions.store().refresh();
+             const Status fresh = sessions.store().refresh_unless_busy();
              if (!fresh.is_ok()) spdlog::warn("the list of scans is old: {}", fresh.message());
              live.set_fleet(std::move(addresses));
            }});

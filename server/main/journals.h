@@ -28,7 +28,7 @@ struct OpenedJournal {
 Result<OpenedJournal> open_journal_of(const ServerConfig& config, const DataFolder& folder);
 
 /// Shares the scans with the other servers if the configuration says so. Fails: as
-/// MeshStore::share() and SharedFolder say; unavailable.
+/// MeshStore::share() and open_originals() say; unavailable.
 Status share_scans(const ServerConfig& config, const OpenedJournal& opened, MeshStore& store);
 
 /// Renews the server's lease, follows what other servers do to the sessions, and tells clients of

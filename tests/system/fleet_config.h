@@ -12,7 +12,8 @@ namespace burnish {
 struct FleetServer {
   std::string name;
   std::string journal;             ///< URI of the database
-  std::filesystem::path shared{};  ///< folder of the fleet's scans; empty: none
+  std::filesystem::path shared{};  ///< folder or bucket of the fleet's scans; empty: none
+  std::string library{};           ///< more lines of [library]
   int lease_ms = 1500;             ///< short: the database has the clock, and tests wait for it
   int heartbeat_ms = 300;
   int alone_ms = 0;
@@ -24,7 +25,8 @@ struct FleetServer {
 inline std::vector<std::string> fleet_flags(const TemporaryFolder& folder,
                                             const FleetServer& server) {
   std::string text = "journal = \"" + server.journal + "\"\n";
-  if (!server.shared.empty()) text += "[library]\nshared = \"" + server.shared.string() + "\"\n";
+  if (!server.shared.empty())
+    text += "[library]\nshared = \"" + server.shared.string() + "\"\n" + server.library;
   text += "[fleet]\nname = \"" + server.name + "\"\nlease_ms = " + std::to_string(server.lease_ms) +
           "\nheartbeat_ms = " + std::to_string(server.heartbeat_ms) +
           "\nalone_ms = " + std::to_string(server.alone_ms) + "\nadvertise = \"" +

@@ -249,6 +249,43 @@ TEST(Config, KeysThatDoNotFitEachOtherAreRefused) {
   EXPECT_THAT(validate(config).message(), HasSubstr("200 bytes"));
 }
 
+TEST(Config, KeysOfABucketNeedOne) {
+  ServerConfig config;
+  config.journal = "postgresql://burnish@db/burnish";
+  config.fleet_name = "one";
+  config.library_shared = "/lab";
+  config.s3_credentials = "s3.ini";
+  EXPECT_THAT(validate(config).message(), HasSubstr("library.s3_credentials is set"));
+  EXPECT_THAT(validate(config).message(), HasSubstr("library.shared = '/lab' is not a bucket"));
+  config.library_shared = "s3://scans/lab";
+  EXPECT_TRUE(validate(config).is_ok());
+  config.s3_addressing = "host";
+  EXPECT_THAT(validate(config).message(), HasSubstr("'host' is not one of auto, path, virtual"));
+}
+
+TEST(Config, ScansCrossTheNetworkInPlainTextOnlyIfSomebodySaysSo) {
+  ServerConfig config;
+  config.journal = "postgresql://burnish@db/burnish";
+  config.fleet_name = "one";
+  config.library_shared = "s3://scans";
+  for (const char* endpoint : {"https://s3.lab", "http://127.0.0.1:9000", "http://localhost",
+                               "http://[::1]:9000", "http://[::1]"}) {
+    config.s3_endpoint = endpoint;
+    EXPECT_TRUE(validate(config).is_ok()) << endpoint;
+  }
+  for (const char* endpoint : {"http://s3.lab:9000", "http://10.0.0.1", "http://localhost.lab"}) {
+    config.s3_endpoint = endpoint;
+    EXPECT_EQ(validate(config).code(), StatusCode::kFailedPrecondition);
+    EXPECT_THAT(validate(config).message(),
+                HasSubstr("library.s3_endpoint = '" + std::string(endpoint)));
+  }
+  config.s3_endpoint = "http://me:hidden@s3.lab";
+  EXPECT_THAT(validate(config).message(), testing::Not(HasSubstr("hidden")));
+  config.s3_endpoint = "http://s3.lab:9000";
+  config.insecure = true;
+  EXPECT_TRUE(validate(config).is_ok());
+}
+
 TEST(CommandLine, FlagsGoBeforeTheFileAndTheFileBeforeTheDefaults) {
   const TemporaryFolder folder;
   const std::string file = folder.write("s.toml", "threads = 3\nlog_level = \"warn\"\n").string();

@@ -1,12 +1,14 @@
-// Two servers with folders of their own, one shared folder, and a catalogue in memory.
+// Two servers with folders of their own, one store of originals, and a catalogue in memory.
 
-#include <map>
-#include <mutex>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "server/library/scan_record.h"
+#include "server/library/shared_folder.h"
+#include "tests/server/library/catalogue_in_memory.h"
+#include "tests/server/library/shared_place.h"
 #include "tests/server/manager/test_library.h"
 
 namespace burnish {
@@ -15,97 +17,53 @@ namespace {
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-/// What a database does, without one.
-struct CatalogueRows {
-  std::mutex mutex;
-  std::map<std::string, ScanInfo> scans;
-  std::string editing;  ///< the session that edits every scan; "": none
-  int version = 0;
-};
-
-class CatalogueInMemory final : public ScanCatalogue {
- public:
-  explicit CatalogueInMemory(CatalogueRows& rows) : rows_(rows) {}
-
-  Result<std::optional<Page>> read(const std::string& mark) override {
-    const std::lock_guard lock(rows_.mutex);
-    Page page{"version " + std::to_string(rows_.version), {}};
-    if (page.mark == mark) return std::optional<Page>();
-    for (const auto& [id, scan] : rows_.scans) page.scans.push_back(scan);
-    return std::optional<Page>(std::move(page));
-  }
-  Result<ScanInfo> enter(const ScanInfo& scan, const Files& put) override {
-    const std::lock_guard lock(rows_.mutex);
-    RETURN_IF_ERROR(put());
-    ++rows_.version;
-    ScanInfo entered = scan;
-    entered.prepared.clear();
-    return rows_.scans.try_emplace(scan.id, entered).first->second;
-  }
-  Result<ScanInfo> change(const std::string& id,
-                          const std::function<void(ScanInfo&)>& by) override {
-    const std::lock_guard lock(rows_.mutex);
-    ++rows_.version;
-    by(rows_.scans.at(id));
-    return rows_.scans.at(id);
-  }
-  Status remove(const std::string& id, const Files& remove_files) override {
-    const std::lock_guard lock(rows_.mutex);
-    if (!rows_.editing.empty()) return failed_precondition("session " + rows_.editing);
-    RETURN_IF_ERROR(remove_files());
-    ++rows_.version;
-    rows_.scans.erase(id);
-    return Status::ok();
-  }
-
- private:
-  CatalogueRows& rows_;
-};
-
-class SharedLibraryTest : public testing::Test {
+class SharedLibraryTest : public testing::TestWithParam<const char*> {
  protected:
-  SharedLibraryTest() {
+  void SetUp() override {
+    if (const std::string why = missing_for(GetParam()); !why.empty()) GTEST_SKIP() << why;
+    shared_ = make_shared_place(GetParam());
     share(one_, "one");
     share(two_, "two");
   }
 
   void share(TestLibrary& library, const std::string& name) {
     SharedLibrary shared;
-    shared.folder = std::move(SharedFolder::open(shared_.path(), name)).value();
+    shared.originals = shared_->open(name);
     shared.catalogue = std::make_unique<CatalogueInMemory>(rows_);
     const Status status = library.store->share(std::move(shared));
     EXPECT_TRUE(status.is_ok()) << status.message();
   }
 
-  fs::path shared_original(const ScanInfo& scan) const {
-    return shared_ / "scans" / scan.id / original_file_name(scan.format);
-  }
   static fs::path own_folder(const TestLibrary& library, const ScanInfo& scan) {
     return library.folder->scans() / scan.id;
   }
-  size_t staged(const std::string& server) const {
-    const fs::directory_iterator files(shared_ / "staging" / server);
-    return static_cast<size_t>(std::distance(begin(files), end(files)));
+  void damage(const ScanInfo& scan) const {
+    std::string damaged = shared_->original(scan);
+    damaged.at(damaged.size() / 2) ^= 1;
+    shared_->put_original(scan, damaged);
   }
 
-  const TemporaryFolder shared_;
+  std::unique_ptr<SharedPlace> shared_;
   CatalogueRows rows_;
   TestLibrary one_, two_;
 };
 
-TEST_F(SharedLibraryTest, AScanOfOneServerOpensOnTheOtherFromItsOwnCopy) {
+INSTANTIATE_TEST_SUITE_P(Stores, SharedLibraryTest, testing::Values("Folder", "Bucket"),
+                         [](const auto& store) { return std::string(store.param); });
+
+TEST_P(SharedLibraryTest, AScanOfOneServerOpensOnTheOtherFromItsOwnCopy) {
   const ScanInfo ball = one_.import(sphere_file(), "ball")->scan;
   EXPECT_EQ(two_.store->find("ball")->id, ball.id);
   EXPECT_FALSE(fs::exists(own_folder(two_, ball))) << "nobody has needed it there yet";
   const auto mesh = two_.store->open_mesh(ball.id, {5, 0}, {});
   ASSERT_TRUE(mesh.is_ok()) << mesh.status().message();
   EXPECT_EQ(content_of(own_folder(two_, ball) / "original.ply"), sphere_file());
-  fs::remove_all(shared_ / "scans");
+  shared_->clear();
   EXPECT_TRUE(two_.store->open_pages(ball.id, {}).is_ok()) << "its own copy is enough";
-  EXPECT_EQ(staged("one") + staged("two") + one_.staged_files() + two_.staged_files(), 0u);
+  EXPECT_EQ(shared_->unfinished() + one_.staged_files() + two_.staged_files(), 0u);
 }
 
-TEST_F(SharedLibraryTest, PagesAndOriginalsAreFetchedToo) {
+TEST_P(SharedLibraryTest, PagesAndOriginalsAreFetchedToo) {
   const ScanInfo ball = one_.import(sphere_file(), "ball")->scan;
   const ScanInfo globe = one_.import(sphere_file(2), "globe")->scan;
   ASSERT_TRUE(two_.store->refresh().is_ok());
@@ -115,7 +73,7 @@ TEST_F(SharedLibraryTest, PagesAndOriginalsAreFetchedToo) {
   EXPECT_EQ(content_of(original->path), sphere_file(2));
 }
 
-TEST_F(SharedLibraryTest, NamesAndUnitsAreTheSameEverywhere) {
+TEST_P(SharedLibraryTest, NamesAndUnitsAreTheSameEverywhere) {
   const ScanInfo ball = one_.import(sphere_file(), "ball")->scan;
   ASSERT_TRUE(two_.store->rename("ball", "globe").is_ok());
   ASSERT_TRUE(two_.store->set_unit("globe", "mm").is_ok());
@@ -127,7 +85,7 @@ TEST_F(SharedLibraryTest, NamesAndUnitsAreTheSameEverywhere) {
   EXPECT_EQ(one_.store->list()[0].name, "globe") << "it is in its own folder as well";
 }
 
-TEST_F(SharedLibraryTest, TheSameBytesOnTwoServersAreOneScanUnderItsFirstName) {
+TEST_P(SharedLibraryTest, TheSameBytesOnTwoServersAreOneScanUnderItsFirstName) {
   ASSERT_TRUE(one_.import(sphere_file(), "ball").is_ok());
   const auto again = two_.import(sphere_file(), "globe");
   ASSERT_TRUE(again.is_ok()) << again.status().message();
@@ -135,19 +93,19 @@ TEST_F(SharedLibraryTest, TheSameBytesOnTwoServersAreOneScanUnderItsFirstName) {
   EXPECT_EQ(again->scan.name, "ball");
 }
 
-TEST_F(SharedLibraryTest, KnownBytesNeedNoUpload) {
+TEST_P(SharedLibraryTest, KnownBytesNeedNoUpload) {
   const ScanInfo ball = one_.import(sphere_file(), "ball")->scan;
   const auto known = two_.store->import_known(ball.id, {5, 0}, {});
   ASSERT_TRUE(known.is_ok()) << known.status().message();
   EXPECT_EQ(known->scan.prepared.size(), 1u);
 }
 
-TEST_F(SharedLibraryTest, ADeletedScanIsGoneEverywhereAndDoesNotComeBackWithAServer) {
+TEST_P(SharedLibraryTest, ADeletedScanIsGoneEverywhereAndDoesNotComeBackWithAServer) {
   const ScanInfo ball = one_.import(sphere_file(), "ball")->scan;
   ASSERT_TRUE(two_.store->open_mesh(two_.store->find("ball")->id, {5, 0}, {}).is_ok());
   one_.restart();  // away while the scan is deleted
   ASSERT_TRUE(two_.store->remove(ball.id).is_ok());
-  EXPECT_FALSE(fs::exists(shared_ / "scans" / ball.id));
+  EXPECT_EQ(shared_->file_count(), 0u);
   EXPECT_FALSE(fs::exists(own_folder(two_, ball)));
   share(one_, "one");
   EXPECT_TRUE(one_.store->list().empty());
@@ -155,7 +113,7 @@ TEST_F(SharedLibraryTest, ADeletedScanIsGoneEverywhereAndDoesNotComeBackWithASer
   EXPECT_TRUE(one_.import(sphere_file(), "ball").is_ok()) << "it may be imported again";
 }
 
-TEST_F(SharedLibraryTest, AScanThatComesAndGoesBetweenTwoReadsIsGone) {
+TEST_P(SharedLibraryTest, AScanThatComesAndGoesBetweenTwoReadsIsGone) {
   const int before = rows_.version;
   const ScanInfo ball = one_.import(sphere_file(), "ball")->scan;
   ASSERT_TRUE(two_.store->refresh().is_ok());
@@ -165,56 +123,54 @@ TEST_F(SharedLibraryTest, AScanThatComesAndGoesBetweenTwoReadsIsGone) {
   EXPECT_TRUE(one_.store->list().empty());
 }
 
-TEST_F(SharedLibraryTest, AScanThatASessionOfAnyServerEditsStays) {
+TEST_P(SharedLibraryTest, AScanThatASessionOfAnyServerEditsStays) {
   const ScanInfo ball = one_.import(sphere_file(), "ball")->scan;
   rows_.editing = "work";
   const Status refused = one_.store->remove(ball.id);
   EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
   EXPECT_THAT(refused.message(), HasSubstr("session work"));
   EXPECT_TRUE(fs::exists(own_folder(one_, ball)));
-  EXPECT_TRUE(fs::exists(shared_original(ball)));
+  EXPECT_EQ(shared_->original(ball), sphere_file());
 }
 
-TEST_F(SharedLibraryTest, AServerThatWasAloneSharesItsScans) {
+TEST_P(SharedLibraryTest, AServerThatWasAloneSharesItsScans) {
   TestLibrary three;
   const ScanInfo cube = three.import(sphere_file(3), "cube")->scan;
   share(three, "three");
-  EXPECT_TRUE(fs::exists(shared_original(cube)));
+  EXPECT_EQ(shared_->original(cube), sphere_file(3));
   EXPECT_TRUE(one_.store->open_mesh(one_.store->find("cube")->id, {5, 0}, {}).is_ok());
 }
 
-TEST_F(SharedLibraryTest, ADamagedSharedOriginalIsNotUsedAndTheNextImportMakesItGood) {
+TEST_P(SharedLibraryTest, ADamagedSharedOriginalIsNotUsedAndTheNextImportMakesItGood) {
   const ScanInfo ball = one_.import(sphere_file(), "ball")->scan;
-  std::string damaged = sphere_file();
-  damaged[damaged.size() / 2] ^= 1;
-  std::ofstream(shared_original(ball), std::ios::binary) << damaged;
+  damage(ball);
   ASSERT_TRUE(two_.store->refresh().is_ok());
   const Status refused = two_.store->open_mesh(ball.id, {5, 0}, {}).status();
   EXPECT_EQ(refused.code(), StatusCode::kDataLoss);
-  EXPECT_THAT(refused.message(), HasSubstr("scan ball"));
-  EXPECT_THAT(refused.message(), testing::Not(HasSubstr(shared_.path().string())));
+  EXPECT_THAT(refused.message(), HasSubstr("the original of scan ball in the " + shared_->name()));
+  EXPECT_THAT(refused.message(), HasSubstr("is damaged or missing; import the same file again"));
+  EXPECT_THAT(refused.message(), testing::Not(HasSubstr(shared_->place())));
   EXPECT_EQ(two_.store->import_known(ball.id, {5, 0}, {}).status().code(), StatusCode::kNotFound);
   ASSERT_TRUE(two_.import(sphere_file(), "ball").is_ok());
-  EXPECT_EQ(content_of(shared_original(ball)), sphere_file());
+  EXPECT_EQ(shared_->original(ball), sphere_file());
   EXPECT_TRUE(two_.store->open_mesh(ball.id, {5, 0}, {}).is_ok());
 }
 
-TEST_F(SharedLibraryTest, ADamagedOwnOriginalIsFetchedAgain) {
+TEST_P(SharedLibraryTest, ADamagedOwnOriginalIsFetchedAgain) {
   const ScanInfo ball = one_.import(sphere_file(), "ball")->scan;
   fs::resize_file(own_folder(one_, ball) / "original.ply", 5);
   EXPECT_TRUE(one_.store->prepare_scan(ball.id, {4, 0}, {}).is_ok());
   EXPECT_EQ(content_of(own_folder(one_, ball) / "original.ply"), sphere_file());
 }
 
-TEST_F(SharedLibraryTest, AFailedImportIsNowhere) {
+TEST_P(SharedLibraryTest, AFailedImportIsNowhere) {
   const auto failed = one_.import("ply\nnonsense\n", "bad");
   EXPECT_FALSE(failed.is_ok());
   EXPECT_TRUE(rows_.scans.empty());
-  EXPECT_EQ(staged("one"), 0u);
-  EXPECT_FALSE(fs::exists(shared_ / "scans") && !fs::is_empty(shared_ / "scans"));
+  EXPECT_EQ(shared_->unfinished() + shared_->file_count(), 0u);
 }
 
-TEST_F(SharedLibraryTest, ACancelledFetchLeavesNothing) {
+TEST_P(SharedLibraryTest, ACancelledFetchLeavesNothing) {
   const ScanInfo ball = one_.import(sphere_file(), "ball")->scan;
   ASSERT_TRUE(two_.store->refresh().is_ok());
   const auto cancelled =
@@ -224,12 +180,64 @@ TEST_F(SharedLibraryTest, ACancelledFetchLeavesNothing) {
   EXPECT_FALSE(fs::exists(own_folder(two_, ball)));
 }
 
-TEST_F(SharedLibraryTest, AServersUnfinishedFilesGoAtItsStartAndNobodyElsesDo) {
+TEST_P(SharedLibraryTest, AMissingOriginalIsLikeADamagedOne) {
+  const ScanInfo ball = one_.import(sphere_file(), "ball")->scan;
+  shared_->clear();
+  ASSERT_TRUE(two_.store->refresh().is_ok());
+  EXPECT_EQ(two_.store->open_mesh(ball.id, {5, 0}, {}).status().code(), StatusCode::kDataLoss);
+  ASSERT_TRUE(one_.import(sphere_file(), "ball").is_ok());
+  EXPECT_TRUE(two_.store->open_mesh(ball.id, {5, 0}, {}).is_ok());
+}
+
+TEST_P(SharedLibraryTest, AShortOriginalIsReplacedByTheFirstImport) {
+  const ScanInfo ball = one_.import(sphere_file(), "ball")->scan;
+  ASSERT_TRUE(one_.store->remove(ball.id).is_ok());
+  shared_->put_original(ball, "half");
+  ASSERT_TRUE(two_.import(sphere_file(), "ball").is_ok());
+  EXPECT_EQ(shared_->original(ball), sphere_file());
+}
+
+TEST_P(SharedLibraryTest, InfoOfAScanIsBesideItsOriginal) {
+  const ScanInfo ball = one_.import(sphere_file(), "ball")->scan;
+  const auto info = scan_from_json(shared_->info(ball));
+  ASSERT_TRUE(info.is_ok()) << info.status().message();
+  EXPECT_EQ(info->name, "ball");
+  EXPECT_EQ(shared_->file_count(), 2u);
+}
+
+TEST_P(SharedLibraryTest, TwoServersThatImportTheSameFileAtOnceHaveOneScan) {
+  Status there = unavailable("not yet");
+  std::jthread other([&] { there = two_.import(sphere_file(), "globe").status(); });
+  const auto here = one_.import(sphere_file(), "ball");
+  other.join();
+  ASSERT_TRUE(here.is_ok()) << here.status().message();
+  ASSERT_TRUE(there.is_ok()) << there.message();
+  ASSERT_TRUE(one_.store->refresh().is_ok());
+  EXPECT_EQ(one_.store->list().size(), 1u);
+  EXPECT_EQ(shared_->original(here->scan), sphere_file());
+  EXPECT_EQ(shared_->unfinished(), 0u);
+  EXPECT_EQ(shared_->file_count(), 2u);
+}
+
+// Heartbeats take in what other servers did, and must not wait for a store that hangs.
+TEST_P(SharedLibraryTest, AHeartbeatDoesNotWaitForAScanThatIsBeingShared) {
+  Status heard = unavailable("not yet");
+  rows_.on_placed = [&] {
+    std::jthread([&] { heard = one_.store->refresh_unless_busy(); }).join();
+  };
+  ASSERT_TRUE(one_.import(sphere_file(), "ball").is_ok());
+  EXPECT_TRUE(heard.is_ok());
+  ASSERT_TRUE(two_.store->refresh_unless_busy().is_ok());
+  EXPECT_EQ(two_.store->list().size(), 1u);
+}
+
+TEST(SharedFolder, AServersUnfinishedFilesGoAtItsStartAndNobodyElsesDo) {
+  const TemporaryFolder folder;
   for (const char* name : {"one", "two"})
-    fs::create_directories(shared_ / "staging" / name / "half");
-  ASSERT_TRUE(SharedFolder::open(shared_.path(), "one").is_ok());
-  EXPECT_EQ(staged("one"), 0u);
-  EXPECT_EQ(staged("two"), 1u);
+    fs::create_directories(folder / "staging" / name / "half");
+  ASSERT_TRUE(SharedFolder::open(folder.path(), "one").is_ok());
+  EXPECT_TRUE(fs::is_empty(folder / "staging/one"));
+  EXPECT_TRUE(fs::exists(folder / "staging/two/half"));
 }
 
 TEST(SharedFolder, AFolderThatIsNotMountedIsRefused) {
