@@ -243,6 +243,13 @@ test("SplitLineOverThePictureMovesByPointerAndKeys", () =>
     await visit.page.mouse.move(picture.x + 0.25 * picture.width, box.y + 120);
     await visit.page.mouse.up();
     await visit.sent("split_at 0.25");
+    await line.press("ArrowRight"); // the snapshot still has 0.5
+    await visit.sent("split_at 0.26");
+    await visit.document({ view: { ...session.view, split: true, splitAt: 0.26 } });
+    await visit.document({ view: { ...session.view, split: true, splitAt: 0.7 } });
+    await visit.page.locator(".split-line[aria-valuenow='70']").waitFor();
+    await line.press("PageUp");
+    await visit.sent("split_at 0.8");
     assert.ok((await visit.seen()).every((one) => one.kind !== "pointer" || one.what !== "press"));
     assert.match(await visit.page.locator(".split-line").innerText(), /original\s+edited/);
     await visit.document({ view: { ...session.view, split: true, original: true } });

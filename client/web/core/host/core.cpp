@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "client/gl/capabilities.h"
+#include "client/gl/fence.h"
 #include "client/gl/gl_page_renderer.h"
 #include "client/model/preferences.h"
 #include "client/web/core/front.h"
@@ -52,10 +54,14 @@ void wait_for_picture(std::chrono::milliseconds) {
   wait_on_stack();
 }
 
-FrontHost make_host(GlPageRenderer& renderer) {
+FrontHost make_host(GlPageRenderer& renderer, Fence& shown) {
   FrontHost host;
   host.say = [](const std::string& json) { host_say(json.data(), json.size()); };
-  host.show = [&renderer] { renderer.show({0, 0}); };
+  host.show = [&renderer, &shown] {
+    renderer.show({0, 0});
+    shown.put();
+  };
+  host.is_drawing = [&shown] { return !shown.is_reached(); };
   host.give = [](const GivenFile& file) {
     add_page_file(file.name, {file.handle, file.size_bytes});
   };
@@ -80,6 +86,7 @@ FrontHost make_host(GlPageRenderer& renderer) {
 /// The renderer and the front, once the page has said `start`.
 struct Page {
   std::unique_ptr<GlPageRenderer> renderer;
+  Fence shown;  ///< behind the last picture
   std::unique_ptr<Front> front;
 };
 
@@ -89,20 +96,24 @@ Page& page() {
 }
 
 /// A browser's page has less memory than a program.
-PageBudget page_budget() {
-  return {.resident_bytes = 200'000'000, .card_bytes = 200'000'000};
+PageBudget page_budget(const Capabilities& card) {
+  PageBudget budget = card.is_software ? software_budget() : PageBudget();
+  budget.resident_bytes = budget.card_bytes = 200'000'000;
+  return budget;
 }
 
 Status begin_page() {
   ASSIGN_OR_RETURN(page().renderer, GlPageRenderer::create());
   WorkspaceOptions options;
   options.preferences = "window.toml";
-  options.budget = page_budget();
+  const Capabilities card = card_capabilities();
+  options.is_software = card.is_software;
+  options.budget = page_budget(card);
   options.wake = host_wake;
   auto preferences = read_preferences(options.preferences);
   page().front = std::make_unique<Front>(
       *page().renderer, preferences.is_ok() ? std::move(*preferences) : Preferences(),
-      std::move(options), make_host(*page().renderer));
+      std::move(options), make_host(*page().renderer, page().shown));
   return Status::ok();
 }
 
