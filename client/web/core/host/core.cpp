@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "client/gl/capabilities.h"
 #include "client/gl/fence.h"
@@ -45,11 +47,14 @@ class Handed {
   size_t bytes_;
 };
 
-/// The stack of a replayed script that waits for a picture; 0: none.
-int waiting_for_picture = 0;
+/// Stacks that wait for a picture: those of replayed scripts and of pictures that are saved.
+std::vector<int>& waiting_for_picture() {
+  static auto* const the = new std::vector<int>();  // lives as long as the page
+  return *the;
+}
 
 void wait_for_picture(std::chrono::milliseconds) {
-  waiting_for_picture = this_stack();
+  waiting_for_picture().push_back(this_stack());
   host_wake();
   wait_on_stack();
 }
@@ -154,7 +159,7 @@ void core_hear(uint8_t* text, size_t bytes) {
 double core_tick(double) {
   if (!page().front) return std::numeric_limits<double>::infinity();
   const auto now = steady_clock::now();
-  resume_stack(std::exchange(waiting_for_picture, 0));
+  for (const int stack : std::exchange(waiting_for_picture(), {})) resume_stack(stack);
   const auto next =
       std::min({HostCall::look_at_all(now), Clockwork::ask_all(now), page().front->tick(now)});
   return ms_until(next, steady_clock::now());
