@@ -4,8 +4,8 @@
 
 namespace burnish {
 
-/// Tells whether the card has done what it was told to do. Needs: the context is current and outlives
-/// this object.
+/// Tells whether the card has done what it was told to do. Needs: the context is current and
+/// outlives this object.
 class Fence {
  public:
   Fence() = default;

@@ -50,7 +50,8 @@ enum class Opening {
 };
 
 /// Everything that the window shows and a script can do, without the drawing. No call waits for the
-/// network; update() handles the results, once per picture, and in between without `draws`. Used from one thread.
+/// network; update() handles the results, once per picture, and in between without `draws`. Used
+/// from one thread.
 class Workspace {
  public:
   Workspace(PageRenderer& renderer, Preferences preferences, WorkspaceOptions options);

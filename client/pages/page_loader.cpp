@@ -27,8 +27,8 @@ const ChosenCut& PageLoader::look(const PictureQuestion& question, Time now) {
 
 // Full detail is for pictures at rest that are all there: it must not hold up their values.
 void PageLoader::see(const PictureQuestion& question, Time now) {
-  const bool is_new = !has_looked_ || question.surface_moves || question.view != view_ ||
-                      question.frame != frame_;
+  const bool is_new =
+      !has_looked_ || question.surface_moves || question.view != view_ || question.frame != frame_;
   if (is_new) moved_at_ = now;
   const bool is_slow = question.moving_triangles_max > 0;
   is_at_rest_ = !is_new && (!is_slow || now - moved_at_ >= kRest);

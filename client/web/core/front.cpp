@@ -14,8 +14,8 @@ namespace burnish {
 using std::chrono::milliseconds;
 
 static constexpr milliseconds kSnapshotInterval{50};
-static constexpr milliseconds kIdle{500};  // figures and activities go on without news
-static constexpr milliseconds kFiner{16};  // while the picture becomes finer
+static constexpr milliseconds kIdle{500};    // figures and activities go on without news
+static constexpr milliseconds kFiner{16};    // while the picture becomes finer
 static constexpr milliseconds kDrawing{24};  // while the card draws
 static constexpr std::chrono::seconds kPictureInterval{10};  // nobody tells before a page is closed
 

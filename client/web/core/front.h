@@ -87,7 +87,7 @@ class Front {
   Shown shown_;
   uint64_t pictures_ = 0;
   std::optional<Time> begun_at_;  // of the picture that the card draws
-  uint64_t kept_picture_ = 0;  // the last that was kept for the start page
+  uint64_t kept_picture_ = 0;     // the last that was kept for the start page
   std::string kept_session_;
   Time kept_at_{};
   std::string said_;  // the last snapshot

@@ -55,8 +55,7 @@ void finish_picture(const Workspace& workspace, const FrontHost& host) {
   const auto end = std::chrono::steady_clock::now() + kPatience;
   const uint64_t begun = workspace.pictures_begun();
   const Camera camera = workspace.viewport.camera;
-  do
-    host.wait(kLook);
+  do host.wait(kLook);
   while (workspace.document() && workspace.pictures_begun() == begun &&
          workspace.viewport.camera == camera && !workspace.document()->is_picture_settled() &&
          std::chrono::steady_clock::now() < end);
