@@ -5,9 +5,9 @@ import { useEffect, useState } from "preact/hooks";
 
 const kTurnMs = 10; // less than a picture of the screen
 
-/** Shows one child at first, and one more each turn. */
+/** Shows nothing at first, and one more child each turn: the first turn has the rest of the page. */
 export function Gradual({ children }: { children: ComponentChildren[] }) {
-  const [shown, setShown] = useState(1);
+  const [shown, setShown] = useState(0);
   const isWhole = shown >= children.length;
   useEffect(() => {
     if (isWhole) return;
