@@ -40,10 +40,14 @@ Status SessionLink::show_pages(std::vector<std::shared_ptr<const Page>> added,
   return changed;
 }
 
-LiveNews SessionLink::take() {
-  LiveNews news = worker_->conversation().take();
+LiveNews SessionLink::take(bool draws) {
+  LiveNews news = worker_->conversation().take(draws);
   worker_->wake();
   return news;
+}
+
+void SessionLink::on_picture(std::chrono::microseconds took) {
+  worker_->conversation().on_picture(took);
 }
 
 bool SessionLink::wait_until_acknowledged(std::chrono::milliseconds patience) {

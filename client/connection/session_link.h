@@ -25,7 +25,9 @@ class SessionLink final : public LiveLink {
   void move_brush(const std::optional<BrushRing>& ring) override;
   Status show_pages(std::vector<std::shared_ptr<const Page>> added,
                     std::vector<PageId> removed) override;
-  LiveNews take() override;
+  using LiveLink::take;
+  LiveNews take(bool draws) override;
+  void on_picture(std::chrono::microseconds took) override;
 
   /// Waits until no edit is under way. False when `patience` is over or the session has ended.
   bool wait_until_acknowledged(std::chrono::milliseconds patience);

@@ -15,8 +15,13 @@ static constexpr double kDeviations = 4;
 static constexpr double kLatencyWeight = 0.2;
 static constexpr milliseconds kHoldMin{1000}, kHoldMax{16'000};
 
-CreditPacer::CreditPacer(std::chrono::microseconds draw_interval)
-    : draw_interval_ms_(std::max(0.001, draw_interval.count() / 1000.0)), hold_(kHoldMin) {}
+CreditPacer::CreditPacer(std::chrono::microseconds draw_interval) : hold_(kHoldMin) {
+  set_draw_interval(draw_interval);
+}
+
+void CreditPacer::set_draw_interval(std::chrono::microseconds interval) {
+  draw_interval_ms_ = std::max(0.001, static_cast<double>(interval.count()) / 1000);
+}
 
 void CreditPacer::restart() {
   granted_.clear();

@@ -24,6 +24,7 @@ class CreditPacer {
   /// the frame itself were in the link for `link_ms` together; 0: it has seen none.
   void on_frame(Time now, double link_ms, double server_ms);
   void on_drawn(Time now);
+  void set_draw_interval(std::chrono::microseconds interval);
 
   int due(Time now) const;  ///< credits to grant now
   Time next_due() const;    ///< when one will be due, if nothing happens; Time::max(): never
@@ -37,7 +38,7 @@ class CreditPacer {
   void learn_latency(double ms);
   void adapt_window(Time now, double queued_ms);
 
-  const double draw_interval_ms_;
+  double draw_interval_ms_;
   int window_ = 1;
   std::deque<Time> granted_;  // when, of credits whose frames have not come
   int undrawn_ = 0;

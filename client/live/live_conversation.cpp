@@ -73,12 +73,17 @@ Status LiveConversation::show_pages(const std::vector<std::shared_ptr<const Page
   return outbox_.pages().change(added, removed);
 }
 
-LiveNews LiveConversation::take() {
+void LiveConversation::on_picture(std::chrono::microseconds took) {
+  const LiveGuard lock(mutex_);
+  pacer_.set_draw_interval(std::max(took, options_.draw_interval));
+}
+
+LiveNews LiveConversation::take(bool draws) {
   const Time now = options_.clock();
   LiveNews news;
   const LiveGuard lock(mutex_);
-  pacer_.on_drawn(now);
-  if (std::exchange(has_new_frame_, false))
+  if (draws) pacer_.on_drawn(now);
+  if (draws && std::exchange(has_new_frame_, false))
     news_.stats.waited_ms = std::chrono::duration<double, std::milli>(now - last_decoded_).count();
   news.link = news_.link;
   news.stats = news_.stats;

@@ -40,7 +40,8 @@ class LiveConversation {
   void move_brush(const std::optional<BrushRing>& ring);
   Status show_pages(const std::vector<std::shared_ptr<const Page>>& added,
                     const std::vector<PageId>& removed);
-  LiveNews take();
+  LiveNews take(bool draws = true);
+  void on_picture(std::chrono::microseconds took);
 
   size_t unacknowledged() const;  ///< edits
   /// Returns whether the session has ended for good.

@@ -66,8 +66,13 @@ class LiveLink {
                             std::vector<PageId> removed) = 0;
 
   /// Returns what is new. To be called once per picture, just before it is drawn: more frames are
-  /// asked for then.
-  virtual LiveNews take() = 0;
+  /// asked for then. `draws`: otherwise no picture follows, and nothing is asked for.
+  virtual LiveNews take(bool draws) = 0;
+  LiveNews take() { return take(true); }
+
+  /// A picture took so long. The next frame is asked for so that it comes when this time is over,
+  /// if that is longer than LiveOptions::draw_interval.
+  virtual void on_picture(std::chrono::microseconds took) = 0;
 };
 
 }  // namespace burnish

@@ -68,8 +68,10 @@ class Document {
   /// Empties the renderer for this surface. Call once, first. Fails: as the renderer does.
   Status open(PageRenderer& renderer) { return surface_->open(renderer); }
 
-  /// Handles news from the server. Call once per picture.
-  void update();
+  /// Handles news from the server. Call once per picture; `draws`: otherwise no picture follows.
+  void update(bool draws = true);
+  /// A picture of this document took so long, from its look() until the card had drawn it.
+  void on_picture(double ms);
   /// Brings what this picture needs to the renderer of open(). Fails: as the renderer does.
   Status look(const Camera& camera, const ImageSize& size);
 

@@ -5,12 +5,18 @@
 
 namespace burnish {
 
-void Document::update() {
-  const LiveNews news = live_->take();
+void Document::on_picture(double ms) {
+  live_->on_picture(std::chrono::microseconds(static_cast<int64_t>(1000 * ms)));
+  surface_->on_picture(ms);
+}
+
+void Document::update(bool draws) {
+  const LiveNews news = live_->take(draws);
   link_ = news.link;
   stats_ = news.stats;
   unacknowledged_ = news.unacknowledged;
   surface_->take(news);
+  if (!draws) surface_->take_arrivals();
   for (const LiveEvent& event : news.events) handle(event);
   follow_server();
 }

@@ -10,12 +10,16 @@ Workspace::Workspace(PageRenderer& renderer, Preferences remembered, WorkspaceOp
   viewport.options.lighting = preferences.lighting;
 }
 
-void Workspace::update() {
+void Workspace::update(bool draws) {
   tasks_.drain();
   if (raw_) viewport.update(raw_->box);
   if (!document_) return;
-  document_->update();
+  document_->update(draws);
   viewport.update(*document_);
+}
+
+void Workspace::on_picture(double ms) {
+  if (document_) document_->on_picture(ms);
 }
 
 Status Workspace::look() {

@@ -50,7 +50,8 @@ enum class Opening {
 };
 
 /// Everything that the window shows and a script can do, without the drawing. No call waits for the
-/// network; update() handles the results, once per picture. Used from one thread.
+/// network; update() handles the results, once per picture, and in between without `draws`. Used
+/// from one thread.
 class Workspace {
  public:
   Workspace(PageRenderer& renderer, Preferences preferences, WorkspaceOptions options);
@@ -62,7 +63,9 @@ class Workspace {
   bool has_pen = false;  ///< a pen has drawn in this window
 
   /// Handles all news since the last picture.
-  void update();
+  void update(bool draws = true);
+  /// A picture took so long, from its look() until the card had drawn it.
+  void on_picture(double ms);
   /// Brings what the viewport's picture needs to the renderer. Fails: as the renderer does.
   Status look();
 

@@ -19,7 +19,8 @@ const ChosenCut& CutChooser::choose(const CutQuestion& question, const FindReady
       finder_.find(question.view, question.frame, question.targets, cut_.set);
   cut_.blocks = demand.blocks;
   tally(demand);
-  cut_.coarseness = next_coarseness(usage_, question.budget, cut_.coarseness, question.is_at_rest);
+  const int last = question.is_at_rest && question.at_once ? 0 : cut_.coarseness;
+  cut_.coarseness = next_coarseness(usage_, question.budget, last, question.is_at_rest);
   use(demand);
   select(find_ready);
   // Some were estimates.

@@ -17,6 +17,7 @@ struct CutQuestion {
   CutTargets targets;
   PageBudget budget;
   bool is_at_rest = false;  ///< view and frame are those of the last question
+  bool at_once = false;     ///< a picture at rest becomes as fine as fits with the next cut
 };
 
 /// Returns the page if it can be shown now: decoded, on the card, with values of the shown frame.

@@ -4,6 +4,9 @@
 
 namespace burnish {
 
+// Where pictures are slow, a hand that stops for a moment must not wait for a fine one.
+static constexpr std::chrono::milliseconds kRest{300};
+
 PageLoader::PageLoader(PageHead head, const PageBudget& budget, bool is_software)
     : budget_(budget),
       is_software_(is_software),
@@ -12,7 +15,7 @@ PageLoader::PageLoader(PageHead head, const PageBudget& budget, bool is_software
       cache_(budget) {}
 
 const ChosenCut& PageLoader::look(const PictureQuestion& question, Time now) {
-  see(question);
+  see(question, now);
   lacks_values_ = false;
   chooser_.choose(cut_question(question), [&](PageId page) { return find_ready(page, question); });
   take_stock();
@@ -23,9 +26,12 @@ const ChosenCut& PageLoader::look(const PictureQuestion& question, Time now) {
 }
 
 // Full detail is for pictures at rest that are all there: it must not hold up their values.
-void PageLoader::see(const PictureQuestion& question) {
-  is_at_rest_ =
-      has_looked_ && !question.surface_moves && question.view == view_ && question.frame == frame_;
+void PageLoader::see(const PictureQuestion& question, Time now) {
+  const bool is_new =
+      !has_looked_ || question.surface_moves || question.view != view_ || question.frame != frame_;
+  if (is_new) moved_at_ = now;
+  const bool is_slow = question.moving_triangles_max > 0;
+  is_at_rest_ = !is_new && (!is_slow || now - moved_at_ >= kRest);
   wants_full_ = is_at_rest_ && (wants_full_ || (needs_.open_in_view == 0 && !lacks_values_));
   is_server_limit_ = !question.surface_moves && question.server_vertices_max > 0;
   view_ = question.view;
@@ -41,6 +47,9 @@ CutQuestion PageLoader::cut_question(const PictureQuestion& question) const {
   } else {
     asked.targets = wants_full_ ? full_targets(is_software_) : prompt_targets(is_software_);
   }
+  asked.at_once = question.moving_triangles_max > 0;  // each step would be a slow picture
+  if (question.moving_triangles_max > 0 && !is_at_rest_)
+    asked.budget.triangles = std::min(asked.budget.triangles, question.moving_triangles_max);
   if (question.server_vertices_max > 0)
     asked.budget.vertices = std::min(asked.budget.vertices, question.server_vertices_max);
   return asked;

@@ -27,6 +27,8 @@ struct PictureQuestion {
   uint64_t server_vertices_max = 0;
   /// Whether the shown frame has a page's values. Empty: no frame moves the surface.
   std::function<bool(PageId)> has_values;
+  /// The most triangles of a picture that others follow at once (PicturePace); 0: any number.
+  uint64_t moving_triangles_max = 0;
   LinkSpeed link;
 };
 
@@ -96,7 +98,7 @@ class PageLoader {
     size_t blocks_left_out = 0;  ///< more than the directory's budget
   };
 
-  void see(const PictureQuestion& question);
+  void see(const PictureQuestion& question, Time now);
   CutQuestion cut_question(const PictureQuestion& question) const;
   const Page* find_ready(PageId page, const PictureQuestion& question);
   void take_stock();
@@ -121,6 +123,7 @@ class PageLoader {
   PageView view_;  ///< of the last look()
   FrameBounds frame_;
   bool has_looked_ = false;
+  Time moved_at_{};  ///< when view, frame or surface were new last
   bool is_at_rest_ = false;
   bool wants_full_ = false;
   bool lacks_values_ = false;

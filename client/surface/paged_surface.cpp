@@ -62,7 +62,7 @@ void PagedSurface::take(const LiveNews& news) {
 }
 
 Status PagedSurface::look(const Camera& camera, const ImageSize& size, bool is_dragging) {
-  hand_in_arrivals();
+  take_arrivals();
   server_vertices_max_ = room_.vertices_max(options_.clock()) / shown_.copies();
   loader_->look(question(camera, size, is_dragging), options_.clock());
   start_decoding();
@@ -84,7 +84,7 @@ static bool is_damage(StatusCode code) {
   return code == StatusCode::kDataLoss || code == StatusCode::kFailedPrecondition;
 }
 
-void PagedSurface::hand_in_arrivals() {
+void PagedSurface::take_arrivals() {
   const auto now = options_.clock();
   for (PageSource::Arrival& arrival : source_->take()) {
     if (arrival.item.kind == PageItem::Kind::kBlock && arrival.bytes.is_ok()) {
@@ -117,6 +117,7 @@ PictureQuestion PagedSurface::question(const Camera& camera, const ImageSize& si
   asked.has_values = [frame = frame_.get()](PageId page) {
     return frame != nullptr && frame->find(page) != nullptr;
   };
+  asked.moving_triangles_max = pace_.triangles_max();
   asked.link = source_->speed();
   return asked;
 }

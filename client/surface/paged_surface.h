@@ -13,6 +13,7 @@
 #include "client/live/live_link.h"
 #include "client/pages/page_loader.h"
 #include "client/pages/page_source.h"
+#include "client/pages/picture_pace.h"
 #include "client/scene/page_renderer.h"
 #include "client/surface/card_pages.h"
 #include "client/surface/page_decoder.h"
@@ -58,6 +59,8 @@ class PagedSurface {
 
   /// Takes the newest frame of the link.
   void take(const LiveNews& news);
+  /// Takes pages that have come, and decodes them. look() does so too.
+  void take_arrivals();
   /// The link has come back: all that failed is asked for again.
   void on_link_made() { loader_->on_link_made(); }
 
@@ -65,6 +68,10 @@ class PagedSurface {
   /// rest. `is_dragging`: a slider or curve moves the whole surface now.
   /// Fails: as the renderer does.
   Status look(const Camera& camera, const ImageSize& size, bool is_dragging);
+
+  /// The picture of the last look() took so long, until the card had drawn it. Where that is long,
+  /// pictures are coarser while something moves.
+  void on_picture(double ms) { pace_.on_picture(loader_->cut().triangles, ms); }
 
   /// The patches that the last look() draws.
   std::span<const PatchRange> patches() const { return card_.patches(); }
@@ -99,7 +106,6 @@ class PagedSurface {
   const PageHead& head() const { return pages_.head; }
 
  private:
-  void hand_in_arrivals();
   void hand_in_block(uint32_t number, Result<std::vector<uint8_t>> bytes);
   void start_decoding();
   void ask_for_items();
@@ -127,6 +133,7 @@ class PagedSurface {
 
   std::shared_ptr<const SurfaceFrame> frame_;
   LinkStats stats_;
+  PicturePace pace_;
   uint64_t changes_ = 0;
   std::optional<Status> damage_;
 

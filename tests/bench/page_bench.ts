@@ -56,6 +56,11 @@ function percentile(values: number[], part: number): number {
   return sorted[Math.floor(part * (sorted.length - 1))] ?? NaN;
 }
 
+interface Percentiles {
+  p50: number;
+  p95: number;
+}
+
 interface Opened {
   /** While the page came. */
   startingLongestTaskMs: number;
@@ -99,23 +104,29 @@ async function open(visit: Visit): Promise<Opened> {
 }
 
 interface Ages {
-  page: { p50: number; p95: number; count: number; roundTripMs: number; longestTaskMs: number };
+  /** A frame is seen when its picture is drawn: up to two intervals of pictures later than its age says. */
+  page: { p50: number; p95: number; count: number; pictureMs: Percentiles; roundTripMs: number; longestTaskMs: number };
   native: { p50: number; p95: number; count: number };
 }
 
 /** A native client drags the slider, and the page looks on. */
 async function compareAges(lab: Lab, visit: Visit): Promise<Ages> {
-  await visit.page.evaluate(() => void (window.watch.ages.length = window.watch.longTasks.length = 0));
+  await visit.page.evaluate(() => {
+    const { ages, drawn, longTasks } = window.watch;
+    ages.length = drawn.length = longTasks.length = 0;
+  });
   const words = ["bench", "serve", "--session", "bench", "--mix", "drag=1", "--seconds", `${kSeconds}`];
   const report = await lab.ask(...words, "--rate", `${kPicturesPerSecond}`, "--pages", "32", "--json");
   const { frame_age_ms } = JSON.parse(report) as { frame_age_ms: { p50: number; p95: number; count: number } };
   const watch = await watchOf(visit);
+  const intervals = watch.drawn.slice(1).map((time, i) => time - watch.drawn[i]!);
   const roundTrip = await visit.page.locator(".figures div", { hasText: "round trip" }).first().innerText();
   return {
     page: {
       p50: percentile(watch.ages, 0.5),
       p95: percentile(watch.ages, 0.95),
       count: watch.ages.length,
+      pictureMs: { p50: percentile(intervals, 0.5), p95: percentile(intervals, 0.95) },
       roundTripMs: parseFloat(/([\d.]+) ms/.exec(roundTrip)?.[1] ?? "NaN"),
       longestTaskMs: longest(watch),
     },

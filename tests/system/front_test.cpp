@@ -33,6 +33,7 @@ class FrontService : public testing::Test {
     FrontHost host;
     host.say = [this](const std::string& json) { take(Json::parse(json)); };
     host.show = [] {};
+    host.is_drawing = [this] { return is_drawing_; };
     host.give = [](const GivenFile&) {};
     host.read = [this](const GivenFile& file) -> Result<std::string> { return given_[file.name]; };
     host.download = [this](const std::string& name, std::string_view bytes) {
@@ -102,6 +103,7 @@ class FrontService : public testing::Test {
   Json snapshot_;
   std::vector<std::string> answers_;
   int drawn_ = 0;
+  bool is_drawing_ = false;
   std::map<std::string, std::string> given_;
   std::map<std::string, std::string> downloads_;
   std::function<void()> work_;
@@ -145,6 +147,21 @@ TEST_F(FrontService, AnOpenSessionIsShownWithAllThatPanelsHave) {
   EXPECT_TRUE(document()["scale"].is_null());
   EXPECT_NEAR(document()["box"]["high"][0], 1, 0.01);
   EXPECT_GT(drawn_, 0);
+}
+
+TEST_F(FrontService, NoPictureBeginsWhileTheCardDrawsTheLast) {
+  ASSERT_TRUE(open());
+  is_drawing_ = true;
+  hear({{"kind", "resize"}, {"width", 300}, {"height", 200}});
+  const auto now = std::chrono::steady_clock::now();
+  front_.tick(now);
+  const int drawn = drawn_;
+  hear({{"kind", "resize"}, {"width", 320}, {"height", 200}});
+  EXPECT_LE(front_.tick(now + milliseconds(20)), now + milliseconds(50));
+  EXPECT_EQ(drawn_, drawn);
+  is_drawing_ = false;
+  front_.tick(now + milliseconds(40));
+  EXPECT_EQ(drawn_, drawn + 1);
 }
 
 TEST_F(FrontService, ALineOfTheScriptLanguageEditsTheSession) {

@@ -14,8 +14,9 @@ namespace burnish {
 using std::chrono::milliseconds;
 
 static constexpr milliseconds kSnapshotInterval{50};
-static constexpr milliseconds kIdle{500};  // figures and activities go on without news
-static constexpr milliseconds kFiner{16};  // while the picture becomes finer
+static constexpr milliseconds kIdle{500};    // figures and activities go on without news
+static constexpr milliseconds kFiner{16};    // while the picture becomes finer
+static constexpr milliseconds kDrawing{24};  // while the card draws
 static constexpr std::chrono::seconds kPictureInterval{10};  // nobody tells before a page is closed
 
 Front::Front(PageRenderer& renderer, Preferences preferences, WorkspaceOptions options,
@@ -55,7 +56,8 @@ void Front::replay(const GivenFile& script) {
 }
 
 Front::Time Front::tick(Time now) {
-  workspace_.update();
+  const bool draws = may_draw(now);
+  workspace_.update(draws);
   Document* const document = workspace_.document();
   if (document) {
     document->show_over(state_.shows_protection, state_.shows_curves);
@@ -65,32 +67,45 @@ Front::Time Front::tick(Time now) {
     state_.hover_session = document->session().id;
     if (const auto& hover = workspace_.viewport.hover()) state_.last_hover = hover->original;
   }
-  const Status drawn = draw();
+  const Status drawn = draws ? draw(now) : Status::ok();
   const std::string failure = drawn.is_ok() ? "" : drawn.message();
   if (std::exchange(failure_, failure) != failure && !drawn.is_ok())
     workspace_.log.failure("picture", drawn);
   keep_picture_now_and_then(now);
-  const Time snapshot_at = say_snapshot(now);
+  const Time snapshot_at = std::min(say_snapshot(now), begun_at_ ? now + kDrawing : Time::max());
   if (!document && workspace_.activities().empty()) return snapshot_at;
-  const bool becomes_finer = document && !document->is_picture_settled() && is_visible_;
+  const bool becomes_finer =
+      document && !begun_at_ && !document->is_picture_settled() && is_visible_;
   return std::min(snapshot_at, now + (becomes_finer ? kFiner : kIdle));
 }
 
+bool Front::may_draw(Time now) {
+  if (!begun_at_) return true;
+  if (host_.is_drawing()) return false;
+  const auto took = std::chrono::duration<double, std::milli>(now - *begun_at_);
+  workspace_.on_picture(took.count());
+  begun_at_.reset();
+  return true;
+}
+
 // Draws the surface again if its picture has changed.
-Status Front::draw() {
+Status Front::draw(Time now) {
   if (!is_visible_ || !workspace_.has_picture()) return Status::ok();
   const ImageSize& size = workspace_.viewport.size();
   if (!check_image_size(size).is_ok()) return Status::ok();
   RETURN_IF_ERROR(workspace_.look());
-  Shown now{workspace_.pictures_begun(), 0, size, workspace_.viewport.camera, {}};
+  Shown next{workspace_.pictures_begun(), 0, size, workspace_.viewport.camera, {}};
   if (const Document* const document = workspace_.document()) {
-    now.changes = document->picture_changes();
-    now.style = workspace_.viewport.style(*document);
+    next.changes = document->picture_changes();
+    next.style = workspace_.viewport.style(*document);
   }
-  if (now == shown_) return Status::ok();
+  if (next == shown_) return Status::ok();
   RETURN_IF_ERROR(workspace_.draw());
-  shown_ = std::move(now);
+  shown_ = std::move(next);
   host_.show();
+  // One of the background alone takes no time, and must not hold the surface up.
+  const Document* const document = workspace_.document();
+  if (document && !document->surface().patches().empty()) begun_at_ = now;
   JsonWriter json;
   json.open().text("kind", "drawn").whole("count", static_cast<int64_t>(++pictures_)).close();
   host_.say(json.written());

@@ -26,6 +26,8 @@ struct FrontHost {
   std::function<void(const std::string&)> say;
   /// Shows the picture that the renderer has drawn.
   std::function<void()> show;
+  /// Returns whether the card still draws that picture.
+  std::function<bool()> is_drawing;
   /// Makes a file known by its name, for Workspace::import_scan().
   std::function<void(const GivenFile&)> give;
   std::function<Result<std::string>(const GivenFile&)> read;
@@ -69,7 +71,9 @@ class Front {
 
   void do_line(const std::string& line);
   void replay(const GivenFile& script);
-  Status draw();
+  /// Returns whether the next picture may begin: one after the other, so that none waits in line.
+  bool may_draw(Time now);
+  Status draw(Time now);
   void keep_picture_now_and_then(Time now);
   /// Returns when to try again; Time::max(): it was said, or has not changed.
   Time say_snapshot(Time now);
@@ -82,7 +86,8 @@ class Front {
   bool is_visible_ = true;
   Shown shown_;
   uint64_t pictures_ = 0;
-  uint64_t kept_picture_ = 0;  // the last that was kept for the start page
+  std::optional<Time> begun_at_;  // of the picture that the card draws
+  uint64_t kept_picture_ = 0;     // the last that was kept for the start page
   std::string kept_session_;
   Time kept_at_{};
   std::string said_;  // the last snapshot

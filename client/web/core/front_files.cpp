@@ -1,6 +1,7 @@
 // Lines whose outcome is a file for the user, and those that say what pictures and snapshots have.
 // The last ones need no session.
 
+#include <chrono>
 #include <utility>
 
 #include "client/script/script_view.h"
@@ -39,14 +40,39 @@ Status do_record(const FrontWords& line, FrontParts& parts) {
   return Status::ok();
 }
 
-Status take_picture(const FrontWords& line, FrontParts& parts) {
-  RETURN_IF_ERROR(need_words(line, 1));
+Status save_picture(const FrontParts& parts, const std::string& name) {
   RETURN_IF_ERROR(parts.workspace.draw());
   ASSIGN_OR_RETURN(const Image image, parts.renderer.read_pixels());
-  std::string name = line.rest();
-  if (!name.ends_with(".png")) name += ".png";
   parts.workspace.record_picture(name);
   parts.host.download(name, stored_png(image));
+  return Status::ok();
+}
+
+/// Waits for all detail that the picture can have, as long as its session and its camera stay.
+void finish_picture(const Workspace& workspace, const FrontHost& host) {
+  static constexpr std::chrono::milliseconds kLook{20};
+  static constexpr std::chrono::seconds kPatience{10};
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  const uint64_t begun = workspace.pictures_begun();
+  const Camera camera = workspace.viewport.camera;
+  do host.wait(kLook);
+  while (workspace.document() && workspace.pictures_begun() == begun &&
+         workspace.viewport.camera == camera && !workspace.document()->is_picture_settled() &&
+         std::chrono::steady_clock::now() < end);
+}
+
+Status take_picture(const FrontWords& line, FrontParts& parts) {
+  RETURN_IF_ERROR(need_words(line, 1));
+  std::string name = line.rest();
+  if (!name.ends_with(".png")) name += ".png";
+  RETURN_IF_ERROR(parts.workspace.look());
+  if (parts.workspace.document()->is_picture_settled()) return save_picture(parts, name);
+  parts.host.begin([parts, name] {
+    finish_picture(parts.workspace, parts.host);
+    if (!parts.workspace.document()) return;
+    const Status saved = save_picture(parts, name);
+    if (!saved.is_ok()) parts.workspace.log.failure("picture", saved);
+  });
   return Status::ok();
 }
 

@@ -20,6 +20,7 @@ export function glImports(gl: WebGL2RenderingContext, memory: CoreMemory): Recor
     ...targets(gl, memory),
     ...programs(gl, memory),
     ...drawing(gl, memory),
+    ...fences(gl),
   };
   return { ...all, ...errors(gl, all) };
 }
@@ -247,5 +248,19 @@ function drawing(gl: WebGL2RenderingContext, memory: CoreMemory) {
       if (multiple) return multiple.multiDrawElementsWEBGL(mode, count, 0, type, offset, 0, draws);
       for (let i = 0; i < draws; ++i) gl.drawElements(mode, count[i]!, type, offset[i]!);
     },
+  };
+}
+
+function fences(gl: WebGL2RenderingContext) {
+  const named = new Names<WebGLSync>();
+  return {
+    glFenceSync(condition: number, flags: number): number {
+      const made = gl.fenceSync(condition, flags); // null once the context is lost
+      return made === null ? 0 : named.add(made);
+    },
+    /** Browsers answer at once, and tell news only from one turn of the event loop to the next. */
+    glClientWaitSync: (name: number, flags: number, timeout: bigint) =>
+      gl.clientWaitSync(named.get(name)!, flags, Number(timeout)),
+    glDeleteSync: (name: number) => gl.deleteSync(named.remove(name)),
   };
 }

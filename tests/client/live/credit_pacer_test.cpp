@@ -60,6 +60,18 @@ TEST_F(CreditPacing, LookingOftenDoesNotPutTheNextFrameOff) {
   EXPECT_EQ(granted, 1);
 }
 
+TEST_F(CreditPacing, AsksForTheFrameJustBeforeALongPictureIsOver) {
+  CreditPacer pacer(k60Hz);
+  pacer.on_heartbeat(now_, 1);
+  run(pacer, 30, 2);
+  pacer.set_draw_interval(milliseconds(200));
+  run(pacer, 30, 2);
+  pass(150);
+  EXPECT_EQ(pacer.due(now_), 0);
+  pass(46);
+  EXPECT_EQ(pacer.due(now_), 1);
+}
+
 TEST_F(CreditPacing, HasARoundTripOfFramesOnTheirWay) {
   CreditPacer pacer(k60Hz);
   pacer.on_heartbeat(now_, 40);

@@ -285,6 +285,23 @@ TEST_F(Conversations, NoMemoryForThePagesIsCounted) {
   EXPECT_EQ(talk_.take().pages_refused, 1u);
 }
 
+TEST_F(Conversations, OnlyAPictureAsksForAnotherFrame) {
+  talk_.begin();
+  hear(welcome());
+  const auto credits = [this] {
+    uint32_t frames = 0;
+    for (const FrameCredit& credit : of_kind<FrameCredit>(say())) frames += credit.frames;
+    return frames;
+  };
+  EXPECT_EQ(credits(), 1u);
+  hear(LiveFrame{});  // nothing has moved
+  talk_.take(false);
+  now_ += seconds(1);
+  EXPECT_EQ(credits(), 0u);
+  talk_.take();
+  EXPECT_EQ(credits(), 1u);
+}
+
 TEST_F(Conversations, MessagesThatReplaceEachOtherAreToldOnce) {
   talk_.begin();
   hear(welcome());

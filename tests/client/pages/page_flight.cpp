@@ -26,6 +26,7 @@ void PageFlight::picture(const Camera& camera) {
   question.surface_moves = surface_moves;
   question.frame_vertices_max = frame_vertices_max;
   question.server_vertices_max = server_vertices_max;
+  question.moving_triangles_max = moving_triangles_max;
   question.has_values = has_values;
   question.link = options_.link.speed;
   loader_.look(question, now_);

@@ -40,6 +40,7 @@ class PageFlight {
   bool surface_moves = false;
   uint64_t frame_vertices_max = 0;
   uint64_t server_vertices_max = 0;
+  uint64_t moving_triangles_max = 0;
   std::function<bool(PageId)> has_values;
 
  private:

@@ -82,6 +82,37 @@ TEST(PageLoader, UnderATriangleBudgetPathsEndAlikeToo) {
   EXPECT_EQ(flight.cut().set, fresh_cut(kWhole, options));
 }
 
+TEST(PageLoader, ASlowCardMovesCoarselyAndRestsInFullDetail) {
+  PageFlight flight(loaded_scan(), {});
+  flight.settle(kWhole);
+  const PageSet full = flight.cut().set;
+  flight.moving_triangles_max = 12'000;
+  flight.fly(kWhole, kNear, 10);
+  EXPECT_LE(flight.cut().triangles, 12'000u);
+  flight.fly(kNear, kWhole, 10);
+  flight.picture(kWhole);
+  EXPECT_LE(flight.cut().triangles, 12'000u) << "a moment is no rest";
+  flight.settle(kWhole);
+  EXPECT_EQ(flight.cut().set, full);
+}
+
+TEST(PageLoader, ASlowCardBecomesFullyDetailedInOnePicture) {
+  PageFlight flight(loaded_scan(), {});
+  flight.settle(kWhole);
+  const size_t full = flight.cut().pages.size();
+  flight.moving_triangles_max = 12'000;
+  flight.fly(kNear, kWhole, 60);
+  std::vector<size_t> sizes;
+  for (int i = 0; i < 60; ++i) {
+    flight.picture(kWhole);
+    if (sizes.empty() || sizes.back() != flight.cut().pages.size())
+      sizes.push_back(flight.cut().pages.size());
+  }
+  ASSERT_GE(sizes.size(), 2u);
+  EXPECT_EQ(sizes.back(), full);
+  EXPECT_LE(sizes.size(), 4u);
+}
+
 TEST(PageLoader, EachBudgetIsNamedWhenItStopsTheCut) {
   const std::vector<std::pair<PageBudget, CutReason>> cases = {
       {{.triangles = 5'000}, CutReason::kTriangles},

@@ -96,7 +96,7 @@ export class Visit {
 
   async openSession(): Promise<void> {
     await this.page.getByRole("button", { name: "Join inscription" }).click();
-    await this.page.getByRole("region", { name: "Filter" }).waitFor();
+    await this.page.getByRole("region", { name: "Camera", exact: true }).waitFor(); // the last one
   }
 
   /** Unfolds a section, and returns it. */

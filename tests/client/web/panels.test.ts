@@ -226,6 +226,38 @@ test("ViewHasColoursSplitAndBookmarks", () =>
     await visit.sent("orthographic on");
   }));
 
+test("KeysOfOnesOwnStayAndTakeNoOther", () =>
+  bench.visitSession(async (visit) => {
+    const { keyboard } = visit.page;
+    const dialog = visit.page.getByRole("dialog", { name: "Keys" });
+    const key = (keys: string) => dialog.getByRole("button", { name: `Change ${keys}: Show the triangles' edges` });
+    await keyboard.press("?");
+    await key("W").click();
+    await keyboard.press("s");
+    await dialog.getByText("S is taken: Original on the left, edited on the right").waitFor();
+    await key("W").click();
+    await keyboard.press("Escape"); // changes nothing, and the dialog stays
+    await key("W").press("Enter");
+    await keyboard.press("Shift+G");
+    await key("Shift+G").waitFor();
+    await visit.screenshot("keys");
+    await keyboard.press("Escape");
+    await dialog.waitFor({ state: "detached" });
+    await visit.page.reload();
+    await visit.openSession();
+    await visit.forget();
+    await keyboard.press("w");
+    await keyboard.press("Shift+G");
+    await visit.sent("wireframe on");
+    assert.equal((await visit.lines()).filter((line) => line === "wireframe on").length, 1);
+    await visit.page.getByRole("button", { name: "View", exact: true }).first().click();
+    await visit.page.getByRole("menuitemcheckbox", { name: /Wireframe/ }).getByText("Shift+G").waitFor();
+    await keyboard.press("Escape");
+    await keyboard.press("?");
+    await dialog.getByRole("button", { name: "Default keys" }).click();
+    await key("W").waitFor();
+  }));
+
 test("SplitLineOverThePictureMovesByPointerAndKeys", () =>
   bench.visitSession(async (visit) => {
     const line = visit.page.getByRole("separator", { name: "Line between original and edited" });
@@ -243,6 +275,13 @@ test("SplitLineOverThePictureMovesByPointerAndKeys", () =>
     await visit.page.mouse.move(picture.x + 0.25 * picture.width, box.y + 120);
     await visit.page.mouse.up();
     await visit.sent("split_at 0.25");
+    await line.press("ArrowRight"); // the snapshot still has 0.5
+    await visit.sent("split_at 0.26");
+    await visit.document({ view: { ...session.view, split: true, splitAt: 0.26 } });
+    await visit.document({ view: { ...session.view, split: true, splitAt: 0.7 } });
+    await visit.page.locator(".split-line[aria-valuenow='70']").waitFor();
+    await line.press("PageUp");
+    await visit.sent("split_at 0.8");
     assert.ok((await visit.seen()).every((one) => one.kind !== "pointer" || one.what !== "press"));
     assert.match(await visit.page.locator(".split-line").innerText(), /original\s+edited/);
     await visit.document({ view: { ...session.view, split: true, original: true } });

@@ -27,6 +27,15 @@ test("ScansAndSessionsOpenByName", () =>
     await visit.sent("session join s1");
   }));
 
+test("ReturnFromASessionShowsTheServerOnce", () =>
+  bench.visitSession(async (visit) => {
+    await visit.change({ document: null });
+    const server = visit.page.getByText("connected to lab:7443");
+    await server.waitFor();
+    assert.equal(await server.count(), 1);
+    assert.equal(await visit.page.getByRole("main").count(), 1);
+  }));
+
 test("RenameAsksForAName", () =>
   bench.visit(async (visit) => {
     await visit.page.getByRole("button", { name: "Rename tablet" }).click();

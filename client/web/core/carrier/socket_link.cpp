@@ -101,10 +101,14 @@ Status SocketLink::show_pages(std::vector<std::shared_ptr<const Page>> added,
   return changed;
 }
 
-LiveNews SocketLink::take() {
-  LiveNews news = conversation_.take();
+LiveNews SocketLink::take(bool draws) {
+  LiveNews news = conversation_.take(draws);
   speak();
   return news;
+}
+
+void SocketLink::on_picture(std::chrono::microseconds took) {
+  conversation_.on_picture(took);
 }
 
 }  // namespace burnish

@@ -24,7 +24,9 @@ class SocketLink final : public LiveLink, public Clockwork {
   void move_brush(const std::optional<BrushRing>& ring) override;
   Status show_pages(std::vector<std::shared_ptr<const Page>> added,
                     std::vector<PageId> removed) override;
-  LiveNews take() override;
+  using LiveLink::take;
+  LiveNews take(bool draws) override;
+  void on_picture(std::chrono::microseconds took) override;
 
   Time on_time(Time now) override;
 

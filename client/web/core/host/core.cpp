@@ -7,7 +7,11 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "client/gl/capabilities.h"
+#include "client/gl/fence.h"
 #include "client/gl/gl_page_renderer.h"
 #include "client/model/preferences.h"
 #include "client/web/core/front.h"
@@ -43,19 +47,26 @@ class Handed {
   size_t bytes_;
 };
 
-/// The stack of a replayed script that waits for a picture; 0: none.
-int waiting_for_picture = 0;
+/// Stacks that wait for a picture: those of replayed scripts and of pictures that are saved.
+std::vector<int>& waiting_for_picture() {
+  static auto* const the = new std::vector<int>();  // lives as long as the page
+  return *the;
+}
 
 void wait_for_picture(std::chrono::milliseconds) {
-  waiting_for_picture = this_stack();
+  waiting_for_picture().push_back(this_stack());
   host_wake();
   wait_on_stack();
 }
 
-FrontHost make_host(GlPageRenderer& renderer) {
+FrontHost make_host(GlPageRenderer& renderer, Fence& shown) {
   FrontHost host;
   host.say = [](const std::string& json) { host_say(json.data(), json.size()); };
-  host.show = [&renderer] { renderer.show({0, 0}); };
+  host.show = [&renderer, &shown] {
+    renderer.show({0, 0});
+    shown.put();
+  };
+  host.is_drawing = [&shown] { return !shown.is_reached(); };
   host.give = [](const GivenFile& file) {
     add_page_file(file.name, {file.handle, file.size_bytes});
   };
@@ -80,6 +91,7 @@ FrontHost make_host(GlPageRenderer& renderer) {
 /// The renderer and the front, once the page has said `start`.
 struct Page {
   std::unique_ptr<GlPageRenderer> renderer;
+  Fence shown;  ///< behind the last picture
   std::unique_ptr<Front> front;
 };
 
@@ -89,20 +101,24 @@ Page& page() {
 }
 
 /// A browser's page has less memory than a program.
-PageBudget page_budget() {
-  return {.resident_bytes = 200'000'000, .card_bytes = 200'000'000};
+PageBudget page_budget(const Capabilities& card) {
+  PageBudget budget = card.is_software ? software_budget() : PageBudget();
+  budget.resident_bytes = budget.card_bytes = 200'000'000;
+  return budget;
 }
 
 Status begin_page() {
   ASSIGN_OR_RETURN(page().renderer, GlPageRenderer::create());
   WorkspaceOptions options;
   options.preferences = "window.toml";
-  options.budget = page_budget();
+  const Capabilities card = card_capabilities();
+  options.is_software = card.is_software;
+  options.budget = page_budget(card);
   options.wake = host_wake;
   auto preferences = read_preferences(options.preferences);
   page().front = std::make_unique<Front>(
       *page().renderer, preferences.is_ok() ? std::move(*preferences) : Preferences(),
-      std::move(options), make_host(*page().renderer));
+      std::move(options), make_host(*page().renderer, page().shown));
   return Status::ok();
 }
 
@@ -143,7 +159,7 @@ void core_hear(uint8_t* text, size_t bytes) {
 double core_tick(double) {
   if (!page().front) return std::numeric_limits<double>::infinity();
   const auto now = steady_clock::now();
-  resume_stack(std::exchange(waiting_for_picture, 0));
+  for (const int stack : std::exchange(waiting_for_picture(), {})) resume_stack(stack);
   const auto next =
       std::min({HostCall::look_at_all(now), Clockwork::ask_all(now), page().front->tick(now)});
   return ms_until(next, steady_clock::now());

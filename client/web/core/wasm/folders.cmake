@@ -70,7 +70,7 @@ core_folder(client/model EXCEPT beside connection_form detached_program file_bro
   leaving letters lighting_toml native_dialog preferences private_folder private_server raw_scan
   recorder_file scan_files session_picture_files tasks typed_path user_socket view_state)
 core_folder(client/script EXCEPT lone_script)
-core_folder(client/gl EXCEPT capabilities context_egl)
+core_folder(client/gl EXCEPT context_egl)
 core_folder(client/web/core)
 core_folder(client/web/core/carrier)
 core_folder(client/web/core/host)

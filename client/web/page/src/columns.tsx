@@ -7,6 +7,7 @@ import { Section, Figures } from "./controls";
 import { CurvePanel } from "./curve_panel";
 import { EqualiserPanel } from "./equaliser_panel";
 import { FilterPanel, type PanelProps } from "./filter_panel";
+import { Gradual } from "./gradual";
 import { HistoryPanel } from "./history_panel";
 import { LightPanel } from "./light_panel";
 import { LimitsPanel } from "./limits_panel";
@@ -36,37 +37,39 @@ export function EditColumn(props: PanelProps & { presets: Preset[]; children?: p
   const { document, presets } = props;
   return (
     <aside class="column left" aria-label="Edit">
-      <Section name="Filter">
-        <FilterPanel {...{ document, presets }} />
-      </Section>
-      <Section name="Transfer curve α(κ)">
-        <CurvePanel document={document} />
-      </Section>
-      <Section name="Brush">
-        <BrushPanel document={document} />
-      </Section>
-      <Section name="Limits">
-        <LimitsPanel document={document} />
-      </Section>
-      <Section name="Equaliser" folded>
-        <EqualiserPanel document={document} />
-      </Section>
-      <Section name="Palette" folded>
-        <PalettePanel document={document} />
-      </Section>
-      {document.hasColours && (
-        <Section name="Colours" folded>
-          <ColourPanel document={document} />
+      <Gradual>
+        <Section name="Filter">
+          <FilterPanel {...{ document, presets }} />
         </Section>
-      )}
-      {props.children}
+        <Section name="Transfer curve α(κ)">
+          <CurvePanel document={document} />
+        </Section>
+        <Section name="Brush">
+          <BrushPanel document={document} />
+        </Section>
+        <Section name="Limits">
+          <LimitsPanel document={document} />
+        </Section>
+        <Section name="Equaliser" folded>
+          <EqualiserPanel document={document} />
+        </Section>
+        <Section name="Palette" folded>
+          <PalettePanel document={document} />
+        </Section>
+        {document.hasColours && (
+          <Section name="Colours" folded>
+            <ColourPanel document={document} />
+          </Section>
+        )}
+        {props.children}
+      </Gradual>
     </aside>
   );
 }
 
 export function ShowSections({ document, figures }: PanelProps & { figures: boolean }) {
   return (
-    <>
+    <Gradual>
       <Section name="View">
         <ViewPanel document={document} />
       </Section>
@@ -90,6 +93,6 @@ export function ShowSections({ document, figures }: PanelProps & { figures: bool
           <Figures figures={document.figures} />
         </Section>
       )}
-    </>
+    </Gradual>
   );
 }

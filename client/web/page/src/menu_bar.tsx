@@ -2,7 +2,7 @@
 
 import { command } from "./commands";
 import { useLink } from "./context";
-import type { PageActions } from "./keys";
+import { keyNamed, type PageActions } from "./key_actions";
 import { Menu, type MenuItem } from "./menu";
 import type { Document } from "./snapshot";
 import { chooseTheme, type Theme } from "./theme";
@@ -36,13 +36,13 @@ export function MenuBar(props: MenuBarProps) {
           <Menu
             name="Edit"
             items={[
-              { label: "Undo", key: "Ctrl+Z", run: send(command.undo()) },
-              { label: "Redo", key: "Ctrl+Shift+Z", run: send(command.redo()) },
+              { label: "Undo", key: keyNamed("undo"), run: send(command.undo()) },
+              { label: "Redo", key: keyNamed("redo"), run: send(command.redo()) },
             ]}
           />
         )}
         <Menu name="View" items={viewItems(props, send)} />
-        <Menu name="Help" items={[{ label: "Keys", key: "?", run: props.actions.toggleHelp }]} />
+        <Menu name="Help" items={[{ label: "Keys", key: keyNamed("help"), run: props.actions.toggleHelp }]} />
       </nav>
       {props.recording && <span class="bad">recording</span>}
       <span class="session-title faint" title={title}>
@@ -64,11 +64,11 @@ function fileItems({ document, actions, recording, onReplay }: MenuBarProps, sen
     }),
   );
   return [
-    { label: "Open…", key: "Ctrl+O", run: actions.open },
-    { label: "Export…", key: "Ctrl+E", disabled, divided: true, run: actions.exportMesh },
+    { label: "Open…", key: keyNamed("open"), run: actions.open },
+    { label: "Export…", key: keyNamed("export"), disabled, divided: true, run: actions.exportMesh },
     {
       label: "Save picture",
-      key: "F9",
+      key: keyNamed("screenshot"),
       disabled,
       run: send(command.picture(`${document?.session ?? "picture"}.png`)),
     },
@@ -90,16 +90,16 @@ function viewItems({ document, actions, figures, onFigures }: MenuBarProps, send
   });
   const ofSession: MenuItem[] = document
     ? [
-        { label: "Frame all", key: "Home", run: send(command.frame()) },
+        { label: "Frame all", key: keyNamed("frame_all"), run: send(command.frame()) },
         {
           label: "Wireframe",
-          key: "W",
+          key: keyNamed("wireframe"),
           checked: document.view.wireframe,
           run: send(command.wireframe(!document.view.wireframe)),
         },
         {
           label: "Split",
-          key: "S",
+          key: keyNamed("split"),
           checked: document.view.split,
           run: send(command.split(!document.view.split)),
         },
@@ -108,7 +108,7 @@ function viewItems({ document, actions, figures, onFigures }: MenuBarProps, send
     : [];
   return [
     ...ofSession,
-    { label: "Messages", key: "L", run: actions.toggleLog },
+    { label: "Messages", key: keyNamed("log"), run: actions.toggleLog },
     { ...theme("Dark", "dark"), divided: true },
     theme("Light", "light"),
     theme("As the browser", "system"),

@@ -1,7 +1,7 @@
 // The lines over the picture, as client/app/app_picture.cpp and ruler_overlay.cpp draw them: that between original and
 // edited surface, the lasso and the ruler.
 
-import { useRef } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { command } from "./commands";
 import { useLink } from "./context";
 import { LassoPen } from "./lasso_pen";
@@ -11,6 +11,7 @@ const kSplitMin = 0.05;
 const kSplitMax = 0.95;
 const kStep = 0.01; // of an arrow key
 const kLargeStep = 0.1;
+const kSame = 1e-3;
 
 /** Text of a polyline for pixels of the picture: x, y, x, y, ... */
 const pointsOf = (pixels: number[]) => pixels.map((one) => one / devicePixelRatio).join(" ");
@@ -57,18 +58,27 @@ function RulerLine({ document }: PanelProps) {
 function SplitLine({ at }: { at: number }) {
   const link = useLink();
   const line = useRef<HTMLDivElement>(null);
-  const move = (to: number) => link.send(command.splitAt(Math.min(kSplitMax, Math.max(kSplitMin, to))));
+  // Where the line will be: a key may come before the snapshot that has the last move.
+  const sent = useRef<number | null>(null);
+  useEffect(() => {
+    if (sent.current !== null && Math.abs(sent.current - at) < kSame) sent.current = null;
+  }, [at]);
+  const move = (to: number) => {
+    sent.current = Math.min(kSplitMax, Math.max(kSplitMin, to));
+    link.send(command.splitAt(sent.current));
+  };
   const drag = (event: PointerEvent) => {
     if (!line.current!.hasPointerCapture(event.pointerId)) return;
     const box = line.current!.parentElement!.getBoundingClientRect();
     move((event.clientX - box.left) / box.width);
   };
   const key = (event: KeyboardEvent) => {
+    const from = sent.current ?? at;
     const places: Record<string, number> = {
-      ArrowLeft: at - kStep,
-      ArrowRight: at + kStep,
-      PageDown: at - kLargeStep,
-      PageUp: at + kLargeStep,
+      ArrowLeft: from - kStep,
+      ArrowRight: from + kStep,
+      PageDown: from - kLargeStep,
+      PageUp: from + kLargeStep,
       Home: kSplitMin,
       End: kSplitMax,
     };

@@ -53,23 +53,6 @@ for (const format of ["ply", "obj"])
       assert.ok(bytes.equals(lab.bytes("wanted." + format)), `${bytes.length} bytes differ from the command line's`);
     }));
 
-/** Returns the numbers of an OBJ file's vertices. */
-const positions = (obj: Buffer) =>
-  obj
-    .toString()
-    .split("\n")
-    .filter((line) => line.startsWith("v "))
-    .flatMap((line) => line.split(" ").slice(1, 4).map(Number));
-
-/** Each export solves on from the last one, so those of an edited session agree to the solver's accuracy. */
-function assertNear(one: Buffer, other: Buffer): void {
-  const [a, b] = [positions(one), positions(other)];
-  assert.equal(a.length, b.length);
-  const [low, high] = [Math.min(...a), Math.max(...a)];
-  const farthest = Math.max(...a.map((value, i) => Math.abs(value - b[i]!)));
-  assert.ok(farthest < 1e-5 * (high - low), `a vertex is ${farthest} away, of ${high - low}`);
-}
-
 test("EditedExportIsThatOfTheCommandLine", () =>
   lab.visit(async (visit) => {
     await visit.openScan("tablet");
@@ -81,7 +64,7 @@ test("EditedExportIsThatOfTheCommandLine", () =>
     );
     const { bytes } = await exportBy(visit, ".obj");
     await lab.ask("export", session, "wanted.obj", "--exact");
-    assertNear(bytes, lab.bytes("wanted.obj"));
+    assert.ok(bytes.equals(lab.bytes("wanted.obj")), `${bytes.length} bytes differ from the command line's`);
   }));
 
 /** Drags a point of the curve's plot upwards. */
@@ -108,14 +91,6 @@ async function replayIn(session: string, lines: string[]): Promise<void> {
   const rest = lines.filter((line) => !/^join /.test(line));
   writeFileSync(lab.path("edits.txt"), [`join ${session}`, ...rest].join("\n"));
   await lab.ask("window", "--script", "edits.txt");
-}
-
-/** Exports of servers that have just begun depend on the edits alone, not on where a solver was before. */
-async function exportAnew(session: string, file: string): Promise<Buffer> {
-  await lab.kill();
-  await lab.revive();
-  await lab.ask("export", session, file, "--exact");
-  return lab.bytes(file);
 }
 
 test("ExportHasAProcessingRecordBesideIt", () =>
@@ -148,39 +123,35 @@ test("ExportHasAProcessingRecordBesideIt", () =>
   }));
 
 test("RecordedScriptGivesTheSameExportByteForByte", () =>
-  lab.visit(
-    async (visit) => {
-      await visit.openScan("tablet");
-      const session = await visit.session();
-      await visit.choose("File", "Record a script");
-      await visit.page.getByText("recording", { exact: true }).waitFor();
-      await visit.page.getByRole("slider", { name: "Gradient scale β", exact: true }).press("PageDown");
-      await dragCurve(visit);
-      await visit.page.getByRole("button", { name: "Sharpen", exact: true }).click();
-      await visit.drag([0.45, 0.5], [0.6, 0.55]);
-      await visit.drag([0.4, 0.4], [0.5, 0.6]);
-      await visit.page.keyboard.press("Control+z");
-      const limits = await visit.section("Limits");
-      await limits.getByRole("button", { name: "Protect" }).click();
-      await visit.drag([0.3, 0.3], [0.5, 0.45]);
-      await limits.getByRole("button", { name: "Piece" }).click();
-      await until(
-        async () => (await lab.history(session)).filter(({ enabled }) => !enabled).length,
-        (undone) => undone === 1,
-      );
-      await exportBy(visit, ".ply");
-      const entries = (await lab.history(session)).map(({ summary }) => summary);
-      const lines = await recorded(visit);
-      assert.match(lines[0]!, /^join /);
-      assert.ok(lines.some((line) => /^export .*\.ply exact$/.test(line)), lines.join("\n"));
-      await replayIn("replayed", lines);
-      assert.deepEqual(
-        (await lab.history("replayed")).map(({ summary }) => summary),
-        entries,
-      );
-      const bytes = await exportAnew("replayed", "replayed.ply");
-      assert.ok(bytes.equals(await exportAnew(session, "original.ply")), "the exports differ");
-    },
-    {},
-    /WebSocket connection to .* failed/,
-  ));
+  lab.visit(async (visit) => {
+    await visit.openScan("tablet");
+    const session = await visit.session();
+    await visit.choose("File", "Record a script");
+    await visit.page.getByText("recording", { exact: true }).waitFor();
+    await visit.page.getByRole("slider", { name: "Gradient scale β", exact: true }).press("PageDown");
+    await dragCurve(visit);
+    await visit.page.getByRole("button", { name: "Sharpen", exact: true }).click();
+    await visit.drag([0.45, 0.5], [0.6, 0.55]);
+    await visit.drag([0.4, 0.4], [0.5, 0.6]);
+    await visit.page.keyboard.press("Control+z");
+    const limits = await visit.section("Limits");
+    await limits.getByRole("button", { name: "Protect" }).click();
+    await visit.drag([0.3, 0.3], [0.5, 0.45]);
+    await limits.getByRole("button", { name: "Piece" }).click();
+    await until(
+      async () => (await lab.history(session)).filter(({ enabled }) => !enabled).length,
+      (undone) => undone === 1,
+    );
+    const { bytes } = await exportBy(visit, ".ply");
+    const entries = (await lab.history(session)).map(({ summary }) => summary);
+    const lines = await recorded(visit);
+    assert.match(lines[0]!, /^join /);
+    assert.ok(lines.some((line) => /^export .*\.ply exact$/.test(line)), lines.join("\n"));
+    await replayIn("replayed", lines);
+    assert.deepEqual(
+      (await lab.history("replayed")).map(({ summary }) => summary),
+      entries,
+    );
+    await lab.ask("export", "replayed", "replayed.ply", "--exact");
+    assert.ok(bytes.equals(lab.bytes("replayed.ply")), "the exports differ");
+  }));

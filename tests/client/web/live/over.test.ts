@@ -48,7 +48,6 @@ test("SplitLinePartsOriginalAndEdited", () =>
         () => line.getAttribute("aria-valuenow"),
         (value) => value === part,
       );
-    await isAt("70"); // a key moves on from where the model is
     await line.press("ArrowLeft");
     await isAt("69");
     await visit.hover([0.02, 0.02]);

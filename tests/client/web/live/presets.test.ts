@@ -36,6 +36,24 @@ test("OwnPresetIsThereAfterAReloadAndInAnotherSession", () =>
     await presets(visit).getByRole("option", { name: "faint lines" }).waitFor({ state: "detached" });
   }));
 
+test("OwnKeyIsThereAfterAReload", () =>
+  lab.visit(async (visit) => {
+    await visit.openScan("tablet");
+    const session = await visit.session();
+    await visit.page.keyboard.press("?");
+    const dialog = visit.page.getByRole("dialog", { name: "Keys" });
+    await dialog.getByRole("button", { name: /^Change Ctrl\+Z:/ }).click();
+    await visit.page.keyboard.press("u");
+    await dialog.getByRole("button", { name: /^Change U:/ }).waitFor();
+    await visit.page.reload();
+    await visit.join(session);
+    await visit.page.getByRole("slider", { name: "Gradient scale β", exact: true }).press("Home");
+    const isEnabled = async () => (await lab.history(session)).map(({ enabled }) => enabled);
+    await until(isEnabled, (all) => all.length === 1 && all[0] === true);
+    await visit.page.keyboard.press("u");
+    await until(isEnabled, (all) => all[0] === false);
+  }));
+
 test("BuiltInNamesAreRefused", () =>
   lab.visit(async (visit) => {
     await visit.openScan("tablet");

@@ -18,6 +18,8 @@ using GLchar = char;
 using GLfloat = float;
 using GLsizeiptr = ptrdiff_t;
 using GLintptr = ptrdiff_t;
+using GLuint64 = uint64_t;
+using GLsync = struct GLsyncOfHost*;  // a number of the host's
 
 inline constexpr int GL_ARRAY_BUFFER = 0x8892;
 inline constexpr int GL_BLEND = 0xbe2;
@@ -74,12 +76,15 @@ inline constexpr int GL_RGBA8 = 0x8058;
 inline constexpr int GL_SCISSOR_TEST = 0xc11;
 inline constexpr int GL_SHORT = 0x1402;
 inline constexpr int GL_SRC_ALPHA = 0x302;
+inline constexpr int GL_SYNC_FLUSH_COMMANDS_BIT = 1;
+inline constexpr int GL_SYNC_GPU_COMMANDS_COMPLETE = 0x9117;
 inline constexpr int GL_TEXTURE0 = 0x84c0;
 inline constexpr int GL_TEXTURE3 = 0x84c3;
 inline constexpr int GL_TEXTURE_2D = 0xde1;
 inline constexpr int GL_TEXTURE_2D_MULTISAMPLE = 0x9100;
 inline constexpr int GL_TEXTURE_MAG_FILTER = 0x2800;
 inline constexpr int GL_TEXTURE_MIN_FILTER = 0x2801;
+inline constexpr int GL_TIMEOUT_EXPIRED = 0x911b;
 inline constexpr int GL_TRIANGLES = 4;
 inline constexpr int GL_TRUE = 1;
 inline constexpr int GL_UNPACK_ALIGNMENT = 0xcf5;
@@ -123,6 +128,8 @@ BURNISH_GL(glClearBufferfv)
 void glClearBufferfv(GLenum buffer, GLint draw_buffer, const GLfloat* value);
 BURNISH_GL(glClearColor)
 void glClearColor(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
+BURNISH_GL(glClientWaitSync)
+GLenum glClientWaitSync(GLsync sync, GLbitfield flags, GLuint64 timeout_ns);
 BURNISH_GL(glColorMask)
 void glColorMask(GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha);
 BURNISH_GL(glCompileShader)
@@ -144,6 +151,8 @@ BURNISH_GL(glDeleteRenderbuffers)
 void glDeleteRenderbuffers(GLsizei count, const GLuint* renderbuffers);
 BURNISH_GL(glDeleteShader)
 void glDeleteShader(GLuint shader);
+BURNISH_GL(glDeleteSync)
+void glDeleteSync(GLsync sync);
 BURNISH_GL(glDeleteTextures)
 void glDeleteTextures(GLsizei count, const GLuint* textures);
 BURNISH_GL(glDeleteVertexArrays)
@@ -160,6 +169,8 @@ BURNISH_GL(glEnable)
 void glEnable(GLenum capability);
 BURNISH_GL(glEnableVertexAttribArray)
 void glEnableVertexAttribArray(GLuint index);
+BURNISH_GL(glFenceSync)
+GLsync glFenceSync(GLenum condition, GLbitfield flags);
 BURNISH_GL(glFramebufferRenderbuffer)
 void glFramebufferRenderbuffer(GLenum target, GLenum attachment, GLenum renderbuffer_target,
                                GLuint renderbuffer);
