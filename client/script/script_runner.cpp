@@ -57,13 +57,21 @@ Status ScriptRunner::update_until(const std::function<bool()>& done, const std::
   }
 }
 
+Status ScriptRunner::update_document_until(const std::function<bool(const Document&)>& done,
+                                           const std::string& what) {
+  const auto is_over = [&] { return !workspace_.document() || done(*workspace_.document()); };
+  RETURN_IF_ERROR(update_until(is_over, what));
+  if (workspace_.document()) return Status::ok();
+  return failed_precondition("the session was closed while the script waited");
+}
+
 Status ScriptRunner::run_line(const ScriptLine& line) {
   const std::string& command = line.command;
   if (command == "open" || command == "join" || command == "close") return run_session(line);
   Document* const document = workspace_.document();
   if (!document) return failed_precondition("no session is open");
   if (command == "wait")
-    return update_until([this] { return workspace_.document()->is_settled(); }, "settling");
+    return update_document_until([](const Document& of) { return of.is_settled(); }, "settling");
   if (command == "export") return run_export(line);
   if (command == "fork") return run_fork(line);
   if (command == "screenshot") return take_screenshot(line.rest());
@@ -116,7 +124,8 @@ Status ScriptRunner::run_export(const ScriptLine& line) {
 // Waits for all detail that the picture can have.
 Status ScriptRunner::finish_picture() {
   RETURN_IF_ERROR(update());
-  return update_until([this] { return workspace_.document()->is_picture_settled(); }, "drawing");
+  return update_document_until([](const Document& of) { return of.is_picture_settled(); },
+                               "drawing");
 }
 
 }  // namespace burnish

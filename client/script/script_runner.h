@@ -50,6 +50,9 @@ class ScriptRunner {
 
   Status update_until(const std::function<bool()>& done, const std::string& what,
                       std::chrono::milliseconds patience);
+  /// Likewise, for the open session. Fails: failed_precondition if somebody closes it.
+  Status update_document_until(const std::function<bool(const Document&)>& done,
+                               const std::string& what);
   Status update();
 
   Workspace& workspace_;

@@ -11,7 +11,12 @@ Status ScriptRunner::run_fork(const ScriptLine& line) {
   const std::string name = line.rest();
   RETURN_IF_ERROR(save_edits());
   workspace_.fork(name, "");
-  return update_until([&] { return workspace_.document()->session().name == name; }, "forking");
+  return update_until(
+      [&] {
+        const Document* const document = workspace_.document();
+        return document && document->session().name == name;
+      },
+      "forking");
 }
 
 // A camera that a script has placed by its distance stays where it is when the size changes.

@@ -8,7 +8,6 @@
 
 #include "common/base/clock.h"
 #include "server/manager/session_manager_held.h"
-#include "server/memory/memory_need.h"
 
 namespace burnish {
 

@@ -40,7 +40,10 @@ class FrontService : public testing::Test {
       downloads_[name] = std::string(bytes);
     };
     host.begin = [this](std::function<void()> work) { work_ = std::move(work); };
-    host.wait = [](milliseconds time) { std::this_thread::sleep_for(time); };
+    host.wait = [this](milliseconds time) {
+      if (meanwhile_) meanwhile_();
+      std::this_thread::sleep_for(time);
+    };
     return host;
   }
 
@@ -107,6 +110,7 @@ class FrontService : public testing::Test {
   std::map<std::string, std::string> given_;
   std::map<std::string, std::string> downloads_;
   std::function<void()> work_;
+  std::function<void()> meanwhile_;  // what happens while a script waits
   Front front_{renderer_, Preferences(), WorkspaceOptions{}, host()};
 };
 
@@ -297,6 +301,21 @@ TEST_F(FrontService, ARecordedScriptReplaysTheEdits) {
   hear({{"kind", "replay"},
         {"file", {{"handle", 1}, {"name", "work.script"}, {"size", script.size()}}}});
   ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 2; }));
+}
+
+TEST_F(FrontService, AScriptWhoseSessionIsClosedWhileItWaitsEndsAndSaysSo) {
+  ASSERT_TRUE(open());
+  const std::string script = given_["work.script"] = "join work\nbeta 0.25\nwait\n";
+  meanwhile_ = [this] {
+    const Document* const document = front_.workspace().document();
+    if (document && document->link() == LinkState::kLive && document->stats().frames > 0)
+      front_.workspace().close_document();
+  };
+  hear({{"kind", "replay"},
+        {"file", {{"handle", 1}, {"name", "work.script"}, {"size", script.size()}}}});
+  EXPECT_TRUE(until([this] {
+    return snapshot_["messages"].dump().find("closed while the script waited") != std::string::npos;
+  }));
 }
 
 TEST_F(FrontService, AServerThatDoesNotAnswerIsAProblem) {
