@@ -11,7 +11,9 @@ const kQuietTriesMax = 15;
 const kWindow = { width: 1024, height: 700 };
 const kSmallWindow = { width: 640, height: 480 }; // for ages: without a graphics card a picture takes longer than a frame
 const kSeconds = 8; // of frames
-const kPicturesPerSecond = 10; // of the native client
+const kMoveMs = 8; // between two moves of the mouse
+const kReadsPerSecond = 10; // of the native client that looks on
+const kPicturesPerSecond = 60; // of the one that drags
 
 /** What the page tells while it is measured. Times are those of performance.now(). */
 interface Watch {
@@ -109,15 +111,37 @@ interface Ages {
   native: { p50: number; p95: number; count: number };
 }
 
-/** A native client drags the slider, and the page looks on. */
+/** Moves the slider to and fro as a hand does, and lets it go. */
+async function dragSlider(visit: Visit): Promise<void> {
+  const slider = visit.page.getByRole("slider", { name: "Gradient scale β", exact: true });
+  const box = (await slider.boundingBox())!;
+  const at = (turn: number) => box.x + box.width * (0.5 + 0.3 * Math.sin(turn));
+  const mouse = visit.page.mouse;
+  await mouse.move(at(0), box.y + box.height / 2);
+  await mouse.down();
+  const begun = performance.now();
+  for (let ms = 0; ms < 1000 * kSeconds; ms = performance.now() - begun) {
+    await mouse.move(at(ms / 300), box.y + box.height / 2);
+    await visit.page.waitForTimeout(kMoveMs);
+  }
+  await mouse.up();
+}
+
+/** Returns the ages of the frames of a native client. */
+async function nativeAges(lab: Lab, mix: string, rate: number): Promise<Ages["native"]> {
+  const words = ["bench", "serve", "--session", "bench", "--mix", mix, "--seconds", `${kSeconds}`];
+  const report = await lab.ask(...words, "--rate", `${rate}`, "--pages", "32", "--json");
+  const { p50, p95, count } = (JSON.parse(report) as { frame_age_ms: Ages["native"] }).frame_age_ms;
+  return { p50, p95, count };
+}
+
+/** The page drags the slider beside a native client that looks on; then a native client drags, and the page looks on. */
 async function compareAges(lab: Lab, visit: Visit): Promise<Ages> {
   await visit.page.evaluate(() => {
     const { ages, drawn, longTasks } = window.watch;
     ages.length = drawn.length = longTasks.length = 0;
   });
-  const words = ["bench", "serve", "--session", "bench", "--mix", "drag=1", "--seconds", `${kSeconds}`];
-  const report = await lab.ask(...words, "--rate", `${kPicturesPerSecond}`, "--pages", "32", "--json");
-  const { frame_age_ms } = JSON.parse(report) as { frame_age_ms: { p50: number; p95: number; count: number } };
+  await Promise.all([dragSlider(visit), nativeAges(lab, "draw=1", kReadsPerSecond)]);
   const watch = await watchOf(visit);
   const intervals = watch.drawn.slice(1).map((time, i) => time - watch.drawn[i]!);
   const roundTrip = await visit.page.locator(".figures div", { hasText: "round trip" }).first().innerText();
@@ -130,7 +154,7 @@ async function compareAges(lab: Lab, visit: Visit): Promise<Ages> {
       roundTripMs: parseFloat(/([\d.]+) ms/.exec(roundTrip)?.[1] ?? "NaN"),
       longestTaskMs: longest(watch),
     },
-    native: { p50: frame_age_ms.p50, p95: frame_age_ms.p95, count: frame_age_ms.count },
+    native: await nativeAges(lab, "drag=1", kPicturesPerSecond),
   };
 }
 
