@@ -80,6 +80,12 @@ export class Visit {
     });
   }
 
+  /** Waits until the engine has seen a line that begins so. */
+  async sentSome(begin: string): Promise<void> {
+    const has = (wanted: string) => window.seen.some((one) => one.line?.startsWith(wanted));
+    await this.page.waitForFunction(has, begin, { timeout: 10_000 });
+  }
+
   /** Waits until the engine has seen a message of this kind, and returns it. */
   async message(kind: string, part: Record<string, unknown> = {}): Promise<Seen> {
     const find = ({ kind, part }: { kind: string; part: Record<string, unknown> }) =>

@@ -13,6 +13,7 @@ test("FilterPreviewsWhileTheSliderMovesAndCommitsAtItsEnd", () =>
   bench.visitSession(async (visit) => {
     await slider(visit, "Gradient scale β").focus();
     await visit.page.keyboard.press("ArrowRight");
+    await visit.sentSome("beta ");
     const [first, second] = (await visit.lines()).filter((line) => / ?beta /.test(line)).slice(-2);
     assert.match(first!, /^preview beta 1/);
     assert.equal(second, first!.replace("preview ", ""));
@@ -326,8 +327,7 @@ test("LightHasALampOnABall", () =>
     await lamp.press("ArrowUp");
     await visit.sent("light_direction 137 30");
     await lamp.click();
-    await visit.message("command", {});
-    assert.ok((await visit.lines()).some((line) => line.startsWith("lamp ")));
+    await visit.sentSome("lamp ");
     await panel.getByRole("textbox", { name: "Occlusion as a number" }).fill("0.5");
     await visit.page.keyboard.press("Enter");
     await visit.sent("occlusion 0.5");
