@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-/// Of kPictureMs; a picture within it changes nothing, so that the cut does not flicker.
+/// Parts of kPictureMs. A picture between them changes nothing, so that the cut does not flicker.
 static constexpr double kSlow = 1.3, kFast = 0.6;
 /// As many as cards draw that need no limit.
 static constexpr double kTrianglesAny = 2e6;

@@ -173,7 +173,7 @@ Status MeshStore::put_new(const StagingFolder& staging, const ScanInfo& scan,
   return put_shared_here(staging, entered);
 }
 
-/// Makes use of uploaded bytes of a scan that others have imported. What the fleet has may be
+/// Uses the uploaded bytes of a scan that others have imported. What the fleet has may be
 /// damaged, so the upload counts.
 Status MeshStore::take_upload(Upload& upload, const std::string& id, const Progress& progress) {
   RETURN_IF_ERROR(refresh());

@@ -21,7 +21,7 @@ class StagedOriginal {
   virtual Status place(bool replaces) = 0;
 };
 
-/// What has the originals of a fleet's scans: a folder or a bucket that all its servers reach. A
+/// Keeps the originals of a fleet's scans: a folder or a bucket that all its servers reach. A
 /// scan appears in it at once and never changes. Each has its info.json beside it, as it was at the
 /// import. Messages name no path and no address of it; the log does. Thread-safe.
 class OriginalStore {

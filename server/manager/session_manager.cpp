@@ -97,6 +97,21 @@ Result<SessionManager::Held> SessionManager::use(const std::string& reference, c
   return held;
 }
 
+/// Opens a session within the memory for its opening and its edits. Takes more if it goes to the
+/// processors after all, and then says so in `need`; keeps what the open session needs.
+static Result<std::unique_ptr<Session>> open_within(Quota::Share& memory, uint64_t of_edits,
+                                                    SessionNeed& need, const Multigrid& on,
+                                                    const SolverOptions& solver,
+                                                    const Controls& controls) {
+  const auto on_processors = [&]() -> Status {
+    need = predict_session_need(on, 0);
+    return memory.resize(need.opening + of_edits);
+  };
+  ASSIGN_OR_RETURN(auto session, Session::open(on, solver, controls, on_processors));
+  RETURN_IF_ERROR(memory.resize(need.open + of_edits));
+  return session;
+}
+
 // A session in memory counts for the user who brought it there.
 Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
                                   const Progress& progress) {
@@ -133,13 +148,9 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
   } else {
     RETURN_IF_ERROR(memory.resize(need.opening + of_edits));
   }
-  const auto on_processors = [&]() -> Status {
-    need = predict_session_need(*mesh, 0);
-    return memory.resize(need.opening + of_edits);
-  };
-  ASSIGN_OR_RETURN(auto session,
-                   Session::open(*mesh, options_.solver, record.controls, on_processors));
-  RETURN_IF_ERROR(memory.resize(need.open + of_edits));
+  auto opened = open_within(memory, of_edits, need, *mesh, options_.solver, record.controls);
+  if (!opened.is_ok()) return elsewhere(entry, opened.status());
+  std::unique_ptr<Session> session = std::move(*opened);
   spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),
                session->solver().backend_reason());
   ASSIGN_OR_RETURN(auto kept, journal_.paint(record.id, mesh->prepared->cells.size()));

@@ -13,7 +13,7 @@ static constexpr uint64_t kFrameInTheMaking = 36;    // per value: its sample, t
 static constexpr uint64_t kPageBytes = 512;          // of a page's own, without its values
 static constexpr uint64_t kPageInLists = 128;        // of a client: wanted, made and shown pages
 static constexpr uint64_t kCoarsestBytes = 6 << 20;  // the direct solver of the coarsest depth
-// Of a system on devices: what is read from them, once for each and once together.
+// Numbers read from devices, once for each device and once together.
 static constexpr uint64_t kReadBytesPerCorner = 2 * sizeof(Vec3f);
 static constexpr uint64_t kReadBytesPerVertex = 2 * sizeof(Vec3f);
 static constexpr uint64_t kShardBytesPerCorner = 16;  // which corners, cells and vertices it has

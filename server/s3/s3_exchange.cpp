@@ -14,7 +14,7 @@ namespace {
 constexpr size_t kReplyBytesMax = 64 << 10;
 constexpr long kSlowBytesPerSecond = 1 << 10;
 
-/// What libcurl's callbacks work on.
+/// The state that libcurl's callbacks work on.
 struct Flight {
   const S3Request& request;
   CurlHandle& handle;
@@ -74,8 +74,8 @@ bool has_body(const S3Request& request) {
   return request.method == std::string_view("PUT") || request.method == std::string_view("POST");
 }
 
-/// What libcurl takes for a POST waits until the service wants it if it is larger than 1 MiB. An
-/// upload would do so with each body, which is a round trip more.
+/// libcurl sends a POST's body at once up to 1 MiB. It would ask before each body of an upload,
+/// which is a round trip more.
 void set_method(CurlHandle& handle, const S3Request& request) {
   if (request.method == std::string_view("HEAD")) return handle.set(CURLOPT_NOBODY, 1L);
   if (has_body(request)) {

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// What a service answered, or why it did not.
+/// The answer of a service, or why there is none.
 struct S3Reply {
   int http = 0;              ///< status of HTTP; 0: no whole answer came
   std::string trouble = {};  ///< of the network

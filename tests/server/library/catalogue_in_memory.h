@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// What a database does, without one.
+/// Does what a database does, without one.
 struct CatalogueRows {
   std::mutex mutex;
   std::map<std::string, ScanInfo> scans;
