@@ -128,14 +128,26 @@ void LiveConversation::tell_shown() {
   for (const double latency_ms : shown_.take_previews()) tell(PreviewShown{latency_ms});
 }
 
+namespace {
+
+bool is_link(const LiveEvent& event, LinkState state) {
+  const auto* change = std::get_if<LinkChanged>(&event);
+  return change != nullptr && change->state == state;
+}
+
+// That a link was lost is told even if it is back already.
+bool replaces(const LiveEvent& next, const LiveEvent& last) {
+  if (next.index() != last.index()) return false;
+  if (is_link(next, LinkState::kLive) && is_link(last, LinkState::kLost)) return false;
+  return !std::holds_alternative<EditsAcknowledged>(next) &&
+         !std::holds_alternative<EditsRefused>(next) && !std::holds_alternative<EditsShown>(next);
+}
+
+}  // namespace
+
 // Of what replaces itself the newest is enough, so that nobody who does not listen costs memory.
 void LiveConversation::tell(LiveEvent event) {
-  const bool replaces = !std::holds_alternative<EditsAcknowledged>(event) &&
-                        !std::holds_alternative<EditsRefused>(event) &&
-                        !std::holds_alternative<EditsShown>(event);
-  if (replaces)
-    std::erase_if(news_.events,
-                  [&](const LiveEvent& other) { return other.index() == event.index(); });
+  std::erase_if(news_.events, [&](const LiveEvent& last) { return replaces(event, last); });
   news_.events.push_back(std::move(event));
 }
 

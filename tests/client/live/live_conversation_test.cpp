@@ -12,6 +12,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A conversation with a server of one's own, at a time of one's own.
@@ -158,6 +159,23 @@ TEST_F(Conversations, ASilentServerIsLeft) {
   const LiveNews news = talk_.take();
   EXPECT_EQ(news.link, LinkState::kLost);
   EXPECT_THAT(told<LinkChanged>(news).back().reason, HasSubstr("nothing was heard for 15 s"));
+}
+
+TEST_F(Conversations, ALinkThatIsBackBeforeTheNextPictureIsToldAsLostAndLive) {
+  const auto states = [this] {
+    std::vector<LinkState> found;
+    for (const LinkChanged& change : told<LinkChanged>(talk_.take())) found.push_back(change.state);
+    return found;
+  };
+  talk_.begin();
+  hear(welcome());
+  EXPECT_THAT(states(), ElementsAre(LinkState::kLive));
+  for (int i = 0; i < 3; ++i) {  // who does not listen for a while learns of one loss
+    EXPECT_TRUE(talk_.end(unavailable("the connection is lost")));
+    talk_.begin();
+    hear(welcome());
+  }
+  EXPECT_THAT(states(), ElementsAre(LinkState::kLost, LinkState::kLive));
 }
 
 TEST_F(Conversations, AHeartbeatIsDueAtItsDeadlineAndNotBefore) {
