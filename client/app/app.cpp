@@ -11,7 +11,8 @@ namespace burnish {
 // ImGui needs a second picture to show the effect of a click.
 static constexpr int kPicturesAfterEvent = 3;
 static constexpr double kIdleSeconds = 0.5;
-static constexpr double kFinerSeconds = 0.016;  // while the picture becomes finer
+static constexpr double kFinerSeconds = 0.016;    // while the picture becomes finer
+static constexpr double kDrawingSeconds = 0.004;  // while the card draws
 
 static volatile std::sig_atomic_t ended_by_signal = 0;
 
@@ -81,12 +82,14 @@ void App::open_what_was_asked() {
 Status App::loop() {
   int pictures = kPicturesAfterEvent;
   for (;;) {
-    window_->wait(pictures > 0 ? 0 : is_picture_settled() ? kIdleSeconds : kFinerSeconds);
+    window_->wait(seconds_to_wait(pictures));
     const bool timed_out = !window_->take_dirty() && !news_.exchange(false);
     pictures = timed_out ? std::max(pictures, 1) : kPicturesAfterEvent;
-    window_->deliver();
-    workspace_->update();
+    const bool draws = may_draw();
+    if (draws) window_->deliver();
+    workspace_->update(draws);
     if (may_close()) break;
+    if (!draws) continue;
     show_title();
     show_look();
     RETURN_IF_ERROR(draw());
@@ -94,6 +97,21 @@ Status App::loop() {
   }
   if (leave_step_ == Leaving::Step::kLeave) return Status::ok();
   return failed_precondition(unsaved_text(workspace_->unsaved_edits()) + " and will be lost");
+}
+
+double App::seconds_to_wait(int pictures) {
+  if (!may_draw()) return kDrawingSeconds;
+  if (pictures > 0) return 0;
+  return is_picture_settled() ? kIdleSeconds : kFinerSeconds;
+}
+
+// A picture begins when the card has drawn the last one, so that none waits behind others.
+bool App::may_draw() {
+  if (!begun_at_) return true;
+  if (!drawn_.is_reached()) return false;
+  const auto took = std::chrono::steady_clock::now() - *std::exchange(begun_at_, std::nullopt);
+  workspace_->on_picture(std::chrono::duration<double, std::milli>(took).count());
+  return true;
 }
 
 // A session is named once its own surface is on the screen.

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <memory>
+#include <optional>
 
 #include "client/app/colour_bar.h"
 #include "client/app/export_dialog.h"
@@ -13,6 +15,7 @@
 #include "client/app/start_page.h"
 #include "client/app/toasts.h"
 #include "client/app/window.h"
+#include "client/gl/fence.h"
 #include "client/gl/gl_page_renderer.h"
 #include "client/model/bindings.h"
 #include "client/model/leaving.h"
@@ -45,6 +48,8 @@ class App {
       : options_(std::move(options)), bindings_(std::move(bindings)) {}
   Status start(Preferences preferences);
   Status loop();
+  double seconds_to_wait(int pictures);
+  bool may_draw();
   bool may_close();
   bool is_picture_settled() const;
   std::string title() const;
@@ -63,7 +68,7 @@ class App {
 
   Status draw();
   Status draw_picture();
-  Status draw_surface();
+  Status draw_surface(std::chrono::steady_clock::time_point begun_at);
   bool keeps_raw_picture() const;
   void draw_panels();
   void draw_menu_bar();
@@ -137,6 +142,8 @@ class App {
     bool operator==(const Shown&) const = default;
   };
   Shown shown_;
+  std::optional<std::chrono::steady_clock::time_point> begun_at_;  // the card draws that picture
+  Fence drawn_;                                                    // behind it
 };
 
 }  // namespace burnish

@@ -23,16 +23,17 @@ Status App::draw() {
 // Draws the picture between the panels, if they leave room.
 Status App::draw_picture() {
   if (!check_image_size(picture_.size).is_ok()) return Status::ok();
+  const auto begun_at = std::chrono::steady_clock::now();
   workspace_->viewport.set_size(picture_.size);
   RETURN_IF_ERROR(workspace_->look());
-  RETURN_IF_ERROR(draw_surface());
+  RETURN_IF_ERROR(draw_surface(begun_at));
   const int bottom = window_->framebuffer_size().height - picture_.y - picture_.size.height;
   renderer_->show({picture_.x, bottom});
   return Status::ok();
 }
 
 // Draws the surface again if its picture has changed.
-Status App::draw_surface() {
+Status App::draw_surface(std::chrono::steady_clock::time_point begun_at) {
   const Document* const document = workspace_->document();
   Shown now{workspace_->pictures_begun(),
             document == nullptr,
@@ -46,7 +47,13 @@ Status App::draw_surface() {
   }
   if (now == shown_ || keeps_raw_picture()) return Status::ok();
   shown_ = std::move(now);
-  return workspace_->draw();
+  // One of the background alone takes no time, and must not hold the surface up.
+  const bool has_surface = document && !document->surface().patches().empty();
+  RETURN_IF_ERROR(workspace_->draw());
+  if (!has_surface) return Status::ok();
+  begun_at_ = begun_at;
+  drawn_.put();
+  return Status::ok();
 }
 
 // The raw scan's picture stays until that of its session is as fine, or the user turns it.
