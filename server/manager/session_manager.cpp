@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include <spdlog/spdlog.h>
-
 #include "common/transfer/content_hash.h"
 #include "server/manager/session_manager_held.h"
-#include "server/memory/memory_need.h"
 #include "server/scheduling/cancellable_lock.h"
 
 namespace burnish {
@@ -95,81 +92,6 @@ Result<SessionManager::Held> SessionManager::use(const std::string& reference, c
   RETURN_IF_ERROR(
       bring_back(*held.entry, caller, progress).with_context("session " + held.entry->record.name));
   return held;
-}
-
-/// Opens a session within the memory for its opening and its edits. Takes more if it goes to the
-/// processors after all, and then says so in `need`; keeps what the open session needs.
-static Result<std::unique_ptr<Session>> open_within(Quota::Share& memory, uint64_t of_edits,
-                                                    SessionNeed& need, const Multigrid& on,
-                                                    const SolverOptions& solver,
-                                                    const Controls& controls) {
-  const auto on_processors = [&]() -> Status {
-    need = predict_session_need(on, 0);
-    return memory.resize(need.opening + of_edits);
-  };
-  ASSIGN_OR_RETURN(auto session, Session::open(on, solver, controls, on_processors));
-  RETURN_IF_ERROR(memory.resize(need.open + of_edits));
-  return session;
-}
-
-// A session in memory counts for the user who brought it there.
-Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
-                                  const Progress& progress) {
-  if (entry.ahead_of_journal.exchange(false)) entry.forget_state();
-  if (entry.session) return Status::ok();
-  entry.session_bytes = 0;
-  const SessionRecord& record = entry.record;
-  Quota::Share by_user = std::move(entry.by_user), memory = std::move(entry.memory);
-  if (by_user.amount() == 0 && !caller.user.empty()) {
-    ASSIGN_OR_RETURN(by_user, by_user_.take("user " + caller.user, 1));
-    entry.opened_by = caller.user;
-  }
-  if (entry.in_journal) {
-    RETURN_IF_ERROR(hold(entry));
-    RETURN_IF_ERROR(journal_.charge(record.id, entry.opened_by, options_.sessions_per_user));
-  }
-  ASSIGN_OR_RETURN(const auto edits, journal_.edits(record.id));  // also checks the record
-  entry.is_in_doubt = false;                                      // all earlier outcomes are known
-  std::shared_ptr<const SharedMesh> mesh = std::move(entry.mesh);
-  if (!mesh) {
-    auto opened = store_.open_mesh(record.scan_id, record.key, progress);
-    if (!opened.is_ok()) return elsewhere(entry, opened.status());
-    mesh = std::move(*opened);
-  }
-  entry.layers = {};
-  entry.layers.add(edits);
-  uint64_t of_edits = entry.layers.byte_count(*mesh);
-  for (const AuthoredEdit& edit : edits) of_edits += bytes_in_history(edit);
-  SessionNeed need = predict_session_need(*mesh, devices_for(*mesh, options_.solver));
-  if (memory.amount() == 0) {
-    auto taken = store_.memory().take(kServer, need.opening + of_edits);
-    if (!taken.is_ok()) return elsewhere(entry, taken.status());
-    memory = std::move(*taken);
-  } else {
-    RETURN_IF_ERROR(memory.resize(need.opening + of_edits));
-  }
-  auto opened = open_within(memory, of_edits, need, *mesh, options_.solver, record.controls);
-  if (!opened.is_ok()) return elsewhere(entry, opened.status());
-  std::unique_ptr<Session> session = std::move(*opened);
-  spdlog::info("session {}: backend {} ({})", record.id, session->solver().backend_name(),
-               session->solver().backend_reason());
-  ASSIGN_OR_RETURN(auto kept, journal_.paint(record.id, mesh->prepared->cells.size()));
-  for (PaintCheckpoint& paint : kept) session->edited().offer(std::move(paint));
-  const uint64_t skipped = session->edited().restore(edits);
-  if (skipped > 0)
-    spdlog::warn(
-        "session {}: {} of its {} edits are damaged and have no effect; its history says which",
-        record.id, skipped, edits.size());
-  entry.mesh = std::move(mesh);
-  entry.session_bytes = memory.amount();
-  entry.own_bytes = need.open;
-  entry.memory = std::move(memory);
-  entry.by_user = std::move(by_user);
-  entry.session = std::move(session);
-  entry.edits = edits.size();
-  ++entry.life;
-  entry.in_memory = true;
-  return Status::ok();
 }
 
 Status SessionManager::catch_up(SessionEntry& entry, const Progress& progress) {

@@ -218,7 +218,11 @@ class SessionManager {
   Status make(SessionEntry& entry, const Caller& caller, const Progress& progress);
   void give_up(SessionEntry& entry);
 
+  struct Coming;
   Status bring_back(SessionEntry& entry, const Caller& caller, const Progress& progress);
+  Status charge(SessionEntry& entry, const Caller& caller, Quota::Share& by_user);
+  Status open_solver(SessionEntry& entry, Coming& coming, const Progress& progress);
+  Status replay(const std::string& id, Coming& coming);
   void bring_back_later(const std::shared_ptr<SessionEntry>& entry,
                         const std::function<void(const Status&)>& came_back);
   Status catch_up(SessionEntry& entry, const Progress& progress);
