@@ -14,11 +14,12 @@ class OpenerWhoGivesUpTakesNobodysEdits(Attack):
     finding = "C3"
     users = False
     scan_rows = 60
-    growth_mib_max = 1000  # the sessions stay in memory
+    rounds = property(lambda self: self.size(4, 12))
+    growth_mib_max = property(lambda self: 250 * self.rounds)  # the sessions stay in memory
 
     def attack(self, server):
         told, lost = 0, 0
-        for round_number in range(self.size(4, 12)):
+        for round_number in range(self.rounds):
             session = "team-%d" % round_number
             # another radius each time makes the opening take long
             wish = dict(scan="scan", name=session, depth=7,
