@@ -41,6 +41,7 @@ case " $* " in
   *" --help "* | *" --version "* | *" --print-"* | *" journal "*) exec "$BURNISH_SERVER_BINARY" "$@" ;;
 esac
 log=$DESK_SERVERS/$$.log
+: >"$log"  # grep may look before the server's process has it
 "$BURNISH_SERVER_BINARY" "$@" >"$log" 2>&1 </dev/null &
 echo $! >"$DESK_SERVERS/$$.pid"
 until grep -q 'listening on' "$log"; do
