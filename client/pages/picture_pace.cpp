@@ -16,6 +16,7 @@ static uint64_t between(uint64_t last, double now) {
 }
 
 void PicturePace::on_picture(uint64_t triangles, double ms) {
+  if (triangles == 0) return;  // it was another scan's picture
   const double drawn = static_cast<double>(triangles);
   const double in_time = drawn * kPictureMs / std::max(ms, 1.0);
   if (ms > kSlow * kPictureMs) {

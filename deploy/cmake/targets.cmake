@@ -44,9 +44,8 @@ if(BURNISH_OPENMP)
   target_link_libraries(burnish_options INTERFACE OpenMP::OpenMP_CXX)
 else()
   # OpenMP's flag means -pthread too, which gRPC's targets have: precompiled headers need it in all.
-  # What only pragmas use is unused.
   target_compile_options(burnish_options INTERFACE
-    "$<$<COMPILE_LANGUAGE:CXX>:-Wno-unknown-pragmas;-Wno-unused-variable;-pthread>")
+    "$<$<COMPILE_LANGUAGE:CXX>:-Wno-unknown-pragmas;-pthread>")
 endif()
 # A target of its own for generated sources, which take the same sanitizer but no warnings.
 add_library(burnish_sanitizer INTERFACE)

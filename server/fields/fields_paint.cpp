@@ -39,7 +39,7 @@ void Fields::paint(const Brush& brush, std::span<const Vec3d> centres,
   PaintLayer& layer = make_layer(number);
   const AxisBox box = box_of(centres, brush.radius);
   for (const int64_t c : cells) may_have_paint_[c / kStretch] = blend_is_old_[c / kStretch] = 1;
-  const bool is_long = cells.size() * centres.size() >= kPaintParallelMin;
+  [[maybe_unused]] const bool is_long = cells.size() * centres.size() >= kPaintParallelMin;
 #pragma omp parallel for schedule(dynamic, 256) if (is_long)
   for (size_t i = 0; i < cells.size(); ++i) {
     const int64_t c = cells[i];

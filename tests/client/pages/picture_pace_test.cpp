@@ -38,6 +38,12 @@ TEST(PicturePace, ACardThatIsSlowWithoutTrianglesKeepsSome) {
   EXPECT_EQ(pace.triangles_max(), PicturePace::kTrianglesMin);
 }
 
+TEST(PicturePace, ASlowPictureOfTheScanBeforeIsNoLimit) {
+  PicturePace pace;
+  pace.on_picture(0, 2'000);
+  EXPECT_EQ(pace.triangles_max(), 0u);
+}
+
 TEST(PicturePace, AFewFastPicturesOfASmallScanTellNothing) {
   PicturePace pace;
   draw(pace, 150'000, 40, 150);

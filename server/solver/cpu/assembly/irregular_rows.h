@@ -29,7 +29,8 @@ void sum_irregular_row(const Stencil& stencil, int64_t i, const T* numbers, size
 template <typename T, typename Store>
 void sum_irregular_rows(const Stencil& stencil, const T* numbers, size_t number_count,
                         Store&& store) {
-  constexpr int32_t kRowsAlone = 128;  // for fewer, waking threads takes longer
+  // For fewer, waking threads takes longer. Without OpenMP nothing uses it.
+  [[maybe_unused]] constexpr int32_t kRowsAlone = 128;
   const int32_t count = stencil.irregular.count();
 #pragma omp parallel for schedule(dynamic, 64) if (count > kRowsAlone)
   for (int32_t i = 0; i < count; ++i) sum_irregular_row(stencil, i, numbers, number_count, store);
