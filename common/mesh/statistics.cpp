@@ -7,6 +7,7 @@
 
 #include "common/base/scratch_array.h"
 #include "common/mesh/components.h"
+#include "common/mesh/joined_mesh.h"
 
 namespace burnish {
 namespace {
@@ -71,18 +72,21 @@ std::vector<bool> referenced_vertices(const MeshView& mesh) {
   return referenced;
 }
 
-void count_vertices(const MeshView& mesh, const ScratchSpace& space, MeshStatistics& statistics) {
+/// A component of the joined mesh is counted at its root, which is the least vertex of its places.
+void count_vertices(const MeshView& mesh, const MeshView& joined, const ScratchSpace& space,
+                    MeshStatistics& statistics) {
   ScratchArray<int32_t> roots(space, mesh.vertices.size());
-  find_component_roots(mesh.triangles, roots);
+  find_component_roots(joined.triangles, roots);
   const std::vector<bool> referenced = referenced_vertices(mesh);
+  const std::vector<bool> is_corner = referenced_vertices(joined);
   statistics.box_min.setConstant(std::numeric_limits<double>::infinity());
   statistics.box_max.setConstant(-std::numeric_limits<double>::infinity());
   for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    statistics.components += is_corner[v] && roots[v] == static_cast<int32_t>(v);
     if (!referenced[v]) {
       ++statistics.unreferenced_vertices;
       continue;
     }
-    statistics.components += roots[v] == static_cast<int32_t>(v);
     statistics.box_min = statistics.box_min.cwiseMin(mesh.vertices[v]);
     statistics.box_max = statistics.box_max.cwiseMax(mesh.vertices[v]);
   }
@@ -103,14 +107,19 @@ void measure_triangles(const MeshView& mesh, MeshStatistics& statistics) {
 
 }  // namespace
 
-MeshStatistics compute_statistics(const MeshView& mesh, const ScratchSpace& space) {
+MeshStatistics compute_statistics(const MeshView& mesh, const MeshView& joined,
+                                  const ScratchSpace& space) {
   MeshStatistics statistics;
   statistics.vertices = mesh.vertices.size();
   statistics.triangles = mesh.triangles.size();
-  count_edges(mesh, space, statistics);
-  count_vertices(mesh, space, statistics);
+  count_edges(joined, space, statistics);
+  count_vertices(mesh, joined, space, statistics);
   measure_triangles(mesh, statistics);
   return statistics;
+}
+
+MeshStatistics compute_statistics(const MeshView& mesh, const ScratchSpace& space) {
+  return compute_statistics(mesh, JoinedMesh(mesh, space).view(), space);
 }
 
 }  // namespace burnish

@@ -9,7 +9,8 @@
 namespace burnish {
 
 /// Facts that a user wants to know about a scan before editing it. An edge is an unordered pair of
-/// vertex indices. A triangle that repeats a vertex adds area 0 and its one remaining edge.
+/// places of vertices: seams of textures are no boundary. A triangle with two vertices at one place
+/// adds area 0 and its one remaining edge.
 struct MeshStatistics {
   uint64_t vertices = 0;
   uint64_t triangles = 0;
@@ -29,8 +30,11 @@ struct MeshStatistics {
   double diagonal() const { return (box_max - box_min).norm(); }
 };
 
-/// Needs: a valid mesh. Cost: near linear time; scratch of 12 bytes per triangle and 8 per vertex,
-/// which lies in `space`.
+/// Needs: a valid mesh, and the same mesh joined. Cost: near linear time; scratch of 12 bytes per
+/// triangle and 8 per vertex, which lies in `space`.
+MeshStatistics compute_statistics(const MeshView& mesh, const MeshView& joined,
+                                  const ScratchSpace& space);
+/// Does the same; joins the mesh for it.
 MeshStatistics compute_statistics(const MeshView& mesh, const ScratchSpace& space = {});
 
 }  // namespace burnish

@@ -13,6 +13,14 @@ struct CellAlphas {
   bool operator==(const CellAlphas&) const = default;
 };
 
+/// The sources of the cells' shares of S beside their integrals. What it refers to must live longer.
+struct CellMetric {
+  CellMetric(const CellAlphas& of_cells, const LineView& held_lines = {})
+      : alphas(of_cells), held(held_lines) {}
+  const CellAlphas& alphas;
+  LineView held;
+};
+
 /// α1 and α2 of one cell.
 struct CellAlpha {
   float first, second;

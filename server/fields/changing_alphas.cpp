@@ -12,6 +12,20 @@ std::vector<int32_t> ChangingAlphas::take(const MetricView& metric) {
   curve_ = *metric.curve;
   own_.clear();
   for (const OwnFields& own : metric.own) own_.push_back(own.cell);
+  const std::vector<int32_t> lines = take_lines(metric);
+  if (lines.empty()) return changed;
+  std::vector<int32_t> either;
+  std::ranges::set_union(changed, lines, std::back_inserter(either));
+  return either;
+}
+
+// Returns the cells whose lines come or go.
+std::vector<int32_t> ChangingAlphas::take_lines(const MetricView& metric) {
+  held_ = metric.held;
+  std::vector<int32_t> now, changed;
+  for (const LineMass& line : held_.lines) now.push_back(line.cell);
+  std::ranges::set_symmetric_difference(line_cells_, now, std::back_inserter(changed));
+  line_cells_ = std::move(now);
   return changed;
 }
 
@@ -47,7 +61,7 @@ std::vector<int32_t> ChangingAlphas::take_own(const MetricView& metric) {
 
 uint64_t ChangingAlphas::byte_count() const {
   return (alphas_.alpha1.capacity() + alphas_.alpha2.capacity()) * sizeof(float) +
-         own_.capacity() * sizeof(int32_t);
+         (own_.capacity() + line_cells_.capacity()) * sizeof(int32_t);
 }
 
 }  // namespace burnish

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "common/base/scratch_array.h"
 #include "common/base/types.h"
 
 namespace burnish {
@@ -16,9 +17,9 @@ struct RimEdge {
 /// The edges of a mesh whose vertices at one place count as one: seams of textures and soups of
 /// triangles hang together there.
 struct EdgeCensus {
-  bool is_closed = false;       ///< each edge is passed as often one way as the other
-  std::vector<RimEdge> rims;    ///< edges of exactly one triangle, by their lesser end
-  std::vector<uint32_t> place;  ///< per vertex: the least vertex at its place
+  bool is_closed = false;        ///< each edge is passed as often one way as the other
+  std::vector<RimEdge> rims;     ///< edges of exactly one triangle, by their lesser end
+  ScratchArray<uint32_t> place;  ///< per vertex: the least vertex at its place
 };
 
 /// Shapes: indices of `vertices`. Cost: linear time; edge_census_bytes().

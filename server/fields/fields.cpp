@@ -66,7 +66,8 @@ FieldsView Fields::view() const {
   const bool is_blended = hold_ || has_painted_curves();
   if (is_blended && alphas_are_old_) update_blended_own();
   const std::vector<OwnFields>& own = is_blended ? blended_own_ : overrides_;
-  return {{&curve_, own}, beta_, beta_slider_, {follow_, own_, may_have_paint_}};
+  return {{&curve_, own, rims_ ? rims_->view() : LineView{}},
+          beta_, beta_slider_, {follow_, own_, may_have_paint_}};
 }
 
 CellAlphas Fields::alphas() const {
@@ -99,7 +100,7 @@ uint64_t Fields::byte_count() const {
   uint64_t bytes = 3 * beta_.size() * sizeof(float) + may_have_paint_.size() +
                    blend_is_old_.size() +
                    (overrides_.size() + blended_own_.size()) * sizeof(OwnFields) +
-                   (hold_ ? hold_->byte_count() : 0) +
+                   (hold_ ? hold_->byte_count() : 0) + (rims_ ? rims_->byte_count() : 0) +
                    (colour_hold_ && colour_hold_ != hold_ ? colour_hold_->byte_count() : 0);
   for (const auto& layer : paint_)
     if (layer) bytes += layer->byte_count();

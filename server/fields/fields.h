@@ -13,6 +13,7 @@
 #include "server/fields/fields_view.h"
 #include "server/fields/hold.h"
 #include "server/fields/paint_layer.h"
+#include "server/fields/rims.h"
 #include "server/prepare/prepared_mesh.h"
 
 namespace burnish {
@@ -57,6 +58,9 @@ class Fields {
   /// Leads β to 1 and raises α in held cells, over all other sources. Null: nothing is held.
   void set_hold(std::shared_ptr<const Hold> hold);
   const std::shared_ptr<const Hold>& hold() const { return hold_; }
+  /// Holds the lines of rims. Fields beside them stay as they are. Null: no rim is held.
+  void set_rims(std::shared_ptr<const HeldRims> rims) { rims_ = std::move(rims); }
+  const std::shared_ptr<const HeldRims>& rims() const { return rims_; }
 
   PaintedCells painted() const;
   /// Replaces all paint. Needs: paint of the same prepared mesh.
@@ -122,6 +126,7 @@ class Fields {
   std::vector<uint8_t> may_have_paint_;
   std::vector<OwnFields> overrides_;  // by rising cell, each once
   std::shared_ptr<const Hold> hold_, colour_hold_;
+  std::shared_ptr<const HeldRims> rims_;
 
   // The result of slider, paint and overrides at the last view().
   mutable std::vector<float> beta_, follow_, own_;

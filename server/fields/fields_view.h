@@ -1,12 +1,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "common/base/limits.h"
 #include "common/edit/transfer_curve.h"
+#include "common/grid/cell_corners.h"
 
 namespace burnish {
 
@@ -16,10 +18,34 @@ struct OwnFields {
   float alpha1, alpha2, beta;
 };
 
+/// ∫ B_a B_b along the held lines in a cell. Units: grid.
+struct LineMass {
+  int32_t cell;
+  std::array<double, kPairsPerCell> pair = {};        ///< a < b: (0,1) ... (0,7), (1,2) ...
+  std::array<double, kCornersPerCell> row_sum = {};  ///< ∫ B_a
+};
+
+/// The lines that are held, each with a stiffness far above that of its cell.
+struct LineView {
+  static constexpr size_t kStretch = 1024;
+  std::span<const LineMass> lines;   ///< by rising cell
+  std::span<const int32_t> first;    ///< into `lines`: see first_lines(); empty without lines
+
+  /// Returns null if no line passes the cell.
+  const LineMass* find(int32_t cell) const {
+    if (lines.empty()) return nullptr;
+    const size_t stretch = cell / kStretch;
+    const auto of = lines.subspan(first[stretch], first[stretch + 1] - first[stretch]);
+    const auto found = std::ranges::lower_bound(of, cell, {}, &LineMass::cell);
+    return found == of.end() || found->cell != cell ? nullptr : &*found;
+  }
+};
+
 /// The sources of α1 and α2 of the finest depth's cells: see alphas.h. Units: α in user units.
 struct MetricView {
   const TransferCurve* curve;      ///< of κ1 and κ2 of each cell
   std::span<const OwnFields> own;  ///< some cells, each once, by rising cell
+  LineView held = {};
   /// Returns whether all cells have one α.
   bool is_uniform() const { return own.empty() && curve->is_constant(); }
   /// Returns whether α1 = α2 in each cell.

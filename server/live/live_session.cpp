@@ -102,6 +102,15 @@ bool LiveSession::is_over() const {
          });
 }
 
+void LiveSession::take_step(const StepReport& step, StepReport& last) {
+  if (step.fell_back && !last.fell_back) {
+    metrics().add(Count::kFallBacks, 1);
+    spdlog::warn("session {}: a step of the solver was not sound; a plainer smoother goes on",
+                 entry_->record.id);
+  }
+  last = step;
+}
+
 Status LiveSession::relax(SessionTurn& at) {
   Session& session = at.session();
   if (session.is_settled(at.last())) return Status::ok();
@@ -109,7 +118,7 @@ Status LiveSession::relax(SessionTurn& at) {
   const bool is_assembled = session.is_changed();
   if (is_assembled) session.update();
   const auto assembled = steady_clock::now();
-  if (!session.is_settled(at.last())) at.last() = session.step();  // a gain needs no cycle
+  if (!session.is_settled(at.last())) take_step(session.step(), at.last());  // a gain needs none
   RETURN_IF_ERROR(session.status());
   assemble_ms_ = is_assembled ? ms_between(start, assembled) : 0;
   solve_ms_ = ms_between(assembled, steady_clock::now());

@@ -91,6 +91,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   bool take_turn();
   void bring_back(SessionTurn& at);
   Status work(SessionTurn& at, bool& more);
+  void take_step(const StepReport& step, StepReport& last);
   void fail(const Status& why);
 
   std::vector<EditMessage> take_edits();

@@ -23,7 +23,7 @@ static uint64_t predict_edited_bytes(const Multigrid& on) {
   const SparseGrid& finest = on.hierarchy->at(on.hierarchy->finest).grid;
   const PreparedMesh& scan = *on.prepared;
   return finest.corners.size() * kShownBytesPerCorner + finest.cells.size() * kSessionBytesPerCell +
-         rim_cells_bytes(scan.vertices.size(), scan.triangles.size(), scan.cells.size(),
+         held_rims_bytes(scan.vertices.size(), scan.triangles.size(), scan.cells.size(),
                          scan.statistics.boundary_edges);
 }
 

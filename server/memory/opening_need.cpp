@@ -39,7 +39,7 @@ uint64_t predict_opened_bytes(const PreparationNeed& need, uint64_t device_bytes
   return mesh_bytes(need.file_bytes, place_of_prepared(need.file_bytes), counts.cells,
                     counts.vertices) +
          counts.cells * (fits_devices ? kHostBytesPerCellMin : kSessionBytesPerCellMin) +
-         rim_cells_bytes(counts.vertices, counts.triangles, counts.cells, 0);
+         held_rims_bytes(counts.vertices, counts.triangles, counts.cells, 0);
 }
 
 }  // namespace burnish

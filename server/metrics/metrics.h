@@ -43,6 +43,7 @@ enum class Count {
   kSessionsClaimed,  ///< of a fleet, that no server had
   kFencedAppends,    ///< of a session that another server had taken
   kCallsMoved,       ///< to the server that has their session
+  kFallBacks,        ///< of solvers whose step was not sound
 };
 
 /// One finished RPC.

@@ -20,6 +20,7 @@ PreparationCounts ScanToPrepare::counts(int depth) const {
   PreparationCounts counts = counts_of(mesh, options);
   counts.depth = depth;
   counts.has_several_components = statistics.components > 1;
+  counts.has_joins = joined.has_joins();
   return counts;
 }
 
@@ -52,7 +53,7 @@ static Status ask_for_depth(const ScanToPrepare& scan, int depth, PreparationBud
                             const Progress& progress) {
   Admission admission{budget, scan.space().memory_bytes_max(), scan.counts(depth)};
   const auto positions = snapped_positions(scan.mesh, scan.frame(depth), scan.space());
-  const GridMesh mesh = {scan.mesh.triangles, positions, depth};
+  const GridMesh mesh = {scan.surface().triangles, positions, depth};
   ASSIGN_OR_RETURN(const PieceCount count, admission.count_pieces(mesh));
   ASSIGN_OR_RETURN(const auto pieces, find_cell_pieces(mesh, count, scan.room(), progress));
   admission.counts.cells = count_cells(pieces);

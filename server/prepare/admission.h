@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/mesh/joined_mesh.h"
+#include "common/mesh/statistics.h"
 #include "server/prepare/cell_pieces.h"
 #include "server/prepare/piece_count.h"
 #include "server/prepare/preparation_need.h"
@@ -12,9 +14,19 @@ PreparationCounts counts_of(const MeshView& mesh, const PrepareOptions& options)
 
 /// The part of the scan that does not depend on the depth.
 struct ScanToPrepare {
+  ScanToPrepare(const MeshView& mesh_of_scan, const PrepareOptions& options_of_scan)
+      : mesh(mesh_of_scan),
+        options(options_of_scan),
+        joined(mesh, options.space),
+        statistics(compute_statistics(mesh, surface(), options.space)) {}
+
   const MeshView& mesh;
   const PrepareOptions& options;
+  JoinedMesh joined;
   MeshStatistics statistics;
+
+  /// The mesh by the places of its vertices: all that is known of the surface comes from it.
+  const MeshView& surface() const { return joined.view(); }
 
   const ScratchSpace& space() const { return options.space; }
   PieceRoom room() const { return {options.space, options.pieces_per_brick}; }

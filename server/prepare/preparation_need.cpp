@@ -51,9 +51,9 @@ uint64_t evaluation_bytes(const PreparationCounts& n) {
   return n.vertices * sizeof(EvaluationPoint) + n.cells * 4 * sizeof(float);
 }
 
-// Counts all arrays in scratch space.
+// Counts all arrays in scratch space. The joined triangles stay to the end.
 uint64_t arrays_bytes(const PreparationCounts& n) {
-  const uint64_t scan = scan_bytes(n);
+  const uint64_t scan = scan_bytes(n) + (n.has_joins ? n.triangles * sizeof(Triangle) : 0);
   const uint64_t pieces = scan + n.vertices * sizeof(Vec3d) + n.pieces * sizeof(CellPiece);
   const uint64_t of_cells = n.cells * kCellBytes + n.sheets * kSheetBytes;
   const uint64_t brick = std::min(n.pieces, PieceRoom::kPiecesPerBrick) * sizeof(CellPiece);

@@ -14,6 +14,7 @@ struct PreparationCounts {
   uint64_t triangles = 0;
   bool has_colours = false;
   bool has_several_components = false;
+  bool has_joins = false;    ///< several vertices are at one place
   bool copies_mesh = false;  ///< the caller keeps the scan that is copied
   uint64_t pieces = 0;       ///< pairs of a cell and a triangle
   uint64_t cells = 0;        ///< of the finest depth

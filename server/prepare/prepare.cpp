@@ -111,7 +111,7 @@ class Preparation {
 
  private:
   const ScratchSpace& space() const { return scan_.space(); }
-  GridMesh grid_mesh() const { return {scan_.mesh.triangles, positions_, frame_.depth}; }
+  GridMesh grid_mesh() const { return {scan_.surface().triangles, positions_, frame_.depth}; }
 
   Status cut() {
     ASSIGN_OR_RETURN(const PieceCount count, admission_.count_pieces(grid_mesh()));
@@ -122,7 +122,7 @@ class Preparation {
   }
 
   Status integrate() {
-    const MeshCurvature curvature(scan_.mesh, scan_.statistics,
+    const MeshCurvature curvature(scan_.surface(), scan_.statistics,
                                   scan_.options.curvature_radius * length_unit_, space());
     clock_.end("curvature");
     const GridMesh mesh = grid_mesh();
@@ -171,7 +171,7 @@ Result<std::shared_ptr<const PreparedMesh>> prepare_scan(
       predict_preparation(counts_of(mesh, options), options.space.memory_bytes_max());
   RETURN_IF_ERROR(budget.ask(least).with_context(to_string(least)));
 
-  const ScanToPrepare scan = {mesh, options, compute_statistics(mesh, options.space)};
+  const ScanToPrepare scan(mesh, options);
   clock.end("statistics");
   const bool is_depth_given = options.depth != 0;
   int depth = is_depth_given ? options.depth

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "common/edit/wavelength.h"
-#include "server/fields/fields.h"
 #include "server/session/second_solver.h"
 
 namespace burnish {
@@ -16,11 +15,12 @@ BandSurfaces::BandSurfaces(const Multigrid& on, const SolverOptions& options)
     : on_(on), options_(options) {}
 BandSurfaces::~BandSurfaces() = default;
 
-void BandSurfaces::want(const Equaliser& equaliser, const std::shared_ptr<const Hold>& hold) {
+void BandSurfaces::want(const Fields& fields) {
   wanted_.clear();
-  for (const Band& band : equaliser.bands)
+  for (const Band& band : fields.equaliser().bands)
     wanted_.push_back(alpha_of_wavelength(on_.prepared->length_unit, band.size));
-  if (std::exchange(hold_, hold) != hold) {
+  const bool is_hold_new = std::exchange(hold_, fields.hold()) != fields.hold();
+  if (std::exchange(rims_, fields.rims()) != fields.rims() || is_hold_new) {
     surfaces_.clear();
     solved_.reset();
   }
@@ -59,6 +59,7 @@ Status BandSurfaces::begin(double alpha) {
   fields.set_transfer_curve(TransferCurve(alpha));
   fields.set_gradient_scale(0);
   fields.set_hold(hold_);
+  fields.set_rims(rims_);
   solver_->set_metric(fields.view());
   solved_ = alpha;
   cycles_ = 0;

@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "common/edit/equaliser.h"
-#include "server/fields/hold.h"
+#include "server/fields/fields.h"
 #include "server/solver/solver.h"
 
 namespace burnish {
@@ -19,8 +18,8 @@ class BandSurfaces {
   BandSurfaces(const Multigrid& on, const SolverOptions& options);
   ~BandSurfaces();
 
-  /// Says which surfaces are wanted. Those that are there already stay.
-  void want(const Equaliser& equaliser, const std::shared_ptr<const Hold>& hold);
+  /// Takes which surfaces are wanted, and what is held. Those that are there already stay.
+  void want(const Fields& fields);
 
   /// Solves for all of them once more: they depend on what is wanted alone.
   void start_over();
@@ -54,6 +53,7 @@ class BandSurfaces {
   SolverOptions options_;
   std::vector<double> wanted_;  // α of each band, falling
   std::shared_ptr<const Hold> hold_;
+  std::shared_ptr<const HeldRims> rims_;
   std::vector<Surface> surfaces_;
   std::unique_ptr<Solver> solver_;  // while a surface is missing
   std::optional<double> solved_;    // α that the solver works on

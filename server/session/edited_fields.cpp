@@ -1,9 +1,6 @@
 #include "server/session/edited_fields.h"
 
 #include <algorithm>
-#include <iterator>
-
-#include "server/fields/rims.h"
 
 namespace burnish {
 
@@ -14,7 +11,7 @@ EditedFields::EditedFields(const PreparedMesh& prepared, const Controls& born_wi
       controls_(born_with),
       protection_(prepared),
       strokes_done_{begin_series(prepared)} {
-  if (born_with.pin_rims) hold();
+  hold_rims();
 }
 
 Result<std::vector<uint64_t>> EditedFields::record(std::span<const AuthoredEdit> edits) {
@@ -136,10 +133,8 @@ Status EditedFields::catch_up(const Progress& progress) {
     changes_.metric = true;
   }
   take_layers(wanted);
-  const bool is_protection_new = replay_protects(wanted);
-  const bool pins = wanted.controls.pin_rims != controls_.pin_rims;
+  if (replay_protects(wanted)) hold_region();
   bound(wanted.controls);
-  if (is_protection_new || pins) hold();
   is_behind_ = false;
   return Status::ok();
 }
@@ -163,6 +158,7 @@ void EditedFields::take_layers(const Counting& wanted) {
 void EditedFields::bound(const Controls& controls) {
   changes_.shown |= controls != controls_;
   controls_ = controls;
+  hold_rims();
 }
 
 /// Makes the protected region of these entries.
@@ -187,21 +183,21 @@ bool EditedFields::replay_protects(const Counting& wanted) {
   return std::exchange(protects_done_, protects_applied_) != protects_applied_;
 }
 
-/// Holds the rims, if they are pinned, and the protected region.
-void EditedFields::hold() {
-  std::vector<int32_t> cells = protection_.cells();
-  if (!prepared_.colours.empty())
-    fields_.set_colour_hold(cells.empty() ? nullptr
-                                          : std::make_shared<Hold>(make_hold(prepared_, cells)));
-  if (controls_.pin_rims) {
-    if (!rims_) rims_ = rim_cells(prepared_);
-    std::vector<int32_t> both;
-    std::ranges::set_union(cells, *rims_, std::back_inserter(both));
-    cells = std::move(both);
-  }
+/// Holds the protected region, for shape and colours.
+void EditedFields::hold_region() {
   const bool was_held = fields_.hold() != nullptr;
-  fields_.set_hold(std::make_shared<const Hold>(make_hold(prepared_, std::move(cells))));
+  fields_.set_hold(std::make_shared<const Hold>(make_hold(prepared_, protection_.cells())));
+  if (!prepared_.colours.empty()) fields_.set_colour_hold(fields_.hold());
   changes_.metric |= was_held || fields_.hold() != nullptr;
+}
+
+/// Holds the rims, if they are pinned.
+void EditedFields::hold_rims() {
+  if (controls_.pin_rims && !rims_)
+    rims_ = std::make_shared<const HeldRims>(find_held_rims(prepared_));
+  const auto wanted = controls_.pin_rims && rims_->held > 0 ? rims_ : nullptr;
+  changes_.metric |= wanted != fields_.rims();
+  fields_.set_rims(wanted);
 }
 
 void EditedFields::replay_cells(const Counting& wanted) {

@@ -129,7 +129,8 @@ class EditedFields {
   void take_layers(const Counting& counting);
   void protect_by(std::span<const History::Entry* const> entries);
   bool replay_protects(const Counting& counting);
-  void hold();
+  void hold_region();
+  void hold_rims();
   void replay_cells(const Counting& counting);
   Status replay_strokes(const Counting& counting, const Progress& progress);
   Status paint_strokes(const Counting& counting, const std::vector<uint64_t>& series,
@@ -143,7 +144,7 @@ class EditedFields {
   Fields fields_;
   const Controls born_with_;
   Controls controls_;                         // of the fields
-  std::optional<std::vector<int32_t>> rims_;  // cells; found when rims are first pinned
+  std::shared_ptr<const HeldRims> rims_;  // found when rims are first pinned
   Protection protection_;
   std::vector<uint64_t> protects_applied_;  // entries that protection_ has, in order
   std::vector<uint64_t> protects_done_;     // entries whose cells are held, in order

@@ -57,13 +57,14 @@ struct Session::State {
   }
 
   void show_to_others(const Fields& fields) {
-    bands.want(fields.equaliser(), fields.hold());
+    bands.want(fields);
     colour.want(fields);
   }
 
   bool solver_is_settled(const StepReport& report) const {
     if (cycles_since_change == 0) return false;
-    return report.distance <= kSettledDistance || cycles_since_change >= kCyclesMax;
+    return report.distance <= kSettledDistance || cycles_since_change >= kCyclesMax ||
+           !solver->soundness().is_ok();
   }
 
   void step_bands() {
@@ -236,7 +237,16 @@ std::span<const Vec3f> Session::displacement() {
                           is_settled(state_->last));
 }
 
+// A held line leaves the vertices on it some thousandths of a cell; they stay exactly.
 std::vector<Vec3d> Session::moved_vertices() {
+  std::vector<Vec3d> positions = evaluated_vertices();
+  const PreparedMesh& prepared = *state_->prepared;
+  if (const auto& rims = state_->edited.fields().rims())
+    for (const uint32_t v : rims->vertices) positions[v] = prepared.vertices[v];
+  return positions;
+}
+
+std::vector<Vec3d> Session::evaluated_vertices() {
   const PreparedMesh& prepared = *state_->prepared;
   const Controls& controls = state_->edited.controls();
   const Fields& fields = state_->edited.fields();

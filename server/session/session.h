@@ -97,6 +97,7 @@ class Session {
 
  private:
   std::vector<Vec3d> moved_vertices();  // of the edits, without the previews
+  std::vector<Vec3d> evaluated_vertices();
   Status solve_bands(const Progress& progress);
   Status solve_colour(const Progress& progress);
 

@@ -28,9 +28,15 @@ std::span<const Vec3f> ShownDisplacement::of(std::span<const Vec3f> solved,
   if (!is_needed(controls, fields)) return solved;
   shown_.assign(solved.begin(), solved.end());
   if (controls.keep_volume) keep_volume(fields, is_exact);
+  if (fields.rims()) anchor_rims(fields);
   if (controls.cap > 0) clamp_lengths(shown_, controls.cap / prepared_.frame.cell_size);
   if (fields.hold()) still(grid_, *fields.hold(), shown_);
   return shown_;
+}
+
+void ShownDisplacement::anchor_rims(const Fields& fields) {
+  if (!anchor_ || anchor_->rims() != fields.rims()) anchor_.emplace(prepared_, grid_, fields.rims());
+  anchor_->apply(shown_);
 }
 
 void ShownDisplacement::keep_volume(const Fields& fields, bool is_exact) {

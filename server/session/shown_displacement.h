@@ -10,11 +10,12 @@
 #include "server/fields/fields.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/session/keep_volume.h"
+#include "server/session/rim_anchor.h"
 
 namespace burnish {
 
 /// Stands between the solver's displacement and all that is shown and exported: keeps the volume,
-/// then the cap, then what is held. Without controls it hands the displacement through.
+/// then the rims, the cap, and what is held. Without controls it hands the displacement through.
 class ShownDisplacement {
  public:
   /// Needs: both outlive this.
@@ -23,7 +24,7 @@ class ShownDisplacement {
 
   /// Returns whether of() can differ from the solver's displacement.
   static bool is_needed(const Controls& controls, const Fields& fields) {
-    return fields.hold() || controls.cap > 0 || controls.keep_volume;
+    return fields.hold() || fields.rims() || controls.cap > 0 || controls.keep_volume;
   }
 
   /// Returns what is shown of `solved`, valid until the next call. An exact result measures the
@@ -32,17 +33,20 @@ class ShownDisplacement {
                             const Fields& fields, bool is_exact);
 
   uint64_t byte_count() const {
-    return shown_.size() * sizeof(Vec3f) + (volume_ ? volume_->byte_count() : 0);
+    return shown_.size() * sizeof(Vec3f) + (volume_ ? volume_->byte_count() : 0) +
+           (anchor_ ? anchor_->byte_count() : 0);
   }
 
  private:
   void keep_volume(const Fields& fields, bool is_exact);
+  void anchor_rims(const Fields& fields);
 
   const PreparedMesh& prepared_;
   const SparseGrid& grid_;
   std::vector<Vec3f> shown_;
   std::optional<VolumeKeeper> volume_;  // made when it is wanted for the first time
   int uses_ = 0;                        // of the last measure
+  std::optional<RimAnchor> anchor_;     // of the held rims
 };
 
 }  // namespace burnish

@@ -131,6 +131,7 @@ void Solver::set_metric(const FieldsView& fields) {
   use_threads(threads_);
   const auto start = std::chrono::steady_clock::now();
   const bool is_whole = backend_->set_metric(fields.metric);
+  has_fallen_back_ = false;
   backend_->set_constraint(fields);
   assemble_seconds_ += seconds_since(start);
   residual_is_stale_ = true;
@@ -162,10 +163,10 @@ void Solver::start_from(const FieldsView& fields, Start start) {
   const bool is_cold = energy_ == 0 || (gradient_scale_ == 1 && fields.gradient_scale != 1);
   start_ = std::max(start_, is_cold ? kCold : start);
   gradient_scale_ = fields.gradient_scale;
+  soundness_ = Status::ok();
 }
 
-StepReport Solver::step() {
-  use_threads(threads_);
+Measures Solver::iterate() {
   if (residual_is_stale_ || cycle_ % kRecomputeResidualEvery == 0) backend_->recompute_residual();
   if (rescale_) backend_->rescale();
   residual_is_stale_ = rescale_ = false;
@@ -177,14 +178,43 @@ StepReport Solver::step() {
   });
   if (restarts) rate_.restart();
   start_ = kGoesOn;
+  return backend_->measure();
+}
 
-  const Measures measures = backend_->measure();
+// Everything that a bad step has touched is set anew, so nothing of it stays.
+Measures Solver::recover() {
+  backend_->fall_back();
+  has_fallen_back_ = residual_is_stale_ = true;
+  rescale_ = false;
+  start_ = kCold;
+  return iterate();
+}
+
+// A frame at u = 0 is right to say that it is as far away as the box is large.
+StepReport Solver::no_step() {
+  if (soundness_.is_ok()) {
+    soundness_ =
+        internal_error("no step of the solver is sound: the surface stays as it was scanned");
+    backend_->fall_back();
+    residual_is_stale_ = true;
+    energy_ = 0;
+  }
+  return {.cycle = ++cycle_, .distance = 1, .fell_back = true};
+}
+
+StepReport Solver::step() {
+  use_threads(threads_);
+  if (!soundness_.is_ok()) return no_step();
+  Measures measures = iterate();
+  if (!measures.is_sound() && backend_->status().is_ok()) measures = recover();
+  if (!measures.is_sound()) return no_step();
   energy_ = measures.energy;
   rate_.add({measures.moved_max, measures.preconditioned_residual});
   StepReport report;
   report.cycle = ++cycle_;
   report.energy = measures.energy;
   report.residual = measures.residual;
+  report.fell_back = has_fallen_back_;
   report.distance =
       rate_.distance() * on_.prepared->frame.cell_size / on_.prepared->statistics.diagonal();
   return report;
@@ -198,6 +228,7 @@ Result<SolveReport> Solver::solve(double distance_max, int cycles_max, const Pro
       return cancelled("cancelled after " + std::to_string(report.cycles) + " cycles");
     report.last = step();
     RETURN_IF_ERROR(backend_->status());
+    RETURN_IF_ERROR(soundness_);
     ++report.cycles;
     report.converged = report.last.distance <= distance_max;
   }

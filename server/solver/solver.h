@@ -26,6 +26,8 @@ struct StepReport {
   double residual = 0;  ///< ‖r‖ over ‖b‖ in the diagonally scaled norm
   double distance = 0;  ///< estimate of the largest distance of a vertex to the converged surface,
                         ///< over the bounding-box diagonal
+  bool fell_back = false;  ///< a step since the last metric was not sound: a plainer smoother,
+                           ///< with more cycles to the same end, has done the others
 };
 
 struct SolveReport {
@@ -50,6 +52,7 @@ struct SolverOptions {
 int devices_for(const Multigrid& on, const SolverOptions& options);
 
 class Backend;
+struct Measures;
 
 /// The screened Poisson system of one session: S u = b for the displacement u of every corner. Each
 /// step starts from the last one's result. Source: sections 4 and 5.2.
@@ -78,12 +81,15 @@ class Solver {
   /// Makes only a new constraint: β changed.
   void set_gradient_scale(const FieldsView& fields);
 
-  /// Does one iteration of conjugate gradients, preconditioned by one V-cycle. Needs: set_metric().
+  /// Does one iteration of conjugate gradients, preconditioned by one V-cycle. If its result is not
+  /// sound, starts again from u = 0 with Backend::fall_back(). If that fails too, u is 0, the
+  /// distance is that of the whole box, and soundness() says so until the next change of the system.
+  /// Needs: set_metric().
   StepReport step();
 
   /// Steps until the estimated distance is at most `distance_max` (of the bounding-box diagonal) or
   /// `cycles_max` steps are done. Fails: cancelled, with the displacement of the last step; as
-  /// status() says.
+  /// status() and soundness() say.
   Result<SolveReport> solve(double distance_max, int cycles_max, const Progress& progress = {});
 
   /// Returns u, one per corner of the finest depth. Valid until the next call. Units: cells.
@@ -99,6 +105,8 @@ class Solver {
   const std::string& backend_reason() const { return backend_reason_; }
   /// Returns the first failure of the backend's machine. After it results here have no meaning.
   Status status() const;
+  /// Fails: internal_error if the present system has no sound step.
+  const Status& soundness() const { return soundness_; }
 
  private:
   Solver(Multigrid on, std::unique_ptr<Backend> backend, std::string backend_reason, int threads);
@@ -107,6 +115,9 @@ class Solver {
   /// new.
   enum Start { kGoesOn, kNewConstraint, kNewMetric, kCold };
   void start_from(const FieldsView& fields, Start start);
+  Measures iterate();
+  Measures recover();
+  StepReport no_step();
 
   Multigrid on_;
   std::unique_ptr<Backend> backend_;
@@ -119,6 +130,8 @@ class Solver {
   bool residual_is_stale_ = true;
   double gradient_scale_ = kBetaDefault;  // of the constraint
   bool rescale_ = false;                  // before the next step
+  bool has_fallen_back_ = false;          // since the last metric
+  Status soundness_;                      // no step was
   double assemble_seconds_ = 0;
 };
 

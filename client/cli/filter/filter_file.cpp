@@ -64,8 +64,8 @@ Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits,
     RETURN_IF_ERROR(layers.take(edit));
     RETURN_IF_ERROR(session.apply(edit));
   }
-  if (session.fields().hold() && !options.controls.pin_rims)
-    std::cerr << "the rims stay where they are; --pin-rims off lets them move\n";
+  if (const auto& rims = session.fields().rims(); rims && !options.controls.pin_rims)
+    std::cerr << describe(*rims) << "; --pin-rims off lets them move\n";
   return Status::ok();
 }
 
@@ -85,6 +85,8 @@ Result<Multigrid> make_hierarchy(const std::shared_ptr<const PreparedMesh>& prep
 }
 
 void warn_unless_converged(const FilterOptions& options, const SolveReport& solve) {
+  if (solve.last.fell_back)
+    std::cerr << "warning: a step of the solver was not sound; a plainer smoother went on\n";
   if (!solve.converged && options.solve.cycles == 0)
     std::cerr << "warning: not converged after " << solve.cycles << " cycles; estimated distance "
               << solve.last.distance << " of the diagonal\n";

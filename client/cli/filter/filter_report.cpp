@@ -64,17 +64,25 @@ static ordered_json memory_of(const Session& session, const FilterRun& run) {
           {"session_bytes_per_corner", static_cast<double>(session_bytes) / run.corners}};
 }
 
+static ordered_json rims_of(const Session& session) {
+  const auto& rims = session.fields().rims();
+  if (!rims) return nullptr;
+  return {{"number", rims->rims}, {"held", rims->held}};
+}
+
 Status write_filter_report(const Session& session, const FilterRun& run,
                            const std::filesystem::path& path) {
   const ordered_json report = {{"grid", grid_of(session.prepared())},
                                {"counts", counts_of(session.prepared(), run.corners)},
                                {"backend", std::string(session.solver().backend_name())},
+                               {"rims", rims_of(session)},
                                {"backend_reason", session.solver().backend_reason()},
                                {"threads", thread_count()},
                                {"phases", phases_of(run)},
                                {"memory", memory_of(session, run)},
                                {"cycles", run.solve.cycles},
                                {"converged", run.solve.converged},
+                               {"fell_back", run.solve.last.fell_back},
                                {"energy", run.solve.last.energy},
                                {"residual", run.solve.last.residual},
                                {"distance", run.solve.last.distance}};

@@ -73,6 +73,8 @@ PrometheusFigures::PrometheusFigures(prometheus::Registry& registry)
         "Sessions of a fleet that this server has taken");
   count(Count::kFencedAppends, "burnish_fleet_fenced_appends_total",
         "Appends to sessions that another server had taken");
+  count(Count::kFallBacks, "burnish_solver_fall_backs_total",
+        "Steps of solvers that were not sound: a plainer smoother went on");
   count(Count::kCallsMoved, "burnish_fleet_moved_total",
         "Calls that were sent to the server that has their session");
   const auto measure = [&](Measure what, const char* name, const char* help, const auto& bounds) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
 #include "common/base/blocks.h"
 #include "server/fields/changing_alphas.h"
@@ -75,6 +76,7 @@ class CpuBackend final : public Backend {
   void set_signal(std::span<const Vec3f> signal) override { constraint_->set_signal(signal); }
 
   bool set_metric(const MetricView& metric) override {
+    const bool was_careful = be_careful(false);
     const std::vector<int32_t> changed = alphas_->take(metric);
     constraint_->set_ratio(ratios_of(alphas_->latest()));
     double anisotropy = anisotropy_of(constraint_->ratio());
@@ -84,7 +86,7 @@ class CpuBackend final : public Backend {
       depth.anisotropy = static_cast<float>(anisotropy);
       depth.is_spectrum_new = is_spectrum_new;
     }
-    const bool is_whole = changes_most(changed.size());
+    const bool is_whole = was_careful || changes_most(changed.size());
     if (is_whole)
       make_matrices();
     else
@@ -99,6 +101,16 @@ class CpuBackend final : public Backend {
     constraint_->start_over();
     for (size_t i = 1; i < smoothers_.size(); ++i) smoothers_[i]->start_over();
     outer_->start_over();
+  }
+
+  void fall_back() override {
+    be_careful(true);
+    for (CpuDepth& depth : depths_) depth.is_spectrum_new = true;
+    for (size_t i = 1; i < depths_.size(); ++i) {
+      smoothers_[i]->start_over();
+      smoothers_[i]->set_up(depths_[i]);
+    }
+    outer_->forget_steps();
   }
 
   void set_constraint(const FieldsView& fields) override {
@@ -157,8 +169,18 @@ class CpuBackend final : public Backend {
   }
 
  private:
+  // Returns whether it was.
+  bool be_careful(bool careful) {
+    for (size_t i = 1; i < smoothers_.size(); ++i) smoothers_[i]->be_careful(careful);
+    return std::exchange(is_careful_, careful);
+  }
+
+  CellMetric metric() const {
+    return {alphas_->latest(), alphas_->held()};
+  }
+
   void make_matrices() {
-    assemble(*on_.prepared, alphas_->latest(), depths_, &outer_->matrix(), not_kept_, halo_);
+    assemble(*on_.prepared, metric(), depths_, &outer_->matrix(), not_kept_, halo_);
     for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->set_up(depths_[i]);
     patches_.factor(depths_.back());
   }
@@ -168,7 +190,7 @@ class CpuBackend final : public Backend {
     std::vector<ChangedDepth> changed =
         find_changed_parts(*on_.prepared, *on_.hierarchy, cells, not_kept_);
     if (halo_ != nullptr) make_coarse_depths_whole(changed);
-    assemble_changed(*on_.prepared, alphas_->latest(), changed, depths_, &outer_->matrix(), halo_);
+    assemble_changed(*on_.prepared, metric(), changed, depths_, &outer_->matrix(), halo_);
     for (size_t i = 1; i < depths_.size(); ++i) smoothers_[i]->update(depths_[i], changed[i].rows);
     patches_.factor(depths_.back(), changed.back().rows);
   }
@@ -177,7 +199,7 @@ class CpuBackend final : public Backend {
   // to 1000, where its margin is more than a tenth. Returns whether λmax must be estimated again.
   bool take_spectrum(const MetricView& metric) {
     constexpr double kHoldsWithin = 1.5;
-    double differs = metric.is_uniform() ? 0 : 1;
+    double differs = metric.is_uniform() && metric.held.lines.empty() ? 0 : 1;
     if (halo_ != nullptr) halo_->keep_largest(differs);
     const double alpha = differs == 0 ? metric.curve->alpha(0) : 0;
     const auto [least, most] = std::minmax(alpha_of_spectrum_, alpha);
@@ -226,6 +248,7 @@ class CpuBackend final : public Backend {
   Halo* halo_;       // to the other shards; null if there are none
   size_t not_kept_;  // depths without kept numbers
   std::unique_ptr<ChangingAlphas> alphas_;
+  bool is_careful_ = false;  // after fall_back()
   double alpha_of_spectrum_ = 0;  // α of all cells at the last estimate of λmax; 0 if they differed
   std::vector<CpuDepth> depths_;                           // the coarsest first
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest

@@ -120,6 +120,15 @@ class CudaBackend final : public Backend {
     is_first_metric_ = true;
   }
 
+  // Recorded graphs keep the usual regularisation.
+  void fall_back() override {
+    if (!stream_.is_ok()) return;
+    for (const auto& smoother : smoothers_) smoother->be_careful(true);
+    assemble_matrices({});
+    for (const auto& smoother : smoothers_) smoother->be_careful(false);
+    outer_->start_over();
+  }
+
   void set_constraint(const FieldsView& fields) override {
     if (!stream_.is_ok()) return;
     beta_.set(fields);
@@ -171,6 +180,7 @@ class CudaBackend final : public Backend {
     measures.residual = sums.constraint > 0 ? std::sqrt(sums.residual / sums.constraint) : 0.0;
     measures.preconditioned_residual = sums.z_dot_r[0] + sums.z_dot_r[1] + sums.z_dot_r[2];
     measures.moved_max = std::sqrt(static_cast<double>(sums.moved_squared_max));
+    measures.curvature = *std::ranges::min_element(sums.p_dot_q);
     return measures;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -17,6 +18,17 @@ struct Measures {
   double residual = 0;                 ///< ‖D^-½ r‖ / ‖D^-½ b‖, D the diagonal of S
   double preconditioned_residual = 0;  ///< rᵀz before the step; z is the V-cycle's correction of r
   double moved_max = 0;  ///< largest |E a p| at a vertex, in cells: how far the step moved it
+
+  double curvature = 0;  ///< the least p·Sp of a column: negative if S is not definite
+
+  /// Returns whether u and r are numbers, as the sums have all of them, and the step went downhill.
+  /// At the end of a solve rounding may say otherwise.
+  bool is_sound() const {
+    const bool is_finite = std::isfinite(energy) && std::isfinite(residual) &&
+                           std::isfinite(preconditioned_residual) && std::isfinite(moved_max);
+    return is_finite && (curvature >= 0 || residual <= kResidualOfRounding);
+  }
+  static constexpr double kResidualOfRounding = 1e-9;
 };
 
 /// The seam between the algorithms, written once, and the machines that run them. Every call works
@@ -51,6 +63,10 @@ class Backend {
   /// Forgets u and what estimates have learnt. After the next metric and constraint, results have
   /// the bits of a new backend's.
   virtual void start_over() = 0;
+  /// Gives up what made a step that is not finite: sets u = 0, and until the next metric
+  /// regularises the smoother so strongly that its blocks cannot fail. Afterwards r is wrong until
+  /// recompute_residual().
+  virtual void fall_back() = 0;
   /// Makes b = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²), the constraint of the displacement, with the last
   /// metric. Changes r by the same amount.
   virtual void set_constraint(const FieldsView& fields) = 0;

@@ -46,4 +46,15 @@ constexpr CombineWeights combine_weights(double alpha1, double alpha2) {
   return {alpha1 * alpha2, alpha2 / alpha1, alpha1 / alpha2};
 }
 
+/// A held line has so many times the stiffness of its cell. With more, coarse functions would lock
+/// along it: ten times as much doubles the cycles. What it still gives way RimAnchor takes back.
+inline constexpr double kHeldLineStiffness = 8;
+
+/// Returns the weight of ∫ B_a B_b along the held lines in a cell with these weights. One of the
+/// two stiffnesses is at least 1.
+constexpr double held_line_weight(const CombineWeights& by) {
+  const double stiffness = by.stiffness1 > by.stiffness2 ? by.stiffness1 : by.stiffness2;
+  return kHeldLineStiffness * (by.mass > stiffness ? by.mass : stiffness);
+}
+
 }  // namespace burnish

@@ -53,6 +53,9 @@ class MultiBackend final : public Backend {
   void start_over() override {
     for_all([](Backend& backend, int) { backend.start_over(); });
   }
+  void fall_back() override {
+    for_all([](Backend& backend, int) { backend.fall_back(); });
+  }
   void set_constraint(const FieldsView& fields) override {
     for_all([&](Backend& backend, int number) {
       backend.set_constraint(fields_[number].constraint(fields));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "server/fields/held_lines.h"
+
 namespace burnish {
 
 ShardFields::ShardFields(std::span<const int32_t> cells)
@@ -11,17 +13,30 @@ ShardFields::ShardFields(std::span<const int32_t> cells)
       own_(cells.size(), 0),
       is_painted_((cells.size() + CellPaint::kStretch - 1) / CellPaint::kStretch, 0) {}
 
-MetricView ShardFields::metric(const MetricView& whole) {
-  own_fields_.clear();
-  auto next = cells_.begin();
-  for (const OwnFields& of : whole.own) {
-    next = std::lower_bound(next, cells_.end(), of.cell);
-    if (next == cells_.end()) break;
+// Takes what belongs to the shard's cells. Shapes: both rise.
+template <typename OfCell>
+static void take_of_cells(std::span<const int32_t> cells, std::span<const OfCell> whole,
+                          std::vector<OfCell>& taken) {
+  taken.clear();
+  auto next = cells.begin();
+  for (const OfCell& of : whole) {
+    next = std::lower_bound(next, cells.end(), of.cell);
+    if (next == cells.end()) break;
     if (*next != of.cell) continue;
-    own_fields_.push_back(of);
-    own_fields_.back().cell = static_cast<int32_t>(next - cells_.begin());
+    taken.push_back(of);
+    taken.back().cell = static_cast<int32_t>(next - cells.begin());
   }
-  return {whole.curve, own_fields_};
+}
+
+MetricView ShardFields::metric(const MetricView& whole) {
+  take_of_cells(cells_, whole.own, own_fields_);
+  return {whole.curve, own_fields_, held(whole.held)};
+}
+
+LineView ShardFields::held(const LineView& whole) {
+  take_of_cells(cells_, whole.lines, lines_);
+  first_line_ = first_lines(lines_, cells_.size());
+  return {lines_, first_line_};
 }
 
 FieldsView ShardFields::constraint(const FieldsView& whole) {
@@ -52,7 +67,8 @@ void ShardFields::take_stretch(const CellPaint& whole, size_t stretch) {
 }
 
 uint64_t ShardFields::byte_count() const {
-  return own_fields_.capacity() * sizeof(OwnFields) +
+  return own_fields_.capacity() * sizeof(OwnFields) + lines_.capacity() * sizeof(LineMass) +
+         first_line_.capacity() * sizeof(int32_t) +
          (follow_.capacity() + own_.capacity()) * sizeof(float) + is_painted_.capacity();
 }
 

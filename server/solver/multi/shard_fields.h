@@ -22,10 +22,13 @@ class ShardFields {
   uint64_t byte_count() const;
 
  private:
+  LineView held(const LineView& whole);
   void take_stretch(const CellPaint& whole, size_t stretch);
 
   std::span<const int32_t> cells_;
   std::vector<OwnFields> own_fields_;
+  std::vector<LineMass> lines_;
+  std::vector<int32_t> first_line_;
   std::vector<float> follow_, own_;
   std::vector<uint8_t> is_painted_;  // per stretch
 };

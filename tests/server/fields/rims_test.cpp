@@ -1,14 +1,17 @@
 #include "server/fields/rims.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/base/sort_once.h"
 #include "common/generate/generate.h"
 #include "server/fields/edge_census.h"
 #include "server/fields/hold.h"
 #include "server/prepare/prepare.h"
+#include "tests/common/split_vertices.h"
 
 namespace burnish {
 namespace {
@@ -21,17 +24,6 @@ std::shared_ptr<const PreparedMesh> prepared_with_rims(const TriangleMesh& mesh)
 
 bool is_on_border(const Vec3d& p) {
   return p.x() == 0 || p.y() == 0 || p.x() == 1 || p.y() == 1;
-}
-
-/// Gives every triangle vertices of its own.
-TriangleMesh as_soup(const TriangleMesh& mesh) {
-  TriangleMesh soup;
-  for (const Triangle& triangle : mesh.triangles) {
-    const auto first = static_cast<uint32_t>(soup.vertices.size());
-    for (const uint32_t v : triangle) soup.vertices.push_back(mesh.vertices[v]);
-    soup.triangles.push_back({first, first + 1, first + 2});
-  }
-  return soup;
 }
 
 void add_moved(const TriangleMesh& part, const Vec3d& by, double scale, TriangleMesh& mesh) {
@@ -51,55 +43,94 @@ TriangleMesh make_holed_sheet(double radius) {
   return mesh;
 }
 
-/// Counts the held cells away from the border of the sheet.
+std::vector<bool> is_held(const PreparedMesh& prepared) {
+  std::vector<bool> held(prepared.vertices.size(), false);
+  for (const uint32_t v : find_held_rims(prepared).vertices) held[v] = true;
+  return held;
+}
+
+/// Counts the held vertices away from the border of the sheet.
 int64_t held_inside(const PreparedMesh& prepared) {
-  return std::ranges::count_if(rim_cells(prepared), [&](int32_t cell) {
-    const Vec3d at = prepared.frame.to_file(morton_point(prepared.cells[cell]).cast<double>());
-    return (at - Vec3d(0.5, 0.5, 0)).head<2>().cwiseAbs().maxCoeff() < 0.4;
+  return std::ranges::count_if(find_held_rims(prepared).vertices, [&](uint32_t v) {
+    return (prepared.vertices[v] - Vec3d(0.5, 0.5, 0)).head<2>().cwiseAbs().maxCoeff() < 0.4;
   });
 }
 
-TEST(Rims, HoldTheCellOfEachVertexOnTheBorderAndNoneInside) {
+TEST(Rims, HoldEachVertexOnTheBorderAndNoneInside) {
   const TriangleMesh mesh = make_sheet(40, 1, 0.1);
-  const auto prepared = prepared_with_rims(mesh);
-  const std::vector<int32_t> cells = rim_cells(*prepared);
-  const double two_cells = 2 * prepared->frame.cell_size;
-  for (size_t v = 0; v < mesh.vertices.size(); ++v) {
-    const Vec3d& p = mesh.vertices[v];
-    const bool is_held = std::ranges::binary_search(cells, prepared->evaluation[v].cell);
-    if (is_on_border(p)) {
-      EXPECT_TRUE(is_held) << p.transpose();
-    }
-    const double inside = std::min({p.x(), p.y(), 1 - p.x(), 1 - p.y()});
-    if (inside > two_cells) {
-      EXPECT_FALSE(is_held) << p.transpose();
-    }
+  const std::vector<bool> held = is_held(*prepared_with_rims(mesh));
+  for (size_t v = 0; v < mesh.vertices.size(); ++v)
+    EXPECT_EQ(held[v], is_on_border(mesh.vertices[v])) << mesh.vertices[v].transpose();
+}
+
+TEST(Rims, LinesHaveTheLengthOfTheRims) {
+  const auto prepared = prepared_with_rims(make_sheet(40, 1, 0));
+  double length = 0;
+  for (const LineMass& line : find_held_rims(*prepared).lines)
+    for (const double part : line.row_sum) length += part;
+  EXPECT_NEAR(length * prepared->frame.cell_size, 4, 1e-4);
+}
+
+TEST(Rims, APairOfALineIsTheIntegralOfItsTwoFunctions) {
+  const auto prepared = prepared_with_rims(make_sheet(40, 1, 0));
+  for (const LineMass& line : find_held_rims(*prepared).lines) {
+    double all = 0, pairs = 0;
+    for (const double part : line.row_sum) all += part;
+    for (const double part : line.pair) pairs += part;
+    EXPECT_GT(pairs, 0);
+    EXPECT_LT(2 * pairs, all);  // the squares are the rest of the square of the sum
   }
 }
 
 TEST(Rims, AClosedScanHasNone) {
-  EXPECT_TRUE(rim_cells(*prepared_with_rims(make_icosphere(3, 1))).empty());
+  const HeldRims rims = find_held_rims(*prepared_with_rims(make_icosphere(3, 1)));
+  EXPECT_EQ(rims.rims, 0);
+  EXPECT_TRUE(rims.vertices.empty());
 }
 
-TEST(Rims, ALargeHoleIsHeldAndASmallOneIsNot) {
+TEST(Rims, AHoleIsHeldUnlessItIsAFlawOfFewEdges) {
   EXPECT_GT(held_inside(*prepared_with_rims(make_holed_sheet(0.2))), 20);
-  EXPECT_EQ(held_inside(*prepared_with_rims(make_holed_sheet(0.03))), 0);
+  EXPECT_GT(held_inside(*prepared_with_rims(make_holed_sheet(0.03))), 10);
+  EXPECT_EQ(held_inside(*prepared_with_rims(make_holed_sheet(0.007))), 0);
 }
 
-TEST(Rims, TheLeastLengthIsSixteenCellsOfACoarseGridAndAPartOfTheBoxOfAFineOne) {
-  const auto held_at = [](int depth, double radius) {
+TEST(Rims, TheNumbersOfRimsAndOfHeldOnesAreTold) {
+  const HeldRims one = find_held_rims(*prepared_with_rims(make_holed_sheet(0.007)));
+  EXPECT_EQ(one.rims, 2);
+  EXPECT_EQ(one.held, 1);
+  EXPECT_THAT(describe(one), testing::HasSubstr("1 of 2 rims"));
+  EXPECT_THAT(describe(find_held_rims(*prepared_with_rims(make_holed_sheet(0.2)))),
+              testing::HasSubstr("all 2 rims"));
+}
+
+TEST(Rims, EveryDepthHoldsTheSame) {
+  const auto held_at = [](int depth) {
     PrepareOptions options;
     options.depth = depth;
-    return held_inside(**prepare(make_holed_sheet(radius), options));
+    return find_held_rims(**prepare(make_holed_sheet(0.05), options)).vertices;
   };
-  EXPECT_EQ(held_at(4, 0.1), 0);  // about 0.8 long; a cell is larger than 0.05
-  EXPECT_GT(held_at(7, 0.1), 0);
-  EXPECT_EQ(held_at(9, 0.005), 0);  // 0.08 at most: 16 cells are less, a twentieth is not
+  EXPECT_EQ(held_at(4), held_at(7));
+  EXPECT_EQ(held_at(9), held_at(7));
+}
+
+TEST(Rims, TheBorderOfALooseFlakeIsHeldHoweverShort) {
+  TriangleMesh mesh = make_sheet(40, 1, 0);
+  const auto first = static_cast<uint32_t>(mesh.vertices.size());
+  add_moved(make_sheet(1, 1, 0), {0.5, 0.5, 0.5}, 0.03, mesh);
+  const std::vector<bool> held = is_held(*prepared_with_rims(mesh));
+  for (size_t v = first; v < mesh.vertices.size(); ++v) EXPECT_TRUE(held[v]) << v;
 }
 
 TEST(Rims, SeamsBetweenTrianglesWithTheirOwnVerticesDoNotCount) {
   const TriangleMesh sheet = make_sheet(12, 1, 0.1);
-  EXPECT_EQ(rim_cells(*prepared_with_rims(as_soup(sheet))), rim_cells(*prepared_with_rims(sheet)));
+  const auto places = [](const TriangleMesh& mesh) {
+    std::vector<std::tuple<double, double, double>> held;
+    for (const uint32_t v : find_held_rims(*prepared_with_rims(mesh)).vertices)
+      held.emplace_back(mesh.vertices[v].x(), mesh.vertices[v].y(), mesh.vertices[v].z());
+    sort_once(held);
+    return held;
+  };
+  EXPECT_EQ(places(as_soup(sheet)), places(sheet));
 }
 
 TEST(EdgeCensus, ZeroAndMinusZeroAreOnePlace) {
@@ -117,7 +148,8 @@ TEST(EdgeCensus, NamesTheLeastVertexOfEachPlaceAndTheWayOfEachRim) {
                                        {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   const std::vector<Triangle> triangles = {{1, 2, 3}, {4, 6, 5}};
   const EdgeCensus census = take_edge_census(vertices, triangles);
-  EXPECT_EQ(census.place, (std::vector<uint32_t>{0, 1, 2, 3, 2, 3, 6}));
+  EXPECT_THAT(std::vector(census.place.begin(), census.place.end()),
+              testing::ElementsAre(0, 1, 2, 3, 2, 3, 6));
   std::vector<std::pair<uint32_t, uint32_t>> rims;
   for (const RimEdge& edge : census.rims) rims.emplace_back(edge.from, edge.to);
   EXPECT_THAT(rims, testing::ElementsAre(std::pair(1u, 2u), std::pair(3u, 1u), std::pair(2u, 6u),
@@ -129,10 +161,10 @@ TEST(Rims, ARimThatLiesOnAnotherPieceDoesNotCount) {
   TriangleMesh mesh = make_sheet(40, 1, 0);
   add_moved(make_sheet(12, 1, 0), {0.35, 0.35, 1e-4}, 0.3, mesh);
   const auto prepared = prepared_with_rims(mesh);
-  for (const int32_t cell : rim_cells(*prepared)) {
-    const Vec3d place = prepared->frame.to_file(morton_point(prepared->cells[cell]).cast<double>());
-    EXPECT_GT((place - Vec3d(0.5, 0.5, 0)).head<2>().cwiseAbs().maxCoeff(), 0.4);
-  }
+  const HeldRims rims = find_held_rims(*prepared);
+  EXPECT_EQ(rims.rims, 2);
+  EXPECT_EQ(rims.held, 1);
+  for (const uint32_t v : rims.vertices) EXPECT_TRUE(is_on_border(mesh.vertices[v]));
 }
 
 TEST(Rims, OnlyAClosedAndOrientedSurfaceEnclosesAVolume) {
@@ -146,7 +178,7 @@ TEST(Rims, OnlyAClosedAndOrientedSurfaceEnclosesAVolume) {
 
 TEST(Hold, FadesFromItsCellsToTheEndOfTheBand) {
   const auto prepared = prepared_with_rims(make_sheet(64, 1, 0));
-  const Hold hold = make_hold(*prepared, rim_cells(*prepared));
+  const Hold hold = make_hold(*prepared, {3, 4, 5, 600});
   ASSERT_EQ(hold.weight.size(), prepared->cells.size());
   for (const int32_t cell : hold.cells) EXPECT_EQ(hold.weight[cell], 1);
   EXPECT_EQ(std::ranges::count(hold.weight, 1.0f), std::ssize(hold.cells));

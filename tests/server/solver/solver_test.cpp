@@ -1,5 +1,7 @@
 #include "server/solver/solver.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,6 +38,54 @@ TEST(Solver, ReturnsTheInputBitExactlyWhereBetaIsOne) {
     for (int i = 0; i < 1000; ++i) ASSERT_EQ(solver->step().energy, 0);
     EXPECT_EQ(solver->evaluate_vertices(), mesh.vertices);
   }
+}
+
+TEST(Solver, AfterFallingBackTheBackendReachesTheSameSurface) {
+  TestSystem system(reference::bumpy_sphere(3), 5);
+  system.fields.set_gradient_scale(0);
+  const auto usual = solver_of(system);
+  ASSERT_TRUE(usual->solve(1e-7, 200).value().converged);
+  const FieldsView fields = system.fields.view();
+  const auto backend = make_cpu_backend(system, Smoother::kSchwarz);
+  backend->set_metric(fields.metric);
+  backend->set_constraint(fields);
+  backend->fall_back();
+  backend->recompute_residual();
+  for (int i = 0; i < 100; ++i) {
+    run_vcycle(*backend, system, system.hierarchy->finest);
+    backend->update_direction(i == 0);
+    backend->advance();
+  }
+  const std::span<const Vec3f> fallen = backend->vertex_displacement();
+  double most = 0;
+  for (size_t v = 0; v < fallen.size(); ++v)
+    most = std::max<double>(most, (fallen[v] - usual->vertex_displacement()[v]).norm());
+  EXPECT_LT(most, 1e-4);  // cells
+}
+
+TEST(Solver, ASystemThatIsNotFiniteIsSaidAndTheNextOneIsSolved) {
+  TestSystem system(reference::bumpy_sphere(2), 4);
+  system.fields.set_gradient_scale(0);
+  SolverOptions options;
+  options.backend = BackendKind::kCpu;
+  const auto solver = std::move(Solver::create(system, options)).value();
+  const size_t corners = system.hierarchy->depths.back().grid.corners.size();
+  solver->set_signal(std::vector<Vec3f>(corners, Vec3f(1, NAN, 1)));
+  solver->set_metric(system.fields.view());
+  const StepReport failed = solver->step();
+  EXPECT_TRUE(failed.fell_back);
+  EXPECT_GE(failed.distance, 1);
+  EXPECT_FALSE(solver->soundness().is_ok());
+  EXPECT_FALSE(solver->solve(1e-5, 10).is_ok());
+  for (const Vec3f& u : solver->displacement()) ASSERT_EQ(u, Vec3f::Zero());
+
+  std::vector<Vec3f> signal(corners, Vec3f::Zero());
+  for (size_t i = 0; i < corners; i += 2) signal[i].x() = 1;
+  solver->set_signal(signal);
+  solver->set_metric(system.fields.view());
+  EXPECT_TRUE(solver->soundness().is_ok());
+  EXPECT_FALSE(solver->step().fell_back);
+  EXPECT_TRUE(solver->solve(1e-4, 100).value().converged);
 }
 
 TEST(Solver, EnergyNeverRises) {

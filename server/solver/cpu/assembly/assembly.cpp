@@ -140,10 +140,10 @@ size_t depths_not_kept(const Hierarchy& hierarchy, const Halo* halo) {
   return std::min(kDepthsNotKept, static_cast<size_t>(hierarchy.finest - halo->border()));
 }
 
-void assemble(const PreparedMesh& prepared, const CellAlphas& alphas, std::span<CpuDepth> depths,
+void assemble(const PreparedMesh& prepared, const CellMetric& of, std::span<CpuDepth> depths,
               ExactMatrix* exact, size_t not_kept, Halo* halo) {
   const Border border(halo);
-  const Metric metric = {alphas.alpha1, alphas.alpha2, prepared.alpha_scale()};
+  const Metric metric = {of.alphas.alpha1, of.alphas.alpha2, prepared.alpha_scale(), of.held};
   CombinedCells cells(depths.back().topology);
   if (depths.size() == 1) combine_cells(prepared, metric, cells);
   for (size_t d = depths.size() - 1; d > 0; --d) {
@@ -162,11 +162,11 @@ void assemble(const PreparedMesh& prepared, const CellAlphas& alphas, std::span<
   border.tell_pins(depths[0]);
 }
 
-void assemble_changed(const PreparedMesh& prepared, const CellAlphas& alphas,
+void assemble_changed(const PreparedMesh& prepared, const CellMetric& of,
                       std::span<ChangedDepth> changed, std::span<CpuDepth> depths,
                       ExactMatrix* exact, Halo* halo) {
   const Border border(halo);
-  const Metric metric = {alphas.alpha1, alphas.alpha2, prepared.alpha_scale()};
+  const Metric metric = {of.alphas.alpha1, of.alphas.alpha2, prepared.alpha_scale(), of.held};
   CombinedCells cells(depths.back().topology);
   combine_parts(prepared, metric, depths.back().topology, changed.back().needed, cells);
   assemble_rows_again(cells, changed.back().rows, depths.back(), exact);

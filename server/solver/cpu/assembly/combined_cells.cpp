@@ -22,6 +22,18 @@ CombineWeights weights_of(const Metric& metric, int32_t cell) {
   return combine_weights(metric.alpha1[cell] * metric.scale, metric.alpha2[cell] * metric.scale);
 }
 
+void add_line(const LineMass& line, double weight, CellMatrix& out) {
+  for (int p = 0; p < kPairsPerCell; ++p) out.pair[p] += weight * line.pair[p];
+  for (int a = 0; a < 8; ++a) out.row_sum[a] += weight * line.row_sum[a];
+}
+
+void combine_cell(const PreparedMesh& prepared, const Metric& metric, int32_t cell,
+                  CellMatrix& out) {
+  const CombineWeights by = weights_of(metric, cell);
+  combine(prepared.integrals[cell], by, out);
+  if (const LineMass* line = metric.held.find(cell)) add_line(*line, held_line_weight(by), out);
+}
+
 void combine_sheet(const PreparedMesh& prepared, const Metric& metric, int32_t cell_count,
                    int32_t s, CombinedCells& cells) {
   CellMatrix sheet;
@@ -62,19 +74,19 @@ CombinedCells restrict_children(const HierarchyDepth& fine, const HierarchyDepth
 void combine_cells(const PreparedMesh& prepared, const Metric& metric, CombinedCells& cells) {
 #pragma omp parallel for schedule(dynamic, kCellsAtOnce)
   for (size_t c = 0; c < prepared.integrals.size(); ++c)
-    combine(prepared.integrals[c], weights_of(metric, static_cast<int32_t>(c)), cells[c]);
+    combine_cell(prepared, metric, static_cast<int32_t>(c), cells[c]);
 }
 
 CombinedCells combine_and_down_sample(const PreparedMesh& prepared, const Metric& metric,
                                       const HierarchyDepth& fine, const HierarchyDepth& coarse,
                                       CombinedCells& fine_cells) {
   CombinedCells cells = restrict_children(fine, coarse, [&](int32_t c) -> const CellMatrix& {
-    combine(prepared.integrals[c], weights_of(metric, c), fine_cells[c]);
+    combine_cell(prepared, metric, c, fine_cells[c]);
     return fine_cells[c];
   });
 #pragma omp parallel for schedule(static) if (coarse.shares.apart.size() > kCellsAlone)
   for (const int32_t c : coarse.shares.apart)
-    combine(prepared.integrals[c], weights_of(metric, c), fine_cells[c]);
+    combine_cell(prepared, metric, c, fine_cells[c]);
   combine_sheets(prepared, metric, fine, fine_cells);
   add_shares(fine, coarse, fine_cells, cells);
   return cells;
@@ -94,7 +106,7 @@ void combine_parts(const PreparedMesh& prepared, const Metric& metric, const Hie
 #pragma omp parallel for schedule(dynamic, kCellsAtOnce) if (parts.size() > kCellsAlone)
   for (const int32_t part : parts) {
     if (part < cell_count)
-      combine(prepared.integrals[part], weights_of(metric, part), cells[part]);
+      combine_cell(prepared, metric, part, cells[part]);
     else
       combine_sheet(prepared, metric, cell_count, part - cell_count, cells);
   }

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "server/fields/fields_view.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/solver/cpu/scratch.h"
 #include "server/solver/hierarchy/cell_matrix.h"
@@ -25,10 +26,12 @@ class CombinedCells {
   Scratch<CellMatrix> cells_;
 };
 
-/// α1 and α2 of every cell of the finest depth. Units: grid, once multiplied by `scale`.
+/// α1 and α2 of every cell of the finest depth, and what is held. Units: grid, once multiplied by
+/// `scale`.
 struct Metric {
   std::span<const float> alpha1, alpha2;
   double scale;
+  LineView held;
 };
 
 /// Combines the numbers of the finest depth, and of the one above it if there is one. Restricts

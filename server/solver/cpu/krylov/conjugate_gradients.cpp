@@ -43,11 +43,16 @@ ConjugateGradients::ConjugateGradients(CpuDepth& finest, const PointsByCell& poi
 }
 
 void ConjugateGradients::start_over() {
-  for (auto* vector : {&u_, &b_, &r_, &q_}) vector->assign(finest_.corner_count(), Double3::Zero());
+  for (auto* vector : {&b_, &r_}) vector->assign(finest_.corner_count(), Double3::Zero());
+  forget_steps();
+}
+
+void ConjugateGradients::forget_steps() {
+  for (auto* vector : {&u_, &q_}) vector->assign(finest_.corner_count(), Double3::Zero());
   p_.assign(finest_.corner_count(), Float4::Zero());
   z_dot_r_ = step_ = Double3::Zero();
   totals_ = {};
-  moved_max_ = 0;
+  moved_max_ = curvature_ = 0;
 }
 
 // Sums over blocks of all corners, and over all shards. `sum_block` leaves out corners that are not
@@ -133,6 +138,7 @@ void ConjugateGradients::advance() {
     return sum;
   });
   step_ = quotient(sums.second, sums.first);
+  curvature_ = sums.first.minCoeff();
   totals_ =
       sum_over_all<Totals>([&](int32_t begin, int32_t end) { return move_along(begin, end); });
   finest_.refresh(finest_.f);
@@ -164,6 +170,7 @@ Measures ConjugateGradients::measure() const {
       totals_.constraint > 0 ? std::sqrt(totals_.residual / totals_.constraint) : 0.0;
   measures.preconditioned_residual = z_dot_r_.sum();
   measures.moved_max = moved_max_;
+  measures.curvature = curvature_;
   return measures;
 }
 

@@ -24,7 +24,8 @@ class ConjugateGradients {
   std::vector<Double3>& residual() { return r_; }
   const std::vector<Double3>& displacement() const { return u_; }
 
-  void start_over();  ///< u = 0, and nothing of the last step
+  void start_over();  ///< u = b = 0, and nothing of the last step
+  void forget_steps();  ///< u = 0; afterwards r is wrong
   void recompute_residual();
   void rescale();
   /// Sets f = r after a change of r from outside. The other functions keep f = r.
@@ -62,6 +63,7 @@ class ConjugateGradients {
   Double3 step_ = Double3::Zero();  // a of the last advance()
   Totals totals_;                   // after the last advance()
   double moved_max_ = 0;
+  double curvature_ = 0;
 };
 
 }  // namespace burnish::cpu

@@ -18,6 +18,7 @@ namespace burnish::cpu {
 // converge more slowly.
 static constexpr float kFinestRegularisation = 1e-5f;
 static constexpr float kCoarseRegularisation = 1e-3f;
+static constexpr float kCarefulRegularisation = 1;
 static constexpr int32_t kCellsPerBlock = 1024;
 static constexpr int32_t kCellsAhead = 32;
 static constexpr int kLanes = 16;  // cells that are inverted together
@@ -77,11 +78,14 @@ struct Blocks {
 }
 
 // Makes −m⁻¹ by sweeping each pivot in turn. This keeps a block symmetric, so half of it is enough.
-// No pivoting: a block is positive definite with a condition number of at most 8 / reg.
-[[gnu::always_inline]] static inline void sweep(Blocks& blocks) {
+// No pivoting: a block is positive definite with a condition number of at most 8 / reg. Its pivots
+// are at least reg, and rounding must not bring one below.
+[[gnu::always_inline]] static inline void sweep(Blocks& blocks, float regularisation) {
 #pragma GCC unroll 8
   for (int p = 0; p < kCornersPerCell; ++p) {
-    const Lanes inverse_pivot = 1 / blocks.diagonal[p];
+    const Lanes least = Lanes{} + regularisation;
+    const Lanes pivot = blocks.diagonal[p] > least ? blocks.diagonal[p] : least;
+    const Lanes inverse_pivot = 1 / pivot;
     Lanes column[8], row[8];
 #pragma GCC unroll 8
     for (int a = 0; a < kCornersPerCell; ++a) {
@@ -115,7 +119,7 @@ struct Blocks {
     blocks.diagonal[a] = Lanes{} + (1 + regularisation);
   }
   scale_pairs(blocks);
-  sweep(blocks);
+  sweep(blocks, regularisation);
   scale_pairs(blocks);
   for (int a = 0; a < kCornersPerCell; ++a) blocks.diagonal[a] *= blocks.scale[a] * blocks.scale[a];
 }
@@ -161,11 +165,12 @@ static void invert_irregular_cells(const Source& source, std::span<const int32_t
   }
 }
 
-static Source source_of(const CpuDepth& depth) {
-  const bool is_finest = depth.topology.is_finest();
+static Source source_of(const CpuDepth& depth, bool careful) {
+  const float usual =
+      depth.topology.is_finest() ? kFinestRegularisation : kCoarseRegularisation;
   return {depth.topology.stencil, depth.topology.grid.cell_corners.data(),
           depth.system.entry.data(), depth.inverse_diagonal.data(),
-          is_finest ? kFinestRegularisation : kCoarseRegularisation};
+          careful ? kCarefulRegularisation : usual};
 }
 
 static void invert_listed(const Source& source, int32_t cells, Scratch<CellInverse>& inverses) {
@@ -174,19 +179,21 @@ static void invert_listed(const Source& source, int32_t cells, Scratch<CellInver
     invert_range(source, begin, std::min(cells, begin + kCellsPerBlock), &inverses[0]);
 }
 
-Scratch<CellInverse> invert_cells(const CpuDepth& depth) {
+Scratch<CellInverse> invert_cells(const CpuDepth& depth, bool careful) {
   const int32_t cells = depth.topology.grid.cell_count();
   Scratch<CellInverse> inverses(cells);
-  invert_listed(source_of(depth), cells, inverses);
+  const Source source = source_of(depth, careful);
+  invert_listed(source, cells, inverses);
   std::vector<int32_t> irregular(depth.topology.stencil.irregular_cells.cell.size());
   std::iota(irregular.begin(), irregular.end(), 0);
-  invert_irregular_cells(source_of(depth), irregular, inverses);
+  invert_irregular_cells(source, irregular, inverses);
   return inverses;
 }
 
-Scratch<CellInverse> invert_cells(const CpuDepth& depth, std::span<const int32_t> cells) {
+Scratch<CellInverse> invert_cells(const CpuDepth& depth, bool careful,
+                                  std::span<const int32_t> cells) {
   Scratch<CellInverse> inverses(depth.topology.grid.cells.size());
-  Source source = source_of(depth);
+  Source source = source_of(depth, careful);
   source.only = cells.data();
   invert_listed(source, static_cast<int32_t>(cells.size()), inverses);
   const std::vector<int32_t>& irregular = depth.topology.stencil.irregular_cells.cell;

@@ -17,9 +17,10 @@ struct CellInverse {
   std::array<float, 8> diagonal;
 };
 
-/// Returns the inverse blocks of all cells.
-Scratch<CellInverse> invert_cells(const CpuDepth& depth);
+/// Returns the inverse blocks of all cells. `careful`: reg is as large as a block's diagonal.
+Scratch<CellInverse> invert_cells(const CpuDepth& depth, bool careful = false);
 /// Returns those of some cells, the others uninitialised. Shapes: `cells` rises.
-Scratch<CellInverse> invert_cells(const CpuDepth& depth, std::span<const int32_t> cells);
+Scratch<CellInverse> invert_cells(const CpuDepth& depth, bool careful,
+                                  std::span<const int32_t> cells);
 
 }  // namespace burnish::cpu

@@ -69,7 +69,7 @@ class Schwarz final : public DepthSmoother {
       : inverse_(topology.stencil), lambda_max_(topology.grid.corners.size()) {}
 
   void set_up(CpuDepth& depth) override {
-    sum_inverses(depth.topology, invert_cells(depth), inverse_);
+    sum_inverses(depth.topology, invert_cells(depth, is_careful_), inverse_);
     find_steps(depth);
   }
 
@@ -78,10 +78,11 @@ class Schwarz final : public DepthSmoother {
   void update(CpuDepth& depth, std::span<const int32_t> corners) override {
     const std::vector<int32_t> rows = find_cells_around(depth.topology, corners).corners;
     const CellsAround needed = find_cells_around(depth.topology, rows);
-    sum_inverses(depth.topology, rows, invert_cells(depth, needed.cells), inverse_);
+    sum_inverses(depth.topology, rows, invert_cells(depth, is_careful_, needed.cells), inverse_);
     find_steps(depth);
   }
 
+  void be_careful(bool careful) override { is_careful_ = careful; }
   void start_over() override { lambda_max_.start_over(); }
 
   // After the first step from zero x is d itself.
@@ -119,6 +120,7 @@ class Schwarz final : public DepthSmoother {
     steps_ = chebyshev_steps<kDegree>(lambda_max_.estimate(depth, bounds, apply), kSchwarzRange);
   }
 
+  bool is_careful_ = false;
   StencilMatrix inverse_;  // M⁻¹
   LambdaMax lambda_max_;
   std::array<ChebyshevStep, kDegree> steps_;

@@ -20,6 +20,9 @@ class DepthSmoother {
     (void)corners;
     set_up(depth);
   }
+  /// Regularises by the size of the blocks from the next set_up() on, so that none can fail; or
+  /// as usual again.
+  virtual void be_careful(bool careful) { (void)careful; }
   virtual void start_over() {}                        ///< forgets what earlier matrices taught it
   virtual void relax_from_zero(CpuDepth& depth) = 0;  ///< x from zero
   virtual void relax(CpuDepth& depth) = 0;            ///< continues from x

@@ -12,6 +12,9 @@ namespace burnish::cpu {
 
 static constexpr int kIterationsFirst = 15;
 static constexpr int kIterationsNext = 1;
+// Keeps the first iterations within float32, whose range ends at λmax = 19 without it: squares of
+// their values are summed. A power of two leaves all bits as they are.
+static constexpr float kShrinkPerIteration = 1.0f / 16;
 
 // Returns x·r.
 static double dot(const CpuDepth& depth) {
@@ -57,10 +60,11 @@ float LambdaMax::estimate(CpuDepth& depth, Bounds bounds, const std::function<vo
     compute_residual(depth);  // −S x
     if (i + 1 == iterations) before = -dot(depth);
     apply();  // x = M⁻¹S x
+    if (i + 1 < iterations) scale_all(depth.x, kShrinkPerIteration);
   }
   const double after = -dot(depth);
   depth.x.swap(eigenvector_);
-  if (!(before > 0 && after > 0)) {  // all corners are pinned
+  if (!(before > 0 && after > 0 && std::isfinite(after))) {  // all corners are pinned
     started_ = false;
     return static_cast<float>(bounds.most);
   }

@@ -30,6 +30,22 @@ __device__ inline const OwnAlpha* own_alpha_of(const AlphaSource& source, int64_
   return nullptr;
 }
 
+/// Returns null if no held line passes the cell.
+__device__ inline const HeldLine* held_line_of(const AlphaSource& source, int64_t cell) {
+  if (source.first_line == nullptr) return nullptr;
+  const int64_t stretch = cell / HeldLine::kStretch;
+  int32_t first = source.first_line[stretch], end = source.first_line[stretch + 1];
+  while (first < end) {
+    const int32_t middle = (first + end) / 2;
+    if (source.lines[middle].cell == cell) return source.lines + middle;
+    if (source.lines[middle].cell < cell)
+      first = middle + 1;
+    else
+      end = middle;
+  }
+  return nullptr;
+}
+
 /// Returns α1 and α2 of a cell. Units: user units.
 __device__ inline float2 alpha_of(const AlphaSource& source, const Curvature* curvature,
                                   int64_t cell) {

@@ -23,12 +23,16 @@ __device__ CombineWeights weights_of(const Metric& metric, float2 alpha) {
   return combine_weights(alpha.x * metric.scale, alpha.y * metric.scale);
 }
 
-// Does the same and keeps what the metric asks for. Each warp of a block calls it as a whole; cell
-// < 0 for none.
-__device__ CombineWeights take_weights(const Metric& metric, int64_t cell) {
+struct CellWeights {
+  CombineWeights by;
+  const HeldLine* line;  // null for none
+};
+
+// Also keeps what the metric asks for. Each warp of a block calls it as a whole; cell < 0 for none.
+__device__ CellWeights take_weights(const Metric& metric, int64_t cell) {
   const float2 alpha = cell >= 0 ? alpha_of(*metric.alpha, metric.curvature, cell) : float2{1, 1};
   keep_largest(fmaxf(alpha.x / alpha.y, alpha.y / alpha.x), metric.anisotropy);
-  return weights_of(metric, alpha);
+  return {weights_of(metric, alpha), cell >= 0 ? held_line_of(*metric.alpha, cell) : nullptr};
 }
 
 // A number's three integrals. Pairs come first, then row sums, which only the mass has. They never
@@ -58,6 +62,12 @@ __device__ double combine(const ThreeIntegrals& of, const CombineWeights& weight
   return weights.mass * of.mass + stiffness_of(of, weights);
 }
 
+__device__ double combine(const ThreeIntegrals& of, const CellWeights& weights, int number) {
+  const double sum = combine(of, weights.by);
+  if (weights.line == nullptr) return sum;
+  return sum + held_line_weight(weights.by) * weights.line->number[number];
+}
+
 enum class Gradients { kNone, kFloats, kWithRests };
 
 // Combines 32 cells per block: the listed cells, or all. It may run next to the kernel that
@@ -67,7 +77,7 @@ template <Gradients kGradients>
 __global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
                                const int32_t* list, int64_t count) {
   constexpr bool kAny = kGradients != Gradients::kNone;
-  __shared__ CombineWeights weights[32];
+  __shared__ CellWeights weights[32];
   __shared__ double stiffness[kAny ? kPairsPerCell : 1][32 + 1];  // one more avoids bank conflicts
   let_next_start();
   const auto lane = static_cast<int>(threadIdx.x % 32);
@@ -82,9 +92,10 @@ __global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<d
 #pragma unroll
   for (int n = 0; n < kEach; ++n) {
     if (i < count)
-      combined.numbers[number_of(n) * combined.cells + cell] = combine(loaded[n], weights[lane]);
+      combined.numbers[number_of(n) * combined.cells + cell] =
+          combine(loaded[n], weights[lane], number_of(n));
     if (kAny && n < kPairsOfEach)
-      stiffness[number_of(n)][lane] = stiffness_of(loaded[n], weights[lane]);
+      stiffness[number_of(n)][lane] = stiffness_of(loaded[n], weights[lane].by);
   }
   if (kAny) {
     __syncthreads();
@@ -133,7 +144,7 @@ __global__ void __launch_bounds__(kThreads, 5)
                                    Topology fine, Topology coarse,
                                    CellSquares<float> coarse_cells) {
   __shared__ ChildNumbers read;
-  __shared__ CombineWeights weights[kChildren];
+  __shared__ CellWeights weights[kChildren];
   let_next_start();
   const Children children = children_of_block(coarse);
   await_previous();
@@ -147,10 +158,11 @@ __global__ void __launch_bounds__(kThreads, 5)
   };
   float stiffness[kRounds][kPairsOfEach] = {};
   const auto make = [&](int round, int64_t cell, int n, const ThreeIntegrals& loaded) {
-    const CombineWeights& by = weights[32 * round + t % 32];
+    const CellWeights& of = weights[32 * round + t % 32];
     if (kGradients && n < kPairsOfEach)
-      stiffness[round][n] = static_cast<float>(stiffness_of(loaded, by));
-    return combined.numbers[number_of(n) * combined.cells + cell] = combine(loaded, by);
+      stiffness[round][n] = static_cast<float>(stiffness_of(loaded, of.by));
+    return combined.numbers[number_of(n) * combined.cells + cell] =
+               combine(loaded, of, number_of(n));
   };
   read_children<kGradients ? kRounds : 1>(children, fine.octant, load, make_weights, make, read);
   sum_children(coarse, children, read, coarse_cells);

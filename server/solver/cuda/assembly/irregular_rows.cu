@@ -141,7 +141,8 @@ __global__ void assemble_rows_kernel(Depth depth, const float* numbers, const fl
   if (probe != nullptr) depth.r[row.corner] = product + diagonal * probe[row.corner];
 }
 
-__global__ void invert_irregular_kernel(Depth depth, CellSquares<float> inverses) {
+__global__ void invert_irregular_kernel(Depth depth, CellSquares<float> inverses,
+                                        float regularisation) {
   let_next_start();
   const Irregular& irregular = depth.topology.irregular;
   const int64_t number = thread_index();
@@ -154,8 +155,8 @@ __global__ void invert_irregular_kernel(Depth depth, CellSquares<float> inverses
   const auto entry_of = [&](int a, int b) {
     return entry_at(depth, corners.at[a], entries.at[pair_index(a, b)]);
   };
-  read_scaled_block(depth, corners, kRegularisation, entry_of, block);
-  invert(block);
+  read_scaled_block(depth, corners, regularisation, entry_of, block);
+  invert(regularisation, block);
   store_block(block, cell, inverses);
 }
 
@@ -199,8 +200,9 @@ void assemble_irregular_rows(Stream& stream, const CellSquares<float>& cells, co
 }
 
 void invert_irregular_cells(Stream& stream, const Depth& depth,
-                            const CellSquares<float>& inverses) {
-  launch(stream, invert_irregular_kernel, depth.topology.irregular.cell_count, depth, inverses);
+                            const CellSquares<float>& inverses, float regularisation) {
+  launch(stream, invert_irregular_kernel, depth.topology.irregular.cell_count, depth, inverses,
+         regularisation);
 }
 
 void assemble_irregular_inverse(Stream& stream, const Depth& depth,

@@ -16,7 +16,8 @@ void assemble_irregular_rows(Stream& stream, const CellSquares<float>& cells, co
                              const float4* probe, const float* pinned_below);
 
 /// Call after the other cells. Does the work of invert_cells() (cell_inverse.h).
-void invert_irregular_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses);
+void invert_irregular_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
+                            float regularisation);
 
 /// Call before the other rows of M⁻¹. Does the work of assemble_inverse() (cell_inverse.h). Puts
 /// the products with power.product into `next`; that iteration continues from them.

@@ -60,12 +60,21 @@ struct OwnAlpha {
   float alpha1, alpha2;
 };
 
+/// LineMass: its pairs, then its row sums.
+struct HeldLine {
+  static constexpr int kStretch = 1024;
+  int32_t cell;
+  double number[kPairsPerCell + 8];
+};
+
 /// MetricView: the kernels compute α of the cells from it.
 struct AlphaSource {
   static constexpr int kPointsMax = 64;
   int32_t point_count;  ///< of the curve; one point without `own` gives all cells its α
   int32_t own_count;
   const OwnAlpha* own;  ///< by rising cell
+  const HeldLine* lines;      ///< by rising cell
+  const int32_t* first_line;  ///< per kStretch cells, and the end; null if nothing is held
   double kappa[kPointsMax], log_alpha[kPointsMax];
 };
 

@@ -11,6 +11,7 @@ namespace burnish::cuda {
 // the first value. With their rests the CPU's small value is enough.
 inline constexpr float kRegularisation = 1e-3f;
 inline constexpr float kRegularisationWithRests = 1e-5f;
+inline constexpr float kCarefulRegularisation = 1;  // no block fails
 
 /// Reads the block of the diagonally scaled S; entry_of(a, b) is S's entry between corners a < b.
 template <typename EntryOf>
@@ -29,11 +30,11 @@ __device__ void read_scaled_block(const Depth& depth, const Eight& corners, floa
 }
 
 /// Does Gauss-Jordan without pivoting: the block is symmetric positive definite with a condition
-/// number of at most 8 / reg.
-__device__ inline void invert(float (&m)[8][8]) {
+/// number of at most 8 / reg. Its pivots are at least reg, and rounding must not bring one below.
+__device__ inline void invert(float regularisation, float (&m)[8][8]) {
 #pragma unroll
   for (int p = 0; p < 8; ++p) {
-    const float inverse_pivot = 1 / m[p][p];
+    const float inverse_pivot = 1 / fmaxf(m[p][p], regularisation);
     m[p][p] = 1;
 #pragma unroll
     for (int b = 0; b < 8; ++b) m[p][b] *= inverse_pivot;

@@ -11,7 +11,8 @@ namespace {
 
 // It reads some wrong entries for irregular cells: their inverses are made later.
 template <bool kRests>
-__global__ void invert_cells_kernel(Depth depth, CellSquares<float> inverses) {
+__global__ void invert_cells_kernel(Depth depth, CellSquares<float> inverses,
+                                    float regularisation) {
   await_previous();
   const int64_t cell = thread_index();
   if (cell >= depth.topology.cell_count) return;
@@ -21,9 +22,8 @@ __global__ void invert_cells_kernel(Depth depth, CellSquares<float> inverses) {
     const int64_t k = entry_position(depth.topology.rows, corners.at[a], slot_between(a, b));
     return value_of(depth.system.packed[k]) + (kRests ? depth.system.rest[k] : 0);
   };
-  read_scaled_block(depth, corners, kRests ? kRegularisationWithRests : kRegularisation, entry_of,
-                    block);
-  invert(block);
+  read_scaled_block(depth, corners, regularisation, entry_of, block);
+  invert(regularisation, block);
   store_block(block, cell, inverses);
 }
 
@@ -78,10 +78,12 @@ __global__ void assemble_inverse_kernel(Depth depth, CellSquares<float> inverses
 }  // namespace
 
 void invert_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
-                  bool with_rests) {
+                  bool with_rests, bool careful) {
+  const auto regularisation = [=](float usual) { return careful ? kCarefulRegularisation : usual; };
   launch(stream, with_rests ? invert_cells_kernel<true> : invert_cells_kernel<false>,
-         depth.topology.cell_count, depth, inverses);
-  invert_irregular_cells(stream, depth, inverses);
+         depth.topology.cell_count, depth, inverses,
+         regularisation(with_rests ? kRegularisationWithRests : kRegularisation));
+  invert_irregular_cells(stream, depth, inverses, regularisation(kRegularisation));
 }
 
 void assemble_inverse(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,

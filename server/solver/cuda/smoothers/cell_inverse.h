@@ -7,9 +7,10 @@
 namespace burnish::cuda {
 
 /// Makes (B_c + reg)⁻¹ of every cell; B_c is the 8×8 block of the diagonally scaled S at its
-/// corners. Uses S's entries with their rests, or the packed ones alone.
+/// corners. Uses S's entries with their rests, or the packed ones alone. `careful`: reg is as large
+/// as a block's diagonal.
 void invert_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
-                  bool with_rests);
+                  bool with_rests, bool careful);
 
 /// Makes the rows of M⁻¹ = D^-½ Σ_c R_cᵀ inverse_c R_c D^-½, and an iteration for λmax of M⁻¹S.
 /// `room`: working memory, one per corner.

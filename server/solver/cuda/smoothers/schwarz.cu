@@ -132,7 +132,7 @@ void Schwarz::set_up(const CellSquares<float>& inverses, const float* anisotropy
                            totals_.data()};
   if (halo_ != nullptr) halo_->refresh(branch_.stream(), number_, depth_.inverse_diagonal);
   refresh(branch_.stream(), depth_.r);
-  invert_cells(branch_.stream(), depth_, inverses, inverse_.rest != nullptr);
+  invert_cells(branch_.stream(), depth_, inverses, inverse_.rest != nullptr, is_careful_);
   assemble_inverse(branch_.stream(), depth_, inverses, inverse_, power, direction_.data());
   finish_iteration(power);
   if (first_) start_estimate(power);

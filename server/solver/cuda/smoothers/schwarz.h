@@ -23,6 +23,7 @@ class Schwarz final : public DepthSmoother {
   const float4* probe() const override { return eigenvector_.data(); }
   void set_up(const CellSquares<float>& inverses, const float* anisotropy) override;
   void finish_set_up() override { branch_.join(); }
+  void be_careful(bool careful) override { is_careful_ = careful; }
   void start_over() override { first_ = true; }
   void relax_from_zero() override;
   void relax() override;
@@ -49,6 +50,7 @@ class Schwarz final : public DepthSmoother {
   Halo* halo_;
   int number_;  // of the depth
   bool first_ = true;
+  bool is_careful_ = false;
 };
 
 }  // namespace burnish::cuda

@@ -33,6 +33,9 @@ class DepthSmoother {
   virtual void set_up(const CellSquares<float>& inverses, const float* anisotropy) = 0;
   virtual void finish_set_up() = 0;
 
+  /// Regularises by the size of the blocks in the next set_up(), so that none can fail; or as
+  /// usual again.
+  virtual void be_careful(bool careful) { (void)careful; }
   virtual void start_over() {}  ///< forgets what earlier matrices taught it
 
   virtual void relax_from_zero() = 0;  ///< x from zero

@@ -8,6 +8,8 @@
 #include "server/solver/cpu/products/coarsest.h"
 #include "server/solver/cpu/products/products.h"
 #include "server/solver/cpu/products/transfer.h"
+#include "server/solver/cpu/smoothers/spectrum.h"
+#include "server/solver/cycle/schwarz_bounds.h"
 #include "tests/reference/awkward_meshes.h"
 #include "tests/server/solver/test_system.h"
 
@@ -162,6 +164,20 @@ TEST_P(SmootherTest, ReducesTheError) {
   const double before = energy();
   cycle_.smoothers.back()->relax(finest);
   EXPECT_LT(energy(), 0.7 * before);
+}
+
+// Unnormalised, fifteen iterations of such an operator leave the range of float32.
+TEST(LambdaMax, ALargestEigenvalueNearTheBoundIsFound) {
+  const TestSystem system(reference::awkward_meshes().front().second, 4);
+  CpuDepth depth = std::move(system.assembled().back());
+  const double largest = 26;
+  const auto apply = [&] {
+    for (size_t i = 0; i < depth.x.size(); ++i)
+      depth.x[i] = depth.inverse_diagonal[i] == 0 ? Float4(Float4::Zero())
+                                                  : Float4(static_cast<float>(largest) * depth.x[i]);
+  };
+  LambdaMax lambda_max(depth.x.size());
+  EXPECT_NEAR(lambda_max.estimate(depth, {1, 100}, apply), kLambdaMaxMargin * largest, 1e-2);
 }
 
 }  // namespace
