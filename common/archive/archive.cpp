@@ -6,6 +6,7 @@
 
 #include <sys/stat.h>
 
+#include "common/archive/directory.h"
 #include "common/archive/entry_name.h"
 #include "common/archive/zip_handle.h"
 #include "common/base/limits.h"
@@ -16,17 +17,17 @@ namespace burnish {
 struct Archive::Zip {
   ZipSource source;
   ZipHandle archive;
-  uint64_t bytes = 0;
 };
 
 namespace {
 
+bool is_of_unix(zip_uint8_t system) {
+  return system == ZIP_OPSYS_UNIX || system == ZIP_OPSYS_OS_X;
+}
+
 /// Refuses links and devices, which Unix programs put into an entry's attributes.
-Status check_kind(zip_t* archive, zip_uint64_t entry) {
-  zip_uint8_t system = ZIP_OPSYS_DOS;
-  zip_uint32_t attributes = 0;
-  zip_file_get_external_attributes(archive, entry, 0, &system, &attributes);
-  if (system != ZIP_OPSYS_UNIX && system != ZIP_OPSYS_OS_X) return Status::ok();
+Status check_kind(zip_uint8_t system, zip_uint32_t attributes) {
+  if (!is_of_unix(system)) return Status::ok();
   const mode_t kind = (attributes >> 16) & S_IFMT;
   if (kind == S_IFLNK) return invalid_argument("is a link; only files and folders are taken");
   if (kind == 0 || kind == S_IFREG || kind == S_IFDIR) return Status::ok();
@@ -68,6 +69,10 @@ class UnpackedSum {
   uint64_t sum_ = 0;
 };
 
+Status ambiguous() {
+  return invalid_argument("the archive is damaged: it has two directories");
+}
+
 }  // namespace
 
 Archive::Archive() : zip_(std::make_unique<Zip>()) {}
@@ -78,38 +83,45 @@ Archive::~Archive() = default;
 Result<Archive> Archive::open(std::span<const uint8_t> bytes, const std::string& name) {
   Archive archive;
   archive.name_ = name;
-  archive.zip_->bytes = bytes.size();
   const auto opened = [&]() -> Status {
     if (bytes.empty()) return invalid_argument("the file is empty (0 bytes)");
     ASSIGN_OR_RETURN(archive.zip_->source, source_of(bytes));
     ASSIGN_OR_RETURN(archive.zip_->archive, open_zip(archive.zip_->source, ZIP_RDONLY));
-    RETURN_IF_ERROR(archive.list_entries());
-    // Compares each entry's header with the directory. Comes last: its messages name no entry.
-    return open_zip(archive.zip_->source, ZIP_RDONLY | ZIP_CHECKCONS).status();
+    return archive.list_entries(bytes);
   }();
   RETURN_IF_ERROR(opened.with_context(name));
   return archive;
 }
 
-Status Archive::list_entries() {
+/// libzip reads the entries; the directory here is for what it does not tell. Both must have found
+/// the same one.
+Status Archive::list_entries(std::span<const uint8_t> bytes) {
   zip_t* zip = zip_->archive.get();
   const auto count = static_cast<uint64_t>(zip_get_num_entries(zip, 0));
   if (count > kArchiveEntriesMax)
     return invalid_argument("the archive has " + std::to_string(count) + " entries, the limit is " +
                             std::to_string(kArchiveEntriesMax));
-  UnpackedSum unpacked(zip_->bytes);
+  ASSIGN_OR_RETURN(const std::vector<DirectoryRecord> records, read_directory(bytes));
+  if (records.size() != count) return ambiguous();
+  UnpackedSum unpacked(bytes.size());
   std::set<std::string> names;
   for (zip_uint64_t e = 0; e < count; ++e) {
     zip_stat_t found;
     if (zip_stat_index(zip, e, ZIP_FL_ENC_RAW, &found) != 0) return zip_status(zip_get_error(zip));
-    const std::string entry = (found.valid & ZIP_STAT_NAME) != 0 ? found.name : "";
-    RETURN_IF_ERROR(check_entry_name(entry));
+    const std::string raw_name = (found.valid & ZIP_STAT_NAME) != 0 ? found.name : "";
+    zip_uint8_t system = ZIP_OPSYS_DOS;
+    zip_uint32_t attributes = 0;
+    zip_file_get_external_attributes(zip, e, 0, &system, &attributes);
+    const std::string entry = plain_entry_name(raw_name, !is_of_unix(system));
+    if (entry != kArchiveRoot) RETURN_IF_ERROR(check_entry_name(entry));
     const std::string what = "entry " + shown_entry(entry);
     RETURN_IF_ERROR(check_description(found).with_context(what));
-    RETURN_IF_ERROR(check_kind(zip, e).with_context(what));
+    RETURN_IF_ERROR(check_kind(system, attributes).with_context(what));
     RETURN_IF_ERROR(unpacked.add(found.size).with_context(what));
     if (!names.insert(entry.ends_with('/') ? entry.substr(0, entry.size() - 1) : entry).second)
       return invalid_argument(what + " is there twice");
+    if (records[e].name != raw_name || records[e].bytes != found.size) return ambiguous();
+    RETURN_IF_ERROR(check_header(bytes, records[e]).with_context(what));
     entries_.push_back({entry, found.size});
   }
   return Status::ok();

@@ -14,7 +14,7 @@ namespace burnish {
 
 /// A file or a folder in an archive.
 struct ArchiveEntry {
-  std::string name;         ///< a path that check_entry_name() took; a folder's ends in '/'
+  std::string name;         ///< plain_entry_name(), checked; a folder's ends in '/'
   uint64_t size_bytes = 0;  ///< unpacked, as the archive announces it
 
   bool is_folder() const { return name.ends_with('/'); }
@@ -49,7 +49,7 @@ class Archive {
   struct Zip;  // libzip's objects
 
   Archive();
-  Status list_entries();
+  Status list_entries(std::span<const uint8_t> bytes);
   Status in_entry(size_t entry, const Status& status) const;
   Status unpack(size_t entry, std::vector<uint8_t>& content) const;
 

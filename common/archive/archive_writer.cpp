@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/archive/entry_name.h"
+#include "common/archive/rewritten_bytes.h"
 #include "common/archive/zip_handle.h"
 
 namespace burnish {
@@ -34,19 +35,11 @@ Status add_file(const ZipHandle& archive, const FileToPack& file) {
   return Status::ok();
 }
 
-/// Writes the archive to its source, and returns the bytes. Ends the archive.
-Result<std::vector<uint8_t>> close_to_bytes(ZipHandle archive, const ZipSource& source) {
+/// Writes the archive, and ends it.
+Status close_zip(ZipHandle archive) {
   if (zip_close(archive.get()) != 0) return failure_of(archive);
   (void)archive.release();  // closed
-  zip_stat_t found;
-  if (zip_source_stat(source.get(), &found) != 0 || zip_source_open(source.get()) != 0)
-    return zip_status(zip_source_error(source.get()));
-  std::vector<uint8_t> bytes(found.size);
-  const zip_int64_t got = zip_source_read(source.get(), bytes.data(), bytes.size());
-  zip_source_close(source.get());
-  if (got < 0 || static_cast<uint64_t>(got) != bytes.size())
-    return internal_error("the packed archive ends early");
-  return bytes;
+  return Status::ok();
 }
 
 }  // namespace
@@ -62,10 +55,12 @@ bool is_compressed_by_name(std::string_view name) {
 }
 
 Result<std::vector<uint8_t>> pack_archive(std::span<const FileToPack> files) {
-  ASSIGN_OR_RETURN(const ZipSource source, source_of({}));
+  RewrittenBytes bytes({});
+  ASSIGN_OR_RETURN(const ZipSource source, bytes.source());
   ASSIGN_OR_RETURN(ZipHandle archive, open_zip(source, ZIP_CREATE | ZIP_TRUNCATE));
   for (const FileToPack& file : files) RETURN_IF_ERROR(add_file(archive, file));
-  return close_to_bytes(std::move(archive), source);
+  RETURN_IF_ERROR(close_zip(std::move(archive)));
+  return bytes.take();
 }
 
 static Status replace(const ZipHandle& zip, const ChangedEntry& changed) {
@@ -84,10 +79,12 @@ static Status replace(const ZipHandle& zip, const ChangedEntry& changed) {
 
 Result<std::vector<uint8_t>> replace_entries(std::span<const uint8_t> archive,
                                              std::span<const ChangedEntry> changed) {
-  ASSIGN_OR_RETURN(const ZipSource source, source_of(archive));
+  RewrittenBytes bytes(archive);
+  ASSIGN_OR_RETURN(const ZipSource source, bytes.source());
   ASSIGN_OR_RETURN(ZipHandle zip, open_zip(source, 0));
   for (const ChangedEntry& each : changed) RETURN_IF_ERROR(replace(zip, each));
-  return close_to_bytes(std::move(zip), source);
+  RETURN_IF_ERROR(close_zip(std::move(zip)));
+  return bytes.take();
 }
 
 }  // namespace burnish

@@ -13,6 +13,19 @@ std::string shown_entry(std::string_view name) {
   return "'" + one_line(name, kShownBytesMax) + "'";
 }
 
+std::string plain_entry_name(std::string_view name, bool is_of_windows) {
+  std::string written(name);
+  if (is_of_windows) std::replace(written.begin(), written.end(), '\\', '/');
+  std::string plain;
+  for (size_t begin = 0; begin < written.size();) {
+    const size_t end = std::min(written.find('/', begin), written.size() - 1) + 1;
+    const std::string_view part = std::string_view(written).substr(begin, end - begin);
+    if (part != kArchiveRoot) plain += part;
+    begin = end;
+  }
+  return plain.empty() && !written.empty() ? std::string(kArchiveRoot) : plain;
+}
+
 static Status refused_name(std::string_view name, const std::string& why) {
   return invalid_argument("entry " + shown_entry(name) + " " + why);
 }
@@ -40,7 +53,8 @@ Status check_entry_name(std::string_view name) {
   if (name.front() == '/') return refused_name(name, "is an absolute path");
   if (has_drive(name)) return refused_name(name, "names a drive");
   if (name.find('\\') != std::string_view::npos)
-    return refused_name(name, "has a '\\'; its parts must be separated by '/'");
+    return refused_name(
+        name, "has a '\\' between its parts; pack the folder with a program that writes '/'");
   if (std::any_of(name.begin(), name.end(), controls))
     return refused_name(name, "has a control character in its name");
   std::string_view rest = name.ends_with('/') ? name.substr(0, name.size() - 1) : name;

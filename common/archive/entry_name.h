@@ -13,6 +13,13 @@ namespace burnish {
 /// Fails: invalid_argument that names the entry, the part and the limit.
 Status check_entry_name(std::string_view name);
 
+/// Returns the path that an entry's name means: "./a" is "a". A '\' is a '/' if the archive says
+/// that a program of Windows made the entry; .NET writes such names. The folder of all entries is
+/// kArchiveRoot.
+std::string plain_entry_name(std::string_view name, bool is_of_windows);
+
+inline constexpr std::string_view kArchiveRoot = "./";
+
 /// Returns the name for a message: in quotes, on one line.
 std::string shown_entry(std::string_view name);
 
