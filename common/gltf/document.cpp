@@ -10,8 +10,8 @@
 
 namespace burnish {
 
-static constexpr std::string_view kReadExtensions[] = {kDracoExtension, kMeshoptExtension,
-                                                       "KHR_mesh_quantization"};
+static constexpr std::string_view kReadExtensions[] = {
+    kDracoExtension, kMeshoptExtensions[0], kMeshoptExtensions[1], "KHR_mesh_quantization"};
 
 // These change how the surface looks, not where it is.
 static constexpr std::string_view kAppearancePrefixes[] = {"KHR_materials_", "KHR_texture_",
@@ -112,14 +112,27 @@ static Status open_buffer(uint64_t index, const GltfFilesBeside& beside, GltfDoc
 }
 
 static uint64_t bytes_per_byte_of(std::string_view json) {
-  const bool is_packed = json.find(kDracoExtension) != std::string_view::npos ||
-                         json.find(kMeshoptExtension) != std::string_view::npos;
+  const auto is_named = [&](const char* name) { return json.find(name) != std::string_view::npos; };
+  const bool is_packed =
+      is_named(kDracoExtension) || std::ranges::any_of(kMeshoptExtensions, is_named);
   return is_packed ? kGltfUnpackedBytesPerPackedByte : kReadingBytesPerFileByte;
 }
 
 uint64_t gltf_bytes_per_file_byte(std::span<const uint8_t> bytes) {
   const auto parts = split_glb(bytes);
   return bytes_per_byte_of(parts.is_ok() ? parts->json : text_of(bytes));
+}
+
+Result<GltfJson> read_gltf_json(std::span<const uint8_t> bytes) {
+  if (!is_glb(bytes)) return parse_gltf_json(text_of(bytes));
+  ASSIGN_OR_RETURN(const GlbParts parts, split_glb(bytes));
+  return parse_gltf_json(parts.json);
+}
+
+const GltfJson* find_meshopt(const GltfJson& view) {
+  for (const char* name : kMeshoptExtensions)
+    if (const GltfJson* packed = find_object(view, {"extensions", name})) return packed;
+  return nullptr;
 }
 
 Result<GltfDocument> open_gltf(std::span<const uint8_t> bytes, const GltfFilesBeside& beside) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -51,10 +52,18 @@ Result<GltfDocument> open_gltf(std::span<const uint8_t> bytes,
 /// kGltfUnpackedBytesPerPackedByte if its JSON names Draco or meshopt.
 uint64_t gltf_bytes_per_file_byte(std::span<const uint8_t> bytes);
 
+/// Returns the JSON of a .glb or a .gltf file. Fails: invalid_argument for a damaged file.
+Result<GltfJson> read_gltf_json(std::span<const uint8_t> bytes);
+
+/// Returns how a buffer view is packed by meshopt; null if it is not.
+const GltfJson* find_meshopt(const GltfJson& view);
+
 /// Returns a URI's text with its escapes replaced: "a%20b" is "a b".
 std::string unescaped_uri(std::string_view uri);
 
 inline constexpr const char* kDracoExtension = "KHR_draco_mesh_compression";
-inline constexpr const char* kMeshoptExtension = "EXT_meshopt_compression";
+/// The second has the members of the first.
+inline constexpr std::array<const char*, 2> kMeshoptExtensions = {"EXT_meshopt_compression",
+                                                                  "KHR_meshopt_compression"};
 
 }  // namespace burnish

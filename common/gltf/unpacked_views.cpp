@@ -3,12 +3,13 @@
 #include <meshoptimizer.h>
 
 #include "common/base/limits.h"
+#include "common/gltf/meshopt_attributes.h"
 
 namespace burnish {
 
 namespace {
 
-/// The members of EXT_meshopt_compression.
+/// The members of the extension.
 struct Packing {
   std::string mode;
   std::string filter;
@@ -38,14 +39,17 @@ Status check_packing(const Packing& packing, const std::string& place) {
   const bool filter_fits =
       packing.filter == "NONE" ||
       (has_vertices &&
-       (packing.filter == "EXPONENTIAL" || (packing.filter == "OCTAHEDRAL" && (s == 4 || s == 8)) ||
-        (packing.filter == "QUATERNION" && s == 8)));
+       (packing.filter == "EXPONENTIAL" || (packing.filter == "QUATERNION" && s == 8) ||
+        ((packing.filter == "OCTAHEDRAL" || packing.filter == "COLOR") && (s == 4 || s == 8))));
   if (filter_fits) return Status::ok();
   return refused("filter '" + packing.filter.substr(0, 40) + "' and byteStride " +
                  std::to_string(s));
 }
 
+/// Debian 12's meshoptimizer does not know version 1.
 int decode(const Packing& packing, std::span<const uint8_t> bytes, std::vector<uint8_t>& result) {
+  if (packing.mode == "ATTRIBUTES" && is_meshopt_version_1(bytes))
+    return unpack_meshopt_attributes(bytes, packing.stride, result) ? 0 : -1;
   if (packing.mode == "ATTRIBUTES")
     return meshopt_decodeVertexBuffer(result.data(), packing.count, packing.stride, bytes.data(),
                                       bytes.size());
@@ -63,6 +67,7 @@ void apply_filter(const Packing& packing, std::vector<uint8_t>& bytes) {
     meshopt_decodeFilterQuat(bytes.data(), packing.count, packing.stride);
   if (packing.filter == "EXPONENTIAL")
     meshopt_decodeFilterExp(bytes.data(), packing.count, packing.stride);
+  if (packing.filter == "COLOR") apply_meshopt_colour_filter(bytes, packing.stride);
 }
 
 }  // namespace
@@ -100,7 +105,7 @@ Result<GltfView> UnpackedViews::raw_view(const GltfJson& json, const std::string
 Result<GltfView> UnpackedViews::view(uint64_t index, const std::string& place) {
   ASSIGN_OR_RETURN(const GltfJson* json, find_element(document_.json, "bufferViews", index, place));
   const std::string own_place = place_text("bufferView", index);
-  const GltfJson* packed = find_object(*json, {"extensions", kMeshoptExtension});
+  const GltfJson* packed = find_meshopt(*json);
   if (packed == nullptr) return raw_view(*json, own_place);
   return unpack(index, *packed, own_place);
 }

@@ -32,7 +32,7 @@ std::vector<bool> find_shared_views(const GltfDocument& document) {
   std::map<uint64_t, std::vector<GltfClaim>> claims;  // by buffer
   for (uint64_t v = 0; v < is_shared.size(); ++v) {
     const GltfJson& view = document.json.at("bufferViews")[v];
-    const GltfJson* packed = find_object(view, {"extensions", kMeshoptExtension});
+    const GltfJson* packed = find_meshopt(view);
     for (const GltfJson* place : {&view, packed}) {
       if (place == nullptr) continue;
       const auto buffer = read_whole(*place, "buffer", ""),
