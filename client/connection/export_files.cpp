@@ -6,7 +6,6 @@
 #include "common/base/atomic_file.h"
 #include "common/base/mapped_file.h"
 #include "common/bundle/place_mesh.h"
-#include "common/mesh/rewrite/left_out.h"
 #include "common/transfer/content_hash.h"
 
 namespace burnish {
@@ -48,35 +47,36 @@ Result<ExportedFiles> export_file(Connection& connection, const std::string& ses
   return ExportedFiles{path, std::move(summary)};
 }
 
-/// The archive's mesh has another format than the target: writes what that format can hold.
-Result<PlacedMesh> convert(const fs::path& archive, const MappedFile& bytes,
-                           const ExportTarget& target) {
-  const std::string name = target.path.filename().string();
-  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(bytes.bytes(), MeshFormat::kZip, name));
-  RETURN_IF_ERROR(write_mesh(mesh, target.path));
-  ASSIGN_OR_RETURN(auto left_out,
-                   attributes_left_out({archive, MeshFormat::kZip, name}, target.format, mesh));
-  return PlacedMesh{target.path, std::move(left_out)};
-}
-
 Result<PlacedMesh> unpack(const fs::path& path, const ExportTarget& target) {
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
   ASSIGN_OR_RETURN(const Archive archive, Archive::open(file.bytes(), "the exported archive"));
   ASSIGN_OR_RETURN(const ArchivedMesh mesh, find_mesh(archive));
   if (target.is_folder) return place_archive(archive, mesh, target.path, target.replaces);
-  if (mesh.format != target.format) return convert(path, file, target);
   return place_mesh(archive, mesh, target.path, target.replaces);
 }
 
+Status put_in_place(const fs::path& file, const fs::path& target) {
+  ASSIGN_OR_RETURN(const MappedFile mapped, MappedFile::open(file));
+  return write_file(target,
+                    {reinterpret_cast<const char*>(mapped.bytes().data()), mapped.bytes().size()});
+}
+
+/// Exports a scan that came in an archive. An older server sends the mesh alone.
 Result<ExportedFiles> export_unpacked(Connection& connection, const std::string& session,
                                       const ExportWish& wish, const ExportTarget& target,
                                       const Progress& progress) {
-  const HiddenArchive archive(target.is_folder ? target.path : target.path.parent_path());
+  const HiddenArchive hidden(target.is_folder ? target.path : target.path.parent_path());
   ASSIGN_OR_RETURN(ExportedFiles files,
-                   export_file(connection, session, wish, archive.path(), progress));
-  ASSIGN_OR_RETURN(PlacedMesh placed, unpack(archive.path(), target));
+                   export_file(connection, session, wish, hidden.path(), progress));
+  if (!target.is_folder && !files.summary.is_archive) {
+    files.mesh = target.path;
+    RETURN_IF_ERROR(put_in_place(hidden.path(), target.path));
+    return files;
+  }
+  ASSIGN_OR_RETURN(PlacedMesh placed, unpack(hidden.path(), target));
   files.mesh = placed.mesh;
-  files.summary.left_out = std::move(placed.left_out);
+  files.summary.left_out.insert(files.summary.left_out.end(), placed.left_out.begin(),
+                                placed.left_out.end());
   RETURN_IF_ERROR(take_hash_of_file(files.mesh, files.summary));
   return files;
 }
@@ -114,21 +114,15 @@ Result<ExportedFiles> export_files(Connection& connection, const std::string& se
                                    ExportWish wish, const ExportTarget& target,
                                    const Progress& progress) {
   wish.format = target.format;
-  const bool is_plain = target.format == MeshFormat::kPly || target.format == MeshFormat::kStl ||
-                        target.format == MeshFormat::kZip;
-  if (is_plain && !target.is_folder)
+  if (target.format == MeshFormat::kZip && !target.is_folder)
     return export_file(connection, session, wish, target.path, progress);
   ASSIGN_OR_RETURN(const ScanInfo scan, scan_of(connection, session));
-  if (scan.format != MeshFormat::kZip && !target.is_folder)
-    return export_file(connection, session, wish, target.path, progress);
-  wish.format = scan.format;
-  if (scan.format != MeshFormat::kZip)
-    return export_file(connection, session, wish, target.path / file_name_of(scan), progress);
-  auto unpacked = export_unpacked(connection, session, wish, target, progress);
-  const bool is_damaged = unpacked.status().code() == StatusCode::kDataLoss;
-  if (!is_damaged || target.is_folder || !is_written_for_any_scan(target.format)) return unpacked;
-  wish.format = target.format;  // the server writes what it knows without the original
-  return export_file(connection, session, wish, target.path, progress);
+  if (target.is_folder) wish.format = scan.format;
+  wish.with_files = !target.is_folder && scan.format == MeshFormat::kZip;
+  if (scan.format == MeshFormat::kZip)
+    return export_unpacked(connection, session, wish, target, progress);
+  const fs::path file = target.is_folder ? target.path / file_name_of(scan) : target.path;
+  return export_file(connection, session, wish, file, progress);
 }
 
 }  // namespace burnish

@@ -46,10 +46,15 @@ static Status place(const FilesBeside& from, const FileToPlace& file, const fs::
   return write_file(target, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
+Status check_places(const FilesBeside& from, std::span<const FileToPlace> files,
+                    const fs::path& folder) {
+  for (const FileToPlace& file : files) RETURN_IF_ERROR(check_target(from, file, folder));
+  return Status::ok();
+}
+
 Status place_files(const FilesBeside& from, std::span<const FileToPlace> files,
                    const fs::path& folder, bool replaces) {
-  if (!replaces)
-    for (const FileToPlace& file : files) RETURN_IF_ERROR(check_target(from, file, folder));
+  if (!replaces) RETURN_IF_ERROR(check_places(from, files, folder));
   for (const FileToPlace& file : files) RETURN_IF_ERROR(place(from, file, folder));
   return Status::ok();
 }

@@ -1,9 +1,12 @@
 #include "common/bundle/place_mesh.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "common/base/mapped_file.h"
 #include "common/bundle/place_files.h"
 #include "common/mesh/folder_files.h"
-#include "common/mesh/obj_files.h"
+#include "common/mesh/named_files.h"
 
 namespace burnish {
 
@@ -37,15 +40,69 @@ fs::path folder_with(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-Status place_from_archive(const fs::path& zip, const fs::path& copy, MeshFormat format,
-                          bool replaces) {
+/// What goes beside a rewritten copy of a mesh.
+struct FilesOfMesh {
+  const FilesBeside& from;
+  const std::string& mesh;  ///< its path among them
+  std::vector<FileToPlace> files;
+  bool are_there = false;  ///< the copy lies in their folder
+};
+
+/// Calls `use` with the files of the archive if its mesh has this format.
+template <typename Use>
+Status with_files_of_archive(const fs::path& zip, MeshFormat format, const Use& use) {
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(zip));
   ASSIGN_OR_RETURN(const Archive archive, Archive::open(file.bytes(), zip.string()));
   ASSIGN_OR_RETURN(const ArchivedMesh mesh, find_mesh(archive));
   if (mesh.format != format) return Status::ok();
   std::vector<std::string> ignored;
-  return place_files(ArchiveFiles(archive), files_around(archive, mesh, ignored), folder_with(copy),
-                     replaces);
+  const ArchiveFiles from(archive);
+  return use(FilesOfMesh{from, mesh.path, files_around(archive, mesh, ignored)});
+}
+
+bool is_same_folder(const fs::path& one, const fs::path& other) {
+  std::error_code ignored;
+  return fs::equivalent(folder_with(one), folder_with(other), ignored);
+}
+
+/// Calls `use` with the files that the mesh names.
+template <typename Use>
+Status with_named_files(const fs::path& path, const fs::path& copy, MeshFormat format,
+                        const Use& use) {
+  const FolderFiles folder(folder_with(path));
+  const std::string mesh = path.filename().string();
+  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
+  ASSIGN_OR_RETURN(const NamedFiles named, find_named_files(file.bytes(), format, {&folder, mesh}));
+  std::vector<FileToPlace> beside;
+  for (const std::string& found : named.found) beside.push_back({found, found});
+  return use(FilesOfMesh{folder, mesh, std::move(beside), is_same_folder(path, copy)});
+}
+
+template <typename Use>
+Status with_files_of(const fs::path& mesh, const fs::path& copy, const Use& use) {
+  ASSIGN_OR_RETURN(const MeshFormat from, mesh_format_of_path(mesh));
+  ASSIGN_OR_RETURN(const MeshFormat to, mesh_format_of_path(copy));
+  if (from == MeshFormat::kZip && to != from) return with_files_of_archive(mesh, to, use);
+  if (from != to || from == MeshFormat::kZip) return Status::ok();
+  return with_named_files(mesh, copy, from, use);
+}
+
+/// Takes the files out that will have new bytes. Fails: already_exists if one is there.
+Status check_buffers(FilesOfMesh& beside, std::span<const std::string> buffers,
+                     const fs::path& folder) {
+  for (const std::string& name : buffers) {
+    const auto path = beside.from.find(folder_of(beside.mesh), name);
+    const auto file = std::ranges::find(beside.files, path.value_or(""), &FileToPlace::source);
+    if (file == beside.files.end()) continue;
+    std::error_code ignored;
+    const fs::path target = folder / file->target;
+    if (fs::exists(target, ignored))
+      return already_exists(target.string() +
+                            " is there, and the new mesh needs its own; write it into another "
+                            "folder, or a .glb or a .zip. --force replaces the file");
+    beside.files.erase(file);
+  }
+  return Status::ok();
 }
 
 }  // namespace
@@ -77,20 +134,20 @@ Result<PlacedMesh> place_archive(const Archive& archive, const ArchivedMesh& mes
   return placed;
 }
 
+Status check_places_of(const fs::path& mesh, const fs::path& copy,
+                       std::span<const std::string> buffers) {
+  return with_files_of(mesh, copy, [&](FilesOfMesh beside) -> Status {
+    RETURN_IF_ERROR(check_buffers(beside, buffers, folder_with(copy)));
+    if (beside.are_there) return Status::ok();
+    return check_places(beside.from, beside.files, folder_with(copy));
+  });
+}
+
 Status place_files_of(const fs::path& mesh, const fs::path& copy, bool replaces) {
-  ASSIGN_OR_RETURN(const MeshFormat from, mesh_format_of_path(mesh));
-  ASSIGN_OR_RETURN(const MeshFormat to, mesh_format_of_path(copy));
-  if (from == MeshFormat::kZip && to != from) return place_from_archive(mesh, copy, to, replaces);
-  std::error_code ignored;
-  const bool is_same_folder = fs::equivalent(folder_with(mesh), folder_with(copy), ignored);
-  if (from != MeshFormat::kObj || to != from || is_same_folder) return Status::ok();
-  const FolderFiles files(folder_with(mesh));
-  ASSIGN_OR_RETURN(const MappedFile obj, MappedFile::open(mesh));
-  ASSIGN_OR_RETURN(const ObjFiles named,
-                   find_obj_files(obj.bytes(), mesh.filename().string(), files));
-  std::vector<FileToPlace> beside;
-  for (const std::string& path : named.found) beside.push_back({path, path});
-  return place_files(files, beside, folder_with(copy), replaces);
+  return with_files_of(mesh, copy, [&](const FilesOfMesh& beside) -> Status {
+    if (beside.are_there) return Status::ok();
+    return place_files(beside.from, beside.files, folder_with(copy), replaces);
+  });
 }
 
 }  // namespace burnish

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,15 @@ Result<PlacedMesh> place_mesh(const Archive& archive, const ArchivedMesh& mesh,
 Result<PlacedMesh> place_archive(const Archive& archive, const ArchivedMesh& mesh,
                                  const std::filesystem::path& folder, bool replaces);
 
-/// Puts the files beside a mesh also beside its rewritten `copy`: those that an OBJ names, or those
-/// of the archive that the mesh was in. Does nothing if the copy has another format, or lies in the
-/// same folder as the OBJ. Fails: as place_files(); as a material file cannot be read.
+/// Checks before long work that the files beside a mesh can go beside its rewritten `copy`.
+/// `buffers` are those that will have new bytes, as the mesh names them: none may be there. Fails:
+/// already_exists naming the file; as a file cannot be read.
+Status check_places_of(const std::filesystem::path& mesh, const std::filesystem::path& copy,
+                       std::span<const std::string> buffers);
+
+/// Puts the files beside a mesh also beside its rewritten `copy`: those that the mesh names, or
+/// those of the archive that the mesh was in. Does nothing if the copy has another format, or lies
+/// in the same folder as the mesh. Fails: as place_files(); as a file cannot be read.
 Status place_files_of(const std::filesystem::path& mesh, const std::filesystem::path& copy,
                       bool replaces);
 

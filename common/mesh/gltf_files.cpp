@@ -19,23 +19,20 @@ Result<std::span<const uint8_t>> GltfFiles::read(const std::string& name) {
   return std::span<const uint8_t>(file.bytes);
 }
 
-Result<std::vector<std::string>> names_in_gltf(std::span<const uint8_t> bytes) {
-  std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (is_glb(bytes)) {
-    ASSIGN_OR_RETURN(const GlbParts parts, split_glb(bytes));
-    text = parts.json;
-  }
-  ASSIGN_OR_RETURN(const GltfJson json, parse_gltf_json(text));
+static std::vector<std::string> names_in_list(const GltfJson& json, const char* list) {
   std::vector<std::string> names;
-  for (const char* list : {"buffers", "images"}) {
-    for (size_t i = 0; i < count_elements(json, list); ++i) {
-      const GltfJson* uri = find_member(json.at(list)[i], "uri");
-      if (uri == nullptr || !uri->is_string()) continue;
-      const auto name = uri->get<std::string>();
-      if (!name.starts_with("data:")) names.push_back(unescaped_uri(name));
-    }
+  for (size_t i = 0; i < count_elements(json, list); ++i) {
+    const GltfJson* uri = find_member(json.at(list)[i], "uri");
+    if (uri == nullptr || !uri->is_string()) continue;
+    const auto name = uri->get<std::string>();
+    if (!name.starts_with("data:")) names.push_back(unescaped_uri(name));
   }
   return names;
+}
+
+Result<GltfNames> names_in_gltf(std::span<const uint8_t> bytes) {
+  ASSIGN_OR_RETURN(const GltfJson json, read_gltf_json(bytes));
+  return GltfNames{names_in_list(json, "buffers"), names_in_list(json, "images")};
 }
 
 }  // namespace burnish

@@ -2,13 +2,19 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "common/gltf/document.h"
 #include "common/mesh/files_beside.h"
+#include "common/mesh/mesh_io.h"
 
 namespace burnish {
+
+inline bool is_gltf(MeshFormat format) {
+  return format == MeshFormat::kGlb || format == MeshFormat::kGltf;
+}
 
 /// Gives a glTF reader the files beside it, and keeps their bytes.
 class GltfFiles {
@@ -32,7 +38,13 @@ class GltfFiles {
   std::map<std::string, File> files_;  // by the name in the glTF file
 };
 
-/// Returns the files that a .glb or .gltf file names: buffers and images. Fails: invalid_argument.
-Result<std::vector<std::string>> names_in_gltf(std::span<const uint8_t> bytes);
+/// The files that a .glb or .gltf file names.
+struct GltfNames {
+  std::vector<std::string> buffers;
+  std::vector<std::string> images;
+};
+
+/// Fails: invalid_argument for a damaged file.
+Result<GltfNames> names_in_gltf(std::span<const uint8_t> bytes);
 
 }  // namespace burnish

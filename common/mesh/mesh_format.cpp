@@ -3,6 +3,7 @@
 #include <string_view>
 #include <utility>
 
+#include "common/mesh/format_extension.h"
 #include "common/mesh/mesh_io.h"
 
 namespace burnish {
@@ -12,6 +13,12 @@ static constexpr std::pair<std::string_view, MeshFormat> kExtensions[] = {
     {".off", MeshFormat::kOff}, {".glb", MeshFormat::kGlb}, {".gltf", MeshFormat::kGltf},
     {".zip", MeshFormat::kZip},
 };
+
+std::string_view extension_of(MeshFormat format) {
+  for (const auto& [extension, known] : kExtensions)
+    if (known == format) return extension;
+  return "";
+}
 
 Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -29,7 +36,7 @@ Result<MeshFormat> written_format_of_path(const std::filesystem::path& path) {
   if (format.is_ok()) return format;
   return invalid_argument(
       path.string() + ": extension '" + path.extension().string() +
-      "' is not a mesh format that Burnish writes; use .ply, .obj, .stl or .glb");
+      "' is not a mesh format that Burnish writes; use .ply, .obj, .stl, .glb or .zip");
 }
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 
 #include "common/mesh/gltf_files.h"
 #include "common/mesh/obj_files.h"
+#include "common/mesh/ply_textures.h"
 
 namespace burnish {
 
@@ -12,10 +13,9 @@ static void add_name(std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-static Result<NamedFiles> find_gltf_files(std::span<const uint8_t> bytes,
-                                          const MeshSurroundings& beside) {
+static NamedFiles find_files(const std::vector<std::string>& names,
+                             const MeshSurroundings& beside) {
   NamedFiles files;
-  ASSIGN_OR_RETURN(const auto names, names_in_gltf(bytes));
   for (const std::string& name : names) {
     const auto path = beside.files->find(folder_of(beside.path), name);
     add_name(path ? files.found : files.missing, path.value_or(name));
@@ -25,8 +25,12 @@ static Result<NamedFiles> find_gltf_files(std::span<const uint8_t> bytes,
 
 Result<NamedFiles> find_named_files(std::span<const uint8_t> bytes, MeshFormat format,
                                     const MeshSurroundings& beside) {
-  if (format == MeshFormat::kGlb || format == MeshFormat::kGltf)
-    return find_gltf_files(bytes, beside);
+  if (format == MeshFormat::kPly) return find_files(textures_in_ply(bytes), beside);
+  if (is_gltf(format)) {
+    ASSIGN_OR_RETURN(GltfNames names, names_in_gltf(bytes));
+    names.buffers.insert(names.buffers.end(), names.images.begin(), names.images.end());
+    return find_files(names.buffers, beside);
+  }
   if (format != MeshFormat::kObj) return NamedFiles();
   ASSIGN_OR_RETURN(ObjFiles files, find_obj_files(bytes, beside.path, *beside.files));
   return NamedFiles{std::move(files.found), std::move(files.missing)};

@@ -16,8 +16,9 @@ struct NamedFiles {
   std::vector<std::string> missing;  ///< names, as the texts have them, each once
 };
 
-/// Finds the material files and pictures of an OBJ, and the buffers and images of a glTF file.
-/// Other formats name none. Fails: as a file cannot be read.
+/// Finds the material files and pictures of an OBJ, the buffers and images of a glTF file, and the
+/// pictures that the comments of a PLY name. Other formats name none. Fails: as a file cannot be
+/// read.
 Result<NamedFiles> find_named_files(std::span<const uint8_t> bytes, MeshFormat format,
                                     const MeshSurroundings& beside);
 

@@ -80,9 +80,10 @@ inline constexpr int kExportCyclesMax = 10'000;
 /// What to export: converged to the bar of a live session unless told otherwise.
 struct ExportWish {
   MeshFormat format = MeshFormat::kPly;
-  bool exact = false;      ///< to the export bar
-  int cycles = 0;          ///< > 0: exactly so many
-  bool deviation = false;  ///< the summary says how far the surface moved
+  bool exact = false;       ///< to the export bar
+  int cycles = 0;           ///< > 0: exactly so many
+  bool deviation = false;   ///< the summary says how far the surface moved
+  bool with_files = false;  ///< an archive with the files beside the mesh, if it has this format
 };
 
 struct ExportSummary {
@@ -100,6 +101,7 @@ struct ExportSummary {
   std::vector<std::string> left_out;  ///< attributes of the scan's file that the format leaves out
   uint64_t edits = 0;                 ///< of the session, in the exported surface
   std::optional<Deviation> deviation;
+  bool is_archive = false;  ///< as the wish for files asks
 };
 
 }  // namespace burnish

@@ -115,6 +115,7 @@ v1::ExportRequest to_wire(const std::string& session, const ExportWish& wish) {
     message.set_exact(true);
   }
   message.set_deviation(wish.deviation);
+  message.set_with_files(wish.with_files);
   return message;
 }
 
@@ -137,6 +138,7 @@ Result<ExportWish> from_wire(const v1::ExportRequest& message) {
   ASSIGN_OR_RETURN(wish.format, from_wire(message.format()));
   wish.exact = message.has_exact() && message.exact();
   wish.deviation = message.deviation();
+  wish.with_files = message.with_files();
   if (message.has_cycles()) {
     if (message.cycles() < 1 || message.cycles() > kExportCyclesMax)
       return invalid_argument("cycles " + std::to_string(message.cycles()) + " is outside 1.." +
@@ -161,6 +163,7 @@ v1::ExportSummary to_wire(const ExportSummary& summary) {
   message.set_solve_seconds(summary.solve_seconds);
   for (const std::string& name : summary.left_out) message.add_left_out(name);
   message.set_edits(summary.edits);
+  message.set_is_archive(summary.is_archive);
   if (summary.deviation)
     *message.mutable_deviation() = to_wire(SessionDeviation{*summary.deviation, summary.converged});
   return message;
@@ -181,6 +184,7 @@ Result<ExportSummary> from_wire(const v1::ExportSummary& message) {
   summary.solve_seconds = message.solve_seconds();
   summary.left_out.assign(message.left_out().begin(), message.left_out().end());
   summary.edits = message.edits();
+  summary.is_archive = message.is_archive();
   if (message.has_deviation()) {
     ASSIGN_OR_RETURN(const SessionDeviation measured, from_wire(message.deviation()));
     summary.deviation = measured.deviation;

@@ -5,17 +5,28 @@
 #include <spdlog/spdlog.h>
 
 #include "common/mesh/rewrite/left_out.h"
+#include "common/mesh/rewrite/write_plan.h"
 #include "server/manager/session_manager_held.h"
 #include "server/metrics/metrics.h"
 
 namespace burnish {
 
-static Status check_format(const ScanInfo& scan, MeshFormat format) {
-  if (is_written_for_any_scan(format) || scan.format == format) return Status::ok();
-  const std::string wish(mesh_format_name(format));
-  return invalid_argument("scan " + scan.name + " was imported as " +
-                          std::string(mesh_format_name(scan.format)) + "; only a scan from a ." +
-                          wish + " file is exported as " + wish);
+/// Decides before the solve which format is sent. Fails: invalid_argument if the scan is not
+/// written in the format.
+static Result<MeshFormat> format_to_send(MeshStore& store, const ScanInfo& scan,
+                                         const ExportWish& wish, const Progress& progress) {
+  if (scan.format != MeshFormat::kZip) {
+    RETURN_IF_ERROR(find_way(scan.format, scan.format, wish.format, scan.name).status());
+    return wish.format;
+  }
+  const auto original = store.find_original(scan.id, progress);
+  const bool is_damaged = original.status().code() == StatusCode::kDataLoss;
+  if (is_damaged && is_written_for_any_scan(wish.format)) return wish.format;
+  RETURN_IF_ERROR(original.status());
+  ASSIGN_OR_RETURN(const WritePlan plan, plan_to_write(*original, wish.format));
+  if (wish.with_files && plan.way == WriteWay::kUnpack) return MeshFormat::kZip;
+  RETURN_IF_ERROR(check_one_file(plan));
+  return wish.format;
 }
 
 /// Writes the surface by the scan's original. Returns the names of what the file leaves out. Edits
@@ -106,9 +117,11 @@ Result<std::unique_ptr<ExportFile>> SessionManager::export_mesh(const std::strin
                                                                 const Progress& progress) {
   ASSIGN_OR_RETURN(Held held, use(reference, caller, progress));
   ASSIGN_OR_RETURN(const ScanInfo scan, store_.find(held.entry->record.scan_id));
-  RETURN_IF_ERROR(check_format(scan, wish.format));
-  const auto path = folder_.staging_path("." + std::string(mesh_format_name(wish.format)));
-  ASSIGN_OR_RETURN(ExportSummary summary, solve_to_file(held, wish, path, progress));
+  ExportWish sent = wish;
+  ASSIGN_OR_RETURN(sent.format, format_to_send(store_, scan, wish, progress));
+  const auto path = folder_.staging_path("." + std::string(mesh_format_name(sent.format)));
+  ASSIGN_OR_RETURN(ExportSummary summary, solve_to_file(held, sent, path, progress));
+  summary.is_archive = sent.format != wish.format;
   return ExportFile::adopt(path, std::move(summary));
 }
 

@@ -6,17 +6,19 @@
 #include "client/cli/filter/filter_file.h"
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/rewrite/moved_mesh.h"
+#include "common/mesh/rewrite/write_plan.h"
 
 namespace burnish {
 
-/// The formats of a run.
+/// The formats of a run, and the way between them.
 struct FilterFormats {
   MeshFormat in, out;
-  bool packs() const { return out == MeshFormat::kZip && in != MeshFormat::kZip; }
+  WritePlan plan;
+  bool packs() const { return plan.way == WriteWay::kPack; }
 };
 
 /// Refuses wrong files before the long work begins. Fails: invalid_argument (a format, OUT is IN
-/// without --force); as OUT cannot be written.
+/// without --force); already_exists (a file beside OUT, without --force); as OUT cannot be written.
 Result<FilterFormats> check_filter_paths(const FilterOptions& options, const FilterPaths& paths);
 
 /// Returns the attributes of IN that OUT will not have, and warns of them on stderr. `mesh` is IN.
@@ -24,7 +26,7 @@ Result<std::vector<std::string>> tell_left_out(const FilterPaths& paths, FilterF
                                                const TriangleMesh& mesh);
 
 /// Writes the solved surface in the format of OUT, with the files beside it. Fails: as
-/// write_moved_mesh(), place_files_of() and write_packed_mesh().
+/// write_moved_mesh(), place_files_of(), write_packed_mesh() and write_spread_mesh().
 Status write_surface(const FilterOptions& options, const FilterPaths& paths, FilterFormats formats,
                      const MovedMesh& moved);
 

@@ -1,11 +1,15 @@
 #include "client/cli/filter/pack_output.h"
 
 #include <iostream>
+#include <string_view>
 #include <vector>
 
+#include "common/archive/archive.h"
 #include "common/archive/archive_writer.h"
 #include "common/base/atomic_file.h"
+#include "common/bundle/place_mesh.h"
 #include "common/bundle/scan_bundle.h"
+#include "common/mesh/archive_files.h"
 #include "common/mesh/rewrite/left_out.h"
 #include "common/mesh/rewrite/rewrite.h"
 
@@ -30,6 +34,20 @@ Status write_packed_mesh(const std::filesystem::path& original, const MovedMesh&
   OutputBuffer output(file);
   RETURN_IF_ERROR(rewrite_mesh(packed, MeshFormat::kZip, original.string(), moved, output));
   return file.commit();
+}
+
+Status write_spread_mesh(const std::filesystem::path& original, const MovedMesh& moved,
+                         const std::filesystem::path& copy, bool replaces) {
+  ASSIGN_OR_RETURN(const ScanBundle bundle, ScanBundle::open(original));
+  std::vector<uint8_t> after;
+  OutputBuffer output([&](std::string_view piece) {
+    after.insert(after.end(), piece.begin(), piece.end());
+    return Status::ok();
+  });
+  RETURN_IF_ERROR(rewrite_mesh(bundle.bytes(), bundle.format(), original.string(), moved, output));
+  ASSIGN_OR_RETURN(const Archive archive, Archive::open(after, original.string()));
+  ASSIGN_OR_RETURN(const ArchivedMesh mesh, find_mesh(archive));
+  return place_mesh(archive, mesh, copy, replaces).status();
 }
 
 }  // namespace burnish

@@ -13,4 +13,9 @@ namespace burnish {
 Status write_packed_mesh(const std::filesystem::path& original, const MovedMesh& moved,
                          const std::filesystem::path& archive);
 
+/// Writes a moved mesh whose numbers lie in files beside it too: `copy`, and those files beside it.
+/// Fails: as ScanBundle::open(), rewrite_mesh() and place_mesh().
+Status write_spread_mesh(const std::filesystem::path& original, const MovedMesh& moved,
+                         const std::filesystem::path& copy, bool replaces);
+
 }  // namespace burnish

@@ -153,7 +153,7 @@ class Session:
         other positions.
 
         It solves to rest; with `exact` to the accuracy of final results; with `cycles` for 1 to
-        10000 cycles. An archive (.zip) is written for a scan that came in one. The file is in its
+        10000 cycles. An archive (.zip) has the files that came with the scan. The file is in its
         place when it is whole. Raises Refused, Damaged, OSError.
         """
         until: dict[str, Any] = {"exact": True} if exact else {}

@@ -27,9 +27,9 @@ static void list_primitive(const GltfJson& primitive, LeftOutList& list) {
 }
 
 bool list_gltf_extras(std::span<const uint8_t> bytes, LeftOutList& list) {
-  const auto document = open_gltf(bytes);
-  if (!document.is_ok()) return false;
-  const GltfJson& json = document->json;
+  const auto read = read_gltf_json(bytes);
+  if (!read.is_ok()) return false;
+  const GltfJson& json = *read;
   for (size_t m = 0; m < count_elements(json, "meshes"); ++m) {
     const GltfJson* primitives = find_member(json.at("meshes")[m], "primitives");
     if (primitives == nullptr || !primitives->is_array()) continue;

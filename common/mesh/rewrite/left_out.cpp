@@ -7,6 +7,7 @@
 #include "common/mesh/rewrite/format_rewriters.h"
 #include "common/mesh/rewrite/left_out_list.h"
 #include "common/mesh/rewrite/packed_mesh.h"
+#include "common/mesh/rewrite/write_plan.h"
 #include "common/mesh/rewrite/zip_left_out.h"
 #include "common/mesh/stl_layout.h"
 #include "common/mesh/text_scanner.h"
@@ -73,7 +74,7 @@ static Status list_packed_extras(std::span<const uint8_t> bytes, const std::stri
 Result<std::vector<std::string>> attributes_left_out(const OriginalFile& original, MeshFormat to,
                                                      const TriangleMesh& mesh) {
   LeftOutList list;
-  if (to == original.format) return list.names();
+  if (to == original.format || to == MeshFormat::kZip) return list.names();
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original.path));
   const size_t triangles = mesh.triangles.size();
   if (original.format == MeshFormat::kZip) {
@@ -95,13 +96,12 @@ static bool rewrites_colours(std::span<const uint8_t> bytes, MeshFormat format) 
 
 Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to) {
   if (to == MeshFormat::kStl) return false;
-  const bool is_packed = original.format == MeshFormat::kZip;
-  if (to != original.format && !is_packed) return true;
+  ASSIGN_OR_RETURN(const WritePlan plan, plan_to_write(original, to));
+  if (plan.way == WriteWay::kConvert) return true;
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original.path));
-  if (!is_packed) return rewrites_colours(file.bytes(), to);
+  if (original.format != MeshFormat::kZip) return rewrites_colours(file.bytes(), original.format);
   ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(file.bytes(), original.name));
-  const bool is_rewritten = to == MeshFormat::kZip || to == packed.mesh.format;
-  return !is_rewritten || rewrites_colours(packed.bytes, packed.mesh.format);
+  return rewrites_colours(packed.bytes, packed.mesh.format);
 }
 
 }  // namespace burnish

@@ -10,8 +10,9 @@ namespace burnish {
 
 /// Names the attributes of a file that write_mesh() leaves out in another format, in a user's
 /// words: "normals", "materials", "property quality". At most kLeftOutMax names; the last is then
-/// "others". Empty for the file's own format. Names the files beside an archive's mesh too. `mesh`
-/// is what read_mesh() made of the file. Fails: as the file cannot be read.
+/// "others". Empty for the file's own format, and for an archive. Names the files beside an
+/// archive's mesh too. `mesh` is what read_mesh() made of the file. Fails: as the file cannot be
+/// read.
 Result<std::vector<std::string>> attributes_left_out(const OriginalFile& original, MeshFormat to,
                                                      const TriangleMesh& mesh);
 

@@ -1,11 +1,17 @@
 #include "common/mesh/rewrite/rewrite.h"
 
+#include <vector>
+
+#include "common/archive/archive_writer.h"
+#include "common/archive/entry_name.h"
 #include "common/base/atomic_file.h"
 #include "common/base/check.h"
 #include "common/base/mapped_file.h"
+#include "common/mesh/format_extension.h"
 #include "common/mesh/rewrite/format_rewriters.h"
 #include "common/mesh/rewrite/gltf_rewriter.h"
 #include "common/mesh/rewrite/packed_mesh.h"
+#include "common/mesh/rewrite/write_plan.h"
 
 namespace burnish {
 
@@ -55,16 +61,30 @@ static Status write_rewritten(std::span<const uint8_t> original, MeshFormat form
   return file.commit();
 }
 
+/// Packs a file as it is, alone.
+static Result<std::vector<uint8_t>> pack_alone(std::span<const uint8_t> file,
+                                               const OriginalFile& original) {
+  const std::string extension(extension_of(original.format));
+  FileToPack packed = {original.name + extension, file};
+  const bool is_name = packed.name.find('/') == std::string::npos && packed.name[0] != '.';
+  if (!is_name || !check_entry_name(packed.name).is_ok()) packed.name = "scan" + extension;
+  return pack_archive({&packed, 1});
+}
+
 Status write_moved_mesh(const OriginalFile& original, const MovedMesh& moved,
                         const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
-  if (format != original.format && original.format != MeshFormat::kZip)
-    return write_mesh(moved.after, path);
+  ASSIGN_OR_RETURN(const WritePlan plan, plan_to_write(original, format));
+  RETURN_IF_ERROR(check_one_file(plan));
+  if (plan.way == WriteWay::kConvert) return write_mesh(moved.after, path);
   ASSIGN_OR_RETURN(const MappedFile bytes, MappedFile::open(original.path));
-  if (format == original.format)
+  if (plan.way == WriteWay::kRewrite)
     return write_rewritten(bytes.bytes(), format, original.name, moved, path);
+  if (plan.way == WriteWay::kPack) {
+    ASSIGN_OR_RETURN(const auto archive, pack_alone(bytes.bytes(), original));
+    return write_rewritten(archive, format, original.name, moved, path);
+  }
   ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(bytes.bytes(), original.name));
-  if (format != packed.mesh.format) return write_mesh(moved.after, path);
   return write_rewritten(packed.bytes, format, packed.name, moved, path);
 }
 

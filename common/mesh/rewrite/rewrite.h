@@ -27,9 +27,9 @@ struct OriginalFile {
 Status rewrite_mesh(std::span<const uint8_t> original, MeshFormat format, const std::string& name,
                     const MovedMesh& moved, OutputBuffer& output);
 
-/// Writes a moved mesh to `path` in the format of its extension: by rewrite_mesh() in the format of
-/// the original, or of the mesh in an archive, else by write_mesh(). A failed write leaves the old
-/// file. Fails: as rewrite_mesh() and write_mesh() do, and as the original cannot be read.
+/// Writes a moved mesh to `path` in the format of its extension, as plan_to_write() says. A failed
+/// write leaves the old file. Fails: as the plan does, or if it writes several files; as
+/// rewrite_mesh() and write_mesh() do, and as the original cannot be read.
 Status write_moved_mesh(const OriginalFile& original, const MovedMesh& moved,
                         const std::filesystem::path& path);
 

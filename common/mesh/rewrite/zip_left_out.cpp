@@ -1,8 +1,12 @@
 #include "common/mesh/rewrite/zip_left_out.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "common/mesh/gltf_files.h"
 #include "common/mesh/text_values.h"
 
 namespace burnish {
@@ -25,10 +29,26 @@ static std::string kind_of(std::string_view name) {
   return "other files of the archive";
 }
 
+/// The buffers of a glTF file are its surface, wherever they lie.
+static std::vector<std::string> buffers_of(const PackedMesh& packed) {
+  std::vector<std::string> paths;
+  if (!is_gltf(packed.mesh.format)) return paths;
+  const auto names = names_in_gltf(packed.bytes);
+  if (!names.is_ok()) return paths;
+  for (const std::string& name : names->buffers)
+    if (auto path = ArchiveFiles(packed.archive).find(folder_of(packed.mesh.path), name))
+      paths.push_back(std::move(*path));
+  return paths;
+}
+
 void list_files_beside(const PackedMesh& packed, LeftOutList& list) {
   const auto& entries = packed.archive.entries();
-  for (size_t e = 0; e < entries.size(); ++e)
-    list.add_if(e != packed.mesh.entry && !entries[e].is_folder(), kind_of(entries[e].name));
+  const std::vector<std::string> buffers = buffers_of(packed);
+  for (size_t e = 0; e < entries.size(); ++e) {
+    const bool is_mesh = e == packed.mesh.entry || entries[e].is_folder() ||
+                         std::ranges::find(buffers, entries[e].name) != buffers.end();
+    list.add_if(!is_mesh, kind_of(entries[e].name));
+  }
 }
 
 }  // namespace burnish

@@ -30,10 +30,6 @@ class ChangedEntries {
   std::vector<ChangedEntry> entries_;
 };
 
-bool is_gltf(MeshFormat format) {
-  return format == MeshFormat::kGlb || format == MeshFormat::kGltf;
-}
-
 /// A glTF file may have its positions in a file beside it, which then changes too.
 Status rewrite_packed(const PackedMesh& packed, const MovedMesh& moved, OutputBuffer& output,
                       ChangedEntries& changed) {

@@ -85,5 +85,33 @@ TEST(PlaceFilesOf, AnObjsFilesFollowItIntoAnotherFolder) {
   EXPECT_EQ(from.file_count(), 5u);
 }
 
+TEST(CheckPlacesOf, AFileThatWouldBeReplacedIsNamedBeforeItIs) {
+  const TexturedFolder from;
+  const TemporaryFolder to;
+  EXPECT_TRUE(check_places_of(from / "scan.obj", to / "out.obj", {}).is_ok());
+  to.write("scan.mtl", content_of(from / "scan.mtl"));
+  EXPECT_TRUE(check_places_of(from / "scan.obj", to / "out.obj", {}).is_ok());
+  to.write("shine.gif", "mine");
+  const Status refused = check_places_of(from / "scan.obj", to / "out.obj", {});
+  EXPECT_EQ(refused.code(), StatusCode::kAlreadyExists);
+  EXPECT_THAT(refused.message(), HasSubstr((to / "shine.gif").string()));
+  EXPECT_TRUE(check_places_of(from / "scan.obj", to / "out.ply", {}).is_ok());
+}
+
+TEST(CheckPlacesOf, DataThatWillChangeMustHaveAFreePlace) {
+  const TemporaryFolder from, to;
+  const std::string buffer = R"({"asset": {"version": "2.0"}, "buffers": [{"uri": "scan.bin"}]})";
+  const std::vector<std::string> buffers = {"scan.bin"};
+  from.write("scan.bin", "data");
+  const auto gltf = from.write("scan.gltf", buffer);
+  EXPECT_TRUE(check_places_of(gltf, to / "out.gltf", buffers).is_ok());
+  to.write("scan.bin", "data");
+  for (const auto& out : {to / "out.gltf", from / "out.gltf"}) {
+    const Status refused = check_places_of(gltf, out, buffers);
+    EXPECT_EQ(refused.code(), StatusCode::kAlreadyExists);
+    EXPECT_THAT(refused.message(), HasSubstr("scan.bin is there"));
+  }
+}
+
 }  // namespace
 }  // namespace burnish

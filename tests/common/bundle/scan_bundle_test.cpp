@@ -61,5 +61,19 @@ TEST(ScanBundle, FilesOutsideTheFolderAreNotPacked) {
   EXPECT_THAT(bundle->missing(), ElementsAre("../scan.mtl", "scan.mtl"));
 }
 
+TEST(ScanBundle, APlyIsPackedWithThePictureThatItsCommentNames) {
+  const TemporaryFolder folder;
+  folder.write("my skin.png", "skin");
+  const std::string ply =
+      "ply\nformat ascii 1.0\ncomment TextureFile my skin.png\ncomment TextureFile gone.png\n"
+      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const auto bundle = ScanBundle::open(folder.write("scan.ply", ply));
+  ASSERT_TRUE(bundle.is_ok()) << bundle.status().message();
+  EXPECT_EQ(bundle->format(), MeshFormat::kZip);
+  EXPECT_THAT(bundle->beside(), ElementsAre("my skin.png"));
+  EXPECT_THAT(bundle->missing(), ElementsAre("gone.png"));
+}
+
 }  // namespace
 }  // namespace burnish

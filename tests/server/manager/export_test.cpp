@@ -1,9 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/archive/archive.h"
 #include "common/generate/generate.h"
 #include "server/journal/sqlite_journal.h"
 #include "server/manager/session_manager.h"
+#include "tests/common/archive/packing.h"
 #include "tests/server/manager/test_library.h"
 
 namespace burnish {
@@ -101,7 +103,7 @@ TEST_F(SessionExport, AGltfComesBackByteForByteAndNamesItsMaterialsForAPly) {
 TEST_F(SessionExport, OffIsExportedFromOffOnly) {
   const Status status = exported(MeshFormat::kOff).status();
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
-  EXPECT_THAT(status.message(), HasSubstr("imported as obj"));
+  EXPECT_THAT(status.message(), HasSubstr("only a scan from a .off file"));
 }
 
 TEST_F(SessionExport, EditsLeaveAServerWhoseOriginalIsDamaged) {
@@ -111,6 +113,38 @@ TEST_F(SessionExport, EditsLeaveAServerWhoseOriginalIsDamaged) {
   ASSERT_TRUE(file.is_ok()) << file.status().message();
   EXPECT_EQ(file.value()->summary().triangles, 1280u);
   EXPECT_THAT(file.value()->summary().left_out, ElementsAre(HasSubstr("damaged")));
+}
+
+TEST_F(SessionExport, AnyScanIsExportedAsAnArchive) {
+  const auto file = exported(MeshFormat::kZip);
+  ASSERT_TRUE(file.is_ok()) << file.status().message();
+  const std::string bytes = file.value()->read(0).value();
+  const Archive archive = std::move(Archive::open(as_bytes(bytes), "ball")).value();
+  ASSERT_EQ(archive.entries().size(), 1u);
+  EXPECT_EQ(archive.entries()[0].name, "ball.obj");
+  EXPECT_EQ(as_string(archive.read(0).value()), file_);
+}
+
+TEST_F(SessionExport, AnArchivesMeshComesAloneOrWithItsFiles) {
+  const std::string archive =
+      as_string(packed({{"stone.mtl", "newmtl stone\n"}, {"a.obj", file_}}));
+  ASSERT_TRUE(library_.import(archive, "packed", {}, 5, MeshFormat::kZip).is_ok());
+  ASSERT_TRUE(manager_->open({"packed", "two", {5, 0}}, {}, {}).is_ok());
+  const auto exported_as = [&](MeshFormat format, bool with_files) {
+    ExportWish wish{format, false, 1};
+    wish.with_files = with_files;
+    return manager_->export_mesh("two", wish, {});
+  };
+  const auto alone = exported_as(MeshFormat::kObj, false);
+  ASSERT_TRUE(alone.is_ok()) << alone.status().message();
+  EXPECT_EQ(alone.value()->read(0).value(), file_);
+  EXPECT_FALSE(alone.value()->summary().is_archive);
+  const auto with_files = exported_as(MeshFormat::kObj, true);
+  EXPECT_EQ(with_files.value()->read(0).value(), archive);
+  EXPECT_TRUE(with_files.value()->summary().is_archive);
+  EXPECT_FALSE(exported_as(MeshFormat::kPly, true).value()->summary().is_archive);
+  EXPECT_THAT(exported_as(MeshFormat::kOff, true).status().message(), HasSubstr(".obj file"));
+  EXPECT_EQ(library_.staged_files(), 0u);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "common/mesh/rewrite/left_out.h"
 
+#include "tests/common/archive/packing.h"
 #include "tests/common/gltf/glb_file.h"
 #include "tests/common/mesh/reading.h"
 #include "tests/common/temporary_folder.h"
@@ -108,6 +109,22 @@ TEST(LeftOut, AnStlNamesAttributesOfFacets) {
   EXPECT_EQ(left_out(MeshFormat::kStl, file + bytes_of(uint16_t{0}), MeshFormat::kPly), "");
   EXPECT_EQ(left_out(MeshFormat::kStl, file + bytes_of(uint16_t{9}), MeshFormat::kPly),
             "attributes of facets");
+}
+
+TEST(LeftOut, AGltfsDataBesideItIsNotLeftOut) {
+  GlbFile file = square_glb();
+  file.json["images"] = {{{"uri", "skin.png"}}};
+  TestJson json = file.json;
+  json["buffers"] = {{{"byteLength", file.bin.size()}, {"uri", "data/scan.bin"}}};
+  const auto archive = as_string(packed(
+      {{"a/skin.png", "pixels"}, {"a/data/scan.bin", file.bin}, {"a/scan.gltf", json.dump()}}));
+  EXPECT_EQ(left_out(MeshFormat::kZip, archive, MeshFormat::kPly), "pictures");
+  const TemporaryFolder folder;
+  const OriginalFile alone = {folder.write("scan.gltf", json.dump()), MeshFormat::kGltf, "scan"};
+  const auto names =
+      attributes_left_out(alone, MeshFormat::kPly, parsed(MeshFormat::kZip, archive));
+  ASSERT_TRUE(names.is_ok()) << names.status().message();
+  EXPECT_EQ(left_out_text(*names), "pictures");
 }
 
 }  // namespace
