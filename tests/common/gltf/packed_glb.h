@@ -7,6 +7,7 @@
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 
 #include "tests/common/gltf/glb_file.h"
+#include "tests/common/gltf/meshopt_packing.h"
 
 namespace burnish {
 
@@ -72,18 +73,24 @@ inline GlbFile draco_glb(const TriangleMesh& mesh, int method) {
   return file;
 }
 
-/// Packs a mesh's positions and indices by meshopt, as gltfpack does.
-inline GlbFile meshopt_glb(const TriangleMesh& mesh) {
+/// Packs a mesh's positions and indices by meshopt, as gltfpack does. `is_version_1`: the positions
+/// as KHR_meshopt_compression adds.
+inline GlbFile meshopt_glb(const TriangleMesh& mesh, bool is_version_1 = false) {
   GlbFile file;
+  const char* name = is_version_1 ? "KHR_meshopt_compression" : "EXT_meshopt_compression";
   std::vector<Vec3f> positions;
   std::vector<uint32_t> indices;
   for (const Vec3d& vertex : mesh.vertices) positions.push_back(vertex.cast<float>());
   for (const Triangle& t : mesh.triangles) indices.insert(indices.end(), t.begin(), t.end());
   file.more_buffers = {{{"byteLength", 12 * mesh.vertices.size() + 12 * mesh.triangles.size()},
-                        {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}}};
+                        {"extensions", {{name, {{"fallback", true}}}}}}};
   std::string packed(meshopt_encodeVertexBufferBound(positions.size(), sizeof(Vec3f)), '\0');
   packed.resize(meshopt_encodeVertexBuffer(reinterpret_cast<uint8_t*>(packed.data()), packed.size(),
                                            positions.data(), positions.size(), sizeof(Vec3f)));
+  if (is_version_1)
+    packed = MeshoptPacking({0, 1, 0x52})
+                 .packed({reinterpret_cast<const char*>(positions.data()),
+                          positions.size() * sizeof(Vec3f)});
   const auto add = [&](const std::string& bytes, const char* mode, size_t count, size_t stride) {
     const size_t offset = (file.bin.size() + 3) / 4 * 4;
     TestJson extension = {
@@ -92,14 +99,14 @@ inline GlbFile meshopt_glb(const TriangleMesh& mesh) {
     return file.add_view(bytes, {{"buffer", 1},
                                  {"byteOffset", 0},
                                  {"byteLength", count * stride},
-                                 {"extensions", {{"EXT_meshopt_compression", extension}}}});
+                                 {"extensions", {{name, extension}}}});
   };
   const size_t view = add(packed, "ATTRIBUTES", positions.size(), sizeof(Vec3f));
   packed.assign(meshopt_encodeIndexBufferBound(indices.size(), positions.size()), '\0');
   packed.resize(meshopt_encodeIndexBuffer(reinterpret_cast<uint8_t*>(packed.data()), packed.size(),
                                           indices.data(), indices.size()));
   const size_t index_view = add(packed, "TRIANGLES", indices.size(), sizeof(uint32_t));
-  file.json["extensionsUsed"] = file.json["extensionsRequired"] = {"EXT_meshopt_compression"};
+  file.json["extensionsUsed"] = file.json["extensionsRequired"] = {name};
   const size_t position_accessor = file.add_accessor(view, "VEC3", 5126, positions.size());
   file.add_primitive({{"POSITION", position_accessor}})["indices"] =
       file.add_accessor(index_view, "SCALAR", 5125, indices.size());

@@ -83,12 +83,13 @@ TEST(PackedGltf, DamagedMeshoptIsRefusedByTheView) {
   EXPECT_THAT(refusal(kPackedGlb, file.glb()), HasSubstr("meshopt compression is damaged"));
 }
 
-TEST(PackedGltf, MeshoptIsReadUnderBothItsNames) {
+TEST(PackedGltf, MeshoptIsReadUnderBothItsNamesAndInBothItsVersions) {
   const TriangleMesh sphere = make_icosphere(3, 1);
   std::string glb = meshopt_glb(sphere).glb();
   for (size_t at = 0; (at = glb.find("EXT_meshopt")) != std::string::npos;)
     glb.replace(at, 3, "KHR");
   expect_same_surface(parsed(kPackedGlb, glb), sphere, 1e-6);
+  expect_same_surface(parsed(kPackedGlb, meshopt_glb(sphere, true).glb()), sphere, 1e-6);
 }
 
 }  // namespace

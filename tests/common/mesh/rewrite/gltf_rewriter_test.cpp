@@ -75,7 +75,8 @@ TEST(GltfRewriter, AMeshThatStaysGivesTheSameBytes) {
   const TriangleMesh sphere = make_icosphere(2, 1);
   for (const std::string& content :
        {rich_square().glb(), rich_square().gltf(), rich_square().gltf(3),
-        draco_glb(sphere, draco::MESH_EDGEBREAKER_ENCODING).glb(), meshopt_glb(sphere).glb()})
+        draco_glb(sphere, draco::MESH_EDGEBREAKER_ENCODING).glb(), meshopt_glb(sphere).glb(),
+        meshopt_glb(sphere, true).glb()})
     EXPECT_EQ(rewritten_glb(content), content);
 }
 
