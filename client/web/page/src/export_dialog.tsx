@@ -7,7 +7,7 @@ import { Button, Check, Choice, Row } from "./controls";
 import { Dialog } from "./dialog";
 import type { Document } from "./snapshot";
 
-const kKinds = ["ply", "obj", "stl", "off", "glb"] as const;
+const kKinds = ["ply", "obj", "stl", "off", "glb", "gltf", "zip"] as const;
 
 export function ExportDialog({ document, onClose }: { document: Document; onClose: () => void }) {
   const link = useLink();
