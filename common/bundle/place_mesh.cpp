@@ -99,7 +99,7 @@ Status check_buffers(FilesOfMesh& beside, std::span<const std::string> buffers,
     if (fs::exists(target, ignored))
       return already_exists(target.string() +
                             " is there, and the new mesh needs its own; write it into another "
-                            "folder, or a .glb or a .zip. --force replaces the file");
+                            "folder, a .zip, or another format. --force replaces the file");
     beside.files.erase(file);
   }
   return Status::ok();

@@ -53,8 +53,9 @@ Result<WritePlan> plan_to_write(const OriginalFile& original, MeshFormat to) {
 
 Status check_one_file(const WritePlan& plan) {
   if (plan.buffers.empty()) return Status::ok();
-  return invalid_argument(plan.name + " has its data in '" + plan.buffers[0] +
-                          "' beside it, which one file cannot have; write a .glb or a .zip");
+  return invalid_argument(
+      plan.name + " has its data in '" + plan.buffers[0] +
+      "' beside it, which one file cannot have; write a .zip, or another format");
 }
 
 }  // namespace burnish
