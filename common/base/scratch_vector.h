@@ -14,6 +14,8 @@ class ScratchVector {
   explicit ScratchVector(const ScratchSpace& space) : space_(space) {}
 
   size_t size() const { return size_; }
+  T* data() { return array_.data(); }
+  const T* data() const { return array_.data(); }
   T& operator[](size_t i) { return array_[i]; }
   const T& operator[](size_t i) const { return array_[i]; }
 

@@ -17,7 +17,7 @@ struct GlbPositions {
   Vec3f least = Vec3f::Zero();
   Vec3f largest = Vec3f::Zero();
 
-  explicit GlbPositions(const TriangleMesh& mesh) {
+  explicit GlbPositions(const MeshView& mesh) {
     Vec3d low = mesh.vertices.front(), high = low;
     for (const Vec3d& vertex : mesh.vertices) {
       low = low.cwiseMin(vertex);
@@ -55,8 +55,7 @@ std::string view_json(uint64_t offset, uint64_t bytes, int target) {
 
 /// One node with one mesh of one primitive. A reader of glTF makes flat normals where there are
 /// none.
-std::string json_of(const TriangleMesh& mesh, const GlbPositions& positions,
-                    const GlbSizes& sizes) {
+std::string json_of(const MeshView& mesh, const GlbPositions& positions, const GlbSizes& sizes) {
   const std::string vertices = std::to_string(mesh.vertices.size());
   const bool has_node = positions.node != Vec3d::Zero();
   std::string json = R"({"asset":{"version":"2.0","generator":"Burnish"},"scene":0,)";
@@ -89,7 +88,7 @@ void put_colour(const Rgba8& colour, OutputBuffer& output) {
 
 }  // namespace
 
-Status write_glb(const TriangleMesh& mesh, AtomicFile& file) {
+Status write_glb(const MeshView& mesh, AtomicFile& file) {
   const GlbPositions positions(mesh);
   GlbSizes sizes{.positions = mesh.vertices.size() * sizeof(Vec3f),
                  .indices = mesh.triangles.size() * sizeof(Triangle)};

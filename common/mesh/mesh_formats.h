@@ -13,7 +13,8 @@
 ///
 /// A reader takes a whole file's bytes and its name for messages; the caller calls validate().
 /// Polygons become fans around their first corner; faces that repeat a vertex are kept; faces of
-/// fewer than three corners are refused. Before memory is taken, every count is checked against the
+/// fewer than three corners give no triangle. A vertex that no triangle uses may have coordinates
+/// that are none (OddVertices). Before memory is taken, every count is checked against the
 /// bytes that are left, and the triangles of polygons against the file's size. So memory stays
 /// below kReadingBytesPerFileByte times the file. Messages number elements and bytes from 0 and
 /// lines from 1.
@@ -33,9 +34,9 @@ Status read_off(std::span<const uint8_t> bytes, const std::string& name, Growing
 Result<uint64_t> predict_zip_reading_bytes(std::span<const uint8_t> bytes, const std::string& name);
 
 /// Append to `file`; the caller commits it. Needs: a valid mesh.
-Status write_ply(const TriangleMesh& mesh, AtomicFile& file);
-Status write_obj(const TriangleMesh& mesh, AtomicFile& file);
-Status write_stl(const TriangleMesh& mesh, AtomicFile& file);
-Status write_glb(const TriangleMesh& mesh, AtomicFile& file);
+Status write_ply(const MeshView& mesh, AtomicFile& file);
+Status write_obj(const MeshView& mesh, AtomicFile& file);
+Status write_stl(const MeshView& mesh, AtomicFile& file);
+Status write_glb(const MeshView& mesh, AtomicFile& file);
 
 }  // namespace burnish

@@ -13,7 +13,7 @@
 namespace burnish {
 
 /// Returns nullptr for formats that need an original.
-static Status (*writer_of(MeshFormat format))(const TriangleMesh& mesh, AtomicFile& file) {
+static Status (*writer_of(MeshFormat format))(const MeshView& mesh, AtomicFile& file) {
   if (format == MeshFormat::kPly) return write_ply;
   if (format == MeshFormat::kObj) return write_obj;
   if (format == MeshFormat::kStl) return write_stl;
@@ -126,7 +126,7 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& path) {
   return read_mesh(file.bytes(), format, path.string(), {&files, path.filename().string()});
 }
 
-Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path) {
+Status write_mesh(const MeshView& mesh, const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const MeshFormat format, written_format_of_path(path));
   if (!is_written_for_any_scan(format))
     return invalid_argument("cannot write " + path.string() + ": only a scan from a " +

@@ -52,6 +52,6 @@ bool is_read_into_scratch(MeshFormat format);
 /// `path`, syncs it, and renames it into place. A failed write leaves the old file.
 /// Fails: invalid_argument (unknown extension, !is_written_for_any_scan()), resource_exhausted
 /// (disk full), ...
-Status write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path);
+Status write_mesh(const MeshView& mesh, const std::filesystem::path& path);
 
 }  // namespace burnish

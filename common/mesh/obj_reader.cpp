@@ -3,6 +3,7 @@
 
 #include "common/base/limits.h"
 #include "common/mesh/mesh_formats.h"
+#include "common/mesh/odd_vertices.h"
 #include "common/mesh/polygon.h"
 #include "common/mesh/text_colours.h"
 #include "common/mesh/text_scanner.h"
@@ -29,6 +30,8 @@ class ObjReader {
       if (keyword == "f") RETURN_IF_ERROR(read_face());
     }
     RETURN_IF_ERROR(check_largest_index());
+    RETURN_IF_ERROR(odd_.settle({mesh_.vertices.data(), mesh_.vertices.size()},
+                                {mesh_.triangles.data(), mesh_.triangles.size()}));
     colours_.finish(mesh_.vertices.size(), mesh_.colours);
     return Status::ok();
   }
@@ -36,8 +39,9 @@ class ObjReader {
  private:
   Status read_vertex() {
     Vec3d position;
-    RETURN_IF_ERROR(read_position(scanner_, {"vertex", mesh_.vertices.size()}, position,
-                                  mesh_.has_double_positions));
+    RETURN_IF_ERROR(parse_position(next_position_words(scanner_), scanner_,
+                                   {"vertex", mesh_.vertices.size()}, &odd_, position,
+                                   mesh_.has_double_positions));
     read_colour();
     mesh_.vertices.push_back(position);
     return Status::ok();
@@ -55,8 +59,6 @@ class ObjReader {
       RETURN_IF_ERROR(read_corner(token, corner));
       corners_.push_back(corner);
     }
-    if (corners_.size() < 3)
-      return scanner_.error(corner_count_complaint(faces_, static_cast<int64_t>(corners_.size())));
     append_fan(corners_, mesh_.triangles);
     if (unfolds_too_far(mesh_.triangles, file_bytes_))
       return scanner_.error(unfolding_complaint(mesh_.triangles, file_bytes_));
@@ -108,6 +110,7 @@ class ObjReader {
   uint64_t file_bytes_;
   Mesh& mesh_;
   TextColours colours_;
+  OddVertices odd_;
   std::vector<uint32_t> corners_;
   uint64_t faces_ = 0;
   int64_t largest_index_ = -1;

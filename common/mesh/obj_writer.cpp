@@ -3,7 +3,7 @@
 
 namespace burnish {
 
-static void put_vertex(const TriangleMesh& mesh, size_t v, OutputBuffer& output) {
+static void put_vertex(const MeshView& mesh, size_t v, OutputBuffer& output) {
   output.put_text("v");
   for (const double x : mesh.vertices[v]) {
     output.put_text(" ");
@@ -21,7 +21,7 @@ static void put_vertex(const TriangleMesh& mesh, size_t v, OutputBuffer& output)
 }
 
 /// Writes colours as fractions after the position, as most programs do. OBJ has no place for alpha.
-Status write_obj(const TriangleMesh& mesh, AtomicFile& file) {
+Status write_obj(const MeshView& mesh, AtomicFile& file) {
   OutputBuffer output(file);
   for (size_t v = 0; v < mesh.vertices.size(); ++v) put_vertex(mesh, v, output);
   for (const Triangle& triangle : mesh.triangles) {

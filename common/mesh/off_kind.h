@@ -13,16 +13,21 @@ struct OffKind {
   bool has_texture_coordinates = false;
 };
 
-/// Parses the first word of a file: OFF with any of ST, C and N before it.
-inline std::optional<OffKind> parse_off_kind(std::string_view magic) {
+/// Takes the first word of a file, OFF with any of ST, C and N before it, from the beginning of
+/// `text`.
+inline std::optional<OffKind> take_off_kind(std::string_view& text) {
+  const auto take = [](std::string_view& rest, std::string_view word) {
+    const bool is_there = rest.starts_with(word);
+    if (is_there) rest.remove_prefix(word.size());
+    return is_there;
+  };
+  std::string_view rest = text;
   OffKind kind;
-  kind.has_texture_coordinates = magic.starts_with("ST");
-  if (kind.has_texture_coordinates) magic.remove_prefix(2);
-  kind.has_colours = magic.starts_with('C');
-  if (kind.has_colours) magic.remove_prefix(1);
-  kind.has_normals = magic.starts_with('N');
-  if (kind.has_normals) magic.remove_prefix(1);
-  if (magic != "OFF") return std::nullopt;
+  kind.has_texture_coordinates = take(rest, "ST");
+  kind.has_colours = take(rest, "C");
+  kind.has_normals = take(rest, "N");
+  if (!take(rest, "OFF")) return std::nullopt;
+  text = rest;
   return kind;
 }
 

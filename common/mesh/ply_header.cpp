@@ -23,10 +23,11 @@ const Named* find_named(const std::vector<Named>& items, std::string_view name) 
 class HeaderParser {
  public:
   HeaderParser(std::span<const uint8_t> bytes, const std::string& name)
-      : scanner_(bytes, name), bytes_(bytes.size()) {}
+      : scanner_(bytes, name), bytes_(bytes) {}
 
   Result<PlyHeader> parse() {
     const std::string_view magic = scanner_.next_line() ? scanner_.next_token() : "";
+    const bool ends_in_cr = last_byte() == '\r';
     if (magic != "ply")
       return scanner_.error("not a PLY file: begins with " + in_quotes(magic) + ", not 'ply'");
     while (scanner_.next_line()) {
@@ -34,16 +35,21 @@ class HeaderParser {
         return scanner_.error("the header line has " + std::to_string(scanner_.line_rest().size()) +
                               " bytes, the limit is " + std::to_string(kLineBytesMax));
       const std::string_view keyword = scanner_.next_token();
-      if (keyword == "end_header") return finish();
+      if (keyword == "end_header") return finish(ends_in_cr);
       RETURN_IF_ERROR(parse_line(keyword));
     }
     return scanner_.error("the header has no 'end_header'");
   }
 
  private:
-  Result<PlyHeader> finish() {
+  size_t offset() const { return bytes_.size() - scanner_.bytes_after_line(); }
+  uint8_t last_byte() const { return offset() == 0 ? 0 : bytes_[offset() - 1]; }
+
+  /// Where lines end in CR, an LF behind the last one is the body's first byte.
+  Result<PlyHeader> finish(bool ends_in_cr) {
     if (!has_format_) return scanner_.error("the header has no 'format' line");
-    header_.body_offset = bytes_ - scanner_.bytes_after_line();
+    header_.body_offset = offset();
+    if (ends_in_cr && last_byte() == '\n') --header_.body_offset;
     header_.lines = scanner_.line_number();
     return std::move(header_);
   }
@@ -139,7 +145,7 @@ class HeaderParser {
   }
 
   TextScanner scanner_;
-  size_t bytes_;
+  std::span<const uint8_t> bytes_;
   PlyHeader header_;
   bool has_format_ = false;
   size_t declarations_ = 0;

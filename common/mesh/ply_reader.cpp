@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "common/mesh/mesh_formats.h"
+#include "common/mesh/odd_vertices.h"
 #include "common/mesh/ply_ascii_source.h"
 #include "common/mesh/ply_binary_source.h"
 #include "common/mesh/ply_colour.h"
@@ -38,13 +39,16 @@ class PlyBodyReader {
       if (element.properties.empty()) continue;
       RETURN_IF_ERROR(element.name == "vertex" ? read_vertices(element) : read_lists(element));
     }
-    return Status::ok();
+    return odd_.settle({mesh_.vertices.data(), mesh_.vertices.size()},
+                       {mesh_.triangles.data(), mesh_.triangles.size()});
   }
 
  private:
   Status read_vertices(const PlyElement& element) {
     mesh_.vertices.resize(layout_.vertices, Vec3d::Zero());
     if (layout_.has_colours) mesh_.colours.resize(layout_.vertices, Rgba8{0, 0, 0, 255});
+    if (has_float_colours(element, layout_))
+      largest_float_channel_ = largest_float_channel(source_, element, layout_);
     for (uint64_t v = 0; v < layout_.vertices; ++v) {
       for (size_t p = 0; p < element.properties.size(); ++p)
         RETURN_IF_ERROR(read_vertex_property(element, v, p));
@@ -60,14 +64,17 @@ class PlyBodyReader {
     double value;
     if (!source_.read(property.type, value)) return read_error(element, v);
     if (slot >= kPlyRed) {
-      if (layout_.has_colours) mesh_.colours[v][slot - kPlyRed] = colour_byte(value, property.type);
+      if (layout_.has_colours)
+        mesh_.colours[v][slot - kPlyRed] =
+            colour_byte(value, full_channel(property.type, largest_float_channel_));
       return Status::ok();
     }
     const auto axis = static_cast<int>(slot);
-    if (!is_coordinate(value))
-      return source_.error(coordinate_complaint({"vertex", v}, axis, number_text(value)));
-    if (!mesh_.has_double_positions) mesh_.has_double_positions = source_.last_exceeds_float(value);
     mesh_.vertices[v][axis] = value;
+    if (!is_coordinate(value))
+      odd_.keep(v, source_.error(coordinate_complaint({"vertex", v}, axis, number_text(value))));
+    else if (!mesh_.has_double_positions)
+      mesh_.has_double_positions = source_.last_exceeds_float(value);
     return Status::ok();
   }
 
@@ -95,7 +102,6 @@ class PlyBodyReader {
   Status read_face(const PlyElement& element, uint64_t f, const PlyProperty& list) {
     uint64_t count;
     RETURN_IF_ERROR(read_count(element, f, list, count));
-    if (count < 3) return source_.error(corner_count_complaint(f, static_cast<int64_t>(count)));
     corners_.resize(count);
     for (uint32_t& corner : corners_) {
       double index;
@@ -173,6 +179,8 @@ class PlyBodyReader {
   const PlyHeader& header_;
   const PlyLayout& layout_;
   Mesh& mesh_;
+  OddVertices odd_;
+  double largest_float_channel_ = 0;
   std::vector<uint32_t> corners_;
 };
 

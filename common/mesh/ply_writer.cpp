@@ -5,12 +5,12 @@
 
 namespace burnish {
 
-static bool has_transparency(const TriangleMesh& mesh) {
+static bool has_transparency(const MeshView& mesh) {
   return std::any_of(mesh.colours.begin(), mesh.colours.end(),
                      [](const Rgba8& colour) { return colour[3] != 255; });
 }
 
-static std::string header_of(const TriangleMesh& mesh, size_t channels) {
+static std::string header_of(const MeshView& mesh, size_t channels) {
   const std::string type = mesh.has_double_positions ? "double" : "float";
   std::string header = "ply\nformat binary_little_endian 1.0\n";
   header += "element vertex " + std::to_string(mesh.vertices.size()) + "\n";
@@ -22,7 +22,7 @@ static std::string header_of(const TriangleMesh& mesh, size_t channels) {
   return header + "property list uchar int vertex_indices\nend_header\n";
 }
 
-Status write_ply(const TriangleMesh& mesh, AtomicFile& file) {
+Status write_ply(const MeshView& mesh, AtomicFile& file) {
   const size_t channels = !mesh.has_colours() ? 0 : has_transparency(mesh) ? 4 : 3;
   OutputBuffer output(file);
   output.put_text(header_of(mesh, channels));

@@ -9,7 +9,7 @@
 namespace burnish {
 
 /// Appends a polygon as the fan around its first corner: n corners, n - 2 triangles.
-/// Needs: at least three corners.
+/// Fewer than three corners give none.
 template <typename Triangles>
 void append_fan(std::span<const uint32_t> corners, Triangles& triangles) {
   for (size_t i = 2; i < corners.size(); ++i)
@@ -51,12 +51,6 @@ std::string unfolding_complaint(const Triangles& triangles, uint64_t file_bytes)
   return "the polygons so far are " + std::to_string(triangles.size()) +
          " triangles, which take more than " + std::to_string(kUnfoldedBytesPerFileByte) +
          " times the " + std::to_string(file_bytes) + " bytes of the file";
-}
-
-/// "face 3 has 2 corners; a face needs at least 3".
-inline std::string corner_count_complaint(uint64_t face, int64_t corners) {
-  return "face " + std::to_string(face) + " has " + std::to_string(corners) +
-         " corners; a face needs at least 3";
 }
 
 /// "face 3 refers to vertex 9, but there are 8, numbered from 0".

@@ -3,6 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+
+#include "common/mesh/text_scanner.h"
 
 namespace burnish {
 
@@ -16,5 +19,9 @@ uint64_t promised_stl_bytes(std::span<const uint8_t> bytes);
 /// Returns whether the file is text. Binary files may begin with "solid" too. Then their length, or
 /// bytes in the header that text never has, reveal them.
 bool is_stl_text(std::span<const uint8_t> bytes);
+
+/// Returns the first word of a line of text, in small letters. Some programs write "end loop" for
+/// "endloop"; both are one word here.
+std::string next_stl_keyword(TextScanner& scanner);
 
 }  // namespace burnish

@@ -51,11 +51,11 @@ class AsciiStlReader {
 
   Status read() {
     while (scanner_.next_line()) {
-      const std::string_view keyword = scanner_.next_token();
+      const std::string keyword = next_stl_keyword(scanner_);
       if (in_solid_) {
         RETURN_IF_ERROR(read_statement(keyword));
       } else {
-        in_solid_ = equals_ignoring_case(keyword, "solid");
+        in_solid_ = keyword == "solid";
       }
     }
     if (in_solid_)
@@ -65,13 +65,12 @@ class AsciiStlReader {
   }
 
  private:
-  Status read_statement(std::string_view keyword) {
-    const auto is = [&](const char* word) { return equals_ignoring_case(keyword, word); };
-    if (is("vertex")) return read_corner();
-    if (is("endfacet")) return end_facet();
-    if (is("outer") || is("endloop")) return Status::ok();
-    const bool is_facet = is("facet");
-    if (!is_facet && !is("endsolid"))
+  Status read_statement(const std::string& keyword) {
+    if (keyword == "vertex") return read_corner();
+    if (keyword == "endfacet") return end_facet();
+    if (keyword == "outer" || keyword == "endloop") return Status::ok();
+    const bool is_facet = keyword == "facet";
+    if (!is_facet && keyword != "endsolid")
       return scanner_.error(in_quotes(keyword) + " is not a statement of an STL solid");
     if (corners_ != 0)
       return scanner_.error(facet_text() + " has no 'endfacet' before " + in_quotes(keyword));
@@ -82,8 +81,9 @@ class AsciiStlReader {
   Status read_corner() {
     if (corners_ == 3) return scanner_.error(facet_text() + " has more than 3 corners");
     Vec3d position;
-    RETURN_IF_ERROR(read_position(scanner_, {"facet", mesh_.triangles.size()}, position,
-                                  mesh_.has_double_positions));
+    RETURN_IF_ERROR(parse_position(next_position_words(scanner_), scanner_,
+                                   {"facet", mesh_.triangles.size()}, nullptr, position,
+                                   mesh_.has_double_positions));
     triangle_[corners_++] = welder_.index_of(position);
     return Status::ok();
   }

@@ -13,7 +13,7 @@ static Vec3f normal_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 }
 
 /// Writes positions as floats. STL has no place for colours, shared vertices or doubles.
-Status write_stl(const TriangleMesh& mesh, AtomicFile& file) {
+Status write_stl(const MeshView& mesh, AtomicFile& file) {
   std::array<char, 80> header = {"Binary STL written by Burnish"};  // must not begin with "solid"
   OutputBuffer output(file);
   output.put_bytes(header);

@@ -20,9 +20,11 @@ inline float largest_channel(float largest, const std::array<float, 3>& rgb) {
   return largest;
 }
 
-/// Returns by how much the channels of a file are multiplied: its largest channel decides.
+/// Returns by how much the channels of a file are multiplied: its largest channel decides. A little
+/// above 1 is still 1.
 inline float colour_scale(float largest) {
-  return largest > 1 ? 1.0F : 255.0F;
+  constexpr float kRounded = 1.5F;
+  return largest > kRounded ? 1.0F : 255.0F;
 }
 uint8_t colour_byte(float channel, float scale);
 

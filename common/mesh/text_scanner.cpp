@@ -20,13 +20,21 @@ TextScanner::TextScanner(std::span<const uint8_t> bytes, std::string name, TextS
   if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
 }
 
+// Remembers the next LF: a text whose lines end in CR may have none, and is searched once.
+size_t TextScanner::line_length() {
+  if (from_next_lf_ > rest_.size())
+    from_next_lf_ = rest_.size() - std::min(rest_.find('\n'), rest_.size());
+  const size_t to_lf = rest_.size() - from_next_lf_;
+  return std::min(rest_.substr(0, to_lf).find('\r'), to_lf);
+}
+
 bool TextScanner::next_physical_line() {
   if (rest_.empty()) return false;
-  const size_t end = std::min(rest_.find('\n'), rest_.size());
-  line_ = rest_.substr(0, end);
-  rest_.remove_prefix(std::min(end + 1, rest_.size()));
+  const size_t length = line_length();
+  line_ = rest_.substr(0, length);
+  rest_.remove_prefix(length);
+  rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : std::min<size_t>(1, rest_.size()));
   ++line_number_;
-  if (line_.ends_with('\r')) line_.remove_suffix(1);
   continues_ = syntax_.backslash_continues && line_.ends_with('\\');
   if (continues_) line_.remove_suffix(1);
   return true;
@@ -52,8 +60,7 @@ bool TextScanner::next_line() {
 }
 
 std::string_view TextScanner::next_token() {
-  skip_blanks();
-  while (line_.empty() && continues_ && next_physical_line()) skip_blanks();
+  if (at_line_end()) return {};
   size_t length = 0;
   while (length < line_.size() && !is_blank(line_[length])) ++length;
   const std::string_view token = line_.substr(0, length);
@@ -61,21 +68,37 @@ std::string_view TextScanner::next_token() {
   return token;
 }
 
+bool TextScanner::at_line_end() {
+  skip_blanks();
+  while (line_.empty() && continues_ && next_physical_line()) skip_blanks();
+  return line_.empty();
+}
+
 Status TextScanner::error(const std::string& what) const {
   return invalid_argument(name_ + ": line " + std::to_string(line_number_) + ": " + what);
 }
 
-Status check_line_lengths(std::span<const uint8_t> bytes, const std::string& name) {
-  std::string_view rest = as_text(bytes);
-  for (size_t line = 1; rest.size() > kLineBytesMax; ++line) {
-    const size_t length = std::min(rest.find('\n'), rest.size());
-    if (length > kLineBytesMax)
-      return invalid_argument(name + ": line " + std::to_string(line) + " has " +
-                              std::to_string(length) + " bytes, the limit is " +
-                              std::to_string(kLineBytesMax));
+/// Checks the lines of a piece that has one character for their ends. Counts them in `line`.
+template <typename Check>
+static Status for_long_lines(std::string_view rest, char end, size_t& line, const Check& check) {
+  for (; rest.size() > kLineBytesMax; ++line) {
+    const size_t length = std::min(rest.find(end), rest.size());
+    if (length > kLineBytesMax) RETURN_IF_ERROR(check(rest.substr(0, length)));
     rest.remove_prefix(std::min(length + 1, rest.size()));
   }
   return Status::ok();
+}
+
+Status check_line_lengths(std::span<const uint8_t> bytes, const std::string& name) {
+  size_t line = 1;
+  const auto refuse = [&](std::string_view text) {
+    return invalid_argument(name + ": line " + std::to_string(line) + " has " +
+                            std::to_string(text.size()) + " bytes, the limit is " +
+                            std::to_string(kLineBytesMax));
+  };
+  return for_long_lines(as_text(bytes), '\n', line, [&](std::string_view text) {
+    return for_long_lines(text, '\r', line, refuse);
+  });
 }
 
 }  // namespace burnish

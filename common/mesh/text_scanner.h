@@ -19,7 +19,7 @@ struct TextSyntax {
 };
 
 /// Cuts text into lines and blank-separated tokens, and knows the place for messages. Lines end in
-/// LF or CRLF; the last needs no end. Skips blank lines and a leading byte order mark.
+/// LF, CRLF or CR; the last needs no end. Skips blank lines and a leading byte order mark.
 class TextScanner {
  public:
   TextScanner(std::span<const uint8_t> bytes, std::string name, TextSyntax syntax = {},
@@ -31,6 +31,9 @@ class TextScanner {
   /// Returns the current line's next token; empty at the end of the line.
   std::string_view next_token();
 
+  /// Returns whether the current line has no further token.
+  bool at_line_end();
+
   /// Return the unread part of the current line, and how many bytes follow the line.
   std::string_view line_rest() const { return line_; }
   size_t bytes_after_line() const { return rest_.size(); }
@@ -41,6 +44,7 @@ class TextScanner {
 
  private:
   bool next_physical_line();
+  size_t line_length();
   void skip_blanks();
 
   std::string_view line_;  // from the next unread byte to the line's end
@@ -49,6 +53,7 @@ class TextScanner {
   TextSyntax syntax_;
   size_t line_number_;
   bool continues_ = false;
+  size_t from_next_lf_ = SIZE_MAX;  // bytes from the next LF to the end of the text
 };
 
 /// Fails: invalid_argument that names the first line longer than kLineBytesMax.

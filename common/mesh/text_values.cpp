@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "common/base/limits.h"
+#include "common/mesh/odd_vertices.h"
 
 namespace burnish {
 
@@ -39,15 +41,23 @@ static bool parse_number(std::string_view token, T& value) {
   return error == std::errc() && end == token.data() + token.size();
 }
 
+/// "1.#QNAN0" and "-1.#IND" are how old programs of Windows write what is no number.
+static bool is_old_nan(std::string_view token) {
+  if (token.starts_with('-')) token.remove_prefix(1);
+  return token.starts_with("1.#");
+}
+
 bool parse_double(std::string_view token, double& value) {
-  return parse_number(token, value);
+  if (parse_number(token, value)) return true;
+  if (!is_old_nan(token)) return false;
+  value = std::numeric_limits<double>::quiet_NaN();
+  return true;
 }
 bool parse_integer(std::string_view token, int64_t& value) {
   return parse_number(token, value);
 }
 
-/// Returns the exponent of ten of the last printed digit: -3 for 1.250, 1 for 1.2e2.
-static int last_digit_exponent(std::string_view token) {
+int last_digit_exponent(std::string_view token) {
   const size_t mantissa_end = std::min(token.find_first_of("eE"), token.size());
   const size_t point = token.substr(0, mantissa_end).find('.');
   int64_t exponent = 0;
@@ -86,15 +96,20 @@ static Status coordinate_error(const TextScanner& scanner, ElementName element, 
   return scanner.error(coordinate_complaint(element, axis, std::string(token)));
 }
 
-Status read_position(TextScanner& scanner, ElementName element, Vec3d& position,
-                     bool& has_doubles) {
+Status parse_position(const PositionWords& words, const TextScanner& scanner, ElementName element,
+                      OddVertices* odd, Vec3d& position, bool& has_doubles) {
   for (int axis = 0; axis < 3; ++axis) {
-    const std::string_view token = scanner.next_token();
+    const std::string_view token = words[static_cast<size_t>(axis)];
     double value;
-    if (!parse_double(token, value) || !is_coordinate(value))
-      return coordinate_error(scanner, element, axis, token);
-    if (!has_doubles) has_doubles = exceeds_float(token, value);
+    if (!parse_double(token, value)) return coordinate_error(scanner, element, axis, token);
     position[axis] = value;
+    if (is_coordinate(value)) {
+      if (!has_doubles) has_doubles = exceeds_float(token, value);
+      continue;
+    }
+    const Status complaint = coordinate_error(scanner, element, axis, token);
+    if (odd == nullptr) return complaint;
+    odd->keep(element.number, complaint);
   }
   return Status::ok();
 }

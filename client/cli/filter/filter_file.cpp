@@ -128,7 +128,9 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
     RETURN_IF_ERROR(write_fields_file(*session, options.fields_file));
   ASSIGN_OR_RETURN(run.solve, session->solve(options.solve, printer.progress()));
   const Stopwatch writing;
-  RETURN_IF_ERROR(write_surface(options, paths, formats, {mesh.vertices, session->surface()}));
+  const TriangleMesh surface = session->surface();
+  RETURN_IF_ERROR(write_surface(options, paths, formats,
+                                {mesh.vertices, surface, session->edited().controls().cap}));
   run.write_seconds = writing.seconds();
   if (!paths.report.empty()) RETURN_IF_ERROR(write_filter_report(*session, run, paths.report));
   warn_unless_converged(options, run.solve);

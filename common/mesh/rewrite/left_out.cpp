@@ -3,31 +3,22 @@
 #include <algorithm>
 
 #include "common/base/mapped_file.h"
-#include "common/mesh/off_kind.h"
+#include "common/mesh/off_text.h"
 #include "common/mesh/rewrite/format_rewriters.h"
 #include "common/mesh/rewrite/left_out_list.h"
 #include "common/mesh/rewrite/packed_mesh.h"
 #include "common/mesh/rewrite/write_plan.h"
 #include "common/mesh/rewrite/zip_left_out.h"
 #include "common/mesh/stl_layout.h"
-#include "common/mesh/text_scanner.h"
-#include "common/mesh/text_values.h"
 
 namespace burnish {
 
 static bool list_off_extras(std::span<const uint8_t> bytes, size_t triangles, LeftOutList& list) {
-  TextScanner scanner(bytes, "", {.hash_comments = true});
-  scanner.next_line();
-  const auto kind = parse_off_kind(scanner.next_token());
-  if (!kind) return false;
-  list.add_if(kind->has_normals, "normals");
-  list.add_if(kind->has_texture_coordinates, "texture coordinates");
-  const auto counts = scanner.next_token();
-  if (counts.empty()) scanner.next_line();
-  if (counts.empty()) scanner.next_token();
-  int64_t faces = 0;
-  parse_integer(scanner.next_token(), faces);
-  list.add_if(static_cast<uint64_t>(faces) < triangles, "polygons");
+  OffText text(bytes, "");
+  if (!text.read_header().is_ok()) return false;
+  list.add_if(text.kind().has_normals, "normals");
+  list.add_if(text.kind().has_texture_coordinates, "texture coordinates");
+  list.add_if(text.faces() < triangles, "polygons");
   return true;
 }
 
@@ -72,7 +63,7 @@ static Status list_packed_extras(std::span<const uint8_t> bytes, const std::stri
 }
 
 Result<std::vector<std::string>> attributes_left_out(const OriginalFile& original, MeshFormat to,
-                                                     const TriangleMesh& mesh) {
+                                                     const MeshView& mesh) {
   LeftOutList list;
   if (to == original.format || to == MeshFormat::kZip) return list.names();
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original.path));

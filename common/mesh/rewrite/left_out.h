@@ -14,7 +14,7 @@ namespace burnish {
 /// archive's mesh too. `mesh` is what read_mesh() made of the file. Fails: as the file cannot be
 /// read.
 Result<std::vector<std::string>> attributes_left_out(const OriginalFile& original, MeshFormat to,
-                                                     const TriangleMesh& mesh);
+                                                     const MeshView& mesh);
 
 /// Returns whether a file in this format has changed vertex colours. In the original's own format
 /// colours of textures cannot change, and those of glTF do not. Fails: as the file cannot be read.

@@ -15,17 +15,13 @@ namespace burnish {
 /// of vertices are the file's. Needs: as many positions before as after.
 struct MovedMesh {
   std::span<const Vec3d> before;
-  const TriangleMesh& after;
-
-  /// Returns a position in the precision that a writer has for it: float unless
-  /// after.has_double_positions.
-  Vec3d written(const Vec3d& position) const {
-    return after.has_double_positions ? position : position.cast<float>().cast<double>();
-  }
+  MeshView after;
+  double cap = 0;  ///< no vertex is written farther from its place than this; 0: anywhere
 };
 
 /// Fails: data_loss if the original does not have this coordinate: it is not the file that was
-/// read.
+/// read. Numbers that are no coordinates pass: a vertex that no triangle uses may have them
+/// (common/mesh/odd_vertices.h).
 Status check_unchanged(const MovedMesh& moved, const std::string& name, uint64_t vertex, int axis,
                        double value);
 

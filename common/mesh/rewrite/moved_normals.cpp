@@ -17,8 +17,8 @@ void AreaVectors::add(const std::array<Vec3d, 3>& corners_before,
 void AreaVectors::add(const MovedMesh& moved, const Triangle& triangle) {
   std::array<Vec3d, 3> corners_before, corners_after;
   for (size_t corner = 0; corner < 3; ++corner) {
-    corners_before[corner] = moved.written(moved.before[triangle[corner]]);
-    corners_after[corner] = moved.written(moved.after.vertices[triangle[corner]]);
+    corners_before[corner] = moved.before[triangle[corner]];
+    corners_after[corner] = moved.after.vertices[triangle[corner]];
   }
   add(corners_before, corners_after);
 }

@@ -18,7 +18,7 @@ struct AreaVectors {
   /// Adds a triangle by its corners.
   void add(const std::array<Vec3d, 3>& corners_before, const std::array<Vec3d, 3>& corners_after);
 
-  /// Adds a triangle, at positions as they are written.
+  /// Adds a triangle.
   void add(const MovedMesh& moved, const Triangle& triangle);
 
   /// Returns the normal after the move. Its length and its side of the surface stay. It stays as a

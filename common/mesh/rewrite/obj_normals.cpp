@@ -3,16 +3,20 @@
 #include <optional>
 #include <string_view>
 
+#include "common/mesh/rewrite/placed_normals.h"
+#include "common/mesh/rewrite/text_patch.h"
 #include "common/mesh/text_values.h"
 
 namespace burnish {
 
 namespace {
 
-size_t count_normals(std::span<const uint8_t> bytes) {
-  size_t normals = 0;
+/// A normal that cannot be read is 0, which no other equals.
+std::vector<Vec3f> read_normals(std::span<const uint8_t> bytes) {
+  std::vector<Vec3f> normals;
   for (TextScanner scanner(bytes, "", kObjSyntax); scanner.next_line();)
-    normals += scanner.next_token() == "vn";
+    if (scanner.next_token() == "vn")
+      normals.push_back(parse_normal(next_position_words(scanner)).value_or(Vec3f::Zero()));
   return normals;
 }
 
@@ -27,8 +31,14 @@ std::optional<size_t> place_of(std::string_view token, size_t so_far, size_t all
 
 class NormalGatherer {
  public:
-  NormalGatherer(std::span<const uint8_t> bytes, const MovedMesh& moved, size_t normals)
-      : scanner_(bytes, "", kObjSyntax), moved_(moved), areas_(normals) {}
+  NormalGatherer(std::span<const uint8_t> bytes, const MovedMesh& moved,
+                 const std::vector<Vec3f>& values)
+      : scanner_(bytes, "", kObjSyntax),
+        moved_(moved),
+        values_(values),
+        vertex_places_(find_places(moved.before)),
+        places_(values.size(), kNoPlace),
+        areas_(values.size()) {}
 
   std::vector<AreaVectors> gather() {
     while (scanner_.next_line()) {
@@ -37,6 +47,9 @@ class NormalGatherer {
       if (keyword == "vn") ++normals_;
       if (keyword == "f") add_face();
     }
+    for (uint32_t& place : places_)
+      if (place == kSeveralPlaces) place = kNoPlace;
+    share_areas(places_, values_, areas_);
     return std::move(areas_);
   }
 
@@ -63,10 +76,23 @@ class NormalGatherer {
     if (last == slash) return;
     const auto normal = place_of(token.substr(last + 1), normals_, areas_.size());
     if (normal) used_.push_back(*normal);
+    if (normal && vertex) note_place(places_[*normal], vertex_places_.of_vertex[*vertex]);
   }
+
+  /// A normal of several places is that of a face, or of all faces that look the same way. It has
+  /// no place of its own.
+  static void note_place(uint32_t& of_normal, uint32_t of_vertex) {
+    if (of_normal == kNoPlace) of_normal = of_vertex;
+    if (of_normal != of_vertex) of_normal = kSeveralPlaces;
+  }
+
+  static constexpr uint32_t kSeveralPlaces = kNoPlace - 1;
 
   TextScanner scanner_;
   const MovedMesh& moved_;
+  const std::vector<Vec3f>& values_;
+  const Places vertex_places_;
+  std::vector<uint32_t> places_;  // by normal
   std::vector<AreaVectors> areas_;
   std::vector<uint32_t> corners_;  // of the current face
   std::vector<size_t> used_;       // normals of the current face
@@ -78,8 +104,8 @@ class NormalGatherer {
 
 std::vector<AreaVectors> gather_obj_normals(std::span<const uint8_t> bytes,
                                             const MovedMesh& moved) {
-  const size_t normals = count_normals(bytes);
-  if (normals == 0) return {};
+  const std::vector<Vec3f> normals = read_normals(bytes);
+  if (normals.empty()) return {};
   return NormalGatherer(bytes, moved, normals).gather();
 }
 

@@ -19,9 +19,23 @@ std::optional<float> obj_colour_scale(std::span<const uint8_t> bytes) {
   return largest ? std::optional(colour_scale(*largest)) : std::nullopt;
 }
 
+static TextDigits obj_digits_of(std::span<const uint8_t> bytes) {
+  TextDigits digits;
+  for (TextScanner scanner(bytes, "", kObjSyntax); scanner.next_line();)
+    if (scanner.next_token() == "v")
+      for (const std::string_view word : next_position_words(scanner)) digits.add(word);
+  return digits;
+}
+
+static WrittenNumber obj_number_of(std::span<const uint8_t> bytes, bool has_double_positions) {
+  const TextDigits digits = has_double_positions ? obj_digits_of(bytes) : TextDigits();
+  return WrittenNumber::of_text(has_double_positions, digits);
+}
+
 Status rewrite_obj(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                    OutputBuffer& output) {
-  const std::vector<AreaVectors> normals = gather_obj_normals(bytes, moved);
+  const WrittenMesh written(moved, obj_number_of(bytes, moved.after.has_double_positions));
+  const std::vector<AreaVectors> normals = gather_obj_normals(bytes, written.moved());
   const bool has_colours = moved.after.has_colours();
   const float scale = has_colours ? obj_colour_scale(bytes).value_or(0) : 0;
   TextPatch text = {TextScanner(bytes, name, kObjSyntax), BytePatch(bytes, output)};
@@ -30,11 +44,15 @@ Status rewrite_obj(std::span<const uint8_t> bytes, const std::string& name, cons
   while (text.scanner.next_line()) {
     const std::string_view keyword = text.scanner.next_token();
     if (keyword == "v") {
-      RETURN_IF_ERROR(replace_position(name, moved, vertex, text));
-      if (scale > 0) replace_colour(moved.after.colours[vertex], scale, text);
+      const PositionWords words = next_position_words(text.scanner);
+      RETURN_IF_ERROR(replace_position(name, written, vertex, words, text.patch));
+      if (scale > 0)
+        replace_colour(moved.after.colours[vertex], scale, next_position_words(text.scanner),
+                       text.patch);
       ++vertex;
     }
-    if (keyword == "vn") replace_normal(normals[normal++], text);
+    if (keyword == "vn")
+      replace_normal(normals[normal++], next_position_words(text.scanner), text.patch);
   }
   if (vertex != moved.before.size())
     return changed_original(name, "it has " + std::to_string(vertex) + " vertices, it had " +

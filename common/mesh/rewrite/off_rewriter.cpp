@@ -1,42 +1,74 @@
 #include <algorithm>
-#include <optional>
+#include <string_view>
+#include <vector>
 
-#include "common/mesh/off_kind.h"
+#include "common/mesh/off_text.h"
 #include "common/mesh/rewrite/format_rewriters.h"
+#include "common/mesh/rewrite/placed_normals.h"
 #include "common/mesh/rewrite/text_patch.h"
 #include "common/mesh/text_colours.h"
 
 namespace burnish {
 
-// Reads ahead, in a copy of the scanner.
-static float scale_of(TextScanner scanner, const OffKind& kind, size_t vertices) {
-  float largest = 0;
-  for (size_t v = 0; v < vertices && scanner.next_line(); ++v) {
-    for (int skipped = 0; skipped < (kind.has_normals ? 6 : 3); ++skipped) scanner.next_token();
-    if (const auto rgb = next_colour(scanner)) largest = largest_channel(largest, *rgb);
-  }
-  return colour_scale(largest);
+namespace {
+
+PositionWords next_off_words(OffText& text) {
+  const std::string_view x = text.next_word(), y = text.next_word();
+  return {x, y, text.next_word()};
 }
+
+/// What must be known of all vertices before the first is written.
+struct OffAhead {
+  TextDigits digits;
+  std::vector<Vec3f> normals;  // if there are some
+  float largest_channel = 0;
+
+  /// Reads a copy of the file's words, which stands before the first vertex.
+  explicit OffAhead(OffText text) {
+    for (uint64_t v = 0; v < text.vertices() && text.next_element(); ++v) {
+      for (const std::string_view word : next_off_words(text)) digits.add(word);
+      if (text.kind().has_normals)
+        normals.push_back(parse_normal(next_off_words(text)).value_or(Vec3f::Zero()));
+      if (!text.kind().has_colours) continue;
+      if (const auto rgb = next_colour(text.scanner()))
+        largest_channel = burnish::largest_channel(largest_channel, *rgb);
+    }
+  }
+};
+
+std::vector<AreaVectors> gather_off_areas(const MovedMesh& moved, const OffAhead& ahead) {
+  if (ahead.normals.size() != moved.before.size()) return {};
+  std::vector<AreaVectors> areas = gather_vertex_areas(moved);
+  const Places places = find_places(moved.before);
+  if (places.are_shared()) share_areas(places.of_vertex, ahead.normals, areas);
+  return areas;
+}
+
+}  // namespace
 
 Status rewrite_off(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                    OutputBuffer& output) {
-  TextPatch text = {TextScanner(bytes, name, {.hash_comments = true}), BytePatch(bytes, output)};
-  text.scanner.next_line();
-  const std::optional<OffKind> kind = parse_off_kind(text.scanner.next_token());
-  if (!kind) return changed_original(name, "it does not begin with OFF");
-  // The counts are behind the first word or on a line of their own.
-  if (text.scanner.next_token().empty()) text.scanner.next_line();
-  std::vector<AreaVectors> areas;
-  if (kind->has_normals) areas = gather_vertex_areas(moved);
-  const bool has_colours = kind->has_colours && moved.after.has_colours();
-  const float scale = has_colours ? scale_of(text.scanner, *kind, moved.before.size()) : 0;
-  for (uint64_t v = 0; v < moved.before.size(); ++v) {
-    text.scanner.next_line();
-    RETURN_IF_ERROR(replace_position(name, moved, v, text));
-    if (kind->has_normals) replace_normal(areas[v], text);
-    if (has_colours) replace_colour(moved.after.colours[v], scale, text);
+  OffText text(bytes, name);
+  const Status header = text.read_header();
+  if (!header.is_ok()) return changed_original(name, header.message());
+  if (text.vertices() != moved.before.size())
+    return changed_original(name, "it has " + std::to_string(text.vertices()) +
+                                      " vertices, it had " + std::to_string(moved.before.size()));
+  const OffAhead ahead(text);
+  const WrittenMesh written(moved,
+                            WrittenNumber::of_text(moved.after.has_double_positions, ahead.digits));
+  const std::vector<AreaVectors> areas = gather_off_areas(written.moved(), ahead);
+  const bool has_colours = text.kind().has_colours && moved.after.has_colours();
+  BytePatch patch(bytes, output);
+  for (uint64_t v = 0; v < moved.before.size() && text.next_element(); ++v) {
+    RETURN_IF_ERROR(replace_position(name, written, v, next_off_words(text), patch));
+    if (text.kind().has_normals && v < areas.size())
+      replace_normal(areas[v], next_off_words(text), patch);
+    if (has_colours)
+      replace_colour(moved.after.colours[v], colour_scale(ahead.largest_channel),
+                     next_position_words(text.scanner()), patch);
   }
-  text.patch.finish();
+  patch.finish();
   return Status::ok();
 }
 

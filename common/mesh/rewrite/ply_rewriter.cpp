@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -12,148 +11,204 @@
 #include "common/mesh/rewrite/byte_patch.h"
 #include "common/mesh/rewrite/format_rewriters.h"
 #include "common/mesh/rewrite/moved_normals.h"
+#include "common/mesh/rewrite/placed_normals.h"
 #include "common/mesh/rewrite/ply_number.h"
+#include "common/mesh/rewrite/ply_walk.h"
+#include "common/mesh/rewrite/written_mesh.h"
+#include "common/mesh/text_values.h"
 
 namespace burnish {
 
 namespace {
 
-/// Where a vertex's properties x, y, z or nx, ny, nz are among its properties.
+/// Where x, y, z or nx, ny, nz are among an element's properties.
 using Properties = std::array<size_t, 3>;
 
-std::optional<Properties> find_properties(const PlyElement& vertex,
+std::optional<Properties> find_properties(const PlyElement& element,
                                           const std::array<const char*, 3>& names) {
   Properties places;
   for (size_t axis = 0; axis < 3; ++axis) {
-    const PlyProperty* property = vertex.find(names[axis]);
+    const PlyProperty* property = element.find(names[axis]);
     if (property == nullptr || property->is_list()) return std::nullopt;
-    places[axis] = static_cast<size_t>(property - vertex.properties.data());
+    places[axis] = static_cast<size_t>(property - element.properties.data());
   }
   return places;
 }
 
-/// Replaces numbers in the element vertex; `Source` reads the body.
+Vec3d vector_at(std::span<const PlyValue> values, const Properties& places) {
+  return {values[places[0]].number, values[places[1]].number, values[places[2]].number};
+}
+
+/// Replaces numbers of the elements vertex and face; `Source` reads the body.
 template <typename Source>
 class PlyBodyRewriter {
  public:
-  PlyBodyRewriter(Source source, const PlyHeader& header, const std::string& name,
+  PlyBodyRewriter(const Source& source, const PlyHeader& header, const std::string& name,
                   const PlyLayout& layout, const MovedMesh& moved, BytePatch& patch)
-      : source_(std::move(source)),
+      : source_(source),
         header_(header),
         vertex_(*header.find("vertex")),
+        face_(header.find("face")),
         name_(name),
-        slots_(layout.vertex_slots),
+        layout_(layout),
         has_colours_(layout.has_colours && moved.after.has_colours()),
         moved_(moved),
-        patch_(patch) {}
-
-  Status rewrite() {
+        patch_(patch) {
     positions_ = find_properties(vertex_, {"x", "y", "z"}).value();
     normals_ = find_properties(vertex_, {"nx", "ny", "nz"});
-    if (normals_) areas_ = gather_vertex_areas(moved_);
-    values_.resize(vertex_.properties.size());
+    if (face_ != nullptr && layout.face_list != kPlyNoList)
+      face_normals_ = find_properties(*face_, {"nx", "ny", "nz"});
+  }
+
+  Status rewrite() {
+    RETURN_IF_ERROR(look_ahead());
+    const std::array<WrittenNumber, 3> axes = {axis(0), axis(1), axis(2)};
+    written_.emplace(moved_, axes);
+    if (normals_) gather_areas();
+    PlyWalk<Source> walk(source_, name_);
+    size_t left = face_normals_ ? 2 : 1;  // elements to change
+    for (const PlyElement& element : header_.elements) {
+      const bool is_vertex = &element == &vertex_, is_face = face_normals_ && &element == face_;
+      if (is_vertex && has_float_colours(vertex_, layout_))
+        largest_float_ = largest_float_channel(walk.source(), vertex_, layout_);
+      for (uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+        RETURN_IF_ERROR(walk.read(element, i, is_face ? layout_.face_list : kPlyNoList));
+        if (is_vertex) RETURN_IF_ERROR(rewrite_vertex(walk.values(), i));
+        if (is_face) RETURN_IF_ERROR(rewrite_face(walk, i));
+      }
+      left -= is_vertex || is_face;
+      if (left == 0) break;
+    }
+    return Status::ok();
+  }
+
+ private:
+  bool is_text() const { return header_.encoding == PlyEncoding::kAscii; }
+
+  /// Reads what must be known of all vertices before the first is written.
+  Status look_ahead() {
+    if (normals_) vertex_places_ = find_places(moved_.before);
+    const bool needs_normals = vertex_places_.are_shared();
+    const bool needs_digits = is_text() && moved_.after.has_double_positions;
+    if (!needs_normals && !needs_digits) return Status::ok();
+    PlyWalk<Source> walk(source_, name_);
     for (const PlyElement& element : header_.elements) {
       for (uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
-        RETURN_IF_ERROR(read(element, i));
-        if (&element == &vertex_) RETURN_IF_ERROR(rewrite_vertex(i));
+        RETURN_IF_ERROR(walk.read(element, i));
+        if (&element != &vertex_) continue;
+        if (needs_normals)
+          old_normals_.emplace_back(vector_at(walk.values(), *normals_).template cast<float>());
+        if (!needs_digits) continue;
+        for (const size_t p : positions_)
+          if (!is_integer(vertex_.properties[p].type)) digits_.add(walk.values()[p].bytes);
       }
       if (&element == &vertex_) break;
     }
     return Status::ok();
   }
 
- private:
-  /// A number of the current vertex: where it is, what it is, what it becomes.
-  struct Value {
-    std::string_view bytes;
-    double before = 0;
-    double after = 0;
-  };
-
-  Status read(const PlyElement& element, uint64_t number) {
-    for (size_t p = 0; p < element.properties.size(); ++p) {
-      const PlyProperty& property = element.properties[p];
-      double value = 0;
-      const bool is_read =
-          property.is_list() ? skip_list(property) : source_.read(property.type, value);
-      if (!is_read)
-        return changed_original(
-            name_, element.name + " " + std::to_string(number) + ": " + source_.failure());
-      if (&element == &vertex_ && !property.is_list())
-        values_[p] = {source_.last_bytes(), value, value};
-    }
-    if (source_.at_line_end()) return Status::ok();
-    return changed_original(name_, element.name + " " + std::to_string(number) + " is longer");
+  /// A text may have more digits than its type says, or fewer.
+  WrittenNumber axis(size_t number) const {
+    const PlyType type = vertex_.properties[positions_[number]].type;
+    if (is_text() && !is_integer(type))
+      return WrittenNumber::of_text(moved_.after.has_double_positions, digits_);
+    return {.type = type, .is_text = is_text(), .digits = {}};
   }
 
-  bool skip_list(const PlyProperty& property) {
-    double count;
-    return source_.read(*property.count_type, count) && count >= 0 &&
-           source_.skip(property.type, static_cast<uint64_t>(count));
+  void gather_areas() {
+    areas_ = gather_vertex_areas(written_->moved());
+    if (!old_normals_.empty()) share_areas(vertex_places_.of_vertex, old_normals_, areas_);
+    vertex_places_ = {};
+    old_normals_ = {};
   }
 
-  Status rewrite_vertex(uint64_t v) {
+  Status rewrite_vertex(std::span<const PlyValue> values, uint64_t v) {
+    after_.resize(values.size());
+    for (size_t p = 0; p < values.size(); ++p) after_[p] = values[p].number;
     for (size_t axis = 0; axis < 3; ++axis) {
-      Value& value = values_[positions_[axis]];
+      const double before = values[positions_[axis]].number;
       const auto axis_number = static_cast<int>(axis);
-      RETURN_IF_ERROR(check_unchanged(moved_, name_, v, axis_number, value.before));
-      value.after = moved_.after.vertices[v][axis_number];
+      RETURN_IF_ERROR(check_unchanged(moved_, name_, v, axis_number, before));
+      if (is_coordinate(before))
+        after_[positions_[axis]] = written_->moved().after.vertices[v][axis_number];
     }
-    if (normals_) turn_normal(v);
-    if (has_colours_) recolour(v);
-    for (size_t p = 0; p < values_.size(); ++p) put(p);
+    if (normals_) turn(*normals_, values, areas_[v]);
+    if (has_colours_) recolour(values, v);
+    for (size_t p = 0; p < values.size(); ++p) put(vertex_, p, values[p]);
     return Status::ok();
   }
 
+  /// Takes a face's triangles by its corners, as the reader does.
+  Status rewrite_face(const PlyWalk<Source>& walk, uint64_t number) {
+    corners_.clear();
+    for (const double index : walk.list()) {
+      if (!(index >= 0 && index < static_cast<double>(moved_.before.size())))
+        return changed_original(name_, "face " + std::to_string(number) + " has other corners");
+      corners_.push_back(static_cast<uint32_t>(index));
+    }
+    AreaVectors area;
+    for (size_t i = 2; i < corners_.size(); ++i)
+      area.add(written_->moved(), {corners_[0], corners_[i - 1], corners_[i]});
+    const std::span<const PlyValue> values = walk.values();
+    after_.resize(values.size());
+    turn(*face_normals_, values, area);
+    for (const size_t p : *face_normals_) put(*face_, p, values[p]);
+    return Status::ok();
+  }
+
+  void turn(const Properties& places, std::span<const PlyValue> values, const AreaVectors& area) {
+    const Vec3d normal = area.turn(vector_at(values, places));
+    for (size_t axis = 0; axis < 3; ++axis) after_[places[axis]] = normal[static_cast<int>(axis)];
+  }
+
   /// A channel that reads as the same byte keeps its number, which may be finer.
-  void recolour(uint64_t v) {
-    for (size_t p = 0; p < values_.size(); ++p) {
-      if (slots_[p] < kPlyRed || slots_[p] >= kPlyIgnored) continue;
-      const uint8_t byte = moved_.after.colours[v][slots_[p] - kPlyRed];
-      const PlyType type = vertex_.properties[p].type;
-      if (colour_byte(values_[p].before, type) != byte) values_[p].after = channel_of(byte, type);
+  void recolour(std::span<const PlyValue> values, uint64_t v) {
+    for (size_t p = 0; p < values.size(); ++p) {
+      const size_t slot = layout_.vertex_slots[p];
+      if (slot < kPlyRed || slot >= kPlyIgnored) continue;
+      const uint8_t byte = moved_.after.colours[v][slot - kPlyRed];
+      const double full = full_channel(vertex_.properties[p].type, largest_float_);
+      if (colour_byte(values[p].number, full) != byte) after_[p] = channel_of(byte, full);
     }
   }
 
-  void turn_normal(uint64_t v) {
-    Vec3d normal;
-    for (size_t axis = 0; axis < 3; ++axis)
-      normal[static_cast<int>(axis)] = values_[(*normals_)[axis]].before;
-    normal = areas_[v].turn(normal);
-    for (size_t axis = 0; axis < 3; ++axis)
-      values_[(*normals_)[axis]].after = normal[static_cast<int>(axis)];
+  void put(const PlyElement& element, size_t p, const PlyValue& value) {
+    const PlyProperty& property = element.properties[p];
+    if (property.is_list() || std::isnan(value.number) || after_[p] == value.number) return;
+    for (size_t axis = 0; &element == &vertex_ && axis < 3; ++axis)
+      if (p == positions_[axis]) return put_position(axis, value);
+    const double kept = kept_by(property.type, after_[p]);
+    if (kept == kept_by(property.type, value.number)) return;
+    patch_.replace(value.bytes, ply_number(property.type, header_.encoding, kept));
   }
 
-  void put(size_t p) {
-    const Value& value = values_[p];
-    const PlyProperty& property = vertex_.properties[p];
-    if (property.is_list() || std::isnan(value.before) || value.after == value.before) return;
-    const PlyType type = written_type(p);
-    const double kept = kept_by(type, value.after);
-    if (kept == kept_by(type, value.before)) return;
-    patch_.replace(value.bytes, ply_number(type, header_.encoding, kept));
+  void put_position(size_t axis, const PlyValue& value) {
+    const double after = after_[positions_[axis]];
+    const WrittenNumber& number = written_->axis(axis);
+    patch_.replace(value.bytes, is_text() ? number.text_of(after, value.number, value.bytes)
+                                          : ply_number(number.type, header_.encoding, after));
   }
 
-  /// A text may have more digits than its type says, or fewer.
-  PlyType written_type(size_t p) const {
-    const PlyType type = vertex_.properties[p].type;
-    const bool is_position = std::find(positions_.begin(), positions_.end(), p) != positions_.end();
-    if (!is_position || is_integer(type) || header_.encoding != PlyEncoding::kAscii) return type;
-    return moved_.after.has_double_positions ? PlyType::kFloat64 : PlyType::kFloat32;
-  }
-
-  Source source_;
+  const Source source_;  // at the beginning of the body
   const PlyHeader& header_;
   const PlyElement& vertex_;
+  const PlyElement* const face_;
   const std::string& name_;
-  const std::vector<size_t>& slots_;
+  const PlyLayout& layout_;
   const bool has_colours_;
   const MovedMesh& moved_;
   BytePatch& patch_;
   Properties positions_ = {};
   std::optional<Properties> normals_;
+  std::optional<Properties> face_normals_;
+  TextDigits digits_;
+  Places vertex_places_;            // if there are normals
+  std::vector<Vec3f> old_normals_;  // if vertices share places
+  std::optional<WrittenMesh> written_;
   std::vector<AreaVectors> areas_;  // one per vertex if there are normals
-  std::vector<Value> values_;       // one per property of the current vertex
+  double largest_float_ = 0;        // among colours
+  std::vector<double> after_;       // one per property of the current element
+  std::vector<uint32_t> corners_;   // of the current face
 };
 
 template <typename Source>

@@ -12,6 +12,7 @@
 #include "common/mesh/rewrite/gltf_rewriter.h"
 #include "common/mesh/rewrite/packed_mesh.h"
 #include "common/mesh/rewrite/write_plan.h"
+#include "common/mesh/rewrite/written_mesh.h"
 
 namespace burnish {
 
@@ -71,12 +72,21 @@ static Result<std::vector<uint8_t>> pack_alone(std::span<const uint8_t> file,
   return pack_archive({&packed, 1});
 }
 
+/// Writers round to floats, or keep doubles.
+static Status write_anew(const MovedMesh& moved, MeshFormat format,
+                         const std::filesystem::path& path) {
+  if (!(moved.cap > 0) || moved.after.has_double_positions) return write_mesh(moved.after, path);
+  const WrittenNumber as_float = {
+      .type = PlyType::kFloat32, .is_text = format == MeshFormat::kObj, .digits = {}};
+  return write_mesh(WrittenMesh(moved, as_float).moved().after, path);
+}
+
 Status write_moved_mesh(const OriginalFile& original, const MovedMesh& moved,
                         const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
   ASSIGN_OR_RETURN(const WritePlan plan, plan_to_write(original, format));
   RETURN_IF_ERROR(check_one_file(plan));
-  if (plan.way == WriteWay::kConvert) return write_mesh(moved.after, path);
+  if (plan.way == WriteWay::kConvert) return write_anew(moved, format, path);
   ASSIGN_OR_RETURN(const MappedFile bytes, MappedFile::open(original.path));
   if (plan.way == WriteWay::kRewrite)
     return write_rewritten(bytes.bytes(), format, original.name, moved, path);

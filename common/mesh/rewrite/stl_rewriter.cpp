@@ -70,24 +70,26 @@ Status rewrite_binary(std::span<const uint8_t> bytes, const std::string& name,
 /// Follows the statements as AsciiStlReader does.
 class AsciiStlRewriter {
  public:
-  AsciiStlRewriter(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
-                   OutputBuffer& output)
-      : text_{TextScanner(bytes, name), BytePatch(bytes, output)}, name_(name), moved_(moved) {}
+  AsciiStlRewriter(std::span<const uint8_t> bytes, const std::string& name,
+                   const WrittenMesh& written, OutputBuffer& output)
+      : text_{TextScanner(bytes, name), BytePatch(bytes, output)},
+        name_(name),
+        written_(written),
+        moved_(written.moved()) {}
 
   Status rewrite() {
     while (text_.scanner.next_line()) {
-      const std::string_view keyword = text_.scanner.next_token();
-      const auto is = [&](const char* word) { return equals_ignoring_case(keyword, word); };
+      const std::string keyword = next_stl_keyword(text_.scanner);
       if (!in_solid_) {
-        in_solid_ = is("solid");
-      } else if (is("facet")) {
+        in_solid_ = keyword == "solid";
+      } else if (keyword == "facet") {
         rewrite_facet_normal();
-      } else if (is("vertex")) {
+      } else if (keyword == "vertex") {
         RETURN_IF_ERROR(rewrite_corner());
-      } else if (is("endfacet")) {
+      } else if (keyword == "endfacet") {
         ++facet_;
         corner_ = 0;
-      } else if (is("endsolid")) {
+      } else if (keyword == "endsolid") {
         in_solid_ = false;
       }
     }
@@ -100,29 +102,50 @@ class AsciiStlRewriter {
   void rewrite_facet_normal() {
     if (facet_ >= moved_.after.triangles.size()) return;
     if (equals_ignoring_case(text_.scanner.next_token(), "normal"))
-      replace_normal(area_of_facet(moved_, facet_), text_);
+      replace_normal(area_of_facet(moved_, facet_), next_position_words(text_.scanner),
+                     text_.patch);
   }
 
   Status rewrite_corner() {
     if (facet_ >= moved_.after.triangles.size() || corner_ >= 3)
       return other_facets(name_, facet_ + 1, moved_);
-    return replace_position(name_, moved_, moved_.after.triangles[facet_][corner_++], text_);
+    return replace_position(name_, written_, moved_.after.triangles[facet_][corner_++],
+                            next_position_words(text_.scanner), text_.patch);
   }
 
   TextPatch text_;
   const std::string& name_;
+  const WrittenMesh& written_;
   const MovedMesh& moved_;
   bool in_solid_ = false;
   uint64_t facet_ = 0;
   size_t corner_ = 0;
 };
 
+/// Takes words that follow "vertex" outside a solid too: they do no harm.
+TextDigits stl_digits_of(std::span<const uint8_t> bytes) {
+  TextDigits digits;
+  for (TextScanner scanner(bytes, ""); scanner.next_line();)
+    if (next_stl_keyword(scanner) == "vertex")
+      for (const std::string_view word : next_position_words(scanner)) digits.add(word);
+  return digits;
+}
+
+Status rewrite_text(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
+                    OutputBuffer& output) {
+  const bool has_doubles = moved.after.has_double_positions;
+  const TextDigits digits = has_doubles ? stl_digits_of(bytes) : TextDigits();
+  const WrittenMesh written(moved, WrittenNumber::of_text(has_doubles, digits));
+  return AsciiStlRewriter(bytes, name, written, output).rewrite();
+}
+
 }  // namespace
 
 Status rewrite_stl(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                    OutputBuffer& output) {
-  if (is_stl_text(bytes)) return AsciiStlRewriter(bytes, name, moved, output).rewrite();
-  return rewrite_binary(bytes, name, moved, output);
+  if (is_stl_text(bytes)) return rewrite_text(bytes, name, moved, output);
+  const WrittenMesh written(moved, WrittenNumber{.type = PlyType::kFloat32, .digits = {}});
+  return rewrite_binary(bytes, name, written.moved(), output);
 }
 
 }  // namespace burnish

@@ -1,13 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "common/base/status.h"
 #include "common/mesh/rewrite/byte_patch.h"
-#include "common/mesh/rewrite/moved_mesh.h"
 #include "common/mesh/rewrite/moved_normals.h"
+#include "common/mesh/rewrite/written_mesh.h"
 #include "common/mesh/text_scanner.h"
+#include "common/mesh/text_values.h"
 
 namespace burnish {
 
@@ -17,16 +19,19 @@ struct TextPatch {
   BytePatch patch;
 };
 
-/// Replaces the next three numbers of the line by a vertex's position. Fails: data_loss if they are
-/// not its position before.
-Status replace_position(const std::string& name, const MovedMesh& moved, uint64_t vertex,
-                        TextPatch& text);
+/// Replaces three words by a vertex's position. Fails: data_loss if they are not its position
+/// before.
+Status replace_position(const std::string& name, const WrittenMesh& written, uint64_t vertex,
+                        const PositionWords& words, BytePatch& patch);
 
-/// Replaces those of the next three numbers of the line that do not read as this colour. Leaves
-/// other texts alone. `scale`: colour_scale() of the file.
-void replace_colour(const Rgba8& colour, float scale, TextPatch& text);
+/// Replaces those of three numbers that do not read as this colour. Leaves other texts alone.
+/// `scale`: colour_scale() of the file.
+void replace_colour(const Rgba8& colour, float scale, const PositionWords& words, BytePatch& patch);
 
-/// Turns the normal that the next three numbers of the line are. Leaves other texts alone.
-void replace_normal(const AreaVectors& areas, TextPatch& text);
+/// Turns the normal that three numbers are. Leaves other texts alone.
+void replace_normal(const AreaVectors& areas, const PositionWords& words, BytePatch& patch);
+
+/// Returns three numbers as floats; nothing unless all are numbers.
+std::optional<Vec3f> parse_normal(const PositionWords& words);
 
 }  // namespace burnish

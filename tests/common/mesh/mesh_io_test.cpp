@@ -42,7 +42,7 @@ TEST(MeshIo, ReadsFilesAndNamesThemInMessages) {
   const auto mesh = read_mesh(good);
   ASSERT_TRUE(mesh.is_ok()) << mesh.status().message();
   EXPECT_EQ(mesh->triangles.size(), 1u);
-  const auto bad = folder.write("bad.obj", "v 0 0 nan\n");
+  const auto bad = folder.write("bad.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   EXPECT_THAT(read_mesh(bad).status().message(), HasSubstr(bad.string() + ": line 1: vertex 0"));
 }
 

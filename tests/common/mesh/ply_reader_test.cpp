@@ -155,6 +155,42 @@ TEST(PlyReader, KeepsColoursOfEveryType) {
   EXPECT_EQ(first(with_colours("ushort", "", "0 257 65535")), (Rgba8{0, 1, 255, 255}));
   EXPECT_EQ(first(with_colours("int", "", "-5 7 300")), (Rgba8{0, 7, 255, 255}));
   EXPECT_EQ(first(with_colours("float", "", "nan inf -inf")), (Rgba8{0, 255, 0, 255}));
+  EXPECT_EQ(first(with_colours("float", "", "nan 1.0001 0.2")), (Rgba8{0, 255, 51, 255}));
+  EXPECT_EQ(first(with_colours("float", "", "0.0 254.6 inf")), (Rgba8{0, 255, 255, 255}));
+  EXPECT_EQ(first(with_colours("double", "property float alpha\n", "0.0 2 1 200")),
+            (Rgba8{0, 2, 1, 200}));
+}
+
+TEST(PlyReader, OneVertexTellsTheRangeOfFloatColours) {
+  std::string content = with_colours("float", "", "1 0 0.5");
+  content.replace(content.find("0 1 0 1 0 0.5"), 13, "0 1 0 90 0 0.5");
+  EXPECT_THAT(parsed(kPly, content).colours,
+              ElementsAre(Rgba8{1, 0, 1, 255}, Rgba8{1, 0, 1, 255}, Rgba8{90, 0, 1, 255}));
+}
+
+TEST(PlyReader, KnowsOtherNamesOfColours) {
+  const auto renamed = [](const std::array<const char*, 3>& names) {
+    std::string content = with_colours("uchar", "", "1 2 3");
+    const std::array<const char*, 3> usual = {"red", "green", "blue"};
+    for (size_t i = 0; i < 3; ++i) {
+      const std::string old = std::string("uchar ") + usual[i];
+      content.replace(content.find(old), old.size(), std::string("uchar ") + names[i]);
+    }
+    return content;
+  };
+  for (const auto& names :
+       {std::array{"diffuse_red", "diffuse_green", "diffuse_blue"}, std::array{"r", "g", "b"}}) {
+    const TriangleMesh mesh = parsed(kPly, renamed(names));
+    ASSERT_TRUE(mesh.has_colours()) << names[0];
+    EXPECT_EQ(mesh.colours[2], (Rgba8{1, 2, 3, 255}));
+  }
+  EXPECT_FALSE(parsed(kPly, renamed({"diffuse_red", "green", "b"})).has_colours());
+  const std::string both =
+      with_colours("uchar",
+                   "property uchar diffuse_red\nproperty uchar diffuse_green\nproperty uchar "
+                   "diffuse_blue\n",
+                   "1 2 3 7 8 9");
+  EXPECT_EQ(parsed(kPly, both).colours[0], (Rgba8{1, 2, 3, 255}));
 }
 
 TEST(PlyReader, AnIncompleteColourIsNone) {
@@ -314,10 +350,40 @@ TEST(PlyReader, RefusesAbsurdListCounts) {
               HasSubstr("has the count 2147483647, but at most 3 values are left"));
 }
 
-TEST(PlyReader, RefusesFacesOfFewerThanThreeCorners) {
-  EXPECT_THAT(refusal(kPly, square_with_faces("3 0 1 2\n2 0 1\n")),
-              HasSubstr("line 15: face 1 has 2 corners; a face needs at least 3"));
-  EXPECT_THAT(refusal(kPly, square_with_faces("0\n")), HasSubstr("face 0 has 0 corners"));
+TEST(PlyReader, FacesOfFewerThanThreeCornersAreCarried) {
+  EXPECT_THAT(parsed(kPly, square_with_faces("2 0 1\n3 0 1 2\n1 3\n0\n")).triangles,
+              ElementsAre(Triangle{0, 1, 2}));
+  EXPECT_THAT(refusal(kPly, square_with_faces("0\n")), HasSubstr("mesh has no triangles"));
+}
+
+TEST(PlyReader, ARangeGridIsNamed) {
+  EXPECT_THAT(refusal(kPly, "ply\nformat ascii 1.0\nobj_info num_cols 1\nelement vertex 1\n" +
+                                std::string(kXyz) +
+                                "element range_grid 1\nproperty list uchar int vertex_indices\n"
+                                "end_header\n0 0 0\n1 0\n"),
+              HasSubstr("range_grid"));
+}
+
+TEST(PlyReader, LinesMayEndInCr) {
+  const std::string text = square_with_faces("3 0 1 2\n3 0 2 3\n");
+  EXPECT_EQ(parsed(kPly, with_cr(text)).vertices, parsed(kPly, text).vertices);
+  EXPECT_EQ(parsed(kPly, with_cr(text)).triangles, parsed(kPly, text).triangles);
+  const std::string head = header("binary_little_endian", 3, 1);
+  std::string body = triangle_body();
+  body.replace(0, 4, bytes_of(uint32_t{0x3F80000A}));  // the first byte is an LF
+  for (const std::string& start : {head, with_cr(head), with_crlf(head)}) {
+    const TriangleMesh mesh = parsed(kPly, start + body);
+    EXPECT_EQ(mesh.vertices[0][0], static_cast<double>(std::bit_cast<float>(0x3F80000A)));
+    EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}));
+  }
+}
+
+TEST(PlyReader, CarriesVerticesWithoutPlaceThatNoFaceUses) {
+  std::string content = square_with_faces("3 0 1 2\n");
+  const size_t last = content.rfind("\n", content.find("3 0 1 2") - 2) + 1;
+  content.replace(last, content.find("3 0 1 2") - last, "nan -inf 5\n");
+  const TriangleMesh mesh = parsed(kPly, content);
+  EXPECT_EQ(mesh.vertices[3], Vec3d(mesh.vertices[0][0], mesh.vertices[0][1], 5));
 }
 
 TEST(PlyReader, RefusesIndicesOutOfRange) {

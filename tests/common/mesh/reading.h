@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <initializer_list>
 #include <string>
@@ -38,6 +39,12 @@ std::string bytes_of(const Values&... values) {
   std::string bytes;
   (bytes.append(reinterpret_cast<const char*>(&values), sizeof values), ...);
   return bytes;
+}
+
+/// Returns a text with the line ends of old Macs, which some programs still write.
+inline std::string with_cr(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  return text;
 }
 
 inline std::string with_crlf(const std::string& text) {

@@ -29,8 +29,8 @@ std::string binary(std::string title, uint32_t count, const std::string& facets)
 
 TEST(StlReader, WeldsEqualPositions) {
   const std::string content = "solid s\n" + kFacet + kOtherFacet + "endsolid s\n";
-  for (const std::string& text :
-       {content, with_crlf(content), content.substr(0, content.size() - 1), content + "noise\n"}) {
+  for (const std::string& text : {content, with_crlf(content), with_cr(content),
+                                  content.substr(0, content.size() - 1), content + "noise\n"}) {
     const TriangleMesh mesh = parsed(kStl, text);
     EXPECT_THAT(mesh.vertices,
                 ElementsAre(Vec3d(0, 0, 0), Vec3d(1, 0, 0), Vec3d(1, 1, 0), Vec3d(0, 1, 0)));
@@ -43,6 +43,17 @@ TEST(StlReader, ReadsSeveralSolidsInAnyCase) {
       kStl, "SOLID\n" + kFacet + "ENDSOLID\n\n# between\nSolid two\n" + kOtherFacet + "EndSolid");
   EXPECT_EQ(mesh.vertices.size(), 4u);
   EXPECT_EQ(mesh.triangles.size(), 2u);
+}
+
+TEST(StlReader, EndMayBeAWordOfItsOwn) {
+  std::string content = "solid s\n" + kFacet + kOtherFacet + "endsolid s\n";
+  for (size_t at = 0; (at = content.find("end", at)) != std::string::npos; at += 4)
+    content.insert(at + 3, content.compare(at, 4, "endf") == 0 ? "  " : " ");
+  ASSERT_NE(content.find("end loop\nend  facet"), std::string::npos);
+  EXPECT_EQ(parsed(kStl, content).triangles.size(), 2u);
+  EXPECT_EQ(parsed(kStl, content + "solid t\n" + kFacet + "End Solid\n").triangles.size(), 3u);
+  EXPECT_THAT(refusal(kStl, "solid s\n" + kFacet + "end game\n"),
+              HasSubstr("'endgame' is not a statement of an STL solid"));
 }
 
 TEST(StlReader, ReadsBinaryAndWeldsThousandsOfFacets) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "common/mesh/rewrite/written_mesh.h"
+
 namespace burnish {
 namespace {
 
@@ -23,9 +25,13 @@ TEST(MovedNormals, AMoveBelowAFloatIsNoMove) {
   after.vertices[1][2] = 1e-60;
   after.triangles = {{0, 1, 2}};
   const Vec3d normal(0.6, 0, 0.8);
-  EXPECT_EQ(gather_vertex_areas({before, after})[0].turn(normal), normal);
-  after.has_double_positions = true;
-  EXPECT_EQ(gather_vertex_areas({before, after})[0].turn(normal), Vec3d(-1e-60, 0, 1));
+  const auto turned = [&](PlyType type) {
+    const MovedMesh moved{before, after};
+    const WrittenMesh written(moved, WrittenNumber{.type = type, .digits = {}});
+    return gather_vertex_areas(written.moved())[0].turn(normal);
+  };
+  EXPECT_EQ(turned(PlyType::kFloat32), normal);
+  EXPECT_EQ(turned(PlyType::kFloat64), Vec3d(-1e-60, 0, 1));
 }
 
 }  // namespace

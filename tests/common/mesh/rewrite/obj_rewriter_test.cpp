@@ -51,6 +51,35 @@ TEST(ObjRewriter, LargerFacesWeighMore) {
               testing::HasSubstr("vn 0.31622776 0 0.9486833\n"));
 }
 
+const std::string kSeamFaces =
+    "v 0 0 0\nv 0 1 0\nv 1 0 0\nv -1 0 0\nv 0 0 0\nv 0 1 0\n"
+    "vn 0 0 1\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\nvn 0 0 1\nvn 0.5 0 0.8660254\n";
+
+TEST(ObjRewriter, NormalsThatWereEqualAtOnePlaceStayEqualAndOthersKeepTheirCrease) {
+  const auto fold = [](size_t v, const Vec3d& p) { return v == 3 ? Vec3d(-1, 0, -1) : p; };
+  for (const char* second : {"f 1//5 2//6 4//4\n", "f 5//5 6//6 4//4\n"})
+    EXPECT_THAT(rewritten(MeshFormat::kObj, kSeamFaces + "f 1//1 3//3 2//2\n" + second, fold),
+                testing::HasSubstr("vn -0.4472136 0 0.8944272\nvn 0 0 1\nvn 0 0 1\n"
+                                   "vn -0.70710677 0 0.70710677\nvn -0.4472136 0 0.8944272\n"
+                                   "vn -0.70710677 0 0.70710677\n"))
+        << second;
+}
+
+TEST(ObjRewriter, ANormalOfAFaceIsThatFacesAlone) {
+  const auto fold = [](size_t v, const Vec3d& p) { return v == 3 ? Vec3d(-1, 0, -1) : p; };
+  EXPECT_THAT(
+      rewritten(MeshFormat::kObj, kSeamFaces + "f 1//1 3//1 2//1\nf 1//2 2//2 4//2\n", fold),
+      testing::HasSubstr("vn 0 0 1\nvn -0.70710677 0 0.70710677\nvn 0 0 1\n"));
+}
+
+TEST(ObjRewriter, VerticesAndFacesThatAreNotDrawnKeepTheirBytes) {
+  const std::string text = "v 0 0 0\rv nan -1.#IND 4\rv 1 0 0\rv 0 1 0\rf 1 2\rf 1 3 4\rf 2\r";
+  const auto move = [](size_t v, const Vec3d& p) -> Vec3d { return v == 1 ? p : 2 * p; };
+  EXPECT_EQ(rewritten(MeshFormat::kObj, text), text);
+  EXPECT_EQ(rewritten(MeshFormat::kObj, text, move),
+            "v 0 0 0\rv nan -1.#IND 4\rv 2 0 0\rv 0 2 0\rf 1 2\rf 1 3 4\rf 2\r");
+}
+
 TEST(ObjRewriter, NormalsThatAreNotThereAreIgnored) {
   const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//9 2//-4 3//x\n";
   const auto move = [](size_t, const Vec3d& p) -> Vec3d { return 2 * p; };

@@ -40,8 +40,10 @@ TEST(PlyRewriter, AColourChangesInTheTypeOfItsChannel) {
   std::string floats = kPlyText;
   for (const char* channel : {"red", "green", "blue"})
     floats = replaced(floats, std::string("uchar ") + channel, std::string("float ") + channel);
-  EXPECT_THAT(recoloured(MeshFormat::kPly, floats, 2, {255, 255, 51, 255}),
-              testing::HasSubstr("1.0   1 2 0.2 1 9\n"));
+  for (size_t at; (at = floats.find("   1 2 3 ")) != std::string::npos;)
+    floats.replace(at, 9, "   1 0.5 0.25 ");
+  EXPECT_THAT(recoloured(MeshFormat::kPly, floats, 2, {255, 128, 51, 255}),
+              testing::HasSubstr("1.0   1 0.5 0.2 1 9\n"));
 }
 
 TEST(PlyRewriter, NormalsFollowTheSurface) {
@@ -58,6 +60,79 @@ TEST(PlyRewriter, NormalsThatPointInwardsStayThere) {
   const auto turn = [](size_t, const Vec3d& p) { return Vec3d(0, p[1], p[0]); };
   EXPECT_THAT(rewritten(MeshFormat::kPly, inwards, turn),
               testing::HasSubstr("0.2 0  1 1 0 1 0   1 2 3 1 9\n"));
+}
+
+/// Two triangles that meet at an edge whose vertices stand twice: the first two have one normal at
+/// their place, the others have two.
+const std::string kSeamPly =
+    "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+    "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+    "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0 0 0 1\n0 0 0 0 0 1\n0 1 0 0 0 1\n0 1 0 0.5 0 0.8660254\n"
+    "1 0 0 0 0 1\n-1 0 0 0 0 1\n3 0 4 2\n3 1 3 5\n";
+
+TEST(PlyRewriter, NormalsThatWereEqualAtOnePlaceStayEqualAndOthersKeepTheirCrease) {
+  const auto fold = [](size_t v, const Vec3d& p) { return v == 5 ? Vec3d(-1, 0, -1) : p; };
+  const std::string text = rewritten(MeshFormat::kPly, kSeamPly, fold);
+  EXPECT_THAT(text, testing::HasSubstr("0 0 0 -0.4472136 0 0.8944272\n"
+                                       "0 0 0 -0.4472136 0 0.8944272\n"
+                                       "0 1 0 0 0 1\n0 1 0 -0.70710677 0 0.70710677\n"));
+}
+
+TEST(PlyRewriter, NormalsOfFacesFollowThem) {
+  const std::string before =
+      "ply\nformat ascii 1.0\nelement face 2\nproperty float nx\nproperty float ny\n"
+      "property list uchar int vertex_indices\nproperty float nz\nproperty int mark\n"
+      "element vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+      "element note 1\nproperty int n\nend_header\n"
+      "0 0 4 0 1 2 3 -1.0 7\n0.0 0 3 0 2 4 1 8\n"
+      "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 2 0\n5\n";
+  EXPECT_EQ(rewritten(MeshFormat::kPly, before), before);
+  const auto fold = [](size_t v, const Vec3d& p) { return v == 4 ? Vec3d(0, 1, 1) : p; };
+  const std::string after = rewritten(MeshFormat::kPly, before, fold);
+  EXPECT_EQ(after, replaced(replaced(before, "0.0 0 3 0 2 4 1 8",
+                                     "0.57735026 -0.57735026 3 0 2 4 "
+                                     "0.57735026 8"),
+                            "0 2 0\n5", "0 1 1\n5"));
+}
+
+TEST(PlyRewriter, AVertexWithoutPlaceKeepsItsBytes) {
+  const std::string before =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n"
+      "0 0 0 0 0 1\nnan -nan(ind) 7.0 nan nan nan\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 2 3\n";
+  EXPECT_EQ(rewritten(MeshFormat::kPly, before), before);
+  const auto turn = [](size_t v, const Vec3d& p) { return v == 1 ? p : Vec3d(0, p[1], p[0]); };
+  const std::string after = rewritten(MeshFormat::kPly, before, turn);
+  EXPECT_THAT(after, testing::HasSubstr("\nnan -nan(ind) 7.0 nan nan nan\n0 0 1 -1 0 0\n"));
+}
+
+TEST(PlyRewriter, FloatColoursKeepTheRangeOfTheFile) {
+  std::string floats =
+      replaced(kPlyText, "0 0 0.00 1.0   1 2 3 0\n0.2", "0 0 0.00 1.0   1 255.0 3 0\n0.2");
+  for (const char* channel : {"red", "green", "blue"})
+    floats = replaced(floats, std::string("uchar ") + channel, std::string("float ") + channel);
+  EXPECT_EQ(rewritten(MeshFormat::kPly, floats), floats);
+  EXPECT_THAT(recoloured(MeshFormat::kPly, floats, 2, {1, 200, 3, 255}),
+              testing::HasSubstr("1.0   1 200 3 1 9\n"));
+}
+
+TEST(PlyRewriter, ColoursOfOtherNamesChangeToo) {
+  std::string other = kPlyText;
+  for (const char* channel : {"red", "green", "blue"})
+    other =
+        replaced(other, std::string("uchar ") + channel, std::string("uchar diffuse_") + channel);
+  EXPECT_EQ(recoloured(MeshFormat::kPly, other, 1, {1, 200, 3, 255}),
+            replaced(other, "1.0   1 2 3 0\n0.2", "1.0   1 200 3 0\n0.2"));
+}
+
+TEST(PlyRewriter, LineEndsOfOldMacsStay) {
+  const std::string before = with_cr(kSeamPly);
+  EXPECT_EQ(rewritten(MeshFormat::kPly, before), before);
+  const auto fold = [](size_t v, const Vec3d& p) { return v == 5 ? Vec3d(-1, 0, -1) : p; };
+  EXPECT_EQ(rewritten(MeshFormat::kPly, before, fold),
+            with_cr(rewritten(MeshFormat::kPly, kSeamPly, fold)));
 }
 
 /// A binary file with an element before the vertices, x y z of one type and a list behind them.

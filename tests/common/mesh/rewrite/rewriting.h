@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ inline Vec3d stay(size_t, const Vec3d& position) {
 /// Reads a file, edits the mesh, and returns the file written again. Returns the refusal's message
 /// if rewriting fails.
 inline std::string edited(MeshFormat format, const std::string& content,
-                          const std::function<void(TriangleMesh&)>& edit) {
+                          const std::function<void(TriangleMesh&)>& edit, double cap = 0) {
   TriangleMesh after = parsed(format, content);
   const std::vector<Vec3d> before = after.vertices;
   edit(after);
@@ -30,16 +31,27 @@ inline std::string edited(MeshFormat format, const std::string& content,
   });
   const Status status =
       rewrite_mesh({reinterpret_cast<const uint8_t*>(content.data()), content.size()}, format,
-                   "scan", {before, after}, output);
+                   "scan", {before, after, cap}, output);
   return status.is_ok() ? text : status.message();
 }
 
 /// Does the same with moved vertices.
-inline std::string rewritten(MeshFormat format, const std::string& content,
-                             const Move& move = stay) {
-  return edited(format, content, [&](TriangleMesh& mesh) {
+inline std::string rewritten(MeshFormat format, const std::string& content, const Move& move = stay,
+                             double cap = 0) {
+  const auto edit = [&](TriangleMesh& mesh) {
     for (size_t v = 0; v < mesh.vertices.size(); ++v) mesh.vertices[v] = move(v, mesh.vertices[v]);
-  });
+  };
+  return edited(format, content, edit, cap);
+}
+
+/// Returns the largest move of a vertex between two files.
+inline double largest_move(MeshFormat format, const std::string& before, const std::string& after) {
+  const TriangleMesh from = parsed(format, before), to = parsed(format, after);
+  EXPECT_EQ(from.vertices.size(), to.vertices.size());
+  double largest = 0;
+  for (size_t v = 0; v < from.vertices.size(); ++v)
+    largest = std::max(largest, (to.vertices[v] - from.vertices[v]).norm());
+  return largest;
 }
 
 /// Does the same with another colour of a vertex.

@@ -30,6 +30,16 @@ TEST(StlRewriter, NormalsOfATextTurnAndZeroNormalsStay) {
   EXPECT_THAT(text, testing::HasSubstr("FACET NORMAL 0 0 0\n"));
 }
 
+TEST(StlRewriter, EndMayBeAWordOfItsOwn) {
+  std::string apart = kStlText;
+  for (size_t at = 0; (at = apart.find("end", at)) != std::string::npos; at += 4)
+    apart.insert(at + 3, " ");
+  EXPECT_EQ(rewritten(MeshFormat::kStl, apart), apart);
+  const auto turn = [](size_t, const Vec3d& p) { return Vec3d(0, p[1], p[0]); };
+  EXPECT_THAT(rewritten(MeshFormat::kStl, with_cr(apart), turn),
+              testing::HasSubstr("facet normal -1 0 0\r"));
+}
+
 std::string binary_stl(const std::string& header) {
   std::string file = header;
   file.resize(80, ' ');

@@ -1,0 +1,69 @@
+#include "common/mesh/rewrite/written_mesh.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "common/mesh/rewrite/ply_number.h"
+#include "common/mesh/text_values.h"
+
+namespace burnish {
+
+WrittenNumber WrittenNumber::of_text(bool has_double_positions, const TextDigits& digits) {
+  WrittenNumber number{.type = PlyType::kFloat32, .is_text = true, .digits = {}};
+  if (has_double_positions) number.type = PlyType::kFloat64;
+  if (has_double_positions && digits.exceed_float()) number.digits = digits;
+  return number;
+}
+
+static std::string shortest_text(PlyType type, double value) {
+  return ply_number(type, PlyEncoding::kAscii, value);
+}
+
+double WrittenNumber::kept(double value, double before) const {
+  if (digits) return digits->kept(value, before);
+  double kept = kept_by(type, value);
+  // The shortest text of a float is another double than the float.
+  if (is_text && type == PlyType::kFloat32) parse_double(shortest_text(type, kept), kept);
+  return kept;
+}
+
+double WrittenNumber::nearer(double kept, double before) const {
+  double next = std::nextafter(kept, before);
+  if (digits || is_integer(type))
+    next = kept + std::copysign(digits ? digits->step(before) : 1, before - kept);
+  else if (type == PlyType::kFloat32)
+    next = std::nextafter(static_cast<float>(kept), static_cast<float>(before));
+  next = this->kept(next, before);
+  const bool lies_between =
+      before < kept ? before < next && next < kept : kept < next && next < before;
+  return lies_between ? next : before;
+}
+
+std::string WrittenNumber::text_of(double kept, double before, std::string_view old) const {
+  return digits ? digits->text_of(kept, before, old) : shortest_text(type, kept);
+}
+
+WrittenMesh::WrittenMesh(const MovedMesh& moved, std::array<WrittenNumber, 3> axes)
+    : axes_(std::move(axes)), vertices_(moved.before.size()), written_(moved) {
+#pragma omp parallel for schedule(static)
+  for (size_t v = 0; v < vertices_.size(); ++v)
+    vertices_[v] = position(moved.before[v], moved.after.vertices[v]);
+  written_.after.vertices = vertices_;
+}
+
+Vec3d WrittenMesh::position(const Vec3d& before, const Vec3d& after) const {
+  Vec3d written = before;
+  for (int i = 0; i < 3; ++i) {
+    if (after[i] == before[i]) continue;
+    const WrittenNumber& axis = axes_[static_cast<size_t>(i)];
+    const double kept = axis.kept(after[i], before[i]);
+    if (kept != axis.kept(before[i], before[i])) written[i] = kept;
+  }
+  if (!(written_.cap > 0) || (written - before).norm() <= written_.cap) return written;
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(written[i] - before[i]) > std::abs(after[i] - before[i]))
+      written[i] = axes_[static_cast<size_t>(i)].nearer(written[i], before[i]);
+  return written;
+}
+
+}  // namespace burnish

@@ -1,0 +1,55 @@
+#include "common/mesh/rewrite/text_digits.h"
+
+#include <initializer_list>
+
+#include <gtest/gtest.h>
+
+namespace burnish {
+namespace {
+
+TextDigits digits_of(std::initializer_list<const char*> coordinates) {
+  TextDigits digits;
+  for (const char* coordinate : coordinates) digits.add(coordinate);
+  return digits;
+}
+
+TEST(TextDigits, ATextOfFixedDecimalsKeepsThem) {
+  const TextDigits digits = digits_of({"499907.356", "4649907.242", "329.700", "-0.000"});
+  EXPECT_TRUE(digits.exceed_float());
+  EXPECT_EQ(digits.kept(329.73149, 329.7), 329.731);
+  EXPECT_EQ(digits.text_of(329.731, 329.7, "329.700"), "329.731");
+  EXPECT_EQ(digits.text_of(330, 329.7, "329.700"), "330.000");
+  EXPECT_EQ(digits.kept(0.0004, 0), 0);
+  EXPECT_EQ(digits.text_of(0.001, 0, "0"), "0.001");
+  EXPECT_EQ(digits.text_of(1000000.001, 999999.999, "999999.999"), "1000000.001");
+}
+
+TEST(TextDigits, ATextOfANumberOfDigitsKeepsThat) {
+  const TextDigits digits = digits_of({"499907.3561", "4649907.24", "0.0001234567891", "7"});
+  EXPECT_EQ(digits.kept(4649907.24321, 4649907.24), 4649907.243);
+  EXPECT_EQ(digits.kept(499907.35612, 499907.3561), 499907.3561);
+  EXPECT_EQ(digits.text_of(7.25, 7, "7"), "7.25");
+}
+
+TEST(TextDigits, AnExponentStays) {
+  const TextDigits digits = digits_of({"4.99907356E+05", "3.29731000E+02"});
+  EXPECT_EQ(digits.kept(499907.35749, 499907.356), 499907.357);
+  EXPECT_EQ(digits.text_of(499907.357, 499907.356, "4.99907356E+05"), "4.99907357E+05");
+  const TextDigits coarse = digits_of({"1.23456789012e+13"});
+  EXPECT_EQ(coarse.kept(12345678901349.0, 12345678901200.0), 12345678901300.0);
+  EXPECT_EQ(coarse.text_of(12345678901300.0, 12345678901200.0, "1.23456789012e+13"),
+            "1.23456789013e+13");
+}
+
+TEST(TextDigits, AllDigitsOfADoubleAreTheShortestText) {
+  const TextDigits digits = digits_of({"0.10000000000000001", "512345.67800000001"});
+  EXPECT_EQ(digits.kept(0.3, 0.1), 0.3);
+  EXPECT_EQ(digits.text_of(512345.679, 512345.678, "512345.678"), "512345.679");
+}
+
+TEST(TextDigits, FloatsAndWhatIsNoCoordinateDoNotExceedAFloat) {
+  EXPECT_FALSE(digits_of({"0.1", "-0.49023438", "nan", "1e30", "x", ""}).exceed_float());
+}
+
+}  // namespace
+}  // namespace burnish
