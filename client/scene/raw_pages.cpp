@@ -8,6 +8,7 @@
 #include "client/scene/thinned_triangles.h"
 #include "common/base/limits.h"
 #include "common/grid/grid.h"
+#include "common/mesh/vertex_welder.h"
 
 namespace burnish {
 namespace {
@@ -88,12 +89,40 @@ static PageSpace space_around(const Eigen::AlignedBox3d& box) {
   return {frame.origin + Vec3d::Constant(half), half, 0};
 }
 
+namespace {
+
+/// A mesh that has each position once. Seams of texture coordinates have vertices twice, and must
+/// not show as lines.
+struct JoinedSurface {
+  std::vector<Vec3d> vertices;
+  std::vector<uint32_t> of_vertex;
+  std::vector<Triangle> triangles;
+
+  explicit JoinedSurface(const TriangleMesh& mesh) : triangles(mesh.triangles) {
+    VertexWelder welder(vertices);
+    of_vertex.reserve(mesh.vertices.size());
+    for (const Vec3d& vertex : mesh.vertices) of_vertex.push_back(welder.index_of(vertex));
+    for (Triangle& triangle : triangles)
+      for (uint32_t& vertex : triangle) vertex = of_vertex[vertex];
+  }
+};
+
+}  // namespace
+
 static VertexLooks looks_of(const TriangleMesh& mesh, const PageSpace& space) {
-  VertexLooks looks{{}, vertex_normals(mesh.vertices, mesh.triangles), {}, mesh.colours};
-  looks.positions.reserve(mesh.vertices.size());
-  for (const Vec3d& vertex : mesh.vertices)
-    looks.positions.push_back(((vertex - space.centre) / space.unit).cast<float>());
-  looks.ridges = vertex_ridges(looks.positions, looks.normals, mesh.triangles);
+  const JoinedSurface joined(mesh);
+  std::vector<Vec3f> positions;
+  positions.reserve(joined.vertices.size());
+  for (const Vec3d& vertex : joined.vertices)
+    positions.push_back(((vertex - space.centre) / space.unit).cast<float>());
+  const std::vector<Vec3f> normals = vertex_normals(joined.vertices, joined.triangles);
+  const std::vector<float> ridges = vertex_ridges(positions, normals, joined.triangles);
+  VertexLooks looks{{}, {}, {}, mesh.colours};
+  for (const uint32_t vertex : joined.of_vertex) {
+    looks.positions.push_back(positions[vertex]);
+    looks.normals.push_back(normals[vertex]);
+    looks.ridges.push_back(ridges[vertex]);
+  }
   return looks;
 }
 

@@ -21,6 +21,18 @@ static GltfColumn unmoved_column(size_t points, const GltfAccessor& accessor) {
   return column;
 }
 
+/// Returns where a float position of a node goes. Rounds towards its place where it would else pass
+/// the cap in the scene.
+static Vec3f moved_position(const Vec3f& before, const Vec3d& shift,
+                            const Eigen::Matrix3d& to_scene, double cap) {
+  Vec3f after = (before.cast<double>() + shift).cast<float>();
+  if (!(cap > 0) || (to_scene * (after - before).cast<double>()).norm() <= cap) return after;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(double{after[axis]} - before[axis]) > std::abs(shift[axis]))
+      after[axis] = std::nextafter(after[axis], before[axis]);
+  return after;
+}
+
 /// Moves a column's positions. Sets where the changed ones now are in the scene.
 static void move_positions(const GltfPoints& points, const GltfPlacement& placed,
                            const MovedMesh& moved, GltfColumn& column,
@@ -31,8 +43,8 @@ static void move_positions(const GltfPoints& points, const GltfPlacement& placed
     if (v == kNoVertex) continue;
     const Vec3d shift = moved.after.vertices[v] - moved.before[v];
     if (shift == Vec3d::Zero()) continue;
-    const Vec3d local = column.values[i].cast<double>();
-    const Vec3f value = (local + to_node * shift).cast<float>();
+    const Vec3f value =
+        moved_position(column.values[i], to_node * shift, placed.to_scene.linear(), moved.cap);
     if (value == column.values[i]) continue;
     column.values[i] = value;
     column.is_changed = true;

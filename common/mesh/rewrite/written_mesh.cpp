@@ -8,6 +8,8 @@
 
 namespace burnish {
 
+static constexpr size_t kParallelVertices = 10'000;  // fewer are not worth waking the threads
+
 WrittenNumber WrittenNumber::of_text(bool has_double_positions, const TextDigits& digits) {
   WrittenNumber number{.type = PlyType::kFloat32, .is_text = true, .digits = {}};
   if (has_double_positions) number.type = PlyType::kFloat64;
@@ -45,7 +47,7 @@ std::string WrittenNumber::text_of(double kept, double before, std::string_view 
 
 WrittenMesh::WrittenMesh(const MovedMesh& moved, std::array<WrittenNumber, 3> axes)
     : axes_(std::move(axes)), vertices_(moved.before.size()), written_(moved) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (vertices_.size() >= kParallelVertices)
   for (size_t v = 0; v < vertices_.size(); ++v)
     vertices_[v] = position(moved.before[v], moved.after.vertices[v]);
   written_.after.vertices = vertices_;

@@ -67,6 +67,25 @@ TEST(RawPages, VerticesLookAsThoseOfTheWholeMeshInEveryPage) {
   EXPECT_GT(vertices, mesh.vertices.size());
 }
 
+TEST(RawPages, VerticesThatStandTwiceLookAlike) {
+  const TriangleMesh mesh = generate_scan({.kind = "blob", .vertices = 2'000}).value();
+  TriangleMesh soup;
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto first = static_cast<uint32_t>(soup.vertices.size());
+    soup.triangles.push_back({first, first + 1, first + 2});
+    for (const uint32_t vertex : triangle) soup.vertices.push_back(mesh.vertices[vertex]);
+  }
+  std::map<Place, std::pair<Vec3f, float>> looks;
+  const RawPages raw = make_raw_pages(soup);
+  for (const PageMesh& page : raw.pages)
+    for (size_t i = 0; i < page.positions.size(); ++i) {
+      const std::pair here(page.normals[i], page.ridges[i]);
+      const auto [known, is_new] = looks.try_emplace(place_at(page.positions[i]), here);
+      ASSERT_EQ(known->second, here);
+    }
+  EXPECT_EQ(looks.size(), mesh.vertices.size());
+}
+
 TEST(RawPages, FewVerticesAreInSeveralPagesThoughTheFileHasTheTrianglesInRows) {
   const TriangleMesh sheet = make_sheet(400, 1, 0.1);
   const RawPages raw = make_raw_pages(sheet);

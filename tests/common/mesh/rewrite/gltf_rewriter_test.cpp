@@ -50,6 +50,18 @@ void expect_moved(const std::string& content, const Move& move, double tolerance
   EXPECT_EQ(after.colours.size(), before.colours.empty() ? 0 : after.vertices.size());
 }
 
+TEST(GltfRewriter, TheCapHoldsInFloats) {
+  const std::string content = square_glb().glb();
+  constexpr double kCap = 1e-6;
+  const auto move = [](size_t v, const Vec3d& p) -> Vec3d {
+    const auto angle = static_cast<double>(v + 1);
+    return p + (1 - 1e-6) * kCap * Vec3d(std::cos(angle), 0, std::sin(angle));
+  };
+  EXPECT_LE(largest_move(kRewrittenGlb, content, rewritten(kRewrittenGlb, content, move, kCap)),
+            kCap);
+  EXPECT_GT(largest_move(kRewrittenGlb, content, rewritten(kRewrittenGlb, content, move)), kCap);
+}
+
 /// A square with normals, texture coordinates, a picture, extras, and members nobody knows.
 GlbFile rich_square() {
   GlbFile file = square_glb();
