@@ -22,7 +22,8 @@ static constexpr std::pair<std::string_view, const char*> kObjStatements[] = {
 
 static bool has_comment(std::span<const uint8_t> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  return text.starts_with('#') || text.find("\n#") != std::string_view::npos;
+  return text.starts_with('#') || text.find("\n#") != std::string_view::npos ||
+         text.find("\r#") != std::string_view::npos;
 }
 
 bool list_obj_extras(std::span<const uint8_t> bytes, size_t triangles, LeftOutList& list) {

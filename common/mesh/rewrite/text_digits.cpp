@@ -1,12 +1,25 @@
 #include "common/mesh/rewrite/text_digits.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
 #include "common/mesh/text_values.h"
 
 namespace burnish {
+
+// Doubles hold these exactly.
+static constexpr std::array<double, 23> kPowersOfTen = {
+    1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+/// Returns 10^decimals if it is exact, else 0.
+static double exact_power(int decimals) {
+  return decimals >= 0 && decimals < static_cast<int>(kPowersOfTen.size())
+             ? kPowersOfTen[static_cast<size_t>(decimals)]
+             : 0;
+}
 
 static std::string_view mantissa_of(std::string_view token) {
   return token.substr(0, token.find_first_of("eE"));
@@ -62,10 +75,15 @@ double TextDigits::step(double before) const {
 }
 
 double TextDigits::kept(double value, double before) const {
+  constexpr double kExactMax = 0x1p53;
   const int decimals = decimals_of(before);
+  const double power = exact_power(decimals);
+  // The quotient of two exact numbers is the double nearest to the decimal number.
+  if (power > 0 && std::abs(value) * power < kExactMax)
+    return std::round(value * power) / power + 0.0;  // turns -0 into 0
   double kept = value;
   parse_double(decimals < 0 ? scientific_text(value, decimals) : fixed_text(value, decimals), kept);
-  return kept + 0.0;  // turns -0 into 0
+  return kept + 0.0;
 }
 
 std::string TextDigits::text_of(double value, double before, std::string_view old) const {

@@ -29,6 +29,11 @@ double WrittenNumber::kept(double value, double before) const {
   return kept;
 }
 
+bool WrittenNumber::tells_apart(double value, double before) const {
+  if (digits) return digits->kept(value, before) != digits->kept(before, before);
+  return kept_by(type, value) != kept_by(type, before);
+}
+
 double WrittenNumber::nearer(double kept, double before) const {
   double next = std::nextafter(kept, before);
   if (digits || is_integer(type))
@@ -56,10 +61,9 @@ WrittenMesh::WrittenMesh(const MovedMesh& moved, std::array<WrittenNumber, 3> ax
 Vec3d WrittenMesh::position(const Vec3d& before, const Vec3d& after) const {
   Vec3d written = before;
   for (int i = 0; i < 3; ++i) {
-    if (after[i] == before[i]) continue;
     const WrittenNumber& axis = axes_[static_cast<size_t>(i)];
-    const double kept = axis.kept(after[i], before[i]);
-    if (kept != axis.kept(before[i], before[i])) written[i] = kept;
+    if (after[i] != before[i] && axis.tells_apart(after[i], before[i]))
+      written[i] = axis.kept(after[i], before[i]);
   }
   if (!(written_.cap > 0) || (written - before).norm() <= written_.cap) return written;
   for (int i = 0; i < 3; ++i)

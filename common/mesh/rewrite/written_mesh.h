@@ -25,6 +25,9 @@ struct WrittenNumber {
   /// Returns the number that the file has for `value` in the place of `before`.
   double kept(double value, double before) const;
 
+  /// Returns whether the file has another number for `value` than it has for `before`.
+  bool tells_apart(double value, double before) const;
+
   /// Returns the next such number from `kept` towards `before`, and `before` if none lies between.
   double nearer(double kept, double before) const;
 

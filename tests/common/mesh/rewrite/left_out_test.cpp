@@ -58,6 +58,16 @@ TEST(LeftOut, APlyNamesItsPropertiesAndElements) {
             "normals, texture coordinates, property 'quality', transparency");
 }
 
+TEST(LeftOut, APlyNamesNormalsOfFacesAndKnowsOtherNamesOfColours) {
+  std::string file = ply_with(
+      "property uchar diffuse_red\nproperty uchar diffuse_green\nproperty uchar diffuse_blue\n",
+      " 1 2 3");
+  EXPECT_EQ(left_out(MeshFormat::kPly, file, MeshFormat::kObj), "");
+  file.insert(file.find("end_header"), "property float nx\nproperty float ny\nproperty float nz\n");
+  file.insert(file.size() - 1, " 0 0 1");
+  EXPECT_EQ(left_out(MeshFormat::kPly, file, MeshFormat::kObj), "normals of faces");
+}
+
 TEST(LeftOut, AHostileHeaderGivesAShortList) {
   std::string properties, values;
   for (int i = 0; i < 200; ++i) {
