@@ -50,6 +50,8 @@ Status run(const ExportOptions& options) {
   const auto exported = export_files(connection, options.session, wish, target, printer.progress());
   if (!exported.is_ok()) return exported.status().with_context("export of " + options.session);
   warn_of_left_out(exported->summary.left_out, options.out);
+  if (!exported->summary.lost_volume.empty())
+    std::fprintf(stderr, "warning: %s\n", exported->summary.lost_volume.c_str());
   if (wish.deviation) RETURN_IF_ERROR(write_record_of(options, *exported, connection));
   if (options.server.json) {
     print_json(to_json(exported->summary));

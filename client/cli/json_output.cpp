@@ -118,7 +118,8 @@ Json to_json(const ExportSummary& summary) {
           {"distance", summary.distance},
           {"assemble_seconds", summary.assemble_seconds},
           {"solve_seconds", summary.solve_seconds},
-          {"left_out", summary.left_out}};
+          {"left_out", summary.left_out},
+          {"volume", summary.volume != 0 ? Json(summary.volume) : Json()}};
 }
 
 Json to_json(const SessionDeviation& measured) {

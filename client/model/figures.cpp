@@ -37,6 +37,10 @@ std::vector<Figure> link_figures(const Document& document) {
       {"frames",
        printed("%.0f/s, %.1f Mbit/s", stats.frames_per_second, stats.megabits_per_second)},
   };
+  if (frame.volume != 0)
+    figures.push_back({"volume", is_volume_kept(frame.volume)
+                                     ? "kept"
+                                     : printed("%.6g %% of the scan's", 100 * frame.volume)});
   if (document.shown_after_ms() > 0)
     figures.push_back({"edit to picture", printed("%.0f ms", document.shown_after_ms())});
   return figures;

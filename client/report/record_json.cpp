@@ -30,7 +30,8 @@ static Json output_of(const ProcessingRecord& record) {
           {"sha256", record.result.sha256},
           {"vertices", record.result.vertices},
           {"triangles", record.result.triangles},
-          {"left_out", record.result.left_out}};
+          {"left_out", record.result.left_out},
+          {"lost_volume", record.result.lost_volume}};
 }
 
 static Json method_of(const ProcessingRecord& record) {

@@ -20,6 +20,13 @@ inline constexpr Controls kNewSessionControls{.pin_rims = true};
 /// Describes them in a few words: "rims pinned, at most 0.5, volume kept".
 std::string text_of(const Controls& controls);
 
+/// Returns whether a volume over the scan's is 1, except for rounding: within 1e-6.
+bool is_volume_kept(double volume);
+
+/// Says how much of the volume an edited surface has, and why it has not all of it. Empty if it was
+/// kept. Takes the volume over the scan's.
+std::string lost_volume_text(double volume, const Controls& controls);
+
 /// Fails: invalid_argument if the cap is outside 0 to kCoordinateMagnitudeMax.
 Status check_controls(const Controls& controls);
 

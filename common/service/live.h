@@ -96,7 +96,7 @@ using ClientMessage = std::variant<Greeting, FrameCredit, ApplyEdits, Preview, D
 /// Describes the surface that a frame shows, and what it took to make the frame.
 struct FrameStats {
   bool settled = false;  ///< to the bar of a live session: no frame follows until something changes
-  bool exact = false;    ///< settled, and to the bar of exports
+  bool exact = false;    ///< settled, and solved to the bar of exports; the frame is rounded
   int cycles = 0;        ///< since the session came into the server's memory
   double energy = 0;     ///< of the screened Poisson equation, grid units
   double residual = 0;   ///< relative
@@ -107,6 +107,7 @@ struct FrameStats {
   double encode_ms = 0;
   uint64_t client_time_us = 0;  ///< of the newest heartbeat that the frame has seen; 0: none
   uint64_t previews = 0;        ///< messages of this client that the frame has seen
+  double volume = 0;            ///< over the scan's, if the controls keep it; else 0
   double held_ms = 0;           ///< from the coming of that heartbeat until the frame went out
 };
 

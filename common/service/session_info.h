@@ -102,6 +102,8 @@ struct ExportSummary {
   uint64_t edits = 0;                 ///< of the session, in the exported surface
   std::optional<Deviation> deviation;
   bool is_archive = false;  ///< as the wish for files asks
+  double volume = 0;        ///< over the scan's, if the controls keep it; else 0
+  std::string lost_volume;  ///< why it is not the scan's, in words for users; empty: it is
 };
 
 }  // namespace burnish

@@ -27,6 +27,7 @@ void write_stats(const FrameStats& stats, v1::Frame& message) {
   message.set_client_time_us(stats.client_time_us);
   message.set_previews(stats.previews);
   message.set_held_ms(stats.held_ms);
+  message.set_volume(stats.volume);
 }
 
 FrameStats read_stats(const v1::Frame& message) {
@@ -44,6 +45,7 @@ FrameStats read_stats(const v1::Frame& message) {
   stats.client_time_us = message.client_time_us();
   stats.previews = message.previews();
   stats.held_ms = message.held_ms();
+  stats.volume = message.volume();
   return stats;
 }
 

@@ -164,6 +164,8 @@ v1::ExportSummary to_wire(const ExportSummary& summary) {
   for (const std::string& name : summary.left_out) message.add_left_out(name);
   message.set_edits(summary.edits);
   message.set_is_archive(summary.is_archive);
+  message.set_volume(summary.volume);
+  message.set_lost_volume(summary.lost_volume);
   if (summary.deviation)
     *message.mutable_deviation() = to_wire(SessionDeviation{*summary.deviation, summary.converged});
   return message;
@@ -185,6 +187,8 @@ Result<ExportSummary> from_wire(const v1::ExportSummary& message) {
   summary.left_out.assign(message.left_out().begin(), message.left_out().end());
   summary.edits = message.edits();
   summary.is_archive = message.is_archive();
+  summary.volume = message.volume();
+  summary.lost_volume = message.lost_volume();
   if (message.has_deviation()) {
     ASSIGN_OR_RETURN(const SessionDeviation measured, from_wire(message.deviation()));
     summary.deviation = measured.deviation;

@@ -90,6 +90,7 @@ Status LiveSession::send_frames(SessionTurn& at) {
                              .settled = stats.settled,
                              .last = still_ ? still_->shot.get() : nullptr,
                              .colour = session.colour_change()};
+  stats.volume = session.kept_volume().value_or(0);
   ASSIGN_OR_RETURN(SurfaceShot taken, SurfaceShot::take(moment, pages_of_wishes(wanting)));
   const auto surface = std::make_shared<const SurfaceShot>(std::move(taken));
   if (stats.settled) still_ = {version_, surface};

@@ -87,18 +87,23 @@ Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish
   metrics().observe(Measure::kSolveSeconds, report_of_solve.solve_seconds);
   metrics().observe(Measure::kResidual, report_of_solve.last.residual);
   const TriangleMesh mesh = held.entry->session->surface();
-  const double cap = held.entry->session->edited().controls().cap;
+  const std::optional<double> volume = held.entry->session->kept_volume();
+  const Controls controls = held.entry->session->edited().controls();
   const std::shared_ptr<const SharedMesh> shared = held.entry->mesh;
   held.lock.unlock();
 
   if (!report(progress, "writing", 0)) return cancelled("the export was cancelled");
   ExportSummary summary;
   const bool has_new_colours = !std::ranges::equal(mesh.colours, shared->prepared->colours);
-  const MovedMesh moved{shared->prepared->vertices, mesh, cap};
+  const MovedMesh moved{shared->prepared->vertices, mesh, controls.cap};
   ASSIGN_OR_RETURN(summary.left_out, write_surface(store_, held.entry->record.scan_id, moved,
                                                    has_new_colours, wish.format, path, progress));
   if (wish.deviation)
     summary.deviation = deviation_of(shared->prepared->vertices, mesh.vertices, mesh.triangles);
+  if (volume) {
+    summary.volume = *volume;
+    summary.lost_volume = lost_volume_text(*volume, controls);
+  }
   summary.edits = edits;
   summary.vertices = mesh.vertices.size();
   summary.triangles = mesh.triangles.size();

@@ -8,7 +8,7 @@ namespace burnish {
 
 static constexpr uint64_t kSessionBytesPerCorner = 700;  // of any depth
 static constexpr uint64_t kSessionBytesPerCell = 60;     // fields, paint, a gesture's copy
-static constexpr uint64_t kShownBytesPerCorner = 36;     // of the finest depth, with all controls
+static constexpr uint64_t kShownBytesPerCorner = 48;     // of the finest depth, with all controls
 static constexpr uint64_t kFrameInTheMaking = 36;    // per value: its sample, two drafts, its bytes
 static constexpr uint64_t kPageBytes = 512;          // of a page's own, without its values
 static constexpr uint64_t kPageInLists = 128;        // of a client: wanted, made and shown pages

@@ -5,55 +5,96 @@
 #include <cmath>
 
 #include "common/evaluation/evaluation.h"
+#include "common/grid/morton.h"
 #include "server/session/corner_normals.h"
+#include "server/session/piece_centres.h"
+#include "server/session/volume_root.h"
 
 namespace burnish {
 namespace {
 
-constexpr size_t kChunk = 4096;  // triangles; sums by chunk do not depend on the threads
-constexpr int kNewtonSteps = 20;
-constexpr double kDistanceMax = 0.25;  // of the diagonal; more means that no distance helps
-
-/// How the volume changes with the distance: c[0] + c[1] t + c[2] t² + c[3] t³, six times, grid
-/// units.
-using Cubic = std::array<double, 4>;
-
-double value(const Cubic& c, double t) {
-  return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
-}
-double slope(const Cubic& c, double t) {
-  return c[1] + t * (2 * c[2] + t * 3 * c[3]);
-}
+constexpr size_t kChunk = 4096;          // triangles; sums by chunk do not depend on the threads
+constexpr double kGrowthMax = 100;       // rounding and the solver's error grow with the surface
+constexpr double kReachOfNormal = 0.25;  // of the diagonal; an offset along normals, to one radius
 
 double det(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return a.dot(b.cross(c));
 }
 
-/// A vertex of the scan, how edits move it, and the offset of one distance.
-struct Moving {
-  Vec3d scan, edited, offset;
-};
-
-void add(const std::array<Moving, 3>& m, Cubic& sum) {
-  const Vec3d &a = m[0].edited, &b = m[1].edited, &c = m[2].edited;
-  const Vec3d &u = m[0].offset, &v = m[1].offset, &w = m[2].offset;
-  sum[0] += det(a, b, c) - det(m[0].scan, m[1].scan, m[2].scan);
-  sum[1] += det(u, b, c) + det(a, v, c) + det(a, b, w);
-  sum[2] += det(u, v, c) + det(u, b, w) + det(a, v, w);
-  sum[3] += det(u, v, w);
+Vec3d middle_of(const PreparedMesh& prepared) {
+  return prepared.frame.to_grid(prepared.statistics.box_min / 2 + prepared.statistics.box_max / 2);
 }
 
-/// Returns the zero nearest to 0, and 0 if there is none within `limit`.
-double zero_of(const Cubic& c, double limit) {
-  if (c[0] == 0) return 0;
-  double t = 0;
-  for (int step = 0; step < kNewtonSteps; ++step) {
-    const double next = t - value(c, t) / slope(c, t);
-    if (!(std::abs(next) <= limit)) return 0;
-    if (next == t) break;
-    t = next;
+/// Adds up a sum of each triangle. `of` takes a triangle and a sum of such a type.
+template <typename Sum, typename Of>
+Sum sum_triangles(std::span<const Triangle> triangles, const Of& of) {
+  std::vector<Sum> sums((triangles.size() + kChunk - 1) / kChunk);
+#pragma omp parallel for schedule(dynamic)
+  for (size_t chunk = 0; chunk < sums.size(); ++chunk)
+    for (size_t t = chunk * kChunk; t < std::min((chunk + 1) * kChunk, triangles.size()); ++t)
+      of(triangles[t], sums[chunk]);
+  Sum whole;
+  for (const Sum& sum : sums) whole += sum;
+  return whole;
+}
+
+/// Six times a volume.
+struct Volume {
+  double six = 0;
+  Volume& operator+=(const Volume& other) {
+    six += other.six;
+    return *this;
   }
-  return t;
+};
+
+double volume_of(const PreparedMesh& prepared, const SparseGrid& grid,
+                 std::span<const Vec3f> displacement) {
+  const Vec3d middle = middle_of(prepared);
+  const auto place = [&](uint32_t v) -> Vec3d {
+    const Vec3d moved = evaluate(grid, prepared.evaluation[v], displacement).cast<double>();
+    return prepared.frame.to_grid(prepared.vertices[v]) - middle + moved;
+  };
+  const auto add = [&](const Triangle& t, Volume& sum) {
+    sum.six += det(place(t[0]), place(t[1]), place(t[2]));
+  };
+  return sum_triangles<Volume>(prepared.triangles, add).six / 6;
+}
+
+/// How edits move a vertex, and the offset of one distance.
+struct Moving {
+  Vec3d edited, offset;
+};
+
+/// How the volume grows with the distance, six times, and how far the farthest vertex moves.
+struct Growth {
+  Cubic cubic = {};
+  double reach = 0;
+
+  void add(const std::array<Moving, 3>& m) {
+    const Vec3d &a = m[0].edited, &b = m[1].edited, &c = m[2].edited;
+    const Vec3d &u = m[0].offset, &v = m[1].offset, &w = m[2].offset;
+    cubic[0] += det(a, b, c);
+    cubic[1] += det(u, b, c) + det(a, v, c) + det(a, b, w);
+    cubic[2] += det(u, v, c) + det(u, b, w) + det(a, v, w);
+    cubic[3] += det(u, v, w);
+    reach = std::max({reach, u.squaredNorm(), v.squaredNorm(), w.squaredNorm()});
+  }
+  Growth& operator+=(const Growth& other) {
+    for (size_t i = 0; i < cubic.size(); ++i) cubic[i] += other.cubic[i];
+    reach = std::max(reach, other.reach);
+    return *this;
+  }
+};
+
+/// Returns how much an edit concerns the whole surface: 1 if it is the same everywhere, and the
+/// part of the cells that it touches if the others stay.
+double coverage_of(std::span<const float> edited) {
+  double sum = 0, squares = 0;
+  for (const float weight : edited) {
+    sum += weight;
+    squares += double{weight} * weight;
+  }
+  return squares > 0 ? sum * sum / (squares * double(edited.size())) : 0;
 }
 
 }  // namespace
@@ -62,44 +103,58 @@ VolumeKeeper::VolumeKeeper(const PreparedMesh& prepared, const SparseGrid& grid)
     : prepared_(prepared),
       grid_(grid),
       normals_(corner_normals(prepared, grid)),
-      offsets_(normals_.size(), Vec3f::Zero()) {}
+      centres_(piece_centres(prepared, grid)),
+      offsets_(normals_.size(), Vec3f::Zero()) {
+  scan_volume_ = volume_of(prepared, grid, offsets_);
+}
 
-void VolumeKeeper::weigh(std::span<const float> edited) {
+// All is continuous in the edit: a slider never makes the surface jump.
+void VolumeKeeper::weigh(std::span<const Vec3f> displacement, std::span<const float> edited,
+                         double radial) {
+  const double cells = prepared_.statistics.diagonal() / prepared_.frame.cell_size;
+  const double outwards = std::copysign(kReachOfNormal, scan_volume_);  // it may be inside out
+  const auto by_normal = static_cast<float>((1 - radial) * outwards * cells);
+  const auto by_place = static_cast<float>(radial);
 #pragma omp parallel for schedule(static)
   for (size_t corner = 0; corner < offsets_.size(); ++corner) {
     float sum = 0;
-    int cells = 0;
+    int count = 0;
     for (const int32_t cell : grid_.cells_of_corner[corner]) {
       if (cell == kNone) continue;
       sum += edited[cell];
-      ++cells;
+      ++count;
     }
-    offsets_[corner] = normals_[corner] * (cells > 0 ? sum / float(cells) : 0.0f);
+    const Vec3f place = morton_point(grid_.corners[corner].place).cast<float>();
+    const Vec3f from_centre = place + displacement[corner] - centres_[corner];
+    const float weight = count > 0 ? sum / float(count) : 0.0f;
+    offsets_[corner] = weight * (by_normal * normals_[corner] + by_place * from_centre);
   }
 }
 
 void VolumeKeeper::measure(std::span<const Vec3f> displacement, std::span<const float> edited) {
-  weigh(edited);
-  const Vec3d centre =
-      prepared_.frame.to_grid(prepared_.statistics.box_min / 2 + prepared_.statistics.box_max / 2);
+  if (scan_volume_ == 0) return;
+  const double left = volume_of(prepared_, grid_, displacement) / scan_volume_;
+  const double radial = coverage_of(edited) * std::clamp(1 - left * left, 0.0, 1.0);
+  weigh(displacement, edited, radial);
+  const Vec3d middle = middle_of(prepared_);
   const auto moving = [&](uint32_t v) {
     const EvaluationPoint& point = prepared_.evaluation[v];
-    const Vec3d scan = prepared_.frame.to_grid(prepared_.vertices[v]) - centre;
-    const Vec3d moved = evaluate(grid_, point, displacement).cast<double>();
-    return Moving{scan, scan + moved,
+    const Vec3d scan = prepared_.frame.to_grid(prepared_.vertices[v]) - middle;
+    return Moving{scan + evaluate(grid_, point, displacement).cast<double>(),
                   evaluate(grid_, point, std::span<const Vec3f>(offsets_)).cast<double>()};
   };
-  const std::span<const Triangle> triangles = prepared_.triangles;
-  std::vector<Cubic> sums((triangles.size() + kChunk - 1) / kChunk, Cubic{});
-#pragma omp parallel for schedule(dynamic)
-  for (size_t chunk = 0; chunk < sums.size(); ++chunk)
-    for (size_t t = chunk * kChunk; t < std::min((chunk + 1) * kChunk, triangles.size()); ++t)
-      add({moving(triangles[t][0]), moving(triangles[t][1]), moving(triangles[t][2])}, sums[chunk]);
-  Cubic whole{};
-  for (const Cubic& sum : sums)
-    for (size_t i = 0; i < whole.size(); ++i) whole[i] += sum[i];
-  distance_ =
-      zero_of(whole, kDistanceMax * prepared_.statistics.diagonal() / prepared_.frame.cell_size);
+  const auto add = [&](const Triangle& t, Growth& sum) {
+    sum.add({moving(t[0]), moving(t[1]), moving(t[2])});
+  };
+  const Growth growth = sum_triangles<Growth>(prepared_.triangles, add);
+  Cubic missing = growth.cubic;  // negative while there is too little
+  missing[0] -= 6 * scan_volume_;
+  if (scan_volume_ < 0)
+    for (double& c : missing) c = -c;
+  const double diagonal = prepared_.statistics.diagonal() / prepared_.frame.cell_size;
+  const double farthest = growth.reach > 0 ? diagonal / std::sqrt(growth.reach) : 0;
+  distance_ = first_zero(missing, radial > 0 ? std::min(farthest, kGrowthMax / radial) : farthest);
+  kept_ = value_at(growth.cubic, distance_) / (6 * scan_volume_);
 }
 
 void VolumeKeeper::apply(std::span<Vec3f> displacement) const {
@@ -108,6 +163,12 @@ void VolumeKeeper::apply(std::span<Vec3f> displacement) const {
 #pragma omp parallel for schedule(static)
   for (size_t corner = 0; corner < displacement.size(); ++corner)
     displacement[corner] += distance * offsets_[corner];
+}
+
+double relative_volume(const PreparedMesh& prepared, const SparseGrid& grid,
+                       std::span<const Vec3f> displacement) {
+  const std::vector<Vec3f> none(grid.corners.size(), Vec3f::Zero());
+  return volume_of(prepared, grid, displacement) / volume_of(prepared, grid, none);
 }
 
 }  // namespace burnish

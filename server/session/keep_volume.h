@@ -9,31 +9,47 @@
 
 namespace burnish {
 
-/// Gives a closed surface the volume that it had. Every corner moves along the surface's normal
-/// there, as far as its cells are edited: what no edit touches stays. Cheap to apply; measuring
-/// visits the whole surface once.
+/// Gives a closed surface the volume that it had. Every corner moves as far as its cells are
+/// edited: what no edit touches stays. It moves along the scan's normal there; the more volume an
+/// edit of the whole surface takes, the more it moves away from the centre of its piece instead,
+/// because a collapsed surface does not fit the scan's normals. Cheap to apply; measuring visits
+/// the whole surface twice.
 class VolumeKeeper {
  public:
   /// Needs: a closed surface; both outlive this.
   VolumeKeeper(const PreparedMesh& prepared, const SparseGrid& grid);
 
-  /// Finds out how far the corners must move for the volume of the scan. Shapes: one displacement
+  /// Finds out how far the corners must move for the volume of the scan. No vertex moves further
+  /// than the box's diagonal, and nothing grows more than a hundredfold. Shapes: one displacement
   /// per corner, in cells; per cell 0 to 1, how far it is edited.
   void measure(std::span<const Vec3f> displacement, std::span<const float> edited);
 
   /// Adds the offset that was measured last. Shapes: one per corner, in cells.
   void apply(std::span<Vec3f> displacement) const;
 
-  uint64_t byte_count() const { return (normals_.size() + offsets_.size()) * sizeof(Vec3f); }
+  /// Returns the volume with the offset that was measured last, over the scan's.
+  double kept() const { return kept_; }
+
+  uint64_t byte_count() const {
+    return (normals_.size() + centres_.size() + offsets_.size()) * sizeof(Vec3f);
+  }
 
  private:
-  void weigh(std::span<const float> edited);
+  void weigh(std::span<const Vec3f> displacement, std::span<const float> edited, double radial);
 
   const PreparedMesh& prepared_;
   const SparseGrid& grid_;
+  double scan_volume_;          // cells³
   std::vector<Vec3f> normals_;  // per corner; shorter than 1 where sheets face each other
-  std::vector<Vec3f> offsets_;  // normals by how far the cells around are edited
+  std::vector<Vec3f> centres_;  // per corner, of its piece of surface
+  std::vector<Vec3f> offsets_;  // directions by how far the cells around are edited
   double distance_ = 0;         // cells per offset
+  double kept_ = 1;
 };
+
+/// Returns the volume of a displaced closed surface over the scan's. Shapes: one displacement per
+/// corner, in cells.
+double relative_volume(const PreparedMesh& prepared, const SparseGrid& grid,
+                       std::span<const Vec3f> displacement);
 
 }  // namespace burnish

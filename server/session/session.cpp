@@ -237,6 +237,10 @@ std::span<const Vec3f> Session::displacement() {
                           is_settled(state_->last));
 }
 
+std::optional<double> Session::kept_volume() const {
+  return state_->shown.kept_volume();
+}
+
 // A held line leaves the vertices on it some thousandths of a cell; they stay exactly.
 std::vector<Vec3d> Session::moved_vertices() {
   std::vector<Vec3d> positions = evaluated_vertices();

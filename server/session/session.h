@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -80,6 +81,10 @@ class Session {
   /// Returns the displacement of every corner that is shown, with controls and previews, valid
   /// until the next call. Units: cells.
   std::span<const Vec3f> displacement();
+
+  /// Returns the volume of the last displacement() or surface() over the scan's; nothing unless the
+  /// controls keep it. While the surface moves it may be some frames old.
+  std::optional<double> kept_volume() const;
 
   /// Returns the change of colour of every corner, valid until the next call; empty while colours
   /// are as in the scan. Units: linear light, 0 to 1.

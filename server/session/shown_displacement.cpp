@@ -24,14 +24,21 @@ static void still(const SparseGrid& grid, const Hold& hold, std::span<Vec3f> dis
 std::span<const Vec3f> ShownDisplacement::of(std::span<const Vec3f> solved,
                                              const Controls& controls, const Fields& fields,
                                              bool is_exact) {
-  if (!controls.keep_volume) volume_.reset();
+  if (!controls.keep_volume) {
+    volume_.reset();
+    kept_volume_.reset();
+  }
   if (!is_needed(controls, fields)) return solved;
   shown_.assign(solved.begin(), solved.end());
-  if (controls.keep_volume) keep_volume(fields, is_exact);
+  if (controls.keep_volume) return keep_volume(controls, fields, is_exact);
+  bound(controls, fields);
+  return shown_;
+}
+
+void ShownDisplacement::bound(const Controls& controls, const Fields& fields) {
   if (fields.rims()) anchor_rims(fields);
   if (controls.cap > 0) clamp_lengths(shown_, controls.cap / prepared_.frame.cell_size);
   if (fields.hold()) still(grid_, *fields.hold(), shown_);
-  return shown_;
 }
 
 void ShownDisplacement::anchor_rims(const Fields& fields) {
@@ -39,15 +46,24 @@ void ShownDisplacement::anchor_rims(const Fields& fields) {
   anchor_->apply(shown_);
 }
 
-void ShownDisplacement::keep_volume(const Fields& fields, bool is_exact) {
-  const bool is_new = !volume_;
-  if (is_new) volume_.emplace(prepared_, grid_);
-  if (is_new || is_exact || uses_ >= kUsesPerMeasure) {
+std::span<const Vec3f> ShownDisplacement::keep_volume(const Controls& controls,
+                                                      const Fields& fields, bool is_exact) {
+  if (!volume_) {
+    volume_.emplace(prepared_, grid_);
+    uses_ = kUsesPerMeasure;
+  }
+  const bool is_measured = is_exact || uses_ >= kUsesPerMeasure;
+  if (is_measured) {
     volume_->measure(shown_, fields.edited());
     uses_ = 0;
   }
   ++uses_;
   volume_->apply(shown_);
+  bound(controls, fields);
+  if (is_measured)
+    kept_volume_ = controls.cap > 0 || fields.hold() ? relative_volume(prepared_, grid_, shown_)
+                                                     : volume_->kept();
+  return shown_;
 }
 
 }  // namespace burnish

@@ -32,21 +32,27 @@ class ShownDisplacement {
   std::span<const Vec3f> of(std::span<const Vec3f> solved, const Controls& controls,
                             const Fields& fields, bool is_exact);
 
+  /// Returns the volume of what was shown when it was last measured, over the scan's; nothing
+  /// unless it is to be kept.
+  std::optional<double> kept_volume() const { return kept_volume_; }
+
   uint64_t byte_count() const {
     return shown_.size() * sizeof(Vec3f) + (volume_ ? volume_->byte_count() : 0) +
            (anchor_ ? anchor_->byte_count() : 0);
   }
 
  private:
-  void keep_volume(const Fields& fields, bool is_exact);
+  std::span<const Vec3f> keep_volume(const Controls& controls, const Fields& fields, bool is_exact);
+  void bound(const Controls& controls, const Fields& fields);
   void anchor_rims(const Fields& fields);
 
   const PreparedMesh& prepared_;
   const SparseGrid& grid_;
   std::vector<Vec3f> shown_;
   std::optional<VolumeKeeper> volume_;  // made when it is wanted for the first time
-  int uses_ = 0;                        // of the last measure
-  std::optional<RimAnchor> anchor_;     // of the held rims
+  std::optional<double> kept_volume_;
+  int uses_ = 0;  // of the last measure
+  std::optional<RimAnchor> anchor_;  // of the held rims
 };
 
 }  // namespace burnish

@@ -87,6 +87,23 @@ TEST_F(FilterCommand, RimsStayUnlessTheyAreLetGo) {
   EXPECT_THAT(output_, HasSubstr("not closed"));
 }
 
+TEST_F(FilterCommand, AKeptVolumeIsReportedAndALostOneToldWithItsFigure) {
+  const std::vector<std::string> strong = {
+      "filter", in(), out(),           "--depth", "5",       "--alpha",  "2",
+      "--beta", "0",  "--keep-volume", "on",      "--exact", "--report", path("report.json")};
+  ASSERT_EQ(burnish(strong), 0) << output_;
+  EXPECT_NEAR(report()["volume"].get<double>(), 1, 1e-6);
+  EXPECT_THAT(output_, testing::Not(HasSubstr("volume")));
+  EXPECT_NEAR(read_mesh(out()).value().vertices[0].norm(), 10, 0.2);
+  std::vector<std::string> capped = strong;
+  capped.insert(capped.end(), {"--alpha", "50", "--cap", "0.001"});
+  capped.erase(capped.begin() + 5, capped.begin() + 7);
+  ASSERT_EQ(burnish(capped), 0) << output_;
+  const double left = report()["volume"];
+  EXPECT_GT(std::abs(left - 1), 1e-6);
+  EXPECT_THAT(output_, HasSubstr("the largest move wins"));
+}
+
 TEST_F(FilterCommand, APresetHasAStrengthAndAWaveALength) {
   const auto radius_after = [&](const std::vector<std::string>& options) {
     std::vector<std::string> arguments = {"filter", in(), out(), "--depth", "5"};

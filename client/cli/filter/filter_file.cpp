@@ -92,6 +92,13 @@ void warn_unless_converged(const FilterOptions& options, const SolveReport& solv
               << solve.last.distance << " of the diagonal\n";
 }
 
+void warn_unless_volume_is_kept(const Session& session) {
+  const auto volume = session.kept_volume();
+  if (!volume) return;
+  const std::string lost = lost_volume_text(*volume, session.edited().controls());
+  if (!lost.empty()) std::cerr << "warning: " << lost << "\n";
+}
+
 FilteredFacts facts_of(const TriangleMesh& mesh, const Session& session, const FilterRun& run) {
   FilteredFacts facts;
   facts.vertices = mesh.vertices.size();
@@ -101,6 +108,7 @@ FilteredFacts facts_of(const TriangleMesh& mesh, const Session& session, const F
   facts.cycles = run.solve.cycles;
   facts.converged = run.solve.converged;
   facts.distance = run.solve.last.distance;
+  facts.volume = run.volume;
   return facts;
 }
 
@@ -132,8 +140,10 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
   RETURN_IF_ERROR(write_surface(options, paths, formats,
                                 {mesh.vertices, surface, session->edited().controls().cap}));
   run.write_seconds = writing.seconds();
+  run.volume = session->kept_volume();
   if (!paths.report.empty()) RETURN_IF_ERROR(write_filter_report(*session, run, paths.report));
   warn_unless_converged(options, run.solve);
+  warn_unless_volume_is_kept(*session);
   FilteredFacts facts = facts_of(mesh, *session, run);
   facts.left_out = std::move(left_out);
   facts.seconds = whole.seconds();

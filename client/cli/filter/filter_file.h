@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct FilteredFacts {
   int32_t corners = 0;
   int cycles = 0;
   bool converged = false;
-  double distance = 0;  ///< estimated to convergence, a fraction of the box's diagonal
+  double distance = 0;           ///< estimated to convergence, a fraction of the box's diagonal
+  std::optional<double> volume;  ///< over the scan's; nothing unless it is to be kept
   double seconds = 0;
   std::vector<std::string> left_out;  ///< attributes of IN that OUT does not have
 };

@@ -28,6 +28,7 @@ static void add_facts(const FilteredFacts& facts, ordered_json& json) {
   json["cycles"] = facts.cycles;
   json["converged"] = facts.converged;
   json["distance"] = facts.distance;
+  json["volume"] = facts.volume ? ordered_json(*facts.volume) : ordered_json();
   json["seconds"] = facts.seconds;
   json["left_out"] = facts.left_out;
 }

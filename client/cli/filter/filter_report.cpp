@@ -85,7 +85,8 @@ Status write_filter_report(const Session& session, const FilterRun& run,
                                {"fell_back", run.solve.last.fell_back},
                                {"energy", run.solve.last.energy},
                                {"residual", run.solve.last.residual},
-                               {"distance", run.solve.last.distance}};
+                               {"distance", run.solve.last.distance},
+                               {"volume", run.volume ? ordered_json(*run.volume) : ordered_json()}};
   return write_file(path, report.dump(2) + "\n");
 }
 

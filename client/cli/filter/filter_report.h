@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "common/base/status.h"
 #include "server/prepare/prepare.h"
@@ -17,6 +18,7 @@ struct FilterRun {
   int32_t corners = 0;
   SolveReport solve;
   double write_seconds = 0;
+  std::optional<double> volume;  ///< over the scan's; nothing unless it is to be kept
 };
 
 /// Writes JSON: grid, counts, seconds and peak bytes by phase, memory, cycles, energy and the

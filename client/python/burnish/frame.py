@@ -19,9 +19,13 @@ class Frame:
     settled: bool
     """The surface is at rest."""
     exact: bool
-    """At rest, to the accuracy of exact exports."""
+    """At rest, and the server has solved it to the accuracy of exact exports. The vertices are
+    rounded as in every frame at rest: Session.export() and mesh() have all digits."""
     edits: int
     """So many of the session's edits are in it."""
     cycles: int
     distance: float
     """Estimated to the converged surface, over the box's diagonal."""
+    volume: float | None
+    """Over the scan's, if the controls keep it; None if they do not. It is 1, except for rounding,
+    unless the cap wins or the edited part cannot grow enough."""

@@ -113,8 +113,13 @@ class Exported:
     """Estimated to the converged surface, over the box's diagonal."""
     left_out: list[str]
     """Attributes of the imported file that this file does not have."""
+    volume: float | None
+    """Over the scan's, if the controls keep it; None if they do not."""
+    lost_volume: str
+    """How much of the volume there is, and why not all of it. Empty if it was kept to 1e-6."""
 
     @classmethod
     def of(cls, message: editing_pb2.ExportSummary) -> Exported:
         return cls(message.size_bytes, message.sha256, message.vertices, message.triangles,
-                   message.cycles, message.converged, message.distance, list(message.left_out))
+                   message.cycles, message.converged, message.distance, list(message.left_out),
+                   message.volume or None, message.lost_volume)

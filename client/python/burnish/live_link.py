@@ -210,7 +210,7 @@ class LiveLink:
         moves = self.surface.displacements(self._decoder)
         frame = Frame(self.surface.rest + moves, moves,
                       message.state == editing_pb2.SOLVE_STATE_SETTLED, message.exact,
-                      message.edits, message.cycles, message.distance)
+                      message.edits, message.cycles, message.distance, message.volume or None)
         with self.changed:
             self.frame = frame
             self.received += 1

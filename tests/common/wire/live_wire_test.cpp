@@ -124,11 +124,13 @@ TEST(LiveWire, ValuesArriveInTheirOwnFields) {
   FrameStats stats;
   stats.residual = 1e-4;
   stats.held_ms = 2;
+  stats.volume = 0.75;
   const auto frame = std::get<LiveFrame>(returned(LiveFrame{"data", stats}));
   EXPECT_EQ(frame.data, "data");
   EXPECT_FALSE(frame.stats.settled);
   EXPECT_EQ(frame.stats.residual, 1e-4);
   EXPECT_EQ(frame.stats.held_ms, 2);
+  EXPECT_EQ(frame.stats.volume, 0.75);
 }
 
 TEST(LiveWire, NothingIsKeptApartFromZero) {

@@ -14,6 +14,15 @@ TEST(SessionWire, ASummaryNamesWhatIsLeftOut) {
   EXPECT_EQ(from_wire(to_wire(summary))->left_out, summary.left_out);
 }
 
+TEST(SessionWire, ASummarySaysHowMuchOfTheVolumeThereIsAndWhy) {
+  ExportSummary summary;
+  summary.volume = 0.75;
+  summary.lost_volume = "the volume is 75 %";
+  const ExportSummary arrived = from_wire(to_wire(summary)).value();
+  EXPECT_EQ(arrived.volume, 0.75);
+  EXPECT_EQ(arrived.lost_volume, summary.lost_volume);
+}
+
 TEST(SessionWire, ExportCyclesHaveLimits) {
   v1::ExportRequest message;
   message.set_format(v1::MESH_FORMAT_PLY);

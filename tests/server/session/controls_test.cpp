@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -62,6 +63,108 @@ TEST(Controls, AClosedScanKeepsItsVolume) {
   const auto kept = exact_surface(*controlled(sphere, {.keep_volume = true}), {kBroad, kSmoothAll});
   EXPECT_LT(volume(free), 0.9 * volume(sphere));
   EXPECT_NEAR(volume(kept) / volume(sphere), 1, 1e-6);
+}
+
+double volume_of(const TriangleMesh& mesh) {
+  return compute_statistics(mesh).signed_volume;
+}
+
+TEST(Controls, TheVolumeIsKeptHoweverStronglyAScanIsSmoothed) {
+  for (const TriangleMesh& scan : {make_icosphere(3, 1), lumpy_scan()}) {
+    const auto session = controlled(scan, {.keep_volume = true});
+    for (const double alpha : {1, 2, 3, 5, 6, 8, 20, 50, 500}) {
+      const auto kept =
+          exact_surface(*session, {SetTransferCurve{TransferCurve(alpha)}, kSmoothAll});
+      EXPECT_NEAR(volume_of(kept) / volume_of(scan), 1, 1e-6) << alpha;
+      EXPECT_NEAR(session->kept_volume().value(), 1, 1e-9) << alpha;
+    }
+  }
+}
+
+TEST(Controls, ACollapsedSphereGrowsBackToASphere) {
+  const TriangleMesh sphere = make_icosphere(4, 1);
+  const auto session = controlled(sphere, {.keep_volume = true});
+  const auto kept = exact_surface(*session, {SetTransferCurve{TransferCurve(2)}, kSmoothAll});
+  EXPECT_LT(farthest(kept, sphere), 0.02);
+}
+
+TEST(Controls, PiecesGrowBackWhereTheyAre) {
+  TriangleMesh two = make_icosphere(3, 1);
+  const size_t of_one = two.vertices.size(), triangles = two.triangles.size();
+  for (size_t v = 0; v < of_one; ++v) two.vertices.push_back(two.vertices[v] + Vec3d(4, 0, 0));
+  for (size_t t = 0; t < triangles; ++t) {
+    Triangle other = two.triangles[t];
+    for (uint32_t& v : other) v += static_cast<uint32_t>(of_one);
+    two.triangles.push_back(other);
+  }
+  const auto session = controlled(two, {.keep_volume = true});
+  const auto kept = exact_surface(*session, {SetTransferCurve{TransferCurve(3)}, kSmoothAll});
+  EXPECT_LT(farthest(kept, two), 0.05);
+}
+
+TEST(Controls, ASliderNeverMakesTheKeptSurfaceJump) {
+  const TriangleMesh scan = lumpy_scan();
+  const auto session = controlled(scan, {.keep_volume = true});
+  const double diagonal = compute_statistics(scan).diagonal();
+  TriangleMesh last;
+  for (double alpha = 12; alpha > 2; alpha *= 0.93) {
+    const auto now = exact_surface(*session, {SetTransferCurve{TransferCurve(alpha)}, kSmoothAll});
+    EXPECT_NEAR(volume_of(now) / volume_of(scan), 1, 1e-6) << alpha;
+    if (!last.vertices.empty()) {
+      EXPECT_LT(farthest(now, last), 0.03 * diagonal) << alpha;
+    }
+    last = now;
+  }
+}
+
+TEST(Controls, AScanThatIsInsideOutKeepsItsVolumeToo) {
+  TriangleMesh sphere = make_icosphere(3, 1);
+  for (Triangle& triangle : sphere.triangles) std::swap(triangle[0], triangle[1]);
+  ASSERT_LT(volume_of(sphere), 0);
+  for (const double alpha : {3, 10}) {
+    const auto session = controlled(sphere, {.keep_volume = true});
+    const auto kept = exact_surface(*session, {SetTransferCurve{TransferCurve(alpha)}, kSmoothAll});
+    EXPECT_NEAR(volume_of(kept) / volume_of(sphere), 1, 1e-6) << alpha;
+    EXPECT_LT(farthest(kept, sphere), 0.1) << alpha;
+  }
+}
+
+TEST(Controls, AStrongStrokeKeepsTheVolume) {
+  const TriangleMesh scan = generate_scan({"blob", 20000, 1}).value();
+  const Vec3d top =
+      *std::ranges::max_element(scan.vertices, {}, [](const Vec3d& p) { return p.z(); });
+  const double reach = 0.2 * compute_statistics(scan).diagonal() / std::sqrt(3);
+  const Stroke stroke{{reach, 1, 0, FallOff::kSmooth}, {top}};
+  const auto free =
+      exact_surface(*session_over(scan, 6), {SetTransferCurve{TransferCurve(5)}, stroke});
+  const auto session = session_over(scan, 6, {.keep_volume = true});
+  const auto kept = exact_surface(*session, {SetTransferCurve{TransferCurve(5)}, stroke});
+  EXPECT_LT(volume_of(free), 0.995 * volume_of(scan));
+  EXPECT_NEAR(volume_of(kept) / volume_of(scan), 1, 1e-6);
+}
+
+TEST(Controls, AVolumeThatTheCapTakesIsTold) {
+  const TriangleMesh scan = lumpy_scan();
+  const Controls controls{.cap = 0.02, .keep_volume = true};
+  const auto session = controlled(scan, controls);
+  EXPECT_EQ(session->kept_volume(), std::nullopt);
+  const auto kept = exact_surface(*session, {SetTransferCurve{TransferCurve(5)}, kSmoothAll});
+  const double left = volume_of(kept) / volume_of(scan);
+  EXPECT_GT(std::abs(left - 1), 1e-4);
+  EXPECT_NEAR(session->kept_volume().value(), left, 1e-6);
+  EXPECT_THAT(lost_volume_text(left, controls), HasSubstr("largest move"));
+  EXPECT_EQ(lost_volume_text(1 + 1e-9, controls), "");
+  exact_surface(*session, {SetControls{{.cap = 0.02}}});
+  EXPECT_EQ(session->kept_volume(), std::nullopt);
+}
+
+TEST(Controls, AScanThatShrinksToAPointDoesNotGrowBackAndThatIsTold) {
+  const Controls controls{.keep_volume = true};
+  const auto session = controlled(make_icosphere(3, 1), controls);
+  exact_surface(*session, {SetTransferCurve{TransferCurve(0.05)}, kSmoothAll});
+  const double left = session->kept_volume().value();
+  EXPECT_LT(left, 0.5);
+  EXPECT_THAT(lost_volume_text(left, controls), HasSubstr("cannot grow"));
 }
 
 TEST(Controls, KeepingTheVolumeMovesNothingThatNoEditReaches) {
