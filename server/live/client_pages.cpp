@@ -91,6 +91,8 @@ Status PageWishes::load(const ShownPages& wanted, bool& is_whole) {
 PageFrameKind PageWishes::choose() const {
   if (insisted_) return *insisted_;
   if (loaded_.empty()) return kind_;
+  // Details of colours may be finer than a cell.
+  if (is_colours(loaded_.rbegin()->first)) return PageFrameKind::kVertices;
   uint64_t vertices = 0, corners = 0;
   for (const auto& [number, page] : loaded_) {
     vertices += page->size.vertices;

@@ -31,6 +31,8 @@ LivePage make_live_page(const Page& page, const PageSize& size, int bits, const 
   made.cells = cells_of(made.evaluation);
   if (kind == PageFrameKind::kCorners)
     made.evaluation = make_page_evaluation(page, bits, grid, kind);
+  else if (is_colours(page.id))
+    made.colours = page.colours;
   return made;
 }
 

@@ -15,11 +15,13 @@ struct LivePage {
   PageEvaluation evaluation;
   PageSize size;
   std::vector<int32_t> cells;  ///< that hold its vertices, each once, rising
+  std::vector<Rgba8> colours;  ///< of the vertices, if this is a page of colours of kind kVertices
   Quota::Share memory;         ///< share of the server's memory
 
   PageId number() const { return evaluation.shown.page; }
   uint64_t byte_count() const {
-    return sizeof(LivePage) + evaluation.byte_count() + cells.capacity() * sizeof(cells[0]);
+    return sizeof(LivePage) + evaluation.byte_count() + cells.capacity() * sizeof(cells[0]) +
+           colours.capacity() * sizeof(colours[0]);
   }
 };
 

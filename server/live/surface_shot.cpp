@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "common/evaluation/displacement_steps.h"
+#include "common/mesh/srgb.h"
+
 namespace burnish {
 
 namespace {
@@ -27,6 +30,22 @@ std::shared_ptr<const PageSample> zeros_of(const LivePage& page) {
   const size_t values = size_t{3} * page.evaluation.shown.value_count();
   return std::make_shared<const PageSample>(
       PageSample{page.number(), std::vector<int32_t>(values)});
+}
+
+// Sums before it rounds: two roundings would be a step off.
+std::shared_ptr<const PageSample> with_details(const LivePage& page, const PageSample& on_grid,
+                                               const SparseGrid& grid, const ColourChange& change) {
+  auto sample = std::make_shared<PageSample>(on_grid);
+  const size_t vertices = page.colours.size();
+  for (size_t v = 0; v < vertices; ++v) {
+    const EvaluationPoint& at = page.evaluation.points[v];
+    if (at.cell == kNone) continue;
+    const Vec3f finer = linear_colour(page.colours[v]) - evaluate(grid, at, change.fitted);
+    const Vec3f whole = evaluate(grid, at, change.on_grid) + change.share[at.cell] * finer;
+    for (size_t channel = 0; channel < 3; ++channel)
+      sample->steps[channel * vertices + v] = to_steps(kCellsPerColour * whole[int(channel)]);
+  }
+  return sample;
 }
 
 // All points of a large scan would take longer than all pages that are shown. While the surface
@@ -60,8 +79,8 @@ Result<SurfaceShot> SurfaceShot::take(const SurfaceMoment& moment,
     shot.parts_.push_back(known ? *known : Part{page, nullptr, gain});
   }
   RETURN_IF_ERROR(shot.sample(places, moment.grid, moment.displacement, 1));
-  if (!moment.colour.empty())
-    RETURN_IF_ERROR(shot.sample(colours, moment.grid, moment.colour, kCellsPerColour));
+  if (!moment.colour.on_grid.empty())
+    RETURN_IF_ERROR(shot.sample_colours(colours, moment.grid, moment.colour));
   else
     shot.sample_zeros(colours);
   shot.largest_move_ = moment.last ? moment.last->largest_move_ : largest_move_of(moment);
@@ -78,6 +97,19 @@ Status SurfaceShot::sample(std::span<const size_t> parts, const SparseGrid& grid
   ASSIGN_OR_RETURN(auto samples, sample_pages(grid, pages, values, scale));
   for (size_t i = 0; i < samples.size(); ++i)
     parts_[parts[i]].sample = std::make_shared<const PageSample>(std::move(samples[i]));
+  return Status::ok();
+}
+
+Status SurfaceShot::sample_colours(std::span<const size_t> parts, const SparseGrid& grid,
+                                   const ColourChange& change) {
+  RETURN_IF_ERROR(sample(parts, grid, change.on_grid, kCellsPerColour));
+  if (change.share.empty()) return Status::ok();
+#pragma omp parallel for schedule(dynamic)
+  for (size_t i = 0; i < parts.size(); ++i) {
+    Part& part = parts_[parts[i]];
+    if (const auto page = part.page.lock(); page && !page->colours.empty())
+      part.sample = with_details(*page, *part.sample, grid, change);
+  }
   return Status::ok();
 }
 

@@ -7,6 +7,7 @@
 #include "common/page_frames/page_frame_encoder.h"
 #include "common/page_frames/page_sample.h"
 #include "server/live/client_pages.h"
+#include "server/session/colour_channel.h"
 
 namespace burnish {
 
@@ -19,8 +20,8 @@ struct SurfaceMoment {
   std::span<const Vec3f> displacement;    ///< one per corner, cells
   std::span<const float> beta;            ///< one per cell
   bool settled = false;
-  const SurfaceShot* last = nullptr;   ///< of the same surface: is not done again
-  std::span<const Vec3f> colour = {};  ///< one per corner, linear light; empty: no change
+  const SurfaceShot* last = nullptr;  ///< of the same surface: is not done again
+  ColourChange colour = {};
 };
 
 /// The pages that some clients show, sampled at one moment. Immutable: encoders share it.
@@ -49,6 +50,8 @@ class SurfaceShot {
 
   Status sample(std::span<const size_t> parts, const SparseGrid& grid,
                 std::span<const Vec3f> values, float scale);
+  Status sample_colours(std::span<const size_t> parts, const SparseGrid& grid,
+                        const ColourChange& change);
   void sample_zeros(std::span<const size_t> parts);
   const Part* find(const LivePage& page) const;
 

@@ -5,6 +5,7 @@
 #include "server/fields/fields_view.h"
 #include "server/memory/memory_need.h"
 #include "server/session/fit_signal.h"
+#include "server/session/mesh_signal.h"
 
 namespace burnish {
 
@@ -28,10 +29,10 @@ uint64_t LayerNeed::byte_count(const Multigrid& on) const {
   uint64_t bytes = 0;
   // The solver of the surfaces behind the bands, these surfaces, and their sum.
   if (bands_ > 0) bytes += predict_session_bytes(on) + (bands_ + 1) * corners * sizeof(Vec3f);
-  // A solver for the colours, its signal, its fields, and the fit at its beginning.
+  // A solver for the colours, its signal, its fields, the fit at its beginning, and the triangles.
   if (edits_colours_ || painted_[kColourLayer])
-    bytes += predict_session_bytes(on) + corners * sizeof(Vec3f) + 2 * cells * sizeof(float) +
-             predict_fit_bytes(on);
+    bytes += predict_session_bytes(on) + 2 * corners * sizeof(Vec3f) + 3 * cells * sizeof(float) +
+             predict_fit_bytes(on) + predict_mesh_signal_bytes(*on.prepared);
   bool has_curves = false;
   for (size_t layer = kFirstBandLayer; layer < kPaintLayers; ++layer) {
     if (!painted_[layer]) continue;

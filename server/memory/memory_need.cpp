@@ -52,7 +52,8 @@ uint64_t predict_page_bytes(const PageSize& page, PageFrameKind kind) {
   // most.
   const uint64_t predictors = has_corners ? 3 * values : values + uint64_t{3} * page.triangles;
   constexpr uint64_t kGrowth = 2;  // of a vector that grows by itself
-  return kPageBytes + values * sizeof(EvaluationPoint) + page.vertices * sizeof(int32_t) +
+  const uint64_t colours = has_corners ? 0 : page.vertices * sizeof(Rgba8);
+  return kPageBytes + colours + values * sizeof(EvaluationPoint) + page.vertices * sizeof(int32_t) +
          kGrowth * (values + predictors) * sizeof(uint16_t);
 }
 

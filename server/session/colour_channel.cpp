@@ -1,5 +1,6 @@
 #include "server/session/colour_channel.h"
 
+#include "common/evaluation/evaluation.h"
 #include "common/mesh/srgb.h"
 #include "server/session/fit_signal.h"
 #include "server/session/second_solver.h"
@@ -9,6 +10,9 @@ namespace burnish {
 // A fifth of a byte of sRGB is 6e-5 of linear light where it is darkest.
 static constexpr double kColourDistanceMax = 3e-5;
 static constexpr int kColourCyclesMax = 500;
+// What is larger than some cells is solved on the grid. What is left after so many steps is less
+// than the rounding of a byte.
+static constexpr int kMeshStepsMax = 32;
 
 ColourChannel::ColourChannel(const Multigrid& on, const SolverOptions& options)
     : on_(on), options_(options), curve_(filter_.alpha) {}
@@ -26,12 +30,18 @@ void ColourChannel::want(const Fields& fields) {
   is_kept_ = on_.prepared->colours.empty() || (filter_.beta == 1 && !fields.colour_paint());
   if (is_paint_new) take_paint(fields.colour_paint());
   is_solving_ = !is_kept_;
+  begin_on_grid();
+}
+
+void ColourChannel::begin_on_grid() {
+  is_on_mesh_ = false;
+  share_.clear();
   cycles_ = 0;
 }
 
 void ColourChannel::start_over() {
   is_solving_ = starts_over_ = !is_kept_;
-  cycles_ = 0;
+  begin_on_grid();
 }
 
 void ColourChannel::take_paint(const PaintLayer* paint) {
@@ -54,29 +64,74 @@ FieldsView ColourChannel::view() const {
 
 static std::vector<Vec3f> linear_colours(std::span<const Rgba8> colours) {
   std::vector<Vec3f> linear(colours.size());
-  for (size_t v = 0; v < colours.size(); ++v)
-    for (int channel = 0; channel < 3; ++channel)
-      linear[v][channel] = linear_of_srgb(colours[v][channel]);
+  for (size_t v = 0; v < colours.size(); ++v) linear[v] = linear_colour(colours[v]);
   return linear;
 }
 
 Status ColourChannel::begin() {
   ASSIGN_OR_RETURN(solver_, make_second_solver(on_, options_));
-  solver_->set_signal(fit_signal(on_, linear_colours(on_.prepared->colours)));
+  const std::vector<Vec3f> colours = linear_colours(on_.prepared->colours);
+  fitted_ = fit_signal(on_, colours).corners;
+  solver_->set_signal(fitted_);
+  mesh_ = std::make_unique<MeshSignal>(*on_.prepared, colours);
   if (follow_.empty()) take_paint(nullptr);
   return Status::ok();
 }
 
 Status ColourChannel::step() {
   if (!solver_) RETURN_IF_ERROR(begin());
+  if (!is_on_mesh_) return step_on_grid();
+  step_on_mesh();
+  return Status::ok();
+}
+
+Status ColourChannel::step_on_grid() {
   show_to_solver();
   const StepReport report = solver_->step();
   RETURN_IF_ERROR(solver_->status());
   const PreparedMesh& prepared = *on_.prepared;
   const double distance =
       report.distance * prepared.statistics.diagonal() / prepared.frame.cell_size;
-  is_solving_ = distance > kColourDistanceMax && ++cycles_ < kColourCyclesMax;
+  if (distance > kColourDistanceMax && ++cycles_ < kColourCyclesMax) return Status::ok();
+  mesh_->begin(filter_.alpha, beta_above_one(), solver_->vertex_displacement());
+  is_on_mesh_ = true;
+  mesh_steps_ = 0;
   return Status::ok();
+}
+
+void ColourChannel::step_on_mesh() {
+  const float moved = mesh_->step();
+  is_solving_ = moved > kColourDistanceMax && ++mesh_steps_ < kMeshStepsMax;
+  if (!is_solving_) find_share(mesh_->change());
+}
+
+// Least squares: the vertices of pictures are not those of the scan, but details are alike.
+void ColourChannel::find_share(std::span<const Vec3f> change) {
+  const PreparedMesh& prepared = *on_.prepared;
+  const SparseGrid& grid = on_.hierarchy->at(on_.hierarchy->finest).grid;
+  const std::span<const Vec3f> on_grid = solver_->vertex_displacement();
+  share_.assign(prepared.cells.size(), 0);
+  std::vector<float> squares(prepared.cells.size(), 0);
+  for (size_t v = 0; v < change.size(); ++v) {
+    const EvaluationPoint& at = prepared.evaluation[v];
+    if (at.cell == kNone) continue;
+    const Vec3f finer =
+        linear_colour(prepared.colours[v]) - evaluate(grid, at, std::span<const Vec3f>(fitted_));
+    share_[at.cell] += finer.dot(change[v] - on_grid[v]);
+    squares[at.cell] += finer.squaredNorm();
+  }
+  constexpr float kNothing = 1e-9F;  // far below the rounding of bytes
+  for (size_t cell = 0; cell < share_.size(); ++cell)
+    share_[cell] = squares[cell] > kNothing ? share_[cell] / squares[cell] : 0;
+}
+
+std::vector<float> ColourChannel::beta_above_one() const {
+  std::vector<float> above(follow_.size());
+  const auto slider = static_cast<float>(filter_.beta - 1);
+#pragma omp parallel for schedule(static)
+  for (size_t cell = 0; cell < above.size(); ++cell)
+    above[cell] = follow_[cell] * slider + own_[cell];
+  return above;
 }
 
 void ColourChannel::show_to_solver() {
@@ -90,23 +145,27 @@ void ColourChannel::show_to_solver() {
   is_metric_new_ = is_scale_new_ = starts_over_ = false;
 }
 
-std::span<const Vec3f> ColourChannel::change() const {
+ColourChange ColourChannel::change() const {
   if (is_kept_ || !solver_) return {};
-  return solver_->displacement();
+  return {solver_->displacement(), fitted_, share_};
 }
 
 std::vector<Rgba8> ColourChannel::colours() const {
   const PreparedMesh& prepared = *on_.prepared;
   std::vector<Rgba8> colours(prepared.colours.begin(), prepared.colours.end());
   if (is_kept_ || !solver_) return colours;
-  const std::span<const Vec3f> change = solver_->vertex_displacement();
+  const std::span<const Vec3f> on_grid = solver_->vertex_displacement();
+  const std::vector<Vec3f> change =
+      is_on_mesh_ ? mesh_->change() : std::vector<Vec3f>(on_grid.begin(), on_grid.end());
 #pragma omp parallel for schedule(static)
   for (size_t v = 0; v < colours.size(); ++v) colours[v] = changed_colour(colours[v], change[v]);
   return colours;
 }
 
 uint64_t ColourChannel::byte_count() const {
-  return (solver_ ? solver_->byte_count() : 0) + (follow_.size() + own_.size()) * sizeof(float);
+  return (solver_ ? solver_->byte_count() : 0) + (mesh_ ? mesh_->byte_count() : 0) +
+         fitted_.size() * sizeof(Vec3f) +
+         (follow_.size() + own_.size() + share_.size()) * sizeof(float);
 }
 
 }  // namespace burnish

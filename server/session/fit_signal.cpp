@@ -12,11 +12,12 @@ namespace burnish {
 
 namespace {
 
-// Weight of the stiffness beside one vertex. Waves of ten cells lose less than 1e-4 by it.
-constexpr double kFitStiffness = 1e-4;
-constexpr int kFitStepsMax = 100;
-constexpr double kFitResidual =
-    1e-5;  // of the right-hand side, in the norm of the inverse diagonal
+// Weight of the stiffness beside one vertex. Waves of ten cells lose less than 1e-3 by it. Less
+// weight takes more steps, for combinations of corners that hardly reach a vertex.
+constexpr double kFitStiffness = 1e-3;
+constexpr int kFitStepsMax = 1000;  // noise takes 200
+// Of the right-hand side, in the norm of the inverse diagonal.
+constexpr double kFitResidual = 1e-4;
 
 /// A cell's share of the normal equations: pairs of corners, then the diagonal.
 struct CellFit {
@@ -34,22 +35,22 @@ class Fit {
         inverse_diagonal_(grid_.corners.size()),
         solution_(grid_.corners.size()),
         residual_(grid_.corners.size()),
-        direction_(grid_.corners.size(), Vec3f::Zero()),
+        direction_(grid_.corners.size()),
         product_(grid_.corners.size()) {
     const Groups<int32_t> vertices = group_vertices();
     sum_cells(vertices);
     begin(vertices, values);
   }
 
-  std::vector<Vec3f> solve() {
-    double energy = 0;
-    for (int step = 0; step < kFitStepsMax; ++step) {
-      const double before = std::exchange(energy, residual_energy());
-      if (energy <= kFitResidual * kFitResidual * right_energy_) break;
-      turn(step == 0 ? 0 : energy / before);
+  SignalFit solve() {
+    double energy = residual_energy();
+    int step = 0;
+    for (; step < kFitStepsMax && !is_near(energy); ++step) {
       advance(energy / multiply());
+      const double before = std::exchange(energy, residual_energy());
+      turn(energy / before);
     }
-    return std::move(solution_);
+    return {std::move(solution_), step, is_near(energy)};
   }
 
  private:
@@ -123,6 +124,12 @@ class Fit {
     multiply();
     std::swap(direction_, solution_);
     for (size_t i = 0; i < residual_.size(); ++i) residual_[i] -= product_[i];
+    direction_.assign(direction_.size(), Vec3f::Zero());
+    turn(0);
+  }
+
+  bool is_near(double energy) const {
+    return energy <= kFitResidual * kFitResidual * right_energy_;
   }
 
   // Makes the product with the direction. Returns the direction's product with it.
@@ -186,7 +193,7 @@ class Fit {
 
 }  // namespace
 
-std::vector<Vec3f> fit_signal(const Multigrid& on, std::span<const Vec3f> values) {
+SignalFit fit_signal(const Multigrid& on, std::span<const Vec3f> values) {
   return Fit(on, values).solve();
 }
 

@@ -227,7 +227,7 @@ Status Session::solve_colour(const Progress& progress) {
   return Status::ok();
 }
 
-std::span<const Vec3f> Session::colour_change() const {
+ColourChange Session::colour_change() const {
   return state_->colour.change();
 }
 

@@ -10,6 +10,7 @@
 #include "common/edit/edit.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/prepared_mesh.h"
+#include "server/session/colour_channel.h"
 #include "server/session/edited_fields.h"
 #include "server/session/previews.h"
 #include "server/solver/solver.h"
@@ -86,9 +87,8 @@ class Session {
   /// controls keep it. While the surface moves it may be some frames old.
   std::optional<double> kept_volume() const;
 
-  /// Returns the change of colour of every corner, valid until the next call; empty while colours
-  /// are as in the scan. Units: linear light, 0 to 1.
-  std::span<const Vec3f> colour_change() const;
+  /// Returns the change of colour, valid until the next call. Units: linear light, 0 to 1.
+  ColourChange colour_change() const;
 
   /// Returns the present surface: same triangles, moved vertices, filtered colours.
   TriangleMesh surface();

@@ -62,12 +62,33 @@ TEST_F(SurfaceShotTest, ColoursArePagesOfTheirOwn) {
   EXPECT_THAT(SurfaceShot::take(moment(), clients)->wanted(*clients[0])[1].steps, testing::Each(0));
   const std::vector<Vec3f> red(displacement_.size(), Vec3f(0.5F, 0, 0));
   SurfaceMoment coloured = moment();
-  coloured.colour = red;
+  coloured.colour.on_grid = red;
   const SurfaceShot shot = SurfaceShot::take(coloured, clients).value();
   EXPECT_EQ(shot.wanted(*clients[0])[0].steps[0], 64);
   EXPECT_EQ(shot.wanted(*clients[0])[1].steps[0], 0.5 * 16 * 256);
   EXPECT_EQ(shot.wanted(*clients[0])[1].steps.back(), 0);
   EXPECT_FLOAT_EQ(shot.largest_move(), 0.25F);
+}
+
+// The page is white, the fitted colours are black, so the cells' share is added whole.
+TEST_F(SurfaceShotTest, DetailsOfColoursComeFromTheVertexItself) {
+  const auto shown = client({1, 1 | kColourPages});
+  auto white = std::make_shared<LivePage>();
+  white->evaluation = shown->pages[1]->evaluation;
+  white->cells = shown->pages[1]->cells;
+  white->colours.assign(white->evaluation.points.size(), Rgba8{255, 255, 255, 255});
+  ClientPages made = *shown;
+  made.pages[1] = white;
+  const std::shared_ptr<const ClientPages> clients[] = {
+      std::make_shared<const ClientPages>(std::move(made))};
+  const std::vector<Vec3f> red(displacement_.size(), Vec3f(0.5F, 0, 0)),
+      black(displacement_.size(), Vec3f::Zero());
+  const std::vector<float> share(grid().cells.size(), -0.25F);
+  SurfaceMoment coloured = moment();
+  coloured.colour = {red, black, share};
+  const SurfaceShot shot = SurfaceShot::take(coloured, clients).value();
+  EXPECT_EQ(shot.wanted(*clients[0])[1].steps[0], 0.25 * 16 * 256);
+  EXPECT_EQ(shot.wanted(*clients[0])[1].steps.back(), -0.25 * 16 * 256);
 }
 
 TEST_F(SurfaceShotTest, AnUnmovedSurfaceNeedsNoSolver) {

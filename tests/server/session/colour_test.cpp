@@ -1,4 +1,5 @@
 #include <cmath>
+#include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -157,7 +158,77 @@ TEST(Colours, AStepOfThemLeavesTheSurfaceInPlace) {
   const StepReport last = session->step();
   EXPECT_FALSE(session->is_settled(last));
   EXPECT_TRUE(std::ranges::equal(session->displacement(), before));
-  EXPECT_GT(std::ranges::max(session->colour_change(), {}, &Vec3f::norm).norm(), 0);
+  EXPECT_GT(std::ranges::max(session->colour_change().on_grid, {}, &Vec3f::norm).norm(), 0);
+}
+
+// Each vertex has a colour of its own, so nearly all of it is finer than a cell.
+TriangleMesh noisy_sphere(int divisions) {
+  TriangleMesh sphere = make_icosphere(divisions, 1);
+  std::mt19937 random(7);
+  for (size_t v = 0; v < sphere.vertices.size(); ++v)
+    sphere.colours.push_back({static_cast<uint8_t>(128 + int(random() % 61) - 30),
+                              static_cast<uint8_t>(random() % 2 * 255), 128, 255});
+  return sphere;
+}
+
+double roughness(const TriangleMesh& mesh, int channel) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles)
+    sum += std::pow(linear_at(mesh, t[0], channel) - linear_at(mesh, t[1], channel), 2);
+  return std::sqrt(sum / double(mesh.triangles.size()));
+}
+
+TEST(Colours, NoiseFromVertexToVertexIsSmoothedThoughACellIsTwoEdges) {
+  const TriangleMesh sphere = noisy_sphere(4);
+  const auto session = session_over(sphere, 4);
+  const double cell = session->prepared().frame.cell_size;
+  ASSERT_GT(cell, 1.8 * session->prepared().statistics.mean_edge_length);
+  const TriangleMesh smooth = exact_surface(*session, {SetColour{{20, 0}}});
+  for (const int channel : {0, 1})
+    EXPECT_LT(roughness(smooth, channel), 0.05 * roughness(sphere, channel)) << channel;
+  const TriangleMesh sharp = exact_surface(*session, {SetColour{{20, 2}}});
+  EXPECT_NEAR(roughness(sharp, 0) / roughness(sphere, 0), 2, 0.05);
+}
+
+TEST(Colours, DoNotDependOnTheDepthWhereACellIsAnEdgeOrTwo) {
+  const TriangleMesh sphere = noisy_sphere(4);
+  const TriangleMesh coarse = exact_surface(*session_over(sphere, 4), {SetColour{{20, 0}}});
+  const TriangleMesh fine = exact_surface(*session_over(sphere, 5), {SetColour{{20, 0}}});
+  double sum = 0;
+  for (size_t v = 0; v < sphere.vertices.size(); ++v)
+    sum += std::pow(coarse.colours[v][0] - fine.colours[v][0], 2);
+  EXPECT_LT(std::sqrt(sum / double(sphere.vertices.size())), 1);
+}
+
+TEST(Colours, OfTrianglesThatShareNoVertexAreThoseOfTheWholeMesh) {
+  const TriangleMesh sphere = noisy_sphere(4);
+  TriangleMesh apart;
+  for (const Triangle& t : sphere.triangles) {
+    const auto first = static_cast<uint32_t>(apart.vertices.size());
+    for (const uint32_t v : t) {
+      apart.vertices.push_back(sphere.vertices[v]);
+      apart.colours.push_back(sphere.colours[v]);
+    }
+    apart.triangles.push_back({first, first + 1, first + 2});
+  }
+  const TriangleMesh whole = exact_surface(*session_over(sphere), {SetColour{{10, 0}}});
+  const TriangleMesh parts = exact_surface(*session_over(apart), {SetColour{{10, 0}}});
+  double sum = 0;
+  for (size_t t = 0; t < sphere.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i)
+      sum += std::pow(parts.colours[3 * t + i][1] - whole.colours[sphere.triangles[t][i]][1], 2);
+  EXPECT_LT(std::sqrt(sum / double(apart.vertices.size())), 1);
+}
+
+TEST(FitSignal, OfNoiseMeetsItsBar) {
+  const TriangleMesh sphere = noisy_sphere(4);
+  const Multigrid mesh = make_multigrid(prepare(sphere, {.depth = 4}).value()).value();
+  std::vector<Vec3f> linear;
+  for (const Rgba8& colour : sphere.colours)
+    linear.emplace_back(linear_of_srgb(colour[0]), linear_of_srgb(colour[1]), 0.5F);
+  const SignalFit fit = fit_signal(mesh, linear);
+  EXPECT_TRUE(fit.is_met);
+  EXPECT_GT(fit.steps, 10);
 }
 
 TEST(FitSignal, MeetsAFunctionThatTheGridHolds) {
@@ -165,7 +236,7 @@ TEST(FitSignal, MeetsAFunctionThatTheGridHolds) {
   const Multigrid mesh = make_multigrid(prepare(sphere, {.depth = 5}).value()).value();
   std::vector<Vec3f> linear;
   for (const Vec3d& p : sphere.vertices) linear.push_back(p.cast<float>());
-  const std::vector<Vec3f> fitted = fit_signal(mesh, linear);
+  const std::vector<Vec3f> fitted = fit_signal(mesh, linear).corners;
   const SparseGrid& grid = mesh.hierarchy->at(mesh.hierarchy->finest).grid;
   for (size_t v = 0; v < linear.size(); ++v) {
     const Vec3f at =
