@@ -1,0 +1,82 @@
+"""What is tried on every scan. A case is written once, in the options of `burnish filter` and
+`burnish edit`; each front translates it."""
+
+import dataclasses
+import itertools
+import random
+
+
+@dataclasses.dataclass(frozen=True)
+class Case:
+    """Settings for one result. Lengths are parts of the scan's diagonal: settings() makes them real."""
+
+    name: str
+    options: tuple[tuple[str, str], ...]
+
+    def settings(self, diagonal):
+        """Returns the options of `burnish filter` as a list of pairs, with the scan's own lengths."""
+        return [(option, _with_lengths(option, value, diagonal)) for option, value in self.options]
+
+    def has(self, option):
+        return any(name == option for name, _ in self.options)
+
+
+def _with_lengths(option, value, diagonal):
+    if option == "--cap":
+        return repr(float(value) * diagonal)
+    if option == "--band":
+        size, gain = value.split(":")
+        return f"{float(size) * diagonal!r}:{gain}"
+    return value
+
+
+def _case(name, *options):
+    return Case(name, options)
+
+
+CURVE = "-40:200,-10:2,10:2,40:200"
+PRESETS = ("Reduce scanner noise", "Soften", "Bring out an inscription", "Deepen carving")
+
+PLAIN = (
+    _case("beta 1", ("--beta", "1")),
+    _case("beta 0", ("--beta", "0")),
+    _case("beta 2", ("--beta", "2")),
+    _case("alpha 5", ("--alpha", "5"), ("--beta", "0")),
+    _case("alpha 20", ("--alpha", "20"), ("--beta", "0")),
+    _case("alpha 200", ("--alpha", "200"), ("--beta", "0")),
+    _case("curve", ("--curve", CURVE), ("--beta", "0")),
+    *(_case(preset, ("--preset", preset)) for preset in PRESETS),
+)
+
+# What may stand beside each other.
+PARTS = {
+    "beta": (("--beta", "0.3"),),
+    "alpha": (("--alpha", "30"),),
+    "bands": (("--band", "0.01:0"), ("--band", "0.03:1.5")),
+    "colours": (("--colour-beta", "0"),),
+    "cap": (("--cap", "0.002"),),
+    "volume": (("--keep-volume", "on"),),
+    "free rims": (("--pin-rims", "off"),),
+}
+SINGLE = tuple(Case(name, (*options, *(() if name == "beta" else (("--beta", "0.3"),))))
+               for name, options in PARTS.items())
+
+
+def pairs(count, seed=1):
+    """Returns random pairs of PARTS, each with a beta that moves something."""
+    all_pairs = list(itertools.combinations(PARTS, 2))
+    chosen = random.Random(seed).sample(all_pairs, min(count, len(all_pairs)))
+    made = []
+    for first, second in chosen:
+        options = PARTS[first] + PARTS[second]
+        if "beta" not in (first, second):
+            options += (("--beta", "0.3"),)
+        made.append(Case(f"{first} + {second}", options))
+    return tuple(made)
+
+
+def applies(case, facts):
+    """Returns whether a scan can take the case: others are refused, which is tried as well."""
+    if case.has("--colour-beta") and not facts.has_colours:
+        return False
+    return not (case.has("--keep-volume") and not facts.is_closed)
