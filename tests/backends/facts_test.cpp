@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "common/generate/generate.h"
 #include "common/mesh/srgb.h"
+#include "server/prepare/prepare.h"
+#include "server/solver/tuning/plan_cycle.h"
 #include "tests/backends/filtered.h"
 #include "tests/reference/compare.h"
 #include "tests/reference/shapes.h"
@@ -62,6 +65,43 @@ TEST_P(Facts, ExactResultsFollowFromTheEditsAlone) {
   EXPECT_EQ(live.exact(), expected);
   live.after(2);
   EXPECT_EQ(live.exact(), expected);
+}
+
+TEST_P(EverySmoother, HeldRimsMoveTheSurfaceAsOnTheProcessors) {
+  const TriangleMesh sheet = make_sheet(40, 1, 0.1);
+  Filtered here = session(sheet, 5), there(sheet, 5, {.backend = BackendKind::kCpu});
+  const std::vector<Vec3d> moved = here.alpha(10).beta(0).exact();
+  EXPECT_LT(vertex_distance(moved, there.alpha(10).beta(0).exact(), here.diagonal()).max, 1e-6);
+  EXPECT_GT(vertex_distance(moved, sheet.vertices, here.diagonal()).max, 1e-2);
+  for (const uint32_t v : here.session().fields().rims()->vertices)
+    EXPECT_EQ(moved[v], sheet.vertices[v]);
+}
+
+// The displacement of a signal that is not finite is not either.
+TEST_P(Facts, AfterASystemThatIsNotFiniteTheNextOneIsSolvedAsByANewSolver) {
+  const auto prepared = prepare(bumpy(), {.depth = 4}).value();
+  const Multigrid on = make_multigrid(prepared).value();
+  const size_t corners = on.hierarchy->depths.back().grid.corners.size();
+  Fields fields(*prepared);
+  fields.set_gradient_scale(0);
+  std::vector<Vec3f> signal(corners, Vec3f::Zero());
+  for (size_t i = 0; i < corners; i += 2) signal[i].x() = 1;
+  const auto solve = [&](Solver& solver) {
+    solver.set_signal(signal);
+    solver.set_metric(fields.view());
+    EXPECT_TRUE(solver.solve(1e-6, 200).value().converged);
+    return std::vector<Vec3f>(solver.vertex_displacement().begin(),
+                              solver.vertex_displacement().end());
+  };
+  const auto fresh = Solver::create(on, GetParam().options).value();
+  const auto failed = Solver::create(on, GetParam().options).value();
+  failed->set_signal(std::vector<Vec3f>(corners, Vec3f(1, NAN, 1)));
+  failed->set_metric(fields.view());
+  EXPECT_TRUE(failed->step().fell_back);
+  EXPECT_FALSE(failed->soundness().is_ok());
+  for (const Vec3f& u : failed->displacement()) ASSERT_EQ(u, Vec3f::Zero());
+  const std::vector<Vec3f> expected = solve(*fresh), found = solve(*failed);
+  for (size_t v = 0; v < found.size(); ++v) ASSERT_LT((found[v] - expected[v]).norm(), 1e-4);
 }
 
 // If all cells have one β, the displacement is β − 1 times a part that only depends on the metric.
