@@ -37,6 +37,11 @@ Filtered& Filtered::palette(const Palette& palette) {
   return *this;
 }
 
+Filtered& Filtered::controls(const Controls& controls) {
+  must(session_->apply({std::to_string(edits_++), SetControls{controls}}));
+  return *this;
+}
+
 std::vector<Vec3d> Filtered::after(int cycles) {
   for (int i = 0; i < cycles; ++i) session_->step();
   return session_->surface().vertices;

@@ -19,6 +19,7 @@ class Filtered {
   Filtered& beta(double beta);
   Filtered& paint(const Stroke& stroke);
   Filtered& palette(const Palette& palette);
+  Filtered& controls(const Controls& controls);
 
   /// Returns the vertices after exactly this many steps.
   std::vector<Vec3d> after(int cycles);
