@@ -67,7 +67,9 @@ FieldsView Fields::view() const {
   if (is_blended && alphas_are_old_) update_blended_own();
   const std::vector<OwnFields>& own = is_blended ? blended_own_ : overrides_;
   return {{&curve_, own, rims_ ? rims_->view() : LineView{}},
-          beta_, beta_slider_, {follow_, own_, may_have_paint_}};
+          beta_,
+          beta_slider_,
+          {follow_, own_, may_have_paint_}};
 }
 
 CellAlphas Fields::alphas() const {

@@ -21,15 +21,15 @@ struct OwnFields {
 /// ∫ B_a B_b along the held lines in a cell. Units: grid.
 struct LineMass {
   int32_t cell;
-  std::array<double, kPairsPerCell> pair = {};        ///< a < b: (0,1) ... (0,7), (1,2) ...
+  std::array<double, kPairsPerCell> pair = {};       ///< a < b: (0,1) ... (0,7), (1,2) ...
   std::array<double, kCornersPerCell> row_sum = {};  ///< ∫ B_a
 };
 
 /// The lines that are held, each with a stiffness far above that of its cell.
 struct LineView {
   static constexpr size_t kStretch = 1024;
-  std::span<const LineMass> lines;   ///< by rising cell
-  std::span<const int32_t> first;    ///< into `lines`: see first_lines(); empty without lines
+  std::span<const LineMass> lines;  ///< by rising cell
+  std::span<const int32_t> first;   ///< into `lines`: see first_lines(); empty without lines
 
   /// Returns null if no line passes the cell.
   const LineMass* find(int32_t cell) const {

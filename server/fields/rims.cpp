@@ -206,7 +206,7 @@ uint64_t held_rims_bytes(uint64_t vertices, uint64_t triangles, uint64_t cells, 
   constexpr uint64_t kEntry = 2 * sizeof(uint64_t);  // of a piece in a bucket
   constexpr uint64_t kGrowth = 2;                    // of a vector that grows by itself
   constexpr uint64_t kPerVertex = kGrowth * kEntry + 3 * sizeof(int32_t) + sizeof(double) + 1;
-  constexpr uint64_t kAnchor = 1024;                 // corners near a held edge, and their shares
+  constexpr uint64_t kAnchor = 1024;  // corners near a held edge, and their shares
   constexpr uint64_t kPerRim = 2 * (kGrowth + 1) * sizeof(LineMass) + sizeof(Rim) + 5 + kAnchor;
   return edge_census_bytes(vertices, triangles, rims) + vertices * kPerVertex + rims * kPerRim +
          cells / LineView::kStretch * sizeof(int32_t);

@@ -16,11 +16,11 @@ inline constexpr double kHeldRimEdgesMin = 12;
 /// The rims that stay where they are. A rim is where the surface ends. The rule has the scan's own
 /// lengths, so every depth holds the same.
 struct HeldRims {
-  uint64_t rims = 0;                ///< of the scan; edges that meet are one rim
-  uint64_t held = 0;                ///< of these
-  std::vector<LineMass> lines;      ///< of the held ones, by rising cell
-  std::vector<int32_t> first;       ///< see first_lines()
-  std::vector<uint32_t> vertices;   ///< on the held ones, rising: they do not move
+  uint64_t rims = 0;               ///< of the scan; edges that meet are one rim
+  uint64_t held = 0;               ///< of these
+  std::vector<LineMass> lines;     ///< of the held ones, by rising cell
+  std::vector<int32_t> first;      ///< see first_lines()
+  std::vector<uint32_t> vertices;  ///< on the held ones, rising: they do not move
 
   LineView view() const { return {lines, first}; }
   uint64_t byte_count() const {

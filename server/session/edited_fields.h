@@ -143,7 +143,7 @@ class EditedFields {
   History history_;
   Fields fields_;
   const Controls born_with_;
-  Controls controls_;                         // of the fields
+  Controls controls_;                     // of the fields
   std::shared_ptr<const HeldRims> rims_;  // found when rims are first pinned
   Protection protection_;
   std::vector<uint64_t> protects_applied_;  // entries that protection_ has, in order

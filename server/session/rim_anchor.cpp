@@ -60,8 +60,7 @@ std::vector<int32_t> corners_of(const SparseGrid& grid, std::span<const uint8_t>
   std::vector<int32_t> corners;
   for (size_t cell = 0; cell < layer.size(); ++cell)
     if (layer[cell] <= kReachCells)
-      corners.insert(corners.end(), grid.cell_corners[cell].begin(),
-                     grid.cell_corners[cell].end());
+      corners.insert(corners.end(), grid.cell_corners[cell].begin(), grid.cell_corners[cell].end());
   sort_once(corners);
   return corners;
 }

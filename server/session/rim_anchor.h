@@ -39,9 +39,9 @@ class RimAnchor {
   const PreparedMesh& prepared_;
   const SparseGrid& grid_;
   std::shared_ptr<const HeldRims> rims_;
-  std::vector<int32_t> corners_;            // those that something is taken from
-  Groups<Share, int64_t> shares_;           // of each of these
-  std::vector<Vec3f> moved_;                // room: the move of each vertex of the rims
+  std::vector<int32_t> corners_;   // those that something is taken from
+  Groups<Share, int64_t> shares_;  // of each of these
+  std::vector<Vec3f> moved_;       // room: the move of each vertex of the rims
 };
 
 }  // namespace burnish

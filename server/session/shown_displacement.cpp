@@ -42,7 +42,8 @@ void ShownDisplacement::bound(const Controls& controls, const Fields& fields) {
 }
 
 void ShownDisplacement::anchor_rims(const Fields& fields) {
-  if (!anchor_ || anchor_->rims() != fields.rims()) anchor_.emplace(prepared_, grid_, fields.rims());
+  if (!anchor_ || anchor_->rims() != fields.rims())
+    anchor_.emplace(prepared_, grid_, fields.rims());
   anchor_->apply(shown_);
 }
 

@@ -83,8 +83,8 @@ class Solver {
 
   /// Does one iteration of conjugate gradients, preconditioned by one V-cycle. If its result is not
   /// sound, starts again from u = 0 with Backend::fall_back(). If that fails too, u is 0, the
-  /// distance is that of the whole box, and soundness() says so until the next change of the system.
-  /// Needs: set_metric().
+  /// distance is that of the whole box, and soundness() says so until the next change of the
+  /// system. Needs: set_metric().
   StepReport step();
 
   /// Steps until the estimated distance is at most `distance_max` (of the bounding-box diagonal) or

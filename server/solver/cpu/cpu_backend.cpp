@@ -248,7 +248,7 @@ class CpuBackend final : public Backend {
   Halo* halo_;       // to the other shards; null if there are none
   size_t not_kept_;  // depths without kept numbers
   std::unique_ptr<ChangingAlphas> alphas_;
-  bool is_careful_ = false;  // after fall_back()
+  bool is_careful_ = false;       // after fall_back()
   double alpha_of_spectrum_ = 0;  // α of all cells at the last estimate of λmax; 0 if they differed
   std::vector<CpuDepth> depths_;                           // the coarsest first
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest

@@ -12,8 +12,8 @@ double difference(const TriangleMesh& a, const TriangleMesh& b) {
   double most = 0;
   for (size_t t = 0; t < a.triangles.size(); ++t)
     for (int side = 0; side < 3; ++side)
-      most = std::max(
-          most, (a.vertices[a.triangles[t][side]] - b.vertices[b.triangles[t][side]]).norm());
+      most = std::max(most,
+                      (a.vertices[a.triangles[t][side]] - b.vertices[b.triangles[t][side]]).norm());
   return most / compute_statistics(a).diagonal();
 }
 
@@ -35,8 +35,7 @@ TEST_P(Seams, AClosedSurfaceMovesAlikeHoweverItsTrianglesShareVertices) {
 
 TEST_P(Seams, AnOpenSurfaceToo) {
   TriangleMesh dome = lumpy_scan();
-  std::erase_if(dome.triangles,
-                [&](const Triangle& t) { return dome.vertices[t[0]].z() < -0.2; });
+  std::erase_if(dome.triangles, [&](const Triangle& t) { return dome.vertices[t[0]].z() < -0.2; });
   const TriangleMesh joined = filtered(dome);
   EXPECT_LT(difference(filtered(as_soup(dome)), joined), 1e-6);
   EXPECT_LT(difference(filtered(with_seam(dome)), joined), 1e-6);

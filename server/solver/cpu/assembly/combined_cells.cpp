@@ -85,8 +85,7 @@ CombinedCells combine_and_down_sample(const PreparedMesh& prepared, const Metric
     return fine_cells[c];
   });
 #pragma omp parallel for schedule(static) if (coarse.shares.apart.size() > kCellsAlone)
-  for (const int32_t c : coarse.shares.apart)
-    combine_cell(prepared, metric, c, fine_cells[c]);
+  for (const int32_t c : coarse.shares.apart) combine_cell(prepared, metric, c, fine_cells[c]);
   combine_sheets(prepared, metric, fine, fine_cells);
   add_shares(fine, coarse, fine_cells, cells);
   return cells;

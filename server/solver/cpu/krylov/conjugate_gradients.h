@@ -24,7 +24,7 @@ class ConjugateGradients {
   std::vector<Double3>& residual() { return r_; }
   const std::vector<Double3>& displacement() const { return u_; }
 
-  void start_over();  ///< u = b = 0, and nothing of the last step
+  void start_over();    ///< u = b = 0, and nothing of the last step
   void forget_steps();  ///< u = 0; afterwards r is wrong
   void recompute_residual();
   void rescale();

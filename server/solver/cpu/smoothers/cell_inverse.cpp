@@ -166,8 +166,7 @@ static void invert_irregular_cells(const Source& source, std::span<const int32_t
 }
 
 static Source source_of(const CpuDepth& depth, bool careful) {
-  const float usual =
-      depth.topology.is_finest() ? kFinestRegularisation : kCoarseRegularisation;
+  const float usual = depth.topology.is_finest() ? kFinestRegularisation : kCoarseRegularisation;
   return {depth.topology.stencil, depth.topology.grid.cell_corners.data(),
           depth.system.entry.data(), depth.inverse_diagonal.data(),
           careful ? kCarefulRegularisation : usual};

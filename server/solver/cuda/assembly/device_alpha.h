@@ -8,8 +8,8 @@
 
 namespace burnish::cuda {
 
-/// A session's metric for its kernels: the curve, overrides and held lines. The kernels compute α of
-/// each cell from them.
+/// A session's metric for its kernels: the curve, overrides and held lines. The kernels compute α
+/// of each cell from them.
 class DeviceAlpha {
  public:
   explicit DeviceAlpha(Stream& stream) : source_(stream, 1) {}
@@ -18,7 +18,8 @@ class DeviceAlpha {
   void set(Stream& stream, const MetricView& metric);
   const AlphaSource* data() const { return source_.data(); }
   uint64_t byte_count() const {
-    return source_.byte_count() + own_.byte_count() + lines_.byte_count() + first_line_.byte_count();
+    return source_.byte_count() + own_.byte_count() + lines_.byte_count() +
+           first_line_.byte_count();
   }
 
  private:

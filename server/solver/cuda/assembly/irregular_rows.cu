@@ -199,8 +199,8 @@ void assemble_irregular_rows(Stream& stream, const CellSquares<float>& cells, co
          cells.numbers, probe, pinned_below);
 }
 
-void invert_irregular_cells(Stream& stream, const Depth& depth,
-                            const CellSquares<float>& inverses, float regularisation) {
+void invert_irregular_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
+                            float regularisation) {
   launch(stream, invert_irregular_kernel, depth.topology.irregular.cell_count, depth, inverses,
          regularisation);
 }

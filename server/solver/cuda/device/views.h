@@ -72,7 +72,7 @@ struct AlphaSource {
   static constexpr int kPointsMax = 64;
   int32_t point_count;  ///< of the curve; one point without `own` gives all cells its α
   int32_t own_count;
-  const OwnAlpha* own;  ///< by rising cell
+  const OwnAlpha* own;        ///< by rising cell
   const HeldLine* lines;      ///< by rising cell
   const int32_t* first_line;  ///< per kStretch cells, and the end; null if nothing is held
   double kappa[kPointsMax], log_alpha[kPointsMax];

@@ -173,8 +173,9 @@ TEST(LambdaMax, ALargestEigenvalueNearTheBoundIsFound) {
   const double largest = 26;
   const auto apply = [&] {
     for (size_t i = 0; i < depth.x.size(); ++i)
-      depth.x[i] = depth.inverse_diagonal[i] == 0 ? Float4(Float4::Zero())
-                                                  : Float4(static_cast<float>(largest) * depth.x[i]);
+      depth.x[i] = depth.inverse_diagonal[i] == 0
+                       ? Float4(Float4::Zero())
+                       : Float4(static_cast<float>(largest) * depth.x[i]);
   };
   LambdaMax lambda_max(depth.x.size());
   EXPECT_NEAR(lambda_max.estimate(depth, {1, 100}, apply), kLambdaMaxMargin * largest, 1e-2);
