@@ -92,6 +92,7 @@ Json to_json(const SessionState& state) {
   json["controls"] = {{"pin_rims", state.controls.pin_rims},
                       {"cap", state.controls.cap},
                       {"keep_volume", state.controls.keep_volume}};
+  json["rims"] = {{"number", state.rims}, {"held", state.rims_held}};
   json["bands"] = to_json(state.equaliser);
   json["palette"] = to_json(state.palette);
   json["colours"] = {{"beta", state.colour.beta}, {"alpha", state.colour.alpha}};

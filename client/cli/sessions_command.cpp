@@ -49,6 +49,10 @@ Status show(Connection& connection, const std::string& name, bool json) {
   std::printf("%-14s %g\n", "beta", state.gradient_scale);
   std::printf("%-14s %s\n", "curve", state.transfer_curve.to_string().c_str());
   std::printf("%-14s %s\n", "controls", text_of(state.controls).c_str());
+  if (state.rims > 0)
+    std::printf("%-14s %llu of %llu stay\n", "rims",
+                static_cast<unsigned long long>(state.rims_held),
+                static_cast<unsigned long long>(state.rims));
   std::printf("%-14s %s\n", "equaliser", text_of(state.equaliser).c_str());
   std::printf("%-14s %s\n", "palette", text_of(state.palette).c_str());
   std::printf("%-14s %s\n", "colours", text_of(state.colour).c_str());

@@ -62,6 +62,8 @@ struct SessionState {
   Equaliser equaliser;
   Palette palette;
   ColourFilter colour;
+  uint64_t rims = 0;       ///< of the scan, while the controls pin them
+  uint64_t rims_held = 0;  ///< of these
 };
 
 /// What a cell of the finest depth can be asked for. α and κ in user units.

@@ -68,6 +68,8 @@ v1::SessionState to_wire(const SessionState& state) {
   message.set_distance(state.distance);
   message.set_memory_bytes(state.memory_bytes);
   message.set_backend(state.backend);
+  message.set_rims(state.rims);
+  message.set_rims_held(state.rims_held);
   return message;
 }
 
@@ -86,6 +88,8 @@ Result<SessionState> from_wire(const v1::SessionState& message) {
   state.distance = message.distance();
   state.memory_bytes = message.memory_bytes();
   state.backend = message.backend();
+  state.rims = message.rims();
+  state.rims_held = message.rims_held();
   return state;
 }
 

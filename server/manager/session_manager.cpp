@@ -179,7 +179,9 @@ Result<SessionState> SessionManager::state(const std::string& reference, const C
                       entry.session->edited().controls(),
                       fields.equaliser(),
                       fields.palette(),
-                      fields.colour()};
+                      fields.colour(),
+                      fields.rims() ? fields.rims()->rims : 0,
+                      fields.rims() ? fields.rims()->held : 0};
 }
 
 Result<std::string> SessionManager::delete_scan(const std::string& reference) {

@@ -57,6 +57,9 @@ class State:
     memory_bytes: int
     backend: str
     """"cpu" or "cuda"."""
+    rims: int
+    """Of the scan, while the controls pin them."""
+    rims_held: int
 
     @classmethod
     def of(cls, message: editing_pb2.SessionState) -> State:
@@ -66,7 +69,7 @@ class State:
                    Controls(controls.pin_rims, controls.cap, controls.keep_volume),
                    [Band(band.size, band.gain) for band in message.equaliser.bands],
                    message.session.edits, message.cycles, message.distance, message.memory_bytes,
-                   message.backend)
+                   message.backend, message.rims, message.rims_held)
 
 
 @dataclasses.dataclass(frozen=True)

@@ -50,10 +50,14 @@ TEST(SessionWire, AStateComesBackUnchanged) {
   state.transfer_curve = *TransferCurve::create({{-5, 10}, {5, 100}});
   state.cycles = 4;
   state.backend = "cpu";
+  state.rims = 5;
+  state.rims_held = 4;
   const auto back = from_wire(to_wire(state));
   ASSERT_TRUE(back.is_ok());
   EXPECT_EQ(to_wire(back.value()).SerializeAsString(), to_wire(state).SerializeAsString());
   EXPECT_EQ(back.value().transfer_curve, state.transfer_curve);
+  EXPECT_EQ(back.value().rims, 5);
+  EXPECT_EQ(back.value().rims_held, 4);
 }
 
 TEST(SessionWire, ASessionNeedsAScan) {
