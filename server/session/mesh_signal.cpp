@@ -5,7 +5,7 @@
 
 #include "common/base/blocks.h"
 #include "common/grid/sparse_grid.h"
-#include "server/fields/edge_census.h"
+#include "common/mesh/joined_mesh.h"
 
 namespace burnish {
 
@@ -26,7 +26,7 @@ struct Largest {
 
 MeshSignal::MeshSignal(const PreparedMesh& prepared, std::span<const Vec3f> values)
     : prepared_(prepared),
-      place_(take_edge_census(prepared.vertices, prepared.triangles).place),
+      place_(least_at_places(prepared.vertices)),
       elements_(prepared.triangles.size()),
       values_(place_.size(), Vec3f::Zero()),
       inverse_diagonal_(place_.size()),

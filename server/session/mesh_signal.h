@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/base/groups.h"
+#include "common/base/scratch_array.h"
 #include "server/prepare/prepared_mesh.h"
 
 namespace burnish {
@@ -53,7 +54,7 @@ class MeshSignal {
   int32_t count() const { return static_cast<int32_t>(place_.size()); }
 
   const PreparedMesh& prepared_;
-  std::vector<uint32_t> place_;          // per vertex: the least vertex at its place, its node
+  ScratchArray<uint32_t> place_;         // per vertex: the least vertex at its place, its node
   std::vector<Element> elements_;        // per triangle
   Groups<uint32_t, int64_t> around_;     // the triangles of a node
   std::vector<Vec3f> values_;            // per node: the mean of its vertices
