@@ -33,9 +33,9 @@ void ColourChannel::want(const Fields& fields) {
   begin_on_grid();
 }
 
+// The last share stays meanwhile: details that come back while a slider moves would flicker.
 void ColourChannel::begin_on_grid() {
   is_on_mesh_ = false;
-  share_.clear();
   cycles_ = 0;
 }
 

@@ -16,7 +16,7 @@ namespace burnish {
 struct ColourChange {
   std::span<const Vec3f> on_grid;  ///< per corner; empty: no colour changes
   std::span<const Vec3f> fitted;   ///< per corner: the grid's nearest to the scan's colours
-  std::span<const float> share;    ///< per cell; empty until the scan's triangles are solved
+  std::span<const float> share;    ///< per cell, of the last solve on triangles; empty before it
 };
 
 /// The colours of a scan as a second signal on its surface: the equation of the displacement, with
