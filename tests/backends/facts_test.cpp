@@ -93,7 +93,7 @@ TEST_P(Facts, AfterASystemThatIsNotFiniteTheNextOneIsSolvedAsByANewSolver) {
   for (size_t i = 0; i < corners; i += 2) signal[i].x() = 1;
   const auto solve = [&](Solver& solver) {
     solver.set_signal(signal);
-    solver.set_metric(fields.view());
+    solver.start_over(fields.view());
     EXPECT_TRUE(solver.solve(1e-6, 200).value().converged);
     return std::vector<Vec3f>(solver.vertex_displacement().begin(),
                               solver.vertex_displacement().end());
