@@ -107,8 +107,8 @@ struct FrameStats {
   double encode_ms = 0;
   uint64_t client_time_us = 0;  ///< of the newest heartbeat that the frame has seen; 0: none
   uint64_t previews = 0;        ///< messages of this client that the frame has seen
-  double volume = 0;            ///< over the scan's, if the controls keep it; else 0
   double held_ms = 0;           ///< from the coming of that heartbeat until the frame went out
+  double volume = 0;            ///< over the scan's, if the controls keep it; else 0
 };
 
 struct LiveFrame {

@@ -81,7 +81,7 @@ TEST(LiveWire, EveryMessageOfTheClientComesBackUnchanged) {
 
 TEST(LiveWire, EveryMessageOfTheServerComesBackUnchanged) {
   const SessionInfo session{"id", "work", std::string(64, 'a'), {8, 0.01}, 17, 3, true};
-  const FrameStats stats{true, true, 12, 3.5, 1e-4, 1e-6, 9, 1.5, 2.5, 3.5, 99, 4, 0.25};
+  const FrameStats stats{true, true, 12, 3.5, 1e-4, 1e-6, 9, 1.5, 2.5, 3.5, 99, 4, 0.25, 0.5};
   const SessionPeople people{SessionRoles({{"ann", SessionRole::kOwner}}),
                              {{3, "ann", 0xE69F00, BrushRing{Vec3d(1, 2, 3), 0.5}}}};
   expect_unchanged<ServerMessage>(ProgressReport{"reading the journal", 0.5});
