@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "common/grid/cell_corners.h"
 #include "server/fields/fields_view.h"
 #include "server/prepare/prepared_mesh.h"
 

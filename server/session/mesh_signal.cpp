@@ -197,8 +197,7 @@ uint64_t MeshSignal::byte_count() const {
 uint64_t predict_mesh_signal_bytes(const PreparedMesh& prepared) {
   constexpr uint64_t kPlaceBytes = 9;  // while least_at_places() looks for them
   constexpr uint64_t kOfVertex =
-      2 * sizeof(uint32_t) + sizeof(float) + 6 * sizeof(Vec3f) + sizeof(int64_t) +
-      kPlaceBytes;
+      2 * sizeof(uint32_t) + sizeof(float) + 6 * sizeof(Vec3f) + sizeof(int64_t) + kPlaceBytes;
   constexpr uint64_t kOfTriangle = 5 * sizeof(float) + 3 * sizeof(uint32_t);
   return prepared.vertices.size() * kOfVertex + prepared.triangles.size() * kOfTriangle;
 }

@@ -51,7 +51,7 @@ class ShownDisplacement {
   std::vector<Vec3f> shown_;
   std::optional<VolumeKeeper> volume_;  // made when it is wanted for the first time
   std::optional<double> kept_volume_;
-  int uses_ = 0;  // of the last measure
+  int uses_ = 0;                     // of the last measure
   std::optional<RimAnchor> anchor_;  // of the held rims
 };
 
