@@ -13,8 +13,7 @@ namespace {
 
 constexpr int kReachCells = 4;      // nothing is taken back farther from a rim
 constexpr double kWholeWithin = 2;  // cells: all corners of a rim's cells
-constexpr double kLeastPart = 0.1;  // of the nearest vertex' weight: others do not count
-constexpr double kNearest = 0.25;   // cells: a vertex that is nearer is not nearer for its weight
+constexpr double kBeside = 0.75;    // cells: vertices so little beyond the nearest one count too
 
 /// The vertices of the rims, in cubes as wide as the reach.
 class RimPlaces {
@@ -74,8 +73,8 @@ RimAnchor::RimAnchor(const PreparedMesh& prepared, const SparseGrid& grid,
   find_corners(prepared);
 }
 
-// A corner follows the rims' vertices as a harmonic function beside a straight rim does, by
-// Poisson's kernel: what changes fast along the rim fades fast away from it.
+// A corner follows the mean of its nearest vertices of rims. Poisson's kernel, which lets fast
+// changes along the rim fade fast, was no better on scans.
 void RimAnchor::find_corners(const PreparedMesh& prepared) {
   std::vector<int32_t> cells;
   for (const LineMass& line : rims_->lines) cells.push_back(line.cell);
@@ -88,10 +87,9 @@ void RimAnchor::find_corners(const PreparedMesh& prepared) {
     if (nearest >= kReachCells) continue;
     near.clear();
     double sum = 0;
-    const double most = 1 / (nearest * nearest + kNearest * kNearest);
     places.for_each_near(at, [&](uint32_t vertex, double d) {
-      const double weight = 1 / (d * d + kNearest * kNearest);
-      if (weight < kLeastPart * most) return;
+      const double weight = 1 - (d - nearest) / kBeside;
+      if (weight <= 0) return;
       near.push_back({vertex, static_cast<float>(weight)});
       sum += weight;
     });
