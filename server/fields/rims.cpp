@@ -161,10 +161,13 @@ class Rims {
   std::vector<Rim> rims_;
 };
 
-std::vector<uint32_t> vertices_on(const std::vector<bool>& is_on_rim, const EdgeCensus& census) {
+// Leaves out vertices that no triangle has: they do not move anyway.
+std::vector<uint32_t> vertices_on(const std::vector<bool>& is_on_rim, const EdgeCensus& census,
+                                  const PreparedMesh& prepared) {
   std::vector<uint32_t> vertices;
   for (size_t v = 0; v < is_on_rim.size(); ++v)
-    if (is_on_rim[census.place[v]]) vertices.push_back(static_cast<uint32_t>(v));
+    if (is_on_rim[census.place[v]] && prepared.evaluation[v].cell != kNone)
+      vertices.push_back(static_cast<uint32_t>(v));
   return vertices;
 }
 
@@ -188,7 +191,7 @@ HeldRims find_held_rims(const PreparedMesh& prepared) {
   held.held = rims.held_count();
   held.lines = lines.take();
   held.first = first_lines(held.lines, prepared.cells.size());
-  held.vertices = vertices_on(is_on_rim, census);
+  held.vertices = vertices_on(is_on_rim, census, prepared);
   return held;
 }
 

@@ -73,8 +73,7 @@ RimAnchor::RimAnchor(const PreparedMesh& prepared, const SparseGrid& grid,
   find_corners(prepared);
 }
 
-// A corner follows the mean of its nearest vertices of rims. Poisson's kernel, which lets fast
-// changes along the rim fade fast, was no better on scans.
+// A corner follows the mean of its nearest vertices of rims.
 void RimAnchor::find_corners(const PreparedMesh& prepared) {
   std::vector<int32_t> cells;
   for (const LineMass& line : rims_->lines) cells.push_back(line.cell);
