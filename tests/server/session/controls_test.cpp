@@ -191,12 +191,12 @@ TEST(Controls, ReturnTheScanExactlyWhereBetaIsOne) {
 
 TEST(Controls, AreEditsThatUndoTakesBackToThoseOfTheBirth) {
   const auto session = controlled(make_sheet(20, 1, 0.1), {.pin_rims = true});
-  EXPECT_TRUE(session->fields().hold());
+  EXPECT_TRUE(session->fields().rims());
   ASSERT_TRUE(session->apply({"1", SetControls{{.cap = 2}}}).is_ok());
-  EXPECT_FALSE(session->fields().hold());
+  EXPECT_FALSE(session->fields().rims());
   EXPECT_EQ(session->edited().controls(), (Controls{.cap = 2}));
   ASSERT_TRUE(session->apply({"2", Undo{}}).is_ok());
-  EXPECT_TRUE(session->fields().hold());
+  EXPECT_TRUE(session->fields().rims());
   EXPECT_EQ(session->edited().controls(), (Controls{.pin_rims = true}));
 }
 
@@ -233,11 +233,14 @@ TEST(Controls, AProtectedRegionDoesNotMoveWhateverIsEdited) {
 
 TEST(Controls, RimsStayPinnedBesideAProtectedRegion) {
   const auto session = controlled(make_sheet(40, 1, 0.1), {.pin_rims = true});
-  const size_t rims = session->fields().hold()->cells.size();
+  const auto rims = session->fields().rims();
+  ASSERT_TRUE(rims);
   ASSERT_TRUE(session->apply({"1", Protect{PieceRegion{Vec3d(0.5, 0.5, 0)}}}).is_ok());
   EXPECT_EQ(session->fields().hold()->cells.size(), session->prepared().cells.size());
+  EXPECT_EQ(session->fields().rims(), rims);
   ASSERT_TRUE(session->apply({"2", Protect{NoRegion{}}}).is_ok());
-  EXPECT_EQ(session->fields().hold()->cells.size(), rims);
+  EXPECT_FALSE(session->fields().hold());
+  EXPECT_EQ(session->fields().rims(), rims);
 }
 
 TEST(Wavelength, AWaveOfAlphasLengthIsHalvedByBetaZero) {

@@ -71,7 +71,7 @@ TEST(RimAnchor, TakesBackWhatRimsMoveAndNothingBeyondItsReach) {
       EXPECT_LT(moved.norm(), 1e-6);
     }
     if (border > 6 * cell) {
-      EXPECT_EQ(moved, Vec3f(0.1f, -0.2f, 0.3f));
+      EXPECT_LT((moved - Vec3f(0.1f, -0.2f, 0.3f)).norm(), 1e-6);
     }
   }
 }
