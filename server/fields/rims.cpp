@@ -162,13 +162,16 @@ class Rims {
 };
 
 // Leaves out vertices that no triangle has: they do not move anyway.
-std::vector<uint32_t> vertices_on(const std::vector<bool>& is_on_rim, const EdgeCensus& census,
-                                  const PreparedMesh& prepared) {
-  std::vector<uint32_t> vertices;
-  for (size_t v = 0; v < is_on_rim.size(); ++v)
-    if (is_on_rim[census.place[v]] && prepared.evaluation[v].cell != kNone)
-      vertices.push_back(static_cast<uint32_t>(v));
-  return vertices;
+void find_vertices(const std::vector<bool>& is_on_rim, const EdgeCensus& census,
+                   const PreparedMesh& prepared, HeldRims& held) {
+  std::vector<bool> has_one(is_on_rim.size(), false);  // by place
+  for (size_t v = 0; v < is_on_rim.size(); ++v) {
+    const uint32_t place = census.place[v];
+    if (!is_on_rim[place] || prepared.evaluation[v].cell == kNone) continue;
+    held.vertices.push_back(static_cast<uint32_t>(v));
+    if (!has_one[place]) held.places.push_back(static_cast<uint32_t>(v));
+    has_one[place] = true;
+  }
 }
 
 }  // namespace
@@ -191,7 +194,7 @@ HeldRims find_held_rims(const PreparedMesh& prepared) {
   held.held = rims.held_count();
   held.lines = lines.take();
   held.first = first_lines(held.lines, prepared.cells.size());
-  held.vertices = vertices_on(is_on_rim, census, prepared);
+  find_vertices(is_on_rim, census, prepared, held);
   return held;
 }
 

@@ -21,11 +21,12 @@ struct HeldRims {
   std::vector<LineMass> lines;     ///< of the held ones, by rising cell
   std::vector<int32_t> first;      ///< see first_lines()
   std::vector<uint32_t> vertices;  ///< on the held ones, rising: they do not move
+  std::vector<uint32_t> places;    ///< of these, one at each place
 
   LineView view() const { return {lines, first}; }
   uint64_t byte_count() const {
     return lines.size() * sizeof(LineMass) + first.size() * sizeof(int32_t) +
-           vertices.size() * sizeof(uint32_t);
+           (vertices.size() + places.size()) * sizeof(uint32_t);
   }
 };
 

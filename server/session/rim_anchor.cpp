@@ -69,7 +69,7 @@ std::vector<int32_t> corners_of(const SparseGrid& grid, std::span<const uint8_t>
 
 RimAnchor::RimAnchor(const PreparedMesh& prepared, const SparseGrid& grid,
                      std::shared_ptr<const HeldRims> rims)
-    : prepared_(prepared), grid_(grid), rims_(std::move(rims)), moved_(rims_->vertices.size()) {
+    : prepared_(prepared), grid_(grid), rims_(std::move(rims)), moved_(rims_->places.size()) {
   find_corners(prepared);
 }
 
@@ -77,7 +77,7 @@ RimAnchor::RimAnchor(const PreparedMesh& prepared, const SparseGrid& grid,
 void RimAnchor::find_corners(const PreparedMesh& prepared) {
   std::vector<int32_t> cells;
   for (const LineMass& line : rims_->lines) cells.push_back(line.cell);
-  const RimPlaces places(prepared, rims_->vertices);
+  const RimPlaces places(prepared, rims_->places);
   std::vector<Share> near;
   for (const int32_t corner : corners_of(grid_, layers_from(prepared, cells, kReachCells))) {
     const Vec3d at = morton_point(grid_.corners[corner].place).cast<double>();
@@ -101,7 +101,7 @@ void RimAnchor::find_corners(const PreparedMesh& prepared) {
 void RimAnchor::apply(std::span<Vec3f> displacement) {
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < moved_.size(); ++i)
-    moved_[i] = evaluate<Vec3f>(grid_, prepared_.evaluation[rims_->vertices[i]], displacement);
+    moved_[i] = evaluate<Vec3f>(grid_, prepared_.evaluation[rims_->places[i]], displacement);
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < corners_.size(); ++i)
     for (const Share& share : shares_[i])

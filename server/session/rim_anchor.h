@@ -31,7 +31,7 @@ class RimAnchor {
 
  private:
   struct Share {
-    uint32_t vertex;  // of the rims' vertices
+    uint32_t vertex;  // of the rims' places
     float weight;
   };
   void find_corners(const PreparedMesh& prepared);
