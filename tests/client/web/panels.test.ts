@@ -305,6 +305,7 @@ test("LassoIsDrawnByKeys", () =>
     await pen.press("Shift+ArrowRight");
     await pen.press("ArrowDown");
     await pen.press("Enter");
+    await visit.message("pointer", { what: "release" });
     const points = (await visit.seen()).filter((one) => one.kind === "pointer");
     assert.deepEqual(
       points.map((one) => one.what),
