@@ -116,7 +116,8 @@ TEST_F(DoubtTest, AnEditInDoubtComesAgainAndIsThereOnce) {
 }
 
 TEST_F(DoubtTest, ACommitInDoubtThatSurvivesACrashIsKnownWhenItsEditComesAgain) {
-  DoubtingClient ann(server_->address, "ann", milliseconds(3000));
+  // The server is gone before she comes back, on a slow machine too.
+  DoubtingClient ann(server_->address, "ann", milliseconds(15'000));
   ann.slide("a", 0.5);
   EXPECT_TRUE(ann.until([&] { return ann.answers.size() == 1; }));
   server_->process->signal(SIGUSR1);
