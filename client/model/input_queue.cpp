@@ -34,10 +34,17 @@ bool InputQueue::belongs_to(const std::vector<InputEvent>& step, const InputEven
 
 std::vector<InputEvent> InputQueue::next() {
   std::vector<InputEvent> step;
+  if (pictures_until_typing_ > 0) {
+    --pictures_until_typing_;
+    if (!events_.empty() && is_typed(events_.front())) return step;
+  }
   while (!events_.empty() && belongs_to(step, events_.front())) {
     const InputEvent& event = events_.front();
     pointer_.place = event.place;
-    if (event.kind == Kind::kButton) pointer_.down[static_cast<size_t>(event.code)] = event.down;
+    if (event.kind == Kind::kButton) {
+      pointer_.down[static_cast<size_t>(event.code)] = event.down;
+      pictures_until_typing_ = kPicturesUntilTyping;
+    }
     step.push_back(event);
     events_.pop_front();
   }

@@ -33,7 +33,8 @@ struct InputEvent {
 
 /// Hands events to the panels and to the picture in the order in which they came. Panels look at
 /// the pointer once per picture: a second change of a button or of a key in one picture hides the
-/// first. So the queue gives events in steps, one step per picture.
+/// first. So the queue gives events in steps, one step per picture. A field that a click opens takes
+/// keys some pictures later. So what is typed after a click waits for these.
 class InputQueue {
  public:
   struct Pointer {
@@ -45,8 +46,10 @@ class InputQueue {
   /// Needs: 0 <= code < kPointerButtons for a button.
   void add(InputEvent event);
 
+  static constexpr int kPicturesUntilTyping = 3;  ///< after a change of a button
+
   /// Returns the next step: moves, turns of the wheel, or one change of a button; or keys and
-  /// characters, with one change of each key. Empty if nothing is left.
+  /// characters, with one change of each key. Empty if nothing is left, or what is typed must wait.
   std::vector<InputEvent> next();
   /// Returns true if there are more steps.
   bool has_more() const { return !events_.empty(); }
@@ -60,6 +63,7 @@ class InputQueue {
   std::deque<InputEvent> events_;
   Eigen::Vector2d last_ = Eigen::Vector2d::Zero();
   Pointer pointer_;
+  int pictures_until_typing_ = 0;
 };
 
 }  // namespace burnish

@@ -85,7 +85,31 @@ TEST(InputQueue, AKeyComesAfterTheButtonThatWasReleasedBeforeIt) {
   queue.add(moved(9));
   queue.add(button(0, false));
   queue.add(typed_key('Z', true));
-  EXPECT_EQ(sizes_of_steps(queue), (std::vector<size_t>{1, 1, 1, 1}));
+  EXPECT_EQ(sizes_of_steps(queue), (std::vector<size_t>{1, 1, 1, 0, 0, 0, 1}));
+}
+
+TEST(InputQueue, TextAfterAClickWaitsForTheFieldThatTheClickOpens) {
+  InputQueue queue;
+  queue.add(button(0, true));
+  queue.add(button(0, false));
+  queue.add(typed_character('a'));
+  queue.add(typed_character('b'));
+  queue.next();
+  queue.next();
+  for (int picture = 0; picture < InputQueue::kPicturesUntilTyping; ++picture) {
+    EXPECT_TRUE(queue.next().empty());
+    EXPECT_TRUE(queue.has_more());
+  }
+  EXPECT_EQ(queue.next().size(), 2u);
+}
+
+TEST(InputQueue, TextLongAfterAClickComesAtOnce) {
+  InputQueue queue;
+  queue.add(button(0, true));
+  queue.next();
+  for (int picture = 0; picture < InputQueue::kPicturesUntilTyping; ++picture) queue.next();
+  queue.add(typed_character('a'));
+  EXPECT_EQ(queue.next().size(), 1u);
 }
 
 TEST(InputQueue, EachKeyChangesOnceInAStep) {
