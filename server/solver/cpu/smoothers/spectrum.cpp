@@ -14,7 +14,8 @@ static constexpr int kIterationsFirst = 15;
 static constexpr int kIterationsNext = 1;
 // Keeps the first iterations within float32, whose range ends at λmax = 19 without it: squares of
 // their values are summed. A power of two leaves all bits as they are.
-static constexpr float kShrinkPerIteration = 1.0f / 16;
+static constexpr int kIterationsPerShrink = 4;
+static constexpr float kShrink = 1.0f / (1 << 16);
 
 // Returns x·r.
 static double dot(const CpuDepth& depth) {
@@ -60,7 +61,7 @@ float LambdaMax::estimate(CpuDepth& depth, Bounds bounds, const std::function<vo
     compute_residual(depth);  // −S x
     if (i + 1 == iterations) before = -dot(depth);
     apply();  // x = M⁻¹S x
-    if (i + 1 < iterations) scale_all(depth.x, kShrinkPerIteration);
+    if (i % kIterationsPerShrink == 1 && i + 1 < iterations) scale_all(depth.x, kShrink);
   }
   const double after = -dot(depth);
   depth.x.swap(eigenvector_);
