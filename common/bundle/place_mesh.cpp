@@ -40,7 +40,7 @@ fs::path folder_with(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// What goes beside a rewritten copy of a mesh.
+/// The files that go beside a rewritten copy of a mesh.
 struct FilesOfMesh {
   const FilesBeside& from;
   const std::string& mesh;  ///< its path among them

@@ -35,7 +35,7 @@ class OffText {
   /// Returns the element's next word; empty at its end.
   std::string_view next_word();
 
-  /// The place in the file. What follows an element on its line is read by it.
+  /// The place in the file. It reads what follows an element on its line.
   TextScanner& scanner() { return scanner_; }
   const TextScanner& scanner() const { return scanner_; }
 

@@ -11,7 +11,7 @@ namespace burnish {
 using SlotNames = std::array<std::string_view, kPlyIgnored>;
 
 static constexpr SlotNames kSlotNames = {"x", "y", "z", "red", "green", "blue", "alpha"};
-/// What other programs call the channels.
+/// The names that other programs have for the channels.
 static constexpr std::array<SlotNames, 2> kOtherSlotNames = {
     {{"x", "y", "z", "diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"},
      {"x", "y", "z", "r", "g", "b", "a"}}};

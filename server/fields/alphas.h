@@ -13,8 +13,7 @@ struct CellAlphas {
   bool operator==(const CellAlphas&) const = default;
 };
 
-/// The sources of the cells' shares of S beside their integrals. What it refers to must live
-/// longer.
+/// The sources of the cells' shares of S beside their integrals. Needs: both outlive it.
 struct CellMetric {
   CellMetric(const CellAlphas& of_cells, const LineView& held_lines = {})
       : alphas(of_cells), held(held_lines) {}

@@ -10,8 +10,8 @@ namespace burnish {
 // A fifth of a byte of sRGB is 6e-5 of linear light where it is darkest.
 static constexpr double kColourDistanceMax = 3e-5;
 static constexpr int kColourCyclesMax = 500;
-// What is larger than some cells is solved on the grid. What is left after so many steps is less
-// than the rounding of a byte.
+// The grid solves all that is larger than some cells. After so many steps the rest is less than
+// the rounding of a byte.
 static constexpr int kMeshStepsMax = 32;
 
 ColourChannel::ColourChannel(const Multigrid& on, const SolverOptions& options)

@@ -16,7 +16,7 @@ namespace {
 // weight takes more steps, for combinations of corners that hardly reach a vertex.
 constexpr double kFitStiffness = 1e-3;
 constexpr int kFitStepsMax = 1000;  // noise takes 200
-// Of the right-hand side, in the norm of the inverse diagonal.
+// A part of the right-hand side, in the norm of the inverse diagonal.
 constexpr double kFitResidual = 1e-4;
 
 /// A cell's share of the normal equations: pairs of corners, then the diagonal.

@@ -17,7 +17,7 @@ PositionWords next_off_words(OffText& text) {
   return {x, y, text.next_word()};
 }
 
-/// What must be known of all vertices before the first is written.
+/// The facts of all vertices that are known before the first is written.
 struct OffAhead {
   TextDigits digits;
   std::vector<Vec3f> normals;  // if there are some

@@ -47,7 +47,7 @@ constexpr CombineWeights combine_weights(double alpha1, double alpha2) {
 }
 
 /// A held line has so many times the stiffness of its cell. With more, coarse functions would lock
-/// along it: ten times as much doubles the cycles. What it still gives way RimAnchor takes back.
+/// along it: ten times as much doubles the cycles. RimAnchor takes back the rest.
 inline constexpr double kHeldLineStiffness = 8;
 
 /// Returns the weight of ∫ B_a B_b along the held lines in a cell with these weights. One of the
