@@ -33,8 +33,8 @@ struct InputEvent {
 
 /// Hands events to the panels and to the picture in the order in which they came. Panels look at
 /// the pointer once per picture: a second change of a button or of a key in one picture hides the
-/// first. So the queue gives events in steps, one step per picture. A field that a click opens takes
-/// keys some pictures later. So what is typed after a click waits for these.
+/// first. So the queue gives events in steps, one step per picture. A field that a click opens
+/// takes keys some pictures later. So what is typed after a click waits for these.
 class InputQueue {
  public:
   struct Pointer {
