@@ -1,6 +1,7 @@
 #include "server/solver/cuda/assembly/gradient_scale.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "server/solver/cuda/device/chunks.h"
 
@@ -24,18 +25,25 @@ GradientScale::GradientScale(Stream& stream, size_t cells)
 }
 
 void GradientScale::set(const FieldsView& fields) {
-  const CellPaint& paint = fields.paint;
-  const auto chunks = static_cast<int64_t>(has_paint_.size());
-#pragma omp parallel for schedule(static) if (chunks >= kParallelMin)
-  for (int64_t chunk = 0; chunk < chunks; ++chunk) {
-    is_changed_[chunk] = (has_paint_[chunk] || paint.is_painted[chunk]) && take(paint, chunk);
-    has_paint_[chunk] = paint.is_painted[chunk];
-  }
+  find_painted(fields.paint);
+  const auto painted = static_cast<int64_t>(painted_.size());
+#pragma omp parallel for schedule(static) if (painted >= kParallelMin)
+  for (int64_t i = 0; i < painted; ++i) is_changed_[i] = take(fields.paint, painted_[i]);
   list_changed();
   gather_changed();
   view_.slider_before = view_.slider;
   view_.slider = fields.gradient_scale;
-  view_.is_painted = std::ranges::count(has_paint_, 0) < chunks;
+  view_.is_painted = std::ranges::any_of(has_paint_, std::identity());
+}
+
+// Few chunks have paint. So one thread, which need not wake others, has looked at all of them soon.
+void GradientScale::find_painted(const CellPaint& paint) {
+  painted_.clear();
+  for (size_t chunk = 0; chunk < has_paint_.size(); ++chunk) {
+    if (has_paint_[chunk] || paint.is_painted[chunk])
+      painted_.push_back(static_cast<int32_t>(chunk));
+    has_paint_[chunk] = paint.is_painted[chunk];
+  }
 }
 
 // Returns whether the chunk has new paint.
@@ -53,11 +61,10 @@ bool GradientScale::take(const CellPaint& paint, int64_t chunk) {
 void GradientScale::list_changed() {
   ChunkList& list = view_.changed;
   list.count = 0;
-  const auto chunks = static_cast<int32_t>(is_changed_.size());
-  for (int32_t chunk = 0; chunk < chunks; ++chunk)
-    if (is_changed_[chunk] && list.count++ < ChunkList::kMax) list.chunk[list.count - 1] = chunk;
+  for (size_t i = 0; i < painted_.size(); ++i)
+    if (is_changed_[i] && list.count++ < ChunkList::kMax) list.chunk[list.count - 1] = painted_[i];
   list.is_all = list.count > ChunkList::kMax;
-  if (list.is_all) list.count = chunks;
+  if (list.is_all) list.count = static_cast<int32_t>(has_paint_.size());
 }
 
 // Gathers one chunk after the other: so few chunks are listed that little is read from far away.

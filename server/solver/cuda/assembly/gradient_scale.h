@@ -21,13 +21,16 @@ class GradientScale {
   uint64_t byte_count() const { return paint_.byte_count(); }
 
  private:
+  void find_painted(const CellPaint& paint);
   bool take(const CellPaint& paint, int64_t chunk);
   void list_changed();
   void gather_changed();
 
   PinnedArray<Paint> host_, changed_;  // all cells at the last set(); the listed chunks
   DeviceArray<Paint> paint_;
-  std::vector<uint8_t> has_paint_, is_changed_;  // per chunk
+  std::vector<uint8_t> has_paint_;   // per chunk
+  std::vector<int32_t> painted_;     // chunks that have paint or had some at the last set(), rising
+  std::vector<uint8_t> is_changed_;  // per chunk of these; has room for all
   NewGradientScale view_;
 };
 
