@@ -51,7 +51,7 @@ TEST_F(OnADevice, InShardsEditAfterEditEndsWhereTheWholeDoes) {
       return edit_for_shards(filtered, mesh).exact();
     };
     const std::vector<Vec3d> whole = edited({.backend = BackendKind::kCuda, .devices = 1});
-    for (const int shards : {2, 3})
+    for (const int shards : {2, 3, 4})
       EXPECT_LE(largest_distance(edited(in_shards(shards)), whole, mesh), 2e-6)
           << name << " in " << shards;
   }
@@ -59,7 +59,7 @@ TEST_F(OnADevice, InShardsEditAfterEditEndsWhereTheWholeDoes) {
 
 TEST_F(OnADevice, InShardsTwoRunsGiveTheSameBits) {
   const TriangleMesh mesh = reference::crumbs_over_a_sphere();
-  for (const int shards : {2, 3}) {
+  for (const int shards : {2, 3, 4}) {
     const auto run = [&] {
       Filtered filtered(mesh, 6, in_shards(shards));
       return edit_for_shards(filtered, mesh).after(4);
