@@ -46,6 +46,28 @@ std::string painted_word(const Brush& brush) {
   return brush.colour ? "colour" : "beta";
 }
 
+Status parse_brush_words(std::span<const std::string_view> words, Brush& brush) {
+  brush.connected = true;
+  std::string_view painted, reach;
+  for (const std::string_view word : words) {
+    std::string_view& same = word == "through" || word == "connected" ? reach : painted;
+    if (!same.empty())
+      return invalid_argument("the brush has '" + std::string(same) + "' and '" +
+                              std::string(word) + "', it must be one of them");
+    same = word;
+  }
+  if (!painted.empty()) RETURN_IF_ERROR(parse_painted(painted, brush));
+  brush.connected = reach != "through";
+  return Status::ok();
+}
+
+std::string brush_words(const Brush& brush) {
+  std::string words;
+  if (painted_word(brush) != "beta") words += " " + painted_word(brush);
+  if (!brush.connected) words += " through";
+  return words;
+}
+
 double fall_off_weight(FallOff fall_off, double distance_over_radius) {
   const double x = distance_over_radius;
   if (!(x < 1)) return 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,9 @@ struct Brush {
   int band = 0;         ///< of the equaliser, from 1; 0: paints no gain
   int curve = 0;        ///< of the palette, from 1; 0: paints no curve
   bool colour = false;  ///< paints the gradient scale of the colours
+  /// Each dab reaches only the surface that hangs together within its ball, from the place that it
+  /// touches. Otherwise it paints through walls, as strokes of earlier versions do.
+  bool connected = false;
   bool operator==(const Brush&) const = default;
 };
 
@@ -33,6 +37,14 @@ Status parse_painted(std::string_view word, Brush& brush);
 
 /// Returns the word that parse_painted() takes.
 std::string painted_word(const Brush& brush);
+
+/// Parses the words behind a brush's fall-off: at most one as parse_painted() takes it, and at most
+/// one of "connected" and "through", in any order. Without the latter the brush is connected.
+/// Fails: invalid_argument that names the word.
+Status parse_brush_words(std::span<const std::string_view> words, Brush& brush);
+
+/// Returns the shortest words that parse_brush_words() takes, each after a space.
+std::string brush_words(const Brush& brush);
 
 /// A brush drag: the polyline of surface points, in file units, that the cursor passed. Its dabs
 /// are a fraction of the radius apart, so the result does not depend on how often the cursor was

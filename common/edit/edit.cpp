@@ -120,7 +120,8 @@ struct Summary {
   }
   std::string operator()(const Stroke& stroke) const {
     return "stroke of " + count(stroke.path.size(), "point") + ", radius " +
-           number(stroke.brush.radius) + ", " + painted_text(stroke.brush);
+           number(stroke.brush.radius) + ", " + painted_text(stroke.brush) +
+           (stroke.brush.connected ? "" : ", through walls");
   }
   std::string operator()(const SetCellFields& change) const {
     return "fields of " + count(change.cells.size(), "cell");

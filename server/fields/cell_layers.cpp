@@ -5,6 +5,7 @@
 
 #include "common/grid/sparse_grid.h"
 #include "common/grid/stencil_slots.h"
+#include "server/prepare/passages.h"
 
 namespace burnish {
 
@@ -15,10 +16,6 @@ int32_t find_cell(const PreparedMesh& prepared, const Vec3i& cell) {
   const auto found = std::lower_bound(prepared.cells.begin(), prepared.cells.end(), key);
   if (found == prepared.cells.end() || *found != key) return kNone;
   return static_cast<int32_t>(found - prepared.cells.begin());
-}
-
-static Vec3i offset_of_slot(int slot) {
-  return {slot % 3 - 1, slot / 3 % 3 - 1, slot / 9 - 1};
 }
 
 std::vector<int32_t> neighbours_of(const PreparedMesh& prepared, int32_t cell) {

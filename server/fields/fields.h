@@ -10,6 +10,7 @@
 
 #include "common/edit/edit.h"
 #include "server/fields/alphas.h"
+#include "server/fields/connected_dabs.h"
 #include "server/fields/fields_view.h"
 #include "server/fields/hold.h"
 #include "server/fields/paint_layer.h"
@@ -36,11 +37,15 @@ class Fields {
   void set_colour(const ColourFilter& filter) { colour_ = filter; }
   void paint(const Stroke& stroke) { paint(stroke.brush, dab_centres(stroke)); }
   /// Paints some dabs of a stroke. Shapes: at least one centre, file units.
-  void paint(const Brush& brush, std::span<const Vec3d> centres) {
-    paint(brush, centres, cells_near(brush, centres));
-  }
-  /// Does the same for some of the cells near them, to paint in pieces.
+  void paint(const Brush& brush, std::span<const Vec3d> centres);
+  /// Does the same for some of the cells near them, to paint in pieces. Needs: a brush that paints
+  /// through walls.
   void paint(const Brush& brush, std::span<const Vec3d> centres, std::span<const int64_t> cells);
+  /// Returns the dabs of a connected brush, to advance in pieces.
+  ConnectedDabs connected_dabs(const Brush& brush, std::span<const Vec3d> centres) const;
+  /// Paints dabs that are done. Leaves out the cells for which `is_spared` is true.
+  void paint(const Brush& brush, const ConnectedDabs& dabs,
+             const std::function<bool(int64_t)>& is_spared = {});
   /// Returns the cells that these dabs may reach, and few others; rising.
   std::vector<int64_t> cells_near(const Brush& brush, std::span<const Vec3d> centres) const;
   /// Fails: invalid_argument that names the first cell that is not active; then nothing is changed.
@@ -50,7 +55,8 @@ class Fields {
   /// Also refuses more cells than there are, and a cell that is set twice. For changes that are
   /// new. Fails: invalid_argument that names the count or the first such cell.
   Status check_new(const SetCellFields& change) const;
-  /// Returns whether a dab of the stroke reaches a cell of this kind, in part or whole.
+  /// Returns whether a dab of the stroke reaches a cell of this kind, in part or whole. May return
+  /// true for a long connected stroke that reaches none.
   bool touches(const Stroke& stroke, const std::function<bool(int64_t)>& is_asked) const;
   /// Fails: invalid_argument if no dab of the stroke reaches a cell.
   Status check_new(const Stroke& stroke) const;
@@ -102,6 +108,8 @@ class Fields {
   void update_beta(size_t stretch) const;
   PaintLayer& make_layer(size_t number);
   void cover_other_curves(size_t cell, double left, const PaintLayer& painted);
+  void blend(const Brush& brush, int64_t cell, double left, PaintLayer& layer);
+  bool ball_touches(const Stroke& stroke, const std::function<bool(int64_t)>& is_asked) const;
   void mark_painted(size_t layer);
   void append_painted(size_t number, PaintedCells& painted) const;
   void mark_held();

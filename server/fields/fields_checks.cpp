@@ -47,8 +47,30 @@ Status Fields::check_new(const SetCellFields& change) const {
   return Status::ok();
 }
 
-// A fine brush on the surface may reach the middle of no cell: it touches the surface all the same.
 bool Fields::touches(const Stroke& stroke, const std::function<bool(int64_t)>& is_asked) const {
+  static constexpr size_t kReachedMax = 1 << 18;  // a tenth of a second
+  if (!ball_touches(stroke, is_asked)) return false;
+  if (!stroke.brush.connected) return true;
+  const std::vector<Vec3d> centres = dab_centres(stroke);
+  SurfaceNear near(prepared_, cells_near(stroke.brush, centres));
+  size_t reached = 0;
+  const auto is_asked_near = [&](const SurfaceNear::Reached& cell) {
+    return is_asked(near.cells()[cell.index]);
+  };
+  for (const Vec3d& centre : centres) {
+    near.begin(centre, stroke.brush.radius);
+    for (auto ring = near.next_ring(); !ring.empty(); ring = near.next_ring()) {
+      if (std::ranges::any_of(ring, is_asked_near)) return true;
+      reached += ring.size();
+      if (reached > kReachedMax) return true;
+    }
+  }
+  return false;
+}
+
+// A fine brush on the surface may reach the middle of no cell: it touches the surface all the same.
+bool Fields::ball_touches(const Stroke& stroke,
+                          const std::function<bool(int64_t)>& is_asked) const {
   const auto is_reached = [&](const Vec3d& centre, int64_t c) {
     const Vec3d corner = prepared_.frame.to_file(morton_point(prepared_.cells[c]).cast<double>());
     const Vec3d end = corner + Vec3d::Constant(prepared_.frame.cell_size);
@@ -61,7 +83,7 @@ bool Fields::touches(const Stroke& stroke, const std::function<bool(int64_t)>& i
 }
 
 Status Fields::check_new(const Stroke& stroke) const {
-  if (touches(stroke, [](int64_t) { return true; })) return Status::ok();
+  if (ball_touches(stroke, [](int64_t) { return true; })) return Status::ok();
   std::ostringstream text;
   text << "the stroke touches nothing: no part of the surface is within the brush's radius, "
        << stroke.brush.radius << ", of its path";

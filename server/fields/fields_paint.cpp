@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 
 #include "common/grid/morton.h"
 #include "server/fields/cells_in_box.h"
@@ -46,10 +47,37 @@ void Fields::paint(const Brush& brush, std::span<const Vec3d> centres,
     const Vec3i cell = morton_point(prepared_.cells[c]);
     const Vec3d middle = prepared_.frame.to_file(cell.cast<double>() + Vec3d::Constant(0.5));
     if (!box.contains(middle)) continue;
-    const double left = left_by(brush, centres, middle);
-    if (left == 1) continue;
-    layer.blend(c, left, brush.beta);
-    if (brush.curve > 0) cover_other_curves(c, left, layer);
+    blend(brush, c, left_by(brush, centres, middle), layer);
+  }
+  mark_painted(number);
+}
+
+void Fields::blend(const Brush& brush, int64_t cell, double left, PaintLayer& layer) {
+  if (left == 1) return;
+  layer.blend(cell, left, brush.beta);
+  if (brush.curve > 0) cover_other_curves(cell, left, layer);
+}
+
+void Fields::paint(const Brush& brush, std::span<const Vec3d> centres) {
+  if (!brush.connected) return paint(brush, centres, cells_near(brush, centres));
+  ConnectedDabs dabs = connected_dabs(brush, centres);
+  dabs.advance(std::numeric_limits<size_t>::max());
+  paint(brush, dabs);
+}
+
+ConnectedDabs Fields::connected_dabs(const Brush& brush, std::span<const Vec3d> centres) const {
+  return {prepared_, brush, {centres.begin(), centres.end()}, cells_near(brush, centres)};
+}
+
+void Fields::paint(const Brush& brush, const ConnectedDabs& dabs,
+                   const std::function<bool(int64_t)>& is_spared) {
+  const size_t number = layer_of(brush);
+  PaintLayer& layer = make_layer(number);
+  for (size_t i = 0; i < dabs.cells().size(); ++i) {
+    const int64_t c = dabs.cells()[i];
+    if (dabs.left()[i] == 1 || (is_spared && is_spared(c))) continue;
+    may_have_paint_[c / kStretch] = blend_is_old_[c / kStretch] = 1;
+    blend(brush, c, dabs.left()[i], layer);
   }
   mark_painted(number);
 }

@@ -21,9 +21,11 @@ uint64_t extend_series(uint64_t series, uint64_t stroke_hash) {
 
 uint64_t hash_of(const Stroke& stroke) {
   // β is layer 0, so strokes of β keep the hashes that they had before there were layers.
-  static constexpr size_t kFallOffs = 4;
-  const size_t kind =
-      static_cast<size_t>(stroke.brush.fall_off) + kFallOffs * layer_of(stroke.brush);
+  // So do strokes that paint through walls, as all did once.
+  static constexpr size_t kFallOffs = 4, kConnected = 1 << 16;
+  const size_t kind = static_cast<size_t>(stroke.brush.fall_off) +
+                      kFallOffs * layer_of(stroke.brush) +
+                      (stroke.brush.connected ? kConnected : 0);
   const double brush[] = {stroke.brush.radius, stroke.brush.strength, stroke.brush.beta,
                           static_cast<double>(kind)};
   return XXH3_64bits_withSeed(stroke.path.data(), stroke.path.size() * sizeof(Vec3d),

@@ -279,26 +279,44 @@ void EditedFields::go_back_to_shared(const std::vector<uint64_t>& series) {
 }
 
 /// Paints the rest of the stroke outside of the protection, some cells between two calls of
-/// `progress`. Each cell sees all dabs at once, so pauses leave no trace in its paint.
+/// `progress`.
 Status EditedFields::paint(const Stroke& stroke, uint64_t series, const Progress& progress,
                            double done) {
-  static constexpr size_t kDabsTimesCells = 1 << 22;  // some milliseconds of work
-  if (!begun_) {
-    begun_.emplace(series, dab_centres(stroke));
-    begun_->cells = fields_.cells_near(stroke.brush, begun_->centres);
-    std::erase_if(begun_->cells,
-                  [&](int64_t cell) { return protection_.has(static_cast<size_t>(cell)); });
-  }
-  const size_t cells_at_once = std::max(kDabsTimesCells / begun_->centres.size(), size_t{1});
+  if (!begun_) begin(stroke, series);
   do {
     if (!report(progress, "replaying strokes", done)) return cancelled("the replay was cancelled");
-    const auto left = std::span(begun_->cells).subspan(begun_->painted_cells);
-    const auto now = left.first(std::min(left.size(), cells_at_once));
-    fields_.paint(stroke.brush, begun_->centres, now);
-    begun_->painted_cells += now.size();
-  } while (begun_->painted_cells < begun_->cells.size());
+  } while (!paint_on(stroke.brush));
   begun_.reset();
   return Status::ok();
+}
+
+void EditedFields::begin(const Stroke& stroke, uint64_t series) {
+  begun_.emplace(series, dab_centres(stroke));
+  if (stroke.brush.connected) {
+    begun_->dabs.emplace(fields_.connected_dabs(stroke.brush, begun_->centres));
+    return;
+  }
+  begun_->cells = fields_.cells_near(stroke.brush, begun_->centres);
+  std::erase_if(begun_->cells,
+                [&](int64_t cell) { return protection_.has(static_cast<size_t>(cell)); });
+}
+
+/// Does some milliseconds of work at the stroke that is begun. Returns whether it is painted. Each
+/// cell sees all dabs at once, so pauses leave no trace in its paint.
+bool EditedFields::paint_on(const Brush& brush) {
+  static constexpr size_t kDabsTimesCells = 1 << 22, kConnectedCells = 1 << 14;
+  if (begun_->dabs) {
+    if (!begun_->dabs->advance(kConnectedCells)) return false;
+    fields_.paint(brush, *begun_->dabs,
+                  [&](int64_t cell) { return protection_.has(static_cast<size_t>(cell)); });
+    return true;
+  }
+  const size_t cells_at_once = std::max(kDabsTimesCells / begun_->centres.size(), size_t{1});
+  const auto left = std::span(begun_->cells).subspan(begun_->painted_cells);
+  const auto now = left.first(std::min(left.size(), cells_at_once));
+  fields_.paint(brush, begun_->centres, now);
+  begun_->painted_cells += now.size();
+  return begun_->painted_cells == begun_->cells.size();
 }
 
 void EditedFields::keep_checkpoint(uint64_t newest) {

@@ -119,6 +119,7 @@ class EditedFields {
     std::vector<Vec3d> centres;
     std::vector<int64_t> cells;  ///< cells that the stroke may reach
     size_t painted_cells = 0;
+    std::optional<ConnectedDabs> dabs;  ///< of a connected brush, in place of the above
   };
 
   Status check(const Edit& edit) const;
@@ -137,6 +138,8 @@ class EditedFields {
                        const Progress& progress);
   void go_back_to_shared(const std::vector<uint64_t>& series);
   Status paint(const Stroke& stroke, uint64_t series, const Progress& progress, double done);
+  void begin(const Stroke& stroke, uint64_t series);
+  bool paint_on(const Brush& brush);
   void keep_checkpoint(uint64_t newest);
 
   const PreparedMesh& prepared_;

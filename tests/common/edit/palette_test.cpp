@@ -66,6 +66,33 @@ TEST(BrushWords, SayWhatABrushPaints) {
     EXPECT_FALSE(parse_painted(word, brush).is_ok()) << word;
 }
 
+TEST(BrushWords, ABrushIsConnectedUnlessItsWordsSayThrough) {
+  const auto parse = [](std::vector<std::string_view> words, Brush& brush) {
+    return parse_brush_words(words, brush);
+  };
+  Brush brush;
+  ASSERT_TRUE(parse({}, brush).is_ok());
+  EXPECT_TRUE(brush.connected);
+  EXPECT_EQ(brush_words(brush), "");
+  ASSERT_TRUE(parse({"through"}, brush).is_ok());
+  EXPECT_FALSE(brush.connected);
+  EXPECT_EQ(brush_words(brush), " through");
+  ASSERT_TRUE(parse({"through", "band:2"}, brush).is_ok());
+  EXPECT_EQ(brush_words(brush), " band:2 through");
+  ASSERT_TRUE(parse({"curve:1", "connected"}, brush).is_ok());
+  EXPECT_EQ(brush_words(brush), " curve:1");
+}
+
+TEST(BrushWords, AWordTooManyIsNamed) {
+  const auto refusal = [](std::vector<std::string_view> words) {
+    Brush brush;
+    return parse_brush_words(words, brush).message();
+  };
+  EXPECT_THAT(refusal({"through", "connected"}), HasSubstr("'through' and 'connected'"));
+  EXPECT_THAT(refusal({"beta", "through", "colour"}), HasSubstr("'beta' and 'colour'"));
+  EXPECT_THAT(refusal({"thru"}), HasSubstr("'thru'"));
+}
+
 TEST(BrushWords, ABrushPaintsOneThing) {
   Stroke stroke{{1, 1, 1, FallOff::kSmooth, 7, 0}, {Vec3d::Zero()}};
   EXPECT_THAT(validate(stroke).message(), HasSubstr("band 7, the limit is 0 to 6"));

@@ -73,6 +73,7 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
       {"t", Stroke{{0.5, 0.75, 2, FallOff::kSharp, 0, 8}, {Vec3d(1, 2, 3)}}},
       {"u", SetColour{{7, 0.25}}},
       {"v", Stroke{{0.5, 0.75, 2, FallOff::kSharp, 0, 0, true}, {Vec3d(1, 2, 3)}}},
+      {"w", Stroke{{.radius = 0.5, .beta = 2, .connected = true}, {Vec3d(1, 2, 3)}}},
       {"j", SetControls{{.pin_rims = true, .cap = 0.25, .keep_volume = true}}},
   };
   for (const Edit& edit : edits) {
@@ -88,6 +89,19 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
   EXPECT_EQ(
       std::get<SetTransferCurve>(edit_from_bytes(edit_to_bytes(edits[1])).value().change).curve,
       curve);
+}
+
+TEST(EditWire, StrokesOfEarlierVersionsPaintThroughWallsAndKeepTheirBytes) {
+  Edit edit{"a", Stroke{{.radius = 0.5, .beta = 2}, {Vec3d(1, 2, 3)}}};
+  const std::string bytes = edit_to_bytes(edit);
+  EXPECT_EQ(bytes.size(), 65u);  // as 0.1.0 wrote it
+  const auto is_connected = [](const std::string& stored) {
+    return std::get<Stroke>(edit_from_bytes(stored).value().change).brush.connected;
+  };
+  EXPECT_FALSE(is_connected(bytes));
+  std::get<Stroke>(edit.change).brush.connected = true;
+  EXPECT_EQ(edit_to_bytes(edit).size(), bytes.size() + 2);
+  EXPECT_TRUE(is_connected(edit_to_bytes(edit)));
 }
 
 TEST(EditWire, TheCapOfControlsIsChecked) {

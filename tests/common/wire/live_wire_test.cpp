@@ -56,7 +56,9 @@ void expect_unchanged(const Message& message) {
 }
 
 Stroke stroke() {
-  return {{0.5, 0.75, 2, FallOff::kLinear}, {Vec3d(1, 2, 3), Vec3d(-4, 5e-9, 6)}};
+  return {
+      {.radius = 0.5, .strength = 0.75, .beta = 2, .fall_off = FallOff::kLinear, .connected = true},
+      {Vec3d(1, 2, 3), Vec3d(-4, 5e-9, 6)}};
 }
 
 TransferCurve curve() {

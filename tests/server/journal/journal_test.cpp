@@ -20,7 +20,7 @@ SessionRecord record(const std::string& name) {
 std::vector<AuthoredEdit> some_edits() {
   return {{"ann", 1, {"1", SetGradientScale{0.5}}},
           {"bob", 2, {"1", SetTransferCurve{TransferCurve(20)}}},
-          {"", 3, {"3", Stroke{{1, 1, 2, FallOff::kSmooth}, {Vec3d(1, 2, 3)}}}},
+          {"", 3, {"3", Stroke{{.radius = 1, .beta = 2, .connected = true}, {Vec3d(1, 2, 3)}}}},
           {"ann", 4, {"4", Undo{}}}};
 }
 

@@ -169,6 +169,29 @@ TEST_F(EditedFieldsTest, AReplayThatPausesAnywhereGivesTheSameFields) {
   EXPECT_EQ(beta(in_pieces), beta(at_once));
 }
 
+Stroke connected(Stroke stroke) {
+  stroke.brush.connected = true;
+  return stroke;
+}
+
+TEST_F(EditedFieldsTest, AConnectedStrokeThatPausesAnywhereGivesTheSameFields) {
+  prepared_ = prepared_sphere(6);
+  Stroke over_it{{0.6, 0.3, 3, FallOff::kSmooth}, {}};
+  for (int i = 0; i <= 60; ++i) over_it.path.emplace_back(std::cos(0.1 * i), 0, std::sin(0.1 * i));
+  EditedFields at_once(*prepared_), in_pieces(*prepared_);
+  const std::vector<AuthoredEdit> edits = {authored(connected(over_it)), authored(stroke(1)),
+                                           authored(connected(stroke(2)))};
+  ASSERT_TRUE(at_once.apply(edits).is_ok());
+  ASSERT_TRUE(in_pieces.record(edits).is_ok());
+  int pauses = 0;
+  for (int calls = 0; in_pieces.is_behind(); ++pauses)
+    (void)in_pieces.catch_up([&](std::string_view, double) { return ++calls % 2 != 0; });
+  EXPECT_GT(pauses, 3);
+  EXPECT_EQ(beta(in_pieces), beta(at_once));
+  ASSERT_TRUE(apply(at_once, Undo{}).is_ok());
+  EXPECT_NE(beta(in_pieces), beta(at_once));
+}
+
 TEST_F(EditedFieldsTest, ACancelledReplayChangesNothing) {
   EditedFields edited(*prepared_);
   ASSERT_TRUE(apply(edited, stroke(1)).is_ok());
@@ -242,7 +265,9 @@ TEST_F(EditedFieldsTest, AStrokeWhollyInsideTheProtectedRegionIsRefused) {
   const Status refused = edited.check_new({"a", kAtTheTop});
   EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
   EXPECT_THAT(refused.message(), testing::HasSubstr("protected"));
+  EXPECT_EQ(edited.check_new({"a", connected(kAtTheTop)}).code(), StatusCode::kFailedPrecondition);
   EXPECT_TRUE(edited.check_new({"a", over_the_border(3)}).is_ok());
+  EXPECT_TRUE(edited.check_new({"a", connected(over_the_border(3))}).is_ok());
   ASSERT_TRUE(apply(edited, Protect{NoRegion{}}).is_ok());
   EXPECT_TRUE(edited.check_new({"a", kAtTheTop}).is_ok());
 }
@@ -250,7 +275,7 @@ TEST_F(EditedFieldsTest, AStrokeWhollyInsideTheProtectedRegionIsRefused) {
 TEST_F(EditedFieldsTest, PaintOverTheBorderOfTheRegionStaysOutsideAfterItsRelease) {
   EditedFields edited(*prepared_), free(*prepared_);
   ASSERT_TRUE(apply(edited, upper_half()).is_ok());
-  ASSERT_TRUE(apply(edited, over_the_border(3)).is_ok());
+  ASSERT_TRUE(apply(edited, connected(over_the_border(3))).is_ok());
   ASSERT_TRUE(apply(edited, Protect{NoRegion{}}).is_ok());
   ASSERT_TRUE(apply(free, over_the_border(3)).is_ok());
   const size_t outside = cells_at(beta(edited), 3), all = cells_at(beta(free), 3);
