@@ -34,6 +34,15 @@ static void draw_mode_buttons(Brush& brush) {
   button("Sharpen", 2);
 }
 
+static void draw_reach(Brush& brush) {
+  bool through = !brush.connected;
+  noted("Through walls", ImGui::Checkbox("Through walls", &through));
+  hint(
+      "Paints all surface in the ball, the other side of a thin wall too. Without it the brush "
+      "paints what hangs together with the place under the pointer.");
+  brush.connected = !through;
+}
+
 static std::optional<MirrorPlane> plane_of(int chosen, const Document& document) {
   if (chosen == 0) return std::nullopt;
   return MirrorPlane{chosen - 1, document.box().center()[chosen - 1]};
@@ -87,6 +96,7 @@ void BrushPanel::draw(Workspace& workspace) {
   linear_slider({{"Strength", 0.01, 1}, "%.2f", workspace.log}, brush.strength);
   if (workspace.has_pen) draw_pen(workspace.preferences);
   draw_fall_off(brush);
+  draw_reach(brush);
   draw_mirror(document, workspace.log);
   ImGui::EndDisabled();
 }

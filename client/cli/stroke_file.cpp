@@ -1,18 +1,21 @@
 #include "client/cli/stroke_file.h"
 
+#include <span>
+
 #include "common/base/text_lines.h"
 
 namespace burnish {
 
 static Result<Stroke> parse_brush(const TextLine& line) {
-  if (line.words.size() != 5 && line.words.size() != 6)
-    return invalid_argument("a brush line must be: brush RADIUS STRENGTH BETA FALLOFF [WHAT]");
+  if (line.words.size() < 5)
+    return invalid_argument(
+        "a brush line must be: brush RADIUS STRENGTH BETA FALLOFF [WHAT] [through]");
   Stroke stroke;
   ASSIGN_OR_RETURN(stroke.brush.radius, parse_real(line.words[1]));
   ASSIGN_OR_RETURN(stroke.brush.strength, parse_real(line.words[2]));
   ASSIGN_OR_RETURN(stroke.brush.beta, parse_real(line.words[3]));
   ASSIGN_OR_RETURN(stroke.brush.fall_off, parse_fall_off(line.words[4]));
-  if (line.words.size() > 5) RETURN_IF_ERROR(parse_painted(line.words[5], stroke.brush));
+  RETURN_IF_ERROR(parse_brush_words(std::span(line.words).subspan(5), stroke.brush));
   return stroke;
 }
 

@@ -12,9 +12,10 @@ namespace burnish {
 /// Reads strokes from text: each has a line for its brush, then lines for the points of its path.
 /// Lengths are in the scan's units; FALLOFF is smooth, linear, sharp or constant; '#' begins a
 /// comment. WHAT is what the brush paints: beta, or band:NUMBER for the gain of a band, which then
-/// stands in BETA's place, or curve:NUMBER for a curve of the palette.
+/// stands in BETA's place, or curve:NUMBER for a curve of the palette. With "through" the brush
+/// paints through walls.
 ///
-///     brush RADIUS STRENGTH BETA FALLOFF [WHAT]
+///     brush RADIUS STRENGTH BETA FALLOFF [WHAT] [through]
 ///     X Y Z
 ///     ...
 ///

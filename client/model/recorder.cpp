@@ -25,8 +25,8 @@ struct LineOf {
   }
   void operator()(const Stroke& stroke) const {
     line << "stroke " << stroke.brush.radius << ' ' << stroke.brush.strength << ' '
-         << stroke.brush.beta << ' ' << fall_off_name(stroke.brush.fall_off);
-    if (painted_word(stroke.brush) != "beta") line << ' ' << painted_word(stroke.brush);
+         << stroke.brush.beta << ' ' << fall_off_name(stroke.brush.fall_off)
+         << brush_words(stroke.brush);
     for (const Vec3d& point : stroke.path)
       line << ' ' << point.x() << ' ' << point.y() << ' ' << point.z();
   }

@@ -106,9 +106,10 @@ void Workspace::show(OpenedDocument opened) {
   forget_raw();
   const Status shown = document->open(renderer_);
   if (!shown.is_ok()) return log.failure("open", shown);
-  document->brush().brush = {.radius = preferences.brush_radius_part * document->diagonal(),
-                             .strength = preferences.brush_strength,
-                             .beta = preferences.brush_beta};
+  Brush& brush = document->brush().brush;
+  brush.radius = preferences.brush_radius_part * document->diagonal();
+  brush.strength = preferences.brush_strength;
+  brush.beta = preferences.brush_beta;
   document_ = std::move(document);
   document_server_ = recent_server();
   ++pictures_begun_;

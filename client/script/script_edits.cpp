@@ -1,5 +1,8 @@
 #include "client/script/script_edits.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include "client/script/script_view.h"
 #include "client/tools/own_presets.h"
 #include "common/base/text_lines.h"
@@ -65,7 +68,7 @@ Result<ColourFilter> parse_colours(const std::vector<std::string>& words,
 
 namespace {
 
-/// Parses RADIUS STRENGTH BETA [FALLOFF [WHAT]].
+/// Parses RADIUS STRENGTH BETA [FALLOFF [WHAT] [through]].
 Result<Brush> parse_brush(const std::vector<std::string>& words) {
   Brush brush;
   ASSIGN_OR_RETURN(brush.radius, parse_real(words[0]));
@@ -74,14 +77,16 @@ Result<Brush> parse_brush(const std::vector<std::string>& words) {
   if (words.size() > 3) {
     ASSIGN_OR_RETURN(brush.fall_off, parse_fall_off(words[3]));
   }
-  if (words.size() > 4) RETURN_IF_ERROR(parse_painted(words[4], brush));
+  const auto behind = words.begin() + std::min(words.size(), size_t{4});
+  RETURN_IF_ERROR(parse_brush_words(std::vector<std::string_view>(behind, words.end()), brush));
   RETURN_IF_ERROR(validate(Stroke{brush, {Vec3d::Zero()}}));
   return brush;
 }
 
 Result<Stroke> parse_stroke(const std::vector<std::string>& words) {
   Stroke stroke;
-  const size_t first = parse_real(words[4]).is_ok() ? 4 : 5;  // a word before the points: WHAT
+  size_t first = 4;  // words before the points: WHAT, through
+  while (first < words.size() && !parse_real(words[first]).is_ok()) ++first;
   ASSIGN_OR_RETURN(stroke.brush, parse_brush({words.begin(), words.begin() + first}));
   ASSIGN_OR_RETURN(const std::vector<double> numbers, parse_numbers(words, first));
   if (numbers.size() % 3 != 0) return invalid_argument("a point must be three numbers");

@@ -17,7 +17,7 @@ double painted_beta(double beta, BrushMode mode);
 /// A brush and its current stroke, if any. Points lie on the original surface, in file units.
 class BrushTool {
  public:
-  Brush brush{.radius = 1, .strength = 0.6, .beta = 0};
+  Brush brush{.radius = 1, .strength = 0.6, .beta = 0, .connected = true};
 
   /// Multiplies the radius; the result stays within fixed parts of the scan's diagonal.
   void scale_radius(double factor, double diagonal);

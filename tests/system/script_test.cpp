@@ -145,7 +145,8 @@ TEST(Script, BandsPaletteAndWhatABrushPaintsAreEdits) {
   const std::string script =
       "open " + write_sphere(server.folder, 3) +
       "\nbands 0.5:2 2:0.5\npalette 80 d04040 fine letters ; 20 4060d0 ground\n"
-      "stroke 0.4 1 3 smooth band:2 0 0 1\nstroke 0.4 1 0 smooth curve:1 0 1 0\nwait\nprint\n"
+      "stroke 0.4 1 3 smooth band:2 through 0 0 1\nstroke 0.4 1 0 smooth curve:1 0 1 "
+      "0\nwait\nprint\n"
       "bands\nwait\nprint\n";
   const CommandOutcome outcome = run_script(server, script);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;

@@ -164,12 +164,19 @@ TEST_F(WorkspaceViews, AStrokeAndItsMirrorImageAreOneStep) {
   EXPECT_EQ(enabled_entries(), 2u);
 }
 
+TEST_F(WorkspaceViews, ABrushBeginsConnectedWithTheValuesThatTheLastOneHad) {
+  workspace_.preferences.brush_strength = 0.25;
+  ASSERT_TRUE(open("work"));
+  EXPECT_TRUE(document().brush().brush.connected);
+  EXPECT_EQ(document().brush().brush.strength, 0.25);
+}
+
 TEST_F(WorkspaceViews, AMirroredStrokeIsRecordedAsTheStrokesOfBothSides) {
   ASSERT_TRUE(open("work"));
   const auto file = server_.folder / "record.txt";
   ASSERT_TRUE(workspace_.recorder.open(file).is_ok());
   document().mirror = MirrorPlane{1, 0.25};
-  document().paint({{.radius = 0.5, .strength = 1, .beta = 3}, {Vec3d(0, 1, 0)}});
+  document().paint({{.radius = 0.5, .beta = 3, .connected = true}, {Vec3d(0, 1, 0)}});
   const std::string text = std::move(read_text_file(file)).value();
   EXPECT_EQ(text, "stroke 0.5 1 3 smooth 0 1 0\nstroke 0.5 1 3 smooth 0 -0.5 0\n");
   EXPECT_TRUE(until_settled());

@@ -14,7 +14,8 @@ constexpr int kThreadsMax = 1024;
 void add_field_options(CLI::App& command, FilterOptions& options) {
   add_filter_options(command, options.filter);
   command.add_option("--beta-paint", options.paint_file,
-                     "File of strokes: 'brush RADIUS STRENGTH BETA FALLOFF', then 'X Y Z' lines");
+                     "File of strokes: 'brush RADIUS STRENGTH BETA FALLOFF [through]', then "
+                     "'X Y Z' lines; 'through' paints through thin walls");
   command.add_option("--cell-field", options.cell_field_file,
                      "File of cells: 'i j k alpha1 alpha2 beta' lines, which override the fields");
   command.add_option("--fields-out", options.fields_file,

@@ -68,7 +68,9 @@ class Brush:
     """A ball that paints. `fall_off`: smooth, linear, sharp or constant.
 
     It paints the gradient scale; or the gain of a `band` of the equaliser (from 1); or where a
-    `curve` of the palette rules (from 1); or the gradient scale of the colours.
+    `curve` of the palette rules (from 1); or the gradient scale of the colours. It reaches the
+    surface that hangs together with the place that it touches; `through` reaches the other side of
+    thin walls too.
     """
 
     radius: float
@@ -78,6 +80,7 @@ class Brush:
     band: int | None = None
     curve: int | None = None
     colour: bool = False
+    through: bool = False
 
     def message(self) -> editing_pb2.Brush:
         if self.fall_off not in FALL_OFFS:
@@ -88,7 +91,8 @@ class Brush:
             raise ValueError(f"a brush paints one thing, not {' and '.join(given)}")
         members: dict[str, Any] = given
         return editing_pb2.Brush(radius=self.radius, strength=self.strength, beta=self.beta,
-                                 fall_off=FALL_OFFS[self.fall_off], **members)
+                                 fall_off=FALL_OFFS[self.fall_off], connected=not self.through,
+                                 **members)
 
 
 @dataclasses.dataclass(frozen=True)

@@ -72,7 +72,7 @@ void write_brush(const Brush& brush, JsonWriter& json) {
   static constexpr const char* kFallOffs[] = {"smooth", "linear", "sharp", "constant"};
   json.key("brush").open().number("radius", brush.radius).number("strength", brush.strength);
   json.number("beta", brush.beta).text("fallOff", kFallOffs[static_cast<int>(brush.fall_off)]);
-  json.text("paints", painted_word(brush)).close();
+  json.text("paints", painted_word(brush)).flag("through", !brush.connected).close();
 }
 
 void write_pointer(const Workspace& workspace, const FrontState& state, JsonWriter& json) {

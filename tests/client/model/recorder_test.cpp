@@ -18,13 +18,15 @@ TEST(Recorder, EveryEditThatAWindowMakesHasALine) {
   recorder.record(Edit{"1", SetGradientScale{0.5}});
   recorder.record(Edit{"2", SetTransferCurve{*TransferCurve::parse("-1:5,2:50")}});
   recorder.record(Edit{"3", Stroke{{.radius = 2, .strength = 0.5, .beta = 0}, {Vec3d(1, 2, 3)}}});
+  recorder.record(Edit{"3", Stroke{{.radius = 2, .beta = 0, .connected = true}, {Vec3d(1, 2, 3)}}});
   recorder.record(Edit{"4", Undo{}});
   recorder.record(Edit{"5", SwitchEntry{3, true}});
   recorder.record(Edit{"6", SetCheckpoint{"first draft"}});
   std::ifstream file(path);
   const std::string lines{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(lines,
-            "beta 0.5\ncurve -1:5,2:50\nstroke 2 0.5 0 smooth 1 2 3\nundo\nswitch 3 on\n"
+            "beta 0.5\ncurve -1:5,2:50\nstroke 2 0.5 0 smooth through 1 2 3\n"
+            "stroke 2 1 0 smooth 1 2 3\nundo\nswitch 3 on\n"
             "checkpoint first draft\n");
 }
 

@@ -40,6 +40,13 @@ class Edits(Sdk):
         self.assertEqual(state.curve.points, {-3.0: 20.0, 3.0: 80.0})
         self.assertEqual(state.bands, [burnish.Band(1, 0), burnish.Band(2, 2)])
 
+    def test_a_brush_is_connected_unless_it_goes_through(self):
+        path = self.mesh.vertices[:1]
+        brushes = [burnish.Brush(2), burnish.Brush(2, through=True)]
+        self.assertEqual([brush.message().connected for brush in brushes], [True, False])
+        self.session.apply(*[burnish.Stroke(brush, path) for brush in brushes])
+        self.assertEqual(["through walls" in text for text in self.summaries()], [False, True])
+
     def test_cells_are_set_and_read(self):
         betas = self.session.cells("beta")
         np.testing.assert_array_equal(betas, 1)

@@ -99,6 +99,8 @@ test("BrushIsOneLine", () =>
     await panel.getByRole("textbox", { name: "Radius as a number" }).fill("2");
     await visit.page.keyboard.press("Enter");
     await visit.sent("brush 2 0.5 0 smooth beta");
+    await panel.getByRole("checkbox", { name: "Through walls" }).click();
+    await visit.sent("brush 4 0.5 0 smooth beta through");
     await panel.getByRole("checkbox", { name: "Pen pressure" }).click();
     await visit.sent("pen off");
     await panel.getByRole("combobox", { name: "Mirror" }).selectOption("Across x");

@@ -95,6 +95,13 @@ export function BrushPanel({ document }: PanelProps) {
         disabled={disabled}
         onChange={(fallOff) => change({ fallOff })}
       />
+      <Check
+        label="Through walls"
+        on={brush.through}
+        disabled={disabled}
+        hint="Paints all surface in the ball, the other side of a thin wall too. Without it the brush paints what hangs together with the place under the pointer."
+        onChange={(through) => change({ through })}
+      />
       <Mirror document={document} />
     </>
   );

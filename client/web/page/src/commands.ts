@@ -105,7 +105,8 @@ export const command = {
   plotRemove: (point: number) => words("plot remove", point),
 
   brush: (brush: Brush) =>
-    words("brush", brush.radius, brush.strength, brush.beta, brush.fallOff satisfies FallOff, brush.paints),
+    words("brush", brush.radius, brush.strength, brush.beta, brush.fallOff satisfies FallOff, brush.paints) +
+    (brush.through ? " through" : ""),
   brushDrag: (what: "radius" | "strength") => words("brush_drag", what),
   mirror: (axis: string, at?: number) =>
     at === undefined ? words("mirror", axis) : words("mirror", axis, at),

@@ -112,6 +112,8 @@ export interface Brush {
   fallOff: FallOff;
   /** "beta", "colour", "band:2" or "curve:1". */
   paints: string;
+  /** Paints through thin walls too. */
+  through: boolean;
 }
 
 export type Axis = "x" | "y" | "z";
